@@ -70,9 +70,9 @@ using CubeCorners = std::array<Vec3, 8>;
 
 /// n^3 unit cubes, touching face to face, in [0, n]^3.
 std::vector<CubeCorners> cube_block(int n);
-/// The same turned: every corner of the lattice turned once, so that touching cubes have equal corners.
+/// The block turned: every corner of the lattice turned once, so that touching cubes have equal corners.
 std::vector<CubeCorners> turned_block_shared(int n, const Placement& turn);
-/// The same turned: each cube by its turned centre and half diagonals, so that corners that should be equal differ by
+/// The block turned: each cube by its turned centre and half diagonals, so that corners that should be equal differ by
 /// rounding.
 std::vector<CubeCorners> turned_block_rounded(int n, const Placement& turn);
 

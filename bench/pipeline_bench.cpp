@@ -41,7 +41,7 @@ std::vector<Selection> selections() {
   return {feature, all};
 }
 
-/// What a scene is on the way to the study. Made when first asked for; one scene is kept at a time.
+/// A scene on the way to the study. Made when first asked for; one scene is kept at a time.
 struct Prepared {
   std::string file, selection;
   Scene scene;

@@ -14,7 +14,7 @@ namespace {
 /// Sizes of papers agree within this: letter in whole tenths of a millimetre, trimmed sheets.
 constexpr double kSameSizeMm = 1;
 
-/// Of a unit; 300 mm by 0.025 mm are 12,000 units, whatever the division rounds.
+/// Share of a unit; 300 mm by 0.025 mm are 12,000 units, whatever the division rounds.
 constexpr double kUnitSlack = 1e-3;
 
 bool same(double a, double b) { return std::abs(a - b) <= kSameSizeMm; }

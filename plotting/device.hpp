@@ -32,7 +32,7 @@ struct DevicePlace {
   Point2 at_mm{0, 0};
 };
 
-/// What the machine can do between strokes, the pen raised: dip a brush, wait. "pause" is what it does between parts.
+/// An action of the machine between strokes, the pen raised: dip a brush, wait. "pause" is its action between parts.
 struct DeviceAction {
   std::string name;
   std::string place;  ///< where; empty: where it stands

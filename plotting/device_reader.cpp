@@ -15,8 +15,8 @@ namespace {
 constexpr double kFinestStepMm = 1e-4, kCoarsestStepMm = 10;
 constexpr unsigned kMostPoints = 1'000'000;
 
-/// What a machine does, with room on both sides. Within these bounds no time, feed or coordinate overflows: a drawing has
-/// less than 2^32 points, none of them farther than kFarthestMm, and so takes less than 2 * 10^18 s, which 64 bits hold.
+/// Bounds of real machines, with room on both sides. Within these bounds no time, feed or coordinate overflows: a drawing
+/// has less than 2^32 points, none of them farther than kFarthestMm, and so takes less than 2 * 10^18 s, which 64 bits hold.
 constexpr double kSlowestMmPerS = 0.01, kFastestMmPerS = 10'000, kLongestLiftS = 600, kLongestChangeS = 86'400;
 constexpr double kLargestPaperMm = 100'000, kFarthestOriginMm = 1e6, kFarthestUnit = 1e10;
 
@@ -38,7 +38,7 @@ Rect read_limits(const TomlTable& table) {
 
 bool is_within(Point2 p, double most) { return std::abs(p.x) <= most && std::abs(p.y) <= most; }
 
-/// What stands in braces is replaced: whatever is not known would reach the machine as it is.
+/// Placeholders in braces are replaced: an unknown one would reach the machine as it is.
 void check_placeholders(const TomlTable& table, std::string_view key, std::string_view command,
                         std::span<const std::string_view> known) {
   for (std::size_t at = command.find('{'); at != command.npos; at = command.find('{', at + 1)) {

@@ -66,7 +66,7 @@ struct FillHatches {
   FillHatch of(std::string_view layer, std::string_view color) const;
 };
 
-/// What becomes of filled areas of an SVG. White ones are paper: they are not drawn, and hide what lies under them.
+/// The treatment of filled areas of an SVG. White ones are paper: they are not drawn, and hide what lies under them.
 struct FillReading {
   enum class How { refuse, outline, hatch };
   How how = How::outline;      ///< or they are refused, or contours are drawn and strokes inside
@@ -92,7 +92,7 @@ struct SvgReading {
 ReadDrawing read_svg_drawing(std::string_view svg, const std::string& file, const std::set<std::string>& skip,
                              const FillReading& fills = {}, const SvgReading& reading = {});
 
-/// What can be skipped, as named in errors.
+/// Kinds of elements that can be skipped, as named in errors.
 inline constexpr std::string_view kSkippable[] = {"text",   "image", "fill",          "clip-path", "mask",      "filter",
                                                   "marker", "style", "foreignObject", "switch",    "animation", "paint"};
 

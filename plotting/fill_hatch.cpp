@@ -14,7 +14,7 @@ namespace {
 
 /// Adjustable: distance of strokes that cover an area, and of those of the darkest tone, in widths of the pen.
 constexpr double kCoverPens = 0.8, kTonePens = 4;
-/// What gets more light is left white.
+/// Lighter areas are left white.
 constexpr double kBrightest = 0.92;
 /// Runs of regions on the lines of hatches: a file must not ask for endless work.
 constexpr double kMostRuns = 2e8;

@@ -50,7 +50,7 @@ std::vector<double> pen_profile(double radius, double line_mm) {
   return half;
 }
 
-/// What is in `kept` and, made narrower by `half` at each end, in `line`.
+/// Keeps the parts both in `kept` and, made narrower by `half` at each end, in `line`.
 void keep_within(Line& kept, const Line& line, double half, Line& scratch) {
   scratch.clear();
   std::size_t i = 0, k = 0;
@@ -96,7 +96,7 @@ class Hatcher {
 
   static constexpr std::int64_t kAll = -1;
   std::size_t index(std::int32_t line) const { return static_cast<std::size_t>(std::int64_t{line} - first_); }
-  /// What of a line is covered by surfaces of more rows than `rank`; kAll: by any.
+  /// The part of a line covered by surfaces of more rows than `rank`; kAll: by any.
   Line covered(std::int64_t rank, std::int32_t line, std::optional<std::uint32_t> layer = {}) const;
   Line inside(std::int64_t rank, std::int32_t line) const;
   /// Whether a stroke that ends there ends at the rim.
@@ -156,7 +156,7 @@ Line Hatcher::covered(std::int64_t rank, std::int32_t line, std::optional<std::u
   return cover;
 }
 
-/// What stays of a line when the area is made narrower by half a pen.
+/// The rest of a line when the area is made narrower by half a pen.
 Line Hatcher::inside(std::int64_t rank, std::int32_t line) const {
   Line kept, scratch;
   for (const Interval& run : covered(rank, line)) {

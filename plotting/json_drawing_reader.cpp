@@ -107,7 +107,7 @@ class DrawingReader {
     }
   }
 
-  /// What is seen through transparent faces is not hatched.
+  /// Regions seen through transparent faces are not hatched.
   void add_region(const json& value) {
     const auto level = value.find("level"), outer = value.find("outer"), holes = value.find("holes");
     if (level != value.end() && level->is_number() && level->get<double>() > 0) return;

@@ -45,7 +45,7 @@ struct LineStyle {
 /// Widths of layers by their names, mm.
 using LineWidths = std::map<std::string, double, std::less<>>;
 
-/// The same at another width: dashes are told in widths.
+/// The style at another width: dashes are told in widths.
 LineStyle with_width(LineStyle style, double width_mm);
 
 /// Style of the layer of that name at the given pen width: profiles 1.4 (one step up in the series of ISO 128-2), outlines

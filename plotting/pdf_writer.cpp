@@ -63,7 +63,7 @@ void PdfDocument::add_page(const Drawing& drawing, const PlotOptions& options, c
     cairo_pdf_surface_set_size(surface_->cairo.get(), width, height);
   } else {
     surface_ = std::make_unique<Surface>(width, height);
-    // The same input gives the same bytes: no date.
+    // Equal input gives equal bytes: no date.
     cairo_pdf_surface_set_metadata(surface_->cairo.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
     if (!options.title.empty()) {
       cairo_pdf_surface_set_metadata(surface_->cairo.get(), CAIRO_PDF_METADATA_TITLE, options.title.c_str());

@@ -30,7 +30,7 @@ inline constexpr unsigned kMostPens = 1000, kMostPenShades = 4, kMostPercent = 1
 /// number and the settings behind it.
 std::string layer_label(const Pen& pen);
 
-/// What the name of a layer says of its pen, in the same words. What follows a "%" is not plotted.
+/// The pen that the name of a layer asks for, in the words of pens. A layer whose name begins with "%" is not plotted.
 struct LayerLabel {
   unsigned number = 0;  ///< 0: it tells none
   bool skip = false, pause = false;

@@ -21,7 +21,7 @@ struct StyledLines {
   Polylines lines;
 };
 
-/// What one pen draws, before dashes are cut.
+/// The strokes of one pen, before dashes are cut.
 struct PenWork {
   Pen pen;
   double width_mm = 0;
@@ -168,7 +168,7 @@ PenLines optimized(const PenWork& work, const PathOptions& paths) {
   const auto seconds = [&](const PenLines& pen) {
     return paths.pace.seconds(measure(pen.lines, paths.order.home, paths.order.returns));
   };
-  // What is left out where strokes are joined is less: a piece of a long line is long.
+  // The loss where strokes are joined is smaller: a piece of a long line is long.
   const double allowed =
       paths.min_length_mm > 0 || paths.order.inside_first ? std::numeric_limits<double>::infinity() : seconds(before);
   const bool orders = paths.optimize != Optimize::join;

@@ -22,7 +22,7 @@ struct StrokeLook {
   friend bool operator==(const StrokeLook&, const StrokeLook&) = default;
 };
 
-/// What one pen draws, in order, page mm.
+/// The strokes of one pen, in order, page mm.
 struct PenLines {
   Pen pen;
   Polylines lines;
@@ -50,20 +50,20 @@ struct PlotRequest {
 /// Deals the layers out to their pens and turns texts and dashes into strokes, nothing else: lines stay in their order.
 Plot deal_to_pens(const Drawing& drawing, const PlotRequest& request);
 
-/// The same with the lines of every pen joined and ordered. Solid lines are made once and joined before anything is cut; so
-/// are dashed ones before they become dashes.
+/// Makes a plot with the lines of every pen joined and ordered. Solid lines are made once and joined before anything is cut;
+/// so are dashed ones before they become dashes.
 Plot make_plot(const Drawing& drawing, const PlotRequest& request);
 
 /// Lines of every layer joined and, with Optimize::full, ordered; layers, texts and dashes stay what they are.
 Drawing optimize_layers(const Drawing& drawing, const PathOptions& options);
 
-/// What is drawn, page mm; empty when nothing is.
+/// The box of the ink, page mm; empty when nothing is drawn.
 Rect ink_of(const Plot& plot);
 Rect ink_of(const Drawing& drawing);
 
 /// Sum over the pens that are not skipped, each from the home position, as each is put in order.
 PathLengths measure(const Plot& plot, Point2 home, bool returns);
-/// Of the pens that are not skipped as a file has them, one after the other: pens are changed where the last one ends.
+/// Lengths of the pens that are not skipped, plotted one after the other: pens are changed where the last one ends.
 PathLengths measure_in_turn(const Plot& plot, Point2 home, bool returns);
 PathLengths measure(const Drawing& drawing, Point2 home, bool returns);
 

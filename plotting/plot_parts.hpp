@@ -53,7 +53,7 @@ std::vector<Plot> split_plot(const Plot& plot, const PlotSplit& split, const Dev
 /// The parts as one plot in which the machine waits between them.
 Plot with_pauses(const std::vector<Plot>& parts);
 
-/// What each pen draws, with its number.
+/// The strokes of each pen, with its number.
 std::vector<std::pair<unsigned, Plot>> plots_of_pens(const Plot& plot);
 
 }  // namespace ligne

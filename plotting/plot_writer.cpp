@@ -42,7 +42,7 @@ std::string filled(std::string_view text, std::initializer_list<Replacement> rep
   return out;
 }
 
-/// What stands in a comment of G-code must not end it.
+/// The text of a comment of G-code must not end it.
 std::string comment(const std::string& name) {
   std::string text;
   for (const char c : name) {

@@ -7,7 +7,7 @@
 
 namespace ligne {
 
-/// What a machine does beside drawing: at the strokes of PenLines::actions, and where it goes when pens are changed.
+/// The actions of a machine beside drawing: at the strokes of PenLines::actions, and where it goes when pens are changed.
 struct PlotStops {
   const DeviceAction* action = nullptr;
   const DevicePlace* park = nullptr;

@@ -20,7 +20,7 @@ constexpr double kMostPixels = 560e6;
 /// Bytes of an edge of an outline while Cairo fills it: 28 in a polygon that grows by doubling, and up to 100 in its scan
 /// conversion.
 constexpr double kEdgeBytes = 200;
-/// What is not in proportion: spans of rows, glyphs of texts.
+/// Memory that is not in proportion: spans of rows, glyphs of texts.
 constexpr double kPaintBytes = 4 << 20;
 /// How far Cairo's circles may be off, in pixels.
 constexpr double kTolerancePixels = 0.1;

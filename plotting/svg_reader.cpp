@@ -289,7 +289,7 @@ void SvgReader::walk_viewport(const pugi::xml_node& node, Context context, const
   walk_children(node, context);
 }
 
-/// What a <use> shows; nothing when there is none of that id, as viewers do.
+/// The element that a <use> shows; nothing when there is none with that id, as viewers do.
 pugi::xml_node SvgReader::target_of(const pugi::xml_node& use) {
   std::string_view target = use.attribute("href").value();
   if (target.empty()) target = use.attribute("xlink:href").value();

@@ -10,7 +10,7 @@ namespace ligne {
 /// become blanks.
 std::u32string decode_utf8(std::string_view text);
 
-/// The same as well-formed UTF-8.
+/// The text as well-formed UTF-8.
 std::string clean_utf8(std::string_view text);
 
 /// Text as it can stand in XML: escaped; what is not an XML character becomes U+FFFD.

@@ -47,7 +47,7 @@ struct PlotOptions {
   /// Nothing where the lines of the layer stay as they are.
   std::optional<CurveLimits> curves_of(const Layer& layer) const {
     if (!curves || !may_be_curved(layer)) return {};
-    // Of the outline's pen, not of the layer's: a rim is an outline on one side and a crease on the other.
+    // The pen of the outline counts, not the layer's: a rim is an outline on one side and a crease on the other.
     return CurveLimits{kCurveToleranceMm, curve_rise_mm.value_or(pen_width_mm), starts_stay};
   }
 };
@@ -73,7 +73,7 @@ class PdfDocument {
   struct Surface;
   std::unique_ptr<Surface> surface_;
 };
-/// The same of one page.
+/// Writes a PDF of one page.
 std::string write_pdf(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);
 /// Pixels of a PNG, width and height.
 struct PixelSize {
@@ -87,7 +87,7 @@ inline double png_bytes(const PixelSize& size) { return 4.0 * size.width * size.
 /// PNG on white, for looking; the pixels of `under` are its own, as many as png_size() says.
 std::string write_png(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);
 
-/// What hatching needs to know of a region beyond its contours.
+/// The facts about a region that hatching needs beyond its contours.
 struct RegionLook {
   double light = 1;  ///< 0 dark to 1
   std::array<double, 3> color{0, 0, 0};
@@ -110,7 +110,7 @@ struct DocumentSurface {
   std::uint32_t object = 0;
 };
 
-/// What the JSON drawing holds beside page and pens: docs/drawing-format.md.
+/// The contents of the JSON drawing beside page and pens: docs/drawing-format.md.
 struct DrawingDocument {
   const StrokeModel* strokes = nullptr;
   const std::vector<Region>* regions = nullptr;

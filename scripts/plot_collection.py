@@ -41,7 +41,7 @@ INHERITED = {"fill", "stroke", "stroke-width", "fill-opacity", "stroke-opacity",
              "stroke-linecap"}
 UNSEEN = {"text", "style", "flowRoot", "image", "metadata", "title", "desc", "defs", "symbol", "clipPath", "mask", "marker",
           "linearGradient", "radialGradient", "filter", "pattern", "script"}
-# Of the longer side. A stroke of one pixel is darkest where it lies on a row of them, so the narrowest one should be wider.
+# Share of the longer side. A stroke of one pixel is darkest where it lies on a row of them, so the narrowest one should be wider.
 PIXELS, MOST_PIXELS, PIXELS_OF_STROKE = 3200, 9600, 3
 LEAST_STEPS = 32  # of a curve: half a circle in so many chords is 0.04 % too short
 PEN_MM = 0.35

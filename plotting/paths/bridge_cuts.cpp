@@ -8,7 +8,7 @@
 namespace ligne {
 namespace {
 
-/// What is missing of a line between two parts that stay: strokes [first, last) of a list.
+/// A gap in a line between two parts that stay: strokes [first, last) of a list.
 struct Gap {
   std::uint32_t first = 0, last = 0;
   double length = 0;  ///< lattice steps

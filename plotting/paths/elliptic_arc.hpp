@@ -30,7 +30,7 @@ class EllipseFrame {
   Point2 to_unit(Point2 p) const;
   /// As above.
   Point2 tangent_at(double t) const;
-  /// Of a point in the frame, as above.
+  /// The distance of a point in the frame, as above.
   double distance(Point2 unit) const;
 
  private:

@@ -33,7 +33,7 @@ EndTree::EndTree(std::span<const Point2> points)
   std::iota(order_.begin(), order_.end(), 0u);
   nodes_.reserve(points.size() / 2 + 1);
   build(0, static_cast<std::uint32_t>(points.size()), 0);
-  // What is searched together lies together.
+  // Ends that are searched together lie together.
   for (std::uint32_t i = 0; i < order_.size(); ++i) {
     points_[i] = points[order_[i]];
     place_of_[order_[i]] = i;

@@ -15,8 +15,8 @@ namespace {
 /// Adjustable: so many points are looked at one by one.
 constexpr std::uint32_t kLeaf = 32;
 
-/// Of the squared distance: a dozen roundings of it and of its bound. A block that could hold a point farther by less is
-/// left out, so that blocks of equally far points are not all looked into.
+/// Share of the squared distance: a dozen roundings of it and of its bound. A block that could hold a point farther by less
+/// is left out, so that blocks of equally far points are not all looked into.
 constexpr double kSameDistance = 0x1p-48;
 
 }  // namespace

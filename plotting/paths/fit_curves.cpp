@@ -26,8 +26,8 @@
 namespace ligne {
 namespace {
 
-/// What rounding moves a point by: coordinates of single precision and of six digits on a page, and the tenth of a
-/// micrometre that files keep. What lies so near to a chord is no corner.
+/// The distance by which rounding moves a point: coordinates of single precision and of six digits on a page, and the tenth
+/// of a micrometre that files keep. What lies so near to a chord is no corner.
 constexpr double kRoundingMm = 0.0005;
 
 /// Least corners of an arc. Five lie on an ellipse in any case.

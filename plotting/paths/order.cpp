@@ -116,7 +116,7 @@ void Strokes::choose_starts(const Tour& tour) {
   }
 }
 
-/// What lies in a closed stroke before that.
+/// The tours inside a closed stroke come before it.
 Tour Strokes::inside_before(const Tour& tour) {
   std::vector<std::uint32_t> order, entry_of(count());
   for (const std::uint32_t entry : tour.entries) {

@@ -16,7 +16,7 @@ struct OrderOptions {
   std::uint64_t most_work = 150'000'000;
 };
 
-/// The same strokes in an order, and each in a direction, that makes the way with the pen up short: nearest neighbour first,
+/// Puts the strokes in an order, and each in a direction, that makes the way with the pen up short: nearest neighbour first,
 /// then 2-opt and or-opt until nothing is gained or the work is done. Closed lines start where that is best.
 /// The way with the pen up is never longer than in the given order. `order`, if not null, gets the given numbers of the
 /// strokes in their new order.

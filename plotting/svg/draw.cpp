@@ -1,4 +1,4 @@
-/// What an SVG draws: shapes, fills and text.
+/// Drawing of an SVG's shapes, fills and text.
 
 #include <algorithm>
 #include <cmath>
@@ -138,7 +138,7 @@ FillRule SvgReader::fill_rule(const Context& context) {
   return context.style.fill_even_odd ? FillRule::even_odd : FillRule::nonzero;
 }
 
-/// What was painted before the area is not seen under it. Layers that are not plotted hide nothing.
+/// Lines painted before the area are not seen under it. Layers that are not plotted hide nothing.
 void SvgReader::hide(const Polylines& contours, const Context& context, std::optional<double> rim_width) {
   if ((!drawn_ && !fills_.occlude) || parse_layer_label(context.layer).skip) return;
   clip_points_ += contours.points.size();
@@ -213,7 +213,7 @@ void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, co
   options.even_odd = style.fill_even_odd;
   // Beside a rim that runs along the rows, and in corners, rows leave white.
   options.rim = options.spacing_mm <= options.pen_width_mm;
-  // What the engine has to do grows with how often the contours cross its lines.
+  // The work of the engine grows with how often the contours cross its lines.
   const double line_mm = hatch_line_mm(options);
   for (std::size_t i = 0; i < contours.size(); ++i) {
     for (std::size_t k = 1; k < contours[i].size(); ++k)

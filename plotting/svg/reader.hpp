@@ -26,7 +26,7 @@ namespace ligne::svg {
 
 using ClipPointer = std::shared_ptr<const Clip>;
 
-/// What an element finds where it stands.
+/// The surroundings that an element finds where it stands.
 struct Context {
   Style style;
   Matrix to_mm;
@@ -98,7 +98,7 @@ class SvgReader {
   void walk_viewport(const pugi::xml_node& node, Context context, const pugi::xml_node& size);
   void follow_use(const pugi::xml_node& node, const Context& context);
   pugi::xml_node target_of(const pugi::xml_node& use);
-  /// What is inside the frame at (0, 0), and inside the clip of the context.
+  /// The clip of the frame at (0, 0) inside the clip of the context.
   ClipPointer frame_clip(double width, double height, const Context& context) const;
   /// The style in which an element stands where it is written; for those that are used elsewhere.
   Style style_around(const pugi::xml_node& node, const Viewport& port);

@@ -1,4 +1,4 @@
-/// What an SVG writes, in letters of single strokes.
+/// The text of an SVG, in letters of single strokes.
 ///
 /// Characters are gathered with what the elements around them say; those that begin with a place of their own begin a
 /// chunk, which the anchor shifts as a whole (SVG 1.1, 10.5).

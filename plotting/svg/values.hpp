@@ -93,7 +93,7 @@ Point2 transform_origin(std::string_view text, const Viewport& port, const Matri
 /// A paint: nothing for "none" and "transparent", else the colour as "#rrggbb"; "currentColor" as it is written.
 std::optional<std::string> paint(std::string_view text);
 
-/// Of a colour as paint() gives it, 0 black to 1 white. One that is only a name is black.
+/// The brightness of a colour as paint() gives it, 0 black to 1 white. A colour that is only a name is black.
 double brightness(const std::string& color);
 
 }  // namespace ligne::svg

@@ -33,7 +33,7 @@ const DrawnScene& drawn_of(const DrawingHolder& holder) {
 
 Point3 point_at(const SourceEdge& edge, double t) { return edge.ends[0] + t * (edge.ends[1] - edge.ends[0]); }
 
-/// What is known of every stroke, as arrays of as many rows.
+/// The facts about every stroke, as arrays of as many rows.
 py::dict strokes(const DrawingHolder& holder) {
   const DrawnScene& drawn = drawn_of(holder);
   const SceneStudy& study = drawn.study();

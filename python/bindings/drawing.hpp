@@ -18,7 +18,7 @@
 
 namespace ligne::python {
 
-/// What was drawn, of a scene or by the floating horizon, and with what options.
+/// A drawing of a scene or by the floating horizon, and its options.
 class DrawingHolder {
  public:
   /// Draws a scene that stays in memory, with surfaces among it.

@@ -39,7 +39,7 @@ std::string info(const SceneArgument& scene, const py::dict& keywords) {
   return text;
 }
 
-/// What a comparison has beside the options of a picture.
+/// The keywords of a comparison beside the options of a picture.
 struct CompareKeywords {
   CompareRequest request;
   std::vector<const Method*> methods;

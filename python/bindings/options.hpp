@@ -17,7 +17,7 @@
 
 namespace ligne::python {
 
-/// What the keywords of a drawing say, in the words of a request.
+/// The keywords of a drawing, in the words of a request.
 struct Options {
   PictureRequest picture;
   PlotterChoice plotter;

@@ -19,7 +19,7 @@ namespace {
 /// Adjustable: short for somebody who waits for Ctrl-C, long beside what a look costs.
 constexpr std::chrono::milliseconds kLook{50};
 
-/// What the two threads know of each other.
+/// The state that the two threads share.
 struct Shared {
   std::mutex mutex;
   std::condition_variable changed;

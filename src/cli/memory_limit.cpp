@@ -32,14 +32,14 @@ namespace fs = std::filesystem;
 
 // Adjustable.
 constexpr double kUsualPart = 0.75;  ///< of the machine
-/// What is given back when memory runs out, and how often: something may try again with less, and only then fail.
+/// The reserve given back when memory runs out, and how often: a stage may try again with less, and only then fail.
 constexpr double kReservePart = 1.0 / 8;
 constexpr rlim_t kReserve = rlim_t{16} << 20;
 constexpr int kReserves = 2;
 
 constexpr double kKilo = 1024;
 
-/// What the handlers know; written before they stand.
+/// The state that the handlers know; written before they stand.
 struct Shortage {
   std::atomic<int> reserves_left = 0;
   std::atomic<bool> happened = false;
@@ -203,7 +203,7 @@ void run_within(const MemoryLimit& limit, unsigned threads, FunctionRef<void()> 
     } catch (const std::length_error&) {
       throw MemoryError(with_limit("not enough memory", limit));
     } catch (const std::exception& error) {
-      // What a part of the program said that made do without the memory.
+      // The message of a part of the program that made do without the memory.
       if (!shortage().happened) throw;
       throw MemoryError(with_limit((std::string("not enough memory: ") + error.what()).c_str(), limit));
     }

@@ -11,8 +11,8 @@
 
 namespace ligne {
 
-/// What the control groups of this process, of version 1 or 2, may take; nothing where they are not limited. `root` stands
-/// in front of /proc and /sys.
+/// The memory that the control groups of this process, of version 1 or 2, may take; nothing where they are not limited.
+/// `root` stands in front of /proc and /sys.
 std::optional<std::uint64_t> group_memory(const std::filesystem::path& root = "/");
 
 /// Three quarters of what the machine and the control group of this process have.

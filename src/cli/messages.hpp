@@ -14,7 +14,7 @@ void say(std::string_view text);
 /// Writes "ligne: PLACE: warning: TEXT".
 void warn(const std::string& place, const std::string& text);
 
-/// The same for what was mended while reading: one line for each kind, with its count.
+/// Warns of faults mended while reading: one line for each kind, with its count.
 void warn(const std::string& place, const Warnings& warnings);
 
 }  // namespace ligne

@@ -14,7 +14,7 @@ class App;
 
 namespace ligne {
 
-/// What the command line says of lines and methods beside the request.
+/// The options of lines and methods on the command line, beside the request.
 struct MethodChoice {
   bool edges_given = false;
   std::vector<std::pair<const MethodParameter*, std::string>> parameters;  ///< options that only some methods have

@@ -24,7 +24,7 @@ class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
 
-  /// What holds when it is not given, for the help text.
+  /// The default, for the help text.
   Option standard(const std::string& text) const;
   /// It can not be given together with any of the others.
   Option excludes(std::initializer_list<Option> others) const;
@@ -55,13 +55,13 @@ class OptionGroup {
   /// An option that may be given several times, each with one value.
   Option add_repeatable(const std::string& names, const std::string& kind, std::function<void(const std::string&)> take,
                         const std::string& help);
-  /// The same with `count` values each time.
+  /// As above, with `count` values each time.
   Option add_repeatable_tuple(const std::string& names, const std::string& kind, int count,
                               std::function<void(const std::vector<std::string>&)> take, const std::string& help);
   /// An option that may stand alone, for which `take` is given an empty text, or with a value.
   Option add_flag_or_value(const std::string& names, const std::string& kind, std::function<void(const std::string&)> take,
                            const std::string& help);
-  /// The same with a value behind "=" alone, so that a file may stand next; each use of it adds one.
+  /// As above, with a value behind "=" alone, so that a file may stand next; each use of it adds one.
   Option add_repeatable_flag_or_value(const std::string& names, const std::string& kind,
                                       std::function<void(const std::string&)> take, const std::string& help);
   /// A flag that may be given a value behind "=", "--axes=grid"; alone it is "true".

@@ -17,8 +17,8 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// What shows the fraction done, in [0, 1], and wipes the bar at 1; to be called from one thread at a time. Empty where
-  /// there is nobody to show it to.
+  /// A callback that shows the fraction done, in [0, 1], and wipes the bar at 1; to be called from one thread at a time.
+  /// Empty where there is nobody to show it to.
   std::function<void(double)> callback();
 
  private:

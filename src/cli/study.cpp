@@ -19,7 +19,7 @@ constexpr const char* kStudyExamples = R"(Examples:
   ligne study coherence gearbox.obj --json coherence.json
   ligne study all --size small)";
 
-/// What of the command line has to be right before the work begins.
+/// Checks the parts of the command line that have to be right before the work begins.
 std::vector<const Experiment*> chosen(const StudyCommandOptions& options) {
   if (options.words.empty()) throw UsageError("there is no experiment: ligne study NAME, or all; see ligne study --list");
   const std::string& name = options.words.front();
@@ -52,7 +52,7 @@ void study_chosen(const StudyCommandOptions& options) {
     files.write(options.svg, charts_svg(charts));
   }
   files.commit();
-  // What was asked for on standard output stands there alone.
+  // Output asked for on standard output stands there alone.
   if (options.json != "-" && options.csv != "-" && options.svg != "-") write_output("-", text);
 }
 

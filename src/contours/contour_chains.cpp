@@ -203,7 +203,7 @@ class ContourTracer {
   ContourNode node(std::uint32_t side, double sag) const {
     ContourNode out;
     out.side = side;
-    // The same end first from both triangles, so that both get the same point.
+    // One end is first from both triangles, so that both get equal points.
     std::uint32_t a = side, b = next_corner(side);
     if (patch_.triangles[a / 3].v[a % 3] > patch_.triangles[b / 3].v[b % 3]) std::swap(a, b);
     const Point3 &p = vertex(a), &q = vertex(b);

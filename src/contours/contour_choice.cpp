@@ -24,7 +24,7 @@ constexpr std::size_t kFewNodes = 8;
 /// Adjustable: contours of which a larger share strays from the outline of the mesh are those of another shape.
 constexpr double kMostAstray = 0.25;
 
-/// What hangs together.
+/// A group of lines that hang together.
 struct Group {
   std::vector<std::uint32_t> chains, sides;
 };

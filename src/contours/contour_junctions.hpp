@@ -1,9 +1,9 @@
 #pragma once
 /// Where lines meet contours: T-junctions.
 ///
-/// What hides a contour, and what a contour hides, was found at the mesh; the contour that is drawn runs up to a chord's
-/// rise beside the outline of the mesh. So ends of visible parts are moved along their own line to where it crosses the
-/// line that is drawn.
+/// The faces that hide a contour, and the lines that it hides, were found at the mesh; the contour that is drawn runs up to
+/// a chord's rise beside the outline of the mesh. So ends of visible parts are moved along their own line to where it
+/// crosses the line that is drawn.
 
 #include <vector>
 

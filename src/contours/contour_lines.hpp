@@ -36,7 +36,7 @@ struct SmoothContours {
   bool empty() const { return replaced.empty() && chains.empty(); }
 };
 
-/// What replaces outlines of the mesh, before it is put into a projected scene.
+/// The lines that replace outlines of the mesh, before they are put into a projected scene.
 struct OutlineReplacement {
   SmoothContours contours;
   std::vector<std::array<Point3, 2>>

@@ -122,7 +122,7 @@ class Sights {
     Point2 across;  ///< direction in which it is measured: across the segment
   };
 
-  /// Of segment i, on the side of the page to which `out` points.
+  /// The protrusion of segment i, on the side of the page to which `out` points.
   Protrusion protrusion(std::size_t i, Point2 out) const {
     const Point2 q0 = page_point(view_, chain_.nodes[i].on_mesh), q1 = page_point(view_, chain_.nodes[i + 1].on_mesh);
     const double length = glm::length(q1 - q0);

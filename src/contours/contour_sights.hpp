@@ -74,7 +74,7 @@ std::vector<ContourSight> contour_sights(const Scene& scene, const View& view, c
                                          const OutlineGraph& outline, const ContourChain& chain, double slack_mm,
                                          std::vector<ReachedSectors>& reached);
 
-/// What a step of one unit along `n` from p moves on the page, mm.
+/// The move on the page, mm, for a step of one unit along `n` from p.
 Point2 page_direction(const View& view, const Point3& p, const Point3& n);
 
 }  // namespace ligne

@@ -45,7 +45,7 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
     }
   });
   hold_against_outlines(seen, contours, view, model.lattice, edges, kTestifiedInReaches * reach_mm, options.pen_width_mm);
-  // What a line in front hides ends at it, also where a cusp is near.
+  // A line ends at a line in front that hides it, also where a cusp is near.
   std::vector<std::vector<ContourRun>> found(n);
   for (std::size_t c = 0; c < n; ++c) found[c] = seen[c].runs;
   move_ends_of_contours(seen, model, reach_mm);

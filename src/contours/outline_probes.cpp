@@ -147,7 +147,7 @@ Candidate candidate(const Stroke& probe, std::uint32_t edge, const SmoothContour
   return c;
 }
 
-/// What no contour stands for.
+/// An outline that no contour stands for.
 struct Missing {
   std::vector<Candidate> whole, parts;
 };

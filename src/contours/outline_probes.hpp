@@ -1,5 +1,5 @@
 #pragma once
-/// What makes sure that no outline is lost.
+/// Probes that make sure that no outline is lost.
 ///
 /// Normals are means, so where a mesh is coarse the smooth surface may have no contour at an edge beside which one looks
 /// past the whole body. So for each edge of the mesh's outline that gave way to contours a *probe* is studied: the edge,

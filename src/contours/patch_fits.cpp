@@ -33,7 +33,7 @@ class Sectors {
   std::span<const std::uint32_t> corners(std::uint32_t sector) const {
     return {corners_.data() + begin_[sector], corners_.data() + begin_[sector + 1]};
   }
-  /// Of each of its corners those at the next and at the last corner of the triangle.
+  /// The two other corners of the triangle at each corner of the sector.
   std::span<const std::array<std::uint32_t, 2>> others(std::uint32_t sector) const {
     return {others_.data() + begin_[sector], others_.data() + begin_[sector + 1]};
   }

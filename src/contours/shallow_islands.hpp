@@ -1,5 +1,5 @@
 #pragma once
-/// What of a smooth surface looks away from the viewer by a hair.
+/// Parts of a smooth surface that look away from the viewer by a hair.
 
 #include <span>
 

@@ -19,7 +19,7 @@ constexpr double kNormalPart = 0.5;
 /// Sine of the least angle between the sight and the normal: nearer to it the radial direction is none.
 constexpr double kLeastSine = 0.3;
 
-/// What is known of an object for its nodes.
+/// The facts known of an object at its nodes.
 struct ObjectShape {
   double size = 0;    ///< diagonal of the box round it
   double length = 0;  ///< over which its curvature is evened out

@@ -26,13 +26,13 @@ struct ShapeFields {
 
   /// The change of a function of the nodes along the surface, times the size of the object.
   std::vector<Point3> slopes(const std::vector<double>& values) const;
-  /// The same within a triangle, for the values at its corners.
+  /// The slope within a triangle, for the values at its corners.
   Point3 slope(std::uint32_t triangle, const std::array<double, 3>& values) const;
 };
 
 ShapeFields shape_fields(const Scene& scene, const Topology& topology, const RegionBorders& borders);
 
-/// Of a field, where it is to be zero.
+/// A field whose zeros are ridges or valleys.
 struct ExtremumField {
   std::vector<double> value;      ///< slope of the curvature along `way`
   std::vector<Point3> way;        ///< direction of that curvature; either of two that are opposite

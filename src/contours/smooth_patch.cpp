@@ -71,7 +71,7 @@ class VertexNumbers {
   std::vector<std::uint32_t> number_, vertices_;
 };
 
-/// What is said of edges, for edges that are asked about in ascending order.
+/// The class of edges, for edges that are asked about in ascending order.
 class CreaseMarks {
  public:
   CreaseMarks(const std::vector<Edge>& edges, const std::vector<std::uint8_t>* creases) : edges_(edges), creases_(creases) {}
@@ -245,7 +245,7 @@ class PatchBuilder {
     parallel_tasks(runs.size(), [&](std::size_t r) { sum_normals(runs[r], first[r]); });
   }
 
-  /// Of the sectors of a run, which are numbered from 0 on before. `first`: the corner of each.
+  /// Sums the normals over the sectors of a run, which are numbered from 0 on before. `first`: the corner of each.
   void sum_normals(const SmoothPatch::Run& run, const std::vector<std::uint32_t>& first) {
     for (std::uint32_t c = 3 * run.triangle; c < 3 * run.triangle_end; ++c) {
       patch_.sector[c] += run.sector;

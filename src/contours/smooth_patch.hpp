@@ -63,7 +63,7 @@ struct RegionBorders {
   const Patches* surfaces = nullptr;
 };
 
-/// Of the outline edges of a mesh, in ascending order, those along which no region ends. Left out are those that have no
+/// The outline edges of a mesh along which no region ends, in ascending order. Left out are those that have no
 /// vertex near them that another one has: round a vertex inside a region there are two of them, or more, so such an edge
 /// runs from border to border of its region, and is the contour itself.
 std::vector<std::uint32_t> outlines_inside_regions(const Scene& scene, const Topology& topology,

@@ -20,7 +20,7 @@ constexpr std::size_t kSpare = 3;
 // points.
 /// A term that the others determine but for so much of its square is not known.
 constexpr double kIndependent = 1e-4;
-/// Of the heights of the points over the tangent plane a surface leaves no more than this share unexplained: other points
+/// A surface leaves at most this share of the points' heights over the tangent plane unexplained: other points
 /// are noise, or lie beyond a place where the curvature changes at once.
 constexpr double kLeftOver = 0.1;
 /// A mesh is coarse where its points rise from the tangent plane by more than this angle (11 degrees) on the average: a

@@ -19,7 +19,7 @@ using NormalTurn = std::array<double, 6>;
 
 Point3 turned(const NormalTurn& turn, const Point3& way);
 
-/// What a surface is fitted to: it passes through `at` and comes nearest to the points round it.
+/// The input of a fit: the surface passes through `at` and comes nearest to the points round it.
 struct PointsRound {
   Point3 at{0, 0, 0};
   Point3 normal{0, 0, 1};  ///< an estimate, of unit length

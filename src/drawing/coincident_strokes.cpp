@@ -9,7 +9,7 @@
 /// for good: the work ends. Since a new stroke is only held against what stands, a thousand strokes on one line do not make
 /// a million pairs.
 ///
-/// What is left of a stroke that crosses another at a very small angle may lie within the tolerance of a third, where the
+/// The rest of a stroke that crosses another at a very small angle may lie within the tolerance of a third, where the
 /// whole did not. Strokes that turn out to coincide with such a piece come in afterwards, and what stands is not decided
 /// anew: it loses to them what it must.
 ///
@@ -52,7 +52,7 @@ struct Loss {
   Cut from, to;
 };
 
-/// What a stroke loses to one that stands and goes before it; a is the one that loses.
+/// The part of a stroke that is lost to one that stands and goes before it; a is the one that loses.
 Loss loss_to(const Stroke& standing, const StrokeOverlap& common) {
   const auto end = [&](double fraction) { return fraction < 0.5 ? standing.from : standing.to; };
   return {{common.a_from, end(common.b_from)}, {common.a_to, end(common.b_to)}};
@@ -74,7 +74,7 @@ class Precedence {
     }
   }
 
-  /// What stands of the strokes that were cut since this was asked last.
+  /// The standing pieces of the strokes that were cut since the last call.
   std::vector<Stroke> new_pieces() {
     std::vector<Stroke> pieces;
     for (; looked_at_ < standing_.size(); ++looked_at_) {
@@ -264,7 +264,7 @@ std::vector<Turn> find_turns(const std::vector<Stroke>& strokes, const std::vect
   return turns;
 }
 
-/// What stands of the strokes that may coincide with others, in the order of their turns.
+/// The standing pieces of the strokes that may coincide with others, in the order of their turns.
 template <class Index>
 std::vector<Stroke> decide_with(Index index, const std::vector<Stroke>& strokes, std::vector<Partners>& partners,
                                 const std::vector<Turn>& turns, double tolerance_steps, double tolerance_mm) {

@@ -24,7 +24,7 @@ class EndGrid {
     std::uint32_t stroke;
   };
 
-  /// What the cells should be like; sides in lattice steps.
+  /// The wanted cells; sides in lattice steps.
   struct Cells {
     DirectionFrame frame{};
     double least = 1;        ///< side

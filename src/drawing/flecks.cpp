@@ -15,7 +15,7 @@
 namespace ligne {
 namespace {
 
-/// Of strokes, on the lattice.
+/// The extent of strokes on the lattice.
 struct Extent {
   double low_x = std::numeric_limits<double>::max(), low_y = low_x, high_x = -low_x, high_y = -low_x;
 
@@ -58,7 +58,7 @@ class Cells {
   std::vector<Link> links_;
 };
 
-/// What ends at, or beside, which of the chains that may be flecks.
+/// Finds the ends at, or beside, the chains that may be flecks.
 class FleckFinder {
  public:
   FleckFinder(const std::vector<Stroke>& strokes, const StrokeChains& chains, std::vector<std::uint8_t> may_be,

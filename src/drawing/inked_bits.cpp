@@ -31,7 +31,7 @@ std::uint32_t giver(const StrokeLines& lines, std::uint32_t run, double least) {
   return run;
 }
 
-/// What of a bit lies in the ink of other lines. Parts are united as they come: a bit among thousands of lines keeps few.
+/// The parts of a bit in the ink of other lines. Parts are united as they come: a bit among thousands of lines keeps few.
 class Inked {
  public:
   void add(const StrokePart& part) {
@@ -41,7 +41,7 @@ class Inked {
   bool empty() const { return parts_.empty(); }
   bool is_whole() const { return parts_.size() == 1 && parts_[0].from == 0 && parts_[0].to == 1; }
 
-  /// Of the whole, what no part covers.
+  /// The length of the whole that no part covers.
   double uncovered() {
     unite();
     double open = 0, covered_to = 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// What of a stroke lies near another one.
+/// The part of a stroke that lies near another one.
 
 #include <algorithm>
 

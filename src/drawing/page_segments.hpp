@@ -53,7 +53,7 @@ inline double deviation(const Segment& base, const Segment& other) {
   return std::max(y(other.from), y(other.to));
 }
 
-/// What the ranges leave of [from, to].
+/// The rest of [from, to] outside the ranges.
 inline std::vector<Range> gaps(std::vector<Range> ranges, double from, double to) {
   std::sort(ranges.begin(), ranges.end(), [](const Range& l, const Range& r) { return l.from < r.from; });
   std::vector<Range> result;

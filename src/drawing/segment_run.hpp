@@ -10,7 +10,7 @@
 
 namespace ligne {
 
-/// What decides which of two strokes goes first, for one stroke, or for the last of several.
+/// The order in which two strokes go, for one stroke, or for the last of several.
 struct StrokeOrder {
   std::size_t rank = 0;
   float z = 0;  ///< farthest depth

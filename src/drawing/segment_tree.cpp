@@ -40,7 +40,7 @@ void SegmentTree::Node::add(const FrameSegment& s) {
   bounds.at_first.add(s.v_at(first_u)), bounds.at_last.add(s.v_at(last_u));
 }
 
-/// Of all lines below. A line is a mean of its values at two places, with weights that are negative beyond them.
+/// The range of all lines below. A line is a mean of its values at two places, with weights that are negative beyond them.
 NumberRange SegmentTree::Node::v_at(double u) const {
   const double t = last_u > first_u ? (u - first_u) / (last_u - first_u) : 0;
   const auto [a, b] = std::pair(bounds.at_first, bounds.at_last);
@@ -94,7 +94,7 @@ bool SegmentTree::may_be(const Node& node, const FrameSegment& line, Question qu
   return std::abs((u - line.u0) * dv - (v - line.v0) * du) <= half_u * std::abs(dv) + half_v * std::abs(du);
 }
 
-/// The same for one segment of a leaf that is near the line.
+/// may_be() for one segment of a leaf that is near the line.
 bool SegmentTree::may_be(const FrameSegment& s, const FrameSegment& line, Question question) const {
   if (question == Question::along) {
     const double margin = margin_along(line, std::abs(s.slope - line.slope));
@@ -237,7 +237,7 @@ std::uint32_t SegmentTree::new_children() {
   return static_cast<std::uint32_t>(nodes_.size() - 2);
 }
 
-/// What stands below, and frees the nodes there.
+/// Collects the items below, and frees the nodes there.
 void SegmentTree::collect(std::uint32_t node, std::vector<std::uint32_t>& items) {
   const std::uint32_t children = nodes_[node].children;
   if (children == kNone) {

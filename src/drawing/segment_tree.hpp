@@ -45,7 +45,7 @@ struct NumberRange {
 /// what stands below is one run of segments that came in with their order, the node knows that.
 class SegmentTree {
  public:
-  /// What is asked of the segments here.
+  /// The questions to the segments here.
   enum class Question : std::uint8_t {
     along,   ///< both ends of what they have in common with the line near each other
     beside,  ///< the line is short: near it
@@ -70,7 +70,7 @@ class SegmentTree {
     return query(
         line, question, [](const SegmentRun&) { return false; }, found);
   }
-  /// The same, but runs that lie on the line and inside it are handed to takes_run(run) first; where that returns true their
+  /// As above, but runs that lie on the line and inside it are handed to takes_run(run) first; where that returns true their
   /// segments are not told one by one.
   template <class TakesRun, class Found>
   bool query(const FrameSegment& line, Question question, const TakesRun& takes_run, const Found& found) const {

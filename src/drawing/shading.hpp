@@ -24,7 +24,7 @@ struct GrayPicture {
 GrayPicture shade(const SpanModel& spans, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
                   double pixels_per_mm);
 
-/// The same from a model of pixels of any size: every pixel of the picture gets the mean over what it covers of them.
+/// Shades a model of pixels of any size: every pixel of the picture gets the mean over the pixels that it covers.
 GrayPicture shade(const PixelModel& pixels, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
                   double pixels_per_mm);
 

@@ -100,7 +100,7 @@ class ShortEnds {
     return end.at_from ? s.from : s.to;
   }
 
-  /// Of unit length, outwards; none for a line that comes back to its end.
+  /// The direction outwards, of unit length; none for a line that comes back to its end.
   Vector direction(std::uint32_t i, bool at_from) const {
     const Stroke& last = net_.pieces()[i].stroke;
     const LatticePoint end = at_from ? last.from : last.to;
@@ -167,7 +167,7 @@ class ShortEnds {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> links_;  // end, next link
 };
 
-/// Of two new strokes between the same ends, which lead to each other, one stays.
+/// One of two new strokes that lead to each other between equal ends stays.
 void drop_ways_back(std::vector<Stroke>& added) {
   const auto is_before = [](const Stroke& a, const Stroke& b) { return a.from == b.from ? a.to < b.to : a.from < b.from; };
   std::vector<Stroke> sorted = added;

@@ -15,7 +15,7 @@
 namespace ligne {
 namespace {
 
-/// Of the parabola that fits seven points with even steps best: the weights of the one in the middle and of those beside it.
+/// The best parabola through seven points with even steps: the weights of the middle one and of those beside it.
 constexpr std::array<double, 4> kParabola{7.0 / 21, 6.0 / 21, 3.0 / 21, -2.0 / 21};
 constexpr int kReach = 3;
 /// Adjustable: what zigzags from point to point goes, and a circle of twenty points keeps its radius.

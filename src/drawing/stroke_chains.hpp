@@ -13,14 +13,14 @@ namespace ligne {
 /// Seen directly, not only through glass.
 inline bool is_seen(const Stroke& s) { return s.visible && s.level == 0; }
 
-/// Of the scene's edges; lines of surfaces and axes are as they are.
+/// True for edges of the scene; lines of surfaces and axes are as they are.
 inline bool is_edge(const Stroke& s) { return static_cast<std::size_t>(s.line_class) < kEdgeClassCount; }
 
 inline bool any_hidden(const std::vector<Stroke>& strokes) {
   return std::ranges::any_of(strokes, [](const Stroke& s) { return !s.visible; });
 }
 
-/// Of a stroke on the page, lattice steps.
+/// The length of a stroke on the page, lattice steps.
 double page_length(const Stroke& s);
 
 /// The strokes that are seen, in chains: strokes continue each other where two of them end and no third one does.

@@ -64,7 +64,7 @@ class StrokesByCell {
 /// run side by side, or through one point, only few need be held against all that are near.
 class StrokesByEnds {
  public:
-  /// Of drawings on different lattices no two are the same.
+  /// Drawings on different lattices have no stroke in common.
   StrokesByEnds(const StrokeModel& model, const Lattice& lattice, bool by_level) : by_level_(by_level) {
     if (model.lattice.step_mm != lattice.step_mm || model.lattice.origin_mm != lattice.origin_mm) return;
     for (const Stroke& s : model.strokes) {

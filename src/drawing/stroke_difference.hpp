@@ -1,5 +1,5 @@
 #pragma once
-/// What one drawing shows and another does not.
+/// The strokes that one drawing shows and another does not.
 
 #include <vector>
 

@@ -40,7 +40,7 @@ class SegmentGrid {
                       [&](std::int32_t column, std::int32_t row) { return visit(KeyTable::key(column, row)); });
   }
 
-  /// The same with visit(column, row), for the cells of a range.
+  /// Calls visit(column, row) for the cells of a range.
   template <class Visit>
   bool walk_cells(LatticePoint from, LatticePoint to, const CellRange& range, const Visit& visit) const;
 
@@ -48,7 +48,7 @@ class SegmentGrid {
   bool near(LatticePoint p, LatticePoint from, LatticePoint to, double segment_length) const {
     return std::abs(orientation(from, to, p)) <= margin_ * segment_length;
   }
-  /// The same where the length is not known.
+  /// near() where the length is not known.
   bool near(LatticePoint p, LatticePoint from, LatticePoint to) const {
     const double dx = double(to.x) - from.x, dy = double(to.y) - from.y, area = orientation(from, to, p);
     return area * area <= margin_ * margin_ * (dx * dx + dy * dy);

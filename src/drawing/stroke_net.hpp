@@ -15,7 +15,7 @@ class StrokeNet {
  public:
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
-  /// Of one stroke the part between two cuts, and the nodes at both.
+  /// The part of one stroke between two cuts, and the nodes at both.
   struct Piece {
     Stroke stroke;
     std::uint32_t of;  ///< the stroke that it is a part of
@@ -34,13 +34,13 @@ class StrokeNet {
   StrokeNet(const std::vector<Stroke>& strokes, double touching);
 
   const std::vector<Piece>& pieces() const { return pieces_; }
-  /// Of pieces that are alive.
+  /// The number of pieces at a node that are alive.
   std::uint32_t arms(std::uint32_t node) const { return arms_[node]; }
   /// All pieces at a node, ascending.
   std::span<const std::uint32_t> pieces_at(std::uint32_t node) const {
     return {at_node_.data() + first_at_[node], at_node_.data() + first_at_[node + 1]};
   }
-  /// Of pieces that are alive, by their lowest piece.
+  /// Arcs of the pieces that are alive, by their lowest piece.
   std::vector<Arc> arcs() const;
   void take_away(const Arc& arc);
 

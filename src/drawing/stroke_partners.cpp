@@ -67,7 +67,7 @@ class MarkedSquares {
     }
     return false;
   }
-  /// The same for a stroke that is not upright and crosses several columns and rows.
+  /// Visits the cells of a stroke that is not upright and crosses several columns and rows.
   template <class Visit>
   bool for_each_crossed(const Stroke& s, std::size_t left, std::size_t right, const Visit& visit) const {
     const double low = std::min(s.from.y, s.to.y), high = std::max(s.from.y, s.to.y);
@@ -296,7 +296,7 @@ void PartnerSearch::search_near_ends() {
   });
 }
 
-/// The same by a search of each stroke, which ends at its first partner.
+/// Marks the partners by a search of each stroke, which ends at its first partner.
 template <class Mark>
 void search_side_by_side(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& candidates, double tolerance,
                          const Mark& mark) {

@@ -17,7 +17,7 @@ enum class Partners : std::uint8_t {
 /// Compares the strokes with each other, in parallel: O(n log n) and the pairs that have ends near each other's lines.
 std::vector<Partners> find_partners(const std::vector<Stroke>& strokes, double tolerance_steps);
 
-/// Of the strokes numbered in `of` those that coincide with some of the others, in the order of their numbers.
+/// The strokes numbered in `of` that coincide with some of the others, in the order of their numbers.
 std::vector<std::uint32_t> find_partners_of(const std::vector<Stroke>& others, const std::vector<Stroke>& strokes,
                                             const std::vector<std::uint32_t>& of, double tolerance_steps);
 

@@ -72,7 +72,7 @@ class StrokeTree {
     return query(
         from, to, [](const SegmentRun&, double, double) { return false; }, found);
   }
-  /// The same, but runs within the tolerance of from-to are handed to takes_run(run, begin, end) first, with the fractions
+  /// As above, but runs within the tolerance of from-to are handed to takes_run(run, begin, end) first, with the fractions
   /// of from-to at the two ends of the run; where that returns true their segments are not told one by one.
   template <class TakesRun, class Found>
   bool query(LatticePoint from, LatticePoint to, const TakesRun& takes_run, const Found& found) const {
@@ -104,7 +104,7 @@ class StrokeTree {
   /// In a frame, where the segments have slopes of at most a half. A steeper line is at an angle of 11 degrees or more to
   /// them.
   static constexpr double kSteep = 1;
-  /// What segments at such an angle have in common is shorter than 10.2 tolerances; those that share an end have nothing.
+  /// Segments at such an angle share less than 10.2 tolerances; those that share an end share nothing.
   static constexpr double kAcross = kDirectedLength + 2;
   static constexpr double kRounding = 2;  ///< steps
   /// Tolerances. What such a segment has in common with a stroke along a run is longer than the tolerance, since it is at an
@@ -127,7 +127,7 @@ class StrokeTree {
     if (length(from, to) < directed_) return kShort + (DirectionFrame::is_flat(from, to) ? 0 : 1);
     return std::min(kShort - 1, static_cast<std::size_t>(stroke_directions::direction(from, to)));
   }
-  /// What to ask a group; nothing when its directions are so different that the ends tell.
+  /// The question for a group; nothing when its directions are so different that the ends tell.
   std::optional<Question> question_of(std::size_t group, const FrameSegment& line, LatticePoint from,
                                       LatticePoint to) const {
     if (group >= kShort) return Question::box;

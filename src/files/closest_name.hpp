@@ -1,5 +1,5 @@
 #pragma once
-/// What somebody meant who wrote a name wrong.
+/// The name that somebody meant who wrote it wrong.
 
 #include <optional>
 #include <span>

@@ -20,7 +20,7 @@ using InputFiles = std::vector<std::filesystem::path>;
 /// More than any model whose corners 32-bit indices can number takes in a binary format, and any grid that memory holds.
 inline constexpr std::uintmax_t kLargestInput = std::uintmax_t{1} << 36;
 
-/// Of what has no size before it is read, a pipe or a file of /proc, no more than this is taken.
+/// The most that is taken of an input without a size before it is read, a pipe or a file of /proc.
 inline constexpr std::uintmax_t kLargestUnsized = std::uintmax_t{1} << 28;
 
 /// Bytes of a file or a pipe; adds the file to `opened`. Throws InputError, in which `name` stands for the file: for

@@ -21,7 +21,7 @@ inline constexpr std::size_t kLongestPath = 200;
 /// and not too long, stays as it is.
 std::string printable(std::string_view text, std::size_t longest = kLongestShown);
 
-/// The same in quotes.
+/// The text as messages show it, in quotes.
 std::string shown(std::string_view text, char quote = '\'');
 
 /// A whole message, escaped in the same way; one that is too long loses its middle, since it begins with the place and ends

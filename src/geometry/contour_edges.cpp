@@ -52,7 +52,7 @@ int sign_at_smallest_corner(std::span<const Point2> contour) {
   int sign = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t before = (i + n - 1) % n;
-    // Of equal corners in a row the first one speaks.
+    // Among equal corners in a row the first one speaks.
     if (contour[i] != smallest || contour[before] == smallest) continue;
     std::size_t after = (i + 1) % n;
     while (contour[after] == smallest) after = (after + 1) % n;

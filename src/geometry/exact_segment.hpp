@@ -39,7 +39,7 @@ inline constexpr double kProductRounding = 0x1p-50;
 /// Sign of a b - c d for whole numbers below 2^54, in whole numbers of 128 bits.
 int exact_product_difference_sign(double a, double b, double c, double d);
 
-/// The same; mostly doubles decide.
+/// Sign of a b - c d, exact; mostly doubles decide.
 inline int product_difference_sign(double a, double b, double c, double d) {
   const double p = a * b, q = c * d, difference = p - q;
   const double doubt = kProductRounding * (std::abs(p) + std::abs(q));

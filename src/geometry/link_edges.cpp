@@ -82,7 +82,7 @@ class Linker {
 
 constexpr std::uint32_t kNowhere = 0xffffffffu;
 
-/// Of two on one segment one is kept, or none when they run against each other.
+/// One of two runs on one segment is kept, or none when they run against each other.
 void Linker::gather_short_runs() {
   for (std::uint32_t i = 0; i < edges_.size(); ++i) {
     const FinePoint p = edges_[i].begin();

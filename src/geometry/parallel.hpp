@@ -37,7 +37,7 @@ class FunctionRef<Result(Arguments...)> {
 /// Calls work(i) for all i in [0, count). Neighbouring indices may share a task.
 void parallel_for(std::size_t count, FunctionRef<void(std::size_t)> work);
 
-/// The same for few indices whose work is long and uneven: each is a task of its own.
+/// parallel_for() for few indices whose work is long and uneven: each is a task of its own.
 void parallel_tasks(std::size_t count, FunctionRef<void(std::size_t)> work);
 
 /// Calls work(begin, end) for the blocks [0, size), [size, 2 size), ... of [0, count); the last may be shorter. The blocks

@@ -25,7 +25,7 @@ class StopScope {
   StopScope(const StopScope&) = delete;
   StopScope& operator=(const StopScope&) = delete;
 
-  /// What the calling thread works for; null where nobody can tell it to end.
+  /// The stop flag of the calling thread's work; null where nobody can tell it to end.
   static const std::atomic<bool>* current();
 
  private:

@@ -26,7 +26,7 @@ SweepOrder::Node SweepOrder::insert_after(Node before) {
   links_[n].next = after;
   if (after != kNoNode) links_[after].previous = n;
   (before == kNoNode ? first_ : links_[before].next) = n;
-  // Of two neighbours one has no child on the side of the other.
+  // One of two neighbours has no child on the side of the other.
   if (before != kNoNode && links_[before].right == kNoNode) {
     links_[before].right = n;
     links_[n].parent = before;

@@ -31,7 +31,7 @@ namespace ligne {
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Point2> points,
                                                       std::span<const std::uint32_t> contour_end, bool* whole = nullptr);
 
-/// What triangulate() says of `whole`, in less time.
+/// The answer of triangulate() for `whole`, in less time.
 bool triangles_are_whole(std::span<const Point2> points, std::span<const std::uint32_t> contour_end);
 
 }  // namespace ligne

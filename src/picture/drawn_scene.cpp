@@ -61,7 +61,7 @@ bool looks_at_edges(const PictureRequest& request) {
   return request.output.format == OutputFormat::json || tells_parts(request);
 }
 
-/// What a file tells of regions so that they can be filled and hatched from it.
+/// The looks of regions in a file, so that they can be filled and hatched from it.
 std::vector<RegionLook> looks_of(const PreparedScene& prepared, const std::vector<Region>& regions,
                                  const HatchPatches& patches) {
   const FaceLight light(prepared.scene, prepared.view().camera, prepared.lights);

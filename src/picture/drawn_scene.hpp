@@ -37,9 +37,9 @@ class DrawnScene {
   /// Lines joined, hatching, fills, and what stands round the picture. Counts and warnings go to `run`.
   Drawing drawing(RunReport& run) const;
 
-  /// Whether what was studied is all that another file needs: the same lines as in that format, for these pens.
+  /// True where another file needs no more than the study has: the lines of that format, for these pens.
   bool serves(const OutputRequest& output, const PlotterRequest& plotter) const;
-  /// What write() makes from now on; serves() says that it can. Throws RequestError.
+  /// Chooses the output of write() from now on; serves() says that it can. Throws RequestError.
   void choose(OutputRequest output, PlotterRequest plotter);
   /// The file; `pages`: see write_picture().
   Picture write(RunReport& run, PdfDocument* pages = nullptr) const;

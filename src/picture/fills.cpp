@@ -35,7 +35,7 @@ bool is_narrow(const Region& region) {
   return std::abs(twice_area) < kFillRimMm / 2 * length;
 }
 
-/// What colour a face is filled with.
+/// The colour of each face.
 class FillColors {
  public:
   FillColors(const Scene& scene, const View& view, std::span<const Light> lights, FillKind kind)

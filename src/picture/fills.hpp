@@ -18,7 +18,7 @@ namespace ligne {
 std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::vector<Region>& regions,
                                std::span<const Light> lights, FillKind kind);
 
-/// The same of an order of painting: every piece an area of its own, over those before it. Nothing casts a shadow.
+/// Fills by an order of painting: every piece an area of its own, over those before it. Nothing casts a shadow.
 std::vector<Fill> fill_pieces(const Scene& scene, const View& view, const PaintOrder& order, std::span<const Light> lights,
                               FillKind kind);
 

@@ -50,7 +50,7 @@ bool took_list_over(const Statistics& study) {
   return std::ranges::any_of(study.counts, [](const auto& c) { return c.first == kOfListBefore && c.second > 0; });
 }
 
-/// What the page must hold so that every frame has its place.
+/// The extent that the page must hold so that every frame has its place.
 Rect extent_of_all(const Scene& scene, PictureRequest request, const FrameRequest& frames) {
   Rect all;
   for (unsigned i = 0; i < frames.count; ++i) {

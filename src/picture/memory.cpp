@@ -7,7 +7,7 @@
 namespace ligne {
 namespace {
 
-/// What a stage is for, and what makes it ask for less.
+/// The purpose of a stage, and the options that make it ask for less.
 struct StageWords {
   std::string_view name, purpose, help;
 };

@@ -14,7 +14,7 @@
 namespace ligne {
 namespace {
 
-/// Of the faces or of the border edges of a file: above that a warning says what was healed.
+/// Share of the faces or border edges of a file above which a warning says what was healed.
 constexpr double kMuch = 0.1;
 
 char name_of(Axis axis) { return "xyz"[static_cast<unsigned>(axis)]; }

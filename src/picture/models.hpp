@@ -73,7 +73,7 @@ const std::string* compiled_file(const ModelRequest& request);
 /// RequestError where no object has a name, or none is left.
 LoadedModels load_models(const ModelRequest& request);
 
-/// The same for a scene in memory that is as it would stand in a file; `name` stands in messages.
+/// Loads a scene in memory that is as it would stand in a file; `name` stands in messages.
 LoadedModels load_model(const ModelRequest& request, Scene scene, const std::string& name);
 
 /// Throws RequestError of that option where no object fits one of the patterns.

@@ -16,7 +16,7 @@ bool groups_objects(const PictureRequest& request) {
   return request.output.group_objects && request.output.format == OutputFormat::svg && !request.plotter.by_pens();
 }
 
-/// What is told apart.
+/// A part that is told apart.
 struct Part {
   std::string material;
   std::uint32_t object = kNone;

@@ -44,7 +44,7 @@ const SceneCamera& file_camera(const std::string& name, const Scene& scene) {
       "view", "no camera is called " + shown(name, '"') + "; there " + (scene.cameras.size() == 1 ? "is " : "are ") + names);
 }
 
-/// What a camera of the file asks for. The true scale of a perspective holds where the middle of the scene is.
+/// Looks through a camera of the file. The true scale of a perspective holds where the middle of the scene is.
 void look_through(const SceneCamera& from, const Scene& scene, CameraRequest& to) {
   const double length = glm::length(from.forward);
   if (!to.up) to.up = from.up;

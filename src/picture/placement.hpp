@@ -36,7 +36,7 @@ Page page_for(const PageRequest& request, const Rect& extent);
 /// nothing.
 Placement place(const Rect& extent, double unit_mm, const Camera& camera, const PageRequest& request, const Room& room = {});
 
-/// The same with the extent of the scene.
+/// Places by the extent of the scene.
 Placement place(const Scene& scene, const Camera& camera, const PageRequest& request, const Room& room = {});
 
 }  // namespace ligne

@@ -195,7 +195,7 @@ Picture write_sheet(const Drawing& drawing, const Page& page, bool dashes_cut, c
   style.dpi = request.dpi;
   style.curves = request.curves;
   style.starts_stay = plotter.by_pens();
-  // What curves rise over the chords that reading and simplifying made of them; a polygon of the file rises more.
+  // Curves rise this far over the chords that reading and simplifying made of them; a polygon of the file rises more.
   style.curve_rise_mm = svg::kFlatnessMm + plotter.tolerances.simplify_mm;
   style.style = [&](const std::string& layer) { return style_of_layer(layer, style.pen_width_mm, style.hidden_solid); };
   return timed(run.stages, "write",

@@ -15,7 +15,7 @@
 
 namespace ligne {
 
-/// What a plot of a drawing is to be, with the defaults of the command line. Lengths are in mm.
+/// The request for a plot of a drawing, with the defaults of the command line. Lengths are in mm.
 struct PlotDrawingRequest {
   std::optional<PageSize> page;  ///< nothing: that of the drawing
   bool landscape = false, portrait = false;

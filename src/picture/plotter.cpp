@@ -27,7 +27,7 @@ std::string known_devices(DeviceLanguage language) {
   return names;
 }
 
-/// What was probably meant: all whose names begin so, or the one that is near.
+/// The devices that were probably meant: all whose names begin so, or the one that is near.
 std::string devices_like(std::string_view written) {
   std::string list;
   std::vector<std::string_view> names;
@@ -72,7 +72,7 @@ std::shared_ptr<const Device> device_of(const PlotterChoice& choice, OutputForma
   return device;
 }
 
-/// What the request says of pens goes before what the file says.
+/// Pens of the request go before those of the file.
 void add_pens(PenTable& pens, const PenTable& given) {
   for (const auto& [number, pen] : given.pens) {
     const auto [entry, added] = pens.pens.emplace(number, pen);

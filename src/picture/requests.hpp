@@ -1,5 +1,5 @@
 #pragma once
-/// What a picture is to be: plain values, with the defaults of the command line. Lengths are in mm, angles in degrees.
+/// Requests for a picture: plain values, with the defaults of the command line. Lengths are in mm, angles in degrees.
 
 #include <array>
 #include <cstdint>
@@ -80,7 +80,7 @@ struct ObjectColor {
   std::array<double, 3> color{0, 0, 0};
 };
 
-/// What is drawn of a mesh: the lines that an illustrator would draw of the shape it stands for, or those of every edge as
+/// The drawing of a mesh: the lines that an illustrator would draw of the shape it stands for, or those of every edge as
 /// stored.
 enum class Quality : std::uint8_t { clear, exact };
 inline constexpr std::string_view kQualityNames[] = {"clear", "exact"};
@@ -139,7 +139,8 @@ inline constexpr std::string_view kHatchNames[] = {"none", "shade", "material", 
 /// Degrees of darkness, as many as [Boulle1980] has at most.
 inline constexpr unsigned kMostShades = 4;
 
-/// What strokes follow that bend with the form: the directions of principal curvature, or the curves of a surface.
+/// The lines that strokes follow where they bend with the form: the directions of principal curvature, or the curves of a
+/// surface.
 enum class FormLines : std::uint8_t { none, curvature, iso };
 
 /// Direction of the strokes: fixed, or on every face along its level lines, or along the form.

@@ -1,5 +1,5 @@
 #pragma once
-/// What a run reports: times of its stages, the method's own figures, and warnings.
+/// The report of a run: times of its stages, the method's own figures, and warnings.
 
 #include <chrono>
 #include <ctime>
@@ -51,7 +51,7 @@ auto timed(StageTimes& stages, const Stage& stage, Work&& work) {
   }
 }
 
-/// What a picture lacks, or what was mended on the way to it.
+/// A fault of a picture, or one that was mended on the way to it.
 struct RunWarning {
   std::string place;  ///< file that it is about; empty: the picture
   std::string text;   ///< a phrase
@@ -62,7 +62,7 @@ struct RunReport {
   Statistics study;   ///< the method's own counts and times
   Statistics clear;   ///< what clear lines leave out or change, by cause; empty for exact ones
   StageTimes stages;  ///< of the whole run
-  /// What was chosen where nothing was said: a name and a phrase.
+  /// The choices where nothing was said: a name and a phrase.
   std::vector<std::pair<std::string, std::string>> choices;
   std::vector<RunWarning> warnings;
   InputFiles files;  ///< that were read on the way

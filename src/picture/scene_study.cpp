@@ -22,7 +22,7 @@
 namespace ligne {
 namespace {
 
-/// What a surface hides of the axes is not drawn, not even where hidden lines are.
+/// Parts of axes hidden by a surface are not drawn, not even where hidden lines are.
 void remove_hidden_axes(StrokeModel& model) {
   std::erase_if(model.strokes, [](const Stroke& stroke) { return stroke.line_class == LineClass::axes && !stroke.visible; });
 }
@@ -76,7 +76,7 @@ std::string faces_text(const Scene& scene) {
   return std::to_string(scene.faces.size()) + " faces, " + std::to_string(scene.vertices.size()) + " vertices";
 }
 
-/// Of each vertex its place on the page, and of each face a triangle.
+/// The least memory of a scene: a place on the page for each vertex, and a triangle for each face.
 double least_bytes(const Scene& scene) {
   return static_cast<double>(scene.vertices.size() * sizeof(ProjectedScene::vertices[0]) +
                              scene.faces.size() * sizeof(Topology::triangles[0]));
@@ -116,7 +116,7 @@ StudyOptions study_options(const PreparedScene& prepared, std::optional<SpanLine
   return options;
 }
 
-/// What of the scene the method can not do, or not draw.
+/// Warns of the parts of the scene that the method can not handle, or not draw.
 void warn_of_limits(const MethodTraits& method, const VisibilityResult& result, const ProjectedScene& projected,
                     const LineRequest& lines, RunReport& run) {
   const std::string name(method.name);

@@ -1,5 +1,5 @@
 #pragma once
-/// What of a scene is seen, and where on the page: the part of a picture that knows nothing of pens and files.
+/// The visible parts of a scene and their places on the page: the part of a picture that knows nothing of pens and files.
 
 #include <array>
 #include <cstdint>
@@ -45,7 +45,7 @@ struct PreparedScene {
   const View& view() const { return around.placement.view; }
 };
 
-/// What was found. Every stroke is there once, and regions carry details and light.
+/// The findings. Every stroke is there once, and regions carry details and light.
 struct SceneStudy {
   const Method* method = nullptr;  ///< by which it was found
   VisibilityResult result;

@@ -39,7 +39,7 @@ std::string metres(double mm) {
   return text;
 }
 
-/// Of a drawing that was made smaller.
+/// The scale of a drawing that was made smaller, as text.
 std::string scale_text(double scale) {
   char text[64];
   std::snprintf(text, sizeof text, "%.4f", scale);
@@ -148,7 +148,7 @@ void check_first(const Plot& plot, const LongPlotRequest& request, std::size_t f
   throw RequestError("from-time", whole + ", and all of them are drawn by then");
 }
 
-/// What is left of the plot, in its parts.
+/// Writes the rest of the plot, in its parts.
 void write_parts(Plot plot, const PlotterRequest& plotter, Point2 home, const std::function<std::string(Plot)>& bytes_of,
                  Picture& picture) {
   const LongPlotRequest& request = plotter.parts;

@@ -11,7 +11,7 @@
 namespace ligne {
 namespace {
 
-/// That of a request of its own.
+/// The place that a request of its own would give.
 ZBufferPlace place_of(const PictureRequest& request, const Scene& scene) {
   ZBufferPlace place;
   place.camera = camera_of(request.view, scene);

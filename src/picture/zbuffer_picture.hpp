@@ -39,7 +39,7 @@ class ZBuffer {
 
   /// All objects, in the order in which they were added.
   const Scene& scene() const { return scene_; }
-  /// The same with those of another scene behind them.
+  /// This scene with the parts of another one behind its own.
   Scene joined(Scene added) const;
   /// Draws that.
   Picture draw(Scene joined, PictureRequest request, RunReport& run);

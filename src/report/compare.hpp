@@ -61,7 +61,7 @@ std::vector<ComparedMethod> compared_methods(std::span<const Method* const> meth
 /// More than anybody waits for.
 inline constexpr double kMostLimitSeconds = 1e6;
 
-/// What became of a method.
+/// The outcome of a method.
 struct MethodOutcome {
   const Method* method = nullptr;
   std::string failure;                    ///< why it drew nothing; empty when it drew
@@ -91,7 +91,7 @@ struct MethodComparison {
   std::optional<std::size_t> reference;
   /// Length on which two methods differ; nothing where one of them drew nothing.
   std::vector<std::vector<std::optional<double>>> differences_mm;
-  /// What --method auto takes.
+  /// The choice of --method auto, and its reason.
   std::string chosen, why_chosen;
 };
 

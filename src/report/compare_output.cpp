@@ -53,7 +53,7 @@ std::string in_columns(const std::vector<std::vector<std::string>>& rows) {
   return text;
 }
 
-/// What a reader must know of a row beside its figures.
+/// A note on a row beside its figures.
 std::string note_of(const MethodOutcome& m) {
   if (!m.drawn()) return m.failure;
   if (!m.beyond.empty()) return "only for " + std::string(m.method->traits().only_for) + "; here " + m.beyond;

@@ -99,7 +99,7 @@ class ComparisonPage {
     return comparison_.reference ? &comparison_.methods[*comparison_.reference] : nullptr;
   }
 
-  /// What all drawings lie in, with a rim.
+  /// Finds the box of all drawings, with a rim.
   void find_box() {
     constexpr double kRimMm = 3;
     for (const MethodOutcome& m : comparison_.methods) {
@@ -255,7 +255,7 @@ class ComparisonPage {
     return text + "</tbody></table></div>";
   }
 
-  /// What is seen in the place of a method's drawing.
+  /// The contents of the page in the place of a method's drawing.
   std::string content_of(std::size_t i) const {
     const MethodOutcome& m = comparison_.methods[i];
     const StrokeDifference& d = m.from_reference;

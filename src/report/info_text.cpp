@@ -33,7 +33,7 @@ std::string closedness(const ObjectFacts& object) {
 /// Objects whose borders were sewn are named one by one up to this number.
 constexpr std::size_t kMostSewnLines = 5;
 
-/// What was healed, and why.
+/// The list of healed faults, with their reasons.
 std::string healed_text(const ModelFile& file) {
   const HealReport& healed = file.healed;
   std::string text;

@@ -1,5 +1,5 @@
 #pragma once
-/// What there is to choose from: methods and plotters, as tables for people and as JSON.
+/// Listings of the methods and plotters to choose from, as tables for people and as JSON.
 
 #include <cstdint>
 #include <string>

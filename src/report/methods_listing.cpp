@@ -14,7 +14,7 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-/// Of transparent faces.
+/// The words for a method's treatment of transparent faces.
 std::string_view glass_words(Glass glass) {
   constexpr std::string_view kWords[] = {"taken as opaque", "left out", "hides nothing", "seen through"};
   return kWords[static_cast<std::size_t>(glass)];

@@ -1,5 +1,5 @@
 #pragma once
-/// What can be said of a scene before a method has seen it.
+/// Facts about a scene before a method has seen it.
 
 #include <array>
 #include <cstddef>
@@ -41,7 +41,7 @@ struct SceneFacts {
   std::vector<ObjectFacts> objects;
   std::vector<MaterialFacts> materials;
 
-  /// Of a count over all objects.
+  /// The sum of a count over all objects.
   std::size_t sum(std::size_t ObjectFacts::*member) const {
     std::size_t n = 0;
     for (const ObjectFacts& object : objects) n += object.*member;

@@ -1,5 +1,5 @@
 #pragma once
-/// What a scene contains, and what that means for each method.
+/// The contents of a scene, and their meaning for each method.
 
 #include <optional>
 #include <string>
@@ -35,7 +35,7 @@ std::string info_text(const LoadedModels& models, const SceneInfo& info);
 /// As JSON: {"format": "ligne-info", "version": 1, "files", "scene", "view", "methods"}.
 std::string info_json(const LoadedModels& models, const SceneInfo& info);
 
-/// What a scene means for a method, as far as its traits say.
+/// The meaning of a scene for a method, as far as its traits say.
 std::string meaning_for(const MethodTraits& traits);
 
 /// "#c0c0c0" of red, green and blue from 0 to 1.

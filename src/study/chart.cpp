@@ -17,7 +17,7 @@ constexpr double kWidth = 180, kHeight = 105, kLeft = 24, kTop = 13, kBottom = 1
 constexpr double kPen = 0.45, kText = 2.3, kTitle = 2.8, kTick = 1.2, kMarker = 0.9, kSample = 11, kLegendLine = 5.2;
 constexpr std::size_t kMostTicks = 8;
 
-/// Of Okabe and Ito: told apart by people who see colours otherwise, and on gray paper by their marks and dashes.
+/// Colours of Okabe and Ito: told apart by people who see colours otherwise, and on gray paper by their marks and dashes.
 constexpr std::array<std::array<double, 3>, 8> kColors{{{0, 0, 0},
                                                         {0, 0.447, 0.698},
                                                         {0.835, 0.369, 0},

@@ -237,7 +237,7 @@ Result study_contour_clipping(const StudyRequest& request) {
         row("sectors (Shamos)", "the sum of the sides", by_sectors, 1, twice_area_of(sectors),
             seconds_each([&] { return clip_convex(s, c, unused).size(); }), 1);
       }
-      // What the clip of the program takes: each side against each.
+      // The tests that the clip of the program takes: each side against each.
       ContourClipCounts all{std::uint64_t(subject.size()) * clip.size(), 0};
       row("any against any (Weiler, Atherton), the program's", "the product of the sides, which is optimal", all,
           truth.inside.size(), area, seconds_each([&] { return clip_contour_by_contour(fs, fc).inside.size(); }), 2);

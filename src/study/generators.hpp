@@ -1,5 +1,5 @@
 #pragma once
-/// What is studied: the scenes of the figures of [Boulle1980], as far as the text tells them, and families that grow.
+/// Scenes of the experiments: those of the figures of [Boulle1980], as far as the text tells them, and families that grow.
 ///
 /// Scenes are seen by the named view "front", along +y, unless the generator says otherwise: x to the right, z up, what has
 /// the larger y is farther.

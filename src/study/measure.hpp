@@ -20,7 +20,7 @@ double least_seconds(int times, const Work& work) {
   return best;
 }
 
-/// The same for work that is shorter than the clock's step: it is repeated until it takes two thousandths of a second, or
+/// Measures work that is shorter than the clock's step: it is repeated until it takes two thousandths of a second, or
 /// very often. What it returns is looked at, so that no compiler leaves it out.
 template <class Work>
 double seconds_each(const Work& work) {

@@ -112,7 +112,7 @@ std::uint64_t description_bytes(std::size_t method, const ProjectedScene& scene)
   return sum;
 }
 
-/// What the process held at the most while the method studied, beyond the projected scene; nothing where the system does not
+/// The largest memory of the process while the method studied, beyond the projected scene; nothing where the system does not
 /// tell.
 Cell words_at_peak(std::size_t method, const ProjectedScene& scene) {
   const PeakMemory memory;

@@ -1,5 +1,5 @@
 #pragma once
-/// What an experiment finds: tables in which the figure of the source stands beside ours, plots, and a sentence.
+/// The findings of an experiment: tables in which the figure of the source stands beside ours, plots, and a sentence.
 
 #include <cstdint>
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace ligne::studies {
 
-/// What stands in a column. Counts are the same on every machine, and so are measures, which are made of counts alone; times
-/// are not.
+/// The contents of a column. Counts are the same on every machine, and so are measures, which are made of counts alone;
+/// times are not.
 enum class ColumnKind : std::uint8_t { label, source, words, count, measure, time };
 inline constexpr std::string_view kColumnKindNames[] = {"label", "source", "words", "count", "measure", "time"};
 
@@ -32,7 +32,7 @@ struct Table {
 };
 inline constexpr std::string_view kNoFigure = "no figure";
 
-/// Whether what the source found is found again.
+/// The outcome of an experiment against its source.
 enum class Finding : std::uint8_t { holds, in_part, no_longer };
 inline constexpr std::string_view kFindingNames[] = {"holds", "holds in part", "no longer holds"};
 

@@ -21,7 +21,7 @@ struct ScanInput {
 
 ScanInput make_scan_input(const NamedScene& named);
 
-/// What a scan of the whole page by one group of lines costs; no seam breaks the coherence.
+/// The cost of a scan of the whole page by one group of lines; no seam breaks the coherence.
 struct ScanCost {
   double seconds = 0;  ///< of the scan alone, the least of some
   watkins::ScanCounts scan;

@@ -18,7 +18,7 @@ using namespace warnock;
 
 constexpr unsigned kScreen = 1024;  ///< windows to the longer side of the sheet at the limit of resolution
 
-/// What of a study is varied.
+/// The varied parts of a study.
 struct Variant {
   WindowChoice window = WindowChoice::bounding;
   SplitChoice split = SplitChoice::centre;

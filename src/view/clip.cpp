@@ -6,7 +6,7 @@
 namespace ligne {
 namespace {
 
-/// What rounds to the border of the window lies on it.
+/// A point that rounds to the border of the window lies on it.
 constexpr double kLineMarginSteps = 0.5;
 
 ClipVolume widened(const View& view, double margin_mm) {

@@ -40,12 +40,12 @@ struct ClipVolume {
   }
 };
 
-/// What of lines is drawn: the window, and what the lattice rounds onto its border. So a line along the border, or a vertex
-/// on it, is in view whatever the last digits of its projection.
+/// The volume in which lines are drawn: the window, and points that the lattice rounds onto its border. So a line along the
+/// border, or a vertex on it, is in view whatever the last digits of its projection.
 ClipVolume line_volume(const View& view, const Lattice& lattice);
 
-/// What of faces is studied: kWindowMarginSteps more than the window, so that a line along the window's border has on both
-/// of its banks what covers it.
+/// The volume in which faces are studied: kWindowMarginSteps more than the window, so that a line along the window's border
+/// has on both of its banks what covers it.
 ClipVolume face_volume(const View& view, const Lattice& lattice);
 
 /// Clips a convex contour in place; what is left has no corner when nothing is inside.

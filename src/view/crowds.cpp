@@ -20,7 +20,7 @@ constexpr std::size_t kPartOfCrowd = kCrowdOfVertices / 4;
 
 using Cube = std::array<double, 3>;
 
-/// Of a cube, in x and y and in depth.
+/// The side of a cube, in x and y and in depth.
 struct Side {
   double steps, mm;
   Cube cube(const ProjectedVertex& v) const {

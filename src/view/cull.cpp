@@ -152,7 +152,7 @@ class Finder {
     for (std::size_t s = 0; s < shells_.size(); ++s) shells_[s].kept = shells_[s].kept || contacts[s];
   }
 
-  /// Of a solid.
+  /// The shell of a solid.
   struct Shell {
     int outward;        ///< -1 when its faces are wound inwards
     bool kept = false;  ///< with its back faces

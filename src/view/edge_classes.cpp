@@ -20,7 +20,7 @@ namespace {
 /// Float32 coordinates turn the normals of small faces by about this much; an edge at the crease angle itself is no crease.
 constexpr double kCreaseSlackDegrees = 0.01;
 
-/// Of a face without area, until it is mended.
+/// The mark of a face without area, until it is mended.
 constexpr std::int8_t kFlat = 2;
 
 /// How the faces lie.
@@ -117,7 +117,7 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
       } else if (edge.face1 == kNone) {
         result = LineClass::border;
       } else if (flags & kEdgeManyFaces) {
-        // Of its faces two are known, which depend on the order of the file: no outline can be told from them.
+        // Two of its faces are known, and they depend on the order of the file: no outline can be told from them.
         result = !creases || (*creases)[e] == kCreaseLine ? LineClass::crease : LineClass::mesh;
       } else {
         const int turn = flags & kEdgeUnlikeWound ? -1 : 1;

@@ -21,11 +21,11 @@ namespace ligne {
 /// and the line of sight, which has no place that could be near to a plane: there the first term is left out.
 std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology& topology, const Camera& camera);
 
-/// The same of one triangle: `precision` is e, `rounding` d.
+/// is_seen_edge_on() for one triangle: `precision` is e, `rounding` d.
 bool is_seen_edge_on(const Point3& p, const Point3& q, const Point3& r, const Camera& camera, double precision,
                      double rounding);
 
-/// What sights of a scene with coordinates of that size are rounded by.
+/// The rounding of sights of a scene with coordinates up to that size.
 double sight_rounding(const Camera& camera, double largest);
 
 }  // namespace ligne

@@ -32,7 +32,7 @@ ProjectedVertex to_vertex(const HomogeneousPoint& p, const Lattice& lattice) {
   return {lattice.snap({p.x / p.w, p.y / p.w}), p.z / p.w};
 }
 
-/// What of lines and of faces is kept; the first lies inside the second.
+/// The volumes in which lines and faces are kept; the first lies inside the second.
 struct Volumes {
   ClipVolume lines, faces;
 };

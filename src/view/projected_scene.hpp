@@ -40,7 +40,7 @@ struct EdgeSelection {
 /// scene; faces and source edges keep the scene's numbers. Triangles without area on the lattice (seen edge on) are kept:
 /// their edges are lines too.
 struct ProjectedScene {
-  /// What was projected, for methods that work in model space. It must outlive the study.
+  /// The projected scene, for methods that work in model space. It must outlive the study.
   const Scene* model = nullptr;
   Lattice lattice;
   View view;

@@ -12,7 +12,7 @@
 
 namespace ligne {
 
-/// What the user asked for.
+/// The camera that the user asked for.
 struct CameraRequest {
   std::string_view named_view = "iso";  ///< used when neither direction nor eye is given
   std::optional<Point3> direction;      ///< line of sight, from the viewer into the scene: parallel projection
@@ -105,7 +105,7 @@ Point3 bounding_box_centre(const Scene& scene);
 View make_view(Rect extent, const Camera& camera, const Frame& frame, const Rect& window,
                std::optional<double> scale = std::nullopt);
 
-/// The same with the extent of the scene.
+/// Makes the view from the extent of the scene.
 View make_view(const Scene& scene, const Camera& camera, const Frame& frame, const Rect& window,
                std::optional<double> scale = std::nullopt);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What a study leaves for a later one.
+/// The results that a study leaves for a later one.
 
 #include <cstdint>
 

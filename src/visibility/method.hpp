@@ -23,7 +23,7 @@ struct BlankSquares;
 class ByteReader;
 class ByteWriter;
 
-/// What a method can produce.
+/// The kinds of result that a method can produce.
 enum Product : std::uint8_t {
   kStrokes = 1,
   kRegions = 2,
@@ -32,14 +32,14 @@ enum Product : std::uint8_t {
   kPixels = 16,
 };
 
-/// What a method makes of a scene once, for all views of it.
+/// The data that a method makes of a scene once, for all views of it.
 class CompiledScene {
  public:
   virtual ~CompiledScene() = default;
   virtual void write(ByteWriter& bytes) const = 0;
 };
 
-/// What a method makes of transparent faces.
+/// The treatment of transparent faces by a method.
 enum class Glass : std::uint8_t {
   opaque,    ///< they hide as others do
   left_out,  ///< they and the edges that only they have are no part of the study (VisibilityResult::left_out says how many)
@@ -80,7 +80,7 @@ struct StudyOptions {
   bool coincide_by_sight = false;
 };
 
-/// What was found. Models that a method does not produce stay empty.
+/// The results. Models that a method does not produce stay empty.
 struct VisibilityResult {
   std::optional<StrokeModel> strokes;
   std::optional<std::vector<Region>> regions;
@@ -106,7 +106,7 @@ class Method {
 
   /// For methods that compile; others return nullptr.
   virtual std::shared_ptr<const CompiledScene> compile(const Scene&, const MethodSettings&) const { return nullptr; }
-  /// What CompiledScene::write() has written for that scene. Throws InputError.
+  /// Reads the output of CompiledScene::write() for that scene. Throws InputError.
   virtual std::shared_ptr<const CompiledScene> read_compiled(ByteReader&, const Scene&) const { return nullptr; }
 };
 

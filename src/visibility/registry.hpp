@@ -13,7 +13,7 @@ namespace ligne {
 /// All methods, in the order in which people are shown them.
 std::span<const Method* const> all_methods();
 
-/// What draws lines when nothing is known of the scene.
+/// The method for lines when nothing is known of the scene.
 const Method& default_method();
 
 /// The method of that name, or nullptr. "auto" is the default method.

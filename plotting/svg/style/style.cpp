@@ -195,7 +195,7 @@ class StyleReader {
     return length_px(value, port, whole);
   }
   double spacing(std::string_view value) const { return value == "normal" ? 0 : length(value, style_.font_size); }
-  /// What CSS calls its base lines, by those of the letters at hand: capitals, the lower case, and what hangs below.
+  /// Base lines as CSS names them, from those of the letters at hand: capitals, the lower case, and descenders.
   void set_baseline(std::string_view value) {
     constexpr double kCapitals = 0.73, kLowerCase = 0.52, kBelow = 0.21;
     if (value == "middle")

@@ -1,5 +1,5 @@
 #pragma once
-/// What elements of an SVG inherit. Private to plotting.
+/// Properties that elements of an SVG inherit. Private to plotting.
 
 #include <array>
 #include <optional>

@@ -1,5 +1,5 @@
 #pragma once
-/// What --method auto takes.
+/// The choice of --method auto.
 ///
 /// The rules are what the measurements of bench/auto_table.py come to, docs/compare.md: on all scenes of some size but one
 /// kind the default method is the fastest exact one, or within a few hundredths of it.
@@ -14,7 +14,7 @@
 
 namespace ligne {
 
-/// What the choice depends on.
+/// The facts that the choice depends on.
 struct ChoiceFacts {
   bool regions = false;          ///< the picture is made of areas
   bool many_triangles = false;   ///< so many that the time of a study is noticed

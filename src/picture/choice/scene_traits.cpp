@@ -91,7 +91,7 @@ std::size_t count_turning_vertices(const ProjectedScene& scene, const std::vecto
     for (int k = 0; k < 3; ++k) sides.push_back({f.face, scene.place(f.v[k]), scene.place(f.v[(k + 1) % 3])});
   }
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.key() < b.key(); });
-  // Of each vertex of a face, how many sides of contours go down from it, and how many come.
+  // For each vertex of a face, how many sides of contours go down from it, and how many come.
   std::vector<std::array<std::uint32_t, 3>> ends;  // face, vertex, 1 for a side that goes down
   const auto above = [&](std::uint32_t a, std::uint32_t b) {
     const LatticePoint p = scene.vertices[a].p, q = scene.vertices[b].p;

@@ -1,5 +1,5 @@
 #pragma once
-/// What a scene, as it is seen, asks of a visibility method: the figures on which the cost of the methods depends.
+/// Traits of a scene as it is seen: the figures on which the cost of the visibility methods depends.
 ///
 /// [Boulle1980] 2.3.7 and 2.6 name them; docs/compare.md says what each means.
 

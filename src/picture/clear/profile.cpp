@@ -21,7 +21,7 @@
 namespace ligne {
 namespace {
 
-/// What is shorter, in widths of the pen, is no change of the line.
+/// A shorter change, in widths of the pen, is no change of the line.
 constexpr double kShortestInPens = 2;
 /// Nor is what is shorter than so many times the distance at which it was looked beside the line: by so much a change is off
 /// where the other line crosses at eight degrees.

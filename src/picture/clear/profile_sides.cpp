@@ -207,7 +207,7 @@ void add_behind(std::vector<StrokePart>& parts, const Stroke& stroke, const Seen
   add_part(parts, from > 0 ? stretch.from : change, to > 0 ? stretch.to : change);
 }
 
-/// What is in the way of a look at the sheet: all facets but those that are not even in the way of a line.
+/// The facets in the way of a look at the sheet: all but those that are not even in the way of a line.
 std::vector<Facet> facets_in_the_way(const ProjectedScene& projected) {
   std::vector<Facet> facets = make_facets(projected, 0).facets;
   if (!projected.face_is_transparent.empty()) {

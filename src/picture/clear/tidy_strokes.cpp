@@ -139,7 +139,7 @@ void drop_lone_flecks(StrokeModel& strokes, const PreparedScene& prepared, RunRe
                      .ring_width_mm = kRingInPens * pen_mm}));
 }
 
-/// Of strokes none of which coincide, and none of which are of the mesh.
+/// Tidies strokes none of which coincide, and none of which are of the mesh.
 void tidy_lines(StrokeModel& strokes, const PreparedScene& prepared, double least_mm, double gap_mm, RunReport& run) {
   const double pen_mm = prepared.request.page.pen_width_mm;
   const bool has_outlines = prepared.request.lines.studied().has(LineClass::outline);

@@ -35,7 +35,7 @@ constexpr double kNormalPart = 0.5;  ///< of `length`: smaller bumps do not coun
 
 constexpr double kQuarter = std::numbers::pi / 2;
 
-/// What the curvature tells of a node.
+/// The direction that the curvature gives a node.
 struct Told {
   Complex cross{0, 0};  ///< of unit length, or zero
   double weight = 0;    ///< area times how much it tells, at most 1
@@ -66,7 +66,7 @@ std::vector<Told> tell(const FormMesh& mesh, const std::vector<TangentFrame>& fr
   return told;
 }
 
-/// Of each node whether its first direction is a quarter turn beyond the angle of the cross (see step 3).
+/// For each node, whether its first direction is a quarter turn beyond the angle of the cross (see step 3).
 std::vector<char> first_directions(const std::vector<double>& angles, const std::vector<char>& known,
                                    const std::vector<Told>& told, const std::vector<FormLink>& links) {
   const std::size_t n = angles.size();
@@ -114,7 +114,7 @@ std::vector<char> first_directions(const std::vector<double>& angles, const std:
   return turned;
 }
 
-/// What of `v` lies in the plane.
+/// The part of `v` in the plane.
 Point3 in_plane(const Point3& v, const Point3& normal) { return unit(v - normal * glm::dot(normal, v)); }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace ligne {
 namespace {
 
-/// What is nearer is one place: the micrometre to which drawings are right.
+/// Nearer points are one place: the micrometre to which drawings are right.
 constexpr double kTouchMm = 1e-3;
 
 double distance_to(Point2 p, Point2 from, Point2 to) {

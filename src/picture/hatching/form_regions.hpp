@@ -1,5 +1,5 @@
 #pragma once
-/// What is seen of the surfaces of a mesh, and where on the page it ends.
+/// The visible surfaces of a mesh, and where on the page they end.
 
 #include <cstdint>
 #include <optional>
@@ -21,7 +21,7 @@ class FormRegions {
 
   /// The region of the face that holds the point of the page.
   std::optional<std::uint32_t> region_at(std::uint32_t face, Point2 page_mm) const;
-  /// The same for a point of the face that is seen, and may lie between two regions.
+  /// region_at() for a point of the face that is seen, and may lie between two regions.
   std::uint32_t region_near(std::uint32_t face, Point2 page_mm) const;
   /// How much of the way between two points of a face is seen, from its beginning: 1 is all of it.
   double seen_until(std::uint32_t face, Point2 from, Point2 to) const;

@@ -93,7 +93,7 @@ class StrokePlacement {
   std::vector<PlacedStroke> strokes_;
   std::unordered_map<std::uint64_t, std::vector<Sample>> cells_;
   double points_ = 0;
-  // Of the strokes that are added now:
+  // For the strokes that are added now:
   bool second_ = false;
   double distance_ = 0;
   double limit_ = 0;  ///< where strokes are to be so far apart or farther, this one ends

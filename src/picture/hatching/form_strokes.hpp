@@ -11,7 +11,7 @@
 
 namespace ligne {
 
-/// What is to be drawn at a place.
+/// The tone to be drawn at a place.
 struct FormTone {
   static constexpr double kNoStrokes = std::numeric_limits<double>::infinity();
   /// Distance of the strokes along the first direction, and of those along the second.

@@ -20,7 +20,7 @@ std::optional<SpanLines> gray_face_lines(const PictureRequest& request, const Me
 std::optional<GrayPicture> gray_faces(const PreparedScene& prepared, const VisibilityResult& result,
                                       const PlotOptions& plot);
 
-/// The same as areas for vector files, by a method that gives spans; none otherwise.
+/// The gray faces as areas for vector files, by a method that gives spans; none otherwise.
 std::vector<Fill> gray_areas(const PreparedScene& prepared, const VisibilityResult& result);
 
 }  // namespace ligne

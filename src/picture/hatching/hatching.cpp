@@ -51,7 +51,7 @@ bool hatched_in(const FaceHatch& face, double degrees) {
   return face.strokes.every > 0 && (face.degrees == degrees || (face.cross && half_turn(face.degrees + 90) == degrees));
 }
 
-/// What is seen of the surfaces that are hatched in one direction.
+/// The visible parts of the surfaces that are hatched in one direction.
 struct DirectionRuns {
   double degrees;
   HatchFrame frame;
@@ -287,7 +287,7 @@ void cut_to(const Rect& window, const HatchFrame& frame, double line_mm, std::ve
   });
 }
 
-/// What the method's scan lines along the strokes see of the faces that are hatched in that direction.
+/// The parts of the faces hatched in that direction that the method's scan lines along the strokes see.
 DirectionRuns seen_in_direction(const PreparedScene& prepared, std::span<const FaceHatch> faces, double degrees,
                                 double line_mm) {
   DirectionRuns direction{degrees, HatchFrame(prepared.view().offset, degrees), {}};

@@ -13,7 +13,7 @@
 
 namespace ligne {
 
-/// What all ways of hatching need to know. `prepared` is as it was before the study.
+/// The data that all ways of hatching need. `prepared` is as it was before the study.
 struct HatchScene {
   const PreparedScene& prepared;
   const PlotOptions& plot;

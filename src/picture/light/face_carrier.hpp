@@ -49,7 +49,7 @@ bool carry(const View& from, const std::vector<Point2>& contour_mm, const FacePl
 /// has nothing that could be cut.
 class FaceBorder {
  public:
-  /// What is nearer than `near_mm` lies on the border, and is moved as far beyond it.
+  /// A point nearer than `near_mm` lies on the border, and is moved as far beyond it.
   FaceBorder(const Scene& scene, std::uint32_t face, const View& view, const Lattice& lattice, double near_mm);
 
   void move_beyond(std::vector<LatticePoint>& contour) const;

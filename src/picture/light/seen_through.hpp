@@ -1,5 +1,5 @@
 #pragma once
-/// What is seen through the visible parts of transparent faces ([Boulle1980] 2.4.2.6, figure 2.71).
+/// The faces seen through the visible parts of transparent faces ([Boulle1980] 2.4.2.6, figure 2.71).
 
 #include <cstdint>
 #include <vector>

@@ -70,8 +70,8 @@ std::vector<CameraRequest> pictures_of(const Light& light, const Scene& scene) {
   return pictures;
 }
 
-/// What a light sees of a face of the scene, on the viewer's page: [face][k] through k of the transparent faces that were
-/// counted.
+/// The parts of a face of the scene that a light sees, on the viewer's page: [face][k] through k of the transparent faces
+/// that were counted.
 using LitFaces = std::vector<std::vector<std::vector<ContourFace>>>;
 
 double opacity_of(const Scene& scene, std::uint32_t face) {
@@ -246,7 +246,7 @@ CastShadows cast_shadows(const Scene& scene, const Topology& topology, const Vie
       std::vector<CastShadows> cut(all.regions.size());
       parallel_for(cut.size(), [&](std::size_t k) {
         const Region& piece = all.regions[k];
-        // What is dark is so whichever transparent faces are counted.
+        // A place that is dark without transparent faces is dark whichever of them are counted.
         if (lit[piece.face].empty() || (opacity != opacities.front() && !(piece.lights >> i & 1u))) {
           cut[k].regions.push_back(piece);
         } else {

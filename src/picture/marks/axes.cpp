@@ -19,7 +19,7 @@ constexpr const char* kDefaultNames[] = {"x", "y", "z"};
 /// from farther away, but not in proportion: with the root of the side it is 1.8 mm on A6 and 5 mm on A0, which ISO 3098 has
 /// too.
 constexpr double kTextHeightMm = 2.5, kSideOfA4Mm = 210;
-/// Of the shorter side of what the margins leave: as high as texts may be, and as they are at the most when nothing is said.
+/// Shares of the shorter side inside the margins: the largest height of texts, and their largest default.
 constexpr double kHighestPart = 0.1, kHighestDefaultPart = 0.05;
 constexpr double kTitleHeight = 1.4;   ///< of the other texts
 constexpr double kLabelHeight = 0.75;  ///< of the other texts: heights in contour lines
@@ -31,7 +31,7 @@ constexpr double kLabelDistanceMm = 120, kLabelDistancePart = 0.6;
 constexpr double kRoomSlackMm = 1e-3;  ///< the accuracy of the drawing
 constexpr int kFreeTrials = 3, kMostTrials = 8;
 
-/// What reaches over the picture, on each side.
+/// The room that is needed over the picture on each side.
 Room overhang(const Rect& picture, const Rect& all) {
   return {picture.min.x - all.min.x, picture.min.y - all.min.y, all.max.x - picture.max.x, all.max.y - picture.max.y};
 }

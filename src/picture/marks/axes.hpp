@@ -15,7 +15,7 @@
 
 namespace ligne {
 
-/// What is drawn round a picture, and the picture's place between it.
+/// The marks drawn round a picture, and the picture's place between them.
 struct Surroundings {
   Placement placement;
   AxesPicture axes;
@@ -45,7 +45,7 @@ Surroundings place_with_axes(const std::optional<PlotBox>& box, const Scene& sce
 /// The lines of the axes that what is plotted may hide.
 std::vector<std::array<Point3, 2>> back_lines(const Surroundings& surroundings);
 
-/// The same, and those before it.
+/// All lines of the surroundings: the grid's, and those before it.
 std::vector<std::array<Point3, 2>> all_lines(const Surroundings& surroundings);
 
 /// The lines of the axes on the page: of back_lines() the parts `seen`, and all that is before them.

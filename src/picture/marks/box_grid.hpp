@@ -1,5 +1,5 @@
 #pragma once
-/// What lies near a place of the page: numbers in square cells.
+/// Numbers in square cells, found by a place of the page.
 
 #include <algorithm>
 #include <cmath>

@@ -256,7 +256,7 @@ std::optional<Place> Labelling::place(std::uint32_t number, double s, const std:
   return place;
 }
 
-/// What the lines cost that run through the box; nothing where one of them has labels too, or is this one on its way back.
+/// The cost of the lines that run through the box; nothing where one of them has labels too, or is this one on its way back.
 std::optional<double> Labelling::cost_of_crossing(std::uint32_t number, double s, const Place& place) const {
   const double reach = place.box.half.x * 1.5;
   double crossed = 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// What a map has below its picture: a scale bar, an arrow to the north, a legend.
+/// The marks of a map below its picture: a scale bar, an arrow to the north, a legend.
 
 #include <array>
 #include <vector>

@@ -59,7 +59,7 @@ MemoryLimit parse_memory(const std::string& text);
 const Method* parse_method(const std::string& text);
 /// A value of a method's own parameter.
 ParameterValue parse_parameter(const std::string& text, const MethodParameter& parameter);
-/// The same put into the settings of the method. Throws RequestError for one that it does not have, or not with this value.
+/// Puts a value into the settings of the method. Throws RequestError for one that it does not have, or not with this value.
 void set_parameter(MethodSettings& settings, const Method& method, const std::string& name, const std::string& text);
 
 inline constexpr unsigned kMostCurves = 20'000;

@@ -26,7 +26,7 @@ bool parse_fill_tone(const std::string& text);
 
 /// "LEN" for all fills, "NAME=LEN" for those of a layer or a colour.
 void add_hatch_spacing(FillHatches& hatches, const std::string& text);
-/// The same in degrees.
+/// Adds an angle in degrees.
 void add_hatch_angle(FillHatches& hatches, const std::string& text);
 /// A layer or a colour; empty: all.
 void add_hatch_cross(FillHatches& hatches, const std::string& name);

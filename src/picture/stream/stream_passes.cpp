@@ -22,7 +22,7 @@ std::vector<std::uint32_t> triangles_of(std::span<const Farthest> farthest) {
   return triangles;
 }
 
-/// Of two blocks in the order of the file.
+/// Joins two blocks in the order of the file.
 void take_farthest(std::array<Farthest, 6>& all, const std::array<Farthest, 6>& block) {
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (block[k].triangle != kNone) all[k].offer(block[k].value, block[k].triangle);

@@ -19,7 +19,7 @@ namespace {
 
 /// Adjustable: what a triangle takes in memory while its model is read and studied.
 constexpr double kBytesPerTriangle = 160;
-/// Of the memory, for a model that is read as a whole, and for the squares of one that is not.
+/// Shares of the memory for a model that is read as a whole, and for the squares of one that is not.
 constexpr double kPartForModel = 0.5, kPartForSquares = 1.0 / 16;
 constexpr double kMostSquares = 4'000'000;
 

@@ -16,7 +16,7 @@
 
 namespace ligne {
 
-/// What is drawn in the space of the surfaces, at the numbers of the axes.
+/// Curves drawn in the space of the surfaces, at the numbers of the axes.
 struct DrawnCurves {
   std::vector<std::vector<std::array<Point3, 2>>> curves;  ///< segments
   std::vector<MarkedPoint> points;

@@ -74,7 +74,7 @@ GroundUnit unit_of(const std::vector<SurfacePoints>& surfaces) {
   return GroundUnit::unknown;
 }
 
-/// What all surfaces take together; nothing where there are none. Of z = f(x, y) it is the ground of all
+/// The box of all surfaces together; nothing where there are none. For z = f(x, y) it has the ground of all
 /// samples, whether there is a height or not.
 std::optional<AxesBox> box_of(const std::vector<SurfacePoints>& surfaces, const std::vector<SurfaceMesh>& meshes) {
   const auto range = height_range(meshes);
@@ -148,7 +148,7 @@ Surroundings place_box(const SurfaceRequest& request, const PlotBox& box) {
   return place_with_axes(box, extent, camera_of(view_of(request), extent), picture.page, picture.axes, picture.output.title);
 }
 
-/// What the samples span that are to be drawn, as the axes count: but for what borders between samples add, it is what the
+/// The span of the samples that are to be drawn, as the axes count: but for borders between samples, it is what the
 /// meshes will span.
 std::optional<AxesBox> box_of_samples(const SurfaceRequest& request, const std::vector<SurfacePoints>& surfaces,
                                       const std::vector<std::optional<double>>& water) {

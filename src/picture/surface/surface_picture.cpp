@@ -35,7 +35,7 @@ void add_rectangle(Scene& scene, const HeightSource& heights, double z) {
   scene.faces.add_triangle(first + 1, first + 3, first + 2);
 }
 
-/// What the horizon draws of a surface, and where.
+/// The parts of a surface that the horizon draws, and their place.
 struct HorizonRequest {
   HorizonOptions options;
   Camera camera;
@@ -116,7 +116,7 @@ void frame_ridgelines(const AxesBox& box, AxesPicture& axes) {
   std::erase_if(axes.lines, is_frame);
 }
 
-/// What the study saw of the axes' lines.
+/// The visible parts of the axes' lines.
 Polylines axes_of(const HorizonLines& lines, const Surroundings& around) {
   std::vector<std::vector<VisibleInterval>> seen(lines.back_lines.size());
   for (std::size_t i = 0; i < seen.size(); ++i) {

@@ -12,7 +12,7 @@
 
 namespace ligne {
 
-/// What the floating horizon drew, to be written in any format but JSON.
+/// The drawing of the floating horizon, to be written in any format but JSON.
 struct HorizonDrawing {
   Drawing drawing;
   Page page;

@@ -1,5 +1,5 @@
 #pragma once
-/// What a picture of surfaces is to be: plain values, with the defaults of the command line.
+/// Requests for a picture of surfaces: plain values, with the defaults of the command line.
 
 #include <array>
 #include <cstddef>
@@ -42,7 +42,7 @@ struct CurveRequest {
 enum class WaterFill : std::uint8_t { blank, hatch };
 enum class HachureKind : std::uint8_t { none, contour, slope };
 
-/// What maps of terrain have.
+/// Features of terrain maps.
 struct TerrainRequest {
   std::optional<double> water;  ///< what is lower is water, up to this height
   bool water_at_holes = false;  ///< where there is no height is water, as high as the lowest height
@@ -67,7 +67,7 @@ struct AspectRequest {
   Point3 sides{1, 1, 1};  ///< of a ratio
 };
 
-/// What the positions of a grid are: as the file says or lets see, metres or any other unit that the heights have too, or
+/// The unit of a grid's positions: as the file says or lets see, metres or any other unit that the heights have too, or
 /// degrees of longitude and latitude with heights in metres.
 enum class GroundChoice : std::uint8_t { as_read, metres, degrees };
 
@@ -129,10 +129,10 @@ inline std::size_t height_count(const SurfaceRequest& request) {
 /// Throws RequestError when parts of the request do not go together: sources and their ranges, curves.
 void check(const SurfaceRequest& request);
 
-/// What only meshes can draw of the request, as a word for messages; empty where the floating horizon can draw it all.
+/// The request that only meshes can draw, as a word for messages; empty where the floating horizon can draw it all.
 std::string needs_mesh(const SurfaceRequest& request);
 
-/// What only the floating horizon can draw, as the name of an option; or nothing.
+/// The request that only the floating horizon can draw, as the name of an option; or nothing.
 std::string needs_horizon(const SurfaceRequest& request);
 
 /// Whether the floating horizon draws it: one surface z = f(x, y) without anything that only meshes can do, and no mesh
@@ -142,7 +142,7 @@ bool drawn_by_horizon(const SurfaceRequest& request);
 /// The view, the two angles as a direction.
 ViewRequest view_of(const SurfaceRequest& request);
 
-/// What warnings are about: the only grid, or "surface".
+/// The subject of warnings: the only grid, or "surface".
 std::string place_of_warnings(const SurfaceRequest& request);
 
 /// Heights of the contour lines between `low` and `high`, ascending. About N lines are at the multiples of 1, 2 or 5 times a

@@ -211,7 +211,7 @@ std::vector<Surface> surfaces_of(const SurfaceRequest& request, RunReport& run) 
   std::vector<Surface> grids;
   for (const std::string& file : request.grids) add_grids(request, file, grids, run);
   for (const GivenHeights& given : request.heights) grids.push_back(given_surface(request, given));
-  // What hides is fine in both directions, unless it is the curves alone.
+  // The hiding surface is fine in both directions, unless the curves alone hide.
   const bool by_curves = request.curves.hidden_by == HiddenBy::curves || request.curves.ridgeline;
   CurveRange x_range = range_of(request.x, grids, &HeightSource::x), y_range = range_of(request.y, grids, &HeightSource::y);
   if (grids.empty()) narrow_default_ranges(request, x_range, y_range, run);

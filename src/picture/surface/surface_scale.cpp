@@ -15,7 +15,7 @@ constexpr double kHighestLatitude = 89;
 
 double or_one(double factor) { return std::isfinite(factor) && factor > 0 ? factor : 1; }
 
-/// What the request leaves open of x and y is decided by how alike their ranges are.
+/// The aspect of x and y, where the request leaves it open, depends on how alike their ranges are.
 AspectRequest aspect_of(const SurfaceRequest& request, const Point3& range, GroundUnit unit, bool parametric,
                         RunReport& run) {
   const auto choose = [&](AspectRequest::Kind kind, const std::string& why) {

@@ -17,7 +17,7 @@ namespace ligne {
 /// Unless told otherwise, x and y are drawn true to each other while their ranges differ by no more than this factor.
 inline constexpr double kMostUnlike = 4;
 
-/// What coordinates within `box` are multiplied by on each axis, so that the picture has the sides that the request asks
+/// Factors of the coordinates within `box` on each axis, so that the picture has the sides that the request asks
 /// for; 1 where that is no finite number above zero. What was chosen is added to the report. `parametric`: the surface has a
 /// shape in space, which stays true.
 Point3 plot_factor(const SurfaceRequest& request, const AxesBox& box, GroundUnit unit, bool parametric, RunReport& run);

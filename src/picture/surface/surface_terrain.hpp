@@ -1,5 +1,5 @@
 #pragma once
-/// What maps of terrain have beside curves: water, hachures, contour lines told apart by their heights.
+/// Features of terrain maps beside curves: water, hachures, contour lines told apart by their heights.
 
 #include <memory>
 #include <vector>
@@ -17,7 +17,7 @@ namespace ligne {
 /// RequestError.
 std::vector<std::optional<double>> water_levels(const SurfaceRequest& request, std::vector<SurfacePoints>& surfaces);
 
-/// What of each mesh is water.
+/// The water of each mesh.
 std::vector<WaterTriangles> flood_all(std::vector<SurfaceMesh>& meshes, const std::vector<std::optional<double>>& levels);
 
 /// Adds strokes that lie on the meshes: hachures, and those of water. To be called before the meshes are cut along contour

@@ -144,7 +144,7 @@ class PolygonCleaner {
     for (std::size_t k = 0; k < contour.size(); ++k) {
       const std::uint32_t v = weld_.first[contour[k]];
       if (v == kNone) return false;
-      // Of equal corners in a row the last one stays: its edge is the one that leads on.
+      // Among equal corners in a row the last one stays: its edge is the one that leads on.
       if (v == weld_.first[contour[k + 1 == contour.size() ? 0 : k + 1]]) continue;
       face_.corners.push_back(v);
       face_.flags.push_back(scene_.corner_flags.empty() ? 0 : scene_.corner_flags[first + k]);

@@ -56,7 +56,8 @@ class BoundaryWalk {
     if (contour.corners.size() >= 3) contours_.push_back(std::move(contour));
   }
 
-  /// Of the edges that leave `at` the first one clockwise from where the path comes from: between the two lies the region.
+  /// Among the edges that leave `at`, the first one clockwise from where the path comes from: between the two lies the
+  /// region.
   std::size_t next_edge(std::uint32_t at) const {
     const auto first = std::lower_bound(edges_.begin(), edges_.end(), at,
                                         [](const BoundaryEdge& e, std::uint32_t v) { return e.from < v; });

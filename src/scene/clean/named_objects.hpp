@@ -10,7 +10,7 @@
 
 namespace ligne {
 
-/// What an object is called: its name, or "object N" with its number.
+/// The name of an object, or "object N" with its number.
 std::string object_name(const Object& object, std::size_t number);
 
 /// Whether a pattern as of a shell fits the whole name: * ? [a-z], and \ before a character that is meant itself.

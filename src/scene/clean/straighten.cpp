@@ -26,7 +26,7 @@ class Straightener {
   }
 
  private:
-  /// What the contours say about a vertex.
+  /// The findings of the contours about a vertex.
   struct Seen {
     std::uint32_t low = kNone, high = kNone;  ///< its two neighbours
     bool straight = false;

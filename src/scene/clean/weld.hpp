@@ -8,7 +8,7 @@
 
 namespace ligne {
 
-/// What stands for each vertex after welding.
+/// The vertex that stands for each vertex after welding.
 struct Weld {
   /// Per vertex: the first vertex of its object at the same position (itself, most often), or kNone when a coordinate is
   /// not finite.

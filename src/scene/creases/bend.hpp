@@ -1,5 +1,5 @@
 #pragma once
-/// What an edge is by the angle of its faces alone.
+/// The kind of an edge by the angle of its faces alone.
 
 #include <cstdint>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What a file says of the edges over which its surfaces run smoothly: by normals, or by smoothing groups.
+/// The edges over which a file says that its surfaces run smoothly: by normals, or by smoothing groups.
 
 #include <cstdint>
 #include <vector>
@@ -13,7 +13,8 @@ namespace ligne {
 std::uint32_t packed_direction(const Point3& direction);
 Point3 unpacked_direction(std::uint32_t packed);
 
-/// What a reader found. Empty where the file says nothing; otherwise one entry for each corner, or each face, of the scene.
+/// The findings of a reader. Empty where the file says nothing; otherwise one entry for each corner, or each face, of the
+/// scene.
 struct FileShading {
   std::vector<std::uint32_t> corner_normals;  ///< packed_direction(); 0: none
   std::vector<std::uint32_t> face_groups;     ///< smoothing groups of a face; 0: none

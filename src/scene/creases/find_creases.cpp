@@ -144,7 +144,7 @@ class Finder {
     return cosine < limits_.low ? Bend::weak : Bend::none;
   }
 
-  /// Of an edge that the file calls smooth: what is too small to be drawn as a surface that bends is drawn as an edge.
+  /// The bend of an edge that the file calls smooth: a surface too small to be drawn as bending is drawn with an edge.
   Bend bend_of_smooth(const Edge& edge, const std::vector<glm::vec3>& normals, float cosine) const {
     const double size = sizes_[object_of(edge.v0)];
     const auto widths = widths_across(scene_, edge);

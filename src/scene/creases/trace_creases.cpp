@@ -73,7 +73,7 @@ class Tracer {
   static constexpr double kUnknown = -1;
   enum class VertexState : std::uint8_t { open, beside, line };
 
-  /// What there is at each vertex of the object, in ascending order: candidates, by their places in candidates_, or faces.
+  /// The candidates, by their places in candidates_, or the faces at each vertex of the object, in ascending order.
   class AtVertices {
    public:
     /// Calls list(add), in which add(vertex, thing) is called for everything, twice.
@@ -176,7 +176,7 @@ class Tracer {
     return near;
   }
 
-  /// Of faces, in order, all that share a vertex with one of them.
+  /// Appends to `round`, in ascending order, all faces that share a vertex with one of `faces`.
   void faces_round(std::span<const std::uint32_t> faces, std::vector<std::uint32_t>& round) const {
     round.clear();
     for (const std::uint32_t f : faces) {

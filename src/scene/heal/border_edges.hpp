@@ -15,13 +15,13 @@ namespace ligne {
 /// of more than one such edge is missed when the hashes of its neighbours cancel too: one in 2^64.
 std::vector<std::uint8_t> ends_of_odd_edges(const Scene& scene);
 
-/// The same of a scene none of whose edges has more than two faces.
+/// The ends of odd edges in a scene none of whose edges has more than two faces.
 std::vector<std::uint8_t> ends_of_odd_edges(const Scene& scene, const Topology& topology);
 
 /// The faces that have a marked vertex, ascending.
 std::vector<std::uint32_t> faces_at(const Scene& scene, const std::vector<std::uint8_t>& marked);
 
-/// Of ascending faces those of the object.
+/// The faces of the object, out of ascending faces.
 std::span<const std::uint32_t> faces_of(const Object& object, std::span<const std::uint32_t> faces);
 
 /// The border edges of every object, in the order of the objects and of their vertices.

@@ -54,7 +54,7 @@ class BorderSearch {
   EdgeTree tree_;
 };
 
-/// What lies within a distance, and what does not.
+/// The gaps within a distance, and those beyond it.
 struct GapBreak {
   double distance = 0;   ///< of what is a crack; 0: there is none
   std::size_t near = 0;  ///< vertices within it
@@ -72,7 +72,7 @@ struct GapBreak {
 ///   nothing tells the one from the other, and only roundings are closed.
 GapBreak find_gap_break(const Border& border, double precision, double model_size);
 
-/// The same for a distance that is given.
+/// The break at a distance that is given.
 GapBreak gaps_within(const Border& border, double distance);
 
 }  // namespace ligne

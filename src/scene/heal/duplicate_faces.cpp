@@ -190,7 +190,7 @@ std::vector<std::uint32_t> like_large_objects(const Scene& scene) {
   return found;
 }
 
-/// The same for objects that coincide.
+/// Sums of positions, equal for objects that coincide.
 std::vector<std::uint64_t> position_sums(const Scene& scene, const std::vector<std::uint32_t>& objects) {
   std::vector<std::uint64_t> sums(scene.objects.size());
   parallel_for(objects.size(), [&](std::size_t k) {

@@ -9,7 +9,7 @@
 
 namespace ligne {
 
-/// What stands for each face.
+/// The face that stands for each face.
 struct DuplicateFaces {
   std::vector<std::uint32_t> first;  ///< per face the face that stands for it, mostly itself; empty: each for itself
   std::size_t objects = 0;           ///< that coincide with an earlier one

@@ -29,7 +29,7 @@ Foot foot(const EdgeTree::Segment& s, const Point3& p) {
   return {at, glm::dot(away, away)};
 }
 
-/// What is farther than a distance by its square, whatever was rounded, is farther.
+/// A square that is larger by this factor belongs to a larger distance, whatever was rounded.
 constexpr double kSquareSlack = 1 + 8 * std::numeric_limits<double>::epsilon();
 
 double square_limit(double distance) { return kSquareSlack * distance * distance; }

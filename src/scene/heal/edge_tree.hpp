@@ -51,7 +51,7 @@ class EdgeTree {
       return square;
     }
   };
-  /// Of a segment, along the side that is halved.
+  /// The middle of a segment along the side that is halved.
   struct Middle {
     double at;
     std::uint32_t segment;

@@ -1,5 +1,5 @@
 #pragma once
-/// What two faces with the same contours have in common.
+/// A key that two faces with equal contours have in common.
 
 #include <cstdint>
 #include <vector>

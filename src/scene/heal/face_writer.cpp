@@ -117,7 +117,7 @@ std::vector<std::uint8_t> FaceWriter::corner_flags() const {
   return flags;
 }
 
-/// What each new face has from the face that it is, or in whose place it stands.
+/// Values of each new face, from the face that it is, or in whose place it stands.
 std::vector<std::uint32_t> FaceWriter::of_origins(const std::vector<std::uint32_t>& values) const {
   std::vector<std::uint32_t> now;
   if (values.empty()) return now;

@@ -117,7 +117,7 @@ bool sew(Scene& scene, const HealOptions& options, const NearBorders& near, Heal
     report.vertices_moved = join_border_vertices(scene, borders, sewing);
   }
   if (report.vertices_moved > 0) cut_bent_faces(scene, sewing.faces);
-  // What was split may lie beside another vertex now.
+  // An edge that was split may lie beside another vertex now.
   for (int round = 0; round < kMostRounds; ++round) {
     const EdgeSplits split = split_border_edges(scene, sewing);
     if (split.splits == 0) break;

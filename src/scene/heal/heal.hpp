@@ -14,11 +14,11 @@ struct HealOptions {
   /// Borders that lie so near to each other are sewn (model units); 0: none; nothing: see border_gaps.hpp.
   std::optional<double> sew_distance;
   /// Adjustable: a mesh of so many triangles that nothing is found wrong with costs less when its topology is built first.
-  /// What is healed does not depend on it.
+  /// Results do not depend on it.
   std::size_t topology_first_from = 200'000;
 };
 
-/// What was found at the borders of one object, and done.
+/// The borders of one object, as found and as mended.
 struct SewnBorders {
   std::size_t object = 0;         ///< index in Scene::objects
   double distance = 0;            ///< nothing has moved further, model units

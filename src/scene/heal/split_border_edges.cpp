@@ -151,7 +151,7 @@ LooseFace with_vertices(const LooseFace& face, std::span<const Split> splits) {
   return out;
 }
 
-/// What takes the place of a face with splits: a face, or triangles.
+/// The face or the triangles that take the place of a face with splits.
 struct SplitFace {
   std::uint32_t face = 0;
   std::size_t splits = 0;
@@ -182,7 +182,7 @@ std::optional<SplitFace> split_face(const Scene& scene, double precision, std::s
   return split;
 }
 
-/// Of sorted splits.
+/// `splits` are sorted.
 std::vector<SplitFace> split_faces(const Scene& scene, double precision, std::span<const Split> splits) {
   std::vector<SplitFace> faces;
   for (std::size_t k = 0; k < splits.size();) {

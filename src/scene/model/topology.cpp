@@ -146,7 +146,7 @@ void sort_bucket(Buckets& buckets, std::uint32_t begin, std::uint32_t end) {
   }
 }
 
-/// What an edge is when any of its faces says so, and when all do, by the flags of corners.
+/// The class of an edge when any of its faces says so, and when all do, by the flags of corners.
 struct EdgeFlags {
   std::array<std::uint16_t, 256> of_any{}, of_all{};
 };

@@ -89,7 +89,7 @@ bool are_apart(const Corners3& t, const Corners3& u, int shared) {
   if (shared > 2) return false;
   if (shared == 2) return apart_beyond_side(t, u);
   if (beside(t, u, shared) || beside(u, t, shared)) return true;
-  // What two triangles have in common beyond a shared corner reaches the opposite side of one of them.
+  // Points that two triangles have in common beyond a shared corner reach the opposite side of one of them.
   if (shared == 1) return segment_apart(t[1], t[2], u) && segment_apart(u[1], u[2], t);
   for (int i = 0; i < 3; ++i) {
     const int k = (i + 1) % 3;

@@ -223,7 +223,7 @@ class AscReader {
     part_ = Part::none;
   }
 
-  /// Of the camera that was read last: it is turned so far about the line of sight.
+  /// Turns the camera that was read last about its line of sight.
   void bank(std::string_view line) {
     const std::optional<double> degrees = number_in(take_word(line));
     if (!degrees || *degrees == 0 || builder_.scene().cameras.empty()) return;

@@ -111,7 +111,7 @@ auto with_type(int component_type, const Work& work) {
   }
 }
 
-/// The same for indices, is_index_type().
+/// As above, for indices, is_index_type().
 template <class Work>
 auto with_index_type(int component_type, const Work& work) {
   switch (component_type) {
@@ -139,7 +139,7 @@ double load_component(const GltfElements& from, std::size_t i, std::size_t k, bo
   });
 }
 
-/// What was met while reading: the largest value without sign, and the first element that can not be.
+/// The result of reading: the largest value without sign, and the first element that can not be.
 struct Met {
   double largest = 0;
   std::size_t bad = kAllGood;

@@ -16,7 +16,7 @@
 
 namespace ligne {
 
-/// What the files says of a primitive's vertices beside their positions.
+/// The data of a primitive's vertices beside their positions.
 struct GltfDeformation {
   std::vector<std::map<std::string, int>> targets;  ///< accessors by POSITION and NORMAL
   std::vector<double> joints, weights;              ///< `per_vertex` of each for every vertex; empty without a skin

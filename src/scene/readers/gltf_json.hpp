@@ -24,13 +24,13 @@ struct GltfRange {
   std::size_t buffer = 0, offset = 0, length = 0;
 };
 
-/// What EXT_meshopt_compression says of a buffer view.
+/// A buffer view compressed by EXT_meshopt_compression.
 struct GltfCompressed {
   GltfRange bytes;
   MeshoptView view;
 };
 
-/// What a drawing needs of a glTF file: every index is in range, every type is right.
+/// The parts of a glTF file that a drawing needs: every index is in range, every type is right.
 struct CheckedGltf {
   /// JSON with the geometry and its materials alone, without buffers, for tinygltf. The index accessor of a primitive stands
   /// among its attributes as kGltfIndices.

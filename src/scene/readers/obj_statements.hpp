@@ -47,7 +47,7 @@ class ObjStatements : public std::streambuf {
   std::uint32_t smoothing_group() const { return group_; }                ///< of the faces that follow; 0: none
 
   const std::vector<ObjVertex>& vertices() const { return vertices_; }
-  /// What was wrong, if anything: streams swallow exceptions.
+  /// The first error, if any: streams swallow exceptions.
   const std::optional<InputError>& error() const { return error_; }
   void fail(const std::string& cause) {
     if (!error_) error_ = error_at_line(name_, line_, cause);

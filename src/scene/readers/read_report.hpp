@@ -1,5 +1,5 @@
 #pragma once
-/// What a reader says of its file beside the scene.
+/// The report of a reader on its file, beside the scene.
 
 #include <cstddef>
 #include <string>
@@ -16,7 +16,7 @@ enum class ModelFormat { gltf, glb, obj, stl_ascii, stl_binary, ply, asc_3d_stud
 /// Name as shown to people, "glTF binary" and the like.
 std::string_view to_string(ModelFormat format);
 
-/// What was in the file, before cleaning.
+/// The contents of the file before cleaning.
 struct ReadReport {
   ModelFormat format = ModelFormat::obj;
   std::size_t faces = 0;            ///< faces as stored, counted once per use

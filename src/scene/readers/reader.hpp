@@ -37,12 +37,12 @@ ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suf
 Scene read_scene(const std::filesystem::path& file, const ReadOptions& options, Warnings& warnings,
                  ReadReport* report = nullptr);
 
-/// The same from memory. Files that the model names (glTF buffers) are looked up in `folder`; an empty folder means there
-/// are none. `name` stands in error messages.
+/// Reads a scene from memory. Files that the model names (glTF buffers) are looked up in `folder`; an empty folder means
+/// there are none. `name` stands in error messages.
 Scene read_scene(std::span<const std::byte> bytes, ModelFormat format, const std::filesystem::path& folder,
                  const std::string& name, const ReadOptions& options, Warnings& warnings, ReadReport* report = nullptr);
 
-/// What reading does with a scene as it stands in its file: checks its coordinates, welds and cleans it. `name` stands in
+/// Finishes a scene as it stands in its file: checks its coordinates, welds and cleans it. `name` stands in
 /// error messages. Throws InputError. Adds to the report what was subdivided.
 void clean_read_scene(Scene& scene, const std::string& name, const ReadOptions& options, Warnings& warnings,
                       ReadReport& report);

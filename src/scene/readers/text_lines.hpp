@@ -1,5 +1,5 @@
 #pragma once
-/// What the readers of text formats share: lines, words, numbers, and error lines with a line number.
+/// Tools shared by the readers of text formats: lines, words, numbers, and error lines with a line number.
 
 #include <cstddef>
 #include <cstdint>

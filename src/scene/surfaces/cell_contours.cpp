@@ -23,7 +23,7 @@ CellContours::CellContours(const SurfacePoints& surface, const HeightWindow& win
   }
 }
 
-/// Of the low row, the high column, the high row and the low column.
+/// Flags of the low row, the high column, the high row and the low column.
 std::array<std::uint8_t, 4> CellContours::side_flags(std::size_t i, std::size_t j) const {
   const auto flags = [](bool is_curve, bool is_rim, std::uint8_t rim) {
     return static_cast<std::uint8_t>((is_curve ? kCornerCurve : 0) | (is_rim ? rim : 0));

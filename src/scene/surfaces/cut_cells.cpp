@@ -11,7 +11,7 @@
 namespace ligne {
 namespace {
 
-/// Of the samples of a surface with poles, what is left out at either end, and what is added to the rest on either side.
+/// Shares of the samples of a surface with poles: left out at either end, and added to the rest on either side.
 constexpr double kLeftOut = 0.05, kAdded = 0.5;
 
 /// Samples of so many rows and columns tell what heights are usual.

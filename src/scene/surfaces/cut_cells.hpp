@@ -11,7 +11,7 @@
 
 namespace ligne {
 
-/// What sampling can not show of a function z = f(x, y).
+/// A place where sampling can not show a function z = f(x, y).
 struct Irregularity {
   bool breaks = false;  ///< it ends or jumps somewhere
   bool poles = false;   ///< heights grow beyond bounds there
@@ -27,7 +27,7 @@ Irregularity find_irregularity(const HeightSource& heights, const HeightFunction
 /// Heights to which a surface with poles is cut when nothing is said: what nine tenths of its samples span, and half of that
 /// more on either side, but no more than all span.
 HeightWindow window_without_poles(const HeightSource& heights);
-/// What its samples span.
+/// The window that the samples span.
 HeightWindow window_of_samples(const HeightSource& heights);
 
 /// Cells that have an edge on which the surface breaks off (SurfacePoints::left_out), for who can not cut them.

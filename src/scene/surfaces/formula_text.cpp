@@ -224,7 +224,7 @@ class Preparation {
     take_operator(rest.substr(0, 1), 1);
   }
 
-  /// What stands for it is put into the text, at the column of the character.
+  /// Puts the plain form of a typeset character into the text, at the column of the character.
   void take_typeset(const Typeset& typeset) {
     if (typeset.ascii == "pi") need_operator(typeset.utf8);
     const std::size_t place = at_;

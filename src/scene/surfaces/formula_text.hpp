@@ -35,7 +35,7 @@ struct FormulaLanguage {
   std::string name = "formula";
 };
 
-/// Of z = f(x, y): the place, and its polar coordinates.
+/// Variables of z = f(x, y): the place, and its polar coordinates.
 inline constexpr std::array<std::string_view, 4> kFormulaVariables{"x", "y", "r", "theta"};
 
 /// More than anybody types, and little enough for a parser whose time grows with the square of the length.

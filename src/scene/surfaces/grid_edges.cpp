@@ -45,8 +45,8 @@ bool is_out_of_step(const Neighbours& z, double least) {
   return std::abs(before - behind) > std::abs(step[0]) + std::abs(step[4]) + least;
 }
 
-/// The same for many edges: true for all that is_out_of_step() is true for, and for few others. `step` are the steps of an
-/// edge and of those beside it.
+/// A quick look at many edges: true for all that is_out_of_step() is true for, and for few others. `step` are the steps of
+/// an edge and of those beside it.
 inline bool may_be_out_of_step(const std::array<double, 5>& step, double least) {
   const double larger = std::max(std::abs(step[1]), std::abs(step[3]));
   const double off = std::abs(2 * step[2] - step[1] - step[3]) - 2 * kOutOfStep * larger;

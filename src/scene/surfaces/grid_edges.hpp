@@ -32,7 +32,7 @@ struct BrokenEdges {
 /// Height that is nothing to see: this part of the range of heights.
 inline constexpr double kLeastHeightPart = 0x1p-10;
 
-/// What the samples that count in a window span.
+/// The range of the samples that count in a window.
 struct SampleSpan {
   double low = 0, high = 0;
   Point2 lowest{}, highest{};    ///< where

@@ -10,7 +10,7 @@
 namespace ligne {
 namespace {
 
-/// What stands for no height in files that do not say.
+/// The value that stands for no height in files that do not say.
 constexpr double kNoDataByDefault = -9999;
 
 /// No height is as large: writers print the largest number of single precision, which stands for none, with more or with
@@ -165,7 +165,7 @@ class EsriReader {
     }
   }
 
-  /// Of the middles of the cells; a corner is half a cell before the first.
+  /// Positions of the middles of the cells; a corner is half a cell before the first.
   static std::vector<double> positions(std::optional<double> corner, std::optional<double> center, double step,
                                        std::size_t n) {
     std::vector<double> out(n);

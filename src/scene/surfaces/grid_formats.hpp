@@ -20,7 +20,7 @@
 
 namespace ligne {
 
-/// What stands where a grid has no height.
+/// The value of a grid where it has no height.
 inline constexpr double kNoHeight = std::numeric_limits<double>::quiet_NaN();
 
 /// Lines of x, y and z as they stand in the file.

@@ -17,7 +17,7 @@
 namespace ligne {
 namespace {
 
-/// What deflate can make of a byte at the most.
+/// Deflate makes at most this many bytes of one.
 constexpr std::uint64_t kMostDeflated = 1032;
 
 class PngFile {

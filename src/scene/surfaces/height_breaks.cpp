@@ -14,13 +14,13 @@ constexpr int kMostHalvings = 60;
 /// Halvings after which a jump is told from a slope: that of |x|^(1/5), the steepest that is expected of a formula, has
 /// shrunk to a 256th by then, and a slope of ten million to nothing.
 constexpr int kJumpHalvings = 40;
-/// What is left of a change that is a jump: more than this part.
+/// A change is a jump where more than this part of it is left after halving its interval.
 constexpr double kJumpPart = 1. / 64;
-/// Of what is nothing to see, what is no jump either but a rounding.
+/// A change of less than this share of the smallest visible one is a rounding, and no jump.
 constexpr double kLeastJump = 0x1p-10;
 /// Jumps between two samples are looked for to this depth.
 constexpr int kMostJumps = 3;
-/// What is left of a line between two jumps is a single point, such as the 0 of sign(x), when it is no longer than this.
+/// A line between two jumps is a single point, such as the 0 of sign(x), when it is shorter than this part of its span.
 constexpr double kPointPart = 0x1p-30;
 /// Near to a border, as a part of the way from a sample to it.
 constexpr double kNear = 0x1p-20;

@@ -52,7 +52,7 @@ class LandHeights : public HeightSource {
   double level_;
 };
 
-/// The same rows over other positions.
+/// Rows of a source over other positions.
 class MovedHeights : public HeightSource {
  public:
   MovedHeights(std::unique_ptr<HeightSource> heights, std::vector<double> x, std::vector<double> y)

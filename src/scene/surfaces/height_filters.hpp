@@ -14,13 +14,13 @@ namespace ligne {
 /// All heights read once and held.
 std::unique_ptr<HeightSource> held(const HeightSource& heights);
 
-/// The same with x and y in each other's place.
+/// The heights with x and y in each other's place.
 std::unique_ptr<HeightSource> transposed(const HeightSource& heights);
 
 /// log10 of the heights; what is not above zero is a hole.
 std::unique_ptr<HeightSource> log_heights(std::unique_ptr<HeightSource> heights);
 
-/// The same heights where they are above a level; the others are holes.
+/// The heights above a level; the others are holes.
 std::unique_ptr<HeightSource> land_heights(std::unique_ptr<HeightSource> heights, double level);
 
 /// log10 of the positions of the axes that are named; those not above zero are left out. Throws InputError(name, ...) when
@@ -28,7 +28,7 @@ std::unique_ptr<HeightSource> land_heights(std::unique_ptr<HeightSource> heights
 std::unique_ptr<HeightSource> log_ground(std::unique_ptr<HeightSource> heights, bool log_x, bool log_y,
                                          const std::string& name);
 
-/// The same heights over positions that are multiplied by these factors, above zero.
+/// The heights over positions that are multiplied by these factors, above zero.
 std::unique_ptr<HeightSource> scaled_ground(std::unique_ptr<HeightSource> heights, double factor_x, double factor_y);
 
 /// Cells with a side along which heights change by more than `most` for a unit of the ground, row by row, one less in a row

@@ -16,7 +16,7 @@
 
 namespace ligne {
 
-/// What positions are measured in.
+/// The unit of positions.
 enum class GroundUnit : std::uint8_t {
   unknown,
   same,     ///< one unit in x, y and, as far as is known, z
@@ -36,7 +36,7 @@ class HeightSource {
   /// several threads at a time.
   virtual void read_row(std::size_t j, std::span<double> z) const = 0;
 
-  /// What gives heights between the positions too; null for most grids.
+  /// A function that gives heights between the positions too; null for most grids.
   virtual std::shared_ptr<const HeightFunction> function() const { return nullptr; }
 
   /// As the file says or lets see.

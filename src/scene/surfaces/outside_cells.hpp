@@ -39,7 +39,7 @@ class OutsideCells {
     }
   }
 
-  /// Of the cell whose low corner is sample (i, j), each counted from 1; 0 is the frame.
+  /// True for the cell whose low corner is sample (i, j), each counted from 1; 0 is the frame.
   bool operator()(std::size_t i, std::size_t j) const { return cells_[j * width_ + i] == kOutside; }
 
  private:

@@ -127,7 +127,7 @@ class PlaneCut {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
       const bool goes_out = sides[next] < 0, crosses = sides[k] * sides[next] < 0;
-      // What follows a corner at which the contour leaves runs along the plane.
+      // The side after a corner at which the contour leaves runs along the plane.
       if (sides[k] >= 0) corners[n++] = {t[k], sides[k] == 0 && goes_out ? std::uint8_t{0} : flags[k]};
       if (crosses) corners[n++] = {cut_vertex(t[k], t[next]), goes_out ? std::uint8_t{0} : flags[k]};
     }

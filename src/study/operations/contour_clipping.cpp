@@ -53,7 +53,7 @@ class SectorFan {
   Point2 centre_;
 };
 
-/// What a walk round the inner point of B meets: corners of a chain of A, corners of B, and crossings.
+/// A place on a walk round the inner point of B: corners of a chain of A, corners of B, and crossings.
 struct Met {
   enum class Kind : std::uint8_t { of_a, of_b, crossing } kind;
   Point2 point;

@@ -14,7 +14,7 @@ namespace ligne::studies {
 
 enum class Place : std::uint8_t { outside, inside, on_side, on_corner };
 
-/// What the methods do.
+/// Counts of the operations of the methods.
 struct ContourCounts {
   std::uint64_t sides = 0;        ///< sides looked at
   std::uint64_t signs = 0;        ///< on which side of a line a point lies
@@ -33,7 +33,7 @@ Place by_angles(std::span<const LatticePoint> contour, LatticePoint p, ContourCo
 /// 3.2.2.3, Dahan and Le Tuan: on one side of all sides. Convex contours.
 Place by_half_planes(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts);
 
-/// The same by triangles: 3 to 2 n - 3 lines.
+/// Decides by triangles: 3 to 2 n - 3 lines.
 Place by_triangles(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts);
 
 /// 3.2.2.4, Shamos: the sector of an inner point in which it lies, then one side. Convex contours; prepared once for many
@@ -44,7 +44,7 @@ class Sectors {
 
   /// By polar angles, as described; in doubles: beside the border of two sectors, and beside the contour, it may err.
   Place by_angle(LatticePoint p, ContourCounts& counts) const;
-  /// The same search by signs alone, exact: the first corner stands for the inner point.
+  /// Decides by signs alone, exact: the first corner stands for the inner point.
   Place by_signs(LatticePoint p, ContourCounts& counts) const;
 
  private:

@@ -54,7 +54,7 @@ inline ClippedSegment clip_by_codes(Point2 p, Point2 q, const ClipRectangle& r, 
   }
 }
 
-/// The same on whole coordinates: from each end the farthest point of the segment within the rectangle, by halving. Right to
+/// Clips on whole coordinates: from each end the farthest point of the segment within the rectangle, by halving. Right to
 /// a step. With 2^k the larger side of the screen an end takes k halvings at the most.
 inline ClippedSegment clip_by_halving(Point2 p, Point2 q, const ClipRectangle& r, ClipCounts& counts) {
   counts.codes += 2;

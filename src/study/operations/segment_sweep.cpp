@@ -143,7 +143,7 @@ class Sweep {
     const auto lowest = lower_bound_at_stop();
     if (lowest != tree_.begin()) test(*std::prev(lowest), *lowest);
     if (has_above) test(*std::prev(above), *above);
-    // Of segments that lie on each other the ends of the common run are stops anyway.
+    // The ends of the common run of segments that lie on each other are stops anyway.
   }
 
   /// The first segment that is not below the stop, and the first that is above it.

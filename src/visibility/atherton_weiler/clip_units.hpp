@@ -1,5 +1,5 @@
 #pragma once
-/// What the classical study clips as one: a face, or the silhouette of a convex body.
+/// Units that the classical study clips as one: a face, or the silhouette of a convex body.
 
 #include <cstdint>
 #include <vector>
@@ -21,7 +21,7 @@ struct PageBox {
   }
   bool meets(const PageBox& o) const { return x0 < o.x1 && o.x0 < x1 && y0 < o.y1 && o.y0 < y1; }
 };
-/// What both hold.
+/// The box that both hold.
 inline PageBox common(const PageBox& a, const PageBox& b) {
   return {a.x0 > b.x0 ? a.x0 : b.x0, a.y0 > b.y0 ? a.y0 : b.y0, a.x1 < b.x1 ? a.x1 : b.x1, a.y1 < b.y1 ? a.y1 : b.y1};
 }

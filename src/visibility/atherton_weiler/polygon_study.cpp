@@ -10,7 +10,7 @@
 #include "visibility/atherton_weiler/unit_order.hpp"
 
 // Per zone, with its polygons nearest first: (1) the first polygon is the clip face. Every other one is clipped by it. (2)
-// What is inside and behind it is not seen, or seen through it. (3) Where a piece inside proves to be nearer, the sort was
+// Pieces inside and behind it are not seen, or seen through it. (3) Where a piece inside proves to be nearer, the sort was
 // wrong: the clip is begun again, with this piece as clip face, on what is inside; (4) otherwise all of the clip face is
 // seen. (5) The same with what is outside.
 //
@@ -20,7 +20,7 @@
 namespace ligne::atherton_weiler {
 namespace {
 
-/// What is still to be seen of a unit.
+/// The part of a unit that is still to be seen.
 struct Polygon {
   std::uint32_t unit = 0;
   std::uint32_t slab = 0;
@@ -29,7 +29,7 @@ struct Polygon {
   PageBox box;
 };
 
-/// What is seen of a face in one place.
+/// The visible part of a face in one place.
 struct Piece {
   std::uint32_t face = 0, level = 0;
   std::vector<ContourFace> parts;

@@ -20,7 +20,7 @@ struct PolygonCounts {
   void operator+=(const PolygonCounts& o);
 };
 
-/// The same regions as find_visible_faces(), by another way; where more than two faces coincide within their tolerances
+/// Finds the regions of find_visible_faces() by another way; where more than two faces coincide within their tolerances
 /// these may give the place to different ones. Time: the square of the number of faces of a zone. `silhouettes`: see
 /// clip_units().
 VisibleFaces study_polygons(const ProjectedScene& scene, const std::vector<Facet>& facets, bool silhouettes,

@@ -16,7 +16,7 @@ class UnitOrders {
              std::vector<std::uint8_t>& touches)
       : scene_(scene), facets_(facets), units_(units), touches_(touches) {}
 
-  /// Of two units that have a place of the page in common.
+  /// The order of two units that have a place of the page in common.
   DepthOrder order(std::uint32_t a, std::uint32_t b);
 
   /// Where they have mixed order, because they pass through each other or one is no plane: the parts of b that are in front

@@ -1,5 +1,5 @@
 #pragma once
-/// What hides the depth of a cell: one facet that covers it, or a connected patch of facets that do so together.
+/// The cover that hides the depth of a cell: one facet, or a connected patch of facets that do so together.
 
 #include <cstdint>
 #include <optional>
@@ -58,7 +58,7 @@ class CellCover {
     std::uint32_t member;
     std::uint32_t next = kNone;  ///< use of the same side
   };
-  /// Of a hash table of sides; it holds what was put into it in round `filled` of filling it.
+  /// A slot in a hash table of sides; it holds the side that was put into it in round `filled` of filling it.
   struct Slot {
     std::uint64_t side;
     std::uint32_t number, filled = 0;

@@ -60,7 +60,7 @@ struct CellGrid::Filler {
 };
 
 bool CellGrid::Filler::choose_cells() {
-  /// Of all facets: sums of width and height, area and length of the outline, and the box round them.
+  /// Sums over all facets: width and height, area and length of the outline, and the box round them.
   struct Extent {
     double sides = 0, area = 0, outline = 0;
     double x0 = 1e300, y0 = 1e300, x1 = -1e300, y1 = -1e300;

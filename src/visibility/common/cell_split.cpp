@@ -34,7 +34,7 @@ struct CellGrid::Splitter {
   CellGrid& grid;
 
   bool hides(const Facet& f) const { return options.hides(scene, f); }
-  /// Of two facets that coincide the one of the lower face is seen.
+  /// The facet of the lower face is seen where two coincide.
   bool comes_first(std::uint32_t a, std::uint32_t b) const {
     return facets[a].face != facets[b].face ? facets[a].face < facets[b].face : a < b;
   }

@@ -8,9 +8,9 @@
 namespace ligne {
 namespace {
 
-/// Of the sum of the sizes: a dozen roundings of a depth and of what it is compared with.
+/// Share of the sum of the sizes: a dozen roundings of a depth and of the value it is compared with.
 constexpr double kPlaneRounding = 0x1p-49;
-/// Of the depth tolerance: how far corners may lie from the plane.
+/// Share of the depth tolerance by which corners may lie off the plane.
 constexpr double kPart = 0.5;
 /// Adjustable: by so many times the tolerance the plane of a small facet may miss others that lie in it.
 constexpr double kTurnedByRounding = 16;

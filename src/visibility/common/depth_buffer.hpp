@@ -67,7 +67,7 @@ class DepthBuffer {
   const PixelGrid& grid() const { return grid_; }
   const DepthScale& scale() const { return scale_; }
 
-  /// Of a pixel: the face seen, or kNothing; its depth at the centre; the hiding depth. Infinite where nothing is seen.
+  /// The face seen at a pixel, or kNothing; its depth at the centre; the hiding depth. Infinite where nothing is seen.
   std::uint32_t face(std::uint32_t column, std::uint32_t row) const { return face_[place(column, row)]; }
   float depth(std::uint32_t column, std::uint32_t row) const { return depth_[place(column, row)]; }
   float hiding_depth(std::uint32_t column, std::uint32_t row) const { return hiding_depth_[place(column, row)]; }

@@ -27,9 +27,9 @@ class FaceRanks {
     if (face < ranges_.size()) ranges_[face] = {};
   }
 
-  /// What covers both sides of a line and hides it stands before the pieces that each of its faces has there, since on the
-  /// page it overlaps both. So no face that begins behind this rank hides the line. That is not so of a face with a side
-  /// along the line: it covers one side, and on the page may overlap neither.
+  /// A face that covers both sides of a line and hides it stands before the pieces that each of its faces has there, since
+  /// on the page it overlaps both. So no face that begins behind this rank hides the line. That is not so of a face with a
+  /// side along the line: it covers one side, and on the page may overlap neither.
   std::uint32_t rank_of(const PageLine& line) const { return std::min(last(line.face0), last(line.face1)); }
 
   bool begins_behind(std::uint32_t face, std::uint32_t rank) const { return ranges_[face].first > rank; }

@@ -22,7 +22,7 @@ float next_below(float f) {
   return std::bit_cast<float>(f > 0 ? bits - 1 : bits + 1);
 }
 
-/// Of faces that have triangles the largest number, and one.
+/// One more than the largest number among the faces that have triangles.
 std::uint32_t count_faces(const std::vector<Triangle>& triangles) {
   const auto of_block = [&](std::size_t begin, std::size_t end) {
     std::uint32_t count = 0;

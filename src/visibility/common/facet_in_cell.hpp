@@ -51,7 +51,7 @@ inline Meeting meet(const FacetFunctions& g, const Facet& f, const CellSquare& s
   return covers ? Meeting::covers : Meeting::meets;
 }
 
-/// Of the facets that cover a cell, the nearest: others that coincide with it there need not be listed.
+/// The nearest of the facets that cover a cell: others that coincide with it there need not be listed.
 struct NearestCover {
   FacetFunctions functions;
   std::size_t entry = 0;

@@ -31,8 +31,8 @@ struct PageLine {
   double z(double t) const { return z0 + t * (z1 - z0); }
 };
 
-/// What a facet does to a line. A facet whose side runs exactly along the line covers only one side of it: a point of a line
-/// is hidden when both of its sides are covered, so that an edge behind the common side of two faces is hidden, and one
+/// The effect of a facet on a line. A facet whose side runs exactly along the line covers only one side of it: a point of a
+/// line is hidden when both of its sides are covered, so that an edge behind the common side of two faces is hidden, and one
 /// behind the rim of the outermost face is not (it lies on the rim, and is drawn once).
 enum class HiddenSides : std::uint8_t { none, both, left, right };
 
@@ -69,10 +69,10 @@ inline bool narrow_to_behind(const PageLine& line, const Facet& facet, const Pro
   return true;
 }
 
-/// What of [from, to] lies in the part of the line on which the facet lies strictly in front of it, by more than its depth
-/// tolerance somewhere. That part is found for the whole line: what is hidden does not depend on the pieces in which the
-/// line is asked about, which are those of cells, of windows or of what is not hidden yet. The ends at which the line enters
-/// or leaves the facet are quotients of exact determinants: two facets on one side give the same end to the last bit.
+/// The part of [from, to] within the part of the line on which the facet lies strictly in front of it, by more than its
+/// depth tolerance somewhere. That part is found for the whole line: what is hidden does not depend on the pieces in which
+/// the line is asked about, which are those of cells, of windows or of what is not hidden yet. The ends at which the line
+/// enters or leaves the facet are quotients of exact determinants: two facets on one side give the same end to the last bit.
 /// `near_side` is set when a side of the facet lies along the line within `coincidence_steps`.
 inline HiddenInterval hidden_interval(const PageLine& line, const Facet& facet, const ProjectedVertex* vertices, double from,
                                       double to, double coincidence_steps, bool& near_side) {

@@ -71,7 +71,7 @@ class FruitlessPairs {
 
 double least_steps(const ProjectedScene& scene) { return kLeastPartMm / scene.lattice.step_mm; }
 
-/// What the comparisons of one task need and find.
+/// The data that the comparisons of one task need and find.
 struct Comparisons {
   Comparisons(const ProjectedScene& scene, const std::vector<Facet>& facets, const PenetrationSearch& all)
       : found(all.empty_copy()), hiders(scene, facets, least_steps(scene)) {}
@@ -80,7 +80,7 @@ struct Comparisons {
   CrowdHiders hiders;
 };
 
-/// What one task works with.
+/// The state of one task.
 class LeafSearch {
  public:
   LeafSearch(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double margin,

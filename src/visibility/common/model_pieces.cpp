@@ -53,7 +53,7 @@ ModelPieces::ModelPieces(const Scene& scene)
   }
 }
 
-/// Of the triangles, and how far rounding moves what lies in them.
+/// Finds the planes of the triangles, and how far rounding moves points in them.
 void ModelPieces::find_planes() {
   double largest = 0;
   for (const Point3& p : points_) largest = std::max(largest, largest_part(p));

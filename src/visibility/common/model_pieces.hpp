@@ -83,7 +83,7 @@ class ModelPieces {
   }
 
   PlaneSide side(std::uint32_t piece, const ModelPlane& plane) const;
-  /// Of what reaches from a height that is not above the plane to one that is not below it.
+  /// The side of a range of heights: it may begin on or below the plane and end on or above it.
   PlaneSide side_of_heights(double low, double high) const {
     const bool front = high > tolerance_, back = low < -tolerance_;
     return front && back ? PlaneSide::both : front ? PlaneSide::front : back ? PlaneSide::back : PlaneSide::on;

@@ -201,7 +201,7 @@ void append(std::vector<SeenStretch>& stretches, double from, double to, std::ui
   }
 }
 
-/// What covers the line at all.
+/// The stretches of the line that anything covers.
 std::vector<SeenStretch> any_stretches(std::vector<Cover> covers) {
   std::sort(covers.begin(), covers.end(), [](const Cover& a, const Cover& b) { return a.from < b.from; });
   std::vector<SeenStretch> stretches;

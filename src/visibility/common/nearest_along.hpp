@@ -1,5 +1,5 @@
 #pragma once
-/// What would be seen along lines of the page if no line were drawn: the nearest facet, stretch by stretch.
+/// The nearest facet along lines of the page, stretch by stretch, as it would be seen if no line were drawn.
 ///
 /// The lines are few beside the facets, so the lines are filed in a grid, and each facet is held against those near it. A
 /// facet that lies over all of a line hides for that line whatever is behind it.

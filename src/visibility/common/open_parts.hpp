@@ -1,5 +1,5 @@
 #pragma once
-/// What is left of a line while facets take their intervals from it.
+/// The open parts of a line while facets take their intervals from it.
 
 #include <cassert>
 #include <span>
@@ -26,7 +26,7 @@ class OpenParts {
     one_sided_.clear();
   }
 
-  /// Of what is open, the ends: nothing outside them can matter. Not when empty().
+  /// The ends of the open parts: nothing outside them can matter. Not when empty().
   double from() const { return open_.front().from; }
   double to() const { return open_.back().to; }
   bool empty() const { return open_.empty(); }

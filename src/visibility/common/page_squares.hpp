@@ -29,7 +29,7 @@ struct PageSquares {
   }
 };
 
-/// Of a scene that is part of a model: the squares in which something that is not in the scene hides every line.
+/// For a scene that is part of a model: the squares in which something that is not in the scene hides every line.
 struct BlankSquares {
   PageSquares squares;
   std::vector<std::uint8_t> blank;  ///< by number

@@ -66,7 +66,7 @@ class CutSides {
  public:
   explicit CutSides(const std::vector<Facet>& facets) : facets_(&facets) {}
 
-  /// Of the face, between these vertices.
+  /// True where the face has a side between these vertices.
   bool has(std::uint32_t face, std::uint32_t v, std::uint32_t w) const;
 
  private:

@@ -91,7 +91,7 @@ void VisibleParts::search_leaf(const PageLine& line, const Cell& cell, const Cel
       ++counts_.behind_in_order;
       continue;
     }
-    // What lies in the plane of the line does not hide it, but may have a side along it.
+    // A facet in the plane of the line does not hide it, but may have a side along it.
     if (in_plane && !has_side_along(line, facet)) continue;
     ++counts_.facet_tests;
     bool near = false;

@@ -175,7 +175,7 @@ bool ConvexTree::is_worth_peeling(const std::vector<std::uint32_t>& set) const {
   const std::size_t stride = (set.size() + kSample - 1) / kSample;
   std::vector<std::uint32_t> sample;
   for (std::size_t i = 0; i < set.size(); i += stride) sample.push_back(set[i]);
-  // What is not on the hull of the sample is not on that of the set: most sets are told from their sample alone.
+  // A vertex not on the hull of the sample is not on that of the set: most sets are told from their sample alone.
   for (const std::vector<std::uint32_t>* among : {&std::as_const(sample), &set}) {
     HullSearch hull(pieces_, *among);
     std::size_t found = 0;

@@ -114,7 +114,7 @@ Faces face_the_viewer(const ProjectedScene& scene) {
     volume += area * (scene.vertices[t.v[0]].z + scene.vertices[t.v[1]].z + scene.vertices[t.v[2]].z);
     if (!scene.is_edge_on(t)) areas[t.face] += area;
   }
-  // Of the front, which is at smaller depths, areas count below zero in a volume above zero.
+  // Areas of the front, which is at smaller depths, count below zero in a volume above zero.
   const double of_front = volume > 0 ? -1 : 1;
   faces.facing.assign(count, Facing::edge_on);
   faces.known.assign(count, 0);

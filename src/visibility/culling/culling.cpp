@@ -13,7 +13,7 @@ namespace {
 
 using namespace culling;
 
-/// What the front facets leave of a line that is no edge of the body: one of axes, or of a contour.
+/// The parts that the front facets leave of a line that is no edge of the body: one of axes, or of a contour.
 void visible_of_free_line(const PageLine& line, const std::vector<Facet>& front, const ProjectedScene& scene,
                           double coincidence_steps, OpenParts& open, std::vector<LinePart>& parts) {
   open.reset(0, 1);

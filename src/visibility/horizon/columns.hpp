@@ -61,7 +61,7 @@ class Bands {
   std::vector<std::uint16_t> of_column_;
 };
 
-/// What a band holds: its own columns, and one more on either side, which the places beside its own border lie in.
+/// The columns that a band holds: its own, and one more on either side, which the places beside its own border lie in.
 inline ColumnRange with_neighbours(ColumnRange own, const Columns& columns) {
   return {own.begin - std::min<std::size_t>(own.begin, 1), std::min(own.end + 1, columns.count())};
 }

@@ -173,7 +173,7 @@ void Coverage::find_uncovered(const Line& line, std::vector<Span>& uncovered) {
     append_uncovered(from, to, least_, hidden_, found);
   }
   if (found.empty()) return;
-  // What is seen to an end of the line is seen to the very end, so that it goes on in the next line.
+  // A part seen to within a rounding of the line's end reaches that end, so that it goes on in the next line.
   if (found.front().from - line.u0 <= least_) found.front().from = line.u0;
   if (line.u1 - found.back().to <= least_) found.back().to = line.u1;
   uncovered.insert(uncovered.begin() + static_cast<std::ptrdiff_t>(first_span), found.begin(), found.end());

@@ -29,12 +29,12 @@ class Coverage {
   /// covered.
   void find_uncovered(const Line& line, std::vector<Span>& uncovered);
 
-  /// The same for an upright line from (u, v0) to (u, v1), v0 < v1, looking at what covers its left (side < 0) or right
-  /// side; appends to `covered` spans of v, in any order.
+  /// Finds the cover of an upright line from (u, v0) to (u, v1), v0 < v1, looking at what covers its left (side < 0) or
+  /// right side; appends to `covered` spans of v, in any order.
   void find_covered_beside(double u, double v0, double v1, int side, std::vector<Span>& covered) const;
 
-  /// What `covered`, which it sorts, leaves of [from, to], but for parts no longer than `least`; a span continues the last
-  /// one that ends where it begins.
+  /// Sorts `covered`, and appends the parts that it leaves of [from, to], but for parts no longer than `least`; a span
+  /// continues the last one that ends where it begins.
   static void append_uncovered(double from, double to, double least, std::vector<Span>& covered,
                                std::vector<Span>& uncovered);
 

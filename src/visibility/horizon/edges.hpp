@@ -1,5 +1,5 @@
 #pragma once
-/// What is asked of what hides, and what becomes part of it: edges and triangles in the order in which the sweep takes them.
+/// Edges and triangles in the order in which the sweep asks about them, and adds them to the horizons.
 
 #include <array>
 #include <cstddef>
@@ -24,7 +24,7 @@ enum class Against : std::uint8_t { upper, lower, both };
 /// Which sides of an upright line are looked at. It is hidden where all of them are covered; curves that hide have no sides.
 enum class LineSides : std::uint8_t { left, right, both, none };
 
-/// What becomes of what is seen of an edge; `nothing`: nobody asks. An interruption is no edge, but the end of a curve's
+/// The use of the seen parts of an edge; `nothing`: nobody asks. An interruption is no edge, but the end of a curve's
 /// stretch.
 enum class Goal : std::uint8_t {
   nothing,
@@ -56,7 +56,7 @@ struct SightEdge {
 
 using SightTriangle = std::array<SightPoint, 3>;
 
-/// Of an edge, what a band sees of it.
+/// The part of an edge that a band sees.
 struct SeenSpan {
   std::uint32_t edge;
   bool below;  ///< the lower horizon, where both are asked

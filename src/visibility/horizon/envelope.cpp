@@ -88,7 +88,7 @@ void ExactEnvelope::search(const Line& line, std::vector<Span>& above) {
       }
     }
   }
-  // What is seen to an end of the line is seen to the very end, so that it goes on in the next line.
+  // A part seen to within a rounding of the line's end reaches that end, so that it goes on in the next line.
   if (above.size() == first_span) return;
   if (above[first_span].from - line.u0 <= least_) above[first_span].from = line.u0;
   if (line.u1 - above.back().to <= least_) above.back().to = line.u1;

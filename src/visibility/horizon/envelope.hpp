@@ -46,7 +46,7 @@ class ExactEnvelope {
   /// can be.
   void find_above(const Line& line, std::vector<Span>& above);
 
-  /// The same; then raises the horizon there.
+  /// Finds the parts above; then raises the horizon there.
   void raise(const Line& line, std::vector<Span>& above);
 
   /// Height of the horizon at u, kNothing where there is none: the higher one where it jumps.

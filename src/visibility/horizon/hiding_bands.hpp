@@ -1,5 +1,5 @@
 #pragma once
-/// What hides, in bands of columns that work side by side. Of an edge a band looks only at what lies over its columns, so no
+/// Horizons in bands of columns that work side by side. A band looks only at the part of an edge over its columns, so no
 /// band waits for another; all take the edges in the same order.
 
 #include <vector>

@@ -17,7 +17,7 @@
 
 namespace ligne {
 
-/// What hides: the surface, each cell of the grid as two triangles cut from (x[i+1], y[j]) to (x[i], y[j+1]); or, as in the
+/// The cover: the surface, each cell of the grid as two triangles cut from (x[i+1], y[j]) to (x[i], y[j+1]); or, as in the
 /// classical method, the curves that are drawn and nothing between them.
 enum class HiddenBy : std::uint8_t { surface, curves };
 
@@ -48,7 +48,7 @@ struct HorizonOptions {
   std::function<void(double)> progress{};  ///< called with the fraction done; may be empty
 };
 
-/// What is seen; points in page mm.
+/// The visible lines; points in page mm.
 struct HorizonLines {
   Polylines curves, underside, outline, border, contours, base_contours;
   std::vector<std::uint32_t> contour_levels, base_levels;  ///< of each contour line the number of its height

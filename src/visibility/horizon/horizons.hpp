@@ -1,5 +1,5 @@
 #pragma once
-/// What hides over a band of columns, in the two forms that the sweep over the grid works with.
+/// The horizons over a band of columns, in the two forms that the sweep over the grid works with.
 
 #include <array>
 #include <cstddef>
@@ -20,8 +20,8 @@ class TwoHorizons {
 
   TwoHorizons(const Columns& columns, ColumnRange own) : upper_(columns, own), lower_(columns, own) {}
 
-  /// What of an edge is seen over the band's own columns, as spans of its line: above the upper and below the lower horizon
-  /// apart. Whether a side of an upright line is open: there is no horizon, or nobody has looked.
+  /// Finds the parts of an edge seen over the band's own columns, as spans of its line: above the upper and below the lower
+  /// horizon apart. Whether a side of an upright line is open: there is no horizon, or nobody has looked.
   bool find_seen(const SightEdge& edge, std::vector<Span>& above, std::vector<Span>& below) {
     const SightLine& sight = edge.line;
     if (sight.upright()) return find_seen_upright(edge, above);

@@ -14,7 +14,7 @@ struct LineStore {
   HorizonLines lines;
   Chains outline, border;
   std::vector<Chains> contours, base_contours;  ///< of each height
-  /// What has been drawn of the curves straight before the eye, which two parts share: the column towards low and high y,
+  /// The drawn parts of the curves straight before the eye, which two parts share: the column towards low and high y,
   /// the row towards low and high x.
   std::array<std::vector<Span>, 2> column_ahead, row_ahead;
 };

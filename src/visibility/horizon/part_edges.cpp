@@ -191,7 +191,7 @@ void PartEdges::add_cell(const Strip& strip, std::size_t c, CurveTracker* column
   }
 }
 
-/// What is before the first position of a part that nothing is known of beyond.
+/// The state before the first position of a part beyond which nothing is known.
 std::int8_t PartEdges::before(const GridAxis::Part& part, const GridAxis& axis) {
   return part.order.front() == 0 || part.order.front() + 1 == axis.at.size() ? kNoFace : kOtherPart;
 }
@@ -253,7 +253,7 @@ void PartEdges::add_edge(EdgeList& list, const Sample& a, const Sample& b, std::
 }
 
 void PartEdges::add_triangle(EdgeList& list, const Sample& a, const Sample& b, const Sample& c) const {
-  // What is too near to the vertical through the eye is cut away.
+  // The part too near to the vertical through the eye is cut away.
   const std::vector<SightPoint> contour = eye_.contour_in_front({&a.seen, &b.seen, &c.seen});
   for (std::size_t i = 2; i < contour.size(); ++i) put_triangle(list, {contour[0], contour[i - 1], contour[i]});
 }
@@ -284,7 +284,7 @@ void PartEdges::add_contours(EdgeList& list, const Sample& a, const Sample& b, c
       }
     }
     if (options_.contour_base) {
-      // What lies below the surface here can not be seen above what is nearer.
+      // Points below the surface here can not be seen above nearer ones.
       const double base = *options_.contour_base * options_.z_scale;
       for (Point3& end : ends) end.z = base;
       if (SightEdge* edge = add_contour(list, ends, number)) {

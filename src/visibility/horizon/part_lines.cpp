@@ -5,7 +5,7 @@
 namespace ligne::horizon {
 namespace {
 
-/// What is seen of an upright line up to an end but for a rounding is seen to the very end, so that it goes on in the next
+/// Extends the seen part of an upright line to an end that it misses by a rounding, so that it goes on in the next
 /// line.
 void reach_ends(const Line& line, double least, std::vector<Span>& seen) {
   if (seen.empty()) return;
@@ -13,7 +13,7 @@ void reach_ends(const Line& line, double least, std::vector<Span>& seen) {
   if (line.v1 - seen.back().to <= least) seen.back().to = line.v1;
 }
 
-/// What is above or below: puts the two together.
+/// Puts the parts above and below together.
 void join(std::vector<Span>& above, const std::vector<Span>& below) {
   above.insert(above.end(), below.begin(), below.end());
   std::sort(above.begin(), above.end(), [](const Span& s, const Span& t) { return s.from < t.from; });

@@ -1,5 +1,5 @@
 #pragma once
-/// What is seen of the edges of one part of the grid becomes lines on the page, in the order of the edges.
+/// Makes lines on the page from the seen parts of the edges of one part of the grid, in the order of the edges.
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What has been drawn of upright lines. In a view along an axis a whole curve, and every rim behind a hole, lies on one
+/// The drawn parts of upright lines. In a view along an axis a whole curve, and every rim behind a hole, lies on one
 /// upright line of the picture: what is seen of it twice is drawn once.
 
 #include <cstddef>
@@ -18,7 +18,7 @@ class UprightLines {
   /// Takes away from `spans` (of v, ascending) what has been drawn at u, and remembers the rest as drawn.
   void draw(double u, std::vector<Span>& spans);
 
-  /// What has been drawn at u: ascending, none touching another.
+  /// The parts drawn at u: ascending, none touching another.
   std::vector<Span>& drawn_at(double u);
 
  private:

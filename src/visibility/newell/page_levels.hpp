@@ -88,7 +88,7 @@ class PageLevels {
     }
   }
 
-  /// The same, but nothing is forgotten: several threads may ask at once.
+  /// As above, but nothing is forgotten: several threads may ask at once.
   template <class Visit>
   void look(const Extents& e, Visit visit) const {
     const Box box(e);

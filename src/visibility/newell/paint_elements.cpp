@@ -264,7 +264,7 @@ ModelPlane PaintElements::halving_plane(std::uint32_t element) const {
   const Extents& e = elements_[element].extents;
   const int axis = e.high[1] - e.low[1] > e.high[0] - e.low[0] ? 1 : 0;
   const double middle = (e.low[axis] + e.high[axis]) / 2;
-  // Of homogeneous page coordinates (X, Y, Z, W): X - middle W = 0, or Y.
+  // In homogeneous page coordinates (X, Y, Z, W): X - middle W = 0, or Y.
   const glm::dmat4& m = view_.model_to_page;
   const auto coefficient = [&](int column) { return m[column][axis] - middle * m[column][3]; };
   const Point3 normal{coefficient(0), coefficient(1), coefficient(2)};

@@ -35,7 +35,7 @@ struct Element {
   std::size_t corner_begin = 0, corner_end = 0;  ///< of its parts in the model, see PaintElements
 };
 
-/// What a comparison of depths over a common part of the page says.
+/// The result of a comparison of depths over a common part of the page.
 struct Hiding {
   bool first = false, second = false;  ///< somewhere it is in front of the other
 };

@@ -14,7 +14,7 @@
 // none of them it is done: it is painted. If it may hide Q, Q is marked and becomes the head. Where Q was marked before
 // there is no order, or may be none; and where either may hide the other there is none: one of the two is cut.
 //
-// What is found of a pair does not depend on the list. So the elements that will be the head soon are compared with their
+// The findings about a pair do not depend on the list. So the elements that will be the head soon are compared with their
 // sets ahead, by all threads, up to the first that each may hide; what the list has lost meanwhile was compared for nothing.
 //
 // It ends. Marks stay, so between two cuts an element is moved once at the most. A cut by the plane of a face leaves pieces
@@ -191,7 +191,7 @@ PriorityList::Comparison& PriorityList::comparison_of(std::uint32_t p) {
   return result;
 }
 
-/// What is left of the comparison of an element for a piece that was cut from it: what the whole does not hide, the piece
+/// The comparison of an element, kept for a piece that was cut from it: faces that the whole does not hide, the piece
 /// does not hide.
 PriorityList::Comparison PriorityList::inherited(const Comparison& whole, std::uint32_t piece) const {
   Comparison result{{}, {}, whole.known};

@@ -30,7 +30,7 @@ constexpr MethodParameter kParameters[] = {
     {"show", "order", "as layer debug: the order of painting as numbers", "", kShowNames},
 };
 
-/// What painting leaves of lines.
+/// The parts of lines that painting leaves.
 class PaintedLines {
  public:
   PaintedLines(const ProjectedScene& scene, const Facets& facets, const CellGrid& grid, const PaintSequence& sequence,
@@ -69,8 +69,8 @@ class PaintedLines {
     return a == PaintSequence::kNever ? b : b == PaintSequence::kNever ? a : std::max(a, b);
   }
 
-  /// What the facet paints over the line. A painter knows no depth: what comes later covers the line, unless it touches it.
-  /// Lines that are painted with no face are hidden by what is in front of them.
+  /// The part of the line that the facet paints over. A painter knows no depth: later facets cover the line, unless it
+  /// touches it. Lines that are painted with no face are hidden by what is in front of them.
   HiddenInterval covered(const PageLine& line, const Facet& facet, std::uint32_t place, bool& near_side) const {
     const ProjectedVertex* vertices = scene_.vertices.data();
     if (place == PaintSequence::kNever) {
@@ -105,7 +105,7 @@ class PaintedLines {
   OpenParts open_;
 };
 
-/// What is seen when all is painted: a depth buffer in which every face lies at the depth of its place in the order.
+/// The picture when all is painted: a depth buffer in which every face lies at the depth of its place in the order.
 PixelModel paint(const ProjectedScene& scene, const PaintSequence& sequence, const StudyOptions& options) {
   ProjectedScene flat;
   flat.lattice = scene.lattice;

@@ -1,5 +1,5 @@
 #pragma once
-/// What covers the squares of the page, found from facets that come one by one and are not stored. See docs/streaming.md.
+/// The covers of the squares of the page, found from facets that come one by one and are not stored. See docs/streaming.md.
 
 #include <array>
 #include <atomic>

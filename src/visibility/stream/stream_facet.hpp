@@ -11,7 +11,7 @@ namespace ligne {
 /// Depths are counted in so many slices.
 inline constexpr int kSlices = 64;
 
-/// What the passes over a file want to know of a triangle.
+/// The facts that the passes over a file need of a triangle.
 struct StreamFacet {
   enum class Kind : std::uint8_t {
     none,     ///< two corners in one place: no face

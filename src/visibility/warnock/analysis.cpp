@@ -66,7 +66,7 @@ void Analysis::add(Element element, const Window& larger, Lists& lists, Analysis
     lists.occluder_depth = std::min(lists.occluder_depth, round_up(depths.far + face.slack));
 }
 
-/// What was listed before its cover was found.
+/// Leaves out elements that were listed before their cover was found.
 void Analysis::finish(Lists& lists) const {
   if (drop_hidden_) std::erase_if(lists.elements, [&](const Element& e) { return e.near > lists.occluder_depth; });
 }

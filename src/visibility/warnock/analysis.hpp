@@ -33,7 +33,7 @@ struct Element {
   FaceBox box;
 };
 
-/// What a window knows of the scene: elements from near to far (as FaceTable::by_depth), and the depth behind which nothing
+/// The scene as a window knows it: elements from near to far (as FaceTable::by_depth), and the depth behind which nothing
 /// is seen.
 struct Lists {
   std::vector<Element> elements;

@@ -130,7 +130,7 @@ Division divide(const FaceTable& table, const Lists& lists, const Window& w, con
   return d;
 }
 
-/// What one thread works with for a while.
+/// The work of one thread for a while.
 struct Control::Task {
   Task(const Control& control, Progress& p)
       : progress(p),
@@ -191,7 +191,8 @@ bool Control::few_edges(const Lists& lists, const std::vector<Piece>& pieces) co
   return m * n + (rules_.find_pairs || rules_.areas ? n * n / 2 : 0) <= kLittleWork;
 }
 
-/// What the module of understanding looks at. The precision of its tests leaves at least a third of the window.
+/// The part of a window that the module of understanding looks at. The precision of its tests leaves at least a third of the
+/// window.
 Window Control::inner(const Window& window) const {
   const double most = std::floor(std::min(window.width(), window.height()) / 3);
   return window.grown(-std::max(margin_, std::min(rules_.precision, most)));

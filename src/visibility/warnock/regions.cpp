@@ -22,7 +22,7 @@ struct Interval {
   std::uint32_t piece;
 };
 
-/// What is left of intervals when those of one face on both sides of a line have cancelled each other.
+/// The rest of the intervals when those of one face on both sides of a line have cancelled each other.
 std::vector<Interval> cancel(std::vector<Interval> all, const std::vector<AreaPiece>& pieces, DisjointSets& groups) {
   std::erase_if(all, [](const Interval& i) { return !(i.from < i.to); });
   const auto face = [&](const Interval& i) { return pieces[i.piece].face; };

@@ -44,7 +44,7 @@ class Solution {
   /// Appends the visible parts of the pieces.
   void draw_lines(std::span<const Piece> pieces, std::vector<FoundPart>& out);
 
-  /// The same, decided for the middle of each piece: it is visible as a whole or not at all.
+  /// Decides for the middle of each piece: it is visible as a whole or not at all.
   void draw_by_middle(std::span<const Piece> pieces, std::vector<FoundPart>& out);
 
   /// Tests all pairs of facets of different faces; those wholly behind `cover` in the window are not wanted.

@@ -12,7 +12,7 @@
 
 namespace ligne::warnock {
 
-/// What was recognised.
+/// The shape that was recognised.
 enum class Understood : std::uint8_t {
   no,
   surrounder,               ///< 1: a surrounder before everything

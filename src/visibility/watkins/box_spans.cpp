@@ -9,7 +9,7 @@
 // otherwise the part is divided at an end of a segment, where two penetrate, or in the middle. Three modules, as in
 // [Boulle1980]: analysis, decision, control.
 //
-// Of several ends inside a part the one nearest to its middle divides it, so that n segments side by side take n log n; and
+// The end nearest to the middle of a part divides it, so that n segments side by side take n log n; and
 // segments that the analysis has seen to be hidden are not handed down.
 
 namespace ligne::watkins {
@@ -35,7 +35,7 @@ class BoxMethod final : public SpanMethod<X> {
  private:
   static constexpr double kFar = std::numeric_limits<double>::infinity();
 
-  /// What the analysis of a part knows: the box around the segments that may be seen in it.
+  /// The knowledge of the analysis about a part: the box around the segments that may be seen in it.
   struct Box {
     unsigned count = 0;
     double x0 = 0, x1 = 0;      ///< extent in x

@@ -43,7 +43,7 @@ void EdgeTracker::for_each_span(const LineScan& scan, double low, double high, V
   for (; s != spans.end() && s->u0 <= high; ++s) visit(*s);
 }
 
-/// What the spans of a line say of an edge.
+/// Reads from the spans of a line the state of an edge.
 void EdgeTracker::look(const LineScan& scan, std::uint32_t slot, std::uint32_t line) {
   const ActiveEdge& a = scan.active(slot);
   const ScanEdge& edge = scan.scene().edges[a.edge];

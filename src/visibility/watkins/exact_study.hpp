@@ -26,14 +26,14 @@ struct ExactCounts {
   void operator+=(const ExactCounts& o);
 };
 
-/// What facets hide of every line, from the findings of several bands. A line that runs through several bands has those of
-/// all; what bands have in common is the same interval to the last bit, so a seam leaves no trace.
+/// The hidden intervals of every line, from the findings of several bands. A line that runs through several bands has those
+/// of all; what bands have in common is the same interval to the last bit, so a seam leaves no trace.
 class FoundIntervals {
  public:
   FoundIntervals() = default;
   FoundIntervals(const std::vector<std::vector<Finding>>& findings, std::size_t line_count);
 
-  /// What is left of the line when its intervals are taken from it.
+  /// The parts of the line outside its intervals.
   const std::vector<LinePart>& visible_parts(std::size_t line, OpenParts& open) const;
 
  private:

@@ -266,7 +266,7 @@ bool ExactSweep::neighbour_along(std::uint32_t slot, double x, double y) const {
   return false;
 }
 
-/// What was found of the lines of an edge goes out.
+/// Hands out the findings about the lines of an edge.
 void ExactSweep::end_edge(std::uint32_t local) {
   --active_count_;
   if (state_of_[local] == kNone) return;

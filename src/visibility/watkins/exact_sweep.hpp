@@ -32,7 +32,7 @@ struct SweepCounts {
   void operator+=(const SweepCounts& o);
 };
 
-/// What a facet hides of a line.
+/// The part of a line that a facet hides.
 struct Finding {
   std::uint32_t line;
   HiddenInterval interval;

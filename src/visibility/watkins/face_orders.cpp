@@ -46,7 +46,7 @@ DepthOrder FaceOrders::decide(std::uint32_t a, std::uint32_t b) {
   std::size_t next = 0;
   for (const Extent& e : extents_a_) {
     while (next < extents_b_.size() && extents_b_[next].x0 < e.x1) open_.push_back(extents_b_[next++]);
-    // What ends left of this one ends left of all that follow.
+    // An extent that ends left of this one ends left of all that follow.
     std::erase_if(open_, [&](const Extent& o) { return o.x1 <= e.x0; });
     for (const Extent& o : open_) {
       if (o.x0 >= e.x1 || o.y1 <= e.y0 || o.y0 >= e.y1) continue;

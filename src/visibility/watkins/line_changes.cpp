@@ -2,7 +2,7 @@
 
 #include "visibility/watkins/line_scan.hpp"
 
-// What changes from one line to the next, and whether it can be seen ([Boulle1980] 2.3.5.5, figure 2.59).
+// The changes from one line to the next, and whether they can be seen ([Boulle1980] 2.3.5.5, figure 2.59).
 
 namespace ligne::watkins {
 
@@ -69,7 +69,7 @@ void LineScan::link_chains() {
   for_each_vertex([&](std::span<const std::uint32_t> ended, std::span<const std::uint32_t> entered) {
     if (ended.size() != 1 || entered.size() != 1) return;
     ActiveEdge &from = slots_[ended[0]], &to = slots_[entered[0]];
-    // Of a hidden line's next one nothing is known.
+    // Nothing is known of a hidden line's next one.
     const bool known = scene_.lines_of(scene_.edges[to.edge]).empty() || from.boundary;
     if (!known || !same_faces(from.edge, to.edge)) return;
     from.continues = entered[0];
@@ -132,7 +132,7 @@ bool LineScan::behind_spans(std::uint32_t line, const ScanEdge& edge) const {
   }
 }
 
-/// What ends and begins at one vertex: does it change what is seen?
+/// True where the edges that end and begin at one vertex change the visible picture.
 bool LineScan::vertex_matters(std::uint32_t line, std::span<const std::uint32_t> ended,
                               std::span<const std::uint32_t> entered) {
   for (const std::uint32_t slot : ended) {

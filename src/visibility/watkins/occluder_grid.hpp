@@ -1,5 +1,5 @@
 #pragma once
-/// What is surely hidden, before any scan: the depth behind which nothing can be seen, cell by cell.
+/// The depth behind which nothing can be seen, cell by cell, known before any scan.
 ///
 /// [Boulle1980] (2.3.5.5) asks to recognise changes among hidden elements, "to predict" them. The scan predicts most cheaply
 /// what it never meets: facets and lines that lie behind single facets, each of which covers a whole cell, are left out of

@@ -17,7 +17,7 @@ namespace ligne::watkins {
 
 class PairFinder {
  public:
-  /// What lies behind `covers`, which may be null, is not wanted.
+  /// Pairs behind `covers`, which may be null, are not wanted.
   PairFinder(const std::vector<Facet>& facets, PenetrationSearch& search, const OccluderGrid* covers, ScanEffort& effort)
       : facets_(facets), search_(search), occluders_(covers), effort_(effort) {}
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What the scan by lines goes over: edges with the faces that they bound, in buckets by the first line that meets them
+/// The scene of the scan by lines: edges with the faces that they bound, in buckets by the first line that meets them
 /// (Td).
 
 #include <cstdint>

@@ -50,7 +50,7 @@ inline bool are_left_to_right(std::span<const VisibleSpan> spans) {
   return true;
 }
 
-/// What a study costs, as [Boulle1980] counts it. `total()` is the sum over which methods are compared.
+/// The cost of a study, as [Boulle1980] counts it. `total()` is the sum over which methods are compared.
 struct SpanCounts {
   std::uint64_t comparisons = 0;   ///< of abscissas
   std::uint64_t depth_tests = 0;   ///< depths compared with each other

@@ -1,5 +1,5 @@
 #pragma once
-/// What is seen of one line between two places where it meets other edges.
+/// The visible parts of one line between two places where it meets other edges.
 ///
 /// Between such places the facets over the two sides of the line are the same all along, so one small scan line across it,
 /// in the middle, decides by a span method which of them is in front. What that facet hides of the line is then computed by
@@ -20,7 +20,7 @@
 
 namespace ligne::watkins {
 
-/// What is known of a line so far.
+/// The facts known of a line so far.
 struct LineState {
   std::vector<std::uint32_t> tested;   ///< facets compared with it
   std::vector<HiddenInterval> hidden;  ///< what they hide of it
@@ -62,7 +62,7 @@ class StretchStudy {
     bool left, right;  ///< sides that it is over
   };
 
-  /// What is known of a facet in the current study: its place among the candidates, or kNone, it was tested before.
+  /// The facts known of a facet in the current study: its place among the candidates, or kNone, it was tested before.
   struct Mark {
     std::uint32_t study = 0, candidate = kNone;
   };

@@ -1,5 +1,5 @@
 #pragma once
-/// What the exact scan goes over: the edges of all facets and all lines, in the order in which the scan meets them.
+/// The scene of the exact scan: the edges of all facets and all lines, in the order in which the scan meets them.
 ///
 /// Notation: the scan goes down the page and, at one height, from left to right. Point p comes before point q when
 /// (p.y, p.x) < (q.y, q.x); the scan line is thought to lean a little, its left end lower, so that it meets the points of

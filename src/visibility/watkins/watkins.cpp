@@ -115,8 +115,8 @@ bool lies_behind(const CellGrid& grid, const SweepLine& line) {
   return behind;
 }
 
-/// The same by cells that connected facets cover together. What is in no cell's list lies behind such patches everywhere, or
-/// coincides with another facet there.
+/// Leaves out by cells that connected facets cover together. A facet in no cell's list lies behind such patches everywhere,
+/// or coincides with another facet there.
 void leave_out_hidden(const CellGrid& grid, std::vector<Facet>& facets, std::vector<SweepLine>& lines) {
   const std::vector<std::uint8_t> listed = grid.listed(facets.size());
   std::size_t kept = 0;
@@ -181,7 +181,7 @@ class WatkinsStudy {
   std::optional<CellGrid> searched_;  ///< of the facets that are left
   bool edges_by_cells_ = false, intersections_by_cells_ = false;
   std::vector<Intersection> intersections_;
-  /// Of edges, and behind them, by a number of lines, of intersections; in the exact study these have their own.
+  /// Intervals of edges, and behind them, by a number of lines, of intersections; in the exact study these have their own.
   FoundIntervals found_, found_of_intersections_;
   std::vector<std::uint8_t> near_;  ///< by edge: another line may lie on it; empty: any may
   ExactCounts counts_;

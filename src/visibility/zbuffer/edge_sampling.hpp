@@ -18,7 +18,7 @@ namespace ligne::zbuffer {
 
 class EdgeSampling {
  public:
-  /// What lies outside the window was clipped away before the buffer was painted.
+  /// Parts outside the window were clipped away before the buffer was painted.
   EdgeSampling(const DepthBuffer& buffer, const Lattice& lattice, const Rect& window);
 
   /// The visible parts of the line, in order, disjoint.

@@ -25,7 +25,7 @@ class KeptBuffer final : public KeptStudy {
   std::uint32_t faces() const { return faces_; }
 
   void write(ByteWriter& bytes) const { buffer_.write(bytes); }
-  /// That of so many faces in that view. Throws InputError.
+  /// Reads the buffer of so many faces in that view. Throws InputError.
   static std::shared_ptr<const KeptBuffer> read(ByteReader& bytes, const View& view, std::uint32_t faces) {
     return std::make_shared<KeptBuffer>(DepthBuffer::read(bytes, view.window, faces), view, faces);
   }

@@ -31,7 +31,7 @@ constexpr MethodParameter kParameters[] = {
     {"depth-bits", "N", "whole depths of so many bits (default: real ones)", "", {}, kFewestBits, kMostBits},
 };
 
-/// What is shorter than the way through two squares of pixels is below the resolution.
+/// Parts shorter than the way through two squares of pixels are below the resolution.
 constexpr double kShortestPixels = 2;
 
 /// From the near plane (in parallel projection: from the nearest point) to the farthest point of the scene.
