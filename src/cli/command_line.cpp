@@ -29,7 +29,8 @@ namespace {
 
 constexpr int kDone = 0, kFailed = 1, kUsage = 2;
 
-constexpr const char* kFooter = R"help(ligne help COMMAND tells the options of a command.
+constexpr const char* kFooter =
+    R"help(ligne help COMMAND lists the common options of a command, ligne help COMMAND all every one.
 
 Examples:
   ligne draw gearbox.obj -o gearbox.svg
@@ -103,10 +104,21 @@ std::string complaint(const CLI::ParseError& e, const CLI::App& app) {
   return text;
 }
 
-/// "help COMMAND" becomes "COMMAND --help".
+/// Takes the "all" behind --help away; true if there was one.
+bool take_all(std::vector<std::string>& arguments) {
+  const auto is_help = [](const std::string& word) { return word == "--help" || word == "-h"; };
+  const auto help = std::ranges::find_if(arguments, is_help);
+  if (help == arguments.end() || help + 1 == arguments.end() || *(help + 1) != "all") return false;
+  arguments.erase(help + 1);
+  return true;
+}
+
+/// "help COMMAND" becomes "COMMAND --help", and "help COMMAND all" becomes "COMMAND --help all".
 void take_help(std::vector<std::string>& arguments, const CLI::App& app) {
   if (arguments.empty() || arguments.front() != "help") return;
   const std::vector<std::string_view> names = names_of_commands(app);
+  const bool all = arguments.size() > 2 && arguments.back() == "all";
+  if (all) arguments.pop_back();
   if (arguments.size() > 2) throw UsageError("help: one command at a time: ligne help COMMAND");
   if (arguments.size() == 2 && !is_option(arguments[1]) && std::ranges::find(names, arguments[1]) == names.end()) {
     throw UsageError("help: there is no command " + shown(arguments[1], '"') + suggestion(arguments[1], names) +
@@ -114,12 +126,16 @@ void take_help(std::vector<std::string>& arguments, const CLI::App& app) {
   }
   arguments.erase(arguments.begin());
   if (arguments.empty() || !is_option(arguments.back())) arguments.emplace_back("--help");
+  if (all) arguments.emplace_back("all");
 }
 
 /// The arguments behind the program's name, last first as CLI11 takes them.
-std::vector<std::string> arguments_for(const CLI::App& app, int argc, char** argv) {
+std::vector<std::string> arguments_for(CLI::App& app, int argc, char** argv) {
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
   take_help(arguments, app);
+  const auto formatter = std::make_shared<HelpFormatter>(take_all(arguments));
+  app.formatter(formatter);
+  for (CLI::App* command : app.get_subcommands(nullptr)) command->formatter(formatter);
   if (!arguments.empty() && arguments.front() == "surface") protect_formulas(arguments);
   std::reverse(arguments.begin(), arguments.end());
   return arguments;
@@ -127,7 +143,6 @@ std::vector<std::string> arguments_for(const CLI::App& app, int argc, char** arg
 
 int run(int argc, char** argv) {
   CLI::App app("Draws 3D polygon scenes as clean lines, hidden parts removed.", "ligne");
-  app.formatter(std::make_shared<HelpFormatter>());
   app.set_version_flag("--version", "ligne " LIGNE_VERSION);
   app.footer(kFooter);
   app.require_subcommand(0, 1);

@@ -2,16 +2,40 @@
 /// The layout of help texts.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstddef>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace ligne {
 
-/// "--fov DEG [35]   what it means": the default in brackets, nothing about what goes with what (the errors say that).
+/// Options that most users of a command need. The help of a command that is named here lists these alone.
+struct CommonOptions {
+  std::string_view command;
+  std::vector<std::string_view> names;
+};
+inline const CommonOptions kCommonOptions[] = {
+    {"draw", {"help",      "edges", "crease", "hidden", "quality", "profile", "method", "only",   "hide",  "view",
+              "direction", "eye",   "target", "fov",    "frames",  "fill",    "light",  "hatch",  "page",  "landscape",
+              "margin",    "scale", "output", "format", "dpi",     "device",  "pens",   "report", "quiet", "pen-width"}},
+    {"surface",
+     {"help",      "grid",   "parametric", "x",      "y",         "lines",          "z-range", "aspect", "every",
+      "contours",  "points", "curve",      "colors", "ridgeline", "contour-labels", "hatch",   "fill",   "hidden",
+      "azimuth",   "view",   "elevation",  "axes",   "x-label",   "y-label",        "z-label", "page",   "margin",
+      "pen-width", "output", "format",     "dpi",    "device",    "pens",           "quiet",   "title",  "outline"}},
+    {"plot", {"help",      "skip",   "fill",     "occlude", "hatch",  "hatch-spacing", "hatch-angle", "page",
+              "landscape", "margin", "scale",    "tile",    "output", "dpi",           "device",      "pens",
+              "format",    "pen",    "optimize", "report",  "split",  "preview",       "quiet",       "pen-width"}}};
+
+/// "--fov DEG [35]   meaning": the default in brackets. Combinations that exclude each other are left to the errors. Texts
+/// are broken at kWidth columns.
 class HelpFormatter : public CLI::Formatter {
  public:
-  HelpFormatter() { column_width(30); }
+  /// `all`: every option of a command, not only the common ones.
+  explicit HelpFormatter(bool all) : all_(all) { column_width(kColumn); }
 
   std::string make_option_opts(const CLI::Option* option) const override {
     std::string text;
@@ -23,12 +47,66 @@ class HelpFormatter : public CLI::Formatter {
     return text;
   }
 
+  std::string make_option(const CLI::Option* option, bool is_positional) const override {
+    std::string line = "  " + make_option_name(option, is_positional) + make_option_opts(option);
+    std::string text;
+    std::size_t column = line.size();
+    const auto begin_line = [&] {
+      text += line + '\n';
+      line.assign(kColumn, ' ');
+      column = kColumn;
+    };
+    if (column >= kColumn) begin_line();
+    line.resize(kColumn, ' ');
+    column = kColumn;
+    std::istringstream words(make_option_desc(option));
+    for (std::string word; words >> word;) {
+      if (column > kColumn && column + 1 + word.size() > kWidth) begin_line();
+      if (column > kColumn) line += ' ';
+      line += word;
+      column = line.size();
+    }
+    return text + line + '\n';
+  }
+
   std::string make_group(std::string group, bool is_positional, std::vector<const CLI::Option*> options) const override {
+    if (!is_positional && common_) {
+      std::erase_if(options, [&](const CLI::Option* option) { return is_left_out(option); });
+      if (options.empty()) return {};
+    }
     // One empty line between groups, not two.
     const bool follows_a_group = !is_positional && group != "Options";
     const std::string text = CLI::Formatter::make_group(std::move(group), is_positional, std::move(options));
     return follows_a_group && text.starts_with('\n') ? text.substr(1) : text;
   }
+
+  std::string make_footer(const CLI::App* app) const override {
+    if (!common_) return CLI::Formatter::make_footer(app);
+    const std::vector<const CLI::Option*> options = app->get_options();
+    const auto rest = std::ranges::count_if(options, [&](const CLI::Option* option) { return is_left_out(option); });
+    return "\n" + std::to_string(rest) + " more options: ligne help " + app->get_name() + " all\n" +
+           CLI::Formatter::make_footer(app);
+  }
+
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    const auto* const common = std::ranges::find(kCommonOptions, app->get_name(), &CommonOptions::command);
+    common_ = all_ || common == std::end(kCommonOptions) ? nullptr : common;
+    std::string text = CLI::Formatter::make_help(app, std::move(name), mode);
+    // Groups that are left out leave their empty lines.
+    for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != std::string::npos;) text.erase(at, 1);
+    return text;
+  }
+
+ private:
+  static constexpr std::size_t kColumn = 30, kWidth = 110;
+
+  bool is_left_out(const CLI::Option* option) const {
+    const std::vector<std::string>& names = option->get_lnames().empty() ? option->get_snames() : option->get_lnames();
+    return !option->get_positional() && std::ranges::find(common_->names, names.front()) == common_->names.end();
+  }
+
+  bool all_;
+  mutable const CommonOptions* common_ = nullptr;  ///< of the command whose help is being made; null: all are listed
 };
 
 }  // namespace ligne

@@ -43,35 +43,35 @@ void add_parameters(CLI::App& app, MethodChoice& choice, bool of_compile = false
 void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice, bool one_method) {
   OptionGroup group(app, "Lines");
   if (one_method) {
-    group.add("--method", "NAME", request.method, parse_method, "visibility method, see: ligne methods").standard("auto");
+    group.add("--method", "NAME", request.method, parse_method, "visibility method; see ligne methods").standard("auto");
   }
   const auto parse_given_edges = [&choice](const std::string& text) {
     choice.edges_given = true;
     return parse_edges(text);
   };
   group
-      .add(
-          "--edges", "LIST", request.classes, parse_given_edges,
-          "line classes to draw, comma-separated: outline,crease,border,intersection,tangent,mesh,shadow,profile,suggestive,ridge,valley,detail; feature: the first five; all: the first six")
+      .add("--edges", "LIST", request.classes, parse_given_edges,
+           "line classes to draw, comma-separated: outline, crease, border, intersection, tangent, mesh, shadow, profile, "
+           "suggestive, ridge, valley, detail; feature: the first five; all: the first six")
       .standard("feature");
   const auto parse_both_creases = [&request](const std::string& text) {
     return request.surface_crease_degrees = parse_crease(text);
   };
-  group
-      .add("--crease", "DEG", request.crease_degrees, parse_both_creases,
-           "angle between normals above which an edge is a crease")
+  group.add("--crease", "DEG", request.crease_degrees, parse_both_creases, "smallest angle between normals at a crease")
       .standard("30 between faces, 10 between surfaces that a mesh stands for");
   group
       .add("--tangent", "HOW", request.tangent, parse_tangent,
-           "surfaces that run into each other: auto (the middle of narrow fillets) borders middles")
+           "lines of fillets: their borders, their middles; auto: middles of narrow ones, borders of others")
       .standard("auto");
-  group.add("--min-length", "LEN", request.least_mm, parse_min_length, "leave out visible bits of lines that are shorter")
+  group.add("--min-length", "LEN", request.least_mm, parse_min_length, "leave out shorter visible parts of lines")
       .standard("1.5 pens; 0 for exact lines");
-  group.add("--hidden", "HOW", request.hidden, parse_hidden, "hidden lines in a layer of their own: none dashed solid")
+  group
+      .add("--hidden", "HOW", request.hidden, parse_hidden,
+           "draw hidden lines in a layer of their own: none, dashed or solid")
       .standard("none");
   group
       .add("--quality", "HOW", request.quality, parse_quality,
-           "clear: the lines of the shape that the mesh stands for; exact: of every edge as stored")
+           "clear: lines of the shape that the mesh stands for; exact: every edge as stored")
       .standard("clear");
   group.add_flag("--cull", request.cull, "leave out back faces of closed, consistently wound objects");
   add_parameters(app, choice);

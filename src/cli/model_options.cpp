@@ -15,19 +15,18 @@ void add_model_options(CLI::App& app, ModelRequest& request) {
                 "standard input");
   OptionGroup group(app, "Lines");
   group
-      .add(
-          "--weld", "DIST", request.weld_distance, parse_weld,
-          "borders of one object so near to each other (model units) are sewn: cracks would be drawn as borders; auto: as near "
-          "as cracks are, off: none. With --quality exact: vertices so near become one, and auto is off")
+      .add("--weld", "DIST", request.weld_distance, parse_weld,
+           "sew borders of one object that lie within DIST of each other, in model units (auto: detect the width of cracks; "
+           "off). With --quality exact: merge vertices within DIST; auto is off")
       .standard("auto");
   group.add("--pose", "ANIMATION@SECONDS", request.pose, parse_pose,
             "glTF: the model as it is at a moment of an animation, by its name or its number from 0");
   group
       .add("--subdivide", "SCHEME[:N]", request.subdivision, parse_subdivision,
-           "polygons are control meshes, drawn as the surface that N levels of subdivision come to: loop, catmull-clark; "
-           "without N, until edges are shorter than a hundredth of the model")
+           "draw the limit surface of polygons that are control meshes, after N levels of subdivision: loop, catmull-clark "
+           "(default N: until edges are shorter than a hundredth of the model)")
       .standard("off");
-  group.add_flag("--merge-coplanar", request.merge_coplanar, "put coplanar neighbouring faces together into polygons");
+  group.add_flag("--merge-coplanar", request.merge_coplanar, "merge coplanar neighbouring faces into polygons");
   OptionGroup parts(app, "Parts");
   const auto add_names = [](std::vector<std::string>& target) {
     return [&target](const std::string& text) {
@@ -35,11 +34,11 @@ void add_model_options(CLI::App& app, ModelRequest& request) {
     };
   };
   parts.add_repeatable("--only", "NAME,...", add_names(request.parts.only),
-                       "objects that are drawn, by name; * ? [] as in a shell; repeatable");
-  parts.add_repeatable("--hide", "NAME,...", add_names(request.parts.hide), "objects that are left out; repeatable");
+                       "draw these objects alone; names may have * ? [] as in a shell; repeatable");
+  parts.add_repeatable("--hide", "NAME,...", add_names(request.parts.hide), "leave out these objects; repeatable");
   parts.add_repeatable(
       "--move", "NAME=X,Y,Z", [&request](const std::string& text) { request.parts.moves.push_back(parse_move(text)); },
-      "objects moved, in model units or with units: exploded views; repeatable");
+      "move an object by so much, in model units or with a unit, for exploded views; repeatable");
 }
 
 void add_part_drawing_options(CLI::App& app, OutputRequest& request) {

@@ -27,8 +27,10 @@ void add_plotter_options(CLI::App& app, PlotterOptions& options) {
           "off; order: the order of strokes only; join: lines once, ends joined; full: both")
       .standard("full for pens");
   const auto length = [](const std::string& t) { return parse_length_mm(t); };
-  group.add("--join", "LEN", request.tolerances.ends_mm, length, "ends so near are joined").standard("0.05mm");
-  group.add("--simplify", "LEN", request.tolerances.simplify_mm, length, "how far a line may leave its points")
+  group.add("--join", "LEN", request.tolerances.ends_mm, length, "join ends within LEN of each other").standard("0.05mm");
+  group
+      .add("--simplify", "LEN", request.tolerances.simplify_mm, length,
+           "largest distance by which simplifying may move a line")
       .standard("0.01mm");
   group.add_flag("--report", request.report, "strokes, lengths, lifts and time before and after, to standard error");
   const auto parse_preview = [&request](const std::string& text) {

@@ -23,7 +23,7 @@ void add_run_options(CLI::App& app, RunOptions& options) {
       "number of threads (default: all cores)");
   group
       .add("--max-memory", "SIZE", options.max_memory, parse_memory,
-           "memory that the work may take, such as 500M or 2G; more is an error. none: no limit")
+           "stop with an error above this memory, such as 500M or 2G; none: no limit")
       .standard("three quarters of the machine's");
   group.add_flag("--stats", options.stats, "counts and times of the method, to standard error");
   group.add("--stats-json", "FILE", options.stats_json, parse_file_name, "the same as JSON, to a file");

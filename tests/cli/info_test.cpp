@@ -95,7 +95,7 @@ TEST_F(ProgramTest, HelpAndVersion) {
     EXPECT_EQ(of_command.err, "");
     expect_parts(of_command.out, {"Example"});
   }
-  const std::string draw = run("draw --help").out;
+  const std::string draw = run("draw --help all").out;
   for (const char* option : {"--view",      "--direction",      "--eye",       "--target",     "--fov",
                              "--up",        "--up-axis",        "--method",    "--edges",      "--crease",
                              "--hidden",    "--page",           "--landscape", "--portrait",   "--margin",

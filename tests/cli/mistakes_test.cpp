@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "draw_program.hpp"
@@ -47,6 +48,15 @@ TEST_F(MistakesOfNewcomers, HelpIsACommandToo) {
     EXPECT_EQ(help.out, run({command, "--help"}).out);
     EXPECT_NE(help.out.find(command), std::string::npos);
   }
+  const Outcome common = run("draw --help"), every = run("help draw all");
+  EXPECT_EQ(run("draw --help all").out, every.out);
+  EXPECT_LT(std::ranges::count(common.out, '\n'), 90) << "more than a page and a half";
+  for (const std::string_view option : {"--edges ", "--output ", "--hidden "}) {
+    EXPECT_NE(common.out.find(option), std::string::npos) << option;
+  }
+  EXPECT_EQ(common.out.find("--depth-bits "), std::string::npos);
+  EXPECT_NE(every.out.find("--depth-bits "), std::string::npos);
+  EXPECT_NE(common.out.find("more options: ligne help draw all\n"), std::string::npos);
   EXPECT_EQ(run("help drwa").err.rfind("ligne: help: there is no command \"drwa\" (draw?); there are draw, ", 0), 0u);
   says("help draw plot", "help: one command at a time: ligne help COMMAND");
 }

@@ -6,7 +6,7 @@ folder=$1 ligne=$2
 page=$folder/docs/options.md
 
 long_options() { grep -oE -- '(^|[^-[:alnum:]])--[a-z][a-z-]*' | grep -oE -- '--[a-z-]+' | sort -u; }
-of_help=$( { "$ligne" --help; for command in draw surface plot info compare methods devices study; do "$ligne" "$command" --help; done; } | long_options)
+of_help=$( { "$ligne" --help; for command in draw surface plot info compare methods devices study; do "$ligne" help "$command" all; done; } | long_options)
 of_page=$(long_options <"$page")
 if ! difference=$(diff <(echo "$of_help") <(echo "$of_page")); then
   echo "options of the help (<) and of docs/options.md (>) differ:" >&2

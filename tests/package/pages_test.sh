@@ -6,7 +6,7 @@ failed=0
 complain() { echo "$*" >&2; failed=1; }
 
 for command in draw surface plot compile info compare methods devices study; do
-  options=$("$ligne" "$command" --help | grep -oE '^  (-[a-z],)?--[a-z][a-z-]*' | grep -oE -- '--[a-z-]+')
+  options=$("$ligne" help "$command" all | grep -oE '^  (-[a-z],)?--[a-z][a-z-]*' | grep -oE -- '--[a-z-]+')
   page=$(zcat "$pages/ligne-$command.1.gz" | sed 's/\\-/-/g')
   zsh=$(sed -n "/^    $command)/,/;;/p" "$pages/_ligne")
   fish=$(grep -F "__fish_seen_subcommand_from $command'" "$pages/ligne.fish")
@@ -42,7 +42,7 @@ expect "refuse outline hatch" plot --fill ""
 expect "same apart none" surface --underside ""
 expect "" draw --crease ""
 for command in draw surface plot compile info compare methods devices study; do
-  for option in $("$ligne" "$command" --help | grep -oE '^  (-[a-z],)?--[a-z][a-z-]*' | grep -oE -- '--[a-z-]+'); do
+  for option in $("$ligne" help "$command" all | grep -oE '^  (-[a-z],)?--[a-z][a-z-]*' | grep -oE -- '--[a-z-]+'); do
     [[ " $(completions "$command" "$option") " == *" $option "* ]] || complain "bash does not complete $option of $command"
   done
 done

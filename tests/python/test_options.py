@@ -51,7 +51,7 @@ def reason_for(option, command):
 
 def options_of_help(command):
     """Name and default of each option, as the help names them."""
-    text = subprocess.run([os.environ["LIGNE_PROGRAM"], command, "--help"], capture_output=True, text=True, check=True).stdout
+    text = subprocess.run([os.environ["LIGNE_PROGRAM"], "help", command, "all"], capture_output=True, text=True, check=True).stdout
     options = {}
     for line in text.splitlines():
         found = re.match(r"^  (?:-\w,)?--?([a-z][a-z-]*)(.*)", line)
