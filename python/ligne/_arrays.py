@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import accumulate
 from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -74,8 +75,8 @@ def flat_faces(faces: Faces) -> Tuple[Array, List[int], List[int], int]:
                 raise InputError(f"faces: a contour of face {number} has fewer than three corners")
             contours.append(_index_array(corners))
         face_end.append(len(contours))
-    contour_end = np.cumsum([len(contour) for contour in contours])
-    return _index_array(np.concatenate(contours)), contour_end.tolist(), face_end, len(face_end)
+    contour_end = list(accumulate(len(contour) for contour in contours))
+    return _index_array(np.concatenate(contours)), contour_end, face_end, len(face_end)
 
 
 def labels(name: str, values: Optional[Sequence[Any]], count: int) -> Tuple[List[int], List[Any]]:

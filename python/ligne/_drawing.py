@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import os
 import pathlib
 from functools import cached_property
@@ -244,15 +245,15 @@ class Drawing:
 
     def to_shapely(self, kind: Optional[str] = None) -> Any:
         """A shapely MultiLineString of polylines(kind), page mm."""
-        from shapely.geometry import MultiLineString  # type: ignore[import]
+        geometry = importlib.import_module("shapely.geometry")  # has types in some of its versions only
 
-        return MultiLineString([line for line in self.polylines(kind) if len(line) > 1])
+        return geometry.MultiLineString([line for line in self.polylines(kind) if len(line) > 1])
 
     def to_line_collection(self, kind: Optional[str] = None, **style: Any) -> Any:
         """A matplotlib LineCollection of polylines(kind), page mm with y down: ax.invert_yaxis(), ax.set_aspect(1)."""
-        from matplotlib.collections import LineCollection  # type: ignore[import]
+        collections = importlib.import_module("matplotlib.collections")  # has types in some of its versions only
 
-        return LineCollection(self.polylines(kind), **style)
+        return collections.LineCollection(self.polylines(kind), **style)
 
 
 def _draw_again(scene: Optional[Scene], surfaces: Dict[str, Any], options: Dict[str, Any]) -> Drawing:
