@@ -55,7 +55,7 @@ void for_visible_pieces(const SeenContour& contour, std::uint32_t c, Visit visit
     const std::vector<CurvePoint> points = contour.curve.part(run.from, run.to);
     for (std::size_t i = 1; i < points.size(); ++i) {
       const CurvePoint &a = points[i - 1], &b = points[i];
-      visit(PageSegment{a.mm, b.mm, a.depth, b.depth, c, a.length, b.length});
+      visit(OutlineSegment{a.mm, b.mm, a.depth, b.depth, c, a.length, b.length});
     }
   }
 }
@@ -68,7 +68,7 @@ struct Change {
   double from, to;  ///< lengths
 
   /// A crossing there may be what ends the visible run: within reach along the curve, or beside the line that crosses.
-  bool may_move_to(double at, const Point2& direction, const PageSegment& line) const {
+  bool may_move_to(double at, const Point2& direction, const OutlineSegment& line) const {
     const double shift = std::abs(at - length);
     if (shift <= reach) return true;
     const Point2 along = line.to - line.from;
@@ -99,7 +99,7 @@ std::optional<double> nearest_crossing(const Change& change, const ContourCurve&
       curve.part(curve.point_at_length(change.from).at, curve.point_at_length(change.to).at);
   for (std::size_t i = 1; i < points.size(); ++i) {
     const CurvePoint &a = points[i - 1], &b = points[i];
-    finder.near(a.mm, b.mm, [&](const PageSegment& s) {
+    finder.near(a.mm, b.mm, [&](const OutlineSegment& s) {
       // The curve lies on itself where it is searched, and does not hide itself there.
       if (s.chain == change.contour && s.length_to > change.from - change.reach &&
           s.length_from < change.to + change.reach) {
@@ -157,7 +157,7 @@ void SegmentFinder::expect(Point2 from, Point2 to) {
   });
 }
 
-void SegmentFinder::add(const PageSegment& segment) {
+void SegmentFinder::add(const OutlineSegment& segment) {
   double begin = 0, end = 1;
   const Point2 margin(cell_mm_);
   if (!clip_to_box(segment.from, segment.to, low_ - margin, high_ + margin, begin, end)) return;
@@ -180,7 +180,7 @@ void SegmentFinder::add(const PageSegment& segment) {
   if (listed) segments_.push_back(segment);
 }
 
-bool crossing(Point2 from, Point2 to, const PageSegment& segment, double& fraction, double& depth) {
+bool crossing(Point2 from, Point2 to, const OutlineSegment& segment, double& fraction, double& depth) {
   const Point2 d = to - from, e = segment.to - segment.from, to_start = segment.from - from;
   const double area = cross(d, e);
   if (area == 0) return false;
@@ -202,7 +202,7 @@ void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel
     for (std::size_t i = 1; i < points.size(); ++i) finder.expect(points[i - 1].mm, points[i].mm);
   }
   for (std::uint32_t c = 0; c < contours.size(); ++c) {
-    for_visible_pieces(contours[c], c, [&](const PageSegment& s) { finder.add(s); });
+    for_visible_pieces(contours[c], c, [&](const OutlineSegment& s) { finder.add(s); });
   }
   for (const Stroke& s : others.strokes) {
     if (may_hide(s)) finder.add({others.lattice.to_mm(s.from), others.lattice.to_mm(s.to), s.z_from, s.z_to});
@@ -246,7 +246,7 @@ std::optional<MovedEnd> moved_end(const StrokeModel& model, std::size_t i, bool 
   const Point2 from = end - back * along, to = end + on * along;
   const double z_end = first ? s.z_from : s.z_to, slope = (first ? s.z_from - s.z_to : s.z_to - s.z_from) / length;
   std::optional<double> best;
-  finder.near(from, to, [&](const PageSegment& piece) {
+  finder.near(from, to, [&](const OutlineSegment& piece) {
     double fraction = 0, depth = 0;
     if (!crossing(from, to, piece, fraction, depth)) return;
     const double shift = fraction * (back + on) - back;
@@ -280,10 +280,10 @@ void apply(const MovedEnd& moved, StrokeModel& model) {
 void move_ends_of_strokes(StrokeModel& others, const std::vector<SeenContour>& contours, double reach_mm) {
   SegmentFinder finder(kCellMm);
   for (std::uint32_t c = 0; c < contours.size(); ++c) {
-    for_visible_pieces(contours[c], c, [&](const PageSegment& s) { finder.expect(s.from, s.to); });
+    for_visible_pieces(contours[c], c, [&](const OutlineSegment& s) { finder.expect(s.from, s.to); });
   }
   for (std::uint32_t c = 0; c < contours.size(); ++c) {
-    for_visible_pieces(contours[c], c, [&](const PageSegment& s) { finder.add(s); });
+    for_visible_pieces(contours[c], c, [&](const OutlineSegment& s) { finder.add(s); });
   }
   std::vector<MovedEnd> moved;
   for (std::size_t i = 0; i < others.strokes.size(); ++i) {

@@ -14,7 +14,7 @@
 namespace ligne {
 
 /// A straight piece of a line that may hide another.
-struct PageSegment {
+struct OutlineSegment {
   Point2 from{0, 0}, to{0, 0};
   double z_from = 0, z_to = 0;
   std::uint32_t chain = kNone;            ///< of a contour, else kNone
@@ -29,7 +29,7 @@ class SegmentFinder {
   /// A segment will be asked about. To be called before the first add().
   void expect(Point2 from, Point2 to);
   /// Segments that nothing expected passes are left out. They may be long, and lie far away.
-  void add(const PageSegment& segment);
+  void add(const OutlineSegment& segment);
   /// Calls found(segment) for the segments that may cross from-to; some more than once.
   template <class Found>
   void near(Point2 from, Point2 to, Found found) const {
@@ -56,11 +56,11 @@ class SegmentFinder {
   KeyTable cells_;                                   ///< of each cell that is asked about the list
   Rectangle expected_;                               ///< last: mostly the next one is the same
   std::vector<std::vector<std::uint32_t>> lists_;
-  std::vector<PageSegment> segments_;
+  std::vector<OutlineSegment> segments_;
 };
 
 /// The fraction of `from`-`to` at which the segment crosses it, and the depth of the segment there; false when it does not.
-bool crossing(Point2 from, Point2 to, const PageSegment& segment, double& fraction, double& depth);
+bool crossing(Point2 from, Point2 to, const OutlineSegment& segment, double& fraction, double& depth);
 
 /// A contour with what is seen of it.
 struct SeenContour {

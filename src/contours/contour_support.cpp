@@ -89,7 +89,7 @@ ContourSupport::ContourSupport(const Scene& scene, const View& view, const Smoot
     // Most places have an outline as near as is right: the wide search is for the others.
     for (const double radius : {most_away(place), reach(place)}) {
       place.away = radius;
-      finder.near(place.mm - Point2(radius), place.mm + Point2(radius), [&](const PageSegment& s) {
+      finder.near(place.mm - Point2(radius), place.mm + Point2(radius), [&](const OutlineSegment& s) {
         const Point2 nearest = s.from + nearest_on_segment(place.mm, s.from, s.to) * (s.to - s.from);
         const double away = glm::length(nearest - place.mm);
         if (away < place.away) place.away = away, place.outline = nearest;

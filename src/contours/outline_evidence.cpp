@@ -36,7 +36,7 @@ class PagePieces {
   /// The strongest within reach.
   Evidence at(Point2 p, double reach) const {
     auto strongest = static_cast<std::uint32_t>(Evidence::none);
-    finder_.near(p - Point2(reach), p + Point2(reach), [&](const PageSegment& s) {
+    finder_.near(p - Point2(reach), p + Point2(reach), [&](const OutlineSegment& s) {
       if (s.chain <= strongest) return;
       const Point2 nearest = s.from + nearest_on_segment(p, s.from, s.to) * (s.to - s.from);
       if (glm::length(nearest - p) <= reach) strongest = s.chain;
@@ -45,7 +45,7 @@ class PagePieces {
   }
 
  private:
-  SegmentFinder finder_;  ///< PageSegment::chain: the evidence
+  SegmentFinder finder_;  ///< OutlineSegment::chain: the evidence
 };
 
 /// A part of a run, and where it is asked about.

@@ -33,7 +33,7 @@ constexpr double kAlongCosine = 0.70710678;
 /// The end of a contour is its last part, so many times as long as the reach: it may turn inwards before it ends.
 constexpr double kTailInReaches = 2;
 
-double distance(Point2 p, const PageSegment& s) {
+double distance(Point2 p, const OutlineSegment& s) {
   return glm::length(s.from + nearest_on_segment(p, s.from, s.to) * (s.to - s.from) - p);
 }
 
@@ -74,7 +74,7 @@ class NearContours {
       const double d = glm::length(q - p);
       if (d <= reach && (!best || d < glm::length(*best - p))) best = q;
     };
-    finder_.near(p - Point2(reach), p + Point2(reach), [&](const PageSegment& s) {
+    finder_.near(p - Point2(reach), p + Point2(reach), [&](const OutlineSegment& s) {
       offer(s.from);
       offer(s.to);
     });
@@ -82,13 +82,13 @@ class NearContours {
   }
   bool any_within(Point2 p, double reach) const {
     bool any = false;
-    finder_.near(p - Point2(reach), p + Point2(reach), [&](const PageSegment& s) { any |= distance(p, s) <= reach; });
+    finder_.near(p - Point2(reach), p + Point2(reach), [&](const OutlineSegment& s) { any |= distance(p, s) <= reach; });
     return any;
   }
   /// A piece runs past the place, in that direction and within the reach; `slack_mm` beyond its ends at the most.
   bool any_past(Point2 p, Point2 direction, double reach, double slack_mm) const {
     bool any = false;
-    finder_.near(p - Point2(reach), p + Point2(reach), [&](const PageSegment& s) {
+    finder_.near(p - Point2(reach), p + Point2(reach), [&](const OutlineSegment& s) {
       const Point2 d = s.to - s.from;
       const double length = glm::length(d), along = glm::dot(p - s.from, d) / length;
       any |= along >= -slack_mm && along <= length + slack_mm && distance(p, s) <= reach &&
@@ -99,7 +99,7 @@ class NearContours {
   bool any_tail(Point2 p) const {
     bool any = false;
     tails_.near(p - Point2(reach_mm_), p + Point2(reach_mm_),
-                [&](const PageSegment& s) { any |= distance(p, s) <= reach_mm_; });
+                [&](const OutlineSegment& s) { any |= distance(p, s) <= reach_mm_; });
     return any;
   }
 
@@ -228,7 +228,7 @@ class NearOutlines {
  private:
   bool any_within(Point2 p, double reach) const {
     bool any = false;
-    finder_.near(p - Point2(reach), p + Point2(reach), [&](const PageSegment& s) { any |= distance(p, s) <= reach; });
+    finder_.near(p - Point2(reach), p + Point2(reach), [&](const OutlineSegment& s) { any |= distance(p, s) <= reach; });
     return any;
   }
 

@@ -58,7 +58,7 @@ std::vector<Bit> bits_of(const StrokeArc& arc, const std::vector<Stroke>& stroke
       of_part.push_back({part.stroke, cut_at(last), cut_at(to), (to - last) * size, is_free});
       last = to;
     };
-    for (const StrokePart& open : free[member_of[part.stroke]].parts) {
+    for (const FreePart& open : free[member_of[part.stroke]].parts) {
       add(std::clamp(open.from, part.from, part.to), false);
       add(std::clamp(open.to, part.from, part.to), true);
     }

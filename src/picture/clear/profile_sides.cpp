@@ -24,7 +24,7 @@ constexpr std::size_t kBlock = 256;
 /// The lines on one side of a stroke at which is looked.
 struct Side {
   LineOnPage close, off;
-  std::vector<StrokePart> free{{0, 1}};
+  std::vector<FreePart> free{{0, 1}};
 };
 
 LatticePoint moved(LatticePoint p, Point2 by) {
@@ -38,17 +38,17 @@ Point2 across(LatticePoint from, LatticePoint to) {
   return size > 0 ? Point2{-d.y / size, d.x / size} : Point2{0, 0};
 }
 
-std::vector<StrokePart> common_parts(const std::vector<StrokePart>& a, const std::vector<StrokePart>& b) {
-  std::vector<StrokePart> common;
+std::vector<FreePart> common_parts(const std::vector<FreePart>& a, const std::vector<FreePart>& b) {
+  std::vector<FreePart> common;
   for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-    const StrokePart part{std::max(a[i].from, b[j].from), std::min(a[i].to, b[j].to)};
+    const FreePart part{std::max(a[i].from, b[j].from), std::min(a[i].to, b[j].to)};
     if (part.from < part.to) common.push_back(part);
     a[i].to < b[j].to ? ++i : ++j;
   }
   return common;
 }
 
-void add_part(std::vector<StrokePart>& parts, double from, double to) {
+void add_part(std::vector<FreePart>& parts, double from, double to) {
   if (!parts.empty() && parts.back().to == from) {
     parts.back().to = to;
   } else if (from < to) {
@@ -56,11 +56,11 @@ void add_part(std::vector<StrokePart>& parts, double from, double to) {
   }
 }
 
-std::vector<StrokePart> all_parts(std::vector<StrokePart> parts, const std::vector<StrokePart>& more) {
+std::vector<FreePart> all_parts(std::vector<FreePart> parts, const std::vector<FreePart>& more) {
   parts.insert(parts.end(), more.begin(), more.end());
-  std::sort(parts.begin(), parts.end(), [](const StrokePart& l, const StrokePart& r) { return l.from < r.from; });
-  std::vector<StrokePart> joined;
-  for (const StrokePart& part : parts) {
+  std::sort(parts.begin(), parts.end(), [](const FreePart& l, const FreePart& r) { return l.from < r.from; });
+  std::vector<FreePart> joined;
+  for (const FreePart& part : parts) {
     if (!joined.empty() && part.from <= joined.back().to) {
       joined.back().to = std::max(joined.back().to, part.to);
     } else {
@@ -192,7 +192,7 @@ double distance_mm(const StrokeModel& model, const Stroke& stroke, const Side& s
 }
 
 /// Adds the part of a stretch on which the facet that is seen lies farther behind the stroke than `least_mm`.
-void add_behind(std::vector<StrokePart>& parts, const Stroke& stroke, const SeenStretch& stretch, const Facet& facet,
+void add_behind(std::vector<FreePart>& parts, const Stroke& stroke, const SeenStretch& stretch, const Facet& facet,
                 const ProjectedScene& projected, double least_mm) {
   // How far the plane of the facet is behind the stroke itself is linear along it.
   const auto behind = [&](double t) {
@@ -247,7 +247,7 @@ std::vector<FreeParts> free_parts(const StrokeModel& model, std::span<const std:
       const Stroke& stroke = model.strokes[members[m]];
       for (Side& side : sides[m]) {
         if (side.free.empty()) continue;
-        std::vector<StrokePart> free;
+        std::vector<FreePart> free;
         for (const SeenStretch& stretch : seen[line]) {
           if (stretch.facet == kNone) {
             add_part(free, stretch.from, stretch.to);

@@ -15,14 +15,14 @@
 namespace ligne {
 
 /// A part of a stroke, by fractions of its length on the page.
-struct StrokePart {
+struct FreePart {
   double from = 0, to = 1;
 };
 
 /// Parts of a stroke that end what is seen.
 struct FreeParts {
-  std::vector<StrokePart> parts;  ///< in order and apart
-  double off_mm = 0;              ///< how far beside the stroke was looked; contours are drawn beside their mesh
+  std::vector<FreePart> parts;  ///< in order and apart
+  double off_mm = 0;            ///< how far beside the stroke was looked; contours are drawn beside their mesh
 };
 
 /// Per stroke of `members` the parts beside which, on one side at least, lies the sheet, or what `kind` says. Both close
