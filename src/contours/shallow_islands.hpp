@@ -8,9 +8,9 @@
 
 namespace ligne {
 
-/// On scans, turns areas round on which g has one sign, round which it has the other, and where the surface nowhere turns
-/// far across the sight: they are its grain, and their contours would be rings, one beside the other where a side of the
-/// body is seen edge on. O(corners of the patch).
+/// On scans, flips the sign of g on small islands of the opposite sign where the surface nowhere turns far across the line
+/// of sight. They are the grain of the scan: their contours would be rings side by side where the body is seen edge on.
+/// O(corners of the patch).
 void level_shallow_islands(SmoothPatch& patch, const Scene& scene, const Camera& camera, std::span<const ScanObject> scans);
 
 }  // namespace ligne

@@ -17,9 +17,9 @@
 namespace ligne {
 namespace {
 
-/// The run that gives a short run its class: over runs that are longer and longer, the first that is not short itself or has
-/// no longer one beside it.
-std::uint32_t giver(const StrokeLines& lines, std::uint32_t run, double least) {
+/// The run whose class a short run takes. Follows the longest neighbour until a run is long enough or has no longer
+/// neighbour.
+std::uint32_t class_donor(const StrokeLines& lines, std::uint32_t run, double least) {
   while (lines.run(run).length < least) {
     const std::uint32_t beside = lines.run(run).longest_beside;
     if (beside == StrokeLines::kNone || lines.run(beside).line_class == LineClass::mesh ||
@@ -169,7 +169,7 @@ std::size_t join_short_classes(StrokeModel& model, double least_mm) {
   for (const std::uint32_t i : lines.seen()) {
     const std::uint32_t run = lines.chain_of(i);
     if (lines.run(run).line_class == LineClass::mesh) continue;
-    const std::uint32_t from = giver(lines, run, least);
+    const std::uint32_t from = class_donor(lines, run, least);
     if (from == run) continue;
     joined += run == i;
     strokes[i].line_class = lines.run(from).line_class;

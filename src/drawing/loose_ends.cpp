@@ -14,24 +14,23 @@
 namespace ligne {
 namespace {
 
-// Adjustable: of the turn from a line into what joins it to the next; and that where the joint shows.
+/// Smallest cosine of the turn at a bridged gap, where ink hides it and where it is seen. Taste.
 constexpr double kLeastCosine = 0.5, kStraightCosine = 0.94;
-/// Adjustable: lines that are joined by what shows are so many times as long as that.
+/// A bridge that is seen needs lines at least this many times as long as itself. Taste.
 constexpr double kLongInGaps = 2;
-/// Adjustable: a joint that is so many gaps long is far. What is joined by it must be straighter and longer.
+/// Bridges of at least this many gaps are far: their lines must be straighter, and longer in proportion. Taste.
 constexpr double kFarPartInGaps = 3, kFarCosine = 0.985, kLongInFar = 4;
-/// Adjustable: pieces that lie in line with each other (4 degrees) may be shorter, where the joint is no longer than so many
-/// gaps: a rim of which every few facets are hidden is a row of such.
+/// Lines within 4 degrees of one line may be shorter in proportion, for bridges of up to this many gaps: a rim whose facets
+/// are hidden at intervals is a row of such lines. Taste.
 constexpr double kRowInGaps = 6, kRowCosine = 0.9976, kLongInRow = 1.5;
-/// Adjustable: what was joined may be long enough to be joined to more.
+/// Most rounds of joining: a joined line may have become long enough for another bridge.
 constexpr int kMostRounds = 3;
-/// Ends of lines that continue each other are rounded to the lattice one by one: so many steps apart, the way from one to
-/// the other says nothing.
+/// Two ends that are fewer lattice steps apart have no direction from one to the other: each is rounded by itself.
 constexpr double kRoundedSteps = 8;
-/// Chains whose ends may be joined to each other are so many gaps long, or a speck would be a ring.
+/// A chain whose own ends are joined has at least this many gaps, or a speck would become a ring.
 constexpr double kRingInGaps = 4;
 
-/// More than the roundings of a squared distance.
+/// Factor above the roundings of a squared distance.
 constexpr double kAbout = 1 + 0x1p-40;
 
 struct LooseEnd {

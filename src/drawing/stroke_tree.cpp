@@ -25,7 +25,7 @@ bool StrokeTree::suits(const std::vector<Stroke>& strokes, const std::vector<std
 }
 
 bool StrokeTree::suits_runs(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double tolerance) {
-  // Adjustable: of so many some are asked, and have so many on the average on which they lie.
+  // Samples the strokes; runs pay off where a stroke lies on kOnEach others on the average. Adjustable.
   constexpr std::size_t kFewest = 4096, kSample = 512, kAsked = 64, kOnEach = 8;
   if (of.size() < kFewest) return false;
   const auto sampled = [&](std::size_t k) -> const Stroke& { return strokes[of[k * of.size() / kSample]]; };

@@ -44,7 +44,7 @@ enum class Glass : std::uint8_t {
   opaque,    ///< they hide as others do
   left_out,  ///< they and the edges that only they have are no part of the study (VisibilityResult::left_out says how many)
   hides_nothing,  ///< they are drawn, and hide nothing
-  seen_through,   ///< the same, and Stroke::level tells what is behind how many of them
+  seen_through,   ///< they are drawn and hide nothing; Stroke::level counts those in front
 };
 
 struct MethodTraits {

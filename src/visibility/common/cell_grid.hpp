@@ -75,7 +75,7 @@ class CellGrid {
   const CellFacet* list(const Cell& cell) const { return arenas_[cell.arena].list.data() + cell.begin; }
   /// The plane of the facets of a leaf for which `one_plane` is true.
   const CommonPlane& plane_of(const Cell& cell) const;
-  /// By facet, of so many: 1 where it is in the list of any leaf. The others can not be seen, and hide nothing that is.
+  /// Per facet: 1 if any leaf lists it. The others can not be seen, and hide nothing visible.
   std::vector<std::uint8_t> listed(std::size_t facets) const;
   std::size_t entry_count() const;
   std::size_t leaf_count() const;

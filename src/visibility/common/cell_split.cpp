@@ -196,7 +196,7 @@ void CellGrid::Splitter::split(Cell& cell, const CellSquare& square, std::vector
   }
   // A line through the cell meets kSplitSide children. A child is split again if the children of this cell save work for
   // such a line, or if its own list is shorter than its parent's was: where many sides lie along one line no split helps.
-  // The leaves below the child are expected to have as many entries for one of its own as those of this cell have.
+  // The estimate assumes that the lists of a child grow at the ratio of this cell.
   const double growth = static_cast<double>(total) / static_cast<double>(inherited.size());
   const double parent = kGain * static_cast<double>(inherited.size());
   const bool all_gain = static_cast<double>(total) < parent * kSplitSide;

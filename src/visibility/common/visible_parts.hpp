@@ -56,9 +56,8 @@ class VisibleParts {
   }
 
   /// Finds the visible parts of the line, in order, disjoint; parts that touch are one. They are the caller's to change
-  /// until the next call. Afterwards near_side()
-  /// says whether a side of a facet in front of the line or level with it lies along the line; `by_sight`: along what
-  /// is seen of it, whatever is hidden and whatever cells the line passes.
+  /// until the next call. Afterwards near_side() says whether a side of a facet in front of the line or level with it lies
+  /// along the line; with `by_sight` only the visible part of the line is tested.
   std::vector<LinePart>& find(const PageLine& line);
   bool near_side() const { return near_side_; }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The edges of one part of the grid, from the nearest cell to the farthest: what is asked of what hides, and what becomes
-/// part of it.
+/// The edges of one part of the grid, from the nearest cell to the farthest: those tested against the horizons, and those
+/// that raise them.
 ///
 /// Notation. Positions are counted from the viewer: column c and row r grow away from it. Cell c of a strip between two rows
 /// has the corners
