@@ -71,9 +71,9 @@ void add_grid_options(OptionGroup& group, SurfaceRequest& request) {
   group.add(
       "--index", "N", request.data_set, [](const std::string& t) { return parse_count(t, 0, kMostDataSets); },
       "grid: the data set that is drawn, from 0, of a text with two blank lines between them (default: all)");
-  group.add("--layout", "matrix|frame|columns", request.layout, parse_layout,
-            "grid, table: all numbers are heights; or the first row and column are positions; or columns are x, y and z "
-            "(default: as names, blank lines and numbers let see)");
+  group.add("--layout", "matrix|frame|series|columns", request.layout, parse_layout,
+            "grid, table: all numbers are heights; or the first row and column are positions; or the first column is; or "
+            "columns are x, y and z (default: as names, blank lines and numbers let see)");
   group
       .add(
           "--band", "N", request.band, [](const std::string& t) { return parse_count(t, 1, kMostBands); },

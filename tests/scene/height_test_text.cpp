@@ -62,7 +62,7 @@ TEST(TextGrid, Errors) {
   EXPECT_EQ(grid_error("1,2\n3,abc\n"), "M:2: column 2: 'abc' is not a number");
   EXPECT_EQ(grid_error("a,b\n1,2\n"),
             "M:2: the columns a, b have names that do not say what they are; --using X:Y:Z says which columns are the "
-            "positions and the height, --layout matrix that all are heights");
+            "positions and the height, --layout matrix that all are heights, --layout series that all but the first are");
   EXPECT_EQ(grid_error("1\n2\n3\n"), "M: has 1 column and 3 rows; a grid has two of each or more");
   EXPECT_EQ(grid_error("1,2,4\n"), "M: has 3 columns and 1 row; a grid has two of each or more");
   EXPECT_EQ(grid_error("nan,nan\nnan,nan\n"), "M: holds no height, only places without one (NODATA)");
@@ -77,7 +77,7 @@ TEST(TextGrid, Errors) {
   EXPECT_EQ(
       grid_error("1 2 3 4\n5 6 7 8\n\n1 2 3 4\n"),
       "M:4: blank lines before this row of a matrix of 4 columns; blocks of x y z have three; --using X:Y:Z says which "
-      "columns are the positions and the height, --layout matrix that all are heights");
+      "columns are the positions and the height, --layout matrix that all are heights, --layout series that all but the first are");
   EXPECT_EQ(grid_error("v 1 2 3\nv 2 3 4\n"), "M: is a model (OBJ), not a grid of heights; draw it with: ligne draw");
 }
 

@@ -49,6 +49,81 @@ TEST(TableSurface, HeadsThatArePositions) {
   expect_grid(*grid("month,1950,1951,1952\nJan,1,2,3\nFeb,4,5,6\n", warnings), {1950, 1951, 1952}, {1, 2}, z);
 }
 
+/// Rows of a position from 20 downwards by halves, and of heights that are no line in any column.
+std::string series_text(const std::string& head, double offset = 0, double apart = 1) {
+  std::string text = head;
+  for (int row = 0; row < 9; ++row) {
+    text += std::to_string(20 - row * 0.5);
+    for (int k = 0; k < 3; ++k) text += "," + std::to_string(offset + row * row * 0.25 + k * apart);
+    text += "\n";
+  }
+  return text;
+}
+
+GridChoice with_layout(TableLayout layout) {
+  GridChoice choice;
+  choice.layout = layout;
+  return choice;
+}
+
+void expect_series(const HeightSource& source) {
+  ASSERT_EQ(source.x(), (std::vector<double>{0, 1, 2}));
+  ASSERT_EQ(source.y(), (std::vector<double>{16, 16.5, 17, 17.5, 18, 18.5, 19, 19.5, 20}));
+  EXPECT_EQ(heights_of(source)[0], (std::vector<double>{16, 17, 18})) << "the last row";
+}
+
+TEST(TableSurface, PositionsInTheFirstColumnBySteps) {
+  for (const char* head : {"", "\"a\",\"b\",\"c\",\"d\"\n", "V1,V2,V3,V4\n"}) {
+    SCOPED_TRACE(head);
+    Warnings warnings;
+    expect_series(*grid(series_text(head), warnings));
+    ASSERT_EQ(warnings.counts().size(), 1u);
+    EXPECT_NE(warnings.counts().begin()->first.find("taken for positions; --layout matrix: heights"), std::string::npos);
+  }
+  Warnings warnings;
+  EXPECT_EQ(surfaces(series_text(""), warnings, with_layout(TableLayout::matrix))[0].heights->x().size(), 4u);
+}
+
+TEST(TableSurface, PositionsInTheFirstColumnByNames) {
+  for (const char* head : {"wavelength,s1,s2,s3\n", "Wavelength (nm),s1,s2,s3\n", ",s1,s2,s3\n", "Unnamed: 0,a,b,c\n",
+                           "\"time\",\"a\",\"b\",\"c\"\n"}) {
+    SCOPED_TRACE(head);
+    Warnings warnings;
+    expect_series(*grid(series_text(head), warnings));
+  }
+  EXPECT_NE(grid_error(series_text("time,a,b,c\n")).find("--layout series that all but the first are"), std::string::npos);
+  // Positions need no even steps where their name says what they are.
+  Warnings warnings;
+  expect_grid(*grid("energy,s1,s2,s3\n1,5,2,9\n10,4,8,1\n100,0,3,2\n", warnings), {0, 1, 2}, {1, 10, 100},
+              {{5, 2, 9}, {4, 8, 1}, {0, 3, 2}});
+}
+
+TEST(TableSurface, ADoubtfulFirstColumnIsHeightsWithAWarning) {
+  // The first column is as near to the others as they are to each other.
+  Warnings warnings;
+  const std::string text = series_text("", 17, 3);
+  EXPECT_EQ(surfaces(text, warnings)[0].heights->x().size(), 4u);
+  EXPECT_EQ(warnings.lines(), std::vector<std::string>{"1 column (1) taken for heights; --layout series: positions"});
+  Warnings none;
+  EXPECT_EQ(surfaces(text, none, with_layout(TableLayout::series))[0].heights->y().front(), 16);
+  EXPECT_TRUE(none.lines().empty());
+}
+
+TEST(TableSurface, PlanesAndFewRowsAreHeightsWithoutAWarning) {
+  std::string plane, few;
+  for (int row = 0; row < 9; ++row) {
+    const std::string line =
+        std::to_string(row) + " " + std::to_string(100 + row) + " " + std::to_string(row * row) + " 4\n";
+    plane += line;
+    if (row < 7) few += line.substr(0, 2) + " 100 " + std::to_string(row * row % 5) + " 4\n";
+  }
+  EXPECT_EQ(grid(plane)->x().size(), 4u);
+  EXPECT_EQ(grid(few)->x().size(), 4u);
+  Warnings warnings;
+  EXPECT_EQ(error_line([&] { surfaces("1 2 3\n3 4 5\n2 5 6\n", warnings, with_layout(TableLayout::series)); }),
+            "M: has no positions in its first column: they neither ascend nor descend throughout");
+}
+
 TEST(TableSurface, AFirstRowBehindAWordHoldsNoHeights) {
   Warnings warnings;
   expect_grid(*grid("station,2000,2010,2020\nHof,1,2,3\nUlm,4,5,6\n", warnings), {2000, 2010, 2020}, {0, 1},
@@ -67,7 +142,7 @@ TEST(TableSurface, LongTablesOfAnyNames) {
   EXPECT_EQ(
       grid_error("mpg,cyl,hp\n21,6,110\n22,6,110\n21,6,112\n22,6,112\n"),
       "M:2: the columns mpg, cyl, hp have names that do not say what they are; --using X:Y:Z says which columns are the "
-      "positions and the height, --layout matrix that all are heights");
+      "positions and the height, --layout matrix that all are heights, --layout series that all but the first are");
 }
 
 TEST(TableSurface, FieldsOfRowsAndColumns) {
@@ -86,6 +161,9 @@ TEST(TableSurface, RepeatedFieldsAreAveragedAndNoMesh) {
   }
   expect_grid(*grid(text, warnings), {1, 2}, {1, 2}, {{2, 2}, {2, 2}});
   EXPECT_EQ(warnings.counts().at("points at the place of another one: heights averaged"), 4u);
+  Warnings more;
+  expect_grid(*grid("row,col,yield\n1,1,1\n1,2,2\n2,1,NA\n2,2,4\n1,1,3\n1,2,NA\n2,1,5\n2,2,NA\n", more), {1, 2}, {1, 2},
+              {{2, 2}, {5, 4}});
   EXPECT_EQ(grid_error("row,col,state\n1,1,Y\n1,2,N\n"),
             "M: has positions in columns col and row, and no column of heights; --points FILE marks them on a surface");
 }

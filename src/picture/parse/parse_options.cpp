@@ -231,8 +231,8 @@ GroundChoice parse_ground(const std::string& text) {
 }
 
 TableLayout parse_layout(const std::string& text) {
-  constexpr std::string_view kNames[] = {"matrix", "frame", "columns"};
-  constexpr TableLayout kLayouts[] = {TableLayout::matrix, TableLayout::frame, TableLayout::columns};
+  constexpr std::string_view kNames[] = {"matrix", "frame", "series", "columns"};
+  constexpr TableLayout kLayouts[] = {TableLayout::matrix, TableLayout::frame, TableLayout::series, TableLayout::columns};
   return kLayouts[parse_choice(text, kNames)];
 }
 

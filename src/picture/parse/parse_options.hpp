@@ -75,7 +75,7 @@ std::array<double, 2> parse_heights(const std::string& text);
 AspectRequest parse_aspect(const std::string& text);
 /// "metres" or "degrees".
 GroundChoice parse_ground(const std::string& text);
-/// "matrix", "frame" or "columns".
+/// "matrix", "frame", "series" or "columns".
 TableLayout parse_layout(const std::string& text);
 /// Three columns "X:Y:Z", or one: names, or numbers from 1.
 std::vector<std::string> parse_columns(const std::string& text);

@@ -32,6 +32,9 @@ class ArraySurface {
     if (arrays_.size() == 1 && z->name.empty() && z->shape[1] == 3 && choice_.layout != TableLayout::matrix) {
       if (std::optional<GridSurface> found = rows_of_points(*z)) return std::move(*found);
     }
+    if (arrays_.size() == 1) {
+      if (auto series = series_of(*z)) return {std::move(series), {}};
+    }
     const DataArray *x = positions(*z, 1), *y = positions(*z, 0);
     leave_out_others({z, x, y});
     if (x && y && x->shape.size() == 2 && y->shape.size() == 2) {
@@ -209,6 +212,21 @@ class ArraySurface {
     if (!are_points && choice_.layout != TableLayout::columns) return {};
     warnings_.add("columns of the array taken for x, y and z", 3);
     return surface_of({&columns[0], &columns[1], &columns[2]});
+  }
+
+  /// An array alone, whose first column is positions; null for others.
+  std::unique_ptr<HeightSource> series_of(const DataArray& array) {
+    const std::size_t columns = array.shape[1];
+    const bool is_chosen = choice_.layout == TableLayout::series;
+    if (columns < 3 || !(is_chosen || choice_.layout == TableLayout::automatic)) return nullptr;
+    const FirstColumn first = kind_of_first_column(array.values, columns);
+    if (!is_chosen && first == FirstColumn::doubtful)
+      warnings_.add("column (1) taken for heights; --layout series: positions");
+    if (!is_chosen && first != FirstColumn::positions) return nullptr;
+    auto series = series_of_rows(array.values, columns, name_, warnings_);
+    if (!series) throw InputError(name_, "has no positions in its first column: they neither ascend nor descend throughout");
+    if (!is_chosen) warnings_.add("column (1) taken for positions; --layout matrix: heights");
+    return series;
   }
 
   /// Arrays of one dimension and of one length.

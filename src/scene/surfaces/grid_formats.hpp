@@ -2,6 +2,7 @@
 /// The readers of grid files, one per format. All of them throw InputError("NAME[:LINE]: cause").
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -44,6 +45,10 @@ std::unique_ptr<HeightSource> read_grid(std::span<const std::byte> bytes, const 
 std::vector<GridSurface> read_text_surfaces(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
                                             const GridChoice& choice = {});
 
+/// One data set of a table.
+GridSurface surface_of_data_set(const Table& table, RowRange rows, const std::string& name, const GridChoice& choice,
+                                Warnings& warnings);
+
 /// Rows of a table as heights, by number from 0; `columns` are used, all in order where it is empty.
 std::unique_ptr<HeightSource> matrix_of_rows(const Table& table, RowRange rows, const std::vector<std::size_t>& columns,
                                              const std::string& name, Warnings& warnings);
@@ -55,6 +60,22 @@ std::unique_ptr<HeightSource> frame_of_names(const Table& table, RowRange rows, 
                                              const std::string& name, Warnings& warnings);
 /// gnuplot's "nonuniform matrix": the corner holds the number of the other columns.
 bool is_counted_frame(const Table& table, RowRange rows);
+
+/// How the first column of a matrix can be understood.
+enum class FirstColumn : std::uint8_t {
+  heights,
+  positions,  ///< it alone has even steps, and it differs from its neighbour far more than the others do from theirs
+  doubtful,   ///< it alone has even steps, and may be positions or heights
+};
+
+/// `values` are rows of `columns` numbers.
+FirstColumn kind_of_first_column(std::span<const double> values, std::size_t columns);
+/// Whether the numbers of a column, eight or more, ascend or descend by equal steps, up to the rounding of their digits.
+bool has_even_steps(std::span<const double> values, std::size_t columns, std::size_t column);
+/// Rows of `columns` numbers, of which the first is y and the others are heights over x = 0, 1, 2 ...; null where the first
+/// ones neither ascend nor descend.
+std::unique_ptr<HeightSource> series_of_rows(std::span<const double> values, std::size_t columns, const std::string& name,
+                                             Warnings& warnings);
 
 /// Heights row by row over positions that ascend or descend. Throws InputError for others.
 std::unique_ptr<HeightSource> heights_over(std::vector<double> x, std::vector<double> y, std::vector<double> z,

@@ -76,12 +76,14 @@ std::unique_ptr<HeightSource> grid_with_holes(const std::vector<Point3>& points,
   if (static_cast<double>(x.size()) * static_cast<double>(y.size()) > kMostPlaces * count) return nullptr;
   const std::size_t columns = x.size(), rows = y.size();
   std::vector<double> sum(columns * rows, 0);
-  std::vector<std::uint32_t> given(columns * rows, 0);
+  std::vector<std::uint32_t> given(columns * rows, 0), heights(columns * rows, 0);
   std::size_t repeated = 0;
   for (const Point3& p : points) {
     const std::size_t k = number_of(y, p.y) * columns + number_of(x, p.x);
-    sum[k] += p.z;
     repeated += given[k]++ > 0;
+    if (!std::isfinite(p.z)) continue;
+    sum[k] += p.z;
+    ++heights[k];
   }
   std::size_t cells = 0;
   for (std::size_t j = 0; j + 1 < rows; ++j) {
@@ -92,7 +94,7 @@ std::unique_ptr<HeightSource> grid_with_holes(const std::vector<Point3>& points,
   }
   const bool dense = cells > 0 && kPlacesPerPoint * count >= static_cast<double>(columns * rows);
   if (!dense && kPointsPerCell * static_cast<double>(cells) < count) return nullptr;
-  for (std::size_t k = 0; k < sum.size(); ++k) sum[k] = given[k] ? sum[k] / given[k] : kNoHeight;
+  for (std::size_t k = 0; k < sum.size(); ++k) sum[k] = heights[k] ? sum[k] / heights[k] : kNoHeight;
   if (repeated > 0) warnings.add("points at the place of another one: heights averaged", repeated);
   return held_heights(std::move(x), std::move(y), std::move(sum), SampleOrder::first_row_lowest(columns), name);
 }

@@ -68,6 +68,7 @@ enum class TableLayout : std::uint8_t {
   automatic,
   matrix,   ///< all numbers are heights
   frame,    ///< the first row and the first column are positions: gnuplot's "nonuniform matrix"
+  series,   ///< the first column is positions, all other numbers are heights
   columns,  ///< columns of x, y and z
 };
 

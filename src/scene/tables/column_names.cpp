@@ -20,8 +20,9 @@ constexpr std::array<std::string_view, 20> kZ{
     "topo", "topography", "bathymetry", "zvalue", "z_coord", "zcoord", "coord_z", "point_z", "elevations", "values"};
 constexpr std::array<std::string_view, 10> kLabels{"label", "name",  "station", "city", "town",
                                                    "place", "title", "text",    "site", "code"};
-constexpr std::array<std::string_view, 12> kPositions{"year",  "month",    "day",       "time", "hour",  "t",
-                                                      "depth", "distance", "frequency", "freq", "level", "date"};
+constexpr std::array<std::string_view, 18> kPositions{"year",  "month",    "day",        "time",        "hour",   "t",
+                                                      "depth", "distance", "wavelength", "frequency",   "freq",   "level",
+                                                      "date",  "nm",       "wavenumber", "wavelengths", "lambda", "energy"};
 constexpr std::array<std::string_view, 10> kUnits{"m",       "km",     "ft",     "feet",  "deg",
                                                   "degrees", "metres", "meters", "metre", "meter"};
 constexpr std::array<std::string_view, 12> kMonths{"january", "february", "march",     "april",   "may",      "june",
