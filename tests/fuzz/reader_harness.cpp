@@ -11,6 +11,7 @@
 #include "scene/readers/obj_materials.hpp"
 #include "scene/readers/reader.hpp"
 #include "scene/surfaces/grid_formats.hpp"
+#include "scene/surfaces/point_table.hpp"
 #include "support/standard.hpp"
 #include "visibility/registry.hpp"
 
@@ -93,6 +94,19 @@ void read_grid_as_fuzzer(std::span<const std::byte> bytes) {
       if (surface.mesh) {
         need(surface.mesh->points.size() == surface.mesh->columns * surface.mesh->rows, "meshes have all their points");
       }
+    }
+    for (const std::string& line : warnings.lines()) need(line.find('\n') == std::string::npos, "a warning is one line");
+  } catch (const InputError& error) {
+    need_one_line(error);
+  }
+}
+
+void read_points_as_fuzzer(std::span<const std::byte> bytes) {
+  try {
+    Warnings warnings;
+    for (const LabelledPoint& point : read_points(bytes, "fuzz", warnings)) {
+      need(std::isfinite(point.at.x) && std::isfinite(point.at.y), "points have a position");
+      need(std::isfinite(point.at.z) || std::isnan(point.at.z), "heights of points are finite, or none");
     }
     for (const std::string& line : warnings.lines()) need(line.find('\n') == std::string::npos, "a warning is one line");
   } catch (const InputError& error) {
@@ -223,6 +237,7 @@ void read_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
   if (kind == "tree") return read_tree_as_fuzzer(bytes);
   if (kind == "zbuf") return read_zbuffer_as_fuzzer(bytes);
   if (kind == "grid") return read_grid_as_fuzzer(bytes);
+  if (kind == "points") return read_points_as_fuzzer(bytes);
   if (kind == "hgt" || kind == "tiff") return read_terrain_as_fuzzer(kind, bytes);
   if (kind == "formula") return read_formula_as_fuzzer(bytes);
   if (kind == "mtl") return read_mtl_as_fuzzer(bytes);

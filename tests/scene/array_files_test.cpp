@@ -1,28 +1,16 @@
 // Binary files of arrays, JSON, grids of Surfer and archives, made here byte by byte.
 
-#include <bit>
-#include <cstring>
-
-#include <zlib.h>
-
+#include "array_builder.hpp"
 #include "height_tools.hpp"
 
 namespace ligne {
 namespace {
 
+using namespace array_test;
 using namespace height_test;
 using namespace std::string_literals;
 
 const std::vector<std::vector<double>> kHeights{{1, 2, 3}, {4, 5, 6}};
-
-template <typename Number>
-std::string raw(Number value, std::endian order = std::endian::little) {
-  std::string bytes(sizeof value, '\0');
-  std::memcpy(bytes.data(), &value, sizeof value);
-  if (order != std::endian::native) std::reverse(bytes.begin(), bytes.end());
-  return bytes;
-}
-std::string big(std::uint32_t value) { return raw(value, std::endian::big); }
 
 GridSurface read(const std::string& text, Warnings& warnings, const GridChoice& choice = {}) {
   auto surfaces = read_surfaces(reader_test::bytes_of(text), "M", warnings, {}, nullptr, choice);
@@ -35,21 +23,6 @@ std::unique_ptr<HeightSource> heights(const std::string& text, const GridChoice&
 }
 std::string error_of(const std::string& text, const GridChoice& choice = {}) {
   return error_line([&] { heights(text, choice); });
-}
-
-std::string npy(const std::string& descr, const std::string& shape, const std::string& data, char version = 1,
-                const std::string& order = "False") {
-  const std::string header = "{'descr': '" + descr + "', 'fortran_order': " + order + ", 'shape': (" + shape + "), }\n";
-  const std::string length =
-      version == 1 ? raw(static_cast<std::uint16_t>(header.size())) : raw(static_cast<std::uint32_t>(header.size()));
-  return std::string("\x93NUMPY") + version + '\0' + length + header + data;
-}
-
-template <typename Number>
-std::string numbers(std::initializer_list<double> values, std::endian order = std::endian::little) {
-  std::string bytes;
-  for (const double value : values) bytes += raw(static_cast<Number>(value), order);
-  return bytes;
 }
 
 TEST(Npy, TypesOrdersAndVersions) {
@@ -82,6 +55,17 @@ TEST(Npy, LayersPointsAndErrors) {
   EXPECT_EQ(error_of(npy("<f8", "9223372036854775807, 9223372036854775807", "")),
             "M: is truncated: it speaks of more than the 0 bytes that are left");
   EXPECT_EQ(error_of("\x93NUMPY"), "M: is truncated: the numpy header ends early");
+}
+
+TEST(Npy, PositionsInTheFirstColumn) {
+  std::string values;
+  for (int row = 0; row < 9; ++row) values += numbers<double>({400. - row, row * row * 0.25, row % 2 + 0., 1});
+  const auto source = heights(npy("<f8", "9, 4", values));
+  EXPECT_EQ(source->x().size(), 3u);
+  EXPECT_EQ(source->y().front(), 392);
+  GridChoice matrix;
+  matrix.layout = TableLayout::matrix;
+  EXPECT_EQ(heights(npy("<f8", "9, 4", values), matrix)->x().size(), 4u);
 }
 
 /// A classic file with the coordinates lon and lat (descending), and z of two bytes with a scale and a fill value.
@@ -122,33 +106,6 @@ TEST(Netcdf, CoordinatesScalesAndFillValues) {
   GridChoice choice;
   choice.using_columns = {"height"};
   EXPECT_EQ(error_of(whole, choice), "M: has no array 'height': there are lat, lon, z");
-}
-
-std::string mat_element(std::uint32_t type, const std::string& data) {
-  return raw(type) + raw(static_cast<std::uint32_t>(data.size())) + data + std::string((8 - data.size() % 8) % 8, '\0');
-}
-std::string mat_matrix(const std::string& name, std::int32_t rows, std::int32_t columns, const std::string& data,
-                       std::uint32_t array_class = 6) {
-  return mat_element(14, mat_element(6, raw(array_class) + raw(std::uint32_t{0})) +
-                             mat_element(5, raw(rows) + raw(columns)) + mat_element(1, name) + mat_element(9, data));
-}
-std::string mat_head() {
-  std::string head = "MATLAB 5.0 MAT-file, by hand";
-  head.resize(124, ' ');
-  return head + raw(std::uint16_t{0x0100}) + "IM";
-}
-std::string deflated(const std::string& text, int window) {
-  z_stream stream{};
-  deflateInit2(&stream, 6, Z_DEFLATED, window, 8, Z_DEFAULT_STRATEGY);
-  std::string out(text.size() + 1000, '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
-  stream.avail_in = static_cast<uInt>(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  deflate(&stream, Z_FINISH);
-  out.resize(stream.total_out);
-  deflateEnd(&stream);
-  return out;
 }
 
 TEST(Matlab, MatricesPlainAndCompressed) {

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "files/named_input.hpp"
-#include "scene/readers/reader.hpp"
 #include "scene/readers/text_lines.hpp"
+#include "scene/surfaces/data_file.hpp"
 #include "scene/surfaces/grid_formats.hpp"
 #include "scene/surfaces/held_heights.hpp"
 #include "scene/surfaces/thinned_heights.hpp"
@@ -18,31 +18,8 @@
 namespace ligne {
 namespace {
 
-/// As much of a file as is looked at for bytes that no text has.
-constexpr std::size_t kLookedAt = 65536;
-
-/// A Netpbm picture: 'P', a digit, white space. Returns the digit, 0 for other files.
-char netpbm_kind(std::string_view chars) {
-  const bool is_netpbm = chars.size() >= 3 && chars[0] == 'P' && chars[1] >= '1' && chars[1] <= '7' &&
-                         (is_blank(chars[2]) || chars[2] == '\n' || chars[2] == '\r' || chars[2] == '#');
-  return is_netpbm ? chars[1] : '\0';
-}
-
-#ifdef LIGNE_HAVE_GDAL
-constexpr bool kHasGdal = true;
-#else
-constexpr bool kHasGdal = false;
-#endif
-
-/// Whether the bytes are a TIFF in either byte order and size, or HDF5, which is told by its name where GDAL is not in the
-/// build: what has bands.
-bool is_for_gdal(std::string_view chars) {
-  static constexpr std::array<std::string_view, 4> kMarks{std::string_view("II*\0", 4), std::string_view("MM\0*", 4),
-                                                          std::string_view("II+\0", 4), std::string_view("MM\0+", 4)};
-  const bool is_tiff =
-      std::any_of(kMarks.begin(), kMarks.end(), [&](std::string_view mark) { return chars.starts_with(mark); });
-  return is_tiff || (kHasGdal && chars.starts_with("\x89HDF"));
-}
+/// What errors say that other files are not.
+constexpr char kWanted[] = "a grid of heights";
 
 /// Positions as far apart as degrees of a grid of the earth are, and no more of them than there are on it.
 constexpr double kWidestStepOfDegrees = 0.25, kMostLongitude = 360, kMostLatitude = 90;
@@ -50,17 +27,6 @@ constexpr double kWidestStepOfDegrees = 0.25, kMostLongitude = 360, kMostLatitud
 std::unique_ptr<HeightSource> with_unit(std::unique_ptr<HeightSource> heights, GroundUnit unit) {
   heights->set_unit(unit);
   return heights;
-}
-
-/// Throws InputError when the bytes are a model, or a file of another known kind.
-void refuse_models(std::span<const std::byte> bytes, const std::string& name) {
-  std::string format;
-  try {
-    format = to_string(detect_format(bytes, "", name));
-  } catch (const InputError&) {
-    return;  // not a model
-  }
-  throw InputError(name, "is a model (" + format + "), not a grid of heights; draw it with: ligne draw");
 }
 
 std::unique_ptr<HeightSource> read_raster(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
@@ -78,7 +44,7 @@ std::unique_ptr<HeightSource> read_raster(std::span<const std::byte> bytes, cons
 /// A model as ZIP archive is no archive of a grid.
 std::optional<UnpackedFile> unpacked_grid(std::span<const std::byte> bytes, const std::string& name) {
   const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (chars.starts_with("PK\x03\x04")) refuse_models(bytes, name);
+  if (chars.starts_with("PK\x03\x04")) refuse_models(bytes, name, kWanted);
   return unpacked(bytes, name);
 }
 
@@ -99,21 +65,6 @@ std::unique_ptr<HeightSource> read_picture(std::span<const std::byte> bytes, con
   InputFiles unasked;
   if (is_for_gdal(chars)) return read_raster(bytes, name, warnings, file, opened ? *opened : unasked, choice);
   return nullptr;
-}
-
-/// Files of named arrays; nothing for other bytes.
-std::optional<std::vector<DataArray>> read_arrays(std::span<const std::byte> bytes, const std::string& name,
-                                                  const GridChoice& choice, Warnings& warnings) {
-  const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (is_npy(chars)) return std::vector<DataArray>{read_npy(bytes, name)};
-  if (is_classic_netcdf(chars)) return read_netcdf(bytes, name, choice.data_set.value_or(0));
-  if (is_matlab(chars)) return read_matlab(bytes, name, warnings);
-  if (!may_be_json(chars)) return {};
-  // Models in JSON have a key of their own.
-  const bool is_model = chars.substr(0, kLookedAt).find("\"asset\"") != std::string_view::npos ||
-                        chars.substr(0, kLookedAt).find("\"format\"") != std::string_view::npos;
-  if (is_model) refuse_models(bytes, name);
-  return read_json_arrays(bytes, name, warnings);
 }
 
 /// The one surface of most formats.
@@ -171,15 +122,14 @@ std::vector<GridSurface> read_surfaces(std::span<const std::byte> bytes, const s
   }
   if (auto heights = read_picture(bytes, name, warnings, file, opened, choice)) return alone(std::move(heights));
   const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (auto arrays = read_arrays(bytes, name, choice, warnings)) {
+  if (auto arrays = read_arrays(bytes, name, choice.data_set.value_or(0), kWanted, warnings)) {
     std::vector<GridSurface> surfaces;
     surfaces.push_back(surface_of_arrays(std::move(*arrays), name, choice, warnings));
     return surfaces;
   }
   if (const auto stranger = data_stranger(chars)) throw InputError(name, *stranger);
-  refuse_models(bytes, name);
-  const bool is_utf16 = chars.starts_with("\xFF\xFE") || chars.starts_with("\xFE\xFF");
-  if (!is_utf16 && chars.substr(0, kLookedAt).find('\0') != std::string_view::npos) {
+  refuse_models(bytes, name, kWanted);
+  if (!may_be_text(chars)) {
     throw InputError(name,
                      "not a grid file that is known (tables as text, ESRI ASCII grid, PGM, PNG, GeoTIFF, Surfer, npy, "
                      "netCDF, MATLAB, JSON)");

@@ -7,15 +7,21 @@
 
 #include "files/message_text.hpp"
 #include "scene/readers/text_lines.hpp"
+#include "scene/surfaces/data_file.hpp"
 #include "scene/surfaces/grid_formats.hpp"
+#include "scene/surfaces/point_arrays.hpp"
 #include "scene/tables/column_names.hpp"
 #include "scene/tables/table.hpp"
+#include "scene/tables/unpack.hpp"
 
 namespace ligne {
 namespace {
 
 /// A page has no room for the points of a larger file.
 constexpr std::uintmax_t kMostBytes = 1u << 26;
+
+/// No column.
+constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
 
 /// The rows of a table as points.
 class PointColumnsReader {
@@ -41,11 +47,11 @@ class PointColumnsReader {
     }
     const std::vector<std::string> cells = table_.cells(row);
     if (by_names_) {
-      if (z_) point.at.z = number(values, *z_);
-      if (label_ && *label_ < cells.size()) point.label = label_at(cells);
+      if (z_ != kNoColumn) point.at.z = number(values, z_);
+      if (label_ < cells.size()) point.label = label_at(cells);
       // Rows without z may be a cell shorter.
-      const bool is_short = z_ && std::isnan(point.at.z) && *z_ < cells.size() && point.label.empty();
-      if (is_short && cell_value(cells[*z_], table_.style().numbers).kind == CellKind::word) point.label = cells[*z_];
+      const bool is_short = std::isnan(point.at.z) && z_ < cells.size() && point.label.empty();
+      if (is_short && cell_value(cells[z_], table_.style().numbers).kind == CellKind::word) point.label = cells[z_];
     } else {
       take_rest(values, cells, point);
     }
@@ -60,9 +66,9 @@ class PointColumnsReader {
 
   /// Blanks that separate cells also stand within a label at the end of the row.
   std::string label_at(const std::vector<std::string>& cells) const {
-    std::string label = cells[*label_];
-    const bool is_last = *label_ + 1 == table_.names().size();
-    for (std::size_t k = *label_ + 1; is_last && table_.style().separator == ' ' && k < cells.size(); ++k) {
+    std::string label = cells[label_];
+    const bool is_last = label_ + 1 == table_.names().size();
+    for (std::size_t k = label_ + 1; is_last && table_.style().separator == ' ' && k < cells.size(); ++k) {
       label += " " + cells[k];
     }
     return label;
@@ -71,10 +77,10 @@ class PointColumnsReader {
   void take_names(const NamedColumns& named) {
     x_ = *named.x;
     y_ = *named.y;
-    z_ = named.z;
-    label_ = named.label;
+    z_ = named.z.value_or(kNoColumn);
+    label_ = named.label.value_or(kNoColumn);
     const auto is_used = [&](std::size_t k) { return k == x_ || k == y_ || k == z_ || k == label_; };
-    for (std::size_t k = 0; k < table_.columns() && !label_; ++k) {
+    for (std::size_t k = 0; k < table_.columns() && label_ == kNoColumn; ++k) {
       if (!is_used(k) && table_.column(k).is_text()) label_ = k;
     }
     constexpr std::size_t kMostNames = 8;
@@ -122,27 +128,69 @@ class PointColumnsReader {
       if (cells[next].empty()) continue;
       point.label += (point.label.empty() ? "" : between) + cells[next];
     }
-    if (point.label.empty() && label_) point.label = cells[*label_];
+    if (point.label.empty() && label_ < cells.size()) point.label = cells[label_];
   }
 
   const Table& table_;
   const std::string& name_;
   Warnings& warnings_;
   bool by_names_ = false;
-  std::size_t x_ = 0, y_ = 0;
-  std::optional<std::size_t> z_, label_;
+  std::size_t x_ = 0, y_ = 0, z_ = kNoColumn, label_ = kNoColumn;
 };
+
+/// Points of a file, in its order: nothing for a row without a position. Lines end with the blocks.
+struct PointFile {
+  std::vector<std::optional<LabelledPoint>> rows;
+  std::vector<RowRange> blocks;
+};
+
+PointFile points_of_table(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings) {
+  const Table table = read_table(as_text(bytes, name), name, warnings);
+  PointColumnsReader reader(table, name, warnings);
+  PointFile points{{}, table.blocks()};
+  for (std::size_t row = 0; row < table.rows(); ++row) points.rows.push_back(reader.point(row));
+  return points;
+}
+
+/// Tells the format by content, as read_surfaces() does.
+PointFile read_point_file(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings) {
+  constexpr char kWanted[] = "a file of points";
+  const std::string_view chars = as_characters(bytes);
+  if (bytes.empty()) throw InputError(name, "is empty");
+  if (chars.starts_with("PK\x03\x04")) refuse_models(bytes, name, kWanted);
+  if (const std::optional<UnpackedFile> inner = unpacked(bytes, name)) {
+    if (unpacked(inner->bytes, name)) throw InputError(name, "is an archive within an archive: unpack it");
+    return read_point_file(inner->bytes, name, warnings);
+  }
+  if (const auto raster = raster_name(chars, name)) {
+    throw InputError(name, "is " + *raster + ", which holds heights and no points: --grid draws it");
+  }
+  std::vector<TextColumn> texts;
+  if (const auto arrays = read_arrays(bytes, name, 0, kWanted, warnings, &texts)) {
+    PointFile points{points_of_arrays(*arrays, texts, name, warnings), {}};
+    points.blocks.push_back({0, points.rows.size()});
+    return points;
+  }
+  if (const auto stranger = data_stranger(chars)) throw InputError(name, *stranger);
+  refuse_models(bytes, name, kWanted);
+  if (!may_be_text(chars)) {
+    throw InputError(name, "not a file of points that is known (tables as text, npy, netCDF, MATLAB, JSON)");
+  }
+  return points_of_table(bytes, name, warnings);
+}
 
 }  // namespace
 
 std::vector<LabelledPoint> read_points(const std::string& file, InputFiles& opened, Warnings& warnings) {
   const std::string name = printable(file);
-  const std::vector<std::byte> bytes = read_input(file, name, opened, kMostBytes);
-  const Table table = read_table(as_text(bytes, name), name, warnings);
-  PointColumnsReader reader(table, name, warnings);
+  return read_points(read_input(file, name, opened, kMostBytes), name, warnings);
+}
+
+std::vector<LabelledPoint> read_points(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings) {
+  PointFile found = read_point_file(bytes, name, warnings);
   std::vector<LabelledPoint> points;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (auto point = reader.point(row)) points.push_back(std::move(*point));
+  for (std::optional<LabelledPoint>& point : found.rows) {
+    if (point) points.push_back(std::move(*point));
   }
   if (points.empty()) throw InputError(name, "has no points: rows of x, y, and, if not on the surface, z");
   return points;
@@ -150,15 +198,13 @@ std::vector<LabelledPoint> read_points(const std::string& file, InputFiles& open
 
 std::vector<std::vector<Point3>> read_lines(const std::string& file, InputFiles& opened, Warnings& warnings) {
   const std::string name = printable(file);
-  const std::vector<std::byte> bytes = read_input(file, name, opened, kMostBytes);
-  const Table table = read_table(as_text(bytes, name), name, warnings);
-  PointColumnsReader reader(table, name, warnings);
+  const PointFile points = read_point_file(read_input(file, name, opened, kMostBytes), name, warnings);
   std::vector<std::vector<Point3>> lines;
   std::size_t labels = 0;
-  for (const RowRange& block : table.blocks()) {
+  for (const RowRange& block : points.blocks) {
     lines.emplace_back();
     for (std::size_t row = block.begin; row < block.end; ++row) {
-      const auto point = reader.point(row);
+      const std::optional<LabelledPoint>& point = points.rows[row];
       if (!point && !lines.back().empty()) lines.emplace_back();
       if (!point) continue;
       labels += !point->label.empty();

@@ -1,6 +1,8 @@
 #pragma once
-/// Files of points and of lines in the space of a surface, read as tables (docs/data-formats.md).
+/// Files of points and of lines in the space of a surface: tables and files of arrays (docs/data-formats.md).
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,9 @@ struct LabelledPoint {
 /// "x y", "x y z", "x y label" or "x y z label", perhaps with a label before. What is not used is counted in `warnings`.
 /// Throws InputError("FILE:LINE: cause").
 std::vector<LabelledPoint> read_points(const std::string& file, InputFiles& opened, Warnings& warnings);
+
+/// Points of the bytes of a file, whose format is told by content; `name` stands in error messages.
+std::vector<LabelledPoint> read_points(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
 
 /// Reads such rows as lines, which end at blank lines and at rows without a position. Labels are left out.
 std::vector<std::vector<Point3>> read_lines(const std::string& file, InputFiles& opened, Warnings& warnings);

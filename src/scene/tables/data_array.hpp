@@ -22,6 +22,12 @@ struct DataArray {
   std::size_t layers = 1;
 };
 
+/// A column of words, such as the names of places.
+struct TextColumn {
+  std::string name;
+  std::vector<std::string> cells;  ///< empty where a row has none
+};
+
 /// The number of elements; throws InputError where they would take more than `bytes`, with `bytes_each` for one.
 std::size_t element_count(std::span<const std::size_t> shape, std::size_t bytes_each, std::size_t bytes,
                           const std::string& name);
@@ -43,8 +49,10 @@ std::vector<DataArray> read_netcdf(std::span<const std::byte> bytes, const std::
 bool is_matlab(std::string_view bytes);
 std::vector<DataArray> read_matlab(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
 
-/// JSON: rows of numbers, objects of arrays or columns, lists of records, figures of plotly.
+/// JSON: rows of numbers, objects of arrays or columns, lists of records, figures of plotly. Columns of words go to `texts`;
+/// where that is null they are left out, by name.
 bool may_be_json(std::string_view text);
-std::vector<DataArray> read_json_arrays(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
+std::vector<DataArray> read_json_arrays(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
+                                        std::vector<TextColumn>* texts = nullptr);
 
 }  // namespace ligne

@@ -19,6 +19,9 @@ namespace {
 using Json = nlohmann::json;
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
+/// Records may lack members, but a column for each member of the first record takes at most this many times their memory.
+constexpr std::size_t kMostCellsPerMember = 100;
+
 /// Python writes NaN and Infinity, which JSON does not know.
 std::string with_nulls(std::string_view text) {
   std::string out;
@@ -57,7 +60,8 @@ std::optional<double> number_of(const Json& value) {
 
 class JsonArrays {
  public:
-  JsonArrays(const std::string& name, Warnings& warnings) : name_(name), warnings_(warnings) {}
+  JsonArrays(const std::string& name, Warnings& warnings, std::vector<TextColumn>* texts)
+      : name_(name), warnings_(warnings), texts_(texts) {}
 
   std::vector<DataArray> read(const Json& document) {
     const Json* root = &document;
@@ -98,7 +102,7 @@ class JsonArrays {
   void take_object(const Json& object) {
     for (const auto& [key, value] : object.items()) {
       if (value.is_array()) {
-        if (!add_array(key, value)) left_out(key);
+        if (!add_array(key, value)) add_texts(key, {value.begin(), value.end()});
       } else if (value.is_object()) {
         add_column_of_object(key, value);
       }
@@ -121,55 +125,67 @@ class JsonArrays {
   void take_records(const Json& list) {
     std::vector<std::string> keys;
     for (const auto& [key, value] : list[0].items()) keys.push_back(key);
+    std::size_t members = 0;
+    for (const Json& record : list) members += record.is_object() ? record.size() : 0;
+    if (keys.size() * list.size() > kMostCellsPerMember * (members + list.size()))
+      throw InputError(name_, "is a JSON list of records in which most members are missing");
     for (const std::string& key : keys) {
-      DataArray column{key, {list.size()}, {}};
-      bool is_numbers = true;
+      std::vector<Json> cells;
       for (const Json& record : list) {
         if (!record.is_object()) throw InputError(name_, "is a JSON list of records and of something else");
         const auto found = record.find(key);
-        const std::optional<double> value = found == record.end() ? kMissing : number_of(*found);
-        is_numbers = is_numbers && value;
-        column.values.push_back(value.value_or(kMissing));
+        cells.push_back(found == record.end() ? Json() : *found);
       }
-      if (is_numbers)
-        arrays_.push_back(std::move(column));
-      else
-        left_out(key);
+      add_column(key, cells);
     }
   }
 
   /// Rows of cells beneath names.
   void take_rows(const Json& rows, const Json& names) {
     for (std::size_t k = 0; k < names.size(); ++k) {
-      DataArray column{names[k].is_string() ? names[k].get<std::string>() : names[k].dump(), {rows.size()}, {}};
-      bool is_numbers = true;
+      std::vector<Json> cells;
       for (const Json& row : rows) {
         if (!row.is_array() || row.size() != names.size())
           throw InputError(name_, "is a JSON table whose rows are not as long as its columns");
-        const std::optional<double> value = number_of(row[k]);
-        is_numbers = is_numbers && value;
-        column.values.push_back(value.value_or(kMissing));
+        cells.push_back(row[k]);
       }
-      if (is_numbers)
-        arrays_.push_back(std::move(column));
-      else
-        left_out(column.name);
+      add_column(names[k].is_string() ? names[k].get<std::string>() : names[k].dump(), cells);
     }
+  }
+
+  /// Numbers, or words where one cell is none.
+  void add_column(const std::string& key, const std::vector<Json>& cells) {
+    DataArray column{key, {cells.size()}, {}};
+    for (const Json& cell : cells) {
+      const std::optional<double> value = number_of(cell);
+      if (!value) return add_texts(key, cells);
+      column.values.push_back(*value);
+    }
+    arrays_.push_back(std::move(column));
+  }
+
+  void add_texts(const std::string& key, const std::vector<Json>& cells) {
+    TextColumn column{key, {}};
+    for (const Json& cell : cells) {
+      if (!texts_ || cell.is_structured()) return left_out(key);
+      column.cells.push_back(cell.is_string() ? cell.get<std::string>() : cell.is_null() ? std::string() : cell.dump());
+    }
+    texts_->push_back(std::move(column));
   }
 
   /// {"0": 1.5, "1": 2.5}, as pandas writes columns.
   void add_column_of_object(const std::string& key, const Json& object) {
-    DataArray column{key, {object.size()}, {}};
     // The members are ordered by their text: "10" comes before "2".
-    std::vector<std::pair<double, double>> values;
+    std::vector<std::pair<double, const Json*>> rows;
     for (const auto& [row, cell] : object.items()) {
-      const std::optional<double> number = number_in(row), value = number_of(cell);
-      if (!number || !value) return left_out(key);
-      values.emplace_back(*number, *value);
+      const std::optional<double> number = number_in(row);
+      if (!number) return left_out(key);
+      rows.emplace_back(*number, &cell);
     }
-    std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (const auto& [row, value] : values) column.values.push_back(value);
-    if (!column.values.empty()) arrays_.push_back(std::move(column));
+    std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Json> cells;
+    for (const auto& [row, cell] : rows) cells.push_back(*cell);
+    if (!cells.empty()) add_column(key, cells);
   }
 
   /// False for what is no list of numbers and no list of lists of equally many.
@@ -201,6 +217,7 @@ class JsonArrays {
 
   const std::string& name_;
   Warnings& warnings_;
+  std::vector<TextColumn>* texts_;
   std::vector<DataArray> arrays_;
 };
 
@@ -212,7 +229,8 @@ bool may_be_json(std::string_view text) {
   return begin != std::string_view::npos && (text[begin] == '{' || text[begin] == '[');
 }
 
-std::vector<DataArray> read_json_arrays(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings) {
+std::vector<DataArray> read_json_arrays(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
+                                        std::vector<TextColumn>* texts) {
   Json document;
   try {
     document = Json::parse(with_nulls(as_text(bytes, name)));
@@ -221,7 +239,7 @@ std::vector<DataArray> read_json_arrays(std::span<const std::byte> bytes, const 
   } catch (const Json::exception& error) {
     throw InputError(name, std::string("JSON: ") + error.what());
   }
-  return JsonArrays(name, warnings).read(document);
+  return JsonArrays(name, warnings, texts).read(document);
 }
 
 }  // namespace ligne
