@@ -319,9 +319,10 @@ TextBox label_box(const TextItem& label, TextStyle style) {
 
 Polylines without_boxes(const Polylines& lines, std::span<const TextBox> boxes) {
   if (boxes.empty()) return lines;
+  // Cells of the mean size: among the marks of many points a long label must not make them wide.
   double size = 0;
-  for (const TextBox& box : boxes) size = std::max({size, bounds(box).width(), bounds(box).height()});
-  BoxGrid grid(size);
+  for (const TextBox& box : boxes) size += (bounds(box).width() + bounds(box).height()) / 2;
+  BoxGrid grid(size / static_cast<double>(boxes.size()));
   for (std::uint32_t i = 0; i < boxes.size(); ++i) grid.add(bounds(boxes[i]), i);
   Polylines kept;
   std::vector<Point2> piece;
@@ -345,10 +346,11 @@ Polylines without_boxes(const Polylines& lines, std::span<const TextBox> boxes) 
       cuts.clear();
       grid.any_near(box, [&](std::uint32_t n) {
         const auto part = inside(boxes[n], a, b);
-        if (part && std::find(cuts.begin(), cuts.end(), *part) == cuts.end()) cuts.push_back(*part);
+        if (part) cuts.push_back(*part);
         return false;
       });
       std::sort(cuts.begin(), cuts.end());
+      cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
       for (const auto& [from, to] : cuts) {
         cut = true;
         if (k == 1 && from <= 0) whole_start = false;

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "picture/marks/box_grid.hpp"
 #include "picture/marks/contour_labels.hpp"
+#include "picture/marks/point_tree.hpp"
 #include "plotting/stroke_text.hpp"
 
 namespace ligne {
@@ -13,6 +15,7 @@ namespace {
 constexpr double kBeforeMm = 0.2, kProbeMm = 0.02;  ///< a point that much behind the surface is on it, to the eye
 // In heights of capitals.
 constexpr double kMarkPart = 0.45, kBesidePart = 0.4;
+constexpr double kCellHeights = 2;  ///< side of the cells in which the boxes of texts are listed
 
 /// Where a label may stand: to the right, to the left, above, below, and between these.
 struct LabelPlace {
@@ -24,6 +27,30 @@ constexpr LabelPlace kLabelPlaces[] = {{1, -1, TextAcross::left, TextUp::base}, 
                                        {1, 0, TextAcross::left, TextUp::middle},  {-1, 0, TextAcross::right, TextUp::middle},
                                        {1, 1, TextAcross::left, TextUp::top},     {-1, 1, TextAcross::right, TextUp::top},
                                        {0, -1, TextAcross::center, TextUp::base}, {0, 1, TextAcross::center, TextUp::top}};
+
+/// Boxes of texts, which do not overlap each other.
+class TakenPlaces {
+ public:
+  explicit TakenPlaces(double cell_mm) : grid_(cell_mm) {}
+
+  void add(const TextBox& box) {
+    grid_.add(bounds_of(box), static_cast<std::uint32_t>(boxes_.size()));
+    boxes_.push_back(box);
+  }
+  bool is_taken(const TextBox& box) const {
+    return grid_.any_near(bounds_of(box), [&](std::uint32_t i) { return overlap(boxes_[i], box); });
+  }
+
+ private:
+  static Rect bounds_of(const TextBox& box) {
+    Rect rect;
+    for (const Point2 p : box.corners()) rect.extend(p);
+    return rect;
+  }
+
+  BoxGrid grid_;
+  std::vector<TextBox> boxes_;
+};
 
 }  // namespace
 
@@ -69,25 +96,29 @@ std::vector<TextItem> mark_points(Drawing& drawing, const std::vector<MarkedPoin
                                   std::span<const TextItem> taken) {
   Layer layer{"points", {}};
   std::vector<TextItem> labels;
-  std::vector<TextBox> boxes, gaps;
-  for (const TextItem& item : taken) boxes.push_back(text_box(item, text_extent(item.text, item.height_mm, style)));
+  std::vector<TextBox> gaps;
+  std::vector<Point2> marks;
+  const double r = kMarkPart * h;
+  TakenPlaces places(kCellHeights * h);
+  for (const TextItem& item : taken) places.add(text_box(item, text_extent(item.text, item.height_mm, style)));
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!seen[i]) continue;
     const Point2 p = page_point(view, points[i].at);
-    const double r = kMarkPart * h;
     for (const Point2 d : {Point2{r, r}, Point2{r, -r}}) layer.lines.add(std::array{p - d, p + d});
-    boxes.push_back({p, {r, r}, 0});
-    gaps.push_back(boxes.back());
+    marks.push_back(p);
+    gaps.push_back({p, {r, r}, 0});
   }
+  const PointTree tree(std::move(marks));
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!seen[i] || points[i].label.empty()) continue;
     const Point2 p = page_point(view, points[i].at);
+    const TextExtent extent = text_extent(points[i].label, h, style);
     for (const LabelPlace& side : kLabelPlaces) {
       const double away = (kMarkPart + kBesidePart) * h;
       const TextItem item{points[i].label, p + Point2{side.x * away, side.y * away}, h, side.across, side.up, 0};
-      TextBox box = text_box(item, text_extent(item.text, h, style));
-      if (std::any_of(boxes.begin(), boxes.end(), [&](const TextBox& other) { return overlap(other, box); })) continue;
-      boxes.push_back(box);
+      TextBox box = text_box(item, extent);
+      if (places.is_taken(box) || tree.any_within(box.center, box.half + Point2{r, r})) continue;
+      places.add(box);
       box.half += Point2{kBesidePart * h / 2, kBesidePart * h / 2};
       gaps.push_back(box);
       labels.push_back(item);

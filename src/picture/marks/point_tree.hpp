@@ -1,0 +1,33 @@
+#pragma once
+/// Points of the page in a tree that tells whether any of them lies in a rectangle.
+
+#include <cstddef>
+#include <vector>
+
+#include "geometry/point.hpp"
+
+namespace ligne {
+
+/// A k-d tree [Bentley1975]: n log n to build, and a question takes the root of n at the most, also where points coincide.
+class PointTree {
+ public:
+  explicit PointTree(std::vector<Point2> points);
+
+  /// Whether a point is nearer to `center` than `half` along both axes.
+  bool any_within(Point2 center, Point2 half) const { return !nodes_.empty() && any_within(0, center, half); }
+
+ private:
+  /// Points [begin, end) and their bounds; children are `left` and left + 1, 0 for leaves.
+  struct Node {
+    std::size_t begin = 0, end = 0, left = 0;
+    Rect bounds;
+  };
+
+  void build();
+  bool any_within(std::size_t node, Point2 center, Point2 half) const;
+
+  std::vector<Point2> points_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace ligne
