@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 7> kRead{"KHR_mesh_quantization", kDracoE
                                                 kGlossinessExtension};
 
 /// Families and names that change how a surface shines, its textures, animations or notes, but no line.
-constexpr std::array<std::string_view, 11> kHarmlessPrefixes{"KHR_materials_",
+constexpr std::array<std::string_view, 16> kHarmlessPrefixes{"KHR_materials_",
                                                              "KHR_texture_",
                                                              "EXT_texture_",
                                                              "MSFT_texture_",
@@ -29,6 +29,11 @@ constexpr std::array<std::string_view, 11> kHarmlessPrefixes{"KHR_materials_",
                                                              "KHR_xmp",
                                                              "KHR_audio",
                                                              "EXT_structural_",
+                                                             "EXT_mesh_features",
+                                                             "EXT_instance_features",
+                                                             "KHR_node_selectability",
+                                                             "KHR_node_hoverability",
+                                                             "KHR_interactivity",
                                                              "AGI_"};
 /// Lights are not read, but geometry does not need them.
 constexpr std::array<std::string_view, 2> kLightPrefixes{"KHR_lights_", "EXT_lights_"};
