@@ -2,43 +2,36 @@
 
 #include "drawing/shading.hpp"
 #include "drawing/span_areas.hpp"
+#include "measures.hpp"
 #include "support/test.hpp"
 
 namespace ligne {
 namespace {
 
-double area_of(const Region& region) {
-  double twice = 0;
-  for (const std::vector<Point2>& contour : region.contours) {
-    for (std::size_t i = 0; i < contour.size(); ++i) {
-      const Point2 p = contour[i], q = contour[(i + 1) % contour.size()];
-      twice += p.x * q.y - p.y * q.x;
-    }
-  }
-  return std::abs(twice) / 2;
-}
+double area(const Region& region) { return std::abs(test::area_of(region)); }
 
 double area_of(const std::vector<Region>& regions, std::uint32_t face) {
   return std::accumulate(regions.begin(), regions.end(), 0.0,
-                         [&](double sum, const Region& r) { return r.face == face ? sum + area_of(r) : sum; });
+                         [&](double sum, const Region& r) { return r.face == face ? sum + area(r) : sum; });
 }
 
-/// How far the area is from having a corner there.
-double from_corner(const Region& region, Point2 at) {
-  double least = 1e9;
-  for (const Point2 p : region.contours.at(0)) least = std::min(least, std::hypot(p.x - at.x, p.y - at.y));
-  return least;
+/// The outer contour has a corner within `within` of each of these places.
+void expect_corners(const Region& region, std::initializer_list<Point2> corners, double within) {
+  for (const Point2 at : corners) {
+    double least = 1e9;
+    for (const Point2 p : region.contours.at(0)) least = std::min(least, glm::distance(p, at));
+    EXPECT_LT(least, within) << at.x << " " << at.y;
+  }
 }
 
 /// Lines half a millimetre apart, with the spans that `of_height` gives.
 SpanModel scanned(const std::function<std::vector<Span>(double)>& of_height) {
   SpanModel model{{0.25, 0.5, 100}, {}};
-  for (std::uint32_t line = 0; line < model.lines.count; ++line) {
+  for (std::uint32_t line = 0; line < model.lines.count; ++line)
     for (Span span : of_height(model.lines.y_mm(line))) {
       span.line = line;
       if (span.x_from < span.x_to) model.spans.push_back(span);
     }
-  }
   return model;
 }
 
@@ -56,11 +49,9 @@ TEST(SpanAreas, CornersBetweenTheLinesAreFoundWhereSidesMeet) {
   ASSERT_EQ(areas.size(), 1u);
   EXPECT_EQ(areas[0].face, 7u);
   ASSERT_EQ(areas[0].contours.size(), 1u);
-  for (const Point2 corner : {Point2{20, 3.1}, {31, 17.4}, {20, 40.6}, {11, 12.9}}) {
-    EXPECT_LT(from_corner(areas[0], corner), kRightMm) << corner.x << " " << corner.y;
-  }
+  expect_corners(areas[0], {{20, 3.1}, {31, 17.4}, {20, 40.6}, {11, 12.9}}, kRightMm);
   EXPECT_LE(areas[0].contours[0].size(), 10u);
-  EXPECT_NEAR(area_of(areas[0]), 20 * 37.5 / 2, 0.1);
+  EXPECT_NEAR(area(areas[0]), 20 * 37.5 / 2, 0.1);
 }
 
 TEST(SpanAreas, LevelBordersLieHalfWayBetweenTwoLines) {
@@ -68,11 +59,11 @@ TEST(SpanAreas, LevelBordersLieHalfWayBetweenTwoLines) {
     return y < 10 || y > 20 ? std::vector<Span>{} : std::vector<Span>{{0, 5, 8, 0}};
   }));
   ASSERT_EQ(areas.size(), 1u);
-  EXPECT_NEAR(area_of(areas[0]), 30, 1e-9);
-  for (const Point2 corner : {Point2{5, 10}, {8, 10}, {8, 20}, {5, 20}}) EXPECT_LT(from_corner(areas[0], corner), 1e-9);
+  EXPECT_NEAR(area(areas[0]), 30, 1e-9);
+  expect_corners(areas[0], {{5, 10}, {8, 10}, {8, 20}, {5, 20}}, 1e-9);
 }
 
-/// What lies before a face divides it: no part of it is lost, and none is there twice.
+/// A face before another divides it: no part of it is lost, and none is there twice.
 TEST(SpanAreas, AFaceBehindAnother) {
   const SpanModel model = scanned([](double y) {
     if (y < 5 || y > 45) return std::vector<Span>{};
@@ -84,11 +75,8 @@ TEST(SpanAreas, AFaceBehindAnother) {
   EXPECT_EQ(areas.size(), 5u);
   EXPECT_NEAR(area_of(areas, 2), 200, 0.01);
   EXPECT_NEAR(area_of(areas, 1), 1400, 0.5);
-  for (const Region& area : areas) {
-    if (area.face != 2) continue;
-    for (const Point2 corner : {Point2{25, 15.1}, {35, 25.1}, {25, 35.1}, {15, 25.1}})
-      EXPECT_LT(from_corner(area, corner), kRightMm) << corner.x << " " << corner.y;
-  }
+  for (const Region& region : areas)
+    if (region.face == 2) expect_corners(region, {{25, 15.1}, {35, 25.1}, {25, 35.1}, {15, 25.1}}, kRightMm);
 }
 
 TEST(SpanAreas, TwoPartsOfOneFaceOneBelowTheOther) {
@@ -115,17 +103,18 @@ SpanModel spans() {
 }
 
 const std::vector<double> kBrightness{0.0, 0.6, 1.0};
+using Gray = std::vector<std::uint8_t>;
+
+/// These pixels, each by its number and what it has.
+void expect_pixels(const GrayPicture& picture, std::initializer_list<std::pair<std::size_t, int>> pixels) {
+  for (const auto& [number, gray] : pixels) EXPECT_EQ(picture.gray.at(number), gray) << "pixel " << number;
+}
 
 TEST(Shading, PixelsAreMixedAtTheEndsOfSpans) {
   const GrayPicture p = shade(spans(), kBrightness, 16, 16, 1);
   ASSERT_EQ(p.gray.size(), 256u);
-  EXPECT_EQ(p.gray[0], 255);
-  EXPECT_EQ(p.gray[2], 0);
-  EXPECT_EQ(p.gray[5], 0);
-  EXPECT_EQ(p.gray[6], 153);
-  EXPECT_EQ(p.gray[9], 204);  // half of it
-  EXPECT_EQ(p.gray[10], 255);
-  EXPECT_EQ(p.gray[12], 255);
+  // The span covers half of pixel 9.
+  expect_pixels(p, {{0, 255}, {2, 0}, {5, 0}, {6, 153}, {9, 204}, {10, 255}, {12, 255}});
 }
 
 TEST(Shading, SpansBesideThePictureAreCut) {
@@ -133,35 +122,30 @@ TEST(Shading, SpansBesideThePictureAreCut) {
   m.lines = {0, 1, 9};
   m.spans = {{0, -5, 100, 0}, {7, 0, 1, 0}};
   const GrayPicture p = shade(m, kBrightness, 3, 2, 1);
-  EXPECT_EQ(p.gray, (std::vector<std::uint8_t>{0, 0, 0, 255, 255, 255}));
+  EXPECT_EQ(p.gray, (Gray{0, 0, 0, 255, 255, 255}));
 }
 
-TEST(Shading, NothingSeenIsWhite) { EXPECT_EQ(shade(SpanModel{}, {}, 2, 1, 1).gray, (std::vector<std::uint8_t>{255, 255})); }
+TEST(Shading, NothingSeenIsWhite) { EXPECT_EQ(shade(SpanModel{}, {}, 2, 1, 1).gray, (Gray{255, 255})); }
 
 /// Two by two pixels of a millimetre, the first at (1, 1) of the page; nothing is seen in the last.
 PixelModel pixels() { return {2, 2, {1, 1}, 1, {0, 1, 2, 0xffffffffu}, {0, 0, 0, 0}}; }
 
 TEST(Shading, PixelsOfTheSameSizeAreCopied) {
-  const GrayPicture p = shade(pixels(), kBrightness, 4, 3, 1);
-  EXPECT_EQ(p.gray, (std::vector<std::uint8_t>{255, 255, 255, 255, 255, 0, 153, 255, 255, 255, 255, 255}));
+  EXPECT_EQ(shade(pixels(), kBrightness, 4, 3, 1).gray, (Gray{255, 255, 255, 255, 255, 0, 153, 255, 255, 255, 255, 255}));
 }
 
 TEST(Shading, PixelsOfAnotherSizeAreMixed) {
   // The one pixel of 4 mm covers all four: 1 - (1 + 0.4) / 16.
-  EXPECT_EQ(shade(pixels(), kBrightness, 1, 1, 0.25).gray, (std::vector<std::uint8_t>{233}));
-  const GrayPicture fine = shade(pixels(), kBrightness, 8, 6, 2);
-  EXPECT_EQ(fine.gray[2 * 8 + 1], 255);
-  EXPECT_EQ(fine.gray[2 * 8 + 2], 0);
-  EXPECT_EQ(fine.gray[3 * 8 + 3], 0);
-  EXPECT_EQ(fine.gray[3 * 8 + 4], 153);
-  EXPECT_EQ(fine.gray[3 * 8 + 6], 255);
+  EXPECT_EQ(shade(pixels(), kBrightness, 1, 1, 0.25).gray, (Gray{233}));
+  expect_pixels(shade(pixels(), kBrightness, 8, 6, 2),
+                {{2 * 8 + 1, 255}, {2 * 8 + 2, 0}, {3 * 8 + 3, 0}, {3 * 8 + 4, 153}, {3 * 8 + 6, 255}});
 }
 
 TEST(Shading, PixelsThatStayWhereTheyLie) {
   PixelModel model = pixels();
   model.pixel_mm = 0.5;
   const GrayPicture p = gray_pixels(model, kBrightness);
-  EXPECT_EQ(p.gray, (std::vector<std::uint8_t>{0, 153, 255, 255}));
+  EXPECT_EQ(p.gray, (Gray{0, 153, 255, 255}));
   EXPECT_EQ(p.width, 2u);
   EXPECT_EQ(p.corner_mm, (Point2{1, 1}));
   EXPECT_EQ(p.pixel_mm, 0.5);

@@ -1,4 +1,4 @@
-/// What is left out of the outlines of scans: short ones by themselves, and those that leave an outline and lead nowhere.
+/// Outlines of scans that are left out: short ones by themselves, and those that leave an outline and lead nowhere.
 #include "drawing/flecks.hpp"
 #include "drawing/spurs.hpp"
 #include "stroke_builder.hpp"

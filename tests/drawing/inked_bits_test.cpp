@@ -59,22 +59,20 @@ TEST(InkedBits, BecomeHiddenWhereHiddenLinesAreDrawn) {
   EXPECT_FALSE(m.strokes[1].visible);
 }
 
-/// What drop_inked_bits() is to find: every bit against every line, every end against every end.
+/// A plain search for the same: every bit against every line, every end against every end.
 std::vector<Stroke> left_by_all_pairs(const StrokeModel& m, const InkLimits& limits) {
   const StrokeLines lines(m.strokes);
   const auto is_short = [&](std::uint32_t i) { return lines.run(lines.chain_of(i)).length < limits.longest_mm; };
   DisjointSets groups(m.strokes.size());
-  for (const std::uint32_t i : lines.seen()) {
+  for (const std::uint32_t i : lines.seen())
     for (const std::uint32_t k : lines.seen()) {
       if (!is_short(i) || !is_short(k)) continue;
       groups.join(i, lines.chain_of(i));
       for (const LatticePoint p : {m.strokes[i].from, m.strokes[i].to}) {
-        for (const LatticePoint q : {m.strokes[k].from, m.strokes[k].to}) {
+        for (const LatticePoint q : {m.strokes[k].from, m.strokes[k].to})
           if (std::hypot(double(p.x) - q.x, double(p.y) - q.y) <= limits.ink_mm) groups.join(i, k);
-        }
       }
     }
-  }
   std::vector<double> shown(m.strokes.size(), 0);
   std::vector<bool> touches(m.strokes.size(), false);
   for (const std::uint32_t i : lines.seen()) {
@@ -128,7 +126,7 @@ TEST(InkedBits, AreThoseOfAllPairs) {
   EXPECT_GT(kept, 1000u);
 }
 
-/// Lines along the edges of scans, drawn as one smooth line.
+// Lines along the edges of scans, drawn as one smooth line.
 
 constexpr std::uint32_t kScan = 1, kOther = 2;
 
@@ -156,9 +154,8 @@ std::vector<LatticePoint> zigzag(std::int32_t count) {
 std::int32_t widest(const StrokeModel& drawing, std::int32_t x_from, std::int32_t x_to) {
   std::int32_t most = 0;
   for (const Stroke& s : drawing.strokes) {
-    for (const LatticePoint p : {s.from, s.to}) {
+    for (const LatticePoint p : {s.from, s.to})
       if (p.x > x_from && p.x < x_to) most = std::max(most, std::abs(p.y));
-    }
   }
   return most;
 }
@@ -190,20 +187,15 @@ TEST(SmoothLines, OfOtherThingsStay) {
   EXPECT_EQ(drawing.strokes[5].from, strokes[5].from);
 }
 
-TEST(SmoothLines, StayWhereOthersMeetThem) {
+TEST(SmoothLines, StayWhereOthersMeetThemAndWhereTheyBecomeHidden) {
   const std::vector<LatticePoint> points = zigzag(21);
-  std::vector<Stroke> strokes = strokes_along(points);
-  strokes.push_back(stroke(points[10], {10000, 9000}, LineClass::outline, kOther));
-  StrokeModel drawing = model(strokes);
+  std::vector<Stroke> met = strokes_along(points), ends_hidden = met;
+  met.push_back(stroke(points[10], {10000, 9000}, LineClass::outline, kOther));
+  for (std::size_t i = 10; i < ends_hidden.size(); ++i) ends_hidden[i] = hidden(ends_hidden[i]);
+  StrokeModel drawing = model(met);
   EXPECT_EQ(smooth(drawing), 18u);
   EXPECT_EQ(drawing.strokes[9].from, points[10]);
-}
-
-TEST(SmoothLines, StayWhereTheyBecomeHidden) {
-  const std::vector<LatticePoint> points = zigzag(21);
-  std::vector<Stroke> strokes = strokes_along(points);
-  for (std::size_t i = 10; i < strokes.size(); ++i) strokes[i] = hidden(strokes[i]);
-  StrokeModel drawing = model(strokes);
+  drawing = model(ends_hidden);
   EXPECT_EQ(smooth(drawing), 18u);
   EXPECT_EQ(drawing.strokes[10].from, points[10]);
 }
@@ -229,9 +221,8 @@ TEST(SmoothLines, KeepTheCornersOfARing) {
   points.push_back(points.front());
   StrokeModel drawing = model(strokes_along(points));
   smooth(drawing);
-  for (const LatticePoint corner : {LatticePoint{10000, 0}, {10000, 10000}, {0, 10000}, {0, 0}}) {
+  for (const LatticePoint corner : {LatticePoint{10000, 0}, {10000, 10000}, {0, 10000}, {0, 0}})
     EXPECT_TRUE(std::ranges::any_of(drawing.strokes, [&](const Stroke& s) { return s.from == corner || s.to == corner; }));
-  }
   EXPECT_LT(std::abs(drawing.strokes[1].to.y), 150);
   EXPECT_LT(std::abs(drawing.strokes.back().from.y), 150) << "before the place where it begins";
 }

@@ -14,13 +14,17 @@ std::size_t joined(StrokeModel& m) { return join_loose_ends(m, {100, 250, 50}, n
 std::size_t join_far(StrokeModel& m) { return join_loose_ends(m, {100, 900, 50}, no_source); }
 StrokeModel creases(const std::string& text) { return sketch(text, LineClass::crease); }
 
+void expect_last(const StrokeModel& m, LatticePoint from, LatticePoint to) {
+  EXPECT_EQ(m.strokes.back().from, from);
+  EXPECT_EQ(m.strokes.back().to, to);
+}
+
 TEST(LooseEnds, AreJoined) {
   StrokeModel m = creases("#3 0,0 1000,0; #4 2000,30 1050,20");
   m.edge_count = 10;
   EXPECT_EQ(joined(m), 1u);
   ASSERT_EQ(m.strokes.size(), 3u);
-  EXPECT_EQ(m.strokes[2].from, (LatticePoint{1000, 0}));
-  EXPECT_EQ(m.strokes[2].to, (LatticePoint{1050, 20}));
+  expect_last(m, {1000, 0}, {1050, 20});
   EXPECT_EQ(m.strokes[2].source, 10u) << "a source of its own";
   EXPECT_EQ(m.intersections.size(), 1u);
   EXPECT_EQ(make_drawing(m).layers.at(0).lines.size(), 1u);
@@ -79,7 +83,7 @@ TEST(LooseEnds, TheHiddenLineBetweenThemGoes) {
   EXPECT_EQ(m.strokes.size(), 4u);
 }
 
-/// Lines that end a little before the line that they run into.
+// Lines that end a little before the line that they run into.
 
 std::size_t extend(StrokeModel& strokes) {
   return extend_short_ends(strokes, {.reach_mm = 20, .touching_mm = 1}, [](const Stroke&) { return SourceEdge{}; });
@@ -91,8 +95,7 @@ StrokeModel before_a_wall(const std::string& text) { return sketch(text + "; #1 
 TEST(ShortEnds, GoOnToTheLineBeforeThem) {
   StrokeModel m = before_a_wall("0,0 90,0");
   EXPECT_EQ(extend(m), 1u);
-  EXPECT_EQ(m.strokes.back().from, (LatticePoint{90, 0}));
-  EXPECT_EQ(m.strokes.back().to, (LatticePoint{100, 0}));
+  expect_last(m, {90, 0}, {100, 0});
   EXPECT_EQ(m.strokes.back().line_class, LineClass::outline);
   EXPECT_EQ(m.intersections.size(), 1u);
 }
@@ -110,8 +113,7 @@ TEST(ShortEnds, TurnToTheLineBesideWhichTheyEnd) {
   };
   StrokeModel beside = with("50,4 200,4");
   EXPECT_EQ(extend(beside), 1u);
-  EXPECT_EQ(beside.strokes.back().from, (LatticePoint{90, 0}));
-  EXPECT_EQ(beside.strokes.back().to, (LatticePoint{101, 4})) << "by 20 degrees";
+  expect_last(beside, {90, 0}, {101, 4});  // by 20 degrees
   StrokeModel begins = with("105,4 200,10");
   EXPECT_EQ(extend(begins), 1u) << "not once from either end";
   EXPECT_EQ(begins.strokes.back().to, (LatticePoint{105, 4}));
@@ -158,7 +160,7 @@ double visible_mm(const StrokeModel& m) {
   return sum;
 }
 
-/// What is done to the strokes in words, how many millimetres of them are visible then, and how many strokes there are.
+/// The change of the strokes in words, how many millimetres of them are visible then, and how many strokes there are.
 void expect_bits(const std::string& strokes, std::size_t (*change)(StrokeModel&, double), std::size_t changes,
                  double visible, std::size_t count) {
   StrokeModel m = creases_of_100(strokes);

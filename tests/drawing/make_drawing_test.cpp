@@ -22,9 +22,8 @@ Lines mesh_lines(const std::string& text) { return mesh_lines(sketch(text)); }
 
 double total_length(const Lines& lines) {
   double sum = 0;
-  for (const Line& line : lines) {
+  for (const Line& line : lines)
     for (std::size_t i = 1; i < line.size(); ++i) sum += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
-  }
   return sum;
 }
 
@@ -89,24 +88,20 @@ TEST(MakeDrawing, DoesNotJoinAcrossLayersOrAcrossTheSmallestGap) {
 std::vector<Stroke> random_mesh(int n, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::map<std::pair<int, int>, LatticePoint> vertex;
-  for (int i = 0; i <= n; ++i) {
-    for (int j = 0; j <= n; ++j) {
-      vertex[{i, j}] = {i * 1000 + int(random() % 300), j * 1000 + int(random() % 300)};
-    }
-  }
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j) vertex[{i, j}] = {i * 1000 + int(random() % 300), j * 1000 + int(random() % 300)};
   std::vector<Stroke> strokes;
   const auto add = [&](int i, int j, int k, int l) {
     LatticePoint a = vertex[{i, j}], b = vertex[{k, l}];
     if (random() % 2) std::swap(a, b);
     strokes.push_back(stroke(a, b));
   };
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       add(i, j, i + 1, j);
       add(i, j, i, j + 1);
       add(i, j, i + 1, j + 1);
     }
-  }
   std::shuffle(strokes.begin(), strokes.end(), random);
   return strokes;
 }
@@ -128,9 +123,8 @@ TEST(MakeDrawing, KeepsEveryStrokeOfAMeshOnce) {
     const Lines lines = mesh_lines(model(strokes));
     EXPECT_LT(lines.size(), strokes.size() / 6) << "hardly anything was joined";
     EXPECT_NEAR(total_length(lines), length, 1e-9 * length);
-    for (const Line& line : lines) {
+    for (const Line& line : lines)
       for (std::size_t i = 1; i < line.size(); ++i) --balance[key(line[i - 1], line[i])];
-    }
     // Jitter leaves no three points in line, but by chance; then a longer piece stands for two.
     int unmatched = 0;
     for (const auto& [segment, count] : balance) unmatched += count != 0;

@@ -8,7 +8,7 @@
 namespace ligne {
 namespace {
 
-// What holds for every index of segments to which insert() and erase() are known, and from which query() finds those that
+// These hold for every index of segments to which insert() and erase() are known, and from which query() finds those that
 // may overlap one.
 
 /// The numbers of the segments found, in order, each once.
@@ -116,15 +116,19 @@ TEST(StrokeOverlap, AWedgeDoesNotCoincide) {
 }
 
 TEST(StrokeIndex, WhatIsErasedIsFoundNoMoreAndItsEndsServeOthers) {
-  StrokeIndex index(1000, 10);
-  expect_erased_segments_gone(index);
+  StrokeIndex cells(1000, 10);
+  StrokeTree tree(10);
+  expect_erased_segments_gone(cells);
+  expect_erased_segments_gone(tree);
 }
 
-/// So many that its cells are refined.
+/// So many that cells of the index are refined.
 TEST(StrokeIndex, InACrowdAllThatOverlapAreFound) {
   constexpr double kTolerance = 20;
-  StrokeIndex index(2000, kTolerance);
-  expect_overlaps_found_in_a_crowd(index, kTolerance);
+  StrokeIndex cells(2000, kTolerance);
+  StrokeTree tree(kTolerance);
+  expect_overlaps_found_in_a_crowd(cells, kTolerance);
+  expect_overlaps_found_in_a_crowd(tree, kTolerance);
 }
 
 /// Half of the lines end where all pass: of the thousands near each of them only those are found that may lie on it.
@@ -161,18 +165,7 @@ TEST(WalkedCell, IsNoHairWhereStrokesAreLong) {
   }
 }
 
-TEST(StrokeTree, WhatIsErasedIsFoundNoMoreAndItsEndsServeOthers) {
-  StrokeTree index(10);
-  expect_erased_segments_gone(index);
-}
-
-TEST(StrokeTree, InACrowdAllThatOverlapAreFound) {
-  constexpr double kTolerance = 20;
-  StrokeTree index(kTolerance);
-  expect_overlaps_found_in_a_crowd(index, kTolerance);
-}
-
-/// What one segment is held against does not grow with what crosses it, nor with what lies beside it.
+/// The comparisons of one segment do not grow with the number of those that cross it or lie beside it.
 TEST(StrokeTree, OfThousandsThroughOnePointAndSideBySideFewAreFound) {
   constexpr double kTolerance = 4;
   constexpr int kCount = 20'000, kLength = 1'000'000;
@@ -237,9 +230,8 @@ TEST(PointTree, VisitsWhatLiesInTheBoxesThatAreEntered) {
         [&](std::uint32_t k) { found.push_back(k); });
     std::sort(found.begin(), found.end());
     EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
-    for (std::uint32_t k = 0; k < points.size(); ++k) {
+    for (std::uint32_t k = 0; k < points.size(); ++k)
       if (PointBox{points[k], points[k]}.squared_distance(p) <= reach * reach) expected.push_back(k);
-    }
     EXPECT_TRUE(std::includes(found.begin(), found.end(), expected.begin(), expected.end()));
     if (i < 5) {
       EXPECT_LT(found.size(), points.size() / 4);

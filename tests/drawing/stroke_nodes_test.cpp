@@ -24,9 +24,8 @@ std::vector<Stroke> random_strokes(std::size_t count, std::uint32_t side) {
 void expect_all_places(std::size_t count, std::uint32_t side) {
   const std::vector<Stroke> strokes = random_strokes(count, side);
   std::vector<std::uint32_t> members;
-  for (std::uint32_t i = 0; i < count; ++i) {
+  for (std::uint32_t i = 0; i < count; ++i)
     if (i % 3 != 0) members.push_back(i);
-  }
   std::map<LatticePoint, Ends> expected;
   for (std::uint32_t i = 0; i < members.size(); ++i) {
     expected[strokes[members[i]].from].push_back(2 * i);
@@ -160,20 +159,15 @@ void expect_connected(const StrokeArc& arc) {
   }
 }
 
-TEST(StrokeArcs, ALineOfManyStrokesIsOneArc) {
-  const auto found = arcs("200,0 100,50; 0,0 100,50; 200,0 300,0");
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].parts.size(), 3u);
-  EXPECT_FALSE(found[0].closed);
-  expect_connected(found[0]);
-}
-
-TEST(StrokeArcs, ARingWithoutAJunctionIsClosed) {
-  const auto found = arcs("0,0 100,0; 100,100 100,0; 0,0 100,100");
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_TRUE(found[0].closed);
-  EXPECT_EQ(found[0].parts.size(), 3u);
-  expect_connected(found[0]);
+TEST(StrokeArcs, ALineOfManyStrokesIsOneArcAndARingIsClosed) {
+  for (const auto& [strokes, closed] :
+       {std::pair("200,0 100,50; 0,0 100,50; 200,0 300,0", false), {"0,0 100,0; 100,100 100,0; 0,0 100,100", true}}) {
+    const auto found = arcs(strokes);
+    ASSERT_EQ(found.size(), 1u) << strokes;
+    EXPECT_EQ(found[0].parts.size(), 3u) << strokes;
+    EXPECT_EQ(found[0].closed, closed) << strokes;
+    expect_connected(found[0]);
+  }
 }
 
 TEST(StrokeArcs, EndAtJunctions) {
@@ -182,15 +176,9 @@ TEST(StrokeArcs, EndAtJunctions) {
   ASSERT_EQ(found.size(), 5u);
   for (const StrokeArc& arc : found) EXPECT_EQ(arc.parts.size(), 1u);
   double cut = 0;
-  for (const StrokeArc& arc : found) {
+  for (const StrokeArc& arc : found)
     if (arc.parts[0].stroke == 0 && arc.parts[0].from == 0) cut = arc.parts[0].to;
-  }
   EXPECT_NEAR(cut, 0.4, 1e-9);
-}
-
-TEST(StrokeArcs, EndWhereALineEndsBesideACorner) {
-  const auto found = arcs("0,0 1000,0 2000,300; 1001,-1 1400,-700");
-  EXPECT_EQ(found.size(), 3u);
 }
 
 TEST(StrokeArcs, EndAtCrossings) {
@@ -202,8 +190,9 @@ TEST(StrokeArcs, EndAtCrossings) {
   }
 }
 
-TEST(StrokeArcs, WhatPassesIsNoJunction) {
+TEST(StrokeArcs, OfLinesThatEndBesideAnother) {
   EXPECT_EQ(arcs("0,0 1000,0; 500,10 500,500").size(), 2u) << "an end beside it";
+  EXPECT_EQ(arcs("0,0 1000,0 2000,300; 1001,-1 1400,-700").size(), 3u) << "an end beside a corner is one";
   EXPECT_TRUE(arcs("5,5 5,5").empty());
 }
 

@@ -15,13 +15,12 @@ constexpr double kTolerance = 3;
 
 std::vector<Partners> by_all_pairs(const std::vector<Stroke>& strokes) {
   std::vector<bool> some(strokes.size());
-  for (std::size_t i = 0; i < strokes.size(); ++i) {
+  for (std::size_t i = 0; i < strokes.size(); ++i)
     for (std::size_t k = i + 1; k < strokes.size(); ++k) {
       const Stroke &a = strokes[i], &b = strokes[k];
       if (!a.may_coincide && !b.may_coincide) continue;
       if (overlap(a.from, a.to, b.from, b.to, kTolerance)) some[i] = some[k] = true;
     }
-  }
   std::vector<Partners> result;
   for (const bool s : some) result.push_back(s ? Partners::some : Partners::none);
   return result;
@@ -77,22 +76,21 @@ std::vector<Stroke> clustered(std::uint32_t seed, int count, int page, int short
 
 const std::uint32_t kSeeds = test::runs_all() ? 10 : 4;
 
-TEST(StrokePartners, OfAllLengths) {
-  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed)
-    expect_found(clustered(seed, seed % 2 == 0 ? 700 : 3000, 5'000, 50, 60'000), seed);
-}
-
-TEST(StrokePartners, OfLongStrokes) {
-  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed)
-    expect_found(clustered(seed, 2000, 1'000'000, 20'000, 1'000'000), seed);
-}
-
-TEST(StrokePartners, OfStrokesAboutAsLongAsTheShortOnes) {
-  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) expect_found(clustered(seed, 2000, 1000, 150, 250), seed);
-}
-
-TEST(StrokePartners, InACrowd) {
-  for (std::uint32_t seed = 1; seed <= 2; ++seed) expect_found(clustered(seed, 3000, 300, 20, 2000), seed);
+TEST(StrokePartners, AreThoseOfAllPairs) {
+  const struct {
+    const char* name;
+    std::array<int, 2> counts;  ///< numbers of strokes, for even seeds and for odd ones
+    int page, shortest, longest;
+    std::uint32_t seeds;
+  } rows[] = {{"all lengths", {700, 3000}, 5'000, 50, 60'000, kSeeds},
+              {"long strokes", {2000, 2000}, 1'000'000, 20'000, 1'000'000, kSeeds},
+              {"about as long as the short ones", {2000, 2000}, 1000, 150, 250, kSeeds},
+              {"a crowd", {3000, 3000}, 300, 20, 2000, 2}};
+  for (const auto& [name, counts, page, shortest, longest, seeds] : rows) {
+    SCOPED_TRACE(name);
+    for (std::uint32_t seed = 1; seed <= seeds; ++seed)
+      expect_found(clustered(seed, counts[seed % 2], page, shortest, longest), seed);
+  }
 }
 
 /// All in the middle of a large page but for four: their mean distance on the page says nothing of the crowd.
@@ -118,13 +116,12 @@ TEST(StrokePartners, ACrowdOnALargePageIsCrossing) {
   };
   EXPECT_TRUE(are_crossing(crowded_on_a_large_page(1)));
   std::vector<Stroke> mesh;  // of squares, on the same page
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 100; ++i)
     for (int k = 0; k < 100; ++k) {
       const LatticePoint p{100 * i, 100 * k};
       mesh.push_back(stroke(p, {p.x + 100, p.y}, LineClass::mesh, 0));
       mesh.push_back(stroke(p, {p.x, p.y + 100}, LineClass::mesh, 0));
     }
-  }
   mesh.push_back(stroke({kLatticeLimit - 1, kLatticeLimit - 1}, {kLatticeLimit - 500, 0}, LineClass::mesh, 0));
   EXPECT_FALSE(are_crossing(mesh));
 }
@@ -148,9 +145,8 @@ TEST(StrokeDifference, IsTheLengthThatOneOfThemLacks) {
                {"hidden strokes are not drawn", "0,0 100,0", "hidden 0,0 100,0", 100},
                {"hidden strokes are not missing", "hidden 0,0 100,0", "hidden 0,0 100,0", 0},
                {"back to front", "0,0 100,30; 20,0 20,50", "20,50 20,0; 100,30 0,0", 0}};
-  for (const auto& c : cases) {
+  for (const auto& c : cases)
     EXPECT_NEAR(difference_of(sketch(c.first), sketch(c.second), kHalf).length_mm, c.length, 1e-9 * c.length) << c.name;
-  }
 }
 
 TEST(StrokeDifference, IsWhatOneOfThemLacks) {

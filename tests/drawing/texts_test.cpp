@@ -75,9 +75,8 @@ TEST(Ticks, TheExtremesOfDoublesEndInTime) {
                                  {largest / 2, largest},
                                  {-1.0, largest}}) {
     for (const std::size_t most : {1u, 2u, 5u, 11u}) {
-      for (const TickScale scale : {TickScale::linear, TickScale::decades}) {
+      for (const TickScale scale : {TickScale::linear, TickScale::decades})
         for (const Tick& tick : round_ticks(scale, from, to, most)) EXPECT_TRUE(from <= tick.at && tick.at <= to);
-      }
     }
   }
 }
@@ -120,8 +119,6 @@ TEST(Ticks, AscendWithinTheRangeAndAreNoMoreThanAsked) {
     }
   }
 }
-
-/// Boxes of texts.
 
 void expect_point(Point2 p, Point2 wanted) {
   EXPECT_NEAR(p.x, wanted.x, 1e-12);
