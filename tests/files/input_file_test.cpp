@@ -17,15 +17,9 @@ namespace fs = std::filesystem;
 
 class InputFile : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "input-file-test-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    std::signal(SIGPIPE, SIG_IGN);  // of the writers, whose reader may go first
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { std::signal(SIGPIPE, SIG_IGN); }  // of the writers, whose reader may go first
 
-  /// What is read, or the error without the name.
+  /// The bytes of the file, or the error without the name.
   static std::string read(const fs::path& file, std::uintmax_t most = kLargestInput) {
     InputFiles opened;
     try {
@@ -37,7 +31,7 @@ class InputFile : public ::testing::Test {
     }
   }
 
-  fs::path folder_;
+  const test::TemporaryFolder folder_;
 };
 
 TEST_F(InputFile, ReadsWholeFiles) {

@@ -1,6 +1,6 @@
 #include "files/omissions.hpp"
 
-#include <gtest/gtest.h>
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {

@@ -136,9 +136,7 @@ TEST(ClipKnown, FacesWithoutAreaClipNothing) {
 // part of a step apart that the fine lattice can not tell. A contour that is closed there only on the fine lattice is open
 // for lines that run through the gap.
 
-ContourFace polygon(std::vector<LatticePoint> points) {
-  return make_contour_face(std::vector<std::vector<LatticePoint>>{std::move(points)});
-}
+ContourFace polygon(Points points) { return face({std::move(points)}); }
 
 LatticePoint rounded(double x, double y) {
   return {static_cast<std::int32_t>(std::lround(x)), static_cast<std::int32_t>(std::lround(y))};
@@ -152,7 +150,7 @@ ContourFace left_half(LatticePoint p, LatticePoint q) {
 }
 
 struct Trial {
-  std::vector<ContourFace> front;  ///< what is in front, of both halves
+  std::vector<ContourFace> front;  ///< the faces in front, from both halves
   ContourFace subject, other;
 };
 

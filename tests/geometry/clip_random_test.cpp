@@ -32,9 +32,8 @@ Faces faces_of(const Cells& cells, const Placing& place, bool straight) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (!cells[i]) continue;
     const auto t = quarter(place, i);
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k)
       edges.push_back({{t[k], t[(k + 1) % 3]}, kSegmentBegin, kSegmentEnd, static_cast<std::uint32_t>(3 * i + k), false});
-    }
   }
   Faces faces = link_edges(std::move(edges));
   if (!straight) return faces;

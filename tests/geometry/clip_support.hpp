@@ -1,5 +1,5 @@
 #pragma once
-/// What the tests of the clip share: faces at random, and checks that every result must pass.
+/// Common parts of the tests of the clip: faces at random, and checks that every result must pass.
 
 #include "geometry/clip_contour_by_contour.hpp"
 #include "support/test.hpp"
@@ -12,9 +12,8 @@ using Faces = std::vector<ContourFace>;
 inline double contour_length(const Faces& faces) {
   double length = 0;
   for (const ContourFace& face : faces) {
-    for (const EdgeLoop& loop : face.contours) {
+    for (const EdgeLoop& loop : face.contours)
       for (const ContourEdge& e : loop) length += std::hypot(e.dx(), e.dy());
-    }
   }
   return length;
 }

@@ -42,12 +42,11 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, int> windings(const std::vecto
 
 bool any_cross(const std::vector<Point2>& p, const std::vector<SweepEdge>& pieces) {
   for (const SweepEdge& e : pieces) {
-    for (const SweepEdge& f : pieces) {
+    for (const SweepEdge& f : pieces)
       if (orientation_sign(p[e.low], p[e.high], p[f.low]) * orientation_sign(p[e.low], p[e.high], p[f.high]) < 0 &&
           orientation_sign(p[f.low], p[f.high], p[e.low]) * orientation_sign(p[f.low], p[f.high], p[e.high]) < 0) {
         return true;
       }
-    }
   }
   return false;
 }
@@ -145,9 +144,8 @@ TEST(ContourSweep, RandomContoursOnASmallGrid) {
     const int size = 2 + round % 9;
     std::uniform_int_distribution<int> at(0, size), count(1, 3), corners(3, 4 + round % 7);
     Polygon polygon(static_cast<std::size_t>(count(random)));
-    for (Contour& c : polygon) {
+    for (Contour& c : polygon)
       for (int k = corners(random); k > 0; --k) c.emplace_back(at(random), at(random));
-    }
     expect_right(polygon, random, simple_ones);
     if (HasFatalFailure()) return;
   }
@@ -165,13 +163,11 @@ TEST(ContourSweep, RandomCells) {
     for (int k = 0; k < 1 + round % 25; ++k) {
       const int x0 = at(random), y0 = at(random), x1 = x0 + size(random), y1 = y0 + size(random);
       bool free = true;
-      for (int x = x0; x < x1; ++x) {
+      for (int x = x0; x < x1; ++x)
         for (int y = y0; y < y1; ++y) free = free && !taken[static_cast<std::size_t>(12 * x + y)];
-      }
       if (!free) continue;
-      for (int x = x0; x < x1; ++x) {
+      for (int x = x0; x < x1; ++x)
         for (int y = y0; y < y1; ++y) taken[static_cast<std::size_t>(12 * x + y)] = true;
-      }
       polygon.push_back(shapes::rectangle(x0, y0, x1, y1));
       Contour& c = polygon.back();
       std::rotate(c.begin(), c.begin() + round % 4, c.end());

@@ -1,16 +1,11 @@
 /// Contours that cross themselves, or run round several times: linked and cut in bounded time.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <map>
-#include <random>
-
 #include "geometry/contour_edges.hpp"
 #include "geometry/contour_links.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/triangulate.hpp"
 #include "main/tier.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {
@@ -20,9 +15,8 @@ using Index = std::uint32_t;
 /// Distinct positions of a small grid, in order.
 std::vector<Point2> grid_positions(int columns, int rows) {
   std::vector<Point2> p;
-  for (int x = 0; x < columns; ++x) {
+  for (int x = 0; x < columns; ++x)
     for (int y = 0; y < rows; ++y) p.emplace_back(x, y);
-  }
   return p;
 }
 
@@ -115,13 +109,12 @@ TEST(CrossingContours, LoopsTurnRightAtEveryPosition) {
     expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
     repeated += all - expected.size();
     const LinkedContours links = link_contours(contours.positions, pieces);
-    for (const auto* loops : {&links.outer, &links.holes}) {
+    for (const auto* loops : {&links.outer, &links.holes})
       for (const std::vector<Index>& loop : *loops) {
         const auto at = std::lower_bound(expected.begin(), expected.end(), loop);
         ASSERT_TRUE(at != expected.end() && *at == loop) << "round " << round;
         expected.erase(at);
       }
-    }
     // Those that are left have no area at their first corner.
     for (const std::vector<Index>& loop : expected) {
       std::vector<Point2> corners;

@@ -73,7 +73,7 @@ void expect_delaunay(const std::vector<LatticePoint>& points) {
 
 TEST(Delaunay, PointsStrewnEvenly) {
   std::mt19937 random(20);
-  for (const std::int32_t size : {3, 30, 3000, kLatticeLimit}) {
+  for (const std::int32_t size : {3, 30, 3000, kLatticeLimit})
     for (const std::size_t count : {2, 3, 4, 5, 6, 7, 20, 5000}) {
       std::uniform_int_distribution<std::int32_t> at(-size, size);
       std::vector<LatticePoint> points(count);
@@ -81,7 +81,6 @@ TEST(Delaunay, PointsStrewnEvenly) {
       SCOPED_TRACE(std::to_string(count) + " points within " + std::to_string(size));
       expect_delaunay(in_order(points));
     }
-  }
 }
 
 /// A part of the plane that holds a single point has no edge of its own.
@@ -98,9 +97,8 @@ TEST(Delaunay, CrowdsAndSinglePoints) {
 
 TEST(Delaunay, GridsAndCircles) {
   std::vector<LatticePoint> grid, circle;
-  for (std::int32_t i = 0; i < 40; ++i) {
+  for (std::int32_t i = 0; i < 40; ++i)
     for (std::int32_t j = 0; j < 25; ++j) grid.push_back({i * 1000 - 20'000, j * 1000 - 3});
-  }
   for (int k = 0; k < 360; ++k) {
     const double angle = k * std::acos(-1) / 180;
     circle.push_back({std::int32_t(std::lround(1e7 * std::cos(angle))), std::int32_t(std::lround(1e7 * std::sin(angle)))});

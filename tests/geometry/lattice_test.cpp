@@ -157,12 +157,11 @@ TEST(OrientationSign, SeesOneUnitInTheLastPlace) {
 DisjointSets by_pairs(const std::vector<AxisBox>& boxes) {
   DisjointSets sets(boxes.size());
   const auto has_inside = [](const AxisBox& b) { return b.x0 < b.x1 && b.y0 < b.y1; };
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+  for (std::uint32_t i = 0; i < boxes.size(); ++i)
     for (std::uint32_t k = 0; k < i; ++k) {
       const AxisBox &a = boxes[i], &b = boxes[k];
       if (has_inside(a) && has_inside(b) && a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1) sets.join(i, k);
     }
-  }
   return sets;
 }
 
@@ -252,13 +251,12 @@ TEST(Stop, OtherWorkGoesOn) {
 
 TEST(Stop, SerialLoopsAsk) {
   std::atomic<bool> stop = false;
-  EXPECT_THROW(run_until(stop,
-                         [&] {
-                           check_stop();
-                           stop = true;
-                           check_stop();
-                         }),
-               Stopped);
+  const auto work = [&] {
+    check_stop();
+    stop = true;
+    check_stop();
+  };
+  EXPECT_THROW(run_until(stop, work), Stopped);
 }
 
 }  // namespace

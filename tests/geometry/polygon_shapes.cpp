@@ -11,23 +11,19 @@ Polygon band(Contour there, const Contour& back) {
   return {there};
 }
 
+Point2 polar(double radius, double angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
+
 Polygon star(int n) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> radius(50, 1000);
   Contour c;
-  for (int i = 0; i < n; ++i) {
-    const double angle = 2 * std::numbers::pi * i / n, r = radius(random);
-    c.emplace_back(r * std::cos(angle), r * std::sin(angle));
-  }
+  for (int i = 0; i < n; ++i) c.push_back(polar(radius(random), 2 * std::numbers::pi * i / n));
   return {c};
 }
 
 Polygon convex(int n) {
   Contour c;
-  for (int i = 0; i < n; ++i) {
-    const double angle = 2 * std::numbers::pi * i / n;
-    c.emplace_back(1000 * std::cos(angle), 1000 * std::sin(angle));
-  }
+  for (int i = 0; i < n; ++i) c.push_back(polar(1000, 2 * std::numbers::pi * i / n));
   c.emplace_back(900, 0);  // but for one corner
   return {c};
 }
@@ -60,10 +56,7 @@ Polygon zigzag(int n) {
 
 Contour round_spiral(int n, double begin) {
   Contour c;
-  for (int i = 0; i < n; ++i) {
-    const double angle = 2 * std::numbers::pi * (i % 128) / 128, r = begin + 0.05 * i;
-    c.emplace_back(r * std::cos(angle), r * std::sin(angle));
-  }
+  for (int i = 0; i < n; ++i) c.push_back(polar(begin + 0.05 * i, 2 * std::numbers::pi * (i % 128) / 128));
   return c;
 }
 
@@ -148,13 +141,18 @@ Contour moore_curve(int n) {
 
 Polygon space_filling(int n) { return {moore_curve(n)}; }
 
-Polygon random_simple(int n) {
+/// The corners of the space-filling curve up to `most` beside their places.
+Polygon jittered_curve(int n, double most) {
   std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> jitter(-0.3, 0.3);
+  std::uniform_real_distribution<double> jitter(-most, most);
   Polygon polygon{moore_curve(n)};
   for (Point2& p : polygon[0]) p += Point2{jitter(random), jitter(random)};
   return polygon;
 }
+
+Polygon random_simple(int n) { return jittered_curve(n, 0.3); }
+/// Its corners leave their cells.
+Polygon tangled(int n) { return jittered_curve(n, 0.6); }
 
 Polygon staircase(int n) {
   const int steps = n / 4;
@@ -193,12 +191,11 @@ Polygon collinear(int n) {
 Polygon grid_of_holes(int n, double hole_size) {
   const int side = static_cast<int>(std::sqrt(n / 4.0));
   Polygon polygon{rectangle(0, 0, 2 * side + 1, 2 * side + 1)};
-  for (int i = 0; i < side; ++i) {
+  for (int i = 0; i < side; ++i)
     for (int k = 0; k < side; ++k) {
       const double x = 2 * i + 1, y = 2 * k + 1;
       polygon.push_back(rectangle(x, y, x + hole_size, y + hole_size));
     }
-  }
   return polygon;
 }
 
@@ -241,8 +238,7 @@ Polygon petals(int n) {
   Contour c;
   for (int i = 0; i < count; ++i) {
     const double angle = 2 * std::numbers::pi * i / count, width = 3.0 / count;
-    c.emplace_back(0, 0);
-    for (const double a : {angle, angle + width}) c.emplace_back(1000 * std::cos(a), 1000 * std::sin(a));
+    c.insert(c.end(), {{0, 0}, polar(1000, angle), polar(1000, angle + width)});
   }
   return {c};
 }
@@ -276,20 +272,8 @@ Polygon random_points(int n) {
 /// A star drawn without lifting the pen: all sides cross many others, and the middle is wound round often.
 Polygon star_polygon(int n) {
   Contour c;
-  for (int i = 0; i < n; ++i) {
-    const double angle = 2 * std::numbers::pi * (7.0 * i) / (n + 1);
-    c.emplace_back(1000 * std::cos(angle), 1000 * std::sin(angle));
-  }
+  for (int i = 0; i < n; ++i) c.push_back(polar(1000, 2 * std::numbers::pi * (7.0 * i) / (n + 1)));
   return {c};
-}
-
-/// The spacefilling curve with corners that leave their cells.
-Polygon tangled(int n) {
-  std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> jitter(-0.6, 0.6);
-  Polygon polygon{moore_curve(n)};
-  for (Point2& p : polygon[0]) p += Point2{jitter(random), jitter(random)};
-  return polygon;
 }
 
 /// The outer contour taken twice.
