@@ -136,6 +136,7 @@ TEST(JsonGrid, RowsTracesColumnsAndRecords) {
       {0, 1}, {0, 1}, square);
   expect_grid(*heights("{\"columns\":[\"x\",\"y\",\"z\"],\"data\":[[0,0,1],[1,0,2],[0,1,3],[1,1,4]]}"), {0, 1}, {0, 1},
               square);
+  EXPECT_NE(error_of("{\"a\": [], \"b\": [{}]}").find("is JSON without an array of numbers"), std::string::npos);
   EXPECT_EQ(error_of("[[1, 2], [3]]"), "M: has rows of 2 and of 1 numbers");
   EXPECT_EQ(error_of("[[1, 2], [3"), "M: JSON: byte 12 is not what can stand there");
   EXPECT_EQ(error_of("{\"a\": 1}"),

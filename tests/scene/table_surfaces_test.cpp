@@ -282,5 +282,16 @@ TEST(TableSurface, EsriNoDataOfFewerDigits) {
   }
 }
 
+TEST(TableSurface, HeadsOfAnotherNumberOfCells) {
+  // More heads than rows decide how many cells are usual: their names are not those of the rows.
+  Warnings warnings;
+  expect_grid(*grid("a,b,c\nd,e,f\ng,h,i\n1,2\n3,4\n", warnings), {0, 1}, {0, 1}, {{1, 2}, {3, 4}});
+  EXPECT_EQ(warnings.left_out().text(), "left out: 3 lines above the first row");
+  for (const char* file : {"head_wider_than_rows.csv", "names_fewer_than_cells.txt", "names_of_prose.txt",
+                           "head_of_bytes.txt", "frame_of_other_names.txt"}) {
+    EXPECT_FALSE(grid_error(corpus_file(file)).empty()) << file;
+  }
+}
+
 }  // namespace
 }  // namespace ligne

@@ -118,7 +118,7 @@ class RowSurface {
   }
 
   std::optional<std::vector<double>> names_behind_first() const {
-    if (table_.names().size() < 3) return {};
+    if (table_.names().size() < 3 || table_.names().size() != columns_) return {};
     const std::vector<std::string> names(table_.names().begin() + 1, table_.names().end());
     std::optional<std::vector<double>> at = positions_in_names(names);
     // X1, X2 ... are the names that R gives to columns without any.
@@ -250,7 +250,7 @@ class RowSurface {
   bool names_are_a_series(const std::vector<std::size_t>& numbers) const {
     if (table_.names().empty()) return false;
     std::vector<std::string> names;
-    for (const std::size_t k : numbers) names.push_back(table_.names()[k]);
+    for (const std::size_t k : numbers) names.push_back(column_name(k));
     return are_numbered(names) || positions_in_names(names);
   }
 

@@ -165,9 +165,10 @@ class JsonArrays {
   }
 
   void add_texts(const std::string& key, const std::vector<Json>& cells) {
+    if (!texts_) return left_out(key);
     TextColumn column{key, {}};
     for (const Json& cell : cells) {
-      if (!texts_ || cell.is_structured()) return left_out(key);
+      if (cell.is_structured()) return left_out(key);
       column.cells.push_back(cell.is_string() ? cell.get<std::string>() : cell.is_null() ? std::string() : cell.dump());
     }
     texts_->push_back(std::move(column));

@@ -179,7 +179,7 @@ class TableReader {
     if (names.size() == columns + 1 && names.back().empty()) names.pop_back();
     table_.has_unnamed_first_ = !from_comment && names.size() + 1 == columns && names.size() > 1;
     if (table_.has_unnamed_first_) names.insert(names.begin(), "");
-    if (names.size() != columns) {
+    if (names.size() != columns || columns > table_.columns_.size()) {
       if (!from_comment) warnings_.leave_out("lines above the first row");
       return;
     }
