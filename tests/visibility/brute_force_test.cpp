@@ -50,9 +50,8 @@ std::pair<double, double> shares(const ProjectedScene& scene, const ProjectedEdg
       const auto along = [&](const Corner& v) { return (dx * (v.x - a.p.x) + dy * (v.y - a.p.y)) / length2; };
       if (off(p) <= limit && off(q) <= limit && off(p) + off(q) > 0) {
         cracks.emplace_back(std::min(along(p), along(q)), std::max(along(p), along(q)));
-        for (const Real t : {along(p), along(q)}) {
+        for (const Real t : {along(p), along(q)})
           if (t > 0 && t < 1) cuts.push_back(t);
-        }
       }
     }
     if (area == 0) continue;
@@ -101,11 +100,9 @@ void compare(const Scene& scene, const PictureRequest& request, const std::strin
   const ProjectedScene projected = project_on_a4(scene, request.camera, "all", scale);
   const StrokeModel model = *find_method(request.method)->study(projected, {}).strokes;
   std::map<std::uint32_t, double> drawn;
-  for (const Stroke& s : model.strokes) {
-    if (s.source < projected.source_count && s.visible) {
+  for (const Stroke& s : model.strokes)
+    if (s.source < projected.source_count && s.visible)
       drawn[s.source] += glm::length(model.lattice.to_mm(s.to) - model.lattice.to_mm(s.from));
-    }
-  }
   constexpr double kTolerance = 0.002;  // mm: a micrometre at each end
   double checked = 0, total = 0;
   for (const ProjectedEdge& edge : projected.edges) {
@@ -150,9 +147,8 @@ TEST(BruteForce, TrianglesOnASmallIntegerGrid) {
     }
     // Along y, at 32 mm by unit, all corners lie on the lattice exactly, and so do their coincidences.
     compare(scene, {along({0, 1, 0}), "all", false, 32}, "exact, seed " + std::to_string(seed));
-    for (const Point3& direction : {Point3{-1, 1, -1}, Point3{0.3, 0.8, -0.5}, Point3{0, 1, -1}}) {
+    for (const Point3& direction : {Point3{-1, 1, -1}, Point3{0.3, 0.8, -0.5}, Point3{0, 1, -1}})
       compare(scene, {along(direction)}, "seed " + std::to_string(seed) + " along " + std::to_string(direction.z));
-    }
   }
 }
 
@@ -165,7 +161,7 @@ TEST(BruteForce, PenetratingBoxes) {
   }
 }
 
-/// What is seen along lines, against every facet at many places.
+// Facets seen along lines, against every facet at many places.
 
 struct Facing {
   std::vector<ProjectedVertex> vertices;

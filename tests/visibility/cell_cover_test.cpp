@@ -1,4 +1,4 @@
-// What covers a cell of the screen grid: patches of facets against points of the cell.
+// Covers of cells of the screen grid: patches of facets against points of the cell.
 #include "visibility/common/cell_cover.hpp"
 #include "support/test.hpp"
 
@@ -35,11 +35,10 @@ struct Mesh {
     std::uniform_real_distribution<double> unit(0, 1);
     std::uniform_int_distribution<int> jitter(-spacing / 3, spacing / 3);
     const auto first = static_cast<std::uint32_t>(vertices.size());
-    for (int j = 0; j < n; ++j) {
+    for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i)
         add_vertex(x + i * spacing + jitter(rng), y + j * spacing + jitter(rng), z + roughness * unit(rng));
-    }
-    for (int j = 0; j + 1 < n; ++j) {
+    for (int j = 0; j + 1 < n; ++j)
       for (int i = 0; i + 1 < n; ++i) {
         if (unit(rng) < holes) continue;
         const std::uint32_t a = first + static_cast<std::uint32_t>(j * n + i), b = a + 1;
@@ -52,7 +51,6 @@ struct Mesh {
           add_facet(b, d, c);
         }
       }
-    }
   }
 
   bool contains(const Facet& f, double x, double y) const {
@@ -63,9 +61,8 @@ struct Mesh {
 
   double nearest_depth(double x, double y) const {
     double z = std::numeric_limits<double>::infinity();
-    for (const Facet& f : facets) {
+    for (const Facet& f : facets)
       if (contains(f, x, y)) z = std::min(z, FacetFunctions(f, vertices.data()).depth(x, y));
-    }
     return z;
   }
 
@@ -185,9 +182,8 @@ TEST(CellCover, HoldsAtAllPoints) {
     if (!depth) continue;
     ++covered;
     std::vector<std::uint32_t> behind;
-    for (const CellFacet& c : mesh.list) {
+    for (const CellFacet& c : mesh.list)
       if (cover.hides(mesh.facets[c.facet])) behind.push_back(c.facet);
-    }
     hidden += static_cast<int>(behind.size());
     for (int k = 0; k < 100; ++k) {
       const double x = cell.x + unit(rng) * cell.size, y = cell.y + unit(rng) * cell.size;

@@ -22,14 +22,13 @@ bool has_copies(const std::filesystem::path& file) {
 /// One object, closed, and no vertex before the plane of a face: exact on the corpus, whose coordinates are dyadic.
 bool is_one_convex_body(const Scene& scene, const Topology& topology) {
   if (topology.edges.empty() || scene.objects.size() != 1) return false;
-  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+  for (std::size_t e = 0; e < topology.edges.size(); ++e)
     if (topology.edges[e].face1 == kNone || (topology.edge_flags[e] & (kEdgeManyFaces | kEdgeUnlikeWound))) return false;
-  }
   int side_of_all = 0;
   for (const Triangle& t : topology.triangles) {
     const Point3 a = scene.vertices[t.v[0]];
     const Point3 normal = glm::cross(scene.vertices[t.v[1]] - a, scene.vertices[t.v[2]] - a);
-    for (const Triangle& other : topology.triangles) {
+    for (const Triangle& other : topology.triangles)
       for (const std::uint32_t v : other.v) {
         const double height = glm::dot(normal, scene.vertices[v] - a);
         if (height == 0) continue;
@@ -37,7 +36,6 @@ bool is_one_convex_body(const Scene& scene, const Topology& topology) {
         if (side_of_all == 0) side_of_all = side;
         if (side != side_of_all) return false;
       }
-    }
   }
   return side_of_all != 0;
 }
@@ -92,16 +90,15 @@ TEST(Culling, SaysWhyASceneIsBeyondIt) {
   EXPECT_EQ(beyond(project_on_a4({}, along({-1, 2, -1}))), "it has no faces in view");
 }
 
-/// Of the line of an axis only what the body does not hide is drawn.
+/// The line of an axis is drawn only where the body does not hide it.
 TEST(Culling, LinesOfNoFace) {
   ProjectedScene scene = project_on_a4(a_box(), along({0, 1, 0}), "all", 5.0);
   const std::vector<std::array<Point3, 2>> behind{{Point3{-5, 20, 5}, Point3{15, 20, 5}}};
   add_lines(scene, behind, LineClass::axes);
   double visible = 0;
   const VisibilityResult result = find_method("culling")->study(scene, {});
-  for (const Stroke& s : result.strokes->strokes) {
+  for (const Stroke& s : result.strokes->strokes)
     if (s.line_class == LineClass::axes) visible += s.t_to - s.t_from;
-  }
   EXPECT_NEAR(visible, 0.5, 1e-6);
 }
 

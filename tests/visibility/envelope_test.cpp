@@ -118,9 +118,8 @@ TEST(ExactEnvelope, IsTheHighestOfAllLines) {
     expect_spans(again, above);
     for (double u = line.u0 + 1e-4; u < line.u1; u += 7e-3) {
       double highest = kNothing;
-      for (const Line& l : lines) {
+      for (const Line& l : lines)
         if (l.u0 < u && u < l.u1) highest = std::max(highest, height(l, u));
-      }
       const double d = height(line, u) - highest;
       if (std::abs(d) < 1e-9) continue;
       const bool is_above = std::any_of(above.begin(), above.end(), [u](const Span& s) { return s.from <= u && u <= s.to; });

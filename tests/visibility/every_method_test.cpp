@@ -1,4 +1,4 @@
-// The same strokes whatever the number of threads.
+// Every method gives the same strokes for any number of threads.
 
 #include "geometry/parallel.hpp"
 #include "main/tier.hpp"
@@ -11,9 +11,8 @@ namespace {
 /// A method of another product has its own test of it.
 std::vector<const Method*> methods_of_strokes() {
   std::vector<const Method*> methods;
-  for (const Method* method : all_methods()) {
+  for (const Method* method : all_methods())
     if (method->traits().products & kStrokes) methods.push_back(method);
-  }
   return methods;
 }
 
@@ -69,9 +68,8 @@ std::vector<Stroke> seen(const Method& method, const std::vector<std::array<Poin
 
 double length(const std::vector<Stroke>& strokes, double step_mm, bool visible) {
   double sum = 0;
-  for (const Stroke& s : strokes) {
+  for (const Stroke& s : strokes)
     if (s.visible == visible) sum += std::hypot(double(s.to.x) - s.from.x, double(s.to.y) - s.from.y) * step_mm;
-  }
   return sum;
 }
 
@@ -87,7 +85,7 @@ TEST(LinesOfNoFace, AreHiddenByFacesAndHideNothing) {
     EXPECT_NEAR(length(below, step, false), 20, tolerance);
     const auto above = seen(*method, {{{{-3, 0.5, 1}, {3, 0.5, 1}}}}, true, &step);
     EXPECT_NEAR(length(above, step, true), 60, tolerance);
-    // What is out of the sheet, 10 units wide, is cut off: the parameters are those of the whole line.
+    // Lines are cut off at the sheet, 10 units wide: the parameters are those of the whole line.
     const auto clipped =
         seen(*method, {{{{0, 2, 0}, {1, 2, 0}}}, {{{-20, 3, 0}, {20, 3, 0}}}, {{{-20, 30, 0}, {20, 30, 0}}}}, false, &step);
     ASSERT_EQ(clipped.size(), 2u);

@@ -45,11 +45,9 @@ void descend(const FacetTree& tree, std::uint32_t a, std::uint32_t b, Pairs& rea
   if (a != b && !FacetTree::may_meet(m, n)) return;
   if (a == b && m.face != kNone) return;
   if (tree.is_leaf(m) && tree.is_leaf(n)) {
-    for (std::uint32_t i = m.first; i < m.end; ++i) {
-      for (std::uint32_t k = a == b ? i + 1 : n.first; k < n.end; ++k) {
+    for (std::uint32_t i = m.first; i < m.end; ++i)
+      for (std::uint32_t k = a == b ? i + 1 : n.first; k < n.end; ++k)
         reached.emplace_back(std::minmax(tree.item(i).facet, tree.item(k).facet));
-      }
-    }
   } else if (a == b) {
     descend(tree, m.children, m.children, reached);
     descend(tree, m.children + 1, m.children + 1, reached);
@@ -66,9 +64,8 @@ void descend(const FacetTree& tree, std::uint32_t a, std::uint32_t b, Pairs& rea
 /// The pairs of facets in leaves that may meet, in order; a facet's number is its place among all.
 Pairs reached_pairs(const FacetTree& tree) {
   Pairs reached;
-  for (std::size_t i = 0; i < tree.roots().size(); ++i) {
+  for (std::size_t i = 0; i < tree.roots().size(); ++i)
     for (std::size_t k = i; k < tree.roots().size(); ++k) descend(tree, tree.roots()[i], tree.roots()[k], reached);
-  }
   std::sort(reached.begin(), reached.end());
   return reached;
 }
@@ -84,9 +81,7 @@ FacetScene random_facets(unsigned seed) {
     const double depth = std::array{0.001, 1.0, 50.0}[static_cast<std::size_t>(one_of_three(random))];
     const Point3 middle{100.0 + 20 * normal(random), 100.0 + 20 * normal(random), 20.0 * one_of_three(random)};
     std::array<Point3, 3> corners;
-    for (Point3& p : corners) {
-      p = middle + Point3{size * normal(random), size * normal(random), depth * normal(random)};
-    }
+    for (Point3& p : corners) p = middle + Point3{size * normal(random), size * normal(random), depth * normal(random)};
     result.add(corners, i / 3);
   }
   return result;
@@ -101,13 +96,12 @@ TEST(FacetTree, ReachesAllPairsThatMayMeet) {
     const Pairs reached = reached_pairs(tree);
     EXPECT_EQ(std::adjacent_find(reached.begin(), reached.end()), reached.end()) << "none twice";
     std::size_t meeting = 0;
-    for (std::uint32_t a = 0; a < items.size(); ++a) {
+    for (std::uint32_t a = 0; a < items.size(); ++a)
       for (std::uint32_t b = a + 1; b < items.size(); ++b) {
         if (!FacetTree::may_meet(items[a], items[b])) continue;
         ++meeting;
         EXPECT_TRUE(std::binary_search(reached.begin(), reached.end(), std::pair{a, b})) << a << ' ' << b;
       }
-    }
     EXPECT_GT(meeting, items.size());
     EXPECT_LT(reached.size(), items.size() * (items.size() - 1) / 2);
   }
@@ -124,12 +118,11 @@ std::size_t pairs_of_skins(int n) {
       const double t = std::numbers::pi / 2 * (row + 0.1) / (kRows + 0.5), p = 2 * std::numbers::pi * column / kColumns;
       return Point3{r * std::sin(t) * std::cos(p), r * std::sin(t) * std::sin(p), -r * std::cos(t)};
     };
-    for (int i = 0; i < kRows; ++i) {
+    for (int i = 0; i < kRows; ++i)
       for (int k = 0; k < kColumns; ++k) {
         s.add({at(i, k), at(i + 1, k), at(i + 1, k + 1)}, face++);
         s.add({at(i, k), at(i + 1, k + 1), at(i, k + 1)}, face++);
       }
-    }
   }
   return reached_pairs(FacetTree(s.scene, s.facets)).size();
 }
@@ -200,7 +193,7 @@ TEST(HiddenInterval, OfALineInPiecesIsThatOfTheLine) {
   for (const auto& [z0, z1] : {std::pair(0.25, 0.75), std::pair(0.0, 2.0), std::pair(2.0, 0.0), std::pair(-3.0, 1.5)}) {
     const PageLine line = line_of_depths(z0, z1);
     const HiddenInterval whole = hidden(line, 0, 1);
-    for (const double middle : {0.125, 0.5, 0.875}) {
+    for (const double middle : {0.125, 0.5, 0.875})
       for (const auto& [from, to] : {std::pair(0.0, middle), std::pair(middle, 1.0)}) {
         const HiddenInterval piece = hidden(line, from, to);
         const double expected_from = std::max(from, whole.from), expected_to = std::min(to, whole.to);
@@ -212,7 +205,6 @@ TEST(HiddenInterval, OfALineInPiecesIsThatOfTheLine) {
         EXPECT_EQ(piece.from, expected_from);
         EXPECT_EQ(piece.to, expected_to);
       }
-    }
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Surfaces z = f(x, y) that several tests of the horizon draw.
 
-#include "drawing/drawing.hpp"
+#include "drawing/measures.hpp"
 #include "scene/surfaces/height_source.hpp"
 #include "support/scenes.hpp"
 #include "visibility/horizon/horizon.hpp"
@@ -43,16 +43,6 @@ inline View view_of(const HeightSource& heights, const CameraRequest& request, d
 inline CameraRequest along_angles(double azimuth, double elevation) {
   const double a = azimuth * std::numbers::pi / 180, e = elevation * std::numbers::pi / 180;
   return along({-std::cos(a) * std::cos(e), -std::sin(a) * std::cos(e), -std::sin(e)});
-}
-
-/// Of all lines together.
-inline double length_of(const Polylines& lines) {
-  double sum = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto line = lines[i];
-    for (std::size_t k = 1; k < line.size(); ++k) sum += std::hypot(line[k].x - line[k - 1].x, line[k].y - line[k - 1].y);
-  }
-  return sum;
 }
 
 inline double waves(double x, double y) { return 0.3 * std::sin(5 * x * y + 0.1) + 0.1 * x; }

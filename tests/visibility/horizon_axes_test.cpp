@@ -16,7 +16,7 @@
 namespace ligne::test {
 namespace {
 
-/// What two exact methods may be apart: the accuracy of a drawing.
+/// Largest distance between the lines of two exact methods: the accuracy of a drawing.
 constexpr double kAccuracyMm = 0.001;
 /// Lines on each other are apart by roundings to a lattice of 8 nm. (A mesh takes lines for one that come as near as a
 /// quarter of a micrometre by chance, where they meet at a small angle.)
@@ -46,20 +46,10 @@ SampledHeights random_surface(Kind kind, std::mt19937& random) {
   for (const double v : y) {
     for (const double u : x) {
       const double smooth = d * std::sin(a * u * v + b * u + c * v);
-      switch (kind) {
-        case Kind::smooth:
-          z.push_back(smooth);
-          break;
-        case Kind::stepped:
-          z.push_back(std::round(3 * smooth) / 3);
-          break;
-        case Kind::random:
-          z.push_back(draw(-1000, 1000) / 2500.0);
-          break;
-        case Kind::holed:
-          z.push_back(draw(0, 7) == 0 ? kNaN : smooth);
-          break;
-      }
+      if (kind == Kind::smooth) z.push_back(smooth);
+      if (kind == Kind::stepped) z.push_back(std::round(3 * smooth) / 3);
+      if (kind == Kind::random) z.push_back(draw(-1000, 1000) / 2500.0);
+      if (kind == Kind::holed) z.push_back(draw(0, 7) == 0 ? kNaN : smooth);
     }
   }
   return {x, y, z};
@@ -67,18 +57,12 @@ SampledHeights random_surface(Kind kind, std::mt19937& random) {
 
 using Segments = std::vector<Segment>;
 
-void add(const Polylines& lines, Segments& segments) {
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto line = lines[i];
-    for (std::size_t k = 1; k < line.size(); ++k) segments.push_back({line[k - 1], line[k]});
-  }
-}
-
 Segments by_horizon(const HeightSource& heights, const View& view, const HorizonOptions& options) {
   Statistics statistics;
   const HorizonLines lines = horizon_lines(heights, view, options, statistics);
   Segments segments;
-  for (const Polylines* part : {&lines.curves, &lines.outline, &lines.border}) add(*part, segments);
+  for (const Polylines* part : {&lines.curves, &lines.outline, &lines.border})
+    for_segments(*part, [&](Point2 a, Point2 b) { segments.push_back({a, b}); });
   return segments;
 }
 
@@ -111,9 +95,8 @@ Segments by_mesh(const HeightSource& heights, const View& view, const HorizonOpt
   });
   remove_coincident_strokes(*result.strokes, coincidence_mm(projected));
   Segments segments;
-  for (const Stroke& s : result.strokes->strokes) {
+  for (const Stroke& s : result.strokes->strokes)
     if (s.visible) segments.push_back({projected.lattice.to_mm(s.from), projected.lattice.to_mm(s.to)});
-  }
   return segments;
 }
 
@@ -130,7 +113,7 @@ bool apart(const Segment& a, const Segment& b) {
 /// Length of what is drawn twice.
 double twice(const Segments& segments, std::string& worst) {
   double sum = 0, longest = 0;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
+  for (std::size_t i = 0; i < segments.size(); ++i)
     for (std::size_t k = i + 1; k < segments.size(); ++k) {
       if (apart(segments[i], segments[k])) continue;
       const double common = common_length(segments[i], segments[k], kOnLineMm);
@@ -140,7 +123,6 @@ double twice(const Segments& segments, std::string& worst) {
       longest = common;
       worst = words(segments[i].from, segments[i].to) + " and " + words(segments[k].from, segments[k].to);
     }
-  }
   return sum;
 }
 
@@ -184,7 +166,7 @@ constexpr Families kFamilies[] = {{"x", true, false}, {"y", false, true}, {"xy",
 template <class Test>
 void for_surfaces(unsigned seed, Test test) {
   std::mt19937 random(seed);
-  for (const Kind kind : {Kind::smooth, Kind::stepped, Kind::random, Kind::holed}) {
+  for (const Kind kind : {Kind::smooth, Kind::stepped, Kind::random, Kind::holed})
     for (const Families& families : kFamilies) {
       const SampledHeights heights = random_surface(kind, random);
       HorizonOptions options;
@@ -197,19 +179,16 @@ void for_surfaces(unsigned seed, Test test) {
                std::to_string(heights.y().size()) + ", lines " + families.name + " every " + std::to_string(stride) +
                ", seed " + std::to_string(seed));
     }
-  }
 }
 
 // The cosine of 90 degrees is 6e-17 in doubles: these views are along an axis but for a rounding.
 TEST(HorizonAlongAxes, AgreesWithTheMesh) {
   for (const unsigned seed : chosen("along axes", 2, {1u, 2u, 3u, 4u})) {
     for_surfaces(seed, [](const HeightSource& heights, const HorizonOptions& options, const std::string& what) {
-      for (const double azimuth : {-180.0, -90.0, 0.0, 90.0, 180.0, 270.0}) {
-        for (const double elevation : {0.0, 10.0, 30.0, 90.0, -30.0}) {
+      for (const double azimuth : {-180.0, -90.0, 0.0, 90.0, 180.0, 270.0})
+        for (const double elevation : {0.0, 10.0, 30.0, 90.0, -30.0})
           compare(heights, along_angles(azimuth, elevation), options,
                   what + ", azimuth " + std::to_string(azimuth) + ", elevation " + std::to_string(elevation));
-        }
-      }
     });
   }
 }
@@ -228,13 +207,11 @@ TEST(HorizonAlongAxes, AgreesWhenTheViewIsAlongAnAxisExactly) {
 // From a rounding to the first angle at which rows are apart on the page.
 TEST(HorizonAlongAxes, AgreesWhenTheViewIsNearlyAlongAnAxis) {
   for_surfaces(21, [](const HeightSource& heights, const HorizonOptions& options, const std::string& what) {
-    for (const double off : {1e-15, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, -1e-12, -1e-9, 1e-3}) {
-      for (const Point3& direction : {Point3{-1, off, -0.4}, Point3{off, 1, -0.5}, Point3{1, off, 0.3}}) {
+    for (const double off : {1e-15, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, -1e-12, -1e-9, 1e-3})
+      for (const Point3& direction : {Point3{-1, off, -0.4}, Point3{off, 1, -0.5}, Point3{1, off, 0.3}})
         compare(heights, along(direction), options,
                 what + ", direction " + std::to_string(direction.x) + ", " + std::to_string(direction.y) + ", off by " +
                     std::to_string(std::log10(std::abs(off))) + " digits");
-      }
-    }
   });
 }
 

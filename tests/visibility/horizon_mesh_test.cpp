@@ -26,7 +26,7 @@ Scene mesh_of(const HeightSource& heights) {
       scene.vertices.push_back({heights.x()[i], heights.y()[j], z[i]});
     }
   }
-  for (std::size_t j = 0; j + 1 < ny; ++j) {
+  for (std::size_t j = 0; j + 1 < ny; ++j)
     for (std::size_t i = 0; i + 1 < nx; ++i) {
       const std::uint32_t a = number[j * nx + i], b = number[j * nx + i + 1], c = number[(j + 1) * nx + i],
                           d = number[(j + 1) * nx + i + 1];
@@ -34,7 +34,6 @@ Scene mesh_of(const HeightSource& heights) {
       scene.faces.add_triangle(a, b, c);
       scene.faces.add_triangle(b, d, c);
     }
-  }
   scene.objects.push_back({"surface", 0, static_cast<std::uint32_t>(scene.vertices.size()), 0,
                            static_cast<std::uint32_t>(scene.faces.size()), 0});
   return scene;
@@ -113,32 +112,27 @@ void compare(const Surface& surface, const CameraRequest& request, std::size_t n
 
 TEST(HorizonAndMesh, AgreeFromAllSides) {
   for (const Surface& surface : surfaces()) {
-    for (const double elevation : chosen("elevations", 2, {-35.0, 3.0, 28.0, 71.0})) {
-      for (double azimuth = 11; azimuth < 360; azimuth += 51) {
+    for (const double elevation : chosen("elevations", 2, {-35.0, 3.0, 28.0, 71.0}))
+      for (double azimuth = 11; azimuth < 360; azimuth += 51)
         compare(surface, along_angles(azimuth, elevation), 30,
                 "azimuth " + std::to_string(azimuth) + ", elevation " + std::to_string(elevation));
-      }
-    }
   }
 }
 
 TEST(HorizonAndMesh, AgreeInPerspective) {
-  for (const Surface& surface : surfaces()) {
-    for (const Point3& eye : {Point3{-3, -2.5, 2}, Point3{2.2, 3.1, 0.4}, Point3{2.5, -2.8, -1.5}}) {
+  for (const Surface& surface : surfaces())
+    for (const Point3& eye : {Point3{-3, -2.5, 2}, Point3{2.2, 3.1, 0.4}, Point3{2.5, -2.8, -1.5}})
       compare(surface, from_eye(eye, {0, 0, 0}, 100), 30, "eye " + std::to_string(eye.x));
-    }
-  }
 }
 
 // Where the eye stands over the ground or beside it the cells in its row and column are cut differently, and of an edge
 // straight before it one bank is looked at.
 TEST(HorizonAndMesh, AgreeNearlyWithTheEyeOverTheGround) {
-  for (const Surface& surface : surfaces()) {
+  for (const Surface& surface : surfaces())
     for (const Point3& eye :
          {Point3{-4, 0.5 / 3, 1}, Point3{-3, 0.11, 1}, Point3{0.21, 2.7, 1.2}, Point3{0.33, -0.12, 2.5}}) {
       compare(surface, from_eye(eye, {0.05, 0, 0}, 100), 60, "eye " + std::to_string(eye.x), 0.01);
     }
-  }
 }
 
 TEST(HorizonAndMesh, AgreeAlongTheAxes) {
@@ -153,8 +147,8 @@ TEST(HorizonAndMesh, AgreeAlongTheAxes) {
   }
 }
 
-// What the horizon draws beside curves, point by point against rays to the viewer: contour lines, lines on the base, lines
-// behind the surface.
+// Lines that the horizon draws beside curves, point by point against rays to the viewer: contour lines, lines on the base,
+// lines behind the surface.
 
 double holed(double x, double y) { return std::hypot(x - 0.1, y + 0.2) < 0.4 ? kNaN : waves(x, y); }
 
@@ -165,14 +159,13 @@ struct Triangle3 {
 std::vector<Triangle3> triangles_of(const FunctionHeights& h) {
   std::vector<Triangle3> all;
   const auto p = [&](std::size_t i, std::size_t j) { return Point3{h.x()[i], h.y()[j], h.at(i, j)}; };
-  for (std::size_t j = 0; j + 1 < h.y().size(); ++j) {
+  for (std::size_t j = 0; j + 1 < h.y().size(); ++j)
     for (std::size_t i = 0; i + 1 < h.x().size(); ++i) {
       const Point3 a = p(i, j), b = p(i + 1, j), c = p(i, j + 1), d = p(i + 1, j + 1);
       if (!std::isfinite(a.z + b.z + c.z + d.z)) continue;
       all.push_back({a, b, c});
       all.push_back({b, d, c});
     }
-  }
   return all;
 }
 
@@ -195,10 +188,7 @@ class Scenery {
     view_ = view_of(heights, request, 1, {{-500, -500}, {800, 800}});
   }
   const View& view() const { return view_; }
-  Point2 page(const Point3& p) const {
-    const HomogeneousPoint h = to_homogeneous(view_, p);
-    return {h.x / h.w, h.y / h.w};
-  }
+  Point2 page(const Point3& p) const { return page_point(view_, p); }
   /// Length on the page of what is seen of a segment, by rays from many points.
   double seen_length(const Point3& a, const Point3& b, int points) const {
     double sum = 0;
@@ -213,14 +203,13 @@ class Scenery {
     }
     return sum;
   }
-  /// The same of the contour lines at a level, on the surface or dropped to a base.
+  /// Length seen of the contour lines at a level, on the surface or dropped to a base.
   double contour_length(double level, std::optional<double> base) const {
     double sum = 0;
     for (const Triangle3& t : triangles_) {
       std::vector<Point3> ends;
-      for (const auto& [p, q] : {std::pair(t.a, t.b), std::pair(t.b, t.c), std::pair(t.c, t.a)}) {
+      for (const auto& [p, q] : {std::pair(t.a, t.b), std::pair(t.b, t.c), std::pair(t.c, t.a)})
         if ((p.z < level) != (q.z < level)) ends.push_back(p + (q - p) * ((level - p.z) / (q.z - p.z)));
-      }
       if (ends.size() != 2) continue;
       if (base) ends[0].z = ends[1].z = *base;
       sum += seen_length(ends[0], ends[1], 3);
@@ -239,9 +228,7 @@ std::vector<CameraRequest> cameras() {
        {Point3{1, 0.7, -0.5}, Point3{-0.8, 0.5, -0.3}, Point3{0.9, -0.4, 0.35}, Point3{-0.3, -1, -1.1}}) {
     all.push_back(along(direction));
   }
-  for (const Point3& eye : {Point3{-2.6, -2.3, 1.4}, Point3{2.7, -1.9, 0.8}}) {
-    all.push_back(from_eye(eye, {0, 0, 0}, 100));
-  }
+  for (const Point3& eye : {Point3{-2.6, -2.3, 1.4}, Point3{2.7, -1.9, 0.8}}) all.push_back(from_eye(eye, {0, 0, 0}, 100));
   return all;
 }
 

@@ -65,10 +65,7 @@ double brute_force(const HeightSource& source, const Drawn& picture) {
     const Real x = Real(p.x) - camera.eye.x, y = Real(p.y) - camera.eye.y, z = Real(p.z) - camera.eye.z;
     return {(x - y) / (x + y), z / (x + y), x + y};
   };
-  const auto page = [&](const Point3& p) {
-    const HomogeneousPoint h = to_homogeneous(picture.view, p);
-    return Point2{h.x / h.w, h.y / h.w};
-  };
+  const auto page = [&](const Point3& p) { return page_point(picture.view, p); };
   const auto take = [&](const Point3& p, const Point3& q) {
     CurvePiece piece{seen(p), seen(q), p, q};
     std::vector<Real> cuts{piece.left(), piece.right()};
@@ -129,7 +126,7 @@ TEST(Horizon, IsWhatAllPairsSay) {
 }
 
 TEST(Horizon, SidesAreAlike) {
-  // The same surface turned by quarters, seen from directions turned with it.
+  // One surface turned by quarters, seen from directions turned with it.
   const double full = drawn(heights(waves, 25), along({1, 0.7, -0.5})).length();
   const double full_by_curves = drawn(heights(waves, 25), along({1, 0.7, -0.5}), by_curves()).length();
   const auto turned = [](double x, double y) { return waves(y, -x); };  // a quarter: the cells' diagonals are others
@@ -158,15 +155,10 @@ TEST(Horizon, TheEyeOverTheGroundSeesAllOfAFlatOne) {
   const auto whole = [&](const Point3& eye) {
     Drawn picture = drawn(source, from(eye, {eye.x, eye.y, 0}));
     double expected = 0;
-    const auto page = [&](double x, double y) {
-      const HomogeneousPoint h = to_homogeneous(picture.view, {x, y, 0});
-      return Point2{h.x / h.w, h.y / h.w};
-    };
-    for (const double at : source.x()) {
-      for (const auto& [p, q] : {std::pair(page(at, -1), page(at, 1)), std::pair(page(-1, at), page(1, at))}) {
+    const auto page = [&](double x, double y) { return page_point(picture.view, {x, y, 0}); };
+    for (const double at : source.x())
+      for (const auto& [p, q] : {std::pair(page(at, -1), page(at, 1)), std::pair(page(-1, at), page(1, at))})
         expected += std::hypot(q.x - p.x, q.y - p.y);
-      }
-    }
     EXPECT_NEAR(picture.length(), expected, 1e-3) << eye.x << "," << eye.y;
   };
   whole({0.13, -0.27, 4});  // between curves
@@ -188,7 +180,7 @@ TEST(Horizon, PixelsTendToExact) {
   EXPECT_LT(before, 0.005 * exact);
 }
 
-// What is seen between curves that are farther apart, and hides nothing there, makes coarse grids a little longer: 0.6 %
+// Surface seen between curves that are farther apart, which hides nothing there, makes coarse grids a little longer: 0.6 %
 // here.
 TEST(Horizon, NoSurfaceIsLostWhereCurvesAreDense) {
   const auto wide = [](double x, double y) { return sombrero(x * 2 / 3, y * 2 / 3); };  // sin(r)/r up to 8
@@ -203,20 +195,18 @@ TEST(Horizon, IsTheSameForAnyNumberOfThreads) {
   const Function hills = [](double x, double y) { return std::sin(3 * x) * std::cos(4 * y) + 0.2 * x; };
   const Function pierced = [&](double x, double y) { return std::hypot(x, y) < 0.8 ? kNaN : hills(x, y); };
   // Along an axis every column is an upright line, and the lines that two bands meet at are among them.
-  for (const Point3& sight : {Point3{1, 2, -1}, Point3{0, 1, -0.5}, Point3{-1, 0.01, -0.2}}) {
+  for (const Point3& sight : {Point3{1, 2, -1}, Point3{0, 1, -0.5}, Point3{-1, 0.01, -0.2}})
     for (const Function& f : {hills, pierced}) {
       const FunctionHeights source = heights(f, 120, 2);
       std::vector<Polylines> lines;
-      for (const unsigned threads : {1u, 2u, 7u}) {
+      for (const unsigned threads : {1u, 2u, 7u})
         run_with_threads(threads, [&] { lines.push_back(drawn(source, along(sight)).lines); });
-      }
       ASSERT_GT(lines[0].points.size(), 1000u);
       for (const Polylines& other : lines) {
         EXPECT_EQ(other.begin, lines[0].begin);
         EXPECT_EQ(other.points, lines[0].points);
       }
     }
-  }
 }
 
 TEST(Horizon, HolesEndCurves) {

@@ -1,4 +1,4 @@
-// What the studies promise each other is asserted: a planted breach ends the program.
+// The promises of the studies to each other are asserted: a planted breach ends the program.
 
 #include "scene/clean/clean.hpp"
 #include "support/scenes.hpp"

@@ -69,9 +69,7 @@ TEST(Painter, FacesOfOneDepthEach) {
   EXPECT_TRUE(sequence.level);
   EXPECT_EQ(sequence.overlapping, 0u);
   ASSERT_EQ(sequence.faces.size(), 20u);
-  for (std::size_t i = 1; i < 20; ++i) {
-    EXPECT_GE((11 * sequence.faces[i - 1]) % 20, (11 * sequence.faces[i]) % 20);
-  }
+  for (std::size_t i = 1; i < 20; ++i) EXPECT_GE((11 * sequence.faces[i - 1]) % 20, (11 * sequence.faces[i]) % 20);
 }
 
 /// Figure 2.81 of the thesis: a, b are resolved, c penetrates, d overlaps mutually, e in a ring.
@@ -79,9 +77,8 @@ TEST(Painter, FiguresOfTheThesis) {
   const auto sequence = [](const char* name) {
     return sequence_of(project_on_a4(corpus_scene(name), front()), DepthSort::resolved);
   };
-  for (const char* name : {"thesis_2_72", "thesis_2_81a", "thesis_2_81b"}) {
+  for (const char* name : {"thesis_2_72", "thesis_2_81a", "thesis_2_81b"})
     EXPECT_EQ(sequence(name).wrong + sequence(name).penetrating + sequence(name).left, 0u) << name;
-  }
   EXPECT_EQ(sequence("thesis_2_81c").penetrating, 1u);
   EXPECT_EQ(sequence("thesis_2_81d").penetrating, 1u);
   const PaintSequence ring = sequence("thesis_2_81e");
@@ -147,7 +144,7 @@ TEST(Painter, PaintsWhatIsSeenUnlessItSaysOtherwise) {
         of_buffer.span_lines = options.span_lines;
         of_buffer.settings.set("filling", ParameterWord{1});
         const VisibilityResult seen = find_method("zbuffer")->study(page, of_buffer);
-        // Of faces that touch either may be seen.
+        // Where faces touch, either may be seen.
         constexpr double kTouchMm = 0.01;
         const PixelModel& pixels = *seen.pixels;
         std::size_t unlike = 0;

@@ -14,9 +14,8 @@ double covered(const std::vector<PolygonRun>& runs) {
 }
 
 const PolygonRun* run_on(const std::vector<PolygonRun>& runs, std::uint32_t line, int which = 0) {
-  for (const PolygonRun& r : runs) {
+  for (const PolygonRun& r : runs)
     if (r.line == line && which-- == 0) return &r;
-  }
   return nullptr;
 }
 
@@ -178,9 +177,8 @@ TEST(ConvexFiller, AgreesWithScanConversion) {
     std::map<std::int64_t, Row> expected;
     std::vector<GridPoint> points;
     for (const auto& [u, v] : corners) points.push_back({u, v, 0});
-    for (const PolygonRun& r : scan_polygon(points, std::vector<std::uint32_t>{3}, 300)) {
+    for (const PolygonRun& r : scan_polygon(points, std::vector<std::uint32_t>{3}, 300))
       expected[r.line] = {r.line, std::llround(std::ceil(r.u0)), std::llround(std::ceil(r.u1))};
-    }
     for (const Row& r : rows_of(corners, 0, 300)) {
       const Row e = expected.contains(r.line) ? expected[r.line] : Row{r.line, r.from, r.from};
       columns += static_cast<std::size_t>(r.to - r.from);
@@ -197,13 +195,12 @@ TEST(ConvexFiller, NeighboursShareNothingAndLeaveNothingOut) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> move(-0.9, 0.9);
   std::vector<std::array<double, 2>> corner;
-  for (int j = 0; j <= kCells; ++j) {
+  for (int j = 0; j <= kCells; ++j)
     for (int i = 0; i <= kCells; ++i) {
       const bool inside = i > 0 && j > 0 && i < kCells && j < kCells;
       const double step = double(kSize) / kCells;
       corner.push_back({i * step + (inside ? move(random) : 0), j * step + (inside ? move(random) : 0)});
     }
-  }
   std::vector<int> painted(kSize * kSize, 0);
   ConvexFiller filler;
   const auto fill = [&](int a, int b, int c) {
@@ -213,13 +210,12 @@ TEST(ConvexFiller, NeighboursShareNothingAndLeaveNothingOut) {
       for (std::int64_t i = from; i < to; ++i) ++painted[std::size_t(line * kSize + i)];
     });
   };
-  for (int j = 0; j < kCells; ++j) {
+  for (int j = 0; j < kCells; ++j)
     for (int i = 0; i < kCells; ++i) {
       const int a = j * (kCells + 1) + i, b = a + 1, c = a + kCells + 1, d = c + 1;
       fill(a, b, c);
       fill(b, d, c);
     }
-  }
   for (const int n : painted) ASSERT_EQ(n, 1);
 }
 

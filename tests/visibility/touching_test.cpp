@@ -15,7 +15,7 @@ enum class Corners { exact, rotated_corners, rotated_centres };
 Scene cubes(Corners corners, const Basis& basis) {
   Scene scene;
   for (int k = 0; k < kSide; ++k) {
-    for (int j = 0; j < kSide; ++j) {
+    for (int j = 0; j < kSide; ++j)
       for (int i = 0; i < kSide; ++i) {
         const Point3 corner{double(i), double(j), double(k)};
         if (corners != Corners::rotated_centres) {
@@ -28,7 +28,6 @@ Scene cubes(Corners corners, const Basis& basis) {
         for (std::size_t v = scene.vertices.size() - 8; v < scene.vertices.size(); ++v) scene.vertices[v] += centre;
         scene.objects.back().precision = kSide * 0x1p-52;
       }
-    }
   }
   return scene;
 }
@@ -51,12 +50,11 @@ class TouchingCubes : public testing::TestWithParam<Corners> {};
 TEST_P(TouchingCubes, EveryLineOnceAndAllOfIt) {
   const Basis basis = GetParam() == Corners::exact ? kUpright : rotation(0.3, 0.7, -1.1);
   const Scene scene = cubes(GetParam(), basis);
-  for (const char* edges : {"feature", "all"}) {
+  for (const char* edges : {"feature", "all"})
     for (const Point3& direction : {Point3{-1, 1, -1}, Point3{0.3, 0.5, -0.8}, Point3{-0.11, 0.93, 0.2}}) {
       const Picture p = draw(scene, {along(direction), edges});
       EXPECT_NEAR(p.length() / ideal_length(p, basis), 1, 0.0005) << edges << " along " << direction.x;
     }
-  }
 }
 
 INSTANTIATE_TEST_SUITE_P(AllCorners, TouchingCubes,
@@ -138,10 +136,9 @@ PictureRequest request(const std::string& method, const Basis& turn, bool hidden
 double length_of_sides(const Picture& picture) {
   double sum = 0;
   const ProjectedScene& scene = picture.projected;
-  for (const ProjectedEdge& e : scene.edges) {
+  for (const ProjectedEdge& e : scene.edges)
     if (e.line_class != LineClass::mesh)
       sum += glm::length(scene.lattice.to_mm(scene.vertices[e.v1].p) - scene.lattice.to_mm(scene.vertices[e.v0].p));
-  }
   return sum;
 }
 

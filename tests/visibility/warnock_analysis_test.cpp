@@ -35,7 +35,7 @@ TEST(WarnockWindow, SegmentsMeetTheClosedWindow) {
   EXPECT_FALSE(meets({11, -5}, {11, 15}, w));
   EXPECT_TRUE(meets({10, 10}, {20, 20}, w)) << "ends in the corner";
   EXPECT_FALSE(meets({-3, -1}, {20, -1}, w));
-  // The same from both ends, against the truth by fine steps.
+  // Both ends give the same answer, against the truth by fine steps.
   std::mt19937 random(11);
   std::uniform_int_distribution<int> u(-8, 18);
   for (int i = 0; i < 2000; ++i) {
@@ -181,7 +181,7 @@ struct StudiedWindow {
   Covers covers;
 };
 
-/// What may be asked of a window, by the names of the table below.
+/// Questions about a window, by the names of the table below.
 const std::map<std::string, bool (*)(const StudiedWindow&)> kQuestions{
     {"surrounder", [](const auto& s) { return surrounder_before_everything(s.situation, s.covers); }},
     {"penetrating", [](const auto& s) { return penetrating_surrounders_before_everything(s.situation, s.covers); }},

@@ -132,21 +132,22 @@ std::uint64_t windows_of_square(double shift_x, double shift_z, unsigned window,
 
 TEST(WarnockFindings, FewerWindowsFromTheScreenToTheBoundingSquareToThePrincipalDirection) {
   constexpr unsigned kScreen = 0, kBounding = 1, kPrincipal = 2;
-  EXPECT_EQ(windows_of_square(0, 0, kScreen, 0, 1024), 49u);
-  EXPECT_EQ(windows_of_square(0, 0, kBounding, 0, 1024), 21u);
-  EXPECT_EQ(windows_of_square(0, 0, kPrincipal, 0, 1024), 1u);
-  // The triangle a little farther to the right.
-  EXPECT_EQ(windows_of_square(4, 2, kScreen, 0, 1024), 53u);
-  EXPECT_EQ(windows_of_square(4, 2, kBounding, 0, 1024), 41u);
-  EXPECT_EQ(windows_of_square(4, 2, kPrincipal, 0, 1024), 1u);
-  // Divisions at vertices: no better.
-  EXPECT_EQ(windows_of_square(0, 0, kScreen, 1, 1024), 67u);
-}
-
-/// Divided at vertices the bounding square takes fewer windows where the triangle stands well, and more where it does not.
-TEST(WarnockFindings, VerticesMaySaveWindowsOfTheBoundingSquare) {
-  EXPECT_EQ(windows_of_square(0, 0, 1, 1, 1024), 13u);
-  EXPECT_EQ(windows_of_square(4, 2, 1, 1, 1024), 117u);
+  const struct {
+    const char* name;
+    double shift_x, shift_z;
+    unsigned window, split;
+    std::uint64_t windows;
+  } rows[] = {{"screen", 0, 0, kScreen, 0, 49},
+              {"bounding square", 0, 0, kBounding, 0, 21},
+              {"principal direction", 0, 0, kPrincipal, 0, 1},
+              {"screen, the triangle a little farther to the right", 4, 2, kScreen, 0, 53},
+              {"bounding square, farther to the right", 4, 2, kBounding, 0, 41},
+              {"principal direction, farther to the right", 4, 2, kPrincipal, 0, 1},
+              {"screen, divided at vertices: no better", 0, 0, kScreen, 1, 67},
+              {"bounding square, vertices: fewer windows where the triangle stands well", 0, 0, kBounding, 1, 13},
+              {"bounding square, vertices: more where it does not", 4, 2, kBounding, 1, 117}};
+  for (const auto& r : rows)
+    EXPECT_EQ(windows_of_square(r.shift_x, r.shift_z, r.window, r.split, 1024), r.windows) << r.name;
 }
 
 TEST(WarnockFindings, KnowledgeAndRoughTestsSaveWindows) {

@@ -1,8 +1,7 @@
 // Areas of the method warnock: no overlap, no gap, and each shows the face that is in front.
 
-#include "geometry/point.hpp"
+#include "drawing/measures.hpp"
 #include "support/corpus_scene.hpp"
-#include "support/page_lines.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
 #include "support/test.hpp"
@@ -21,34 +20,6 @@ Areas areas_of(const Scene& scene, const CameraRequest& camera, const MethodSett
   options.settings = settings;
   result.regions = *find_method("warnock")->study(result.projected, options).regions;
   return result;
-}
-
-double signed_area(const std::vector<Point2>& contour) {
-  double sum = 0;
-  for (std::size_t i = 0; i < contour.size(); ++i) {
-    const Point2 p = contour[i] - contour[0], q = contour[(i + 1) % contour.size()] - contour[0];
-    sum += p.x * q.y - p.y * q.x;
-  }
-  return sum / 2;
-}
-
-double area_of(const Region& r) {
-  double sum = 0;
-  for (const auto& c : r.contours) sum += signed_area(c);
-  return sum;
-}
-
-/// Even-odd over all contours; `near` is set when a contour passes within `distance`.
-bool holds(const Region& r, Point2 p, double distance, bool& near) {
-  bool inside = false;
-  for (const auto& c : r.contours) {
-    for (std::size_t i = 0; i < c.size(); ++i) {
-      const Point2 a = c[i], b = c[(i + 1) % c.size()];
-      near = near || distance_to_segment(p, a, b) < distance;
-      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
-    }
-  }
-  return inside;
 }
 
 /// Depths of all opaque faces at a page point, by their triangles.
@@ -75,10 +46,10 @@ TEST_P(WarnockRegions, ShowTheFaceInFrontEverywhereOnce) {
     std::vector<Rect> boxes;
     for (const Region& r : areas.regions) {
       EXPECT_GT(area_of(r), 0);
-      Rect box{r.contours[0][0], r.contours[0][0]};
-      for (const Point2 p : r.contours[0]) box = {glm::min(box.min, p), glm::max(box.max, p)};
+      Rect box;
+      for (const Point2 p : r.contours[0]) box.extend(p);
       boxes.push_back(box);
-      for (std::size_t k = 1; k < r.contours.size(); ++k) EXPECT_LT(signed_area(r.contours[k]), 0) << "hole";
+      for (std::size_t k = 1; k < r.contours.size(); ++k) EXPECT_LT(area_of(r.contours[k]), 0) << "hole";
     }
     int wrong = 0, asked = 0;
     std::string first;
@@ -90,7 +61,8 @@ TEST_P(WarnockRegions, ShowTheFaceInFrontEverywhereOnce) {
         for (std::size_t i = 0; i < areas.regions.size(); ++i) {
           const Rect& b = boxes[i];
           if (p.x < b.min.x - 1 || p.x > b.max.x + 1 || p.y < b.min.y - 1 || p.y > b.max.y + 1) continue;
-          if (holds(areas.regions[i], p, 0.002, near)) shown.push_back(areas.regions[i].face);
+          near = near || is_near_side(areas.regions[i], p, 0.002);
+          if (holds(areas.regions[i], p)) shown.push_back(areas.regions[i].face);
         }
         if (near) continue;
         ++asked;
@@ -125,12 +97,10 @@ TEST(WarnockAreas, AddUpToThePlateBehind) {
   add_face(scene, {{{-4, -3, 0}, {4, -3, 0}, {4, 3, 0}, {-4, 3, 0}}});
   add_box(scene, {0, 0, 2}, {2, 2, 1}, rotation(0.3, 0.2, 0.4));
   add_box(scene, {1, 0, 2}, {2, 1, 1}, rotation(0.1, -0.6, 0.2));  // penetrates the other
-  for (const char* window : {"screen", "bounding", "principal"}) {
+  for (const unsigned window : {0u, 1u, 2u}) {                     // screen, bounding, principal
     for (const unsigned split : {0u, 1u}) {
       MethodSettings settings;
-      const std::string_view names[] = {"screen", "bounding", "principal"};
-      settings.set("warnock-window",
-                   ParameterWord{static_cast<std::size_t>(std::ranges::find(names, window) - std::begin(names))});
+      settings.set("warnock-window", ParameterWord{window});
       settings.set("warnock-split", ParameterWord{split});
       const Areas areas = areas_of(scene, along({0, 0, -1}), settings);
       double total = 0;

@@ -62,10 +62,9 @@ class Stage {
   std::uint32_t add_frame(std::int32_t outer, std::int32_t inner, double z) {
     const std::uint32_t face = faces_++;
     const auto v = static_cast<std::uint32_t>(scene_.vertices.size());
-    for (const std::int32_t r : {outer, inner}) {
+    for (const std::int32_t r : {outer, inner})
       for (const auto& [sx, sy] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
         scene_.vertices.push_back({{sx * r, sy * r}, z});
-    }
     for (std::uint32_t i = 0; i < 4; ++i) {
       const std::uint32_t k = (i + 1) % 4;
       scene_.triangles.push_back({{v + i, v + k, v + 4 + i}, face});
@@ -82,9 +81,8 @@ class Stage {
   }
 
   const warnock::Face& face(std::uint32_t number) const {
-    for (const warnock::Face& f : table_.faces) {
+    for (const warnock::Face& f : table_.faces)
       if (f.face == number) return f;
-    }
     return table_.faces.front();
   }
 

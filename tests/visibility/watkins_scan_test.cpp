@@ -23,9 +23,8 @@ double difference(const std::vector<Span>& a, const std::vector<Span>& b) {
   std::size_t k = 0;
   for (const Span& s : a) {
     while (k < b.size() && (b[k].line < s.line || (b[k].line == s.line && b[k].x_to <= s.x_from))) ++k;
-    for (std::size_t i = k; i < b.size() && b[i].line == s.line && b[i].x_from < s.x_to; ++i) {
+    for (std::size_t i = k; i < b.size() && b[i].line == s.line && b[i].x_from < s.x_to; ++i)
       if (b[i].face == s.face) common += std::min(s.x_to, b[i].x_to) - std::max(s.x_from, b[i].x_from);
-    }
   }
   return sum - 2 * common;
 }
@@ -60,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Corpus, WatkinsCoherence,
                                          "lattice_of_bars_merged", "thesis_2_59a", "thesis_2_59b", "thesis_2_59c",
                                          "mixed_sizes", "bricks"));
 
-/// The same for all scenes that are not large, also along an axis, where vertices, edges and lines of intersection lie on
+/// Holds for all scenes that are not large, also along an axis, where vertices, edges and lines of intersection lie on
 /// each other and are horizontal.
 TEST(WatkinsScan, LinesPassedOverHaveTheSpansOfAStudyOnAllScenes) {
   constexpr std::uintmax_t kMostBytes = 20'000;
@@ -221,7 +220,7 @@ TEST(WatkinsStudies, TwiceTheLinesAreNoMoreStudiesOnAllScenes) {
   EXPECT_GT(scenes, runs_all() ? 80u : 25u);
 }
 
-/// The same city with its digits rounded: faces touch within the digits of the file, and their depths change places from
+/// In a city with its digits rounded faces touch within the digits of the file, and their depths change places from
 /// line to line.
 TEST(WatkinsStudies, FacesThatTouchAreNoChanges) {
   const std::filesystem::path file = std::filesystem::path(LIGNE_MODELS_DIR) / "CITY.ASC";

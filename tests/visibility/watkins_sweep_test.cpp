@@ -119,7 +119,7 @@ TEST(WatkinsSweep, StopsOfTwoPlates) {
   EXPECT_EQ(parts, 7);
 }
 
-/// The same intervals whatever span method proposes the facets, and none missing against a test of every facet.
+/// Intervals do not depend on the span method that proposes the facets, and none is missing against a test of every facet.
 TEST(WatkinsSweep, FindingsAreThoseOfAllFacets) {
   const Prepared p = prepare(random_boxes(40, 11, 6, {3, 2, 2.5}), along({-1, 2, -1}));
   OpenParts open, all;
@@ -151,9 +151,8 @@ TEST(WatkinsSweep, FindingsAreThoseOfAllFacets) {
 /// Every edge seen is found in some band; the bands are made of the scene alone, and hold every point once.
 TEST(WatkinsSweep, BandsHoldEveryPointOnce) {
   Scene scene;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 40; ++i)
     for (int k = 0; k < 40; ++k) add_box(scene, {1.5 * i, 1.5 * k, 0.1 * ((i * 7 + k * 3) % 10)}, {1, 1, 1});
-  }
   const Prepared p = prepare(scene, along({-1, 2, -1}));
   const SweepScene sweep = make_sweep_scene(p.projected.vertices, p.facets.facets, p.lines);
   const std::vector<SweepBand> bands = make_bands(sweep);
@@ -206,9 +205,8 @@ std::array<double, kLineClassCount> visible_lengths(const ProjectedScene& scene,
   VisibilityResult result = find_method(method)->study(scene, {});
   remove_coincident_strokes(*result.strokes, coincidence_mm(scene));
   std::array<double, kLineClassCount> lengths{};
-  for (const Stroke& s : result.strokes->strokes) {
+  for (const Stroke& s : result.strokes->strokes)
     if (s.visible) lengths[static_cast<std::size_t>(s.line_class)] += length(s.from, s.to);
-  }
   return lengths;
 }
 

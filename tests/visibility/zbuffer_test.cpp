@@ -72,9 +72,8 @@ TEST(ZBuffer, AHoleShowsWhatIsBehind) {
     const DepthBuffer buffer = painted(projected(scene, view_at(from_above(), scene)), 100, filling);
     std::array<int, 2> pixels{0, 0};
     for (std::uint32_t row = 0; row < 100; ++row) {
-      for (std::uint32_t column = 0; column < 100; ++column) {
+      for (std::uint32_t column = 0; column < 100; ++column)
         if (const std::uint32_t face = buffer.face(column, row); face < 2) ++pixels[face];
-      }
     }
     EXPECT_EQ(pixels[0], 80 * 80 - 40 * 40);
     EXPECT_EQ(pixels[1], 40 * 40);
@@ -105,7 +104,7 @@ TEST(ZBuffer, PerspectiveDepthIsLinearOnThePage) {
   for (const Filling filling : kFillings) {
     const DepthBuffer buffer = painted(projected(scene, view), 200, filling);
     std::size_t pixels = 0;
-    for (std::uint32_t row = 0; row < buffer.grid().height; ++row) {
+    for (std::uint32_t row = 0; row < buffer.grid().height; ++row)
       for (std::uint32_t column = 0; column < buffer.grid().width; ++column) {
         if (buffer.face(column, row) == DepthBuffer::kNothing) continue;
         ++pixels;
@@ -113,7 +112,6 @@ TEST(ZBuffer, PerspectiveDepthIsLinearOnThePage) {
         const Point3 p = to_model_point(view, at, buffer.depth(column, row));
         EXPECT_NEAR(p.z, (p.x + 40) * 30 / 80, 1e-3);
       }
-    }
     EXPECT_GT(pixels, 1000u);
   }
 }
@@ -125,12 +123,10 @@ TEST(ZBuffer, NeighboursShareNothingAndLeaveNothingOut) {
   constexpr int kCells = 30;
   Scene scene;
   begin_object(scene);
-  for (int j = 0; j <= kCells; ++j) {
-    for (int i = 0; i <= kCells; ++i) {
+  for (int j = 0; j <= kCells; ++j)
+    for (int i = 0; i <= kCells; ++i)
       scene.vertices.push_back({i * 4.0 + move(random), j * 4.0 + move(random), move(random)});
-    }
-  }
-  for (std::uint32_t j = 0; j < kCells; ++j) {
+  for (std::uint32_t j = 0; j < kCells; ++j)
     for (std::uint32_t i = 0; i < kCells; ++i) {
       const std::uint32_t a = j * (kCells + 1) + i, b = a + 1, c = a + kCells + 1, d = c + 1;
       if ((i + j) % 3 == 0) {
@@ -140,7 +136,6 @@ TEST(ZBuffer, NeighboursShareNothingAndLeaveNothingOut) {
         scene.faces.add_triangle(b, d, c);
       }
     }
-  }
   end_object(scene);
   const ProjectedScene page = projected(scene, view_at(from_above(), scene));
   for (const Filling filling : kFillings) {
@@ -237,9 +232,8 @@ TEST(ZBuffer, OneThreadAndManyPaintTheSame) {
   const ProjectedScene page = projected(scene, view_at(along({-1, 2, -1}), scene, 4));
   for (const Filling filling : kFillings) {
     std::vector<DepthBuffer> buffers;
-    for (const unsigned threads : {1u, 4u}) {
+    for (const unsigned threads : {1u, 4u})
       run_with_threads(threads, [&] { buffers.push_back(painted(page, 512, filling)); });
-    }
     expect_same(buffers[0], buffers[1]);
   }
 }
@@ -303,9 +297,8 @@ TEST(ZBuffer, LinesOfConvexBodiesDoNotBreak) {
       std::vector<LinePart> parts;
       const StrokeModel exact = *find_method("appel")->study(page, {}).strokes;
       std::vector<double> visible(topology.edges.size(), 0);
-      for (const Stroke& s : exact.strokes) {
+      for (const Stroke& s : exact.strokes)
         if (s.source < visible.size()) visible[s.source] += s.t_to - s.t_from;
-      }
       for (const ProjectedEdge& e : page.edges) {
         if (visible[e.source] < 1 - 1e-9) continue;
         const PageLine line(page.vertices[e.v0], page.vertices[e.v1], e.face0, e.face1);
