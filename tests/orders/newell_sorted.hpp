@@ -1,9 +1,7 @@
 #pragma once
 /// The list of the method newell, sorted for a scene and a view.
 
-#include <cstdint>
-#include <vector>
-
+#include "study/generators.hpp"
 #include "support/scenes.hpp"
 #include "visibility/newell/priority_list.hpp"
 
@@ -11,7 +9,7 @@ namespace ligne::test {
 
 /// A list and how it came about. The viewer looks along +y: x to the right, z up, what has the larger y is farther.
 struct Sorted {
-  std::vector<std::uint32_t> faces;  ///< of the elements, the farthest first
+  std::vector<std::uint32_t> faces;  ///< faces of the elements, the farthest first
   newell::ListCounts counts;
 };
 
@@ -26,5 +24,12 @@ inline Sorted sorted(const Scene& scene, const CameraRequest& camera = along({0,
 }
 
 using Order = std::vector<std::uint32_t>;
+
+/// Plates, each by x0, x1, z0, z1 and the depths of its left and its right side.
+inline Scene plates(const std::vector<std::array<double, 6>>& list) {
+  Scene scene;
+  for (const auto& [x0, x1, z0, z1, y0, y1] : list) studies::add_plate(scene, x0, x1, z0, z1, y0, y1);
+  return scene;
+}
 
 }  // namespace ligne::test

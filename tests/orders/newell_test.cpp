@@ -2,7 +2,6 @@
 
 #include "geometry/parallel.hpp"
 #include "newell_sorted.hpp"
-#include "study/generators.hpp"
 #include "support/test.hpp"
 #include "visibility/registry.hpp"
 
@@ -18,9 +17,7 @@ using studies::ring;
 TEST(Newell, NarrowStripsHaveAnOrder) {
   const double step = draw(ring(3), {along({0, 1, 0}), "all", false, 1, "appel"}).projected.lattice.step_mm;
   const auto disjoint = [](double overlap, double size) {
-    Scene scene;
-    add_plate(scene, 0, 10, 0, 10, 5, 5);
-    add_plate(scene, 10 - overlap, 10 - overlap + size, 2, 2 + size, 2, 2);
+    const Scene scene = plates({{0, 10, 0, 10, 5, 5}, {10 - overlap, 10 - overlap + size, 2, 2 + size, 2, 2}});
     const Picture picture = draw(scene, {along({0, 1, 0}), "all", false, 1, "appel"});
     return PaintElements(picture.projected).disjoint(0, 1);
   };
@@ -33,10 +30,8 @@ TEST(Newell, NarrowStripsHaveAnOrder) {
 // 2.5.2.3: tests of rising cost. Two faces whose extents overlap in depth: apart in x, apart in y, one behind the plane of
 // the other, before the plane, and disjoint but for their boxes.
 TEST(Newell, TestsOfRisingCost) {
-  Scene behind;  // both lean alike; the second lies behind the plane of the first all over
-  add_plate(behind, 0, 10, 0, 10, 8, 0);
-  add_plate(behind, 2, 8, 2, 8, 8.4, 3.6);
-  const Sorted s = sorted(behind);
+  // Both lean alike; the second lies behind the plane of the first all over.
+  const Sorted s = sorted(plates({{0, 10, 0, 10, 8, 0}, {2, 8, 2, 8, 8.4, 3.6}}));
   EXPECT_EQ(s.faces, (Order{1, 0}));
   EXPECT_EQ(s.counts.moved, 0u) << "the second reaches farther";
   EXPECT_EQ(s.counts.behind_plane, 1u);
@@ -65,22 +60,20 @@ Scene crowd_of_boxes(int count) {
   Scene scene;
   std::mt19937 random(3);
   std::uniform_real_distribution<double> u(-1, 1);
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count; ++i)
     add_box(scene, Point3{u(random), u(random), u(random)} * 4.0, {2, 2, 2}, rotation(u(random) * 3, u(random), u(random)));
-  }
   return scene;
 }
 
 TEST(Newell, IsTheSameEveryTimeWithAnyNumberOfThreads) {
   const Scene scene = crowd_of_boxes(40);
   const Sorted first = sorted(scene);
-  for (const unsigned threads : {1u, 4u}) {
+  for (const unsigned threads : {1u, 4u})
     run_with_threads(threads, [&] {
       const Sorted again = sorted(scene);
       EXPECT_EQ(again.faces, first.faces);
       EXPECT_EQ(again.counts.compared, first.counts.compared);
     });
-  }
 }
 
 // [Boulle1980], front and back partition: of a box three faces look at the viewer and three do not. Of the 15 pairs the six
@@ -93,9 +86,8 @@ TEST(Newell, FacesOfAConvexBodyAreNotCompared) {
   EXPECT_EQ(elements.bodies().count(), 1u);
   EXPECT_EQ(elements.bodies().faces(), 6u);
   int never = 0;
-  for (std::uint32_t a = 0; a < 6; ++a) {
+  for (std::uint32_t a = 0; a < 6; ++a)
     for (std::uint32_t b = 0; b < 6; ++b) never += a != b && elements.never_hides(a, b);
-  }
   EXPECT_EQ(never, 2 * 6 + 9);
   const Sorted s = sorted(scene);
   EXPECT_LE(s.counts.compared, 9u);
@@ -106,9 +98,8 @@ TEST(Newell, FacesOfAConvexBodyAreNotCompared) {
 TEST(Newell, AZigzagIsNoConvexBody) {
   Scene scene;
   begin_object(scene);
-  for (const double z : {0.0, 4.0}) {
+  for (const double z : {0.0, 4.0})
     for (const Point3& p : {Point3{0, 0, z}, Point3{2, 2, z}, Point3{4, 0, z}, Point3{6, 2, z}}) scene.vertices.push_back(p);
-  }
   for (std::uint32_t i = 0; i < 3; ++i) scene.faces.add_face(std::vector<std::uint32_t>{i, i + 1, i + 5, i + 4});
   end_object(scene);
   const Picture picture = draw(scene, {along({0.3, 1, 0}), "all", false, 1, "appel"});
@@ -156,10 +147,7 @@ using studies::add_comb;
 
 // Figure 2.72: F1 and F2, in this order: the second hides a part of the first.
 TEST(Newell, Figure272) {
-  Scene scene;
-  add_plate(scene, 0, 6, 0, 6, 5, 5);
-  add_plate(scene, 3, 9, 3, 9, 2, 2);
-  const Sorted s = sorted(scene);
+  const Sorted s = sorted(plates({{0, 6, 0, 6, 5, 5}, {3, 9, 3, 9, 2, 2}}));
   EXPECT_EQ(s.faces, (Order{0, 1}));
   EXPECT_EQ(s.counts.slabs, 2u) << "their depths are apart: nothing is compared";
   EXPECT_EQ(s.counts.compared, 0u);
@@ -168,10 +156,7 @@ TEST(Newell, Figure272) {
 // Figure 2.81 a: P has the farther point and hides Q. P: from depth 9 at x = 0 to 1 at x = 10; Q: depth 6, x from 7 to 9,
 // where P is at 3.4 to 1.8. Q is moved to the head.
 TEST(Newell, Figure281a) {
-  Scene scene;
-  add_plate(scene, 0, 10, 0, 10, 9, 1);
-  add_plate(scene, 7, 9, 3, 6, 6, 6);
-  const Sorted s = sorted(scene);
+  const Sorted s = sorted(plates({{0, 10, 0, 10, 9, 1}, {7, 9, 3, 6, 6, 6}}));
   EXPECT_EQ(s.faces, (Order{1, 0}));
   EXPECT_EQ(s.counts.moved, 1u);
   EXPECT_EQ(s.counts.plane_cuts + s.counts.page_cuts, 0u);
@@ -179,20 +164,12 @@ TEST(Newell, Figure281a) {
 
 // Figure 2.81 b: both reach as far, to 8. The list begins with either; P (0) hides Q at x = 8..9, where it is at 1.6 to 0.8
 // and Q, which is level, at 8.
-TEST(Newell, Figure281b) {
-  Scene scene;
-  add_plate(scene, 0, 10, 0, 10, 8, 0);
-  add_plate(scene, 8, 9, 3, 6, 8, 8);
-  EXPECT_EQ(sorted(scene).faces, (Order{1, 0}));
-}
+TEST(Newell, Figure281b) { EXPECT_EQ(sorted(plates({{0, 10, 0, 10, 8, 0}, {8, 9, 3, 6, 8, 8}})).faces, (Order{1, 0})); }
 
 // Figure 2.81 c: they pass through each other along x = 5. One is cut: three elements, the halves of one on both sides of
 // the other.
 TEST(Newell, Figure281c) {
-  Scene scene;
-  add_plate(scene, 0, 10, 0, 10, 8, 0);
-  add_plate(scene, 0, 10, 2, 8, 0, 8);
-  const Sorted s = sorted(scene);
+  const Sorted s = sorted(plates({{0, 10, 0, 10, 8, 0}, {0, 10, 2, 8, 0, 8}}));
   EXPECT_EQ(s.counts.plane_cuts, 1u);
   EXPECT_EQ(s.counts.page_cuts, 0u);
   ASSERT_EQ(s.faces.size(), 3u);
@@ -239,7 +216,7 @@ TEST(Newell, Figure281eRings) {
   // 2.5.2.7 finds a ring by n studies of n - 1 comparisons. It leaves out that each move asks whether Q hides P too, and the
   // studies after a cut: so more may be needed, no more than are given here. Those of 3, 4 and 5 are counts and not worked
   // out; n(n - 1) is enough for all of the ring of 6.
-  // Of its c / 2 + 1 pieces of a face with c corners it says that they are of one cut, and two where the face is convex:
+  // It says that the c / 2 + 1 pieces of a face with c corners come from one cut, and two where the face is convex:
   // each cut adds one element. Bar 0 of four is the only one cut twice.
   for (const Expected& e :
        {Expected{3, {2, 0, 1, 2}, {}, 1, 0, 4, 15}, Expected{4, {0, 1, 2, 3, 0}, {0, 1, 2, 3}, 5, 0, 9, 46},
@@ -343,7 +320,7 @@ TEST(Newell, Figure284EachFaceIsCutOnceByP) {
   }
 }
 
-// The same where P reaches farther and is the head: P is cut. The faces stand in P and lie in one plane, so that one cut of
+// Where P reaches farther and is the head, P is cut. The faces stand in P and lie in one plane, so that one cut of
 // P serves for all: the half behind them, the faces, the half before them.
 TEST(Newell, Figure284PIsCutOnceForFacesOfOnePlane) {
   Scene scene;
@@ -362,15 +339,9 @@ TEST(Newell, Figure284PIsCutOnceForFacesOfOnePlane) {
 // Figures 2.86 to 2.88: a scene that falls into zones, these into slabs, and these into zones again: each slab holds one
 // face in the end, and the study is done without a comparison.
 TEST(Newell, Figure288ZonesAndSlabsToTheEnd) {
-  Scene scene;
-  // Left zone: two slabs; the nearer one is two zones, above each other.
-  add_plate(scene, 0, 10, 0, 10, 9, 8);
-  add_plate(scene, 0, 10, 0, 4, 3, 2);
-  add_plate(scene, 0, 10, 6, 10, 3, 1);
-  // Right zone: two slabs.
-  add_plate(scene, 20, 30, 0, 10, 9, 1.5);
-  add_plate(scene, 20, 30, 2, 8, 0.5, 1);
-  const Sorted s = sorted(scene);
+  // Left zone: two slabs; the nearer one is two zones, above each other. Right zone: two slabs.
+  const Sorted s = sorted(plates(
+      {{0, 10, 0, 10, 9, 8}, {0, 10, 0, 4, 3, 2}, {0, 10, 6, 10, 3, 1}, {20, 30, 0, 10, 9, 1.5}, {20, 30, 2, 8, 0.5, 1}}));
   EXPECT_EQ(s.counts.compared, 0u);
   EXPECT_EQ(s.counts.lists, 0u);
   EXPECT_GT(s.counts.zones, 0u);

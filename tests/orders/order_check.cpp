@@ -1,6 +1,6 @@
 #include "order_check.hpp"
 
-#include "support/standard.hpp"
+#include "drawing/measures.hpp"
 
 namespace ligne::test {
 namespace {
@@ -8,32 +8,18 @@ namespace {
 constexpr double kFromSidesMm = 0.002;
 constexpr double kSameDepthMm = 0.0005;
 
-/// Whether the point is inside; `beside` is set when it is near a side.
-bool inside(const PaintPiece& piece, Point2 p, bool& beside) {
-  bool in = false;
-  for (const auto& contour : piece.contours) {
-    for (std::size_t i = 0; i < contour.size(); ++i) {
-      const Point2 a = contour[i], d = contour[(i + 1) % contour.size()] - a, v = p - a;
-      const double square = d.x * d.x + d.y * d.y;
-      const double u = square > 0 ? std::clamp((v.x * d.x + v.y * d.y) / square, 0.0, 1.0) : 0;
-      beside |= std::hypot(v.x - u * d.x, v.y - u * d.y) < kFromSidesMm;
-      if ((a.y <= p.y) != (a.y + d.y <= p.y) && v.x < v.y / d.y * d.x) in = !in;
-    }
-  }
-  return in;
-}
-
 struct Painted {
   std::uint32_t face;
   double depth;
 };
 
-/// What is painted at the point, the nearest first; nothing to be asked near a side.
+/// The pieces painted at the point, the nearest first; false near a side, where nothing is to be asked.
 bool painted_at(const PaintOrder& order, Point2 p, std::vector<Painted>& painted) {
   painted.clear();
   bool beside = false;
   for (auto piece = order.pieces.rbegin(); piece != order.pieces.rend(); ++piece) {
-    if (!inside(*piece, p, beside)) continue;
+    beside |= is_near_side(*piece, p, kFromSidesMm);
+    if (!holds(*piece, p)) continue;
     painted.push_back({piece->face, piece->plane[0] * p.x + piece->plane[1] * p.y + piece->plane[2]});
   }
   return !beside;
@@ -51,12 +37,10 @@ std::string fault_at(Point2 p, const std::vector<Painted>& painted, const std::v
     } else if (std::abs(hit->depth_mm - painted[i].depth) > kSameDepthMm) {
       out << " face " << painted[i].face << " is at " << hit->depth_mm << ", not at " << painted[i].depth << ";";
     }
-    if (i + 1 < painted.size() && painted[i].depth > painted[i + 1].depth + kSameDepthMm) {
+    if (i + 1 < painted.size() && painted[i].depth > painted[i + 1].depth + kSameDepthMm)
       out << " face " << painted[i].face << " is painted over face " << painted[i + 1].face << ";";
-    }
-    for (std::size_t k = 0; k < i; ++k) {
+    for (std::size_t k = 0; k < i; ++k)
       if (painted[k].face == painted[i].face) out << " face " << painted[i].face << " is painted twice;";
-    }
   }
   for (const oracle::FaceHit& hit : hits) {
     // One of several faces that coincide stands for all.

@@ -11,7 +11,7 @@ namespace ligne::test {
 struct OrderVerdict {
   std::string faults;  ///< empty when there is none
   int points = 0;      ///< that were asked
-  int covered = 0;     ///< of them, with two faces or more
+  int covered = 0;     ///< points with two faces or more
 };
 
 /// At random points of pieces the faces painted there are all that are there, each once, at their depths, the farthest

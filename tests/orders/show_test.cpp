@@ -1,7 +1,9 @@
-// What --show draws of a method: numbers of an order, planes of a tree, zones and slabs, spans, clipped polygons.
+// Debug layers that --show draws of a method: numbers of an order, planes of a tree, zones and slabs, spans, clipped
+// polygons.
 
+#include "drawing/measures.hpp"
 #include "main/tier.hpp"
-#include "study/generators.hpp"
+#include "newell_sorted.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
@@ -11,8 +13,6 @@
 
 namespace ligne::test {
 namespace {
-
-using studies::add_plate;
 
 /// The viewer looks along +y: what has the larger y is farther.
 VisibilityResult shown(const Scene& scene, const char* method, std::string_view what) {
@@ -25,44 +25,23 @@ VisibilityResult shown(const Scene& scene, const char* method, std::string_view 
   return find_method(method)->study(picture.projected, options);
 }
 
-bool covers(const PaintPiece& piece, Point2 p) {
-  bool in = false;
-  const auto& c = piece.contours[0];
-  for (std::size_t i = 0; i < c.size(); ++i) {
-    const Point2 a = c[i], b = c[(i + 1) % c.size()];
-    if ((a.y <= p.y) != (b.y <= p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) in = !in;
-  }
-  return in;
-}
-
-Scene three_plates() {
-  Scene scene;
-  add_plate(scene, 0, 6, 0, 6, 5, 5);
-  add_plate(scene, 3, 9, 3, 9, 2, 2);
-  add_plate(scene, 5, 7, 5, 7, 0, 0);
-  return scene;
-}
+const Scene kThreePlates = plates({{0, 6, 0, 6, 5, 5}, {3, 9, 3, 9, 2, 2}, {5, 7, 5, 7, 0, 0}});
 
 TEST(Show, NumbersStandOnWhatIsSeenOfTheFacesInTheOrderOfPainting) {
-  const Scene scene = three_plates();
   for (const char* method : {"newell", "bsp", "convex-tree", "painter"}) {
-    const VisibilityResult result = shown(scene, method, "order");
+    const VisibilityResult result = shown(kThreePlates, method, "order");
     ASSERT_EQ(result.debug_numbers.size(), 3u) << method;
     for (const PageNumber& n : result.debug_numbers) {
       std::uint32_t last = kNone;
-      for (const PaintPiece& piece : result.order->pieces) {
-        if (covers(piece, n.middle)) last = piece.face;
-      }
+      for (const PaintPiece& piece : result.order->pieces)
+        if (holds(piece, n.middle)) last = piece.face;
       EXPECT_EQ(last + 1, n.number) << "the faces are numbered from the farthest on; " << method;
     }
   }
 }
 
 TEST(Show, AHiddenFaceHasNoNumber) {
-  Scene scene;
-  add_plate(scene, 0, 6, 0, 6, 5, 5);
-  add_plate(scene, -1, 9, -1, 9, 2, 2);
-  const VisibilityResult result = shown(scene, "newell", "order");
+  const VisibilityResult result = shown(plates({{0, 6, 0, 6, 5, 5}, {-1, 9, -1, 9, 2, 2}}), "newell", "order");
   ASSERT_EQ(result.debug_numbers.size(), 1u);
   EXPECT_EQ(result.debug_numbers[0].number, 2u);
 }
@@ -89,7 +68,7 @@ TEST(Show, PlanesOfATreeAreClosedLines) {
 }
 
 TEST(Show, SlabsAreNumberedFromTheFarthest) {
-  const VisibilityResult result = shown(three_plates(), "newell", "slabs");
+  const VisibilityResult result = shown(kThreePlates, "newell", "slabs");
   ASSERT_EQ(result.debug.size(), 3u);
   ASSERT_EQ(result.debug_numbers.size(), 3u);
   const auto width = [&](std::size_t i) { return result.debug[i][1].x - result.debug[i][0].x; };
@@ -97,24 +76,18 @@ TEST(Show, SlabsAreNumberedFromTheFarthest) {
     if (result.debug_numbers[i].number != 3) continue;
     EXPECT_NEAR(width(i) * 3, width((i + 1) % 3), 1e-6) << "the smallest is nearest";
   }
-  EXPECT_TRUE(shown(three_plates(), "newell", "zones").debug.empty());
+  EXPECT_TRUE(shown(kThreePlates, "newell", "zones").debug.empty());
 }
 
 TEST(Show, ZonesAreSetsBesideEachOther) {
-  Scene scene;
-  add_plate(scene, 0, 4, 0, 4, 5, 1);
-  add_plate(scene, 1, 3, 1, 3, 4, 2);
-  add_plate(scene, 6, 9, 0, 4, 5, 1);
+  const Scene scene = plates({{0, 4, 0, 4, 5, 1}, {1, 3, 1, 3, 4, 2}, {6, 9, 0, 4, 5, 1}});
   const VisibilityResult result = shown(scene, "newell", "zones");
   ASSERT_EQ(result.debug.size(), 2u);
   EXPECT_LE(result.debug[0][1].x, result.debug[1][0].x);
 }
 
 TEST(Show, SpansEndWhereAnotherFaceIsSeen) {
-  Scene scene;
-  add_plate(scene, 0, 90, 0, 90, 5, 5);
-  add_plate(scene, 30, 60, 30, 60, 2, 2);
-  const VisibilityResult result = shown(scene, "watkins", "spans");
+  const VisibilityResult result = shown(plates({{0, 90, 0, 90, 5, 5}, {30, 60, 30, 60, 2, 2}}), "watkins", "spans");
   std::map<double, int> on_line;
   for (const auto& span : result.debug) {
     ASSERT_EQ(span.size(), 4u);
@@ -128,9 +101,7 @@ TEST(Show, SpansEndWhereAnotherFaceIsSeen) {
 }
 
 TEST(Show, ClipsAreTheContoursOfWhatIsLeft) {
-  Scene scene;
-  add_plate(scene, 0, 9, 0, 9, 5, 5);
-  add_plate(scene, 3, 6, 3, 6, 2, 2);
+  const Scene scene = plates({{0, 9, 0, 9, 5, 5}, {3, 6, 3, 6, 2, 2}});
   EXPECT_EQ(shown(scene, "atherton-weiler", "clips").debug.size(), 3u) << "a plate with a hole, and the other plate";
 }
 
@@ -147,10 +118,9 @@ std::string bytes_of(const VisibilityResult& result) {
     }
   };
   if (result.strokes) {
-    for (const Stroke& s : result.strokes->strokes) {
+    for (const Stroke& s : result.strokes->strokes)
       add(s.t_from, s.t_to, s.from.x, s.from.y, s.to.x, s.to.y, s.z_from, s.z_to, s.w_from, s.w_to, s.source, s.line_class,
           s.visible, s.may_coincide, s.level);
-    }
     for (const SourceEdge& e : result.strokes->intersections) add(e.faces[0], e.faces[1], e.intersection);
   }
   for (const Region& r : result.regions ? *result.regions : std::vector<Region>{}) {

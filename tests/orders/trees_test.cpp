@@ -35,10 +35,9 @@ Tree expect_right_from_100_viewpoints(unsigned seed, int boxes, const Point3& co
   Scene scene;
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> u(-1, 1);
-  for (int i = 0; i < boxes; ++i) {
+  for (int i = 0; i < boxes; ++i)
     add_box(scene, Point3{u(random), u(random), u(random)} * 2.0, {1.5, 1.0, 2.0},
             rotation(u(random) * 3, u(random) * 3, u(random) * 3));
-  }
   add_face(scene, {{{-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0}}, {{-1, -1, 0}, {-1, 1, 0}, {1, 1, 0}, {1, -1, 0}}});
   add_box(scene, corner, size);
   Tree tree(scene, {});
@@ -167,12 +166,10 @@ TEST(Bsp, KeepsFacesOfOnePlaneInOneNode) {
   Scene scene;
   // The plane x + 2 y + 3 z = 6, faces beside each other and overlapping.
   const auto point = [](double x, double y) { return Point3{x, y, (6 - x - 2 * y) / 3}; };
-  for (int i = 0; i < 12; ++i) {
-    for (int k = 0; k < 12; ++k) {
+  for (int i = 0; i < 12; ++i)
+    for (int k = 0; k < 12; ++k)
       add_face(scene,
                {{point(3 * i, 3 * k), point(3 * i + 4, 3 * k), point(3 * i + 4, 3 * k + 3), point(3 * i, 3 * k + 3)}});
-    }
-  }
   for (const bool free_planes : {true, false}) {
     const BspTree tree(scene, {5, free_planes});
     if (!free_planes) {
@@ -209,9 +206,8 @@ TEST(Bsp, IsTheSameEveryTime) {
   Scene scene;
   std::mt19937 random(3);
   std::uniform_real_distribution<double> u(-1, 1);
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 40; ++i)
     add_box(scene, Point3{u(random), u(random), u(random)} * 4.0, {2, 2, 2}, rotation(u(random) * 3, u(random), u(random)));
-  }
   const BspTree a(scene, {}), b(scene, {});
   EXPECT_EQ(a.counts().splits, b.counts().splits);
   EXPECT_EQ(painted(a, eye_at({9, 8, 7})), painted(b, eye_at({9, 8, 7})));
