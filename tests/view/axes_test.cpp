@@ -1,5 +1,6 @@
 /// Axes of plots: the box as seen, and what stands round it.
 
+#include "drawing/measures.hpp"
 #include "plotting/stroke_text.hpp"
 #include "support/scene_parts.hpp"
 #include "support/test.hpp"
@@ -47,20 +48,14 @@ View seen_by(const AxesBox& box, const Point3& eye) {
   return seen(box, camera);
 }
 
-Point2 page(const View& view, const Point3& p) {
-  const HomogeneousPoint h = to_homogeneous(view, p);
-  return {h.x / h.w, h.y / h.w};
-}
-
 /// The box lies outside the convex hull of the picture of the axes' box: one of the hull's lines parts them.
 bool beside_picture(const TextBox& text, const std::array<Point2, 8>& corners) {
   std::vector<Point2> normals;
-  for (const Point2 a : corners) {
+  for (const Point2 a : corners)
     for (const Point2 b : corners) {
       const double length = glm::distance(a, b);
       if (length > 1e-3) normals.push_back(Point2(b.y - a.y, a.x - b.x) / length);
     }
-  }
   for (const Point2 n : normals) {
     double most = -1e300;
     for (const Point2 c : corners) most = std::max(most, glm::dot(c, n));
@@ -72,12 +67,11 @@ bool beside_picture(const TextBox& text, const std::array<Point2, 8>& corners) {
 void expect_clear(const AxesPicture& picture, const AxesBox& box, const View& view) {
   ASSERT_EQ(picture.boxes.size(), picture.texts.size());
   std::array<Point2, 8> corners;
-  for (unsigned i = 0; i < 8; ++i) corners[i] = page(view, box.corner(i));
+  for (unsigned i = 0; i < 8; ++i) corners[i] = page_point(view, box.corner(i));
   for (std::size_t i = 0; i < picture.boxes.size(); ++i) {
     EXPECT_TRUE(beside_picture(picture.boxes[i], corners)) << picture.texts[i].text;
-    for (std::size_t k = 0; k < i; ++k) {
+    for (std::size_t k = 0; k < i; ++k)
       EXPECT_FALSE(overlap(picture.boxes[i], picture.boxes[k])) << picture.texts[i].text << " on " << picture.texts[k].text;
-    }
   }
 }
 
@@ -110,18 +104,17 @@ TEST(Axes, TextsNeverOverlapEachOtherNorThePicture) {
 
 TEST(Axes, NearlyEdgeOnIsNoException) {
   const AxesRequest r = request();
-  for (const double azimuth : {-90 + 1e-9, 1e-6, 0.01, 179.999, 44.0, 45.0, 269.5}) {
+  for (const double azimuth : {-90 + 1e-9, 1e-6, 0.01, 179.999, 44.0, 45.0, 269.5})
     for (const double elevation : {1e-9, 0.01, -0.3, 1.0, 89.0, 89.9999, -89.9}) {
       SCOPED_TRACE(std::to_string(azimuth) + " " + std::to_string(elevation));
       const View view = seen_from(r.box(), azimuth, elevation);
       expect_clear(lay_out_axes(r, view, measure), r.box(), view);
     }
-  }
 }
 
 TEST(Axes, Perspective) {
   const AxesRequest r = request();
-  for (int azimuth = 0; azimuth < 360; azimuth += 15) {
+  for (int azimuth = 0; azimuth < 360; azimuth += 15)
     for (int elevation = -85; elevation <= 85; elevation += 17) {
       SCOPED_TRACE("azimuth " + std::to_string(azimuth) + " elevation " + std::to_string(elevation));
       const AxesBox box = r.box();
@@ -130,7 +123,6 @@ TEST(Axes, Perspective) {
       expect_clear(picture, box, view);
       EXPECT_TRUE(picture.has_scale[0] || picture.has_scale[1]);
     }
-  }
 }
 
 TEST(Axes, ABoxThatReachesBehindTheViewerHasNoScale) {
@@ -183,7 +175,7 @@ TEST(Axes, TicksStandAtTheirNumbers) {
   const View view = seen_from(r.box(), -60, 30);
   const AxesPicture picture = lay_out_axes(r, view, measure);
   const auto has_mark = [&](const Point3& p) {
-    const Point2 at = page(view, p);
+    const Point2 at = page_point(view, p);
     return std::any_of(picture.marks.begin(), picture.marks.end(),
                        [&](const auto& m) { return glm::distance(m[0], at) < 1e-9; });
   };
@@ -221,14 +213,6 @@ TEST(Axes, StylesHaveTheirEdges) {
   EXPECT_GT(line_count(AxesStyle::grid, -60, 30)[0], 9u + 3 * 4);
 }
 
-double length_of(const Polylines& lines) {
-  double sum = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (std::size_t k = 1; k < lines[i].size(); ++k) sum += glm::distance(lines[i][k - 1], lines[i][k]);
-  }
-  return sum;
-}
-
 TEST(AxisLines, AreDrawnOnce) {
   // Straight from the front the box is a rectangle: 12 edges, 4 of them end on, the others in pairs.
   const AxesBox box = request().box();
@@ -237,7 +221,7 @@ TEST(AxisLines, AreDrawnOnce) {
   std::vector<AxisLine> lines = picture.lines;
   lines.insert(lines.end(), picture.front_lines.begin(), picture.front_lines.end());
   ASSERT_EQ(lines.size(), 12u);
-  const Point2 a = page(view, box.low), b = page(view, box.high);
+  const Point2 a = page_point(view, box.low), b = page_point(view, box.high);
   EXPECT_NEAR(length_of(axis_lines(lines, view, {}, kCoincidenceMm)), 2 * (std::abs(b.x - a.x) + std::abs(b.y - a.y)), 1e-3);
 }
 
@@ -248,13 +232,11 @@ TEST(AxisLines, OnlyTheirVisibleParts) {
                                     {box.low, {box.low.x, box.low.y, box.high.z}}};
   const double whole = length_of(axis_lines({lines.data(), 1}, view, {}, kCoincidenceMm));
   std::size_t asked = 0;
-  const auto part = axis_lines(
-      lines, view,
-      [&](std::span<const AxisLine> given) {
-        asked = given.size();
-        return std::vector<std::vector<VisibleInterval>>{{{0.25, 0.5}, {0.75, 1}}, {}};
-      },
-      kCoincidenceMm);
+  const auto halves = [&](std::span<const AxisLine> given) {
+    asked = given.size();
+    return std::vector<std::vector<VisibleInterval>>{{{0.25, 0.5}, {0.75, 1}}, {}};
+  };
+  const auto part = axis_lines(lines, view, halves, kCoincidenceMm);
   EXPECT_EQ(asked, 2u);
   ASSERT_EQ(part.size(), 2u);
   EXPECT_NEAR(length_of(part), whole / 2, 1e-5);
@@ -264,14 +246,11 @@ TEST(AxisLines, IntervalsAreInSpaceAlsoInPerspective) {
   const AxesBox box = request().box();
   const View view = seen_by(box, {40, -60, 30});
   const AxisLine line{{box.high.x, box.low.y, 0}, {box.low.x, box.high.y, 0}};
+  const std::vector<std::vector<VisibleInterval>> seen_half{{{0, 0.5}}};
   const auto half = axis_lines(
-      {&line, 1}, view,
-      [](auto) {
-        return std::vector<std::vector<VisibleInterval>>{{{0, 0.5}}};
-      },
-      kCoincidenceMm);
+      {&line, 1}, view, [&](auto) { return seen_half; }, kCoincidenceMm);
   ASSERT_EQ(half.size(), 1u);
-  const Point2 middle = page(view, (line.a + line.b) * 0.5);
+  const Point2 middle = page_point(view, (line.a + line.b) * 0.5);
   EXPECT_LT(std::min(glm::distance(half[0].front(), middle), glm::distance(half[0].back(), middle)), 1e-4);
 }
 

@@ -110,9 +110,8 @@ TEST(Cull, ShellsThatPenetrateThemselvesKeepTheirFaces) {
   dented.faces = {};
   for (const std::uint32_t f : {1u, 2u, 3u, 4u, 5u}) dented.faces.add_face(box().faces.contour(f, 0));
   dented.vertices.push_back({4, 5, 8});
-  for (const auto& [a, b] : {std::array{0u, 2u}, std::array{2u, 3u}, std::array{3u, 1u}, std::array{1u, 0u}}) {
+  for (const auto& [a, b] : {std::array{0u, 2u}, std::array{2u, 3u}, std::array{3u, 1u}, std::array{1u, 0u}})
     dented.faces.add_triangle(a, b, 8);
-  }
   dented.objects[0].vertex_end = 9;
   dented.objects[0].face_end = 9;
   add_box(dented, {20, 0, 0}, {5, 5, 5});

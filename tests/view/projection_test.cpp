@@ -144,17 +144,14 @@ TEST(Projection, LinesAlongTheSheetsBorderHaveFaceOnBothBanks) {
   const ProjectedScene projected = project(scene, topology, view, {classes("all"), 30});
   EXPECT_EQ(projected.edges.size(), 12u);  // those of the small plates; the large one's lie outside
   double least = 1e9, most = -1e9, lines = 0;
-  for (const Triangle& t : projected.triangles) {
+  for (const Triangle& t : projected.triangles)
     for (const std::uint32_t v : t.v) {
       least = std::min(least, projected.lattice.to_mm(projected.vertices[v].p).x);
       most = std::max(most, projected.lattice.to_mm(projected.vertices[v].p).x);
     }
-  }
-  for (const ProjectedEdge& e : projected.edges) {
-    for (const std::uint32_t v : {e.v0, e.v1}) {
+  for (const ProjectedEdge& e : projected.edges)
+    for (const std::uint32_t v : {e.v0, e.v1})
       lines = std::max(lines, std::abs(projected.lattice.to_mm(projected.vertices[v].p).x - 50));
-    }
-  }
   const double step = projected.lattice.step_mm;
   EXPECT_LE(lines, 50 + step);
   EXPECT_LT(least, -2 * step);
