@@ -1,7 +1,7 @@
 // Shadows, transparency and details on scenes whose areas are known. All are drawn from above or from the front, so that a
 // region's area is that of the part of the face, at one page millimetre to a model unit.
 
-#include "drawing/drawing.hpp"
+#include "drawing/measures.hpp"
 #include "picture/drawn_scene.hpp"
 #include "picture/light/detail_lines.hpp"
 #include "picture/light/details.hpp"
@@ -17,16 +17,9 @@
 namespace ligne {
 namespace {
 
-double area(const Region& region) {
-  double sum = 0;
-  for (const auto& contour : region.contours) {
-    for (std::size_t i = 0; i < contour.size(); ++i) {
-      const Point2 a = contour[i], b = contour[(i + 1) % contour.size()];
-      sum += (a.x * b.y - a.y * b.x) / 2;
-    }
-  }
-  return sum;
-}
+using test::area_of;
+
+using FaceAndLevel = std::pair<std::uint32_t, std::uint32_t>;
 
 struct Seen {
   Scene scene;
@@ -54,10 +47,26 @@ struct Seen {
   /// Areas of a face's regions by the lights that reach them.
   std::map<std::uint32_t, double> lit(std::uint32_t face, const std::vector<Light>& lights) const {
     std::map<std::uint32_t, double> areas;
-    for (const Region& r : cast_shadows(scene, topology, view, lights, regions).regions) {
-      if (r.face == face) areas[r.lights] += area(r);
-    }
+    for (const Region& r : cast_shadows(scene, topology, view, lights, regions).regions)
+      if (r.face == face) areas[r.lights] += area_of(r);
     return areas;
+  }
+
+  std::map<FaceAndLevel, double> areas() const {
+    std::map<FaceAndLevel, double> sums;
+    for (const Region& r : regions) sums[{r.face, r.level}] += area_of(r);
+    return sums;
+  }
+
+  /// Areas of the first face's regions with details on them: in the details' material, and in all.
+  std::array<double, 2> detail_areas() const {
+    std::array<double, 2> sums{0, 0};
+    for (const Region& r : cut_details(scene, view, regions)) {
+      if (r.face != 0) continue;
+      sums[1] += area_of(r);
+      if (r.material == 1) sums[0] += area_of(r);
+    }
+    return sums;
   }
 
   /// Lengths of the borders of shadows that are drawn, by level.
@@ -71,9 +80,8 @@ struct Seen {
   template <class Wanted>
   static std::map<unsigned, double> lengths(const StrokeModel& model, Wanted wanted) {
     std::map<unsigned, double> sums;
-    for (const Stroke& s : model.strokes) {
+    for (const Stroke& s : model.strokes)
       if (wanted(s)) sums[s.level] += glm::distance(model.lattice.to_mm(s.from), model.lattice.to_mm(s.to));
-    }
     return sums;
   }
 };
@@ -107,7 +115,7 @@ TEST(Shadows, AFrameOverAFloorInTwoLights) {
               kArea);  // reached by the parallel light only: the ring (0, 0) to (8, 8) round (2, 2) to (6, 6)
   EXPECT_NEAR(floor.at(3), 400 - 12 - 48 - 12, kArea);
   EXPECT_EQ(floor.count(0), 0u);
-  // Of the point's outer border half lies on that of the floor; its inner border lies behind the frame's.
+  // Half of the point's outer border lies on that of the floor; its inner border lies behind the frame's.
   EXPECT_NEAR(seen.shadow_lines(seen.scene.lights).at(0), (16 + 8) + 16, kLength);
 }
 
@@ -120,14 +128,13 @@ TEST(Shadows, NoLinesWhereOneFaceIsCutIntoSeveral) {
 
 double perimeter(const Region& region) {
   double sum = 0;
-  for (const auto& contour : region.contours) {
+  for (const auto& contour : region.contours)
     for (std::size_t i = 0; i < contour.size(); ++i) sum += glm::distance(contour[i], contour[(i + 1) % contour.size()]);
-  }
   return sum;
 }
 
 TEST(Shadows, NoSliversAlongTheBordersOfFaces) {
-  // What is lit of a triangle ends at its border, on the light's page as on the viewer's, but rounded otherwise. The two
+  // The lit part of a triangle ends at its border, on the light's page as on the viewer's, but rounded otherwise. The two
   // dark parts have the square's sides and, twice, the piece in it of the line from (0, 0) to (9.3, 10.7): nothing that runs
   // on along the line.
   const Seen seen("shadow_triangles_askew.json", "top");
@@ -137,9 +144,8 @@ TEST(Shadows, NoSliversAlongTheBordersOfFaces) {
     const double dx = 3 * x / 1.1, dy = 3 * 1.02 / 1.1;  // the shadow is (2, 3) to (5, 6), moved by this
     const double from = std::max(2 + dx, (3 + dy) / kSlope), to = std::min(5 + dx, (6 + dy) / kSlope);
     double sum = 0;
-    for (const Region& r : cast_shadows(seen.scene, seen.topology, seen.view, lights, seen.regions).regions) {
+    for (const Region& r : cast_shadows(seen.scene, seen.topology, seen.view, lights, seen.regions).regions)
       if (r.lights == 0 && r.face < 2) sum += perimeter(r);
-    }
     EXPECT_NEAR(sum, 4 * 3 + 2 * std::hypot(1, kSlope) * (to - from), kLength) << x;
   }
 }
@@ -151,7 +157,7 @@ TEST(Shadows, TransparentFacesWeakenTheLight) {
   std::map<std::pair<std::uint32_t, double>, double> areas;  // by face and share
   for (const Region& r : cast_shadows(seen.scene, seen.topology, seen.view, seen.scene.lights, seen.regions).regions) {
     const double share = r.lights == 0 ? 0 : r.light_shares.empty() ? 1 : r.light_shares[0];
-    areas[{r.face, std::round(share * 1000) / 1000}] += area(r);
+    areas[{r.face, std::round(share * 1000) / 1000}] += area_of(r);
   }
   EXPECT_NEAR((areas[{0, 0.0}]), 8, kArea);
   EXPECT_NEAR((areas[{0, 0.3}]), 8, kArea);
@@ -191,8 +197,7 @@ TEST(Shadows, ALightBetweenFacesIsLookedAtAllRound) {
 TEST(Transparency, LevelsAreListedToAnyDepth) {
   // Blue (7 x 7) before red (7 x 7) before the wall; they overlap in 4 x 4.
   const Seen seen("transparent_layers.json", "front");
-  std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas;
-  for (const Region& r : seen.regions) areas[{r.face, r.level}] += area(r);
+  std::map<FaceAndLevel, double> areas = seen.areas();
   const auto at = [&](std::uint32_t face, std::uint32_t level) { return areas[{face, level}]; };
   EXPECT_NEAR(at(2, 0), 49, 1e-6);
   EXPECT_NEAR(at(1, 0), 49 - 16, 1e-6);
@@ -207,8 +212,7 @@ TEST(Transparency, OneTriangleOfGlassHidesNothing) {
   // The transparent faces has legs of 24. It covers the wall, 8 x 8, of which sixteen triangles with legs of 1 hide half a
   // unit each.
   const Seen seen("glass_triangle.json", "front");
-  std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas;
-  for (const Region& r : seen.regions) areas[{r.face, r.level}] += area(r);
+  std::map<FaceAndLevel, double> areas = seen.areas();
   const auto at = [&](std::uint32_t face, std::uint32_t level) { return areas[{face, level}]; };
   EXPECT_NEAR(at(17, 0), 288, kArea);
   EXPECT_NEAR(at(0, 1), 64 - 16 * 0.5, kArea);
@@ -246,12 +250,7 @@ TEST(Details, AreCutAtTheSheet) {
   // Above z = 7: of the first detail the two horns beside the notch, 2.25 x 3 / 2 each; of the second 3.5 up to z = 8 and 4
   // above it.
   const Seen seen("details.json", "front", {{0, 0}, {200, 99}});
-  double painted = 0, all = 0;
-  for (const Region& r : cut_details(seen.scene, seen.view, seen.regions)) {
-    if (r.face != 0) continue;
-    all += area(r);
-    if (r.material == 1) painted += area(r);
-  }
+  const auto [painted, all] = seen.detail_areas();
   // Faces go on a little beyond the sheet (kWindowMarginSteps), along 16 mm.
   const double beyond = 16 * kWindowMarginSteps * page_lattice(seen.view).step_mm;
   EXPECT_NEAR(painted, 2 * 2.25 * 3 / 2 + 3.5 + 4, kArea + beyond);
@@ -262,10 +261,7 @@ TEST(Details, AreCutAtASmallSheet) {
   // The sheet is x = 9 to 10, z = 7 to 8: of the first detail what is to the left of the notch, which is at x = 10.25 at
   // z = 7 and at x = 9.5 at z = 8. Its corners lie far outside.
   const Seen seen("details.json", "front", {{101, 98}, {102, 99}});
-  double painted = 0;
-  for (const Region& r : cut_details(seen.scene, seen.view, seen.regions)) {
-    if (r.face == 0 && r.material == 1) painted += area(r);
-  }
+  const double painted = seen.detail_areas()[0];
   EXPECT_NEAR(painted, 1 - 0.5 * (2.0 / 3) / 2, kArea);
 }
 
@@ -274,12 +270,7 @@ TEST(Details, AreClippedWithTheirFace) {
   // of base 6 and height 4, 12: the hole takes (4, 4) (6, 6) (4, 6) from it, 2; the bar z = 5 to 6 lies before the hole and
   // from x = 5..6 beside it nothing.
   const Seen seen("details.json", "front");
-  double painted = 0, all = 0;
-  for (const Region& r : cut_details(seen.scene, seen.view, seen.regions)) {
-    if (r.face != 0) continue;
-    all += area(r);
-    if (r.material == 1) painted += area(r);
-  }
+  const auto [painted, all] = seen.detail_areas();
   EXPECT_NEAR(painted, (36 - 6) + (12 - 2), kArea);
   EXPECT_NEAR(all, 192 - 16 - (16 - 4), kArea);
 }
@@ -312,10 +303,9 @@ TEST(Details, AreLinesOfTheirOwnClass) {
     const DrawnScene drawn(scene, request, run);
     double length = 0;
     const StrokeModel& strokes = *drawn.study().result.strokes;
-    for (const Stroke& s : strokes.strokes) {
+    for (const Stroke& s : strokes.strokes)
       if (s.line_class == LineClass::detail)
         length += glm::distance(strokes.lattice.to_mm(s.from), strokes.lattice.to_mm(s.to));
-    }
     EXPECT_NEAR(length, first + second, kLength) << method->traits().name;
   }
 }

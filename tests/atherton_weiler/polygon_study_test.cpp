@@ -1,6 +1,7 @@
 // The classical study by its own figures: zones, slabs, wrong sorts and bodies of scenes that were made to show them, levels
 // behind transparent faces; and crowds of boxes by both studies.
 
+#include "drawing/measures.hpp"
 #include "main/tier.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/readers/reader.hpp"
@@ -31,32 +32,19 @@ VisibilityResult study(const std::string& file, const char* from, unsigned how) 
   return study(read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests" / file, {}, warnings), from, how);
 }
 
-/// In mm^2.
-double area(const Region& region) {
-  double sum = 0;
-  for (const auto& contour : region.contours) {
-    for (std::size_t i = 0; i < contour.size(); ++i) {
-      const Point2 a = contour[i], b = contour[(i + 1) % contour.size()];
-      sum += (a.x * b.y - a.y * b.x) / 2;
-    }
-  }
-  return sum;
-}
-
 /// Areas in mm^2 by face and level.
 std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas(const VisibilityResult& result) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> sums;
-  for (const Region& r : *result.regions) sums[{r.face, r.level}] += area(r);
+  for (const Region& r : *result.regions) sums[{r.face, r.level}] += area_of(r);
   return sums;
 }
 
-constexpr double kArea = 1e-9 * 200 * 200;  ///< of the page, for sums of areas in mm^2
+constexpr double kArea = 1e-9 * 200 * 200;  ///< part of the page, for sums of areas in mm^2
 
 std::uint64_t count(const std::string& scene, const char* from, unsigned how, std::string_view name) {
   const VisibilityResult result = study("corpus/" + scene + ".json", from, how);
-  for (const auto& [known, number] : result.statistics.counts) {
+  for (const auto& [known, number] : result.statistics.counts)
     if (known == name) return number;
-  }
   ADD_FAILURE() << "there is no count of " << name;
   return 0;
 }
@@ -66,27 +54,23 @@ TEST(PolygonStudy, Zones) {
   EXPECT_EQ(count("thesis_2_64", "front", kPolygons, "zones"), 1u);
 }
 
-TEST(PolygonStudy, Slabs) {
-  EXPECT_EQ(count("thesis_2_64", "front", kPolygons, "slabs"), 3u);
-  // Its faces are flat and parallel to the page: slab 1 of the figure falls into two.
-  EXPECT_EQ(count("thesis_2_66", "front", kPolygons, "slabs"), 3u);
-}
-
-TEST(PolygonStudy, TheNearestFaceHidesTheRestAtOnce) {
-  // Figure 2.66: the screen face clips the four others, nothing is left to be compared.
-  EXPECT_EQ(count("thesis_2_66", "front", kPolygons, "clips"), 4u);
-  EXPECT_EQ(count("thesis_2_66", "front", kPolygons, "regions"), 1u);
-}
-
-TEST(PolygonStudy, AWrongSortIsFound) {
-  EXPECT_EQ(count("thesis_2_68", "front", kPolygons, "wrong sorts"), 2u);
-  EXPECT_EQ(count("thesis_2_68", "front", kPolygons, "deepest recursion"), 2u);
-  EXPECT_EQ(count("stack_of_plates", "top", kPolygons, "wrong sorts"), 0u);
-}
-
-TEST(PolygonStudy, PenetrationIsCutAlongTheCommonLine) {
-  EXPECT_EQ(count("two_plates_penetrating", "iso", kPolygons, "cuts along common lines"), 1u);
-  EXPECT_EQ(count("stack_of_plates", "iso", kPolygons, "cuts along common lines"), 0u);
+TEST(PolygonStudy, KnownCounts) {
+  const struct {
+    const char *name, *scene, *from, *count;
+    std::uint64_t number;
+  } rows[] = {
+      {"slabs", "thesis_2_64", "front", "slabs", 3},
+      {"flat faces parallel to the page: slab 1 of the figure falls into two", "thesis_2_66", "front", "slabs", 3},
+      {"the screen face clips the four others", "thesis_2_66", "front", "clips", 4},
+      {"nothing is left to be compared", "thesis_2_66", "front", "regions", 1},
+      {"a wrong sort is found", "thesis_2_68", "front", "wrong sorts", 2},
+      {"and undone", "thesis_2_68", "front", "deepest recursion", 2},
+      {"a right sort", "stack_of_plates", "top", "wrong sorts", 0},
+      {"penetration is cut along the common line", "two_plates_penetrating", "iso", "cuts along common lines", 1},
+      {"nothing penetrates", "stack_of_plates", "iso", "cuts along common lines", 0},
+  };
+  for (const auto& row : rows)
+    EXPECT_EQ(count(row.scene, row.from, kPolygons, row.count), row.number) << row.name << ": " << row.scene;
 }
 
 TEST(PolygonStudy, CyclicOverlapIsUndone) {
@@ -139,8 +123,8 @@ TEST(PolygonStudy, AHoleIsInTheRegionRightRoundIt) {
     double all = 0;
     const VisibilityResult result = study(scene, "front", how);
     for (const Region& r : *result.regions) {
-      all += area(r);
-      if (r.face == 0) of_wall.push_back(area(r));
+      all += area_of(r);
+      if (r.face == 0) of_wall.push_back(area_of(r));
     }
     std::sort(of_wall.begin(), of_wall.end());
     ASSERT_EQ(of_wall.size(), 2u);
@@ -210,19 +194,13 @@ ProjectedScene projected(const Scene& scene, const CameraRequest& camera) {
 /// Drawn length by edge, of the strokes of these levels.
 std::vector<double> lengths(const StrokeModel& model, unsigned least_level, unsigned most_level) {
   std::vector<double> sums(model.edge_count, 0);
-  for (const Stroke& s : model.strokes) {
-    if (s.visible && s.level >= least_level && s.level <= most_level) {
+  for (const Stroke& s : model.strokes)
+    if (s.visible && s.level >= least_level && s.level <= most_level)
       sums[s.source] += glm::distance(model.lattice.to_mm(s.from), model.lattice.to_mm(s.to));
-    }
-  }
   return sums;
 }
 
-double sum(const std::vector<double>& values) {
-  double s = 0;
-  for (const double v : values) s += v;
-  return s;
-}
+double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 void expect_equal(const std::vector<double>& found, const std::vector<double>& wanted) {
   ASSERT_EQ(found.size(), wanted.size());

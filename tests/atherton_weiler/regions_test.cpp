@@ -3,6 +3,7 @@
 
 #include <polyclipping/clipper.hpp>
 
+#include "drawing/measures.hpp"
 #include "geometry/clip_contour_by_contour.hpp"
 #include "main/tier.hpp"
 #include "support/corpus_scene.hpp"
@@ -21,20 +22,9 @@ constexpr double kFromSidesMm = 0.002;
 /// Faces that differ less in depth touch or cross there.
 constexpr double kSameDepthMm = 0.0005;
 
-double twice_area_mm(const std::vector<Point2>& contour) {
-  double sum = 0;
-  for (std::size_t i = 0; i < contour.size(); ++i) {
-    const Point2 a = contour[i] - contour[0], b = contour[(i + 1) % contour.size()] - contour[0];
-    sum += a.x * b.y - a.y * b.x;
-  }
-  return sum;
-}
-
 double twice_area_mm(const std::vector<Region>& regions) {
   double sum = 0;
-  for (const Region& r : regions) {
-    for (const auto& contour : r.contours) sum += twice_area_mm(contour);
-  }
+  for (const Region& r : regions) sum += 2 * area_of(r);
   return sum;
 }
 
@@ -60,10 +50,9 @@ double united(const std::vector<Region>& regions, const Lattice& lattice) {
     ClipperLib::Paths paths;
     for (const auto& contour : r.contours) {
       ClipperLib::Path path;
-      for (const Point2& p : contour) {
+      for (const Point2& p : contour)
         path.emplace_back(std::llround((p.x - lattice.origin_mm.x) * units),
                           std::llround((p.y - lattice.origin_mm.y) * units));
-      }
       paths.push_back(path);
     }
     clipper.AddPaths(paths, ClipperLib::ptSubject, true);
@@ -75,18 +64,7 @@ double united(const std::vector<Region>& regions, const Lattice& lattice) {
   return 2 * sum / (units * units);
 }
 
-bool inside(const Region& region, Point2 p) {
-  bool in = false;
-  for (const auto& contour : region.contours) {
-    for (std::size_t i = 0; i < contour.size(); ++i) {
-      const Point2 a = contour[i], b = contour[(i + 1) % contour.size()];
-      if ((a.y <= p.y) != (b.y <= p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) in = !in;
-    }
-  }
-  return in;
-}
-
-/// Those behind no glass.
+/// The regions behind no glass.
 std::vector<Region> seen_directly(std::vector<Region> regions) {
   std::erase_if(regions, [](const Region& r) { return r.level > 0; });
   return regions;
@@ -101,7 +79,7 @@ int ask_oracle(const Scene& scene, const std::vector<Region>& regions, const ora
     std::uniform_real_distribution<double> x(box.min.x, box.max.x), y(box.min.y, box.max.y);
     for (int i = 0; i < 6; ++i) {
       const Point2 p{x(random), y(random)};
-      if (!inside(r, p) || oracle.distance_to_sides(p) < kFromSidesMm) continue;
+      if (!holds(r, p) || oracle.distance_to_sides(p) < kFromSidesMm) continue;
       const auto hits = oracle.faces_at(p);
       ++asked;
       if (hits.size() <= r.level) {
@@ -155,9 +133,7 @@ TEST_P(Regions, AreWhatIsInFront) {
 /// Area by face, mm^2.
 std::map<std::uint32_t, double> areas_of(const std::vector<Region>& regions) {
   std::map<std::uint32_t, double> areas;
-  for (const Region& r : regions) {
-    for (const auto& contour : r.contours) areas[r.face] += twice_area_mm(contour) / 2;
-  }
+  for (const Region& r : regions) areas[r.face] += area_of(r);
   return areas;
 }
 
