@@ -31,7 +31,7 @@ Scene to_scene(const PlainScene& plain) {
     object.vertex_begin = static_cast<std::uint32_t>(scene.vertices.size());
     object.face_begin = static_cast<std::uint32_t>(scene.faces.size());
     std::map<std::array<double, 3>, std::uint32_t> numbers;
-    for (const PlainFace& face : o.faces) {
+    for (const PlainFace& face : o.faces)
       for (const Contour& contour : face.contours) {
         std::vector<std::uint32_t> corners;
         for (const Point3& p : contour) {
@@ -42,7 +42,6 @@ Scene to_scene(const PlainScene& plain) {
         }
         &contour == &face.contours.front() ? scene.faces.add_face(corners) : scene.faces.add_hole(corners);
       }
-    }
     object.vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
     object.face_end = static_cast<std::uint32_t>(scene.faces.size());
     scene.objects.push_back(object);
@@ -87,7 +86,8 @@ std::string to_json(const PlainScene& plain) {
 
 namespace {
 
-/// What of the lines of `a` no line of `b` of the same class covers, but for parts up to `shortest_mm`; empty when nothing.
+/// Parts of the lines of `a` that no line of `b` of the same class covers, but for parts up to `shortest_mm`; empty when
+/// nothing.
 std::string not_covered(const LineDrawing& a, const LineDrawing& b, double tolerance, double shortest_mm) {
   std::string text;
   for (const Line& line : a.lines) {
@@ -116,9 +116,8 @@ LineDrawing drawn(const Method& method, const Sight& sight) {
       draw(to_scene(sight.scene), {sight.camera, "feature", false, 0, std::string(method.traits().name)});
   LineDrawing result;
   const Lattice& lattice = picture.model.lattice;
-  for (const Stroke& s : picture.model.strokes) {
+  for (const Stroke& s : picture.model.strokes)
     if (s.visible) result.lines.push_back({s.line_class, {lattice.to_mm(s.from), lattice.to_mm(s.to)}});
-  }
   result.tolerance_mm = coincidence_mm(picture.projected) + 2 * lattice.step_mm;
   return result;
 }

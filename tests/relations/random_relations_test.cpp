@@ -89,12 +89,11 @@ void fan(Numbers& numbers, Scene& scene) {
 void sponge(Numbers& numbers, Scene& scene) {
   const Basis basis = numbers.below(2) ? kUpright : numbers.basis();
   for (int x = 0; x < 3; ++x) {
-    for (int y = 0; y < 3; ++y) {
+    for (int y = 0; y < 3; ++y)
       for (int z = 0; z < 3; ++z) {
         if ((x == 1) + (y == 1) + (z == 1) >= 2 || numbers.below(8) == 0) continue;
         add_box(scene, {double(x), double(y), double(z)}, {1, 1, 1}, basis);
       }
-    }
   }
 }
 
@@ -153,7 +152,7 @@ constexpr Family kFamilies[] = {
     {"eye_on_the_scene", boxes, true, "rewound"},
 };
 
-constexpr double kMicrometre = 0.001;  ///< what a drawing owes
+constexpr double kMicrometre = 0.001;  ///< accuracy of a drawing
 
 CameraRequest eye_on(Numbers& numbers, const Scene& scene) {
   const auto face = numbers.below(static_cast<unsigned>(scene.faces.size()));
@@ -205,10 +204,9 @@ TEST_P(RandomRelations, GiveTheSameDrawing) {
     for (const Method* method : exact_methods()) {
       if (!draws_well(*method, expected)) continue;
       if (method != &first) expect(*method, sight, "none");
-      for (const Relation& relation : relations_of_near_surfaces()) {
+      for (const Relation& relation : relations_of_near_surfaces())
         if (family.but.find(relation.name) == std::string_view::npos)
           expect(*method, relation.change(sight, false).changed, relation.name);
-      }
     }
   }
 }

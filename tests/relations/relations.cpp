@@ -16,12 +16,11 @@ struct Box {
 
 Box box_of(const PlainObject& object) {
   Box box{object.faces[0].contours[0][0], object.faces[0].contours[0][0]};
-  for (const PlainFace& face : object.faces) {
+  for (const PlainFace& face : object.faces)
     for (const Point3& p : face.contours[0]) {
       box.low = glm::min(box.low, p);
       box.high = glm::max(box.high, p);
     }
-  }
   return box;
 }
 
@@ -43,13 +42,11 @@ double rounding_of(const PlainObject& object) {
 
 template <class Function>
 PlainScene with_points(PlainScene scene, const Function& function) {
-  for (PlainObject& object : scene.objects) {
+  for (PlainObject& object : scene.objects)
     for (PlainFace& face : object.faces) {
-      for (Contour& contour : face.contours) {
+      for (Contour& contour : face.contours)
         for (Point3& p : contour) p = function(p);
-      }
     }
-  }
   return scene;
 }
 
@@ -63,9 +60,8 @@ PlainScene computed(PlainScene scene) {
 PlainScene with_faces(PlainScene scene, const std::function<std::vector<PlainFace>(const PlainFace&)>& function) {
   for (PlainObject& object : scene.objects) {
     std::vector<PlainFace> faces;
-    for (const PlainFace& face : object.faces) {
+    for (const PlainFace& face : object.faces)
       for (PlainFace& f : function(face)) faces.push_back(std::move(f));
-    }
     object.faces = std::move(faces);
   }
   return scene;
@@ -73,9 +69,8 @@ PlainScene with_faces(PlainScene scene, const std::function<std::vector<PlainFac
 
 PlainScene reversed(PlainScene scene) {
   for (PlainObject& object : scene.objects) {
-    for (PlainFace& face : object.faces) {
+    for (PlainFace& face : object.faces)
       for (Contour& contour : face.contours) std::reverse(contour.begin(), contour.end());
-    }
   }
   return scene;
 }
@@ -106,10 +101,9 @@ Related rewound(const Sight& sight, bool) {
   Sight changed{reversed(sight.scene), sight.camera};
   std::size_t shift = 0;
   for (PlainObject& object : changed.scene.objects) {
-    for (PlainFace& face : object.faces) {
+    for (PlainFace& face : object.faces)
       for (Contour& c : face.contours)
         std::rotate(c.begin(), c.begin() + static_cast<std::ptrdiff_t>(++shift % c.size()), c.end());
-    }
   }
   return {changed};
 }
@@ -168,9 +162,8 @@ Related triangulated(const Sight& sight, bool) {
     one.objects.push_back({0, {face}});
     const Scene scene = to_scene(one);
     std::vector<PlainFace> triangles;
-    for (const Triangle& t : build_topology(scene).triangles) {
+    for (const Triangle& t : build_topology(scene).triangles)
       triangles.push_back({{{scene.vertices[t.v[0]], scene.vertices[t.v[1]], scene.vertices[t.v[2]]}}});
-    }
     return triangles;
   };
   return {{with_faces(sight.scene, triangles_of), sight.camera}};
@@ -246,18 +239,16 @@ Related with_hidden(const Sight& sight, bool closed_solid) {
 }  // namespace
 
 std::vector<Relation> all_relations() {
-  return {
-      {"shuffled", shuffled},
-      {"rewound", rewound},
-      {"moved", moved},
-      {"doubled", [](const Sight& s, bool) { return scaled(s, 2); }},
-      {"tripled", [](const Sight& s, bool) { return scaled(s, 3); }},
-      {"turned", turned},
-      {"mirrored", mirrored},
-      {"triangulated", triangulated},
-      {"halved", halved},
-      {"with_hidden", with_hidden},
-  };
+  return {{"shuffled", shuffled},
+          {"rewound", rewound},
+          {"moved", moved},
+          {"doubled", [](const Sight& s, bool) { return scaled(s, 2); }},
+          {"tripled", [](const Sight& s, bool) { return scaled(s, 3); }},
+          {"turned", turned},
+          {"mirrored", mirrored},
+          {"triangulated", triangulated},
+          {"halved", halved},
+          {"with_hidden", with_hidden}};
 }
 
 std::vector<Relation> relations_of_near_surfaces() {

@@ -42,11 +42,11 @@ struct Sight {
   CameraRequest camera;
 };
 
-/// What a relation makes of a sight.
+/// The result of a relation applied to a sight.
 struct Related {
   Sight changed;
   bool mirrored = false;             ///< the drawing comes out with left and right exchanged
-  std::optional<PlainScene> base{};  ///< what is drawn for comparison, when it is not the scene itself
+  std::optional<PlainScene> base{};  ///< scene drawn for comparison, when it is not the scene itself
 };
 
 struct Relation {
