@@ -78,7 +78,7 @@ std::vector<PageSegment> join_straight(std::vector<PageSegment> segments, const 
     bool grown = false;
     for (std::size_t k = 0; k < segments.size() && !grown; ++k) {
       if (k == i) continue;
-      for (const PageSegment& a : {segments[i], reversed(segments[i])}) {
+      for (const PageSegment& a : {segments[i], reversed(segments[i])})
         for (const PageSegment& b : {segments[k], reversed(segments[k])}) {
           if (grown) continue;
           if (const auto both = joined(a, b, tolerance)) {
@@ -86,7 +86,6 @@ std::vector<PageSegment> join_straight(std::vector<PageSegment> segments, const 
             grown = true;
           }
         }
-      }
       if (grown) segments.erase(segments.begin() + static_cast<std::ptrdiff_t>(k));
     }
     if (grown) {

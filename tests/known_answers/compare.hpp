@@ -24,7 +24,7 @@ struct CompareTolerance {
   double depth = 0;  ///< in depth, on a line that faces the viewer; on others more, by their slope
 };
 
-/// What the lattice leaves open. With r = step / sqrt(2), the farthest that rounding moves a point:
+/// Distances that the lattice leaves open. With r = step / sqrt(2), the farthest that rounding moves a point:
 /// - across: a stroke lies on the line between its rounded vertices, which is within r of the true one, and its ends are
 ///   rounded once more: 2 r.
 /// - along: an end is where two lines cross that are each within r of the true ones. At an angle of sine s their crossing is

@@ -62,7 +62,7 @@ TEST(Compare, RoundingIsNoDifference) {
   EXPECT_EQ(found(drawn), std::vector<std::string>{});
 }
 
-/// What is done to the drawing of the picture, to each of its segments in turn or to one, and how its messages begin.
+/// A change of the drawing of the picture, made to each of its segments in turn or to one, and how its messages begin.
 struct Change {
   const char* name;
   std::function<void(std::vector<PageSegment>& drawn, std::size_t i)> make;
@@ -71,65 +71,41 @@ struct Change {
 };
 
 TEST(Compare, EveryChangeIsFound) {
-  const auto add = [](std::vector<PageSegment>& drawn, const PageSegment& extra) { drawn.push_back(extra); };
   const std::vector<std::string> lost{"missing"}, extra{"not expected"}, both{"not expected", "missing"}, twice{"twice"};
+  const auto one_more = [&](const PageSegment& more) {
+    return [=](std::vector<PageSegment>& drawn, std::size_t) { drawn.push_back(more); };
+  };
+  const auto shift = [](auto& d, std::size_t i) { d[i].from += Point2{6, 6} * kStep, d[i].to += Point2{6, 6} * kStep; };
+  const auto gap = [&](auto& drawn, std::size_t) {
+    drawn[0].to = {50, 10};
+    drawn.push_back(segment({50.0001, 10}, {110, 10}, LineClass::border));
+  };
   const Change changes[] = {
       {"missing", [](auto& drawn, std::size_t i) { drawn.erase(drawn.begin() + static_cast<std::ptrdiff_t>(i)); }, lost},
-      {"shifted",
-       [](auto& d, std::size_t i) {
-         d[i].from += Point2{6, 6} * kStep, d[i].to += Point2{6, 6} * kStep;
-       },
-       both},
+      {"shifted", shift, both},
       {"another class", [](auto& drawn, std::size_t i) { drawn[i].line_class = LineClass::mesh; }, both},
       {"another visibility", [](auto& drawn, std::size_t i) { drawn[i].visible = !drawn[i].visible; }, both},
-      {"one more",
-       [&](auto& d, std::size_t) {
-         add(d, segment({20, 20}, {30, 20}));
-       },
-       extra, false},
-      {"beyond an end",
-       [&](auto& d, std::size_t) {
-         add(d, segment({110, 10}, {120, 10}, LineClass::border));
-       },
-       extra, false},
-      {"a short one",
-       [&](auto& d, std::size_t) {
-         add(d, segment({60, 90}, {60.001, 90}));
-       },
-       extra, false},
-      {"a hidden one",
-       [&](auto& d, std::size_t) {
-         add(d, segment({35, 50}, {85, 50}, LineClass::mesh, false));
-       },
-       extra, false},
+      {"one more", one_more(segment({20, 20}, {30, 20})), extra, false},
+      {"beyond an end", one_more(segment({110, 10}, {120, 10}, LineClass::border)), extra, false},
+      {"a short one", one_more(segment({60, 90}, {60.001, 90})), extra, false},
+      {"a hidden one", one_more(segment({35, 50}, {85, 50}, LineClass::mesh, false)), extra, false},
       {"too short", [](auto& drawn, std::size_t) { drawn[0].to.x -= 5 * kStep; }, lost, false},
       {"too long", [](auto& drawn, std::size_t) { drawn[0].to.x += 5 * kStep; }, both, false},
       {"turned", [](auto& drawn, std::size_t) { drawn[0].to.y += 3 * kStep; }, both, false},
-      {"a gap",
-       [&](auto& drawn, std::size_t) {
-         drawn[0].to = {50, 10};
-         add(drawn, segment({50.0001, 10}, {110, 10}, LineClass::border));
-       },
-       lost, false},
+      {"a gap", gap, lost, false},
       {"at another depth", [](auto& drawn, std::size_t) { drawn[1].z_to = 1; }, both, false},
-      {"drawn twice", [&](auto& drawn, std::size_t) { add(drawn, PageSegment(drawn[1])); }, twice, false},
-      {"a piece twice",
-       [&](auto& d, std::size_t) {
-         add(d, segment({20, 10}, {20.001, 10}, LineClass::border));
-       },
-       twice, false},
+      {"drawn twice", one_more(picture()[1]), twice, false},
+      {"a piece twice", one_more(segment({20, 10}, {20.001, 10}, LineClass::border)), twice, false},
   };
-  for (const Change& change : changes) {
+  for (const Change& change : changes)
     for (std::size_t i = 0; i < (change.to_each ? picture().size() : 1); ++i) {
       auto drawn = picture();
       change.make(drawn, i);
       const std::vector<std::string> messages = found(drawn);
       ASSERT_EQ(messages.size(), change.messages.size()) << change.name << ", " << i << testing::PrintToString(messages);
-      for (std::size_t k = 0; k < messages.size(); ++k) {
+      for (std::size_t k = 0; k < messages.size(); ++k)
         EXPECT_TRUE(messages[k].starts_with(change.messages[k])) << change.name << ", " << i << ": " << messages[k];
-      }
     }
-  }
 }
 
 TEST(Compare, DepthsAreComparedAlongASlope) {

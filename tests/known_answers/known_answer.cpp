@@ -39,9 +39,8 @@ class AnswerReader {
 
   void expect_keys(const json& object, const std::string& what, std::initializer_list<std::string_view> known) const {
     if (!object.is_object()) fail(what + ": is not an object");
-    for (const auto& [key, value] : object.items()) {
+    for (const auto& [key, value] : object.items())
       if (std::find(known.begin(), known.end(), key) == known.end()) fail(what + ": unknown key '" + key + "'");
-    }
   }
   const json& at(const json& object, const char* key) const {
     const auto found = object.find(key);
@@ -77,9 +76,8 @@ class AnswerReader {
 
   void read_view(const json& view, KnownAnswer& answer) const {
     expect_keys(view, "view", {"name", "direction", "eye", "target", "fov", "up", "right", "down"});
-    if (view.contains("name") + view.contains("direction") + view.contains("eye") != 1) {
+    if (view.contains("name") + view.contains("direction") + view.contains("eye") != 1)
       fail("view: needs one of 'name', 'direction' and 'eye'");
-    }
     CameraRequest& camera = answer.camera;
     if (const auto found = view.find("name"); found != view.end()) {
       const std::string wanted = text(*found, "view.name");
@@ -150,9 +148,8 @@ KnownAnswer read_known_answer(const std::filesystem::path& file) {
 
 std::vector<std::filesystem::path> known_answer_files(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".json") files.push_back(entry.path());
-  }
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -27,7 +27,7 @@ struct KnownAnswer {
   std::vector<KnownSegment> segments;     ///< whatever the order; each line once
 };
 
-/// What is wrong with a file, in one line that begins with its name.
+/// A fault of a file, in one line that begins with its name.
 struct KnownAnswerError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -36,7 +36,7 @@ struct KnownAnswerError : std::runtime_error {
 /// scene reader's InputError.
 KnownAnswer read_known_answer(const std::filesystem::path& file);
 
-/// The same from memory; a scene that is named by its path is looked for in `folder`.
+/// Reads an answer from memory; a scene that is named by its path is looked for in `folder`.
 KnownAnswer parse_known_answer(std::string_view text, const std::string& name, const std::filesystem::path& folder);
 
 /// All answers in a folder, by name.

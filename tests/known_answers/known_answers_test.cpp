@@ -81,9 +81,8 @@ TEST_P(KnownAnswers, AreDrawn) {
     const Picture picture = draw(answer.scene, request);
     const CompareTolerance tolerance = tolerance_of_lattice(picture.projected.lattice.step_mm);
     const auto expected = expected_segments(answer, picture.projected.view, with_hidden);
-    for (const std::string& difference : differences(expected, drawn_segments(picture), tolerance)) {
+    for (const std::string& difference : differences(expected, drawn_segments(picture), tolerance))
       ADD_FAILURE() << (with_hidden ? "with hidden lines: " : "") << difference;
-    }
     count_checks(Check::pairs);
   }
 }
@@ -109,9 +108,8 @@ TEST_P(KnownAnswerFile, IsSound) {
   EXPECT_TRUE(same_direction(camera.down, answer.down)) << "down on the page is " << text(camera.down);
   const Picture picture = draw(answer.scene, {answer.camera, answer.edges, false, 0});
   const auto expected = expected_segments(answer, picture.projected.view, true);
-  for (const std::string& overlap : overlaps(expected, tolerance_of_lattice(picture.projected.lattice.step_mm))) {
+  for (const std::string& overlap : overlaps(expected, tolerance_of_lattice(picture.projected.lattice.step_mm)))
     ADD_FAILURE() << overlap;
-  }
   const LineClasses selected = classes(answer.edges);
   for (const PageSegment& segment : expected) EXPECT_TRUE(selected.has(segment.line_class)) << segment.label;
 }
