@@ -1,15 +1,7 @@
 // How far contours may lie beside the outline of the mesh: to the last digit, on chains made by hand.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <vector>
-
-#include <glm/geometric.hpp>
-
 #include "contours/contour_support.hpp"
+#include "support/test.hpp"
 #include "view/view.hpp"
 
 namespace ligne::test {

@@ -3,6 +3,7 @@
 #include "contours/contour_junctions.hpp"
 #include "contours/parametric_mesh.hpp"
 #include "contours/smooth_patch.hpp"
+#include "drawing/measures.hpp"
 #include "geometry/parallel.hpp"
 #include "support/test.hpp"
 
@@ -11,14 +12,6 @@ namespace {
 
 constexpr double kTurn = 2 * 3.14159265358979323846;
 const Point3 kIso{-1, 1, -1};
-
-double total_length(const Polylines& lines) {
-  double sum = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (std::size_t k = 1; k < lines[i].size(); ++k) sum += glm::length(lines[i][k] - lines[i][k - 1]);
-  }
-  return sum;
-}
 
 void expect_same(const Polylines& a, const Polylines& b) {
   EXPECT_EQ(a.begin, b.begin);
@@ -30,12 +23,7 @@ Scene scene_of(std::vector<Point3> vertices, const std::vector<std::vector<std::
   Scene scene;
   scene.vertices = std::move(vertices);
   for (const auto& face : faces) scene.faces.add_face(face);
-  Object object;
-  object.vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
-  object.face_end = static_cast<std::uint32_t>(scene.faces.size());
-  object.precision = 1e-12;
-  scene.objects.push_back(object);
-  return scene;
+  return as_one_object(std::move(scene));
 }
 
 /// A body of revolution with flat ends: rings of `sides` vertices at the radii, 10 apart. A radius of 0 at the top is a tip.
@@ -44,12 +32,11 @@ Scene turned(std::uint32_t sides, const std::vector<double>& radii) {
   std::vector<std::vector<std::uint32_t>> faces;
   const auto rings = static_cast<std::uint32_t>(radii.size());
   const bool tip = radii.back() == 0;
-  for (std::uint32_t r = 0; r < rings; ++r) {
+  for (std::uint32_t r = 0; r < rings; ++r)
     for (std::uint32_t i = 0; i < (tip && r + 1 == rings ? 1 : sides); ++i) {
       const double angle = kTurn * (i + 0.37) / sides;
       vertices.push_back({radii[r] * std::cos(angle), radii[r] * std::sin(angle), 10.0 * r});
     }
-  }
   std::vector<std::uint32_t> bottom, top;
   for (std::uint32_t i = 0; i < sides; ++i) {
     bottom.push_back(sides - 1 - i);
@@ -103,9 +90,8 @@ TEST(SmoothContours, StraightOutlinesStayThoseOfTheMesh) {
   for (const std::uint32_t sides : {4u, 8u, 12u, 24u}) {
     const Scene cylinder = turned(sides, {30, 30}), rings = turned(sides, {30, 30, 30, 30}),
                 cone = turned(sides, {30, 20, 10});
-    for (const Scene* scene : {&cylinder, &rings, &cone}) {
+    for (const Scene* scene : {&cylinder, &rings, &cone})
       expect_same(by_angle(*scene, true).lines, by_angle(*scene, false).lines);
-    }
   }
 }
 
@@ -119,7 +105,7 @@ TEST(SmoothContours, EndAtTheRimWhereTheOutlineOfTheMeshDoes) {
   const Polylines smooth = by_angle(barrel, true).lines, plain = by_angle(barrel, false).lines;
   EXPECT_EQ(smooth.size(), plain.size());
   EXPECT_GT(smooth.points.size(), plain.points.size());
-  EXPECT_NEAR(total_length(smooth), total_length(plain), 0.01 * total_length(plain));
+  EXPECT_NEAR(length_of(smooth), length_of(plain), 0.01 * length_of(plain));
 }
 
 /// A box with its edges and corners rounded, `steps` facets to a quarter of a turn, the flat sides as two triangles each.
@@ -139,14 +125,10 @@ Scene rounded_box(const Point3& half, double radius, int steps) {
     double side[2];  // cosine's and sine's side of the box
   };
   std::vector<Angle> round, up;
-  for (int q = 0; q < 4; ++q) {
-    for (int k = 0; k <= steps; ++k) {
-      round.push_back({at(q, k), {q == 0 || q == 3 ? 1.0 : -1.0, q < 2 ? 1.0 : -1.0}});
-    }
-  }
-  for (int q = -1; q < 1; ++q) {
+  for (int q = 0; q < 4; ++q)
+    for (int k = 0; k <= steps; ++k) round.push_back({at(q, k), {q == 0 || q == 3 ? 1.0 : -1.0, q < 2 ? 1.0 : -1.0}});
+  for (int q = -1; q < 1; ++q)
     for (int k = 0; k <= steps; ++k) up.push_back({at(q, k), {1, q < 0 ? -1.0 : 1.0}});
-  }
   const auto corner = [&](const Angle& r, const Angle& u) {
     const Point3 ball{std::cos(r.angle) * std::cos(u.angle), std::sin(r.angle) * std::cos(u.angle), std::sin(u.angle)};
     return vertex(Point3{half.x * r.side[0], half.y * r.side[1], half.z * u.side[1]} + radius * ball);
@@ -154,19 +136,17 @@ Scene rounded_box(const Point3& half, double radius, int steps) {
   const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     if (a != b && b != c && c != a) faces.push_back({a, b, c});
   };
-  for (std::size_t j = 0; j + 1 < up.size(); ++j) {
+  for (std::size_t j = 0; j + 1 < up.size(); ++j)
     for (std::size_t i = 0; i < round.size(); ++i) {
       const Angle &r = round[i], &s = round[(i + 1) % round.size()];
       const std::uint32_t a = corner(r, up[j]), b = corner(s, up[j]), c = corner(s, up[j + 1]), d = corner(r, up[j + 1]);
       add(a, b, c);
       add(a, c, d);
     }
-  }
   for (const double side : {-1.0, 1.0}) {
     std::uint32_t v[4];
-    for (int q = 0; q < 4; ++q) {
+    for (int q = 0; q < 4; ++q)
       v[q] = vertex({half.x * (q == 0 || q == 3 ? 1 : -1), half.y * (q < 2 ? 1 : -1), side * (half.z + radius)});
-    }
     if (side < 0) std::swap(v[1], v[3]);
     add(v[0], v[1], v[2]);
     add(v[0], v[2], v[3]);
@@ -227,9 +207,8 @@ Scene filleted_box(const Point3& half, double radius, std::uint32_t n) {
       add(quarter, quarter * kTurn / 4 + c % (n + 1) * step, height, row < n ? -1 : 1);
     }
   }
-  for (const double top : {-1.0, 1.0}) {
+  for (const double top : {-1.0, 1.0})
     for (std::uint32_t quarter = 0; quarter < 4; ++quarter) add(quarter, 0, top * kTurn / 4, top);
-  }
   const std::uint32_t south = rows * columns, north = south + 4, last = (rows - 1) * columns;
   for (std::uint32_t c = 0; c < columns; ++c) {
     const std::uint32_t d = (c + 1) % columns, pole = c / (n + 1), next = d / (n + 1);
@@ -283,13 +262,12 @@ TEST(SmoothContours, LinesBehindThemEndThereAtAnyAngle) {
   constexpr std::uint32_t kSectors = 28, kRings = 15;
   std::vector<Point3> vertices;
   std::vector<std::vector<std::uint32_t>> faces;
-  for (std::uint32_t r = 1; r < kRings; ++r) {
+  for (std::uint32_t r = 1; r < kRings; ++r)
     for (std::uint32_t i = 0; i < kSectors; ++i) {
       const double turn = kTurn * (i + 0.3) / kSectors, height = kTurn * (double(r) / kRings - 0.5) / 2;
       vertices.push_back(kRadius *
                          Point3(std::cos(turn) * std::cos(height), std::sin(turn) * std::cos(height), std::sin(height)));
     }
-  }
   vertices.push_back({0, 0, -kRadius});
   vertices.push_back({0, 0, kRadius});
   const std::uint32_t south = (kRings - 1) * kSectors, north = south + 1;
@@ -313,9 +291,8 @@ TEST(SmoothContours, LinesBehindThemEndThereAtAnyAngle) {
   const DrawnOutlines drawn = draw_outlines(scene_of(std::move(vertices), faces), {0, 1, 0});
   const Point2 centre = page_point(drawn.view, {0, 0, 0});
   double deepest = 0;
-  for (const Point2 p : drawn.lines.points) {
+  for (const Point2 p : drawn.lines.points)
     deepest = std::max(deepest, kRadius * drawn.view.scale - glm::length(p - centre));
-  }
   EXPECT_LT(deepest, 0.05) << "mm on the page";
 }
 
@@ -366,7 +343,7 @@ TEST(SmoothContours, DoNotDependOnTheOrderOfFacesOrTheirWinding) {
     }
     const Polylines changed = draw_outlines(other, kIso).lines;
     EXPECT_EQ(changed.size(), lines.size());
-    EXPECT_NEAR(total_length(changed), total_length(lines), 0.02);
+    EXPECT_NEAR(length_of(changed), length_of(lines), 0.02);
   }
 }
 

@@ -27,14 +27,13 @@ struct Misses {
 Misses measure(const FoundPatches& found, const Camera& camera, bool with_surfaces) {
   const std::vector<LineClass> classes = classify_edges(found.scene, found.topology, camera, 30);
   std::vector<std::uint32_t> outlines;
-  for (std::uint32_t e = 0; e < classes.size(); ++e) {
+  for (std::uint32_t e = 0; e < classes.size(); ++e)
     if (classes[e] == LineClass::outline) outlines.push_back(e);
-  }
   const std::vector<std::uint8_t> no_creases(classes.size(), 0);
   const RegionBorders borders{30, &no_creases, with_surfaces ? &found.patches : nullptr};
   const SmoothPatch patch = smooth_patch(found.scene, found.topology, camera, outlines, borders);
   Misses misses;
-  for (const ContourChain& chain : trace_contours(found.scene, camera, patch)) {
+  for (const ContourChain& chain : trace_contours(found.scene, camera, patch))
     for (const ContourNode& node : chain.nodes) {
       if (node.is_cusp()) continue;
       ++misses.nodes;
@@ -42,7 +41,6 @@ Misses measure(const FoundPatches& found, const Camera& camera, bool with_surfac
       const Point3 normal = found.only().normal(node.on_surface);
       misses.facing = std::max(misses.facing, std::abs(glm::dot(normal, glm::normalize(to_eye(camera, node.on_surface)))));
     }
-  }
   return misses;
 }
 

@@ -21,6 +21,21 @@ Point3 tube(const std::function<Point3(double)>& curve, double radius, double u,
 
 }  // namespace
 
+Scene as_one_object(Scene scene) {
+  Object object;
+  object.vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
+  object.face_end = static_cast<std::uint32_t>(scene.faces.size());
+  object.precision = 1e-12;
+  scene.objects.push_back(object);
+  return scene;
+}
+
+View view_along(const Scene& scene, const Point3& direction) {
+  CameraRequest request;
+  request.direction = direction;
+  return make_view(scene, make_camera(request, scene), {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
+}
+
 Point3 ParametricSurface::normal(double u, double v) const {
   constexpr double kStep = 1e-5;
   return glm::cross(at(u + kStep, v) - at(u - kStep, v), at(u, v + kStep) - at(u, v - kStep));
@@ -47,13 +62,12 @@ Scene uneven_mesh(const ParametricSurface& surface, int columns, int rows, doubl
   const auto unit = [&] { return double(random()) / double(std::mt19937::max()); };
   std::vector<Point2> places;
   Scene scene;
-  for (int i = 0; i < columns; ++i) {
+  for (int i = 0; i < columns; ++i)
     for (int k = 0; k < rows; ++k) {
       const double du = (2 * unit() - 1) * jitter, dv = (2 * unit() - 1) * jitter;
       places.push_back({i + du, k + dv});
       scene.vertices.push_back(surface.at((i + du) / columns, (k + dv) / rows));
     }
-  }
   const auto area = [&](std::array<int, 3> t, std::array<Point2, 3> shift) {
     std::array<Point2, 3> p;
     for (std::size_t c = 0; c < 3; ++c) p[c] = places[static_cast<std::size_t>(t[c])] + shift[c];
@@ -84,24 +98,18 @@ Scene uneven_mesh(const ParametricSurface& surface, int columns, int rows, doubl
       }
     }
   }
-  Object object;
-  object.vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
-  object.face_end = static_cast<std::uint32_t>(scene.faces.size());
-  object.precision = 1e-12;
-  scene.objects.push_back(object);
-  return scene;
+  return as_one_object(std::move(scene));
 }
 
 Polylines true_contours(const ParametricSurface& surface, const View& view, int columns, int rows) {
   std::vector<double> g(static_cast<std::size_t>((columns + 1) * (rows + 1)));
   const auto place = [&](int i, int k) { return Point2{double(i) / columns, double(k) / rows}; };
   const auto value = [&](int i, int k) -> double& { return g[static_cast<std::size_t>(i * (rows + 1) + k)]; };
-  for (int i = 0; i <= columns; ++i) {
+  for (int i = 0; i <= columns; ++i)
     for (int k = 0; k <= rows; ++k) {
       const Point2 p = place(i, k);
       value(i, k) = glm::dot(glm::normalize(surface.normal(p.x, p.y)), view.camera.forward);
     }
-  }
   Polylines lines;
   const auto add_triangle = [&](std::array<std::array<int, 2>, 3> t) {
     std::vector<Point2> ends;
@@ -110,27 +118,20 @@ Polylines true_contours(const ParametricSurface& surface, const View& view, int 
       const double ga = value(a[0], a[1]), gb = value(b[0], b[1]);
       if ((ga >= 0) == (gb >= 0)) continue;
       const Point2 p = place(a[0], a[1]) + ga / (ga - gb) * (place(b[0], b[1]) - place(a[0], a[1]));
-      const HomogeneousPoint h = to_homogeneous(view, surface.at(p.x, p.y));
-      ends.push_back({h.x / h.w, h.y / h.w});
+      ends.push_back(page_point(view, surface.at(p.x, p.y)));
     }
     if (ends.size() == 2) lines.add(ends);
   };
-  for (int i = 0; i < columns; ++i) {
+  for (int i = 0; i < columns; ++i)
     for (int k = 0; k < rows; ++k) {
       add_triangle({{{i, k}, {i + 1, k}, {i + 1, k + 1}}});
       add_triangle({{{i, k}, {i + 1, k + 1}, {i, k + 1}}});
     }
-  }
   return lines;
 }
 
 DrawnOutlines draw_outlines(const Scene& scene, const Point3& direction, bool smooth, bool by_angle) {
-  CameraRequest request;
-  request.direction = direction;
-  const Rect page{{0, 0}, {297, 210}};
-  constexpr double kMargin = 10;
-  const View view =
-      make_view(scene, make_camera(request, scene), {{{kMargin, kMargin}, {297 - kMargin, 210 - kMargin}}}, page);
+  const View view = view_along(scene, direction);
   const Topology topology = build_topology(scene);
   ProjectedScene projected = project(scene, topology, view, {classes("outline")});
   SmoothContours contours;

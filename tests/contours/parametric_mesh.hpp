@@ -8,6 +8,12 @@
 
 namespace ligne::test {
 
+/// All vertices and faces as the only object, exact to a rounding.
+Scene as_one_object(Scene scene);
+
+/// The view along a direction, on A4 in landscape with a margin of 10 mm.
+View view_along(const Scene& scene, const Point3& direction);
+
 /// A surface that is closed in both parameters, which run from 0 to 1.
 struct ParametricSurface {
   const char* name;
@@ -26,7 +32,7 @@ Scene uneven_mesh(const ParametricSurface& surface, int columns, int rows, doubl
 /// The contours of the surface itself on the page, in short pieces.
 Polylines true_contours(const ParametricSurface& surface, const View& view, int columns, int rows);
 
-/// What clear lines draw of the outlines of a scene.
+/// The outlines of a scene as clear lines draw them.
 struct DrawnOutlines {
   View view;
   Polylines lines;

@@ -17,14 +17,6 @@ LineClasses shape_classes() {
   return all;
 }
 
-View view_of(const Scene& scene, const Point3& direction) {
-  CameraRequest request;
-  request.direction = direction;
-  const Rect page{{0, 0}, {297, 210}};
-  constexpr double kMargin = 10;
-  return make_view(scene, make_camera(request, scene), {{{kMargin, kMargin}, {297 - kMargin, 210 - kMargin}}}, page);
-}
-
 struct Found {
   View view;
   std::vector<ShapeLine> lines;
@@ -35,17 +27,8 @@ struct Found {
 };
 
 Found find_lines(const Scene& scene, const Point3& direction) {
-  const View view = view_of(scene, direction);
+  const View view = view_along(scene, direction);
   return {view, find_shape_lines(scene, build_topology(scene), view, shape_classes(), {})};
-}
-
-Scene with_object(Scene scene) {
-  Object object;
-  object.vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
-  object.face_end = static_cast<std::uint32_t>(scene.faces.size());
-  object.precision = 1e-12;
-  scene.objects.push_back(object);
-  return scene;
 }
 
 /// An octahedron whose sides are cut into n, blown up to an ellipsoid. The places of its vertices are uneven by `jitter`
@@ -69,16 +52,15 @@ Scene ellipsoid(const Point3& axes, int n, double jitter) {
           const std::uint32_t first = at(a), second = at(b), third = at(c);
           scene.faces.add_triangle(first, second, third);
         };
-        for (int i = 0; i < n; ++i) {
+        for (int i = 0; i < n; ++i)
           for (int k = 0; i + k < n; ++k) {
             add({i, k}, {i + 1, k}, {i, k + 1});
             if (i + k + 2 <= n) add({i + 1, k}, {i + 1, k + 1}, {i, k + 1});
           }
-        }
       }
     }
   }
-  return with_object(std::move(scene));
+  return as_one_object(std::move(scene));
 }
 
 /// A tube about z, open or with flat ends, its vertices up to a third of a cell beside their places.
@@ -86,13 +68,12 @@ Scene cylinder(std::uint32_t sides, std::uint32_t rings, bool closed) {
   std::mt19937 random(3);
   const auto uneven = [&] { return 0.3 * (2 * double(random()) / double(std::mt19937::max()) - 1); };
   Scene scene;
-  for (std::uint32_t r = 0; r <= rings; ++r) {
+  for (std::uint32_t r = 0; r <= rings; ++r)
     for (std::uint32_t i = 0; i < sides; ++i) {
       const double angle = 2 * kPi * (i + uneven()) / sides;
       const double height = r == 0 || r == rings ? r : r + uneven();
       scene.vertices.push_back({10 * std::cos(angle), 10 * std::sin(angle), 40.0 * height / rings});
     }
-  }
   std::vector<std::uint32_t> bottom, top;
   for (std::uint32_t i = 0; i < sides; ++i) {
     for (std::uint32_t r = 0; r < rings; ++r) {
@@ -107,35 +88,31 @@ Scene cylinder(std::uint32_t sides, std::uint32_t rings, bool closed) {
     scene.faces.add_face(bottom);
     scene.faces.add_face(top);
   }
-  return with_object(std::move(scene));
+  return as_one_object(std::move(scene));
 }
 
 /// A sheet of n x n cells over [-1, 1]^2.
 Scene sheet(int n, const std::function<double(double, double)>& height) {
   Scene scene;
-  for (int i = 0; i <= n; ++i) {
+  for (int i = 0; i <= n; ++i)
     for (int k = 0; k <= n; ++k) {
       const double x = 2.0 * i / n - 1, y = 2.0 * k / n - 1;
       scene.vertices.push_back({x, y, height(x, y)});
     }
-  }
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < n; ++i)
     for (int k = 0; k < n; ++k) {
       const auto a = static_cast<std::uint32_t>(i * (n + 1) + k), b = a + static_cast<std::uint32_t>(n + 1);
       scene.faces.add_triangle(a, b, b + 1);
       scene.faces.add_triangle(a, b + 1, a + 1);
     }
-  }
-  return with_object(std::move(scene));
+  return as_one_object(std::move(scene));
 }
 
 const std::array<Point3, 3> kDirections{{{-1, 1, -1}, {-0.3, 1, -0.8}, {0.9, 0.5, -0.65}}};
 
 TEST(ShapeLines, SpheresCylindersAndBoxesHaveNone) {
   for (const Point3& direction : kDirections) {
-    for (const int n : {12, 40, 90}) {
-      EXPECT_TRUE(find_lines(ellipsoid({50, 50, 50}, n, 0.3), direction).lines.empty()) << n;
-    }
+    for (const int n : {12, 40, 90}) EXPECT_TRUE(find_lines(ellipsoid({50, 50, 50}, n, 0.3), direction).lines.empty()) << n;
     for (const bool closed : {false, true}) {
       EXPECT_TRUE(find_lines(cylinder(24, 1, closed), direction).lines.empty());
       EXPECT_TRUE(find_lines(cylinder(72, 60, closed), direction).lines.empty());
@@ -151,7 +128,7 @@ double farthest_from_plane(const ShapeLine& line, const Point3& normal) {
   return most;
 }
 
-double length_of(const ShapeLine& line) {
+double length_in_space(const ShapeLine& line) {
   double sum = 0;
   for (std::size_t i = 0; i < line.size(); ++i) sum += glm::length(line.points[i + 1] - line.points[i]);
   return sum;
@@ -168,7 +145,7 @@ TEST(ShapeLines, TheRidgeOfAnEllipsoidIsItsLargestEllipse) {
       EXPECT_TRUE(ridge.closed);
       EXPECT_LT(farthest_from_plane(ridge, {0, 0, 1}), 90.0 / n);
       const double ellipse = kPi * (3 * (90 + 60) - std::sqrt((3 * 90 + 60.0) * (90 + 3 * 60.0)));  // Ramanujan
-      EXPECT_NEAR(length_of(ridge), ellipse, 0.05 * ellipse);
+      EXPECT_NEAR(length_in_space(ridge), ellipse, 0.05 * ellipse);
     }
   }
 }
@@ -215,7 +192,7 @@ TEST(ShapeLines, ABumpHasASuggestiveContourAndAWaveRidgesAndValleys) {
       const double x = line.points[line.points.size() / 2].x;
       const double top = line.line_class == LineClass::ridge ? std::round(x) : std::floor(x) + 0.5;
       EXPECT_LT(std::abs(x - top), 0.02);
-      EXPECT_GT(length_of(line), 1.8);
+      EXPECT_GT(length_in_space(line), 1.8);
     }
     EXPECT_GE(found.count(LineClass::ridge), 1u);
     EXPECT_EQ(found.count(LineClass::valley), 2u);

@@ -4,6 +4,7 @@
 #include "contours/parametric_mesh.hpp"
 #include "contours/shallow_islands.hpp"
 #include "contours/surface_fits.hpp"
+#include "drawing/measures.hpp"
 #include "main/tier.hpp"
 #include "support/page_lines.hpp"
 #include "support/test.hpp"
@@ -13,23 +14,17 @@ namespace {
 
 PageLines page_lines(const Polylines& lines) {
   PageLines result({{0, 0}, {297, 210}}, 1);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (std::size_t k = 1; k < lines[i].size(); ++k) result.add(lines[i][k - 1], lines[i][k]);
-  }
+  for_segments(lines, [&](Point2 a, Point2 b) { result.add(a, b); });
   return result;
 }
 
 /// Length of the lines that is farther from the truth than `mm`, as a share of all.
 double share_beyond(const Polylines& lines, const PageLines& truth, double mm) {
-  double all = 0, beyond = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (std::size_t k = 1; k < lines[i].size(); ++k) {
-      const double length = glm::length(lines[i][k] - lines[i][k - 1]);
-      all += length;
-      if (truth.distance((lines[i][k] + lines[i][k - 1]) * 0.5, 1) > mm) beyond += length;
-    }
-  }
-  return beyond / all;
+  double beyond = 0;
+  for_segments(lines, [&](Point2 a, Point2 b) {
+    if (truth.distance((a + b) * 0.5, 1) > mm) beyond += glm::distance(a, b);
+  });
+  return beyond / length_of(lines);
 }
 
 /// How far the ends of open lines are from the nearest other line, in ascending order: where one ends at another or at a
@@ -41,11 +36,9 @@ std::vector<double> ways_from_ends(const Polylines& lines) {
     if (glm::length(line.front() - line.back()) < 1e-6) continue;
     for (const Point2 p : {line.front(), line.back()}) {
       double best = 1000;
-      for (std::size_t k = 0; k < lines.size(); ++k) {
-        for (std::size_t j = 1; k != i && j < lines[k].size(); ++j) {
+      for (std::size_t k = 0; k < lines.size(); ++k)
+        for (std::size_t j = 1; k != i && j < lines[k].size(); ++j)
           best = std::min(best, distance_to_segment(p, lines[k][j - 1], lines[k][j]));
-        }
-      }
       ways.push_back(best);
     }
   }
@@ -79,9 +72,8 @@ TEST_P(Surfaces, HasTheCurvesOfTheSurfaceAtEveryRefinement) {
       ASSERT_EQ(ways.size(), finest.size());
       // At 3600 triangles a contour of the swelling surface ends 2.4 mm before its cusp, and another one where that should
       // be.
-      for (std::size_t i = 0; i < ways.size() && size > 1; ++i) {
+      for (std::size_t i = 0; i < ways.size() && size > 1; ++i)
         EXPECT_NEAR(ways[i], finest[i], 0.3) << "mm from an end to a line";
-      }
     }
   }
 }
@@ -103,7 +95,7 @@ std::vector<char> covered_cells(const Scene& scene, const View& view) {
     std::array<Point2, 3> p;
     for (std::size_t c = 0; c < 3; ++c) p[c] = page_point(view, scene.vertices[corners[c]]);
     const Point2 low = glm::min(p[0], glm::min(p[1], p[2])), high = glm::max(p[0], glm::max(p[1], p[2]));
-    for (int row = int(low.y * kCellsPerMm); row <= int(high.y * kCellsPerMm); ++row) {
+    for (int row = int(low.y * kCellsPerMm); row <= int(high.y * kCellsPerMm); ++row)
       for (int column = int(low.x * kCellsPerMm); column <= int(high.x * kCellsPerMm); ++column) {
         const Point2 at = center(column, row);
         int left = 0;
@@ -113,7 +105,6 @@ std::vector<char> covered_cells(const Scene& scene, const View& view) {
         }
         if (left % 3 == 0) covered[std::size_t(row) * kColumns + std::size_t(column)] = 1;
       }
-    }
   }
   return covered;
 }
@@ -122,13 +113,12 @@ std::vector<char> covered_cells(const Scene& scene, const View& view) {
 double farthest_rim(const std::vector<char>& covered, const Polylines& lines) {
   const PageLines nearest = page_lines(lines);
   double farthest = 0;
-  for (int row = 1; row + 1 < kRows; ++row) {
+  for (int row = 1; row + 1 < kRows; ++row)
     for (int column = 1; column + 1 < kColumns; ++column) {
       const char* cell = &covered[std::size_t(row) * kColumns + std::size_t(column)];
       if (!cell[0] || (cell[1] && cell[-1] && cell[kColumns] && cell[-kColumns])) continue;
       farthest = std::max(farthest, nearest.distance(center(column, row), 10));
     }
-  }
   return farthest;
 }
 
@@ -168,21 +158,18 @@ struct Grain {
 
   Grain() {
     for (std::uint32_t i = 0; i < kSide * kSide; ++i) scene.vertices.push_back({i % kSide, i / kSide, 0});
-    for (std::uint32_t y = 0; y + 1 < kSide; ++y) {
+    for (std::uint32_t y = 0; y + 1 < kSide; ++y)
       for (std::uint32_t x = 0; x + 1 < kSide; ++x) {
         const std::uint32_t a = y * kSide + x;
         add({a, a + 1, a + kSide + 1});
         add({a, a + kSide + 1, a + kSide});
       }
-    }
     patch.g.assign(scene.vertices.size(), -0.5);
     patch.across.assign(patch.sector.size(), kNone);
     for (std::uint32_t s = 0; s < patch.sector.size(); ++s) {
-      for (std::uint32_t o = 0; o < patch.sector.size(); ++o) {
-        if (patch.sector[s] == patch.sector[next_corner(o)] && patch.sector[next_corner(s)] == patch.sector[o]) {
+      for (std::uint32_t o = 0; o < patch.sector.size(); ++o)
+        if (patch.sector[s] == patch.sector[next_corner(o)] && patch.sector[next_corner(s)] == patch.sector[o])
           patch.across[s] = o;
-        }
-      }
     }
   }
   void add(const std::array<std::uint32_t, 3>& v) {
@@ -226,14 +213,13 @@ std::vector<Point3> rings(double size, const Height& height) {
   std::mt19937 random(5);
   const auto unit = [&] { return double(random()) / double(std::mt19937::max()) - 0.5; };
   std::vector<Point3> points;
-  for (int ring = 1; ring <= 2; ++ring) {
+  for (int ring = 1; ring <= 2; ++ring)
     for (int i = 0; i < 6 * ring; ++i) {
       const double angle = (i + 0.5 * unit()) / (6 * ring) * 2 * 3.14159265358979323846;
       const double radius = size * (ring + 0.5 * unit());
       const double x = radius * std::cos(angle), y = radius * std::sin(angle);
       points.push_back({x, y, height(x, y)});
     }
-  }
   return points;
 }
 
@@ -280,9 +266,8 @@ TEST(SurfaceFits, RefuseWhatIsNoSurfaceOfDegreeThree) {
   EXPECT_TRUE(fit_surface({0, 0, 0}, kUp, rings(0.25, ball), fit)) << "fine";
   std::vector<Point3> rows;
   for (int i = -4; i <= 4; ++i) {
-    for (const double y : {0.0, 30.0}) {
+    for (const double y : {0.0, 30.0})
       if (i != 0 || y > 0) rows.push_back({std::sin(0.1 * i), y, std::cos(0.1 * i) - 1});
-    }
   }
   EXPECT_FALSE(fit_surface({0, 0, 0}, kUp, rows, fit)) << "two rows";
   EXPECT_FALSE(fit_surface({0, 0, 0}, kUp, std::vector<Point3>(20, Point3{0, 0, 0}), fit)) << "one place";
