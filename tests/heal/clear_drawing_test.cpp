@@ -1,8 +1,8 @@
 /// Clear drawings of meshes with defects against those of the shapes that they stand for.
 
+#include "drawn_lengths.hpp"
 #include "main/tier.hpp"
 #include "picture/models.hpp"
-#include "picture/scene_study.hpp"
 #include "scene/heal/border_edges.hpp"
 #include "scene/heal/duplicate_faces.hpp"
 #include "scene/heal/heal.hpp"
@@ -17,24 +17,14 @@ namespace fs = std::filesystem;
 
 std::string corpus_file(const std::string& name) { return LIGNE_SOURCE_DIR "/tests/corpus/" + name + ".json"; }
 
-/// Drawn length of each class, mm.
-using Lengths = std::array<double, kLineClassCount>;
+using test::Lengths;
 
 Lengths lengths(const Scene& scene, Quality quality, const std::string& view, double crease_degrees = 30) {
   PictureRequest request;
   request.lines.quality = quality;
   request.lines.crease_degrees = crease_degrees;
   request.view.named_view = view;
-  RunReport run;
-  PreparedScene prepared = prepare(scene, request, std::nullopt, run);
-  const SceneStudy found = study(prepared, std::nullopt, false, run);
-  Lengths sum{};
-  const StrokeModel& model = *found.result.strokes;
-  for (const Stroke& s : model.strokes) {
-    if (!s.visible) continue;
-    sum[static_cast<std::size_t>(s.line_class)] += glm::distance(model.lattice.to_mm(s.from), model.lattice.to_mm(s.to));
-  }
-  return sum;
+  return test::drawn_lengths(scene, request);
 }
 
 Lengths drawn(const std::string& file, Quality quality, const std::string& view, double crease_degrees = 30) {
@@ -51,9 +41,8 @@ TEST_P(Defect, DrawsAsTheCube) {
   for (const char* view : {"iso", "front", "top", "dimetric", "right", "back"}) {
     const Lengths expected = drawn(corpus_file("cube"), Quality::exact, view);
     const Lengths clear = drawn(corpus_file(GetParam()), Quality::clear, view);
-    for (std::size_t c = 0; c < kLineClassCount; ++c) {
+    for (std::size_t c = 0; c < kLineClassCount; ++c)
       EXPECT_NEAR(clear[c], expected[c], 0.1) << view << ", " << kLineClassNames[c];
-    }
   }
 }
 
@@ -65,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(Clear, Defect,
 const std::set<std::string> kHealed{"cube_stored_twice",   "duplicate_faces", "cube_with_crack",
                                     "cube_with_loose_lid", "t_junction",      "crumpled_ball"};
 const std::set<std::string> kSmooth{"height_field", "low_sphere", "torus"};
-/// What is smaller than the pen: at most a hundredth of these lines.
+/// Scenes with lines shorter than the pen: at most a hundredth of their lines.
 const std::set<std::string> kShortBits{"grazing_penetration", "mixed_sizes",    "nearly_edge_on_iso",
                                        "needle_pyramids",     "sizes_in_a_row", "thin_slivers"};
 
@@ -79,7 +68,7 @@ TEST(ClearDrawing, KeepsTheLinesOfTheCorpus) {
       // Planes that meet at less than 30 degrees have a crease from 10 degrees on.
       const Lengths more = drawn(file.string(), Quality::exact, view, kSurfaceCreaseDegrees);
       for (std::size_t c = 0; c < kLineClassCount; ++c) {
-        const double all = std::accumulate(exact.begin(), exact.end(), 0.0);
+        const double all = test::length_of_all(exact);
         const double tolerance = kShortBits.contains(name) ? all / 100 : 1e-3;
         const double most = static_cast<LineClass>(c) == LineClass::crease ? more[c] : exact[c];
         EXPECT_GE(clear[c], exact[c] - tolerance) << name << " " << view << ", " << kLineClassNames[c];
@@ -95,8 +84,7 @@ TEST(ClearDrawing, DrawsNothingRoundTheTipsOfFaces) {
   for (const char* view : {"iso", "front"}) {
     const Lengths exact = drawn(corpus_file("crumpled_ball"), Quality::exact, view),
                   clear = drawn(corpus_file("crumpled_ball"), Quality::clear, view);
-    EXPECT_NEAR(std::accumulate(clear.begin(), clear.end(), 0.0), std::accumulate(exact.begin(), exact.end(), 0.0), 2)
-        << view;
+    EXPECT_NEAR(test::length_of_all(clear), test::length_of_all(exact), 2) << view;
   }
 }
 
@@ -109,14 +97,13 @@ Scene shuffled(const Scene& scene, unsigned seed) {
     std::vector<std::uint32_t> order;
     for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) order.push_back(f);
     std::shuffle(order.begin(), order.end(), random);
-    for (const std::uint32_t f : order) {
+    for (const std::uint32_t f : order)
       for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
         if (c == 0)
           out.faces.add_face(scene.faces.contour(f, c));
         else
           out.faces.add_hole(scene.faces.contour(f, c));
       }
-    }
   }
   return out;
 }
@@ -156,19 +143,17 @@ Scene begun_sheet(bool crack) {
   Scene scene;
   test::begin_object(scene);
   const auto place = [](std::uint32_t i, std::uint32_t j) { return Point3(i, j, 0.25 * ((i * 7 + j * 3) % 5)); };
-  for (std::uint32_t i = 0; i <= kSide; ++i) {
+  for (std::uint32_t i = 0; i <= kSide; ++i)
     for (std::uint32_t j = 0; j <= kSide; ++j) scene.vertices.push_back(place(i, j));
-  }
   const auto second_edge = static_cast<std::uint32_t>(scene.vertices.size());
   for (std::uint32_t j = 0; crack && j <= kSide; ++j) scene.vertices.push_back(place(kMiddle, j) + Point3(1e-4, 0, 0));
-  for (std::uint32_t i = 0; i < kSide; ++i) {
+  for (std::uint32_t i = 0; i < kSide; ++i)
     for (std::uint32_t j = 0; j < kSide; ++j) {
       const bool behind = crack && i == kMiddle;
       const std::uint32_t a = behind ? second_edge + j : vertex_at(i, j), b = vertex_at(i + 1, j);
       scene.faces.add_triangle(a, b, b + 1);
       scene.faces.add_triangle(a, b + 1, a + 1);
     }
-  }
   return scene;
 }
 
@@ -178,11 +163,7 @@ struct HealedSheet {
   HealReport report;
 };
 
-HealOptions with_topology_first_from(std::size_t triangles) {
-  HealOptions options;
-  options.topology_first_from = triangles;
-  return options;
-}
+HealOptions with_topology_first_from(std::size_t triangles) { return {std::nullopt, triangles}; }
 
 HealedSheet healed_sheet(Scene scene) {
   test::end_object(scene);
@@ -257,17 +238,15 @@ Scene faulty_sheet(Faults faults, std::mt19937& random) {
     scene.vertices.push_back(p);
     return static_cast<std::uint32_t>(scene.vertices.size() - 1);
   };
-  for (std::uint32_t i = 0; i <= kCells; ++i) {
+  for (std::uint32_t i = 0; i <= kCells; ++i)
     for (std::uint32_t j = 0; j <= kCells; ++j) add_vertex(Point3(i, j, 0.1 * ((i * 3 + j * 5) % 4)));
-  }
   for (std::uint32_t i = 0; i < kCells; ++i) {
     for (std::uint32_t j = 0; j < kCells; ++j) {
       if (happens(Faults::cracks, 12)) continue;
       const std::uint32_t first = i * (kCells + 1) + j, next = first + kCells + 1;
       std::array<std::uint32_t, 4> corner{first, next, next + 1, first + 1};
-      for (std::uint32_t& v : corner) {
+      for (std::uint32_t& v : corner)
         if (happens(Faults::cracks, 6)) v = add_vertex(scene.vertices[v] + Point3(1e-4, -1e-4, 2e-5));
-      }
       if (happens(Faults::cracks, 4)) {
         const std::uint32_t middle = add_vertex(0.5 * (scene.vertices[corner[0]] + scene.vertices[corner[1]]));
         scene.faces.add_triangle(corner[0], middle, corner[3]);
@@ -300,12 +279,11 @@ TEST(HealLargeMesh, HealsAsSmallOnes) {
     EXPECT_EQ(large.scene.corner_flags, small.scene.corner_flags) << round;
     expect_own_topology(small);
     expect_own_topology(large);
-    EXPECT_EQ(large.report.faces_twice, small.report.faces_twice) << round;
-    EXPECT_EQ(large.report.vertices_moved, small.report.vertices_moved) << round;
-    EXPECT_EQ(large.report.edges_split, small.report.edges_split) << round;
-    EXPECT_EQ(large.report.faces_turned, small.report.faces_turned) << round;
-    EXPECT_EQ(large.report.border_edges, small.report.border_edges) << round;
-    EXPECT_EQ(large.report.edges_sewn(), small.report.edges_sewn()) << round;
+    const auto counts = [](const HealReport& r) {
+      return std::array<std::size_t, 6>{r.faces_twice,  r.vertices_moved, r.edges_split,
+                                        r.faces_turned, r.border_edges,   r.edges_sewn()};
+    };
+    EXPECT_EQ(counts(large.report), counts(small.report)) << round;
     clean += small.report.nothing();
     sewn += small.report.edges_sewn() > 0;
     split += small.report.edges_split > 0;

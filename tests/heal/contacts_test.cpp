@@ -1,6 +1,6 @@
-/// Surfaces that touch: what clear lines leave out of their intersections, and what they keep.
+/// Surfaces that touch: the intersections that clear lines leave out, and those that they keep.
 
-#include "picture/scene_study.hpp"
+#include "drawn_lengths.hpp"
 #include "scene/contacts/chord_errors.hpp"
 #include "scene/heal/edge_tree.hpp"
 #include "scene/heal/segment_cells.hpp"
@@ -57,31 +57,19 @@ void add_bored_plate(Scene& scene, int n, double radius, double depth) {
   end_object(scene);
 }
 
-/// Lengths of the lines on the page, mm.
-struct DrawnLengths {
-  double intersections = 0, others = 0;
-};
-
-DrawnLengths lengths(const Scene& scene, Quality quality, HiddenLines hidden) {
+test::Lengths lengths(const Scene& scene, Quality quality, HiddenLines hidden) {
   PictureRequest request;
   request.lines.quality = quality;
   request.lines.hidden = hidden;
   request.view.up_axis = Axis::z;
-  RunReport run;
-  PreparedScene prepared = prepare(scene, request, std::nullopt, run);
-  const SceneStudy found = study(prepared, std::nullopt, false, run);
-  const StrokeModel& model = *found.result.strokes;
-  DrawnLengths sum;
-  for (const Stroke& s : model.strokes) {
-    (s.line_class == LineClass::intersection ? sum.intersections : sum.others) +=
-        glm::distance(model.lattice.to_mm(s.from), model.lattice.to_mm(s.to));
-  }
-  return sum;
+  return test::drawn_lengths(scene, request);
 }
+
+double intersections_of(const test::Lengths& lengths) { return lengths[static_cast<std::size_t>(LineClass::intersection)]; }
 
 /// Hidden ones too.
 double intersections(const Scene& scene, Quality quality) {
-  return lengths(scene, quality, HiddenLines::dashed).intersections;
+  return intersections_of(lengths(scene, quality, HiddenLines::dashed));
 }
 
 TEST(Contacts, ChordErrorIsTheHeightOfTheArc) {
@@ -103,7 +91,7 @@ Scene post_in_plate(double half, double rounding, double plate) {
   begin_object(scene, "post");
   const auto base = static_cast<std::uint32_t>(scene.vertices.size());
   constexpr int kSteps = 4;
-  for (int corner = 0; corner < 4; ++corner) {
+  for (int corner = 0; corner < 4; ++corner)
     for (int i = 0; i <= kSteps; ++i) {
       const double quarter = std::numbers::pi / 2, angle = corner * quarter + i * quarter / kSteps;
       const double middle = corner * quarter + quarter / 2, inner = std::sqrt(2.0) * (half - rounding);
@@ -112,7 +100,6 @@ Scene post_in_plate(double half, double rounding, double plate) {
       scene.vertices.push_back(p);
       scene.vertices.push_back(p + Point3{0, 0, 30});
     }
-  }
   const auto n = static_cast<std::uint32_t>(scene.vertices.size()) - base;
   for (std::uint32_t i = 0; i < n; i += 2) {
     const std::uint32_t next = (i + 2) % n;
@@ -121,9 +108,8 @@ Scene post_in_plate(double half, double rounding, double plate) {
   end_object(scene);
   begin_object(scene, "plate");
   const auto first = static_cast<std::uint32_t>(scene.vertices.size());
-  for (const int x : {-1, 1}) {
+  for (const int x : {-1, 1})
     for (const int y : {-x, x}) scene.vertices.push_back({x * plate, y * plate, 0});
-  }
   scene.faces.add_face(std::array{first, first + 1, first + 2, first + 3});
   end_object(scene);
   return scene;
@@ -174,12 +160,12 @@ TEST(Contacts, ARimIsWhole) {
   Scene scene;
   add_bored_plate(scene, 24, 10, 20);
   add_tube(scene, 31, 10, {0, 0, -15}, {0, 0, 40}, 0.05);
-  const DrawnLengths exact = lengths(scene, Quality::exact, HiddenLines::none);
-  const DrawnLengths clear = lengths(scene, Quality::clear, HiddenLines::none);
-  EXPECT_GT(exact.intersections, 20);
-  EXPECT_EQ(clear.intersections, 0);
+  const test::Lengths exact = lengths(scene, Quality::exact, HiddenLines::none);
+  const test::Lengths clear = lengths(scene, Quality::clear, HiddenLines::none);
+  EXPECT_GT(intersections_of(exact), 20);
+  EXPECT_EQ(intersections_of(clear), 0);
   // The outlines of the tube are smooth contours in clear lines, which end elsewhere by a millimetre.
-  EXPECT_NEAR(clear.others, exact.others + exact.intersections, 0.05 * exact.intersections);
+  EXPECT_NEAR(test::length_of_all(clear), test::length_of_all(exact), 0.05 * intersections_of(exact));
 }
 
 /// The tree of segments against all segments one by one, and cells of segments against the tree.

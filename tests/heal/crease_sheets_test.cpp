@@ -70,18 +70,16 @@ TEST(Creases, WhereAllFacesAreThinnerThanThePrecisionTheirNormalsCount) {
   // Northings of six digits, in steps of the last of them: each triangle is as high as what its writer rounded away.
   std::ostringstream obj;
   const int n = 12;
-  for (int i = 0; i <= n; ++i) {
+  for (int i = 0; i <= n; ++i)
     for (int k = 0; k <= n; ++k) {
       const double height = 6 * std::exp(-(i - 6) * (i - 6) / 20.0 - (k - 6) * (k - 6) / 20.0);
       obj << "v " << 581311 + 10 * k << ' ' << 4.78527 + 0.00001 * i << "e+06 " << height << '\n';
     }
-  }
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < n; ++i)
     for (int k = 0; k < n; ++k) {
       const int v = i * (n + 1) + k + 1, up = v + n + 1;
       obj << "f " << v << ' ' << v + 1 << ' ' << up + 1 << "\nf " << v << ' ' << up + 1 << ' ' << up << '\n';
     }
-  }
   const Scene scene = read(obj.str(), ModelFormat::obj);
   ASSERT_GT(scene.objects[0].precision, 1);
   EXPECT_EQ(find(scene).count(), 0u);

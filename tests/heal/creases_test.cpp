@@ -20,17 +20,15 @@ enum class Shading { none, smooth, averaged, flat, groups, one_group };
 std::string prism(int sides, Shading shading) {
   std::ostringstream obj;
   const auto angle = [&](double i) { return 2 * std::numbers::pi * i / sides; };
-  for (int z = 0; z < 2; ++z) {
+  for (int z = 0; z < 2; ++z)
     for (int i = 0; i < sides; ++i) obj << "v " << std::cos(angle(i)) << ' ' << std::sin(angle(i)) << ' ' << 2 * z << '\n';
-  }
   // Normals: of the sides at their corners, of the sides in their middles, of the caps, averaged over all faces.
   for (int i = 0; i < sides; ++i) obj << "vn " << std::cos(angle(i)) << ' ' << std::sin(angle(i)) << " 0\n";
   for (int i = 0; i < sides; ++i) obj << "vn " << std::cos(angle(i + 0.5)) << ' ' << std::sin(angle(i + 0.5)) << " 0\n";
   obj << "vn 0 0 -1\nvn 0 0 1\n";
-  for (int z = 0; z < 2; ++z) {
+  for (int z = 0; z < 2; ++z)
     for (int i = 0; i < sides; ++i)
       obj << "vn " << std::cos(angle(i)) << ' ' << std::sin(angle(i)) << ' ' << 2 * z - 1 << '\n';
-  }
   const auto corner = [&](int z, int i, int side) {
     i %= sides;
     const int normal = shading == Shading::averaged ? 2 * sides + 2 + z * sides + i
@@ -141,9 +139,8 @@ TEST(Creases, GltfNormals) {
 std::string step_with_chamfer(double width) {
   std::ostringstream obj;
   const double x = 1 + width;
-  for (const auto& [u, v] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {x, width}, {x, x}, {1 + x, x}}) {
+  for (const auto& [u, v] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {x, width}, {x, x}, {1 + x, x}})
     obj << "v " << u << " 0 " << v << "\nv " << u << " 3 " << v << '\n';
-  }
   obj << "vn 0 0 1\nvn -0.38 0 0.92\nvn -0.92 0 0.38\nvn -0.98 0 0.2\n"
       << "f 1//1 3//2 4//2 2//1\nf 3//2 5//3 6//3 4//2\nf 5//3 7//4 8//4 6//3\nf 7//1 9//1 10//1 8//1\n";
   return obj.str();
@@ -297,14 +294,13 @@ TEST(Creases, ARidgeRoundOverManyTrianglesHasNone) { EXPECT_EQ(find(rounded_ridg
 Scene short_ridge(double along, double round) {
   std::ostringstream obj;
   constexpr int kSteps = 100;
-  for (int i = 0; i <= kSteps; ++i) {
+  for (int i = 0; i <= kSteps; ++i)
     for (int k = 0; k <= kSteps; ++k) {
       const double x = k - kSteps / 2.0 + (i % 2) * 0.5 + 0.05 * std::sin(5.0 * i * k), y = (i - kSteps / 2.0) * 0.866;
       const double fall = 1 / (1 + std::pow(2 * x / along, 4));
       obj << "v " << x << ' ' << y << ' '
           << 12 * fall * std::exp(-std::sqrt(y * y + round * round) / 12) + 0.05 * std::sin(7.0 * i + 3.0 * k) << '\n';
     }
-  }
   write_triangles(obj, kSteps);
   return read(obj.str(), ModelFormat::obj);
 }

@@ -1,4 +1,4 @@
-/// What healing does to a scene, and what it leaves alone.
+/// Changes that healing makes to a scene, and things that it leaves alone.
 
 #include "scene/heal/heal.hpp"
 #include "geometry/parallel.hpp"
@@ -43,16 +43,14 @@ std::size_t border_edges(const Topology& topology) {
 Scene relief(std::uint32_t n) {
   Scene scene;
   test::begin_object(scene);
-  for (std::uint32_t i = 0; i <= n; ++i) {
+  for (std::uint32_t i = 0; i <= n; ++i)
     for (std::uint32_t j = 0; j <= n; ++j) scene.vertices.emplace_back(i, j, 0.25 * ((i * 7 + j * 3) % 5));
-  }
-  for (std::uint32_t i = 0; i < n; ++i) {
+  for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = 0; j < n; ++j) {
       const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
       scene.faces.add_triangle(a, b, b + 1);
       scene.faces.add_triangle(a, b + 1, a + 1);
     }
-  }
   test::end_object(scene);
   return scene;
 }
@@ -107,13 +105,12 @@ TEST(Heal, FacesStoredTwiceWhereManyOthersHaveTheirLowestVertex) {
   Scene scene;
   test::begin_object(scene);
   scene.vertices.emplace_back(0, 0, 0);
-  // Of each petal one side is among the first edges of vertex 0 and the other among the last.
-  for (const double turn : {0.0, 0.5}) {
+  // One side of each petal is among the first edges of vertex 0, the other among the last.
+  for (const double turn : {0.0, 0.5})
     for (std::uint32_t i = 0; i < n; ++i) {
       const double angle = 2 * std::numbers::pi * (i + turn) / n;
       scene.vertices.emplace_back(std::cos(angle), std::sin(angle), 0);
     }
-  }
   for (std::uint32_t i = 0; i < n; ++i) scene.faces.add_triangle(0, 1 + i, 1 + n + i);
   scene.faces.add_triangle(0, n, 2 * n);
   test::end_object(scene);
@@ -186,9 +183,8 @@ TEST(Heal, ACrackIsSewnAtItsTJunction) {
   const Healed after = healed(before);
   // The vertex of the front moves onto the lid's edge, since that leaves both faces flat.
   ASSERT_EQ(after.scene.vertices.size(), before.vertices.size());
-  for (std::size_t v = 0; v < before.vertices.size(); ++v) {
+  for (std::size_t v = 0; v < before.vertices.size(); ++v)
     EXPECT_EQ(after.scene.vertices[v], before.vertices[v].z == 4 - 0x1p-13 ? Point3(2, 0, 4) : before.vertices[v]);
-  }
   EXPECT_EQ(after.scene.faces.size(), 6u);
   EXPECT_EQ(border_edges(after.topology), 0u);
   EXPECT_EQ(after.report.edges_split, 1u);
@@ -202,9 +198,8 @@ TEST(Heal, NothingMovesFurtherThanTheDistance) {
   EXPECT_EQ(border_edges(after.topology), 0u);
   EXPECT_EQ(after.scene.vertices.size(), 8u);
   EXPECT_EQ(after.report.vertices_moved, 4u);
-  for (const Point3& p : after.scene.vertices) {
+  for (const Point3& p : after.scene.vertices)
     EXPECT_NE(std::find(before.vertices.begin(), before.vertices.end(), p), before.vertices.end());
-  }
 }
 
 TEST(Heal, WhatIsApartStaysApart) {
@@ -216,9 +211,8 @@ TEST(Heal, WhatIsApartStaysApart) {
 
 TEST(Heal, ASecondTimeChangesNothing) {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(kCorpus)) {
+  for (const auto& entry : fs::directory_iterator(kCorpus))
     if (entry.path().extension() == ".json") files.push_back(entry.path());
-  }
   for (const char* model :
        {"chair_model.obj", "2CylinderEngine.glb", "spider.obj", "octagonal_pocket.ply", "featuretype.stl"}) {
     if (fs::exists(fs::path(LIGNE_MODELS_DIR) / model)) files.push_back(fs::path(LIGNE_MODELS_DIR) / model);
@@ -252,9 +246,8 @@ TEST(Heal, SameSceneForAnyNumberOfThreads) {
   const fs::path engine = fs::path(LIGNE_MODELS_DIR) / "2CylinderEngine.glb";
   if (!fs::exists(engine)) GTEST_SKIP() << "shared models are absent";
   std::array<Scene, 2> scenes;
-  for (const unsigned threads : {1u, 8u}) {
+  for (const unsigned threads : {1u, 8u})
     run_with_threads(threads, [&] { scenes[threads > 1] = healed(read(engine)).scene; });
-  }
   EXPECT_EQ(scenes[0].vertices, scenes[1].vertices);
   EXPECT_TRUE(std::ranges::equal(std::as_const(scenes[0]).faces.corners(), std::as_const(scenes[1]).faces.corners()));
   EXPECT_EQ(scenes[0].corner_flags, scenes[1].corner_flags);
@@ -268,9 +261,8 @@ TEST(Heal, PatchesOfUnlikeTessellationsClose) {
     const auto first = static_cast<std::uint32_t>(scene.vertices.size());
     for (int i = 0; i <= pieces; ++i) {
       const double angle = std::numbers::pi * i / pieces;
-      for (const double y : {0.0, far}) {
+      for (const double y : {0.0, far})
         scene.vertices.emplace_back(static_cast<float>(40 * std::cos(angle)), y, static_cast<float>(40 * std::sin(angle)));
-      }
     }
     for (std::uint32_t i = first; i < first + 2 * static_cast<std::uint32_t>(pieces); i += 2) {
       scene.faces.add_triangle(i, i + 1, i + 3);
@@ -285,9 +277,8 @@ TEST(Heal, PatchesOfUnlikeTessellationsClose) {
   finish_scene(scene, warnings);
   const Healed after = healed(scene);
   std::size_t at_seam = 0;
-  for (const Edge& edge : after.topology.edges) {
+  for (const Edge& edge : after.topology.edges)
     at_seam += edge.face1 == kNone && after.scene.vertices[edge.v0].y == 0 && after.scene.vertices[edge.v1].y == 0;
-  }
   EXPECT_EQ(at_seam, 0u);
 }
 
