@@ -57,13 +57,11 @@ class Drawer {
   }
 
   DrawingFile draw() {
-    for (const Box& box : boxes_) {
+    for (const Box& box : boxes_)
       for (unsigned v = 0; v < 8; ++v) {
-        for (unsigned axis = 0; axis < 3; ++axis) {
+        for (unsigned axis = 0; axis < 3; ++axis)
           if (!(v >> axis & 1)) draw_edge(box, v, axis);
-        }
       }
-    }
     return std::move(drawing_);
   }
 

@@ -51,9 +51,8 @@ bool visible_along(const Sight& sight, const SampledEdge& edge, std::size_t i, d
 bool hidden_around(const Sight& sight, const PageMap& map, const SampledEdge& edge, std::size_t i,
                    std::span<const std::uint32_t> own_faces, double tolerance, double reach_mm) {
   const auto blocked = [&](const Point3& q) { return sight.blocked(q, tolerance, Touching::generous); };
-  for (const double part : kAlong) {
+  for (const double part : kAlong)
     if (!blocked(edge.sample(i, part * reach_mm))) return false;
-  }
   const Point3 q = edge.sample(i);
   for (int k = 0; k < kCircle; ++k) {
     const double angle = 2 * 3.14159265358979323846 * k / kCircle;
@@ -129,19 +128,19 @@ class Checker {
   }
 
  private:
-  /// What was found on one stroke or edge.
+  /// Findings on one stroke or edge.
   struct Tally {
     double length = 0, wrong = 0, undecided = 0, visible = 0;
     Point2 at{0, 0};
     const char* what = nullptr;
-    std::vector<PageSegment> seen;  ///< of an edge: round its visible samples
+    std::vector<PageSegment> seen;  ///< parts of an edge round its visible samples
     void add_wrong(double mm, Point2 place) {
       if (wrong == 0) at = place;
       wrong += mm;
     }
   };
 
-  /// What lies in the model where a stroke says that it comes from.
+  /// Edges of the model where a stroke says that it comes from.
   struct Source {
     std::uint8_t kinds = 0;  ///< classes of all edges there
     std::vector<std::uint32_t> faces;
@@ -149,9 +148,8 @@ class Checker {
 
   Source intersection_source(const DrawnStroke& stroke) const {
     Source source{kIntersection, {}};
-    for (const auto& face : stroke.faces) {
+    for (const auto& face : stroke.faces)
       if (face && *face < checked_.faces.size()) source.faces.push_back(*face);
-    }
     return source;
   }
 
@@ -218,9 +216,8 @@ class Checker {
 
   PageLines visible_strokes() const {
     std::vector<PageSegment> segments;
-    for (const DrawnStroke& s : drawing_.strokes) {
+    for (const DrawnStroke& s : drawing_.strokes)
       if (s.visible) segments.push_back(s.points);
-    }
     return lines_of(segments);
   }
 

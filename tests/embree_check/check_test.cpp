@@ -16,10 +16,18 @@ double stroke_length(const DrawnStroke& s) { return glm::distance(s.points[0], s
 
 /// Draws the part of the edge on the page that its ends and its interval say.
 void place_points(const DrawingFile& drawing, DrawnStroke& stroke) {
-  for (std::size_t k = 0; k < 2; ++k) {
+  for (std::size_t k = 0; k < 2; ++k)
     stroke.points[k] =
         page_point(drawing.model_to_page, stroke.ends[0] + (stroke.ends[1] - stroke.ends[0]) * stroke.interval[k]);
-  }
+}
+
+/// A whole edge, drawn.
+DrawnStroke stroke_between(const DrawingFile& drawing, LineKind kind, const Point3& a, const Point3& b) {
+  DrawnStroke stroke;
+  stroke.kind = kind;
+  stroke.ends = {a, b};
+  place_points(drawing, stroke);
+  return stroke;
 }
 
 void expect_right(const std::vector<Box>& boxes, const Viewer& viewer) {
@@ -28,7 +36,7 @@ void expect_right(const std::vector<Box>& boxes, const Viewer& viewer) {
   EXPECT_GT(report.drawn, 100);
   EXPECT_EQ(report.drawn_wrong(), 0) << to_text(report, 10);
   EXPECT_EQ(report.not_drawn(), 0) << to_text(report, 10);
-  // What cannot be told is next to the ends of strokes only.
+  // Only samples next to the ends of strokes cannot be told.
   EXPECT_LT(report.share(report.drawn_undecided + report.missing_undecided), 0.005) << to_text(report, 10);
 }
 
@@ -62,10 +70,8 @@ TEST(EmbreeCheck, FindsAHiddenEdgeThatIsDrawn) {
   for (const Viewer& viewer : {kOblique, kPerspective}) {
     DrawingFile drawing = draw_boxes(kCube, viewer);
     ASSERT_EQ(drawing.strokes.size(), 9u);
-    DrawnStroke hidden;
-    hidden.kind = kCrease;
-    hidden.ends = {Point3{0, 1, 0}, Point3{0, 0, 0}};  // (0, 1, 0) is the corner that neither viewer sees
-    place_points(drawing, hidden);
+    // (0, 1, 0) is the corner that neither viewer sees.
+    const DrawnStroke hidden = stroke_between(drawing, kCrease, {0, 1, 0}, {0, 0, 0});
     drawing.strokes.push_back(hidden);
     const Report report = check_drawing(box_scene(kCube), drawing, {});
     EXPECT_NEAR(report.hidden_drawn, stroke_length(hidden), kSampling) << to_text(report, 10);
@@ -76,7 +82,7 @@ TEST(EmbreeCheck, FindsAHiddenEdgeThatIsDrawn) {
 }
 
 TEST(EmbreeCheck, FindsAVisibleEdgeThatIsNotDrawn) {
-  for (const Viewer& viewer : {kOblique, kPerspective}) {
+  for (const Viewer& viewer : {kOblique, kPerspective})
     for (std::size_t i = 0; i < 9; ++i) {
       DrawingFile drawing = draw_boxes(kCube, viewer);
       const double length = stroke_length(drawing.strokes[i]);
@@ -85,7 +91,6 @@ TEST(EmbreeCheck, FindsAVisibleEdgeThatIsNotDrawn) {
       EXPECT_NEAR(report.missing, length, kSampling) << to_text(report, 10);
       EXPECT_EQ(report.drawn_wrong(), 0);
     }
-  }
 }
 
 TEST(EmbreeCheck, FindsStrokesThatAreTooLongOrTooShort) {
@@ -124,10 +129,7 @@ TEST(EmbreeCheck, FindsStrokesAtTheWrongPlace) {
 TEST(EmbreeCheck, FindsLinesThatAreNone) {
   DrawingFile drawing = draw_boxes(kCube, kOblique);
   drawing.strokes[0].kind = kMesh;
-  DrawnStroke diagonal;
-  diagonal.kind = kCrease;
-  diagonal.ends = {Point3{1, 0, 0}, Point3{0, 0, 1}};
-  place_points(drawing, diagonal);
+  const DrawnStroke diagonal = stroke_between(drawing, kCrease, {1, 0, 0}, {0, 0, 1});
   drawing.strokes.push_back(diagonal);
   CheckOptions options;
   options.kinds = kAllKinds;
@@ -148,10 +150,7 @@ TEST(EmbreeCheck, FindsIntersectionsThatAreNotDrawn) {
   const DrawingFile bare = drawing;
   double length = 0;
   for (std::size_t k = 0; k < 4; ++k) {
-    DrawnStroke side;
-    side.kind = kIntersection;
-    side.ends = {square[k], square[(k + 1) % 4]};
-    place_points(drawing, side);
+    const DrawnStroke side = stroke_between(drawing, kIntersection, square[k], square[(k + 1) % 4]);
     DrawingFile alone = bare;
     alone.strokes = {side};
     if (check_drawing(scene, alone, {}).hidden_drawn > 0) continue;

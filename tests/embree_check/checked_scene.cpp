@@ -71,7 +71,7 @@ void find_edges(const Scene& scene, const std::vector<double>& tolerances, Check
     auto key() const { return std::pair(v0, v1); }
   };
   std::vector<Side> sides;
-  for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
+  for (std::uint32_t f = 0; f < scene.faces.size(); ++f)
     for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
       const auto contour = scene.faces.contour(f, c);
       const std::size_t first = scene.faces.corner_index(f, c);
@@ -82,7 +82,6 @@ void find_edges(const Scene& scene, const std::vector<double>& tolerances, Check
         sides.push_back({std::min(a, b), std::max(a, b), f, a < b, flags});
       }
     }
-  }
   std::sort(sides.begin(), sides.end(), [](const Side& l, const Side& r) {
     return std::tuple(l.v0, l.v1, l.face, l.forward) < std::tuple(r.v0, r.v1, r.face, r.forward);
   });
@@ -139,9 +138,8 @@ CheckedScene make_checked_scene(const Scene& scene) {
   std::vector<double> tolerances(scene.faces.size(), kRounding * reach);
   for (const Object& object : scene.objects) {
     weld_object(scene, object, out.weld);
-    for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
+    for (std::uint32_t f = object.face_begin; f < object.face_end; ++f)
       tolerances[f] = std::max(tolerances[f], object.precision / out.box.size);
-    }
   }
   out.faces.reserve(scene.faces.size());
   for (std::size_t f = 0; f < scene.faces.size(); ++f) {

@@ -40,10 +40,9 @@ DrawingFile from_json(const Json& j) {
   drawing.height_mm = j.at("page").at("height_mm").get<double>();
   const Json& view = j.at("view");
   for (std::size_t i = 0; i < 16; ++i) drawing.model_to_page[i / 4][i % 4] = view.at("matrix").at(i).get<double>();
-  if (const auto w = view.find("window"); w != view.end()) {
+  if (const auto w = view.find("window"); w != view.end())
     drawing.window =
         Rect{{w->at(0).get<double>(), w->at(1).get<double>()}, {w->at(2).get<double>(), w->at(3).get<double>()}};
-  }
   if (const auto n = view.find("near"); n != view.end()) drawing.near_distance = n->get<double>();
   for (const Json& stroke : j.at("strokes")) drawing.strokes.push_back(read_stroke(stroke));
   return drawing;
@@ -52,16 +51,14 @@ DrawingFile from_json(const Json& j) {
 }  // namespace
 
 LineKind kind_of(std::string_view name) {
-  for (const auto& [kind, text] : kNames) {
+  for (const auto& [kind, text] : kNames)
     if (text == name) return kind;
-  }
   throw std::runtime_error("no class of lines is called '" + std::string(name) + "'");
 }
 
 std::string_view name_of(LineKind kind) {
-  for (const auto& [k, text] : kNames) {
+  for (const auto& [k, text] : kNames)
     if (k == kind) return text;
-  }
   return "";
 }
 

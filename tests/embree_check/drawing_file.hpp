@@ -11,7 +11,7 @@ namespace ligne::check {
 struct DrawnStroke {
   LineKind kind = kMesh;
   bool visible = true;
-  std::array<Point3, 2> ends{};                         ///< of the source edge, model coordinates
+  std::array<Point3, 2> ends{};                         ///< ends of the source edge, model coordinates
   std::array<double, 2> interval{0, 1};                 ///< parameters on the source edge
   std::optional<std::uint32_t> edge;                    ///< number of the source edge; none for an intersection
   std::array<std::optional<std::uint32_t>, 2> faces{};  ///< that meet at the source edge

@@ -3,9 +3,6 @@
 /// points; between neighbours that see different faces the place of the change is found by bisection; where both faces go on
 /// beyond that place, one can have come before the other only by passing through it.
 
-#include <array>
-#include <vector>
-
 #include "check.hpp"
 #include "checked_scene.hpp"
 #include "page_map.hpp"

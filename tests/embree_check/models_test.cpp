@@ -1,10 +1,6 @@
 /// Drawings that the program itself makes of real models, checked by rays. By default a few views of each; all of them with
 /// LIGNE_CHECK_ALL=1 in the environment.
 
-#include <unistd.h>
-#include <cctype>
-#include <ostream>
-
 #include "check.hpp"
 #include "main/tier.hpp"
 #include "scene/readers/reader.hpp"
@@ -59,9 +55,8 @@ struct Case {
 
 std::string name_of_case(const Case& c) {
   std::string name = std::filesystem::path(c.model->file).stem().string() + "_" + c.view.name + "_" + c.edges;
-  for (char& ch : name) {
+  for (char& ch : name)
     if (!std::isalnum(static_cast<unsigned char>(ch))) ch = '_';
-  }
   return name;
 }
 
@@ -75,26 +70,16 @@ std::vector<Case> cases() {
   for (const Model& model : kModels) {
     std::vector<View> views(std::begin(kParallel), std::end(kParallel));
     views.insert(views.end(), model.views.begin(), model.views.end());
-    for (std::size_t v = 0; v < views.size(); ++v) {
+    for (std::size_t v = 0; v < views.size(); ++v)
       for (const char* edges : {"feature", "all"}) {
         const bool all_edges = std::string_view(edges) == "all";
         const bool is_usual = (v == 2 && all_edges) || (v == 5 && !all_edges);
         if (everything || (is_usual && test::is_chosen(std::string("rays, ") + model.file, v / 3, 2)))
           cases.push_back({&model, views[v], edges});
       }
-    }
   }
   return cases;
 }
-
-/// Removes itself.
-struct TemporaryFile {
-  std::filesystem::path path;
-  ~TemporaryFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path, ignored);
-  }
-};
 
 class ModelDrawing : public testing::TestWithParam<Case> {};
 
@@ -102,10 +87,10 @@ TEST_P(ModelDrawing, IsRight) {
   const Case& c = GetParam();
   const std::filesystem::path model = std::filesystem::path(LIGNE_MODELS_DIR) / c.model->file;
   if (!std::filesystem::exists(LIGNE_MODELS_DIR)) GTEST_SKIP() << "shared models are absent";
-  const TemporaryFile drawing{std::filesystem::temp_directory_path() /
-                              ("ligne_check_" + std::to_string(getpid()) + "_" + name_of_case(c) + ".json")};
+  const test::TemporaryFolder folder;
+  const std::filesystem::path drawing = folder / (name_of_case(c) + ".json");
   std::string command = std::string("\"") + LIGNE_PROGRAM + "\" draw -q \"" + model.string() + "\" " + c.view.options +
-                        " --quality exact --edges " + c.edges + " -o \"" + drawing.path.string() + "\"";
+                        " --quality exact --edges " + c.edges + " -o \"" + drawing.string() + "\"";
   CheckOptions options;
   options.kinds = std::string_view(c.edges) == "all" ? kAllKinds : kFeatureKinds;
   if (command.find("--eye") != std::string::npos) {
@@ -115,7 +100,7 @@ TEST_P(ModelDrawing, IsRight) {
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
   Warnings warnings;
   const Scene scene = read_scene(model, {}, warnings);
-  const Report report = check_drawing(scene, read_drawing(drawing.path), options);
+  const Report report = check_drawing(scene, read_drawing(drawing), options);
   const std::string text = command + "\n" + to_text(report, 10);
   EXPECT_GT(report.drawn, 500) << text;
   EXPECT_LE(report.share(report.drawn_wrong()), kLimit) << text;

@@ -26,16 +26,14 @@ PageMap::PageMap(const Rows& model_to_page, const UnitBox& box, const Rect& wind
   const auto& w_row = to_page_[3];
   perspective_ = w_row[0] != 0 || w_row[1] != 0 || w_row[2] != 0;
   glm::dmat4 matrix;
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < 4; ++i)
     for (int k = 0; k < 4; ++k) matrix[k][i] = to_page_[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
-  }
   const glm::dmat4 inverse = glm::inverse(matrix);
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < 4; ++i)
     for (int k = 0; k < 4; ++k) {
       to_box_[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = inverse[k][i];
       if (!std::isfinite(inverse[k][i])) throw std::runtime_error("the matrix of the view can not be inverted");
     }
-  }
   // The viewer stands where the depth goes to minus infinity: at a finite point in perspective, else in a direction.
   const Point3 far{-to_box_[0][2], -to_box_[1][2], -to_box_[2][2]};
   if (perspective_) {

@@ -101,9 +101,8 @@ struct Sight::Rays {
   static void bounds(const RTCBoundsFunctionArguments* args) {
     const auto& self = *static_cast<const Rays*>(args->geometryUserPtr);
     Point3 low{+1e300, +1e300, +1e300}, high{-1e300, -1e300, -1e300};
-    for (const std::uint32_t corner : self.scene.contours->contour(args->primID, 0)) {
+    for (const std::uint32_t corner : self.scene.contours->contour(args->primID, 0))
       low = glm::min(low, self.scene.points[corner]), high = glm::max(high, self.scene.points[corner]);
-    }
     RTCBounds& b = *args->bounds_o;
     b.lower_x = static_cast<float>(low.x) - kBoxPad, b.upper_x = static_cast<float>(high.x) + kBoxPad;
     b.lower_y = static_cast<float>(low.y) - kBoxPad, b.upper_y = static_cast<float>(high.y) + kBoxPad;

@@ -1,6 +1,6 @@
 #pragma once
-/// What stands in the way of a sight. Embree's bounding volumes find the faces near a ray; whether the ray meets a face is
-/// then decided in double arithmetic on the polygon itself, with its holes, so no triangulation is needed.
+/// Faces that stand in the way of a sight. Embree's bounding volumes find the faces near a ray; whether the ray meets a face
+/// is then decided in double arithmetic on the polygon itself, with its holes, so no triangulation is needed.
 
 #include "checked_scene.hpp"
 #include "geometry/point.hpp"
