@@ -34,9 +34,8 @@ std::vector<Case> cases() {
   for (const std::filesystem::path& file : corpus_files()) {
     for (const char* view : {"odd", "near"}) result.emplace_back(file, view);
     if (is_large(file)) continue;
-    for (const char* view : {"iso", "dimetric", "front", "far", "inside", "sheet_front", "sheet_iso", "fov_border"}) {
+    for (const char* view : {"iso", "dimetric", "front", "far", "inside", "sheet_front", "sheet_iso", "fov_border"})
       result.emplace_back(file, view);
-    }
   }
   return result;
 }
@@ -106,12 +105,11 @@ TEST_P(AllMethods, AgreeWithTheOracle) {
 
 TEST(AllMethodsRotation, BringsEachVariantToEachFamily) {
   std::map<std::string, std::map<std::string, int>> judged;
-  for (const Case& each : cases()) {
+  for (const Case& each : cases())
     for (const Variant& variant : variants()) {
       if (variant.is_show || (is_large(std::get<0>(each)) && !variant.is_default)) continue;
       judged[variant.name][family_of(std::get<0>(each))] += static_cast<int>(edge_sets(each, variant).size());
     }
-  }
   EXPECT_GT(judged.size(), 10u);
   for (const auto& [variant, families] : judged) {
     EXPECT_EQ(families.size(), 7u) << variant;
@@ -128,7 +126,7 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(AllMethods);
 // larger than the lines can tell apart must be as the oracle says.
 
 constexpr double kPageHeightMm = 210;
-/// What a drawing by lines may be off, in distances of lines: what lies between two lines is seen by neither.
+/// Largest error of a drawing by lines, in distances of lines: things between two lines are seen by neither.
 constexpr double kLines = 2;
 
 constexpr std::uintmax_t kMostBytes = 20'000;
@@ -224,7 +222,7 @@ Drawings drawings(const Scene& scene, const CameraRequest& request, const char* 
   return result;
 }
 
-/// What is seen in one drawing and not in the other, in words.
+/// Lines seen in one drawing and not in the other, in words.
 std::string missing(const StrokeModel& from, const StrokeModel& in, const char* where) {
   std::string faults;
   for (const Segment& open : parts_missing(from, in, kSameLineMm, true)) faults += where + words(open) + '\n';
@@ -261,10 +259,9 @@ Scene ball(unsigned seed, double least, double most) {
         radius(random));
   };
   corner(-std::numbers::pi / 2, 0);
-  for (std::uint32_t ring = 1; ring <= rings; ++ring) {
+  for (std::uint32_t ring = 1; ring <= rings; ++ring)
     for (std::uint32_t i = 0; i < n; ++i)
       corner(std::numbers::pi * (ring / double(rings + 1) - 0.5), 2 * std::numbers::pi * i / n);
-  }
   corner(std::numbers::pi / 2, 0);
   const auto at = [&](std::uint32_t ring, std::uint32_t i) { return 1 + ring * n + i % n; };
   for (std::uint32_t i = 0; i < n; ++i) {

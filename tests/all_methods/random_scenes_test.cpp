@@ -117,7 +117,7 @@ class RandomScenes : public testing::TestWithParam<unsigned> {
     });
   }
 
-  /// The same; build gives the view too.
+  /// Like run(), but build gives the view too.
   template <class Build>
   void run_with_views(const std::string& kind, Build build) {
     const unsigned share = scene_count() / (kShares * kKinds) + 1;
@@ -196,10 +196,9 @@ TEST_P(RandomScenes, PrismsWithHoles) {
 TEST_P(RandomScenes, PenetratingBoxes) {
   run("penetrating", [](std::mt19937& random, unsigned, Scene& scene) {
     std::uniform_real_distribution<double> u(-1, 1);
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < 6; ++i)
       add_box(scene, Point3{u(random), u(random), u(random)} * 4.0, {3, 2, 2.5},
               rotation(u(random) * 3, u(random) * 3, u(random) * 3));
-    }
   });
 }
 

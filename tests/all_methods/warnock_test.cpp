@@ -65,14 +65,13 @@ void expect_as_many_strokes(const Scene& scene, const std::string& name, bool wi
       for (const bool hidden : {false, true}) {
         if (hidden && !with_hidden) continue;
         const auto expected = stroke_counts(projected, *find_method("auto"), hidden);
-        for (const std::string_view name : {"warnock-window", "warnock-split"}) {
+        for (const std::string_view name : {"warnock-window", "warnock-split"})
           for (unsigned choice = 0; choice < (name == "warnock-window" ? 3u : 2u); ++choice) {
             const WarnockWith method(with(name, ParameterWord{choice}), 0.001);
             EXPECT_EQ(stroke_counts(projected, method, hidden), expected)
                 << standard.name << " " << standard.options << " " << edges << (hidden ? " hidden " : " ") << name << " "
                 << choice;
           }
-        }
       }
     }
   }

@@ -16,9 +16,8 @@ constexpr std::size_t kFewestScenes = 60;
 
 std::vector<std::filesystem::path> corpus() {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus")) {
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus"))
     if (entry.path().extension() == ".json") files.push_back(entry.path());
-  }
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -78,12 +77,11 @@ TEST(Corpus, EverySceneReadsWithoutAWarning) {
 // Directed edges of an object's faces, and how often each stands.
 std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed_edges(const Scene& scene, const Object& object) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-  for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
+  for (std::uint32_t f = object.face_begin; f < object.face_end; ++f)
     for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
       const auto contour = scene.faces.contour(f, c);
       for (std::size_t k = 0; k < contour.size(); ++k) ++edges[{contour[k], contour[(k + 1) % contour.size()]}];
     }
-  }
   return edges;
 }
 

@@ -151,9 +151,8 @@ void turn(Scene& scene, const Basis& basis) {
   for (Point3& p : scene.vertices) p = basis[0] * p.x + basis[1] * p.y + basis[2] * p.z;
   for (Object& object : scene.objects) {
     double largest = 0;
-    for (std::uint32_t v = object.vertex_begin; v < object.vertex_end; ++v) {
+    for (std::uint32_t v = object.vertex_begin; v < object.vertex_end; ++v)
       largest = std::max(largest, glm::length(scene.vertices[v]));
-    }
     constexpr double kRoundings = 4;  // of a coordinate: three products of rounded factors, and their sum
     object.precision = largest * kRoundings * 0x1p-53;
   }

@@ -46,14 +46,12 @@ void check_scene(const Scene& scene) {
     need(object.vertex_begin == vertex && object.face_begin == face, "objects own contiguous ranges");
     vertex = object.vertex_end;
     face = object.face_end;
-    for (std::size_t f = object.face_begin; f < object.face_end; ++f) {
+    for (std::size_t f = object.face_begin; f < object.face_end; ++f)
       for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
         need(scene.faces.contour(f, c).size() >= 3, "contours have three corners or more");
-        for (const std::uint32_t v : scene.faces.contour(f, c)) {
+        for (const std::uint32_t v : scene.faces.contour(f, c))
           need(v >= object.vertex_begin && v < object.vertex_end, "faces name vertices of their object");
-        }
       }
-    }
     need(std::isfinite(object.precision), "precisions are finite");
   }
   need(vertex == scene.vertices.size() && face == scene.faces.size(), "objects cover the scene");
@@ -72,12 +70,11 @@ void need_one_line(const InputError& error) {
 /// Reads a few rows: all of a small grid, and no more than that of one that a few bytes describe.
 void check_heights(const HeightSource& heights) {
   need(heights.x().size() >= 2 && heights.y().size() >= 2, "grids have two columns and two rows");
-  for (const std::vector<double>* positions : {&heights.x(), &heights.y()}) {
+  for (const std::vector<double>* positions : {&heights.x(), &heights.y()})
     for (std::size_t i = 0; i < positions->size(); ++i) {
       need(std::isfinite((*positions)[i]), "positions are finite");
       need(i == 0 || (*positions)[i - 1] < (*positions)[i], "positions ascend");
     }
-  }
   constexpr std::size_t kRows = 1000;
   std::vector<double> z(heights.x().size());
   for (std::size_t j = 0; j < std::min(heights.y().size(), kRows); ++j) {
@@ -91,9 +88,8 @@ void read_grid_as_fuzzer(std::span<const std::byte> bytes) {
     Warnings warnings;
     for (const GridSurface& surface : read_surfaces(bytes, "fuzz", warnings)) {
       if (surface.heights) check_heights(*surface.heights);
-      if (surface.mesh) {
+      if (surface.mesh)
         need(surface.mesh->points.size() == surface.mesh->columns * surface.mesh->rows, "meshes have all their points");
-      }
     }
     for (const std::string& line : warnings.lines()) need(line.find('\n') == std::string::npos, "a warning is one line");
   } catch (const InputError& error) {
@@ -182,9 +178,8 @@ void read_mtl_as_fuzzer(std::span<const std::byte> bytes) {
     std::map<std::string, Material> materials;
     Warnings warnings;
     read_mtl(as_characters(bytes), "fuzz", materials, warnings);
-    for (const auto& [name, material] : materials) {
+    for (const auto& [name, material] : materials)
       need(material.opacity >= 0 && material.opacity <= 1, "opacities lie between 0 and 1");
-    }
     for (const std::string& line : warnings.lines()) need(line.find('\n') == std::string::npos, "a warning is one line");
   } catch (const InputError& error) {
     need_one_line(error);

@@ -1,5 +1,5 @@
 #pragma once
-/// What the fuzzers and the replay of their corpus do with a file.
+/// Reads a file as the fuzzers and the replay of their corpus do.
 
 #include "support/standard.hpp"
 

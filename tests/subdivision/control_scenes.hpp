@@ -35,28 +35,25 @@ inline const Polygons kCube{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 
 /// Every edge of the cube, as sharp as that.
 inline CreaseTags creased_cube(float sharpness) {
   CreaseTags tags;
-  for (const auto& face : kCube) {
+  for (const auto& face : kCube)
     for (std::size_t k = 0; k < 4; ++k) {
       const auto [a, b] = std::minmax(face[k], face[(k + 1) % 4]);
       tags.edges.push_back({a, b, sharpness});
     }
-  }
   return tags;
 }
 
 /// A grid of n x n quads over the square [0, n]^2.
 inline Scene grid(std::uint32_t n) {
   std::vector<Point3> points;
-  for (std::uint32_t y = 0; y <= n; ++y) {
+  for (std::uint32_t y = 0; y <= n; ++y)
     for (std::uint32_t x = 0; x <= n; ++x) points.emplace_back(x, y, 0);
-  }
   Polygons quads;
-  for (std::uint32_t y = 0; y < n; ++y) {
+  for (std::uint32_t y = 0; y < n; ++y)
     for (std::uint32_t x = 0; x < n; ++x) {
       const std::uint32_t a = y * (n + 1) + x;
       quads.push_back({a, a + 1, a + n + 2, a + n + 1});
     }
-  }
   return scene_of(points, quads);
 }
 

@@ -16,19 +16,16 @@ void expect_sane(const Made& made, double reach) {
     EXPECT_EQ(object.vertex_begin, vertex);
     EXPECT_EQ(object.face_begin, face);
     vertex = object.vertex_end, face = object.face_end;
-    for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
-      for (const std::uint32_t v : made.scene.faces.contour(f, 0)) {
+    for (std::uint32_t f = object.face_begin; f < object.face_end; ++f)
+      for (const std::uint32_t v : made.scene.faces.contour(f, 0))
         EXPECT_TRUE(v >= object.vertex_begin && v < object.vertex_end);
-      }
-    }
   }
   EXPECT_EQ(vertex, made.scene.vertices.size());
   EXPECT_EQ(face, made.scene.faces.size());
   EXPECT_EQ(made.scene.corner_flags.size(), made.scene.faces.corners().size());
-  for (const Point3& p : made.scene.vertices) {
+  for (const Point3& p : made.scene.vertices)
     EXPECT_TRUE(std::abs(p.x) <= reach && std::abs(p.y) <= reach && std::abs(p.z) <= reach)
         << p.x << " " << p.y << " " << p.z;
-  }
 }
 
 TEST(HostileControlMeshes, GiveFinitePoints) {
@@ -53,13 +50,12 @@ TEST(HostileControlMeshes, GiveFinitePoints) {
   };
   for (const auto& [name, polygons] : meshes) {
     SCOPED_TRACE(name);
-    for (const SubdivisionScheme scheme : {kCatmullClark, kLoop}) {
+    for (const SubdivisionScheme scheme : {kCatmullClark, kLoop})
       for (const float sharpness : {0.0f, 0.5f, kAlwaysSharp}) {
         const Made made = subdivided(cube, polygons, scheme, 3, sharpness > 0 ? creased_cube(sharpness) : CreaseTags{});
         expect_sane(made, 1 + 1e-12);
         EXPECT_EQ(made.scene.faces.empty(), scheme == kLoop && std::string(name) == "there and back");
       }
-    }
   }
 }
 
@@ -73,10 +69,9 @@ TEST(HostileControlMeshes, RandomSoupGivesFinitePoints) {
       for (std::uint32_t& v : polygon) v = below(8);
     }
     polygons.push_back({0, 1, 2});
-    for (const SubdivisionScheme scheme : {kCatmullClark, kLoop}) {
+    for (const SubdivisionScheme scheme : {kCatmullClark, kLoop})
       expect_sane(subdivided(cube_points(), polygons, scheme, 2, creased_cube(0.25f * static_cast<float>(round % 8))),
                   1 + 1e-12);
-    }
   }
 }
 

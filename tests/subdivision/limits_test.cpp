@@ -80,9 +80,8 @@ TEST(LimitSurface, MovesWithItsControlMesh) {
     for (Point3& p : there.vertices) p = moved(p);
     const Made made_there = subdivided(std::move(there), scheme, 3, house_tags());
     ASSERT_EQ(made.scene.vertices.size(), made_there.scene.vertices.size());
-    for (std::size_t v = 0; v < made.scene.vertices.size(); ++v) {
+    for (std::size_t v = 0; v < made.scene.vertices.size(); ++v)
       expect_near(made_there.scene.vertices[v], moved(made.scene.vertices[v]), 100 * kRounding);
-    }
   }
 }
 
@@ -94,9 +93,8 @@ TEST(LimitSurface, IsTheSameFromEveryLevel) {
     tags.edges = {{0, 1, kAlwaysSharp}, {0, 2, kAlwaysSharp}, {2, 3, kAlwaysSharp}};
     const Made coarse = subdivided(house(), scheme, 2, tags), fine = subdivided(house(), scheme, 4, tags);
     // The vertices of a level come first in the next one.
-    for (std::size_t v = 0; v < coarse.scene.vertices.size(); ++v) {
+    for (std::size_t v = 0; v < coarse.scene.vertices.size(); ++v)
       expect_near(coarse.scene.vertices[v], fine.scene.vertices[v], 10 * kRounding);
-    }
   }
 }
 
@@ -173,9 +171,8 @@ TEST(LimitSurface, SharesItsVertices) {
 
 TEST(LimitSurface, DoesNotDependOnThreads) {
   std::vector<Made> made;
-  for (const unsigned threads : {1u, 2u, 7u}) {
+  for (const unsigned threads : {1u, 2u, 7u})
     run_with_threads(threads, [&] { made.push_back(subdivided(house(), kCatmullClark, 6, house_tags())); });
-  }
   for (const Made& other : made) {
     EXPECT_EQ(made[0].scene.vertices, other.scene.vertices);
     EXPECT_TRUE(
