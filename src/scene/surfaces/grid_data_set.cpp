@@ -250,6 +250,7 @@ class RowSurface {
   bool names_are_a_series(const std::vector<std::size_t>& numbers) const {
     if (table_.names().empty()) return false;
     std::vector<std::string> names;
+    names.reserve(numbers.size());
     for (const std::size_t k : numbers) names.push_back(column_name(k));
     return are_numbered(names) || positions_in_names(names);
   }

@@ -26,7 +26,7 @@ class ArrayPoints {
     for (const DataArray& array : arrays) {
       std::vector<std::size_t> shape = array.shape;
       std::erase(shape, 1);
-      shapes_.push_back(array.layers == 1 ? std::move(shape) : array.shape);
+      shapes_.push_back(array.layers == 1 ? shape : array.shape);
     }
   }
 

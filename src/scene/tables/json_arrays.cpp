@@ -185,6 +185,7 @@ class JsonArrays {
     }
     std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Json> cells;
+    cells.reserve(rows.size());
     for (const auto& [row, cell] : rows) cells.push_back(*cell);
     if (!cells.empty()) add_column(key, cells);
   }
