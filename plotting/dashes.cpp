@@ -16,7 +16,8 @@ namespace {
 void cut_line(Polylines& out, std::span<const Point2> line, std::span<const double> pattern, double offset) {
   std::size_t part = 0;
   double left = pattern[0];
-  while (offset >= left) {
+  // A dash of no length at the beginning is a dot.
+  while (offset > left || (offset == left && left > 0)) {
     offset -= left;
     part = (part + 1) % pattern.size();
     left = pattern[part];

@@ -51,7 +51,7 @@ void SvgReader::read_sheet(const pugi::xml_node& node) {
   const std::string_view type = node.attribute("type").value();
   if (!type.empty() && type != "text/css") return;
   try {
-    sheet_.add(css, [&](const std::string& kind) {
+    sheet_.add(css, node.attribute("media").value(), [&](const std::string& kind) {
       if (skip_.contains("style")) return refuse("style", node);
       omit(kind, node, "<style> has style, which is not known: " + kind + "; --skip style leaves it out");
     });
@@ -186,6 +186,7 @@ bool SvgReader::enter(const pugi::xml_node& node, Context& context) {
   context.port.em = context.style.font_size;
   if (!displayed) return false;
   context.opacity *= context.style.opacity;
+  if (context.style.opacity < 1 || context.style.blended) context.since = painted_;
   if (context.style.placing) context.to_mm = context.to_mm * placing_of(node, context);
   if (!context.style.clip.empty()) context.clip = clip_of(context.style.clip, node, context);
   if (!context.style.mask.empty()) context.clip = mask_of(context.style.mask, node, context);
@@ -284,7 +285,7 @@ void SvgReader::walk_viewport(const pugi::xml_node& node, Context context, const
   const auto shift = [&](const char* name) { return node.attribute(name) && local_name(node) == "symbol"; };
   const Point2 reference = inside({given.x(node, "refX"), given.y(node, "refY")});
   context.to_mm = context.to_mm * Matrix{1, 0, 0, 1, shift("refX") ? -reference.x : 0, shift("refY") ? -reference.y : 0};
-  if (!context.style.overflow) context.clip = frame_clip(width, height, context);
+  if (!context.style.overflow.value_or(false)) context.clip = frame_clip(width, height, context);
   context.to_mm = context.to_mm * inside;
   walk_children(node, context);
 }

@@ -5,12 +5,26 @@
 
 namespace ligne::svg {
 
-void Coverage::add(const StepSegment& stroke, const Area& area, std::size_t clip, std::uint32_t place) {
+bool Coverage::add(const StepSegment& stroke, const Area& area, std::size_t clip, std::uint32_t place) {
   const std::size_t before = changes_.size();
   const Windings at_begin = area.wind_along(stroke, static_cast<std::uint32_t>(beside_.size()), changes_);
-  if (changes_.size() == before && at_begin.plus == 0 && at_begin.minus == 0) return;
+  if (changes_.size() == before && at_begin.plus == 0 && at_begin.minus == 0) return false;
   beside_.push_back({&area, clip, place, {}});
   update(beside_.back(), at_begin, true);
+  return true;
+}
+
+void Coverage::add_clips(const StepSegment& stroke, const Clip* clip, std::size_t depth) {
+  for (const Clip* one = clip; one; one = one->outer.get()) {
+    const std::size_t place = clips_.size();
+    clips_.push_back({one, depth});
+    for (std::uint32_t i = 0; i < one->any_of.size(); ++i) {
+      if (!add(stroke, one->any_of[i], place, i) || one->within.empty()) continue;
+      const std::size_t beside = beside_.size() - 1, first = clips_.size();
+      add_clips(stroke, one->within[i].get(), depth + 1);
+      clips_[place].cut.push_back({beside, first, clips_.size()});
+    }
+  }
 }
 
 void Coverage::update_side(const Clip& clip, Side& side, std::uint32_t place, bool was_inside, bool is_inside) {
@@ -37,9 +51,24 @@ void Coverage::update(Beside& beside, Windings by, bool is_first) {
               area.is_inside(beside.windings.minus));
 }
 
-bool Coverage::shows(const Clip& clip, const Side& side) {
-  if (clip.opens.empty()) return side.inside > 0;
-  return !side.painted.empty() && clip.opens[*side.painted.rbegin()] != 0;
+bool Coverage::shows(std::size_t number, bool on_plus) const {
+  const OneClip& one = clips_[number];
+  const Clip& clip = *one.clip;
+  const Side& side = on_plus ? one.plus : one.minus;
+  if (!clip.opens.empty()) return !side.painted.empty() && clip.opens[*side.painted.rbegin()] != 0;
+  if (clip.within.empty()) return side.inside > 0;
+  return std::ranges::any_of(one.cut, [&](const CutArea& cut) {
+    const Beside& beside = beside_[cut.beside];
+    return beside.area->is_inside(on_plus ? beside.windings.plus : beside.windings.minus) &&
+           all_show(cut.first, cut.end, one.depth + 1, on_plus);
+  });
+}
+
+bool Coverage::all_show(std::size_t first, std::size_t end, std::size_t depth, bool on_plus) const {
+  for (std::size_t i = first; i < end; ++i) {
+    if (clips_[i].depth == depth && !shows(i, on_plus)) return false;
+  }
+  return true;
 }
 
 CoveredPart Coverage::state() const {
@@ -51,10 +80,8 @@ CoveredPart Coverage::state() const {
     state.minus = is_beside && area_->is_inside(beside_[0].windings.minus);
     state.on_rim = state.plus != state.minus;
   }
-  for (const OneClip& one : clips_) {
-    state.plus = state.plus && shows(*one.clip, one.plus);
-    state.minus = state.minus && shows(*one.clip, one.minus);
-  }
+  state.plus = state.plus && all_show(0, clips_.size(), 0, true);
+  state.minus = state.minus && all_show(0, clips_.size(), 0, false);
   return state;
 }
 
@@ -73,10 +100,7 @@ const std::vector<CoveredPart>& Coverage::find(const StepSegment& stroke, const 
   parts_.clear();
   if (area) add(stroke, *area, kNoClip, 0);
   const bool nothing = area && beside_.empty();
-  for (const Clip* one = nothing ? nullptr : clip; one; one = one->outer.get()) {
-    clips_.push_back({one});
-    for (std::uint32_t i = 0; i < one->any_of.size(); ++i) add(stroke, one->any_of[i], clips_.size() - 1, i);
-  }
+  if (!nothing) add_clips(stroke, clip, 0);
   parts_.push_back(state());
   std::sort(changes_.begin(), changes_.end(),
             [](const WindingChange& p, const WindingChange& q) { return compare(p.at, q.at) < 0; });

@@ -35,16 +35,24 @@ class Coverage {
     std::uint32_t inside = 0;           ///< areas that show
     std::set<std::uint32_t> painted{};  ///< of a mask: those round the side
   };
+  /// An area beside the stroke that clip paths of its own cut: those in clips_[first, end) that are one deeper.
+  struct CutArea {
+    std::size_t beside, first, end;
+  };
   struct OneClip {
     const Clip* clip;
+    std::size_t depth;  ///< 0: it cuts the stroke itself
     Side plus{}, minus{};
+    std::vector<CutArea> cut{};  ///< of a clip path whose areas are cut
   };
   static constexpr std::size_t kNoClip = ~std::size_t{0};
 
-  void add(const StepSegment& stroke, const Area& area, std::size_t clip, std::uint32_t place);
+  bool add(const StepSegment& stroke, const Area& area, std::size_t clip, std::uint32_t place);
+  void add_clips(const StepSegment& stroke, const Clip* clip, std::size_t depth);
   void update(Beside& beside, Windings by, bool is_first);
   static void update_side(const Clip& clip, Side& side, std::uint32_t place, bool was_inside, bool is_inside);
-  static bool shows(const Clip& clip, const Side& side);
+  bool shows(std::size_t clip, bool on_plus) const;
+  bool all_show(std::size_t first, std::size_t end, std::size_t depth, bool on_plus) const;
   CoveredPart state() const;
   void end_part(const Along& at, const CoveredPart& next);
 

@@ -14,7 +14,7 @@ constexpr double kBoxMargin = 4 / kStepsPerMm;
 
 /// Whether the second occluder, painted later, hides all that the first one hides.
 bool hides_as_much(const Occluder& first, const Occluder& second) {
-  return first.clip == second.clip && first.area.is_same(second.area) &&
+  return first.clip == second.clip && second.since <= first.since && first.area.is_same(second.area) &&
          (!first.rim_width || (second.rim_width && *second.rim_width >= *first.rim_width));
 }
 
@@ -58,7 +58,8 @@ void Occluders::drop_repeated() {
     const auto [found, is_new] = last.emplace(occluder.area.hash() ^ std::hash<const void*>()(occluder.clip.get()), i);
     if (is_new) continue;
     const Occluder& later = occluders_[found->second];
-    if (occluder.clip == later.clip && occluder.area.is_same(later.area)) covered_.insert(occluder.painted);
+    if (occluder.clip == later.clip && later.since < occluder.painted && occluder.area.is_same(later.area))
+      covered_.insert(occluder.painted);
     is_repeated_[i] = hides_as_much(occluder, later);
   }
 }
@@ -77,6 +78,7 @@ void Occluders::find_over(const Rect& box, std::uint32_t painted) {
     for (std::size_t x = first_x; x <= cell(box.max.x, 0); ++x) {
       const std::vector<std::uint32_t>& here = cells_[y * side_ + x];
       for (auto i = here.rbegin(); i != here.rend() && occluders_[*i].painted > painted; ++i) {
+        if (occluders_[*i].since >= painted) continue;
         const Rect& other = occluders_[*i].area.box();
         // An occluder in several cells is found in the first of them.
         if (std::max(cell(other.min.x, 0), first_x) != x || std::max(cell(other.min.y, 1), first_y) != y) continue;

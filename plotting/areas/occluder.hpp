@@ -22,6 +22,7 @@ struct Occluder {
   Area area;
   std::shared_ptr<const Clip> clip;  ///< nullptr: all of it
   std::uint32_t painted = 0;         ///< it hides what was painted before that
+  std::uint32_t since = 0;           ///< and after that: in a translucent group nothing else is hidden
   std::string layer{};               ///< the document's that it is in, or empty
   /// Width in mm of the line along its contours; 0: that of the pen that draws the borders of fills; nothing: no line.
   std::optional<double> rim_width{};

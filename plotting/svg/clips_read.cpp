@@ -13,6 +13,29 @@ namespace {
 constexpr std::size_t kMostBoxed = 10'000'000;
 constexpr int kDeepestBox = 200;
 
+/// Shapes of a clip path from the first of these on have a clip path of their own, inside which others may be. True.
+bool cut_clip_shapes(const ClipPointer& within, std::size_t first, Clip& clip) {
+  if (!within) return true;
+  clip.within.resize(clip.any_of.size());
+  for (std::size_t i = first; i < clip.within.size(); ++i) {
+    if (!clip.within[i]) {
+      clip.within[i] = within;
+      continue;
+    }
+    // The innermost of the chain goes on with this one; chains are shared, so it is copied.
+    auto both = std::make_shared<Clip>(*clip.within[i]);
+    Clip* last = both.get();
+    while (last->outer) {
+      auto next = std::make_shared<Clip>(*last->outer);
+      last->outer = next;
+      last = next.get();
+    }
+    last->outer = within;
+    clip.within[i] = both;
+  }
+  return true;
+}
+
 }  // namespace
 
 /// Adds the box of an element and of what is in it, whether it shows or not, but for what is not displayed.
@@ -32,7 +55,8 @@ void SvgReader::extend_box(const pugi::xml_node& node, const Context& context, c
     ++inside.depth;
     bool displayed = true;
     inside.style = styled(child, context.style, context.port, displayed);
-    if (displayed) extend_box(child, inside, m * placing_of(child, inside), box);
+    // What is transparent has a box too.
+    if (inside.style.displayed) extend_box(child, inside, m * placing_of(child, inside), box);
   };
   if (name != "use") {
     for (const pugi::xml_node& child : node) {
@@ -73,6 +97,12 @@ ClipPointer SvgReader::clip_of(const std::string& id, const pugi::xml_node& node
   const auto found = ids_.find(id);
   if (found == ids_.end() || local_name(found->second) != "clipPath") return context.clip;
   const pugi::xml_node& path = found->second;
+  const OpenElement open(open_clips_, path);
+  if (!open.is_new()) return context.clip;  // it leads back to itself
+  if (open_clips_.size() > kMostLinks) {
+    omit("clip paths that lead on", node, "has clip paths that lead on more than " + std::to_string(kMostLinks) + " times");
+    return context.clip;
+  }
   Context inside = context;
   bool displayed = true;
   inside.style = styled(path, style_around(path, context.port), context.port, displayed);
@@ -86,18 +116,19 @@ ClipPointer SvgReader::clip_of(const std::string& id, const pugi::xml_node& node
     }
     m = m * *box;
   }
-  if (path.attribute("clip-path")) {
-    refuse("clip-path", node);
-    return context.clip;
-  }
+  // Clip paths of the clip path lie in its own units, their boxes are those of the element.
+  Context around = context;
+  around.to_mm = context.to_mm * placing_of(path, inside);
+  if (!inside.style.clip.empty()) around.clip = clip_of(inside.style.clip, node, around);
   std::string key = id;
   for (const double v : {m.a, m.b, m.c, m.d, m.e, m.f}) key.append(reinterpret_cast<const char*>(&v), sizeof v);
-  if (key == last_clip_ && last_made_->outer == context.clip) return last_made_;
+  if (key == last_clip_ && last_made_->outer == around.clip) return last_made_;
   auto clip = std::make_shared<Clip>();
-  clip->outer = context.clip;
+  clip->outer = around.clip;
   for (const pugi::xml_node& child : path) {
     if (child.type() == pugi::node_element && !add_clip_shape(child, m, inside, *clip, 0)) return context.clip;
   }
+  if (!clip->within.empty()) clip->within.resize(clip->any_of.size());
   last_clip_ = std::move(key);
   last_made_ = clip;
   return clip;
@@ -129,15 +160,27 @@ ClipPointer SvgReader::mask_of(const std::string& id, const pugi::xml_node& node
   const auto found = ids_.find(id);
   if (found == ids_.end() || local_name(found->second) != "mask") return context.clip;
   const pugi::xml_node& mask = found->second;
-  if (std::string_view(mask.attribute("maskContentUnits").value()) == "objectBoundingBox") {
-    refuse("mask", node);
+  const OpenElement open(open_clips_, mask);
+  if (!open.is_new() || open_clips_.size() > kMostLinks) {
+    omit("masks that lead back to themselves", node, "has masks that lead on, or back to themselves");
     return context.clip;
   }
-  auto clip = std::make_shared<Clip>();
-  clip->outer = region_of(mask, node, context);
   Context inside = context;
   bool displayed = true;
   inside.style = styled(mask, style_around(mask, context.port), context.port, displayed);
+  Context around = context;
+  if (!inside.style.clip.empty()) around.clip = clip_of(inside.style.clip, node, around);
+  if (!inside.style.mask.empty()) around.clip = mask_of(inside.style.mask, node, around);
+  auto clip = std::make_shared<Clip>();
+  clip->outer = region_of(mask, node, around);
+  if (std::string_view(mask.attribute("maskContentUnits").value()) == "objectBoundingBox") {
+    const std::optional<Matrix> box = box_of(node, context);
+    if (!box) {
+      refuse("mask", node);
+      return context.clip;
+    }
+    inside.to_mm = context.to_mm * *box;
+  }
   for (const pugi::xml_node& child : mask) {
     const std::string_view name = local_name(child);
     if (child.type() != pugi::node_element || name == "title" || name == "desc" || name == "metadata") continue;
@@ -151,7 +194,7 @@ ClipPointer SvgReader::mask_of(const std::string& id, const pugi::xml_node& node
       refuse("mask", child);
       return context.clip;
     }
-    add_clip_shape(child, context.to_mm, inside, *clip, 0, true);
+    add_clip_shape(child, inside.to_mm, inside, *clip, 0, true);
     constexpr double kHalf = 0.5;
     clip->opens.resize(clip->any_of.size(), brightness(style.fill->color) > kHalf);
   }
@@ -166,25 +209,35 @@ bool SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const C
   const Style style = styled(node, context.style, context.port, displayed);
   // A clip path is an outline: its opacity says nothing (CSS Masking 1, 6.1).
   if (!(is_mask ? displayed : style.displayed) || !style.visible) return true;
-  if (!style.clip.empty() || links > kMostLinks || name == "text") {
+  if (links > kMostLinks || name == "text" || (is_mask && !style.clip.empty())) {
     refuse("clip-path", node);
     return false;
   }
-  if (style.placing) to_mm = to_mm * *style.placing;
+  Context inside = context;
+  inside.style = style;
+  to_mm = to_mm * placing_of(node, inside);
+  ClipPointer within;
+  if (!style.clip.empty()) {
+    inside.to_mm = to_mm;
+    inside.clip = nullptr;
+    within = clip_of(style.clip, node, inside);
+  }
+  const std::size_t first = clip.any_of.size();
   if (name == "use") {
     const pugi::xml_node target = target_of(node);
     const Matrix shift{1, 0, 0, 1, attributes(context).x(node, "x"), attributes(context).y(node, "y")};
-    return !target || add_clip_shape(target, to_mm * shift, context, clip, links + 1, is_mask);
+    if (target && !add_clip_shape(target, to_mm * shift, inside, clip, links + 1, is_mask)) return false;
+    return cut_clip_shapes(within, first, clip);
   }
   Polylines lines;
   Outline outline(lines, to_mm);
   // Groups and all others are none of its children (CSS Masking 1, 6.1): viewers leave them out too.
   if (!outline_shape(name, node, attributes(context), outline)) return true;
-  clip_points_ += lines.points.size();
+  clip_points_ += lines.points.size() + 1;
   if (clip_points_ > kMostPoints) throw EndlessWork("has clip paths of more than fifty million points");
   const bool even_odd = is_mask ? style.fill_even_odd : style.clip_even_odd;
   clip.any_of.emplace_back(lines, even_odd ? FillRule::even_odd : FillRule::nonzero, clip_work_);
-  return true;
+  return cut_clip_shapes(within, first, clip);
 }
 
 }  // namespace ligne::svg

@@ -24,10 +24,20 @@ constexpr double kFillSpacing = 0.8;
 /// Crossings of contours with the lines of hatches, in all.
 constexpr double kMostFillWork = 5e7;
 
+/// Adjustable: work on contours that cross each other, in steps of about 10 ns; those beyond it are drawn whole.
+constexpr double kMostBorderWork = 1e8;
+
 /// Adjustable: what is not darker than that is left white.
 constexpr double kLightest = 0.05;
 
 bool is_white(const std::string& color) { return color == kWhite || color == "white"; }
+
+/// The id that a gradient takes what it lacks from; empty: none.
+std::string_view link_of(const pugi::xml_node& server) {
+  std::string_view link = server.attribute("href").value();
+  if (link.empty()) link = server.attribute("xlink:href").value();
+  return link.starts_with('#') ? link.substr(1) : std::string_view();
+}
 
 /// Whether a fill of these lines would show: some line leaves its first chord.
 bool has_area(const Polylines& lines) {
@@ -87,7 +97,8 @@ Polylines dashed(Polylines lines, const Style& style, const Matrix& to_mm, doubl
 /// Whether a paint shows: a gradient or pattern that the file lacks does not, unless a colour stands behind it.
 bool SvgReader::has_paint(const std::optional<Paint>& paint, const pugi::xml_node& node) {
   if (!paint) return false;
-  if (!paint->color.empty() || is_server(paint->server)) return true;
+  if (is_server(paint->server)) return kind_of_server(paint->server) != ServerKind::empty;
+  if (!paint->color.empty()) return true;
   leave_out("gradients and patterns that the file lacks", node);
   return false;
 }
@@ -97,6 +108,32 @@ bool SvgReader::is_server(const std::string& id) const {
                                            "meshGradient",   "meshgradient",   "solidColor", "solidcolor"};
   const auto found = ids_.find(id);
   return found != ids_.end() && std::ranges::find(kServers, local_name(found->second)) != std::end(kServers);
+}
+
+SvgReader::ServerKind SvgReader::kind_of_server(const std::string& id) const {
+  auto found = ids_.find(id);
+  for (int links = 0; links < kMostPaintLinks && found != ids_.end(); ++links) {
+    const pugi::xml_node server = found->second;
+    // Patterns leave paper between their figures.
+    if (!lower_case(local_name(server)).ends_with("gradient")) return ServerKind::translucent;
+    bool has_stop = false, is_translucent = false;
+    for (const pugi::xml_node& stop : server) {
+      if (local_name(stop) != "stop" && local_name(stop) != "meshrow") continue;
+      bool displayed = true;
+      has_stop = true;
+      is_translucent |= styled(stop, {}, {}, displayed).stop_opacity < 1;
+    }
+    if (has_stop) return is_translucent ? ServerKind::translucent : ServerKind::opaque;
+    found = ids_.find(std::string(link_of(server)));
+  }
+  return ServerKind::empty;  // a gradient without colours paints nothing (SVG 1.1, 13.2.4)
+}
+
+/// Whether nothing is seen through the fill of a shape, but for groups that are translucent as a whole.
+bool SvgReader::is_opaque_fill(const Context& context) const {
+  const Style& style = context.style;
+  return style.fill_opacity == 1 && style.opacity == 1 && style.fill->opacity == 1 && !style.blended &&
+         (!is_server(style.fill->server) || kind_of_server(style.fill->server) == ServerKind::opaque);
 }
 
 /// The colour of a paint; of a gradient its first one that shows on paper, since a pen has one.
@@ -113,9 +150,7 @@ std::string SvgReader::color_of(const Paint& paint, const pugi::xml_node& node) 
       const Style style = styled(stop, {}, {}, displayed);
       if (style.stop_color && !is_white(*style.stop_color)) return *style.stop_color;
     }
-    std::string_view next = server.attribute("href").value();
-    if (next.empty()) next = server.attribute("xlink:href").value();
-    found = next.starts_with('#') ? ids_.find(std::string(next.substr(1))) : ids_.end();
+    found = ids_.find(std::string(link_of(server)));
   }
   return paint.color.empty() || is_white(paint.color) ? "#000000" : paint.color;
 }
@@ -143,7 +178,8 @@ void SvgReader::hide(const Polylines& contours, const Context& context, std::opt
   if ((!drawn_ && !fills_.occlude) || parse_layer_label(context.layer).skip) return;
   clip_points_ += contours.points.size();
   if (clip_points_ > kMostPoints) throw EndlessWork("has areas of more than fifty million points");
-  occluders_.push_back({Area(contours, fill_rule(context), clip_work_), context.clip, painted_, context.layer, rim_width});
+  occluders_.push_back(
+      {Area(contours, fill_rule(context), clip_work_), context.clip, painted_, context.since, context.layer, rim_width});
 }
 
 void SvgReader::remove_hidden() {
@@ -164,22 +200,29 @@ void SvgReader::remove_hidden() {
 /// The lines that stand for an area without a stroke: its contours, and where clip paths cut it.
 void SvgReader::draw_rim(const Polylines& contours, const Context& context, const std::string& color) {
   filled_.try_emplace(painted_, FilledArea{contours, fill_rule(context), context.clip});
-  if (!context.clip) return add_lines(contours, context, color, 0);
   Context cut = context;
   cut.clip = nullptr;
+  // Cutting n edges takes n walks over the boxes of some sqrt(n) of them.
+  const double edges = static_cast<double>(contours.points.size()), work = edges * std::sqrt(edges);
+  if (!context.clip && border_work_ + work > kMostBorderWork) return add_lines(contours, context, color, 0);
   const Area area(contours, fill_rule(context), clip_work_);
+  if (!context.clip) {
+    border_work_ += work;
+    return add_lines(area_borders(contours, area), context, color, 0);
+  }
   add_lines(clipped(contours, *context.clip, &area), cut, color, 0);
   add_lines(clip_borders(area, *context.clip), cut, color, 0);
 }
 
-void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked) {
+void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked,
+                          bool stroke_follows) {
   const Style& style = context.style;
   const std::string color = color_of(*style.fill, node);
   const bool white = is_white(color);
   if (skip_.contains("fill")) return refuse("fill", node);
-  const bool opaque = style.fill_opacity == 1 && context.opacity == 1;
-  if (opaque && (white || fills_.occlude)) {
-    const std::optional<double> as_stroked = style.dashes.empty() ? std::optional(stroke_width_mm(context)) : std::nullopt;
+  if ((white || fills_.occlude) && is_opaque_fill(context)) {
+    const std::optional<double> as_stroked =
+        style.dashes.empty() && stroke_follows ? std::optional(stroke_width_mm(context)) : std::nullopt;
     hide(lines, context, stroked ? as_stroked : white ? std::nullopt : std::optional(0.0));
   }
   if (white) return;
@@ -192,9 +235,19 @@ void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, co
     contours.points.insert(contours.points.begin() + contours.begin[i + 1], line.front());
     for (std::size_t k = i + 1; k < contours.begin.size(); ++k) ++contours.begin[k];
   }
-  if (!stroked) draw_rim(contours, context, color);
+  if (!stroked) {
+    draw_rim(contours, context, color);
+  } else if (context.clip) {
+    Context cut = context;
+    cut.clip = nullptr;
+    add_lines(clip_borders(Area(contours, fill_rule(context), clip_work_), *context.clip), cut, color, 0);
+  }
   if (fills_.how == FillReading::How::outline) ++result_.outlined;
-  if (fills_.how != FillReading::How::hatch) return;
+  if (fills_.how == FillReading::How::hatch) hatch_fill(contours, context, color);
+}
+
+void SvgReader::hatch_fill(const Polylines& contours, const Context& context, const std::string& color) {
+  const Style& style = context.style;
   std::vector<std::vector<Point2>> area;
   for (std::size_t i = 0; i < contours.size(); ++i) area.emplace_back(contours[i].begin(), contours[i].end());
   const FillHatch how = fills_.hatches.of(context.layer, color);
@@ -227,19 +280,24 @@ bool SvgReader::draw_shape(std::string_view name, const pugi::xml_node& node, co
   const Style& style = context.style;
   const Matrix& to_mm = context.to_mm;
   Polylines lines;
-  // Other shapes have no vertices in the sense of SVG.
-  const bool marked = std::ranges::any_of(style.markers, [](const std::string& id) { return !id.empty(); }) &&
-                      (name == "path" || name == "line" || name == "polyline" || name == "polygon");
+  const bool marked = std::ranges::any_of(style.markers, [](const std::string& id) { return !id.empty(); });
   std::vector<PathVertex> vertices;
   Outline outline(lines, to_mm, marked ? &vertices : nullptr);
   if (!outline_shape(name, node, attributes(context), outline)) return false;
   if (!style.visible) return true;
   const bool stroked = style.stroke_seen && style.stroke_width > 0 && has_paint(style.stroke, node);
-  ++painted_;
-  if (style.fill_seen && name != "line" && has_area(lines) && has_paint(style.fill, node))
-    draw_fill(node, lines, context, stroked);
-  if (stroked && lines.size() > 0) draw_stroke(node, lines, context);
-  if (marked) draw_markers(node, vertices, context);
+  bool stroke_follows = stroked;
+  for (const PaintPart part : style.paint_order) {
+    ++painted_;
+    if (part == PaintPart::markers) {
+      if (marked) draw_markers(node, vertices, context);
+    } else if (part == PaintPart::stroke) {
+      if (stroked && lines.size() > 0) draw_stroke(node, lines, context);
+      stroke_follows = false;
+    } else if (style.fill_seen && name != "line" && has_area(lines) && has_paint(style.fill, node)) {
+      draw_fill(node, lines, context, stroked, stroke_follows);
+    }
+  }
   return true;
 }
 

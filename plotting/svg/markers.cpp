@@ -79,7 +79,7 @@ void SvgReader::draw_marker(const pugi::xml_node& marker, const pugi::xml_node& 
   const Point2 reference = inside({attributes(around).x(marker, "refX"), attributes(around).y(marker, "refY")});
   context.to_mm = around.to_mm * Matrix{1, 0, 0, 1, vertex.at.x, vertex.at.y} * rotation(angle) *
                   Matrix{scale, 0, 0, scale, 0, 0} * Matrix{1, 0, 0, 1, -reference.x, -reference.y};
-  if (!context.style.overflow) context.clip = frame_clip(width, height, context);
+  if (!context.style.overflow.value_or(false)) context.clip = frame_clip(width, height, context);
   context.to_mm = context.to_mm * inside;
   walk_children(marker, context);
 }

@@ -144,6 +144,16 @@ void Outline::arc_to(double rx, double ry, double rotation_degrees, bool large, 
   lines_.points.back() = to_mm_(p);
 }
 
+void Outline::ellipse(Point2 center, double rx, double ry) {
+  move_to({center.x + rx, center.y});
+  if (vertices_) {
+    for (const Point2 end : {Point2{0, ry}, {-rx, 0}, {0, -ry}, {rx, 0}}) arc_to(rx, ry, 0, false, true, center + end);
+  } else {
+    arc(center, rx, ry, 0, 0, 2 * std::numbers::pi);
+  }
+  close();
+}
+
 void Outline::close() {
   if (open_ && at_ != start_) line_to(start_);
   if (open_) lines_.points.back() = lines_.points[first_];

@@ -47,6 +47,8 @@ class Outline {
   void arc_to(double rx, double ry, double rotation_degrees, bool large, bool sweep, Point2 p);
   /// Ellipse about a centre, from the angle over so many radians; its first point is where the pen is.
   void arc(Point2 center, double rx, double ry, double rotation, double from, double sweep);
+  /// A whole ellipse; its vertices are at the ends of its axes (SVG 2, 10.3).
+  void ellipse(Point2 center, double rx, double ry);
   void close();
   void end();
 

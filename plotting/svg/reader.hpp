@@ -32,8 +32,9 @@ struct Context {
   Matrix to_mm;
   std::string layer;
   Viewport port;
-  ClipPointer clip;    ///< nullptr: everything shows
-  double opacity = 1;  ///< of the groups around
+  ClipPointer clip;         ///< nullptr: everything shows
+  double opacity = 1;       ///< of the groups around
+  std::uint32_t since = 0;  ///< shapes painted before the translucent group around; 0: there is none
   int depth = 0, links = 0;
 };
 
@@ -118,10 +119,17 @@ class SvgReader {
   double units_of_path_length(const pugi::xml_node& node, Polylines lines, const Context& context);
   static FillRule fill_rule(const Context& context);
   void draw_rim(const Polylines& contours, const Context& context, const std::string& color);
-  void draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked);
+  /// `stroked`: a stroke is painted along it, `stroke_follows`: later.
+  void draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked,
+                 bool stroke_follows);
+  void hatch_fill(const Polylines& contours, const Context& context, const std::string& color);
   void add_lines(const Polylines& lines, const Context& context, const std::string& color, double width_mm);
   void draw_text(const pugi::xml_node& node, const Context& context);
   bool has_paint(const std::optional<Paint>& paint, const pugi::xml_node& node);
+  /// What a gradient or pattern is, with the links that it follows.
+  enum class ServerKind { opaque, translucent, empty };
+  ServerKind kind_of_server(const std::string& id) const;
+  bool is_opaque_fill(const Context& context) const;
   bool is_server(const std::string& id) const;
   std::string color_of(const Paint& paint, const pugi::xml_node& node);
   /// `rim_width`: of the line that is drawn along the contours, mm, 0 the pen's; nothing: none.
@@ -148,7 +156,9 @@ class SvgReader {
   std::unordered_map<std::string, pugi::xml_node> ids_;
   StyleSheet sheet_;
   std::unordered_map<const void*, Style> styles_around_;  ///< by the parents of clip paths, masks and markers
+  std::unordered_set<const void*> open_clips_;            ///< clip paths and masks that are being made
   std::size_t linked_ = 0, clip_points_ = 0, boxed_ = 0;
+  double border_work_ = 0;  ///< of contours that were cut down to borders
   ClipWork clip_work_ = std::make_shared<std::size_t>(0);
   std::vector<Occluder> occluders_;
   FilledAreas filled_;

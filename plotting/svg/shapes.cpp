@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -136,9 +135,7 @@ bool outline_shape(std::string_view name, const pugi::xml_node& node, const Attr
     const auto [rx, ry] =
         name == "circle" ? std::pair(attributes.along(node, "r"), attributes.along(node, "r")) : radii(node, attributes);
     if (rx > 0 && ry > 0) {
-      outline.move_to({center.x + rx, center.y});
-      outline.arc(center, rx, ry, 0, 0, 2 * std::numbers::pi);
-      outline.close();
+      outline.ellipse(center, rx, ry);
     }
   } else {
     return false;

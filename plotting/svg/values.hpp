@@ -93,6 +93,9 @@ Point2 transform_origin(std::string_view text, const Viewport& port, const Matri
 /// A paint: nothing for "none" and "transparent", else the colour as "#rrggbb"; "currentColor" as it is written.
 std::optional<std::string> paint(std::string_view text);
 
+/// The opacity that stands in a colour, "#rrggbbaa" or "rgb(1 2 3 / 50%)", 0 to 1; 1 where none is told.
+double color_opacity(std::string_view text);
+
 /// The brightness of a colour as paint() gives it, 0 black to 1 white. A colour that is only a name is black.
 double brightness(const std::string& color);
 

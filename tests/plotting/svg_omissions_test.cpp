@@ -80,14 +80,28 @@ TEST(SvgOmissions, LinksThatLeadBackToThemselvesShowNothing) {
                  {"0,0 500,0 ", "500,0 600,0 "}, "1 markers that lead back to themselves");
 }
 
+TEST(SvgOmissions, StyleSheetsAreThoseForPrint) {
+  const Lines dashed{"0,0 200,0 ", "300,0 500,0 "}, whole{"0,0 500,0 "};
+  const auto sheet = [](const std::string& media) {
+    return "<style media='" + media + "'>line{stroke-dasharray:2 1}</style><line x2='5'/>";
+  };
+  for (const char* media : {"", "all", "print", "Print", "screen, print", "only print", "not screen"})
+    expect_omitted(sheet(media), dashed, "");
+  for (const char* media : {"screen", "not print", "print and (min-width: 9px)", "screen and (color), speech"})
+    expect_omitted(sheet(media), whole, "1 style sheets for other media than print");
+  for (const char* media : {"all", "print", "screen, print"})
+    expect_omitted("<style>@media " + std::string(media) + "{line{stroke-dasharray:2 1}}</style><line x2='5'/>", dashed, "");
+  expect_omitted("<style>@media screen{line{stroke-dasharray:2 1}}</style><line x2='5'/>", whole, "1 @media rules");
+}
+
 TEST(SvgOmissions, StyleSheetsLoseOnlyWhatIsNotKnown) {
   const std::string line = "<line class='a' x2='5'/>";
   expect_omitted("<style>@import url(\"https://a.org/css?family=A;b\"); .a{stroke-dasharray:2 1}</style>" + line,
                  {"0,0 200,0 ", "300,0 500,0 "}, "1 @import rules");
   expect_omitted(
-      "<style>@media print{.a{stroke:none}} @supports (x:y){.a{stroke:none} .b{}} .a{stroke-dasharray:2 1}</style>" + line,
+      "<style>@media screen{.a{stroke:none}} @supports (x:y){.a{stroke:none} .b{}} .a{stroke-dasharray:2 1}</style>" + line,
       {"0,0 200,0 ", "300,0 500,0 "}, "1 @media rules, 1 @supports rules");
-  expect_omitted("<style>@media screen{.a{stroke-dasharray:2 1}} @media all and (x){.a{display:none}}</style>" + line,
+  expect_omitted("<style>@media print{.a{stroke-dasharray:2 1}} @media all and (x){.a{display:none}}</style>" + line,
                  {"0,0 200,0 ", "300,0 500,0 "}, "1 @media rules");
   expect_omitted(
       "<style>.a:link{stroke:none} line:foo(x), .a{stroke-dasharray:2 1} ;?{} .a{.b{stroke:none}}</style>" + line,

@@ -89,6 +89,26 @@ std::optional<std::string> paint(std::string_view text) {
   }
 }
 
+double color_opacity(std::string_view text) {
+  const std::string_view clean = trimmed(text);
+  if (clean.starts_with('#') && (clean.size() == 5 || clean.size() == 9)) {
+    const std::string digits(clean.substr(clean.size() == 5 ? 4 : 7));
+    const double full = clean.size() == 5 ? 15 : 255;
+    return digits.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos
+               ? static_cast<double>(std::stoul(digits, nullptr, 16)) / full
+               : 1;
+  }
+  const std::size_t open = clean.find('(');
+  if (open == std::string_view::npos || !clean.ends_with(')')) return 1;
+  const std::string_view list = clean.substr(open + 1, clean.size() - open - 2);
+  const std::size_t slash = list.find('/'), last = slash == std::string_view::npos ? list.rfind(',') : slash;
+  if (slash == std::string_view::npos && std::ranges::count(list, ',') != 3) return 1;
+  Scanner scanner(trimmed(list.substr(last + 1)));
+  if (!scanner.at_number()) return 1;
+  const double value = scanner.number();
+  return std::clamp(scanner.peek() == '%' ? value / 100 : value, 0.0, 1.0);
+}
+
 double brightness(const std::string& color) {
   try {
     const std::array<double, 3> rgb = parse_color(color);

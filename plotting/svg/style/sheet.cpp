@@ -16,12 +16,14 @@ constexpr std::size_t kDeclarationWork = 20;
 /// @media rules inside each other.
 constexpr int kDeepestRules = 8;
 
-/// Whether a drawing on a screen is meant, and nothing else is asked.
-bool is_for_all(std::string_view media) {
+/// Whether a list of media queries holds for paper: one of them is for all media or for print, and asks for nothing else.
+bool is_for_print(std::string_view media) {
+  if (trimmed(media).empty()) return true;
   while (!media.empty()) {
     const std::size_t comma = std::min(media.find(','), media.size());
     const std::string query = lower_case(trimmed(media.substr(0, comma)));
-    if (query == "all" || query == "screen" || query == "only screen") return true;
+    constexpr std::string_view kPrint[] = {"all", "only all", "print", "only print", "not screen", "not speech"};
+    if (std::ranges::find(kPrint, query) != std::end(kPrint)) return true;
     media.remove_prefix(std::min(comma + 1, media.size()));
   }
   return false;
@@ -29,7 +31,10 @@ bool is_for_all(std::string_view media) {
 
 }  // namespace
 
-void StyleSheet::add(std::string_view given, const Unknown& unknown) { add_statements(without_comments(given), 0, unknown); }
+void StyleSheet::add(std::string_view given, std::string_view media, const Unknown& unknown) {
+  if (!is_for_print(media)) return unknown("style sheets for other media than print");
+  add_statements(without_comments(given), 0, unknown);
+}
 
 void StyleSheet::add_statements(std::string_view text, int depth, const Unknown& unknown) {
   for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
@@ -58,7 +63,7 @@ void StyleSheet::add_at_rule(std::string_view& text, int depth, const Unknown& u
   text.remove_prefix(std::min(end + 1, text.size()));
   const std::string_view body = has_block ? take_block(text, '}') : std::string_view();
   if (name == "font-face" || name == "charset" || name == "namespace") return;
-  if (name == "media" && has_block && depth < kDeepestRules && is_for_all(head))
+  if (name == "media" && has_block && depth < kDeepestRules && is_for_print(head))
     return add_statements(body, depth + 1, unknown);
   unknown("@" + printable(name) + " rules");
 }

@@ -17,14 +17,14 @@
 namespace ligne::svg {
 
 /// Rules of style. Selectors of what a pointer does (:hover ...) never hold on paper; @font-face, @charset and @namespace
-/// say nothing of lines; @media rules hold for a screen, where they ask for nothing else.
+/// say nothing of lines. Media are all and print, since a plotter draws on paper: rules for a screen do not hold.
 class StyleSheet {
  public:
   /// Told of each part that is not known, as a noun in the plural: "@import rules".
   using Unknown = std::function<void(const std::string& kind)>;
 
-  /// Throws EndlessWork for more than 10,000 rules.
-  void add(std::string_view css, const Unknown& unknown);
+  /// `media`: that of the <style> element; empty: all. Throws EndlessWork for more than 10,000 rules.
+  void add(std::string_view css, std::string_view media, const Unknown& unknown);
 
   /// Declarations that hold for an element, from the weakest to the strongest. Throws EndlessWork when all elements together
   /// asked for it.

@@ -28,7 +28,12 @@ bool takes_variables(std::string_view name) {
 class StyleReader {
  public:
   StyleReader(const pugi::xml_node& node, Style& style, const Viewport& port, bool& displayed, const Complaints& complaints)
-      : node_(node), style_(style), port_(port), displayed_(displayed), complaints_(complaints) {}
+      : overflow_around_(std::exchange(style.overflow, {})),
+        node_(node),
+        style_(style),
+        port_(port),
+        displayed_(displayed),
+        complaints_(complaints) {}
 
   /// Sets a property, if it is known; one whose value has no meaning is as if it were not there.
   void set(std::string_view name, std::string_view value, bool is_attribute) {
@@ -47,6 +52,10 @@ class StyleReader {
 
  private:
   void set_known(std::string_view name, std::string_view value, bool is_attribute) {
+    if (name == "overflow" && value == "inherit") {
+      style_.overflow = overflow_around_.value_or(true);
+      return;
+    }
     constexpr std::string_view kInherited[] = {"inherit", "unset", "revert", "revert-layer"};
     if (std::ranges::find(kInherited, value) != std::end(kInherited)) return;
     if (set_of_paint(name, value) || set_of_text(name, value) || set_of_place(name, value, is_attribute)) return;
@@ -103,6 +112,12 @@ class StyleReader {
       style_.stroke_seen = opacity_of(value) > 0;
     else if (name == "fill-opacity")
       set_fill_opacity(opacity_of(value));
+    else if (name == "stop-opacity")
+      style_.stop_opacity = opacity_of(value);
+    else if (name == "mix-blend-mode")
+      style_.blended = value != "normal";
+    else if (name == "paint-order")
+      set_paint_order(value);
     else if (name == "opacity")
       show(none_, (style_.opacity = opacity_of(value)) == 0);
     else if (name == "stroke-width")
@@ -174,7 +189,22 @@ class StyleReader {
     // Resolved where it is written, as CSS has it, but after `color` of the same element: see style_of.
     if (color == "currentColor") color = style_.color;
     target.reset();
-    if (color || !server.empty()) target = Paint{color.value_or(""), server};
+    if (color || !server.empty()) target = Paint{color.value_or(""), server, color_opacity(value)};
+  }
+  /// What is not named comes behind, in the usual order (SVG 2, 13.8).
+  void set_paint_order(std::string_view value) {
+    constexpr std::pair<std::string_view, PaintPart> kParts[] = {
+        {"fill", PaintPart::fill}, {"stroke", PaintPart::stroke}, {"markers", PaintPart::markers}};
+    style_.paint_order = Style{}.paint_order;
+    auto behind = style_.paint_order.begin();
+    while (!(value = trimmed(value)).empty()) {
+      const std::string_view word = value.substr(0, std::min(value.find_first_of(kBlanks), value.size()));
+      value.remove_prefix(word.size());
+      const auto known = std::ranges::find(kParts, word, [](const auto& part) { return part.first; });
+      if (known == std::end(kParts)) return;
+      const auto at = std::find(behind, style_.paint_order.end(), known->second);
+      if (at != style_.paint_order.end()) std::rotate(behind++, at, at + 1);
+    }
   }
   void set_vector_effect(std::string_view value) {
     style_.non_scaling = value == "non-scaling-stroke";
@@ -284,6 +314,7 @@ class StyleReader {
 
   bool none_ = false, clear_ = false;
   Placing placing_;
+  std::optional<bool> overflow_around_;  ///< of the parent
   const pugi::xml_node& node_;
   Style& style_;
   const Viewport& port_;
@@ -324,10 +355,11 @@ Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSh
   style.origin_of_box = false;
   style.clip.clear();
   style.mask.clear();
-  style.overflow = style.non_scaling = false;
+  style.non_scaling = style.blended = false;
   style.displayed = true;
   style.opacity = 1;
   style.stop_color.reset();
+  style.stop_opacity = 1;
   style.baseline_shift = 0;
   StyleReader reader(node, style, port, displayed, complaints);
   std::vector<Declaration> own;

@@ -21,7 +21,11 @@ namespace ligne::svg {
 struct Paint {
   std::string color;
   std::string server;  ///< empty: the colour as it is
+  double opacity = 1;  ///< of the colour
 };
+
+/// What a shape paints, one after the other.
+enum class PaintPart : unsigned char { fill, stroke, markers };
 
 struct Style {
   std::optional<Paint> stroke;  ///< nothing: none
@@ -40,7 +44,8 @@ struct Style {
   std::string anchor = "start";
   bool round_caps = false;  ///< or square ones: dots show
   bool fill_even_odd = false, clip_even_odd = false;
-  std::array<std::string, 3> markers{};               ///< ids of those at the start, in the middle, at the end
+  std::array<std::string, 3> markers{};  ///< ids of those at the start, in the middle, at the end
+  std::array<PaintPart, 3> paint_order{PaintPart::fill, PaintPart::stroke, PaintPart::markers};
   std::optional<Paint> context_fill, context_stroke;  ///< of the <use>, or of what a marker marks
   VariablesPointer variables;
   // Not inherited.
@@ -50,11 +55,13 @@ struct Style {
   bool displayed = true;          ///< no display: none
   double opacity = 1;
   std::optional<std::string> stop_color;  ///< of a gradient
-  double baseline_shift = 0;              ///< upwards, of the element's units
-  bool non_scaling = false;               ///< the stroke is as wide whatever the transforms
-  std::string clip;                       ///< id of a clip path
-  std::string mask;                       ///< id of a mask
-  bool overflow = false;                  ///< what lies outside a viewport is seen
+  double stop_opacity = 1;
+  bool blended = false;          ///< mixed with what lies under it
+  double baseline_shift = 0;     ///< upwards, of the element's units
+  bool non_scaling = false;      ///< the stroke is as wide whatever the transforms
+  std::string clip;              ///< id of a clip path
+  std::string mask;              ///< id of a mask
+  std::optional<bool> overflow;  ///< what lies outside a viewport is seen; nothing: it is not said
 };
 
 /// The style of an element: what it inherits, changed by its attributes, the style sheets, and its style attribute.
