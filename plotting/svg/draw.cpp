@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "areas/endless_work.hpp"
+#include "files/message_text.hpp"
 #include "plotting/dashes.hpp"
 #include "plotting/hatch.hpp"
 #include "plotting/paths/path_length.hpp"
