@@ -55,7 +55,7 @@ void SvgReader::extend_box(const pugi::xml_node& node, const Context& context, c
     ++inside.depth;
     bool displayed = true;
     inside.style = styled(child, context.style, context.port, displayed);
-    // What is transparent has a box too.
+    // A transparent shape has a box too.
     if (inside.style.displayed) extend_box(child, inside, m * placing_of(child, inside), box);
   };
   if (name != "use") {

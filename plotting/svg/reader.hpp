@@ -126,7 +126,7 @@ class SvgReader {
   void add_lines(const Polylines& lines, const Context& context, const std::string& color, double width_mm);
   void draw_text(const pugi::xml_node& node, const Context& context);
   bool has_paint(const std::optional<Paint>& paint, const pugi::xml_node& node);
-  /// What a gradient or pattern is, with the links that it follows.
+  /// The facts about a gradient or pattern, with the links that it follows.
   enum class ServerKind { opaque, translucent, empty };
   ServerKind kind_of_server(const std::string& id) const;
   bool is_opaque_fill(const Context& context) const;

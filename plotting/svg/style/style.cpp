@@ -191,7 +191,7 @@ class StyleReader {
     target.reset();
     if (color || !server.empty()) target = Paint{color.value_or(""), server, color_opacity(value)};
   }
-  /// What is not named comes behind, in the usual order (SVG 2, 13.8).
+  /// Parts that are not named come behind, in the usual order (SVG 2, 13.8).
   void set_paint_order(std::string_view value) {
     constexpr std::pair<std::string_view, PaintPart> kParts[] = {
         {"fill", PaintPart::fill}, {"stroke", PaintPart::stroke}, {"markers", PaintPart::markers}};

@@ -24,7 +24,7 @@ struct Paint {
   double opacity = 1;  ///< of the colour
 };
 
-/// What a shape paints, one after the other.
+/// The parts of a shape that are painted one after the other.
 enum class PaintPart : unsigned char { fill, stroke, markers };
 
 struct Style {

@@ -187,7 +187,7 @@ class RowSurface {
     return series;
   }
 
-  /// Of columns whose names say nothing, the first may be positions. Null for others; the warning says what was assumed.
+  /// The first of columns whose names say nothing may hold positions. Null for others; the warning says what was assumed.
   std::unique_ptr<HeightSource> likely_series(const std::vector<std::size_t>& numbers) {
     if (numbers.size() < 3) return nullptr;
     const FirstColumn first = kind_of_first_column(values_of(numbers), numbers.size());

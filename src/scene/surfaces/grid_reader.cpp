@@ -18,7 +18,7 @@
 namespace ligne {
 namespace {
 
-/// What errors say that other files are not.
+/// The kind of file that errors say other files are not.
 constexpr char kWanted[] = "a grid of heights";
 
 /// Positions as far apart as degrees of a grid of the earth are, and no more of them than there are on it.
