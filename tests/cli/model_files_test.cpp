@@ -46,6 +46,11 @@ TEST_F(ModelFilesTest, LibrariesOfMaterialsAreDrawn) {
 TEST_F(ModelFilesTest, GlassIsSeenThroughByItself) {
   run_well("draw pane.obj -q --view front -o x.svg");
   EXPECT_NE(contents(file("x.svg")).find("id=\"behind-glass\""), std::string::npos);
+  run_well("draw pane.obj -q --view front -o chosen.json");
+  run_well("draw pane.obj -q --view front --method atherton-weiler -o named.json");
+  const json chosen = json::parse(contents(file("chosen.json"))), named = json::parse(contents(file("named.json")));
+  EXPECT_FALSE(chosen["regions"].empty());
+  EXPECT_EQ(chosen["regions"], named["regions"]);
   const Outcome opaque = run("draw pane.obj --view front --method appel -o x.svg");
   EXPECT_NE(
       opaque.err.find("warning: 1 transparent faces are taken as opaque; --method atherton-weiler sees through them\n"),

@@ -23,6 +23,11 @@ constexpr ChoiceRule kRules[] = {
     {"any other scene", "appel", [](const ChoiceFacts&) { return true; }},
 };
 
+bool shows_glass(const ProjectedScene& projected) {
+  return projected.triangles.size() <= kMostGlassTriangles &&
+         std::ranges::any_of(projected.face_is_transparent, [](std::uint8_t t) { return t != 0; });
+}
+
 }  // namespace
 
 std::span<const ChoiceRule> choice_rules() { return kRules; }
@@ -36,12 +41,15 @@ bool asks_for_regions(const PictureRequest& request) {
   return request.regions || request.fill.asked() || request.hatch.asked() || request.lines.classes.has(LineClass::shadow);
 }
 
+bool chooses_regions(const PictureRequest& request, const ProjectedScene& projected) {
+  return asks_for_regions(request) || shows_glass(projected);
+}
+
 ChoiceFacts facts_of(const PictureRequest& request, const ProjectedScene& projected) {
   ChoiceFacts facts;
   facts.regions = asks_for_regions(request);
   facts.many_triangles = projected.triangles.size() >= kManyTriangles;
-  facts.glass = projected.triangles.size() <= kMostGlassTriangles &&
-                std::ranges::any_of(projected.face_is_transparent, [](std::uint8_t t) { return t != 0; });
+  facts.glass = shows_glass(projected);
   facts.may_be_one_body = !facts.regions && facts.many_triangles && culling::looks_like_one_convex_body(projected);
   return facts;
 }

@@ -45,6 +45,9 @@ struct ChosenStudy {
   VisibilityResult result;
 };
 
+/// True where study_by_choice() first takes a method that gives regions.
+bool chooses_regions(const PictureRequest& request, const ProjectedScene& projected);
+
 /// Studies by the method that the rules choose; where that finds that the scene is beyond it, by that of the last rule. So
 /// no result is beyond its method.
 ChosenStudy study_by_choice(const PictureRequest& request, const ProjectedScene& projected, const StudyOptions& options);

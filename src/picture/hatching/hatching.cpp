@@ -12,6 +12,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "picture/choice/method_choice.hpp"
 #include "picture/errors.hpp"
 #include "picture/fills.hpp"
 #include "picture/hatching/form_hatching.hpp"
@@ -318,8 +319,11 @@ DirectionRuns seen_in_direction(const PreparedScene& prepared, std::span<const F
 
 HatchScene hatch_scene(const PreparedScene& prepared, const PlotOptions& plot) {
   HatchScene hatch{prepared, plot, {}, {}};
-  const bool stored = prepared.request.output.format == OutputFormat::json && (prepared.method.traits().products & kRegions);
-  if (hatch.request().asked() || stored) {
+  const PictureRequest& request = prepared.request;
+  const bool gives_regions = request.lines.method ? (prepared.method.traits().products & kRegions) != 0
+                                                  : chooses_regions(request, prepared.projected);
+  // A stored drawing can be hatched later.
+  if (hatch.request().asked() || (request.output.format == OutputFormat::json && gives_regions)) {
     hatch.patches = hatch_patches(prepared.scene, prepared.topology, prepared.request.lines.crease_degrees);
   }
   if (follows_form(hatch.request())) {
