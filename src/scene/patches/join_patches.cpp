@@ -22,6 +22,7 @@ void PatchFinder::join_borders(const std::vector<Patch>& patches) {
   }
   for (std::size_t i = 0; i < reached.size(); ++i) {
     const Patch& patch = patches[patch_of_[reached[i]]];
+    forget_looks();
     for (const FacetGraph::Arc& arc : graph_.arcs_of(reached[i])) {
       if (patch_of_[arc.facet] != kNone) continue;
       if (!lies_on(patch, arc.facet, kJoinedSags * patch.sag)) continue;
@@ -44,6 +45,7 @@ void PatchFinder::merge_patches(const std::vector<Patch>& patches, const std::ve
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t l, std::uint32_t r) { return facets[l].size() > facets[r].size(); });
   for (const std::uint32_t p : order) {
+    forget_looks();
     for (std::size_t i = 0; i < facets[p].size(); ++i) {
       for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[p][i])) {
         const std::uint32_t q = patch_of_[arc.facet];

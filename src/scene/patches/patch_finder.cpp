@@ -13,18 +13,11 @@ namespace {
 /// Distance by which corners may lie beside a surface: precisions of the coordinates, or a part of the sag, since surfaces
 /// between free forms are approximated. Spheres are not.
 constexpr double kPrecisions = 8, kSagPart = 0.03, kSphereSagPart = 0.002;
-/// Largest ratio of a facet's sag to the median: tessellators keep to one sag, and a flat side between roundings does not.
-constexpr double kMostSags = 4;
-/// Least cosine between the normals of a facet and of its surface at its corners: half of the diagonal of a square facet of
-/// which twelve go round.
-constexpr double kNormalCosine = 0.92;
 /// Largest chance that the corners lie on the surface by accident, where each one beyond the number of the surface's
 /// parameters does so with a chance of twice the largest distance by the sag.
 constexpr double kLargestChance = 1e-7;
 /// Starting values are given up where they miss a corner by more than so many sags.
 constexpr double kWildGuess = 1.5;
-/// Points of a patch to which a surface is fitted, at the most.
-constexpr std::size_t kMostPoints = 96;
 /// Facets with this part of the area of a seed in vain are no seeds beside it: a plane says nothing of the fillet beside it.
 constexpr double kLikeArea = 0.25;
 /// Facets of a band by which a sphere is found, at the most.
@@ -61,7 +54,9 @@ PatchFinder::PatchFinder(const Scene& scene, const Topology& topology, const Obj
       object_(object),
       graph_(graph),
       patch_of_(graph.size(), kNone),
-      stamp_(graph.size(), 0) {}
+      stamp_(graph.size(), 0),
+      look_of_(object.vertex_end - object.vertex_begin),
+      is_fetched_(look_of_.size() / kWordBits + 1, 0) {}
 
 std::vector<std::uint32_t> PatchFinder::run(std::vector<Patch>& patches) {
   const std::vector<std::uint32_t> all = seeds();
@@ -201,6 +196,7 @@ PatchCandidate PatchFinder::try_surface(SurfaceKind kind, std::uint32_t seed, st
 std::vector<std::uint32_t> PatchFinder::grow(const Patch& patch, std::uint32_t seed) {
   const double tolerance = tolerance_for(patch.surface.kind, patch.sag);
   std::vector<std::uint32_t> facets;
+  forget_looks();
   if (!lies_on(patch, seed, tolerance)) return facets;
   ++round_;
   facets.push_back(seed);
@@ -235,47 +231,8 @@ std::vector<std::uint32_t> PatchFinder::around(std::uint32_t seed, int rings, st
   return facets;
 }
 
-/// Sets points_ to the corners of facets, each once, and at most about kMostPoints of them.
-void PatchFinder::fetch_points(std::span<const std::uint32_t> facets) {
-  vertices_.clear();
-  for (const std::uint32_t f : facets) {
-    vertices_.insert(vertices_.end(), graph_.vertices[f].begin(), graph_.vertices[f].end());
-  }
-  std::sort(vertices_.begin(), vertices_.end());
-  vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
-  const std::size_t step = vertices_.size() / kMostPoints + 1;
-  points_.clear();
-  for (std::size_t i = 0; i < vertices_.size(); i += step) points_.push_back(scene_.vertices[vertices_[i]]);
-}
-
-/// Median distance of the facets' middles from the surface.
-double PatchFinder::sag_of(const PatchSurface& surface, std::span<const std::uint32_t> facets) {
-  numbers_.clear();
-  for (const std::uint32_t f : facets) {
-    if (!graph_.is_sliver[f]) numbers_.push_back(std::abs(surface.distance(graph_.frames[f].middle)));
-  }
-  if (numbers_.empty()) return 0;
-  const auto middle = numbers_.begin() + static_cast<std::ptrdiff_t>((numbers_.size() - 1) / 2);
-  std::nth_element(numbers_.begin(), middle, numbers_.end());
-  return *middle;
-}
-
 double PatchFinder::tolerance_for(SurfaceKind kind, double sag) const {
   return std::max(kPrecisions * object_.precision, (kind == SurfaceKind::sphere ? kSphereSagPart : kSagPart) * sag);
-}
-
-/// Whether the corners of a facet lie on the surface, and its plane lies beside it as those of the patch do.
-bool PatchFinder::lies_on(const Patch& patch, std::uint32_t f, double tolerance) const {
-  const bool has_normal = !graph_.is_sliver[f];
-  const FacetFrame& frame = graph_.frames[f];
-  if (has_normal && std::abs(patch.surface.distance(frame.middle)) > kMostSags * patch.sag + tolerance) return false;
-  const Point3 normal = patch.outward ? frame.normal : -frame.normal;
-  for (const std::uint32_t v : graph_.vertices[f]) {
-    const Point3& p = scene_.vertices[v];
-    if (!(std::abs(patch.surface.distance(p)) <= tolerance)) return false;
-    if (has_normal && !(glm::dot(patch.surface.normal(p), normal) >= kNormalCosine)) return false;
-  }
-  return true;
 }
 
 /// Whether the facets of a candidate, whose corners fetch_points() has fetched, can not lie on its surface by accident.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "scene/patches/normal_at.hpp"
+
 namespace ligne {
 
 std::array<Point3, 2> frame_of(const Point3& axis) {
@@ -38,34 +40,23 @@ std::size_t parameter_count(SurfaceKind kind) {
 
 double PatchSurface::distance(const Point3& p) const {
   if (kind == SurfaceKind::sphere) return glm::length(p - at) - radius;
-  const AxisPlace place = axis_place(*this, p);
+  // As in axis_place(), without the direction away from the axis.
+  const Point3 way = p - at;
+  const double along = glm::dot(way, axis), from_axis = glm::length(way - along * axis);
   switch (kind) {
     case SurfaceKind::cone:
-      return (place.radius - radius - slope * place.along) / std::sqrt(1 + slope * slope);
+      return (from_axis - radius - slope * along) / std::sqrt(1 + slope * slope);
     case SurfaceKind::torus: {
-      const double x = place.radius - radius;
-      return std::sqrt(x * x + place.along * place.along) - tube;
+      const double x = from_axis - radius;
+      return std::sqrt(x * x + along * along) - tube;
     }
     default:
-      return place.radius - radius;
+      return from_axis - radius;
   }
 }
 
 Point3 PatchSurface::normal(const Point3& p) const {
-  const auto unit = [&](const Point3& way) {
-    const double length = glm::length(way);
-    return length > 0 ? way / length : axis;
-  };
-  if (kind == SurfaceKind::sphere) return unit(p - at);
-  const AxisPlace place = axis_place(*this, p);
-  switch (kind) {
-    case SurfaceKind::cone:
-      return unit(place.out - slope * axis);
-    case SurfaceKind::torus:
-      return unit((place.radius - radius) * place.out + place.along * axis);
-    default:
-      return place.out;
-  }
+  return normal_at(*this, p, kind == SurfaceKind::sphere ? AxisPlace{} : axis_place(*this, p));
 }
 
 namespace {

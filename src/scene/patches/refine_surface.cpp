@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <vector>
 
+#include "scene/patches/normal_at.hpp"
 #include "scene/patches/patch_surface.hpp"
 #include "scene/patches/small_matrices.hpp"
 
@@ -18,7 +20,8 @@ constexpr double kSettled = 0.5;  ///< a step that leaves more of the sum of squ
 
 /// Change of the signed distance of p with each parameter. A motion of the surface changes it by -n . (motion of p).
 ParameterRow derivatives(const PatchSurface& s, const Point3& p, const std::array<Point3, 2>& frame) {
-  const Point3 n = s.normal(p);
+  const AxisPlace place = s.kind == SurfaceKind::sphere ? AxisPlace{} : axis_place(s, p);
+  const Point3 n = normal_at(s, p, place);
   const auto& [u, v] = frame;
   const auto shift = [&](const Point3& by) { return -glm::dot(n, by); };
   const auto turn = [&](const Point3& towards) { return -glm::dot(n, glm::cross(glm::cross(s.axis, towards), p - s.at)); };
@@ -26,7 +29,6 @@ ParameterRow derivatives(const PatchSurface& s, const Point3& p, const std::arra
     case SurfaceKind::cylinder:
       return {shift(u), shift(v), turn(u), turn(v), -1};
     case SurfaceKind::cone: {
-      const AxisPlace place = axis_place(s, p);
       const double cosine = 1 / std::sqrt(1 + s.slope * s.slope);
       const double off = (place.radius - s.radius - s.slope * place.along) * cosine;
       return {shift(u), shift(v), turn(u), turn(v), -cosine, -place.along * cosine - off * s.slope * cosine * cosine};
@@ -34,7 +36,7 @@ ParameterRow derivatives(const PatchSurface& s, const Point3& p, const std::arra
     case SurfaceKind::sphere:
       return {shift(u), shift(v), shift(s.axis), -1};
     case SurfaceKind::torus:
-      return {shift(u), shift(v), shift(s.axis), turn(u), turn(v), -glm::dot(n, axis_place(s, p).out), -1};
+      return {shift(u), shift(v), shift(s.axis), turn(u), turn(v), -glm::dot(n, place.out), -1};
   }
   return {};
 }
@@ -56,11 +58,14 @@ PatchSurface moved(PatchSurface s, const ParameterRow& by, const std::array<Poin
   return s;
 }
 
-double sum_of_squares(const PatchSurface& s, std::span<const Point3> points) {
+/// Sets `distances` to those of the points. Returns the sum of their squares.
+double measure(const PatchSurface& s, std::span<const Point3> points, std::vector<double>& distances) {
+  distances.clear();
   double sum = 0;
   for (const Point3& p : points) {
     const double off = s.distance(p);
     sum += off * off;
+    distances.push_back(off);
   }
   return sum;
 }
@@ -69,15 +74,19 @@ double sum_of_squares(const PatchSurface& s, std::span<const Point3> points) {
 
 double refine_surface(PatchSurface& surface, std::span<const Point3> points) {
   const std::size_t n = parameter_count(surface.kind);
-  double sum = sum_of_squares(surface, points), damping = kFirstDamping;
+  // Each point is measured once for each surface: the distances from the best one so far serve the next step too.
+  std::vector<double> distances, next_distances;
+  distances.reserve(points.size());
+  next_distances.reserve(points.size());
+  double sum = measure(surface, points, distances), damping = kFirstDamping;
   bool settled = false;
   for (int step = 0; step < kMostSteps && !settled; ++step) {
     const auto frame = frame_of(surface.axis);
     ParameterMatrix normal{};
     ParameterRow right{};
-    for (const Point3& p : points) {
-      const ParameterRow row = derivatives(surface, p, frame);
-      const double off = surface.distance(p);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const double off = distances[k];
+      const ParameterRow row = derivatives(surface, points[k], frame);
       for (std::size_t i = 0; i < n; ++i) {
         right[i] -= row[i] * off;
         for (std::size_t j = 0; j <= i; ++j) normal[i][j] += row[i] * row[j];
@@ -90,10 +99,11 @@ double refine_surface(PatchSurface& surface, std::span<const Point3> points) {
       ParameterRow by{};
       if (solve_symmetric(damped, right, n, by)) {
         const PatchSurface next = moved(surface, by, frame);
-        const double next_sum = sum_of_squares(next, points);
+        const double next_sum = measure(next, points, next_distances);
         if (next_sum < sum) {
           settled = next_sum > kSettled * sum;
           surface = next;
+          distances.swap(next_distances);
           sum = next_sum;
           damping = std::max(kLeastDamping, damping / kDampingStep);
           break;
@@ -103,7 +113,7 @@ double refine_surface(PatchSurface& surface, std::span<const Point3> points) {
     }
   }
   double most = 0;
-  for (const Point3& p : points) most = std::max(most, std::abs(surface.distance(p)));
+  for (const double off : distances) most = std::max(most, std::abs(off));
   return most;
 }
 

@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "scene/patches/patch_finder.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable parameters.
+/// Largest ratio of a facet's sag to the median: tessellators keep to one sag, and a flat side between roundings does not.
+constexpr double kMostSags = 4;
+/// Least cosine between the normals of a facet and of its surface at its corners: half of the diagonal of a square facet of
+/// which twelve go round.
+constexpr double kNormalCosine = 0.92;
+/// Points of a patch to which a surface is fitted, at the most.
+constexpr std::size_t kMostPoints = 96;
+/// Fewer vertices are sorted by comparing them, which costs no more than their bits.
+constexpr std::size_t kFewVertices = 64;
+
+}  // namespace
+
+/// Sets points_ to the corners of facets, each once, and at most about kMostPoints of them.
+void PatchFinder::fetch_points(std::span<const std::uint32_t> facets) {
+  vertices_.clear();
+  for (const std::uint32_t f : facets) {
+    vertices_.insert(vertices_.end(), graph_.vertices[f].begin(), graph_.vertices[f].end());
+  }
+  points_.clear();
+  if (vertices_.empty()) return;
+  const auto [low, high] = std::ranges::minmax(vertices_);
+  if (vertices_.size() < kFewVertices || (high - low) / kWordBits > vertices_.size()) {
+    std::sort(vertices_.begin(), vertices_.end());
+    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+  } else {
+    sort_by_bits(low - object_.vertex_begin, high - object_.vertex_begin);
+  }
+  const std::size_t step = vertices_.size() / kMostPoints + 1;
+  for (std::size_t i = 0; i < vertices_.size(); i += step) points_.push_back(scene_.vertices[vertices_[i]]);
+}
+
+/// Sorts vertices_, and leaves each once, by one bit for each vertex of the object. `low` and `high`: the least and the
+/// largest of them, counted from the first vertex of the object.
+void PatchFinder::sort_by_bits(std::uint32_t low, std::uint32_t high) {
+  for (const std::uint32_t v : vertices_) {
+    const std::uint32_t i = v - object_.vertex_begin;
+    is_fetched_[i / kWordBits] |= std::uint64_t{1} << i % kWordBits;
+  }
+  vertices_.clear();
+  for (std::uint32_t w = low / kWordBits; w <= high / kWordBits; ++w) {
+    for (std::uint64_t word = is_fetched_[w]; word != 0; word &= word - 1) {
+      vertices_.push_back(object_.vertex_begin + w * kWordBits + static_cast<std::uint32_t>(std::countr_zero(word)));
+    }
+    is_fetched_[w] = 0;
+  }
+}
+
+/// Median distance of the facets' middles from the surface.
+double PatchFinder::sag_of(const PatchSurface& surface, std::span<const std::uint32_t> facets) {
+  numbers_.clear();
+  for (const std::uint32_t f : facets) {
+    if (!graph_.is_sliver[f]) numbers_.push_back(std::abs(surface.distance(graph_.frames[f].middle)));
+  }
+  if (numbers_.empty()) return 0;
+  const auto middle = numbers_.begin() + static_cast<std::ptrdiff_t>((numbers_.size() - 1) / 2);
+  std::nth_element(numbers_.begin(), middle, numbers_.end());
+  return *middle;
+}
+
+/// To be called before lies_on() is asked about another surface or tolerance.
+void PatchFinder::forget_looks() {
+  ++look_round_;
+  looks_.clear();
+}
+
+/// How a vertex lies to a surface: about six facets ask it of each.
+const PatchFinder::VertexLook& PatchFinder::look_at(const Patch& patch, std::uint32_t vertex, double tolerance) {
+  auto& [round, number] = look_of_[vertex - object_.vertex_begin];
+  if (round != look_round_) {
+    round = look_round_;
+    number = static_cast<std::uint32_t>(looks_.size());
+    const Point3& p = scene_.vertices[vertex];
+    const bool is_on = std::abs(patch.surface.distance(p)) <= tolerance;
+    looks_.push_back({is_on, is_on ? patch.surface.normal(p) : Point3(0, 0, 0)});
+  }
+  return looks_[number];
+}
+
+/// Whether the corners of a facet lie on the surface, and its plane lies beside it as those of the patch do.
+bool PatchFinder::lies_on(const Patch& patch, std::uint32_t f, double tolerance) {
+  const bool has_normal = !graph_.is_sliver[f];
+  const FacetFrame& frame = graph_.frames[f];
+  if (has_normal && std::abs(patch.surface.distance(frame.middle)) > kMostSags * patch.sag + tolerance) return false;
+  const Point3 normal = patch.outward ? frame.normal : -frame.normal;
+  for (const std::uint32_t v : graph_.vertices[f]) {
+    const VertexLook& look = look_at(patch, v, tolerance);
+    if (!look.is_on) return false;
+    if (has_normal && !(glm::dot(look.normal, normal) >= kNormalCosine)) return false;
+  }
+  return true;
+}
+
+}  // namespace ligne
