@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Names the comments of the product that begin with a word that hides their subject. CONTRIBUTING.md says how comments begin."""
+"""Names the comments of sources and tests that begin with a word that hides their subject. CONTRIBUTING.md says how comments begin."""
 import re
 import subprocess
 import sys
 
-FOLDERS = "src", "plotting", "python", "bench", "scripts"
+FOLDERS = "src", "plotting", "python", "bench", "scripts", "tests"
 COMMENT = re.compile(r"(?://+<?|^\s*#)\s*(What|Of|That of|The same|Whether what)\b")
 
 

@@ -95,7 +95,7 @@ TEST_F(CameraTest, ThatAreNotThereAreNamed) {
 
 /// Successive views: --frames, --turn.
 
-/// Of the matrix from the model to the page.
+/// A number of the matrix from the model to the page.
 double matrix(const json& drawing, int row, int column) {
   return drawing["view"]["matrix"][static_cast<std::size_t>(4 * row + column)].get<double>();
 }

@@ -117,7 +117,7 @@ TEST_F(DrawTest, FacesInGray) {
 
 class HatchTest : public DrawTest {
  protected:
-  /// What is drawn without lines, mm on the page.
+  /// The length of the strokes that are drawn without lines, mm on the page.
   double hatched_mm(const std::string& model, const Words& more) {
     const Outcome outcome =
         run(Words{"draw", model, "-o", "hatched.svg", "--report", "--edges", "border", "-q", "--hatch"} + more);
@@ -130,7 +130,7 @@ class HatchTest : public DrawTest {
   }
 };
 
-/// The same interface whatever is hatched: regions of two methods, spans of a third. What they draw is the same up to the
+/// One interface whatever is hatched: regions of two methods, spans of a third. What they draw is the same up to the
 /// roundings of the methods.
 TEST_F(HatchTest, IsTheSameByEveryMethod) {
   const auto length_of = [&](const Words& more) { return hatched_mm("cube.obj", more); };

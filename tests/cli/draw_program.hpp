@@ -1,5 +1,5 @@
 #pragma once
-/// What tests of `ligne draw` share.
+/// Tools that tests of `ligne draw` share.
 
 #include <nlohmann/json.hpp>
 

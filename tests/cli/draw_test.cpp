@@ -77,7 +77,7 @@ TEST_F(DrawTest, Perspective) {
   // The front face of the cube stands 90 before the eye, the target plane 100.
   const Extent box = extent(drawn("cube.obj --eye 0,0,100 --target 0,0,0 --scale 1:1"));
   EXPECT_NEAR(box.width(), 20 * 100.0 / 90, kMicrometre);
-  // Of a slat 20 high, 40 before the eye, an angle of 20 degrees shows 2 * 40 * tan(10 degrees).
+  // An angle of 20 degrees shows 2 * 40 * tan(10 degrees) of a slat 20 high, 40 before the eye.
   write("slat.obj", "v -1 -10 0\nv 1 -10 0\nv 1 10 0\nv -1 10 0\nf 1 2 3 4\n");
   const auto height = [&](const char* fov) {
     return extent(drawn({"slat.obj", "--eye", "0,0,40", "--scale", "1:1", "--fov", fov})).height();

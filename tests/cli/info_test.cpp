@@ -296,7 +296,7 @@ TEST_F(CompileTest, DamagedFilesAreRefused) {
   EXPECT_FALSE(exists("a.svg"));
 }
 
-/// Of a file that was forged nothing is believed: every byte in turn, with the checksum made to fit.
+/// Nothing is believed of a forged file: every byte in turn, with the checksum made to fit.
 TEST_F(CompileTest, ForgedFilesAreReadOrRefused) {
   for (const char* method : {"bsp", "convex-tree"}) {
     const std::string bytes = compiled((kScenes / "cyclic_4.json").string(), {"--method", method});

@@ -1,4 +1,4 @@
-/// What people write who do not know the program yet: help, names that are nearly right, files in place of commands.
+/// Mistakes of people who do not know the program yet: help, names that are nearly right, files in place of commands.
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -12,7 +12,7 @@
 namespace ligne {
 namespace {
 
-/// What the function says of the text, or "" when it takes it.
+/// The complaint of the function about the text, or "" when it takes it.
 template <class Function>
 std::string complaint(Function function) {
   try {

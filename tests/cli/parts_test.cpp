@@ -78,7 +78,7 @@ TEST_F(PartsTest, AreMovedInModelUnitsOrLengths) {
   EXPECT_NEAR(right_end("*=3,0,0"), 50, 1e-3) << "all together";
 }
 
-/// What is left out takes no part in healing: the second of two equal objects is drawn where the first is hidden.
+/// Objects that are left out take no part in healing: the second of two equal objects is drawn where the first is hidden.
 TEST_F(PartsTest, AreLeftOutBeforeAnythingIsMended) {
   write("twice.json", R"({"format": "ligne-scene", "version": 1, "objects": [
     {"name": "a", "vertices": [[0,0,0], [2,0,0], [2,0,2], [0,0,2]], "faces": [{"outer": [0,1,2,3]}]},

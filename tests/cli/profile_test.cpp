@@ -142,7 +142,7 @@ bool passes_beside(const std::array<double, 2>& p, const PagePiece& own, const P
   const double bx = other.to[0] - other.from[0], by = other.to[1] - other.from[1];
   const double sine = std::abs(ax * by - ay * bx) / (std::hypot(ax, ay) * std::hypot(bx, by));
   constexpr double kThirdOfPenMm = 0.35 / 3, kSineOfEightDegrees = 0.139;
-  // What continues the line itself ends before the place or begins behind it.
+  // A line that continues this one ends before the place or begins behind it.
   const double along = (p[0] - other.from[0]) * bx + (p[1] - other.from[1]) * by;
   return along > 0 && along < bx * bx + by * by && sine < kSineOfEightDegrees && distance(p, other) < kThirdOfPenMm;
 }

@@ -172,7 +172,7 @@ TEST_F(SurfaceBreaksTest, PolesAreCut) {
        chosen("no poles", 3, {"exp(3*x)", "x^5", "sqrt(x)", "floor(3*x)", "sin(r)/r", "100*exp(-99*r)", "cosh(x*y)"})) {
     EXPECT_EQ(surface({formula}, "-o a.svg").err, "") << formula;
   }
-  // What is asked for stays as it is asked for.
+  // Ranges that are asked for stay as they are.
   EXPECT_EQ(surface("1/x --z-range -9:9", "-o a.svg").err, "");
 }
 
@@ -223,7 +223,7 @@ TEST_F(SurfaceBreaksTest, FineGridsAreThinned) {
     return layers("--grid fine.txt --z-scale 0.001 --view top --page 200x150 --margin 10 --pen-width 0.3" + more)
         .at("horizon");
   };
-  // Of 450 columns in 180 mm there is room for one in 0.45 mm: every second one, and the last.
+  // There is room for one column in 0.45 mm, of 450 columns in 180 mm: every second one, and the last.
   EXPECT_NEAR(curves({}), curves("--every 2"), 0.1);
   EXPECT_NEAR(curves("--every auto --method appel"), curves("--every 2"), 0.1);
   EXPECT_GT(curves("--every 1"), 1.9 * curves({}));

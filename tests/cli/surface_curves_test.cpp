@@ -164,7 +164,7 @@ TEST_F(CurvesTest, TheSameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(map(arguments + "--threads 1").out, map(arguments + "--threads 2").out);
 }
 
-// What maps of terrain have: water, hachures, index contours, labels, scale bar and north arrow.
+// Features of terrain maps: water, hachures, index contours, labels, scale bar and north arrow.
 
 /// Seen from above, ten units of the ground are 80 mm.
 const Words kMap = "-x 0:10:11 -y 0:10:11 --view top --lines none --page 100x100 --margin 10 --scale 8:1";

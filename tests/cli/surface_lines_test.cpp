@@ -178,7 +178,7 @@ TEST_F(SurfaceLinesTest, MistakesOfEngines) {
   fails("x y --contour-step 1e-9 -o a.svg", 2, "--contour-step: gives more than 10000 contour lines");
 }
 
-/// What `ligne surface` makes of bad input: one line, the exit status and no file, or a right drawing of what there is.
+/// Bad input of `ligne surface`: one line, the exit status and no file, or a right drawing of what there is.
 
 class SurfaceInputTest : public SurfaceProgramTest {
  protected:

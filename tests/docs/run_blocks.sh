@@ -15,7 +15,7 @@ if [[ ${1:?the program is missing} == --bare ]]; then address=$(realpath "$2"); 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# What a block may do beyond drawing, and which lines are not run at all: they take hours, or need a root of their own.
+# Commands that a block may run beyond drawing, and lines that are not run at all: they take hours, or need their own root.
 builds='(^|[^-])\b(git clone|apt-get|cmake|ctest|cpack|pkg-config|ninja|pip|python3?)\b|test\.sh|run_blocks|build/'
 leave_out='test\.sh --all|ctest --preset (dev|asan-ubsan)|bare_root|release\.sh|fuzz_geometry|run_blocks'
 

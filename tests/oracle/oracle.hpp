@@ -63,7 +63,7 @@ struct Edge {
   EdgeClass edge_class = EdgeClass::undecided;
 };
 
-/// What two penetrating faces have in common, or a part of it: near its ends a crossing is not proper.
+/// The common segment of two penetrating faces, or a part of it: near its ends a crossing is not proper.
 struct Intersection {
   std::uint32_t face0 = 0, face1 = 0;  ///< face0 < face1
   Point3 a{0, 0, 0}, b{0, 0, 0};       ///< rounded
@@ -97,10 +97,10 @@ class Oracle {
   std::span<const Edge> edges() const;
   std::span<const Intersection> intersections() const;
 
-  /// What of the edge is seen: the parts of it inside the window, or a micrometre beside it, and before the near plane (a
+  /// The visible parts of the edge: those inside the window, or a micrometre beside it, and before the near plane (a
   /// thousandth of the target's distance), in order. Empty when nothing of it is in view or it is seen end on.
   std::vector<Interval> visible_intervals(std::size_t edge) const;
-  /// The same for an intersection.
+  /// The visible parts of an intersection.
   std::vector<Interval> intersection_intervals(std::size_t intersection) const;
 
   /// The faces over the point of the page, nearest first; ties in the order of the faces.

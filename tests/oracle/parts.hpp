@@ -1,5 +1,5 @@
 #pragma once
-/// What the oracle is made of: exact numbers, the projection, faces and edges, lines and what changes along them.
+/// The parts of the oracle: exact numbers, the projection, faces and edges, lines and what changes along them.
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
@@ -199,7 +199,7 @@ void add_crossings(const std::vector<FaceOverLine>& faces, double reach, double 
 /// Sorts the places and returns the parts between them that are longer than `shortest`, in order.
 std::vector<std::array<double, 2>> parts_between(std::vector<double> places, double shortest);
 
-// What the oracle keeps, and how it judges a line.
+// The data of the oracle, and the way it judges a line.
 
 /// A part of a line, from tau0 to tau1.
 struct Part {
@@ -238,7 +238,7 @@ struct Oracle::State {
 
   /// The part of the segment inside the window and before the near plane, as parameters in model space.
   std::optional<std::array<double, 2>> part_in_view(const Vector3& a, const Vector3& b) const;
-  /// The same as a line; nothing when it is seen end on.
+  /// An edge as a line; nothing when it is seen end on.
   std::optional<LineInView> line_in_view(const Vector3& a, const Vector3& b) const;
 
   /// The visibility of the line from model point a to b; `own_faces` do not hide it. Parts follow each other from 0 to 1.

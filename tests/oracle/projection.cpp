@@ -5,7 +5,7 @@
 namespace oracle {
 namespace {
 
-/// What is nearer than this part of the target's distance is not drawn (docs/numerics.md, "The near plane").
+/// Share of the target's distance within which nothing is drawn (docs/numerics.md, "The near plane").
 constexpr double kNearPart = 1e-3;
 
 }  // namespace

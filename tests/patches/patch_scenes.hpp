@@ -63,7 +63,7 @@ inline Point3 on_circle(double radius, double angle, double z = 0) {
   return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
-/// What was found in a scene.
+/// The patches found in a scene.
 struct FoundPatches {
   Scene scene;
   Topology topology;

@@ -44,7 +44,7 @@ Drawing contours_of(const char* formula, const char* page, RunReport& run) {
   return drawn ? drawn->drawing : Drawing{};
 }
 
-/// Of a label to the nearest contour line that has its height.
+/// The distance of a label from the nearest contour line that has its height.
 double off_its_line(const Drawing& drawing, const TextItem& label, double step) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Layer& layer : drawing.layers) {

@@ -1,4 +1,4 @@
-// What auto takes: always something, never a method for which the scene is not made, and the same lines.
+// The choice of auto: always something, never a method for which the scene is not made, and equal lines.
 
 #include <chrono>
 
@@ -38,7 +38,7 @@ TEST(MethodChoice, TheLastRuleIsForEveryScene) {
   EXPECT_EQ(&find_method(last.method)->traits(), &default_method().traits());
 }
 
-/// What auto draws of a scene, and what the default method does.
+/// The drawings of a scene by auto and by the default method.
 struct Studied {
   ChosenStudy by_choice;
   StrokeDifference difference;

@@ -33,7 +33,7 @@ bool are_alike(const std::array<int, 3>& a, const std::array<int, 3>& b) {
   return true;
 }
 
-/// What is nearer to a border than this many pixels, rims decide.
+/// Rims decide about pixels that are nearer to a border than this many.
 constexpr int kBorder = 2;
 
 /// Pixels in the middle of an area of one colour.

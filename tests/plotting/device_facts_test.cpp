@@ -1,4 +1,4 @@
-// What the devices say of themselves: every number names its source, and agrees with the table of the sources.
+// Facts about the devices: every number names its source, and agrees with the table of the sources.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-/// What becomes an arc and what does not, how far curves are from points.
+/// Lines that become arcs and lines that do not, and how far curves are from points.
 
 #include "plotting/paths/fit_curves.hpp"
 #include "sample_drawing.hpp"
@@ -48,7 +48,7 @@ double off(std::span<const Point2> line, const CurvedPath& path) {
   return largest;
 }
 
-/// What holds for every path: it begins and ends at points of the line, pieces follow each other, arcs end where they say.
+/// Checks of every path: it begins and ends at points of the line, pieces follow each other, arcs end where they say.
 void expect_sound(std::span<const Point2> line, const CurvedPath& path) {
   const auto of_line = [&](Point2 p) { return std::find(line.begin(), line.end(), p) != line.end(); };
   EXPECT_TRUE(of_line(path.start));

@@ -170,7 +170,7 @@ TEST(Hatch, FewerRowsAreSomeOfTheMore) {
     for (std::size_t i = 0; i < two.layers[0].size(); ++i) {
       const auto line = two.layers[0][i];
       for (std::size_t k = 1; k < line.size(); ++k) {
-        // What is not along a row is a tie, and those lie at the rim.
+        // A piece that is not along a row is a tie, and those lie at the rim.
         if (std::abs(line[k].y - line[k - 1].y) > 1e-9) {
           EXPECT_GT(std::abs(line[k].x - 20), 19) << line[k].x;
         }
@@ -263,7 +263,7 @@ TEST(Hatch, NarrowAndEmptyRegionsGetNothing) {
   EXPECT_THROW(hatch(Contours{kSquare}, options), std::invalid_argument);
 }
 
-/// What strokes of a pen leave white of an area, and how far their ink goes beyond it, on a lattice of 0.05 mm.
+/// The white that strokes of a pen leave of an area, and the ink beyond it, on a lattice of 0.05 mm.
 struct Cover {
   double white = 0;  ///< radius of the largest disc inside the area that no ink touches
   double beyond = 0;

@@ -208,7 +208,7 @@ std::vector<std::pair<std::string, Line>> lines() {
   return all;
 }
 
-/// Of the squared distance of a point on the segment: coordinates are below 2^11, and a dozen roundings move them.
+/// Rounding of the squared distance of a point on the segment: coordinates are below 2^11, and a dozen roundings move them.
 constexpr double kSquaredRounding = 0x1p-38 * 0x1p-38;
 
 TEST(FarthestPoint, IsAsFarAsALookAtAllPointsFinds) {

@@ -423,7 +423,7 @@ TEST(DeviceFile, WhatIsNotKnownInBracesIsAnErrorThatListsWhatIs) {
   EXPECT_EQ(error("pen_select", "\"SP{pen};PW{width},{pen};\""), "no error");
 }
 
-/// What the reader lets pass the writer replaces.
+/// The writer replaces every placeholder that the reader lets pass.
 TEST(DeviceFile, EveryKnownPlaceholderIsReplaced) {
   for (const std::string language : {"hpgl", "gcode"}) {
     const bool hpgl = language == "hpgl";

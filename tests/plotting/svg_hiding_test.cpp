@@ -1,4 +1,4 @@
-/// What clip paths, masks and filled areas of an SVG drawing hide.
+/// Hiding by clip paths, masks and filled areas of an SVG drawing.
 
 #include <chrono>
 #include <random>

@@ -48,7 +48,7 @@ inline std::string error_of(const std::string& svg) {
   return error;
 }
 
-/// What the strokes of the layer take up.
+/// The box of the strokes of the layer.
 inline Rect box_of(const ReadDrawing& drawing, const std::string& layer) {
   Rect box;
   for (const Layer& l : drawing.drawing.layers) {

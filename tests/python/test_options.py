@@ -22,7 +22,7 @@ FUNCTIONS = {
     "methods": [ligne.methods],
     "devices": [ligne.devices],
 }
-# What a command has and the module has not under that name.
+# Options of a command that the module does not have under that name.
 REASONS = {
     "help": "help(ligne.draw)",
     "output": "the argument `file` of save(), plot(), compile() and draw_frames(), or to_bytes(); a dictionary of others",

@@ -1,5 +1,5 @@
 #pragma once
-/// What the tests of surfaces' heights share.
+/// Tools that the tests of surfaces' heights share.
 
 #include "reader_tools.hpp"
 #include "scene/surfaces/grid_formats.hpp"

@@ -1,4 +1,4 @@
-// What belongs to no format of its own: telling formats apart, files that are none, several scenes in one, precision.
+// Tests that belong to no format of their own: telling formats apart, strange files, several scenes in one, precision.
 
 #include "scene/readers/reader.hpp"
 

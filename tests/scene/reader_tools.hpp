@@ -1,5 +1,5 @@
 #pragma once
-/// What the tests of the readers share.
+/// Tools that the tests of the readers share.
 
 #include "scene/readers/reader.hpp"
 #include "support/test.hpp"

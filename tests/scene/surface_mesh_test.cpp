@@ -226,7 +226,7 @@ TEST(SurfaceMesh, SkirtsHangFromTheOuterRim) {
 }
 
 TEST(SurfaceMesh, SkirtsFollowTheRimOfWhatThereIs) {
-  // Of 6 x 6 cells of side 1 those round the rim are missing, and one more.
+  // Cells round the rim are missing, of 6 x 6 cells of side 1, and one more.
   SurfacePoints surface = heights("2", 6, 0, 6);
   for (std::size_t k = 0; k < 7; ++k) {
     for (const std::size_t sample : {k, 42 + k, 7 * k, 7 * k + 6}) surface.points[sample].z = kNaN;

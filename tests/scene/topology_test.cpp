@@ -12,7 +12,7 @@
 namespace ligne {
 namespace {
 
-/// Of each edge the faces in their order, each with whether it runs through the edge from the lower vertex, and the flags
+/// The faces of each edge in their order, each with whether it runs through the edge from the lower vertex, and the flags
 /// of its corner there.
 struct Side {
   std::uint32_t face;
@@ -107,7 +107,7 @@ int crossing_edges(Scene scene) {
   return count;
 }
 
-/// Of surfaces over [-1, 1] x [-1, 1] with four cells along each side.
+/// The number of crossing edges of surfaces over [-1, 1] x [-1, 1] with four cells along each side.
 int of_formulas(const std::vector<std::string>& formulas) {
   std::vector<SurfaceMesh> meshes;
   for (const std::string& formula : formulas) {

@@ -84,7 +84,7 @@ std::string words(const char* what, const Point3& a, const Point3& b) {
   return buffer;
 }
 
-/// Of the drawings without and with hidden strokes the worse one counts.
+/// The worse one of the drawings without and with hidden strokes counts.
 void keep_worse(Fault& fault, const Fault& other) {
   if (other.length_mm > fault.length_mm) fault = other;
 }
@@ -131,7 +131,7 @@ namespace {
 /// The accuracy for which the oracle is made.
 constexpr double kOracleMm = 0.001;
 
-/// The same view on a page `by` times smaller.
+/// The view on a page `by` times smaller.
 oracle::View smaller(oracle::View view, double by) {
   view.scale /= by;
   view.offset /= by;

@@ -32,7 +32,7 @@ struct Verdict {
   bool passes() const { return faults.empty(); }
 };
 
-/// Whether what is judged is drawn without the back faces of solids.
+/// On where the drawing that is judged lacks the back faces of solids.
 enum class Cull : std::uint8_t { off, on };
 
 /// A scene in one view on a sheet, with the oracle's answers. These are found once, when they are first needed, for all

@@ -58,7 +58,7 @@ inline View view_on_a4(const Scene& scene, const CameraRequest& camera, std::opt
                    {{0, 0}, {kPageWidth, kPageHeight}}, scale);
 }
 
-/// What the methods study, with its faces and edges projected onto that sheet.
+/// The scene that the methods study, with its faces and edges projected onto that sheet.
 inline ProjectedScene project_on_a4(const Scene& scene, const CameraRequest& camera, const std::string& edges = "all",
                                     std::optional<double> scale = {}) {
   return project(scene, build_topology(scene), view_on_a4(scene, camera, scale), {classes(edges), 30});
@@ -75,7 +75,7 @@ inline Picture draw(const Scene& scene, const PictureRequest& request) {
   return picture;
 }
 
-/// What the method counted under that name; 0 when it knows no such count.
+/// The count of the method under that name; 0 when it knows no such count.
 inline std::uint64_t count_of(const Statistics& statistics, std::string_view name) {
   for (const auto& [known, count] : statistics.counts) {
     if (known == name) return count;

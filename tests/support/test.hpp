@@ -14,7 +14,7 @@ inline std::string bytes_of_file(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// What the call says of its failure; empty when it does not fail.
+/// The message of the call's failure; empty when it does not fail.
 template <std::invocable Call>
 std::string failure_of(const Call& call) {
   try {
