@@ -33,6 +33,8 @@ if(BUILD_SHARED_LIBS)
   set(CPACK_DEBIAN_${runtime_key}_PACKAGE_NAME ${runtime_component})
   set(CPACK_DEBIAN_${runtime_key}_PACKAGE_SECTION libs)
   set(CPACK_DEBIAN_${runtime_key}_PACKAGE_DEPENDS fonts-dejavu-core)
+  # Debian's policy (8.1.1) asks for the trigger; CPack alone makes scripts that call ldconfig.
+  set(CPACK_DEBIAN_${runtime_key}_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/triggers)
   set(CPACK_COMPONENT_${runtime_key}_DESCRIPTION "exact hidden-line drawings of 3D meshes, shared library
 The library that programs made with libligne-dev run with.")
   set(CPACK_DEBIAN_LIBLIGNE-DEV_PACKAGE_DEPENDS "${runtime_component} (= ${PROJECT_VERSION}-1), libglm-dev")
