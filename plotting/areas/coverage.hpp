@@ -1,6 +1,8 @@
 #pragma once
 /// Which parts of a stroke have an area, as far as it shows through clip paths, on their two sides. Private to plotting.
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <set>
 #include <vector>
@@ -24,41 +26,46 @@ class Coverage {
   const std::vector<CoveredPart>& find(const StepSegment& stroke, const Area* area, const Clip* clip);
 
  private:
+  static constexpr std::size_t kNone = ~std::size_t{0};
+  /// Sides of a stroke.
+  static constexpr std::size_t kPlus = 0, kMinus = 1, kSides = 2;
+
   /// An area that lies beside the stroke.
   struct Beside {
     const Area* area;
-    std::size_t clip;  ///< its place in clips_, or kNoClip
-    std::uint32_t place_in_clip;
+    std::size_t clip = kNone;  ///< its place in clips_
+    std::uint32_t place_in_clip = 0;
+    std::size_t chain = kNone;  ///< the clip paths that cut this area alone
     Windings windings{};
+    std::array<bool, kSides> counts{};  ///< it covers the side, and its own clip paths show it
   };
   struct Side {
-    std::uint32_t inside = 0;           ///< areas that show
+    std::uint32_t inside = 0;           ///< areas that count
     std::set<std::uint32_t> painted{};  ///< of a mask: those round the side
-  };
-  /// An area beside the stroke that clip paths of its own cut: those in clips_[first, end) that are one deeper.
-  struct CutArea {
-    std::size_t beside, first, end;
+    bool shows = false;
   };
   struct OneClip {
     const Clip* clip;
-    std::size_t depth;  ///< 0: it cuts the stroke itself
-    Side plus{}, minus{};
-    std::vector<CutArea> cut{};  ///< of a clip path whose areas are cut
+    std::size_t chain;
+    std::array<Side, kSides> sides{};
   };
-  static constexpr std::size_t kNoClip = ~std::size_t{0};
+  /// Clip paths all of which must show: those of the stroke, or those that cut one area.
+  struct Chain {
+    std::size_t owner;                              ///< that area in beside_; kNone: the stroke
+    std::array<std::size_t, kSides> not_showing{};  ///< number of its clip paths that do not
+  };
 
-  bool add(const StepSegment& stroke, const Area& area, std::size_t clip, std::uint32_t place);
-  void add_clips(const StepSegment& stroke, const Clip* clip, std::size_t depth);
-  void update(Beside& beside, Windings by, bool is_first);
-  static void update_side(const Clip& clip, Side& side, std::uint32_t place, bool was_inside, bool is_inside);
-  bool shows(std::size_t clip, bool on_plus) const;
-  bool all_show(std::size_t first, std::size_t end, std::size_t depth, bool on_plus) const;
+  std::size_t add(const StepSegment& stroke, const Area& area, std::size_t clip, std::uint32_t place);
+  std::size_t add_chain(const StepSegment& stroke, const Clip* clip, std::size_t owner);
+  void refresh(std::size_t beside);
+  void set_counts(std::size_t beside, std::size_t side, bool counts);
   CoveredPart state() const;
   void end_part(const Along& at, const CoveredPart& next);
 
   const Area* area_ = nullptr;
   std::vector<Beside> beside_;
   std::vector<OneClip> clips_;
+  std::vector<Chain> chains_;  ///< that of the stroke first
   std::vector<WindingChange> changes_;
   std::vector<CoveredPart> parts_;
 };

@@ -13,9 +13,9 @@ namespace {
 constexpr std::size_t kMostBoxed = 10'000'000;
 constexpr int kDeepestBox = 200;
 
-/// Shapes of a clip path from the first of these on have a clip path of their own, inside which others may be. True.
-bool cut_clip_shapes(const ClipPointer& within, std::size_t first, Clip& clip) {
-  if (!within) return true;
+/// Cuts the shapes of a clip path, from number `first` on, by a clip path of their own; inner ones may cut them already.
+void cut_clip_shapes(const ClipPointer& within, std::size_t first, Clip& clip) {
+  if (!within) return;
   clip.within.resize(clip.any_of.size());
   for (std::size_t i = first; i < clip.within.size(); ++i) {
     if (!clip.within[i]) {
@@ -33,7 +33,6 @@ bool cut_clip_shapes(const ClipPointer& within, std::size_t first, Clip& clip) {
     last->outer = within;
     clip.within[i] = both;
   }
-  return true;
 }
 
 }  // namespace
@@ -209,7 +208,7 @@ bool SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const C
   const Style style = styled(node, context.style, context.port, displayed);
   // A clip path is an outline: its opacity says nothing (CSS Masking 1, 6.1).
   if (!(is_mask ? displayed : style.displayed) || !style.visible) return true;
-  if (links > kMostLinks || name == "text" || (is_mask && !style.clip.empty())) {
+  if (links > kMostLinks || name == "text") {
     refuse("clip-path", node);
     return false;
   }
@@ -227,7 +226,8 @@ bool SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const C
     const pugi::xml_node target = target_of(node);
     const Matrix shift{1, 0, 0, 1, attributes(context).x(node, "x"), attributes(context).y(node, "y")};
     if (target && !add_clip_shape(target, to_mm * shift, inside, clip, links + 1, is_mask)) return false;
-    return cut_clip_shapes(within, first, clip);
+    cut_clip_shapes(within, first, clip);
+    return true;
   }
   Polylines lines;
   Outline outline(lines, to_mm);
@@ -237,7 +237,8 @@ bool SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const C
   if (clip_points_ > kMostPoints) throw EndlessWork("has clip paths of more than fifty million points");
   const bool even_odd = is_mask ? style.fill_even_odd : style.clip_even_odd;
   clip.any_of.emplace_back(lines, even_odd ? FillRule::even_odd : FillRule::nonzero, clip_work_);
-  return cut_clip_shapes(within, first, clip);
+  cut_clip_shapes(within, first, clip);
+  return true;
 }
 
 }  // namespace ligne::svg

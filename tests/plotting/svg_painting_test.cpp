@@ -146,6 +146,16 @@ TEST(SvgPainting, ClipPathsAndTheirShapesAreClipped) {
       {"3000,2000 7000,2000 "}, "links back to itself are not followed");
 }
 
+TEST(SvgPainting, ManyShapesOfAClipPathAreClippedOneByOne) {
+  std::string clip = "<clipPath id='left'><rect width='50' height='100'/></clipPath><clipPath id='c'>";
+  Lines seen;
+  for (int x = 0; x < 100; x += 4) {
+    clip += "<rect x='" + std::to_string(x) + "' width='2' height='100' clip-path='url(#left)'/>";
+    if (x < 50) seen.insert(std::to_string(100 * x) + ",2000 " + std::to_string(100 * std::min(x + 2, 50)) + ",2000 ");
+  }
+  expect_lines(clip + "</clipPath><line y1='20' x2='100' y2='20' clip-path='url(#c)'/>", seen);
+}
+
 TEST(SvgPainting, MasksAreMaskedAndMeasuredInBoxes) {
   const std::string line = "<line x1='0' y1='20' x2='100' y2='30' mask='url(#m)'/>";
   expect_lines(
@@ -156,6 +166,11 @@ TEST(SvgPainting, MasksAreMaskedAndMeasuredInBoxes) {
   expect_lines(
       "<mask id='m' maskContentUnits='objectBoundingBox'><rect x='.1' width='.5' height='1' fill='white'/></mask>" + line,
       {"1000,2100 6000,2600 "});
+  expect_lines(
+      "<clipPath id='left'><rect x='10' width='40' height='100'/></clipPath>"
+      "<mask id='m'><rect x='30' width='40' height='100' fill='white' clip-path='url(#left)'/></mask>" +
+          line,
+      {"3000,2300 5000,2500 "}, "a shape of the mask is clipped");
 }
 
 TEST(SvgPainting, TransparentShapesBelongToTheBox) {
