@@ -7,8 +7,6 @@
 #include <cstring>
 #include <string>
 
-#include <zlib.h>
-
 namespace ligne::array_test {
 
 template <typename Number>
@@ -47,19 +45,6 @@ inline std::string mat_head() {
   std::string head = "MATLAB 5.0 MAT-file, by hand";
   head.resize(124, ' ');
   return head + raw(std::uint16_t{0x0100}) + "IM";
-}
-inline std::string deflated(const std::string& text, int window) {
-  z_stream stream{};
-  deflateInit2(&stream, 6, Z_DEFLATED, window, 8, Z_DEFAULT_STRATEGY);
-  std::string out(text.size() + 1000, '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
-  stream.avail_in = static_cast<uInt>(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  deflate(&stream, Z_FINISH);
-  out.resize(stream.total_out);
-  deflateEnd(&stream);
-  return out;
 }
 
 }  // namespace ligne::array_test

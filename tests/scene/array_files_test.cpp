@@ -1,12 +1,14 @@
 // Binary files of arrays, JSON, grids of Surfer and archives, made here byte by byte.
 
 #include "array_builder.hpp"
+#include "deflated.hpp"
 #include "height_tools.hpp"
 
 namespace ligne {
 namespace {
 
 using namespace array_test;
+using test::deflated;
 using namespace height_test;
 using namespace std::string_literals;
 

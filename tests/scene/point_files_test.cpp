@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "array_builder.hpp"
+#include "deflated.hpp"
 #include "height_tools.hpp"
 #include "scene/surfaces/point_table.hpp"
 #include "zip_builder.hpp"
@@ -14,6 +15,7 @@ namespace {
 using namespace array_test;
 using height_test::error_line;
 using height_test::kNaN;
+using test::deflated;
 
 class PointFiles : public testing::Test {
  protected:

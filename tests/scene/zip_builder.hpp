@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "deflated.hpp"
+
 namespace ligne::zip_test {
 
 inline std::string little(std::uint64_t value, int bytes) {
@@ -16,26 +18,12 @@ inline std::string little(std::uint64_t value, int bytes) {
   return out;
 }
 
-inline std::string deflated(const std::string& text) {
-  z_stream stream{};
-  deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
-  std::string out(deflateBound(&stream, text.size()), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
-  stream.avail_in = static_cast<uInt>(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  deflate(&stream, Z_FINISH);
-  out.resize(stream.total_out);
-  deflateEnd(&stream);
-  return out;
-}
-
 /// An archive of entries, each a name and its text. `wide`: sizes and places stand in the fields of ZIP64.
 inline std::string zip(const std::vector<std::pair<std::string, std::string>>& entries, bool packed = true,
                        bool wide = false) {
   std::string out, directory;
   for (const auto& [name, text] : entries) {
-    const std::string data = packed ? deflated(text) : text;
+    const std::string data = packed ? test::deflated(text, -MAX_WBITS) : text;
     const std::uint64_t crc = crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size()));
     const std::string method = little(packed ? 8 : 0, 2), at = little(out.size(), 8);
     const std::string extra =
