@@ -64,7 +64,7 @@ void add_annotation_options(CLI::App& surface, SurfaceRequest& request) {
       .standard("0:2*pi:600");
   group.add_repeatable(
       "--points", "FILE", [&request](const std::string& file) { request.point_files.push_back(file); },
-      "marks at the rows of a table with x, y, perhaps z, and a label, where they are seen; without z on the surface "
+      "marks at the rows of a table or of arrays with x, y, perhaps z, and a label, where they are seen; without z on the surface "
       "(repeatable)");
   group.add_repeatable(
       "--path", "FILE", [&request](const std::string& file) { request.line_files.push_back(file); },
