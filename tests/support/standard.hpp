@@ -1,4 +1,6 @@
-#pragma once
+// A guard by name, as in test.hpp.
+#ifndef LIGNE_TESTS_SUPPORT_STANDARD_HPP
+#define LIGNE_TESTS_SUPPORT_STANDARD_HPP
 /// The standard library and GLM: whatever the sources of the tests use of them.
 
 #include <algorithm>
@@ -35,3 +37,5 @@
 #include <unordered_map>
 #include <utility>
 #include <vector>
+
+#endif

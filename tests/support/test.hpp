@@ -1,4 +1,7 @@
-#pragma once
+// A guard by name, because this header is precompiled. GCC recognizes a file with "#pragma once" by its bytes, while ccache
+// returns the header that was precompiled before a comment changed.
+#ifndef LIGNE_TESTS_SUPPORT_TEST_HPP
+#define LIGNE_TESTS_SUPPORT_TEST_HPP
 /// The head of every test: GoogleTest, the standard library and GLM, precompiled once for all test programs; and what tests
 /// of any area do with files and errors.
 
@@ -63,3 +66,5 @@ class TemporaryFolder {
 };
 
 }  // namespace ligne::test
+
+#endif
