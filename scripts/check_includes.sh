@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Includes that the build can not forbid, since they stay within one folder's target or name a library from outside:
-# parts of src/scene include only those before them, methods only themselves and visibility/common, and oneTBB and CLI11
-# are known to the few sources that wrap them. Prints FILE:LINE of every include that breaks a rule.
+# parts of src/scene and of src/visibility include only those before them, methods only themselves and those parts, and oneTBB and
+# CLI11 are known to the few sources that wrap them. Prints FILE:LINE of every include that breaks a rule.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 broken=0
@@ -16,15 +16,23 @@ forbid() {
   fi
 }
 
-parts=(model clean heal creases readers surfaces)
-for ((i = 0; i < ${#parts[@]}; ++i)); do
-  for ((k = i + 1; k < ${#parts[@]}; ++k)); do forbid "src/scene/${parts[i]}" "scene/${parts[k]}/"; done
-done
-for folder in src/visibility/*/; do
-  method=$(basename "$folder")
-  for other in src/visibility/*/; do
-    other=$(basename "$other")
-    [[ $other == "$method" || $other == common ]] || forbid "src/visibility/$method" "visibility/$other/"
+# in_order FOLDER PART...: each part of the folder includes itself and the parts before it.
+in_order() {
+  local folder=$1 i k
+  shift
+  local parts=("$@")
+  for ((i = 0; i < ${#parts[@]}; ++i)); do
+    for ((k = i + 1; k < ${#parts[@]}; ++k)); do forbid "src/$folder/${parts[i]}" "$folder/${parts[k]}/"; done
+  done
+}
+
+in_order scene model clean heal creases readers surfaces
+shared=(common raster penetration polygons edges order)
+in_order visibility "${shared[@]}"
+mapfile -t methods < <(cd src/visibility && printf '%s\n' */ | tr -d / | grep -vxF "$(printf '%s\n' "${shared[@]}")")
+for method in "${methods[@]}"; do
+  for other in "${methods[@]}" "${shared[@]}"; do
+    [[ $other == "$method" ]] || forbid "src/visibility/$other" "visibility/$method/"
   done
 done
 for folder in src plotting tests bench; do

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "visibility/common/scan_conversion.hpp"
+#include "visibility/raster/scan_conversion.hpp"
 
 namespace ligne {
 namespace {

@@ -8,7 +8,7 @@
 #include "study/generators.hpp"
 #include "study/measure.hpp"
 #include "visibility/bsp/bsp_tree.hpp"
-#include "visibility/common/scan_conversion.hpp"
+#include "visibility/raster/scan_conversion.hpp"
 #include "visibility/convex_tree/convex_tree.hpp"
 
 namespace ligne::studies {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "visibility/appel/appel.hpp"
+#include "visibility/edges/appel.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
 #include "visibility/bsp/bsp.hpp"
 #include "visibility/convex_tree/convex_tree_method.hpp"

@@ -9,7 +9,7 @@
 #include "support/scenes.hpp"
 #include "support/test.hpp"
 #include "view/projected_scene.hpp"
-#include "visibility/appel/appel.hpp"
+#include "visibility/edges/appel.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
 #include "visibility/registry.hpp"
 

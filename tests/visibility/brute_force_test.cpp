@@ -4,7 +4,7 @@
 #include "main/tier.hpp"
 #include "support/scenes.hpp"
 #include "support/test.hpp"
-#include "visibility/common/nearest_along.hpp"
+#include "visibility/edges/nearest_along.hpp"
 
 namespace ligne::test {
 namespace {

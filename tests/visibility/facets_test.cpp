@@ -2,9 +2,9 @@
 
 #include "support/test.hpp"
 #include "visibility/common/facet.hpp"
-#include "visibility/common/facet_tree.hpp"
+#include "visibility/penetration/facet_tree.hpp"
 #include "visibility/common/hidden_interval.hpp"
-#include "visibility/common/penetration.hpp"
+#include "visibility/penetration/penetration.hpp"
 
 namespace ligne::test {
 namespace {

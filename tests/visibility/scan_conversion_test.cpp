@@ -1,8 +1,8 @@
 // Scan conversion: parity at every vertex, holes, horizontal edges, accumulators.
 
-#include "visibility/common/scan_conversion.hpp"
+#include "visibility/raster/scan_conversion.hpp"
 #include "support/test.hpp"
-#include "visibility/common/convex_filler.hpp"
+#include "visibility/raster/convex_filler.hpp"
 
 namespace ligne {
 namespace {

@@ -7,7 +7,7 @@
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
 #include "support/test.hpp"
-#include "visibility/common/depth_buffer.hpp"
+#include "visibility/raster/depth_buffer.hpp"
 #include "visibility/zbuffer/edge_sampling.hpp"
 
 namespace ligne::test {

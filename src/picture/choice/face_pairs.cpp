@@ -4,7 +4,7 @@
 
 #include "view/tolerances.hpp"
 #include "visibility/common/cell_grid.hpp"
-#include "visibility/common/penetration.hpp"
+#include "visibility/penetration/penetration.hpp"
 
 namespace ligne {
 namespace {

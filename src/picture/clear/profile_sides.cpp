@@ -8,7 +8,7 @@
 #include "geometry/parallel.hpp"
 #include "scene/clean/named_objects.hpp"
 #include "view/tolerances.hpp"
-#include "visibility/common/nearest_along.hpp"
+#include "visibility/edges/nearest_along.hpp"
 
 namespace ligne {
 namespace {

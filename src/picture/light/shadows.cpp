@@ -10,7 +10,7 @@
 #include "picture/light/face_carrier.hpp"
 #include "picture/light/region_faces.hpp"
 #include "view/tolerances.hpp"
-#include "visibility/common/visible_faces.hpp"
+#include "visibility/polygons/visible_faces.hpp"
 
 namespace ligne {
 namespace {

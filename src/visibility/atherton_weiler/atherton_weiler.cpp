@@ -7,11 +7,11 @@
 #include "visibility/atherton_weiler/border_lines.hpp"
 #include "visibility/atherton_weiler/polygon_study.hpp"
 #include "visibility/common/clock.hpp"
-#include "visibility/common/intersections.hpp"
-#include "visibility/common/line_strokes.hpp"
-#include "visibility/common/transparent_lines.hpp"
-#include "visibility/common/visible_faces.hpp"
-#include "visibility/common/visible_parts.hpp"
+#include "visibility/penetration/intersections.hpp"
+#include "visibility/edges/line_strokes.hpp"
+#include "visibility/edges/transparent_lines.hpp"
+#include "visibility/polygons/visible_faces.hpp"
+#include "visibility/edges/visible_parts.hpp"
 
 // Phases: (1) facets and the grid of their cells, (2) visible faces, (3) their borders led back to edges, and the lines that
 // borders do not give. See docs/methods/atherton-weiler.md.

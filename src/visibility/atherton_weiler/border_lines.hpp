@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "visibility/common/open_parts.hpp"
-#include "visibility/common/visible_faces.hpp"
+#include "visibility/polygons/visible_faces.hpp"
 
 namespace ligne::atherton_weiler {
 

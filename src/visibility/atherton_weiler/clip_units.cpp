@@ -6,7 +6,7 @@
 
 #include "geometry/clip_contour_by_contour.hpp"
 #include "geometry/disjoint_sets.hpp"
-#include "visibility/common/clip_part.hpp"
+#include "visibility/polygons/clip_part.hpp"
 
 namespace ligne::atherton_weiler {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "visibility/common/visible_faces.hpp"
+#include "visibility/polygons/visible_faces.hpp"
 
 namespace ligne::atherton_weiler {
 

@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "geometry/clip_contour_by_contour.hpp"
-#include "visibility/common/clip_part.hpp"
+#include "visibility/polygons/clip_part.hpp"
 
 namespace ligne::atherton_weiler {
 namespace {

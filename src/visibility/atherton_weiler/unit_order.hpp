@@ -4,7 +4,7 @@
 #include <unordered_map>
 
 #include "visibility/atherton_weiler/clip_units.hpp"
-#include "visibility/common/facet_order.hpp"
+#include "visibility/polygons/facet_order.hpp"
 
 namespace ligne::atherton_weiler {
 

@@ -5,7 +5,7 @@
 
 #include "files/bytes.hpp"
 #include "geometry/stop.hpp"
-#include "visibility/common/dividing_plane.hpp"
+#include "visibility/order/dividing_plane.hpp"
 
 namespace ligne {
 

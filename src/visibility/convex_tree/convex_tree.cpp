@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "files/bytes.hpp"
-#include "visibility/common/dividing_plane.hpp"
+#include "visibility/order/dividing_plane.hpp"
 #include "visibility/convex_tree/point_boxes.hpp"
 
 // [Huet1994] 3.2. Its measure of termination is the number of planes that support a triangle of the set; here that of the

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "visibility/common/dividing_plane.hpp"
-#include "visibility/common/model_pieces.hpp"
-#include "visibility/common/partition_lines.hpp"
+#include "visibility/order/dividing_plane.hpp"
+#include "visibility/order/model_pieces.hpp"
+#include "visibility/order/partition_lines.hpp"
 #include "visibility/method.hpp"
 
 namespace ligne {

@@ -3,7 +3,7 @@
 ///
 /// After S. Huet, "Compilation d'objets 3D", 1994. docs/methods/convex-tree.md.
 
-#include "visibility/common/study_tree.hpp"
+#include "visibility/order/study_tree.hpp"
 #include "visibility/convex_tree/convex_tree.hpp"
 
 namespace ligne {

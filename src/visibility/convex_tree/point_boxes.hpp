@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "visibility/common/model_pieces.hpp"
+#include "visibility/order/model_pieces.hpp"
 
 namespace ligne {
 

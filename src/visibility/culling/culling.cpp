@@ -2,7 +2,7 @@
 
 #include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"
-#include "visibility/common/line_strokes.hpp"
+#include "visibility/edges/line_strokes.hpp"
 #include "visibility/culling/convex_body.hpp"
 
 // Phases: (1) faces by the sign of their area on the page, (2) is it one convex body, (3) edges with a front face are drawn.

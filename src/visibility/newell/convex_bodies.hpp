@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "visibility/common/model_pieces.hpp"
+#include "visibility/order/model_pieces.hpp"
 
 namespace ligne::newell {
 

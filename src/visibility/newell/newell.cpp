@@ -7,9 +7,9 @@
 #include <glm/trigonometric.hpp>
 
 #include "visibility/common/clock.hpp"
-#include "visibility/common/order_numbers.hpp"
-#include "visibility/common/paint_pieces.hpp"
-#include "visibility/common/study_edges.hpp"
+#include "visibility/order/order_numbers.hpp"
+#include "visibility/order/paint_pieces.hpp"
+#include "visibility/edges/study_edges.hpp"
 #include "visibility/newell/priority_list.hpp"
 
 // Phases: (1) elements: faces with their extents and planes, (2) the priority list, (3) every edge against the faces that

@@ -7,7 +7,7 @@
 
 #include "geometry/disjoint_sets.hpp"
 #include "geometry/stop.hpp"
-#include "visibility/common/paint_pieces.hpp"
+#include "visibility/order/paint_pieces.hpp"
 
 namespace ligne::newell {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "view/clip.hpp"
 #include "view/projected_scene.hpp"
-#include "visibility/common/model_pieces.hpp"
-#include "visibility/common/paint_pieces.hpp"
+#include "visibility/order/model_pieces.hpp"
+#include "visibility/order/paint_pieces.hpp"
 #include "visibility/newell/convex_bodies.hpp"
 
 namespace ligne::newell {

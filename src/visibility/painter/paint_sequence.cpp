@@ -9,7 +9,7 @@
 
 #include "geometry/parallel.hpp"
 #include "geometry/stop.hpp"
-#include "visibility/common/facet_order.hpp"
+#include "visibility/polygons/facet_order.hpp"
 
 namespace ligne::painter {
 namespace {

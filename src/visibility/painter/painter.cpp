@@ -7,10 +7,10 @@
 
 #include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"
-#include "visibility/common/depth_buffer.hpp"
+#include "visibility/raster/depth_buffer.hpp"
 #include "visibility/common/facet_functions.hpp"
-#include "visibility/common/line_strokes.hpp"
-#include "visibility/common/order_numbers.hpp"
+#include "visibility/edges/line_strokes.hpp"
+#include "visibility/order/order_numbers.hpp"
 #include "visibility/painter/paint_sequence.hpp"
 
 // Phases: (1) facets and their grid, (2) the order, (3) lines: each is painted with the later of its faces, and covered by

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "visibility/common/open_parts.hpp"
-#include "visibility/common/penetration.hpp"
+#include "visibility/penetration/penetration.hpp"
 #include "visibility/warnock/analysis.hpp"
 
 namespace ligne::warnock {

@@ -8,7 +8,7 @@
 
 #include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"
-#include "visibility/common/line_strokes.hpp"
+#include "visibility/edges/line_strokes.hpp"
 #include "visibility/common/opaque_scene.hpp"
 #include "visibility/warnock/control.hpp"
 #include "visibility/warnock/initial_window.hpp"

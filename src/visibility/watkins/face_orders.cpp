@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "visibility/common/facet_order.hpp"
+#include "visibility/polygons/facet_order.hpp"
 
 namespace ligne::watkins {
 

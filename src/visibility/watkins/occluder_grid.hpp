@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "visibility/common/facet.hpp"
-#include "visibility/common/penetration.hpp"
+#include "visibility/penetration/penetration.hpp"
 
 namespace ligne::watkins {
 

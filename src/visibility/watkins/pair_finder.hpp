@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "visibility/common/penetration.hpp"
+#include "visibility/penetration/penetration.hpp"
 #include "visibility/watkins/occluder_grid.hpp"
 #include "visibility/watkins/scan_effort.hpp"
 #include "visibility/watkins/sweep_status.hpp"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "visibility/common/scan_conversion.hpp"
+#include "visibility/raster/scan_conversion.hpp"
 #include "visibility/watkins/face_orders.hpp"
 #include "visibility/watkins/sweep_scene.hpp"
 

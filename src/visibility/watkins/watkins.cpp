@@ -9,10 +9,10 @@
 #include "view/tolerances.hpp"
 #include "visibility/common/cell_grid.hpp"
 #include "visibility/common/clock.hpp"
-#include "visibility/common/intersections.hpp"
-#include "visibility/common/line_strokes.hpp"
+#include "visibility/penetration/intersections.hpp"
+#include "visibility/edges/line_strokes.hpp"
 #include "visibility/common/opaque_scene.hpp"
-#include "visibility/common/visible_parts.hpp"
+#include "visibility/edges/visible_parts.hpp"
 #include "visibility/watkins/exact_study.hpp"
 #include "visibility/watkins/line_study.hpp"
 

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "visibility/common/depth_buffer.hpp"
+#include "visibility/raster/depth_buffer.hpp"
 #include "visibility/common/hidden_interval.hpp"
 #include "visibility/common/open_parts.hpp"
 

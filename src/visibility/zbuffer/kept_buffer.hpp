@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "visibility/common/depth_buffer.hpp"
+#include "visibility/raster/depth_buffer.hpp"
 #include "visibility/kept_study.hpp"
 
 namespace ligne::zbuffer {

@@ -7,9 +7,9 @@
 #include "view/tolerances.hpp"
 #include "visibility/common/cell_grid.hpp"
 #include "visibility/common/clock.hpp"
-#include "visibility/common/depth_buffer.hpp"
-#include "visibility/common/intersections.hpp"
-#include "visibility/common/line_strokes.hpp"
+#include "visibility/raster/depth_buffer.hpp"
+#include "visibility/penetration/intersections.hpp"
+#include "visibility/edges/line_strokes.hpp"
 #include "visibility/zbuffer/edge_sampling.hpp"
 #include "visibility/zbuffer/kept_buffer.hpp"
 

@@ -1,0 +1,135 @@
+#include "visibility/edges/study_edges.hpp"
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "view/tolerances.hpp"
+#include "visibility/common/cell_grid.hpp"
+#include "visibility/common/clock.hpp"
+#include "visibility/penetration/intersections.hpp"
+#include "visibility/edges/line_strokes.hpp"
+#include "visibility/edges/transparent_lines.hpp"
+#include "visibility/polygons/visible_faces.hpp"
+#include "visibility/edges/visible_parts.hpp"
+
+// Phases: (1) facets, (2) the screen grid with covers, (3) intersections that are not behind covers, (4) every line through
+// the cells it crosses, nearest facets first, until nothing of it is left. (5) Where an order of the faces is known,
+// regions. See docs/methods/appel.md and docs/methods/bsp.md.
+
+namespace ligne {
+namespace {
+
+/// Screen grid for a study; few candidate lines need few of its cells.
+CellGrid::Options grid_options(const ProjectedScene& scene, const Facets& facets, double coincidence_steps,
+                               bool hidden_strokes, bool regions, bool see_through) {
+  constexpr std::size_t kManyLines = 4;
+  CellGrid::Options options;
+  options.margin_steps = coincidence_steps + 1;
+  options.drop_hidden = !(hidden_strokes && scene.with_intersections);
+  options.see_through = see_through;
+  if (!regions && !scene.with_intersections && scene.edges.size() * kManyLines < facets.facets.size())
+    options.only_along = &scene.edges;
+  return options;
+}
+
+/// The ranks without those of faces that are seen edge on, exactly or within the lattice. Such a face overlaps nothing on
+/// the page, so an order may put it anywhere, and its own lines with it: their depths decide.
+FaceRanks without_thin_faces(FaceRanks ranks, const Facets& facets) {
+  for (std::uint32_t f = 0; f < facets.face_is_thin.size(); ++f) {
+    if (facets.face_is_thin[f]) ranks.forget(f);
+  }
+  return ranks;
+}
+
+LineVisibility parts_seen_through(const ProjectedScene& scene, const Facets& facets, const CellGrid& grid,
+                                  double coincidence_steps) {
+  const auto search = std::make_shared<TransparentLines>(scene, facets.facets, grid, coincidence_steps);
+  return [search](std::size_t, const PageLine& line, std::vector<LinePart>& parts) {
+    parts = search->find(line);
+    return true;
+  };
+}
+
+void report(const VisibleFaces& visible, Statistics& statistics) {
+  statistics.count("pairs of facets by the order", visible.counts.by_order);
+  statistics.count("pairs of facets by their depths", visible.counts.compared);
+  statistics.count("regions", visible.regions.size());
+}
+
+void report(const Facets& facets, const ProjectedScene& scene, const CellGrid& grid, Statistics& statistics) {
+  statistics.count("facets", facets.facets.size());
+  statistics.count("candidate edges", scene.edges.size());
+  statistics.count("grid leaves", grid.leaf_count());
+  statistics.count("grid entries", grid.entry_count());
+}
+
+void report(const TestCounts& counts, Statistics& statistics) {
+  statistics.count("leaves visited", counts.leaves);
+  statistics.count("leaves behind their cover", counts.covered);
+  statistics.count("line-facet tests", counts.facet_tests);
+}
+
+}  // namespace
+
+VisibilityResult study_edges(const ProjectedScene& scene, const StudyOptions& options, const FaceRanks* ranks) {
+  VisibilityResult result;
+  Statistics& statistics = result.statistics;
+  const double step = scene.lattice.step_mm;
+  const double coincidence_steps = coincidence_mm(scene) / step;
+  Clock clock;
+
+  // 1. Facets.
+  std::optional<Facets> made;
+  const Facets& facets = options.facets ? *options.facets : made.emplace(make_facets(scene, coincidence_steps));
+  statistics.time("facets", clock.lap());
+
+  // 2. The screen grid.
+  const bool regions = ranks && (options.wanted & kRegions), see_through = ranks && !scene.face_is_transparent.empty();
+  const CellGrid::Options of_grid =
+      grid_options(scene, facets, coincidence_steps, options.hidden_strokes, regions, see_through);
+  const CellGrid grid(scene, facets.facets, of_grid);
+  statistics.time("grid", clock.lap());
+
+  // 3. Intersections.
+  std::vector<Intersection> intersections;
+  if (scene.with_intersections) intersections = find_intersections(scene, facets.facets, grid, of_grid.margin_steps);
+  statistics.time("intersections", clock.lap());
+
+  // 4. Lines.
+  std::optional<FaceRanks> known;
+  if (ranks) known = without_thin_faces(*ranks, facets);
+  TestTotals totals;
+  const auto search_lines = [&]() -> LineVisibility {
+    if (see_through) return parts_seen_through(scene, facets, grid, coincidence_steps);
+    const auto search =
+        std::make_shared<VisibleParts>(scene, facets.facets, grid, coincidence_steps, &totals, known ? &*known : nullptr,
+                                       options.blank, options.coincide_by_sight && !ranks);
+    return [search](std::size_t, const PageLine& line, std::vector<LinePart>& parts) {
+      parts = search->find(line);
+      return search->near_side();
+    };
+  };
+  LineStrokes strokes(scene, facets, options.hidden_strokes, kLeastPartMm / step);
+  strokes.add_edges(search_lines, options.progress);
+  strokes.add_intersections(intersections, search_lines);
+  result.strokes = strokes.take();
+  statistics.time("lines", clock.lap());
+
+  // 5. Regions.
+  if (regions) {
+    VisibleFaces visible = find_visible_faces(scene, facets.facets, grid, {}, &*known);
+    statistics.time("regions", clock.lap());
+    report(visible, statistics);
+    result.regions = std::move(visible.regions);
+  }
+
+  report(facets, scene, grid, statistics);
+  statistics.count("intersection segments tested", intersections.size());
+  report(totals.counts, statistics);
+  if (ranks) statistics.count("left out by the order", totals.counts.behind_in_order);
+  statistics.count("strokes", result.strokes->strokes.size());
+  return result;
+}
+
+}  // namespace ligne

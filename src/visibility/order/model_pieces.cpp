@@ -1,0 +1,141 @@
+#include "visibility/order/model_pieces.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "files/bytes.hpp"
+
+namespace ligne {
+namespace {
+
+/// Part of the largest coordinate: three differences, their products with a unit vector that is itself rounded, two sums;
+/// and the same for the corner of a cut, and for that of a cut of what was cut.
+constexpr double kModelHeightRounding = 0x1p-48;
+
+/// a b - c d with a relative error of two roundings, whatever cancels (Kahan's difference of products).
+double difference_of_products(double a, double b, double c, double d) {
+  const double cd = c * d;
+  const double error = std::fma(-c, d, cd);
+  return std::fma(a, b, -cd) + error;
+}
+
+double largest_part(const Point3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
+
+}  // namespace
+
+ModelPlane plane_through(const Point3& a, const Point3& b, const Point3& c) {
+  Point3 u = b - a, v = c - a;
+  // Both are made about 1 long: products of tiny triangles would vanish.
+  const double size_u = largest_part(u), size_v = largest_part(v);
+  if (size_u == 0 || size_v == 0) return {Point3(0), a};
+  u /= size_u;
+  v /= size_v;
+  const Point3 n{difference_of_products(u.y, v.z, u.z, v.y), difference_of_products(u.z, v.x, u.x, v.z),
+                 difference_of_products(u.x, v.y, u.y, v.x)};
+  const double size = largest_part(n);
+  if (size == 0) return {Point3(0), a};
+  return {glm::normalize(n / size), a};
+}
+
+ModelPieces::ModelPieces(const Scene& scene)
+    : triangles_(triangulate_faces(scene)), points_(scene.vertices), vertices_(points_.size()) {
+  find_planes();
+  pieces_.reserve(triangles_.size());
+  corners_.reserve(3 * triangles_.size());
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+    if (normals_[t] == Point3(0)) continue;
+    const auto begin = static_cast<std::uint32_t>(corners_.size());
+    corners_.insert(corners_.end(), triangles_[t].v.begin(), triangles_[t].v.end());
+    pieces_.push_back({begin, begin + 3, t});
+  }
+}
+
+/// Finds the planes of the triangles, and how far rounding moves points in them.
+void ModelPieces::find_planes() {
+  double largest = 0;
+  for (const Point3& p : points_) largest = std::max(largest, largest_part(p));
+  tolerance_ = kModelHeightRounding * largest;
+  normals_.reserve(triangles_.size());
+  for (const Triangle& t : triangles_)
+    normals_.push_back(plane_through(points_[t.v[0]], points_[t.v[1]], points_[t.v[2]]).normal);
+}
+
+ModelPieces::ModelPieces(ByteReader& bytes, const Scene& scene)
+    : triangles_(bytes.list<Triangle>()), points_(scene.vertices), vertices_(points_.size()) {
+  for (const Triangle& t : triangles_) {
+    bytes.need(t.face < scene.faces.size(), "a triangle is of no face");
+    for (const std::uint32_t v : t.v) bytes.need(v < points_.size(), "a triangle has a vertex that is not there");
+  }
+  find_planes();
+  // Corners of cuts lie between vertices: the tolerance is that of the vertices.
+  for (const Point3& p : bytes.list<Point3>()) {
+    bytes.need(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "the corner of a cut is not a point");
+    points_.push_back(p);
+  }
+  corners_ = bytes.list<std::uint32_t>();
+  for (const std::uint32_t corner : corners_) bytes.need(corner < points_.size(), "a piece has a corner that is not there");
+  pieces_ = bytes.list<ModelPiece>();
+  for (const ModelPiece& piece : pieces_) {
+    bytes.need(piece.begin < piece.end && piece.end <= corners_.size() && piece.end - piece.begin >= 3,
+               "a piece has fewer than three corners");
+    bytes.need(piece.triangle < triangles_.size() && normals_[piece.triangle] != Point3(0), "a piece has no plane");
+  }
+}
+
+void ModelPieces::write(ByteWriter& bytes) const {
+  bytes.list(std::span<const Triangle>(triangles_));
+  bytes.list(std::span<const Point3>(points_).subspan(vertices_));
+  bytes.list(std::span<const std::uint32_t>(corners_));
+  bytes.list(std::span<const ModelPiece>(pieces_));
+}
+
+PlaneSide ModelPieces::side(std::uint32_t piece, const ModelPlane& plane) const {
+  double low = 0, high = 0;
+  for (const std::uint32_t corner : corners(piece)) {
+    const double h = plane.height(points_[corner]);
+    low = std::min(low, h);
+    high = std::max(high, h);
+  }
+  return side_of_heights(low, high);
+}
+
+std::uint32_t ModelPieces::crossing(std::uint32_t a, std::uint32_t b, const ModelPlane& plane) {
+  if (b < a) std::swap(a, b);
+  const Point3 p = points_[a], q = points_[b];
+  const double h = plane.height(p), k = plane.height(q);
+  points_.push_back(p + (q - p) * (h / (h - k)));
+  return static_cast<std::uint32_t>(points_.size() - 1);
+}
+
+std::uint32_t ModelPieces::cut(std::uint32_t piece, const ModelPlane& plane) {
+  assert(side(piece, plane) == PlaneSide::both);
+  front_.clear();
+  back_.clear();
+  const auto count = corners(piece).size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t corner = corners(piece)[i], next = corners(piece)[i + 1 == count ? 0 : i + 1];
+    const double h = plane.height(points_[corner]), k = plane.height(points_[next]);
+    if (h >= -tolerance_) front_.push_back(corner);
+    if (h <= tolerance_) back_.push_back(corner);
+    if ((h > tolerance_ && k < -tolerance_) || (h < -tolerance_ && k > tolerance_)) {
+      const std::uint32_t middle = crossing(corner, next, plane);
+      front_.push_back(middle);
+      back_.push_back(middle);
+    }
+  }
+  const auto append = [&](const std::vector<std::uint32_t>& list) {
+    const auto begin = static_cast<std::uint32_t>(corners_.size());
+    corners_.insert(corners_.end(), list.begin(), list.end());
+    return ModelPiece{begin, static_cast<std::uint32_t>(corners_.size()), pieces_[piece].triangle};
+  };
+  pieces_[piece] = append(front_);
+  pieces_.push_back(append(back_));
+  const auto behind = static_cast<std::uint32_t>(pieces_.size() - 1);
+  assert(side(piece, plane) == PlaneSide::front && side(behind, plane) == PlaneSide::back);
+  return behind;
+}
+
+}  // namespace ligne

@@ -1,0 +1,121 @@
+#pragma once
+/// From a tree that gives the pieces of a scene from the front to the back for any viewpoint to strokes and an order of
+/// painting.
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "visibility/common/clock.hpp"
+#include "visibility/order/dividing_plane.hpp"
+#include "visibility/order/order_numbers.hpp"
+#include "visibility/order/paint_pieces.hpp"
+#include "visibility/order/partition_lines.hpp"
+#include "visibility/edges/study_edges.hpp"
+#include "visibility/method.hpp"
+
+namespace ligne {
+
+/// The parameters of methods that compile a tree.
+inline constexpr unsigned kMostCandidates = 64;
+enum class PartitionPlanes : std::uint8_t { mixed, faces };
+inline constexpr std::string_view kPartitionNames[] = {"mixed", "faces"};
+enum class TreeShow : std::uint8_t { splits, order, tree };
+inline constexpr std::string_view kTreeShowNames[] = {"splits", "order", "tree"};
+inline constexpr MethodParameter kTreeParameters[] = {
+    {"candidates",
+     "K",
+     "faces that are tried at random to divide a set; that of the fewest splits is taken",
+     "5",
+     {},
+     1,
+     kMostCandidates,
+     true},
+    {"partition", "HOW", "sets of many faces are divided by planes of no face too, or by planes of faces only", "mixed",
+     kPartitionNames, 0, 0, true},
+    {"show", "splits|order|tree",
+     "as layer debug: the pieces of faces that were cut, the order of painting as numbers, or the planes of the tree", "",
+     kTreeShowNames},
+};
+
+inline PlaneChoice plane_choice(const MethodSettings& settings) {
+  PlaneChoice choice;
+  choice.candidates = settings.count("candidates").value_or(choice.candidates);
+  choice.free_planes = settings.choice("partition", PartitionPlanes::mixed) == PartitionPlanes::mixed;
+  return choice;
+}
+
+/// `Tree` has pieces(), partition() and front_to_back(viewpoint, visit(piece, rank)), where pieces of one rank do not hide
+/// each other.
+template <class Tree>
+VisibilityResult study_tree(const Tree& tree, const ProjectedScene& scene, const StudyOptions& options) {
+  Clock clock;
+  FaceRanks ranks(scene.model->faces.size());
+  std::vector<std::uint32_t> front_to_back;
+  const bool shows = options.settings.has("show");
+  const TreeShow show = options.settings.choice("show", TreeShow::splits);
+  const bool paint = (options.wanted & kOrder) || (shows && show == TreeShow::order);
+  tree.front_to_back(viewpoint_of(scene.view.camera), [&](std::uint32_t piece, std::uint32_t rank) {
+    ranks.add(tree.pieces().face(piece), rank);
+    if (paint) front_to_back.push_back(piece);
+  });
+  PaintOrder order;
+  PaintPieces pieces(scene, tree.pieces());
+  for (auto piece = front_to_back.rbegin(); piece != front_to_back.rend(); ++piece) pieces.add(*piece, order);
+  std::vector<std::vector<Point2>> shown;
+  if (shows && show == TreeShow::splits) shown = pieces.outlines_of_cut();
+  PartitionLines planes;
+  if (shows && show == TreeShow::tree) planes = partition_lines(scene, tree.partition());
+  const double seconds = clock.lap();
+
+  VisibilityResult result = study_edges(scene, options, &ranks);
+  if (shows && show == TreeShow::order) result.debug_numbers = order_numbers(order);
+  if (options.wanted & kOrder) result.order = std::move(order);
+  result.debug = std::move(shown);
+  if (shows && show == TreeShow::tree) {
+    result.debug = std::move(planes.outlines);
+    result.debug_numbers = std::move(planes.numbers);
+  }
+  auto& times = result.statistics.seconds;
+  times.insert(times.begin(), {"order", seconds});
+  return result;
+}
+
+/// A method that compiles a tree from a scene's model, once for any view of it.
+template <class Tree>
+class TreeMethod : public Method {
+ public:
+  /// Studies by the tree that is there, or compiles one and puts the time of that before those of the study.
+  VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const final {
+    if (options.compiled) return study(dynamic_cast<const Tree&>(*options.compiled), scene, options);
+    Clock clock;
+    const Tree tree(*scene.model, plane_choice(options.settings));
+    const double seconds = clock.lap();
+    VisibilityResult result = study(tree, scene, options);
+    auto& times = result.statistics.seconds;
+    times.insert(times.begin(), {"tree", seconds});
+    return result;
+  }
+  std::shared_ptr<const CompiledScene> compile(const Scene& scene, const MethodSettings& settings) const final {
+    return std::make_shared<Tree>(scene, plane_choice(settings));
+  }
+  std::shared_ptr<const CompiledScene> read_compiled(ByteReader& bytes, const Scene& scene) const final {
+    return std::make_shared<Tree>(bytes, scene);
+  }
+
+  /// Takes a tree that was built from the scene's model before, for this view or another one.
+  VisibilityResult study(const Tree& tree, const ProjectedScene& scene, const StudyOptions& options) const {
+    VisibilityResult result = study_tree(tree, scene, options);
+    count(tree.counts(), result.statistics);
+    result.statistics.count("splits", tree.counts().splits);
+    result.statistics.count("pieces", tree.pieces().pieces().size());
+    result.statistics.count("depth of the tree", tree.counts().depth);
+    return result;
+  }
+
+ private:
+  /// Reports the counts that only this kind of tree has.
+  virtual void count(const typename Tree::Counts& counts, Statistics& statistics) const = 0;
+};
+
+}  // namespace ligne

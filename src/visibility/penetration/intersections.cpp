@@ -1,0 +1,301 @@
+#include "visibility/penetration/intersections.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "geometry/parallel.hpp"
+#include "view/tolerances.hpp"
+#include "visibility/penetration/crossing_facets.hpp"
+#include "visibility/common/crowd_hiders.hpp"
+#include "visibility/common/facet_functions.hpp"
+
+// Per leaf all pairs of facets that may meet in depth and on the page are tested; where hidden segments are wanted too, all
+// pairs of the scene.
+
+namespace ligne {
+namespace {
+
+bool seen_in(const PageSegment& s, const CellSquare& square, double margin, float cover) {
+  const double x0 = square.x - margin, x1 = square.x + square.size + margin;
+  const double y0 = square.y - margin, y1 = square.y + square.size + margin;
+  const auto part = clip_parameters<4>({s.from.x - x0, x1 - s.from.x, s.from.y - y0, y1 - s.from.y},
+                                       {s.to.x - x0, x1 - s.to.x, s.to.y - y0, y1 - s.to.y});
+  if (!part) return false;
+  return !(s.at((*part)[0]).z > cover && s.at((*part)[1]).z > cover);
+}
+
+// Adjustable: in leaves with more facets the pairs are compared by their planes over the leaf first, and in those with many
+// more it is found out first which facets need not be compared at all.
+constexpr std::uint32_t kCrowded = 32, kManyTogether = 128;
+// Adjustable: the pairs of a leaf with more facets are dealt out to tasks, by so many facets.
+constexpr std::size_t kManyItems = 1024, kItemsPerTask = 256;
+
+/// Adjustable: of so many facets it is asked whether they lie in one plane.
+constexpr std::size_t kSeveral = 4;
+
+/// Pairs of facets that have no segment in common, as many as there is room for: where hundreds of facets meet in one line,
+/// every pair of them comes in all the leaves along it. The table grows with what is put into it, since most scenes have few
+/// such pairs.
+class FruitlessPairs {
+ public:
+  bool holds(std::uint32_t a, std::uint32_t b) const { return !slots_.empty() && slots_[slot(key(a, b))] == key(a, b); }
+  void add(std::uint32_t a, std::uint32_t b) {
+    if (2 * added_ >= slots_.size() && bits_ < kMostBits) grow();
+    slots_[slot(key(a, b))] = key(a, b);
+    ++added_;
+  }
+
+ private:
+  static constexpr int kFirstBits = 10, kMostBits = 20, kGrowBits = 2;
+  /// Not 0: the two differ.
+  static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return std::uint64_t{std::max(a, b)} << 32 | std::min(a, b); }
+  std::size_t slot(std::uint64_t key) const { return (key * 0x9e3779b97f4a7c15u) >> (64 - bits_); }
+
+  void grow() {
+    const std::vector<std::uint64_t> old = std::move(slots_);
+    bits_ = old.empty() ? kFirstBits : std::min(bits_ + kGrowBits, kMostBits);
+    slots_.assign(std::size_t{1} << bits_, 0);
+    for (const std::uint64_t key : old) {
+      if (key != 0) slots_[slot(key)] = key;
+    }
+  }
+
+  std::vector<std::uint64_t> slots_;
+  std::size_t added_ = 0;  ///< as often as something was added: what it drove out counts too
+  int bits_ = 0;
+};
+
+double least_steps(const ProjectedScene& scene) { return kLeastPartMm / scene.lattice.step_mm; }
+
+/// The data that the comparisons of one task need and find.
+struct Comparisons {
+  Comparisons(const ProjectedScene& scene, const std::vector<Facet>& facets, const PenetrationSearch& all)
+      : found(all.empty_copy()), hiders(scene, facets, least_steps(scene)) {}
+  PenetrationSearch found;
+  FruitlessPairs fruitless;
+  CrowdHiders hiders;
+};
+
+/// The state of one task.
+class LeafSearch {
+ public:
+  LeafSearch(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double margin,
+             const PenetrationSearch& all)
+      : scene_(scene), facets_(facets), grid_(grid), margin_(margin), own_(scene, facets, all) {}
+
+  void search(const Cell& cell, const CellSquare& square) {
+    if (cell.count < 2 || cell.one_face || in_one_plane(cell)) return;
+    items_.clear();
+    planes_.clear();
+    const Leaf leaf{cell, square, grid_.list(cell), square.size / 2 + margin_};
+    const double half = square.size / 2;
+    const bool crowded = cell.count > kCrowded;
+    for (std::uint32_t i = 0; i < cell.count; ++i) {
+      const CellFacet& listed = leaf.list[i];
+      const Facet& facet = facets_[listed.facet];
+      items_.push_back({own_.found.place(listed.facet), listed.z_near, facet.z_far, listed.box});
+      if (crowded) planes_.emplace_back(FacetFunctions(facet, scene_.vertices.data()), square.x + half, square.y + half);
+    }
+    if (crowded) {
+      search_crowd(leaf);
+    } else {
+      search_pairs(leaf);
+    }
+    own_.found.forget_repeated();
+  }
+
+  PenetrationSearch take() { return std::move(own_.found); }
+
+ private:
+  struct Item {
+    PlacedFacet place;
+    float z_near, z_far;
+    CellBox box;
+  };
+
+  /// A facet's plane over the cell: its depth at the centre, and how that changes.
+  struct Plane {
+    Plane(const FacetFunctions& f, double x, double y) : z(f.depth(x, y)), zx(f.zx), zy(f.zy), tolerance(f.slack) {}
+    double z, zx, zy, tolerance;
+    std::uint32_t group = 0;  ///< planes of one group coincide over the cell: they touch
+
+    /// Whether the planes neither cross nor touch within `reach` of the centre.
+    bool apart(const Plane& o, double reach) const {
+      return std::abs(z - o.z) > (std::abs(zx - o.zx) + std::abs(zy - o.zy)) * reach + 2 * (tolerance + o.tolerance);
+    }
+  };
+
+  struct Leaf {
+    const Cell& cell;
+    const CellSquare& square;
+    const CellFacet* list;
+    double reach;  ///< half its side, with the margin
+  };
+
+  bool in_one_plane(const Cell& cell) const {
+    if (cell.one_plane || cell.count < kSeveral || cell.count > CommonPlane::kLongList) return cell.one_plane;
+    return CommonPlane::of(scene_, facets_, {grid_.list(cell), cell.count}).has_value();
+  }
+
+  bool wanted(const PageSegment& s, const Leaf& leaf) const {
+    return seen_in(s, leaf.square, margin_, leaf.cell.occluder_depth);
+  }
+
+  void search_pairs(const Leaf& leaf) {
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      const Item& a = items_[i];
+      for (std::size_t k = i + 1; k < items_.size(); ++k) {
+        const Item& b = items_[k];
+        if (b.z_near > a.z_far) break;  // items are ordered by z_near
+        if (!a.box.meets(b.box) || a.place.face == b.place.face) continue;
+        own_.found.test(a.place, b.place, [&](const PageSegment& s) { return wanted(s, leaf); });
+      }
+    }
+  }
+
+  /// The pairs of a crowded leaf; in one with many facets but for those of one plane and of one pencil.
+  void search_crowd(const Leaf& leaf) {
+    const std::size_t n = items_.size();
+    if (n > kManyTogether) {
+      group_planes(leaf.reach);
+      find_pencil();
+    }
+    if (n <= kManyItems) return compare(leaf, 0, n, own_);
+    const std::size_t blocks = block_count(n, kItemsPerTask);
+    std::vector<std::optional<Comparisons>> made(blocks);
+    parallel_for(blocks, [&](std::size_t block) {
+      Comparisons& own = made[block].emplace(scene_, facets_, own_.found);
+      compare(leaf, block * kItemsPerTask, std::min(n, (block + 1) * kItemsPerTask), own);
+    });
+    for (std::optional<Comparisons>& part : made) own_.found.add(std::move(part->found));
+  }
+
+  /// Compares the items [begin, end) of a crowded leaf with those behind them.
+  void compare(const Leaf& leaf, std::size_t begin, std::size_t end, Comparisons& own) const {
+    const auto n = static_cast<std::uint32_t>(items_.size());
+    const bool many = n > kManyTogether;
+    // The farthest first: of them most is hidden, and what hides it is learnt.
+    for (auto i = static_cast<std::uint32_t>(end); i-- > begin;) {
+      const auto compare_with = [&](std::uint32_t k) { return compare_in_crowd(i, k, many, leaf, own); };
+      if (many && in_pencil_[i]) {
+        auto other = std::upper_bound(outside_.begin(), outside_.end(), i);
+        while (other != outside_.end() && compare_with(*other)) ++other;
+      } else {
+        std::uint32_t k = i + 1;
+        while (k < n && compare_with(k)) ++k;
+      }
+      own.found.forget_repeated();
+    }
+  }
+
+  /// Returns whether items after k are to be compared with item i, too.
+  bool compare_in_crowd(std::uint32_t i, std::uint32_t k, bool many, const Leaf& leaf, Comparisons& own) const {
+    const Item &a = items_[i], &b = items_[k];
+    if (b.z_near > a.z_far) return false;
+    if (!a.box.meets(b.box) || a.place.face == b.place.face) return true;
+    if (planes_[i].apart(planes_[k], leaf.reach) || (many && planes_[i].group == planes_[k].group)) return true;
+    // To look a pair up takes longer than to find that the two do not overlap, unless large facets meet in leaf after leaf.
+    if (!many && !PenetrationSearch::overlap(a.place, b.place)) return true;
+    if (own.fruitless.holds(a.place.id, b.place.id)) return true;
+    const auto pair_wanted = [&](const PageSegment& s) {
+      if (!wanted(s, leaf)) return false;
+      const PageLine line(rounded(s.from), rounded(s.to), a.place.face, b.place.face);
+      return !own.hiders.hide(line, leaf.list, leaf.cell.count);
+    };
+    if (!own.found.test(a.place, b.place, pair_wanted)) own.fruitless.add(a.place.id, b.place.id);
+    return true;
+  }
+
+  /// The largest set of facets with one side in common. Their planes meet in the line of that side, which is no penetration
+  /// where it is a side of their faces too; so no two of them need be compared. (Where a face goes on behind a side, which
+  /// is then but a cut of its triangulation, another facet of the face has it too, in this leaf or in those on the side.)
+  void find_pencil() {
+    side_uses_.clear();
+    for (std::uint32_t i = 0; i < items_.size(); ++i) {
+      const PlacedFacet& f = items_[i].place;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t v = scene_.place(f.v[k]), w = scene_.place(f.v[(k + 1) % 3]);
+        side_uses_.push_back({std::uint64_t{std::min(v, w)} << 32 | std::max(v, w), f.face, i});
+      }
+    }
+    std::sort(side_uses_.begin(), side_uses_.end());
+    std::size_t largest = 0, largest_end = 0;
+    for (std::size_t begin = 0, end = 0; begin < side_uses_.size(); begin = end) {
+      bool is_cut = false;
+      for (end = begin + 1; end < side_uses_.size() && side_uses_[end].side == side_uses_[begin].side; ++end)
+        is_cut = is_cut || side_uses_[end].face == side_uses_[end - 1].face;
+      if (!is_cut && end - begin > largest_end - largest) largest = begin, largest_end = end;
+    }
+    in_pencil_.assign(items_.size(), false);
+    for (std::size_t i = largest; i < largest_end; ++i) in_pencil_[side_uses_[i].item] = true;
+    outside_.clear();
+    for (std::uint32_t i = 0; i < items_.size(); ++i) {
+      if (!in_pencil_[i]) outside_.push_back(i);
+    }
+  }
+
+  /// Planes whose depths over the cell are equal, in units of the tolerance, are one group. Of a thousand faces that lie in
+  /// one plane no two are compared.
+  void group_planes(double reach) {
+    keys_.clear();
+    for (std::uint32_t i = 0; i < planes_.size(); ++i) {
+      const Plane& p = planes_[i];
+      // Planes that coincide have one gradient, and so about one tolerance.
+      int exponent = 0;
+      std::frexp(p.tolerance, &exponent);
+      const double unit = std::ldexp(1.0, exponent), per_unit = std::ldexp(1.0, -exponent);
+      const auto rounded = [&](double z) { return std::floor(z * per_unit + 0.5); };
+      keys_.push_back({{unit, rounded(p.z), rounded(p.zx * reach), rounded(p.zy * reach)}, i});
+    }
+    std::sort(keys_.begin(), keys_.end());
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+      const bool same = i > 0 && keys_[i].first == keys_[i - 1].first;
+      planes_[keys_[i].second].group = same ? planes_[keys_[i - 1].second].group : keys_[i].second;
+    }
+  }
+
+  /// A side of an item's facet, by its places.
+  struct SideUse {
+    std::uint64_t side;
+    std::uint32_t face, item;
+    bool operator<(const SideUse& o) const { return std::tie(side, face, item) < std::tie(o.side, o.face, o.item); }
+  };
+
+  const ProjectedScene& scene_;
+  const std::vector<Facet>& facets_;
+  const CellGrid& grid_;
+  double margin_;
+  Comparisons own_;
+  std::vector<Item> items_;
+  std::vector<Plane> planes_;  ///< of the items, in crowded leaves
+  std::vector<std::pair<std::array<double, 4>, std::uint32_t>> keys_;
+  std::vector<SideUse> side_uses_;
+  std::vector<bool> in_pencil_;         ///< by item
+  std::vector<std::uint32_t> outside_;  ///< the items that are not in it
+};
+
+}  // namespace
+
+std::vector<Intersection> find_intersections(const ProjectedScene& scene, const std::vector<Facet>& facets,
+                                             const CellGrid& grid, double margin_steps) {
+  if (grid.complete()) return find_crossing_facets(scene, facets).finish(least_steps(scene));
+  constexpr std::size_t kCellsPerTask = 256;
+  const std::size_t n = grid.top_cell_count(), tasks = (n + kCellsPerTask - 1) / kCellsPerTask;
+  PenetrationSearch all(facets, scene.vertices);
+  std::vector<PenetrationSearch> found(tasks, all.empty_copy());
+  parallel_for(tasks, [&](std::size_t task) {
+    LeafSearch search(scene, facets, grid, margin_steps, all);
+    for (std::size_t i = task * kCellsPerTask; i < std::min(n, (task + 1) * kCellsPerTask); ++i) {
+      grid.for_each_leaf_of(i, [&](const Cell& cell, const CellSquare& square) { search.search(cell, square); });
+    }
+    found[task] = search.take();
+  });
+  for (PenetrationSearch& f : found) all.add(std::move(f));
+  return all.finish(least_steps(scene));
+}
+
+}  // namespace ligne

@@ -1,0 +1,323 @@
+#include "visibility/penetration/penetration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geometry/parallel.hpp"
+
+namespace ligne {
+namespace {
+
+/// Roundings of a height over a plane: a dozen operations on products of a determinant and a depth.
+constexpr double kHeightRounding = 0x1p-49;
+
+struct FacetCorners {
+  std::array<ProjectedVertex, 3> p;
+  double area;
+};
+
+FacetCorners facet_corners(const Facet& f, const std::vector<ProjectedVertex>& vertices) {
+  FacetCorners c{{vertices[f.v[0]], vertices[f.v[1]], vertices[f.v[2]]}, 0};
+  c.area = orientation(c.p[0].p, c.p[1].p, c.p[2].p);
+  return c;
+}
+
+}  // namespace
+
+/// Heights of the other's corners over the plane of `plane` (positive: farther from the viewer), times its area; those
+/// within the depth tolerance are zero. `touch` is owed half to the corners of the facet and half to the point that is
+/// compared with them, for a point over the facet. Outside of it the plane is extrapolated: its depth is the sum of the
+/// corners' depths with weights w_i / area, some of them negative, so the errors of the corners count with |w_i| / area.
+struct PenetrationSearch::Heights {
+  std::array<double, 3> h;
+  int above = 0, below = 0, on = 0;
+
+  static Heights over(const FacetCorners& plane, float touch, const FacetCorners& other);
+};
+
+PenetrationSearch::Heights PenetrationSearch::Heights::over(const FacetCorners& plane, float touch,
+                                                            const FacetCorners& other) {
+  Heights r;
+  for (int i = 0; i < 3; ++i) {
+    const LatticePoint q = other.p[i].p;
+    const double w2 = orientation(plane.p[0].p, plane.p[1].p, q);
+    const double w0 = orientation(plane.p[1].p, plane.p[2].p, q);
+    const double w1 = orientation(plane.p[2].p, plane.p[0].p, q);
+    const double a = w0 * plane.p[0].z, b = w1 * plane.p[1].z, c = w2 * plane.p[2].z, z = plane.area * other.p[i].z;
+    const double h = z - (a + b + c);
+    const double weights = std::abs(w0) + std::abs(w1) + std::abs(w2);  // the area, when q lies over the facet
+    const double tolerance =
+        0.5 * touch * (weights + plane.area) + kHeightRounding * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(z));
+    if (std::abs(h) <= tolerance) {
+      r.h[i] = 0;
+      ++r.on;
+    } else {
+      r.h[i] = h;
+      ++(h > 0 ? r.above : r.below);
+    }
+  }
+  return r;
+}
+
+namespace {
+
+/// Where the boundary of `c`, whose corners have heights h over a plane, passes from "on or above" to "below".
+std::array<PagePoint, 2> crossings(const FacetCorners& c, const std::array<double, 3>& heights) {
+  std::array<PagePoint, 2> points{};
+  int n = 0;
+  for (int i = 0; i < 3 && n < 2; ++i) {
+    const int k = (i + 1) % 3;
+    const double hi = heights[i], hk = heights[k];
+    if ((hi >= 0) == (hk >= 0)) continue;
+    const double t = hi / (hi - hk);
+    const ProjectedVertex &a = c.p[i], &b = c.p[k];
+    points[n++] = {a.p.x + t * (double(b.p.x) - a.p.x), a.p.y + t * (double(b.p.y) - a.p.y), a.z + t * (b.z - a.z)};
+  }
+  return points;
+}
+
+/// The part of the segment that lies over the facet on the page.
+std::optional<PageSegment> clip_to_facet(const PageSegment& s, const FacetCorners& facet) {
+  std::array<double, 3> e0{}, e1{};
+  for (int i = 0; i < 3; ++i) {
+    const LatticePoint a = facet.p[i].p, b = facet.p[(i + 1) % 3].p;
+    const double sx = double(b.x) - a.x, sy = double(b.y) - a.y;
+    e0[i] = sx * (s.from.y - a.y) - sy * (s.from.x - a.x);
+    e1[i] = sx * (s.to.y - a.y) - sy * (s.to.x - a.x);
+  }
+  const auto part = clip_parameters(e0, e1);
+  if (!part) return std::nullopt;
+  return PageSegment{s.at((*part)[0]), s.at((*part)[1])};
+}
+
+std::optional<PageSegment> common_segment(const FacetCorners& a, const FacetCorners& b,
+                                          const std::array<double, 3>& b_over_a) {
+  const auto ends = crossings(b, b_over_a);
+  return clip_to_facet({ends[0], ends[1]}, a);
+}
+
+int common_corners(const PlacedFacet& a, const PlacedFacet& b) {
+  int n = 0;
+  for (const std::uint32_t v : a.v) n += v == b.v[0] || v == b.v[1] || v == b.v[2];
+  return n;
+}
+
+/// Whether a side of `a` has all of `b` on its outer side or along it: the projections have no common inside.
+bool apart(const PlacedFacet& a, const PlacedFacet& b) {
+  for (int i = 0; i < 3; ++i) {
+    const LatticePoint s = a.p[i], e = a.p[(i + 1) % 3];
+    if (orientation(s, e, b.p[0]) <= 0 && orientation(s, e, b.p[1]) <= 0 && orientation(s, e, b.p[2]) <= 0) return true;
+  }
+  return false;
+}
+
+/// Drops segments no longer than `least` steps, which rounding leaves where surfaces touch, unless longer ones go on at both
+/// ends: a line of many facets may have short pieces, and is to be one line.
+void drop_specks(std::vector<Intersection>& segments, double least) {
+  const auto is_short = [least](const Intersection& s) {
+    return std::hypot(double(s.to.p.x) - s.from.p.x, double(s.to.p.y) - s.from.p.y) <= least;
+  };
+  if (std::none_of(segments.begin(), segments.end(), is_short)) return;
+  // Where short ones end, and whether a longer one ends there too.
+  std::vector<std::pair<LatticePoint, bool>> asked;
+  for (const Intersection& s : segments) {
+    if (is_short(s)) asked.insert(asked.end(), {{s.from.p, false}, {s.to.p, false}});
+  }
+  std::sort(asked.begin(), asked.end());
+  const auto at = [&](const LatticePoint& p) {
+    return std::ranges::lower_bound(asked, p, {}, &std::pair<LatticePoint, bool>::first);
+  };
+  for (const Intersection& s : segments) {
+    if (is_short(s)) continue;
+    for (const LatticePoint& p : {s.from.p, s.to.p}) {
+      for (auto place = at(p); place != asked.end() && place->first == p && !place->second; ++place) place->second = true;
+    }
+  }
+  const auto continues = [&](const LatticePoint& p) { return at(p)->second; };
+  std::erase_if(segments, [&](const Intersection& s) { return is_short(s) && !(continues(s.from.p) && continues(s.to.p)); });
+}
+
+}  // namespace
+
+ProjectedVertex rounded(const PagePoint& p) {
+  return {{static_cast<std::int32_t>(std::lround(p.x)), static_cast<std::int32_t>(std::lround(p.y))}, p.z};
+}
+
+bool CutSides::has(std::uint32_t face, std::uint32_t v, std::uint32_t w) const {
+  std::call_once(found_, [this] { find(); });
+  return std::binary_search(sides_.begin(), sides_.end(), Side{face, std::min(v, w), std::max(v, w)});
+}
+
+/// By this thread alone: while it waited for others it could take up work that asks for the same.
+void CutSides::find() const {
+  std::uint32_t faces = 0;
+  for (const Facet& f : *facets_) faces = std::max(faces, f.face + 1);
+  // The facets by face.
+  std::vector<std::uint32_t> first(faces + std::size_t{1}, 0);
+  for (const Facet& f : *facets_) ++first[f.face + 1];
+  if (std::ranges::all_of(first, [](std::uint32_t count) { return count < 2; })) return;  // none is cut
+  for (std::size_t face = 0; face < faces; ++face) first[face + 1] += first[face];
+  std::vector<std::uint32_t> next(first.begin(), first.end() - 1), by_face(facets_->size());
+  for (std::uint32_t i = 0; i < facets_->size(); ++i) by_face[next[(*facets_)[i].face]++] = i;
+
+  std::vector<Side> sides;
+  for (std::uint32_t face = 0; face < faces; ++face) {
+    if (first[face + 1] - first[face] < 2) continue;
+    sides.clear();
+    for (std::uint32_t i = first[face]; i < first[face + 1]; ++i) {
+      const Facet& f = (*facets_)[by_face[i]];
+      for (int k = 0; k < 3; ++k)
+        sides.push_back({face, std::min(f.v[k], f.v[(k + 1) % 3]), std::max(f.v[k], f.v[(k + 1) % 3])});
+    }
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+      if (sides[i] == sides[i - 1] && (i == 1 || sides[i] != sides[i - 2])) sides_.push_back(sides[i]);
+    }
+  }
+}
+
+PlacedFacet PenetrationSearch::place(std::uint32_t facet) const {
+  const Facet& f = (*facets_)[facet];
+  const auto& v = *vertices_;
+  return {facet, f.face, {f.v[0], f.v[1], f.v[2]}, {v[f.v[0]].p, v[f.v[1]].p, v[f.v[2]].p}};
+}
+
+bool PenetrationSearch::overlap(const PlacedFacet& a, const PlacedFacet& b) {
+  return common_corners(a, b) <= 1 && !apart(a, b) && !apart(b, a);
+}
+
+std::optional<PenetrationSearch::Found> PenetrationSearch::segment_of(const PlacedFacet& a, const PlacedFacet& b) {
+  const Facet &fa = (*facets_)[a.id], &fb = (*facets_)[b.id];
+  const FacetCorners ca = facet_corners(fa, *vertices_);
+  const FacetCorners cb = facet_corners(fb, *vertices_);
+  const Heights b_over_a = Heights::over(ca, fa.depth_tolerance, cb);
+  if (b_over_a.on == 3) return std::nullopt;  // coplanar: they touch
+  if (b_over_a.on + b_over_a.above == 3 && b_over_a.on < 2) return std::nullopt;
+  if (b_over_a.on + b_over_a.below == 3 && b_over_a.on < 2) return std::nullopt;
+  const Heights a_over_b = Heights::over(cb, fb.depth_tolerance, ca);
+  const bool b_along = b_over_a.on == 2, a_along = a_over_b.on == 2;
+  if (b_along && a_along) {
+    add_side_on_side(a, a_over_b, b, b_over_a);
+    add_side_on_side(b, b_over_a, a, a_over_b);
+    return std::nullopt;
+  }
+  if (b_along || a_along) {
+    if (b_along && a_over_b.on < 2) add_side(a, b, b_over_a);
+    if (a_along && b_over_a.on < 2) add_side(b, a, a_over_b);
+    return std::nullopt;
+  }
+  if (a_over_b.on == 3) return std::nullopt;
+  if (a_over_b.above + a_over_b.on == 3 || a_over_b.below + a_over_b.on == 3) return std::nullopt;
+  const bool swapped = a.id > b.id;
+  const auto segment = swapped ? common_segment(cb, ca, a_over_b.h) : common_segment(ca, cb, b_over_a.h);
+  if (!segment) return std::nullopt;
+  return Found{swapped ? Pair{b.id, a.id} : Pair{a.id, b.id}, *segment};
+}
+
+void PenetrationSearch::add_side(const PlacedFacet& plane, const PlacedFacet& other, const Heights& heights) {
+  int off = 0;
+  while (heights.h[off] == 0) ++off;
+  const int from = (off + 1) % 3, to = (off + 2) % 3;
+  // Beyond the facet, or where they only touch, the side says nothing.
+  std::array<double, 3> e0{}, e1{};
+  for (int i = 0; i < 3; ++i) {
+    e0[i] = orientation(plane.p[i], plane.p[(i + 1) % 3], other.p[from]);
+    e1[i] = orientation(plane.p[i], plane.p[(i + 1) % 3], other.p[to]);
+  }
+  if (!clip_parameters(e0, e1)) return;
+  const std::uint32_t p = other.v[from], q = other.v[to];
+  sides_.push_back({plane.id, std::min(p, q), std::max(p, q), other.id, heights.h[off] > 0});
+}
+
+/// `plane_heights` are those of the plane's corners over the other's plane, `heights` the reverse.
+void PenetrationSearch::add_side_on_side(const PlacedFacet& plane, const Heights& plane_heights, const PlacedFacet& other,
+                                         const Heights& heights) {
+  int off_plane = 0, off = 0;
+  while (plane_heights.h[off_plane] == 0) ++off_plane;
+  while (heights.h[off] == 0) ++off;
+  const std::uint32_t p = plane.v[(off_plane + 1) % 3], q = plane.v[(off_plane + 2) % 3];
+  if (!cut_sides_->has(plane.face, p, q)) return;
+  const std::uint32_t v = other.v[(off + 1) % 3], w = other.v[(off + 2) % 3];
+  sides_on_sides_.push_back(
+      {plane.face, std::min(p, q), std::max(p, q), std::min(v, w), std::max(v, w), heights.h[off] > 0, plane.id, other.id});
+}
+
+/// A side on a side is a penetration when on the other side one facet is above the plane and another below: the lower one is
+/// cut. (Folds that touch along edges do not penetrate: there the face of the plane ends.)
+void PenetrationSearch::match_sides_on_sides() {
+  std::vector<SideOnSide>& sides = sides_on_sides_;
+  std::sort(sides.begin(), sides.end(), [](const SideOnSide& a, const SideOnSide& b) {
+    return std::tie(a.face, a.p0, a.p1, a.v0, a.v1, a.above, a.plane, a.side_of) <
+           std::tie(b.face, b.p0, b.p1, b.v0, b.v1, b.above, b.plane, b.side_of);
+  });
+  for (std::size_t i = 0; i < sides.size();) {
+    std::size_t end = i + 1;
+    while (end < sides.size() && sides[end].key() == sides[i].key()) ++end;
+    if (!sides[i].above && sides[end - 1].above) pairs_.push_back({sides[i].plane, sides[i].side_of});
+    i = end;
+  }
+}
+
+/// A side in a plane is a penetration when one facet on it is above the plane and another below; the lower one is cut, whose
+/// side counts as above.
+void PenetrationSearch::match_sides() {
+  std::vector<SideInPlane>& sides = sides_;
+  std::sort(sides.begin(), sides.end(), [](const SideInPlane& a, const SideInPlane& b) {
+    return std::tie(a.plane, a.v0, a.v1, a.above, a.side_of) < std::tie(b.plane, b.v0, b.v1, b.above, b.side_of);
+  });
+  for (std::size_t i = 0; i < sides.size();) {
+    std::size_t end = i + 1;
+    while (end < sides.size() && sides[end].key() == sides[i].key()) ++end;
+    if (!sides[i].above && sides[end - 1].above) pairs_.push_back({sides[i].plane, sides[i].side_of});
+    i = end;
+  }
+}
+
+void PenetrationSearch::forget_repeated() {
+  constexpr std::size_t kLittle = 10'000;
+  const auto count = [&] { return pairs_.size() + sides_.size() + sides_on_sides_.size(); };
+  if (count() < 2 * distinct_ + kLittle) return;
+  const auto keep_distinct = [](auto& found) {
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+  };
+  keep_distinct(pairs_);
+  keep_distinct(sides_);
+  keep_distinct(sides_on_sides_);
+  distinct_ = count();
+}
+
+void PenetrationSearch::add(PenetrationSearch&& other) {
+  const auto append = [](auto& all, auto& found) {
+    all.insert(all.end(), found.begin(), found.end());
+    found = {};
+  };
+  append(pairs_, other.pairs_);
+  append(sides_, other.sides_);
+  append(sides_on_sides_, other.sides_on_sides_);
+  forget_repeated();
+}
+
+std::vector<Intersection> PenetrationSearch::finish(double least_steps) {
+  match_sides();
+  match_sides_on_sides();
+  parallel_sort(pairs_.begin(), pairs_.end());
+  pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+  std::vector<Intersection> result(pairs_.size());
+  parallel_blocks(pairs_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Facet &fa = (*facets_)[pairs_[i].a], &fb = (*facets_)[pairs_[i].b];
+      const FacetCorners a = facet_corners(fa, *vertices_), b = facet_corners(fb, *vertices_);
+      const auto segment = common_segment(a, b, Heights::over(a, fa.depth_tolerance, b).h);
+      if (!segment) continue;
+      result[i] = {rounded(segment->from), rounded(segment->to), std::min(fa.face, fb.face), std::max(fa.face, fb.face)};
+    }
+  });
+  // Without a segment, or with one that is seen end on.
+  std::erase_if(result, [](const Intersection& i) { return i.from.p == i.to.p; });
+  drop_specks(result, least_steps);
+  return result;
+}
+
+}  // namespace ligne

@@ -1,0 +1,372 @@
+#include "visibility/raster/depth_buffer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "geometry/parallel.hpp"
+#include "visibility/raster/convex_filler.hpp"
+#include "visibility/common/face_triangles.hpp"
+#include "visibility/common/facet.hpp"
+#include "visibility/raster/scan_conversion.hpp"
+
+// Phases of add(): (1) the scene's triangles are put together into faces, with the sides that bound them (Td), (2) faces are
+// listed by the bands of rows that they reach into, (3) bands are painted in parallel.
+
+namespace ligne::zbuffer {
+namespace {
+
+constexpr std::uint32_t kBandRows =
+    16;  ///< adjustable; few enough to stay in the cache while faces are painted one after the other
+/// A depth that is stored as a float, and one computed along a side and a run, are off by this part of it.
+constexpr double kFloatRounding = 0x1p-22;
+
+}  // namespace
+
+/// Depth over the plane of a triangle: at its first corner, and by how much it changes from pixel to pixel.
+struct PixelPlane {
+  double u = 0, v = 0, z = 0, du = 0, dv = 0;
+
+  PixelPlane(const ProjectedVertex& a, const ProjectedVertex& b, const ProjectedVertex& c, const PixelPlaces& places)
+      : u(places.u(a.p)), v(places.v(a.p)), z(a.z) {
+    const double area = orientation(a.p, b.p, c.p) * places.by;
+    const double abx = double(b.p.x) - a.p.x, aby = double(b.p.y) - a.p.y;
+    const double acx = double(c.p.x) - a.p.x, acy = double(c.p.y) - a.p.y;
+    du = ((b.z - a.z) * acy - (c.z - a.z) * aby) / area;
+    dv = ((c.z - a.z) * abx - (b.z - a.z) * acx) / area;
+  }
+  double at(double other_u, double other_v) const { return z + (other_u - u) * du + (other_v - v) * dv; }
+};
+
+/// Triangles of one face that are painted at once.
+struct DepthBuffer::Piece {
+  std::uint32_t triangle_begin, triangle_end;
+  std::size_t side_begin, side_end;  ///< its borders; none: those of its one triangle
+  std::uint32_t row_begin, row_end;  ///< rows whose line of centres meets it
+  std::uint32_t face;                ///< its number in the buffer
+  float reach;                       ///< hiding depth less depth
+};
+
+/// Phase 1, for a block of triangles.
+class DepthBuffer::Preparation {
+ public:
+  Preparation(const ProjectedScene& scene, const std::vector<Triangle>& triangles, const DepthBuffer& buffer,
+              Filling filling, std::uint32_t first_face)
+      : scene_(scene),
+        triangles_(triangles),
+        buffer_(buffer),
+        places_(buffer.grid_, scene.lattice),
+        filling_(filling),
+        first_face_(first_face) {}
+
+  std::vector<Piece> pieces;
+  std::vector<Side> sides;
+  PaintCounts counts;
+
+  void clear() {
+    std::vector<Piece>().swap(pieces);
+    std::vector<Side>().swap(sides);
+  }
+
+  /// Triangles [begin, end), of one face.
+  void add_face(std::uint32_t begin, std::uint32_t end) {
+    const std::uint32_t face = triangles_[begin].face;
+    if (face < scene_.face_is_transparent.size() && scene_.face_is_transparent[face]) return;
+    if (scene_.is_edge_on(triangles_[begin])) return;
+    if (filling_ == Filling::table && end - begin > 1 && turned_alike(begin, end)) {
+      add(begin, end);
+    } else {
+      for (std::uint32_t t = begin; t < end; ++t) add(t, t + 1);
+    }
+  }
+
+ private:
+  /// Where a face overlaps itself on the page its borders do not tell what it covers.
+  bool turned_alike(std::uint32_t begin, std::uint32_t end) const {
+    bool positive = false, negative = false;
+    for (std::uint32_t t = begin; t < end; ++t) {
+      const double area = area_of(triangles_[t]);
+      positive |= area > 0;
+      negative |= area < 0;
+    }
+    return !(positive && negative);
+  }
+
+  double area_of(const Triangle& t) const { return orientation(vertex(t.v[0]).p, vertex(t.v[1]).p, vertex(t.v[2]).p); }
+  const ProjectedVertex& vertex(std::uint32_t v) const { return scene_.vertices[v]; }
+
+  void add(std::uint32_t begin, std::uint32_t end) {
+    double low_u = std::numeric_limits<double>::infinity(), low_v = low_u, high_u = -low_u, high_v = -low_u, z_near = low_u,
+           largest = 0;
+    const Triangle* plane_of = nullptr;
+    for (std::uint32_t t = begin; t < end; ++t) {
+      const Triangle& triangle = triangles_[t];
+      const double area = std::abs(area_of(triangle));
+      if (area > largest) {
+        largest = area;
+        plane_of = &triangle;
+      }
+      for (const std::uint32_t v : triangle.v) {
+        const double u = places_.u(vertex(v).p), w = places_.v(vertex(v).p);
+        low_u = std::min(low_u, u);
+        high_u = std::max(high_u, u);
+        low_v = std::min(low_v, w);
+        high_v = std::max(high_v, w);
+        z_near = std::min(z_near, vertex(v).z);
+      }
+    }
+    if (!plane_of) return;
+    ++counts.faces;
+    counts.triangles += end - begin;
+    // Half a unit of fixed point more: corners are rounded to it.
+    constexpr double kRounding = 0.5 / (1 << FixedCorner::kPlaces);
+    const PixelGrid& grid = buffer_.grid_;
+    const auto whole = [](double w, std::uint32_t limit) {
+      return static_cast<std::uint32_t>(std::clamp(std::ceil(w), 0.0, double(limit)));
+    };
+    const std::uint32_t row_begin = whole(low_v - kRounding, grid.height), row_end = whole(high_v + kRounding, grid.height);
+    if (row_begin >= row_end || whole(low_u - kRounding, grid.width) >= whole(high_u + kRounding, grid.width)) {
+      ++counts.small;
+      return;
+    }
+    const std::size_t side_begin = sides.size();
+    if (end - begin > 1) append_borders({triangles_.data() + begin, end - begin}, all_sides_, sides);
+    pieces.push_back({begin, end, side_begin, sides.size(), row_begin, row_end, first_face_ + plane_of->face,
+                      reach(begin, end, *plane_of, z_near)});
+  }
+
+  /// By how much points of the face, and what touches it, may be farther than its depth at a centre within a pixel of them.
+  float reach(std::uint32_t begin, std::uint32_t end, const Triangle& t, double z_near) const {
+    const PixelPlane plane(vertex(t.v[0]), vertex(t.v[1]), vertex(t.v[2]), places_);
+    // Depths of a face that is not planar are interpolated between those of its corners: none is farther off the plane.
+    double off_plane = 0, z_size = 0;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      for (const std::uint32_t v : triangles_[i].v) {
+        off_plane = std::max(off_plane, std::abs(vertex(v).z - plane.at(places_.u(vertex(v).p), places_.v(vertex(v).p))));
+        z_size = std::max(z_size, std::abs(vertex(v).z));
+      }
+    }
+    const double gradient = (std::abs(plane.du) + std::abs(plane.dv)) * places_.by;
+    return round_up(std::abs(plane.du) + std::abs(plane.dv) + depth_tolerance_mm(scene_, gradient, z_near) + 2 * off_plane +
+                    kFloatRounding * z_size + buffer_.scale_.step);
+  }
+
+  const ProjectedScene& scene_;
+  const std::vector<Triangle>& triangles_;
+  const DepthBuffer& buffer_;
+  PixelPlaces places_;
+  Filling filling_;
+  std::uint32_t first_face_;
+  std::vector<Side> all_sides_;  ///< working memory
+};
+
+/// Phase 3: paints the rows [row_begin, row_end).
+class DepthBuffer::BandPainter {
+ public:
+  BandPainter(const ProjectedScene& scene, const std::vector<Triangle>& triangles, DepthBuffer& buffer,
+              const std::vector<Side>& sides, std::uint32_t row_begin, std::uint32_t row_end)
+      : scene_(scene),
+        triangles_(triangles),
+        buffer_(buffer),
+        sides_(sides),
+        places_(buffer.grid_, scene.lattice),
+        row_begin_(row_begin),
+        row_end_(row_end) {}
+
+  PaintCounts counts;
+
+  void paint(const Piece& piece, Filling filling) { filling == Filling::table ? paint_by_table(piece) : paint_fixed(piece); }
+
+ private:
+  GridPoint corner(std::uint32_t v) const {
+    const ProjectedVertex& vertex = scene_.vertices[v];
+    return {places_.u(vertex.p), places_.v(vertex.p), vertex.z};
+  }
+
+  void paint_by_table(const Piece& piece) {
+    scan_.begin(row_begin_, row_end_);
+    if (piece.side_begin == piece.side_end) {
+      const Triangle& t = triangles_[piece.triangle_begin];
+      for (int k = 0; k < 3; ++k) scan_.add(corner(t.v[k]), corner(t.v[(k + 1) % 3]));
+    } else {
+      for (std::size_t i = piece.side_begin; i < piece.side_end; ++i) scan_.add(corner(sides_[i][0]), corner(sides_[i][1]));
+    }
+    scan_.scan([&](const PolygonRun& run) {
+      const double width = buffer_.grid_.width;
+      const double from = std::clamp(std::ceil(run.u0), 0.0, width), to = std::clamp(std::ceil(run.u1), 0.0, width);
+      if (from >= to) return;
+      const double step = (run.z1 - run.z0) / (run.u1 - run.u0);
+      paint_run(run.line, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to), run.z0 + (from - run.u0) * step,
+                step, piece);
+    });
+  }
+
+  void paint_fixed(const Piece& piece) {
+    const Triangle& t = triangles_[piece.triangle_begin];
+    const ProjectedVertex &a = scene_.vertices[t.v[0]], &b = scene_.vertices[t.v[1]], &c = scene_.vertices[t.v[2]];
+    const PixelPlane plane(a, b, c, places_);
+    const double z_near = std::min({a.z, b.z, c.z}), z_far = std::max({a.z, b.z, c.z});
+    const FixedCorner corners[3] = {FixedCorner::at(places_.u(a.p), places_.v(a.p)),
+                                    FixedCorner::at(places_.u(b.p), places_.v(b.p)),
+                                    FixedCorner::at(places_.u(c.p), places_.v(c.p))};
+    filler_.fill(corners, row_begin_, row_end_, [&](std::int64_t row, std::int64_t left, std::int64_t right) {
+      const std::int64_t from = std::max<std::int64_t>(left, 0), to = std::min<std::int64_t>(right, buffer_.grid_.width);
+      if (from >= to) return;
+      // Rounded corners may let a centre in that is beside a slender triangle, where its plane is far from its corners.
+      const auto depth_at = [&](std::int64_t column) {
+        return std::clamp(plane.at(double(column), double(row)), z_near, z_far);
+      };
+      const double z = depth_at(from), step = to - from > 1 ? (depth_at(to - 1) - z) / double(to - 1 - from) : 0;
+      paint_run(static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to), z, step,
+                piece);
+    });
+  }
+
+  /// Columns [from, to) of a row; z at the first, and by how much it changes.
+  void paint_run(std::uint32_t row, std::uint32_t from, std::uint32_t to, double z, double step, const Piece& piece) {
+    const DepthScale& scale = buffer_.scale_;
+    if (scale.step == 0) {
+      paint_pixels(buffer_.place(from, row), to - from, piece, [&](double i) { return static_cast<float>(z + i * step); });
+    } else {
+      paint_pixels(buffer_.place(from, row), to - from, piece, [&](double i) { return scale.stored(z + i * step); });
+    }
+  }
+
+  /// `count` pixels from `begin` on; stored_at(i) is the depth of the i-th. Written without branches, so that several pixels
+  /// are painted at once: all three values are stored in any case.
+  template <class StoredAt>
+  void paint_pixels(std::size_t begin, std::uint32_t count, const Piece& piece, StoredAt stored_at) {
+    float* depth = buffer_.depth_.data() + begin;
+    float* hiding_depth = buffer_.hiding_depth_.data() + begin;
+    std::uint32_t* face = buffer_.face_.data() + begin;
+    const float reach = piece.reach;
+    const std::uint32_t number = piece.face;
+    std::uint32_t writes = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const float stored = stored_at(double(std::int32_t(i)));
+      const float hiding = stored + reach, before = depth[i], hiding_before = hiding_depth[i];
+      const std::uint32_t face_before = face[i];
+      const bool nearer = (stored < before) | ((stored == before) & (number < face_before));
+      hiding_depth[i] = hiding < hiding_before ? hiding : hiding_before;
+      depth[i] = nearer ? stored : before;
+      face[i] = nearer ? number : face_before;
+      writes += nearer;
+    }
+    counts.tests += count;
+    counts.writes += writes;
+  }
+
+  const ProjectedScene& scene_;
+  const std::vector<Triangle>& triangles_;
+  DepthBuffer& buffer_;
+  const std::vector<Side>& sides_;
+  PixelPlaces places_;
+  std::uint32_t row_begin_, row_end_;
+  PolygonScan scan_;
+  ConvexFiller filler_;
+};
+
+DepthBuffer::DepthBuffer(const PixelGrid& grid, const DepthScale& scale)
+    : grid_(grid),
+      scale_(scale),
+      depth_(std::size_t{grid.width} * grid.height, std::numeric_limits<float>::infinity()),
+      hiding_depth_(depth_.size(), std::numeric_limits<float>::infinity()),
+      face_(depth_.size(), kNothing) {}
+
+PaintCounts DepthBuffer::add(const ProjectedScene& scene, Filling filling, std::uint32_t first_face) {
+  return paint(scene, by_face(scene.triangles), filling, first_face);
+}
+
+PaintCounts DepthBuffer::add_from(std::uint32_t begin, const ProjectedScene& scene, Filling filling) {
+  std::vector<Triangle> added;
+  std::copy_if(scene.triangles.begin(), scene.triangles.end(), std::back_inserter(added),
+               [&](const Triangle& t) { return t.face >= begin; });
+  return paint(scene, by_face(std::move(added)), filling, 0);
+}
+
+/// Numbers of pieces by the bands of rows that they meet: those of a band from begin[band] on.
+struct DepthBuffer::BandLists {
+  BandLists(const std::vector<Piece>& all, std::uint32_t height);
+
+  std::vector<std::size_t> begin;
+  std::vector<std::uint32_t> pieces;
+};
+
+DepthBuffer::BandLists::BandLists(const std::vector<Piece>& all, std::uint32_t height) {
+  const std::size_t bands = block_count(height, kBandRows);
+  begin.assign(bands + 1, 0);
+  const auto for_each_band = [&](const Piece& piece, auto visit) {
+    for (std::size_t band = piece.row_begin / kBandRows; band * kBandRows < piece.row_end; ++band) visit(band);
+  };
+  for (const Piece& piece : all) for_each_band(piece, [&](std::size_t band) { ++begin[band + 1]; });
+  for (std::size_t band = 0; band < bands; ++band) begin[band + 1] += begin[band];
+  pieces.resize(begin.back());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    for_each_band(all[i], [&](std::size_t band) { pieces[next[band]++] = i; });
+  }
+}
+
+/// `triangles` of the scene, those of each face behind each other.
+PaintCounts DepthBuffer::paint(const ProjectedScene& scene, const std::vector<Triangle>& triangles, Filling filling,
+                               std::uint32_t first_face) {
+  // 1. Faces. A block begins where a face does.
+  constexpr std::size_t kBlock = 16'384;
+  const std::size_t n = triangles.size(), blocks = block_count(n, kBlock);
+  const auto face_begin = [&](std::size_t i) {
+    while (i > 0 && i < n && triangles[i].face == triangles[i - 1].face) ++i;
+    return std::min(i, n);
+  };
+  std::vector<Preparation> prepared(blocks, Preparation(scene, triangles, *this, filling, first_face));
+  parallel_for(blocks, [&](std::size_t block) {
+    const std::size_t end = face_begin(std::min(n, (block + 1) * kBlock));
+    for (std::size_t i = face_begin(block * kBlock); i < end;) {
+      std::size_t next = i + 1;
+      while (next < end && triangles[next].face == triangles[i].face) ++next;
+      prepared[block].add_face(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(next));
+      i = next;
+    }
+  });
+  PaintCounts counts;
+  std::vector<Piece> pieces;
+  std::vector<Side> sides;
+  for (Preparation& p : prepared) {
+    for (Piece& piece : p.pieces) {
+      piece.side_begin += sides.size();
+      piece.side_end += sides.size();
+    }
+    pieces.insert(pieces.end(), p.pieces.begin(), p.pieces.end());
+    sides.insert(sides.end(), p.sides.begin(), p.sides.end());
+    counts.faces += p.counts.faces;
+    counts.triangles += p.counts.triangles;
+    counts.small += p.counts.small;
+    p.clear();
+  }
+
+  // 2. Bands.
+  const BandLists lists(pieces, grid_.height);
+
+  // 3. Painting.
+  std::vector<PaintCounts> of_bands(lists.begin.size() - 1);
+  parallel_tasks(of_bands.size(), [&](std::size_t band) {
+    const auto row = static_cast<std::uint32_t>(band * kBandRows);
+    BandPainter painter(scene, triangles, *this, sides, row, std::min(grid_.height, row + kBandRows));
+    for (std::size_t i = lists.begin[band]; i < lists.begin[band + 1]; ++i) {
+      painter.paint(pieces[lists.pieces[i]], filling);
+    }
+    of_bands[band] = painter.counts;
+  });
+  for (const PaintCounts& c : of_bands) {
+    counts.tests += c.tests;
+    counts.writes += c.writes;
+  }
+  return counts;
+}
+
+PixelModel DepthBuffer::take_pixels() {
+  return {grid_.width, grid_.height, grid_.corner_mm, grid_.pixel_mm, std::move(face_), std::move(depth_)};
+}
+
+}  // namespace ligne::zbuffer
