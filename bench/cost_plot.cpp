@@ -47,12 +47,12 @@ Scene scene_of(const bench::TriangleMesh& mesh) {
 }
 
 double seconds_of_study(const Method& method, const ProjectedScene& scene) {
-  StudyOptions options;
+  VisibilityOptions options;
   options.wanted = kStrokes;
   double least = 1e300;
   for (int i = 0; i < kRuns; ++i) {
     const std::clock_t start = std::clock();
-    method.study(scene, options);
+    method.compute_visibility(scene, options);
     least = std::min(least, double(std::clock() - start) / CLOCKS_PER_SEC);
   }
   return least;

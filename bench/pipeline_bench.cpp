@@ -102,7 +102,7 @@ void study_stage(benchmark::State& state, const std::filesystem::path& file, con
   const Prepared& p = prepared(file, selection);
   std::size_t strokes = 0;
   for (auto _ : state) {
-    const VisibilityResult result = method.study(p.projected, {});
+    const VisibilityResult result = method.compute_visibility(p.projected, {});
     strokes = result.strokes ? result.strokes->strokes.size() : 0;
   }
   state.counters["strokes"] = static_cast<double>(strokes);
@@ -111,7 +111,7 @@ void study_stage(benchmark::State& state, const std::filesystem::path& file, con
 void drawing_stage(benchmark::State& state, const std::filesystem::path& file, const Selection& selection,
                    const Method& method) {
   const Prepared& p = prepared(file, selection);
-  const VisibilityResult result = method.study(p.projected, {});
+  const VisibilityResult result = method.compute_visibility(p.projected, {});
   if (!result.strokes) return state.SkipWithError("the method gives no strokes");
   for (auto _ : state) {
     state.PauseTiming();
@@ -125,7 +125,7 @@ void drawing_stage(benchmark::State& state, const std::filesystem::path& file, c
 void write_stage(benchmark::State& state, const std::filesystem::path& file, const Selection& selection,
                  const Method& method) {
   const Prepared& p = prepared(file, selection);
-  VisibilityResult result = method.study(p.projected, {});
+  VisibilityResult result = method.compute_visibility(p.projected, {});
   if (!result.strokes) return state.SkipWithError("the method gives no strokes");
   remove_coincident_strokes(*result.strokes, coincidence_mm(p.projected));
   const Drawing drawing = make_drawing(*result.strokes);

@@ -20,7 +20,7 @@
 #include "picture/plotter.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
-#include "picture/scene_study.hpp"
+#include "picture/scene_visibility.hpp"
 #include "picture/surface/surface_picture.hpp"
 #include "picture/write_picture.hpp"
 #include "picture/zbuffer_picture.hpp"

@@ -185,7 +185,7 @@ void append_area(std::string& out, std::uint32_t face, std::span<const std::vect
   append_list(out, contours.subspan(contours.empty() ? 0 : 1), [&](const auto& hole) { append_contour(out, hole); });
 }
 
-void append_region(std::string& out, const Region& region, const RegionLook* look,
+void append_region(std::string& out, const Region& region, const RegionAppearance* look,
                    const std::vector<std::uint32_t>* through) {
   append_area(out, region.face, region.contours);
   if (region.level > 0) out += ",\"level\":" + std::to_string(region.level);

@@ -33,9 +33,9 @@ bool empty(const Polylines& lines) {
 }
 
 /// Deals layers to pens.
-class Dealer {
+class PenAssigner {
  public:
-  Dealer(const Drawing& drawing, const PlotRequest& request) : request_(request) {
+  PenAssigner(const Drawing& drawing, const PlotRequest& request) : request_(request) {
     for (const Layer& layer : drawing.layers) {
       if (!empty(layer.lines)) taken_.insert(parse_layer_label(layer.name).number);
     }
@@ -87,7 +87,7 @@ std::vector<PenWork> work_of(const Drawing& given, const PlotRequest& request) {
   Drawing drawing = given;
   draw_texts_as_strokes(drawing);
   std::vector<PenWork> work;
-  Dealer dealer(drawing, request);
+  PenAssigner dealer(drawing, request);
   for (Layer& layer : drawing.layers) {
     if (empty(layer.lines)) continue;
     Pen pen = dealer.pen_of(layer);

@@ -88,7 +88,7 @@ inline double png_bytes(const PixelSize& size) { return 4.0 * size.width * size.
 std::string write_png(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);
 
 /// The facts about a region that hatching needs beyond its contours.
-struct RegionLook {
+struct RegionAppearance {
   double light = 1;  ///< 0 dark to 1
   std::array<double, 3> color{0, 0, 0};
   std::uint32_t patch = 0;  ///< faces that meet smoothly have one: strokes go on over their borders
@@ -114,7 +114,7 @@ struct DocumentSurface {
 struct DrawingDocument {
   const StrokeModel* strokes = nullptr;
   const std::vector<Region>* regions = nullptr;
-  std::vector<RegionLook> region_looks{};  ///< one for each region, or none
+  std::vector<RegionAppearance> region_looks{};  ///< one for each region, or none
   /// For each region the numbers of those that are seen through it; or none.
   std::vector<std::vector<std::uint32_t>> seen_through{};
   const PaintOrder* order = nullptr;

@@ -16,7 +16,7 @@ void list_strokes(const char* model) {
   const PictureRequest request;
   RunReport report;
   PreparedScene prepared = prepare(models.scene, request, std::nullopt, report);
-  const SceneStudy found = study(prepared, std::nullopt, true, report);
+  const SceneVisibility found = compute_visibility(prepared, std::nullopt, true, report);
 
   for (const Stroke& stroke : found.result.strokes->strokes) {
     const SourceEdge edge = found.source(models.scene, stroke.source);

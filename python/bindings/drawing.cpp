@@ -36,7 +36,7 @@ Point3 point_at(const SourceEdge& edge, double t) { return edge.ends[0] + t * (e
 /// The facts about every stroke, as arrays of as many rows.
 py::dict strokes(const DrawingHolder& holder) {
   const DrawnScene& drawn = drawn_of(holder);
-  const SceneStudy& study = drawn.study();
+  const SceneVisibility& study = drawn.study();
   const StrokeModel& model = *study.result.strokes;
   const Scene& scene = drawn.prepared().scene;
   const std::size_t n = model.strokes.size();

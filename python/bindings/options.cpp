@@ -13,7 +13,7 @@
 #include "picture/errors.hpp"
 #include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"
-#include "picture/scene_study.hpp"
+#include "picture/scene_visibility.hpp"
 #include "visibility/registry.hpp"
 
 namespace py = pybind11;

@@ -5,7 +5,7 @@
 #include "cli/page_options.hpp"
 #include "cli/view_options.hpp"
 #include "files/named_input.hpp"
-#include "picture/scene_study.hpp"
+#include "picture/scene_visibility.hpp"
 #include "report/scene_info.hpp"
 
 namespace ligne {

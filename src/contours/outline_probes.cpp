@@ -142,7 +142,7 @@ Candidate candidate(const Stroke& probe, std::uint32_t edge, const SmoothContour
     c.stroke.w_from = static_cast<float>(from.w);
     c.stroke.w_to = static_cast<float>(to.w);
   }
-  c.stroke.may_coincide = true;
+  c.stroke.needs_overlap_check = true;
   c.near_mm = std::max(pen_width_mm / 2, kNearEdge * contours.replaced_size_mm[edge]);
   return c;
 }

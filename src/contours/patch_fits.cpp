@@ -65,9 +65,9 @@ class Sectors {
   }
 
   std::vector<std::uint32_t> begin_;
-  Unwritten<std::uint32_t> corners_;
-  Unwritten<std::array<std::uint32_t, 2>> others_;
-  Unwritten<Point3> places_;
+  UninitializedVector<std::uint32_t> corners_;
+  UninitializedVector<std::array<std::uint32_t, 2>> others_;
+  UninitializedVector<Point3> places_;
   std::vector<std::uint8_t> ways_;
 };
 

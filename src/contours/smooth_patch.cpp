@@ -7,10 +7,10 @@
 
 #include "contours/patch_fits.hpp"
 #include "contours/rulings.hpp"
-#include "geometry/filed_pairs.hpp"
 #include "geometry/indices_where.hpp"
 #include "geometry/parallel.hpp"
 #include "geometry/unwritten.hpp"
+#include "geometry/vertex_pair_index.hpp"
 #include "scene/creases/crease_lines.hpp"
 #include "view/edge_classes.hpp"
 
@@ -161,8 +161,8 @@ class PatchBuilder {
 
   void measure_triangles() {
     const std::size_t n = patch_.triangles.size();
-    face_normals_ = Unwritten<Point3>(n);
-    weighted_normals_ = Unwritten<Point3>(3 * n);
+    face_normals_ = UninitializedVector<Point3>(n);
+    weighted_normals_ = UninitializedVector<Point3>(3 * n);
     patch_.facing.resize(n);
     parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
       for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) measure(t);
@@ -195,7 +195,7 @@ class PatchBuilder {
   void join_sides(const SmoothPatch::Run& run) {
     const std::size_t count = run.triangle_end - run.triangle;
     const VertexNumbers numbers(std::span(patch_.triangles).subspan(run.triangle, count));
-    const FiledPairs sides(numbers.size(), 3 * count, [&](const auto& add) {
+    const VertexPairIndex sides(numbers.size(), 3 * count, [&](const auto& add) {
       for (std::uint32_t t = run.triangle; t < run.triangle_end; ++t) {
         const auto& v = patch_.triangles[t].v;
         const std::array of{numbers.of(v[0]), numbers.of(v[1]), numbers.of(v[2])};
@@ -204,7 +204,7 @@ class PatchBuilder {
     });
     parallel_blocks(numbers.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
       CreaseMarks edges = edges_;
-      sides.for_each_pair(begin, end, [&](std::uint32_t low, std::span<const FiledPairs::Entry> pair) {
+      sides.for_each_pair(begin, end, [&](std::uint32_t low, std::span<const VertexPairIndex::Entry> pair) {
         if (pair.size() != 2) return;
         const std::uint32_t a = pair[0].thing, b = pair[1].thing;
         if (edges.given() && edges.has(numbers.vertex(low), numbers.vertex(pair[0].high))) return;
@@ -308,8 +308,8 @@ class PatchBuilder {
   CreaseMarks edges_;
   SmoothPatch& patch_;
   double crease_cosine_, sharp_cosine_;
-  Unwritten<Point3> face_normals_;
-  Unwritten<Point3> weighted_normals_;  ///< per corner
+  UninitializedVector<Point3> face_normals_;
+  UninitializedVector<Point3> weighted_normals_;  ///< per corner
 };
 
 }  // namespace

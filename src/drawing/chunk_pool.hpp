@@ -91,7 +91,7 @@ class ChunkPool {
     list.free = chunks_[chunk].size;
   }
 
-  std::vector<Unwritten<T>> blocks_;
+  std::vector<UninitializedVector<T>> blocks_;
   std::vector<Chunk> chunks_;
   std::uint32_t end_ = 0;  ///< of the places that belong to chunks
   std::array<std::uint32_t, kLargestOrder + 1> unused_ = none();

@@ -192,7 +192,7 @@ void Precedence<Index>::try_one(const Trial& trial) {
     if (seen_[entry] == trial_) return false;
     seen_[entry] = trial_;
     const Stroke& standing = standing_[i].stroke;
-    if (!stroke.may_coincide && !standing.may_coincide) return false;
+    if (!stroke.needs_overlap_check && !standing.needs_overlap_check) return false;
     if (const auto common = overlap(stroke.from, stroke.to, standing.from, standing.to, tolerance_steps_)) {
       hits_.push_back({i, entry, *common});
     }
@@ -226,7 +226,7 @@ void Precedence<Index>::try_one(const Trial& trial) {
   }
   if constexpr (kHasRuns) {
     const StrokeOrder order{rank(stroke), std::max(stroke.z_from, stroke.z_to), stroke.source};
-    index_.insert(stroke.from, stroke.to, stroke.may_coincide ? std::optional(order) : std::nullopt);
+    index_.insert(stroke.from, stroke.to, stroke.needs_overlap_check ? std::optional(order) : std::nullopt);
   } else {
     index_.insert(stroke.from, stroke.to);
   }

@@ -76,8 +76,8 @@ struct Drawing {
 
 /// Every line once: where strokes lie on each other within `tolerance_mm` one of them stands for all (by class, then the
 /// nearer, then the lower source). A hidden stroke gives way to every visible one, and one seen through transparent faces to
-/// every one seen directly. Strokes whose `may_coincide` is false are only compared with those where it is true. Those that
-/// lie on no other keep their order; the others follow, by precedence.
+/// every one seen directly. Strokes whose `needs_overlap_check` is false are only compared with those where it is true.
+/// Those that lie on no other keep their order; the others follow, by precedence.
 void remove_coincident_strokes(StrokeModel& model, double tolerance_mm);
 
 /// Joins strokes that continue each other into polylines, per layer. Where more than two strokes of a layer meet the

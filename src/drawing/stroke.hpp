@@ -56,8 +56,8 @@ struct Stroke {
   std::uint32_t source = 0;  ///< source edge, as numbered by StrokeModel
   LineClass line_class = LineClass::mesh;
   bool visible = true;
-  bool may_coincide = true;  ///< false only where the method knows that no other stroke lies on this one
-  std::uint8_t level = 0;    ///< how many transparent faces are in front of it, 255 for more; 0 is seen directly
+  bool needs_overlap_check = true;  ///< false only where the method knows that no other stroke lies on this one
+  std::uint8_t level = 0;           ///< how many transparent faces are in front of it, 255 for more; 0 is seen directly
 };
 
 /// Parameter on the source edge at the fraction `s` of the stroke's length on the page. Perspective foreshortens: with the

@@ -113,7 +113,7 @@ void mark_same_ends(const std::vector<Stroke>& strokes, const std::vector<std::u
     std::size_t end = begin;
     bool flagged = false;
     for (; end < ends.size() && ends[end].pair() == ends[begin].pair(); ++end) {
-      flagged = flagged || strokes[ends[end].stroke].may_coincide;
+      flagged = flagged || strokes[ends[end].stroke].needs_overlap_check;
     }
     if (flagged && end - begin > 1) {
       for (std::size_t k = begin; k < end; ++k) mark(ends[k].stroke);
@@ -126,7 +126,7 @@ void mark_same_ends(const std::vector<Stroke>& strokes, const std::vector<std::u
 std::vector<std::uint32_t> find_candidates(const std::vector<Stroke>& strokes, double tolerance_steps) {
   std::vector<std::uint32_t> flagged;
   for (std::uint32_t i = 0; i < strokes.size(); ++i) {
-    if (strokes[i].may_coincide && length(strokes[i].from, strokes[i].to) > tolerance_steps) flagged.push_back(i);
+    if (strokes[i].needs_overlap_check && length(strokes[i].from, strokes[i].to) > tolerance_steps) flagged.push_back(i);
   }
   if (flagged.empty() || flagged.size() == strokes.size()) return flagged;
   const MarkedSquares squares(strokes, flagged, tolerance_steps);
@@ -134,7 +134,7 @@ std::vector<std::uint32_t> find_candidates(const std::vector<Stroke>& strokes, d
   parallel_blocks(strokes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Stroke& s = strokes[i];
-      near[i] = (s.may_coincide || squares.near(s)) && length(s.from, s.to) > tolerance_steps;
+      near[i] = (s.needs_overlap_check || squares.near(s)) && length(s.from, s.to) > tolerance_steps;
     }
   });
   std::vector<std::uint32_t> result;
@@ -224,7 +224,7 @@ void PartnerSearch::settle(const End& end) {
 void PartnerSearch::compare(const End& end, const End& other) {
   if (other.stroke == end.stroke || (has_partner(end.stroke) && has_partner(other.stroke))) return;
   if (!overlap(end.p, end.far, other.p, other.far, tolerance_)) return;
-  if (!strokes_[end.stroke].may_coincide && !strokes_[other.stroke].may_coincide) return;
+  if (!strokes_[end.stroke].needs_overlap_check && !strokes_[other.stroke].needs_overlap_check) return;
   settle(end);
   settle(other);
 }
@@ -306,7 +306,7 @@ void search_side_by_side(const std::vector<Stroke>& strokes, const std::vector<s
       const Stroke& s = strokes[candidates[k]];
       const auto is_partner = [&](std::uint32_t number) {
         const Stroke& other = strokes[candidates[number]];
-        return number != k && (s.may_coincide || other.may_coincide) &&
+        return number != k && (s.needs_overlap_check || other.needs_overlap_check) &&
                overlap(s.from, s.to, other.from, other.to, tolerance).has_value();
       };
       if (tree.query(s.from, s.to, is_partner)) mark(candidates[k]);
@@ -321,7 +321,7 @@ std::vector<Partners> find_partners(const std::vector<Stroke>& strokes, double t
   const std::vector<std::uint32_t> candidates = find_candidates(strokes, tolerance_steps);
   if (candidates.empty()) return result;
   for (const std::uint32_t i : candidates) {
-    if (strokes[i].may_coincide) result[i] = Partners::none;
+    if (strokes[i].needs_overlap_check) result[i] = Partners::none;
   }
   if (StrokeTree::suits(strokes, candidates, tolerance_steps)) {
     search_side_by_side(strokes, candidates, tolerance_steps, [&](std::uint32_t i) { result[i] = Partners::some; });

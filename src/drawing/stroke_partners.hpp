@@ -9,7 +9,7 @@
 namespace ligne {
 
 enum class Partners : std::uint8_t {
-  cannot,  ///< too short, or neither it nor what lies near may coincide (Stroke::may_coincide)
+  cannot,  ///< too short, or neither it nor what lies near may coincide (Stroke::needs_overlap_check)
   none,    ///< it may coincide, but does with none
   some,    ///< it has an interval in common with another stroke, and one of the two may coincide
 };

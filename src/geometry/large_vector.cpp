@@ -12,7 +12,7 @@ constexpr std::size_t kPagesPerTask = 512;
 
 }  // namespace
 
-void bring_in(void* memory, std::size_t bytes) {
+void prefault(void* memory, std::size_t bytes) {
   const std::size_t pages = bytes / kPage;
   if (pages < 2 * kPagesPerTask) return;
   auto* const first = static_cast<volatile unsigned char*>(memory);

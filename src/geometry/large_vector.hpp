@@ -8,14 +8,14 @@ namespace ligne {
 
 /// Has the pages of memory that was allocated and holds nothing yet brought in, by all threads; small memory is left as
 /// it is.
-void bring_in(void* memory, std::size_t bytes);
+void prefault(void* memory, std::size_t bytes);
 
 /// n values, whose memory all threads have brought in.
 template <class T>
 std::vector<T> large_vector(std::size_t n) {
   std::vector<T> values;
   values.reserve(n);
-  bring_in(values.data(), n * sizeof(T));
+  prefault(values.data(), n * sizeof(T));
   values.resize(n);
   return values;
 }

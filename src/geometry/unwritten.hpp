@@ -9,9 +9,9 @@ namespace ligne {
 /// So many values of a plain type, which are to be written before they are read: nothing is put into them first. Where a
 /// vector is wanted, see large_vector.hpp.
 template <class T>
-class Unwritten {
+class UninitializedVector {
  public:
-  explicit Unwritten(std::size_t n = 0) : values_(std::make_unique_for_overwrite<T[]>(n)) {}
+  explicit UninitializedVector(std::size_t n = 0) : values_(std::make_unique_for_overwrite<T[]>(n)) {}
   T& operator[](std::size_t i) { return values_[i]; }
   const T& operator[](std::size_t i) const { return values_[i]; }
   T* data() { return values_.get(); }

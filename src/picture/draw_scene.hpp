@@ -6,7 +6,7 @@
 #include "picture/marks/axes.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
-#include "picture/scene_study.hpp"
+#include "picture/scene_visibility.hpp"
 #include "picture/write_picture.hpp"
 #include "scene/model/scene.hpp"
 

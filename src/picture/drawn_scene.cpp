@@ -62,13 +62,13 @@ bool looks_at_edges(const PictureRequest& request) {
 }
 
 /// The looks of regions in a file, so that they can be filled and hatched from it.
-std::vector<RegionLook> looks_of(const PreparedScene& prepared, const std::vector<Region>& regions,
-                                 const HatchPatches& patches) {
+std::vector<RegionAppearance> looks_of(const PreparedScene& prepared, const std::vector<Region>& regions,
+                                       const HatchPatches& patches) {
   const FaceLight light(prepared.scene, prepared.view().camera, prepared.lights);
-  std::vector<RegionLook> looks;
+  std::vector<RegionAppearance> looks;
   for (const Region& region : regions) {
     const Material material = material_of(prepared.scene, region);
-    RegionLook& look = looks.emplace_back();
+    RegionAppearance& look = looks.emplace_back();
     look.light = std::clamp(light.of(region.face, region.lights, region.light_shares), 0.0, 1.0);
     look.color = {material.color.x, material.color.y, material.color.z};
     look.patch = patches.of_face[region.face];
@@ -113,7 +113,7 @@ DrawnScene::DrawnScene(const Scene& scene, PictureRequest request, RunReport& ru
   const PlotOptions plot = plot_options(request_, prepared_.around.placement.page);
   HatchScene hatch = hatch_scene(prepared_, plot);
   hatching_ = hatch_spans(hatch, run);
-  study_ = ligne::study(prepared_, gray_face_lines(request_, prepared_.method, plot), has_edges_, run);
+  study_ = ligne::compute_visibility(prepared_, gray_face_lines(request_, prepared_.method, plot), has_edges_, run);
   write_debug_numbers(study_.result, request_, prepared_.around.placement.page);
   if (study_.result.regions) {
     std::ranges::move(hatch_regions(hatch, *study_.result.regions, run), std::back_inserter(hatching_));

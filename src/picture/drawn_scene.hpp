@@ -10,7 +10,7 @@
 #include "picture/marks/axes.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
-#include "picture/scene_study.hpp"
+#include "picture/scene_visibility.hpp"
 #include "picture/write_picture.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
@@ -29,7 +29,7 @@ class DrawnScene {
 
   const PictureRequest& request() const { return request_; }
   const PreparedScene& prepared() const { return prepared_; }  ///< its topology and its projection are given up
-  const SceneStudy& study() const { return study_; }
+  const SceneVisibility& study() const { return study_; }
 
   /// The surfaces behind the mesh, none where no clear creases were asked for.
   FoundSurfaces surfaces() const { return found_surfaces(prepared_.scene, prepared_.patches); }
@@ -51,7 +51,7 @@ class DrawnScene {
   PreparedScene prepared_;
   std::vector<Layer> hatching_;
   HatchPatches patches_;  ///< where regions are hatched, now or from the file
-  SceneStudy study_;
+  SceneVisibility study_;
   bool has_edges_ = false;
 };
 

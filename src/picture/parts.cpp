@@ -73,7 +73,7 @@ std::vector<std::string> object_names(const Scene& scene) {
   return names;
 }
 
-Drawing drawing_by_parts(const SceneStudy& study, const Scene& scene, const PictureRequest& request) {
+Drawing drawing_by_parts(const SceneVisibility& study, const Scene& scene, const PictureRequest& request) {
   const bool by_material = !request.plotter.pens.pen_of_material.empty();
   const bool by_object = groups_objects(request) || !request.plotter.pens.pen_of_object.empty();
   const std::vector<std::string> names = object_names(scene);

@@ -6,7 +6,7 @@
 
 #include "drawing/drawing.hpp"
 #include "picture/requests.hpp"
-#include "picture/scene_study.hpp"
+#include "picture/scene_visibility.hpp"
 
 namespace ligne {
 
@@ -17,6 +17,6 @@ bool tells_parts(const PictureRequest& request);
 std::vector<std::string> object_names(const Scene& scene);
 
 /// Layers by class, and inside a class by what is told apart. A line belongs to the first face of its source edge.
-Drawing drawing_by_parts(const SceneStudy& study, const Scene& scene, const PictureRequest& request);
+Drawing drawing_by_parts(const SceneVisibility& study, const Scene& scene, const PictureRequest& request);
 
 }  // namespace ligne

@@ -22,12 +22,12 @@
 #include "scene/model/scene.hpp"
 #include "view/axes_layout.hpp"
 #include "view/view.hpp"
-#include "visibility/kept_study.hpp"
+#include "visibility/kept_visibility.hpp"
 #include "visibility/method_parameters.hpp"
 
 namespace ligne {
 
-struct BlankSquares;
+struct OccludedCells;
 class CompiledScene;
 class Method;
 struct LineGroups;
@@ -235,8 +235,8 @@ struct PictureRequest {
   bool label_decades = false;                       ///< heights of contours are decimal logarithms
   std::shared_ptr<const CompiledScene> compiled{};  ///< of the scene, by the method; nullptr: it is made when it is needed
   Keep keep = Keep::nothing;                        ///< what the study leaves is wanted for that
-  std::shared_ptr<const KeptStudy> earlier{};       ///< what an earlier one has left, by the method; nullptr: nothing
-  std::shared_ptr<const BlankSquares> blank{};      ///< of a streamed scene (streamed_model.hpp); nullptr: there are none
+  std::shared_ptr<const KeptVisibility> earlier{};  ///< what an earlier one has left, by the method; nullptr: nothing
+  std::shared_ptr<const OccludedCells> blank{};     ///< of a streamed scene (streamed_model.hpp); nullptr: there are none
   MemoryLimit memory{};
   std::function<void(double)> progress{};  ///< called with the fraction of the study done, from one thread at a time
 };

@@ -160,7 +160,7 @@ void draw_by(const ComparedMethod& compared, const Scene& scene, const Topology&
   const VisibilityResult& result = drawn.study().result;
   outcome.drawing = timed(run.stages, "join", [&] { return drawn.drawing(run); });
   outcome.model = *result.strokes;
-  outcome.beyond = result.beyond;
+  outcome.unsupported_reason = result.unsupported_reason;
   outcome.study = run.study;
   outcome.stages = run.stages;
   outcome.operations = operations_of(run.study);
@@ -191,7 +191,7 @@ MethodOutcome outcome_of(const ComparedMethod& compared, const Scene& scene, con
 void compare_drawings(MethodComparison& comparison) {
   std::vector<MethodOutcome>& methods = comparison.methods;
   for (std::size_t i = 0; i < methods.size() && !comparison.reference; ++i) {
-    if (methods[i].drawn() && methods[i].exact() && methods[i].beyond.empty()) comparison.reference = i;
+    if (methods[i].drawn() && methods[i].exact() && methods[i].unsupported_reason.empty()) comparison.reference = i;
   }
   comparison.differences_mm.assign(methods.size(), std::vector<std::optional<double>>(methods.size()));
   for (std::size_t i = 0; i < methods.size(); ++i) {

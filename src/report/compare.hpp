@@ -65,7 +65,7 @@ inline constexpr double kMostLimitSeconds = 1e6;
 struct MethodOutcome {
   const Method* method = nullptr;
   std::string failure;                    ///< why it drew nothing; empty when it drew
-  std::string beyond;                     ///< why its drawing may be wrong, see VisibilityResult::beyond
+  std::string unsupported_reason;         ///< why its drawing may be wrong, see VisibilityResult::unsupported_reason
   std::optional<double> resolution_mm{};  ///< how far a line may be off, where the method or its options limit it
   Statistics study;                       ///< its own counts, and the times of its phases
   StageTimes stages;                      ///< of the drawing

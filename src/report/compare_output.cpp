@@ -56,7 +56,8 @@ std::string in_columns(const std::vector<std::vector<std::string>>& rows) {
 /// A note on a row beside its figures.
 std::string note_of(const MethodOutcome& m) {
   if (!m.drawn()) return m.failure;
-  if (!m.beyond.empty()) return "only for " + std::string(m.method->traits().only_for) + "; here " + m.beyond;
+  if (!m.unsupported_reason.empty())
+    return "only for " + std::string(m.method->traits().only_for) + "; here " + m.unsupported_reason;
   return "";
 }
 
@@ -72,7 +73,7 @@ Json json_of(const MethodOutcome& m, std::optional<double> differs_mm) {
   json["only_for"] = traits.only_for.empty() ? Json(nullptr) : Json(traits.only_for);
   json["drawn"] = m.drawn();
   json["failure"] = m.drawn() ? Json(nullptr) : Json(m.failure);
-  json["beyond"] = m.beyond.empty() ? Json(nullptr) : Json(m.beyond);
+  json["beyond"] = m.unsupported_reason.empty() ? Json(nullptr) : Json(m.unsupported_reason);
   json["resolution_mm"] = json_or_null(m.resolution_mm);
   json["strokes"] = m.strokes;
   json["visible_mm"] = m.visible_mm;

@@ -79,7 +79,7 @@ class ComparisonPage {
       : comparison_(comparison), name_(xml_text(name.substr(name.find_last_of('/') + 1))) {
     find_box();
     for (const MethodOutcome& m : comparison.methods) {
-      if (m.drawn() && m.exact() && m.beyond.empty()) exact_.push_back(&m);
+      if (m.drawn() && m.exact() && m.unsupported_reason.empty()) exact_.push_back(&m);
     }
   }
 
@@ -182,7 +182,7 @@ class ComparisonPage {
     for (std::size_t i = 0; i < comparison_.methods.size(); ++i) {
       const MethodOutcome& m = comparison_.methods[i];
       text += std::string("<tr") + (&m == fastest ? " class=\"best\"" : "") + "><th>" + name_of(m) +
-              (m.beyond.empty() ? "" : "<small>not for this scene</small>") + "</th>";
+              (m.unsupported_reason.empty() ? "" : "<small>not for this scene</small>") + "</th>";
       if (!m.drawn()) {
         text += "<td class=\"text soft\" colspan=\"6\">" + xml_text(m.failure) + "</td></tr>";
         continue;
@@ -298,8 +298,8 @@ class ComparisonPage {
   static std::string note(const MethodOutcome& m) {
     std::string text;
     if (m.resolution_mm) text += "Limited to " + fixed(*m.resolution_mm, 3) + " mm by its resolution. ";
-    if (!m.beyond.empty()) {
-      text += "Only for " + xml_text(m.method->traits().only_for) + "; here " + xml_text(m.beyond) + ".";
+    if (!m.unsupported_reason.empty()) {
+      text += "Only for " + xml_text(m.method->traits().only_for) + "; here " + xml_text(m.unsupported_reason) + ".";
     }
     return text.empty() ? "" : "<div class=\"note\">" + text + "</div>";
   }

@@ -15,7 +15,7 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 /// The words for a method's treatment of transparent faces.
-std::string_view glass_words(Glass glass) {
+std::string_view glass_words(TransparencyMode glass) {
   constexpr std::string_view kWords[] = {"taken as opaque", "left out", "hides nothing", "seen through"};
   return kWords[static_cast<std::size_t>(glass)];
 }

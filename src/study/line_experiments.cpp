@@ -122,16 +122,16 @@ Result study_line_resolution(const StudyRequest& request) {
   bool better = true;
   for (const NamedScene& s : scan_scenes(request)) {
     const ProjectedScene scene = on_sheet(s.scene, s.view, false);
-    StudyOptions options;
+    VisibilityOptions options;
     options.wanted = kStrokes;
     const Method& method = *find_method("watkins");
-    const Intervals exact = visible_parts(method.study(scene, options));
+    const Intervals exact = visible_parts(method.compute_visibility(scene, options));
     double wrong[2], seconds[2];
     std::uint64_t studied[2] = {0, 0};
     for (int k = 0; k < 2; ++k) {
       options.settings.set("lines", k == 0 ? 512u : 1024u);
       seconds[k] = least_seconds(request.pick(1, 3), [&] {
-        const VisibilityResult found = method.study(scene, options);
+        const VisibilityResult found = method.compute_visibility(scene, options);
         wrong[k] = wrong_mm(scene, exact, visible_parts(found));
         for (const auto& [name, n] : found.statistics.counts) {
           if (name == "scan lines studied") studied[k] = n;

@@ -54,17 +54,17 @@ constexpr std::array<const char*, 4> kThesisBehaviour{"bad", "good, stack better
 constexpr std::array<std::array<std::uint64_t, 2>, 4> kThesisWords{{{3, 37}, {3, 33}, {5, 40}, {3, 40}}};
 
 VisibilityResult run(std::size_t method, const ProjectedScene& scene, std::uint8_t wanted) {
-  StudyOptions options;
+  VisibilityOptions options;
   options.wanted = wanted;
-  return find_method(kMethods[method])->study(scene, options);
+  return find_method(kMethods[method])->compute_visibility(scene, options);
 }
 
 std::uint64_t areas_to_fill(std::size_t method, const ProjectedScene& scene) {
   if (method == 1) {
-    StudyOptions options;
+    VisibilityOptions options;
     options.wanted = kSpans;
     options.settings.set("lines", 512u);
-    return find_method(kMethods[1])->study(scene, options).spans->spans.size();
+    return find_method(kMethods[1])->compute_visibility(scene, options).spans->spans.size();
   }
   const VisibilityResult result = run(method, scene, method == 3 ? kOrder : kRegions);
   return method == 3 ? result.order->pieces.size() : result.regions->size();

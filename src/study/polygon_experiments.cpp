@@ -210,11 +210,11 @@ Result study_shadow_cost(const StudyRequest& request) {
   for (const NamedScene& s : scenes) {
     const ProjectedScene projected = on_sheet(s.scene, s.view);
     const Topology topology = build_topology(s.scene);
-    StudyOptions options;
+    VisibilityOptions options;
     options.wanted = kRegions;
     std::vector<Region> regions;
-    const double alone =
-        least_seconds(request.pick(1, 3), [&] { regions = *region_method().study(projected, options).regions; });
+    const double alone = least_seconds(request.pick(1, 3),
+                                       [&] { regions = *region_method().compute_visibility(projected, options).regions; });
     std::size_t cut = 0;
     const double shadows = least_seconds(request.pick(1, 3), [&] {
       cut = cast_shadows(s.scene, topology, projected.view, std::span(&light, 1), regions).regions.size();

@@ -34,11 +34,11 @@ std::uint64_t program_operations(SpanMethodKind kind, std::vector<ScanSegment<do
 /// The least of several times of a study. `windows`: where the number of windows studied goes.
 double method_seconds(const ProjectedScene& scene, const char* name, const MethodSettings& settings, int times,
                       std::uint64_t* windows = nullptr) {
-  StudyOptions options;
+  VisibilityOptions options;
   options.wanted = kStrokes;
   options.settings = settings;
   return least_seconds(times, [&] {
-    const VisibilityResult found = find_method(name)->study(scene, options);
+    const VisibilityResult found = find_method(name)->compute_visibility(scene, options);
     for (const auto& [count, n] : found.statistics.counts) {
       if (windows && count == "windows studied") *windows = n;
     }

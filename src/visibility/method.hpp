@@ -14,12 +14,12 @@
 #include "drawing/statistics.hpp"
 #include "drawing/stroke.hpp"
 #include "view/projected_scene.hpp"
-#include "visibility/kept_study.hpp"
+#include "visibility/kept_visibility.hpp"
 #include "visibility/method_parameters.hpp"
 
 namespace ligne {
 
-struct BlankSquares;
+struct OccludedCells;
 class ByteReader;
 class ByteWriter;
 
@@ -40,7 +40,7 @@ class CompiledScene {
 };
 
 /// The treatment of transparent faces by a method.
-enum class Glass : std::uint8_t {
+enum class TransparencyMode : std::uint8_t {
   opaque,    ///< they hide as others do
   left_out,  ///< they and the edges that only they have are no part of the study (VisibilityResult::left_out says how many)
   hides_nothing,  ///< they are drawn, and hide nothing
@@ -57,15 +57,16 @@ struct MethodTraits {
   double tolerance_mm =
       0.001;  ///< how far on the page a line or an end of it may be off; more for methods that are not exact
   std::span<const MethodParameter> parameters{};  ///< options of its own
-  /// The scenes for which its drawings hold, in words; empty: all. For others VisibilityResult::beyond says why not.
+  /// The scenes for which its drawings hold, in words; empty: all. For others VisibilityResult::unsupported_reason says why
+  /// not.
   std::string_view only_for{};
   bool compiles = false;  ///< part of its work is done once for all views of a scene
-  Glass glass = Glass::opaque;
+  TransparencyMode glass = TransparencyMode::opaque;
 };
 
 struct Facets;
 
-struct StudyOptions {
+struct VisibilityOptions {
   bool hidden_strokes = false;              ///< give the hidden pieces too
   std::function<void(double)> progress{};   ///< called with the fraction done, from one thread at a time; may be empty
   std::optional<SpanLines> span_lines{};    ///< the lines for which a method that produces spans gives them
@@ -73,10 +74,10 @@ struct StudyOptions {
   std::uint8_t wanted = 0xff;               ///< products; a method may leave others out
   const CompiledScene* compiled = nullptr;  ///< by this method's compile(), of the model that is projected; or nullptr
   Keep keep = Keep::nothing;                ///< what VisibilityResult::kept is wanted for
-  const KeptStudy* earlier = nullptr;       ///< kept by an earlier study; or nullptr
+  const KeptVisibility* earlier = nullptr;  ///< kept by an earlier study; or nullptr
   const Facets* facets = nullptr;           ///< make_facets() of the scene, where it is there already; for `appel`
-  const BlankSquares* blank = nullptr;      ///< where no line is seen, whatever the scene says; for `appel`; or nullptr
-  /// Stroke::may_coincide is told by what is seen alone, whatever is hidden; for `appel`.
+  const OccludedCells* blank = nullptr;     ///< where no line is seen, whatever the scene says; for `appel`; or nullptr
+  /// Stroke::needs_overlap_check is told by what is seen alone, whatever is hidden; for `appel`.
   bool coincide_by_sight = false;
 };
 
@@ -91,18 +92,18 @@ struct VisibilityResult {
   std::vector<PageNumber> debug_numbers;   ///< the same: numbers, of which polylines are made
   Statistics statistics;
   /// Why this scene is not one that the method can do: what is drawn may be wrong. Empty when it can; see only_for.
-  std::string beyond;
-  std::shared_ptr<const KeptStudy> kept;  ///< nullptr where nothing is wanted, or the method has nothing to keep
+  std::string unsupported_reason;
+  std::shared_ptr<const KeptVisibility> kept;  ///< nullptr where nothing is wanted, or the method has nothing to keep
   std::string left_out;  ///< what of the scene the method does not take part in its study, in words; empty: nothing
 };
 
-/// A method holds no state: study() may be called from several threads, and the same input gives the same result whatever
+/// A method holds no state: compute_visibility() may be called from several threads, and the same input gives the same result whatever
 /// the number of threads (which is the caller's oneTBB arena).
 class Method {
  public:
   virtual ~Method() = default;
   virtual const MethodTraits& traits() const = 0;
-  virtual VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const = 0;
+  virtual VisibilityResult compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const = 0;
 
   /// For methods that compile; others return nullptr.
   virtual std::shared_ptr<const CompiledScene> compile(const Scene&, const MethodSettings&) const { return nullptr; }

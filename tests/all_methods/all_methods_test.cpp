@@ -136,8 +136,8 @@ class ByLines final : public Method {
  public:
   explicit ByLines(const Method& method) : method_(method), traits_(method.traits()) { traits_.tolerance_mm = 0; }
   const MethodTraits& traits() const override { return traits_; }
-  VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const override {
-    return method_.study(scene, options);
+  VisibilityResult compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const override {
+    return method_.compute_visibility(scene, options);
   }
 
  private:
@@ -207,9 +207,9 @@ Drawings drawings(const Scene& scene, const CameraRequest& request, const char* 
   const View view = view_on_a4(scene, request);
   ProjectedScene projected = project(scene, topology, view, {classes("all"), 30});
   const auto strokes = [&] {
-    StudyOptions options;
+    VisibilityOptions options;
     options.wanted = kStrokes;
-    StrokeModel model = *find_method(method)->study(projected, options).strokes;
+    StrokeModel model = *find_method(method)->compute_visibility(projected, options).strokes;
     remove_coincident_strokes(model, coincidence_mm(projected));
     return model;
   };
@@ -299,7 +299,7 @@ TEST(CullDrawing, ACubeInACubeOfGlass) {
   const Scene scene = corpus_scene("cube_in_glass");
   std::size_t methods = 0;
   for (const Method* each : all_methods()) {
-    if (each->traits().glass != Glass::seen_through) continue;
+    if (each->traits().glass != TransparencyMode::seen_through) continue;
     ++methods;
     const std::string method(each->traits().name);
     const Drawings d = drawings(scene, along({-0.37, 0.83, -0.41}), method.c_str());

@@ -23,11 +23,11 @@ class WarnockWith final : public Method {
     traits_.exact = tolerance_mm <= 0.001;
   }
   const MethodTraits& traits() const override { return traits_; }
-  VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const override {
-    StudyOptions own = options;
+  VisibilityResult compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const override {
+    VisibilityOptions own = options;
     own.settings = settings_;
     own.wanted = kStrokes;
-    return warnock_.study(scene, own);
+    return warnock_.compute_visibility(scene, own);
   }
 
  private:
@@ -46,7 +46,7 @@ class WarnockOnCorpus : public testing::TestWithParam<std::filesystem::path> {};
 
 /// Visible and hidden strokes of the drawing, lines drawn once.
 std::array<std::size_t, 2> stroke_counts(const ProjectedScene& projected, const Method& method, bool hidden) {
-  StrokeModel model = *method.study(projected, {hidden, {}}).strokes;
+  StrokeModel model = *method.compute_visibility(projected, {hidden, {}}).strokes;
   remove_coincident_strokes(model, coincidence_mm(projected));
   const auto visible = static_cast<std::size_t>(
       std::count_if(model.strokes.begin(), model.strokes.end(), [](const Stroke& s) { return s.visible; }));

@@ -38,7 +38,7 @@ struct Seen {
     EdgeSelection selection;
     for (std::size_t c = 0; c < kEdgeClassCount; ++c) selection.classes.add(static_cast<LineClass>(c));
     const ProjectedScene projected = project(scene, topology, view, selection);
-    VisibilityResult result = AthertonWeilerMethod().study(projected, {});
+    VisibilityResult result = AthertonWeilerMethod().compute_visibility(projected, {});
     regions = std::move(*result.regions);
     strokes = std::move(*result.strokes);
     remove_coincident_strokes(strokes, coincidence_mm(projected));

@@ -9,8 +9,8 @@
 #include "support/scenes.hpp"
 #include "support/test.hpp"
 #include "view/projected_scene.hpp"
-#include "visibility/edges/appel.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
+#include "visibility/edges/appel.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne::test {
@@ -18,18 +18,18 @@ namespace {
 
 constexpr unsigned kFaces = 0, kPolygons = 1, kSilhouettes = 2;
 
-VisibilityResult study(const Scene& scene, const char* from, unsigned how) {
+VisibilityResult compute_visibility(const Scene& scene, const char* from, unsigned how) {
   CameraRequest request;
   request.named_view = from;
   const View view = make_view(scene, make_camera(request, scene), {{{0, 0}, {200, 200}}}, {{0, 0}, {200, 200}});
-  StudyOptions options;
+  VisibilityOptions options;
   options.settings.set("study", ParameterWord{how});
-  return AthertonWeilerMethod().study(project(scene, build_topology(scene), view, {}), options);
+  return AthertonWeilerMethod().compute_visibility(project(scene, build_topology(scene), view, {}), options);
 }
 
-VisibilityResult study(const std::string& file, const char* from, unsigned how) {
+VisibilityResult compute_visibility(const std::string& file, const char* from, unsigned how) {
   Warnings warnings;
-  return study(read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests" / file, {}, warnings), from, how);
+  return compute_visibility(read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests" / file, {}, warnings), from, how);
 }
 
 /// Areas in mm^2 by face and level.
@@ -42,7 +42,7 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas(const Visibility
 constexpr double kArea = 1e-9 * 200 * 200;  ///< part of the page, for sums of areas in mm^2
 
 std::uint64_t count(const std::string& scene, const char* from, unsigned how, std::string_view name) {
-  const VisibilityResult result = study("corpus/" + scene + ".json", from, how);
+  const VisibilityResult result = compute_visibility("corpus/" + scene + ".json", from, how);
   for (const auto& [known, number] : result.statistics.counts)
     if (known == name) return number;
   ADD_FAILURE() << "there is no count of " << name;
@@ -96,10 +96,10 @@ TEST(PolygonStudy, LevelsBehindGlassAreTheSame) {
        {std::pair("transparent_three", std::size_t{1 + 2 + 3 + 4}), std::pair("glass_triangle", std::size_t{1 + 1 + 16})}) {
     SCOPED_TRACE(name);
     const std::string file = std::string("atherton_weiler/scenes/") + name + ".json";
-    const auto wanted = areas(study(file, "front", kFaces));
+    const auto wanted = areas(compute_visibility(file, "front", kFaces));
     EXPECT_EQ(wanted.size(), count);
     for (const unsigned how : {kPolygons, kSilhouettes}) {
-      const auto found = areas(study(file, "front", how));
+      const auto found = areas(compute_visibility(file, "front", how));
       ASSERT_EQ(found.size(), wanted.size());
       for (const auto& [key, area] : wanted)
         EXPECT_NEAR(found.at(key), area, kArea) << key.first << ", level " << key.second;
@@ -121,7 +121,7 @@ TEST(PolygonStudy, AHoleIsInTheRegionRightRoundIt) {
   for (const unsigned how : {kFaces, kPolygons, kSilhouettes}) {
     std::vector<double> of_wall;
     double all = 0;
-    const VisibilityResult result = study(scene, "front", how);
+    const VisibilityResult result = compute_visibility(scene, "front", how);
     for (const Region& r : *result.regions) {
       all += area_of(r);
       if (r.face == 0) of_wall.push_back(area_of(r));
@@ -152,8 +152,8 @@ TEST(PolygonStudy, CrowdsAreTheSame) {
     }
     Warnings warnings;
     finish_scene(scene, warnings);
-    const auto wanted = areas(study(scene, "iso", kFaces));
-    auto found = areas(study(scene, "iso", kPolygons));
+    const auto wanted = areas(compute_visibility(scene, "iso", kFaces));
+    auto found = areas(compute_visibility(scene, "iso", kPolygons));
     EXPECT_GT(wanted.size(), 150u);
     for (const auto& [key, area] : wanted) found[key] -= area;
     for (const auto& [key, area] : found)
@@ -216,12 +216,12 @@ TEST(TransparentFaces, AreLeftOutByWarnock) {
   without.face_is_transparent.clear();
   const auto glass = [&](std::uint32_t face) { return face == kNone || with_glass.face_is_transparent[face]; };
   std::erase_if(without.edges, [&](const ProjectedEdge& e) { return glass(e.face0) && glass(e.face1); });
-  const VisibilityResult found = find_method("warnock")->study(with_glass, {});
-  expect_equal(lengths(*found.strokes, 0, 255), lengths(*AppelMethod().study(without, {}).strokes, 0, 255));
+  const VisibilityResult found = find_method("warnock")->compute_visibility(with_glass, {});
+  expect_equal(lengths(*found.strokes, 0, 255), lengths(*AppelMethod().compute_visibility(without, {}).strokes, 0, 255));
   const auto faces = std::ranges::count(with_glass.face_is_transparent, std::uint8_t{1});
   EXPECT_EQ(found.left_out, std::to_string(faces) + " transparent faces");
   for (const Region& r : *found.regions) EXPECT_FALSE(with_glass.face_is_transparent[r.face]);
-  EXPECT_EQ(find_method("warnock")->study(without, {}).left_out, "");
+  EXPECT_EQ(find_method("warnock")->compute_visibility(without, {}).left_out, "");
 }
 
 /// In the middle of every longer stroke: as many transparent triangles are in front of it as its level says, and no opaque
@@ -260,12 +260,13 @@ TEST(TransparentLines, AreThoseWithoutTheGlassAndThoseInFrontOfIt) {
       opaque.face_is_transparent.clear();
       without.face_is_transparent.clear();
       std::erase_if(without.triangles, [&](const Triangle& t) { return with_glass.face_is_transparent[t.face] != 0; });
-      const StrokeModel in_front = *AppelMethod().study(opaque, {}).strokes, all = *AppelMethod().study(without, {}).strokes;
+      const StrokeModel in_front = *AppelMethod().compute_visibility(opaque, {}).strokes,
+                        all = *AppelMethod().compute_visibility(without, {}).strokes;
       for (const unsigned study : {0u, 1u, 2u}) {
         SCOPED_TRACE(study);
-        StudyOptions options;
+        VisibilityOptions options;
         options.settings.set("study", ParameterWord{study});
-        const StrokeModel found = *AthertonWeilerMethod().study(with_glass, options).strokes;
+        const StrokeModel found = *AthertonWeilerMethod().compute_visibility(with_glass, options).strokes;
         expect_equal(lengths(found, 0, 255), lengths(all, 0, 255));
         expect_equal(lengths(found, 0, 0), lengths(in_front, 0, 0));
         EXPECT_GT(sum(lengths(found, 1, 1)), 300);
@@ -274,7 +275,7 @@ TEST(TransparentLines, AreThoseWithoutTheGlassAndThoseInFrontOfIt) {
       }
       for (const char* method : {"newell", "bsp", "convex-tree"}) {
         SCOPED_TRACE(method);
-        const StrokeModel found = *find_method(method)->study(with_glass, {}).strokes;
+        const StrokeModel found = *find_method(method)->compute_visibility(with_glass, {}).strokes;
         expect_equal(lengths(found, 0, 255), lengths(all, 0, 255));
         expect_equal(lengths(found, 0, 0), lengths(in_front, 0, 0));
         expect_levels(found, with_glass);

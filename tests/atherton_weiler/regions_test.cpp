@@ -113,7 +113,7 @@ TEST_P(Regions, AreWhatIsInFront) {
     EdgeSelection all;
     all.classes.bits = 0xff;
     const ProjectedScene projected = project(scene, topology, judged.view(), all);
-    const VisibilityResult result = AthertonWeilerMethod().study(projected, {});
+    const VisibilityResult result = AthertonWeilerMethod().compute_visibility(projected, {});
     ASSERT_TRUE(result.regions.has_value());
     const std::vector<Region> regions = seen_directly(*result.regions);
     const double sum = twice_area_mm(regions);
@@ -143,7 +143,8 @@ TEST_P(Regions, AreTheSameByTheClassicalStudy) {
   for (const StandardView& standard : rotated_views(scene, "regions classical, " + GetParam().stem().string(), 1)) {
     const JudgedView judged(scene, GetParam().stem().string(), standard);
     const ProjectedScene projected = project(scene, topology, judged.view(), {});
-    const std::map<std::uint32_t, double> wanted = areas_of(*AthertonWeilerMethod().study(projected, {}).regions);
+    const std::map<std::uint32_t, double> wanted =
+        areas_of(*AthertonWeilerMethod().compute_visibility(projected, {}).regions);
     double whole = 0;
     for (const auto& [face, area] : wanted) whole += area;
     // Slivers where four faces pass through one line, a step wide, go to one face by this study and to another or to nobody
@@ -151,9 +152,9 @@ TEST_P(Regions, AreTheSameByTheClassicalStudy) {
     const double part = GetParam().stem() == "three_prisms_penetrating" ? 1e-8 : 1e-9;
     for (const unsigned study : {1u, 2u}) {
       SCOPED_TRACE(standard.name + (study == 1 ? " polygons" : " silhouettes"));
-      StudyOptions options;
+      VisibilityOptions options;
       options.settings.set("study", ParameterWord{study});
-      const std::vector<Region> regions = *AthertonWeilerMethod().study(projected, options).regions;
+      const std::vector<Region> regions = *AthertonWeilerMethod().compute_visibility(projected, options).regions;
       std::map<std::uint32_t, double> areas = areas_of(regions);
       if (projected.triangles.size() <= kMostTriangles) {
         const double sum = twice_area_mm(seen_directly(regions));
@@ -176,7 +177,7 @@ TEST_P(Regions, AreWhatIsInFrontByAnOrder) {
     for (const std::string method : {"newell", "bsp", "convex-tree"}) {
       if (!is_chosen("regions, " + family_of(GetParam()) + method, place_in_family(GetParam()), 2)) continue;
       SCOPED_TRACE(standard.name + " " + method);
-      const VisibilityResult result = find_method(method)->study(projected, {});
+      const VisibilityResult result = find_method(method)->compute_visibility(projected, {});
       ASSERT_TRUE(result.regions.has_value());
       const std::vector<Region> regions = seen_directly(*result.regions);
       if (projected.triangles.size() <= kMostTriangles) {

@@ -137,7 +137,7 @@ DrawnOutlines draw_outlines(const Scene& scene, const Point3& direction, bool sm
   SmoothContours contours;
   const std::vector<std::uint8_t> no_creases(topology.edges.size(), 0);
   if (smooth) contours = replace_outlines(scene, topology, projected, {{30, by_angle ? nullptr : &no_creases}});
-  VisibilityResult result = find_method("auto")->study(projected, {});
+  VisibilityResult result = find_method("auto")->compute_visibility(projected, {});
   draw_contours(*result.strokes, scene, view, contours, false, {});
   remove_coincident_strokes(*result.strokes, coincidence_mm(projected));
   DrawnOutlines drawn{view, {}};

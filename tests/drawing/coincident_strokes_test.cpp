@@ -127,7 +127,7 @@ TEST(CoincidentStrokes, ALongStrokeUnderManyShortOnesIsAbsorbed) {
 
 TEST(CoincidentStrokes, StrokesWithoutTheFlagAreHeldAgainstFlaggedOnesOnly) {
   Stroke plain = stroke(a, b, LineClass::mesh, 0), second = stroke(a, b, LineClass::mesh, 1);
-  plain.may_coincide = second.may_coincide = false;
+  plain.needs_overlap_check = second.needs_overlap_check = false;
   expect(removed({plain, second}), {{0, a, b}, {1, a, b}});
   expect(removed({plain, stroke(a, b, LineClass::outline, 1)}), {{1, a, b}});
   expect(removed({plain, hidden(stroke(a, b, LineClass::outline, 1))}), {{0, a, b}});
@@ -136,9 +136,9 @@ TEST(CoincidentStrokes, StrokesWithoutTheFlagAreHeldAgainstFlaggedOnesOnly) {
 TEST(CoincidentStrokes, StrokesThatLieOnNoOtherKeepTheirOrder) {
   Stroke first = stroke(a, {400, 0}, LineClass::mesh, 5), second = stroke({400, 0}, b, LineClass::mesh, 5);
   first.t_to = second.t_from = 0.4;
-  first.may_coincide = second.may_coincide = false;
+  first.needs_overlap_check = second.needs_overlap_check = false;
   Stroke other = stroke({0, 9}, {9, 9}, LineClass::mesh, 2);
-  other.may_coincide = false;
+  other.needs_overlap_check = false;
   StrokeModel m = model({second, other, first});
   remove_coincident_strokes(m, kCoincidence);
   ASSERT_EQ(m.strokes.size(), 3u);
@@ -183,7 +183,7 @@ double farthest(const std::vector<Stroke>& strokes, const std::vector<Stroke>& c
 void expect_no_overlap(const std::vector<Stroke>& strokes) {
   for (std::size_t i = 0; i < strokes.size(); ++i)
     for (std::size_t j = i + 1; j < strokes.size(); ++j) {
-      if (!strokes[i].may_coincide && !strokes[j].may_coincide) continue;
+      if (!strokes[i].needs_overlap_check && !strokes[j].needs_overlap_check) continue;
       EXPECT_FALSE(overlap(strokes[i].from, strokes[i].to, strokes[j].from, strokes[j].to, kApart)) << i << " " << j;
     }
 }

@@ -18,7 +18,7 @@ std::vector<Partners> by_all_pairs(const std::vector<Stroke>& strokes) {
   for (std::size_t i = 0; i < strokes.size(); ++i)
     for (std::size_t k = i + 1; k < strokes.size(); ++k) {
       const Stroke &a = strokes[i], &b = strokes[k];
-      if (!a.may_coincide && !b.may_coincide) continue;
+      if (!a.needs_overlap_check && !b.needs_overlap_check) continue;
       if (overlap(a.from, a.to, b.from, b.to, kTolerance)) some[i] = some[k] = true;
     }
   std::vector<Partners> result;
@@ -68,7 +68,7 @@ std::vector<Stroke> clustered(std::uint32_t seed, int count, int page, int short
     const LatticePoint to{from.x + static_cast<int>(std::lround(l * std::cos(angle))),
                           from.y + static_cast<int>(std::lround(l * std::sin(angle)))};
     Stroke s = stroke(from, to, LineClass::mesh, std::uint32_t(i));
-    s.may_coincide = dice.below(3) > 0;
+    s.needs_overlap_check = dice.below(3) > 0;
     strokes.push_back(s);
   }
   return strokes;
@@ -99,7 +99,7 @@ std::vector<Stroke> crowded_on_a_large_page(std::uint32_t seed) {
   constexpr int kFar = kLatticeLimit - 1000;
   for (const LatticePoint corner : {LatticePoint{kFar, kFar}, {kFar, -kFar}, {-kFar, kFar}, {-kFar, -kFar}}) {
     strokes.push_back(stroke(corner, {corner.x + 500, corner.y}, LineClass::mesh, 0));
-    strokes.back().may_coincide = true;
+    strokes.back().needs_overlap_check = true;
   }
   return strokes;
 }
@@ -129,7 +129,7 @@ TEST(StrokePartners, ACrowdOnALargePageIsCrossing) {
 TEST(StrokePartners, AmongFarStrokesOfWhichFewMayCoincide) {
   for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
     std::vector<Stroke> strokes = clustered(seed, 700, 20'000'000, 1000, 10'000'000);
-    for (std::size_t i = 0; i < strokes.size(); ++i) strokes[i].may_coincide = i % 50 == 0;
+    for (std::size_t i = 0; i < strokes.size(); ++i) strokes[i].needs_overlap_check = i % 50 == 0;
     expect_found(strokes, seed);
   }
 }

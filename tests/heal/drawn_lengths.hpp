@@ -1,7 +1,7 @@
 #pragma once
 /// Lengths of the lines of a picture, by class.
 
-#include "picture/scene_study.hpp"
+#include "picture/scene_visibility.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
@@ -15,7 +15,7 @@ inline double length_of_all(const Lengths& lengths) { return std::accumulate(len
 inline Lengths drawn_lengths(const Scene& scene, const PictureRequest& request) {
   RunReport run;
   PreparedScene prepared = prepare(scene, request, std::nullopt, run);
-  const SceneStudy found = study(prepared, std::nullopt, false, run);
+  const SceneVisibility found = compute_visibility(prepared, std::nullopt, false, run);
   const StrokeModel& model = *found.result.strokes;
   Lengths sum{};
   for (const Stroke& s : model.strokes)

@@ -33,11 +33,11 @@ TEST_P(Orders, PaintNothingOverWhatIsNearer) {
       if (!(variant.method->traits().products & kOrder) || (variant.is_show && !runs_all())) continue;
       if (!is_asked(variant, GetParam())) continue;
       SCOPED_TRACE(standard.name + ", " + variant.name);
-      StudyOptions options;
+      VisibilityOptions options;
       options.settings = variant.settings;
-      const VisibilityResult result = variant.method->study(projected, options);
+      const VisibilityResult result = variant.method->compute_visibility(projected, options);
       ASSERT_TRUE(result.order.has_value());
-      if (!result.beyond.empty()) continue;  // the method says that its order may be wrong
+      if (!result.unsupported_reason.empty()) continue;  // the method says that its order may be wrong
       const OrderVerdict verdict = check_order(*result.order, judged.oracle(), 1, kPoints);
       EXPECT_EQ(verdict.faults, "");
       covered += verdict.covered;

@@ -111,13 +111,13 @@ TEST(Newell, AZigzagIsNoConvexBody) {
 TEST(Newell, TakesOverTheListOfASimilarView) {
   const Scene scene = crowd_of_boxes(40);
   const Method& newell = *find_method("newell");
-  const auto study = [&](double degrees, const KeptStudy* earlier) {
+  const auto study = [&](double degrees, const KeptVisibility* earlier) {
     const double turn = degrees * std::numbers::pi / 180;
     const Picture picture = draw(scene, {along({std::sin(turn), std::cos(turn), -0.3}), "all", false, 1, "appel"});
-    StudyOptions options;
+    VisibilityOptions options;
     options.keep = Keep::for_next_view;
     options.earlier = earlier;
-    return newell.study(picture.projected, options);
+    return newell.compute_visibility(picture.projected, options);
   };
   const auto count = [](const VisibilityResult& result, std::string_view name) {
     const auto& counts = result.statistics.counts;

@@ -17,12 +17,12 @@ namespace {
 /// The viewer looks along +y: what has the larger y is farther.
 VisibilityResult shown(const Scene& scene, const char* method, std::string_view what) {
   const Picture picture = draw(scene, {along({0, 1, 0}), "all", false, 1, "appel"});
-  StudyOptions options;
+  VisibilityOptions options;
   const auto parameters = find_method(method)->traits().parameters;
   const auto show = std::ranges::find(parameters, "show", &MethodParameter::name);
   const auto word = std::ranges::find(show->words, what);
   options.settings.set("show", ParameterWord{static_cast<std::size_t>(word - show->words.begin())});
-  return find_method(method)->study(picture.projected, options);
+  return find_method(method)->compute_visibility(picture.projected, options);
 }
 
 const Scene kThreePlates = plates({{0, 6, 0, 6, 5, 5}, {3, 9, 3, 9, 2, 2}, {5, 7, 5, 7, 0, 0}});
@@ -120,7 +120,7 @@ std::string bytes_of(const VisibilityResult& result) {
   if (result.strokes) {
     for (const Stroke& s : result.strokes->strokes)
       add(s.t_from, s.t_to, s.from.x, s.from.y, s.to.x, s.to.y, s.z_from, s.z_to, s.w_from, s.w_to, s.source, s.line_class,
-          s.visible, s.may_coincide, s.level);
+          s.visible, s.needs_overlap_check, s.level);
     for (const SourceEdge& e : result.strokes->intersections) add(e.faces[0], e.faces[1], e.intersection);
   }
   for (const Region& r : result.regions ? *result.regions : std::vector<Region>{}) {
@@ -135,7 +135,7 @@ std::string bytes_of(const VisibilityResult& result) {
   if (result.pixels) {
     for (const std::uint32_t face : result.pixels->face) add(face);
   }
-  return bytes + result.beyond + result.left_out;
+  return bytes + result.unsupported_reason + result.left_out;
 }
 
 /// All methods are judged without their debug layers (all_methods_test.cpp): these add to a drawing and change nothing of
@@ -151,16 +151,16 @@ TEST(Show, ChangesNothingElse) {
       std::map<const Method*, std::string> plain_bytes;
       for (const Variant& variant : variants()) {
         if (!variant.is_show) continue;
-        StudyOptions options;
+        VisibilityOptions options;
         options.hidden_strokes = true;
         std::string& plain = plain_bytes[variant.method];
         if (plain.empty()) {
-          const VisibilityResult result = variant.method->study(picture.projected, options);
+          const VisibilityResult result = variant.method->compute_visibility(picture.projected, options);
           EXPECT_TRUE(result.debug.empty() && result.debug_numbers.empty()) << variant.name;
           plain = bytes_of(result);
         }
         options.settings = variant.settings;
-        const VisibilityResult with_layer = variant.method->study(picture.projected, options);
+        const VisibilityResult with_layer = variant.method->compute_visibility(picture.projected, options);
         EXPECT_TRUE(plain == bytes_of(with_layer)) << variant.name << ", " << name << ", view " << view.name;
         shown[variant.name] += !with_layer.debug.empty() || !with_layer.debug_numbers.empty();
       }

@@ -18,8 +18,8 @@ class CompiledMethod final : public Method {
  public:
   explicit CompiledMethod(const Tree& tree) : tree_(tree) {}
   const MethodTraits& traits() const override { return method_.traits(); }
-  VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const override {
-    return method_.study(tree_, scene, options);
+  VisibilityResult compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const override {
+    return method_.compute_visibility(tree_, scene, options);
   }
 
  private:
@@ -59,7 +59,7 @@ Tree expect_right_from_100_viewpoints(unsigned seed, int boxes, const Point3& co
     EXPECT_TRUE(verdict.passes()) << verdict.faults;
     EdgeSelection all;
     all.classes.bits = 0xff;
-    const VisibilityResult result = method.study(project(scene, topology, judged.view(), all), {});
+    const VisibilityResult result = method.compute_visibility(project(scene, topology, judged.view(), all), {});
     const OrderVerdict order = check_order(*result.order, judged.oracle(), static_cast<unsigned>(i), 40);
     EXPECT_EQ(order.faults, "") << "viewpoint " << i;
     covered += order.covered;

@@ -30,7 +30,7 @@ TEST(Compare, ExactMethodsAgree) {
       EXPECT_TRUE(m.drawn()) << m.failure;
       EXPECT_GT(m.seconds(), 0);
       EXPECT_EQ(c.differences_mm[i][i], 0);
-      if (m.exact() && m.beyond.empty()) {
+      if (m.exact() && m.unsupported_reason.empty()) {
         EXPECT_GT(m.visible_mm, 0) << name << ", " << m.method->traits().name;
         EXPECT_EQ(c.differences_mm[*c.reference][i], 0) << name << ", " << m.method->traits().name;
       }
@@ -53,7 +53,7 @@ TEST(Compare, TellsWhatAMethodCanNot) {
     return *std::find_if(c.methods.begin(), c.methods.end(),
                          [&](const MethodOutcome& m) { return m.method->traits().name == name; });
   };
-  EXPECT_FALSE(of("culling").beyond.empty());
+  EXPECT_FALSE(of("culling").unsupported_reason.empty());
   EXPECT_GT(of("culling").from_reference.length_mm, 1);
   EXPECT_TRUE(of("zbuffer").resolution_mm);
   EXPECT_FALSE(of("appel").resolution_mm);

@@ -5,7 +5,7 @@
 #include "drawing/stroke_difference.hpp"
 #include "picture/choice/method_choice.hpp"
 #include "picture/choice/scene_traits.hpp"
-#include "picture/scene_study.hpp"
+#include "picture/scene_visibility.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
@@ -26,7 +26,7 @@ TEST(MethodChoice, RulesAreTotal) {
     EXPECT_TRUE(method->traits().products & (facts.regions ? kRegions : kStrokes));
     // A method for some scenes only is taken where the scene may be one of them.
     EXPECT_TRUE(method->traits().only_for.empty() || facts.may_be_one_body);
-    EXPECT_TRUE(!facts.glass || method->traits().glass == Glass::seen_through);
+    EXPECT_TRUE(!facts.glass || method->traits().glass == TransparencyMode::seen_through);
   }
 }
 
@@ -46,10 +46,11 @@ struct Studied {
 
 Studied studied(const Scene& scene, const Point3& direction) {
   const ProjectedScene projected = project_on_a4(scene, along(direction));
-  StudyOptions options;
+  VisibilityOptions options;
   options.wanted = kStrokes;
   Studied result{study_by_choice(ligne::PictureRequest{}, projected, options), {}};
-  result.difference = difference_of(*result.by_choice.result.strokes, *default_method().study(projected, options).strokes);
+  result.difference =
+      difference_of(*result.by_choice.result.strokes, *default_method().compute_visibility(projected, options).strokes);
   return result;
 }
 
@@ -61,7 +62,7 @@ TEST(MethodChoice, IsNeverBeyondItsMethod) {
     const Scene scene = scene_of_file(file);
     for (const Point3& direction : {kObliqueView, Point3{0, 0, -1}}) {
       const Studied s = studied(scene, direction);
-      EXPECT_EQ(s.by_choice.result.beyond, "") << file.stem();
+      EXPECT_EQ(s.by_choice.result.unsupported_reason, "") << file.stem();
       // The default method takes glass as opaque.
       const bool glass = std::ranges::any_of(scene.materials, [](const Material& m) { return m.opacity < 1; });
       EXPECT_TRUE(glass || s.difference.length_mm < kSameLineMm) << file.stem();

@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(Corpus, Relations,
 bool equal(const Stroke& a, const Stroke& b) {
   return a.from == b.from && a.to == b.to && a.t_from == b.t_from && a.t_to == b.t_to && a.z_from == b.z_from &&
          a.z_to == b.z_to && a.w_from == b.w_from && a.w_to == b.w_to && a.source == b.source &&
-         a.line_class == b.line_class && a.visible == b.visible && a.may_coincide == b.may_coincide;
+         a.line_class == b.line_class && a.visible == b.visible && a.needs_overlap_check == b.needs_overlap_check;
 }
 
 class Threads : public testing::TestWithParam<Subject> {};

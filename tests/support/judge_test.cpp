@@ -13,8 +13,8 @@ class SpoiltMethod : public Method {
   using Spoil = std::function<void(StrokeModel&)>;
   explicit SpoiltMethod(Spoil spoil) : spoil_(std::move(spoil)) {}
   const MethodTraits& traits() const override { return traits_; }
-  VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const override {
-    VisibilityResult result = find_method("auto")->study(scene, options);
+  VisibilityResult compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const override {
+    VisibilityResult result = find_method("auto")->compute_visibility(scene, options);
     spoil_(*result.strokes);
     return result;
   }
@@ -83,7 +83,7 @@ TEST(Judge, FindsHiddenStrokesThatAreDrawn) {
 
 TEST(Judge, FindsDoubledStrokes) {
   const Verdict verdict = judged(SpoiltMethod([](StrokeModel& m) {
-    for (Stroke& s : m.strokes) s.may_coincide = false;  // so that nobody looks for them
+    for (Stroke& s : m.strokes) s.needs_overlap_check = false;  // so that nobody looks for them
     m.strokes.push_back(*std::find_if(m.strokes.begin(), m.strokes.end(), is_long));
   }));
   EXPECT_GT(verdict.twice.worst_mm, 0.5);

@@ -68,9 +68,9 @@ inline ProjectedScene project_on_a4(const Scene& scene, const CameraRequest& cam
 inline Picture draw(const Scene& scene, const PictureRequest& request) {
   const auto scale = request.scale > 0 ? std::optional(request.scale) : std::nullopt;
   Picture picture{project_on_a4(scene, request.camera, request.edges, scale), {}};
-  StudyOptions options;
+  VisibilityOptions options;
   options.hidden_strokes = request.hidden;
-  picture.model = *find_method(request.method)->study(picture.projected, options).strokes;
+  picture.model = *find_method(request.method)->compute_visibility(picture.projected, options).strokes;
   remove_coincident_strokes(picture.model, coincidence_mm(picture.projected));
   return picture;
 }
@@ -89,7 +89,7 @@ inline void expect_same_strokes(const StrokeModel& a, const StrokeModel& b) {
   for (std::size_t i = 0; i < a.strokes.size(); ++i) {
     const Stroke &s = a.strokes[i], &t = b.strokes[i];
     ASSERT_TRUE(s.from == t.from && s.to == t.to && s.t_from == t.t_from && s.t_to == t.t_to && s.source == t.source &&
-                s.line_class == t.line_class && s.visible == t.visible && s.may_coincide == t.may_coincide)
+                s.line_class == t.line_class && s.visible == t.visible && s.needs_overlap_check == t.needs_overlap_check)
         << "stroke " << i;
   }
 }

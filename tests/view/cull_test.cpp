@@ -213,7 +213,7 @@ TEST(Cull, ChangesNoDrawingOfSeparateSolids) {
         cull(projected, find_back_faces(scene, topology, view));
         EXPECT_LT(projected.triangles.size(), before * 6 / 10);
       }
-      StrokeModel model = *find_method("auto")->study(projected, {}).strokes;
+      StrokeModel model = *find_method("auto")->compute_visibility(projected, {}).strokes;
       remove_coincident_strokes(model, coincidence_mm(projected));
       return model;
     };
@@ -247,9 +247,9 @@ using Line = std::tuple<std::int32_t, std::int32_t, std::int32_t, std::int32_t, 
 
 std::multiset<Line> lines_of(const Scene& scene, const Method& method) {
   const ProjectedScene p = projected(scene, "feature");
-  StudyOptions options;
+  VisibilityOptions options;
   options.hidden_strokes = true;
-  VisibilityResult result = method.study(p, options);
+  VisibilityResult result = method.compute_visibility(p, options);
   std::multiset<Line> lines;
   if (!result.strokes) return lines;
   remove_coincident_strokes(*result.strokes, coincidence_mm(p));

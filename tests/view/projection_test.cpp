@@ -159,7 +159,7 @@ TEST(Projection, LinesAlongTheSheetsBorderHaveFaceOnBothBanks) {
   EXPECT_GT(least, -1e-3);  // but by less than a drawing may be off
   EXPECT_LT(most, 100 + 1e-3);
   for (const char* method : {"appel", "warnock", "watkins", "atherton-weiler"}) {
-    const VisibilityResult result = find_method(method)->study(projected, {});
+    const VisibilityResult result = find_method(method)->compute_visibility(projected, {});
     EXPECT_TRUE(result.strokes->strokes.empty()) << method;
   }
 }
@@ -222,7 +222,7 @@ TEST(EdgeOn, AFaceWithTheEyeOnItHidesNothing) {
   const Projected p = project_all(scene, request);
   EXPECT_EQ(p.scene.face_is_edge_on, (std::vector<std::uint8_t>{0, 0, 1}));
   for (const char* method : {"appel", "warnock", "watkins", "atherton-weiler"}) {
-    const VisibilityResult result = find_method(method)->study(p.scene, {});
+    const VisibilityResult result = find_method(method)->compute_visibility(p.scene, {});
     double seam_mm = 0;  // the edge that all three have
     for (const Stroke& s : result.strokes->strokes) {
       const Edge& edge = p.topology.edges[s.source];

@@ -98,7 +98,7 @@ std::pair<double, double> shares(const ProjectedScene& scene, const ProjectedEdg
 void compare(const Scene& scene, const PictureRequest& request, const std::string& name) {
   const auto scale = request.scale > 0 ? std::optional(request.scale) : std::nullopt;
   const ProjectedScene projected = project_on_a4(scene, request.camera, "all", scale);
-  const StrokeModel model = *find_method(request.method)->study(projected, {}).strokes;
+  const StrokeModel model = *find_method(request.method)->compute_visibility(projected, {}).strokes;
   std::map<std::uint32_t, double> drawn;
   for (const Stroke& s : model.strokes)
     if (s.source < projected.source_count && s.visible)

@@ -64,12 +64,12 @@ Scene a_box() {
 
 TEST(Culling, DrawsTheEdgesOfFrontFaces) {
   const Scene box = a_box();
-  const VisibilityResult oblique = find_method("culling")->study(project_on_a4(box, along({-1, 2, -1})), {});
-  EXPECT_EQ(oblique.beyond, "");
+  const VisibilityResult oblique = find_method("culling")->compute_visibility(project_on_a4(box, along({-1, 2, -1})), {});
+  EXPECT_EQ(oblique.unsupported_reason, "");
   EXPECT_EQ(oblique.strokes->strokes.size(), 9u);
   EXPECT_EQ(count_of(oblique.statistics, "front faces"), 3u);
   EXPECT_EQ(count_of(oblique.statistics, "back faces, left out"), 3u);
-  const VisibilityResult front = find_method("culling")->study(project_on_a4(box, along({0, 1, 0})), {});
+  const VisibilityResult front = find_method("culling")->compute_visibility(project_on_a4(box, along({0, 1, 0})), {});
   EXPECT_EQ(front.strokes->strokes.size(), 4u);
   EXPECT_EQ(count_of(front.statistics, "front faces"), 1u);
   EXPECT_EQ(count_of(front.statistics, "faces seen edge on, left out"), 4u);
@@ -96,7 +96,7 @@ TEST(Culling, LinesOfNoFace) {
   const std::vector<std::array<Point3, 2>> behind{{Point3{-5, 20, 5}, Point3{15, 20, 5}}};
   add_lines(scene, behind, LineClass::axes);
   double visible = 0;
-  const VisibilityResult result = find_method("culling")->study(scene, {});
+  const VisibilityResult result = find_method("culling")->compute_visibility(scene, {});
   for (const Stroke& s : result.strokes->strokes)
     if (s.line_class == LineClass::axes) visible += s.t_to - s.t_from;
   EXPECT_NEAR(visible, 0.5, 1e-6);

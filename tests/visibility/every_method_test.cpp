@@ -53,9 +53,9 @@ std::vector<Stroke> seen(const Method& method, const std::vector<std::array<Poin
   const std::uint32_t edges = projected.source_count;
   add_lines(projected, lines, LineClass::axes);
   EXPECT_EQ(projected.source_count, edges + lines.size());
-  StudyOptions options;
+  VisibilityOptions options;
   options.hidden_strokes = hidden;
-  const StrokeModel model = *method.study(projected, options).strokes;
+  const StrokeModel model = *method.compute_visibility(projected, options).strokes;
   *step_mm = model.lattice.step_mm;
   std::vector<Stroke> strokes;
   for (const Stroke& s : model.strokes) {

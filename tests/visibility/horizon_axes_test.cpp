@@ -86,7 +86,7 @@ Segments by_mesh(const HeightSource& heights, const View& view, const HorizonOpt
   for (const LineClass c : {LineClass::horizon, LineClass::outline, LineClass::border}) selection.classes.add(c);
   ProjectedScene projected = project(scene, topology, view, selection);
   projected.with_intersections = false;
-  VisibilityResult result = find_method("appel")->study(projected, {});
+  VisibilityResult result = find_method("appel")->compute_visibility(projected, {});
   // A mesh takes faces that are edge on within a micrometre for edge on; the horizon those that are so but for a rounding.
   std::erase_if(result.strokes->strokes, [&](const Stroke& s) {
     const Edge& edge = topology.edges[s.source];

@@ -50,7 +50,7 @@ Lengths by_mesh(const Scene& scene, const View& view, bool lines_once) {
   for (std::size_t k = 0; k < kLineClassCount; ++k) selection.classes.add(static_cast<LineClass>(k));
   ProjectedScene projected = project(scene, topology, view, selection);
   projected.with_intersections = false;
-  VisibilityResult result = find_method("appel")->study(projected, {});
+  VisibilityResult result = find_method("appel")->compute_visibility(projected, {});
   if (lines_once) remove_coincident_strokes(*result.strokes, coincidence_mm(projected));
   Lengths found;
   // A mesh counts faces within a micrometre of edge on as turned neither way; the horizon goes by the sign alone.

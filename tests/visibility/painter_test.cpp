@@ -46,7 +46,7 @@ TEST(Painter, APlaneTellsWhatDepthsDoNot) {
   EXPECT_EQ(resolved.faces, (Faces{1, 0, 2}));
   EXPECT_EQ(resolved.by_planes, 2u);
   EXPECT_EQ(resolved.wrong, 0u);
-  EXPECT_EQ(find_method("painter")->study(page, {}).beyond, "");
+  EXPECT_EQ(find_method("painter")->compute_visibility(page, {}).unsupported_reason, "");
 }
 
 /// Lines are hidden by what is painted later, and by nothing else. By hand: the near plate, 4 wide, stands over the right
@@ -104,8 +104,9 @@ double depth_of(const ProjectedScene& scene, std::uint32_t face, Point2 p) {
 TEST(Painter, FromAmongTheFacesWhatIsBehindTheViewerIsCutOff) {
   const ProjectedScene page = project_on_a4(corpus_scene("room"), from_eye({1.5, 3.25, 6.5}, {9, 11, 2}, 80));
   ASSERT_FALSE(page.edge_parts.empty()) << "nothing is cut off";
-  const VisibilityResult painted = find_method("painter")->study(page, {}), truth = find_method("appel")->study(page, {});
-  EXPECT_EQ(painted.beyond, "");
+  const VisibilityResult painted = find_method("painter")->compute_visibility(page, {}),
+                         truth = find_method("appel")->compute_visibility(page, {});
+  EXPECT_EQ(painted.unsupported_reason, "");
   EXPECT_GT(truth.strokes->strokes.size(), 10u);
   EXPECT_TRUE(parts_missing(*truth.strokes, *painted.strokes).empty());
   EXPECT_TRUE(parts_missing(*painted.strokes, *truth.strokes).empty());
@@ -113,7 +114,8 @@ TEST(Painter, FromAmongTheFacesWhatIsBehindTheViewerIsCutOff) {
 
 TEST(Painter, WithTheEyeOnACornerItSaysThatItMayBeWrong) {
   const CameraRequest corner = from_eye({0, 0, 0}, {9, 11, 2});
-  EXPECT_NE(find_method("painter")->study(project_on_a4(corpus_scene("room"), corner), {}).beyond, "");
+  EXPECT_NE(find_method("painter")->compute_visibility(project_on_a4(corpus_scene("room"), corner), {}).unsupported_reason,
+            "");
 }
 
 /// Where the painter says nothing against its order, it paints what the depth buffer shows.
@@ -131,19 +133,19 @@ TEST(Painter, PaintsWhatIsSeenUnlessItSaysOtherwise) {
                                   standard.sheet.scale);
       const ProjectedScene page = project(scene, build_topology(scene), view, {classes("all"), 30});
       for (unsigned sort = 0; sort < 3; ++sort) {
-        StudyOptions options;
+        VisibilityOptions options;
         options.span_lines = SpanLines{1, 2, 105};
         options.settings.set("depth-sort", ParameterWord{sort});
-        const VisibilityResult painted = find_method("painter")->study(page, options);
-        if (!painted.beyond.empty()) {
+        const VisibilityResult painted = find_method("painter")->compute_visibility(page, options);
+        if (!painted.unsupported_reason.empty()) {
           ++beyond;
           continue;
         }
         ++right;
-        StudyOptions of_buffer;
+        VisibilityOptions of_buffer;
         of_buffer.span_lines = options.span_lines;
         of_buffer.settings.set("filling", ParameterWord{1});
-        const VisibilityResult seen = find_method("zbuffer")->study(page, of_buffer);
+        const VisibilityResult seen = find_method("zbuffer")->compute_visibility(page, of_buffer);
         // Where faces touch, either may be seen.
         constexpr double kTouchMm = 0.01;
         const PixelModel& pixels = *seen.pixels;

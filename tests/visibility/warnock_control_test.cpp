@@ -107,10 +107,10 @@ TEST(WarnockControl, SceneWithoutAnything) {
   ProjectedScene scene;
   scene.lattice.step_mm = 0x1p-17;
   for (const unsigned window : {0u, 1u, 2u}) {
-    StudyOptions options;
+    VisibilityOptions options;
     options.settings.set("warnock-window", ParameterWord{window});
     options.settings.set("show", ParameterWord{0});
-    const VisibilityResult result = find_method("warnock")->study(scene, options);
+    const VisibilityResult result = find_method("warnock")->compute_visibility(scene, options);
     EXPECT_TRUE(result.strokes->strokes.empty());
     EXPECT_TRUE(result.regions->empty());
     EXPECT_TRUE(result.debug.empty());
@@ -120,12 +120,12 @@ TEST(WarnockControl, SceneWithoutAnything) {
 /// Figures 2.20 to 2.23.
 std::uint64_t windows_of_square(double shift_x, double shift_z, unsigned window, unsigned split, unsigned resolution) {
   const ProjectedScene projected = studies::on_square_sheet(studies::square_before_triangle(shift_x, shift_z));
-  StudyOptions options;
+  VisibilityOptions options;
   options.wanted = kStrokes;
   options.settings.set("warnock-window", ParameterWord{window});
   options.settings.set("warnock-split", ParameterWord{split});
   if (resolution > 0) options.settings.set("resolution", resolution);
-  const VisibilityResult result = find_method("warnock")->study(projected, options);
+  const VisibilityResult result = find_method("warnock")->compute_visibility(projected, options);
   EXPECT_EQ(result.strokes->strokes.size(), 4u) << "the sides of the square, in one piece each";
   return count_of(result.statistics, "windows studied");
 }
@@ -153,11 +153,11 @@ TEST(WarnockFindings, FewerWindowsFromTheScreenToTheBoundingSquareToThePrincipal
 TEST(WarnockFindings, KnowledgeAndRoughTestsSaveWindows) {
   const ProjectedScene projected = studies::on_square_sheet(studies::square_before_triangle(4, 2));
   const auto windows = [&](const char* option = nullptr, ParameterValue value = {}) {
-    StudyOptions options;
+    VisibilityOptions options;
     options.wanted = kStrokes;
     options.settings.set("resolution", 1024u);
     if (option) options.settings.set(option, value);
-    const VisibilityResult result = find_method("warnock")->study(projected, options);
+    const VisibilityResult result = find_method("warnock")->compute_visibility(projected, options);
     EXPECT_EQ(result.strokes->strokes.size(), 4u);
     return count_of(result.statistics, "windows studied");
   };
@@ -177,9 +177,9 @@ TEST(WarnockControl, OneThreadAndManyFindTheSame) {
   const auto with_threads = [&](int n) {
     VisibilityResult result;
     run_with_threads(n, [&] {
-      StudyOptions options;
+      VisibilityOptions options;
       options.settings.set("show", ParameterWord{0});
-      result = find_method("warnock")->study(projected, options);
+      result = find_method("warnock")->compute_visibility(projected, options);
     });
     return result;
   };

@@ -16,9 +16,9 @@ struct Areas {
 
 Areas areas_of(const Scene& scene, const CameraRequest& camera, const MethodSettings& settings = {}) {
   Areas result{project_on_a4(scene, camera), {}};
-  StudyOptions options;
+  VisibilityOptions options;
   options.settings = settings;
-  result.regions = *find_method("warnock")->study(result.projected, options).regions;
+  result.regions = *find_method("warnock")->compute_visibility(result.projected, options).regions;
   return result;
 }
 

@@ -145,13 +145,15 @@ TEST(WatkinsScan, IntersectionsAreKnownAlsoWhenNobodyDrawsThem) {
        {"cross_of_plates", "two_triangular_prisms_penetrating", "three_plates_penetrating", "thesis_2_81c"}) {
     const Scene scene = corpus_scene(name);
     for (const bool by_lines : {true, false}) {
-      StudyOptions options;
+      VisibilityOptions options;
       if (by_lines) {
         options.settings.set("lines", 700u);
       } else {
         options.span_lines = SpanLines{0.15, 0.3, 700};
       }
-      const auto draw = [&](const char* edges) { return WatkinsMethod().study(project_on_a4(scene, kOdd, edges), options); };
+      const auto draw = [&](const char* edges) {
+        return WatkinsMethod().compute_visibility(project_on_a4(scene, kOdd, edges), options);
+      };
       const VisibilityResult with = draw("feature"), without = draw("outline border crease");
       EXPECT_LT(difference(with.spans->spans, without.spans->spans), 1e-6 * length(with.spans->spans)) << name << by_lines;
       EXPECT_TRUE(without.strokes->intersections.empty()) << name;

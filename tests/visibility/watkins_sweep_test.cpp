@@ -180,7 +180,7 @@ TEST(WatkinsSweep, LeavesOutWhatConnectedFacetsHideTogether) {
     add_box(scene, {-r, -r, -r}, {2 * r, 2 * r, 2 * r});
   }
   const Prepared p = prepare(scene, along({-1, 1, -1}));
-  const Statistics counts = find_method("watkins")->study(p.projected, {}).statistics;
+  const Statistics counts = find_method("watkins")->compute_visibility(p.projected, {}).statistics;
   const auto count = [&](std::string_view name) { return count_of(counts, name); };
   EXPECT_EQ(count("facets"), 12u * kBoxes);
   EXPECT_GT(count("facets before all covers"), 0u);
@@ -202,7 +202,7 @@ TEST(WatkinsSweep, FindsWhatPenetrates) {
 
 /// Length of all visible strokes of the scene, by class.
 std::array<double, kLineClassCount> visible_lengths(const ProjectedScene& scene, const char* method) {
-  VisibilityResult result = find_method(method)->study(scene, {});
+  VisibilityResult result = find_method(method)->compute_visibility(scene, {});
   remove_coincident_strokes(*result.strokes, coincidence_mm(scene));
   std::array<double, kLineClassCount> lengths{};
   for (const Stroke& s : result.strokes->strokes)

@@ -295,7 +295,7 @@ TEST(ZBuffer, LinesOfConvexBodiesDoNotBreak) {
       const DepthBuffer buffer = painted(page, 512);
       const EdgeSampling sampling(buffer, page.lattice, page.view.window);
       std::vector<LinePart> parts;
-      const StrokeModel exact = *find_method("appel")->study(page, {}).strokes;
+      const StrokeModel exact = *find_method("appel")->compute_visibility(page, {}).strokes;
       std::vector<double> visible(topology.edges.size(), 0);
       for (const Stroke& s : exact.strokes)
         if (s.source < visible.size()) visible[s.source] += s.t_to - s.t_from;

@@ -54,18 +54,20 @@ ChoiceFacts facts_of(const PictureRequest& request, const ProjectedScene& projec
   return facts;
 }
 
-ChosenStudy study_by_choice(const PictureRequest& request, const ProjectedScene& projected, const StudyOptions& options) {
+ChosenStudy study_by_choice(const PictureRequest& request, const ProjectedScene& projected,
+                            const VisibilityOptions& options) {
   const std::size_t number = choose_rule(facts_of(request, projected));
   const auto words = [](std::size_t rule) {
     return "rule " + std::to_string(rule + 1) + ": " + std::string(kRules[rule].when);
   };
   ChosenStudy choice{find_method(kRules[number].method), words(number), {}};
-  choice.result = choice.method->study(projected, options);
-  if (choice.result.beyond.empty()) return choice;
+  choice.result = choice.method->compute_visibility(projected, options);
+  if (choice.result.unsupported_reason.empty()) return choice;
   constexpr std::size_t kLast = std::size(kRules) - 1;
-  choice.why = words(kLast) + " (" + std::string(choice.method->traits().name) + " found that " + choice.result.beyond + ")";
+  choice.why = words(kLast) + " (" + std::string(choice.method->traits().name) + " found that " +
+               choice.result.unsupported_reason + ")";
   choice.method = find_method(kRules[kLast].method);
-  choice.result = choice.method->study(projected, options);
+  choice.result = choice.method->compute_visibility(projected, options);
   return choice;
 }
 

@@ -50,6 +50,7 @@ bool chooses_regions(const PictureRequest& request, const ProjectedScene& projec
 
 /// Studies by the method that the rules choose; where that finds that the scene is beyond it, by that of the last rule. So
 /// no result is beyond its method.
-ChosenStudy study_by_choice(const PictureRequest& request, const ProjectedScene& projected, const StudyOptions& options);
+ChosenStudy study_by_choice(const PictureRequest& request, const ProjectedScene& projected,
+                            const VisibilityOptions& options);
 
 }  // namespace ligne

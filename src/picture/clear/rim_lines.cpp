@@ -108,7 +108,7 @@ void RimLines::add_piece(StrokeModel& model, std::vector<Stroke>& pieces, const 
   piece.w_to = static_cast<float>(q.w);
   piece.source = model.edge_count + static_cast<std::uint32_t>(model.intersections.size());
   piece.line_class = line_class(r, view.camera);
-  piece.may_coincide = true;
+  piece.needs_overlap_check = true;
   model.intersections.push_back({{a, b}, {r.face, r.neighbour}, false});
   pieces.push_back(piece);
 }

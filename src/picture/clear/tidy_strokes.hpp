@@ -3,7 +3,7 @@
 
 #include "drawing/stroke.hpp"
 #include "picture/run_report.hpp"
-#include "picture/scene_study.hpp"
+#include "picture/scene_visibility.hpp"
 
 namespace ligne {
 

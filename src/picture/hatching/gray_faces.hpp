@@ -6,7 +6,7 @@
 
 #include "drawing/drawing.hpp"
 #include "drawing/shading.hpp"
-#include "picture/scene_study.hpp"
+#include "picture/scene_visibility.hpp"
 #include "plotting/writers.hpp"
 
 namespace ligne {

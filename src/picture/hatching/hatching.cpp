@@ -300,11 +300,11 @@ DirectionRuns seen_in_direction(const PreparedScene& prepared, std::span<const F
   const auto first = static_cast<std::int32_t>(std::ceil(box.min.y / line_mm)),
              last = static_cast<std::int32_t>(std::floor(box.max.y / line_mm));
   if (last < first) return direction;
-  StudyOptions options;
+  VisibilityOptions options;
   options.settings = prepared.request.lines.settings;
   options.wanted = kSpans;
   options.span_lines = SpanLines{first * line_mm + view.offset.y, line_mm, static_cast<std::uint32_t>(last - first + 1)};
-  const VisibilityResult result = prepared.method.study(projected, options);
+  const VisibilityResult result = prepared.method.compute_visibility(projected, options);
   if (!result.spans) return direction;
   for (const Span& span : result.spans->spans) {
     if (!hatched_in(faces[span.face], degrees)) continue;

@@ -7,7 +7,7 @@
 #include "drawing/drawing.hpp"
 #include "drawing/result_models.hpp"
 #include "picture/hatching/hatch_patches.hpp"
-#include "picture/scene_study.hpp"
+#include "picture/scene_visibility.hpp"
 #include "plotting/writers.hpp"
 #include "scene/form/form_mesh.hpp"
 

@@ -6,7 +6,7 @@
 #include "picture/errors.hpp"
 #include "picture/light/details.hpp"
 #include "picture/light/shadows.hpp"
-#include "picture/scene_study.hpp"
+#include "picture/scene_visibility.hpp"
 
 namespace ligne {
 

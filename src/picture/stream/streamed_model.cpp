@@ -135,7 +135,7 @@ std::optional<StreamedModel> stream_model(TriangleFile& file, const PictureReque
   timed(run.stages, "find candidates", [&] {
     std::vector<std::uint32_t> needed = find_needed(file, facets, *layers, view->triangles);
     const std::string blank = std::to_string(layers->blank_count());
-    streamed.blank = std::make_shared<const BlankSquares>(layers->take_blank());
+    streamed.blank = std::make_shared<const OccludedCells>(layers->take_blank());
     layers.reset();
     streamed.models.scene = scene_of_needed(file, facets, std::move(needed));
     run.choices.emplace_back("streaming", std::to_string(streamed.models.scene.faces.size()) + " of " +

@@ -10,7 +10,7 @@
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
 #include "scene/readers/triangle_file.hpp"
-#include "visibility/common/page_squares.hpp"
+#include "visibility/common/occluded_cells.hpp"
 
 namespace ligne {
 
@@ -24,7 +24,7 @@ inline constexpr std::size_t kFewestStreamedFaces = std::size_t{1} << 17;
 /// The part of a model that a picture is made of.
 struct StreamedModel {
   LoadedModels models;
-  std::shared_ptr<const BlankSquares> blank;  ///< for PictureRequest::blank
+  std::shared_ptr<const OccludedCells> blank;  ///< for PictureRequest::blank
 };
 
 /// Why a picture can not be made of a part of the model, as a phrase; empty when it can.

@@ -10,8 +10,8 @@
 #include <numeric>
 #include <span>
 
-#include "geometry/file_by_parts.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/parallel_counting_sort.hpp"
 
 namespace ligne {
 namespace {
@@ -68,7 +68,7 @@ Parts sort_into_parts(const std::vector<Point3>& vertices, std::vector<std::uint
       if (first[i] != kNone) take(hashes[i] >> (32 - kPartBits), Entry{hashes[i], static_cast<std::uint32_t>(i)});
     }
   };
-  parts.begin = file_by_parts(
+  parts.begin = parallel_counting_sort(
       n, kBlock, kParts, list, [&](std::size_t count) { parts.entries.resize(count); },
       [&](std::size_t place, const Entry& entry) { parts.entries[place] = entry; });
   return parts;

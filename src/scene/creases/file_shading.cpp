@@ -7,8 +7,8 @@
 #include <span>
 #include <utility>
 
-#include "geometry/filed_pairs.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/vertex_pair_index.hpp"
 #include "scene/clean/weld.hpp"
 #include "scene/model/topology.hpp"
 
@@ -68,10 +68,10 @@ class Sides {
 };
 
 /// The sides of all faces by the positions of their ends; those without two of them are left out.
-FiledPairs file_sides(const Scene& scene, const Sides& sides) {
+VertexPairIndex file_sides(const Scene& scene, const Sides& sides) {
   const Weld weld = weld_vertices(scene);
   const std::span<const std::uint32_t> corners = scene.faces.corners();
-  return FiledPairs(scene.vertices.size(), corners.size(), [&](const auto& add) {
+  return VertexPairIndex(scene.vertices.size(), corners.size(), [&](const auto& add) {
     for (std::uint32_t k = 0; k < corners.size(); ++k) {
       const std::uint32_t a = weld.first[corners[k]], b = weld.first[corners[sides.next(k)]];
       if (a != kNone && b != kNone && a != b) add(a, b, k);
@@ -84,7 +84,7 @@ class Marker {
   Marker(Scene& scene, const FileShading& shading) : scene_(scene), shading_(shading), sides_(scene.faces) {}
 
   void run() {
-    const FiledPairs filed = file_sides(scene_, sides_);
+    const VertexPairIndex filed = file_sides(scene_, sides_);
     measure_faces();
     if (scene_.corner_flags.empty()) scene_.corner_flags.resize(scene_.faces.corners().size(), 0);
     // Each side is of one pair, so no two tasks mark the same corner.
@@ -93,7 +93,7 @@ class Marker {
     std::vector<std::vector<std::size_t>> sharp_objects(blocks);
     parallel_blocks(nodes, kShortWorkBlock, [&](std::size_t first, std::size_t last) {
       const std::size_t block = first / kShortWorkBlock;
-      filed.for_each_pair(first, last, [&](std::uint32_t, std::span<const FiledPairs::Entry> pair) {
+      filed.for_each_pair(first, last, [&](std::uint32_t, std::span<const VertexPairIndex::Entry> pair) {
         if (pair.size() != 2) return;
         const Side a = sides_[pair[0].thing], b = sides_[pair[1].thing];
         if (a.face == b.face) return;

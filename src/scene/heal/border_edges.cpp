@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "geometry/filed_pairs.hpp"
 #include "geometry/indices_where.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/vertex_pair_index.hpp"
 
 namespace ligne {
 namespace {
@@ -130,11 +130,11 @@ std::vector<Edge> border_edges(const Scene& scene, const Object& object, const s
       if (from != kNone && to != kNone) sides.push_back({from, to, f});
     });
   }
-  const FiledPairs filed(vertices.size(), sides.size(), [&](const auto& add) {
+  const VertexPairIndex filed(vertices.size(), sides.size(), [&](const auto& add) {
     for (const Side& side : sides) add(side.from, side.to, side.face);
   });
   std::vector<Edge> borders;
-  filed.for_each_pair(0, vertices.size(), [&](std::uint32_t low, std::span<const FiledPairs::Entry> pair) {
+  filed.for_each_pair(0, vertices.size(), [&](std::uint32_t low, std::span<const VertexPairIndex::Entry> pair) {
     if (pair.size() == 1) borders.push_back({vertices[low], vertices[pair[0].high], pair[0].thing, kNone});
   });
   return borders;

@@ -6,9 +6,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/file_by_parts.hpp"
 #include "geometry/large_vector.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/parallel_counting_sort.hpp"
 #include "geometry/triangulate.hpp"
 #include "geometry/unwritten.hpp"
 #include "scene/model/triangle_normal.hpp"
@@ -62,8 +62,8 @@ struct Parts {
     HalfEdge half_edge;
   };
   std::vector<std::size_t> begin;  ///< first entry of each part, and the end
-  Unwritten<Entry> entries;
-  Unwritten<std::uint8_t> corner_flags;  ///< of each entry, where the scene has any
+  UninitializedVector<Entry> entries;
+  UninitializedVector<std::uint8_t> corner_flags;  ///< of each entry, where the scene has any
 };
 
 Parts sort_into_parts(const Scene& scene) {
@@ -75,8 +75,8 @@ Parts sort_into_parts(const Scene& scene) {
     });
   };
   const auto allocate = [&](std::size_t n) {
-    parts.entries = Unwritten<Parts::Entry>(n);
-    if (with_flags) parts.corner_flags = Unwritten<std::uint8_t>(n);
+    parts.entries = UninitializedVector<Parts::Entry>(n);
+    if (with_flags) parts.corner_flags = UninitializedVector<std::uint8_t>(n);
   };
   const auto put = [&](std::size_t place, std::uint32_t a, std::uint32_t b, std::size_t face, std::size_t corner) {
     const auto [lower, higher] = std::minmax(a, b);
@@ -84,15 +84,15 @@ Parts sort_into_parts(const Scene& scene) {
     if (with_flags) parts.corner_flags[place] = scene.corner_flags[corner];
   };
   const std::size_t count = block_count(scene.vertices.size(), kVerticesPerPart);
-  parts.begin = file_by_parts(scene.faces.size(), kFacesPerBlock, count, list, allocate, put);
+  parts.begin = parallel_counting_sort(scene.faces.size(), kFacesPerBlock, count, list, allocate, put);
   return parts;
 }
 
 struct Buckets {
   std::vector<std::uint32_t> begin;  ///< first half-edge of each vertex, and the end
-  Unwritten<HalfEdge> half_edges;
+  UninitializedVector<HalfEdge> half_edges;
   bool with_flags = false;
-  Unwritten<std::uint8_t> corner_flags;  ///< parallel to half_edges, when the scene has any
+  UninitializedVector<std::uint8_t> corner_flags;  ///< parallel to half_edges, when the scene has any
 };
 
 /// Files the half-edges of a part, whose vertices are [first, last). Where the part begins and ends is written already:
@@ -208,9 +208,9 @@ void find_edges(const Scene& scene, Topology& topology) {
       buckets.begin[part * kVerticesPerPart] = static_cast<std::uint32_t>(parts.begin[part]);
     }
     buckets.begin[vertex_count] = static_cast<std::uint32_t>(parts.begin[count]);
-    buckets.half_edges = Unwritten<HalfEdge>(parts.begin[count]);
+    buckets.half_edges = UninitializedVector<HalfEdge>(parts.begin[count]);
     buckets.with_flags = !scene.corner_flags.empty();
-    if (buckets.with_flags) buckets.corner_flags = Unwritten<std::uint8_t>(parts.begin[count]);
+    if (buckets.with_flags) buckets.corner_flags = UninitializedVector<std::uint8_t>(parts.begin[count]);
     parallel_for(count, [&](std::size_t part) {
       const std::size_t first = part * kVerticesPerPart, last = std::min(vertex_count, first + kVerticesPerPart);
       fill_buckets(parts, part, first, last, buckets);

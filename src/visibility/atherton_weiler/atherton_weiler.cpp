@@ -7,11 +7,11 @@
 #include "visibility/atherton_weiler/border_lines.hpp"
 #include "visibility/atherton_weiler/polygon_study.hpp"
 #include "visibility/common/clock.hpp"
-#include "visibility/penetration/intersections.hpp"
 #include "visibility/edges/line_strokes.hpp"
 #include "visibility/edges/transparent_lines.hpp"
-#include "visibility/polygons/visible_faces.hpp"
 #include "visibility/edges/visible_parts.hpp"
+#include "visibility/penetration/intersections.hpp"
+#include "visibility/polygons/visible_faces.hpp"
 
 // Phases: (1) facets and the grid of their cells, (2) visible faces, (3) their borders led back to edges, and the lines that
 // borders do not give. See docs/methods/atherton-weiler.md.
@@ -121,11 +121,12 @@ const MethodTraits& AthertonWeilerMethod::traits() const {
       kParameters,
       {},
       false,
-      Glass::seen_through};
+      TransparencyMode::seen_through};
   return traits;
 }
 
-VisibilityResult AthertonWeilerMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
+VisibilityResult AthertonWeilerMethod::compute_visibility(const ProjectedScene& scene,
+                                                          const VisibilityOptions& options) const {
   VisibilityResult result;
   Statistics& statistics = result.statistics;
   const double step = scene.lattice.step_mm;

@@ -17,7 +17,7 @@ const MethodTraits& BspMethod::traits() const {
       kTreeParameters,
       {},
       true,
-      Glass::seen_through};
+      TransparencyMode::seen_through};
   return traits;
 }
 

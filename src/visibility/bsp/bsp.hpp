@@ -5,7 +5,7 @@
 /// docs/methods/bsp.md.
 
 #include "visibility/bsp/bsp_tree.hpp"
-#include "visibility/order/study_tree.hpp"
+#include "visibility/order/tree_visibility.hpp"
 
 namespace ligne {
 

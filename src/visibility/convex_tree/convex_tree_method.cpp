@@ -17,7 +17,7 @@ const MethodTraits& ConvexTreeMethod::traits() const {
       kTreeParameters,
       {},
       true,
-      Glass::seen_through};
+      TransparencyMode::seen_through};
   return traits;
 }
 

@@ -3,8 +3,8 @@
 ///
 /// After S. Huet, "Compilation d'objets 3D", 1994. docs/methods/convex-tree.md.
 
-#include "visibility/order/study_tree.hpp"
 #include "visibility/convex_tree/convex_tree.hpp"
+#include "visibility/order/tree_visibility.hpp"
 
 namespace ligne {
 

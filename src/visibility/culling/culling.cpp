@@ -2,8 +2,8 @@
 
 #include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"
-#include "visibility/edges/line_strokes.hpp"
 #include "visibility/culling/convex_body.hpp"
+#include "visibility/edges/line_strokes.hpp"
 
 // Phases: (1) faces by the sign of their area on the page, (2) is it one convex body, (3) edges with a front face are drawn.
 // See docs/methods/culling.md.
@@ -40,7 +40,7 @@ const MethodTraits& CullingMethod::traits() const {
   return traits;
 }
 
-VisibilityResult CullingMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
+VisibilityResult CullingMethod::compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const {
   VisibilityResult result;
   Statistics& statistics = result.statistics;
   const double step = scene.lattice.step_mm;
@@ -52,7 +52,7 @@ VisibilityResult CullingMethod::study(const ProjectedScene& scene, const StudyOp
   statistics.time("faces", clock.lap());
 
   // 2. The body.
-  result.beyond = why_not_one_convex_body(scene, faces);
+  result.unsupported_reason = why_not_one_convex_body(scene, faces);
   statistics.time("convexity", clock.lap());
 
   // 3. Edges.

@@ -1,6 +1,6 @@
 #include "visibility/edges/appel.hpp"
 
-#include "visibility/edges/study_edges.hpp"
+#include "visibility/edges/edge_visibility.hpp"
 
 namespace ligne {
 
@@ -16,8 +16,8 @@ const MethodTraits& AppelMethod::traits() const {
   return traits;
 }
 
-VisibilityResult AppelMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
-  return study_edges(scene, options);
+VisibilityResult AppelMethod::compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const {
+  return edge_visibility(scene, options);
 }
 
 }  // namespace ligne

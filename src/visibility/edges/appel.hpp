@@ -11,7 +11,7 @@ namespace ligne {
 class AppelMethod final : public Method {
  public:
   const MethodTraits& traits() const override;
-  VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const override;
+  VisibilityResult compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const override;
 };
 
 }  // namespace ligne

@@ -75,7 +75,7 @@ void LineStrokes::add(std::size_t count, MakeLineVisibility make, const std::fun
       parts.clear();
       const bool near = visibility(i, line, parts);
       assert(are_ascending(parts));
-      origin.may_coincide = origin.may_coincide || near;
+      origin.needs_overlap_check = origin.needs_overlap_check || near;
       drop_short_parts(parts, page_length(line), shortest_);
       add_parts(line, parts, origin, out);
     }
@@ -132,7 +132,7 @@ Stroke LineStrokes::stroke(const PageLine& line, LinePart part, const Origin& or
   s.visible = visible;
   s.level = static_cast<std::uint8_t>(std::min(part.level, 255u));
   // The search stops when a line is hidden, before it has seen all neighbours.
-  s.may_coincide = origin.may_coincide || !visible;
+  s.needs_overlap_check = origin.needs_overlap_check || !visible;
   return s;
 }
 

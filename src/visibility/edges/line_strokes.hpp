@@ -43,7 +43,7 @@ class LineStrokes {
     std::uint32_t source;
     LineClass line_class;
     std::array<double, 2> range;  ///< part of the source edge
-    bool may_coincide;            ///< whatever lies near
+    bool needs_overlap_check;     ///< whatever lies near
   };
 
   template <class LineOf>

@@ -6,8 +6,8 @@
 
 #include "visibility/common/cell_grid.hpp"
 #include "visibility/common/face_ranks.hpp"
+#include "visibility/common/occluded_cells.hpp"
 #include "visibility/common/open_parts.hpp"
-#include "visibility/common/page_squares.hpp"
 
 namespace ligne {
 
@@ -37,7 +37,7 @@ class VisibleParts {
   /// `totals` gets the counts in the end; none where nobody asks for them. `ranks`: an order of the faces, if there is one.
   /// `blank`: where no line is seen, if it is known. `by_sight`: see find().
   VisibleParts(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double coincidence_steps,
-               TestTotals* totals = nullptr, const FaceRanks* ranks = nullptr, const BlankSquares* blank = nullptr,
+               TestTotals* totals = nullptr, const FaceRanks* ranks = nullptr, const OccludedCells* blank = nullptr,
                bool by_sight = false)
       : vertices_(scene.vertices.data()),
         facets_(facets.data()),
@@ -78,7 +78,7 @@ class VisibleParts {
   TestTotals* totals_;
   const FaceRanks* ranks_;
   std::uint32_t rank_ = 0;  ///< of the line at hand
-  const BlankSquares* blank_;
+  const OccludedCells* blank_;
   bool by_sight_;
   bool near_side_ = false;
   std::vector<std::uint32_t> near_;  ///< facets with a side along the line, seen or not, maybe repeated

@@ -7,10 +7,10 @@
 #include <glm/trigonometric.hpp>
 
 #include "visibility/common/clock.hpp"
+#include "visibility/edges/edge_visibility.hpp"
+#include "visibility/newell/priority_list.hpp"
 #include "visibility/order/order_numbers.hpp"
 #include "visibility/order/paint_pieces.hpp"
-#include "visibility/edges/study_edges.hpp"
-#include "visibility/newell/priority_list.hpp"
 
 // Phases: (1) elements: faces with their extents and planes, (2) the priority list, (3) every edge against the faces that
 // have pieces before its own. See docs/methods/newell.md.
@@ -39,7 +39,7 @@ void show_sets(const std::vector<PriorityList::FoundSet>& sets, bool numbers, Vi
 }
 
 /// The list of a view, for one that is similar.
-class KeptList final : public KeptStudy {
+class KeptList final : public KeptVisibility {
  public:
   /// `before`: the one that was taken over, or nullptr.
   KeptList(const PaintElements& elements, const std::vector<std::uint32_t>& farthest_first, const Camera& camera,
@@ -99,11 +99,11 @@ const MethodTraits& NewellMethod::traits() const {
       kParameters,
       {},
       false,
-      Glass::seen_through};
+      TransparencyMode::seen_through};
   return traits;
 }
 
-VisibilityResult NewellMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
+VisibilityResult NewellMethod::compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const {
   Clock clock;
   const auto* kept = dynamic_cast<const KeptList*>(options.earlier);
   const bool takes_over = kept && kept->serves(scene.view.camera);
@@ -130,7 +130,7 @@ VisibilityResult NewellMethod::study(const ProjectedScene& scene, const StudyOpt
   }
   std::vector<std::vector<Point2>> cut;
   if (shows && show == Show::splits) cut = pieces.outlines_of_cut();
-  VisibilityResult result = study_edges(scene, options, &ranks);
+  VisibilityResult result = edge_visibility(scene, options, &ranks);
   result.debug = std::move(cut);
   if (shows && show == Show::order) result.debug_numbers = order_numbers(order, number_of_piece);
   if (shows && show == Show::zones) show_sets(list.zones(), false, result);

@@ -7,11 +7,11 @@
 
 #include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"
-#include "visibility/raster/depth_buffer.hpp"
 #include "visibility/common/facet_functions.hpp"
 #include "visibility/edges/line_strokes.hpp"
 #include "visibility/order/order_numbers.hpp"
 #include "visibility/painter/paint_sequence.hpp"
+#include "visibility/raster/depth_buffer.hpp"
 
 // Phases: (1) facets and their grid, (2) the order, (3) lines: each is painted with the later of its faces, and covered by
 // the faces that come after it, (4) pixels. See docs/methods/painter.md.
@@ -106,7 +106,7 @@ class PaintedLines {
 };
 
 /// The picture when all is painted: a depth buffer in which every face lies at the depth of its place in the order.
-PixelModel paint(const ProjectedScene& scene, const PaintSequence& sequence, const StudyOptions& options) {
+PixelModel paint(const ProjectedScene& scene, const PaintSequence& sequence, const VisibilityOptions& options) {
   ProjectedScene flat;
   flat.lattice = scene.lattice;
   flat.view = scene.view;
@@ -179,7 +179,7 @@ const MethodTraits& PainterMethod::traits() const {
   return traits;
 }
 
-VisibilityResult PainterMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
+VisibilityResult PainterMethod::compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const {
   VisibilityResult result;
   Statistics& statistics = result.statistics;
   const double step = scene.lattice.step_mm;
@@ -197,7 +197,7 @@ VisibilityResult PainterMethod::study(const ProjectedScene& scene, const StudyOp
   // 2. The order.
   const PaintSequence sequence =
       paint_sequence(scene, facets.facets, grid, options.settings.choice("depth-sort", DepthSort::resolved));
-  result.beyond = why_wrong(scene, sequence);
+  result.unsupported_reason = why_wrong(scene, sequence);
   statistics.time("order", clock.lap());
 
   // 3. Lines.

@@ -168,7 +168,7 @@ bool PageLayers::can_be_left_out(const StreamFacet& facet) const {
   return can;
 }
 
-BlankSquares PageLayers::take_blank() {
+OccludedCells PageLayers::take_blank() {
   std::vector<Square>().swap(of_);
   return {squares_, std::move(blank_)};
 }

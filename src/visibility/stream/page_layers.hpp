@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "visibility/common/page_squares.hpp"
+#include "visibility/common/occluded_cells.hpp"
 #include "visibility/stream/stream_facet.hpp"
 
 namespace ligne {
@@ -35,7 +35,7 @@ class PageLayers {
   bool can_be_left_out(const StreamFacet& facet) const;
 
   /// To be called in the end: empties this.
-  BlankSquares take_blank();
+  OccludedCells take_blank();
   std::size_t blank_count() const;
 
  private:

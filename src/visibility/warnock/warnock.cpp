@@ -8,8 +8,8 @@
 
 #include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"
-#include "visibility/edges/line_strokes.hpp"
 #include "visibility/common/opaque_scene.hpp"
+#include "visibility/edges/line_strokes.hpp"
 #include "visibility/warnock/control.hpp"
 #include "visibility/warnock/initial_window.hpp"
 #include "visibility/warnock/regions.hpp"
@@ -142,7 +142,7 @@ void report_times(const Counts& c, Statistics& s) {
 }
 
 /// How windows are studied.
-Rules rules_of(const ProjectedScene& scene, const StudyOptions& options, const InitialWindow& first) {
+Rules rules_of(const ProjectedScene& scene, const VisibilityOptions& options, const InitialWindow& first) {
   const double step = scene.lattice.step_mm;
   const auto resolution = options.settings.count("resolution");
   Rules rules;
@@ -160,7 +160,7 @@ Rules rules_of(const ProjectedScene& scene, const StudyOptions& options, const I
 }
 
 /// The progress of a part of the study, as one of the whole.
-std::function<void(double)> part_of_progress(const StudyOptions& options, double from, double to) {
+std::function<void(double)> part_of_progress(const VisibilityOptions& options, double from, double to) {
   if (!options.progress) return {};
   return [&options, from, to](double part) { options.progress(from + part * (to - from)); };
 }
@@ -221,11 +221,11 @@ const MethodTraits& WarnockMethod::traits() const {
       kParameters,
       {},
       false,
-      Glass::left_out};
+      TransparencyMode::left_out};
   return traits;
 }
 
-VisibilityResult WarnockMethod::study(const ProjectedScene& whole, const StudyOptions& options) const {
+VisibilityResult WarnockMethod::compute_visibility(const ProjectedScene& whole, const VisibilityOptions& options) const {
   const std::optional<OpaqueScene> opaque = without_transparent_faces(whole);
   const ProjectedScene& scene = opaque ? opaque->scene : whole;
   VisibilityResult result;

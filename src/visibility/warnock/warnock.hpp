@@ -11,7 +11,7 @@ namespace ligne {
 class WarnockMethod final : public Method {
  public:
   const MethodTraits& traits() const override;
-  VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const override;
+  VisibilityResult compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const override;
 };
 
 /// How far on the page lines may be off when `--resolution` limits the study: windows are no larger than the longer side of

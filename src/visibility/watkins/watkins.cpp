@@ -9,10 +9,10 @@
 #include "view/tolerances.hpp"
 #include "visibility/common/cell_grid.hpp"
 #include "visibility/common/clock.hpp"
-#include "visibility/penetration/intersections.hpp"
-#include "visibility/edges/line_strokes.hpp"
 #include "visibility/common/opaque_scene.hpp"
+#include "visibility/edges/line_strokes.hpp"
 #include "visibility/edges/visible_parts.hpp"
+#include "visibility/penetration/intersections.hpp"
 #include "visibility/watkins/exact_study.hpp"
 #include "visibility/watkins/line_study.hpp"
 
@@ -130,7 +130,7 @@ void leave_out_hidden(const CellGrid& grid, std::vector<Facet>& facets, std::vec
 /// A study, phase by phase.
 class WatkinsStudy {
  public:
-  WatkinsStudy(const ProjectedScene& scene, const StudyOptions& options)
+  WatkinsStudy(const ProjectedScene& scene, const VisibilityOptions& options)
       : scene_(scene),
         options_(options),
         step_(scene.lattice.step_mm),
@@ -150,7 +150,7 @@ class WatkinsStudy {
   bool finds_intersections() const { return scene_.with_intersections || !exact_ || options_.span_lines; }
   void make_lines();
   void leave_out_what_is_hidden();
-  void study_edges();
+  void edge_visibility();
   const CellGrid& cells_to_search();
   LineVisibility by_cells();
   void study_intersections();
@@ -165,7 +165,7 @@ class WatkinsStudy {
   }
 
   const ProjectedScene& scene_;
-  const StudyOptions& options_;
+  const VisibilityOptions& options_;
   const double step_;
   const unsigned line_count_;
   const bool exact_;  ///< at every event, not by a number of lines
@@ -214,7 +214,7 @@ void WatkinsStudy::leave_out_what_is_hidden() {
 }
 
 // 3. Edges, and pairs that penetrate.
-void WatkinsStudy::study_edges() {
+void WatkinsStudy::edge_visibility() {
   const std::span<const SweepLine> studied = exact_ ? std::span<const SweepLine>(lines_) : std::span<const SweepLine>{};
   ExactResult first = study_exactly(scene_.vertices, facets_.facets, studied, exact_options_);
   counts_ += first.counts;
@@ -342,7 +342,7 @@ void WatkinsStudy::show_spans() {
 VisibilityResult WatkinsStudy::run() {
   make_lines();
   leave_out_what_is_hidden();
-  study_edges();
+  edge_visibility();
   exact_ ? study_intersections() : study_lines();
   result_.statistics.time("lines", clock_.lap());
   make_spans();
@@ -366,11 +366,11 @@ const MethodTraits& WatkinsMethod::traits() const {
       kParameters,
       {},
       false,
-      Glass::left_out};
+      TransparencyMode::left_out};
   return traits;
 }
 
-VisibilityResult WatkinsMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
+VisibilityResult WatkinsMethod::compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const {
   const std::optional<OpaqueScene> opaque = without_transparent_faces(scene);
   if (!opaque) return WatkinsStudy(scene, options).run();
   VisibilityResult result = WatkinsStudy(opaque->scene, options).run();

@@ -5,12 +5,12 @@
 #include <memory>
 #include <utility>
 
+#include "visibility/kept_visibility.hpp"
 #include "visibility/raster/depth_buffer.hpp"
-#include "visibility/kept_study.hpp"
 
 namespace ligne::zbuffer {
 
-class KeptBuffer final : public KeptStudy {
+class KeptBuffer final : public KeptVisibility {
  public:
   /// `faces`: of the scene of which it was made; those with higher numbers are not in it.
   KeptBuffer(DepthBuffer buffer, const View& view, std::uint32_t faces)

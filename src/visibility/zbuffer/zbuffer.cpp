@@ -7,9 +7,9 @@
 #include "view/tolerances.hpp"
 #include "visibility/common/cell_grid.hpp"
 #include "visibility/common/clock.hpp"
-#include "visibility/raster/depth_buffer.hpp"
-#include "visibility/penetration/intersections.hpp"
 #include "visibility/edges/line_strokes.hpp"
+#include "visibility/penetration/intersections.hpp"
+#include "visibility/raster/depth_buffer.hpp"
 #include "visibility/zbuffer/edge_sampling.hpp"
 #include "visibility/zbuffer/kept_buffer.hpp"
 
@@ -35,7 +35,7 @@ constexpr MethodParameter kParameters[] = {
 constexpr double kShortestPixels = 2;
 
 /// From the near plane (in parallel projection: from the nearest point) to the farthest point of the scene.
-DepthScale scale_of(const ProjectedScene& scene, const StudyOptions& options) {
+DepthScale scale_of(const ProjectedScene& scene, const VisibilityOptions& options) {
   const auto bits = options.settings.count("depth-bits");
   if (!bits || scene.triangles.empty()) return {};
   double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
@@ -52,7 +52,7 @@ DepthScale scale_of(const ProjectedScene& scene, const StudyOptions& options) {
   return {nearest, (farthest - nearest) / (std::exp2(*bits) - 1)};
 }
 
-DepthBuffer empty_buffer(const ProjectedScene& scene, const StudyOptions& options) {
+DepthBuffer empty_buffer(const ProjectedScene& scene, const VisibilityOptions& options) {
   return {PixelGrid::of(scene.view.window, options.span_lines, options.settings.count("lines"), kRows),
           scale_of(scene, options)};
 }
@@ -114,11 +114,11 @@ const MethodTraits& ZBufferMethod::traits() const {
                                    kParameters,
                                    {},
                                    false,
-                                   Glass::hides_nothing};
+                                   TransparencyMode::hides_nothing};
   return traits;
 }
 
-VisibilityResult ZBufferMethod::study(const ProjectedScene& scene, const StudyOptions& options) const {
+VisibilityResult ZBufferMethod::compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const {
   VisibilityResult result;
   Statistics& statistics = result.statistics;
   const double step = scene.lattice.step_mm;

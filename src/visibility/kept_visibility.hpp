@@ -6,9 +6,9 @@
 namespace ligne {
 
 /// Each method knows its own, and does not use what does not fit.
-class KeptStudy {
+class KeptVisibility {
  public:
-  virtual ~KeptStudy() = default;
+  virtual ~KeptVisibility() = default;
 };
 
 enum class Keep : std::uint8_t {

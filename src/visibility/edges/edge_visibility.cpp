@@ -1,4 +1,4 @@
-#include "visibility/edges/study_edges.hpp"
+#include "visibility/edges/edge_visibility.hpp"
 
 #include <memory>
 #include <optional>
@@ -7,11 +7,11 @@
 #include "view/tolerances.hpp"
 #include "visibility/common/cell_grid.hpp"
 #include "visibility/common/clock.hpp"
-#include "visibility/penetration/intersections.hpp"
 #include "visibility/edges/line_strokes.hpp"
 #include "visibility/edges/transparent_lines.hpp"
-#include "visibility/polygons/visible_faces.hpp"
 #include "visibility/edges/visible_parts.hpp"
+#include "visibility/penetration/intersections.hpp"
+#include "visibility/polygons/visible_faces.hpp"
 
 // Phases: (1) facets, (2) the screen grid with covers, (3) intersections that are not behind covers, (4) every line through
 // the cells it crosses, nearest facets first, until nothing of it is left. (5) Where an order of the faces is known,
@@ -72,7 +72,7 @@ void report(const TestCounts& counts, Statistics& statistics) {
 
 }  // namespace
 
-VisibilityResult study_edges(const ProjectedScene& scene, const StudyOptions& options, const FaceRanks* ranks) {
+VisibilityResult edge_visibility(const ProjectedScene& scene, const VisibilityOptions& options, const FaceRanks* ranks) {
   VisibilityResult result;
   Statistics& statistics = result.statistics;
   const double step = scene.lattice.step_mm;

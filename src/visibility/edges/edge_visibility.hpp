@@ -11,6 +11,7 @@ namespace ligne {
 /// faces that have pieces before its own. Without it depths alone decide, and every face is opaque. With it lines behind
 /// transparent faces have levels, and regions are given where they are wanted: every face clipped by those before it in the
 /// order.
-VisibilityResult study_edges(const ProjectedScene& scene, const StudyOptions& options, const FaceRanks* ranks = nullptr);
+VisibilityResult edge_visibility(const ProjectedScene& scene, const VisibilityOptions& options,
+                                 const FaceRanks* ranks = nullptr);
 
 }  // namespace ligne

@@ -30,7 +30,7 @@ struct PageSquares {
 };
 
 /// For a scene that is part of a model: the squares in which something that is not in the scene hides every line.
-struct BlankSquares {
+struct OccludedCells {
   PageSquares squares;
   std::vector<std::uint8_t> blank;  ///< by number
 

@@ -1,4 +1,4 @@
-#include "picture/scene_study.hpp"
+#include "picture/scene_visibility.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -99,9 +99,9 @@ bool coincide_by_sight(const PictureRequest& request, const Scene& scene) {
   return request.blank || (scene.faces.size() >= kFewestStreamedFaces && request.lines.hidden == HiddenLines::none);
 }
 
-StudyOptions study_options(const PreparedScene& prepared, std::optional<SpanLines> span_lines) {
+VisibilityOptions study_options(const PreparedScene& prepared, std::optional<SpanLines> span_lines) {
   const PictureRequest& request = prepared.request;
-  StudyOptions options;
+  VisibilityOptions options;
   options.hidden_strokes = request.lines.hidden != HiddenLines::none;
   options.span_lines = span_lines;
   options.settings = request.lines.settings;
@@ -121,12 +121,12 @@ void warn_of_limits(const MethodTraits& method, const VisibilityResult& result, 
                     const LineRequest& lines, RunReport& run) {
   const std::string name(method.name);
   const auto glass = std::ranges::count_if(projected.face_is_transparent, [](std::uint8_t t) { return t != 0; });
-  if (glass > 0 && method.glass == Glass::opaque) {
+  if (glass > 0 && method.glass == TransparencyMode::opaque) {
     run.warn(std::to_string(glass) + " transparent faces are taken as opaque; --method atherton-weiler sees through them");
   }
-  if (!result.beyond.empty()) {
+  if (!result.unsupported_reason.empty()) {
     run.warn("the drawing may be wrong: --method " + name + " is for " + std::string(method.only_for) +
-             ", and of this scene " + result.beyond);
+             ", and of this scene " + result.unsupported_reason);
   }
   if (!result.left_out.empty()) run.warn("--method " + name + " leaves out " + result.left_out);
   // The scene may have nothing of that kind: no cut, one zone, a convex body without planes.
@@ -201,7 +201,7 @@ bool wants_regions(const PictureRequest& request, const Method& method) {
          hatches_regions(request, method) || request.lines.classes.has(LineClass::shadow);
 }
 
-SourceEdge SceneStudy::source(const Scene& scene, std::uint32_t number) const {
+SourceEdge SceneVisibility::source(const Scene& scene, std::uint32_t number) const {
   const StrokeModel& strokes = *result.strokes;
   if (number >= strokes.edge_count) return strokes.intersections.at(number - strokes.edge_count);
   if (number >= first_detail && number - first_detail < details.size()) {
@@ -264,9 +264,10 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
   return prepared;
 }
 
-SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, bool keep_edges, RunReport& run) {
+SceneVisibility compute_visibility(PreparedScene& prepared, std::optional<SpanLines> span_lines, bool keep_edges,
+                                   RunReport& run) {
   const PictureRequest& request = prepared.request;
-  SceneStudy found;
+  SceneVisibility found;
   if (keep_edges) found.edges = std::move(prepared.topology.edges);
   if (keep_edges && request.groups) {
     for (const SpaceLine& line : request.groups->lines) found.lines.push_back(line.ends);
@@ -280,8 +281,8 @@ SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, b
       std::to_string(projected.triangles.size()) + " triangles, " + std::to_string(projected.edges.size()) + " lines";
   found.method = &prepared.method;
   found.result = timed(run.stages, {"study", asks}, [&] {
-    const StudyOptions options = study_options(prepared, span_lines);
-    if (request.lines.method) return prepared.method.study(projected, options);
+    const VisibilityOptions options = study_options(prepared, span_lines);
+    if (request.lines.method) return prepared.method.compute_visibility(projected, options);
     ChosenStudy choice = study_by_choice(request, projected, options);
     found.method = choice.method;
     run.choices.emplace_back("method", std::move(choice.why));

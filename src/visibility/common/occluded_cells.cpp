@@ -1,4 +1,4 @@
-#include "visibility/common/page_squares.hpp"
+#include "visibility/common/occluded_cells.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ void for_each_square(const PageSquares& squares, const PageLine& line, double fr
 
 }  // namespace
 
-void BlankSquares::take_from(std::vector<LinePart>& parts, const PageLine& line) const {
+void OccludedCells::take_from(std::vector<LinePart>& parts, const PageLine& line) const {
   thread_local std::vector<LinePart> left;
   left.clear();
   for (const LinePart& part : parts) {

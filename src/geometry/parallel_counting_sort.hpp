@@ -15,8 +15,8 @@ namespace ligne {
 /// stand in the order in which they are listed, whatever the number of threads. Returns the first place of each part, and
 /// the end. O(things + parts * blocks).
 template <class List, class Allocate, class Put>
-std::vector<std::size_t> file_by_parts(std::size_t count, std::size_t block, std::size_t parts, const List& list,
-                                       const Allocate& allocate, const Put& put) {
+std::vector<std::size_t> parallel_counting_sort(std::size_t count, std::size_t block, std::size_t parts, const List& list,
+                                                const Allocate& allocate, const Put& put) {
   const std::size_t blocks = block_count(count, block);
   std::vector<std::size_t> place(blocks * parts, 0);  // counts, then the next places, per block and part
   parallel_blocks(count, block, [&](std::size_t begin, std::size_t end) {

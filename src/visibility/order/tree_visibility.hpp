@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "visibility/common/clock.hpp"
+#include "visibility/edges/edge_visibility.hpp"
+#include "visibility/method.hpp"
 #include "visibility/order/dividing_plane.hpp"
 #include "visibility/order/order_numbers.hpp"
 #include "visibility/order/paint_pieces.hpp"
 #include "visibility/order/partition_lines.hpp"
-#include "visibility/edges/study_edges.hpp"
-#include "visibility/method.hpp"
 
 namespace ligne {
 
@@ -48,7 +48,7 @@ inline PlaneChoice plane_choice(const MethodSettings& settings) {
 /// `Tree` has pieces(), partition() and front_to_back(viewpoint, visit(piece, rank)), where pieces of one rank do not hide
 /// each other.
 template <class Tree>
-VisibilityResult study_tree(const Tree& tree, const ProjectedScene& scene, const StudyOptions& options) {
+VisibilityResult tree_visibility(const Tree& tree, const ProjectedScene& scene, const VisibilityOptions& options) {
   Clock clock;
   FaceRanks ranks(scene.model->faces.size());
   std::vector<std::uint32_t> front_to_back;
@@ -68,7 +68,7 @@ VisibilityResult study_tree(const Tree& tree, const ProjectedScene& scene, const
   if (shows && show == TreeShow::tree) planes = partition_lines(scene, tree.partition());
   const double seconds = clock.lap();
 
-  VisibilityResult result = study_edges(scene, options, &ranks);
+  VisibilityResult result = edge_visibility(scene, options, &ranks);
   if (shows && show == TreeShow::order) result.debug_numbers = order_numbers(order);
   if (options.wanted & kOrder) result.order = std::move(order);
   result.debug = std::move(shown);
@@ -86,12 +86,12 @@ template <class Tree>
 class TreeMethod : public Method {
  public:
   /// Studies by the tree that is there, or compiles one and puts the time of that before those of the study.
-  VisibilityResult study(const ProjectedScene& scene, const StudyOptions& options) const final {
-    if (options.compiled) return study(dynamic_cast<const Tree&>(*options.compiled), scene, options);
+  VisibilityResult compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const final {
+    if (options.compiled) return compute_visibility(dynamic_cast<const Tree&>(*options.compiled), scene, options);
     Clock clock;
     const Tree tree(*scene.model, plane_choice(options.settings));
     const double seconds = clock.lap();
-    VisibilityResult result = study(tree, scene, options);
+    VisibilityResult result = compute_visibility(tree, scene, options);
     auto& times = result.statistics.seconds;
     times.insert(times.begin(), {"tree", seconds});
     return result;
@@ -104,8 +104,9 @@ class TreeMethod : public Method {
   }
 
   /// Takes a tree that was built from the scene's model before, for this view or another one.
-  VisibilityResult study(const Tree& tree, const ProjectedScene& scene, const StudyOptions& options) const {
-    VisibilityResult result = study_tree(tree, scene, options);
+  VisibilityResult compute_visibility(const Tree& tree, const ProjectedScene& scene,
+                                      const VisibilityOptions& options) const {
+    VisibilityResult result = tree_visibility(tree, scene, options);
     count(tree.counts(), result.statistics);
     result.statistics.count("splits", tree.counts().splits);
     result.statistics.count("pieces", tree.pieces().pieces().size());

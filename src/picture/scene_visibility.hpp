@@ -46,7 +46,7 @@ struct PreparedScene {
 };
 
 /// The findings. Every stroke is there once, and regions carry details and light.
-struct SceneStudy {
+struct SceneVisibility {
   const Method* method = nullptr;  ///< by which it was found
   VisibilityResult result;
   std::vector<Edge> edges;                     ///< of the scene, where `keep_edges` asks for them
@@ -79,6 +79,7 @@ PreparedScene prepare(const Scene& scene, const PictureRequest& request, const s
 
 /// The method's study, with details and light on its regions. Empties `prepared.topology`, whose memory the study needs.
 /// `span_lines`: where spans are wanted. Throws RequestError.
-SceneStudy study(PreparedScene& prepared, std::optional<SpanLines> span_lines, bool keep_edges, RunReport& run);
+SceneVisibility compute_visibility(PreparedScene& prepared, std::optional<SpanLines> span_lines, bool keep_edges,
+                                   RunReport& run);
 
 }  // namespace ligne

@@ -13,7 +13,7 @@ namespace ligne {
 
 /// Things between pairs of nodes, filed by a counting sort under the lower node of each. A file holds few things under one
 /// node, so that they are put in order by the higher one where they stand. O(n + things).
-class FiledPairs {
+class VertexPairIndex {
  public:
   struct Entry {
     std::uint32_t high;   ///< the higher of the two nodes
@@ -23,7 +23,7 @@ class FiledPairs {
   /// list(add) calls add(a, b, thing) for all things between nodes a and b of [0, nodes), in ascending order of their
   /// numbers, and the same each time it is called. `about`: how many things there are, more or less.
   template <class List>
-  FiledPairs(std::size_t nodes, std::size_t about, const List& list) : begin_(nodes + 1, 0) {
+  VertexPairIndex(std::size_t nodes, std::size_t about, const List& list) : begin_(nodes + 1, 0) {
     // A task owns a range of nodes and goes through all things: so entries stand in the order of the things, whatever the
     // number of ranges.
     constexpr std::size_t kThingsPerRange = 200'000, kMostRanges = 4;
