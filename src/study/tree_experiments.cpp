@@ -8,8 +8,8 @@
 #include "study/generators.hpp"
 #include "study/measure.hpp"
 #include "visibility/bsp/bsp_tree.hpp"
-#include "visibility/raster/scan_conversion.hpp"
 #include "visibility/convex_tree/convex_tree.hpp"
+#include "visibility/raster/scan_conversion.hpp"
 
 namespace ligne::studies {
 namespace {

@@ -97,8 +97,8 @@ struct VisibilityResult {
   std::string left_out;  ///< what of the scene the method does not take part in its study, in words; empty: nothing
 };
 
-/// A method holds no state: compute_visibility() may be called from several threads, and the same input gives the same result whatever
-/// the number of threads (which is the caller's oneTBB arena).
+/// A method holds no state: compute_visibility() may be called from several threads, and the same input gives the same
+/// result whatever the number of threads (which is the caller's oneTBB arena).
 class Method {
  public:
   virtual ~Method() = default;

@@ -2,11 +2,11 @@
 
 #include <array>
 
-#include "visibility/edges/appel.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
 #include "visibility/bsp/bsp.hpp"
 #include "visibility/convex_tree/convex_tree_method.hpp"
 #include "visibility/culling/culling.hpp"
+#include "visibility/edges/appel.hpp"
 #include "visibility/newell/newell.hpp"
 #include "visibility/painter/painter.hpp"
 #include "visibility/warnock/warnock.hpp"

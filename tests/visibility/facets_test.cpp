@@ -2,8 +2,8 @@
 
 #include "support/test.hpp"
 #include "visibility/common/facet.hpp"
-#include "visibility/penetration/facet_tree.hpp"
 #include "visibility/common/hidden_interval.hpp"
+#include "visibility/penetration/facet_tree.hpp"
 #include "visibility/penetration/penetration.hpp"
 
 namespace ligne::test {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "files/bytes.hpp"
-#include "visibility/order/dividing_plane.hpp"
 #include "visibility/convex_tree/point_boxes.hpp"
+#include "visibility/order/dividing_plane.hpp"
 
 // [Huet1994] 3.2. Its measure of termination is the number of planes that support a triangle of the set; here that of the
 // triangles of the scene of which the set has pieces, which is as good: pieces of one triangle have one plane. Peeling takes

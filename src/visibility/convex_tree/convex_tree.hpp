@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "visibility/method.hpp"
 #include "visibility/order/dividing_plane.hpp"
 #include "visibility/order/model_pieces.hpp"
 #include "visibility/order/partition_lines.hpp"
-#include "visibility/method.hpp"
 
 namespace ligne {
 

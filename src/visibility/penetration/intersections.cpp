@@ -9,9 +9,9 @@
 
 #include "geometry/parallel.hpp"
 #include "view/tolerances.hpp"
-#include "visibility/penetration/crossing_facets.hpp"
 #include "visibility/common/crowd_hiders.hpp"
 #include "visibility/common/facet_functions.hpp"
+#include "visibility/penetration/crossing_facets.hpp"
 
 // Per leaf all pairs of facets that may meet in depth and on the page are tested; where hidden segments are wanted too, all
 // pairs of the scene.

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "geometry/parallel.hpp"
-#include "visibility/raster/convex_filler.hpp"
 #include "visibility/common/face_triangles.hpp"
 #include "visibility/common/facet.hpp"
+#include "visibility/raster/convex_filler.hpp"
 #include "visibility/raster/scan_conversion.hpp"
 
 // Phases of add(): (1) the scene's triangles are put together into faces, with the sides that bound them (Td), (2) faces are

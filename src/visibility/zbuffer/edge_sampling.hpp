@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "visibility/raster/depth_buffer.hpp"
 #include "visibility/common/hidden_interval.hpp"
 #include "visibility/common/open_parts.hpp"
+#include "visibility/raster/depth_buffer.hpp"
 
 namespace ligne::zbuffer {
 
