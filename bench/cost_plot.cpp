@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "inputs.hpp"
 #include "plotting/page.hpp"
 #include "scene/clean/clean.hpp"

@@ -14,7 +14,7 @@
 
 #include "drawing/drawing.hpp"
 #include "plotting/page.hpp"
-#include "plotting/writers.hpp"
+#include "plotting/writers/writers.hpp"
 #include "scene/model/topology.hpp"
 #include "scene/readers/reader.hpp"
 #include "view/projected_scene.hpp"

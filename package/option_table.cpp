@@ -11,7 +11,7 @@
 #include "drawing/stroke.hpp"
 #include "picture/requests.hpp"
 #include "picture/surface/surface_request.hpp"
-#include "plotting/device.hpp"
+#include "plotting/devices/device.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "view/view.hpp"
 #include "visibility/registry.hpp"

@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "option_table.hpp"
-#include "plotting/output_file.hpp"
+#include "plotting/writers/output_file.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 2) {

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/portable.hpp"
 #include "files/message_text.hpp"
-#include "geometry/portable.hpp"
 
 namespace ligne {
 namespace {

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "plotting/dashes.hpp"
 #include "plotting/stroke_text.hpp"
 

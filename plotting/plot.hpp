@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "drawing/drawing.hpp"
-#include "plotting/device.hpp"
+#include "plotting/devices/device.hpp"
+#include "plotting/devices/pens.hpp"
 #include "plotting/paths/optimize.hpp"
-#include "plotting/pens.hpp"
-#include "plotting/writers.hpp"
+#include "plotting/writers/writers.hpp"
 
 namespace ligne {
 

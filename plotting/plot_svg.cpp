@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "plotting/number_text.hpp"
-#include "plotting/plot_writers.hpp"
+#include "plotting/writers/number_text.hpp"
+#include "plotting/writers/plot_writers.hpp"
 
 namespace ligne {
 namespace {

@@ -5,7 +5,7 @@
 #include <charconv>
 
 #include "plotting/fonts/simplex_glyphs.hpp"
-#include "plotting/utf8.hpp"
+#include "plotting/readers/utf8.hpp"
 
 namespace ligne {
 namespace {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # check_clang.sh [SUFFIX]: compiles every source of src, plotting, package and python with clang and libc++, whose C++20 has gaps
-# (src/geometry/portable.hpp), then builds the program with clang and libstdc++, and has it draw an example. With libc++ nothing can be linked on Debian:
+# (src/base/portable.hpp), then builds the program with clang and libstdc++, and has it draw an example. With libc++ nothing can be linked on Debian:
 # its C++ libraries are made with libstdc++. SUFFIX (default: -16) is that of clang's packages.
 set -euo pipefail
 

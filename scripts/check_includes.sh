@@ -36,7 +36,7 @@ for method in "${methods[@]}"; do
   done
 done
 for folder in src plotting tests bench; do
-  forbid "$folder" '(oneapi/)?tbb/' 'src/geometry/parallel\.cpp'
-  forbid "$folder" 'CLI/' 'src/cli/(options\.cpp|command_line\.cpp|help\.hpp)'
+  forbid "$folder" '(oneapi/)?tbb/' 'src/base/parallel\.cpp'
+  forbid "$folder" 'CLI/' 'src/cli/(options/options\.cpp|command_line\.cpp|help\.hpp)'
 done
 exit "$broken"

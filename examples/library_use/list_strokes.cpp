@@ -16,7 +16,8 @@ void list_strokes(const char* model) {
   const PictureRequest request;
   RunReport report;
   PreparedScene prepared = prepare(models.scene, request, std::nullopt, report);
-  const SceneVisibility found = compute_visibility(prepared, std::nullopt, true, report);
+  SceneVisibility found = compute_visibility(prepared, std::nullopt, true, report);
+  finish_lines(found, prepared, report);
 
   for (const Stroke& stroke : found.result.strokes->strokes) {
     const SourceEdge edge = found.source(models.scene, stroke.source);

@@ -1,4 +1,5 @@
 #include "areas/area.hpp"
+#include "base/hash.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -184,10 +185,8 @@ bool Area::is_same(const Area& other) const {
 }
 
 std::size_t Area::hash() const {
-  constexpr std::size_t kFactor = 0x9e3779b97f4a7c15;
   return std::accumulate(steps_.begin(), steps_.end(), steps_.size(), [](std::size_t sum, const StepSegment& s) {
-    for (const std::int64_t v : {s.a.x, s.a.y, s.b.x, s.b.y})
-      sum = (sum ^ static_cast<std::size_t>(v)) * kFactor + (sum >> 29);
+    for (const std::int64_t v : {s.a.x, s.a.y, s.b.x, s.b.y}) sum = extend_hash(sum, static_cast<std::uint64_t>(v));
     return sum;
   });
 }

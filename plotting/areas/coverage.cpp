@@ -1,4 +1,5 @@
 #include "areas/coverage.hpp"
+#include "base/no_index.hpp"
 
 #include <algorithm>
 

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <tuple>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "plotting/paths/end_tree.hpp"
 #include "plotting/paths/path_length.hpp"
 
 namespace ligne {
 namespace {
-
-constexpr std::uint32_t kNone = EndTree::kNone;
 
 /// Adjustable: of all ends near to one, so many are tried.
 constexpr std::size_t kCandidates = 8;

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/no_index.hpp"
+
 namespace ligne {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "geometry/point.hpp"
 
 namespace ligne {
@@ -14,8 +15,6 @@ namespace ligne {
 /// is found depends on the points alone.
 class EndTree {
  public:
-  static constexpr std::uint32_t kNone = 0xffffffffu;
-
   struct Neighbour {
     double squared;  ///< distance, mm^2
     std::uint32_t point;

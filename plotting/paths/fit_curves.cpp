@@ -19,9 +19,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/parallel.hpp"
-#include "plotting/number_text.hpp"
+#include "base/parallel.hpp"
 #include "plotting/paths/simplify.hpp"
+#include "plotting/writers/number_text.hpp"
 
 namespace ligne {
 namespace {

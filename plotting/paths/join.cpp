@@ -24,7 +24,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "drawing/node_pairs.hpp"
+#include "base/no_index.hpp"
+#include "drawing/graphs/node_pairs.hpp"
 #include "plotting/paths/bridge_cuts.hpp"
 #include "plotting/paths/chain_ends.hpp"
 #include "plotting/paths/simplify.hpp"
@@ -157,8 +158,7 @@ void remove_equal(std::vector<Stroke>& strokes) {
 /// Chains of strokes: end 2 i is the `from` of stroke i, end 2 i + 1 its `to`, partner[e] the end that continues e.
 class Chains {
  public:
-  explicit Chains(const StrokeModel& model)
-      : model_(model), strokes_(model.strokes), partner_(2 * strokes_.size(), kNoPartner) {
+  explicit Chains(const StrokeModel& model) : model_(model), strokes_(model.strokes), partner_(2 * strokes_.size(), kNone) {
     find_nodes();
     pair_ends();
     number_chains();
@@ -211,37 +211,37 @@ void Chains::pair_ends() {
       arms.push_back({{there.x - here.x, there.y - here.y}, e});
     }
     pair_arms(arms, partner_);
-    std::uint32_t waiting = kNoPartner;
+    std::uint32_t waiting = kNone;
     for (const std::uint32_t e : node(n)) {
-      if (partner_[e] != kNoPartner) continue;
-      if (waiting == kNoPartner) {
+      if (partner_[e] != kNone) continue;
+      if (waiting == kNone) {
         waiting = e;
       } else {
         partner_[e] = waiting;
         partner_[waiting] = e;
-        waiting = kNoPartner;
+        waiting = kNone;
       }
     }
   }
 }
 
 void Chains::number_chains() {
-  chain_of_.assign(strokes_.size(), kNoPartner);
+  chain_of_.assign(strokes_.size(), kNone);
   const auto follow = [&](std::uint32_t start) {
     const auto chain = static_cast<std::uint32_t>(ring_.size());
     std::uint32_t end = start;
-    while (end != kNoPartner && chain_of_[end / 2] == kNoPartner) {
+    while (end != kNone && chain_of_[end / 2] == kNone) {
       chain_of_[end / 2] = chain;
       end = partner_[end ^ 1];
     }
-    ring_.push_back(end != kNoPartner);
+    ring_.push_back(end != kNone);
     parent_.push_back(chain);
   };
   for (std::uint32_t end = 0; end < partner_.size(); ++end) {
-    if (partner_[end] == kNoPartner && chain_of_[end / 2] == kNoPartner) follow(end);
+    if (partner_[end] == kNone && chain_of_[end / 2] == kNone) follow(end);
   }
   for (std::uint32_t i = 0; i < strokes_.size(); ++i) {
-    if (chain_of_[i] == kNoPartner) follow(2 * i);
+    if (chain_of_[i] == kNone) follow(2 * i);
   }
 }
 
@@ -252,10 +252,10 @@ std::uint32_t Chains::set_of(std::uint32_t chain) {
 
 void Chains::take_in_rings() {
   for (std::size_t n = 0; n < node_count(); ++n) {
-    std::uint32_t base = kNoPartner;
+    std::uint32_t base = kNone;
     for (const std::uint32_t e : node(n)) {
-      if (partner_[e] == kNoPartner) continue;
-      if (base == kNoPartner) {
+      if (partner_[e] == kNone) continue;
+      if (base == kNone) {
         base = e;
         continue;
       }
@@ -270,7 +270,7 @@ void Chains::take_in_rings() {
       ring_[low] = ring_[a] && ring_[b];
       parent_[high] = low;
     }
-    if (base != kNoPartner) lengthen_by_ring(node(n), base);
+    if (base != kNone) lengthen_by_ring(node(n), base);
   }
 }
 
@@ -280,8 +280,8 @@ void Chains::lengthen_by_ring(std::span<const std::uint32_t> node, std::uint32_t
   if (!ring_[ring]) return;
   for (const std::uint32_t e : node) {
     const std::uint32_t chain = set_of(chain_of_[e / 2]);
-    if (partner_[e] != kNoPartner || chain == ring) continue;
-    partner_[partner_[pass]] = kNoPartner;
+    if (partner_[e] != kNone || chain == ring) continue;
+    partner_[partner_[pass]] = kNone;
     partner_[pass] = e;
     partner_[e] = pass;
     parent_[std::max(chain, ring)] = std::min(chain, ring);
@@ -298,10 +298,10 @@ Polylines Chains::polylines() const {
     if (walked[i]) continue;
     // Back to where the chain begins; a ring begins here.
     std::uint32_t start = 2 * i;
-    while (partner_[start] != kNoPartner && (partner_[start] ^ 1) != 2 * i) start = partner_[start] ^ 1;
-    if (partner_[start] != kNoPartner) start = 2 * i;
+    while (partner_[start] != kNone && (partner_[start] ^ 1) != 2 * i) start = partner_[start] ^ 1;
+    if (partner_[start] != kNone) start = 2 * i;
     out.points.push_back(model_.lattice.to_mm(point(start)));
-    for (std::uint32_t end = start; end != kNoPartner && !walked[end / 2]; end = partner_[end ^ 1]) {
+    for (std::uint32_t end = start; end != kNone && !walked[end / 2]; end = partner_[end ^ 1]) {
       walked[end / 2] = 1;
       out.points.push_back(model_.lattice.to_mm(point(end ^ 1)));
     }

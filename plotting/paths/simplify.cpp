@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "plotting/paths/farthest_point.hpp"
 #include "plotting/paths/segment_distance.hpp"
 

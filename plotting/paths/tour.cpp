@@ -17,7 +17,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "plotting/paths/end_tree.hpp"
 
 namespace ligne {

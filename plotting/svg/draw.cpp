@@ -9,9 +9,9 @@
 #include "areas/endless_work.hpp"
 #include "files/message_text.hpp"
 #include "plotting/dashes.hpp"
-#include "plotting/hatch.hpp"
+#include "plotting/devices/pens.hpp"
+#include "plotting/hatching/hatch.hpp"
 #include "plotting/paths/path_length.hpp"
-#include "plotting/pens.hpp"
 #include "plotting/svg/reader.hpp"
 
 namespace ligne::svg {

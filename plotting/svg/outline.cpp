@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "areas/endless_work.hpp"
-#include "plotting/drawing_reader.hpp"
+#include "plotting/readers/drawing_reader.hpp"
 
 namespace ligne::svg {
 namespace {

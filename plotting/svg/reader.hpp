@@ -1,5 +1,5 @@
 #pragma once
-/// The walk over the tree of an SVG. Private to plotting: plotting/drawing_reader.hpp is for others.
+/// The walk over the tree of an SVG. Private to plotting: plotting/readers/drawing_reader.hpp is for others.
 
 #include <functional>
 #include <map>
@@ -18,7 +18,7 @@
 
 #include "areas/clip.hpp"
 #include "areas/occluder.hpp"
-#include "plotting/drawing_reader.hpp"
+#include "plotting/readers/drawing_reader.hpp"
 #include "plotting/svg/shapes.hpp"
 #include "plotting/svg/style/style.hpp"
 

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "plotting/cairo_text.hpp"
 #include "plotting/stroke_text.hpp"
 #include "plotting/svg/reader.hpp"
+#include "plotting/writers/cairo_text.hpp"
 
 namespace ligne::svg {
 namespace {

@@ -1,4 +1,5 @@
 #include "bindings/drawing.hpp"
+#include "picture/draw_scene.hpp"
 
 #include <array>
 #include <utility>
@@ -11,7 +12,7 @@
 #include "picture/errors.hpp"
 #include "picture/parse/parse_options.hpp"
 #include "picture/surface/mixed_scene.hpp"
-#include "plotting/output_file.hpp"
+#include "plotting/writers/output_file.hpp"
 
 namespace py = pybind11;
 
@@ -36,7 +37,7 @@ Point3 point_at(const SourceEdge& edge, double t) { return edge.ends[0] + t * (e
 /// The facts about every stroke, as arrays of as many rows.
 py::dict strokes(const DrawingHolder& holder) {
   const DrawnScene& drawn = drawn_of(holder);
-  const SceneVisibility& study = drawn.study();
+  const SceneVisibility& study = drawn.visibility();
   const StrokeModel& model = *study.result.strokes;
   const Scene& scene = drawn.prepared().scene;
   const std::size_t n = model.strokes.size();
@@ -88,7 +89,7 @@ std::size_t polyline_count(DrawingHolder& holder) {
 }
 
 std::size_t stroke_count(const DrawingHolder& holder) {
-  return holder.drawn() ? holder.drawn()->study().result.strokes->strokes.size() : 0;
+  return holder.drawn() ? holder.drawn()->visibility().result.strokes->strokes.size() : 0;
 }
 
 py::array_t<double> polyline(std::span<const Point2> points) {
@@ -117,9 +118,9 @@ py::list layers(DrawingHolder& holder) {
 /// (face, contours, level, lights) of each region; None where there are none.
 py::object regions(const DrawingHolder& holder) {
   const DrawnScene& drawn = drawn_of(holder);
-  if (!drawn.study().result.regions) return py::none();
+  if (!drawn.visibility().result.regions) return py::none();
   py::list list;
-  for (const Region& region : *drawn.study().result.regions) {
+  for (const Region& region : *drawn.visibility().result.regions) {
     py::list contours;
     for (const std::vector<Point2>& contour : region.contours) contours.append(read_only(polyline(contour)));
     list.append(py::make_tuple(given_face(drawn.prepared().scene, region.face), contours, region.level, region.lights));
@@ -250,8 +251,8 @@ void DrawingHolder::draw(const PictureRequest& request, const Progress& progress
   RunReport report;
   report.files = run_.files;  // of surfaces among models, and of earlier drawings
   if (!surface_) {
-    drawn_ =
-        std::make_unique<DrawnScene>(scene_->scene(), std::move(picture), report, std::nullopt, scene_->topology(), true);
+    drawn_ = std::make_unique<DrawnScene>(
+        draw_lines(scene_->scene(), std::move(picture), report, std::nullopt, scene_->topology(), true));
   } else {
     SurfaceRequest surface = *surface_;
     surface.picture = std::move(picture);
@@ -272,8 +273,8 @@ void DrawingHolder::draw(const PictureRequest& request, const Progress& progress
       horizon_->picture.progress = {};
     } else {
       surface_scene_ = make_surface_scene(surface, surfaces, report);
-      drawn_ = std::make_unique<DrawnScene>(surface_scene_->scene, surface_scene_->picture, report, surface_scene_->box,
-                                            std::nullopt, true);
+      drawn_ = std::make_unique<DrawnScene>(
+          draw_lines(surface_scene_->scene, surface_scene_->picture, report, surface_scene_->box, std::nullopt, true));
     }
   }
   run_ = std::move(report);
@@ -317,7 +318,7 @@ std::string DrawingHolder::write_mesh(MeshFormat format) const {
 Drawing DrawingHolder::layers() {
   const std::lock_guard lock(mutex_);
   RunReport run;
-  return drawn_ ? drawn_->drawing(run) : horizon_->drawing;
+  return drawn_ ? drawn_->compose(run) : horizon_->drawing;
 }
 
 const Page& DrawingHolder::page() const { return drawn_ ? drawn_->prepared().around.placement.page : horizon_->page; }

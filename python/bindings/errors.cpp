@@ -9,8 +9,8 @@
 
 #include "files/file_error.hpp"
 #include "picture/errors.hpp"
-#include "picture/memory.hpp"
-#include "plotting/output_file.hpp"
+#include "picture/models/memory.hpp"
+#include "plotting/writers/output_file.hpp"
 
 namespace py = pybind11;
 

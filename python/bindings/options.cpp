@@ -13,7 +13,7 @@
 #include "picture/errors.hpp"
 #include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"
-#include "picture/scene_visibility.hpp"
+#include "picture/products.hpp"
 #include "visibility/registry.hpp"
 
 namespace py = pybind11;

@@ -10,8 +10,8 @@
 
 #include <pybind11/pybind11.h>
 
-#include "picture/models.hpp"
-#include "picture/plotter.hpp"
+#include "picture/models/models.hpp"
+#include "picture/pages/plotter.hpp"
 #include "picture/requests.hpp"
 #include "picture/surface/surface_request.hpp"
 

@@ -1,4 +1,4 @@
-#include "picture/plot_drawing.hpp"
+#include "picture/pages/plot_drawing.hpp"
 
 #include <functional>
 #include <map>
@@ -9,11 +9,11 @@
 #include "bindings/scene.hpp"
 #include "bindings/values.hpp"
 #include "picture/errors.hpp"
-#include "picture/frame_names.hpp"
+#include "picture/pages/frame_names.hpp"
 #include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"
 #include "picture/parse/parse_plot.hpp"
-#include "plotting/output_file.hpp"
+#include "plotting/writers/output_file.hpp"
 
 #include <pybind11/stl.h>
 

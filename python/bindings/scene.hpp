@@ -8,7 +8,7 @@
 #include <pybind11/pybind11.h>
 
 #include "files/input_file.hpp"
-#include "picture/models.hpp"
+#include "picture/models/models.hpp"
 
 namespace ligne::python {
 

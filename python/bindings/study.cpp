@@ -5,7 +5,7 @@
 #include "bindings/values.hpp"
 #include "picture/errors.hpp"
 #include "picture/parse/parse.hpp"
-#include "plotting/output_file.hpp"
+#include "plotting/writers/output_file.hpp"
 #include "study/run_experiments.hpp"
 
 #include <pybind11/stl.h>

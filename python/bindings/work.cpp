@@ -8,8 +8,8 @@
 #include <optional>
 #include <thread>
 
-#include "geometry/parallel.hpp"
-#include "geometry/stop.hpp"
+#include "base/parallel.hpp"
+#include "base/stop.hpp"
 
 namespace py = pybind11;
 

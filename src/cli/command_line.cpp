@@ -16,13 +16,13 @@
 #include "cli/errors.hpp"
 #include "cli/help.hpp"
 #include "cli/messages.hpp"
-#include "cli/options.hpp"
+#include "cli/options/options.hpp"
 #include "files/closest_name.hpp"
 #include "files/message_text.hpp"
 #include "picture/errors.hpp"
-#include "picture/memory.hpp"
+#include "picture/models/memory.hpp"
 #include "picture/parse/parse.hpp"
-#include "plotting/output_file.hpp"
+#include "plotting/writers/output_file.hpp"
 
 namespace ligne {
 namespace {

@@ -1,15 +1,15 @@
 #pragma once
 /// All commands of the program, with their options.
 
-#include "cli/compare.hpp"
-#include "cli/compile.hpp"
-#include "cli/devices.hpp"
-#include "cli/draw.hpp"
-#include "cli/info.hpp"
-#include "cli/methods.hpp"
-#include "cli/plot.hpp"
-#include "cli/study.hpp"
-#include "cli/surface.hpp"
+#include "cli/commands/compare.hpp"
+#include "cli/commands/compile.hpp"
+#include "cli/commands/devices.hpp"
+#include "cli/commands/draw.hpp"
+#include "cli/commands/info.hpp"
+#include "cli/commands/methods.hpp"
+#include "cli/commands/plot.hpp"
+#include "cli/commands/study.hpp"
+#include "cli/commands/surface.hpp"
 
 namespace CLI {
 class App;

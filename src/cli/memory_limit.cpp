@@ -23,7 +23,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "plotting/output_file.hpp"
+#include "plotting/writers/output_file.hpp"
 
 namespace ligne {
 namespace {

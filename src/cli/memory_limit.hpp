@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "geometry/parallel.hpp"
-#include "picture/memory.hpp"
+#include "base/parallel.hpp"
+#include "picture/models/memory.hpp"
 
 namespace ligne {
 

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <functional>
 
-#include "cli/run_options.hpp"
+#include "cli/options/run_options.hpp"
 
 namespace ligne {
 

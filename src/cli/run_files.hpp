@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "files/input_file.hpp"
-#include "plotting/output_file.hpp"
+#include "plotting/writers/output_file.hpp"
 
 namespace ligne {
 

@@ -6,10 +6,11 @@
 
 #include <glm/geometric.hpp>
 
-#include "contours/known_surfaces.hpp"
-#include "contours/rulings.hpp"
-#include "geometry/indices_where.hpp"
-#include "geometry/parallel.hpp"
+#include "base/indices_where.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
+#include "contours/surfaces/known_surfaces.hpp"
+#include "contours/surfaces/rulings.hpp"
 
 namespace ligne {
 namespace {

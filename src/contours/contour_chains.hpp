@@ -10,7 +10,8 @@
 #include <optional>
 #include <vector>
 
-#include "contours/smooth_patch.hpp"
+#include "base/no_index.hpp"
+#include "contours/surfaces/smooth_patch.hpp"
 
 namespace ligne {
 

@@ -7,9 +7,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/disjoint_sets.hpp"
+#include "base/indices_where.hpp"
+#include "base/no_index.hpp"
 #include "contours/contour_support.hpp"
-#include "geometry/disjoint_sets.hpp"
-#include "geometry/indices_where.hpp"
 
 namespace ligne {
 namespace {

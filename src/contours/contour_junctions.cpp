@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/no_index.hpp"
+
 namespace ligne {
 namespace {
 
@@ -151,7 +153,7 @@ void SegmentFinder::expect(Point2 from, Point2 to) {
   expected_ = cells;
   for_cells(cells, [&](std::uint64_t key) {
     std::uint32_t& list = cells_[key];
-    if (list != KeyTable::kNone) return;
+    if (list != kNone) return;
     list = static_cast<std::uint32_t>(lists_.size());
     lists_.emplace_back();
   });
@@ -172,7 +174,7 @@ void SegmentFinder::add(const OutlineSegment& segment) {
     const auto place = [&](int i) { return begin + double(i) / pieces * (end - begin); };
     for_cells(cells_round(at(place(k)), at(place(k + 1))), [&](std::uint64_t key) {
       const std::uint32_t cell = cells_.find(key);
-      if (cell == KeyTable::kNone) return;
+      if (cell == kNone) return;
       if (lists_[cell].empty() || lists_[cell].back() != number) lists_[cell].push_back(number);
       listed = true;
     });

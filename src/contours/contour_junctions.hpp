@@ -7,8 +7,9 @@
 
 #include <vector>
 
+#include "base/key_table.hpp"
+#include "base/no_index.hpp"
 #include "contours/contour_states.hpp"
-#include "drawing/key_table.hpp"
 #include "drawing/stroke.hpp"
 
 namespace ligne {
@@ -35,7 +36,7 @@ class SegmentFinder {
   void near(Point2 from, Point2 to, Found found) const {
     for_cells(cells_round(from, to), [&](std::uint64_t key) {
       const std::uint32_t cell = cells_.find(key);
-      if (cell == KeyTable::kNone) return;
+      if (cell == kNone) return;
       for (const std::uint32_t i : lists_[cell]) found(segments_[i]);
     });
   }

@@ -8,11 +8,11 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/indices_where.hpp"
+#include "base/parallel.hpp"
 #include "contours/contour_sights.hpp"
-#include "contours/outline_probes.hpp"
-#include "contours/shallow_islands.hpp"
-#include "geometry/indices_where.hpp"
-#include "geometry/parallel.hpp"
+#include "contours/surfaces/outline_probes.hpp"
+#include "contours/surfaces/shallow_islands.hpp"
 
 namespace ligne {
 namespace {

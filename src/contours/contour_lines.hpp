@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contours/contour_chains.hpp"
-#include "contours/smooth_patch.hpp"
+#include "contours/surfaces/smooth_patch.hpp"
 #include "scene/creases/trace_creases.hpp"
 #include "view/projected_scene.hpp"
 

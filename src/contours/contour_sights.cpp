@@ -5,7 +5,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 
 namespace ligne {
 namespace {

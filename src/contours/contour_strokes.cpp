@@ -1,9 +1,10 @@
 #include "contours/contour_strokes.hpp"
 
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "contours/contour_junctions.hpp"
-#include "contours/outline_evidence.hpp"
-#include "contours/outline_probes.hpp"
-#include "geometry/parallel.hpp"
+#include "contours/surfaces/outline_evidence.hpp"
+#include "contours/surfaces/outline_probes.hpp"
 
 namespace ligne {
 namespace {

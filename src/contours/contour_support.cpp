@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/no_index.hpp"
 #include "contours/contour_junctions.hpp"
 #include "contours/contour_sights.hpp"
 #include "geometry/nearest_on_segment.hpp"

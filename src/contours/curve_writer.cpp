@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/no_index.hpp"
+
 namespace ligne {
 
 std::vector<Stroke> take_strokes(StrokeModel& model, std::uint32_t first, std::size_t count) {
@@ -24,10 +26,9 @@ CurveWriter::CurveWriter(StrokeModel& model, const View& view, bool hidden_too, 
 
 void CurveWriter::add(LineClass line_class, std::size_t segments, std::uint32_t first_line, const ContourCurve& curve,
                       const std::vector<ContourRun>& runs, const std::function<SourceEdge(std::size_t)>& source_of) {
-  constexpr std::uint32_t kNoSource = 0xffffffffu;
-  std::vector<std::uint32_t> sources(segments, kNoSource);
+  std::vector<std::uint32_t> sources(segments, kNone);
   const auto number_of = [&](std::size_t segment) {
-    if (sources[segment] == kNoSource) {
+    if (sources[segment] == kNone) {
       sources[segment] = model_.edge_count + static_cast<std::uint32_t>(model_.intersections.size());
       model_.intersections.push_back(source_of(segment));
       sources_.lines.push_back(first_line + static_cast<std::uint32_t>(segment));

@@ -14,10 +14,11 @@
 #include <array>
 #include <cstddef>
 
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "drawing/drawing.hpp"
-#include "drawing/node_pairs.hpp"
-#include "drawing/stroke_nodes.hpp"
-#include "geometry/parallel.hpp"
+#include "drawing/graphs/node_pairs.hpp"
+#include "drawing/graphs/stroke_nodes.hpp"
 
 namespace ligne {
 namespace {
@@ -31,7 +32,7 @@ std::size_t layer_of(const Stroke& stroke) { return stroke_layer(stroke.line_cla
 class StrokeGraph {
  public:
   StrokeGraph(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> members)
-      : strokes_(strokes), members_(members), partner_(2 * members.size(), kNoPartner) {
+      : strokes_(strokes), members_(members), partner_(2 * members.size(), kNone) {
     link();
   }
 
@@ -72,7 +73,7 @@ void straighten_seam(std::vector<LatticePoint>& line) {
 
 Polylines StrokeGraph::polylines(const Lattice& lattice) const {
   Polylines out;
-  const auto loose = static_cast<std::size_t>(std::count(partner_.begin(), partner_.end(), kNoPartner));
+  const auto loose = static_cast<std::size_t>(std::count(partner_.begin(), partner_.end(), kNone));
   out.points.reserve(members_.size() + loose / 2);
   out.begin.reserve(loose / 2 + 1);
 
@@ -80,7 +81,7 @@ Polylines StrokeGraph::polylines(const Lattice& lattice) const {
   std::vector<LatticePoint> line;
   const auto walk = [&](std::uint32_t start) {
     line.assign(1, point(start));
-    for (std::uint32_t end = start; end != kNoPartner && !walked[end / 2]; end = partner_[end ^ 1]) {
+    for (std::uint32_t end = start; end != kNone && !walked[end / 2]; end = partner_[end ^ 1]) {
       walked[end / 2] = true;
       const LatticePoint p = point(end ^ 1);
       if (line.size() > 1 && between(line[line.size() - 2], line.back(), p)) line.pop_back();
@@ -91,7 +92,7 @@ Polylines StrokeGraph::polylines(const Lattice& lattice) const {
     out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
   };
   for (std::uint32_t end = 0; end < partner_.size(); ++end) {
-    if (partner_[end] == kNoPartner && !walked[end / 2]) walk(end);
+    if (partner_[end] == kNone && !walked[end / 2]) walk(end);
   }
   for (std::uint32_t i = 0; i < members_.size(); ++i) {
     if (!walked[i]) walk(2 * i);

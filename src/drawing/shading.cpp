@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 
 namespace ligne {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 /// From spans and pixels to pictures: gray pixels ([Boulle1980] 2.3.2.1, figure 2.29). Areas are in span_areas.hpp, hatching
-/// in plotting/hatch.hpp.
+/// in plotting/hatching/hatch.hpp.
 
 #include <cstdint>
 #include <vector>

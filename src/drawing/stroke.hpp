@@ -23,11 +23,12 @@ enum class LineClass : std::uint8_t {
   horizon,       ///< iso-curve of a surface, whatever its faces (kCornerCurve)
   axes,          ///< line of the axes, of no face (add_lines in view/projected_scene.hpp)
   shadow,        ///< border of a shadow on a face; no edge of the scene
-  suggestive,    ///< where the surface turns as towards an outline and back (contours/shape_lines.hpp); no edge of the scene
-  ridge,         ///< where a surface is bent most, outwards; no edge either
-  valley,        ///< where a surface is bent most, inwards; no edge either
-  detail,        ///< contour of a detail on a face; no edge of the scene
-  profile,       ///< part of a line of one of the first classes behind which an object ends; decided when all else is
+  suggestive,  ///< where the surface turns as towards an outline and back (contours/shapes/shape_lines.hpp); no edge of the
+               ///< scene
+  ridge,       ///< where a surface is bent most, outwards; no edge either
+  valley,      ///< where a surface is bent most, inwards; no edge either
+  detail,      ///< contour of a detail on a face; no edge of the scene
+  profile,     ///< part of a line of one of the first classes behind which an object ends; decided when all else is
 };
 inline constexpr std::size_t kLineClassCount = 16;
 /// The first classes are those of the scene's edges.

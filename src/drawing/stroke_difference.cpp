@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "drawing/stroke_index.inl.hpp"
+#include "drawing/overlaps/stroke_index.inl.hpp"
 
 namespace ligne {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "drawing/page_segments.hpp"
+#include "drawing/overlaps/page_segments.hpp"
 #include "drawing/stroke.hpp"
 
 namespace ligne {

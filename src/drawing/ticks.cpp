@@ -8,7 +8,7 @@
 #include <limits>
 #include <string_view>
 
-#include "geometry/portable.hpp"
+#include "base/portable.hpp"
 
 namespace ligne {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/hash.hpp"
 #include "files/input_file.hpp"
 
 namespace ligne {
@@ -14,8 +15,7 @@ std::uint64_t checksum(std::span<const std::byte> bytes) {
   for (std::size_t i = 0; i < bytes.size(); i += sizeof sum) {
     std::uint64_t word = 0;
     std::memcpy(&word, bytes.data() + i, std::min(sizeof word, bytes.size() - i));
-    sum = (sum ^ word) * 0x9e3779b97f4a7c15u;
-    sum ^= sum >> 32;
+    sum = extend_hash(sum, word);
   }
   return sum;
 }

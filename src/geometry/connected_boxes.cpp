@@ -5,10 +5,10 @@
 #include <numeric>
 #include <vector>
 
+#include "base/no_index.hpp"
+
 namespace ligne {
 namespace {
-
-constexpr std::uint32_t kNoBox = 0xffffffffu;
 
 /// Open boxes as intervals [first, end) of elementary intervals of y. A box that has ended stays and is passed over.
 class OpenBoxes {
@@ -23,13 +23,13 @@ class OpenBoxes {
  private:
   /// Invariant: of two of the boxes stored at a node and below it that are open now, both are in one set when `joined`.
   struct Node {
-    std::uint32_t own = kNoBox;   ///< the last to end of those stored here: all of them are in one set while it is open
-    std::uint32_t last = kNoBox;  ///< the last to end of those stored here and below
+    std::uint32_t own = kNone;   ///< the last to end of those stored here: all of them are in one set while it is open
+    std::uint32_t last = kNone;  ///< the last to end of those stored here and below
     bool joined = true;
   };
 
-  bool later(std::uint32_t a, std::uint32_t b) const { return b == kNoBox || boxes_[a].x1 > boxes_[b].x1; }
-  bool is_open(std::uint32_t other, std::uint32_t box) const { return other != kNoBox && boxes_[other].x1 > boxes_[box].x0; }
+  bool later(std::uint32_t a, std::uint32_t b) const { return b == kNone || boxes_[a].x1 > boxes_[b].x1; }
+  bool is_open(std::uint32_t other, std::uint32_t box) const { return other != kNone && boxes_[other].x1 > boxes_[box].x0; }
   void join(std::uint32_t other, std::uint32_t box) {
     if (is_open(other, box)) sets_.join(other, box);
   }

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "geometry/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
 
 namespace ligne {
 

@@ -15,6 +15,7 @@
 #include <cassert>
 #include <utility>
 
+#include "base/no_index.hpp"
 #include "geometry/morton.hpp"
 
 namespace ligne {
@@ -99,8 +100,8 @@ class Triangulation {
       e = removed_.back();
       removed_.pop_back();
     }
-    edges_[e] = {e, e, a, Delaunay::kNone};
-    edges_[e + 1] = {e + 1, e + 1, b, Delaunay::kNone};
+    edges_[e] = {e, e, a, kNone};
+    edges_[e + 1] = {e + 1, e + 1, b, kNone};
     return e;
   }
 
@@ -122,7 +123,7 @@ class Triangulation {
   void remove(Edge e) {
     splice(e, previous(e));
     splice(e ^ 1, previous(e ^ 1));
-    edges_[e].from = edges_[e ^ 1].from = Delaunay::kNone;
+    edges_[e].from = edges_[e ^ 1].from = kNone;
     removed_.push_back(e & ~Edge{1});
   }
 
@@ -233,7 +234,7 @@ class Triangulation {
     result.triangles.reserve(2 * points_.size());
     result.neighbours.reserve(2 * points_.size());
     for (Edge e = 0; e < edges_.size(); ++e) {
-      if (from(e) == Delaunay::kNone || edges_[e].face != Delaunay::kNone) continue;
+      if (from(e) == kNone || edges_[e].face != kNone) continue;
       const Edge b = next_left(e), c = next_left(b);
       if (next_left(c) != e || !(turn(from(e), from(b), from(c)) > 0)) continue;
       edges_[e].face = edges_[b].face = edges_[c].face = static_cast<std::uint32_t>(result.triangles.size());

@@ -6,12 +6,12 @@
 #include <span>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "geometry/lattice.hpp"
 
 namespace ligne {
 
 struct Delaunay {
-  static constexpr std::uint32_t kNone = 0xffffffffu;
   /// Counter-clockwise (from +x towards +y) triples of indices into the points.
   std::vector<std::array<std::uint32_t, 3>> triangles;
   /// neighbours[t][k] lies beyond the side from corner k to the next one; kNone at the convex hull.

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/contour_edges.hpp"
-#include "geometry/contour_links.hpp"
-#include "geometry/contour_sweep.hpp"
-#include "geometry/ear_cutter.hpp"
 #include "geometry/flip_edges.hpp"
+#include "geometry/polygons/contour_edges.hpp"
+#include "geometry/polygons/contour_links.hpp"
+#include "geometry/polygons/contour_sweep.hpp"
+#include "geometry/polygons/ear_cutter.hpp"
 #include "geometry/predicates.hpp"
 
 namespace ligne {

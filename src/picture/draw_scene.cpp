@@ -1,59 +1,58 @@
 #include "picture/draw_scene.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <string>
 #include <utility>
 
-#include "picture/drawn_scene.hpp"
-#include "picture/errors.hpp"
-#include "picture/hatching/form_hatching.hpp"
+#include "picture/hatching/gray_faces.hpp"
 #include "picture/hatching/hatching.hpp"
-#include "visibility/registry.hpp"
+#include "plotting/stroke_text.hpp"
 
 namespace ligne {
 namespace {
 
-/// The option that asks for regions.
-const char* field_of_regions(const PictureRequest& request) {
-  if (!request.fill.lights.empty()) return "light";
-  return request.fill.kind != FillKind::none ? "fill" : request.regions ? "regions" : "edges";
+/// Numbers that show how the method worked as polylines, like the rest of that.
+void write_debug_numbers(VisibilityResult& result, const PictureRequest& request, const Page& page) {
+  if (result.debug_numbers.empty()) return;
+  const double height_mm = text_height_mm(request.axes, page);
+  for (const PageNumber& n : result.debug_numbers) {
+    Polylines lines;
+    append_stroke_text({std::to_string(n.number), n.middle, height_mm, TextAcross::center, TextUp::middle}, lines);
+    for (std::size_t i = 0; i + 1 < lines.begin.size(); ++i) {
+      result.debug.emplace_back(lines.points.begin() + lines.begin[i], lines.points.begin() + lines.begin[i + 1]);
+    }
+  }
+  result.debug_numbers.clear();
 }
 
 }  // namespace
 
-void check(const PictureRequest& request) {
-  const Method& method = method_of(request);
-  if (request.gray_faces) {
-    const OutputFormat format = request.output.format;
-    if (format == OutputFormat::json) throw RequestError("shade", "a JSON drawing has no gray faces");
-    if (request.plotter.by_pens() && format != OutputFormat::png)
-      throw RequestError("shade", "pens draw no gray faces; see --hatch");
-    if (!(method.traits().products & (kSpans | kPixels))) {
-      throw RequestError("shade", "needs a method that gives spans or pixels: " + methods_with(kSpans | kPixels));
-    }
+DrawnScene draw_lines(const Scene& scene, PictureRequest request, RunReport& run, const std::optional<PlotBox>& box,
+                      std::optional<Topology> topology, bool keep_edges) {
+  check(request);
+  DrawnParts parts{prepare(scene, std::move(request), box, run, std::move(topology)), {}};
+  PreparedScene& prepared = parts.prepared;
+  SceneVisibility& found = parts.found;
+  const PlotOptions plot = plot_options(prepared.request, prepared.around.placement.page);
+  HatchScene hatch = hatch_scene(prepared, plot);
+  parts.hatching = hatch_spans(hatch, run);
+  parts.has_edges = keep_edges || looks_at_edges(prepared.request);
+  found = compute_visibility(prepared, gray_face_lines(prepared.request, prepared.method, plot), parts.has_edges, run);
+  finish_lines(found, prepared, run);
+  write_debug_numbers(found.result, prepared.request, prepared.around.placement.page);
+  if (found.result.regions) {
+    std::ranges::move(hatch_regions(hatch, *found.result.regions, run), std::back_inserter(parts.hatching));
   }
-  const bool painted = request.output.format == OutputFormat::png || request.output.format == OutputFormat::json;
-  if (request.fill.kind != FillKind::none && request.plotter.by_pens() && !painted)
-    throw RequestError("fill", "pens draw no filled faces; see --hatch");
-  if (request.hatch.asked()) {
-    if (request.output.format == OutputFormat::json) throw RequestError("hatch", "a JSON drawing has no hatching");
-    if (!(method.traits().products & (kRegions | kSpans))) refuse_hatching(method.traits().name);
-    if (follows_form(request.hatch) && !(method.traits().products & kRegions))
-      throw RequestError("hatch-angle", "strokes follow the form by a method that gives regions: " + methods_with(kRegions));
-    if (request.gray_faces) throw RequestError("hatch", "does not go together with --shade");
-  }
-  if (wants_regions(request, method) && !(method.traits().products & kRegions)) {
-    throw RequestError(field_of_regions(request), "needs a method that gives regions: " + methods_with(kRegions));
-  }
-  if (!request.output.colors.empty()) {
-    if (request.output.format == OutputFormat::json) throw RequestError("color", "a JSON drawing has no colours");
-    if (request.plotter.by_pens()) throw RequestError("color", "pens have colours of their own: --pen object:NAME=N,COLOUR");
-  }
-  check(request.page);
-  if (request.output.format == OutputFormat::png) check_png(request.page.size.page, request.output.dpi, request.memory);
+  parts.patches = std::move(hatch.patches);
+  prepared.projected = {};
+  prepared.request.progress = {};
+  return DrawnScene(std::move(parts));
 }
 
 Picture draw_scene(const Scene& scene, const PictureRequest& request, RunReport& run, const std::optional<PlotBox>& box,
                    std::optional<Topology> topology, PdfDocument* pages) {
-  return DrawnScene(scene, request, run, box, std::move(topology)).write(run, pages);
+  return draw_lines(scene, request, run, box, std::move(topology)).write(run, pages);
 }
 
 }  // namespace ligne

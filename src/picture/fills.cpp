@@ -5,7 +5,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "plotting/fill_rim.hpp"
+#include "plotting/hatching/fill_rim.hpp"
 #include "view/brightness.hpp"
 
 namespace ligne {

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/no_index.hpp"
 #include "picture/line_groups.hpp"
 #include "scene/clean/named_objects.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "drawing/statistics.hpp"
 #include "files/input_file.hpp"
-#include "picture/memory.hpp"
+#include "picture/models/memory.hpp"
 
 namespace ligne {
 

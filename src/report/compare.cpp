@@ -11,15 +11,15 @@
 #include <thread>
 #include <utility>
 
+#include "base/stop.hpp"
 #include "files/message_text.hpp"
-#include "geometry/stop.hpp"
 #include "picture/choice/method_choice.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/drawn_scene.hpp"
 #include "picture/errors.hpp"
+#include "picture/models/peak_memory.hpp"
 #include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"
-#include "picture/peak_memory.hpp"
 #include "visibility/registry.hpp"
 #include "visibility/warnock/warnock.hpp"
 #include "visibility/zbuffer/zbuffer.hpp"
@@ -156,9 +156,9 @@ void draw_by(const ComparedMethod& compared, const Scene& scene, const Topology&
   picture.lines.method = compared.method;
   picture.lines.settings = compared.settings;
   RunReport run;
-  const DrawnScene drawn(scene, std::move(picture), run, {}, topology);
-  const VisibilityResult& result = drawn.study().result;
-  outcome.drawing = timed(run.stages, "join", [&] { return drawn.drawing(run); });
+  const DrawnScene drawn = draw_lines(scene, std::move(picture), run, {}, topology);
+  const VisibilityResult& result = drawn.visibility().result;
+  outcome.drawing = timed(run.stages, "join", [&] { return drawn.compose(run); });
   outcome.model = *result.strokes;
   outcome.unsupported_reason = result.unsupported_reason;
   outcome.study = run.study;

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "files/message_text.hpp"
-#include "picture/memory.hpp"
-#include "plotting/number_text.hpp"
+#include "picture/models/memory.hpp"
+#include "plotting/writers/number_text.hpp"
 #include "report/traits_text.hpp"
 
 namespace ligne {

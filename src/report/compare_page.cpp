@@ -10,10 +10,10 @@
 #include <glm/common.hpp>
 
 #include "files/message_text.hpp"
-#include "picture/memory.hpp"
-#include "plotting/number_text.hpp"
-#include "plotting/utf8.hpp"
-#include "plotting/writers.hpp"
+#include "picture/models/memory.hpp"
+#include "plotting/readers/utf8.hpp"
+#include "plotting/writers/number_text.hpp"
+#include "plotting/writers/writers.hpp"
 #include "report/compare_style.hpp"
 
 namespace ligne {

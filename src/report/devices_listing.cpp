@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "files/message_text.hpp"
-#include "plotting/device.hpp"
+#include "plotting/devices/device.hpp"
 #include "report/listing.hpp"
 
 namespace ligne {

@@ -10,7 +10,7 @@
 #include "picture/clear/clear_creases.hpp"
 #include "picture/culling.hpp"
 #include "picture/parse/parse.hpp"
-#include "picture/scene_visibility.hpp"
+#include "picture/products.hpp"
 #include "report/listing.hpp"
 #include "visibility/registry.hpp"
 

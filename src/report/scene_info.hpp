@@ -5,7 +5,7 @@
 #include <string>
 
 #include "picture/choice/scene_traits.hpp"
-#include "picture/models.hpp"
+#include "picture/models/models.hpp"
 #include "picture/placement.hpp"
 #include "report/scene_facts.hpp"
 #include "report/surface_facts.hpp"

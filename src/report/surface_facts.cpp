@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "files/message_text.hpp"
-#include "plotting/number_text.hpp"
+#include "plotting/writers/number_text.hpp"
 
 namespace ligne {
 namespace {

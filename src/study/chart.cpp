@@ -7,7 +7,7 @@
 
 #include "drawing/ticks.hpp"
 #include "plotting/stroke_text.hpp"
-#include "plotting/writers.hpp"
+#include "plotting/writers/writers.hpp"
 
 namespace ligne::studies {
 namespace {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <optional>
 
-#include "geometry/clip_contour_by_contour.hpp"
+#include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "study/experiments.hpp"
 #include "study/generators.hpp"
 #include "study/measure.hpp"

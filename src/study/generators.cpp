@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "base/hash.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/model/scene_parts.hpp"
 #include "scene/model/topology.hpp"
@@ -206,10 +207,7 @@ Scene leaning_faces(int n, std::uint32_t seed) {
 
 std::uint64_t Chance::next() {
   // SplitMix64 (Steele, Lea, Flood 2014).
-  std::uint64_t z = state_ += 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
+  return mix_bits(state_ += kGoldenRatio);
 }
 
 double Chance::uniform(double from, double to) { return from + (to - from) * static_cast<double>(next() >> 11) * 0x1p-53; }

@@ -11,7 +11,7 @@
 
 #include "scene/model/scene.hpp"
 #include "view/projected_scene.hpp"
-#include "visibility/watkins/span_method.hpp"
+#include "visibility/watkins/spans/span_method.hpp"
 
 namespace ligne::studies {
 

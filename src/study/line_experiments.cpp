@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "study/experiments.hpp"
 #include "study/generators.hpp"
 #include "study/measure.hpp"

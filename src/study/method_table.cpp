@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "picture/peak_memory.hpp"
+#include "picture/models/peak_memory.hpp"
 #include "study/experiments.hpp"
 #include "study/generators.hpp"
 #include "study/measure.hpp"
@@ -14,7 +14,7 @@
 #include "visibility/newell/paint_elements.hpp"
 #include "visibility/registry.hpp"
 #include "visibility/warnock/faces.hpp"
-#include "visibility/watkins/line_study.hpp"
+#include "visibility/watkins/exact/line_study.hpp"
 
 namespace ligne::studies {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "study/experiments.hpp"
-#include "visibility/watkins/line_study.hpp"
+#include "visibility/watkins/exact/line_study.hpp"
 
 namespace ligne::studies {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "study/experiments.hpp"
 #include "study/generators.hpp"
 #include "view/tolerances.hpp"

@@ -8,7 +8,8 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "view/crowds.hpp"
 #include "view/equal_runs.hpp"
 #include "view/spatial_order.hpp"

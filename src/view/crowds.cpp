@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/hash.hpp"
 #include "view/equal_runs.hpp"
 #include "view/spatial_order.hpp"
 
@@ -97,7 +98,7 @@ bool may_crowd(const std::vector<ProjectedVertex>& vertices, std::size_t begin, 
   for (std::size_t i = begin; i < end; ++i) {
     const Cube cube = side.cube(vertices[i]);
     std::uint64_t number = 0;
-    for (const double c : cube) number = (number ^ std::bit_cast<std::uint64_t>(c + 0.0)) * 0x9e3779b97f4a7c15u;
+    for (const double c : cube) number = extend_hash(number, bits_of_number(c));
     numbers.push_back(number);
   }
   std::sort(numbers.begin(), numbers.end());

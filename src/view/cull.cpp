@@ -5,7 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "geometry/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
 #include "scene/model/self_contact.hpp"
 #include "view/edge_classes.hpp"
 

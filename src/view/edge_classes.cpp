@@ -8,9 +8,10 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/large_vector.hpp"
-#include "geometry/parallel.hpp"
-#include "geometry/prefetch.hpp"
+#include "base/large_vector.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
+#include "base/prefetch.hpp"
 #include "scene/model/flat_faces.hpp"
 #include "scene/model/triangle_normal.hpp"
 

@@ -6,8 +6,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/parallel.hpp"
-#include "geometry/prefetch.hpp"
+#include "base/parallel.hpp"
+#include "base/prefetch.hpp"
 #include "scene/model/bounds.hpp"
 
 namespace ligne {

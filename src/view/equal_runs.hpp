@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 
 namespace ligne {
 

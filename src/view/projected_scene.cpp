@@ -6,9 +6,11 @@
 #include <functional>
 #include <unordered_map>
 
-#include "geometry/indices_where.hpp"
-#include "geometry/large_vector.hpp"
-#include "geometry/parallel.hpp"
+#include "base/hash.hpp"
+#include "base/indices_where.hpp"
+#include "base/large_vector.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/model/bounds.hpp"
 #include "view/clip.hpp"
 #include "view/coincident.hpp"
@@ -116,7 +118,7 @@ class Clipper {
   struct Hash {
     std::size_t operator()(const Coordinates& c) const {
       std::size_t h = 0;
-      for (const double v : c) h = h * 0x9e3779b97f4a7c15u + std::hash<double>()(v);
+      for (const double v : c) h = extend_hash(h, bits_of_number(v));
       return h;
     }
   };

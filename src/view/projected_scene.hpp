@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "drawing/stroke.hpp"
 #include "geometry/lattice.hpp"
 #include "scene/model/topology.hpp"

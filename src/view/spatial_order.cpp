@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/large_vector.hpp"
-#include "geometry/parallel.hpp"
-#include "geometry/prefetch.hpp"
+#include "base/large_vector.hpp"
+#include "base/parallel.hpp"
+#include "base/prefetch.hpp"
 
 namespace ligne {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "scene/model/bounds.hpp"
 #include "view/clip.hpp"
 

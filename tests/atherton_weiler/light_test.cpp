@@ -2,7 +2,7 @@
 // region's area is that of the part of the face, at one page millimetre to a model unit.
 
 #include "drawing/measures.hpp"
-#include "picture/drawn_scene.hpp"
+#include "picture/draw_scene.hpp"
 #include "picture/light/detail_lines.hpp"
 #include "picture/light/details.hpp"
 #include "picture/light/seen_through.hpp"
@@ -300,9 +300,9 @@ TEST(Details, AreLinesOfTheirOwnClass) {
     request.lines.classes.add(LineClass::detail);
     request.lines.quality = Quality::exact;
     RunReport run;
-    const DrawnScene drawn(scene, request, run);
+    const DrawnScene drawn = draw_lines(scene, request, run);
     double length = 0;
-    const StrokeModel& strokes = *drawn.study().result.strokes;
+    const StrokeModel& strokes = *drawn.visibility().result.strokes;
     for (const Stroke& s : strokes.strokes)
       if (s.line_class == LineClass::detail)
         length += glm::distance(strokes.lattice.to_mm(s.from), strokes.lattice.to_mm(s.to));

@@ -4,7 +4,7 @@
 #include <polyclipping/clipper.hpp>
 
 #include "drawing/measures.hpp"
-#include "geometry/clip_contour_by_contour.hpp"
+#include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "main/tier.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/judge.hpp"

@@ -1,7 +1,7 @@
 #include "clear/clear_against_exact.hpp"
 
-#include "picture/drawn_scene.hpp"
-#include "picture/models.hpp"
+#include "picture/draw_scene.hpp"
+#include "picture/models/models.hpp"
 
 namespace ligne::test {
 namespace {
@@ -25,8 +25,8 @@ Drawn draw(const Scene& scene, std::string_view view, Quality quality, bool draw
   request.page.pen_width_mm = kPenMm;
   if (draws_mesh) request.lines.classes.add(LineClass::mesh);
   RunReport run;
-  const DrawnScene drawn(scene, request, run);
-  return {drawn.drawing(run), drawn.prepared().view()};
+  const DrawnScene drawn = draw_lines(scene, request, run);
+  return {drawn.compose(run), drawn.prepared().view()};
 }
 
 LoadedModels load(const std::filesystem::path& file, Quality quality) {

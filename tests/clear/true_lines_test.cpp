@@ -2,8 +2,8 @@
 
 #include "clear/true_parts.hpp"
 #include "main/tier.hpp"
-#include "picture/drawn_scene.hpp"
-#include "picture/models.hpp"
+#include "picture/draw_scene.hpp"
+#include "picture/models/models.hpp"
 #include "scene/model/topology.hpp"
 #include "support/page_lines.hpp"
 #include "support/test.hpp"
@@ -93,8 +93,8 @@ Result compare(const TruePart& part, int facets, std::size_t sight) {
   request.page.pen_width_mm = kPenMm;
   request.lines.tangent = TangentLines::borders;
   RunReport run;
-  const DrawnScene drawn(scene, request, run);
-  const Drawing drawing = drawn.drawing(run);
+  const DrawnScene drawn = draw_lines(scene, request, run);
+  const Drawing drawing = drawn.compose(run);
   const View& on_page = drawn.prepared().view();
   const Hiding hiding(fine, on_page);
   const Rect sheet{{0, 0}, {297, 297}};

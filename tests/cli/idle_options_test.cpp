@@ -1,6 +1,6 @@
 /// Options that do nothing beside the others.
 
-#include "cli/idle_options.hpp"
+#include "cli/options/idle_options.hpp"
 
 #include "program.hpp"
 

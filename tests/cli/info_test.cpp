@@ -3,7 +3,7 @@
 
 #include "draw_program.hpp"
 #include "forged_files.hpp"
-#include "picture/compiled_model.hpp"
+#include "picture/models/compiled_model.hpp"
 #include "program.hpp"
 
 namespace ligne::test {

@@ -4,8 +4,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "plotting/drawing_reader.hpp"
 #include "plotting/paths/optimize.hpp"
+#include "plotting/readers/drawing_reader.hpp"
 #include "program.hpp"
 
 namespace ligne::test {

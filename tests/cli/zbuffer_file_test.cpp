@@ -4,7 +4,7 @@
 
 #include "draw_program.hpp"
 #include "forged_files.hpp"
-#include "picture/zbuffer_picture.hpp"
+#include "picture/raster/zbuffer_picture.hpp"
 
 namespace ligne::test {
 namespace {

@@ -1,10 +1,10 @@
 // Smooth contours: what they leave alone, and what must not change them.
 
+#include "base/parallel.hpp"
 #include "contours/contour_junctions.hpp"
 #include "contours/parametric_mesh.hpp"
-#include "contours/smooth_patch.hpp"
+#include "contours/surfaces/smooth_patch.hpp"
 #include "drawing/measures.hpp"
-#include "geometry/parallel.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {

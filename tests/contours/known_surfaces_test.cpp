@@ -1,6 +1,6 @@
 /// Contours on the surfaces that were found behind a mesh: they lie on the outline of the surface itself.
 
-#include "contours/known_surfaces.hpp"
+#include "contours/surfaces/known_surfaces.hpp"
 #include "contours/contour_chains.hpp"
 #include "patches/patch_scenes.hpp"
 #include "support/test.hpp"

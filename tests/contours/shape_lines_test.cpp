@@ -1,6 +1,6 @@
 // Suggestive contours, ridges and valleys against surfaces for which formulas say where they are.
 
-#include "contours/shape_lines.hpp"
+#include "contours/shapes/shape_lines.hpp"
 #include "contours/parametric_mesh.hpp"
 #include "main/tier.hpp"
 #include "scene/model/topology.hpp"

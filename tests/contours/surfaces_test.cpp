@@ -2,8 +2,8 @@
 // 3600 triangles on.
 
 #include "contours/parametric_mesh.hpp"
-#include "contours/shallow_islands.hpp"
-#include "contours/surface_fits.hpp"
+#include "contours/surfaces/shallow_islands.hpp"
+#include "contours/surfaces/surface_fits.hpp"
 #include "drawing/measures.hpp"
 #include "main/tier.hpp"
 #include "support/page_lines.hpp"

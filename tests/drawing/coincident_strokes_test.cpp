@@ -1,4 +1,4 @@
-#include "drawing/stroke_overlap.hpp"
+#include "drawing/overlaps/stroke_overlap.hpp"
 #include "main/tier.hpp"
 #include "stroke_builder.hpp"
 #include "support/page_lines.hpp"

@@ -1,13 +1,14 @@
 /// Outlines of scans that are left out: short ones by themselves, and those that leave an outline and lead nowhere.
-#include "drawing/flecks.hpp"
-#include "drawing/spurs.hpp"
+#include "base/no_index.hpp"
+#include "drawing/cleanup/flecks.hpp"
+#include "drawing/cleanup/spurs.hpp"
 #include "stroke_builder.hpp"
 #include "support/test.hpp"
 
 namespace ligne {
 namespace {
 
-std::uint32_t body_of(const Stroke& s) { return s.source < 100 ? 0u : kNoBody; }
+std::uint32_t body_of(const Stroke& s) { return s.source < 100 ? 0u : kNone; }
 
 /// Strokes in words beside a body whose outline is 200 mm long.
 StrokeModel beside_a_body(const std::string& text) { return scan("0,0 200,0; " + text); }

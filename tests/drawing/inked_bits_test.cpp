@@ -1,11 +1,11 @@
 /// Pieces of lines that do not show beside others, and pieces of another class than their line.
 
-#include "drawing/inked_bits.hpp"
+#include "drawing/cleanup/inked_bits.hpp"
+#include "base/disjoint_sets.hpp"
+#include "drawing/cleanup/smooth_lines.hpp"
+#include "drawing/graphs/stroke_chains.hpp"
+#include "drawing/graphs/stroke_lines.hpp"
 #include "drawing/near_part.hpp"
-#include "drawing/smooth_lines.hpp"
-#include "drawing/stroke_chains.hpp"
-#include "drawing/stroke_lines.hpp"
-#include "geometry/disjoint_sets.hpp"
 #include "stroke_builder.hpp"
 #include "support/test.hpp"
 

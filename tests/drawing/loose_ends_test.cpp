@@ -1,8 +1,8 @@
 /// Lines whose ends lie so near to each other that nothing shows between them.
 
-#include "drawing/loose_ends.hpp"
-#include "drawing/short_bits.hpp"
-#include "drawing/short_ends.hpp"
+#include "drawing/cleanup/loose_ends.hpp"
+#include "drawing/cleanup/short_bits.hpp"
+#include "drawing/cleanup/short_ends.hpp"
 #include "stroke_builder.hpp"
 #include "support/test.hpp"
 

@@ -1,4 +1,4 @@
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "stroke_builder.hpp"
 #include "support/test.hpp"
 

@@ -1,7 +1,7 @@
-#include "drawing/stroke_index.hpp"
-#include "drawing/point_tree.hpp"
-#include "drawing/stroke_overlap.hpp"
-#include "drawing/stroke_tree.hpp"
+#include "drawing/overlaps/stroke_index.hpp"
+#include "drawing/graphs/point_tree.hpp"
+#include "drawing/graphs/stroke_tree.hpp"
+#include "drawing/overlaps/stroke_overlap.hpp"
 #include "stroke_builder.hpp"
 #include "support/test.hpp"
 

@@ -1,8 +1,9 @@
 /// The places where strokes end, against a map of all of them.
 
-#include "drawing/stroke_nodes.hpp"
-#include "drawing/node_pairs.hpp"
-#include "drawing/stroke_arcs.hpp"
+#include "drawing/graphs/stroke_nodes.hpp"
+#include "base/no_index.hpp"
+#include "drawing/graphs/node_pairs.hpp"
+#include "drawing/graphs/stroke_arcs.hpp"
 #include "stroke_builder.hpp"
 #include "support/test.hpp"
 
@@ -81,13 +82,13 @@ std::vector<std::uint32_t> paired(const std::vector<LatticePoint>& directions,
                                   void (*pair)(std::span<const NodeArm>, std::span<std::uint32_t>) = pair_arms) {
   std::vector<NodeArm> arms;
   for (const LatticePoint d : directions) arms.push_back({d, static_cast<std::uint32_t>(arms.size())});
-  std::vector<std::uint32_t> partner(arms.size(), kNoPartner);
+  std::vector<std::uint32_t> partner(arms.size(), kNone);
   pair(arms, partner);
   return partner;
 }
 
 using ArmPartners = std::vector<std::uint32_t>;
-constexpr std::uint32_t none = kNoPartner;
+constexpr std::uint32_t none = kNone;
 
 TEST(NodePairs, KnownAnswers) {
   EXPECT_EQ(paired({{1, 0}}), (ArmPartners{none}));

@@ -1,9 +1,9 @@
 /// The search for partners against all pairs.
 
-#include "drawing/stroke_partners.hpp"
+#include "drawing/overlaps/stroke_partners.hpp"
+#include "drawing/graphs/stroke_directions.hpp"
+#include "drawing/overlaps/stroke_overlap.hpp"
 #include "drawing/stroke_difference.hpp"
-#include "drawing/stroke_directions.hpp"
-#include "drawing/stroke_overlap.hpp"
 #include "main/tier.hpp"
 #include "stroke_builder.hpp"
 #include "support/test.hpp"

@@ -1,6 +1,6 @@
 #include "check.hpp"
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "intersections_seen.hpp"
 #include "page_map.hpp"
 #include "sight.hpp"

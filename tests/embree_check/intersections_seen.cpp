@@ -1,6 +1,6 @@
 #include "intersections_seen.hpp"
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "support/page_lines.hpp"
 #include "support/standard.hpp"
 

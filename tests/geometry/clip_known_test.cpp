@@ -2,7 +2,7 @@
 // case by name.
 
 #include "clip_support.hpp"
-#include "geometry/clip_contour_by_contour.hpp"
+#include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {

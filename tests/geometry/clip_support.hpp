@@ -1,7 +1,7 @@
 #pragma once
 /// Common parts of the tests of the clip: faces at random, and checks that every result must pass.
 
-#include "geometry/clip_contour_by_contour.hpp"
+#include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {

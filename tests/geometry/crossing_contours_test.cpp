@@ -1,7 +1,7 @@
 /// Contours that cross themselves, or run round several times: linked and cut in bounded time.
 
-#include "geometry/contour_edges.hpp"
-#include "geometry/contour_links.hpp"
+#include "geometry/polygons/contour_edges.hpp"
+#include "geometry/polygons/contour_links.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/triangulate.hpp"
 #include "main/tier.hpp"

@@ -1,6 +1,7 @@
 // Triangulations of points strewn evenly, in crowds, on grids, on circles and on lines.
 
 #include "geometry/delaunay.hpp"
+#include "base/no_index.hpp"
 #include "geometry/morton.hpp"
 #include "support/test.hpp"
 
@@ -57,7 +58,7 @@ void expect_delaunay(const std::vector<LatticePoint>& points) {
     area += turned;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t beyond = mesh.neighbours[t][k];
-      if (beyond == Delaunay::kNone) continue;
+      if (beyond == kNone) continue;
       const auto& there = mesh.neighbours[beyond];
       const auto side = static_cast<std::size_t>(std::find(there.begin(), there.end(), t) - there.begin());
       ASSERT_LT(side, 3u);

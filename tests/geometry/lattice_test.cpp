@@ -1,11 +1,11 @@
 #include <atomic>
 #include <chrono>
 
+#include "base/stop.hpp"
 #include "geometry/connected_boxes.hpp"
 #include "geometry/degrees.hpp"
 #include "geometry/lattice.hpp"
 #include "geometry/predicates.hpp"
-#include "geometry/stop.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {

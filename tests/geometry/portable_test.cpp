@@ -1,4 +1,4 @@
-#include "geometry/portable.hpp"
+#include "base/portable.hpp"
 
 #include <charconv>
 #include <clocale>

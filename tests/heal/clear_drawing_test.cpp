@@ -2,7 +2,7 @@
 
 #include "drawn_lengths.hpp"
 #include "main/tier.hpp"
-#include "picture/models.hpp"
+#include "picture/models/models.hpp"
 #include "scene/heal/border_edges.hpp"
 #include "scene/heal/duplicate_faces.hpp"
 #include "scene/heal/heal.hpp"

@@ -1,5 +1,6 @@
 /// Surfaces that touch: the intersections that clear lines leave out, and those that they keep.
 
+#include "base/no_index.hpp"
 #include "drawn_lengths.hpp"
 #include "scene/contacts/chord_errors.hpp"
 #include "scene/heal/edge_tree.hpp"
@@ -170,8 +171,6 @@ TEST(Contacts, ARimIsWhole) {
 
 /// The tree of segments against all segments one by one, and cells of segments against the tree.
 
-constexpr std::uint32_t kNowhere = NearestPoint{}.segment;
-
 std::vector<EdgeTree::Segment> random_segments(std::mt19937& random, std::size_t n) {
   std::uniform_real_distribution<double> place(-1, 1);
   const auto point = [&] { return Point3{place(random), place(random), place(random)}; };
@@ -194,9 +193,9 @@ TEST(EdgeTree, OfARangeTheNearestIsFoundByTheTreeToo) {
       const NearestPoint one_by_one = tree.nearest_of(20, 60, p.a, distance, several);
       EXPECT_FALSE(several);
       const NearestPoint by_tree = tree.nearest(p.a, distance, [](std::uint32_t s, double) { return s >= 20 && s < 60; });
-      EXPECT_TRUE(one_by_one.segment != kNowhere || distance < 1);
+      EXPECT_TRUE(one_by_one.segment != kNone || distance < 1);
       // The tree looks at a limited number of segments, so it may find less, and never more.
-      if (by_tree.segment == kNowhere) continue;
+      if (by_tree.segment == kNone) continue;
       ++found;
       EXPECT_LE(one_by_one.distance, by_tree.distance);
       EXPECT_TRUE(one_by_one.segment != by_tree.segment || one_by_one.at == by_tree.at);
@@ -221,7 +220,7 @@ TEST(SegmentCells, AmongTheSegmentsOfACellTheNearestIsThatOfTheTree) {
         const NearestPoint anywhere = tree.nearest(p, reach, other);
         EXPECT_EQ(here.segment, anywhere.segment);
         EXPECT_EQ(here.distance, anywhere.distance);
-        found += here.segment != kNowhere;
+        found += here.segment != kNone;
         listed += cells.near(p).size();
       }
     }
@@ -244,7 +243,7 @@ TEST(EdgeTree, TheDistanceItselfIsNearEnough) {
   for (const EdgeTree::Segment& p : random_segments(random, 1000)) {
     const NearestPoint found = tree.nearest(p.a, 10, any);
     EXPECT_EQ(tree.nearest(p.a, found.distance, any).segment, found.segment);
-    EXPECT_EQ(tree.nearest(p.a, std::nextafter(found.distance, 0), any).segment, kNowhere);
+    EXPECT_EQ(tree.nearest(p.a, std::nextafter(found.distance, 0), any).segment, kNone);
   }
 }
 
@@ -261,8 +260,8 @@ TEST(EdgeTree, OfEquallyNearSegmentsTheFirstOfARangeIsGiven) {
   EXPECT_EQ(nearest(1, 4, 2).segment, 1u) << "the distance itself is near enough";
   EXPECT_EQ(nearest(2, 3, 3).segment, 2u);
   EXPECT_FALSE(several);
-  EXPECT_EQ(nearest(1, 4, 1).segment, kNowhere);
-  EXPECT_EQ(nearest(2, 2, 3).segment, kNowhere);
+  EXPECT_EQ(nearest(1, 4, 1).segment, kNone);
+  EXPECT_EQ(nearest(2, 2, 3).segment, kNone);
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ inline double length_of_all(const Lengths& lengths) { return std::accumulate(len
 inline Lengths drawn_lengths(const Scene& scene, const PictureRequest& request) {
   RunReport run;
   PreparedScene prepared = prepare(scene, request, std::nullopt, run);
-  const SceneVisibility found = compute_visibility(prepared, std::nullopt, false, run);
+  SceneVisibility found = compute_visibility(prepared, std::nullopt, false, run);
+  finish_lines(found, prepared, run);
   const StrokeModel& model = *found.result.strokes;
   Lengths sum{};
   for (const Stroke& s : model.strokes)

@@ -1,7 +1,7 @@
 /// Changes that healing makes to a scene, and things that it leaves alone.
 
 #include "scene/heal/heal.hpp"
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/heal/border_edges.hpp"
 #include "scene/readers/reader.hpp"

@@ -1,6 +1,6 @@
 // The priority list of the method newell: its tests, what it never compares, and what it keeps.
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "newell_sorted.hpp"
 #include "support/test.hpp"
 #include "visibility/registry.hpp"

@@ -1,6 +1,6 @@
 // Hatching that follows the form: where strokes lie, how far apart, and along what.
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/drawn_scene.hpp"
 #include "picture/errors.hpp"
@@ -57,7 +57,7 @@ struct Hatched {
 Hatched hatched(const DrawnScene& drawn) {
   RunReport run;
   Hatched result;
-  for (const Layer& layer : drawn.drawing(run).layers)
+  for (const Layer& layer : drawn.compose(run).layers)
     append(layer.name == "hatch" ? result.strokes : result.rims, layer.lines);
   return result;
 }
@@ -94,10 +94,10 @@ TEST_P(FormHatching, StrokesLieOnWhatIsSeenAndCrossNoRim) {
   PictureRequest request = request_of(HatchKind::shade);
   request.lines.method = find_method(GetParam());
   RunReport run;
-  const DrawnScene drawn(scene, request, run);
+  const DrawnScene drawn = draw_lines(scene, request, run);
   const auto [strokes, rims] = hatched(drawn);
   ASSERT_GT(strokes.size(), 200u);
-  const std::vector<Region>& regions = *drawn.study().result.regions;
+  const std::vector<Region>& regions = *drawn.visibility().result.regions;
   // Points of a stroke are a fifth of the spacing apart, and are looked at one by one: between two of them a rim can come
   // nearer by what a chord of that length cuts off its bend.
   constexpr double kSlackMm = 0.02;
@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, FormHatching, testing::Values("atherton-weiler
 TEST(FormHatchingSpacing, IsWithinBounds) {
   const Scene scene = torus(30, 13, 48, 24);
   RunReport run;
-  const DrawnScene drawn(scene, request_of(HatchKind::plain), run);
+  const DrawnScene drawn = draw_lines(scene, request_of(HatchKind::plain), run);
   const auto [strokes, rims] = hatched(drawn);
   std::size_t crowded = 0, points = 0;
   for (std::size_t i = 0; i < strokes.size(); ++i) {
@@ -149,7 +149,7 @@ TEST(FormHatchingSpacing, IsWithinBounds) {
   EXPECT_GT(points, 500u);
   EXPECT_LE(crowded, points / 100);
   std::size_t white = 0, places = 0;
-  for (const Region& region : *drawn.study().result.regions) {
+  for (const Region& region : *drawn.visibility().result.regions) {
     const Point2 p = region.contours[0][0];
     if (distance(p, rims) < 2 * kSpacingMm) continue;
     ++places;
@@ -163,7 +163,7 @@ TEST(FormHatchingStrokes, KeepTheLeastLength) {
   PictureRequest request = request_of(HatchKind::shade);
   request.lines.least_mm = 9;
   RunReport run;
-  const auto [strokes, rims] = hatched(DrawnScene(torus(30, 13, 48, 24), request, run));
+  const auto [strokes, rims] = hatched(draw_lines(torus(30, 13, 48, 24), request, run));
   ASSERT_GT(strokes.size(), 20u);
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     double length = 0;
@@ -212,7 +212,7 @@ TEST(FormMesh, EndsSurfacesAtCreases) {
 Hatched hatched_surface(const SurfaceRequest& request) {
   RunReport run;
   const SurfaceScene surface = make_surface_scene(request, surfaces_of(request, run), run);
-  return hatched(DrawnScene(surface.scene, surface.picture, run, surface.box));
+  return hatched(draw_lines(surface.scene, surface.picture, run, surface.box));
 }
 
 SurfaceRequest surface_request(FormLines form) {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "plotting/device.hpp"
+#include "plotting/devices/device.hpp"
 
 namespace ligne {
 namespace {

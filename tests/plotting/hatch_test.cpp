@@ -1,6 +1,6 @@
 /// Regions filled with strokes.
 
-#include "plotting/hatch.hpp"
+#include "plotting/hatching/hatch.hpp"
 #include "main/tier.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "support/page_lines.hpp"

@@ -1,6 +1,7 @@
 /// Joining strokes at their ends, and the index of ends that it asks: known answers.
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "plotting/paths/chain_ends.hpp"
 #include "plotting/paths/end_tree.hpp"
 #include "plotting/paths/farthest_point.hpp"
@@ -143,13 +144,13 @@ TEST(EndTree, FindsWhatALookAtAllPointsFinds) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (there[i]) least = std::min(least, glm::distance(q, points[i]));
     }
-    ASSERT_NE(found, EndTree::kNone);
+    ASSERT_NE(found, kNone);
     ASSERT_TRUE(there[found]);
     ASSERT_DOUBLE_EQ(glm::distance(q, points[found]), least);
     tree.remove(found);
     there[found] = 0;
   }
-  EXPECT_EQ(tree.nearest({0, 0}), EndTree::kNone);
+  EXPECT_EQ(tree.nearest({0, 0}), kNone);
 }
 
 /// Leaving out points of lines: known answers, and what a look at all points finds.

@@ -2,7 +2,7 @@
 #include <unistd.h>
 #include <csignal>
 
-#include "plotting/output_file.hpp"
+#include "plotting/writers/output_file.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {

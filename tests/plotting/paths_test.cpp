@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "main/tier.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "sample_drawing.hpp"

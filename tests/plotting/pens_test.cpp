@@ -3,9 +3,9 @@
 #include "main/tier.hpp"
 #include "plotted.hpp"
 #include "plotting/dashes.hpp"
-#include "plotting/device.hpp"
+#include "plotting/devices/device.hpp"
 #include "plotting/plot.hpp"
-#include "plotting/plot_writers.hpp"
+#include "plotting/writers/plot_writers.hpp"
 #include "support/test.hpp"
 
 namespace ligne {

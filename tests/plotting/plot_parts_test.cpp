@@ -1,8 +1,8 @@
 /// Long plots: what is cut off, split and done between strokes; sheets of large drawings.
 
 #include "plotting/plot_parts.hpp"
-#include "plotting/plot_writers.hpp"
 #include "plotting/tiles.hpp"
+#include "plotting/writers/plot_writers.hpp"
 #include "support/test.hpp"
 
 namespace ligne {

@@ -3,7 +3,7 @@
 
 #include <string>
 #include "geometry/point.hpp"
-#include "plotting/plot_writers.hpp"
+#include "plotting/writers/plot_writers.hpp"
 #include "sample_drawing.hpp"
 #include "support/standard.hpp"
 

@@ -2,13 +2,13 @@
 
 #include <zlib.h>
 
-#include "plotting/number_text.hpp"
 #include "plotting/page.hpp"
 #include "plotting/stroke_text.hpp"
+#include "plotting/writers/number_text.hpp"
 #include "sample_drawing.hpp"
 #include "support/test.hpp"
-#include "view/axes_layout.hpp"
-#include "view/axis_lines.hpp"
+#include "view/axes/axes_layout.hpp"
+#include "view/axes/axis_lines.hpp"
 
 namespace ligne {
 namespace {

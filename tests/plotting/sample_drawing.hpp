@@ -3,7 +3,7 @@
 
 #include "plotting/paths/elliptic_arc.hpp"
 #include "plotting/paths/optimize.hpp"
-#include "plotting/writers.hpp"
+#include "plotting/writers/writers.hpp"
 #include "support/page_lines.hpp"
 #include "support/test.hpp"
 

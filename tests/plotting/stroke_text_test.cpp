@@ -1,7 +1,7 @@
 /// Text as single strokes.
 
 #include "plotting/stroke_text.hpp"
-#include "plotting/utf8.hpp"
+#include "plotting/readers/utf8.hpp"
 #include "support/test.hpp"
 
 namespace ligne {

@@ -5,7 +5,7 @@
 
 #include "main/tier.hpp"
 #include "plotting/paths/optimize.hpp"
-#include "plotting/writers.hpp"
+#include "plotting/writers/writers.hpp"
 #include "sample_drawing.hpp"
 #include "support/page_lines.hpp"
 #include "support/test.hpp"

@@ -2,10 +2,10 @@
 
 #include <cctype>
 
-#include "geometry/parallel.hpp"
-#include "plotting/cairo_svg_parts.hpp"
-#include "plotting/drawing_reader.hpp"
-#include "plotting/writers.hpp"
+#include "base/parallel.hpp"
+#include "plotting/readers/drawing_reader.hpp"
+#include "plotting/writers/cairo_svg_parts.hpp"
+#include "plotting/writers/writers.hpp"
 #include "sample_drawing.hpp"
 #include "support/test.hpp"
 

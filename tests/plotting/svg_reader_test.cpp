@@ -1,7 +1,7 @@
 /// SVG drawings read back: drawn right, or refused by name.
 
 #include "plotting/paths/optimize.hpp"
-#include "plotting/writers.hpp"
+#include "plotting/writers/writers.hpp"
 #include "sample_drawing.hpp"
 #include "support/test.hpp"
 #include "svg_text.hpp"

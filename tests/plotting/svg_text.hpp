@@ -1,7 +1,7 @@
 #pragma once
 /// Short SVG texts, read, and what is in them.
 
-#include "plotting/drawing_reader.hpp"
+#include "plotting/readers/drawing_reader.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {

@@ -1,7 +1,7 @@
 #include <expat.h>
 #include <nlohmann/json.hpp>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "sample_drawing.hpp"
 #include "support/pdf_info.hpp"
 #include "support/test.hpp"

@@ -3,7 +3,7 @@
 // oracle takes part, and no known answer: a fault that both of these share shows here.
 
 #include "relations/relations.hpp"
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "main/tier.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"

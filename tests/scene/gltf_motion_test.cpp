@@ -7,7 +7,7 @@
 
 #include "gltf_builder.hpp"
 #include "reader_tools.hpp"
-#include "scene/readers/gltf_reader.hpp"
+#include "scene/readers/gltf/gltf_reader.hpp"
 
 namespace ligne {
 namespace {

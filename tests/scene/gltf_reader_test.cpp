@@ -1,4 +1,4 @@
-#include "scene/readers/gltf_reader.hpp"
+#include "scene/readers/gltf/gltf_reader.hpp"
 #include "gltf_builder.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/test.hpp"

@@ -2,7 +2,7 @@
 /// Tools that the tests of surfaces' heights share.
 
 #include "reader_tools.hpp"
-#include "scene/surfaces/grid_formats.hpp"
+#include "scene/surfaces/grids/grid_formats.hpp"
 #include "support/test.hpp"
 
 namespace ligne::height_test {

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "gltf_builder.hpp"
-#include "scene/readers/gltf_reader.hpp"
-#include "scene/readers/meshopt_codec.hpp"
+#include "scene/readers/gltf/gltf_reader.hpp"
+#include "scene/readers/gltf/meshopt_codec.hpp"
 
 #ifdef LIGNE_HAVE_MESHOPTIMIZER
 #include <meshoptimizer.h>

@@ -5,8 +5,8 @@
 #include <fstream>
 
 #include "reader_tools.hpp"
-#include "scene/readers/obj_materials.hpp"
-#include "scene/readers/obj_reader.hpp"
+#include "scene/readers/obj/obj_materials.hpp"
+#include "scene/readers/obj/obj_reader.hpp"
 
 namespace ligne::reader_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/readers/obj_reader.hpp"
+#include "scene/readers/obj/obj_reader.hpp"
 
 #include "reader_tools.hpp"
 

@@ -1,4 +1,4 @@
-#include "scene/readers/ply_reader.hpp"
+#include "scene/readers/ply/ply_reader.hpp"
 
 #include <bit>
 #include <cmath>

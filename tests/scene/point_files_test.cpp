@@ -6,7 +6,7 @@
 #include "array_builder.hpp"
 #include "deflated.hpp"
 #include "height_tools.hpp"
-#include "scene/surfaces/point_table.hpp"
+#include "scene/surfaces/grids/point_table.hpp"
 #include "zip_builder.hpp"
 
 namespace ligne {

@@ -1,4 +1,4 @@
-#include "scene/surfaces/point_table.hpp"
+#include "scene/surfaces/grids/point_table.hpp"
 
 #include <filesystem>
 #include <fstream>

@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "height_tools.hpp"
-#include "scene/surfaces/raster_placement.hpp"
+#include "scene/surfaces/grids/raster_placement.hpp"
 #include "tiff_builder.hpp"
 
 namespace ligne {

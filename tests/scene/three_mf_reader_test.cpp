@@ -1,4 +1,4 @@
-#include "scene/readers/three_mf_reader.hpp"
+#include "scene/readers/three_mf/three_mf_reader.hpp"
 
 #include "reader_tools.hpp"
 #include "scene/readers/zip_archive.hpp"

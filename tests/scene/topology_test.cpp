@@ -1,8 +1,8 @@
 // The edges of scenes so large that they are filed in several parts, against a plain table of them.
 
 #include "scene/model/topology.hpp"
+#include "base/parallel.hpp"
 #include "even_positions.hpp"
-#include "geometry/parallel.hpp"
 #include "scene/clean/crossing_edges.hpp"
 #include "scene/model/self_contact.hpp"
 #include "scene/model/triangle_contact.hpp"

@@ -1,6 +1,6 @@
 // Every experiment at small size: its form, and counts that are known. Times are never looked at.
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "study/result_text.hpp"
 #include "support/test.hpp"
 

@@ -1,6 +1,6 @@
 // The elementary operations of [Boulle1980] 3 against exact arithmetic.
 
-#include "geometry/clip_contour_by_contour.hpp"
+#include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "study/operations/contour_clipping.hpp"
 #include "study/operations/point_in_contour.hpp"
 #include "study/operations/segment_clipping.hpp"

@@ -3,8 +3,8 @@
 #include <map>
 #include <random>
 
+#include "base/parallel.hpp"
 #include "control_scenes.hpp"
-#include "geometry/parallel.hpp"
 
 namespace ligne::subdivision_test {
 namespace {

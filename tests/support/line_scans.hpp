@@ -4,7 +4,7 @@
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard.hpp"
-#include "visibility/watkins/line_study.hpp"
+#include "visibility/watkins/exact/line_study.hpp"
 
 namespace ligne::test {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Segments of the page, by the names of the tests.
 
-#include "drawing/page_segments.hpp"
+#include "drawing/overlaps/page_segments.hpp"
 
 namespace ligne::test {
 

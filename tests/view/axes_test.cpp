@@ -4,9 +4,9 @@
 #include "plotting/stroke_text.hpp"
 #include "support/scene_parts.hpp"
 #include "support/test.hpp"
-#include "view/axes_layout.hpp"
-#include "view/axis_edges.hpp"
-#include "view/axis_lines.hpp"
+#include "view/axes/axes_layout.hpp"
+#include "view/axes/axis_edges.hpp"
+#include "view/axes/axis_lines.hpp"
 #include "view/brightness.hpp"
 
 namespace ligne::test {

@@ -1,6 +1,6 @@
 // Every method gives the same strokes for any number of threads.
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "main/tier.hpp"
 #include "support/scenes.hpp"
 #include "support/test.hpp"

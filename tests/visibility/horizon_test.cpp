@@ -2,7 +2,7 @@
 // double.
 
 #include "visibility/horizon/horizon.hpp"
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "height_functions.hpp"
 #include "main/tier.hpp"
 #include "support/test.hpp"

@@ -5,9 +5,9 @@
 #include "support/test.hpp"
 #include "visibility/edges/line_strokes.hpp"
 #include "visibility/order/model_pieces.hpp"
-#include "visibility/watkins/crossing_queue.hpp"
-#include "visibility/watkins/span_method.hpp"
-#include "visibility/watkins/sweep_scene.hpp"
+#include "visibility/watkins/exact/crossing_queue.hpp"
+#include "visibility/watkins/exact/sweep_scene.hpp"
+#include "visibility/watkins/spans/span_method.hpp"
 
 namespace ligne {
 namespace {

@@ -1,6 +1,6 @@
 // The module of control of the method warnock: the first window, divisions, and the findings of [Boulle1980].
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "study/generators.hpp"
 #include "support/scenes.hpp"
 #include "support/test.hpp"

@@ -2,7 +2,7 @@
 // touch, coincide and penetrate.
 
 #include "support/test.hpp"
-#include "visibility/watkins/span_method.hpp"
+#include "visibility/watkins/spans/span_method.hpp"
 
 namespace ligne::watkins {
 namespace {

@@ -1,11 +1,11 @@
 // The exact scan: its list, its stops, its bands.
 
 #include "drawing/drawing.hpp"
-#include "drawing/stroke_overlap.hpp"
+#include "drawing/overlaps/stroke_overlap.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/scenes.hpp"
 #include "support/test.hpp"
-#include "visibility/watkins/exact_study.hpp"
+#include "visibility/watkins/exact/exact_study.hpp"
 
 namespace ligne::watkins {
 namespace {

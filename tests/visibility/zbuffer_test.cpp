@@ -1,6 +1,6 @@
 // The depth buffer: depths worked out by hand, against a plain search, without gaps; objects added later; lines sampled.
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "main/tier.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/corpus_scene.hpp"

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "files/message_text.hpp"
-#include "plotting/pens.hpp"
+#include "plotting/devices/pens.hpp"
 #include "plotting/svg/style/css_text.hpp"
 #include "plotting/svg/values.hpp"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "picture/products.hpp"
 #include "visibility/culling/convex_body.hpp"
 #include "visibility/registry.hpp"
 
@@ -35,10 +36,6 @@ std::span<const ChoiceRule> choice_rules() { return kRules; }
 std::size_t choose_rule(const ChoiceFacts& facts) {
   const auto rule = std::find_if(std::begin(kRules), std::end(kRules), [&](const ChoiceRule& r) { return r.holds(facts); });
   return static_cast<std::size_t>(rule - std::begin(kRules));
-}
-
-bool asks_for_regions(const PictureRequest& request) {
-  return request.regions || request.fill.asked() || request.hatch.asked() || request.lines.classes.has(LineClass::shadow);
 }
 
 bool chooses_regions(const PictureRequest& request, const ProjectedScene& projected) {

@@ -34,9 +34,6 @@ std::span<const ChoiceRule> choice_rules();
 /// The number of the rule, from 0.
 std::size_t choose_rule(const ChoiceFacts& facts);
 
-/// Whether fills, hatching, shadows or the areas themselves are asked for.
-bool asks_for_regions(const PictureRequest& request);
-
 ChoiceFacts facts_of(const PictureRequest& request, const ProjectedScene& projected);
 
 struct ChosenStudy {

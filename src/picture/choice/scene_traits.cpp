@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "geometry/connected_boxes.hpp"
 #include "geometry/predicates.hpp"
 #include "picture/choice/cover_samples.hpp"

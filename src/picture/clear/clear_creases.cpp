@@ -4,7 +4,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/patches/fillets.hpp"
 
 namespace ligne {

@@ -1,7 +1,7 @@
 #pragma once
 /// The creases of clear lines.
 
-#include "contours/shape_lines.hpp"
+#include "contours/shapes/shape_lines.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
 #include "scene/creases/find_creases.hpp"

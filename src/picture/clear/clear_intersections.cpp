@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
 #include "picture/clear/rim_lines.hpp"
 #include "scene/clean/near_cells.hpp"
 #include "scene/contacts/chord_errors.hpp"

@@ -13,8 +13,9 @@
 #include <cmath>
 #include <tuple>
 
-#include "drawing/stroke_arcs.hpp"
-#include "drawing/stroke_overlap.hpp"
+#include "base/no_index.hpp"
+#include "drawing/graphs/stroke_arcs.hpp"
+#include "drawing/overlaps/stroke_overlap.hpp"
 #include "drawing/stroke_piece.hpp"
 #include "picture/clear/profile_sides.hpp"
 

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "contours/contour_choice.hpp"
-#include "geometry/parallel.hpp"
 #include "scene/clean/named_objects.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/edges/nearest_along.hpp"

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "base/no_index.hpp"
 #include "geometry/degrees.hpp"
 #include "geometry/nearest_on_segment.hpp"
 #include "scene/contacts/face_contact.hpp"

@@ -5,14 +5,15 @@
 #include <functional>
 #include <vector>
 
+#include "base/no_index.hpp"
+#include "drawing/cleanup/flecks.hpp"
+#include "drawing/cleanup/inked_bits.hpp"
+#include "drawing/cleanup/loose_ends.hpp"
+#include "drawing/cleanup/short_bits.hpp"
+#include "drawing/cleanup/short_ends.hpp"
+#include "drawing/cleanup/smooth_lines.hpp"
+#include "drawing/cleanup/spurs.hpp"
 #include "drawing/drawing.hpp"
-#include "drawing/flecks.hpp"
-#include "drawing/inked_bits.hpp"
-#include "drawing/loose_ends.hpp"
-#include "drawing/short_bits.hpp"
-#include "drawing/short_ends.hpp"
-#include "drawing/smooth_lines.hpp"
-#include "drawing/spurs.hpp"
 #include "view/tolerances.hpp"
 
 namespace ligne {
@@ -39,13 +40,13 @@ constexpr double kBesideInPens = 2.5;
 constexpr double kBrokenInPens = 4;   ///< a gap in an outline of a scan
 constexpr double kBesideInSpurs = 4;  ///< what runs beside a line, in spurs that do not
 
-/// The number of the scan that a stroke belongs to, kNoBody for other objects.
+/// The number of the scan that a stroke belongs to, kNone for other objects.
 std::uint32_t scan_of(const std::vector<ScanObject>& scans, const StrokeModel& strokes, const Stroke& s) {
   const bool is_edge = s.source < strokes.edge_count;
   const std::uint32_t number = is_edge ? s.source : strokes.intersections[s.source - strokes.edge_count].faces[0];
   const auto end_of = [&](const ScanObject& scan) { return is_edge ? scan.edge_end : scan.face_end; };
   const auto scan = std::ranges::upper_bound(scans, number, {}, end_of);
-  if (scan == scans.end() || number < (is_edge ? scan->edge_begin : scan->face_begin)) return kNoBody;
+  if (scan == scans.end() || number < (is_edge ? scan->edge_begin : scan->face_begin)) return kNone;
   return static_cast<std::uint32_t>(scan - scans.begin());
 }
 
@@ -54,12 +55,12 @@ std::uint32_t object_of(const PreparedScene& prepared, const StrokeModel& stroke
   if (s.source < strokes.edge_count) {
     const auto& ends = prepared.object_edge_ends;
     const auto end = std::ranges::upper_bound(ends, s.source);
-    return end == ends.end() ? kNoBody : static_cast<std::uint32_t>(end - ends.begin());
+    return end == ends.end() ? kNone : static_cast<std::uint32_t>(end - ends.begin());
   }
   const std::vector<Object>& objects = prepared.scene.objects;
   const std::uint32_t face = strokes.intersections[s.source - strokes.edge_count].faces[0];
   const auto object = std::ranges::upper_bound(objects, face, {}, &Object::face_end);
-  return object == objects.end() ? kNoBody : static_cast<std::uint32_t>(object - objects.begin());
+  return object == objects.end() ? kNone : static_cast<std::uint32_t>(object - objects.begin());
 }
 
 /// Makes sources of strokes that join lines, on the faces of the line.
@@ -146,7 +147,7 @@ void tidy_lines(StrokeModel& strokes, const PreparedScene& prepared, double leas
   const auto scan = [&](const Stroke& s) { return scan_of(prepared.scans, strokes, s); };
   if (!prepared.scans.empty()) {
     count(run, "points of creases smoothed",
-          smooth_lines(strokes, [&](const Stroke& s) { return s.line_class == LineClass::crease && scan(s) != kNoBody; }));
+          smooth_lines(strokes, [&](const Stroke& s) { return s.line_class == LineClass::crease && scan(s) != kNone; }));
   }
   JointSources make_source(strokes, prepared.projected);
   // Without outlines nothing tells that a line passes behind something.

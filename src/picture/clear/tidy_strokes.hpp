@@ -2,8 +2,8 @@
 /// The strokes of a study as the lines of a drawing.
 
 #include "drawing/stroke.hpp"
+#include "picture/prepared_scene.hpp"
 #include "picture/run_report.hpp"
-#include "picture/scene_visibility.hpp"
 
 namespace ligne {
 

@@ -22,8 +22,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/disjoint_sets.hpp"
-#include "geometry/parallel.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/parallel.hpp"
 #include "scene/form/curvature.hpp"
 
 namespace ligne {

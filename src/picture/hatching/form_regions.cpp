@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/no_index.hpp"
 #include "geometry/nearest_on_segment.hpp"
 
 namespace ligne {

@@ -19,7 +19,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/stop.hpp"
+#include "base/hash.hpp"
+#include "base/stop.hpp"
 #include "plotting/paths/simplify.hpp"
 
 namespace ligne {
@@ -52,12 +53,7 @@ struct PlacedStroke {
 };
 
 /// A number in [0, 1) for each key (the finalizer of SplitMix64).
-double share_of(std::uint64_t key) {
-  key += 0x9e3779b97f4a7c15u;
-  key = (key ^ (key >> 30)) * 0xbf58476d1ce4e5b9u;
-  key = (key ^ (key >> 27)) * 0x94d049bb133111ebu;
-  return static_cast<double>((key ^ (key >> 31)) >> 11) * 0x1p-53;
-}
+double share_of(std::uint64_t key) { return static_cast<double>(mix_bits(key + kGoldenRatio) >> 11) * 0x1p-53; }
 
 class StrokePlacement {
  public:

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/no_index.hpp"
 #include "picture/light/face_carrier.hpp"
 
 namespace ligne {

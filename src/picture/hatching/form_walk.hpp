@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "base/no_index.hpp"
 #include "picture/hatching/form_field.hpp"
 #include "picture/hatching/form_regions.hpp"
 

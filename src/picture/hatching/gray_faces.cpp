@@ -4,7 +4,7 @@
 
 #include "drawing/span_areas.hpp"
 #include "picture/fills.hpp"
-#include "plotting/fill_rim.hpp"
+#include "plotting/hatching/fill_rim.hpp"
 #include "view/brightness.hpp"
 
 namespace ligne {

@@ -6,8 +6,8 @@
 
 #include "drawing/drawing.hpp"
 #include "drawing/shading.hpp"
-#include "picture/scene_visibility.hpp"
-#include "plotting/writers.hpp"
+#include "picture/prepared_scene.hpp"
+#include "plotting/writers/writers.hpp"
 
 namespace ligne {
 

@@ -8,7 +8,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
 
 namespace ligne {
 

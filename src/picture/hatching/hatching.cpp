@@ -17,7 +17,8 @@
 #include "picture/fills.hpp"
 #include "picture/hatching/form_hatching.hpp"
 #include "picture/hatching/hatch_layers.hpp"
-#include "plotting/hatch.hpp"
+#include "picture/products.hpp"
+#include "plotting/hatching/hatch.hpp"
 #include "view/brightness.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/registry.hpp"
@@ -35,7 +36,7 @@ constexpr double kMostRuns = 3e7;   ///< on all faces: a gigabyte
 /// sixteen of them is solid ink long before.
 constexpr double kMostLinesUnderPen = 128;
 
-/// How a face is hatched: its strokes in words of plotting/hatch.hpp, and their direction.
+/// How a face is hatched: its strokes in words of plotting/hatching/hatch.hpp, and their direction.
 struct FaceHatch {
   double degrees = 0;
   SurfaceHatch strokes{0, kRowCycle, 0, 0};
@@ -335,10 +336,6 @@ HatchScene hatch_scene(const PreparedScene& prepared, const PlotOptions& plot) {
 void refuse_hatching(std::string_view method) {
   throw RequestError("hatch", "method " + std::string(method) + " gives neither regions nor spans; regions: " +
                                   methods_with(kRegions) + "; spans: " + methods_with(kSpans));
-}
-
-bool hatches_regions(const PictureRequest& request, const Method& method) {
-  return request.hatch.asked() && (method.traits().products & kRegions);
 }
 
 std::vector<Layer> hatch_regions(const HatchScene& hatch, const std::vector<Region>& regions, RunReport& run) {

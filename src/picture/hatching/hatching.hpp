@@ -7,8 +7,8 @@
 #include "drawing/drawing.hpp"
 #include "drawing/result_models.hpp"
 #include "picture/hatching/hatch_patches.hpp"
-#include "picture/scene_visibility.hpp"
-#include "plotting/writers.hpp"
+#include "picture/prepared_scene.hpp"
+#include "plotting/writers/writers.hpp"
 #include "scene/form/form_mesh.hpp"
 
 namespace ligne {
@@ -28,9 +28,6 @@ HatchScene hatch_scene(const PreparedScene& prepared, const PlotOptions& plot);
 
 /// Throws the RequestError of a method that gives nothing to hatch.
 [[noreturn]] void refuse_hatching(std::string_view method);
-
-/// Where a method gives regions these are hatched, else its spans.
-bool hatches_regions(const PictureRequest& request, const Method& method);
 
 /// Hatches regions that are seen directly. What no light reaches is hatched across too. Layers "hatch": one, or one for each
 /// shade or material that pens are chosen by; none where regions are not hatched. Throws RequestError.

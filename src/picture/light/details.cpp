@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/clip_contour_by_contour.hpp"
+#include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "picture/light/face_carrier.hpp"
 #include "picture/light/region_faces.hpp"
 

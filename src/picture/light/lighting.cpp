@@ -6,7 +6,8 @@
 #include "picture/errors.hpp"
 #include "picture/light/details.hpp"
 #include "picture/light/shadows.hpp"
-#include "picture/scene_visibility.hpp"
+#include "picture/prepared_scene.hpp"
+#include "picture/products.hpp"
 
 namespace ligne {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "drawing/result_models.hpp"
-#include "geometry/contour_face.hpp"
+#include "geometry/polygons/contour_face.hpp"
 
 namespace ligne {
 

@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/clip_contour_by_contour.hpp"
+#include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "picture/light/region_faces.hpp"
 #include "view/projected_scene.hpp"
 

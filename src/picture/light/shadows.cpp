@@ -5,8 +5,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/clip_contour_by_contour.hpp"
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
+#include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "picture/light/face_carrier.hpp"
 #include "picture/light/region_faces.hpp"
 #include "view/tolerances.hpp"

@@ -7,7 +7,7 @@
 #include "files/message_text.hpp"
 #include "picture/errors.hpp"
 #include "picture/marks/contour_labels.hpp"
-#include "view/axes_box.hpp"
+#include "view/axes/axes_box.hpp"
 #include "view/tolerances.hpp"
 
 namespace ligne {

@@ -10,8 +10,8 @@
 #include "picture/marks/map_marks.hpp"
 #include "picture/placement.hpp"
 #include "picture/run_report.hpp"
-#include "view/axes_layout.hpp"
-#include "view/axis_lines.hpp"
+#include "view/axes/axes_layout.hpp"
+#include "view/axes/axis_lines.hpp"
 
 namespace ligne {
 

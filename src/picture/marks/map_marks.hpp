@@ -8,7 +8,7 @@
 #include "geometry/point.hpp"
 #include "picture/requests.hpp"
 #include "scene/surfaces/height_source.hpp"
-#include "view/axes_layout.hpp"
+#include "view/axes/axes_layout.hpp"
 #include "view/view.hpp"
 
 namespace ligne {

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/portable.hpp"
 #include "files/closest_name.hpp"
 #include "files/message_text.hpp"
-#include "geometry/portable.hpp"
+#include "plotting/devices/pens.hpp"
 #include "plotting/page.hpp"
-#include "plotting/pens.hpp"
 
 namespace ligne {
 namespace {

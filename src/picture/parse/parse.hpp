@@ -14,7 +14,7 @@
 
 #include "drawing/stroke.hpp"
 #include "geometry/point.hpp"
-#include "picture/models.hpp"
+#include "picture/models/models.hpp"
 #include "picture/requests.hpp"
 #include "scene/model/scene.hpp"
 

@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/portable.hpp"
 #include "drawing/drawing.hpp"
 #include "files/closest_name.hpp"
 #include "files/input_error.hpp"
 #include "files/message_text.hpp"
-#include "geometry/portable.hpp"
 #include "picture/errors.hpp"
 #include "picture/parse/parse.hpp"
 #include "plotting/page.hpp"

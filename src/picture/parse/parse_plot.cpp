@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "picture/parse/parse.hpp"
+#include "plotting/devices/pens.hpp"
 #include "plotting/page.hpp"
-#include "plotting/pens.hpp"
 
 namespace ligne {
 namespace {

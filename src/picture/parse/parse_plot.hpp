@@ -6,9 +6,9 @@
 #include <set>
 #include <string>
 
-#include "picture/plot_drawing.hpp"
-#include "plotting/drawing_reader.hpp"
+#include "picture/pages/plot_drawing.hpp"
 #include "plotting/plot_parts.hpp"
+#include "plotting/readers/drawing_reader.hpp"
 
 namespace ligne {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "picture/parse/parse.hpp"
-#include "plotting/pens.hpp"
+#include "plotting/devices/pens.hpp"
 
 namespace ligne {
 namespace {

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <cmath>
 
+#include "base/no_index.hpp"
+
 namespace ligne {
 namespace {
 

@@ -7,7 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "picture/placement.hpp"
 #include "scene/readers/triangle_file.hpp"
 #include "visibility/stream/page_layers.hpp"

@@ -9,6 +9,7 @@
 #include "picture/choice/method_choice.hpp"
 #include "picture/errors.hpp"
 #include "picture/marks/axes.hpp"
+#include "picture/products.hpp"
 #include "picture/stream/stream_passes.hpp"
 #include "picture/stream/streamed_vertices.hpp"
 #include "scene/clean/named_objects.hpp"

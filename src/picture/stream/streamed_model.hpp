@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "picture/models.hpp"
+#include "picture/models/models.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
 #include "scene/readers/triangle_file.hpp"

@@ -7,8 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/parallel.hpp"
-#include "geometry/portable.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
+#include "base/portable.hpp"
 #include "picture/stream/stream_passes.hpp"
 #include "picture/stream/streamed_crowds.hpp"
 

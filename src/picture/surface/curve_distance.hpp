@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "view/axes_box.hpp"
+#include "view/axes/axes_box.hpp"
 #include "view/view.hpp"
 
 namespace ligne {

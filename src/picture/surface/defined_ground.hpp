@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "scene/surfaces/height_function.hpp"
+#include "scene/surfaces/formula/height_function.hpp"
 
 namespace ligne {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Surfaces z = f(x, y) among models.
 
-#include "picture/models.hpp"
+#include "picture/models/models.hpp"
 #include "picture/surface/surface_request.hpp"
 
 namespace ligne {

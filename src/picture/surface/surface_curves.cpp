@@ -9,7 +9,7 @@
 
 #include "picture/errors.hpp"
 #include "picture/marks/contour_labels.hpp"
-#include "scene/surfaces/point_table.hpp"
+#include "scene/surfaces/grids/point_table.hpp"
 #include "scene/surfaces/surface_curve.hpp"
 
 namespace ligne {

@@ -11,7 +11,7 @@
 #include "picture/surface/surface_request.hpp"
 #include "scene/surfaces/surface_mesh.hpp"
 #include "scene/surfaces/surface_points.hpp"
-#include "view/axes_box.hpp"
+#include "view/axes/axes_box.hpp"
 #include "view/view.hpp"
 
 namespace ligne {

@@ -22,7 +22,7 @@
 #include "picture/surface/surface_scale.hpp"
 #include "picture/surface/surface_terrain.hpp"
 #include "scene/clean/crossing_edges.hpp"
-#include "scene/surfaces/cut_cells.hpp"
+#include "scene/surfaces/contours/cut_cells.hpp"
 #include "scene/surfaces/mesh_writer.hpp"
 #include "scene/surfaces/surface_mesh.hpp"
 #include "visibility/registry.hpp"

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "picture/marks/axes.hpp"
+#include "picture/pages/write_picture.hpp"
 #include "picture/surface/surface_request.hpp"
 #include "picture/surface/surface_samples.hpp"
-#include "picture/write_picture.hpp"
 #include "scene/model/scene.hpp"
 
 namespace ligne {

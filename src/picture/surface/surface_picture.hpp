@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "drawing/drawing.hpp"
+#include "picture/pages/write_picture.hpp"
 #include "picture/surface/surface_request.hpp"
 #include "picture/surface/surface_samples.hpp"
-#include "picture/write_picture.hpp"
 #include "plotting/page.hpp"
 
 namespace ligne {

@@ -9,7 +9,7 @@
 #include "picture/errors.hpp"
 #include "picture/surface/defined_ground.hpp"
 #include "picture/surface/surface_scale.hpp"
-#include "scene/surfaces/grid_surfaces.hpp"
+#include "scene/surfaces/grids/grid_surfaces.hpp"
 #include "scene/surfaces/height_filters.hpp"
 #include "scene/surfaces/held_heights.hpp"
 

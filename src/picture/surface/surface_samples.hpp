@@ -8,7 +8,7 @@
 
 #include "picture/run_report.hpp"
 #include "picture/surface/surface_request.hpp"
-#include "scene/surfaces/height_function.hpp"
+#include "scene/surfaces/formula/height_function.hpp"
 #include "scene/surfaces/height_source.hpp"
 #include "scene/surfaces/surface_points.hpp"
 

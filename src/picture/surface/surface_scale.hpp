@@ -10,7 +10,7 @@
 #include "picture/run_report.hpp"
 #include "picture/surface/surface_request.hpp"
 #include "scene/surfaces/height_source.hpp"
-#include "view/axes_box.hpp"
+#include "view/axes/axes_box.hpp"
 
 namespace ligne {
 

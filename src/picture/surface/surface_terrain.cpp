@@ -6,7 +6,7 @@
 
 #include "geometry/degrees.hpp"
 #include "picture/errors.hpp"
-#include "scene/surfaces/hachures.hpp"
+#include "scene/surfaces/contours/hachures.hpp"
 
 namespace ligne {
 namespace {

@@ -9,7 +9,8 @@
 #include <functional>
 #include <utility>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/clean/compact.hpp"
 #include "scene/clean/cut_nonplanar.hpp"
 #include "scene/clean/weld.hpp"

@@ -2,8 +2,8 @@
 
 #include <atomic>
 
-#include "geometry/parallel.hpp"
-#include "geometry/portable.hpp"
+#include "base/parallel.hpp"
+#include "base/portable.hpp"
 
 namespace ligne {
 namespace {

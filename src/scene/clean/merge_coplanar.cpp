@@ -14,6 +14,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/no_index.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/clean/compact.hpp"
 #include "scene/clean/merge_contours.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/no_index.hpp"
 #include "scene/clean/compact.hpp"
 #include "scene/model/precision.hpp"
 

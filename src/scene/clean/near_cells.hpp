@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/hash.hpp"
 #include "geometry/point.hpp"
 
 namespace ligne {
@@ -29,8 +30,7 @@ class NearCells {
   /// cost time: distances are looked at.
   std::array<std::size_t, 8> slots(std::size_t slots) const {
     const auto mixed = [](std::uint64_t hash, double cell) {
-      hash = (std::rotl(hash, 23) ^ std::bit_cast<std::uint64_t>(cell + 0.0)) * 0x9e3779b97f4a7c15u;
-      return hash ^ (hash >> 29);
+      return extend_hash(std::rotl(hash, 23), bits_of_number(cell));
     };
     std::array<std::size_t, 8> found{};
     for (std::size_t x = 0; x < 2; ++x) {

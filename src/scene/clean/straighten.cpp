@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "base/no_index.hpp"
 #include "scene/clean/merge_contours.hpp"
 #include "scene/model/planarity.hpp"
 

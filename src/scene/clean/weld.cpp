@@ -10,8 +10,10 @@
 #include <numeric>
 #include <span>
 
-#include "geometry/parallel.hpp"
-#include "geometry/parallel_counting_sort.hpp"
+#include "base/hash.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
+#include "base/parallel_counting_sort.hpp"
 
 namespace ligne {
 namespace {
@@ -23,21 +25,11 @@ constexpr std::size_t kAhead = 16;
 /// Vertices that one task hashes and sorts into parts.
 constexpr std::size_t kBlock = std::size_t{1} << 15;
 
-/// Finalizer of SplitMix64 (Steele, Lea, Flood 2014): every input bit reaches every output bit.
-std::uint64_t mix(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
-/// Bits of x; those of +0 for -0.
-std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }
-
 std::uint32_t hash(const Point3& p) {
   // Odd multipliers keep the coordinates apart before one finalizer takes them all.
-  const std::uint64_t sum = bits(p.x) * 0x9e3779b97f4a7c15u + std::rotl(bits(p.y) * 0xc2b2ae3d27d4eb4fu, 21) +
-                            std::rotl(bits(p.z) * 0x165667b19e3779f9u, 42);
-  return static_cast<std::uint32_t>(mix(sum) >> 32);
+  const std::uint64_t sum = bits_of_number(p.x) * kGoldenRatio + std::rotl(bits_of_number(p.y) * 0xc2b2ae3d27d4eb4fu, 21) +
+                            std::rotl(bits_of_number(p.z) * 0x165667b19e3779f9u, 42);
+  return static_cast<std::uint32_t>(mix_bits(sum) >> 32);
 }
 
 bool is_finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }

@@ -7,7 +7,8 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/clean/near_cells.hpp"
 
 namespace ligne {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/no_index.hpp"
+
 namespace ligne {
 
 FaceNeighbours::FaceNeighbours(const Scene& scene, const std::vector<std::uint32_t>& faces) {

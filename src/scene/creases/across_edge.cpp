@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "base/no_index.hpp"
+
 namespace ligne {
 namespace {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "geometry/large_vector.hpp"
-#include "geometry/parallel.hpp"
-#include "geometry/prefetch.hpp"
+#include "base/large_vector.hpp"
+#include "base/parallel.hpp"
+#include "base/prefetch.hpp"
 #include "scene/model/flat_faces.hpp"
 #include "scene/model/planarity.hpp"
 

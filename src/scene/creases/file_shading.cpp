@@ -7,8 +7,9 @@
 #include <span>
 #include <utility>
 
-#include "geometry/parallel.hpp"
-#include "geometry/vertex_pair_index.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
+#include "base/vertex_pair_index.hpp"
 #include "scene/clean/weld.hpp"
 #include "scene/model/topology.hpp"
 

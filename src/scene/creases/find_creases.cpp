@@ -9,10 +9,11 @@
 #include <span>
 #include <utility>
 
-#include "geometry/disjoint_sets.hpp"
-#include "geometry/indices_where.hpp"
-#include "geometry/parallel.hpp"
-#include "geometry/prefetch.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/indices_where.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
+#include "base/prefetch.hpp"
 #include "scene/creases/across_edge.hpp"
 #include "scene/creases/bend.hpp"
 #include "scene/creases/face_normals.hpp"

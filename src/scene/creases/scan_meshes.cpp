@@ -5,9 +5,10 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
+#include "base/prefetch.hpp"
 #include "geometry/degrees.hpp"
-#include "geometry/parallel.hpp"
-#include "geometry/prefetch.hpp"
 
 namespace ligne {
 namespace {

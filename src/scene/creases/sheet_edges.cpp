@@ -8,7 +8,8 @@
 #include <span>
 #include <utility>
 
-#include "geometry/stop.hpp"
+#include "base/no_index.hpp"
+#include "base/stop.hpp"
 #include "scene/creases/across_edge.hpp"
 
 namespace ligne {

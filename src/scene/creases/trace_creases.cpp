@@ -8,7 +8,8 @@
 #include <span>
 #include <utility>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/creases/scan_meshes.hpp"
 
 namespace ligne {

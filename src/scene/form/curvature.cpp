@@ -7,8 +7,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/parallel.hpp"
-#include "geometry/stop.hpp"
+#include "base/parallel.hpp"
+#include "base/stop.hpp"
 
 namespace ligne {
 namespace {

@@ -8,8 +8,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/disjoint_sets.hpp"
-#include "geometry/parallel.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/creases/crease_lines.hpp"
 
 namespace ligne {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "scene/model/topology.hpp"
 
 namespace ligne {

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/no_index.hpp"
+
 namespace ligne {
 namespace {
 

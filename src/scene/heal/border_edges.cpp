@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "geometry/indices_where.hpp"
-#include "geometry/parallel.hpp"
-#include "geometry/vertex_pair_index.hpp"
+#include "base/hash.hpp"
+#include "base/indices_where.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
+#include "base/vertex_pair_index.hpp"
 
 namespace ligne {
 namespace {
@@ -21,11 +23,7 @@ void for_sides(const PolygonFaces& faces, std::uint32_t f, const Visit& visit) {
 }
 
 /// Different numbers for different vertices, without a pattern that could cancel in sums: two rounds of multiplication.
-std::uint64_t scatter(std::uint32_t v) {
-  std::uint64_t x = (v + std::uint64_t{1}) * 0x9e3779b97f4a7c15u;
-  x ^= x >> 32;
-  return x * 0xbf58476d1ce4e5b9u;
-}
+std::uint64_t scatter(std::uint32_t v) { return mix_bits(v + kGoldenRatio); }
 
 }  // namespace
 

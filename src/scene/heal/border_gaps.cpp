@@ -5,8 +5,9 @@
 #include <glm/geometric.hpp>
 #include <span>
 
-#include "geometry/indices_where.hpp"
-#include "geometry/parallel.hpp"
+#include "base/indices_where.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/heal/segment_cells.hpp"
 #include "scene/model/planarity.hpp"
 

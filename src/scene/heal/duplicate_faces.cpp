@@ -17,8 +17,10 @@
 #include <unordered_map>
 #include <utility>
 
-#include "geometry/indices_where.hpp"
-#include "geometry/parallel.hpp"
+#include "base/hash.hpp"
+#include "base/indices_where.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/clean/compact.hpp"
 #include "scene/heal/face_key.hpp"
 #include "scene/heal/face_writer.hpp"
@@ -26,16 +28,9 @@
 namespace ligne {
 namespace {
 
-/// Finalizer of SplitMix64 (Steele, Lea, Flood 2014).
-std::uint64_t mix(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
 std::uint64_t hash(std::span<const std::uint32_t> key) {
   std::uint64_t h = key.size();
-  for (const std::uint32_t k : key) h = mix(h ^ (k + 0x9e3779b97f4a7c15u));
+  for (const std::uint32_t k : key) h = mix_bits(h ^ (k + kGoldenRatio));
   return h;
 }
 
@@ -71,13 +66,12 @@ std::vector<std::uint32_t> faces_that_share(std::size_t count, std::size_t bits,
 
 /// The bit of a face among 64 at its lowest vertex, whatever the order of its corners.
 std::size_t bit_at_vertex(std::span<const std::uint32_t> contour) {
-  constexpr std::uint32_t kGolden = 0x9e3779b9u;
   std::uint32_t lowest = contour[0], sum = 0;
   for (const std::uint32_t v : contour) {
     lowest = std::min(lowest, v);
     sum ^= v;
   }
-  return 64 * std::size_t{lowest} + ((sum * kGolden) >> 26);
+  return 64 * std::size_t{lowest} + ((sum * static_cast<std::uint32_t>(kGoldenRatio >> 32)) >> 26);
 }
 
 /// The faces that may have the same contour as another one, ascending.
@@ -94,7 +88,7 @@ std::vector<std::uint32_t> suspect_faces(const PolygonFaces& faces, std::size_t 
       sharing.size(), bits, [&](std::size_t k) { return sharing[k]; },
       [&](std::uint32_t f) {
         std::uint64_t sum = 0;
-        for (const std::uint32_t v : faces.contour(f, 0)) sum += mix(v);
+        for (const std::uint32_t v : faces.contour(f, 0)) sum += mix_bits(v);
         return sum & (bits - 1);
       });
 }
@@ -199,7 +193,7 @@ std::vector<std::uint64_t> position_sums(const Scene& scene, const std::vector<s
     std::uint64_t sum = object.vertex_end - object.vertex_begin;
     for (std::uint32_t v = object.vertex_begin; v < object.vertex_end; ++v) {
       std::uint64_t h = 0;
-      for (int k = 0; k < 3; ++k) h = mix(h ^ std::bit_cast<std::uint64_t>(scene.vertices[v][k] + 0.0)) + 1;
+      for (int k = 0; k < 3; ++k) h = mix_bits(h ^ std::bit_cast<std::uint64_t>(scene.vertices[v][k] + 0.0)) + 1;
       sum += h;
     }
     sums[i] = sum;

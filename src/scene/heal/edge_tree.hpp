@@ -7,15 +7,16 @@
 #include <span>
 #include <vector>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "geometry/point.hpp"
 
 namespace ligne {
 
 /// A point of a segment near to another point.
 struct NearestPoint {
-  std::uint32_t segment = 0xffffffffu;  ///< index, or 0xffffffff when none is near enough
-  double at = 0;                        ///< 0 at its start, 1 at its end
+  std::uint32_t segment = kNone;  ///< index, or kNone when none is near enough
+  double at = 0;                  ///< 0 at its start, 1 at its end
   double distance = 0;
 };
 

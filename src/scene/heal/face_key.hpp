@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "scene/model/scene.hpp"
 
 namespace ligne {

@@ -4,7 +4,8 @@
 #include <numeric>
 #include <utility>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/clean/compact.hpp"
 
 namespace ligne {

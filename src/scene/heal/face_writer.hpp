@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "scene/clean/cut_nonplanar.hpp"
 #include "scene/model/scene.hpp"
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "scene/clean/cut_nonplanar.hpp"
 #include "scene/heal/agree_windings.hpp"
 #include "scene/heal/border_edges.hpp"

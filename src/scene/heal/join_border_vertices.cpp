@@ -7,7 +7,8 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/clean/compact.hpp"
 #include "scene/clean/near_cells.hpp"
 #include "scene/heal/border_edges.hpp"

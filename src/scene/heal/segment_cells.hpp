@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/hash.hpp"
 #include "geometry/point.hpp"
 #include "scene/heal/edge_tree.hpp"
 
@@ -34,8 +35,7 @@ class SegmentCells {
     return {static_cast<std::int64_t>(q.x), static_cast<std::int64_t>(q.y), static_cast<std::int64_t>(q.z)};
   }
   std::size_t slot_of(const Cell& cell) const {
-    auto h = static_cast<std::uint64_t>(cell.x << 42 ^ cell.y << 21 ^ cell.z) * 0x9e3779b97f4a7c15u;
-    return (h ^ h >> 32) & (begin_.size() - 2);
+    return extend_hash(0, static_cast<std::uint64_t>(cell.x << 42 ^ cell.y << 21 ^ cell.z)) & (begin_.size() - 2);
   }
   void choose_cells(std::span<const EdgeTree::Segment> segments, double reach);
 

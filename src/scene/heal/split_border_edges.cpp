@@ -6,7 +6,8 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/heal/border_edges.hpp"
 #include "scene/heal/corner_uses.hpp"
 #include "scene/heal/face_writer.hpp"

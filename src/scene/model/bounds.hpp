@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "scene/model/scene.hpp"
 
 namespace ligne {

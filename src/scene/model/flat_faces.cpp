@@ -2,6 +2,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/no_index.hpp"
+
 namespace ligne {
 
 std::unordered_map<std::uint32_t, LongestNeighbour> longest_neighbours(const Scene& scene, const Topology& topology,

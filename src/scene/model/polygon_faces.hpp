@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-namespace ligne {
+#include "base/no_index.hpp"
 
-inline constexpr std::uint32_t kNone = 0xffffffffu;
+namespace ligne {
 
 /// The faces of a scene. A face is a list of contours, the first outer, the others holes; a contour is a cyclic list of
 /// corners; a corner holds a vertex index. While every face is one contour of three corners nothing but the corners is

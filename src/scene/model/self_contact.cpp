@@ -7,7 +7,8 @@
 #include <limits>
 #include <utility>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/model/triangle_contact.hpp"
 
 namespace ligne {

@@ -6,11 +6,12 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/large_vector.hpp"
-#include "geometry/parallel.hpp"
-#include "geometry/parallel_counting_sort.hpp"
+#include "base/large_vector.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
+#include "base/parallel_counting_sort.hpp"
+#include "base/uninitialized_vector.hpp"
 #include "geometry/triangulate.hpp"
-#include "geometry/unwritten.hpp"
 #include "scene/model/triangle_normal.hpp"
 
 // Edges are found by counting sort: every corner of a contour gives one half-edge, filed under the lower of its two

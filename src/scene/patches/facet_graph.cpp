@@ -5,9 +5,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "geometry/degrees.hpp"
-#include "geometry/disjoint_sets.hpp"
-#include "geometry/parallel.hpp"
 #include "scene/model/planarity.hpp"
 
 namespace ligne {

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/no_index.hpp"
 #include "scene/patches/face_lines.hpp"
 
 namespace ligne {

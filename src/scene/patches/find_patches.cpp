@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/patches/facet_graph.hpp"
 #include "scene/patches/freeform.hpp"
 #include "scene/patches/patch_finder.hpp"

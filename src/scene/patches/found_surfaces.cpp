@@ -6,7 +6,8 @@
 #include <numbers>
 #include <span>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 
 namespace ligne {
 namespace {

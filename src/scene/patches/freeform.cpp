@@ -4,7 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "geometry/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
 
 namespace ligne {
 namespace {

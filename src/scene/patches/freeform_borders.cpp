@@ -6,8 +6,9 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
 #include "geometry/degrees.hpp"
-#include "geometry/disjoint_sets.hpp"
 #include "scene/patches/find_patches.hpp"
 #include "scene/patches/freeform.hpp"
 #include "scene/patches/patch_edges.hpp"

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/no_index.hpp"
 #include "scene/patches/patch_finder.hpp"
 
 namespace ligne {

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "geometry/degrees.hpp"
-#include "geometry/parallel.hpp"
 #include "scene/patches/facet_graph.hpp"
 
 namespace ligne {

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "base/no_index.hpp"
+
 namespace ligne {
 namespace {
 

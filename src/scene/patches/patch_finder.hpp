@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "scene/patches/facet_graph.hpp"
 #include "scene/patches/find_patches.hpp"
 

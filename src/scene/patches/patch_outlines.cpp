@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "base/no_index.hpp"
 #include "geometry/degrees.hpp"
 
 namespace ligne {

@@ -21,6 +21,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/no_index.hpp"
 #include "scene/model/precision.hpp"
 #include "scene/readers/scene_builder.hpp"
 #include "scene/readers/text_lines.hpp"

@@ -9,7 +9,7 @@
 #include "scene/readers/reader.hpp"
 #include "scene/readers/stl_reader.hpp"
 #include "scene/readers/text_lines.hpp"
-#include "scene/readers/three_mf_reader.hpp"
+#include "scene/readers/three_mf/three_mf_reader.hpp"
 #include "scene/readers/zip_archive.hpp"
 
 namespace ligne {

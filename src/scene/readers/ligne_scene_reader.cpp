@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "scene/model/precision.hpp"
 #include "scene/readers/json_place.hpp"
 #include "scene/readers/scene_builder.hpp"

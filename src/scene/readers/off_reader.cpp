@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "scene/model/precision.hpp"
 #include "scene/readers/scene_builder.hpp"
 #include "scene/readers/text_lines.hpp"

@@ -6,19 +6,20 @@
 #include <utility>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "files/named_input.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/clean/weld_near.hpp"
 #include "scene/creases/file_shading.hpp"
 #include "scene/readers/asc_reader.hpp"
-#include "scene/readers/gltf_reader.hpp"
+#include "scene/readers/gltf/gltf_reader.hpp"
 #include "scene/readers/ligne_scene_reader.hpp"
-#include "scene/readers/obj_reader.hpp"
+#include "scene/readers/obj/obj_reader.hpp"
 #include "scene/readers/off_reader.hpp"
-#include "scene/readers/ply_reader.hpp"
+#include "scene/readers/ply/ply_reader.hpp"
 #include "scene/readers/scene_builder.hpp"
 #include "scene/readers/stl_reader.hpp"
-#include "scene/readers/three_mf_reader.hpp"
+#include "scene/readers/three_mf/three_mf_reader.hpp"
 
 namespace ligne {
 namespace {

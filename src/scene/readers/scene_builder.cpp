@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/no_index.hpp"
+
 namespace ligne {
 namespace {
 

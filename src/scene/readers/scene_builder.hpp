@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "files/omissions.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/readers/read_report.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <system_error>
 
-#include "geometry/portable.hpp"
+#include "base/portable.hpp"
 
 namespace ligne {
 namespace {

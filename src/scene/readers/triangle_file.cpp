@@ -5,7 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/model/polygon_faces.hpp"
 #include "scene/model/precision.hpp"
 #include "scene/readers/load_bytes.hpp"

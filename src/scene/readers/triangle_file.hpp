@@ -11,7 +11,7 @@
 
 #include "files/mapped_file.hpp"
 #include "geometry/point.hpp"
-#include "scene/readers/ply_header.hpp"
+#include "scene/readers/ply/ply_header.hpp"
 #include "scene/readers/read_report.hpp"
 
 namespace ligne {

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "base/no_index.hpp"
 #include "scene/clean/cut_nonplanar.hpp"
 
 namespace ligne {

@@ -9,7 +9,8 @@
 #include <numbers>
 #include <utility>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 
 namespace ligne {
 namespace {

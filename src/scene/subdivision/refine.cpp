@@ -10,7 +10,8 @@
 
 #include <algorithm>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/subdivision/subdivision_mesh.hpp"
 
 namespace ligne {

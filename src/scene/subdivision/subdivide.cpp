@@ -6,7 +6,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/clean/weld.hpp"
 #include "scene/subdivision/control_mesh.hpp"

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "geometry/disjoint_sets.hpp"
-#include "geometry/parallel.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/model/scene.hpp"
 
 namespace ligne {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "geometry/point.hpp"
 #include "scene/model/polygon_faces.hpp"
 

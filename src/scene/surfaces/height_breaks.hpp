@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/point.hpp"
-#include "scene/surfaces/height_function.hpp"
+#include "scene/surfaces/formula/height_function.hpp"
 
 namespace ligne {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "geometry/degrees.hpp"
-#include "geometry/parallel.hpp"
 #include "scene/surfaces/held_heights.hpp"
 
 namespace ligne {

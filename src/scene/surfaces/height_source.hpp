@@ -12,7 +12,7 @@
 
 #include "files/input_file.hpp"
 #include "scene/model/diagnostics.hpp"
-#include "scene/surfaces/height_function.hpp"
+#include "scene/surfaces/formula/height_function.hpp"
 
 namespace ligne {
 

@@ -8,11 +8,12 @@
 #include <limits>
 #include <utility>
 
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "geometry/delaunay.hpp"
 #include "geometry/morton.hpp"
-#include "geometry/parallel.hpp"
+#include "scene/surfaces/formula/height_function.hpp"
 #include "scene/surfaces/height_filters.hpp"
-#include "scene/surfaces/height_function.hpp"
 
 namespace ligne {
 namespace {
@@ -81,7 +82,7 @@ class TriangulatedFunction : public HeightFunction {
     std::vector<std::array<std::uint32_t, 2>> rim;  // a triangle and its side
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
       for (std::uint32_t k = 0; k < 3; ++k) {
-        if (mesh_.neighbours[t][k] == Delaunay::kNone) rim.push_back({t, k});
+        if (mesh_.neighbours[t][k] == kNone) rim.push_back({t, k});
       }
     }
     while (!rim.empty()) {
@@ -94,7 +95,7 @@ class TriangulatedFunction : public HeightFunction {
       left_out_[t] = 1;
       for (std::uint32_t side = 0; side < 3; ++side) {
         const std::uint32_t beyond = mesh_.neighbours[t][side];
-        if (beyond == Delaunay::kNone || left_out_[beyond]) continue;
+        if (beyond == kNone || left_out_[beyond]) continue;
         const auto& there = mesh_.neighbours[beyond];
         rim.push_back({beyond, static_cast<std::uint32_t>(std::find(there.begin(), there.end(), t) - there.begin())});
       }
@@ -104,15 +105,15 @@ class TriangulatedFunction : public HeightFunction {
   /// Where a search begins follows from its place alone, so that it ends in the same triangle whoever asks.
   void find_starts() {
     side_ = 1 + static_cast<std::size_t>(std::sqrt(static_cast<double>(points_.size()) / kPointsPerStart));
-    starts_.assign(side_ * side_, Delaunay::kNone);
+    starts_.assign(side_ * side_, kNone);
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
       Point2 middle{0, 0};
       for (const std::uint32_t v : mesh_.triangles[t]) middle += Point2{points_[v].x, points_[v].y} / 3.;
       std::uint32_t& start = starts_[start_cell(middle)];
-      if (start == Delaunay::kNone) start = t;
+      if (start == kNone) start = t;
     }
     std::uint32_t last = 0;
-    for (std::uint32_t& start : starts_) last = start = start == Delaunay::kNone ? last : start;
+    for (std::uint32_t& start : starts_) last = start = start == kNone ? last : start;
   }
 
   /// Twice the signed area of a triangle of two lattice points and p.
@@ -125,7 +126,7 @@ class TriangulatedFunction : public HeightFunction {
   /// back. What a rounding puts beyond two triangles' common side is within both.
   double height(Point2 p) const {
     if (!(std::abs(p.x) <= kLatticeLimit && std::abs(p.y) <= kLatticeLimit)) return kNaN;
-    std::uint32_t t = starts_[start_cell(p)], before = Delaunay::kNone;
+    std::uint32_t t = starts_[start_cell(p)], before = kNone;
     for (std::size_t step = 0; step <= mesh_.triangles.size(); ++step) {
       const auto& v = mesh_.triangles[t];
       const double across[] = {area(v[0], v[1], p), area(v[1], v[2], p), area(v[2], v[0], p)};
@@ -133,7 +134,7 @@ class TriangulatedFunction : public HeightFunction {
       for (int k = 0; k < 3 && beyond == t; ++k) {
         const std::uint32_t neighbour = mesh_.neighbours[t][static_cast<std::size_t>(k)];
         if (across[k] < 0 && neighbour != before) beyond = neighbour;
-        if (across[k] < 0 && neighbour == Delaunay::kNone) return kNaN;
+        if (across[k] < 0 && neighbour == kNone) return kNaN;
       }
       if (beyond == t && left_out_[t]) return kNaN;
       if (beyond == t) {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <memory>
 
-#include "scene/surfaces/formula_evaluator.hpp"
+#include "scene/surfaces/formula/formula_evaluator.hpp"
 
 namespace ligne {
 namespace {

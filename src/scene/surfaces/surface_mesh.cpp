@@ -5,11 +5,12 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/no_index.hpp"
 #include "scene/clean/weld.hpp"
 #include "scene/clean/weld_near.hpp"
 #include "scene/model/diagnostics.hpp"
 #include "scene/model/precision.hpp"
-#include "scene/surfaces/outside_cells.hpp"
+#include "scene/surfaces/contours/outside_cells.hpp"
 
 namespace ligne {
 namespace {

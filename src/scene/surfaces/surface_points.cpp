@@ -4,9 +4,9 @@
 #include <string_view>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "files/message_text.hpp"
-#include "geometry/parallel.hpp"
-#include "scene/surfaces/formula_evaluator.hpp"
+#include "scene/surfaces/formula/formula_evaluator.hpp"
 
 namespace ligne {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 /// A contour clipped by a convex one, [Boulle1980] 3.2.3.2 and 3.2.3.3: side by side (Sutherland and Hodgman), and convex
 /// against convex in one pass (Shamos). The clip of any contour by any other is the program's own,
-/// geometry/clip_contour_by_contour.hpp.
+/// geometry/polygons/clip_contour_by_contour.hpp.
 ///
 /// Contours turn positively (orientation() > 0). Corners that are made are rounded to doubles.
 

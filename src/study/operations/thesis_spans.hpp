@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "study/counting.hpp"
-#include "visibility/watkins/span_method.hpp"
+#include "visibility/watkins/spans/span_method.hpp"
 
 namespace ligne::studies {
 

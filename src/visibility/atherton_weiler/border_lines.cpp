@@ -4,7 +4,7 @@
 #include <compare>
 #include <utility>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 
 namespace ligne::atherton_weiler {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 
-#include "geometry/clip_contour_by_contour.hpp"
-#include "geometry/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
+#include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "visibility/polygons/clip_part.hpp"
 
 namespace ligne::atherton_weiler {

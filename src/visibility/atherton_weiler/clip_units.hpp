@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/contour_face.hpp"
+#include "geometry/polygons/contour_face.hpp"
 #include "visibility/common/facet.hpp"
 
 namespace ligne::atherton_weiler {

@@ -4,9 +4,9 @@
 #include <iterator>
 #include <mutex>
 
-#include "geometry/clip_contour_by_contour.hpp"
+#include "base/parallel.hpp"
 #include "geometry/connected_boxes.hpp"
-#include "geometry/parallel.hpp"
+#include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "visibility/atherton_weiler/unit_order.hpp"
 
 // Per zone, with its polygons nearest first: (1) the first polygon is the clip face. Every other one is clipped by it. (2)

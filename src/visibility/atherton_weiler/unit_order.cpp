@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "geometry/clip_contour_by_contour.hpp"
+#include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "visibility/polygons/clip_part.hpp"
 
 namespace ligne::atherton_weiler {

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/no_index.hpp"
+#include "base/stop.hpp"
 #include "files/bytes.hpp"
-#include "geometry/stop.hpp"
 #include "visibility/order/dividing_plane.hpp"
 
 namespace ligne {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "visibility/method.hpp"
 #include "visibility/order/dividing_plane.hpp"
 #include "visibility/order/model_pieces.hpp"

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/no_index.hpp"
+
 namespace ligne {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "visibility/common/facet_in_cell.hpp"
 
 namespace ligne {

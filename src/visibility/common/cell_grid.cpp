@@ -4,9 +4,10 @@
 #include <cmath>
 #include <tuple>
 
-#include "geometry/indices_where.hpp"
-#include "geometry/large_vector.hpp"
-#include "geometry/parallel.hpp"
+#include "base/indices_where.hpp"
+#include "base/large_vector.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "visibility/common/facet_in_cell.hpp"
 
 namespace ligne {

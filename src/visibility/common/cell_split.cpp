@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "visibility/common/cell_cover.hpp"
 #include "visibility/common/cell_grid.hpp"
 #include "visibility/common/facet_in_cell.hpp"

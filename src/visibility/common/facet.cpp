@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/large_vector.hpp"
-#include "geometry/parallel.hpp"
+#include "base/large_vector.hpp"
+#include "base/parallel.hpp"
 
 namespace ligne {
 namespace {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/no_index.hpp"
 #include "files/bytes.hpp"
 #include "visibility/convex_tree/point_boxes.hpp"
 #include "visibility/order/dividing_plane.hpp"

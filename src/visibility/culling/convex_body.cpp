@@ -5,7 +5,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "geometry/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
 #include "visibility/common/facet.hpp"
 
 namespace ligne::culling {

@@ -1,5 +1,6 @@
 #include "visibility/culling/culling.hpp"
 
+#include "base/no_index.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/culling/convex_body.hpp"

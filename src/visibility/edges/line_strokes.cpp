@@ -6,6 +6,8 @@
 #include <mutex>
 #include <utility>
 
+#include "base/no_index.hpp"
+
 namespace ligne {
 namespace {
 

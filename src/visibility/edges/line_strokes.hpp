@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "drawing/stroke.hpp"
-#include "geometry/parallel.hpp"
 #include "visibility/common/facet.hpp"
 #include "visibility/common/open_parts.hpp"
 #include "visibility/penetration/penetration.hpp"

@@ -6,7 +6,8 @@
 #include <limits>
 #include <span>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "visibility/common/facet_functions.hpp"
 
 namespace ligne {

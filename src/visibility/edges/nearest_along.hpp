@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "visibility/common/facet.hpp"
 
 namespace ligne {

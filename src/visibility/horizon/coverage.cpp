@@ -189,10 +189,4 @@ void Coverage::find_covered_beside(double u, double v0, double v1, int side, std
   }
 }
 
-std::size_t Coverage::band_count() const {
-  std::size_t n = 0;
-  for (const auto& cell : cells_) n += cell.size();
-  return n;
-}
-
 }  // namespace ligne::horizon

@@ -41,8 +41,6 @@ class Coverage {
   /// Parts no longer than this are rounding.
   double least() const { return least_; }
 
-  std::size_t band_count() const;
-
  private:
   /// A straight rim: at u it has the height v + slope (u - u_line).
   struct Rim {

@@ -118,12 +118,6 @@ double ExactEnvelope::height_beside(double u, int side) const {
   return kNothing;
 }
 
-std::size_t ExactEnvelope::piece_count() const {
-  std::size_t n = 0;
-  for (const auto& cell : cells_) n += cell.size();
-  return n;
-}
-
 PixelEnvelope::PixelEnvelope(double u_min, double u_max, std::size_t columns)
     : PixelEnvelope(Columns(u_min, u_max, columns), {0, std::max<std::size_t>(columns, 1)}) {}
 

@@ -55,8 +55,6 @@ class ExactEnvelope {
   /// Its limit from the left (side < 0) or from the right.
   double height_beside(double u, int side) const;
 
-  std::size_t piece_count() const;
-
   /// Parts of u no longer than this are rounding.
   double least() const { return least_; }
 

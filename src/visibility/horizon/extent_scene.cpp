@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "visibility/horizon/horizon.hpp"
 
 namespace ligne {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "visibility/horizon/edges.hpp"
 #include "visibility/horizon/horizons.hpp"
 

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "geometry/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
 
 namespace ligne::newell {
 namespace {

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "visibility/order/model_pieces.hpp"
 
 namespace ligne::newell {

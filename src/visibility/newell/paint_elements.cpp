@@ -5,8 +5,8 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/disjoint_sets.hpp"
-#include "geometry/stop.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/stop.hpp"
 #include "visibility/order/paint_pieces.hpp"
 
 namespace ligne::newell {

@@ -7,8 +7,9 @@
 #include <limits>
 #include <numeric>
 
-#include "geometry/parallel.hpp"
-#include "geometry/stop.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
+#include "base/stop.hpp"
 
 // [Boulle1980] 2.5.2.4. P, the head of the list, is compared with those that reach farther than it begins. If it may hide
 // none of them it is done: it is painted. If it may hide Q, Q is marked and becomes the head. Where Q was marked before

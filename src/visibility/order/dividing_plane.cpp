@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "base/no_index.hpp"
+
 namespace ligne {
 namespace {
 

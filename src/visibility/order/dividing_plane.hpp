@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "base/hash.hpp"
+#include "base/no_index.hpp"
 #include "visibility/order/model_pieces.hpp"
 
 namespace ligne {
@@ -25,11 +27,6 @@ DividingPlane choose_plane(const ModelPieces& pieces, std::span<const std::uint3
                            std::uint64_t seed);
 
 /// A number that looks like chance, from another one.
-inline std::uint64_t scramble(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
+inline std::uint64_t scramble(std::uint64_t x) { return mix_bits(x + kGoldenRatio); }
 
 }  // namespace ligne

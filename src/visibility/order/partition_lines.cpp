@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/no_index.hpp"
 #include "view/clip.hpp"
 
 namespace ligne {

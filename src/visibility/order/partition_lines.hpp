@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "drawing/result_models.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/order/model_pieces.hpp"

@@ -7,8 +7,8 @@
 #include <queue>
 #include <tuple>
 
-#include "geometry/parallel.hpp"
-#include "geometry/stop.hpp"
+#include "base/parallel.hpp"
+#include "base/stop.hpp"
 #include "visibility/polygons/facet_order.hpp"
 
 namespace ligne::painter {

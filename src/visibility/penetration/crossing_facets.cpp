@@ -5,7 +5,8 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "visibility/penetration/facet_tree.hpp"
 
 namespace ligne {

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <compare>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "visibility/common/facet_functions.hpp"
 
 namespace ligne {

@@ -7,7 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/parallel.hpp"
+#include "base/hash.hpp"
+#include "base/parallel.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/common/crowd_hiders.hpp"
 #include "visibility/common/facet_functions.hpp"
@@ -53,7 +54,7 @@ class FruitlessPairs {
   static constexpr int kFirstBits = 10, kMostBits = 20, kGrowBits = 2;
   /// Not 0: the two differ.
   static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return std::uint64_t{std::max(a, b)} << 32 | std::min(a, b); }
-  std::size_t slot(std::uint64_t key) const { return (key * 0x9e3779b97f4a7c15u) >> (64 - bits_); }
+  std::size_t slot(std::uint64_t key) const { return (key * kGoldenRatio) >> (64 - bits_); }
 
   void grow() {
     const std::vector<std::uint64_t> old = std::move(slots_);

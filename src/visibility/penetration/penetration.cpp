@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 
 namespace ligne {
 namespace {

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "visibility/common/facet.hpp"
 
 namespace ligne {

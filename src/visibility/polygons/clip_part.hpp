@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/contour_face.hpp"
+#include "geometry/polygons/contour_face.hpp"
 #include "visibility/common/facet.hpp"
 
 namespace ligne {

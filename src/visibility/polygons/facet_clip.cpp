@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/no_index.hpp"
+
 // Many clip faces over one subject: the page is halved again and again, and each half has only the clip faces that meet it.
 // A half that they cover is done: nothing is seen there. Halving changes no result: a part of an edge is decided by all
 // faces that meet its half, whole as they are, and parts that go on across a border are put together when the edges are
@@ -101,7 +103,7 @@ void FacetClip::begin_list(std::span<const Number> list) {
 /// Whether a side of a clip face of the list bounds it and its neighbours in the list.
 bool FacetClip::is_rim(Number clip, std::uint32_t side) const {
   const std::uint32_t partner = sides_.partner(clip, side);
-  return partner == SharedSides::kNone || listed_[partner] != list_number_;
+  return partner == kNone || listed_[partner] != list_number_;
 }
 
 /// A point that lies within the subject and the window for sure, in half steps.
@@ -166,9 +168,9 @@ bool FacetClip::covers(std::span<const Number> list, const Window& window) {
       const ClipPart& part = clips_[patch_[n]].form;
       for (std::uint32_t k = 0; k < part.count && !rim; ++k) {
         const std::uint32_t partner = sides_.partner(patch_[n], k);
-        if (partner != SharedSides::kNone && listed_[partner] == reached) continue;
+        if (partner != kNone && listed_[partner] == reached) continue;
         if (beside(part.edges[k].segment, window) || !passes_over_subject(part.edges[k])) continue;
-        rim = partner == SharedSides::kNone || listed_[partner] != listed;  // not listed, or of a patch with a rim
+        rim = partner == kNone || listed_[partner] != listed;  // not listed, or of a patch with a rim
         if (rim) break;
         listed_[partner] = reached;
         patch_.push_back(partner);

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/edge_overlay.hpp"
+#include "geometry/polygons/edge_overlay.hpp"
 #include "visibility/polygons/clip_part.hpp"
 #include "visibility/polygons/shared_sides.hpp"
 

@@ -2,13 +2,16 @@
 
 #include <cstddef>
 
+#include "base/hash.hpp"
+#include "base/no_index.hpp"
+
 namespace ligne {
 namespace {
 
 std::size_t hash_of(const LatticeSegment& s) {
-  const auto mix = [](std::uint64_t h, std::int32_t v) { return (h ^ static_cast<std::uint32_t>(v)) * 0x9e3779b97f4a7c15u; };
-  const std::uint64_t h = mix(mix(mix(mix(0, s.a.x), s.a.y), s.b.x), s.b.y);
-  return static_cast<std::size_t>(h ^ h >> 32);
+  std::uint64_t h = 0;
+  for (const std::int32_t v : {s.a.x, s.a.y, s.b.x, s.b.y}) h = extend_hash(h, static_cast<std::uint32_t>(v));
+  return h;
 }
 
 }  // namespace

@@ -6,14 +6,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "visibility/polygons/clip_part.hpp"
 
 namespace ligne {
 
 class SharedSides {
  public:
-  static constexpr std::uint32_t kNone = 0xffffffffu;
-
   void clear();
 
   /// Clip faces are added with the numbers 0, 1, 2, ... Transparent ones and others are not brought together.

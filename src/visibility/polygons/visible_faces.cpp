@@ -5,8 +5,8 @@
 #include <optional>
 #include <tuple>
 
-#include "geometry/clip_contour_by_contour.hpp"
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
+#include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "visibility/polygons/facet_order.hpp"
 
 // Per face: (1) each of its facets is the subject once. The lists of the cells that it lies in give what may be in front,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/no_index.hpp"
+
 namespace ligne {
 namespace {
 

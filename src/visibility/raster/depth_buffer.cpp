@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "visibility/common/face_triangles.hpp"
 #include "visibility/common/facet.hpp"
 #include "visibility/raster/convex_filler.hpp"

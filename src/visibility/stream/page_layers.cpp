@@ -4,7 +4,8 @@
 #include <bit>
 #include <cmath>
 
-#include "geometry/parallel.hpp"
+#include "base/hash.hpp"
+#include "base/parallel.hpp"
 
 namespace ligne {
 namespace {
@@ -22,7 +23,7 @@ struct StreamSide {
     const int a = forward ? k : next, b = forward ? next : k;
     from = f.p[a];
     to = f.p[b];
-    const std::uint64_t both = f.corner[a] * 0x9e3779b97f4a7c15u + std::rotl(f.corner[b] * 0xc2b2ae3d27d4eb4fu, 32);
+    const std::uint64_t both = f.corner[a] * kGoldenRatio + std::rotl(f.corner[b] * 0xc2b2ae3d27d4eb4fu, 32);
     const std::uint64_t side = (both ^ (both >> 29)) * 0xbf58476d1ce4e5b9u;
     number = forward ? side : std::uint64_t{0} - side;
   }

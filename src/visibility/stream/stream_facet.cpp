@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/hash.hpp"
 #include "view/clip.hpp"
 #include "view/edge_classes.hpp"
 #include "view/edge_on.hpp"
@@ -27,12 +28,6 @@ constexpr double kPadInCoincidences = 4;
 constexpr double kUnit = 127;  ///< of the bytes of looks
 
 /// Finalizer of SplitMix64 (Steele, Lea, Flood 2014).
-std::uint64_t mixed(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
 Point3 triangle_normal(const Point3* p) {
   const Point3 sum = glm::cross(p[1] - p[0], p[2] - p[0]);
   const double length = glm::length(sum);
@@ -42,8 +37,7 @@ Point3 triangle_normal(const Point3* p) {
 }  // namespace
 
 std::uint64_t place_number(const Point3& p) {
-  const auto bits = [](double v) { return std::bit_cast<std::uint64_t>(v + 0.0); };  // -0 is 0
-  return mixed(mixed(mixed(bits(p.x) + 0x9e3779b97f4a7c15u) + bits(p.y)) + bits(p.z));
+  return mix_bits(mix_bits(mix_bits(bits_of_number(p.x) + kGoldenRatio) + bits_of_number(p.y)) + bits_of_number(p.z));
 }
 
 std::uint64_t packed_look(const Point3& unit_normal, std::uint64_t bits) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/no_index.hpp"
+
 namespace ligne::warnock {
 namespace {
 

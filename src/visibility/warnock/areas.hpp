@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "visibility/warnock/solution.hpp"
 
 namespace ligne::warnock {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <mutex>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "visibility/common/clock.hpp"
 
 namespace ligne::warnock {

@@ -5,7 +5,8 @@
 #include <limits>
 #include <tuple>
 
-#include "geometry/parallel.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 
 namespace ligne::warnock {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "geometry/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
 
 namespace ligne::warnock {
 namespace {

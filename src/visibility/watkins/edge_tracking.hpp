@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "visibility/common/hidden_interval.hpp"
-#include "visibility/watkins/exact_sweep.hpp"
+#include "visibility/watkins/exact/exact_sweep.hpp"
 #include "visibility/watkins/line_scan.hpp"
 
 namespace ligne::watkins {

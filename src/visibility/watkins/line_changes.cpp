@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/no_index.hpp"
 #include "visibility/watkins/line_scan.hpp"
 
 // The changes from one line to the next, and whether they can be seen ([Boulle1980] 2.3.5.5, figure 2.59).

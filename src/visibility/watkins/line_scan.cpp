@@ -4,6 +4,8 @@
 #include <cassert>
 #include <type_traits>
 
+#include "base/no_index.hpp"
+
 namespace ligne::watkins {
 namespace {
 

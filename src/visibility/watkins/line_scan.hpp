@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "visibility/watkins/scan_scene.hpp"
-#include "visibility/watkins/span_method.hpp"
+#include "visibility/watkins/spans/span_method.hpp"
 
 namespace ligne::watkins {
 

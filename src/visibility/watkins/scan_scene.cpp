@@ -5,6 +5,8 @@
 #include <compare>
 #include <numeric>
 
+#include "base/no_index.hpp"
+
 namespace ligne::watkins {
 namespace {
 

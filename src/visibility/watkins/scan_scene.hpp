@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "visibility/raster/scan_conversion.hpp"
-#include "visibility/watkins/face_orders.hpp"
-#include "visibility/watkins/sweep_scene.hpp"
+#include "visibility/watkins/exact/face_orders.hpp"
+#include "visibility/watkins/exact/sweep_scene.hpp"
 
 namespace ligne::watkins {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "geometry/parallel.hpp"
+#include "base/parallel.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/common/cell_grid.hpp"
 #include "visibility/common/clock.hpp"
@@ -13,8 +13,8 @@
 #include "visibility/edges/line_strokes.hpp"
 #include "visibility/edges/visible_parts.hpp"
 #include "visibility/penetration/intersections.hpp"
-#include "visibility/watkins/exact_study.hpp"
-#include "visibility/watkins/line_study.hpp"
+#include "visibility/watkins/exact/exact_study.hpp"
+#include "visibility/watkins/exact/line_study.hpp"
 
 // Phases: (1) facets, (2) facets and lines that are surely hidden are left out, (3) the scan over the edges, which also
 // finds what penetrates, (4) the scan over the lines of intersection, where there are any, (5) spans for those who want

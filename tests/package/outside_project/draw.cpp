@@ -11,9 +11,9 @@ int main(int argc, char** argv) {
     const ligne::LoadedModels models = ligne::load_models({.files = {argv[1]}});
     ligne::PictureRequest request;
     ligne::RunReport report;
-    const ligne::DrawnScene drawn(models.scene, request, report);
+    const ligne::DrawnScene drawn = ligne::draw_lines(models.scene, request, report);
     ligne::write_output(argv[2], drawn.write(report).bytes);
-    std::cout << drawn.study().result.strokes->strokes.size() << "\n";
+    std::cout << drawn.visibility().result.strokes->strokes.size() << "\n";
   } catch (const std::exception& e) {
     std::cerr << e.what() << "\n";
     return 1;

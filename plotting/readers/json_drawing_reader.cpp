@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "base/parallel.hpp"
+#include "files/input_error.hpp"
+#include "plotting/readers/drawing_reader.hpp"
+
+namespace ligne {
+namespace {
+
+using nlohmann::json;
+
+/// Strokes by layer; they are taken out of the JSON tree as they come, so that a large drawing does not stand in memory
+/// twice.
+class DrawingReader {
+ public:
+  explicit DrawingReader(std::string file) : file_(std::move(file)) {}
+
+  ReadDrawing read(std::string_view text) {
+    json root;
+    try {
+      root =
+          json::parse(text, [this](int depth, json::parse_event_t event, json& value) { return take(depth, event, value); });
+    } catch (const json::parse_error& e) {
+      fail("is not JSON: at byte " + std::to_string(e.byte));
+    } catch (const json::exception& e) {
+      fail("is not JSON that can be read");
+    }
+    if (!root.is_object() || root.value("format", json()) != "ligne-drawing") fail("is not a ligne-drawing");
+    // Strokes are the same in both.
+    const json version = root.value("version", json());
+    if (version != 1 && version != 2) fail("the version of the ligne-drawing is neither 1 nor 2");
+    if (!has_strokes_) fail("there are no strokes in the drawing");
+    ReadDrawing result;
+    result.page = page_of(root);
+    result.regions = std::move(regions_);
+    for (Layer& layer : layers_) {
+      if (layer.lines.size() > 0) result.drawing.layers.push_back(std::move(layer));
+    }
+    return result;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& cause) const { throw InputError(file_, cause); }
+  [[noreturn]] void fail_stroke(const std::string& cause) const { fail("stroke " + std::to_string(count_) + ": " + cause); }
+
+  bool take(int depth, json::parse_event_t event, json& value) {
+    if (event == json::parse_event_t::key && depth == 1) {
+      in_strokes_ = value == "strokes";
+      if (in_strokes_ && has_strokes_) fail("there are two lists of strokes");
+      has_strokes_ = has_strokes_ || in_strokes_;
+      in_regions_ = value == "regions";
+      return true;
+    }
+    if (in_regions_) {
+      if (event == json::parse_event_t::object_start && depth > 2) fail_region("has an object inside");
+      if (event != json::parse_event_t::object_end || depth != 2) return true;
+      add_region(value);
+      return false;
+    }
+    if (!in_strokes_) return depth < 3 || event == json::parse_event_t::key;
+    if (event == json::parse_event_t::object_start && depth > 2) return false;  // the source edge
+    if (event == json::parse_event_t::object_end && depth == 2) {
+      add(value);
+      return false;
+    }
+    return true;
+  }
+
+  /// `fail_with` throws an error that tells where the point stands.
+  static Point2 point_of(const json& p, FunctionRef<void(const std::string&)> fail_with) {
+    if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number()) fail_with("a point is not two numbers");
+    const Point2 point{p[0].get<double>(), p[1].get<double>()};
+    if (!(std::abs(point.x) <= kFarthestMm && std::abs(point.y) <= kFarthestMm))
+      fail_with("a point is farther than a kilometre away");
+    return point;
+  }
+
+  void add(const json& stroke) {
+    const auto line_class = stroke.find("class"), visible = stroke.find("visible"), points = stroke.find("points");
+    if (line_class == stroke.end() || !line_class->is_string()) fail_stroke("has no class");
+    if (visible == stroke.end() || !visible->is_boolean()) fail_stroke("visible is neither true nor false");
+    if (points == stroke.end() || !points->is_array() || points->size() < 2) fail_stroke("has no two points");
+    const auto level = stroke.find("level");
+    if (level != stroke.end() && !level->is_number_unsigned()) fail_stroke("its level is not a whole number");
+    const bool through_transparent = level != stroke.end() && level->get<std::uint64_t>() > 0;
+    Polylines& lines = layer_of(line_class->get_ref<const std::string&>(), visible->get<bool>(), through_transparent);
+    for (const json& p : *points) {
+      lines.points.push_back(point_of(p, [&](const std::string& cause) { fail_stroke(cause); }));
+    }
+    lines.begin.push_back(static_cast<std::uint32_t>(lines.points.size()));
+    ++count_;
+  }
+
+  [[noreturn]] void fail_region(const std::string& cause) const {
+    fail("region " + std::to_string(regions_.size()) + ": " + cause);
+  }
+
+  void add_contour(const json& contour, ReadRegion& region) const {
+    if (!contour.is_array() || contour.size() < 3) fail_region("a contour has no three points");
+    std::vector<Point2>& points = region.contours.emplace_back();
+    for (const json& p : contour) {
+      points.push_back(point_of(p, [&](const std::string& cause) { fail_region(cause); }));
+    }
+  }
+
+  /// Regions seen through transparent faces are not hatched.
+  void add_region(const json& value) {
+    const auto level = value.find("level"), outer = value.find("outer"), holes = value.find("holes");
+    if (level != value.end() && level->is_number() && level->get<double>() > 0) return;
+    ReadRegion region;
+    if (outer == value.end()) fail_region("has no outer contour");
+    add_contour(*outer, region);
+    if (holes != value.end() && holes->is_array()) {
+      for (const json& hole : *holes) add_contour(hole, region);
+    }
+    // Files of earlier versions tell neither: each region is an area of its own.
+    const auto patch = value.find("patch"), light = value.find("light"), color = value.find("color"),
+               material = value.find("material_name");
+    region.patch = patch != value.end() && patch->is_number_unsigned() ? patch->get<std::uint32_t>()
+                                                                       : static_cast<std::uint32_t>(regions_.size());
+    if (light != value.end() && light->is_number()) region.light = std::clamp(light->get<double>(), 0.0, 1.0);
+    if (color != value.end() && color->is_array() && color->size() == region.color.size()) {
+      for (std::size_t i = 0; i < region.color.size(); ++i) {
+        if ((*color)[i].is_number()) region.color[i] = std::clamp((*color)[i].get<double>(), 0.0, 1.0);
+      }
+    }
+    if (material != value.end() && material->is_string()) region.material = material->get<std::string>();
+    regions_.push_back(std::move(region));
+  }
+
+  Polylines& layer_of(const std::string& line_class, bool visible, bool through_transparent) {
+    for (std::size_t c = 0; c < kLineClassCount; ++c) {
+      if (kLineClassNames[c] == line_class)
+        return layers_[stroke_layer(static_cast<LineClass>(c), visible, through_transparent)].lines;
+    }
+    fail_stroke("there is no class of that name");
+  }
+
+  Page page_of(const json& root) const {
+    Page page;
+    const json sheet = root.value("page", json());
+    const auto side = [&](const char* key, double& mm, bool may_be_zero) {
+      const json value = sheet.is_object() ? sheet.value(key, json()) : json();
+      if (!value.is_number()) fail(std::string("the page has no ") + key);
+      mm = value.get<double>();
+      if (!(mm >= 0 && mm <= kLargestPageMm) || (mm == 0 && !may_be_zero))
+        fail(std::string(key) + " of the page is out of range");
+    };
+    side("width_mm", page.width_mm, false);
+    side("height_mm", page.height_mm, false);
+    side("margin_mm", page.margin_mm, true);
+    return page;
+  }
+
+  std::string file_;
+  bool in_strokes_ = false, has_strokes_ = false, in_regions_ = false;
+  std::vector<ReadRegion> regions_;
+  std::size_t count_ = 0;
+  /// In the order of painting.
+  std::array<Layer, kStrokeLayerCount> layers_ = [] {
+    std::array<Layer, kStrokeLayerCount> layers;
+    for (std::size_t l = 0; l < kStrokeLayerCount; ++l) layers[l].name = stroke_layer_name(l);
+    return layers;
+  }();
+};
+
+}  // namespace
+
+ReadDrawing read_json_drawing(std::string_view json, const std::string& file) { return DrawingReader(file).read(json); }
+
+}  // namespace ligne

@@ -1,0 +1,19 @@
+#include "plotting/readers/toml_reading.hpp"
+
+namespace ligne {
+namespace {
+
+/// The library's own words, which quote the file.
+constexpr std::size_t kLongestReason = 200;
+
+}  // namespace
+
+toml::table parse_toml(std::string_view text, const std::string& file) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& e) {
+    throw InputError(file + ":" + std::to_string(e.source().begin.line), printable(e.description(), kLongestReason));
+  }
+}
+
+}  // namespace ligne

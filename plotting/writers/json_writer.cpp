@@ -1,0 +1,343 @@
+/// The JSON drawing, version 2: docs/drawing-format.md. Written as a stream; only strings go through a library. Strokes are
+/// formatted in parallel, a batch of chunks at a time, and put together in their order.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include <glm/gtc/type_ptr.hpp>
+#include <nlohmann/json.hpp>
+
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
+#include "plotting/writers/number_text.hpp"
+#include "plotting/writers/writers.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable: strokes to a chunk, chunks to a batch.
+constexpr std::size_t kChunkStrokes = 4096;
+constexpr std::size_t kBatchChunks = 64;
+
+/// Decimals of page points, at the least: a nanometre.
+constexpr int kPageDecimals = 6;
+constexpr int kMostPageDecimals = 12;
+/// Decimals of angles in degrees: more than coordinates tell.
+constexpr int kTurnDecimals = 6;
+
+std::string json_string(std::string_view text) {
+  using nlohmann::json;
+  return json(std::string(text)).dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+void append_integer(std::string& out, std::uint64_t value) {
+  char text[kNumberBytes];
+  out.append(text, write_fixed(text, static_cast<std::int64_t>(value), 0, false));
+}
+
+void append_point(std::string& out, Point2 p, int decimals) {
+  out += '[';
+  append_rounded(out, p.x, decimals);
+  out += ',';
+  append_rounded(out, p.y, decimals);
+  out += ']';
+}
+
+/// Appends "[item,item,...]": append_item(item) for each item.
+template <class Items, class AppendItem>
+void append_list(std::string& out, const Items& items, const AppendItem& append_item) {
+  out += '[';
+  bool is_first = true;
+  for (const auto& item : items) {
+    if (!std::exchange(is_first, false)) out += ',';
+    append_item(item);
+  }
+  out += ']';
+}
+
+void append_numbers(std::string& out, std::span<const double> numbers) {
+  append_list(out, numbers, [&](double number) { append_shortest(out, number); });
+}
+
+/// The number of a face or of a surface.
+void append_face(std::string& out, std::uint32_t face) {
+  if (face == kNone) {
+    out += "null";
+  } else {
+    append_integer(out, face);
+  }
+}
+
+void append_coordinates(std::string& out, const Point3& p) { append_numbers(out, std::array{p.x, p.y, p.z}); }
+
+/// Enough decimals to tell neighbouring lattice points apart: half a step and less.
+int lattice_decimals(const Lattice& lattice) {
+  return std::clamp(static_cast<int>(std::ceil(-std::log10(lattice.step_mm / 2))), kPageDecimals, kMostPageDecimals);
+}
+
+void append_stroke(std::string& out, const Stroke& s, const StrokeModel& model, const DrawingDocument& document,
+                   int decimals) {
+  out += "{\"class\":\"";
+  out += kLineClassNames[static_cast<std::size_t>(s.line_class)];
+  out += s.visible ? "\",\"visible\":true" : "\",\"visible\":false";
+  if (s.level > 0) out += ",\"level\":" + std::to_string(s.level);
+  if (document.object && s.line_class != LineClass::axes) {
+    if (const std::uint32_t object = document.object(s.source); object < document.objects.size()) {
+      out += ",\"object\":";
+      append_integer(out, object);
+    }
+  }
+  out += ",\"source\":{\"edge\":";
+  if (s.source < model.edge_count) {
+    append_integer(out, s.source);
+  } else {
+    out += "null";
+  }
+  if (document.source) {
+    const SourceEdge edge = document.source(s.source);
+    out += ",\"ends\":";
+    append_list(out, edge.ends, [&](const Point3& end) { append_coordinates(out, end); });
+    out += ",\"faces\":";
+    append_list(out, edge.faces, [&](std::uint32_t face) { append_face(out, face); });
+    if (!document.surfaces.empty()) {
+      out += ",\"surfaces\":";
+      append_list(out, edge.faces, [&](std::uint32_t face) {
+        append_face(out, face < document.surface_of_face.size() ? document.surface_of_face[face] : kNone);
+      });
+    }
+  }
+  out += "},\"interval\":";
+  append_numbers(out, std::array{s.t_from, s.t_to});
+  out += ",\"points\":";
+  append_list(out, std::array{s.from, s.to}, [&](auto end) { append_point(out, model.lattice.to_mm(end), decimals); });
+  out += '}';
+}
+
+void append_surface(std::string& out, const DocumentSurface& surface) {
+  out += "{\"kind\":\"";
+  out += surface.kind;
+  out += "\",\"at\":";
+  append_coordinates(out, surface.at);
+  if (surface.axis) {
+    out += ",\"axis\":";
+    append_coordinates(out, *surface.axis);
+  }
+  const auto append_length = [&](const char* name, const std::optional<double>& value) {
+    if (!value) return;
+    out += name;
+    append_shortest(out, *value);
+  };
+  append_length(",\"radius\":", surface.radius);
+  append_length(",\"slope\":", surface.slope);
+  append_length(",\"tube\":", surface.tube);
+  if (surface.along) {
+    out += ",\"along\":";
+    append_numbers(out, *surface.along);
+  }
+  if (surface.turn) {
+    out += ",\"turn\":";
+    append_rounded(out, *surface.turn, kTurnDecimals);
+  }
+  out += surface.outward ? ",\"outward\":true" : ",\"outward\":false";
+  append_length(",\"sag\":", surface.sag);
+  out += ",\"faces\":";
+  append_integer(out, surface.faces);
+  out += ",\"object\":";
+  append_integer(out, surface.object);
+  out += '}';
+}
+
+/// Appends "[item,\nitem,...]": append_item(text, i) for every i below n, called from several threads.
+template <class AppendItem>
+void append_array(std::string& out, std::size_t n, const AppendItem& append_item) {
+  out += '[';
+  std::vector<std::string> texts(kBatchChunks);
+  for (std::size_t batch = 0; batch < n; batch += kBatchChunks * kChunkStrokes) {
+    parallel_for(kBatchChunks, [&](std::size_t chunk) {
+      std::string& text = texts[chunk];
+      text.clear();
+      const std::size_t first = batch + chunk * kChunkStrokes;
+      for (std::size_t i = first; i < std::min(n, first + kChunkStrokes); ++i) {
+        text += i == 0 ? "\n" : ",\n";
+        append_item(text, i);
+      }
+    });
+    for (const std::string& text : texts) out += text;
+  }
+  out += n == 0 ? "]" : "\n]";
+}
+
+void append_contour(std::string& out, const std::vector<Point2>& contour) {
+  append_list(out, contour, [&](Point2 p) { append_point(out, p, kPageDecimals); });
+}
+
+/// The beginning of an object: a face and an area of it.
+void append_area(std::string& out, std::uint32_t face, std::span<const std::vector<Point2>> contours) {
+  out += "{\"face\":";
+  append_face(out, face);
+  out += ",\"outer\":";
+  append_contour(out, contours.empty() ? std::vector<Point2>{} : contours[0]);
+  out += ",\"holes\":";
+  append_list(out, contours.subspan(contours.empty() ? 0 : 1), [&](const auto& hole) { append_contour(out, hole); });
+}
+
+void append_region(std::string& out, const Region& region, const RegionAppearance* look,
+                   const std::vector<std::uint32_t>* through) {
+  append_area(out, region.face, region.contours);
+  if (region.level > 0) out += ",\"level\":" + std::to_string(region.level);
+  if (region.lights != 0xffffffffu) {
+    out += ",\"lights\":";
+    std::vector<unsigned> lights;
+    for (unsigned i = 0; i < 32; ++i) {
+      if (region.lights >> i & 1u) lights.push_back(i);
+    }
+    append_list(out, lights, [&](unsigned light) { append_integer(out, light); });
+  }
+  if (!region.light_shares.empty()) {
+    out += ",\"light_shares\":";
+    append_numbers(out, region.light_shares);
+  }
+  if (region.material != 0xffffffffu) out += ",\"material\":" + std::to_string(region.material);
+  if (look) {
+    out += ",\"patch\":" + std::to_string(look->patch) + ",\"light\":";
+    append_shortest(out, look->light);
+    out += ",\"color\":";
+    append_numbers(out, look->color);
+    if (!look->material.empty()) {
+      out += ",\"material_name\":";
+      out += json_string(look->material);
+    }
+  }
+  if (through && !through->empty()) {
+    out += ",\"through\":";
+    append_list(out, *through, [&](std::uint32_t face) { append_integer(out, face); });
+  }
+  out += '}';
+}
+
+void append_piece(std::string& out, const PaintPiece& piece) {
+  append_area(out, piece.face, piece.contours);
+  out += ",\"plane\":";
+  append_numbers(out, piece.plane);
+  out += '}';
+}
+
+/// The spans of one line, [begin, end).
+void append_line_of_spans(std::string& out, const SpanModel& model, std::size_t begin, std::size_t end) {
+  out += "{\"line\":";
+  append_integer(out, model.spans[begin].line);
+  out += ",\"y\":";
+  append_shortest(out, model.lines.y_mm(model.spans[begin].line));
+  out += ",\"spans\":";
+  append_list(out, std::span(model.spans).subspan(begin, end - begin), [&](const auto& span) {
+    out += '[';
+    append_rounded(out, span.x_from, kPageDecimals);
+    out += ',';
+    append_rounded(out, span.x_to, kPageDecimals);
+    out += ',';
+    append_face(out, span.face);
+    out += ']';
+  });
+  out += '}';
+}
+
+void append_spans(std::string& out, const SpanModel& model) {
+  std::vector<std::size_t> first;  // of each line that has any
+  for (std::size_t i = 0; i < model.spans.size(); ++i) {
+    if (i == 0 || model.spans[i].line != model.spans[i - 1].line) first.push_back(i);
+  }
+  const std::size_t lines = first.size();
+  first.push_back(model.spans.size());
+  append_array(out, lines,
+               [&](std::string& text, std::size_t i) { append_line_of_spans(text, model, first[i], first[i + 1]); });
+}
+
+void append_head(std::string& out, const DrawingDocument& document, const Page& page) {
+  out += "{\"format\":\"ligne-drawing\",\"version\":2,\n\"page\":{\"width_mm\":";
+  append_shortest(out, page.width_mm);
+  out += ",\"height_mm\":";
+  append_shortest(out, page.height_mm);
+  out += ",\"margin_mm\":";
+  append_shortest(out, page.margin_mm);
+  out += "},\n\"view\":{\"perspective\":";
+  out += document.perspective ? "true" : "false";
+  out += ",\"matrix\":";
+  const glm::dmat4 rows = glm::transpose(document.model_to_page);
+  append_numbers(out, std::span(glm::value_ptr(rows), 16));
+  out += ",\"window\":";
+  const Rect& window = document.window;
+  append_numbers(out, std::array{window.min.x, window.min.y, window.max.x, window.max.y});
+  if (document.perspective) {
+    out += ",\"near\":";
+    append_shortest(out, document.near_distance);
+  }
+  out += "},\n\"method\":" + json_string(document.method);
+}
+
+/// Counts only: times differ from run to run, and the same input gives the same bytes.
+void append_stats(std::string& out, const Statistics& statistics) {
+  out += ",\n\"stats\":{\"counts\":{";
+  bool is_first = true;
+  for (const auto& [name, count] : statistics.counts) {
+    if (!std::exchange(is_first, false)) out += ',';
+    out += json_string(name) + ':';
+    append_integer(out, count);
+  }
+  out += "}}\n}\n";
+}
+
+}  // namespace
+
+std::string write_json(const DrawingDocument& document, const PlotOptions& options) {
+  std::string out;
+  append_head(out, document, options.page);
+  if (!document.objects.empty()) {
+    out += ",\n\"objects\":";
+    append_array(out, document.objects.size(),
+                 [&](std::string& text, std::size_t i) { text += json_string(document.objects[i]); });
+  }
+  if (!document.surfaces.empty()) {
+    out += ",\n\"surfaces\":";
+    append_array(out, document.surfaces.size(),
+                 [&](std::string& text, std::size_t i) { append_surface(text, document.surfaces[i]); });
+  }
+  if (const StrokeModel* const model = document.strokes) {
+    out += ",\n\"lattice\":{\"origin_mm\":";
+    append_numbers(out, std::array{model->lattice.origin_mm.x, model->lattice.origin_mm.y});
+    out += ",\"step_mm\":";
+    append_shortest(out, model->lattice.step_mm);
+    out += "},\n\"strokes\":";
+    const int decimals = lattice_decimals(model->lattice);
+    append_array(out, model->strokes.size(), [&](std::string& text, std::size_t i) {
+      append_stroke(text, model->strokes[i], *model, document, decimals);
+    });
+  }
+  if (document.regions) {
+    out += ",\n\"regions\":";
+    append_array(out, document.regions->size(), [&](std::string& text, std::size_t i) {
+      append_region(text, (*document.regions)[i], document.region_looks.empty() ? nullptr : &document.region_looks[i],
+                    document.seen_through.empty() ? nullptr : &document.seen_through[i]);
+    });
+  }
+  if (document.order) {
+    out += ",\n\"order\":";
+    append_array(out, document.order->pieces.size(),
+                 [&](std::string& text, std::size_t i) { append_piece(text, document.order->pieces[i]); });
+  }
+  if (document.spans) {
+    out += ",\n\"spans\":";
+    append_spans(out, *document.spans);
+  }
+  if (document.debug) {
+    out += ",\n\"debug\":";
+    append_array(out, document.debug->size(),
+                 [&](std::string& text, std::size_t i) { append_contour(text, (*document.debug)[i]); });
+  }
+  append_stats(out, document.statistics);
+  return out;
+}
+
+}  // namespace ligne

@@ -1,0 +1,24 @@
+#include "base/large_vector.hpp"
+
+#include "base/parallel.hpp"
+
+namespace ligne {
+namespace {
+
+/// A page of the system, or a part of one: a write to it brings the page in.
+constexpr std::size_t kPage = 4096;
+/// Adjustable: pages for one task. Two tasks of them are the least that is worth another thread.
+constexpr std::size_t kPagesPerTask = 512;
+
+}  // namespace
+
+void prefault(void* memory, std::size_t bytes) {
+  const std::size_t pages = bytes / kPage;
+  if (pages < 2 * kPagesPerTask) return;
+  auto* const first = static_cast<volatile unsigned char*>(memory);
+  parallel_blocks(pages, kPagesPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t page = begin; page < end; ++page) first[page * kPage] = 0;
+  });
+}
+
+}  // namespace ligne

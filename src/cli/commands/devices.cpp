@@ -1,0 +1,17 @@
+#include "cli/commands/devices.hpp"
+
+#include "cli/options/options.hpp"
+#include "plotting/writers/output_file.hpp"
+#include "report/listing.hpp"
+
+namespace ligne {
+
+void setup_devices(CLI::App& app, DevicesOptions& options) {
+  CLI::App* command =
+      add_command(app, "devices", "Plotters: language, papers, limits, speed", "Example:\n  ligne devices --json");
+  OptionGroup(*command, "Options").add_flag("--json", options.json, "as JSON");
+}
+
+void run_devices(const DevicesOptions& options) { write_output("-", options.json ? devices_json() : devices_text()); }
+
+}  // namespace ligne

@@ -1,0 +1,245 @@
+#include "cli/commands/draw.hpp"
+
+#include <utility>
+
+#include "cli/commands/mixed_scene_options.hpp"
+#include "cli/messages.hpp"
+#include "cli/options/fill_options.hpp"
+#include "cli/options/hatch_options.hpp"
+#include "cli/options/idle_options.hpp"
+#include "cli/options/options.hpp"
+#include "cli/options/page_options.hpp"
+#include "cli/options/view_options.hpp"
+#include "cli/progress.hpp"
+#include "files/message_text.hpp"
+#include "files/named_input.hpp"
+#include "picture/clear/clear_creases.hpp"
+#include "picture/draw_scene.hpp"
+#include "picture/errors.hpp"
+#include "picture/models/compiled_model.hpp"
+#include "picture/pages/frame_names.hpp"
+#include "picture/pages/frames.hpp"
+#include "picture/parse/parse.hpp"
+#include "picture/parse/parse_options.hpp"
+#include "picture/parts.hpp"
+#include "picture/products.hpp"
+#include "picture/raster/zbuffer_picture.hpp"
+#include "visibility/registry.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr const char* kDrawExamples = R"(Examples:
+  ligne draw gearbox.obj -o gearbox.svg
+  ligne draw flange.glb --view front --scale 1:2 --unit m --hidden dashed --page A3 -o flange.pdf
+  ligne draw houses.json --grid terrain.asc --every 4 --view iso -o village.svg
+  ligne draw tower.obj --eye 9,6,14 --fov 40 -q -o - --format svg | rsvg-convert -z 2 > tower.png)";
+
+void add_profile_option(CLI::App& app, std::optional<ProfileKind>& profile) {
+  OptionGroup(app, "Lines")
+      .add("--profile", "HOW", profile, parse_profile,
+           "outer outlines wide, in a layer of their own: sheet, where the sheet is behind; parts, another object too; off")
+      .standard("off; sheet where --edges names profile");
+}
+
+void add_frame_options(CLI::App& app, DrawOptions& options) {
+  constexpr unsigned kMostFrames = 100'000;
+  constexpr double kMostDegrees = 36'000;
+  OptionGroup group(app, "View");
+  const Option frames = group
+                            .add(
+                                "--frames", "N", options.frames.count,
+                                [](const std::string& text) { return parse_count(text, 2, kMostFrames); },
+                                "successive views of the turning model: files -o name%03d.svg, or the pages of one PDF")
+                            .standard("one view");
+  group
+      .add(
+          "--turn", "DEG", options.frames.turn_degrees,
+          [](const std::string& text) { return parse_within(text, -kMostDegrees, kMostDegrees, "degrees"); },
+          "angle by which they turn the model in all, counter-clockwise as seen from above")
+      .standard("360")
+      .needs(frames);
+}
+
+void add_zbuffer_options(CLI::App& app, DrawOptions& options) {
+  OptionGroup group(app, "Methods");
+  group.add("--zbuffer-add", "FILE", options.zbuffer_add, parse_file_name,
+            "zbuffer: add the models to what --zbuffer-save has kept: nothing of that is painted again");
+  group.add("--zbuffer-save", "FILE", options.zbuffer_save, parse_file_name,
+            "zbuffer: keep buffer, models, view and page, so that models can be added");
+}
+
+/// Depth buffers are of one method, and of one view.
+void check_zbuffer(const DrawOptions& options, PictureRequest& request) {
+  const char* const field = !options.zbuffer_add.empty() ? "zbuffer-add" : "zbuffer-save";
+  if (options.zbuffer_add.empty() && options.zbuffer_save.empty()) return;
+  const Method* const zbuffer = find_method("zbuffer");
+  if (!request.lines.method) request.lines.method = zbuffer;
+  if (request.lines.method != zbuffer) throw RequestError(field, "is of --method zbuffer");
+  if (options.frames.count > 1) throw RequestError(field, "is of one view");
+  if (height_count(options.surfaces) > 0) throw RequestError(field, "is of models, not of surfaces");
+}
+
+/// The request that the options come to. A wrong one is refused before anything is read.
+PictureRequest request_of(const DrawOptions& options, const MemoryLimit& memory) {
+  PictureRequest request = options.picture;
+  request.memory = memory;
+  request.output.format = format_of(options.output);
+  if (const std::string* file = compiled_file(options.model); file && !request.lines.method) {
+    request.lines.method = method_of_compiled(*file);
+  }
+  check_zbuffer(options, request);
+  if (!options.method.edges_given && !request.fill.lights.empty()) request.lines.classes.add(LineClass::shadow);
+  if (request.lines.profiles() != ProfileKind::off) request.lines.classes.add(LineClass::profile);
+  check(request);
+  if (options.frames.count > 1) {
+    if (!options.plotter.preview.empty()) throw UsageError("--preview", "is of one view");
+    if (options.plotter.choice.request.report) throw UsageError("--report", "is of one view");
+  }
+  check_mixed_scene(options.surfaces);
+  request.lines.settings = settings_of(options.method, method_of(request));
+  if (!options.zbuffer_add.empty()) require_no_place(request, printable(options.zbuffer_add, kLongestPath));
+  return request;
+}
+
+ZBuffer read_zbuffer(const std::string& file, InputFiles& opened) {
+  return ZBuffer::read(read_input(file, file, opened), file);
+}
+
+/// The models stand behind those of the buffer.
+void put_behind(const ZBuffer& buffer, LoadedModels& models) {
+  const std::vector<std::string> names = object_names(buffer.scene());
+  models.object_names.insert(models.object_names.begin(), names.begin(), names.end());
+  models.scene = buffer.joined(std::move(models.scene));
+  models.topology.reset();
+}
+
+/// The part of the model that is drawn, where it is to be streamed; `request` is then told what else is needed.
+std::optional<LoadedModels> stream(const DrawOptions& options, const ModelRequest& model, PictureRequest& request,
+                                   RunReport& run, RunFiles& files) {
+  const bool one_picture = options.frames.count == 1 && options.zbuffer_add.empty() && options.zbuffer_save.empty() &&
+                           height_count(options.surfaces) == 0;
+  if (!one_picture) {
+    if (options.streaming != Streaming::on) return std::nullopt;
+    throw RequestError("stream", "is of one picture of one model");
+  }
+  const std::unique_ptr<TriangleFile> file = file_to_stream(options.streaming, model, request);
+  if (!file) return std::nullopt;
+  files.were_read(file->report().files);
+  std::string why;
+  std::optional<StreamedModel> streamed = stream_model(*file, request, run, why);
+  if (!streamed) {
+    if (options.streaming != Streaming::on) return std::nullopt;
+    throw RequestError("stream", printable(file->name(), kLongestPath) + " can not be streamed: " + why);
+  }
+  request.lines.method = find_method("appel");
+  request.blank = std::move(streamed->blank);
+  if (!options.run.quiet) warn(streamed->models.files.front().name, streamed->models.files.front().warnings);
+  return std::move(streamed->models);
+}
+
+LoadedModels load(const DrawOptions& options, const ModelRequest& model, PictureRequest& request, RunReport& run,
+                  RunFiles& files) {
+  if (std::optional<LoadedModels> streamed = stream(options, model, request, run, files)) return std::move(*streamed);
+  return timed(run.stages, reading_of(options.model), [&] { return load_models(model, options.run.quiet, files); });
+}
+
+/// Once the picture is made: an error comes alone.
+void warn_of_use(const DrawOptions& options, const PictureRequest& request) {
+  if (options.run.quiet) return;
+  warn_of_suffix(options.output);
+  warn_of_idle_options({"draw", options.run.given, request.output.format, request.plotter.by_pens()});
+}
+
+void draw(const DrawOptions& options, PictureRequest request) {
+  const bool as_pages = request.output.format == OutputFormat::pdf && !has_number_place(*options.output.file);
+  const std::vector<std::string> outputs = numbered_names(*options.output.file, as_pages ? 1 : options.frames.count);
+  RunFiles files;
+  for (const std::string& name : outputs) files.will_write("--output", name);
+  files.will_write("--preview", options.plotter.preview);
+  files.will_write("--zbuffer-save", options.zbuffer_save);
+  files.will_write("--stats-json", options.run.stats_json);
+  RunReport run;
+  request.plotter = plotter_request(options.plotter.choice, request.output.format, run.files);
+  files.were_read(run.files);
+  ModelRequest model = options.model;
+  model.quality = request.lines.quality;
+  model.shading = asks_for_creases(request.lines.studied());
+  model.unit_mm = request.page.unit_mm;
+  model.tell_parts =
+      request.output.group_objects || !request.output.colors.empty() || !request.plotter.pens.pen_of_object.empty();
+  LoadedModels models = load(options, model, request, run, files);
+  add_surfaces(options.surfaces, models, request, run);
+  files.were_read(run.files);
+  ZBuffer buffer;
+  if (!options.zbuffer_add.empty()) {
+    buffer = timed(run.stages, "read buffer", [&] { return read_zbuffer(options.zbuffer_add, run.files); });
+    files.were_read(run.files);
+    put_behind(buffer, models);
+  }
+  require_parts(models, request);
+  request.plotter.fit_drawing = !request.page.scale;
+  report_healing(models, model, run);
+  if (models.compiled_for && models.compiled_for == request.lines.method) {
+    require_no_parameters(models, names_of(options.method));
+    request.compiled = models.compiled;
+  }
+  ProgressBar bar(options.run);
+  request.progress = bar.callback();
+  const std::string place = shown_input(options.model.files.front());
+  if (options.frames.count == 1) {
+    const bool with_buffer = !options.zbuffer_add.empty() || !options.zbuffer_save.empty();
+    Picture picture = with_buffer ? buffer.draw(std::move(models.scene), request, run)
+                                  : draw_scene(models.scene, request, run, {}, std::move(models.topology));
+    if (!options.zbuffer_save.empty()) files.write(options.zbuffer_save, buffer.write());
+    warn_of_use(options, request);
+    deliver(std::move(picture), outputs.front(), options.plotter.preview, place, options.run, run, files);
+    return;
+  }
+  std::size_t frame = 0;
+  draw_frames(models.scene, request, options.frames, as_pages, run, std::move(models.topology),
+              [&](Picture picture) { files.write(outputs[frame++], std::move(picture.bytes)); });
+  warn_of_use(options, request);
+  report_warnings(run, place, options.run);
+  finish(options.run, run, files);
+}
+
+}  // namespace
+
+void setup_draw(CLI::App& app, DrawOptions& options) {
+  CLI::App& draw = *add_command(app, "draw", "Hidden-line drawing of meshes and polygon scenes", kDrawExamples);
+  PictureRequest& picture = options.picture;
+  add_model_options(draw, options.model);
+  add_part_drawing_options(draw, picture.output);
+  add_profile_option(draw, picture.lines.profile);
+  add_view_options(draw, picture.view);
+  add_frame_options(draw, options);
+  add_line_options(draw, picture.lines, options.method);
+  add_zbuffer_options(draw, options);
+  add_fill_options(draw, picture.fill);
+  add_mixed_scene_options(draw, options.surfaces);
+  add_page_options(draw, picture.page);
+  add_output_options(draw, options.output);
+  add_dpi_option(draw, picture.output.dpi);
+  add_curves_option(draw, picture.output.curves, "on; off with --quality exact");
+  add_title_option(draw, picture.output.title, "title of an SVG or PDF");
+  OptionGroup(draw, "Faces")
+      .add_flag("--shade", picture.gray_faces, "faces in gray, lit from the eye (methods with spans or pixels)");
+  add_hatch_options(draw, picture.hatch);
+  add_plotter_options(draw, options.plotter);
+  add_run_options(draw, options.run);
+  OptionGroup(draw, "Work")
+      .add(
+          "--stream", "HOW", options.streaming,
+          [](const std::string& text) { return static_cast<Streaming>(parse_choice(text, kStreamingNames)); },
+          "binary STL and PLY with --quality exact, read several times and never stored as a whole: on, off; auto: where "
+          "the model would take more than half of --max-memory")
+      .standard("auto");
+}
+
+void run_draw(const DrawOptions& options) {
+  const MemoryLimit memory = options.run.memory();
+  run_within(memory, options.run.threads, [&] { draw(options, request_of(options, memory)); });
+}
+
+}  // namespace ligne

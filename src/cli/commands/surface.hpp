@@ -1,0 +1,19 @@
+#pragma once
+/// ligne surface: a surface z = f(x, y) as iso-curves, hidden parts removed.
+
+#include <string>
+#include <vector>
+
+#include "cli/commands/surface_options.hpp"
+
+namespace ligne {
+
+void setup_surface(CLI::App& app, SurfaceOptions& options);
+
+/// Puts formulas that begin with a minus into parentheses, since they would be taken for options: "-x^2" becomes "(-x^2)".
+void protect_formulas(std::vector<std::string>& arguments);
+
+/// Throws UsageError, RequestError, InputError, std::runtime_error.
+void run_surface(const SurfaceOptions& options);
+
+}  // namespace ligne

@@ -1,0 +1,262 @@
+#include "cli/commands/surface_options.hpp"
+
+#include <stdexcept>
+
+#include "cli/commands/curve_options.hpp"
+#include "cli/commands/surface_scale_options.hpp"
+#include "cli/commands/terrain_options.hpp"
+#include "cli/options/axes_options.hpp"
+#include "cli/options/fill_options.hpp"
+#include "cli/options/hatch_options.hpp"
+#include "cli/options/method_options.hpp"
+#include "cli/options/options.hpp"
+#include "cli/options/page_options.hpp"
+#include "cli/options/view_options.hpp"
+#include "files/closest_name.hpp"
+#include "files/message_text.hpp"
+#include "picture/draw_scene.hpp"
+#include "picture/hatching/hatching.hpp"
+#include "picture/parse/parse.hpp"
+#include "picture/parse/parse_options.hpp"
+#include "visibility/registry.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr unsigned kMostSamples = 1'000'000, kHighestResolution = 1'000'000, kResolution = 2000,
+                   kMostBands = 65535;  // a TIFF has no more
+
+constexpr const char* kSurfaceExamples = R"help(Examples:
+  ligne surface "sin(r)/r" -x -12:12:60 -y -12:12:60 -o sombrero.svg
+  ligne surface --grid terrain.asc --every 2 --z-scale 2 --azimuth 30 -o terrain.pdf
+  ligne surface "sin(x*y)" -x -3:3 -y -3:3 --lines x --eye 8,-6,5 --pen-width 0.2 -o waves.svg
+  ligne surface "x^2+y^2" "8-x^2-y^2" --z-range 0:8 --hidden dashed -o bowls.svg
+  ligne surface --parametric "(3+cos(v))*cos(u)" "(3+cos(v))*sin(u)" "sin(v)" -o torus.svg)help";
+
+/// Refuses requests that only the horizon draws together with those that only meshes can draw.
+void check_engines(const SurfaceOptions& options, const SurfaceRequest& request) {
+  const PictureRequest& picture = request.picture;
+  const std::string reason = options.as_mesh ? "--as-mesh" : needs_mesh(request);
+  if (options.horizon_given && picture.hatch.asked()) refuse_hatching("horizon");
+  if (options.horizon_given && !reason.empty()) {
+    throw UsageError("--method", "horizon draws no " + reason + "; a mesh method does: ligne methods");
+  }
+  const std::string other = needs_horizon(request);
+  if (!other.empty() && (picture.lines.method || !reason.empty())) {
+    const std::string mesh = reason.empty() ? "--method " + std::string(picture.lines.method->traits().name) : reason;
+    throw UsageError(other, "is drawn by the method horizon alone, and does not go with " + mesh);
+  }
+  if (options.as_mesh) {
+    if (request.curves.contours || request.curves.contour_step)
+      throw UsageError("--contours", "are lines, which --as-mesh does not write");
+    if (picture.hatch.asked()) throw UsageError("--hatch", "makes lines, which --as-mesh does not write");
+    if (picture.fill.asked()) throw UsageError("--fill", "makes areas, which --as-mesh does not write");
+    if (picture.axes.style) throw UsageError("--axes", "are lines, which --as-mesh does not write");
+    return;
+  }
+  check(picture);
+  if (picture.axes.style && picture.output.format == OutputFormat::json) {
+    throw UsageError("--axes", "are not written as json");
+  }
+}
+
+/// How files of grids and tables are understood.
+void add_grid_options(OptionGroup& group, SurfaceRequest& request) {
+  group.add(
+      "--gridded", "N", request.gridded, [](const std::string& t) { return parse_count(t, 2, kMostCurves); },
+      "scattered points: sampled in N columns (default: the root of their number, 100 to 500)");
+  group.add_text(
+      "--using", "X:Y:Z|Z", [&request](const std::string& text) { request.using_columns = parse_columns(text); },
+      "grid, table: columns of the positions and heights, or of the heights alone: names, or numbers from 1");
+  group.add(
+      "--index", "N", request.data_set, [](const std::string& t) { return parse_count(t, 0, kMostDataSets); },
+      "grid: the data set that is drawn, from 0, of a text with two blank lines between them (default: all)");
+  group.add("--layout", "matrix|frame|series|columns", request.layout, parse_layout,
+            "grid, table: all numbers are heights; or the first row and column are positions; or the first column is; or "
+            "columns are x, y and z (default: as names, blank lines and numbers let see)");
+  group
+      .add(
+          "--band", "N", request.band, [](const std::string& t) { return parse_count(t, 1, kMostBands); },
+          "grid: the band of a GeoTIFF, or of another raster, that has the heights")
+      .standard("1");
+  group.add(
+      "--ground", "metres|degrees", request.ground, parse_ground,
+      "what the positions of a grid are: one unit with the heights, or degrees (default: as the file says or lets see)");
+  group.add("--max-slope", "S", request.max_slope, parse_positive,
+            "grid: cells are left out in which heights change by more than S for a unit of the ground");
+}
+
+void add_source_options(CLI::App& surface, SurfaceRequest& request) {
+  add_arguments(surface, "EXPR", request.formulas, false, "formulas in x and y; also r and theta (polar), pi, e");
+  OptionGroup group(surface, "Surface");
+  group.add_repeatable(
+      "--grid", "FILE", [&request](const std::string& file) { request.grids.push_back(file); },
+      "heights from a file, - for standard input: CSV or TSV matrix, table, lines of x y z, ESRI ASCII grid, PGM, PNG, "
+      "GeoTIFF (repeatable)");
+  group.add_repeatable_tuple(
+      "--parametric", "X Y Z", 3,
+      [&request](const std::vector<std::string>& xyz) {
+        request.parametric.push_back({xyz[0], xyz[1], xyz[2]});
+      },
+      "a surface as three formulas in u and v (repeatable)");
+  group.add("-x", "A:B[:N]", request.x, parse_range, "range of x and number of curves of constant x; with --grid a window")
+      .standard("-5:5:40");
+  group.add("-y", "A:B[:N]", request.y, parse_range, "the same of y").standard("-5:5:40");
+  group
+      .add_repeatable(
+          "-u", "A:B[:N]", [&request](const std::string& text) { request.u.push_back(parse_range(text)); },
+          "the same of u, of a parametric surface (repeatable: of the next one)")
+      .standard("0:2*pi:40");
+  group
+      .add_repeatable(
+          "-v", "A:B[:N]", [&request](const std::string& text) { request.v.push_back(parse_range(text)); }, "the same of v")
+      .standard("0:2*pi:40");
+  group
+      .add(
+          "--samples", "N", request.samples, [](const std::string& t) { return parse_count(t, 2, kMostSamples); },
+          "points along a curve, or the next more that the crossings with the other family allow")
+      .standard("5 between curves, up to 1000");
+  group
+      .add("--every", "N|auto", request.every, parse_every,
+           "grid: a curve at every Nth row and column; auto: so that curves lie 1.5 widths of the pen apart")
+      .standard("auto");
+  add_grid_options(group, request);
+  group
+      .add(
+          "--lines", "x|y|xy|none", request.lines,
+          [](const std::string& t) { return static_cast<CurveFamilies>(parse_choice(t, kCurveFamilyNames)); },
+          "curves of constant x, of constant y, both, or none: contours and outlines alone")
+      .standard("xy");
+  group.add("--z-range", "A:B", request.z_range, parse_heights, "cut the surface off below A and above B");
+  group.add_flag_or_value(
+      "--skirt", "[Z]",
+      [&request](const std::string& text) {
+        request.skirt = true;
+        if (!text.empty()) request.skirt_base = parse_number(text);
+      },
+      "walls from the rim down to the height Z (default: 5 % of the range of heights below the lowest)");
+}
+
+/// --method and --hidden.
+void add_method_choice(CLI::App& surface, SurfaceOptions& options) {
+  OptionGroup group(surface, "Lines");
+  const auto take_method = [&options](const std::string& text) {
+    LineRequest& lines = options.request.picture.lines;
+    options.horizon_given = text == "horizon";
+    lines.method = text == "horizon" || text == "auto" ? nullptr : find_method(text);
+    if (text == "horizon" || text == "auto" || lines.method) return;
+    std::vector<std::string_view> names{"auto", "horizon"};
+    for (const Method* method : all_methods()) names.push_back(method->traits().name);
+    throw std::invalid_argument(shown(text, '"') + " is not one of " + list_of(names) + suggestion(text, names));
+  };
+  group
+      .add_text("--method", "NAME", take_method, "horizon, or a mesh method, see: ligne methods; auto: horizon where it can")
+      .standard("auto");
+  group
+      .add("--hidden", "HOW", options.request.picture.lines.hidden, parse_hidden,
+           "hidden lines in a layer of their own: none dashed solid")
+      .standard("none");
+}
+
+void add_horizon_options(CLI::App& surface, SurfaceOptions& options) {
+  OptionGroup group(surface, "Surface");
+  group
+      .add(
+          "--horizon", "exact|pixels", options.pixels,
+          [](const std::string& t) {
+            constexpr std::string_view kNames[] = {"exact", "pixels"};
+            return parse_choice(t, kNames) == 1;
+          },
+          "horizon as polylines in full precision, or as an array of pixels")
+      .standard("exact");
+  group
+      .add(
+          "--resolution", "N", options.resolution,
+          [](const std::string& t) { return parse_count(t, 1, kHighestResolution); }, "pixels: columns across the picture")
+      .standard("2000");
+}
+
+void add_angle_options(CLI::App& surface, SurfaceRequest& request) {
+  OptionGroup group(surface, "View");
+  group
+      .add("--azimuth", "DEG", request.azimuth_degrees, parse_number,
+           "direction in which the viewer stands, from the x axis towards y")
+      .standard("-60");
+  group
+      .add(
+          "--elevation", "DEG", request.elevation_degrees,
+          [](const std::string& t) { return parse_within(t, -90, 90, "degrees"); },
+          "how high the viewer stands over the ground")
+      .standard("30");
+}
+
+}  // namespace
+
+MeshFormat mesh_format_of(const OutputOptions& options) {
+  if (!options.file) throw UsageError("--output", "there is no output file: -o FILE");
+  if (options.format) {
+    if (*options.format == OutputFormat::json) return MeshFormat::ligne_scene;
+    throw UsageError("--format", "--as-mesh writes json, or obj by the suffix");
+  }
+  try {
+    return mesh_format_of_suffix(*options.file);
+  } catch (const std::invalid_argument& e) {
+    throw UsageError("--output", e.what());
+  }
+}
+
+SurfaceRequest checked_request(const SurfaceOptions& options, const MemoryLimit& memory) {
+  if (!options.output.file) throw UsageError("--output", "there is no output file: -o FILE, or -o - --format NAME");
+  SurfaceRequest request = options.request;
+  PictureRequest& picture = request.picture;
+  picture.memory = memory;
+  check(request);
+  if (options.as_mesh) {
+    mesh_format_of(options.output);
+  } else {
+    picture.output.format = format_of(options.output);
+  }
+  check(picture.page);
+  const bool view_given = picture.view.named_view || picture.view.direction || picture.view.eye;
+  const bool angles_given = request.azimuth_degrees || request.elevation_degrees;
+  if (angles_given && view_given) {
+    throw UsageError("--azimuth, --elevation", "do not go with --view, --direction or --eye");
+  }
+  if (options.resolution && !options.pixels) throw UsageError("--resolution", "goes with --horizon pixels");
+  request.horizon = options.horizon_given;
+  if (options.pixels) request.pixel_columns = options.resolution.value_or(kResolution);
+  check_axes(picture.axes, options.axes_style);
+  if (request.curves.ridgeline && (view_given || angles_given)) throw UsageError("--ridgeline", "has its own view");
+  check_engines(options, request);
+  return request;
+}
+
+CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
+  CLI::App* surface = add_command(app, "surface", "z = f(x,y): iso-curves, hidden parts removed", kSurfaceExamples);
+  SurfaceRequest& request = options.request;
+  PictureRequest& picture = request.picture;
+  add_source_options(*surface, request);
+  add_surface_scale_options(*surface, request);
+  add_curve_options(*surface, request.curves);
+  add_terrain_options(*surface, request);
+  add_annotation_options(*surface, request);
+  add_hatch_options(*surface, picture.hatch);
+  add_fill_options(*surface, picture.fill);
+  add_method_choice(*surface, options);
+  add_horizon_options(*surface, options);
+  add_angle_options(*surface, request);
+  add_view_options(*surface, picture.view, "by azimuth and elevation");
+  add_axes_options(*surface, picture.axes, options.axes_style);
+  add_page_options(*surface, picture.page);
+  add_output_options(*surface, options.output, "svg pdf png json hpgl gcode (default: by the suffix)");
+  OptionGroup(*surface, "Output")
+      .add_flag("--as-mesh", options.as_mesh, "write the surface as a mesh file, .json (ligne-scene) or .obj");
+  add_dpi_option(*surface, picture.output.dpi);
+  add_curves_option(*surface, picture.output.curves, "off");
+  add_title_option(*surface, picture.output.title, "title above the picture, and of the document");
+  add_plotter_options(*surface, options.plotter);
+  add_run_options(*surface, options.run);
+  return surface;
+}
+
+}  // namespace ligne

@@ -1,0 +1,40 @@
+#pragma once
+/// The options of ligne surface.
+
+#include <optional>
+#include <string>
+
+#include "cli/options/output_options.hpp"
+#include "cli/options/plotter_options.hpp"
+#include "cli/options/run_options.hpp"
+#include "picture/surface/surface_mesh_picture.hpp"
+#include "picture/surface/surface_request.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace ligne {
+
+struct SurfaceOptions {
+  SurfaceRequest request;
+  bool horizon_given = false;  ///< the method horizon is asked for
+  bool as_mesh = false;
+  bool pixels = false;
+  std::optional<unsigned> resolution;
+  std::string axes_style;  ///< as written: empty for no axes, "true" for the flag alone
+  OutputOptions output;
+  PlotterOptions plotter;
+  RunOptions run;
+};
+
+/// Adds the command with its options.
+CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options);
+
+/// The request that the options come to. Throws UsageError, RequestError for options that do not go together.
+SurfaceRequest checked_request(const SurfaceOptions& options, const MemoryLimit& memory);
+
+/// With --as-mesh: by the suffix. Throws UsageError.
+MeshFormat mesh_format_of(const OutputOptions& options);
+
+}  // namespace ligne

@@ -1,0 +1,20 @@
+#include "cli/options/fill_options.hpp"
+
+#include "cli/options/options.hpp"
+#include "picture/parse/parse.hpp"
+#include "picture/parse/parse_options.hpp"
+
+namespace ligne {
+
+void add_fill_options(CLI::App& app, FillRequest& request) {
+  OptionGroup group(app, "Fills");
+  group
+      .add("--fill", "HOW", request.kind, parse_fill,
+           "visible faces in colour: none material shade paper; by a method that gives regions, or painted in its order")
+      .standard("none");
+  group.add_repeatable(
+      "--light", "X,Y,Z", [&request](const std::string& text) { request.lights.push_back(parse_vector(text)); },
+      "parallel light that travels in this direction and casts shadows; repeatable");
+}
+
+}  // namespace ligne

@@ -1,0 +1,108 @@
+#include "cli/options/method_options.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/options/options.hpp"
+#include "picture/models/compiled_model.hpp"
+#include "picture/parse/parse.hpp"
+#include "picture/parse/parse_options.hpp"
+#include "visibility/registry.hpp"
+
+namespace ligne {
+namespace {
+
+/// One option for each name, whatever the number of methods that have it.
+void add_parameters(CLI::App& app, MethodChoice& choice, bool of_compile = false) {
+  OptionGroup group(app, "Methods");
+  std::vector<std::string_view> names;
+  for (const Method* owner : all_methods()) {
+    for (const MethodParameter& parameter : owner->traits().parameters) {
+      if (of_compile && !parameter.of_compile) continue;
+      if (std::find(names.begin(), names.end(), parameter.name) != names.end()) continue;
+      names.push_back(parameter.name);
+      std::string owners;
+      for (const Method* method : all_methods()) {
+        for (const MethodParameter& p : method->traits().parameters) {
+          if (p.name == parameter.name) owners += (owners.empty() ? "" : ", ") + std::string(method->traits().name);
+        }
+      }
+      const auto note = [&choice, &parameter](const std::string& text) { choice.parameters.emplace_back(&parameter, text); };
+      group
+          .add_text("--" + std::string(parameter.name), std::string(parameter.kind), note,
+                    owners + ": " + std::string(parameter.meaning))
+          .standard(std::string(parameter.standard));
+    }
+  }
+}
+
+}  // namespace
+
+void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice, bool one_method) {
+  OptionGroup group(app, "Lines");
+  if (one_method) {
+    group.add("--method", "NAME", request.method, parse_method, "visibility method; see ligne methods").standard("auto");
+  }
+  const auto parse_given_edges = [&choice](const std::string& text) {
+    choice.edges_given = true;
+    return parse_edges(text);
+  };
+  group
+      .add("--edges", "LIST", request.classes, parse_given_edges,
+           "line classes to draw, comma-separated: outline, crease, border, intersection, tangent, mesh, shadow, profile, "
+           "suggestive, ridge, valley, detail; feature: the first five; all: the first six")
+      .standard("feature");
+  const auto parse_both_creases = [&request](const std::string& text) {
+    return request.surface_crease_degrees = parse_crease(text);
+  };
+  group.add("--crease", "DEG", request.crease_degrees, parse_both_creases, "smallest angle between normals at a crease")
+      .standard("30 between faces, 10 between surfaces that a mesh stands for");
+  group
+      .add("--tangent", "HOW", request.tangent, parse_tangent,
+           "lines of fillets: their borders, their middles; auto: middles of narrow ones, borders of others")
+      .standard("auto");
+  group.add("--min-length", "LEN", request.least_mm, parse_min_length, "leave out shorter visible parts of lines")
+      .standard("1.5 pens; 0 for exact lines");
+  group
+      .add("--hidden", "HOW", request.hidden, parse_hidden,
+           "draw hidden lines in a layer of their own: none, dashed or solid")
+      .standard("none");
+  group
+      .add("--quality", "HOW", request.quality, parse_quality,
+           "clear: lines of the shape that the mesh stands for; exact: every edge as stored")
+      .standard("clear");
+  group.add_flag("--cull", request.cull, "leave out back faces of closed, consistently wound objects");
+  add_parameters(app, choice);
+}
+
+void add_compile_options(CLI::App& app, const Method*& method, MethodChoice& choice) {
+  const std::vector<std::string_view> names = compiling_methods();
+  method = find_method(names.front());
+  const auto parse = [names](const std::string& text) { return find_method(names[parse_choice(text, names)]); };
+  OptionGroup(app, "Methods").add("--method", "NAME", method, parse, list_of(names)).standard(std::string(names.front()));
+  add_parameters(app, choice, true);
+}
+
+std::vector<std::pair<std::string, std::string>> named(const MethodChoice& choice) {
+  std::vector<std::pair<std::string, std::string>> given;
+  for (const auto& [parameter, text] : choice.parameters) given.emplace_back(parameter->name, text);
+  return given;
+}
+
+std::vector<std::string> names_of(const MethodChoice& choice) {
+  std::vector<std::string> names;
+  for (const auto& [parameter, text] : choice.parameters) names.emplace_back(parameter->name);
+  return names;
+}
+
+MethodSettings settings_of(const MethodChoice& choice, const Method& method) {
+  MethodSettings settings;
+  for (const auto& [parameter, text] : choice.parameters) {
+    set_parameter(settings, method, std::string(parameter->name), text);
+  }
+  return settings;
+}
+
+}  // namespace ligne

@@ -1,0 +1,74 @@
+#include "cli/options/model_options.hpp"
+
+#include "cli/messages.hpp"
+#include "cli/options/options.hpp"
+#include "files/message_text.hpp"
+#include "files/named_input.hpp"
+#include "picture/parse/parse.hpp"
+#include "picture/parse/parse_options.hpp"
+
+namespace ligne {
+
+void add_model_options(CLI::App& app, ModelRequest& request) {
+  add_arguments(app, "MODEL", request.files, true,
+                "glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio ASCII or ligne-scene file; several make one scene; - is "
+                "standard input");
+  OptionGroup group(app, "Lines");
+  group
+      .add("--weld", "DIST", request.weld_distance, parse_weld,
+           "sew borders of one object that lie within DIST of each other, in model units (auto: detect the width of cracks; "
+           "off). With --quality exact: merge vertices within DIST; auto is off")
+      .standard("auto");
+  group.add("--pose", "ANIMATION@SECONDS", request.pose, parse_pose,
+            "glTF: the model as it is at a moment of an animation, by its name or its number from 0");
+  group
+      .add("--subdivide", "SCHEME[:N]", request.subdivision, parse_subdivision,
+           "draw the limit surface of polygons that are control meshes, after N levels of subdivision: loop, catmull-clark "
+           "(default N: until edges are shorter than a hundredth of the model)")
+      .standard("off");
+  group.add_flag("--merge-coplanar", request.merge_coplanar, "merge coplanar neighbouring faces into polygons");
+  OptionGroup parts(app, "Parts");
+  const auto add_names = [](std::vector<std::string>& target) {
+    return [&target](const std::string& text) {
+      for (std::string& name : parse_names(text)) target.push_back(std::move(name));
+    };
+  };
+  parts.add_repeatable("--only", "NAME,...", add_names(request.parts.only),
+                       "draw these objects alone; names may have * ? [] as in a shell; repeatable");
+  parts.add_repeatable("--hide", "NAME,...", add_names(request.parts.hide), "leave out these objects; repeatable");
+  parts.add_repeatable(
+      "--move", "NAME=X,Y,Z", [&request](const std::string& text) { request.parts.moves.push_back(parse_move(text)); },
+      "move an object by so much, in model units or with a unit, for exploded views; repeatable");
+}
+
+void add_part_drawing_options(CLI::App& app, OutputRequest& request) {
+  constexpr std::string_view kGroupNames[] = {"none", "object"};
+  OptionGroup parts(app, "Parts");
+  parts
+      .add(
+          "--group", "HOW", request.group_objects,
+          [kGroupNames](const std::string& text) { return parse_choice(text, kGroupNames) == 1; },
+          "SVG: a group for each object in every layer; JSON: the object of every stroke: none object")
+      .standard("none");
+  parts.add_repeatable(
+      "--color", "NAME=COLOUR", [&request](const std::string& text) { request.colors.push_back(parse_object_color(text)); },
+      "lines of objects in a colour: #rrggbb, or a name such as red; repeatable");
+}
+
+Stage reading_of(const ModelRequest& request) {
+  const std::string others = request.files.size() > 1 ? " and " + std::to_string(request.files.size() - 1) + " more" : "";
+  return {"read", printable(shown_input(request.files.front()), kLongestPath) + others};
+}
+
+LoadedModels load_models(const ModelRequest& request, bool quiet, RunFiles& files) {
+  LoadedModels models = load_models(request);
+  for (const ModelFile& file : models.files) {
+    files.were_read(file.report.files);
+    if (quiet) continue;
+    warn(file.name, file.warnings);
+    for (const std::string& remark : file.remarks) warn(file.name, remark);
+  }
+  return models;
+}
+
+}  // namespace ligne

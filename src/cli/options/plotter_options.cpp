@@ -1,0 +1,45 @@
+#include "cli/options/plotter_options.hpp"
+
+#include "cli/options/options.hpp"
+#include "picture/parse/parse.hpp"
+#include "plotting/page.hpp"
+
+namespace ligne {
+
+void add_plotter_options(CLI::App& app, PlotterOptions& options) {
+  PlotterChoice& choice = options.choice;
+  PlotterRequest& request = choice.request;
+  OptionGroup group(app, "Plotter");
+  const Option device = group.add("--device", "NAME", choice.device, parse_file_name, "the plotter, one of ligne devices")
+                            .standard("cutter for HPGL, grbl-servo for G-code");
+  const Option device_file =
+      group.add("--device-file", "FILE", choice.device_file, parse_file_name, "a plotter of your own, as TOML");
+  group.add_flag("--fit-device", request.fit_device,
+                 "shift and shrink the drawing until it lies within the device's limits");
+  group.add("--pens", "FILE", choice.pens_file, parse_file_name, "pens, and what each draws, as TOML");
+  group.add_repeatable(
+      "--pen", "TEXT", [&request](const std::string& text) { add_pen(request.pens, text); },
+      "CLASS=N[,COLOUR[,WIDTH]]: a class of lines, material:NAME, shade:N or rest to pen N; repeatable");
+  group
+      .add(
+          "--optimize", "HOW", request.optimize,
+          [](const std::string& t) { return static_cast<Optimize>(parse_choice(t, kOptimizeNames)); },
+          "off; order: the order of strokes only; join: lines once, ends joined; full: both")
+      .standard("full for pens");
+  const auto length = [](const std::string& t) { return parse_length_mm(t); };
+  group.add("--join", "LEN", request.tolerances.ends_mm, length, "join ends within LEN of each other").standard("0.05mm");
+  group
+      .add("--simplify", "LEN", request.tolerances.simplify_mm, length,
+           "largest distance by which simplifying may move a line")
+      .standard("0.01mm");
+  group.add_flag("--report", request.report, "strokes, lengths, lifts and time before and after, to standard error");
+  const auto parse_preview = [&request](const std::string& text) {
+    request.preview = true;
+    return parse_file_name(text);
+  };
+  group.add("--preview", "FILE", options.preview, parse_preview,
+            "an SVG of the pen's way: order by colour, raised pen grey");
+  device.excludes({device_file});
+}
+
+}  // namespace ligne

@@ -1,0 +1,21 @@
+#pragma once
+/// Options of pens and plotters.
+
+#include <string>
+
+#include "picture/pages/plotter.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace ligne {
+
+struct PlotterOptions {
+  PlotterChoice choice;
+  std::string preview;  ///< file; empty: none
+};
+
+void add_plotter_options(CLI::App& app, PlotterOptions& options);
+
+}  // namespace ligne

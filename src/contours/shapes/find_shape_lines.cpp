@@ -1,0 +1,225 @@
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "contours/shapes/shape_fields.hpp"
+#include "contours/shapes/shape_lines.hpp"
+#include "contours/shapes/zero_chains.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable. Curvatures are those of the object made 1 large (shape_fields.hpp).
+/// A suggestive contour is strong where the radial curvature grows by so much.
+constexpr double kStrongGrowth = 25;
+/// A ridge or valley is strong where it is bent so much, and where the curvature falls so fast to both sides, as a part of
+/// itself.
+constexpr double kStrongBend = 12, kStrongFall = 60;
+/// A line goes on where it has this part of what makes it strong.
+constexpr double kWeak = 0.6;
+/// Strength is a mean over so many segments before and behind.
+constexpr std::size_t kWindow = 4;
+/// Lines are at least so many widths of the pen long, of which so many are strong; shorter gaps are none.
+constexpr double kShortestInPens = 28, kStrongInPens = 10, kGapInPens = 10;
+
+/// A chain with its strength: 1 is strong.
+struct RatedChain {
+  LineClass line_class;
+  ZeroChain chain;
+  std::vector<double> strength;  ///< per segment
+};
+
+std::array<std::size_t, 3> corners_of(const FormMesh& mesh, std::uint32_t t) {
+  const auto& node = mesh.triangles[t].node;
+  return {node[0], node[1], node[2]};
+}
+
+double mean_at(const std::vector<double>& values, const std::array<std::size_t, 3>& nodes) {
+  return (values[nodes[0]] + values[nodes[1]] + values[nodes[2]]) / 3;
+}
+
+void add_suggestive(const ShapeFields& fields, const Camera& camera, std::vector<RatedChain>& rated) {
+  const RadialField field = radial_field(fields, camera);
+  for (ZeroChain& chain : trace_zero_set(fields.mesh, field.value)) {
+    RatedChain line{LineClass::suggestive, std::move(chain), {}};
+    for (const std::uint32_t t : line.chain.triangles) {
+      const auto nodes = corners_of(fields.mesh, t);
+      const bool told = std::ranges::none_of(nodes, [&](std::size_t n) { return field.growth[n] == 0; });
+      line.strength.push_back(told ? std::max(0.0, mean_at(field.growth, nodes) / kStrongGrowth) : 0);
+    }
+    rated.push_back(std::move(line));
+  }
+}
+
+/// +1 where the side of the surface that counts is that of its normal, else -1; 0 where that is not certain. Of a closed
+/// body it is the outer one, of a sheet the one that is seen.
+int side_of(const ShapeFields& fields, const Camera& camera, const std::array<std::size_t, 3>& nodes) {
+  if (const int outward = fields.outward[nodes[0]]; outward != 0) return outward;
+  int sum = 0;
+  for (const std::size_t n : nodes) sum += glm::dot(fields.normals[n], to_eye(camera, fields.mesh.points[n])) < 0 ? -1 : 1;
+  return sum == 3 ? 1 : sum == -3 ? -1 : 0;
+}
+
+/// How strong an extremum is over a triangle.
+double strength_of(const ShapeFields& fields, const ExtremumField& field, std::uint32_t t) {
+  const auto nodes = corners_of(fields.mesh, t);
+  const double bend = mean_at(field.curvature, nodes);
+  if (std::ranges::any_of(nodes, [&](std::size_t n) { return field.curvature[n] <= 0; })) return 0;
+  std::array<double, 3> values{};
+  Point3 way{0, 0, 0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int sign = glm::dot(field.way[nodes[0]], field.way[nodes[k]]) < 0 ? -1 : 1;
+    values[k] = sign * field.value[nodes[k]];
+    way += double(sign) * field.way[nodes[k]];
+  }
+  const double fall = -glm::dot(fields.slope(t, values), unit(way)) / bend;
+  return std::max(0.0, std::min(bend / kStrongBend, fall / kStrongFall));
+}
+
+void add_extrema(const ShapeFields& fields, const Camera& camera, LineClasses classes, int sign,
+                 std::vector<RatedChain>& rated) {
+  const ExtremumField field = extremum_field(fields, sign);
+  for (const ZeroChain& chain : trace_zero_set(fields.mesh, field.value, field.way)) {
+    RatedChain ridge{LineClass::ridge, chain, {}}, valley{LineClass::valley, chain, {}};
+    for (const std::uint32_t t : chain.triangles) {
+      const int convex = sign * side_of(fields, camera, corners_of(fields.mesh, t));
+      const double strength = strength_of(fields, field, t);
+      ridge.strength.push_back(convex > 0 ? strength : 0);
+      valley.strength.push_back(convex < 0 ? strength : 0);
+    }
+    if (classes.has(LineClass::ridge)) rated.push_back(std::move(ridge));
+    if (classes.has(LineClass::valley)) rated.push_back(std::move(valley));
+  }
+}
+
+/// Means over the segments round each, by their lengths.
+std::vector<double> evened_strength(const RatedChain& line) {
+  const std::size_t n = line.chain.size();
+  std::vector<double> result(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    double sum = 0, all = 0;
+    const auto take = [&](std::size_t k) {
+      const double length = glm::length(line.chain.points[k + 1] - line.chain.points[k]);
+      sum += length * line.strength[k];
+      all += length;
+    };
+    take(i);
+    for (std::size_t k = 1; k <= kWindow; ++k) {
+      if (line.chain.closed && n > 2 * kWindow) {
+        take((i + k) % n);
+        take((i + n - k) % n);
+      } else {
+        if (i + k < n) take(i + k);
+        if (i >= k) take(i - k);
+      }
+    }
+    result[i] = all > 0 ? sum / all : 0;
+  }
+  return result;
+}
+
+/// Cuts chains to what is drawn of them: hysteresis.
+class Cutter {
+ public:
+  Cutter(const FormMesh& mesh, const View& view, double pen_mm) : mesh_(mesh), view_(view), pen_mm_(pen_mm) {}
+
+  void cut(const RatedChain& line, std::vector<ShapeLine>& lines) {
+    const std::size_t n = line.chain.size();
+    const std::vector<double> strength = evened_strength(line);
+    lengths_.resize(n);
+    weak_.resize(n);
+    strong_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      lengths_[i] = page_length(line.chain.points[i], line.chain.points[i + 1]);
+      weak_[i] = strength[i] >= kWeak && lengths_[i] >= 0;
+      strong_[i] = strength[i] >= 1;
+    }
+    // A closed chain is begun where it is not drawn.
+    std::size_t start = 0;
+    if (line.chain.closed) start = static_cast<std::size_t>(std::ranges::find(weak_, std::uint8_t{0}) - weak_.begin());
+    if (start == n) return add(line, 0, n, lines);
+    close_gaps(start, line.chain.closed);
+    for (std::size_t i = 0; i < n;) {
+      std::size_t end = i;
+      while (end < n && weak_[(start + end) % n]) ++end;
+      if (end > i) add(line, start + i, start + end, lines);
+      i = end + 1;
+    }
+  }
+
+ private:
+  /// Below zero where one end is not in view.
+  double page_length(const Point3& a, const Point3& b) const {
+    const HomogeneousPoint p = to_homogeneous(view_, a), q = to_homogeneous(view_, b);
+    const double least = view_.camera.perspective ? view_.near_distance : 0;
+    if (p.w <= least || q.w <= least) return -1;
+    return std::hypot(p.x / p.w - q.x / q.w, p.y / p.w - q.y / q.w);
+  }
+
+  void close_gaps(std::size_t start, bool closed) {
+    const std::size_t n = weak_.size();
+    for (std::size_t i = 0; i < n;) {
+      std::size_t end = i;
+      double length = 0;
+      bool in_view = true;
+      for (; end < n && !weak_[(start + end) % n]; ++end) {
+        length += lengths_[(start + end) % n];
+        in_view = in_view && lengths_[(start + end) % n] >= 0;
+      }
+      const bool inside = i > 0 && end < n && !(closed && i == 0);
+      if (inside && in_view && length < kGapInPens * pen_mm_) {
+        for (std::size_t k = i; k < end; ++k) weak_[(start + k) % n] = 1;
+      }
+      i = std::max(end, i + 1);
+    }
+  }
+
+  void add(const RatedChain& line, std::size_t from, std::size_t to, std::vector<ShapeLine>& lines) const {
+    const std::size_t n = line.chain.size();
+    if (to - from < n) {  // at its ends a line turns aside, and would have a hook
+      while (from < to && line.strength[from % n] < kWeak) ++from;
+      while (from < to && line.strength[(to - 1) % n] < kWeak) --to;
+      if (from == to) return;
+    }
+    double length = 0, strong = 0;
+    for (std::size_t i = from; i < to; ++i) {
+      length += lengths_[i % n];
+      if (strong_[i % n]) strong += lengths_[i % n];
+    }
+    if (length < kShortestInPens * pen_mm_ || strong < kStrongInPens * pen_mm_) return;
+    ShapeLine out;
+    out.line_class = line.line_class;
+    out.closed = line.chain.closed && to - from == n;
+    out.points.push_back(line.chain.points[from % n]);
+    for (std::size_t i = from; i < to; ++i) {
+      out.points.push_back(line.chain.points[i % n + 1]);
+      out.faces.push_back(mesh_.triangles[line.chain.triangles[i % n]].face);
+    }
+    lines.push_back(std::move(out));
+  }
+
+  const FormMesh& mesh_;
+  const View& view_;
+  double pen_mm_;
+  std::vector<double> lengths_;
+  std::vector<std::uint8_t> weak_, strong_;
+};
+
+}  // namespace
+
+std::vector<ShapeLine> find_shape_lines(const Scene& scene, const Topology& topology, const View& view, LineClasses classes,
+                                        const ContourOptions& options) {
+  const ShapeFields fields = shape_fields(scene, topology, options.borders);
+  std::vector<RatedChain> rated;
+  if (classes.has(LineClass::suggestive)) add_suggestive(fields, view.camera, rated);
+  if (classes.has(LineClass::ridge) || classes.has(LineClass::valley)) {
+    for (const int sign : {1, -1}) add_extrema(fields, view.camera, classes, sign, rated);
+  }
+  std::vector<ShapeLine> lines;
+  Cutter cutter(fields.mesh, view, options.pen_width_mm);
+  for (const RatedChain& line : rated) cutter.cut(line, lines);
+  return lines;
+}
+
+}  // namespace ligne

@@ -1,0 +1,88 @@
+#include "contours/surfaces/known_surfaces.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "base/no_index.hpp"
+
+namespace ligne {
+namespace {
+
+/// Adjustable: surfaces whose normals differ by more than the angle of this cosine (10 degrees) do not run into each other.
+constexpr double kTangentCosine = 0.985;
+/// A share of a segment is found to 2^-30: a millionth of a millimetre of a metre.
+constexpr int kBisections = 30;
+
+}  // namespace
+
+const Patch* surface_at(const SmoothPatch& patch, std::uint32_t triangle) {
+  if (!patch.surfaces) return nullptr;
+  const std::uint32_t number = patch.surfaces->patch_of[patch.triangles[triangle].face];
+  return number == kNone || patch.surfaces->list[number].is_band ? nullptr : &patch.surfaces->list[number];
+}
+
+Point3 facing_normal(const Patch& surface, const Point3& p) {
+  const Point3 normal = surface.surface.normal(p);
+  return surface.outward ? normal : -normal;
+}
+
+NormalTurn facing_turn(const Patch& surface, const Point3& p) {
+  const PatchSurface& s = surface.surface;
+  const Point3 normal = s.normal(p);
+  // A sphere bends alike in all directions, so those of any axis will do for it.
+  const Point3 round = glm::cross(s.axis, normal);
+  const double length = glm::length(round);
+  const auto frame = frame_of(normal);
+  const Point3 first = length > 0 ? round / length : frame[0], second = glm::cross(normal, first);
+  NormalTurn turn{};
+  for (const Point3& way : {first, second}) {
+    const double k = (surface.outward ? 1 : -1) * s.curvature(p, way);
+    const NormalTurn square{way.x * way.x, way.x * way.y, way.x * way.z, way.y * way.y, way.y * way.z, way.z * way.z};
+    for (std::size_t i = 0; i < turn.size(); ++i) turn[i] += k * square[i];
+  }
+  return turn;
+}
+
+Point3 nearest_point(const Patch& surface, const Point3& p) {
+  return p - surface.surface.distance(p) * surface.surface.normal(p);
+}
+
+std::optional<KnownNormal> known_normal(const Scene& scene, const SmoothPatch& patch,
+                                        std::span<const std::uint32_t> corners) {
+  const std::uint32_t c0 = corners[0];
+  const Point3& at = scene.vertices[patch.triangles[c0 / 3].v[c0 % 3]];
+  const Patch *const common = surface_at(patch, c0 / 3), *last = nullptr;
+  bool is_one = true;
+  Point3 first(0.0), sum(0.0);
+  for (const std::uint32_t c : corners) {
+    const Patch* surface = surface_at(patch, c / 3);
+    is_one &= surface == common;
+    if (!surface || surface == last) continue;
+    last = surface;
+    const Point3 normal = facing_normal(*surface, at);
+    if (first == Point3(0.0)) first = normal;
+    if (glm::dot(first, normal) < kTangentCosine) return std::nullopt;
+    sum += normal;
+  }
+  if (!last) return std::nullopt;
+  KnownNormal known{glm::normalize(sum), std::nullopt};
+  if (is_one) known.turn = facing_turn(*common, at);
+  return known;
+}
+
+std::optional<double> outline_crossing(const Patch& surface, const Camera& camera, const Point3& p, const Point3& q) {
+  const auto facing = [&](double t) {
+    const Point3 at = nearest_point(surface, p + t * (q - p));
+    return glm::dot(surface.surface.normal(at), to_eye(camera, at)) >= 0;
+  };
+  const bool first = facing(0);
+  if (facing(1) == first) return std::nullopt;
+  double low = 0, high = 1;
+  for (int step = 0; step < kBisections; ++step) {
+    const double middle = (low + high) / 2;
+    (facing(middle) == first ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+}  // namespace ligne

@@ -1,0 +1,203 @@
+#include "contours/surfaces/outline_evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include <glm/geometric.hpp>
+
+#include "base/parallel.hpp"
+#include "contours/contour_support.hpp"
+#include "geometry/nearest_on_segment.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr double kEvidenceCellMm = 2;
+/// Contours are asked about at steps of this length, mm.
+constexpr double kEvidenceStepMm = 1;
+/// Edges farther away than this say nothing, mm: where the sag on the page is larger, the eye is right before the mesh.
+constexpr double kMostReachMm = 10;
+/// A segment of a contour is asked about at so many places at the most: longer ones lie before the eye.
+constexpr double kMostSteps = 1000;
+
+/// Visibility of the outline beside a contour, the weakest testimony first. An outline in a hollow is hidden by a hair.
+enum class Evidence : std::uint8_t { none, hollow, hidden, seen };
+
+/// Lines on the page, each with what it says.
+class PagePieces {
+ public:
+  PagePieces() : finder_(kEvidenceCellMm) {}
+
+  void expect(Point2 p, double reach) { finder_.expect(p - Point2(reach), p + Point2(reach)); }
+  void add(Point2 from, Point2 to, Evidence evidence) {
+    finder_.add({from, to, 0, 0, static_cast<std::uint32_t>(evidence)});
+  }
+  /// The strongest within reach.
+  Evidence at(Point2 p, double reach) const {
+    auto strongest = static_cast<std::uint32_t>(Evidence::none);
+    finder_.near(p - Point2(reach), p + Point2(reach), [&](const OutlineSegment& s) {
+      if (s.chain <= strongest) return;
+      const Point2 nearest = s.from + nearest_on_segment(p, s.from, s.to) * (s.to - s.from);
+      if (glm::length(nearest - p) <= reach) strongest = s.chain;
+    });
+    return static_cast<Evidence>(strongest);
+  }
+
+ private:
+  SegmentFinder finder_;  ///< OutlineSegment::chain: the evidence
+};
+
+/// A part of a run, and where it is asked about.
+struct Part {
+  double from, to;  ///< as CurvePoint::at
+  Point2 middle;
+  double reach;
+  double length;
+};
+
+std::vector<Part> parts_of_run(const ContourRun& run, const ContourCurve& curve, const ContourChain& chain) {
+  std::vector<Part> parts;
+  for (double from = run.from; from < run.to;) {
+    const double segment = std::min(std::floor(from), double(chain.size() - 1));
+    const double end = std::min(run.to, segment + 1);
+    const double length = curve.point_at(end).length - curve.point_at(from).length;
+    const auto steps = static_cast<int>(std::ceil(std::clamp(length / kEvidenceStepMm, 1.0, kMostSteps)));
+    const auto i = static_cast<std::size_t>(segment);
+    const double reach = std::min(kMostReachMm, std::max(chain.nodes[i].most_mm, chain.nodes[i + 1].most_mm));
+    for (int k = 0; k < steps; ++k) {
+      const auto at = [&](double step) { return from + step / steps * (end - from); };
+      parts.push_back({at(k), k + 1 == steps ? end : at(k + 1), curve.point_at(at(k + 0.5)).mm, reach, length / steps});
+    }
+    from = end;
+  }
+  return parts;
+}
+
+/// The maximal rows of parts that the predicate holds for, longer than `shortest_mm`, with the state.
+template <class Predicate>
+std::vector<ContourRun> rows(std::span<const Part> parts, double shortest_mm, int state, const Predicate& holds) {
+  std::vector<ContourRun> found;
+  double length = 0;
+  bool open = false;
+  const auto finish = [&] {
+    if (open && length <= shortest_mm) found.pop_back();
+    open = false;
+  };
+  for (const Part& part : parts) {
+    if (!holds(part)) {
+      finish();
+      continue;
+    }
+    if (!open) {
+      found.push_back({part.from, part.to, state});
+      length = 0;
+      open = true;
+    }
+    found.back().to = part.to;
+    length += part.length;
+  }
+  finish();
+  return found;
+}
+
+/// The parts of a visible run that are hidden: longer than `shortest_mm`, or than `clear_mm` where no outline is seen within
+/// so much more of the contour either.
+std::vector<ContourRun> hidden_parts(std::span<const Part> parts, const PagePieces& outlines, double shortest_mm,
+                                     double clear_mm) {
+  double all = 0, unseen = 0;
+  bool any_seen = false;
+  for (const Part& part : parts) {
+    const Evidence evidence = outlines.at(part.middle, part.reach);
+    any_seen |= evidence == Evidence::seen;
+    all += part.length;
+    if (evidence == Evidence::hollow || evidence == Evidence::hidden) unseen += part.length;
+  }
+  // Where nothing of the outline is seen all along, hollows hide it too.
+  if (!any_seen && 2 * unseen > all) return {{parts.front().from, parts.back().to, kHiddenState}};
+  std::vector<ContourRun> found = rows(parts, shortest_mm, kHiddenState, [&](const Part& part) {
+    return outlines.at(part.middle, part.reach) == Evidence::hidden;
+  });
+  if (!found.empty()) return found;
+  return rows(parts, clear_mm, kHiddenState, [&](const Part& part) {
+    return outlines.at(part.middle, part.reach) != Evidence::none &&
+           outlines.at(part.middle, part.reach + clear_mm) < Evidence::seen;
+  });
+}
+
+/// By contour and run, the parts of its runs that are seen, or that are hidden.
+using PartsOfRuns = std::vector<std::vector<std::vector<Part>>>;
+
+PartsOfRuns parts_of_runs(const std::vector<SeenContour>& seen, const SmoothContours& contours, bool visible) {
+  PartsOfRuns parts(seen.size());
+  parallel_tasks(seen.size(), [&](std::size_t c) {
+    for (const ContourRun& run : seen[c].runs) {
+      const bool asked = visible ? run.state >= 0 : run.state == kHiddenState;
+      if (asked && run.from < run.to) parts[c].push_back(parts_of_run(run, seen[c].curve, contours.chains[c]));
+    }
+  });
+  return parts;
+}
+
+/// Lets find(parts of a run) say what becomes of them.
+template <class Find>
+void change_runs(std::vector<SeenContour>& seen, const PartsOfRuns& parts, const Find& find) {
+  parallel_tasks(seen.size(), [&](std::size_t c) {
+    std::vector<ContourRun> changed;
+    for (const std::vector<Part>& of_run : parts[c]) {
+      const std::vector<ContourRun> found = find(of_run);
+      changed.insert(changed.end(), found.begin(), found.end());
+    }
+    if (!changed.empty()) put_in(seen[c].runs, changed);
+  });
+}
+
+}  // namespace
+
+void hold_against_outlines(std::vector<SeenContour>& seen, const SmoothContours& contours, const View& view,
+                           const Lattice& lattice, const std::vector<Stroke>& edges, double shortest_mm, double clear_mm) {
+  const PartsOfRuns visible = parts_of_runs(seen, contours, true), hidden = parts_of_runs(seen, contours, false);
+  PagePieces outlines, drawn;
+  const auto expect = [&](const PartsOfRuns& parts, PagePieces& pieces) {
+    for (const auto& of_contour : parts) {
+      for (const std::vector<Part>& of_run : of_contour) {
+        for (const Part& part : of_run) {
+          if (in_window(view, part.middle)) pieces.expect(part.middle, part.reach + clear_mm);
+        }
+      }
+    }
+  };
+  expect(visible, outlines);
+  expect(hidden, outlines);
+  expect(hidden, drawn);
+  auto stroke = edges.begin();
+  for (std::size_t k = 0; k < contours.replaced.size(); ++k) {
+    const auto& ends = contours.replaced[k].ends;
+    const auto place = [&](double t) { return page_point(view, ends[0] + t * (ends[1] - ends[0])); };
+    const Evidence unseen = contours.bulges[k] ? Evidence::hidden : Evidence::hollow;
+    double hidden_from = 0;
+    for (; stroke != edges.end() && stroke->source == contours.first_edge + k; ++stroke) {
+      if (!stroke->visible) continue;
+      if (hidden_from < stroke->t_from) outlines.add(place(hidden_from), place(stroke->t_from), unseen);
+      outlines.add(lattice.to_mm(stroke->from), lattice.to_mm(stroke->to), Evidence::seen);
+      hidden_from = stroke->t_to;
+    }
+    if (hidden_from < 1) outlines.add(place(hidden_from), place(1), unseen);
+  }
+  change_runs(seen, visible,
+              [&](std::span<const Part> parts) { return hidden_parts(parts, outlines, shortest_mm, clear_mm); });
+  for (const SeenContour& contour : seen) {
+    for (const ContourRun& run : contour.runs) {
+      if (run.state < 0) continue;
+      const std::vector<CurvePoint> points = contour.curve.part(run.from, run.to);
+      for (std::size_t i = 1; i < points.size(); ++i) drawn.add(points[i - 1].mm, points[i].mm, Evidence::seen);
+    }
+  }
+  change_runs(seen, hidden, [&](std::span<const Part> parts) {
+    return rows(parts, shortest_mm, 0, [&](const Part& part) {
+      return outlines.at(part.middle, part.reach) == Evidence::seen && drawn.at(part.middle, part.reach) == Evidence::none;
+    });
+  });
+}
+
+}  // namespace ligne

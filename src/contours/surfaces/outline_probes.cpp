@@ -1,0 +1,345 @@
+#include "contours/surfaces/outline_probes.hpp"
+
+#include <optional>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "base/disjoint_sets.hpp"
+#include "base/parallel.hpp"
+#include "contours/contour_choice.hpp"
+#include "contours/contour_sights.hpp"
+#include "geometry/nearest_on_segment.hpp"
+#include "view/clip.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable parameters.
+/// A probe lies so much of the size of its object behind its edge, but not less than so many lengths of the edge: folds of
+/// a mesh go back by a triangle or two, and beyond a cusp a surface is steep for some more.
+constexpr double kPushedBack = 0.25;
+constexpr double kPushedBackEdges = 10;
+/// And so much of its length on the page beside it.
+constexpr double kMovedOff = 0.05;
+/// A contour stands for an edge when it runs within so much of the size of the triangles there, or half a pen: contours
+/// rise above chords by less than an eighth of them.
+constexpr double kNearEdge = 0.2;
+constexpr double kProbeCellMm = 1;
+/// Where two contours end before they meet, each may run near a half of the edge between them. So an edge is looked at in
+/// so many parts, and contours that run across it (cosine of 45 degrees) do not count.
+constexpr int kParts = 4;
+constexpr double kAlongCosine = 0.70710678;
+/// The end of a contour is its last part, so many times as long as the reach: it may turn inwards before it ends.
+constexpr double kTailInReaches = 2;
+
+double distance(Point2 p, const OutlineSegment& s) {
+  return glm::length(s.from + nearest_on_segment(p, s.from, s.to) * (s.to - s.from) - p);
+}
+
+/// The visible pieces of contours, for questions about places.
+class NearContours {
+ public:
+  NearContours(const std::vector<SeenContour>& seen, double reach_mm)
+      : seen_(seen), reach_mm_(reach_mm), finder_(kProbeCellMm), tails_(kProbeCellMm) {}
+
+  void expect(Point2 p, double reach) { finder_.expect(p - Point2(reach), p + Point2(reach)); }
+  /// An end of a part of an edge, of which tails are asked.
+  void expect_tail(Point2 p) { tails_.expect(p - Point2(reach_mm_), p + Point2(reach_mm_)); }
+  void prepare() {
+    for (const SeenContour& contour : seen_) {
+      const ContourCurve& curve = contour.curve;
+      const std::size_t n = contour.runs.size();
+      for (std::size_t r = 0; r < n; ++r) {
+        const ContourRun& run = contour.runs[r];
+        if (run.state < 0) continue;
+        std::vector<CurvePoint> points = curve.part(run.from, run.to);
+        unfold(points, reach_mm_);  // as it is drawn
+        for (std::size_t i = 1; i < points.size(); ++i) finder_.add({points[i - 1].mm, points[i].mm, 0, 0});
+        const auto ends = [&](bool first) {
+          if (first ? r > 0 : r + 1 < n) return contour.runs[first ? r - 1 : r + 1].state < 0;
+          return !curve.closed || contour.runs[first ? n - 1 : 0].state < 0;
+        };
+        if (ends(false)) add_tail(points);
+        if (!ends(true)) continue;
+        std::reverse(points.begin(), points.end());
+        add_tail(points);
+      }
+    }
+  }
+  /// The nearest end of a piece within the reach.
+  std::optional<Point2> nearest(Point2 p, double reach) const {
+    std::optional<Point2> best;
+    const auto offer = [&](Point2 q) {
+      const double d = glm::length(q - p);
+      if (d <= reach && (!best || d < glm::length(*best - p))) best = q;
+    };
+    finder_.near(p - Point2(reach), p + Point2(reach), [&](const OutlineSegment& s) {
+      offer(s.from);
+      offer(s.to);
+    });
+    return best;
+  }
+  bool any_within(Point2 p, double reach) const {
+    bool any = false;
+    finder_.near(p - Point2(reach), p + Point2(reach), [&](const OutlineSegment& s) { any |= distance(p, s) <= reach; });
+    return any;
+  }
+  /// A piece runs past the place, in that direction and within the reach; `slack_mm` beyond its ends at the most.
+  bool any_past(Point2 p, Point2 direction, double reach, double slack_mm) const {
+    bool any = false;
+    finder_.near(p - Point2(reach), p + Point2(reach), [&](const OutlineSegment& s) {
+      const Point2 d = s.to - s.from;
+      const double length = glm::length(d), along = glm::dot(p - s.from, d) / length;
+      any |= along >= -slack_mm && along <= length + slack_mm && distance(p, s) <= reach &&
+             std::abs(glm::dot(d, direction)) >= kAlongCosine * length * glm::length(direction);
+    });
+    return any;
+  }
+  bool any_tail(Point2 p) const {
+    bool any = false;
+    tails_.near(p - Point2(reach_mm_), p + Point2(reach_mm_),
+                [&](const OutlineSegment& s) { any |= distance(p, s) <= reach_mm_; });
+    return any;
+  }
+
+ private:
+  void add_tail(const std::vector<CurvePoint>& points) {
+    double left = kTailInReaches * reach_mm_;
+    for (std::size_t i = points.size(); --i > 0 && left > 0;) {
+      tails_.add({points[i - 1].mm, points[i].mm, 0, 0});
+      left -= glm::length(points[i].mm - points[i - 1].mm);
+    }
+  }
+
+  const std::vector<SeenContour>& seen_;
+  double reach_mm_;
+  SegmentFinder finder_, tails_;
+};
+
+/// A part of an edge whose probe is seen.
+struct Candidate {
+  Stroke stroke;  ///< on the edge itself
+  std::uint32_t edge;
+  Point2 middle;
+  double near_mm;
+};
+
+Point2 middle_of_part(Point2 from, Point2 to, int part) { return from + (part + 0.5) / kParts * (to - from); }
+
+Candidate candidate(const Stroke& probe, std::uint32_t edge, const SmoothContours& contours, const View& view,
+                    const Lattice& lattice, double pen_width_mm) {
+  const auto& ends = contours.replaced[edge].ends;
+  const HomogeneousPoint a = to_homogeneous(view, ends[0]), b = to_homogeneous(view, ends[1]);
+  const HomogeneousPoint from = interpolate(a, b, probe.t_from), to = interpolate(a, b, probe.t_to);
+  const auto mm = [](const HomogeneousPoint& h) { return Point2{h.x / h.w, h.y / h.w}; };
+  Candidate c{probe, edge, (mm(from) + mm(to)) * 0.5, 0};
+  c.stroke.from = lattice.snap(mm(from));
+  c.stroke.to = lattice.snap(mm(to));
+  c.stroke.z_from = static_cast<float>(from.z / from.w);
+  c.stroke.z_to = static_cast<float>(to.z / to.w);
+  if (view.camera.perspective) {
+    c.stroke.w_from = static_cast<float>(from.w);
+    c.stroke.w_to = static_cast<float>(to.w);
+  }
+  c.stroke.needs_overlap_check = true;
+  c.near_mm = std::max(pen_width_mm / 2, kNearEdge * contours.replaced_size_mm[edge]);
+  return c;
+}
+
+/// An outline that no contour stands for.
+struct Missing {
+  std::vector<Candidate> whole, parts;
+};
+
+void look_at(const Candidate& c, const NearContours& near, const SmoothContours& contours, const View& view,
+             const Lattice& lattice, double pen_width_mm, Missing& missing) {
+  if (!near.any_within(c.middle, c.near_mm)) {
+    missing.whole.push_back(c);
+    return;
+  }
+  const Point2 from = lattice.to_mm(c.stroke.from), to = lattice.to_mm(c.stroke.to);
+  for (int k = 0; k < kParts; ++k) {
+    if (near.any_past(middle_of_part(from, to, k), to - from, c.near_mm, pen_width_mm / 2)) continue;
+    Stroke part = c.stroke;
+    const double dt = (c.stroke.t_to - c.stroke.t_from) / kParts;
+    part.t_from = c.stroke.t_from + k * dt;
+    part.t_to = k + 1 == kParts ? c.stroke.t_to : part.t_from + dt;
+    missing.parts.push_back(candidate(part, c.edge, contours, view, lattice, pen_width_mm));
+  }
+}
+
+/// The ends of candidates, in order.
+std::vector<std::pair<LatticePoint, std::uint32_t>> ends_of(const std::vector<Candidate>& candidates) {
+  std::vector<std::pair<LatticePoint, std::uint32_t>> ends;
+  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+    ends.emplace_back(candidates[i].stroke.from, i);
+    ends.emplace_back(candidates[i].stroke.to, i);
+  }
+  std::sort(ends.begin(), ends.end());
+  return ends;
+}
+
+DisjointSets connected(const std::vector<std::pair<LatticePoint, std::uint32_t>>& ends, std::size_t candidates) {
+  DisjointSets runs(candidates);
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    if (ends[i].first == ends[i - 1].first) runs.join(ends[i].second, ends[i - 1].second);
+  }
+  return runs;
+}
+
+/// Leaves runs of candidates that are longer than the reach and than what counts as near: less is what moved ends at
+/// crossings leave.
+void drop_short(std::vector<Candidate>& candidates, const Lattice& lattice, double reach_mm) {
+  DisjointSets runs = connected(ends_of(candidates), candidates.size());
+  std::vector<double> length(candidates.size(), 0), least(candidates.size(), reach_mm);
+  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+    const Candidate& c = candidates[i];
+    length[runs.find(i)] += glm::length(lattice.to_mm(c.stroke.to) - lattice.to_mm(c.stroke.from));
+    least[runs.find(i)] = std::max(least[runs.find(i)], c.near_mm);
+  }
+  std::vector<Candidate> kept;
+  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+    if (length[runs.find(i)] >= least[runs.find(i)]) kept.push_back(candidates[i]);
+  }
+  candidates = std::move(kept);
+}
+
+/// The visible outlines of the mesh, for questions about places at parts of edges.
+class NearOutlines {
+ public:
+  NearOutlines(const StrokeModel& model, const std::vector<Candidate>& parts, double ink_mm)
+      : finder_(kProbeCellMm), ink_mm_(ink_mm) {
+    if (parts.empty()) return;
+    const auto expect = [&](Point2 p, double reach) { finder_.expect(p - Point2(reach), p + Point2(reach)); };
+    for (const Candidate& c : parts) {
+      for (const LatticePoint end : {c.stroke.from, c.stroke.to}) expect(model.lattice.to_mm(end), ink_mm);
+      expect(c.middle, c.near_mm);
+    }
+    for (const Stroke& s : model.strokes) {
+      if (s.visible && s.line_class == LineClass::outline)
+        finder_.add({model.lattice.to_mm(s.from), model.lattice.to_mm(s.to), 0, 0});
+    }
+  }
+  /// A line that ends there meets one.
+  bool meet(Point2 p) const { return any_within(p, ink_mm_); }
+  bool beside(const Candidate& part) const { return any_within(part.middle, part.near_mm); }
+
+ private:
+  bool any_within(Point2 p, double reach) const {
+    bool any = false;
+    finder_.near(p - Point2(reach), p + Point2(reach), [&](const OutlineSegment& s) { any |= distance(p, s) <= reach; });
+    return any;
+  }
+
+  SegmentFinder finder_;
+  double ink_mm_;
+};
+
+/// Leaves runs that lead from the end of a contour to that of another one, to an end of `others`, or to a visible outline of
+/// the mesh that does not run beside them.
+void keep_between_ends(std::vector<Candidate>& parts, const std::vector<Candidate>& others, const NearContours& near,
+                       const StrokeModel& model, double pen_width_mm) {
+  const NearOutlines outlines(model, parts, pen_width_mm / 2);
+  const auto ends = ends_of(parts), other_ends = ends_of(others);
+  DisjointSets runs = connected(ends, parts.size());
+  std::vector<std::uint8_t> apart(parts.size(), 0);
+  for (std::uint32_t i = 0; i < parts.size(); ++i) apart[runs.find(i)] |= !outlines.beside(parts[i]);
+  std::vector<std::uint32_t> open(parts.size(), 0), met(parts.size(), 0);
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const LatticePoint p = ends[i].first;
+    if ((i > 0 && ends[i - 1].first == p) || (i + 1 < ends.size() && ends[i + 1].first == p)) continue;
+    const std::uint32_t run = runs.find(ends[i].second);
+    ++open[run];
+    const auto other = std::lower_bound(other_ends.begin(), other_ends.end(), std::pair(p, 0u));
+    const Point2 mm = model.lattice.to_mm(p);
+    met[run] += (other != other_ends.end() && other->first == p) || near.any_tail(mm) || (apart[run] && outlines.meet(mm));
+  }
+  std::vector<Candidate> kept;
+  for (std::uint32_t i = 0; i < parts.size(); ++i) {
+    const std::uint32_t run = runs.find(i);
+    if (open[run] == 2 && met[run] == 2) kept.push_back(parts[i]);
+  }
+  parts = std::move(kept);
+}
+
+}  // namespace
+
+std::array<Point3, 2> outline_probe(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side,
+                                    double object_size, double slack_mm) {
+  const auto point = [&](std::uint32_t corner) { return scene.vertices[patch.triangles[corner / 3].v[corner % 3]]; };
+  const Point3 a = point(side), b = point(next_corner(side));
+  const Point2 pa = page_point(view, a), d = page_point(view, b) - pa;
+  const double length = glm::length(d);
+  // Away from the third corners, which both lie on one side of an outline.
+  Point2 off = length > 0 ? Point2{-d.y, d.x} / length : Point2{0, 0};
+  const Point2 inwards =
+      page_point(view, point(last_corner(side))) + page_point(view, point(last_corner(patch.across[side]))) - 2.0 * pa;
+  if (glm::dot(off, inwards) > 0) off = -off;
+  const double back = std::max(kPushedBack * object_size, kPushedBackEdges * glm::length(b - a));
+  const auto moved = [&](const Point3& p) {
+    const double unit_mm = glm::length(page_direction(view, p, view.camera.right));
+    const double mm = slack_mm + kMovedOff * length;
+    const Point3 beside = p + (mm / unit_mm) * (off.x * view.camera.right + off.y * view.camera.down);
+    return beside - back * glm::normalize(to_eye(view.camera, beside));
+  };
+  return {moved(a), moved(b)};
+}
+
+double size_on_page(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side) {
+  double longest = 0;
+  for (const std::uint32_t s : {side, patch.across[side]}) {
+    std::array<Point2, 3> p;
+    for (std::uint32_t k = 0; k < 3; ++k) p[k] = page_point(view, scene.vertices[patch.triangles[s / 3].v[k]]);
+    longest = std::max({longest, glm::length(p[1] - p[0]), glm::length(p[2] - p[1]), glm::length(p[0] - p[2])});
+  }
+  return longest;
+}
+
+void add_missing_outlines(StrokeModel& model, const View& view, const SmoothContours& contours,
+                          const std::vector<Stroke>& probes, const std::vector<SeenContour>& seen, double pen_width_mm,
+                          double reach_mm) {
+  std::vector<Candidate> candidates;
+  NearContours near(seen, reach_mm);
+  for (const Stroke& probe : probes) {
+    if (!probe.visible) continue;
+    candidates.push_back(candidate(probe, probe.source - contours.first_probe, contours, view, model.lattice, pen_width_mm));
+    const Candidate& c = candidates.back();
+    const Point2 from = model.lattice.to_mm(c.stroke.from), to = model.lattice.to_mm(c.stroke.to);
+    near.expect(c.middle, c.near_mm);
+    for (const Point2 end : {from, to}) near.expect(end, reach_mm);
+    for (int k = 0; k < kParts; ++k) near.expect(middle_of_part(from, to, k), c.near_mm);
+    for (int k = 0; k <= kParts; ++k) near.expect_tail(from + double(k) / kParts * (to - from));
+  }
+  if (candidates.empty()) return;
+  near.prepare();
+  std::vector<Missing> found(block_count(candidates.size(), kSearchBlock));
+  parallel_blocks(candidates.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      look_at(candidates[i], near, contours, view, model.lattice, pen_width_mm, found[begin / kSearchBlock]);
+  });
+  std::vector<Candidate> missing, parts;
+  for (const Missing& m : found) {
+    missing.insert(missing.end(), m.whole.begin(), m.whole.end());
+    parts.insert(parts.end(), m.parts.begin(), m.parts.end());
+  }
+  drop_short(missing, model.lattice, reach_mm);
+  keep_between_ends(parts, missing, near, model, pen_width_mm);
+  missing.insert(missing.end(), parts.begin(), parts.end());
+  std::vector<LatticePoint> ends;
+  for (const Candidate& c : missing) ends.insert(ends.end(), {c.stroke.from, c.stroke.to});
+  std::sort(ends.begin(), ends.end());
+  for (Candidate& c : missing) {
+    for (LatticePoint* end : {&c.stroke.from, &c.stroke.to}) {
+      const auto [first, last] = std::equal_range(ends.begin(), ends.end(), *end);
+      if (last - first > 1) continue;
+      if (const auto contour = near.nearest(model.lattice.to_mm(*end), reach_mm)) *end = model.lattice.snap(*contour);
+    }
+    if (c.stroke.from == c.stroke.to) continue;
+    c.stroke.source = model.edge_count + static_cast<std::uint32_t>(model.intersections.size());
+    model.intersections.push_back(contours.replaced[c.edge]);
+    model.strokes.push_back(c.stroke);
+  }
+}
+
+}  // namespace ligne

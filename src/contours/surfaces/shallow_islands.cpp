@@ -1,0 +1,59 @@
+#include "contours/surfaces/shallow_islands.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
+#include "geometry/degrees.hpp"
+
+namespace ligne {
+namespace {
+
+/// Adjustable: an island is shallow when it turns across the sight by less everywhere.
+constexpr double kShallowDegrees = 4;
+
+/// Sectors that hang together and have one sign.
+struct Island {
+  double most = 0;    ///< sine of the angle by which it turns across the sight
+  bool whole = true;  ///< all round it g has the other sign, and all of it lies on a scan
+};
+
+bool is_of_scan(std::span<const ScanObject> scans, std::uint32_t face) {
+  const auto scan = std::ranges::upper_bound(scans, face, {}, &ScanObject::face_end);
+  return scan != scans.end() && face >= scan->face_begin;
+}
+
+}  // namespace
+
+void level_shallow_islands(SmoothPatch& patch, const Scene& scene, const Camera& camera, std::span<const ScanObject> scans) {
+  if (scans.empty()) return;
+  DisjointSets sets(patch.g.size());
+  for (std::uint32_t corner = 0; corner < patch.sector.size(); ++corner) {
+    const std::uint32_t next = next_corner(corner);
+    if (patch.looks_at_viewer(corner) == patch.looks_at_viewer(next)) sets.join(patch.sector[corner], patch.sector[next]);
+  }
+  std::vector<Island> islands(patch.g.size());
+  for (std::uint32_t corner = 0; corner < patch.sector.size(); ++corner) {
+    Island& island = islands[sets.find(patch.sector[corner])];
+    const Point3 eye = to_eye(camera, scene.vertices[patch.triangles[corner / 3].v[corner % 3]]);
+    island.most = std::max(island.most, std::abs(patch.g[patch.sector[corner]]) / glm::length(eye));
+    const bool at_border = patch.across[corner] == kNone || patch.across[last_corner(corner)] == kNone;
+    if (at_border || patch.complete[corner] == 0 || !is_of_scan(scans, patch.triangles[corner / 3].face))
+      island.whole = false;
+  }
+  const double sine = sine_cosine_degrees(kShallowDegrees).sine;
+  for (std::uint32_t s = 0; s < patch.g.size(); ++s) {
+    const Island& island = islands[sets.find(s)];
+    if (!island.whole || island.most >= sine) continue;
+    double& g = patch.g[s];
+    // Zero counts as looking at the viewer.
+    g = g >= 0 ? std::min(-g, -std::numeric_limits<double>::min()) : -g;
+  }
+}
+
+}  // namespace ligne

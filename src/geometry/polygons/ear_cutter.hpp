@@ -1,0 +1,23 @@
+#pragma once
+/// Triangulation of loops by cutting ears.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/point.hpp"
+#include "geometry/polygons/contour_links.hpp"
+
+namespace ligne {
+
+struct CutEars {
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of positions, counter-clockwise
+  bool whole = true;                                    ///< as in triangulate()
+};
+
+/// Also for contours that cross, and that wind round points several times. Holes are joined to the outer loops by bridges,
+/// then ears are cut (Meisters 1975; bridges after Eberly 2002). The work is bounded: of large loops that cross a part may
+/// stay uncut, which then are not whole.
+CutEars cut_ears(const std::vector<Point2>& positions, const LinkedContours& links);
+
+}  // namespace ligne

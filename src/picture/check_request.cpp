@@ -1,0 +1,54 @@
+#include "picture/check_request.hpp"
+
+#include "picture/errors.hpp"
+#include "picture/hatching/form_hatching.hpp"
+#include "picture/hatching/hatching.hpp"
+#include "picture/pages/write_picture.hpp"
+#include "picture/placement.hpp"
+#include "picture/products.hpp"
+#include "visibility/registry.hpp"
+
+namespace ligne {
+namespace {
+
+/// The option that asks for regions.
+const char* field_of_regions(const PictureRequest& request) {
+  if (!request.fill.lights.empty()) return "light";
+  return request.fill.kind != FillKind::none ? "fill" : request.regions ? "regions" : "edges";
+}
+
+}  // namespace
+
+void check(const PictureRequest& request) {
+  const Method& method = method_of(request);
+  if (request.gray_faces) {
+    const OutputFormat format = request.output.format;
+    if (format == OutputFormat::json) throw RequestError("shade", "a JSON drawing has no gray faces");
+    if (request.plotter.by_pens() && format != OutputFormat::png)
+      throw RequestError("shade", "pens draw no gray faces; see --hatch");
+    if (!(method.traits().products & (kSpans | kPixels))) {
+      throw RequestError("shade", "needs a method that gives spans or pixels: " + methods_with(kSpans | kPixels));
+    }
+  }
+  const bool painted = request.output.format == OutputFormat::png || request.output.format == OutputFormat::json;
+  if (request.fill.kind != FillKind::none && request.plotter.by_pens() && !painted)
+    throw RequestError("fill", "pens draw no filled faces; see --hatch");
+  if (request.hatch.asked()) {
+    if (request.output.format == OutputFormat::json) throw RequestError("hatch", "a JSON drawing has no hatching");
+    if (!(method.traits().products & (kRegions | kSpans))) refuse_hatching(method.traits().name);
+    if (follows_form(request.hatch) && !(method.traits().products & kRegions))
+      throw RequestError("hatch-angle", "strokes follow the form by a method that gives regions: " + methods_with(kRegions));
+    if (request.gray_faces) throw RequestError("hatch", "does not go together with --shade");
+  }
+  if (wants_regions(request, method) && !(method.traits().products & kRegions)) {
+    throw RequestError(field_of_regions(request), "needs a method that gives regions: " + methods_with(kRegions));
+  }
+  if (!request.output.colors.empty()) {
+    if (request.output.format == OutputFormat::json) throw RequestError("color", "a JSON drawing has no colours");
+    if (request.plotter.by_pens()) throw RequestError("color", "pens have colours of their own: --pen object:NAME=N,COLOUR");
+  }
+  check(request.page);
+  if (request.output.format == OutputFormat::png) check_png(request.page.size.page, request.output.dpi, request.memory);
+}
+
+}  // namespace ligne

@@ -1,0 +1,102 @@
+#include "picture/pages/frames.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "picture/draw_scene.hpp"
+#include "picture/products.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr std::string_view kDepthOfTree = "depth of the tree", kOfListBefore = "elements of the view before";
+
+/// Adds up what has the same name. Of depths of one tree the sum would mean nothing.
+template <class Value>
+void add(std::vector<std::pair<std::string, Value>>& sums, const std::vector<std::pair<std::string, Value>>& values) {
+  for (const auto& [name, value] : values) {
+    const auto sum = std::ranges::find(sums, name, &std::pair<std::string, Value>::first);
+    if (sum == sums.end()) {
+      sums.emplace_back(name, value);
+    } else if (name == kDepthOfTree) {
+      sum->second = std::max(sum->second, value);
+    } else {
+      sum->second += value;
+    }
+  }
+}
+
+void add(Statistics& sums, const Statistics& values) {
+  add(sums.counts, values.counts);
+  add(sums.seconds, values.seconds);
+}
+
+void add(RunReport& sums, const RunReport& frame) {
+  sums.method = frame.method;
+  add(sums.study, frame.study);
+  add(sums.clear, frame.clear);
+  add(sums.stages, frame.stages);
+  add(sums.stages.processor_seconds, frame.stages.processor_seconds);
+  for (const RunWarning& warning : frame.warnings) {
+    const bool known = std::ranges::any_of(
+        sums.warnings, [&](const RunWarning& w) { return w.place == warning.place && w.text == warning.text; });
+    if (!known) sums.warnings.push_back(warning);
+  }
+}
+
+/// Whether the view began with the list of the one before.
+bool took_list_over(const Statistics& study) {
+  return std::ranges::any_of(study.counts, [](const auto& c) { return c.first == kOfListBefore && c.second > 0; });
+}
+
+/// The extent that the page must hold so that every frame has its place.
+Rect extent_of_all(const Scene& scene, PictureRequest request, const FrameRequest& frames) {
+  Rect all;
+  for (unsigned i = 0; i < frames.count; ++i) {
+    request.view.turn_degrees = frames.turn_degrees * i / frames.count;
+    const Rect extent = projected_extent(scene, camera_of(request.view, scene));
+    if (extent.empty()) continue;
+    all.extend(extent.min);
+    all.extend(extent.max);
+  }
+  return all;
+}
+
+}  // namespace
+
+void draw_frames(const Scene& scene, PictureRequest request, const FrameRequest& frames, bool as_pages, RunReport& run,
+                 std::optional<Topology> topology, const std::function<void(Picture)>& take) {
+  check(request);
+  const std::string asks = std::to_string(scene.faces.size()) + " faces";
+  request.page.extent = timed(run.stages, {"frames", asks}, [&] { return extent_of_all(scene, request, frames); });
+  if (!topology) topology = timed(run.stages, {"topology", asks}, [&] { return build_topology(scene); });
+  const Method& method = method_of(request);
+  if (method.traits().compiles && !request.compiled) {
+    request.compiled = timed(run.stages, {"compile", asks}, [&] { return method.compile(scene, request.lines.settings); });
+  }
+  std::optional<PdfDocument> document;
+  if (as_pages) document.emplace();
+  request.keep = Keep::for_next_view;
+  const std::function<void(double)> progress = request.progress;
+  unsigned lists_taken_over = 0;
+  for (unsigned i = 0; i < frames.count; ++i) {
+    request.view.turn_degrees = frames.turn_degrees * i / frames.count;
+    if (progress) request.progress = [&, i](double done) { progress((i + done) / frames.count); };
+    RunReport frame;
+    const DrawnScene drawn = draw_lines(scene, request, frame, {}, topology);
+    request.earlier = drawn.visibility().result.kept;
+    Picture picture = drawn.write(frame, document ? &*document : nullptr);
+    add(run, frame);
+    lists_taken_over += took_list_over(frame.study);
+    if (!document) take(std::move(picture));
+  }
+  if (document) take({document->finish()});
+  run.study.count("frames", frames.count);
+  run.study.count("of them with the topology of the first", frames.count - 1);
+  if (request.compiled) run.study.count("of them with the tree of the first", frames.count - 1);
+  if (lists_taken_over > 0) run.study.count("of them with the list of the one before", lists_taken_over);
+}
+
+}  // namespace ligne

@@ -1,0 +1,334 @@
+#include "picture/pages/plot_drawing.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "files/message_text.hpp"
+#include "files/named_input.hpp"
+#include "picture/errors.hpp"
+#include "picture/pages/named_layers.hpp"
+#include "picture/placement.hpp"
+#include "plotting/plot.hpp"
+#include "plotting/svg/outline.hpp"
+#include "plotting/tiles.hpp"
+
+namespace ligne {
+namespace {
+
+/// A larger file is refused before it is read: a drawing of it would have hundreds of millions of points.
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 28;
+
+constexpr double kPenWidthMm = 0.35;
+
+std::string_view without_mark(std::string_view text) {
+  const std::string_view bom = "\xef\xbb\xbf";
+  if (text.starts_with(bom)) text.remove_prefix(bom.size());
+  return text;
+}
+
+char first_character(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first == std::string_view::npos ? '\0' : text[first];
+}
+
+bool begins_json(std::string_view text) { return first_character(without_mark(text)) == '{'; }
+
+/// JSON begins with a brace, XML with an angle bracket, whatever the name says.
+ReadDrawing read_drawing(const PlotDrawingRequest& request, const DrawingText& drawing, const FillReading& fills) {
+  const std::string_view content = without_mark(drawing.text);
+  const char begins = first_character(content);
+  if (begins == '{') return read_json_drawing(content, drawing.name);
+  if (begins == '<') return read_svg_drawing(drawing.text, drawing.name, request.skip, fills, request.reading);
+  if (content.starts_with("\x1f\x8b"))
+    throw std::runtime_error(drawing.name + ": is compressed; gzip -dc FILE | ligne plot - reads it");
+  if (content.starts_with("\xff\xfe") || content.starts_with("\xfe\xff"))
+    throw std::runtime_error(drawing.name + ": is text of two bytes a letter (UTF-16); save it as UTF-8");
+  throw std::runtime_error(drawing.name + ": is neither a ligne-drawing nor an SVG");
+}
+
+void transform(Drawing& drawing, double scale, Point2 shift) {
+  for (Layer& layer : drawing.layers) {
+    for (Point2& p : layer.lines.points) p = p * scale + shift;
+  }
+}
+
+/// Puts the drawing on the page that is asked for: its own page in the middle of that, or what it shows made to fill it.
+/// Gives the scale.
+double place(const PlotDrawingRequest& request, ReadDrawing& read) {
+  const Page own = read.page;
+  Page page = own;
+  const Rect ink = ink_of(read.drawing);
+  if (request.page) {
+    PageRequest wanted;
+    wanted.size = *request.page;
+    wanted.landscape = request.landscape;
+    wanted.portrait = request.portrait;
+    page = page_for(wanted, !request.scale && !ink.empty() ? ink : own.sheet());
+  } else if ((request.landscape && own.height_mm > own.width_mm) || (request.portrait && own.width_mm > own.height_mm)) {
+    std::swap(page.width_mm, page.height_mm);
+  }
+  if (!request.page && request.scale) {
+    page.width_mm *= *request.scale;
+    page.height_mm *= *request.scale;
+  }
+  page.margin_mm = request.margin_mm;
+  double scale = request.scale.value_or(1);
+  Rect from = own.sheet();
+  if (!request.scale && !ink.empty() && (ink.width() > 0 || ink.height() > 0)) {
+    const Rect area = page.drawable();
+    if (!(area.width() > 0 && area.height() > 0))
+      throw RequestError("margin", shortest(request.margin_mm) + " mm leaves nothing of the page");
+    from = ink;
+    const double across = ink.width() > 0 ? area.width() / ink.width() : area.height() / ink.height();
+    const double down = ink.height() > 0 ? area.height() / ink.height() : across;
+    scale = std::min(across, down);
+  }
+  transform(read.drawing, scale, page.sheet().max * 0.5 - (from.min + from.max) * (0.5 * scale));
+  read.page = page;
+  return scale;
+}
+
+std::string times(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+void warn_of_left_out(const PlotDrawingRequest& request, const std::string& name, const ReadDrawing& read, RunReport& run) {
+  const auto warn = [&](std::string text) { run.warnings.push_back({name, std::move(text)}); };
+  for (const auto& [kind, count] : read.left_out) warn(std::to_string(count) + " times " + kind + " left out, as asked");
+  if (!read.omitted.empty()) {
+    const std::string place =
+        read.first_omitted_line > 0 ? "; the first in line " + std::to_string(read.first_omitted_line) : "";
+    if (read.drawing.layers.empty())
+      throw std::runtime_error(message_line(name + ": nothing is left to draw; " + read.omitted.text() + place));
+    warn(read.omitted.text() + place);
+  }
+  if (read.size_assumed) warn("tells no size: taken as 1000 px where it does not, 264.58 mm");
+  if (!read.paper_of_view_box.empty()) {
+    const std::string dpi = shortest(read.paper_dpi);
+    warn("tells no size; its viewBox is a paper (" + read.paper_of_view_box + ") at " + dpi + " dpi, and is taken at " +
+         shortest(request.reading.px_per_inch) + ": --input-dpi " + dpi + " gives that paper");
+  }
+  if (read.outlined > 0 && !request.fills) {
+    warn(times(read.outlined, "filled area is", "filled areas are") +
+         " drawn by the outline; --fill hatch fills, --skip fill leaves out, --fill outline is silent");
+  }
+  if (read.simplified_paints > 0) {
+    warn(times(read.simplified_paints, "gradient or pattern is", "gradients and patterns are") + " drawn in one colour");
+  }
+  if (read.boxes > 0) warn(times(read.boxes, "character is", "characters are") + " not in the font: drawn as boxes");
+  if (read.drawing.layers.empty()) warn("there is no stroke in the drawing");
+}
+
+/// A pen that no line takes is an error where the name can not be that of a layer of ours (check_pens), and is warned of
+/// otherwise. A file of pens may name all layers there are; names on the command line mean this drawing.
+void warn_of_absent_layers(const PlotDrawingRequest& request, const Drawing& drawing, RunReport& run) {
+  for (const std::string& text :
+       {absent_pen_layers(request.plotter.asked_pens, drawing), absent_width_layers(request.widths_mm, drawing)}) {
+    if (!text.empty()) run.warn(text);
+  }
+}
+
+/// The drawing in its place. Strokes that fill an area lie as far apart as the pen is wide on the drawing as it comes out,
+/// so its scale must be known before.
+ReadDrawing placed_drawing(const PlotDrawingRequest& request, const DrawingText& drawing, double hatch_pen_mm,
+                           RunReport& run) {
+  const double pen_mm = request.pen_width_mm.value_or(kPenWidthMm);
+  const FillReading::How how =
+      request.fills.value_or(request.hatches_given ? FillReading::How::hatch : FillReading::How::outline);
+  FillReading fills{how, pen_mm, request.occlude, request.own_layer, request.hatches};
+  double scale = request.scale.value_or(1);
+  if (!request.scale && how == FillReading::How::hatch) {
+    FillReading plain = fills;
+    plain.how = FillReading::How::outline;
+    ReadDrawing contours = read_drawing(request, drawing, plain);
+    scale = place(request, contours);
+  }
+  if (begins_json(drawing.text)) fills.pen_width_mm = hatch_pen_mm;
+  fills.pen_width_mm /= scale;
+  if (fills.hatches.all.spacing_mm) *fills.hatches.all.spacing_mm /= scale;
+  for (auto& [name, spacing] : fills.hatches.spacing_mm_of) spacing /= scale;
+  ReadDrawing read = read_drawing(request, drawing, fills);
+  if (how == FillReading::How::hatch && begins_json(drawing.text)) {
+    try {
+      hatch_regions(read, fills);
+    } catch (const std::exception& e) {
+      throw std::runtime_error(drawing.name + ": " + e.what());
+    }
+  }
+  warn_of_left_out(request, drawing.name, read, run);
+  place(request, read);
+  if (request.pen_width_mm) {
+    for (Layer& layer : read.drawing.layers) layer.width_mm.reset();
+  }
+  return read;
+}
+
+/// Width of the pen that hatches the regions of a stored drawing.
+double hatch_pen_mm(const PlotDrawingRequest& request, const PenTable& pens) {
+  const double usual = layer_style("hatch", request.pen_width_mm.value_or(kPenWidthMm), false).width_mm;
+  return pens.empty() ? usual : pens.pen(pens.pen_of("hatch", "")).width_mm.value_or(usual);
+}
+
+/// Layers of an SVG without layers are named by their colours.
+LineStyle style_of_layer(const std::string& layer, double pen_width_mm, bool hidden_solid) {
+  LineStyle style = layer_style(layer, pen_width_mm, hidden_solid);
+  if (!layer.starts_with('#')) return style;
+  try {
+    style.color = parse_color(layer);
+  } catch (const std::invalid_argument&) {
+    // A layer that only looks like a colour is drawn in black.
+  }
+  return style;
+}
+
+/// A picture of one sheet.
+Picture write_sheet(const Drawing& drawing, const Page& page, bool dashes_cut, const PlotDrawingRequest& request,
+                    const PlotterRequest& plotter, PdfDocument* pages, RunReport& run) {
+  if (request.format == OutputFormat::png) check_png(page, request.dpi, request.memory);
+  PlotOptions style;
+  style.page = page;
+  style.pen_width_mm = request.pen_width_mm.value_or(kPenWidthMm);
+  style.widths_mm = request.widths_mm;
+  style.hidden_solid = dashes_cut;
+  style.dpi = request.dpi;
+  style.curves = request.curves;
+  style.starts_stay = plotter.by_pens();
+  // Curves rise this far over the chords that reading and simplifying made of them; a polygon of the file rises more.
+  style.curve_rise_mm = svg::kFlatnessMm + plotter.tolerances.simplify_mm;
+  style.style = [&](const std::string& layer) { return style_of_layer(layer, style.pen_width_mm, style.hidden_solid); };
+  return timed(run.stages, "write",
+               [&] { return write_picture(drawing, style, plotter, request.format, run, nullptr, pages); });
+}
+
+/// Layers of one name follow each other, and those that look alike are one.
+void add_drawing(Drawing& sheet, Drawing drawing, Point2 shift) {
+  for (Layer& layer : drawing.layers) {
+    for (Point2& p : layer.lines.points) p += shift;
+    const auto same_name = [&](const Layer& other) { return other.name == layer.name; };
+    const auto alike = std::ranges::find_if(sheet.layers, [&](const Layer& other) {
+      return same_name(other) && other.material == layer.material && other.shade == layer.shade &&
+             other.object == layer.object && other.color == layer.color && other.width_mm == layer.width_mm;
+    });
+    if (alike != sheet.layers.end()) {
+      append(alike->lines, layer.lines);
+      continue;
+    }
+    const auto last = std::find_if(sheet.layers.rbegin(), sheet.layers.rend(), same_name);
+    sheet.layers.insert(last == sheet.layers.rend() ? sheet.layers.end() : last.base(), std::move(layer));
+  }
+}
+
+/// Each drawing in the middle of its cell. Those of a true scale are all made smaller alike where one is larger.
+ReadDrawing drawings_in_grid(std::span<const DrawingText> drawings, const PlotDrawingRequest& request, double pen_mm,
+                             RunReport& run) {
+  const auto [columns, rows] = *request.grid;
+  if (drawings.size() > std::size_t{columns} * rows)
+    throw RequestError(
+        "grid", "has " + std::to_string(columns * rows) + " cells for " + std::to_string(drawings.size()) + " drawings");
+  std::vector<Page> pages;
+  for (const DrawingText& drawing : drawings) {
+    if (begins_json(drawing.text) != begins_json(drawings.front().text))
+      throw RequestError("grid", "an SVG and a ligne-drawing do not go on one sheet");
+    pages.push_back(read_drawing(request, drawing, {FillReading::How::outline}).page);
+  }
+  ReadDrawing sheet;
+  sheet.page = pages.front();
+  if (request.page) {
+    PageRequest wanted;
+    wanted.size = *request.page;
+    wanted.landscape = request.landscape;
+    wanted.portrait = request.portrait;
+    const Point2 mosaic{columns * pages.front().width_mm, rows * pages.front().height_mm};
+    sheet.page = page_for(wanted, {{0, 0}, mosaic});
+  }
+  sheet.page.margin_mm = request.margin_mm;
+  const Rect area = sheet.page.drawable();
+  const Point2 cell{(area.width() - (columns - 1) * request.margin_mm) / columns,
+                    (area.height() - (rows - 1) * request.margin_mm) / rows};
+  if (!(cell.x > 0 && cell.y > 0))
+    throw RequestError("margin", shortest(request.margin_mm) + " mm leaves nothing of the cells");
+  PlotDrawingRequest in_cell = request;
+  in_cell.margin_mm = 0;
+  in_cell.landscape = in_cell.portrait = false;
+  in_cell.page = PageSize{{}, true};
+  in_cell.page->page.width_mm = cell.x;
+  in_cell.page->page.height_mm = cell.y;
+  if (request.scale) {
+    for (const Page& own : pages) in_cell.scale = std::min({*in_cell.scale, cell.x / own.width_mm, cell.y / own.height_mm});
+  }
+  for (std::size_t i = 0; i < drawings.size(); ++i) {
+    ReadDrawing read = placed_drawing(in_cell, drawings[i], pen_mm, run);
+    sheet.dashes_cut = read.dashes_cut;
+    const std::size_t row = i / columns, column = i % columns;
+    const Point2 place{static_cast<double>(column) * (cell.x + request.margin_mm),
+                       static_cast<double>(row) * (cell.y + request.margin_mm)};
+    add_drawing(sheet.drawing, std::move(read.drawing), area.min + place);
+  }
+  return sheet;
+}
+
+/// The sheets of a large page, as files or as pages.
+Picture write_tiles(const ReadDrawing& read, const PlotDrawingRequest& request, const PlotterRequest& plotter,
+                    bool tile_files, RunReport& run) {
+  PageRequest wanted;
+  wanted.size = *request.tile;
+  wanted.landscape = request.landscape;
+  wanted.portrait = request.portrait;
+  Page paper = page_for(wanted, read.page.sheet());
+  paper.margin_mm = request.margin_mm;
+  const double smaller = std::min(paper.drawable().width(), paper.drawable().height());
+  if (!(smaller > request.overlap_mm))
+    throw RequestError("overlap", shortest(request.overlap_mm) + " mm and the margins leave nothing of the paper");
+  std::optional<PdfDocument> pages;
+  if (request.format == OutputFormat::pdf && !tile_files) pages.emplace();
+  Picture all;
+  for (const Tile& tile : cut_into_tiles(read.drawing, read.page, paper, request.overlap_mm)) {
+    Picture sheet = write_sheet(tile.drawing, paper, read.dashes_cut, request, plotter, pages ? &*pages : nullptr, run);
+    all.plotter_report += sheet.plotter_report;
+    if (!pages) all.parts.push_back({std::move(sheet.bytes), static_cast<unsigned>(tile.number), 0});
+  }
+  if (pages) all.bytes = pages->finish();
+  return all;
+}
+
+}  // namespace
+
+DrawingText read_drawing_text(const std::string& file, InputFiles& opened) {
+  const std::vector<std::byte> bytes = read_named_input(file, opened, kMostBytes);
+  return {shown_input(file), std::string(as_characters(bytes))};
+}
+
+bool is_svg(const DrawingText& drawing) { return !begins_json(drawing.text); }
+
+void check(const PlotDrawingRequest& request) {
+  if (request.format == OutputFormat::json) throw RequestError("format", "plot writes svg, pdf, png, hpgl or gcode");
+  if (!request.tile) return;
+  const PlotterRequest& plotter = request.plotter;
+  if (plotter.parts.asked())
+    throw RequestError("tile", "does not go with --split, --every, --from-stroke, --from-time or %p");
+  if (plotter.preview) throw RequestError("preview", "is of one sheet");
+}
+
+Picture plot_drawings(std::span<const DrawingText> drawings, const PlotDrawingRequest& request, bool tile_files,
+                      RunReport& run) {
+  check(request);
+  if (drawings.size() > 1 && !request.grid)
+    throw RequestError("", "several drawings go on one sheet with --grid CxR, such as 2x2");
+  PlotterRequest plotter = request.plotter;
+  plotter.fit_drawing = !request.scale;
+  if (!plotter.by_pens() && !plotter.optimize) plotter.optimize = Optimize::join;
+  const double pen_mm = hatch_pen_mm(request, plotter.pens);
+  const ReadDrawing read = timed(run.stages, {"read", printable(drawings.front().name, kLongestPath)}, [&] {
+    return request.grid ? drawings_in_grid(drawings, request, pen_mm, run)
+                        : placed_drawing(request, drawings.front(), pen_mm, run);
+  });
+  check_pens(plotter.asked_pens, read.drawing);
+  warn_of_absent_layers(request, read.drawing, run);
+  plotter.asked_pens = {};  // a single sheet need not have them all
+  if (request.tile) return write_tiles(read, request, plotter, tile_files, run);
+  return write_sheet(read.drawing, read.page, read.dashes_cut, request, plotter, nullptr, run);
+}
+
+}  // namespace ligne

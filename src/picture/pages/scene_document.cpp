@@ -1,0 +1,90 @@
+#include "picture/pages/scene_document.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "picture/drawn_scene.hpp"
+#include "picture/fills.hpp"
+#include "picture/light/seen_through.hpp"
+#include "picture/parts.hpp"
+#include "scene/clean/named_objects.hpp"
+#include "view/brightness.hpp"
+
+namespace ligne {
+namespace {
+
+/// The looks of regions in a file, so that they can be filled and hatched from it.
+std::vector<RegionAppearance> looks_of(const PreparedScene& prepared, const std::vector<Region>& regions,
+                                       const HatchPatches& patches) {
+  const FaceLight light(prepared.scene, prepared.view().camera, prepared.lights);
+  std::vector<RegionAppearance> looks;
+  for (const Region& region : regions) {
+    const Material material = material_of(prepared.scene, region);
+    RegionAppearance& look = looks.emplace_back();
+    look.light = std::clamp(light.of(region.face, region.lights, region.light_shares), 0.0, 1.0);
+    look.color = {material.color.x, material.color.y, material.color.z};
+    look.patch = patches.of_face[region.face];
+    look.material = material.name;
+  }
+  return looks;
+}
+
+/// Members that each kind of surface has, as docs/drawing-format.md says.
+DocumentSurface document_surface(const FoundSurface& found) {
+  const PatchSurface& surface = found.surface;
+  DocumentSurface to;
+  to.kind = kSurfaceKindNames[static_cast<std::size_t>(surface.kind)];
+  to.at = surface.at;
+  if (found.has_axis()) to.axis = surface.axis;
+  to.radius = surface.radius;
+  if (surface.kind == SurfaceKind::cone) to.slope = surface.slope;
+  if (surface.kind == SurfaceKind::torus) to.tube = surface.tube;
+  if (found.has_length()) {
+    to.along = found.along;
+    to.turn = found.turn;
+  }
+  to.outward = found.outward;
+  to.sag = found.sag;
+  to.faces = found.faces;
+  to.object = found.object;
+  return to;
+}
+
+}  // namespace
+
+std::string scene_json(const DrawnScene& drawn, const PlotOptions& plot) {
+  const PreparedScene& prepared = drawn.prepared();
+  const SceneVisibility& found = drawn.visibility();
+  const VisibilityResult& result = found.result;
+  const View& view = prepared.view();
+  DrawingDocument document;
+  document.strokes = &*result.strokes;
+  document.regions = result.regions ? &*result.regions : nullptr;
+  if (result.regions) {
+    document.region_looks = looks_of(prepared, *result.regions, drawn.patches());
+    document.seen_through = seen_through(prepared.scene, *result.regions, result.strokes->lattice);
+  }
+  document.order = result.order ? &*result.order : nullptr;
+  document.spans = result.spans ? &*result.spans : nullptr;
+  document.debug = result.debug.empty() ? nullptr : &result.debug;
+  document.source = [&](std::uint32_t source) { return found.source(prepared.scene, source); };
+  const ObjectOfFace object_of(prepared.scene);
+  if (prepared.request.output.group_objects) {
+    document.objects = object_names(prepared.scene);
+    document.object = [&](std::uint32_t source) { return object_of(found.source(prepared.scene, source).faces[0]); };
+  }
+  FoundSurfaces surfaces = drawn.surfaces();
+  std::ranges::transform(surfaces.list, std::back_inserter(document.surfaces), document_surface);
+  document.surface_of_face = std::move(surfaces.of_face);
+  document.model_to_page = view.model_to_page;
+  document.perspective = view.camera.perspective;
+  document.window = view.window;
+  document.near_distance = view.near_distance;
+  document.method = found.method->traits().name;
+  document.statistics = result.statistics;
+  return write_json(document, plot);
+}
+
+}  // namespace ligne

@@ -1,0 +1,172 @@
+#include "picture/prepared_scene.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "picture/clear/clear_creases.hpp"
+#include "picture/culling.hpp"
+#include "picture/light/lighting.hpp"
+#include "picture/line_groups.hpp"
+#include "picture/marks/point_marks.hpp"
+#include "picture/products.hpp"
+#include "view/tolerances.hpp"
+#include "visibility/registry.hpp"
+
+namespace ligne {
+namespace {
+
+/// The outlines of a mesh that is drawn itself, edge by edge, are its own.
+bool draws_contours(const LineRequest& lines) {
+  return lines.quality == Quality::clear && lines.studied().has(LineClass::outline) && !lines.classes.has(LineClass::mesh);
+}
+
+std::string faces_text(const Scene& scene) {
+  return std::to_string(scene.faces.size()) + " faces, " + std::to_string(scene.vertices.size()) + " vertices";
+}
+
+/// The least memory of a scene: a place on the page for each vertex, and a triangle for each face.
+double least_bytes(const Scene& scene) {
+  return static_cast<double>(scene.vertices.size() * sizeof(ProjectedScene::vertices[0]) +
+                             scene.faces.size() * sizeof(Topology::triangles[0]));
+}
+
+std::vector<std::uint32_t> edge_ends_of_objects(const Scene& scene, const Topology& topology) {
+  std::vector<std::uint32_t> ends;
+  ends.reserve(scene.objects.size());
+  for (const Object& object : scene.objects) {
+    const auto end = std::ranges::lower_bound(topology.edges, object.vertex_end, {}, &Edge::v0);
+    ends.push_back(static_cast<std::uint32_t>(end - topology.edges.begin()));
+  }
+  return ends;
+}
+
+/// Adjustable: facets of more triangles wait for the study, when the topology, which takes twice their memory, is gone.
+constexpr std::size_t kMostEarlyFacets = 2'000'000;
+
+/// Places the scene on the page, and finds the contours in place of outlines beside that. These depend on the outlines that
+/// are candidates, nearly all of which are still there when the scene has been placed; where some are not, the contours are
+/// found once more.
+SmoothContours place_with_contours(PreparedScene& prepared, const Creases& creases, RunReport& run) {
+  const Scene& scene = prepared.scene;
+  const Topology& topology = prepared.topology;
+  ProjectedScene& projected = prepared.projected;
+  const bool with_contours = draws_contours(prepared.request.lines);
+  std::vector<std::uint32_t> outlines;
+  if (with_contours) outlines = outline_edges(topology, projected);
+  const ContourOptions options = contour_options(prepared.request, creases);
+  // The method begins with them, and they have nothing to do with lines.
+  const bool makes_facets = with_contours && !prepared.request.lines.cull && &prepared.method == &default_method() &&
+                            topology.triangles.size() <= kMostEarlyFacets;
+  OutlinePatch patch;
+  parallel_tasks(with_contours ? 2 : 1, [&](std::size_t task) {
+    if (task == 0) {
+      place_on_page(scene, topology, projected);
+    } else {
+      patch = patch_of_outlines(scene, topology, projected.view.camera, outlines, options.borders);
+    }
+  });
+  // Facets come second, beside what one thread does: so both threads end the patch.
+  OutlineReplacement replacement;
+  parallel_tasks(with_contours ? 2 : 0, [&](std::size_t task) {
+    if (task == 0) {
+      if (makes_facets) prepared.facets = make_facets(projected, coincidence_mm(projected) / projected.lattice.step_mm);
+    } else {
+      replacement = replacement_of(scene, topology, projected, std::move(patch), options);
+    }
+  });
+  if (prepared.request.lines.cull) prepared.back_faces = cull_back_faces(scene, topology, projected, run);
+  if (!with_contours) return {};
+  if (outline_edges(topology, projected) != outlines) return replace_outlines(scene, topology, projected, options);
+  return replace_outlines(topology, projected, std::move(replacement));
+}
+
+/// The creases of the mesh, the lines along fillets that are drawn for this view, and the edges that are candidates,
+/// projected. The lines go to `tangents`.
+Creases select_lines(PreparedScene& prepared, std::vector<ShapeLine>& tangents, RunReport& run) {
+  const LineRequest& lines = prepared.request.lines;
+  Creases creases;
+  const EdgeSelection selection = select_edges(prepared.scene, prepared.topology, lines, lines.studied(), creases, run);
+  leave_out_walls_behind(prepared.scene, prepared.topology, prepared.view().camera, creases);
+  tangents = choose_tangent_lines(prepared.scene, prepared.topology, prepared.request, prepared.view(), creases);
+  prepared.projected = select_candidates(prepared.scene, prepared.topology, prepared.view(), selection);
+  return creases;
+}
+
+/// Lines along fillets, and those of the shape that are asked for.
+void add_lines_of_shape(PreparedScene& prepared, std::vector<ShapeLine> lines, const Creases& creases) {
+  const LineClasses& classes = prepared.request.lines.classes;
+  if (has_shape_lines(classes)) {
+    const std::vector<ShapeLine> more = find_shape_lines(prepared.scene, prepared.topology, prepared.view(), classes,
+                                                         contour_options(prepared.request, creases));
+    lines.insert(lines.end(), more.begin(), more.end());
+  }
+  if (!lines.empty()) prepared.shape_lines = add_shape_lines(prepared.projected, std::move(lines));
+}
+
+/// Scans and surfaces are looked at again when lines are cleaned and written; free forms are not.
+void keep_surfaces(PreparedScene& prepared, Creases creases) {
+  prepared.scans = std::move(creases.scans);
+  if (creases.patches.list.empty()) return;
+  prepared.patches = std::move(creases.patches);
+  prepared.patches.is_freeform = {};
+  prepared.patches.borders = {};
+}
+
+/// Lines that are no edges of the scene: curves and marked points, details of faces, axes.
+void add_other_lines(PreparedScene& prepared) {
+  ProjectedScene& projected = prepared.projected;
+  const PictureRequest& request = prepared.request;
+  std::vector<std::array<Point3, 2>> lines;
+  if (request.groups) {
+    for (const SpaceLine& line : request.groups->lines) lines.push_back(line.ends);
+    add_lines(projected, lines, LineClass::curve);
+    prepared.first_probe = projected.source_count;
+    add_lines(projected, probes_of(request.groups->points, prepared.view()), LineClass::curve);
+  }
+  prepared.first_detail = projected.source_count;
+  if (request.lines.classes.has(LineClass::detail)) {
+    prepared.details = detail_lines(prepared.scene);
+    lines.clear();
+    for (const DetailLine& line : prepared.details) lines.push_back(line.ends);
+    add_lines(projected, lines, LineClass::detail);
+  }
+  add_lines(projected, all_lines(prepared.around), LineClass::axes);
+}
+
+}  // namespace
+
+ContourOptions contour_options(const PictureRequest& request, const Creases& creases) {
+  const RegionBorders borders{request.lines.crease_degrees, creases.lines.empty() ? nullptr : &creases.lines,
+                              creases.patches.list.empty() ? nullptr : &creases.patches};
+  return {borders, creases.scans, request.page.pen_width_mm};
+}
+
+PreparedScene prepare(const Scene& scene, PictureRequest asked, const std::optional<PlotBox>& box, RunReport& run,
+                      std::optional<Topology> topology) {
+  const Method& method = method_of(asked);
+  PreparedScene prepared{scene, std::move(asked), method, {}, {}, {}, {}, {}};
+  const PictureRequest& request = prepared.request;
+  run.method = method.traits().name;
+  const std::string faces = faces_text(scene);
+  request.memory.require(least_bytes(scene), {"project", faces});
+  prepared.topology =
+      timed(run.stages, {"topology", faces}, [&] { return topology ? std::move(*topology) : build_topology(scene); });
+  timed(run.stages, {"project", faces}, [&] {
+    prepared.around =
+        place_with_axes(box, scene, camera_of(request.view, scene), request.page, request.axes, request.heading);
+    std::vector<ShapeLine> tangents;
+    Creases creases = select_lines(prepared, tangents, run);
+    prepared.contours = place_with_contours(prepared, creases, run);
+    add_lines_of_shape(prepared, std::move(tangents), creases);
+    keep_surfaces(prepared, std::move(creases));
+    prepared.object_edge_ends = edge_ends_of_objects(scene, prepared.topology);
+    add_other_lines(prepared);
+  });
+  prepared.lights = lights_of(request, scene);
+  return prepared;
+}
+
+}  // namespace ligne

@@ -1,0 +1,39 @@
+#include "picture/products.hpp"
+
+#include "visibility/registry.hpp"
+
+namespace ligne {
+
+const Method& method_of(const PictureRequest& request) {
+  if (request.lines.method) return *request.lines.method;
+  return asks_for_regions(request) ? region_method() : default_method();
+}
+
+bool asks_for_regions(const PictureRequest& request) {
+  return request.regions || request.fill.asked() || request.hatch.asked() || request.lines.classes.has(LineClass::shadow);
+}
+
+bool hatches_regions(const PictureRequest& request, const Method& method) {
+  return request.hatch.asked() && (method.traits().products & kRegions);
+}
+
+bool paints_in_order(const PictureRequest& request, const Method& method) {
+  const std::uint8_t products = method.traits().products;
+  return request.fill.kind != FillKind::none && request.fill.lights.empty() && (products & kOrder);
+}
+
+std::uint8_t wanted_products(const PictureRequest& request, const Method& method) {
+  if (request.output.format == OutputFormat::json) return 0xff & ~kPixels;
+  std::uint8_t wanted = kStrokes;
+  if (request.gray_faces) wanted |= kSpans | kPixels;
+  if (wants_regions(request, method)) wanted |= kRegions;
+  if (paints_in_order(request, method)) wanted |= kOrder;
+  return wanted;
+}
+
+bool wants_regions(const PictureRequest& request, const Method& method) {
+  return request.regions || (request.fill.asked() && !paints_in_order(request, method)) ||
+         hatches_regions(request, method) || request.lines.classes.has(LineClass::shadow);
+}
+
+}  // namespace ligne

@@ -1,0 +1,97 @@
+#include "scene/readers/gltf/gltf_draco.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+#include "scene/model/diagnostics.hpp"
+#include "scene/readers/gltf/gltf_extensions.hpp"
+
+#ifdef LIGNE_HAVE_DRACO
+#include <draco/compression/decode.h>
+#include <draco/core/decoder_buffer.h>
+#include <draco/mesh/mesh.h>
+#endif
+
+namespace ligne {
+
+#ifdef LIGNE_HAVE_DRACO
+
+namespace {
+
+std::unique_ptr<draco::Mesh> decode_mesh(std::span<const std::byte> bytes, std::string& cause) {
+  draco::DecoderBuffer buffer;
+  buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  draco::Decoder decoder;
+  try {
+    auto result = decoder.DecodeMeshFromBuffer(&buffer);
+    if (result.ok()) return std::move(result).value();
+    cause = "broken (" + result.status().error_msg_string() + ")";
+  } catch (const std::bad_alloc&) {
+    cause = "broken, or needs more memory than there is";
+  } catch (const std::length_error&) {
+    cause = "broken, or needs more memory than there is";
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+DracoMesh decode_draco(std::span<const std::byte> bytes, const std::map<std::string, int>& ids, const std::string& name,
+                       const std::string& place) {
+  const auto fail = [&](const std::string& cause) { throw InputError(name, place + ": its Draco mesh is " + cause); };
+  std::string cause;
+  const std::unique_ptr<draco::Mesh> mesh = decode_mesh(bytes, cause);
+  if (!mesh) fail(cause);
+  const draco::PointAttribute* attribute = mesh->GetAttributeByUniqueId(static_cast<std::uint32_t>(ids.at("POSITION")));
+  if (!attribute || attribute->num_components() != 3) fail("without positions");
+
+  DracoMesh out;
+  const std::uint32_t points = mesh->num_points();
+  out.positions.resize(points);
+  for (std::uint32_t i = 0; i < points; ++i) {
+    Point3& p = out.positions[i];
+    if (!attribute->ConvertValue<double, 3>(attribute->mapped_index(draco::PointIndex(i)), &p.x)) fail("broken (positions)");
+    const double most = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) fail("broken (a position is not finite)");
+    out.largest = std::max(out.largest, most);
+  }
+  for (const auto& [key, id] : ids) {
+    if (key == "POSITION") continue;
+    const draco::PointAttribute* joints = mesh->GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
+    if (!joints || joints->num_components() != 4) fail("without " + key);
+    std::vector<double>& values = out.joints[key];
+    values.resize(4 * std::size_t{points});
+    for (std::uint32_t i = 0; i < points; ++i) {
+      const bool good =
+          joints->ConvertValue<double, 4>(joints->mapped_index(draco::PointIndex(i)), &values[4 * std::size_t{i}]);
+      if (!good || !std::all_of(&values[4 * std::size_t{i}], &values[4 * std::size_t{i}] + 4,
+                                [](double v) { return std::isfinite(v); })) {
+        fail("broken (" + key + ")");
+      }
+    }
+  }
+  out.corners.reserve(3 * static_cast<std::size_t>(mesh->num_faces()));
+  for (std::uint32_t f = 0; f < mesh->num_faces(); ++f) {
+    for (const draco::PointIndex& corner : mesh->face(draco::FaceIndex(f))) {
+      if (corner.value() >= points) fail("broken (a corner names no point)");
+      out.corners.push_back(corner.value());
+    }
+  }
+  return out;
+}
+
+#else
+
+DracoMesh decode_draco(std::span<const std::byte>, const std::map<std::string, int>&, const std::string& name,
+                       const std::string& place) {
+  throw InputError(
+      name, place + ": needs the glTF extension " + kDracoExtension + ", and this program was built without libdraco");
+}
+
+#endif
+
+}  // namespace ligne

@@ -1,0 +1,145 @@
+#include "scene/readers/gltf/gltf_nodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "base/no_index.hpp"
+#include "scene/model/polygon_faces.hpp"
+#include "scene/readers/gltf/gltf_extensions.hpp"
+
+namespace ligne {
+namespace {
+
+std::string place_of(std::size_t node) { return "node " + std::to_string(node); }
+
+/// Linear part of a unit quaternion (x, y, z, w); one that is not quite of unit length is brought to it.
+glm::dmat3 rotation_matrix(const std::vector<double>& q) {
+  double x = q[0], y = q[1], z = q[2], w = q[3];
+  const double length = std::sqrt(x * x + y * y + z * z + w * w);
+  if (!(length > 0)) return glm::dmat3(1);
+  x /= length, y /= length, z /= length, w /= length;
+  return {{1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)},
+          {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)},
+          {2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)}};
+}
+
+glm::dmat4 local_matrix(const tinygltf::Node& node) {
+  if (node.matrix.size() != 16) return matrix_of(node.translation, node.rotation, node.scale);
+  glm::dmat4 m(1);
+  for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
+  return m;
+}
+
+/// World matrices of all nodes, also of those that no scene names.
+std::vector<glm::dmat4> world_matrices(const std::vector<tinygltf::Node>& nodes, const std::vector<std::uint32_t>& parent) {
+  std::vector<glm::dmat4> to_world(nodes.size());
+  std::vector<std::size_t> stack;
+  for (std::size_t root = 0; root < nodes.size(); ++root) {
+    if (parent[root] == kNone) stack.push_back(root);
+    while (!stack.empty()) {
+      const std::size_t n = stack.back();
+      stack.pop_back();
+      const glm::dmat4 local = local_matrix(nodes[n]);
+      to_world[n] = parent[n] == kNone ? local : to_world[parent[n]] * local;
+      for (const int child : nodes[n].children) stack.push_back(static_cast<std::size_t>(child));
+    }
+  }
+  return to_world;
+}
+
+/// Parent of each node, kNone for roots; every node has one at most, and none is its own ancestor.
+std::vector<std::uint32_t> find_parents(const GltfDocument& document) {
+  const std::vector<tinygltf::Node>& nodes = document.model.nodes;
+  std::vector<std::uint32_t> parent(nodes.size(), kNone);
+  for (std::uint32_t n = 0; n < nodes.size(); ++n) {
+    for (const int child : nodes[n].children) {
+      std::uint32_t& of_child = parent[static_cast<std::size_t>(child)];
+      if (static_cast<std::uint32_t>(child) == n) document.fail(place_of(n), "is its own child");
+      if (of_child != kNone) {
+        document.fail(place_of(static_cast<std::size_t>(child)),
+                      "is a child twice, of node " + std::to_string(of_child) + " and of node " + std::to_string(n));
+      }
+      of_child = n;
+    }
+  }
+  // Climbs from each node until a node that is known to have a root above it.
+  std::vector<std::uint32_t> climbed_from(nodes.size(), kNone);
+  for (std::uint32_t n = 0; n < nodes.size(); ++n) {
+    for (std::uint32_t at = n; at != kNone && climbed_from[at] == kNone; at = parent[at]) {
+      climbed_from[at] = n;
+      if (parent[at] != kNone && climbed_from[parent[at]] == n) document.fail(place_of(parent[at]), "is its own ancestor");
+    }
+  }
+  return parent;
+}
+
+}  // namespace
+
+glm::dmat4 matrix_of(const std::vector<double>& translation, const std::vector<double>& rotation,
+                     const std::vector<double>& scale) {
+  glm::dmat4 m(1);
+  const glm::dmat3 turn = rotation.size() == 4 ? rotation_matrix(rotation) : glm::dmat3(1);
+  for (int i = 0; i < 3; ++i) {
+    m[i] = glm::dvec4(turn[i] * (scale.size() == 3 ? scale[static_cast<std::size_t>(i)] : 1.0), 0);
+    if (translation.size() == 3) m[3][i] = translation[static_cast<std::size_t>(i)];
+  }
+  return m;
+}
+
+GltfNodes list_nodes(const GltfDocument& document) {
+  const tinygltf::Model& model = document.model;
+  const std::vector<std::uint32_t> parent = find_parents(document);
+  struct Visit {
+    std::size_t node;
+    bool is_hidden;
+  };
+  std::vector<Visit> stack;
+  if (model.defaultScene >= 0) {
+    for (const int root : model.scenes[static_cast<std::size_t>(model.defaultScene)].nodes) {
+      stack.push_back({static_cast<std::size_t>(root), false});
+    }
+  } else {
+    for (std::size_t n = 0; n < parent.size(); ++n) {
+      if (parent[n] == kNone) stack.push_back({n, false});
+    }
+  }
+  std::reverse(stack.begin(), stack.end());
+  std::vector<std::uint8_t> visited(model.nodes.size(), 0);
+  GltfNodes found;
+  found.to_world = world_matrices(model.nodes, parent);
+  while (!stack.empty()) {
+    const Visit visit = stack.back();
+    stack.pop_back();
+    // Parents are unique, so only a scene that names a node twice, or a node and an ancestor of it, comes here again.
+    if (visited[visit.node]) document.fail(place_of(visit.node), "is in the scene twice");
+    visited[visit.node] = 1;
+    const tinygltf::Node& node = model.nodes[visit.node];
+    const glm::dmat4& to_world = found.to_world[visit.node];
+    const bool is_hidden = visit.is_hidden || node.extensions.contains(kVisibilityExtension);
+    if (node.mesh >= 0 && !is_hidden) found.instances.push_back({visit.node, static_cast<std::size_t>(node.mesh), to_world});
+    const auto camera = static_cast<std::size_t>(node.camera);
+    if (node.camera >= 0 && camera < model.cameras.size()) found.cameras.push_back({visit.node, camera, to_world});
+    for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
+      stack.push_back({static_cast<std::size_t>(*child), is_hidden});
+    }
+  }
+  return found;
+}
+
+double largest_stretch(const glm::dmat4& matrix) {
+  // Largest eigenvalue of the symmetric matrix A^T A in closed form (Smith, "Eigenvalues of a symmetric 3 x 3 matrix",
+  // 1961).
+  const glm::dmat3 a(matrix);
+  const glm::dmat3 s = glm::transpose(a) * a;
+  const double mean = (s[0][0] + s[1][1] + s[2][2]) / 3;
+  const double off = s[0][1] * s[0][1] + s[0][2] * s[0][2] + s[1][2] * s[1][2];
+  const double x = s[0][0] - mean, y = s[1][1] - mean, z = s[2][2] - mean;
+  const double p = std::sqrt((x * x + y * y + z * z + 2 * off) / 6);
+  if (!(p > 0) || !std::isfinite(p)) return std::sqrt(mean);
+  const double r = std::clamp(glm::determinant((s - glm::dmat3(mean)) / p) / 2, -1.0, 1.0);
+  return std::sqrt(mean + 2 * p * std::cos(std::acos(r) / 3));
+}
+
+}  // namespace ligne

@@ -1,0 +1,184 @@
+#include "scene/readers/obj/obj_statements.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "base/no_index.hpp"
+#include "scene/creases/file_shading.hpp"
+#include "scene/model/precision.hpp"
+#include "scene/readers/obj/obj_tags.hpp"
+
+namespace ligne {
+namespace {
+
+/// Statements that say how a surface is shaded or shown, or stand beside the faces: nothing is lost without them.
+constexpr std::array<std::string_view, 15> kPassedOver{"vt",    "vn",     "vp",       "s",          "mg",
+                                                       "lod",   "bevel",  "c_interp", "d_interp",   "ctech",
+                                                       "stech", "usemap", "maplib",   "shadow_obj", "trace_obj"};
+
+/// Zero when they are none: normals only say how a surface is shaded.
+Point3 three_numbers(std::string_view rest) {
+  Point3 numbers(0);
+  for (int k = 0; k < 3; ++k) {
+    const std::optional<double> value = number_in(take_word(rest));
+    if (!value) return Point3(0);
+    numbers[k] = *value;
+  }
+  return numbers;
+}
+
+bool is_corner(std::string_view word) {
+  for (int part = 0; part < 3; ++part) {
+    const std::size_t slash = word.find('/');
+    const std::string_view index = word.substr(0, slash);
+    const std::optional<std::int64_t> value = parse_integer(index);
+    const bool in_range = value && *value >= -std::numeric_limits<int>::max() && *value <= std::numeric_limits<int>::max();
+    if (!in_range && (part == 0 || !index.empty())) return false;
+    if (slash == std::string_view::npos) return true;
+    word.remove_prefix(slash + 1);
+  }
+  return false;
+}
+
+}  // namespace
+
+ObjStatements::int_type ObjStatements::underflow() {
+  while (!error_ && take_statement()) {
+    if (!delivered() || error_) continue;
+    statement_ += '\n';
+    setg(statement_.data(), statement_.data(), statement_.data() + statement_.size());
+    return traits_type::to_int_type(statement_[0]);
+  }
+  return traits_type::eof();
+}
+
+/// A backslash at the end continues a line, but not where it ends a name, as that of a folder of Windows, or a comment.
+bool ObjStatements::continues(std::string_view line) {
+  if (line.empty() || line.back() != '\\') return false;
+  std::string_view rest = trimmed(line);
+  if (rest[0] == '#') return false;
+  const std::string_view keyword = take_word(rest);
+  const bool names = keyword == "usemtl" || keyword == "mtllib" || keyword == "o" || keyword == "g" || keyword == "usemap";
+  if (!names || rest.size() < 2 || is_blank(rest[rest.size() - 2])) return true;
+  warnings_.add("names that end in a backslash taken as they are");
+  return false;
+}
+
+bool ObjStatements::take_statement() {
+  std::string_view line;
+  if (!lines_.next(line)) return false;
+  line_ = lines_.number();
+  if (!continues(line)) {
+    whole_ = line;
+    return true;
+  }
+  joined_.clear();
+  while (!line.empty() && line.back() == '\\') {
+    joined_.append(line.substr(0, line.size() - 1)).append(1, ' ');
+    if (!lines_.next(line)) {
+      fail("the file ends in a continued line");
+      return false;
+    }
+  }
+  joined_.append(line);
+  whole_ = joined_;
+  return true;
+}
+
+bool ObjStatements::delivered() {
+  std::string_view rest = trimmed(whole_);
+  if (rest.empty() || rest[0] == '#') return false;
+  statement_ = rest;
+  const std::string_view keyword = take_word(rest);
+  if (keyword == "v") {
+    add_vertex(rest);
+    return false;
+  }
+  if (with_shading_ && keyword == "vn") {
+    normals_.push_back(packed_direction(three_numbers(rest)));
+    return false;
+  }
+  if (with_shading_ && keyword == "s") {
+    const std::optional<std::int64_t> group = parse_integer(take_word(rest));  // or "off"
+    group_ = group && *group > 0 && *group < kNone ? static_cast<std::uint32_t>(*group) : 0;
+    return false;
+  }
+  if (keyword == "f" || keyword == "fo") {  // fo: faces of files before version 2
+    write_face(rest);
+    return true;
+  }
+  if (keyword == "g" || keyword == "o" || keyword == "usemtl") return take_name(keyword, rest);
+  if (keyword == "mtllib") {
+    libraries_.emplace_back(trimmed(rest));
+    return false;
+  }
+  std::string cause;
+  if (keyword == "t" && tags) {
+    take_tag(rest, *tags, warnings_, cause);
+    if (!cause.empty()) fail(cause);
+    return false;
+  }
+  if (!surfaces_.take(keyword, rest, vertices_.size(), cause)) leave_out(keyword);
+  if (!cause.empty()) fail(cause);
+  if (const std::optional<ObjPatch> patch = surfaces_.closed(); patch && on_patch) on_patch(*patch);
+  return false;
+}
+
+bool ObjStatements::take_name(std::string_view keyword, std::string_view rest) {
+  if (keyword == "g") {
+    std::string group(trimmed(rest).empty() ? "default" : trimmed(rest));
+    statement_ = "o " + group;
+    if (std::find(group_names_.begin(), group_names_.end(), group) == group_names_.end()) {
+      group_names_.push_back(std::move(group));
+    }
+    return groups_as_objects_ && !has_objects_;
+  }
+  has_objects_ = has_objects_ || keyword == "o";
+  // A tab after the keyword, or no name at all, would hide it from the library.
+  statement_.assign(keyword).append(1, ' ').append(trimmed(rest));
+  return true;
+}
+
+void ObjStatements::leave_out(std::string_view keyword) {
+  if (std::ranges::find(kPassedOver, keyword) != kPassedOver.end()) return;
+  if (keyword == "l") return warnings_.leave_out("lines (l)");
+  if (keyword == "p") return warnings_.leave_out("points (p)");
+  if (keyword == "t") return warnings_.leave_out("tags of subdivision (t), which --subdivide reads");
+  warnings_.leave_out("statements " + shown(keyword));
+}
+
+void ObjStatements::add_vertex(std::string_view rest) {
+  constexpr int kMostNumbers = 8;  // x y z, a weight or not, a colour with opacity or not
+  ObjVertex vertex;
+  std::optional<double> weight;
+  int n = 0;
+  for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
+    if (word[0] == '#') break;
+    const std::optional<double> value = number_in(word);
+    if (!value) return fail(shown(word) + " is not a coordinate of a vertex");
+    if (n < 3) {
+      vertex.position[n] = *value;
+      vertex.digits = std::max(vertex.digits, significant_digits(word));
+    }
+    if (n == 3) weight = *value;
+    if (++n > kMostNumbers) return fail("vertex with more than 8 numbers");
+  }
+  if (n < 3) return fail("vertex with " + std::to_string(n) + " coordinates, needs 3");
+  if (n == 4 || n == kMostNumbers) vertex.weight = *weight;
+  vertices_.push_back(vertex);
+}
+
+void ObjStatements::write_face(std::string_view words) {
+  statement_.assign(1, 'f');
+  words = words.substr(0, words.find('#'));
+  std::size_t corners = 0;
+  for (std::string_view word = take_word(words); !word.empty(); word = take_word(words)) {
+    if (!is_corner(word)) return fail(shown(word) + " is not a corner of a face (v, v/vt, v//vn or v/vt/vn)");
+    statement_.append(1, ' ').append(word);
+    ++corners;
+  }
+  if (corners < 3) fail("face with " + std::to_string(corners) + " corners, needs 3 or more");
+}
+
+}  // namespace ligne

@@ -1,0 +1,225 @@
+// libpng reports errors by longjmp: every function here that calls setjmp has no local variable with a destructor.
+
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <csetjmp>
+#include <cstring>
+#include <limits>
+
+#include "scene/readers/text_lines.hpp"
+#include "scene/surfaces/grids/grid_formats.hpp"
+#include "scene/surfaces/held_heights.hpp"
+#include "scene/surfaces/thinned_heights.hpp"
+
+namespace ligne {
+namespace {
+
+/// Deflate makes at most this many bytes of one.
+constexpr std::uint64_t kMostDeflated = 1032;
+
+class PngFile {
+ public:
+  PngFile(std::span<const std::byte> bytes, const std::string& name) : rest_(bytes), name_(name) {
+    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, [](png_structp, png_const_charp) {});
+    info_ = png_ ? png_create_info_struct(png_) : nullptr;
+    if (!info_) {
+      png_destroy_read_struct(&png_, nullptr, nullptr);
+      throw InputError(name_, "libpng can not be set up");
+    }
+    png_set_read_fn(png_, this, on_read);
+  }
+  ~PngFile() { png_destroy_read_struct(&png_, &info_, nullptr); }
+  PngFile(const PngFile&) = delete;
+  PngFile& operator=(const PngFile&) = delete;
+
+  void read_header() {
+    if (!try_header()) throw_error();
+  }
+  /// Prepares for rows of a byte a sample, or of two in the machine's order; returns the number of passes.
+  int begin_rows() {
+    if (!try_begin_rows()) throw_error();
+    return passes_;
+  }
+  void read_row(png_bytep row) {
+    if (!try_row(row)) throw_error();
+  }
+
+  std::size_t columns() const { return png_get_image_width(png_, info_); }
+  std::size_t rows() const { return png_get_image_height(png_, info_); }
+  int bit_depth() const { return png_get_bit_depth(png_, info_); }
+  int color_type() const { return png_get_color_type(png_, info_); }
+  /// The value that stands for transparent.
+  std::optional<unsigned> transparent() const {
+    png_color_16p color = nullptr;
+    if (png_get_tRNS(png_, info_, nullptr, nullptr, &color) == 0 || color == nullptr) return {};
+    return color->gray;
+  }
+
+ private:
+  static void on_error(png_structp png, png_const_charp cause) {
+    auto* const self = static_cast<PngFile*>(png_get_error_ptr(png));
+    std::strncpy(self->cause_.data(), cause, self->cause_.size() - 1);
+    png_longjmp(png, 1);
+  }
+
+  static void on_read(png_structp png, png_bytep to, std::size_t size) {
+    auto* const self = static_cast<PngFile*>(png_get_io_ptr(png));
+    if (size > self->rest_.size()) png_error(png, "the file ends early");
+    std::memcpy(to, self->rest_.data(), size);
+    self->rest_ = self->rest_.subspan(size);
+  }
+
+  bool try_header() {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    png_read_info(png_, info_);
+    return true;
+  }
+
+  bool try_begin_rows() {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    png_set_packing(png_);
+    if (std::endian::native == std::endian::little) png_set_swap(png_);
+    passes_ = png_set_interlace_handling(png_);
+    png_read_update_info(png_, info_);
+    return true;
+  }
+
+  bool try_row(png_bytep row) {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    png_read_row(png_, row, nullptr);
+    return true;
+  }
+
+  [[noreturn]] void throw_error() const {
+    throw InputError(name_, std::string("is a broken PNG picture: ") + printable(cause_.data(), cause_.size()));
+  }
+
+  std::span<const std::byte> rest_;
+  const std::string& name_;
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+  int passes_ = 1;
+  std::array<char, 128> cause_{};
+};
+
+/// Columns and rows that stay, the lowest first.
+struct KeptPlaces {
+  std::vector<std::size_t> x, y;
+};
+
+template <typename Sample>
+std::vector<Sample> read_interlaced(PngFile& png, int passes) {
+  const std::size_t columns = png.columns(), rows = png.rows();
+  std::vector<Sample> samples(columns * rows);
+  for (int pass = 0; pass < passes; ++pass) {
+    for (std::size_t row = 0; row < rows; ++row) png.read_row(reinterpret_cast<png_bytep>(samples.data() + row * columns));
+  }
+  return samples;
+}
+
+/// The samples that stay, from the first row of the picture, which is the highest.
+template <typename Sample>
+std::vector<Sample> read_samples(PngFile& png, const KeptPlaces& kept) {
+  const int passes = png.begin_rows();
+  const std::size_t columns = png.columns(), rows = png.rows();
+  std::vector<Sample> all, line(columns), samples;
+  if (passes > 1) all = read_interlaced<Sample>(png, passes);
+  auto next = kept.y.rbegin();
+  for (std::size_t row = 0; row < rows && next != kept.y.rend(); ++row) {
+    if (passes == 1) png.read_row(reinterpret_cast<png_bytep>(line.data()));
+    if (*next != rows - 1 - row) continue;
+    ++next;
+    const Sample* const from = passes == 1 ? line.data() : all.data() + row * columns;
+    // The heights take room as they come: the size in the header may be a lie.
+    for (const std::size_t i : kept.x) samples.push_back(from[i]);
+  }
+  return samples;
+}
+
+template <typename Sample>
+std::unique_ptr<HeightSource> read_heights(PngFile& png, const KeptPlaces& kept, const std::string& name) {
+  const std::optional<unsigned> transparent = png.transparent();
+  std::vector<Sample> samples = read_samples<Sample>(png, kept);
+  const SampleOrder order = SampleOrder::first_row_highest(kept.x.size(), kept.y.size());
+  const std::vector<double> x(kept.x.begin(), kept.x.end()), y(kept.y.begin(), kept.y.end());
+  if (!transparent) return held_heights(x, y, std::move(samples), order, name);
+
+  std::vector<float> heights(samples.size());  // holds every value of 16 bits, and NaN
+  std::transform(samples.begin(), samples.end(), heights.begin(), [&](Sample value) {
+    return value == *transparent ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(value);
+  });
+  return held_heights(x, y, std::move(heights), order, name);
+}
+
+/// Throws InputError when a file can not hold the values that its header speaks of.
+void check_size(std::size_t columns, std::size_t rows, unsigned bits, std::size_t bytes, const std::string& name) {
+  const std::uint64_t most = bytes * kMostDeflated * 8 / bits;
+  if (rows > most / columns) {
+    throw InputError(name, "is a broken PNG picture: " + std::to_string(columns) + " x " + std::to_string(rows) +
+                               " values do not fit into " + std::to_string(bytes) + " bytes");
+  }
+}
+
+/// Colours that are heights in the Terrarium encoding, R 256 + G + B / 256 - 32768 metres, which puts the earth's own from
+/// its deepest to its highest place into a narrow band of red. Other pictures have colours outside of it.
+std::unique_ptr<HeightSource> read_terrarium(PngFile& png, std::size_t bytes, const std::string& name, Warnings& warnings) {
+  constexpr double kZero = 32768, kDeepest = -11'500, kHighest = 9'000;
+  const std::size_t columns = png.columns(), rows = png.rows();
+  check_counts(columns, rows, name);
+  check_size(columns, rows, 24, bytes, name);
+  const int passes = png.begin_rows();
+  std::vector<std::uint8_t> line(3 * columns), all;
+  if (passes > 1) all.resize(3 * columns * rows);
+  std::vector<float> heights;
+  for (int pass = 0; pass < passes; ++pass) {
+    for (std::size_t row = 0; row < rows; ++row) {
+      if (passes > 1) std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(row * line.size()), line.size(), line.begin());
+      png.read_row(line.data());
+      if (passes > 1) std::copy(line.begin(), line.end(), all.begin() + static_cast<std::ptrdiff_t>(row * line.size()));
+      if (pass + 1 < passes) continue;
+      for (std::size_t i = 0; i < columns; ++i) {
+        const double height = 256. * line[3 * i] + line[3 * i + 1] + line[3 * i + 2] / 256. - kZero;
+        if (height < kDeepest || height > kHighest) {
+          throw InputError(name,
+                           "is a PNG picture of colours; heights need one grey channel of 8 or 16 bits, or the "
+                           "Terrarium encoding");
+        }
+        heights.push_back(static_cast<float>(height));
+      }
+    }
+  }
+  warnings.add("pictures of colours taken for Terrarium heights");
+  return held_heights(counted_positions(columns), counted_positions(rows), std::move(heights),
+                      SampleOrder::first_row_highest(columns, rows), name);
+}
+
+}  // namespace
+
+std::unique_ptr<HeightSource> read_png_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
+                                            const GridChoice& choice) {
+  PngFile png(bytes, name);
+  png.read_header();
+  if (png.color_type() == PNG_COLOR_TYPE_RGB && png.bit_depth() == 8)
+    return read_terrarium(png, bytes.size(), name, warnings);
+  if (png.color_type() != PNG_COLOR_TYPE_GRAY) {
+    const char* const kind = png.color_type() == PNG_COLOR_TYPE_GRAY_ALPHA ? "grey with an alpha channel"
+                             : png.color_type() == PNG_COLOR_TYPE_PALETTE  ? "colours from a palette"
+                                                                           : "colours";
+    throw InputError(name, std::string("is a PNG picture of ") + kind + "; heights need one grey channel of 8 or 16 bits");
+  }
+  const std::size_t columns = png.columns(), rows = png.rows();
+  check_counts(columns, rows, name);
+  check_size(columns, rows, static_cast<unsigned>(png.bit_depth()), bytes.size(), name);
+  const std::size_t step = thinning_step(columns, rows, choice);
+  if (step > 1) warn_of_thinning(columns, rows, step, warnings);
+  const KeptPlaces kept{kept_places(columns, step), kept_places(rows, step)};
+  auto heights =
+      png.bit_depth() == 16 ? read_heights<std::uint16_t>(png, kept, name) : read_heights<std::uint8_t>(png, kept, name);
+  heights->set_thinned_by(step);
+  return heights;
+}
+
+}  // namespace ligne

@@ -1,0 +1,161 @@
+// Points in any order.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "files/message_text.hpp"
+#include "scene/readers/text_lines.hpp"
+#include "scene/surfaces/grids/grid_formats.hpp"
+#include "scene/surfaces/held_heights.hpp"
+#include "scene/surfaces/scattered_points.hpp"
+
+namespace ligne {
+namespace {
+
+/// Positions that are meant to be the same differ by no more than this part of the extent, from rounding when they were
+/// written: grids have fewer positions on an axis than a thousandth of its inverse.
+constexpr double kSamePosition = 0x1p-24;
+/// Points are those of a grid when there is one for so many of its places, or when at least one cell for so many of them has
+/// all four corners.
+constexpr double kPlacesPerPoint = 2, kPointsPerCell = 2;
+/// So many rows tell whether columns hold places.
+constexpr std::size_t kRowsLookedAt = 65536;
+/// Columns and rows that a grid with holes may have, for each of its points.
+constexpr double kMostPlaces = 8;
+
+/// No height is as large. Surfer writes 1.70141e38 for none, others the largest number of single precision.
+constexpr double kBeyondHeights = 1e30;
+
+/// A number such as -9999 stands for no height where no other height is lower than this part of it.
+constexpr double kFarFromSign = 0.1;
+
+/// The different positions of an axis, ascending.
+std::vector<double> positions_of(const std::vector<double>& at) {
+  std::vector<double> sorted = at;
+  std::sort(sorted.begin(), sorted.end());
+  const double same = kSamePosition * (sorted.back() - sorted.front());
+  std::vector<double> positions{sorted.front()};
+  for (const double p : sorted) {
+    if (p - positions.back() > same) positions.push_back(p);
+  }
+  return positions;
+}
+
+/// Some of the points, which are as good as all to see that they form no grid: a grid has no fewer positions than they do.
+bool can_be_grid(const std::vector<Point3>& points) {
+  const std::size_t step =
+      std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(static_cast<double>(points.size())) / 8));
+  std::array<std::vector<double>, 2> at;
+  for (std::size_t k = 0; k < points.size(); k += step) {
+    at[0].push_back(points[k].x);
+    at[1].push_back(points[k].y);
+  }
+  const auto places = static_cast<double>(positions_of(at[0]).size()) * static_cast<double>(positions_of(at[1]).size());
+  return places <= kMostPlaces * static_cast<double>(points.size());
+}
+
+/// The number of the position at or just before `at`.
+std::size_t number_of(const std::vector<double>& positions, double at) {
+  return static_cast<std::size_t>(std::upper_bound(positions.begin(), positions.end(), at) - positions.begin()) - 1;
+}
+
+/// Points as a grid with holes; nothing when they are too few of one.
+std::unique_ptr<HeightSource> grid_with_holes(const std::vector<Point3>& points, const std::string& name,
+                                              Warnings& warnings) {
+  if (!can_be_grid(points)) return nullptr;
+  std::array<std::vector<double>, 2> at;
+  for (const Point3& p : points) {
+    at[0].push_back(p.x);
+    at[1].push_back(p.y);
+  }
+  std::vector<double> x = positions_of(at[0]), y = positions_of(at[1]);
+  const auto count = static_cast<double>(points.size());
+  if (static_cast<double>(x.size()) * static_cast<double>(y.size()) > kMostPlaces * count) return nullptr;
+  const std::size_t columns = x.size(), rows = y.size();
+  std::vector<double> sum(columns * rows, 0);
+  std::vector<std::uint32_t> given(columns * rows, 0), heights(columns * rows, 0);
+  std::size_t repeated = 0;
+  for (const Point3& p : points) {
+    const std::size_t k = number_of(y, p.y) * columns + number_of(x, p.x);
+    repeated += given[k]++ > 0;
+    if (!std::isfinite(p.z)) continue;
+    sum[k] += p.z;
+    ++heights[k];
+  }
+  std::size_t cells = 0;
+  for (std::size_t j = 0; j + 1 < rows; ++j) {
+    for (std::size_t i = 0; i + 1 < columns; ++i) {
+      const std::size_t k = j * columns + i;
+      cells += given[k] && given[k + 1] && given[k + columns] && given[k + columns + 1];
+    }
+  }
+  const bool dense = cells > 0 && kPlacesPerPoint * count >= static_cast<double>(columns * rows);
+  if (!dense && kPointsPerCell * static_cast<double>(cells) < count) return nullptr;
+  for (std::size_t k = 0; k < sum.size(); ++k) sum[k] = heights[k] ? sum[k] / heights[k] : kNoHeight;
+  if (repeated > 0) warnings.add("points at the place of another one: heights averaged", repeated);
+  return held_heights(std::move(x), std::move(y), std::move(sum), SampleOrder::first_row_lowest(columns), name);
+}
+
+}  // namespace
+
+void leave_out_signs_of_nothing(std::vector<double>& values, std::size_t step, Warnings& warnings) {
+  std::size_t beyond = 0;
+  for (std::size_t k = step - 1; k < values.size(); k += step) {
+    if (!(std::abs(values[k]) >= kBeyondHeights)) continue;
+    values[k] = kNoHeight;
+    ++beyond;
+  }
+  warnings.add("heights beyond 1e30 taken for places without one", beyond);
+  for (const double sign : {-9999., -32768., -99999.}) {
+    std::size_t found = 0;
+    bool are_others_far = true;
+    for (std::size_t k = step - 1; k < values.size(); k += step) {
+      if (values[k] == sign) {
+        ++found;
+      } else if (values[k] < kFarFromSign * sign) {
+        are_others_far = false;
+      }
+    }
+    if (found == 0 || !are_others_far || (found + 1) * step > values.size()) continue;
+    for (std::size_t k = step - 1; k < values.size(); k += step) {
+      if (values[k] == sign) values[k] = kNoHeight;
+    }
+    warnings.add("heights of " + std::to_string(static_cast<int>(sign)) + " taken for places without one", found);
+  }
+}
+
+std::unique_ptr<HeightSource> surface_of_rows(const PointRows& rows, const GridChoice& choice, const std::string& name,
+                                              Warnings& warnings) {
+  std::vector<Point3> points;
+  points.reserve(rows.lines.size());
+  for (std::size_t row = 0; row < rows.lines.size(); ++row) {
+    const Point3 p{rows.values[3 * row], rows.values[3 * row + 1], rows.values[3 * row + 2]};
+    if (std::isfinite(p.x) && std::isfinite(p.y)) points.push_back(p);
+  }
+  warnings.leave_out("rows without x or y", rows.lines.size() - points.size());
+  if (points.empty()) throw InputError(name, "holds no row of numbers");
+  if (!choice.columns) {
+    if (std::unique_ptr<HeightSource> grid = grid_with_holes(points, name, warnings)) return grid;
+  }
+  const std::size_t holes = std::erase_if(points, [](const Point3& p) { return !std::isfinite(p.z); });
+  if (holes > 0) warnings.add("points without a height left out", holes);
+  warnings.add("scattered points: heights are linear in their Delaunay triangles", points.size());
+  return surface_of_points(std::move(points), choice.columns, name, warnings);
+}
+
+bool are_places(const PointRows& rows) {
+  const std::size_t step = rows.lines.size() / kRowsLookedAt + 1;
+  std::vector<std::array<double, 2>> places;
+  for (std::size_t row = 0; row < rows.lines.size(); row += step) {
+    places.push_back({rows.values[3 * row], rows.values[3 * row + 1]});
+    if (!std::isfinite(places.back()[0] + places.back()[1])) return false;
+  }
+  std::sort(places.begin(), places.end());
+  const auto different = std::unique(places.begin(), places.end()) - places.begin();
+  return 2 * static_cast<std::size_t>(different) > places.size();
+}
+
+}  // namespace ligne

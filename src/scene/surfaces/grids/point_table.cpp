@@ -1,0 +1,220 @@
+#include "scene/surfaces/grids/point_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "files/message_text.hpp"
+#include "scene/readers/text_lines.hpp"
+#include "scene/surfaces/grids/data_file.hpp"
+#include "scene/surfaces/grids/grid_formats.hpp"
+#include "scene/surfaces/grids/point_arrays.hpp"
+#include "scene/tables/column_names.hpp"
+#include "scene/tables/table.hpp"
+#include "scene/tables/unpack.hpp"
+
+namespace ligne {
+namespace {
+
+/// A page has no room for the points of a larger file.
+constexpr std::uintmax_t kMostBytes = 1u << 26;
+
+/// No column.
+constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
+
+/// The rows of a table as points.
+class PointColumnsReader {
+ public:
+  PointColumnsReader(const Table& table, const std::string& name, Warnings& warnings)
+      : table_(table), name_(name), warnings_(warnings) {
+    const NamedColumns named = named_columns(table.names());
+    by_names_ = named.x && named.y;
+    if (by_names_)
+      take_names(named);
+    else
+      take_order();
+  }
+
+  /// Nothing for a row without a position, which is counted. Throws InputError for a word in place of a position.
+  std::optional<LabelledPoint> point(std::size_t row) {
+    const std::span<const double> values = table_.row(row);
+    LabelledPoint point{{number(values, x_), number(values, y_), kNoHeight}, {}};
+    if (!std::isfinite(point.at.x) || !std::isfinite(point.at.y)) {
+      check_position(row);
+      warnings_.leave_out("rows without x or y");
+      return {};
+    }
+    const std::vector<std::string> cells = table_.cells(row);
+    if (by_names_) {
+      if (z_ != kNoColumn) point.at.z = number(values, z_);
+      if (label_ < cells.size()) point.label = label_at(cells);
+      // Rows without z may be a cell shorter.
+      const bool is_short = std::isnan(point.at.z) && z_ < cells.size() && point.label.empty();
+      if (is_short && cell_value(cells[z_], table_.style().numbers).kind == CellKind::word) point.label = cells[z_];
+    } else {
+      take_rest(values, cells, point);
+    }
+    if (is_missing(point.label)) point.label.clear();
+    return point;
+  }
+
+ private:
+  static double number(std::span<const double> values, std::size_t column) {
+    return column < values.size() ? values[column] : kNoHeight;
+  }
+
+  /// Blanks that separate cells also stand within a label at the end of the row.
+  std::string label_at(const std::vector<std::string>& cells) const {
+    std::string label = cells[label_];
+    const bool is_last = label_ + 1 == table_.names().size();
+    for (std::size_t k = label_ + 1; is_last && table_.style().separator == ' ' && k < cells.size(); ++k) {
+      label += " " + cells[k];
+    }
+    return label;
+  }
+
+  void take_names(const NamedColumns& named) {
+    x_ = *named.x;
+    y_ = *named.y;
+    z_ = named.z.value_or(kNoColumn);
+    label_ = named.label.value_or(kNoColumn);
+    const auto is_used = [&](std::size_t k) { return k == x_ || k == y_ || k == z_ || k == label_; };
+    for (std::size_t k = 0; k < table_.columns() && label_ == kNoColumn; ++k) {
+      if (!is_used(k) && table_.column(k).is_text()) label_ = k;
+    }
+    constexpr std::size_t kMostNames = 8;
+    std::string others;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < table_.columns(); ++k) {
+      if (is_used(k)) continue;
+      if (count++ < kMostNames) others += (others.empty() ? "" : ", ") + shown_column(table_, k);
+    }
+    if (count > 0) warnings_.leave_out((count == 1 ? "column (" : "columns (") + others + ")", count);
+  }
+
+  /// The first two columns of numbers; a column of words before them is the label.
+  void take_order() {
+    std::vector<std::size_t> numbers;
+    for (std::size_t k = 0; k < table_.columns() && numbers.size() < 2; ++k) {
+      const TableColumn& column = table_.column(k);
+      if (column.numbers > 0 && column.numbers >= column.words) numbers.push_back(k);
+    }
+    if (numbers.size() < 2) throw error_at_line(name_, table_.line(0), "does not begin with two numbers, x and y");
+    x_ = numbers[0];
+    y_ = numbers[1];
+    if (x_ > 0 && table_.column(x_ - 1).is_text()) label_ = x_ - 1;
+    const bool is_head = !table_.names().empty() && !table_.names_from_comment();
+    if (is_head)
+      warnings_.add("columns taken for x and y: " + shown_column(table_, x_) + ", " + shown_column(table_, y_), 2);
+  }
+
+  void check_position(std::size_t row) const {
+    const std::vector<std::string> cells = table_.cells(row);
+    for (const std::size_t column : {x_, y_}) {
+      const bool is_word = column < cells.size() && cell_value(cells[column], table_.style().numbers).kind == CellKind::word;
+      if (is_word || (column >= cells.size() && !by_names_))
+        throw error_at_line(name_, table_.line(row), "does not begin with two numbers, x and y");
+    }
+  }
+
+  /// Behind y: perhaps z, and the label.
+  void take_rest(std::span<const double> values, const std::vector<std::string>& cells, LabelledPoint& point) const {
+    std::size_t next = y_ + 1;
+    if (std::isfinite(number(values, next))) point.at.z = values[next];
+    if (next < cells.size() && (std::isfinite(point.at.z) || is_missing(cells[next]))) ++next;
+    const char* between = table_.style().separator == ' ' ? " " : ", ";
+    for (; next < cells.size(); ++next) {
+      if (cells[next].empty()) continue;
+      point.label += (point.label.empty() ? "" : between) + cells[next];
+    }
+    if (point.label.empty() && label_ < cells.size()) point.label = cells[label_];
+  }
+
+  const Table& table_;
+  const std::string& name_;
+  Warnings& warnings_;
+  bool by_names_ = false;
+  std::size_t x_ = 0, y_ = 0, z_ = kNoColumn, label_ = kNoColumn;
+};
+
+/// Points of a file, in its order: nothing for a row without a position. Lines end with the blocks.
+struct PointFile {
+  std::vector<std::optional<LabelledPoint>> rows;
+  std::vector<RowRange> blocks;
+};
+
+PointFile points_of_table(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings) {
+  const Table table = read_table(as_text(bytes, name), name, warnings);
+  PointColumnsReader reader(table, name, warnings);
+  PointFile points{{}, table.blocks()};
+  for (std::size_t row = 0; row < table.rows(); ++row) points.rows.push_back(reader.point(row));
+  return points;
+}
+
+/// Tells the format by content, as read_surfaces() does.
+PointFile read_point_file(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings) {
+  constexpr char kWanted[] = "a file of points";
+  const std::string_view chars = as_characters(bytes);
+  if (bytes.empty()) throw InputError(name, "is empty");
+  if (chars.starts_with("PK\x03\x04")) refuse_models(bytes, name, kWanted);
+  if (const std::optional<UnpackedFile> inner = unpacked(bytes, name)) {
+    if (unpacked(inner->bytes, name)) throw InputError(name, "is an archive within an archive: unpack it");
+    return read_point_file(inner->bytes, name, warnings);
+  }
+  if (const auto raster = raster_name(chars, name)) {
+    throw InputError(name, "is " + *raster + ", which holds heights and no points: --grid draws it");
+  }
+  std::vector<TextColumn> texts;
+  if (const auto arrays = read_arrays(bytes, name, 0, kWanted, warnings, &texts)) {
+    PointFile points{points_of_arrays(*arrays, texts, name, warnings), {}};
+    points.blocks.push_back({0, points.rows.size()});
+    return points;
+  }
+  if (const auto stranger = data_stranger(chars)) throw InputError(name, *stranger);
+  refuse_models(bytes, name, kWanted);
+  if (!may_be_text(chars)) {
+    throw InputError(name, "not a file of points that is known (tables as text, npy, netCDF, MATLAB, JSON)");
+  }
+  return points_of_table(bytes, name, warnings);
+}
+
+}  // namespace
+
+std::vector<LabelledPoint> read_points(const std::string& file, InputFiles& opened, Warnings& warnings) {
+  const std::string name = printable(file);
+  return read_points(read_input(file, name, opened, kMostBytes), name, warnings);
+}
+
+std::vector<LabelledPoint> read_points(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings) {
+  PointFile found = read_point_file(bytes, name, warnings);
+  std::vector<LabelledPoint> points;
+  for (std::optional<LabelledPoint>& point : found.rows) {
+    if (point) points.push_back(std::move(*point));
+  }
+  if (points.empty()) throw InputError(name, "has no points: rows of x, y, and, if not on the surface, z");
+  return points;
+}
+
+std::vector<std::vector<Point3>> read_lines(const std::string& file, InputFiles& opened, Warnings& warnings) {
+  const std::string name = printable(file);
+  const PointFile points = read_point_file(read_input(file, name, opened, kMostBytes), name, warnings);
+  std::vector<std::vector<Point3>> lines;
+  std::size_t labels = 0;
+  for (const RowRange& block : points.blocks) {
+    lines.emplace_back();
+    for (std::size_t row = block.begin; row < block.end; ++row) {
+      const std::optional<LabelledPoint>& point = points.rows[row];
+      if (!point && !lines.back().empty()) lines.emplace_back();
+      if (!point) continue;
+      labels += !point->label.empty();
+      lines.back().push_back(point->at);
+    }
+  }
+  warnings.leave_out("labels", labels);
+  std::erase_if(lines, [](const auto& line) { return line.size() < 2; });
+  if (lines.empty()) throw InputError(name, "has no line: two rows or more of x, y, and, if not on the surface, z");
+  return lines;
+}
+
+}  // namespace ligne

@@ -1,0 +1,94 @@
+#include "visibility/watkins/exact/line_study.hpp"
+
+#include <algorithm>
+
+#include "base/parallel.hpp"
+
+namespace ligne::watkins {
+namespace {
+
+/// Spans of every line, for output, and the tracker behind them.
+class Collector final : public LineListener {
+ public:
+  Collector(EdgeTracker* tracker, const ProjectedScene& scene, bool spans)
+      : tracker_(tracker), scene_(scene), collect_(spans) {}
+
+  void line(const LineScan& scan, std::uint32_t line, bool studied) override {
+    if (tracker_) tracker_->line(scan, line, studied);
+    if (!collect_) return;
+    const LineGrid& grid = scan.scene().grid;
+    const Rect& window = scene_.view.window;  // faces go on a little beyond it
+    const auto mm = [&](double u) {
+      return std::clamp(scene_.lattice.origin_mm.x + grid.x(u) * scene_.lattice.step_mm, window.min.x, window.max.x);
+    };
+    for (const LineSpan& s : scan.spans()) {
+      const double from = mm(s.u0), to = mm(s.u1);
+      if (from < to) spans.push_back({line, from, to, s.face});
+    }
+  }
+  void ended(const LineScan& scan, std::uint32_t slot) override {
+    if (tracker_) tracker_->ended(scan, slot);
+  }
+  void hidden_point(const LineScan& scan, std::uint32_t slot, std::uint32_t face) override {
+    if (tracker_) tracker_->hidden_point(scan, slot, face);
+  }
+
+  std::vector<Span> spans;
+
+ private:
+  EdgeTracker* tracker_;
+  const ProjectedScene& scene_;
+  bool collect_;
+};
+
+}  // namespace
+
+LineGrid grid_of_lines(const ProjectedScene& scene, std::uint32_t count) {
+  const Rect& window = scene.view.window;
+  LineGrid grid;
+  grid.count = count;
+  grid.spacing = window.height() / scene.lattice.step_mm / count;
+  grid.u_origin = (window.min.x - scene.lattice.origin_mm.x) / scene.lattice.step_mm;
+  grid.v_origin = (window.min.y - scene.lattice.origin_mm.y) / scene.lattice.step_mm + grid.spacing / 2;
+  return grid;
+}
+
+LineStudyResult study_by_lines(const ProjectedScene& scene, const std::vector<Facet>& facets,
+                               std::span<const SweepLine> lines, const LineGrid& grid, const LineStudyOptions& options) {
+  constexpr std::uint32_t kGroups = 32, kFewestLines = 16;
+  const ScanScene scan_scene = make_scan_scene(scene, facets, lines, grid, options.coincidence_steps);
+  const std::uint32_t size =
+      options.group > 0 ? options.group : std::max(kFewestLines, (grid.count + kGroups - 1) / kGroups);
+  const std::uint32_t groups = (grid.count + size - 1) / size;
+  struct GroupResult {
+    std::vector<Finding> findings;
+    std::vector<Span> spans;
+    ScanCounts scan;
+    SpanCounts span_method;
+    TrackCounts tracking;
+  };
+  std::vector<GroupResult> results(groups);
+  parallel_tasks(groups, [&](std::size_t task) {
+    const auto g = static_cast<std::uint32_t>(task);
+    EdgeTracker tracker(scene.vertices, facets, scan_scene.of_faces, lines, options.coincidence_steps);
+    Collector collector(options.track ? &tracker : nullptr, scene, options.collect_spans);
+    LineScan scan(scan_scene, scene.vertices, facets, lines, options.scan, collector);
+    scan.scan(g * size, std::min(grid.count, (g + 1) * size));
+    results[g] = {tracker.findings(), std::move(collector.spans), scan.counts(), scan.span_counts(), tracker.counts()};
+  });
+
+  LineStudyResult result;
+  result.groups = groups;
+  std::vector<std::vector<Finding>> findings;
+  for (GroupResult& r : results) {
+    findings.push_back(std::move(r.findings));
+    result.spans.insert(result.spans.end(), r.spans.begin(), r.spans.end());
+    result.scan += r.scan;
+    result.span_method += r.span_method;
+    result.tracking += r.tracking;
+  }
+  result.found = FoundIntervals(findings, lines.size());
+  return result;
+}
+
+}  // namespace ligne::watkins

@@ -1,0 +1,39 @@
+#pragma once
+/// A whole page by scan lines: groups of lines in parallel (Kaplan and Greenberg 1979), strokes and spans put together over
+/// the seams.
+
+#include <span>
+#include <vector>
+
+#include "drawing/result_models.hpp"
+#include "visibility/watkins/edge_tracking.hpp"
+#include "visibility/watkins/exact/exact_study.hpp"
+
+namespace ligne::watkins {
+
+struct LineStudyOptions {
+  ScanOptions scan;
+  double coincidence_steps = 0;
+  bool track = true;  ///< find what is hidden of the lines
+  bool collect_spans = false;
+  /// Lines of one group; 0: about 32 groups, whatever the number of threads. A group begins with a study, wherever it
+  /// begins.
+  std::uint32_t group = 0;
+};
+
+struct LineStudyResult {
+  FoundIntervals found;
+  std::vector<Span> spans;  ///< line by line, from left to right
+  ScanCounts scan;
+  SpanCounts span_method;
+  TrackCounts tracking;
+  std::uint64_t groups = 0;
+};
+
+LineStudyResult study_by_lines(const ProjectedScene& scene, const std::vector<Facet>& facets,
+                               std::span<const SweepLine> lines, const LineGrid& grid, const LineStudyOptions& options);
+
+/// `count` lines over the height of the window, each in the middle of its share.
+LineGrid grid_of_lines(const ProjectedScene& scene, std::uint32_t count);
+
+}  // namespace ligne::watkins
