@@ -48,6 +48,9 @@ TEST(LeftOut, EveryReaderNamesWhatItDoesNotKnow) {
       warnings_of(kPlyHead + kPlyFace + "element wobble 2\nproperty int a\nend_header\n" + kPlyPoints + "3 0 1 2\n7\n8\n",
                   ".ply"),
       "left out: 2 items of element wobble");
+  const std::string remark = "Wobble made this\n", head = kPlyHead + kPlyFace + "end_header\n" + kPlyPoints + "3 0 1 2\n";
+  EXPECT_EQ(warnings_of(std::string(head).insert(head.find("element"), remark), ".ply"),
+            "left out: 1 header lines 'Wobble'");
   EXPECT_EQ(warnings_of("solid a\n" + kStlFacet + "wobble 1 2\n" + kStlFacet + "endsolid a\n", ".stl"),
             "left out: 1 statements 'wobble'");
   EXPECT_EQ(warnings_of("Named object: \"a\"\nTri-mesh, Vertices: 3 Faces: 1\nVertex list:\nVertex 0: X:0 Y:0 Z:0\n"

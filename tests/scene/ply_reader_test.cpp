@@ -201,7 +201,8 @@ TEST(PlyReader, ErrorsInTheHeader) {
   EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement a 1\nproperty list float int x\n"),
             "M:4: the length of a list can not be a float");
   EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement a 1\nproperty int\n"), "M:4: property without a name");
-  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nwhatever\n"), "M:3: 'whatever' is not a statement of a PLY header");
+  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement a 1\nwhatever\n"),
+            "M:4: 'whatever' is not a statement of a PLY header");
   EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nend_header\n"),
             "M: PLY header names no z of vertices");
   EXPECT_EQ(

@@ -52,7 +52,8 @@ class HeaderReader {
       else if (keyword == "property")
         read_property(line);
       else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
-        throw error(shown(keyword) + " is not a statement of a PLY header");
+        if (!header_.elements.empty()) throw error(shown(keyword) + " is not a statement of a PLY header");
+        header_.remarks.emplace_back(keyword);
       }
     }
     if (!has_format_) throw error("PLY header without 'format'");

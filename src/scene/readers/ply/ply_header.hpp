@@ -41,11 +41,13 @@ struct PlyElement {
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::ascii;
   std::vector<PlyElement> elements;
-  std::size_t bytes = 0;  ///< where the data begin
-  std::size_t lines = 0;  ///< lines of the header, so that the first line of data is lines + 1
+  std::vector<std::string> remarks;  ///< first words of lines before the first element that are no statements
+  std::size_t bytes = 0;             ///< where the data begin
+  std::size_t lines = 0;             ///< lines of the header, so that the first line of data is lines + 1
 };
 
-/// Throws InputError, with the line. Lines end as the line 'ply' does.
+/// Throws InputError, with the line. Lines end as the line 'ply' does. Some writers put a remark behind the format without
+/// the word "comment"; after the first element any other line may be a mistyped statement, and is refused.
 PlyHeader read_ply_header(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace ligne

@@ -58,6 +58,7 @@ class PlyReader {
         leave_out(element);
     }
     data_.end();
+    for (const std::string& remark : header_.remarks) warnings_.leave_out("header lines " + shown(remark));
     check_indices();
     if (shading_ && !normals_.empty()) {
       for (const std::uint32_t v : std::as_const(builder_.scene().faces).corners()) {
