@@ -129,7 +129,7 @@ std::vector<std::string> frames(const SceneArgument& scene, const std::string& f
     RunReport run;
     OutputFiles files;
     std::size_t frame = 0;
-    draw_frames(scene->scene(), request, {count, turn_degrees}, as_pages, run, scene->topology(),
+    draw_frames(scene->scene(), request, {count, turn_degrees, as_pages}, run, scene->topology(),
                 [&](Picture picture) { files.add(names[frame++], std::move(picture.bytes)); });
     files.commit();
   });

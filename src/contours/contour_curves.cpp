@@ -108,12 +108,19 @@ double rise_of(const View& view, const ContourCubic& cubic) {
   return 0.75 * std::max(away(p[1]), away(p[2]));
 }
 
-/// The curve through places with these tangents, unit vectors or zero, in pieces that are straight to `flatness_mm`.
+/// Places that a curve goes through, with its tangents there, unit vectors or zero.
+struct Waypoints {
+  const std::vector<Place>& places;
+  const std::vector<Point2>& tangents;
+  bool closed;  ///< the last place is the first
+};
+
+/// The curve through places, in pieces that are straight to `flatness_mm`.
 /// `cubic_of(i)`: the curve in space from place i to the next, where that is known. `most_of(i)`: largest distance on the
 /// page between the curve and its chord there, mm.
 template <class CubicOf, class MostOf>
-ContourCurve curve_through(const View& view, const std::vector<Place>& places, const std::vector<Point2>& tangents,
-                           bool closed, double flatness_mm, CubicOf cubic_of, MostOf most_of) {
+ContourCurve curve_through(const View& view, const Waypoints& along, double flatness_mm, CubicOf cubic_of, MostOf most_of) {
+  const auto& [places, tangents, closed] = along;
   ContourCurve curve;
   curve.closed = closed;
   const auto add = [&](double at, Point2 mm, double depth, double weight) {
@@ -172,7 +179,7 @@ ContourCurve contour_curve(const Scene& scene, const View& view, const ContourCh
     if (size > 0) tangents[i] = Point2{-d.y, d.x} / size;
   }
   return curve_through(
-      view, places, tangents, chain.closed, flatness_mm,
+      view, {places, tangents, chain.closed}, flatness_mm,
       [&](std::size_t i) -> std::optional<ContourCubic> {
         const ContourNode &a = chain.nodes[i], &b = chain.nodes[i + 1];
         if (a.meets != kNone || b.meets != kNone) return std::nullopt;
@@ -194,7 +201,7 @@ ContourCurve smooth_curve(const View& view, const std::vector<Point3>& points, b
     if (size > 0) tangents[i] = d / size;
   }
   return curve_through(
-      view, places, tangents, closed, flatness_mm, [](std::size_t) { return std::optional<ContourCubic>(); },
+      view, {places, tangents, closed}, flatness_mm, [](std::size_t) { return std::optional<ContourCubic>(); },
       [](std::size_t) { return std::numeric_limits<double>::infinity(); });
 }
 

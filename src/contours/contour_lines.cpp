@@ -117,7 +117,7 @@ OutlineReplacement replacement_of(const Scene& scene, const Topology& topology, 
   std::vector<ReachedSectors> reached(thread_count());
   parallel_blocks(sights.size(), kChainsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
-      sights[c] = contour_sights(scene, view, patch, graph, choice.chains[c], slack_mm, reached);
+      sights[c] = contour_sights({scene, view, patch, graph, slack_mm}, choice.chains[c], reached);
     }
   });
   std::vector<std::array<Point3, 2>>& lines = replacement.lines;

@@ -21,14 +21,13 @@ constexpr double kLeastAcross = 0.5;
 
 class Sights {
  public:
-  Sights(const Scene& scene, const View& view, const SmoothPatch& patch, const OutlineGraph& outline,
-         const ContourChain& chain, double slack_mm, std::vector<ReachedSectors>& reached)
-      : scene_(scene),
-        view_(view),
-        patch_(patch),
-        outline_(outline),
+  Sights(const SightScene& in, const ContourChain& chain, std::vector<ReachedSectors>& reached)
+      : scene_(in.scene),
+        view_(in.view),
+        patch_(in.patch),
+        outline_(in.outline),
         chain_(chain),
-        slack_mm_(slack_mm),
+        slack_mm_(in.slack_mm),
         reached_(reached) {}
 
   std::vector<ContourSight> find() {
@@ -202,10 +201,9 @@ OutlineGraph::OutlineGraph(const Scene& scene, const View& view, const SmoothPat
   }
 }
 
-std::vector<ContourSight> contour_sights(const Scene& scene, const View& view, const SmoothPatch& patch,
-                                         const OutlineGraph& outline, const ContourChain& chain, double slack_mm,
+std::vector<ContourSight> contour_sights(const SightScene& in, const ContourChain& chain,
                                          std::vector<ReachedSectors>& reached) {
-  return Sights(scene, view, patch, outline, chain, slack_mm, reached).find();
+  return Sights(in, chain, reached).find();
 }
 
 Point2 page_direction(const View& view, const Point3& p, const Point3& n) {

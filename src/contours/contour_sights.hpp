@@ -68,10 +68,17 @@ struct ContourSight {
   int side = 1;  ///< +1 on that of the normals
 };
 
-/// Per segment of the chain. `slack_mm`: how far beyond the outline of the mesh at least. `reached`: for each thread, serves
-/// one chain after the other.
-std::vector<ContourSight> contour_sights(const Scene& scene, const View& view, const SmoothPatch& patch,
-                                         const OutlineGraph& outline, const ContourChain& chain, double slack_mm,
+/// The surroundings of all chains of a drawing.
+struct SightScene {
+  const Scene& scene;
+  const View& view;
+  const SmoothPatch& patch;
+  const OutlineGraph& outline;
+  double slack_mm;  ///< the least distance of a line from the outline of the mesh, outside of it
+};
+
+/// Per segment of the chain. `reached`: for each thread, serves one chain after the other.
+std::vector<ContourSight> contour_sights(const SightScene& in, const ContourChain& chain,
                                          std::vector<ReachedSectors>& reached);
 
 /// The move on the page, mm, for a step of one unit along `n` from p.

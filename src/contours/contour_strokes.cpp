@@ -45,7 +45,7 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
       drop_short_runs(seen[c].runs, seen[c].curve, options.pen_width_mm);
     }
   });
-  hold_against_outlines(seen, contours, view, model.lattice, edges, kTestifiedInReaches * reach_mm, options.pen_width_mm);
+  hold_against_outlines(seen, contours, view, model.lattice, edges, {kTestifiedInReaches * reach_mm, options.pen_width_mm});
   // A line ends at a line in front that hides it, also where a cusp is near.
   std::vector<std::vector<ContourRun>> found(n);
   for (std::size_t c = 0; c < n; ++c) found[c] = seen[c].runs;
@@ -54,7 +54,7 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
     end_runs_at_cusps(seen[c].runs, found[c], seen[c].curve, cusps_of(contours.chains[c]), reach_mm);
   }
   for (SeenContour& contour : seen) drop_short_runs(contour.runs, contour.curve, options.pen_width_mm);
-  add_missing_outlines(model, view, contours, probes, seen, options.pen_width_mm, reach_mm);
+  add_missing_outlines(model, view, contours, probes, seen, {options.pen_width_mm, reach_mm});
   move_ends_of_strokes(model, seen, reach_mm);
   CurveWriter writer(model, view, hidden_too, reach_mm);
   for (std::size_t c = 0; c < n; ++c) {

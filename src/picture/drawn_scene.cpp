@@ -46,7 +46,7 @@ void add_point_marks(Drawing& drawing, const DrawnScene& drawn) {
   taken.insert(taken.end(), drawing.texts.begin(), drawing.texts.end());
   const double height = text_height_mm(request.axes, around.placement.page);
   std::vector<TextItem> labels = mark_points(drawing, request.groups->points, drawn.visibility().points_seen,
-                                             drawn.prepared().view(), height, request.axes.text, taken);
+                                             drawn.prepared().view(), {height, request.axes.text}, taken);
   std::ranges::move(labels, std::back_inserter(drawing.texts));
 }
 
@@ -112,7 +112,7 @@ Picture DrawnScene::write(RunReport& run, PdfDocument* pages) const {
     if (request().output.format == OutputFormat::json) return Picture{scene_json(*this, plot)};
     const Drawing drawing = compose(run);
     const std::optional<GrayPicture> faces = gray_faces(parts_.prepared, result, plot);
-    return write_picture(drawing, plot, request().plotter, request().output.format, run, faces ? &*faces : nullptr, pages);
+    return write_picture(drawing, plot, request().plotter, {request().output.format, faces ? &*faces : nullptr, pages}, run);
   });
 }
 

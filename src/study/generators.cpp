@@ -28,8 +28,8 @@ void finish(Scene& scene) {
   finish_scene(scene, warnings);
 }
 
-void add_plate(Scene& scene, double x0, double x1, double z0, double z1, double y0, double y1) {
-  add_face(scene, {{{x0, y0, z0}, {x1, y1, z0}, {x1, y1, z1}, {x0, y0, z1}}});
+void add_plate(Scene& scene, Limits x, Limits z, Limits y) {
+  add_face(scene, {{{x.low, y.low, z.low}, {x.high, y.high, z.low}, {x.high, y.high, z.high}, {x.low, y.low, z.high}}});
 }
 
 void add_comb(Scene& scene, int teeth, double depth) {
@@ -58,11 +58,11 @@ Scene square_before_triangle(double shift_x, double shift_z) {
 
 Scene screen_before_slab(bool with_screen) {
   Scene scene;
-  add_plate(scene, 5, 8, 1, 11, 4, 4);
+  add_plate(scene, {5, 8}, {1, 11}, {4, 4});
   add_face(scene, {{{2, 5, 8}, {7, 5, 9}, {3, 5, 11}}});
-  add_plate(scene, 6, 12, 5, 7, 5, 5);
+  add_plate(scene, {6, 12}, {5, 7}, {5, 5});
   add_face(scene, {{{1, 5, 1}, {6, 5, 2}, {2, 5, 4}}});
-  if (with_screen) add_plate(scene, 0, 14, 0, 12, 0, 0);
+  if (with_screen) add_plate(scene, {0, 14}, {0, 12}, {0, 0});
   return scene;
 }
 
@@ -103,14 +103,14 @@ Scene ring(int n) {
 
 Scene apart_in_depth(int n) {
   Scene scene;
-  for (int i = 0; i < n; ++i) add_plate(scene, 0, 10, 0, 10, 3 * i + 2, 3 * i);
+  for (int i = 0; i < n; ++i) add_plate(scene, {0, 10}, {0, 10}, {3.0 * i + 2, 3.0 * i});
   return scene;
 }
 
 Scene combs_through_plate(int n, int teeth) {
   Scene scene;
   const double height = 4.0 * teeth;
-  add_plate(scene, -1, 11, -1, height * n + 1, 0, 12);
+  add_plate(scene, {-1, 11}, {-1, 1.0 * height * n + 1}, {0, 12});
   for (int i = 0; i < n; ++i) {
     // In planes of their own: one cut of the plate is not to serve for all.
     const double z0 = height * i, lean = 0.8 - 0.3 * i / n;

@@ -15,8 +15,12 @@
 
 namespace ligne::studies {
 
-/// A rectangle on the page, x0 to x1 and z0 to z1, whose left side is at the depth y0 and whose right side at y1.
-void add_plate(Scene& scene, double x0, double x1, double z0, double z1, double y0, double y1);
+struct Limits {
+  double low, high;
+};
+
+/// A rectangle on the page, over x and z, whose left side is at the depth y.low and whose right side at y.high.
+void add_plate(Scene& scene, Limits x, Limits z, Limits y);
 
 /// A comb in the plane y = depth: a back x 0..2 and teeth from there to x = 10, 2 wide and 2 apart. It has 4 teeth corners.
 void add_comb(Scene& scene, int teeth, double depth);

@@ -153,8 +153,8 @@ Table properties(const ProjectedScene& crossing, const ProjectedScene& town) {
 Result study_four_methods(const StudyRequest& request) {
   const int blocks = request.pick(3, 16);
   Scene town = city(blocks), twice = city(2 * blocks), crossing;
-  add_plate(crossing, 0, 10, 0, 10, 8, 0);
-  add_plate(crossing, 0, 10, 2, 8, 0, 8);
+  add_plate(crossing, {0, 10}, {0, 10}, {8, 0});
+  add_plate(crossing, {0, 10}, {2, 8}, {0, 8});
   for (Scene* s : {&town, &twice, &crossing}) finish(*s);
   ProjectedScene seen = on_sheet(town, "iso"), seen_twice = on_sheet(twice, "iso"), seen_crossing = on_sheet(crossing);
   seen_crossing.with_intersections = true;

@@ -127,9 +127,9 @@ Result study_sort_keys(const StudyRequest& request) {
   Family families[] = {
       {"figure 2.68", {}}, {"faces that lean alike", leaning_faces(n, 5)}, {"boxes of a city", city(request.pick(3, 8))}};
   // P begins nearest, and is behind Q and R where they overlap.
-  add_plate(families[0].scene, 0, 14, 0, 6, 0, 7);
-  add_plate(families[0].scene, 8, 10, 1, 8, 2, 2);
-  add_plate(families[0].scene, 10, 13, -1, 4, 3, 3);
+  add_plate(families[0].scene, {0, 14}, {0, 6}, {0, 7});
+  add_plate(families[0].scene, {8, 10}, {1, 8}, {2, 2});
+  add_plate(families[0].scene, {10, 13}, {-1, 4}, {3, 3});
   std::array<std::uint64_t, std::size(kKeys)> sum{};
   for (Family& f : families) {
     const Wrong found = wrong_pairs(std::move(f.scene));

@@ -245,11 +245,11 @@ void read_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
   for (const ModelFormat format : formats_of(kind)) {
     try {
       Warnings warnings;
-      check_scene(read_scene(bytes, format, {}, "fuzz", {.merge_coplanar = true}, warnings));
+      check_scene(read_scene({bytes, "fuzz"}, format, {.merge_coplanar = true}, warnings));
       ReadOptions shaded{.shading = true};
       if (bytes.size() % 2 == 1) shaded.pose = ScenePose{"0", 0.5};
       if (format != ModelFormat::gltf && format != ModelFormat::glb) shaded.pose.reset();
-      Scene scene = read_scene(bytes, format, {}, "fuzz", shaded, warnings);
+      Scene scene = read_scene({bytes, "fuzz"}, format, shaded, warnings);
       Topology topology = build_topology(scene);
       heal(scene, topology, {});
       check_scene(scene);

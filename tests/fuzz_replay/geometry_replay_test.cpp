@@ -36,7 +36,7 @@ TEST_P(GeometryReplay, IsReadBackAsItIsShown) {
   const Scene scene = scene_of_file(GetParam()).scene;
   const std::string text = scene_json(scene);
   Warnings warnings;
-  const Scene again = read_scene(std::as_bytes(std::span(text)), ModelFormat::ligne_scene, {}, "scene", {}, warnings);
+  const Scene again = read_scene({std::as_bytes(std::span(text)), "scene"}, ModelFormat::ligne_scene, {}, warnings);
   EXPECT_EQ(again.vertices, scene.vertices);
   EXPECT_TRUE(std::ranges::equal(again.faces.corners(), scene.faces.corners()));
   ASSERT_EQ(again.faces.size(), scene.faces.size());

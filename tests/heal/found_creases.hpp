@@ -9,7 +9,7 @@ namespace ligne::test {
 
 inline Scene read(const std::string& text, ModelFormat format, bool shading = true) {
   Warnings warnings;
-  return read_scene(std::as_bytes(std::span(text)), format, {}, "model", {.shading = shading}, warnings);
+  return read_scene({std::as_bytes(std::span(text)), "model"}, format, {.shading = shading}, warnings);
 }
 
 struct Found {

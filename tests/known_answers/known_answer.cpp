@@ -103,7 +103,7 @@ class AnswerReader {
       result = read_scene(folder_ / scene.get<std::string>(), {}, warnings);
     } else {
       const std::string bytes = scene.dump();
-      result = read_scene(std::as_bytes(std::span(bytes)), ModelFormat::ligne_scene, {}, name_, {}, warnings);
+      result = read_scene({std::as_bytes(std::span(bytes)), name_}, ModelFormat::ligne_scene, {}, warnings);
     }
     if (!warnings.counts().empty()) fail("scene: had to be mended");
     return result;

@@ -28,7 +28,7 @@ using Order = std::vector<std::uint32_t>;
 /// Plates, each by x0, x1, z0, z1 and the depths of its left and its right side.
 inline Scene plates(const std::vector<std::array<double, 6>>& list) {
   Scene scene;
-  for (const auto& [x0, x1, z0, z1, y0, y1] : list) studies::add_plate(scene, x0, x1, z0, z1, y0, y1);
+  for (const auto& [x0, x1, z0, z1, y0, y1] : list) studies::add_plate(scene, {x0, x1}, {z0, z1}, {y0, y1});
   return scene;
 }
 

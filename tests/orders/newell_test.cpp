@@ -324,7 +324,7 @@ TEST(Newell, Figure284EachFaceIsCutOnceByP) {
 // P serves for all: the half behind them, the faces, the half before them.
 TEST(Newell, Figure284PIsCutOnceForFacesOfOnePlane) {
   Scene scene;
-  add_plate(scene, -1, 11, -1, 40, 0, 12);
+  add_plate(scene, {-1, 11}, {-1, 40}, {0, 12});
   for (int i = 0; i < 3; ++i) {
     const double z = 12 * i;
     add_face(scene, {{{0, 9, z}, {10, 1, z}, {10, 1, z + 2}, {2, 7.4, z + 2}, {2, 7.4, z + 4}, {0, 9, z + 4}}});

@@ -42,7 +42,7 @@ TEST(PointMarks, LabelsOverlapNothingAndNoPlaceIsLeft) {
   for (std::size_t i = 0; i < seen.size(); i += 13) seen[i] = 0;
   const std::vector<TextItem> taken{{"taken already", {100, 100}, 5, TextAcross::center, TextUp::middle, 30}};
   Drawing drawing;
-  const auto labels = mark_points(drawing, points, seen, view, kHeight, TextStyle::font, taken);
+  const auto labels = mark_points(drawing, points, seen, view, {kHeight, TextStyle::font}, taken);
   ASSERT_EQ(drawing.layers.size(), 1u);
   std::vector<TextBox> boxes{text_box(taken[0], text_extent(taken[0].text, taken[0].height_mm, TextStyle::font))};
   std::size_t marks = 0;

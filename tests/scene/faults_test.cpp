@@ -100,7 +100,7 @@ const Format kFormats[] = {
 std::string outcome(const Format& format, const std::string& file) {
   Warnings warnings;
   try {
-    const Scene scene = read_scene(bytes_of(file), format.format, {}, "M", {}, warnings);
+    const Scene scene = read_scene({bytes_of(file), "M"}, format.format, {}, warnings);
     std::string text;
     for (const auto& [kind, count] : warnings.counts()) text += std::to_string(count) + " " + kind + "; ";
     return text + std::to_string(scene.faces.size()) + " faces";

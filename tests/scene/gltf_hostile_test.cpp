@@ -15,7 +15,9 @@ using gltf_test::square;
 std::string error_of(const std::string& bytes, bool binary = false, const std::filesystem::path& folder = {}) {
   ReadReport report;
   Warnings warnings;
-  return reader_test::error_line([&] { read_gltf(std::as_bytes(std::span(bytes)), binary, folder, "M", report, warnings); });
+  return reader_test::error_line([&] {
+    read_gltf({std::as_bytes(std::span(bytes)), "M", folder}, binary, report, warnings);
+  });
 }
 
 struct Lie {

@@ -18,7 +18,7 @@ using Points = std::vector<Point3>;
 
 reader_test::Result read_posed(const std::string& text, const std::optional<ScenePose>& pose = {}) {
   reader_test::Result r;
-  r.scene = read_gltf(std::as_bytes(std::span(text)), false, {}, "M", r.report, r.warnings, nullptr, pose);
+  r.scene = read_gltf({std::as_bytes(std::span(text)), "M"}, false, r.report, r.warnings, nullptr, pose);
   return r;
 }
 

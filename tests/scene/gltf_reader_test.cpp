@@ -18,7 +18,7 @@ struct Result {
 
 Result read(const std::string& bytes, bool binary = false, const std::filesystem::path& folder = {}) {
   Result r;
-  r.scene = read_gltf(std::as_bytes(std::span(bytes)), binary, folder, "M", r.report, r.warnings);
+  r.scene = read_gltf({std::as_bytes(std::span(bytes)), "M", folder}, binary, r.report, r.warnings);
   return r;
 }
 
@@ -275,7 +275,7 @@ TEST_P(GltfModel, CountsAndBox) {
   ReadReport report;
   Warnings warnings;
   Scene scene =
-      read_gltf(std::as_bytes(std::span(bytes)), file.extension() == ".glb", file.parent_path(), "M", report, warnings);
+      read_gltf({std::as_bytes(std::span(bytes)), "M", file.parent_path()}, file.extension() == ".glb", report, warnings);
   EXPECT_EQ(report.triangles, GetParam().triangles);
   EXPECT_EQ(scene.faces.size(), GetParam().triangles);
   if (GetParam().vertices != 0) {
@@ -313,7 +313,7 @@ TEST(GltfModels, DracoEngine) {
   ReadReport report;
   Warnings warnings;
   const auto read = [&] {
-    return read_gltf(std::as_bytes(std::span(bytes)), false, file.parent_path(), "M", report, warnings);
+    return read_gltf({std::as_bytes(std::span(bytes)), "M", file.parent_path()}, false, report, warnings);
   };
 #ifdef LIGNE_HAVE_DRACO
   Scene scene = read();

@@ -13,7 +13,7 @@ namespace {
 Result read_file(const std::string& text, std::string_view suffix) {
   Result result;
   const ModelFormat format = detect_format(bytes_of(text), suffix, "M");
-  result.scene = read_scene(bytes_of(text), format, {}, "M", {}, result.warnings, &result.report);
+  result.scene = read_scene({bytes_of(text), "M"}, format, {}, result.warnings, &result.report);
   return result;
 }
 

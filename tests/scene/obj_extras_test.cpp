@@ -19,7 +19,7 @@ class ObjLibraries : public testing::Test {
   void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
   Result read(const std::string& text) {
     Result r;
-    r.scene = read_obj(bytes_of(text), "M", r.report, r.warnings, nullptr, false, folder_);
+    r.scene = read_obj({bytes_of(text), "M", folder_}, r.report, r.warnings);
     return r;
   }
 
@@ -61,7 +61,7 @@ TEST_F(ObjLibraries, BrokenNumbersNameTheLine) {
 }
 
 Scene plain(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings) {
-  return read_obj(bytes, name, report, warnings);
+  return read_obj({bytes, name}, report, warnings);
 }
 
 const std::string kPatchPoints =

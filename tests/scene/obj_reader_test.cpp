@@ -7,7 +7,7 @@ namespace {
 
 /// Without shading.
 Scene plain_obj(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings) {
-  return read_obj(bytes, name, report, warnings);
+  return read_obj({bytes, name}, report, warnings);
 }
 
 using namespace reader_test;

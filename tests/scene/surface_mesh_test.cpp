@@ -311,7 +311,7 @@ TEST(SurfaceMesh, FilesReadBackTheSame) {
   const Scene scene = scene_of(mesh, 1.7, -2.0);
   const auto read = [](const std::string& text, ModelFormat format) {
     Warnings warnings;
-    const Scene back = read_scene(reader_test::bytes_of(text), format, {}, "M", {}, warnings);
+    const Scene back = read_scene({reader_test::bytes_of(text), "M"}, format, {}, warnings);
     EXPECT_TRUE(warnings.counts().empty());
     return back;
   };

@@ -103,7 +103,7 @@ Made read_subdivided(const std::string& text, unsigned levels = 3) {
   ReadOptions options;
   options.shading = true;
   options.subdivision = Subdivision{kCatmullClark, levels};
-  made.scene = read_scene(std::as_bytes(std::span(text)), ModelFormat::obj, {}, "M", options, made.warnings, &report);
+  made.scene = read_scene({std::as_bytes(std::span(text)), "M"}, ModelFormat::obj, options, made.warnings, &report);
   made.report = report.subdivision;
   return made;
 }
@@ -125,7 +125,7 @@ TEST(CreaseTags, HoldInEveryObject) {
 TEST(CreaseTags, AreLeftOutWithoutSubdivision) {
   const std::string text = std::string(kObjCube) + "t crease 2/1/0 0 1 10\n";
   Warnings warnings;
-  read_scene(std::as_bytes(std::span(text)), ModelFormat::obj, {}, "M", {}, warnings);
+  read_scene({std::as_bytes(std::span(text)), "M"}, ModelFormat::obj, {}, warnings);
   expect_parts(warnings.lines().at(0), {"left out: 1 tags of subdivision (t), which --subdivide reads"});
 }
 

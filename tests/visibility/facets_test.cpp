@@ -183,7 +183,7 @@ constexpr Facet kFacet{{0, 1, 2}, 7, 0, 0, 1, 200};
 
 HiddenInterval hidden(const PageLine& line, double from, double to) {
   bool near_side = false;
-  return hidden_interval(line, kFacet, kCorners.data(), from, to, 0, near_side);
+  return hidden_interval(line, kFacet, kCorners.data(), {from, to}, 0, near_side);
 }
 
 PageLine line_of_depths(double z0, double z1) { return {{{0, 0}, z0}, {{100, 0}, z1}, kNone, kNone}; }

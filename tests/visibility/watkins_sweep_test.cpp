@@ -135,7 +135,7 @@ TEST(WatkinsSweep, FindingsAreThoseOfAllFacets) {
       bool near_side = false;
       for (const Facet& f : p.facets.facets) {
         if (f.face == l.face0 || f.face == l.face1 || all.empty()) continue;
-        all.take(hidden_interval(line, f, p.projected.vertices.data(), 0, 1, 0, near_side));
+        all.take(hidden_interval(line, f, p.projected.vertices.data(), {0, 1}, 0, near_side));
       }
       const std::vector<LinePart> expected = all.finish();
       const std::vector<LinePart>& found = r.found.visible_parts(i, open);

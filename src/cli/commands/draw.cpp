@@ -193,11 +193,13 @@ void draw(const DrawOptions& options, PictureRequest request) {
                                   : draw_scene(models.scene, request, run, {}, std::move(models.topology));
     if (!options.zbuffer_save.empty()) files.write(options.zbuffer_save, buffer.write());
     warn_of_use(options, request);
-    deliver(std::move(picture), outputs.front(), options.plotter.preview, place, options.run, run, files);
+    deliver(std::move(picture), {outputs.front(), options.plotter.preview, place}, options.run, run, files);
     return;
   }
   std::size_t frame = 0;
-  draw_frames(models.scene, request, options.frames, as_pages, run, std::move(models.topology),
+  FrameRequest frames = options.frames;
+  frames.as_pages = as_pages;
+  draw_frames(models.scene, request, frames, run, std::move(models.topology),
               [&](Picture picture) { files.write(outputs[frame++], std::move(picture.bytes)); });
   warn_of_use(options, request);
   report_warnings(run, place, options.run);

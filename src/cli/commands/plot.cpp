@@ -127,7 +127,7 @@ void plot(const PlotCommandOptions& options, const MemoryLimit& memory) {
     warn_of_idle_options(
         {"plot", options.run.given, request.format, request.plotter.by_pens(), std::ranges::any_of(drawings, is_svg)});
   }
-  deliver(std::move(picture), output, options.plotter.preview, options.drawings.front(), options.run, run, files);
+  deliver(std::move(picture), {output, options.plotter.preview, options.drawings.front()}, options.run, run, files);
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ void run(const SurfaceOptions& options, SurfaceRequest request) {
       warn_of_idle_options({"surface", options.run.given, made.output.format, made.plotter.by_pens()});
     }
   }
-  deliver(std::move(picture), *options.output.file, options.as_mesh ? "" : options.plotter.preview,
-          place_of_warnings(request), options.run, report, files);
+  const std::string preview = options.as_mesh ? "" : options.plotter.preview;
+  deliver(std::move(picture), {*options.output.file, preview, place_of_warnings(request)}, options.run, report, files);
 }
 
 bool is_formula(const std::string& text, FormulaLanguage language) {

@@ -41,19 +41,18 @@ void report_warnings(const RunReport& report, const std::string& place, const Ru
   for (const RunWarning& w : report.warnings) warn(w.place.empty() ? place : w.place, w.text);
 }
 
-void deliver(Picture picture, const std::string& output, const std::string& preview, const std::string& place,
-             const RunOptions& options, RunReport& report, RunFiles& files) {
+void deliver(Picture picture, const PictureNames& names, const RunOptions& options, RunReport& report, RunFiles& files) {
   files.were_read(report.files);
-  report_warnings(report, place, options);
+  report_warnings(report, names.place, options);
   std::fputs(picture.plotter_report.c_str(), stderr);
-  if (!preview.empty()) files.write(preview, std::move(picture.preview));
+  if (!names.preview.empty()) files.write(names.preview, std::move(picture.preview));
   timed(report.stages, "output", [&] {
     for (PicturePart& part : picture.parts) {
-      const std::string name = name_of(output, part);
+      const std::string name = name_of(names.output, part);
       files.will_write("--output", name);
       files.write(name, std::move(part.bytes));
     }
-    if (picture.parts.empty()) files.write(output, std::move(picture.bytes));
+    if (picture.parts.empty()) files.write(names.output, std::move(picture.bytes));
   });
   finish(options, report, files);
 }

@@ -37,9 +37,15 @@ void add_run_options(CLI::App& app, RunOptions& options);
 /// Writes the warnings, but not those of a quiet run. `place` stands at the head of warnings that name no file.
 void report_warnings(const RunReport& report, const std::string& place, const RunOptions& options);
 
-/// Hands over a picture: its file, the preview beside it, and what was asked for on standard error. `place`: as above.
-void deliver(Picture picture, const std::string& output, const std::string& preview, const std::string& place,
-             const RunOptions& options, RunReport& report, RunFiles& files);
+/// The files of a picture as the command line names them.
+struct PictureNames {
+  std::string output;
+  std::string preview;  ///< may be empty
+  std::string place;    ///< at the head of warnings, as above
+};
+
+/// Hands over a picture: its file, the preview beside it, and what was asked for on standard error.
+void deliver(Picture picture, const PictureNames& names, const RunOptions& options, RunReport& report, RunFiles& files);
 
 /// The end of a run: writes its counts and times where the options want them, and puts all files in their places.
 void finish(const RunOptions& options, const RunReport& report, RunFiles& files);

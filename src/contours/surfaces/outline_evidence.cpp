@@ -155,7 +155,8 @@ void change_runs(std::vector<SeenContour>& seen, const PartsOfRuns& parts, const
 }  // namespace
 
 void hold_against_outlines(std::vector<SeenContour>& seen, const SmoothContours& contours, const View& view,
-                           const Lattice& lattice, const std::vector<Stroke>& edges, double shortest_mm, double clear_mm) {
+                           const Lattice& lattice, const std::vector<Stroke>& edges, const EvidenceSizes& sizes) {
+  const double shortest_mm = sizes.shortest_mm, clear_mm = sizes.clear_mm;
   const PartsOfRuns visible = parts_of_runs(seen, contours, true), hidden = parts_of_runs(seen, contours, false);
   PagePieces outlines, drawn;
   const auto expect = [&](const PartsOfRuns& parts, PagePieces& pieces) {

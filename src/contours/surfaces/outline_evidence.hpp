@@ -12,13 +12,17 @@
 
 namespace ligne {
 
+/// Lengths on the page, mm. Parts up to the shortest one stay as they are, but for visible ones longer than the clear one
+/// with no visible edge within as much more.
+struct EvidenceSizes {
+  double shortest_mm, clear_mm;
+};
+
 /// Hides visible runs of contours where an edge of the mesh's outline beside them is hidden and none is seen. Where the
 /// solid is hollow at an edge, the mesh hides its own outline by a hair, so such edges testify only against runs beside
 /// which nothing of the outline is seen. Shows hidden runs where an edge beside them is seen and no visible contour stands
-/// for it. Beside: within ContourNode::most_mm. Parts up to `shortest_mm` stay as they are, but for visible ones longer than
-/// `clear_mm` with no visible edge within `clear_mm` more. `edges`: strokes of the edges themselves, sorted as by
-/// take_strokes().
+/// for it. Beside: within ContourNode::most_mm. `edges`: strokes of the edges themselves, sorted as by take_strokes().
 void hold_against_outlines(std::vector<SeenContour>& seen, const SmoothContours& contours, const View& view,
-                           const Lattice& lattice, const std::vector<Stroke>& edges, double shortest_mm, double clear_mm);
+                           const Lattice& lattice, const std::vector<Stroke>& edges, const EvidenceSizes& sizes);
 
 }  // namespace ligne

@@ -152,8 +152,16 @@ struct Missing {
   std::vector<Candidate> whole, parts;
 };
 
-void look_at(const Candidate& c, const NearContours& near, const SmoothContours& contours, const View& view,
-             const Lattice& lattice, double pen_width_mm, Missing& missing) {
+/// The contours and the page on which they are drawn.
+struct ProbePage {
+  const SmoothContours& contours;
+  const View& view;
+  const Lattice& lattice;
+  double pen_width_mm;
+};
+
+void look_at(const Candidate& c, const NearContours& near, const ProbePage& page, Missing& missing) {
+  const auto& [contours, view, lattice, pen_width_mm] = page;
   if (!near.any_within(c.middle, c.near_mm)) {
     missing.whole.push_back(c);
     return;
@@ -297,8 +305,9 @@ double size_on_page(const Scene& scene, const View& view, const SmoothPatch& pat
 }
 
 void add_missing_outlines(StrokeModel& model, const View& view, const SmoothContours& contours,
-                          const std::vector<Stroke>& probes, const std::vector<SeenContour>& seen, double pen_width_mm,
-                          double reach_mm) {
+                          const std::vector<Stroke>& probes, const std::vector<SeenContour>& seen, const ProbeSizes& sizes) {
+  const double pen_width_mm = sizes.pen_width_mm, reach_mm = sizes.reach_mm;
+  const ProbePage page{contours, view, model.lattice, pen_width_mm};
   std::vector<Candidate> candidates;
   NearContours near(seen, reach_mm);
   for (const Stroke& probe : probes) {
@@ -315,8 +324,7 @@ void add_missing_outlines(StrokeModel& model, const View& view, const SmoothCont
   near.prepare();
   std::vector<Missing> found(block_count(candidates.size(), kSearchBlock));
   parallel_blocks(candidates.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      look_at(candidates[i], near, contours, view, model.lattice, pen_width_mm, found[begin / kSearchBlock]);
+    for (std::size_t i = begin; i < end; ++i) look_at(candidates[i], near, page, found[begin / kSearchBlock]);
   });
   std::vector<Candidate> missing, parts;
   for (const Missing& m : found) {

@@ -22,10 +22,15 @@ std::array<Point3, 2> outline_probe(const Scene& scene, const View& view, const 
 /// The longest side on the page of the two triangles at a side of the patch, mm.
 double size_on_page(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side);
 
+/// Lengths on the page that decide about probes, mm.
+struct ProbeSizes {
+  double pen_width_mm;
+  double reach_mm;  ///< from the end of an outline to a contour on which it is put
+};
+
 /// Adds strokes for the edges whose probes are seen with no visible contour near them. `probes`: the strokes of the probes,
-/// in the order of their sources. Ends are put onto contours within `reach_mm`.
+/// in the order of their sources.
 void add_missing_outlines(StrokeModel& model, const View& view, const SmoothContours& contours,
-                          const std::vector<Stroke>& probes, const std::vector<SeenContour>& seen, double pen_width_mm,
-                          double reach_mm);
+                          const std::vector<Stroke>& probes, const std::vector<SeenContour>& seen, const ProbeSizes& sizes);
 
 }  // namespace ligne

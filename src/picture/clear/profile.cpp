@@ -157,7 +157,7 @@ void draw_profiles(StrokeModel& model, const ProjectedScene& projected, const Sc
     members.push_back(i);
   }
   if (members.empty()) return;
-  const auto free = free_parts(model, members, projected, scene, contours, kind, pen_width_mm);
+  const auto free = free_parts(model, members, projected, scene, contours, {kind, pen_width_mm});
   const double step = model.lattice.step_mm;
   std::vector<Bit> profiles;
   for (const StrokeArc& arc : stroke_arcs(model.strokes, members, kJunctionMm / step)) {

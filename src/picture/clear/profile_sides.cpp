@@ -221,7 +221,9 @@ std::vector<Facet> facets_in_the_way(const ProjectedScene& projected) {
 
 std::vector<FreeParts> free_parts(const StrokeModel& model, std::span<const std::uint32_t> members,
                                   const ProjectedScene& projected, const Scene& scene, const ContourSources& contours,
-                                  ProfileKind kind, double pen_width_mm) {
+                                  const ProfileStyle& style) {
+  const ProfileKind kind = style.kind;
+  const double pen_width_mm = style.pen_width_mm;
   const SourceFaces faces(model, projected);
   const Sides sides_of(model, scene, projected, faces, contours, pen_width_mm);
   std::vector<std::vector<Side>> sides(members.size());

@@ -25,10 +25,16 @@ struct FreeParts {
   double off_mm = 0;            ///< how far beside the stroke was looked; contours are drawn beside their mesh
 };
 
-/// Per stroke of `members` the parts beside which, on one side at least, lies the sheet, or what `kind` says. Both close
+/// The kind of profile, and the width of the pen that draws it.
+struct ProfileStyle {
+  ProfileKind kind;
+  double pen_width_mm;
+};
+
+/// Per stroke of `members` the parts beside which, on one side at least, lies the sheet, or what the kind says. Both close
 /// beside the stroke, beyond all that counts as on it, and as far off as a gap is wide that its ink leaves open.
 std::vector<FreeParts> free_parts(const StrokeModel& model, std::span<const std::uint32_t> members,
                                   const ProjectedScene& projected, const Scene& scene, const ContourSources& contours,
-                                  ProfileKind kind, double pen_width_mm);
+                                  const ProfileStyle& style);
 
 }  // namespace ligne

@@ -92,9 +92,10 @@ LineClass RimLines::line_class(const Rim& rim, const Camera& camera) const {
 }
 
 void RimLines::add_piece(StrokeModel& model, std::vector<Stroke>& pieces, const Stroke& stroke, const View& view,
-                         std::uint32_t rim, double from, double to) const {
+                         const Place& begin, double to) const {
+  double from = begin.at;
   if (from > to) std::swap(from, to);
-  const Rim& r = rims_[rim];
+  const Rim& r = rims_[begin.rim];
   const Point3 a = scene_.vertices[r.v0], b = scene_.vertices[r.v1];
   const HomogeneousPoint p = to_homogeneous(view, between(a, b, from)), q = to_homogeneous(view, between(a, b, to));
   Stroke piece = stroke;
@@ -129,7 +130,7 @@ std::vector<Stroke> RimLines::pieces(StrokeModel& model, const Stroke& stroke, c
     const auto q = nearest(face, distance, to);
     if (!q || !classes.has(line_class(rims_[p->rim], view.camera))) continue;
     if (p->rim == q->rim) {
-      add_piece(model, pieces, stroke, view, p->rim, p->at, q->at);
+      add_piece(model, pieces, stroke, view, *p, q->at);
       return pieces;
     }
     const Rim &r = rims_[p->rim], &s = rims_[q->rim];
@@ -141,8 +142,8 @@ std::vector<Stroke> RimLines::pieces(StrokeModel& model, const Stroke& stroke, c
     const double farthest = distance + std::max(r.distance, s.distance);
     const Point3 nearest_of_piece = between(from, to, nearest_on_segment(turn, from, to));
     if (glm::distance(turn, nearest_of_piece) > farthest || glm::dot(from - turn, to - turn) > 0) continue;
-    add_piece(model, pieces, stroke, view, p->rim, p->at, at_v0 ? 0 : 1);
-    add_piece(model, pieces, stroke, view, q->rim, corner == s.v0 ? 0 : 1, q->at);
+    add_piece(model, pieces, stroke, view, *p, at_v0 ? 0 : 1);
+    add_piece(model, pieces, stroke, view, {q->rim, corner == s.v0 ? 0.0 : 1.0}, q->at);
     return pieces;
   }
   return pieces;

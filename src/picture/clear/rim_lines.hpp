@@ -37,8 +37,9 @@ class RimLines {
   };
   std::optional<Place> nearest(std::uint32_t face, double distance, const Point3& p) const;
   LineClass line_class(const Rim& rim, const Camera& camera) const;
-  void add_piece(StrokeModel& model, std::vector<Stroke>& pieces, const Stroke& stroke, const View& view, std::uint32_t rim,
-                 double from, double to) const;
+  /// From a place on a rim to another on the same one.
+  void add_piece(StrokeModel& model, std::vector<Stroke>& pieces, const Stroke& stroke, const View& view, const Place& from,
+                 double to) const;
   static std::vector<Rim> find_rims(const Scene& scene, const FaceNeighbours& neighbours, const ChordErrors& errors,
                                     const std::vector<SourceEdge>& segments, double smooth_degrees);
   static std::vector<EdgeTree::Segment> places_of(const Scene& scene, const std::vector<Rim>& rims);

@@ -156,7 +156,7 @@ std::vector<Layer> hatch_form(const HatchScene& hatch, const std::vector<Region>
   };
   try {
     for (const FormStroke& stroke :
-         form_strokes(hatch.form, field, walk, seen, regions, hatch.patches.of_face, tone, options)) {
+         form_strokes({hatch.form, field, walk, seen, hatch.patches.of_face}, regions, tone, options)) {
       layers.all()[stroke.layer].lines.add(stroke.points);
     }
   } catch (const std::length_error&) {

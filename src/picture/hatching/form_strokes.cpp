@@ -57,10 +57,15 @@ double share_of(std::uint64_t key) { return static_cast<double>(mix_bits(key + k
 
 class StrokePlacement {
  public:
-  StrokePlacement(const FormMesh& mesh, const FormField& field, const FormWalk& walk, const FormRegions& regions,
-                  std::span<const std::uint32_t> surfaces, const std::function<FormTone(const FormPlace&)>& tone,
+  StrokePlacement(const FormGround& ground, const std::function<FormTone(const FormPlace&)>& tone,
                   const FormStrokeOptions& options)
-      : mesh_(mesh), field_(field), walk_(walk), regions_(regions), surfaces_(surfaces), tone_(tone), options_(options) {}
+      : mesh_(ground.mesh),
+        field_(ground.field),
+        walk_(ground.walk),
+        regions_(ground.regions),
+        surfaces_(ground.surfaces),
+        tone_(tone),
+        options_(options) {}
 
   void add(bool second, double distance_mm, std::span<const FormPlace> begins);
   std::vector<FormStroke> take() const;
@@ -276,17 +281,15 @@ std::vector<FormStroke> StrokePlacement::take() const {
 
 }  // namespace
 
-std::vector<FormStroke> form_strokes(const FormMesh& mesh, const FormField& field, const FormWalk& walk,
-                                     const FormRegions& regions, std::span<const Region> seen,
-                                     std::span<const std::uint32_t> surfaces,
+std::vector<FormStroke> form_strokes(const FormGround& ground, std::span<const Region> seen,
                                      const std::function<FormTone(const FormPlace&)>& tone,
                                      const FormStrokeOptions& options) {
-  StrokePlacement placement(mesh, field, walk, regions, surfaces, tone, options);
+  StrokePlacement placement(ground, tone, options);
   std::vector<FormPlace> begins;
   for (const Region& region : seen) {
     const std::optional<Point2> inside = region.level == 0 ? FormRegions::point_inside(region) : std::nullopt;
     if (!inside) continue;
-    if (const auto place = walk.place_on(region.face, *inside)) begins.push_back(*place);
+    if (const auto place = ground.walk.place_on(region.face, *inside)) begins.push_back(*place);
   }
   for (const bool second : {false, true}) {
     for (double distance = kSparsest; distance >= 1; distance /= 2) {

@@ -37,15 +37,22 @@ inline constexpr double kFormStep = 0.2;
 /// Bytes that a point takes while strokes are placed.
 inline constexpr double kFormPointBytes = 400;
 
+/// The shape along which strokes run, and what of it is seen. All of it outlives the strokes' placement.
+struct FormGround {
+  const FormMesh& mesh;
+  const FormField& field;
+  const FormWalk& walk;
+  const FormRegions& regions;
+  std::span<const std::uint32_t> surfaces;  ///< by face: its smooth surface; strokes of different ones keep no distance
+};
+
 /// How far strokes of the sparsest hatching are apart, in closest distances.
 inline constexpr double kSparsest = 8;
 
 /// Strokes of evenly spaced lines of the field ([Jobard1997]), the sparsest first and then those between them, so that
-/// where it is darker strokes join those of the lighter parts. They end half a pen from rims. `surfaces` gives the smooth
-/// surface of each face: strokes of different ones keep no distance. Every region gets its chance to begin a stroke.
-std::vector<FormStroke> form_strokes(const FormMesh& mesh, const FormField& field, const FormWalk& walk,
-                                     const FormRegions& regions, std::span<const Region> seen,
-                                     std::span<const std::uint32_t> surfaces,
+/// where it is darker strokes join those of the lighter parts. They end half a pen from rims. Every region gets its
+/// chance to begin a stroke.
+std::vector<FormStroke> form_strokes(const FormGround& ground, std::span<const Region> seen,
                                      const std::function<FormTone(const FormPlace&)>& tone,
                                      const FormStrokeOptions& options);
 

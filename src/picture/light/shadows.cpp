@@ -91,9 +91,17 @@ std::vector<double> opacities_of(const Scene& scene) {
   return opacities;
 }
 
-/// Adds what one picture of a light shows. Of the transparent faces those of this opacity are counted.
-void add_lit(const Scene& scene, const Topology& topology, const View& view, const Lattice& lattice,
-             const CameraRequest& request, double opacity, LitFaces& lit) {
+/// A scene and its place on the page.
+struct PlacedScene {
+  const Scene& scene;
+  const Topology& topology;
+  const View& view;
+  const Lattice& lattice;
+};
+
+/// Adds the faces that one picture of a light shows. Among the transparent faces those of this opacity count.
+void add_lit(const PlacedScene& placed, const CameraRequest& request, double opacity, LitFaces& lit) {
+  const auto& [scene, topology, view, lattice] = placed;
   const Camera camera = make_camera(request, scene);
   const View light_view = make_view(scene, camera, {kLightPage}, kLightPage);
   ProjectedScene seen = project(scene, topology, light_view, {});
@@ -241,7 +249,7 @@ CastShadows cast_shadows(const Scene& scene, const Topology& topology, const Vie
     for (const double opacity : opacities) {
       LitFaces lit(scene.faces.size());
       for (const CameraRequest& request : pictures_of(lights[i], scene))
-        add_lit(scene, topology, view, lattice, request, opacity, lit);
+        add_lit({scene, topology, view, lattice}, request, opacity, lit);
       const ShadowCut work(lattice, i, light_count, opacity);
       std::vector<CastShadows> cut(all.regions.size());
       parallel_for(cut.size(), [&](std::size_t k) {

@@ -65,11 +65,18 @@ double ground_of_mm(const MapGround& ground, const View& view) {
   return std::hypot(camera.right.x / ground.factor.x, camera.right.y / ground.factor.y) / (view.scale * across);
 }
 
+/// The place of a row of marks: its upper left corner and its width, mm of the page.
+struct RowPlace {
+  Point2 at;
+  double width;
+};
+
 /// A line with ticks at its ends and its middle; the numbers stand above. The height that it takes.
-double add_scale_bar(Rows& rows, const std::string& asked_unit, const MapGround& ground, const View& view, Point2 at,
-                     double width, double h) {
+double add_scale_bar(Rows& rows, const std::string& asked_unit, const MapGround& ground, const View& view,
+                     const RowPlace& place, double h) {
+  const Point2 at = place.at;
   const double of_mm = ground_of_mm(ground, view);
-  double length = round_below(kBarPart * width * of_mm);
+  double length = round_below(kBarPart * place.width * of_mm);
   const double mm = length / of_mm;
   std::string unit = asked_unit.empty() && ground.unit != GroundUnit::unknown ? "m" : asked_unit;
   constexpr double kMetresOfKilometre = 1000;
@@ -115,7 +122,7 @@ MapMarks lay_out_map_marks(const AxesChoice& choice, const MapGround& ground, co
   MapMarks marks;
   Rows rows(marks, measure, h);
   double y = all.max.y + kRowGap * h, row = 0;
-  if (choice.scale_bar) row = add_scale_bar(rows, choice.scale_unit, ground, view, {all.min.x, y}, all.width(), h);
+  if (choice.scale_bar) row = add_scale_bar(rows, choice.scale_unit, ground, view, {{all.min.x, y}, all.width()}, h);
   if (choice.north_arrow) row = std::max(row, add_north_arrow(rows, view, {all.max.x, y}, h));
   if (row > 0) y += row + kRowGap * h;
   double x = all.min.x;

@@ -92,8 +92,10 @@ std::string unseen_points(const std::vector<MarkedPoint>& points, const std::vec
 }
 
 std::vector<TextItem> mark_points(Drawing& drawing, const std::vector<MarkedPoint>& points,
-                                  const std::vector<std::uint8_t>& seen, const View& view, double h, TextStyle style,
+                                  const std::vector<std::uint8_t>& seen, const View& view, const LabelStyle& labelled,
                                   std::span<const TextItem> taken) {
+  const double h = labelled.height_mm;
+  const TextStyle style = labelled.text;
   Layer layer{"points", {}};
   std::vector<TextItem> labels;
   std::vector<TextBox> gaps;

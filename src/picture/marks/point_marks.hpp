@@ -21,10 +21,15 @@ std::vector<std::uint8_t> take_probes(StrokeModel& model, std::uint32_t first, s
 /// "5 of 7 points are not marked: 2 outside the page, 3 hidden"; empty when all are seen.
 std::string unseen_points(const std::vector<MarkedPoint>& points, const std::vector<std::uint8_t>& seen, const View& view);
 
+struct LabelStyle {
+  double height_mm;  ///< of letters; marks follow it
+  TextStyle text;
+};
+
 /// Marks the points that are seen, in the layer "points", and writes their labels beside them where there is room; lines
 /// make a gap for these. Labels that do not fit are left out; `taken` are the texts that are there already.
 std::vector<TextItem> mark_points(Drawing& drawing, const std::vector<MarkedPoint>& points,
-                                  const std::vector<std::uint8_t>& seen, const View& view, double height_mm, TextStyle style,
+                                  const std::vector<std::uint8_t>& seen, const View& view, const LabelStyle& style,
                                   std::span<const TextItem> taken);
 
 }  // namespace ligne

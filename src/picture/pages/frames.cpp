@@ -66,7 +66,7 @@ Rect extent_of_all(const Scene& scene, PictureRequest request, const FrameReques
 
 }  // namespace
 
-void draw_frames(const Scene& scene, PictureRequest request, const FrameRequest& frames, bool as_pages, RunReport& run,
+void draw_frames(const Scene& scene, PictureRequest request, const FrameRequest& frames, RunReport& run,
                  std::optional<Topology> topology, const std::function<void(Picture)>& take) {
   check(request);
   const std::string asks = std::to_string(scene.faces.size()) + " faces";
@@ -77,7 +77,7 @@ void draw_frames(const Scene& scene, PictureRequest request, const FrameRequest&
     request.compiled = timed(run.stages, {"compile", asks}, [&] { return method.compile(scene, request.lines.settings); });
   }
   std::optional<PdfDocument> document;
-  if (as_pages) document.emplace();
+  if (frames.as_pages) document.emplace();
   request.keep = Keep::for_next_view;
   const std::function<void(double)> progress = request.progress;
   unsigned lists_taken_over = 0;

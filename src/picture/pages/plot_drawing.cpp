@@ -183,9 +183,17 @@ LineStyle style_of_layer(const std::string& layer, double pen_width_mm, bool hid
   return style;
 }
 
+/// A drawing on its page.
+struct Sheet {
+  const Drawing& drawing;
+  const Page& page;
+  bool dashes_cut;  ///< dashes are strokes already
+};
+
 /// A picture of one sheet.
-Picture write_sheet(const Drawing& drawing, const Page& page, bool dashes_cut, const PlotDrawingRequest& request,
-                    const PlotterRequest& plotter, PdfDocument* pages, RunReport& run) {
+Picture write_sheet(const Sheet& sheet, const PlotDrawingRequest& request, const PlotterRequest& plotter, PdfDocument* pages,
+                    RunReport& run) {
+  const auto& [drawing, page, dashes_cut] = sheet;
   if (request.format == OutputFormat::png) check_png(page, request.dpi, request.memory);
   PlotOptions style;
   style.page = page;
@@ -198,8 +206,9 @@ Picture write_sheet(const Drawing& drawing, const Page& page, bool dashes_cut, c
   // Curves rise this far over the chords that reading and simplifying made of them; a polygon of the file rises more.
   style.curve_rise_mm = svg::kFlatnessMm + plotter.tolerances.simplify_mm;
   style.style = [&](const std::string& layer) { return style_of_layer(layer, style.pen_width_mm, style.hidden_solid); };
-  return timed(run.stages, "write",
-               [&] { return write_picture(drawing, style, plotter, request.format, run, nullptr, pages); });
+  return timed(run.stages, "write", [&] {
+    return write_picture(sheet.drawing, style, plotter, {request.format, nullptr, pages}, run);
+  });
 }
 
 /// Layers of one name follow each other, and those that look alike are one.
@@ -285,7 +294,7 @@ Picture write_tiles(const ReadDrawing& read, const PlotDrawingRequest& request, 
   if (request.format == OutputFormat::pdf && !tile_files) pages.emplace();
   Picture all;
   for (const Tile& tile : cut_into_tiles(read.drawing, read.page, paper, request.overlap_mm)) {
-    Picture sheet = write_sheet(tile.drawing, paper, read.dashes_cut, request, plotter, pages ? &*pages : nullptr, run);
+    Picture sheet = write_sheet({tile.drawing, paper, read.dashes_cut}, request, plotter, pages ? &*pages : nullptr, run);
     all.plotter_report += sheet.plotter_report;
     if (!pages) all.parts.push_back({std::move(sheet.bytes), static_cast<unsigned>(tile.number), 0});
   }
@@ -328,7 +337,7 @@ Picture plot_drawings(std::span<const DrawingText> drawings, const PlotDrawingRe
   warn_of_absent_layers(request, read.drawing, run);
   plotter.asked_pens = {};  // a single sheet need not have them all
   if (request.tile) return write_tiles(read, request, plotter, tile_files, run);
-  return write_sheet(read.drawing, read.page, read.dashes_cut, request, plotter, nullptr, run);
+  return write_sheet({read.drawing, read.page, read.dashes_cut}, request, plotter, nullptr, run);
 }
 
 }  // namespace ligne

@@ -79,8 +79,9 @@ std::string report_of(const ReportRow& before, const ReportRow& after, const Dev
   return text;
 }
 
-Picture write_by_layers(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter, OutputFormat format,
-                        RunReport& run, const GrayPicture* under, PdfDocument* pages) {
+Picture write_by_layers(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter,
+                        const PictureFile& file, RunReport& run) {
+  const auto [format, under, pages] = file;
   const PathOptions paths{plotter.path_work(), plotter.tolerances, {}, plotter.min_length_mm, {}};
   if (paths.optimize == Optimize::off && !(paths.min_length_mm > 0) && !plotter.report && !plotter.preview) {
     return {written_as(format, drawing, style, under, pages)};
@@ -201,10 +202,10 @@ void warn_of_paper(const Device& device, const DeviceFrame& frame, const Page& p
                                   printable(frame.paper->name)});
 }
 
-Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter, OutputFormat format,
-                      RunReport& run, const GrayPicture* under, PdfDocument* pages) {
+Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter,
+                      const PictureFile& file, RunReport& run) {
   const Device* device = plotter.device.get();
-  const bool picture_of_pens = format != OutputFormat::hpgl && format != OutputFormat::gcode;
+  const bool picture_of_pens = file.format != OutputFormat::hpgl && file.format != OutputFormat::gcode;
   PlotRequest request{
       style,
       plotter.pens,
@@ -247,7 +248,7 @@ Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const Pl
     PlotOptions by_pen = style;
     by_pen.style = styles_of(part);
     by_pen.curves = style.curves && style.starts_stay;  // else the way of the pen would not be the one that was planned
-    return written_as(format, drawing_of(part), by_pen, under, pages);
+    return written_as(file.format, drawing_of(part), by_pen, file.under, file.pages);
   };
   write_parts(std::move(plot), plotter, order.home, bytes_of, picture);
   return picture;
@@ -291,13 +292,13 @@ void check_png(const Page& page, double dpi, const MemoryLimit& memory) {
   memory.require(png_bytes(size), {"write", std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels"});
 }
 
-Picture write_picture(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter, OutputFormat format,
-                      RunReport& run, const GrayPicture* under, PdfDocument* pages) {
+Picture write_picture(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter,
+                      const PictureFile& file, RunReport& run) {
   if (plotter.parts.asked() && !plotter.by_pens())
     throw RequestError("", "--split, --every, --from-stroke, --from-time, --park and %p go with pens or a --device");
-  if (format == OutputFormat::pdf) warn_of_size(style.page, run);
-  return plotter.by_pens() ? write_by_pens(drawing, style, plotter, format, run, under, pages)
-                           : write_by_layers(drawing, style, plotter, format, run, under, pages);
+  if (file.format == OutputFormat::pdf) warn_of_size(style.page, run);
+  return plotter.by_pens() ? write_by_pens(drawing, style, plotter, file, run)
+                           : write_by_layers(drawing, style, plotter, file, run);
 }
 
 }  // namespace ligne

@@ -32,9 +32,15 @@ PlotOptions plot_options(const PictureRequest& request, const Page& page);
 /// Throws RequestError for a PNG that has too many pixels, MemoryError where they take too much.
 void check_png(const Page& page, double dpi, const MemoryLimit& memory);
 
-/// SVG, PDF, PNG, HPGL or G-code. Adds the time of the path work to `run`. `under` is a picture below the lines;
-/// `pages` a document of which a PDF becomes a page, and then it has no bytes of its own.
-Picture write_picture(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter, OutputFormat format,
-                      RunReport& run, const GrayPicture* under = nullptr, PdfDocument* pages = nullptr);
+/// The kind of file that a drawing becomes.
+struct PictureFile {
+  OutputFormat format;
+  const GrayPicture* under = nullptr;  ///< below the lines
+  PdfDocument* pages = nullptr;        ///< of which a PDF becomes a page; it then has no bytes of its own
+};
+
+/// SVG, PDF, PNG, HPGL or G-code. Adds the time of the path work to `run`.
+Picture write_picture(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter,
+                      const PictureFile& file, RunReport& run);
 
 }  // namespace ligne

@@ -197,11 +197,16 @@ void thin_curves(const SurfaceRequest& request, const std::vector<Surface>& give
   }
 }
 
+/// Water by surface.
+struct Water {
+  std::vector<std::optional<double>> levels;
+  std::vector<WaterTriangles> triangles;
+};
+
 /// Lines that are drawn apart; nothing where there are none.
 std::shared_ptr<LineGroups> groups_of(const SurfaceRequest& request, const std::vector<SurfaceMesh>& meshes,
-                                      const std::vector<WaterTriangles>& water,
-                                      const std::vector<std::optional<double>>& water_levels,
-                                      const std::vector<double>& contours, const DrawnCurves& curves, const PlotBox& box) {
+                                      const Water& water, const std::vector<double>& contours, const DrawnCurves& curves,
+                                      const PlotBox& box) {
   const TerrainRequest& terrain = request.terrain;
   const bool any_curves = !curves.curves.empty() || !curves.points.empty();
   if (!terrain.has_water() && terrain.hachures == HachureKind::none && !tells_heights(request.curves) && !any_curves &&
@@ -210,10 +215,10 @@ std::shared_ptr<LineGroups> groups_of(const SurfaceRequest& request, const std::
   }
   auto groups = std::make_shared<LineGroups>();
   if (terrain.hachures != HachureKind::none || terrain.water_fill == WaterFill::hatch) {
-    add_terrain_lines(request, meshes, water, box.factor, place_box(request, box).placement.view, *groups);
+    add_terrain_lines(request, meshes, water.triangles, box.factor, place_box(request, box).placement.view, *groups);
   }
   add_curves(curves, box.factor, *groups);
-  add_contour_groups(request, contours, water_levels, box.factor.z, *groups);
+  add_contour_groups(request, contours, water.levels, box.factor.z, *groups);
   return groups;
 }
 
@@ -254,12 +259,12 @@ std::vector<std::uint32_t> face_ends(const std::vector<SurfaceMesh>& meshes, boo
 /// `with_lines`: cut along the contour lines, and with its crossings marked.
 MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& given, bool with_lines, RunReport& run) {
   std::vector<SurfacePoints> surfaces = points_of(request, given);
-  const std::vector<std::optional<double>> levels_of_water = water_levels(request, surfaces);
-  if (with_lines) thin_curves(request, given, levels_of_water, surfaces, run);
+  Water water{water_levels(request, surfaces), {}};
+  if (with_lines) thin_curves(request, given, water.levels, surfaces, run);
   std::vector<SurfaceMesh> meshes = meshes_of(request, surfaces, run);
   DrawnCurves curves = with_lines ? curves_of(request, surfaces, run) : DrawnCurves{};
-  const std::vector<double> limits = with_lines ? cut_bands(request, levels_of_water, meshes) : std::vector<double>{};
-  const std::vector<WaterTriangles> water = flood_all(meshes, levels_of_water);
+  const std::vector<double> limits = with_lines ? cut_bands(request, water.levels, meshes) : std::vector<double>{};
+  water.triangles = flood_all(meshes, water.levels);
   MeshPlot plot;
   Point3 factor{1, 1, 1};
   const std::optional<double> base = base_of(request, height_range(meshes));
@@ -272,7 +277,7 @@ MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& 
   }
   if (const auto range = height_range(meshes); range && with_lines) {
     const std::vector<double> levels = contour_levels(request.curves, (*range)[0], (*range)[1], request.log_axes[2]);
-    if (plot.box) plot.groups = groups_of(request, meshes, water, levels_of_water, levels, curves, *plot.box);
+    if (plot.box) plot.groups = groups_of(request, meshes, water, levels, curves, *plot.box);
     for (SurfaceMesh& mesh : meshes) cut_contours(mesh, levels);
   }
   if (request.picture.hatch.direction.form == FormLines::iso)
@@ -284,7 +289,7 @@ MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& 
   const std::vector<std::uint32_t> ends = face_ends(meshes, base.has_value(), plot.scene);
   std::vector<ColoredSurface> colored;
   colored.reserve(names.size());
-  for (std::size_t k = 0; k < names.size(); ++k) colored.push_back({names[k], ends[k], levels_of_water[k]});
+  for (std::size_t k = 0; k < names.size(); ++k) colored.push_back({names[k], ends[k], water.levels[k]});
   color_faces(request, limits, factor.z, colored, plot.scene);
   if (plot.groups) add_surface_groups(request, limits, factor.z, ends, *plot.groups);
   plot.legend = legend_of(request, names, limits);

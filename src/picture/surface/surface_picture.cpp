@@ -228,7 +228,7 @@ std::optional<HorizonDrawing> draw_horizon(const SurfaceRequest& request, std::v
 Picture write_horizon(const HorizonDrawing& drawn, RunReport& run) {
   const PictureRequest& picture = drawn.picture;
   return timed(run.stages, "write", [&] {
-    return write_picture(drawn.drawing, plot_options(picture, drawn.page), picture.plotter, picture.output.format, run);
+    return write_picture(drawn.drawing, plot_options(picture, drawn.page), picture.plotter, {picture.output.format}, run);
   });
 }
 

@@ -33,11 +33,11 @@ ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Obj
   const std::vector<std::uint32_t> of_facet = PatchFinder(scene, topology, object, graph).run(found.patches);
   std::vector<std::uint8_t> freeform = freeform_facets(scene, topology, graph, of_facet);
   const std::vector<PatchOutline> outlines =
-      patch_outlines(scene, edges, object, graph, of_facet, found.patches.size(), freeform);
+      patch_outlines(scene, edges, object, graph, {found.patches, of_facet, freeform});
   for (std::uint32_t f = 0; f < graph.size(); ++f) {
     if (of_facet[f] != kNone && outlines[of_facet[f]].is_speck()) freeform[f] = 1;
   }
-  found.borders = freeform_borders(scene, topology, graph, of_facet, found.patches, outlines, freeform);
+  found.borders = freeform_borders(scene, topology, graph, {found.patches, of_facet, freeform}, outlines);
   for (const std::uint32_t facet : graph.facet_of) {
     found.patch_of.push_back(of_facet[facet]);
     found.is_freeform.push_back(freeform[facet]);

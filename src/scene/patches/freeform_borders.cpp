@@ -38,16 +38,15 @@ double angle_between(const Point3& a, const Point3& b) { return std::atan2(glm::
 
 class BorderFinder {
  public:
-  BorderFinder(const Scene& scene, const Topology& topology, const FacetGraph& graph,
-               std::span<const std::uint32_t> patch_of, std::span<const Patch> patches,
-               std::span<const PatchOutline> outlines, std::span<const std::uint8_t> is_freeform)
+  BorderFinder(const Scene& scene, const Topology& topology, const FacetGraph& graph, const FacetSurfaces& surfaces,
+               std::span<const PatchOutline> outlines)
       : scene_(scene),
         topology_(topology),
         graph_(graph),
-        patch_of_(patch_of),
-        patches_(patches),
+        patch_of_(surfaces.patch_of),
+        patches_(surfaces.patches),
         outlines_(outlines),
-        is_freeform_(is_freeform),
+        is_freeform_(surfaces.is_freeform),
         reached_by_(graph.size(), kNone) {}
 
   std::vector<FreeformBorder> run() {
@@ -236,10 +235,8 @@ class BorderFinder {
 }  // namespace
 
 std::vector<FreeformBorder> freeform_borders(const Scene& scene, const Topology& topology, const FacetGraph& graph,
-                                             std::span<const std::uint32_t> patch_of, std::span<const Patch> patches,
-                                             std::span<const PatchOutline> outlines,
-                                             std::span<const std::uint8_t> is_freeform) {
-  return BorderFinder(scene, topology, graph, patch_of, patches, outlines, is_freeform).run();
+                                             const FacetSurfaces& surfaces, std::span<const PatchOutline> outlines) {
+  return BorderFinder(scene, topology, graph, surfaces, outlines).run();
 }
 
 }  // namespace ligne

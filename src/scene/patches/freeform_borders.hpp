@@ -11,7 +11,7 @@
 
 namespace ligne {
 
-struct Patch;
+struct FacetSurfaces;
 struct PatchOutline;
 
 /// One edge at which a free form ends. Its normal there is continued from the facets behind the edge.
@@ -28,11 +28,9 @@ struct FreeformBorder {
   bool is_beside_plane = false;  ///< the other side is a plane much wider than the first facet
 };
 
-/// The borders of the free forms of an object, in ascending order of edges; chains are counted from 0. `patch_of`: per
-/// facet, the index in `patches` and `outlines` or kNone; `is_freeform`: of freeform_facets(). O(n log n).
+/// The borders of the free forms of an object, in ascending order of edges; chains are counted from 0. `outlines`: of the
+/// patches. O(n log n).
 std::vector<FreeformBorder> freeform_borders(const Scene& scene, const Topology& topology, const FacetGraph& graph,
-                                             std::span<const std::uint32_t> patch_of, std::span<const Patch> patches,
-                                             std::span<const PatchOutline> outlines,
-                                             std::span<const std::uint8_t> is_freeform);
+                                             const FacetSurfaces& surfaces, std::span<const PatchOutline> outlines);
 
 }  // namespace ligne

@@ -5,13 +5,14 @@
 
 #include "base/no_index.hpp"
 #include "geometry/degrees.hpp"
+#include "scene/patches/find_patches.hpp"
 
 namespace ligne {
 
 std::vector<PatchOutline> patch_outlines(const Scene& scene, std::span<const Edge> edges, const Object& object,
-                                         const FacetGraph& graph, std::span<const std::uint32_t> patch_of,
-                                         std::size_t patch_count, std::span<const std::uint8_t> is_freeform) {
-  std::vector<PatchOutline> outlines(patch_count);
+                                         const FacetGraph& graph, const FacetSurfaces& surfaces) {
+  const auto& [patches, patch_of, is_freeform] = surfaces;
+  std::vector<PatchOutline> outlines(patches.size());
   for (const std::uint32_t p : patch_of) {
     if (p != kNone) ++outlines[p].facets;
   }

@@ -12,6 +12,8 @@
 
 namespace ligne {
 
+struct Patch;
+
 /// The outline of one patch. It runs on smoothly where the facets bend by no more than one surface does (kLargestBend).
 struct PatchOutline {
   std::size_t facets = 0;
@@ -29,9 +31,15 @@ struct PatchOutline {
   static constexpr double kMostOfOutline = 0.5;
 };
 
-/// The outlines of `patch_count` patches. `edges` are those of the object; `patch_of` and `is_freeform` are per facet.
+/// The surfaces on which the facets of an object lie.
+struct FacetSurfaces {
+  std::span<const Patch> patches;
+  std::span<const std::uint32_t> patch_of;    ///< by facet: index in `patches`, or kNone
+  std::span<const std::uint8_t> is_freeform;  ///< by facet, as freeform_facets() says
+};
+
+/// The outlines of the patches. `edges` are those of the object.
 std::vector<PatchOutline> patch_outlines(const Scene& scene, std::span<const Edge> edges, const Object& object,
-                                         const FacetGraph& graph, std::span<const std::uint32_t> patch_of,
-                                         std::size_t patch_count, std::span<const std::uint8_t> is_freeform);
+                                         const FacetGraph& graph, const FacetSurfaces& surfaces);
 
 }  // namespace ligne

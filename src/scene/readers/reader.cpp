@@ -50,15 +50,24 @@ void weld_and_finish(Scene& scene, const ReadOptions& options, CreaseTags tags, 
   if (options.merge_coplanar) merge_coplanar_faces(scene);
 }
 
-Scene read_raw(std::span<const std::byte> bytes, ModelFormat format, const fs::path& folder, const std::string& name,
-               ReadReport& report, Warnings& warnings, const ReadOptions& options, FileShading* shading, CreaseTags* tags) {
+/// The places for what a file says beside its faces; nullptr where nobody asks.
+struct FileMarks {
+  FileShading* shading;
+  CreaseTags* tags;
+};
+
+Scene read_raw(const ModelBytes& file, ModelFormat format, const ReadOptions& options, ReadReport& report,
+               Warnings& warnings, const FileMarks& marks) {
+  const std::span<const std::byte> bytes = file.bytes;
+  const std::string& name = file.name;
+  FileShading* const shading = marks.shading;
   switch (format) {
     case ModelFormat::gltf:
-      return read_gltf(bytes, false, folder, name, report, warnings, shading, options.pose);
+      return read_gltf(file, false, report, warnings, shading, options.pose);
     case ModelFormat::glb:
-      return read_gltf(bytes, true, folder, name, report, warnings, shading, options.pose);
+      return read_gltf(file, true, report, warnings, shading, options.pose);
     case ModelFormat::obj:
-      return read_obj(bytes, name, report, warnings, shading, options.groups, folder, tags);
+      return read_obj(file, report, warnings, shading, options.groups, marks.tags);
     case ModelFormat::stl_ascii:
       return read_stl_ascii(bytes, name, report, warnings);
     case ModelFormat::stl_binary:
@@ -97,13 +106,14 @@ Scene read_scene(const fs::path& file, const ReadOptions& options, Warnings& war
   const std::vector<std::byte> bytes = read_named_input(file, opened);
   const ModelFormat format = detect_format(bytes, file.extension().string(), name);
   const fs::path folder = file == "-" ? fs::path() : file.parent_path().empty() ? fs::path(".") : file.parent_path();
-  Scene scene = read_scene(bytes, format, folder, name, options, warnings, report);
+  Scene scene = read_scene({bytes, name, folder}, format, options, warnings, report);
   if (report) report->files.insert(report->files.begin(), opened.begin(), opened.end());
   return scene;
 }
 
-Scene read_scene(std::span<const std::byte> bytes, ModelFormat format, const fs::path& folder, const std::string& name,
-                 const ReadOptions& options, Warnings& warnings, ReadReport* report) {
+Scene read_scene(const ModelBytes& file, ModelFormat format, const ReadOptions& options, Warnings& warnings,
+                 ReadReport* report) {
+  const std::string& name = file.name;
   ReadReport own_report;
   ReadReport& counts = report ? *report : own_report;
   counts = ReadReport{};
@@ -111,8 +121,8 @@ Scene read_scene(std::span<const std::byte> bytes, ModelFormat format, const fs:
   FileShading shading;
   CreaseTags tags;
   const bool with_shading = options.shading || options.subdivision;
-  Scene scene = read_raw(bytes, format, folder, name, counts, warnings, options, with_shading ? &shading : nullptr,
-                         options.subdivision ? &tags : nullptr);
+  Scene scene = read_raw(file, format, options, counts, warnings,
+                         {with_shading ? &shading : nullptr, options.subdivision ? &tags : nullptr});
   if (scene.faces.empty()) throw InputError(name, no_faces(warnings.left_out()));
   check_size(scene, name);
   if (with_shading) mark_smooth_edges(scene, shading);

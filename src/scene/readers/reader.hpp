@@ -11,6 +11,7 @@
 
 #include "scene/model/diagnostics.hpp"
 #include "scene/model/scene.hpp"
+#include "scene/readers/model_bytes.hpp"
 #include "scene/readers/read_report.hpp"
 #include "scene/subdivision/subdivide.hpp"
 
@@ -37,10 +38,9 @@ ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suf
 Scene read_scene(const std::filesystem::path& file, const ReadOptions& options, Warnings& warnings,
                  ReadReport* report = nullptr);
 
-/// Reads a scene from memory. Files that the model names (glTF buffers) are looked up in `folder`; an empty folder means
-/// there are none. `name` stands in error messages.
-Scene read_scene(std::span<const std::byte> bytes, ModelFormat format, const std::filesystem::path& folder,
-                 const std::string& name, const ReadOptions& options, Warnings& warnings, ReadReport* report = nullptr);
+/// Reads a scene from memory.
+Scene read_scene(const ModelBytes& file, ModelFormat format, const ReadOptions& options, Warnings& warnings,
+                 ReadReport* report = nullptr);
 
 /// Finishes a scene as it stands in its file: checks its coordinates, welds and cleans it. `name` stands in
 /// error messages. Throws InputError. Adds to the report what was subdivided.

@@ -101,14 +101,26 @@ class CellGrid {
 
   void split_overfull(const ProjectedScene& scene, const std::vector<Facet>& facets, const Options& options);
 
+  /// Cells side by side, all of one size: those of the whole grid, or of one that is split.
+  struct Cells {
+    double x, y, size;  ///< of the first one
+    int columns, rows;
+    const Cell* cells;
+
+    const Cell& at(int column, int row) const { return cells[static_cast<std::size_t>(row) * columns + column]; }
+    CellSquare square(int column, int row) const { return {x + column * size, y + row * size, size}; }
+  };
+  Cells top_cells() const { return {x_, y_, size_, columns_, rows_, cells_.data()}; }
+  Cells cells_of(const Cell& split, const CellSquare& square) const {
+    return {square.x,   square.y,   square.size / kSplitSide,
+            kSplitSide, kSplitSide, arenas_[split.arena].children.data() + split.begin};
+  }
   template <class Visit>
-  void walk(const PageLine& line, double x, double y, double size, int columns, int rows, const Cell* cells, double from,
-            double to, const Visit& visit) const;
+  void walk(const PageLine& line, const Cells& cells, double from, double to, const Visit& visit) const;
   template <class Visit>
   void visit_leaves(const Cell& cell, const CellSquare& square, const Visit& visit) const;
   template <class Visit>
-  void visit_leaves_in(const CellSquare& root, double size, int columns, int rows, const Cell* cells, const PageRange& range,
-                       const Visit& visit) const;
+  void visit_leaves_in(const Cells& cells, const PageRange& range, const Visit& visit) const;
   CellSquare top_square(std::size_t i) const {
     return {x_ + double(i % columns_) * size_, y_ + double(i / columns_) * size_, size_};
   }
@@ -123,14 +135,15 @@ class CellGrid {
 
 template <class Visit>
 void CellGrid::for_each_leaf(const PageLine& line, Visit visit) const {
-  walk(line, x_, y_, size_, columns_, rows_, cells_.data(), 0, 1, visit);
+  walk(line, top_cells(), 0, 1, visit);
 }
 
 /// Walks a uniform grid along the line: at each step the next border crossed is the nearer one of the next vertical and the
 /// next horizontal border.
 template <class Visit>
-void CellGrid::walk(const PageLine& line, double x, double y, double size, int columns, int rows, const Cell* cells,
-                    double from, double to, const Visit& visit) const {
+void CellGrid::walk(const PageLine& line, const Cells& cells, double from, double to, const Visit& visit) const {
+  const double x = cells.x, y = cells.y, size = cells.size;
+  const int columns = cells.columns, rows = cells.rows;
   const double inverse = 1 / size;
   const double x0 = line.p0.x, y0 = line.p0.y;
   const double dx = line.dx, dy = line.dy;
@@ -159,14 +172,13 @@ void CellGrid::walk(const PageLine& line, double x, double y, double size, int c
     }
     next = next < t ? t : next > to ? to : next;
     if (t < next || from == to) {
-      const Cell& cell = cells[static_cast<std::size_t>(row) * columns + column];
-      const CellSquare square{x + column * size, y + row * size, size};
+      const Cell& cell = cells.at(column, row);
+      const CellSquare square = cells.square(column, row);
       if (cell.count == Cell::kSplit) {
         if (cell.occluder_depth < line.z(t) && cell.occluder_depth < line.z(next)) {
           visit(cell, square, t, next);
         } else {
-          walk(line, square.x, square.y, size / kSplitSide, kSplitSide, kSplitSide,
-               arenas_[cell.arena].children.data() + cell.begin, t, next, visit);
+          walk(line, cells_of(cell, square), t, next, visit);
         }
       } else {
         visit(cell, square, t, next);
@@ -199,22 +211,21 @@ void CellGrid::visit_leaves(const Cell& cell, const CellSquare& square, const Vi
 
 template <class Visit>
 void CellGrid::for_each_leaf_in(double x0, double y0, double x1, double y1, Visit visit) const {
-  visit_leaves_in({x_, y_, 0}, size_, columns_, rows_, cells_.data(), {x0, y0, x1, y1}, visit);
+  visit_leaves_in(top_cells(), {x0, y0, x1, y1}, visit);
 }
 
 template <class Visit>
-void CellGrid::visit_leaves_in(const CellSquare& root, double size, int columns, int rows, const Cell* cells,
-                               const PageRange& range, const Visit& visit) const {
+void CellGrid::visit_leaves_in(const Cells& cells, const PageRange& range, const Visit& visit) const {
   const auto clamped = [](double v, int n) { return v < 0 ? 0 : v >= n ? n - 1 : static_cast<int>(v); };
-  const int left = clamped((range.x0 - root.x) / size, columns), right = clamped((range.x1 - root.x) / size, columns);
-  const int top = clamped((range.y0 - root.y) / size, rows), bottom = clamped((range.y1 - root.y) / size, rows);
+  const auto column_at = [&](double x) { return clamped((x - cells.x) / cells.size, cells.columns); };
+  const auto row_at = [&](double y) { return clamped((y - cells.y) / cells.size, cells.rows); };
+  const int left = column_at(range.x0), right = column_at(range.x1), top = row_at(range.y0), bottom = row_at(range.y1);
   for (int row = top; row <= bottom; ++row) {
     for (int column = left; column <= right; ++column) {
-      const Cell& cell = cells[static_cast<std::size_t>(row) * columns + column];
-      const CellSquare square{root.x + column * size, root.y + row * size, size};
+      const Cell& cell = cells.at(column, row);
+      const CellSquare square = cells.square(column, row);
       if (cell.count == Cell::kSplit) {
-        visit_leaves_in(square, size / kSplitSide, kSplitSide, kSplitSide, arenas_[cell.arena].children.data() + cell.begin,
-                        range, visit);
+        visit_leaves_in(cells_of(cell, square), range, visit);
       } else {
         visit(cell, square);
       }

@@ -54,9 +54,14 @@ struct CellGrid::Splitter {
   };
   /// Files what the cell inherited under its children. Sorts it, nearest first.
   void hand_down(const Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Children& children) const;
+  /// The place for what a task splits, and its work space.
+  struct Store {
+    Arena& arena;
+    std::uint16_t index;  ///< of the arena
+    CellCover& cover;
+  };
   /// `budget`: how many entries the leaves of the cell should have at the most.
-  void split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Arena& arena,
-             std::uint16_t arena_index, double budget, CellCover& cover);
+  void split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, double budget, Store& store);
 };
 
 /// Facets broader than children of the cell cover some of them and hide what is behind; a crowd of small ones is only
@@ -90,6 +95,7 @@ void CellGrid::Splitter::split_overfull() {
     Arena& arena = grid.arenas_[k + 1];
     std::vector<CellFacet> inherited;
     CellCover cover(scene, facets, options.margin_steps);
+    Store store{arena, static_cast<std::uint16_t>(k + 1), cover};
     for (std::size_t i = n * k / kArenas; i < n * (k + 1) / kArenas; ++i) {
       Cell& cell = grid.cells_[i];
       CellFacet* list = grid.arenas_[0].list.data() + cell.begin;
@@ -98,8 +104,7 @@ void CellGrid::Splitter::split_overfull() {
         continue;
       }
       inherited.assign(list, list + cell.count);
-      split(cell, grid.top_square(i), inherited, arena, static_cast<std::uint16_t>(k + 1),
-            budget * static_cast<double>(inherited.size()), cover);
+      split(cell, grid.top_square(i), inherited, budget * static_cast<double>(inherited.size()), store);
     }
   });
   for (Arena& arena : grid.arenas_) grid.planes_.insert(grid.planes_.end(), arena.planes.begin(), arena.planes.end());
@@ -182,8 +187,9 @@ void CellGrid::Splitter::hand_down(const Cell& cell, const CellSquare& square, s
   }
 }
 
-void CellGrid::Splitter::split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Arena& arena,
-                               std::uint16_t arena_index, double budget, CellCover& cover) {
+void CellGrid::Splitter::split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, double budget,
+                               Store& store) {
+  Arena& arena = store.arena;
   Children children;
   hand_down(cell, square, inherited, children);
   std::vector<CellFacet>* lists = children.lists;
@@ -210,16 +216,15 @@ void CellGrid::Splitter::split(Cell& cell, const CellSquare& square, std::vector
   inherited.clear();
   cell.begin = first;
   cell.count = Cell::kSplit;
-  cell.arena = arena_index;
+  cell.arena = store.index;
   for (int k = 0; k < kChildren; ++k) {
     Cell child;
     child.occluder_depth = covers[k];
-    child.arena = arena_index;
+    child.arena = store.index;
     const CellSquare below = child_square(square, k);
-    lists[k].resize(drop_covered(child, lists[k].data(), lists[k].size(), below, cover));
+    lists[k].resize(drop_covered(child, lists[k].data(), lists[k].size(), below, store.cover));
     if (worth_splitting(lists[k].data(), lists[k].size(), size) && progress(lists[k])) {
-      split(child, below, lists[k], arena, arena_index,
-            budget * static_cast<double>(lists[k].size()) / static_cast<double>(total), cover);
+      split(child, below, lists[k], budget * static_cast<double>(lists[k].size()) / static_cast<double>(total), store);
     } else {
       child.begin = static_cast<std::uint32_t>(arena.list.size());
       child.count = static_cast<std::uint32_t>(lists[k].size());

@@ -35,7 +35,7 @@ bool CrowdHiders::take(const PageLine& line, std::uint32_t facet) {
   if (!scene_.face_is_transparent.empty() && scene_.face_is_transparent[f.face]) return false;
   bool near_side = false;
   const HiddenInterval hidden =
-      hidden_interval(line, f, scene_.vertices.data(), open_.from(), open_.to(), /*coincidence_steps=*/0, near_side);
+      hidden_interval(line, f, scene_.vertices.data(), {open_.from(), open_.to()}, /*coincidence_steps=*/0, near_side);
   open_.take(hidden);
   return hidden.sides != HiddenSides::none;
 }

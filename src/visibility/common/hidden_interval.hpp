@@ -36,6 +36,11 @@ struct PageLine {
 /// behind the rim of the outermost face is not (it lies on the rim, and is drawn once).
 enum class HiddenSides : std::uint8_t { none, both, left, right };
 
+/// A part of a line, by parameters.
+struct ParameterRange {
+  double from = 0, to = 1;
+};
+
 struct HiddenInterval {
   double from = 0, to = 0;
   HiddenSides sides = HiddenSides::none;
@@ -69,13 +74,14 @@ inline bool narrow_to_behind(const PageLine& line, const Facet& facet, const Pro
   return true;
 }
 
-/// The part of [from, to] within the part of the line on which the facet lies strictly in front of it, by more than its
-/// depth tolerance somewhere. That part is found for the whole line: what is hidden does not depend on the pieces in which
-/// the line is asked about, which are those of cells, of windows or of what is not hidden yet. The ends at which the line
-/// enters or leaves the facet are quotients of exact determinants: two facets on one side give the same end to the last bit.
-/// `near_side` is set when a side of the facet lies along the line within `coincidence_steps`.
-inline HiddenInterval hidden_interval(const PageLine& line, const Facet& facet, const ProjectedVertex* vertices, double from,
-                                      double to, double coincidence_steps, bool& near_side) {
+/// The piece of a part of the line within the part of the line on which the facet lies strictly in front of it, by more than
+/// its depth tolerance somewhere. That part is found for the whole line: what is hidden does not depend on the pieces in
+/// which the line is asked about, which are those of cells, of windows or of what is not hidden yet. The ends at which the
+/// line enters or leaves the facet are quotients of exact determinants: two facets on one side give the same end to the last
+/// bit. `near_side` is set when a side of the facet lies along the line within `coincidence_steps`.
+inline HiddenInterval hidden_interval(const PageLine& line, const Facet& facet, const ProjectedVertex* vertices,
+                                      ParameterRange part, double coincidence_steps, bool& near_side) {
+  double from = part.from, to = part.to;
   const ProjectedVertex& a = vertices[facet.v[0]];
   const ProjectedVertex& b = vertices[facet.v[1]];
   const ProjectedVertex& c = vertices[facet.v[2]];

@@ -21,7 +21,7 @@ void visible_of_free_line(const PageLine& line, const std::vector<Facet>& front,
   bool near = false;
   for (const Facet& f : front) {
     if (open.empty()) break;
-    open.take(hidden_interval(line, f, scene.vertices.data(), open.from(), open.to(), coincidence_steps, near));
+    open.take(hidden_interval(line, f, scene.vertices.data(), {open.from(), open.to()}, coincidence_steps, near));
   }
   if (!open.empty()) parts = open.finish();
 }

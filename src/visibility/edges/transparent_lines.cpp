@@ -27,7 +27,7 @@ void TransparentLines::search_leaf(const PageLine& line, const Cell& cell, const
     if (facet.face == line.face0 || facet.face == line.face1) continue;
     bool near_side = false;
     const HiddenInterval hidden =
-        hidden_interval(line, facet, scene_.vertices.data(), from, to, coincidence_steps_, near_side);
+        hidden_interval(line, facet, scene_.vertices.data(), {from, to}, coincidence_steps_, near_side);
     if (hidden.sides == HiddenSides::none) continue;
     const int left = hidden.sides != HiddenSides::right, right = hidden.sides != HiddenSides::left;
     const bool transparent = scene_.face_is_transparent[facet.face] != 0;

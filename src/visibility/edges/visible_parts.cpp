@@ -96,7 +96,7 @@ void VisibleParts::search_leaf(const PageLine& line, const Cell& cell, const Cel
     ++counts_.facet_tests;
     bool near = false;
     const HiddenInterval hidden =
-        hidden_interval(line, facet, vertices_, open_.from(), open_.to(), coincidence_steps_, near);
+        hidden_interval(line, facet, vertices_, {open_.from(), open_.to()}, coincidence_steps_, near);
     if (near && by_sight_) near_.push_back(entry->facet);
     near_side_ |= near;
     open_.take(hidden);

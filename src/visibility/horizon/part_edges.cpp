@@ -129,7 +129,7 @@ void PartEdges::add_strip(const Strip& strip, EdgeList& list) {
     CurveTracker* column_curve = grid_.x.drawn[columns.order[c]] ? &column_curves_[c] : nullptr;
     if (c == begin) {
       const std::int8_t behind = c + 1 < strip.row.size() ? near_column(strip.cells[c + 1]) : kNoFace;
-      add_edge(list, strip.nearer[c], strip.row[c], before_columns, behind, column_curve, begin > 0);
+      add_edge(list, strip.nearer[c], strip.row[c], {before_columns, behind}, column_curve, begin > 0);
       continue;
     }
     if (strip.r == grid_.rows.begin + 1) add_near_row(strip, c, list);
@@ -141,8 +141,9 @@ void PartEdges::add_strip(const Strip& strip, EdgeList& list) {
 void PartEdges::add_near_row(const Strip& strip, std::size_t c, EdgeList& list) {
   const std::size_t begin = grid_.rows.begin;
   const bool drawn = grid_.y.drawn[grid_.rows.order[begin]];
-  add_edge(list, strip.nearer[c - 1], strip.nearer[c], begin > 0 ? strip_beyond_[c].second : before(grid_.rows, grid_.y),
-           strip.cells[c].first, drawn ? &list.nearest_row : nullptr, begin > 0);
+  add_edge(list, strip.nearer[c - 1], strip.nearer[c],
+           {begin > 0 ? strip_beyond_[c].second : before(grid_.rows, grid_.y), strip.cells[c].first},
+           drawn ? &list.nearest_row : nullptr, begin > 0);
 }
 
 /// Cell c: what is in it, its diagonal, and its edges on the far side.
@@ -152,7 +153,7 @@ void PartEdges::add_cell(const Strip& strip, std::size_t c, CurveTracker* column
   const Sample &n = strip.nearer[c - 1], &p = strip.nearer[c], &q = strip.row[c - 1], &f = strip.row[c];
   const auto far_column_edge = [&] {
     const std::int8_t behind = c + 1 < strip.row.size() ? near_column(strip.cells[c + 1]) : kNoFace;
-    add_edge(list, p, f, far_column(cell), behind, column_curve);
+    add_edge(list, p, f, {far_column(cell), behind}, column_curve);
   };
   const auto contours = [&](const Sample& s, const Sample& t, const Sample& u, std::int8_t facing) {
     if (!levels_.empty()) add_contours(list, s, t, u, facing);
@@ -160,13 +161,13 @@ void PartEdges::add_cell(const Strip& strip, std::size_t c, CurveTracker* column
   const auto triangle = [&](const Sample& s, const Sample& t, const Sample& u) {
     if (covers_) add_triangle(list, s, t, u);
   };
-  const auto far_row_edge = [&] { add_edge(list, q, f, cell.second, strip.beyond[c].first, row_curve); };
+  const auto far_row_edge = [&] { add_edge(list, q, f, {cell.second, strip.beyond[c].first}, row_curve); };
   if (!cell.any()) {
     far_column_edge();
     far_row_edge();
   } else if (anti_) {
     contours(n, p, q, cell.first);
-    add_edge(list, p, q, cell.first, cell.second, nullptr);
+    add_edge(list, p, q, {cell.first, cell.second}, nullptr);
     triangle(n, p, q);
     contours(p, f, q, cell.second);
     far_column_edge();
@@ -175,14 +176,14 @@ void PartEdges::add_cell(const Strip& strip, std::size_t c, CurveTracker* column
   } else if (first_is_nearer(n, f)) {
     contours(n, p, f, cell.first);
     far_column_edge();  // before the diagonal, whose far end it shares: it may be upright
-    add_edge(list, n, f, cell.first, cell.second, nullptr);
+    add_edge(list, n, f, {cell.first, cell.second}, nullptr);
     triangle(n, p, f);
     contours(n, f, q, cell.second);
     far_row_edge();
     triangle(n, f, q);
   } else {
     contours(n, f, q, cell.second);
-    add_edge(list, n, f, cell.second, cell.first, nullptr);
+    add_edge(list, n, f, {cell.second, cell.first}, nullptr);
     far_row_edge();
     triangle(n, f, q);
     contours(n, p, f, cell.first);
@@ -206,8 +207,9 @@ bool PartEdges::first_is_nearer(const Sample& n, const Sample& f) const {
 
 /// An edge between the nearer and the farther of its faces; `curve` when it is drawn as part of a curve. Of an edge straight
 /// before the eye (`ahead`), where two parts meet, each looks at its own side.
-void PartEdges::add_edge(EdgeList& list, const Sample& a, const Sample& b, std::int8_t nearer, std::int8_t farther,
-                         CurveTracker* curve, bool ahead) const {
+void PartEdges::add_edge(EdgeList& list, const Sample& a, const Sample& b, Facings faces, CurveTracker* curve,
+                         bool ahead) const {
+  const auto [nearer, farther] = faces;
   const auto interrupt = [&] {
     if (!curve) return;
     SightEdge& end = list.edges.emplace_back();

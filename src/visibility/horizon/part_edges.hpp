@@ -82,8 +82,9 @@ class PartEdges {
                 EdgeList& list) const;
   static std::int8_t before(const GridAxis::Part& part, const GridAxis& axis);
   bool first_is_nearer(const Sample& n, const Sample& f) const;
-  void add_edge(EdgeList& list, const Sample& a, const Sample& b, std::int8_t nearer, std::int8_t farther,
-                CurveTracker* curve, bool ahead = false) const;
+  /// `faces`: the nearer and the farther one.
+  void add_edge(EdgeList& list, const Sample& a, const Sample& b, Facings faces, CurveTracker* curve,
+                bool ahead = false) const;
   void add_triangle(EdgeList& list, const Sample& a, const Sample& b, const Sample& c) const;
   void add_contours(EdgeList& list, const Sample& a, const Sample& b, const Sample& c, std::int8_t facing) const;
   SightEdge* add_contour(EdgeList& list, const std::array<Point3, 2>& ends, std::size_t number) const;

@@ -74,20 +74,20 @@ class PaintedLines {
   HiddenInterval covered(const PageLine& line, const Facet& facet, std::uint32_t place, bool& near_side) const {
     const ProjectedVertex* vertices = scene_.vertices.data();
     if (place == PaintSequence::kNever) {
-      return hidden_interval(line, facet, vertices, open_.from(), open_.to(), coincidence_steps_, near_side);
+      return hidden_interval(line, facet, vertices, {open_.from(), open_.to()}, coincidence_steps_, near_side);
     }
     if (sequence_.place(facet.face) < place) {
       // A face with a side along the line covers one side of it and need not overlap the line's own faces on the page: then
       // any order of theirs is right, and its depth tells.
       const HiddenInterval beside =
-          hidden_interval(line, facet, vertices, open_.from(), open_.to(), coincidence_steps_, near_side);
+          hidden_interval(line, facet, vertices, {open_.from(), open_.to()}, coincidence_steps_, near_side);
       return beside.sides == HiddenSides::both ? HiddenInterval{} : beside;
     }
     PageLine farthest = line;
     constexpr double kBehindAll = 1e30;  // mm; large against any depth
     farthest.z0 = farthest.z1 = kBehindAll;
     const HiddenInterval hidden =
-        hidden_interval(farthest, facet, vertices, open_.from(), open_.to(), coincidence_steps_, near_side);
+        hidden_interval(farthest, facet, vertices, {open_.from(), open_.to()}, coincidence_steps_, near_side);
     if (hidden.sides == HiddenSides::none) return {};
     const FacetFunctions plane(facet, vertices);
     const auto distance = [&](double t) {

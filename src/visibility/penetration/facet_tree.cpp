@@ -60,9 +60,15 @@ void include(FacetTree::Node& node, const Box& box) {
   node.z_far = std::max(node.z_far, box.z_far);
 }
 
-/// Extends the slab by what lies in another slab, and in its box; `low` and `high` are over its own corner.
+/// The depths between two parallel planes: their slopes, and how far they lie over a corner of the box.
+struct Slab {
+  double zx, zy, low, high;
+};
+
+/// Extends the slab of a node by what lies in another slab, and in its box.
 template <class Box>
-void include_slab(FacetTree::Node& node, const Box& box, double zx, double zy, double low, double high, double slack) {
+void include_slab(FacetTree::Node& node, const Box& box, const Slab& slab, double slack) {
+  const auto [zx, zy, low, high] = slab;
   const double w = double(box.right) - box.left, h = double(box.bottom) - box.top;
   const double dx = double(box.left) - node.left, dy = double(box.top) - node.top;
   const double moved = node.zx * dx + node.zy * dy;
@@ -159,7 +165,7 @@ void FacetTree::bound_leaf(Node& node) const {
   for (std::uint32_t i = node.first; i < node.end; ++i) {
     const Item& f = items_[i];
     const double corner = f.zx * f.left + f.zy * f.top + f.z;
-    include_slab(node, f, f.zx, f.zy, corner - 2 * f.slack, corner + 2 * f.slack, 2 * f.slack);
+    include_slab(node, f, {f.zx, f.zy, corner - 2 * f.slack, corner + 2 * f.slack}, 2 * f.slack);
   }
 }
 
@@ -181,7 +187,7 @@ void FacetTree::bound_parent(Node& node) const {
   node.low = HUGE_VAL;
   node.high = -HUGE_VAL;
   for (const Node* child : {&a, &b}) {
-    include_slab(node, *child, child->zx, child->zy, child->low, child->high, child->slack);
+    include_slab(node, *child, {child->zx, child->zy, child->low, child->high}, child->slack);
   }
 }
 

@@ -180,7 +180,7 @@ Outcome Control::study(const Window& window, const std::vector<Piece>& pieces,
     const FramePoint a{window.u0, window.v0}, b{window.u1, window.v0}, c{window.u1, window.v1}, d{window.u0, window.v1};
     task.outcome.cuts = {{a, b}, {b, c}, {c, d}, {d, a}};
   }
-  study(window, lists, pieces, 0, 0, task);
+  study(window, lists, pieces, {}, task);
   task.outcome.counts.solution += task.solution.counts();
   return std::move(task.outcome);
 }
@@ -198,8 +198,9 @@ Window Control::inner(const Window& window) const {
   return window.grown(-std::max(margin_, std::min(rules_.precision, most)));
 }
 
-void Control::study(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, int depth, int stalled,
+void Control::study(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Divisions divisions,
                     Task& task) const {
+  const int depth = divisions.depth, stalled = divisions.stalled;
   Counts& counts = task.outcome.counts;
   ++counts.windows;
   const auto report = [&] {
@@ -237,13 +238,13 @@ void Control::study(const Window& window, const Lists& lists, const std::vector<
     report();
   } else {
     ++counts.divided;
-    split(window, division, lists, pieces, depth, stalled, task);
+    split(window, division, lists, pieces, divisions, task);
     if (depth == kProgressDepth) report();
   }
 }
 
 void Control::split(const Window& window, const Division& division, const Lists& lists, const std::vector<Piece>& pieces,
-                    int depth, int stalled, Task& task) const {
+                    Divisions divisions, Task& task) const {
   const Window& w = window;
   if (rules_.show_windows) {
     if (division.across) task.outcome.cuts.push_back({{division.u, w.v0}, {division.u, w.v1}});
@@ -275,7 +276,7 @@ void Control::split(const Window& window, const Division& division, const Lists&
     });
     const bool shorter =
         static_cast<double>(own_lists.elements.size()) < kStall * static_cast<double>(lists.elements.size());
-    study(windows[k], own_lists, own_pieces, depth + 1, shorter ? 0 : stalled + 1, own);
+    study(windows[k], own_lists, own_pieces, {divisions.depth + 1, shorter ? 0 : divisions.stalled + 1}, own);
   };
   if (lists.elements.size() + pieces.size() < kParallelLoad) {
     for (std::size_t k = 0; k < 4; ++k) {

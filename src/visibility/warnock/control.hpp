@@ -116,10 +116,14 @@ class Control {
   struct Task;
   class Progress;
 
-  void study(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, int depth, int stalled,
+  /// How often the page was divided for a window, and how many of the last divisions made its lists no shorter.
+  struct Divisions {
+    int depth = 0, stalled = 0;
+  };
+  void study(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Divisions divisions,
              Task& task) const;
-  void split(const Window& window, const Division& division, const Lists& lists, const std::vector<Piece>& pieces, int depth,
-             int stalled, Task& task) const;
+  void split(const Window& window, const Division& division, const Lists& lists, const std::vector<Piece>& pieces,
+             Divisions divisions, Task& task) const;
   void draw(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Understood understood,
             Task& task) const;
   /// In a loaded window.

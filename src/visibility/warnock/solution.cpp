@@ -45,7 +45,7 @@ bool Solution::visit_hidden(const Piece& piece, bool& near_side, Visit visit) {
     const Facet& facet = (*table_.facets)[item.facet];
     if (facet.face == line.face0 || facet.face == line.face1) continue;
     ++counts_.line_facet_tests;
-    HiddenInterval hidden = hidden_interval(line, facet, table_.vertices->data(), 0, 1, coincidence_steps_, near_side);
+    HiddenInterval hidden = hidden_interval(line, facet, table_.vertices->data(), {0, 1}, coincidence_steps_, near_side);
     if (hidden.sides == HiddenSides::none) continue;
     hidden.from = std::max(hidden.from, piece.from);
     hidden.to = std::min(hidden.to, piece.to);

@@ -130,7 +130,7 @@ void EdgeTracker::hold_against(std::uint32_t index, Track& track, std::uint32_t 
   bool near_side = false;
   for (const std::uint32_t f : of_faces_.of(face)) {
     ++counts_.facet_tests;
-    const HiddenInterval h = hidden_interval(line, facets_[f], vertices_.data(), 0, 1, coincidence_steps_, near_side);
+    const HiddenInterval h = hidden_interval(line, facets_[f], vertices_.data(), {0, 1}, coincidence_steps_, near_side);
     if (h.sides != HiddenSides::none) track.hidden.push_back(h);
   }
 }

@@ -36,9 +36,16 @@ bool is_index_type(int type) {
          type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
 }
 
-/// `count` elements of `element_size` bytes in a buffer view.
-GltfElements in_view(GltfDocument& document, const std::string& place, int view_index, std::size_t offset, std::size_t count,
-                     std::size_t element_size, int component_type, bool may_stride) {
+/// How elements lie in a buffer view.
+struct ElementLayout {
+  std::size_t count, element_size;  ///< the size in bytes
+  int component_type;
+  bool may_stride = false;  ///< the view's stride holds; else they follow each other without gaps
+};
+
+GltfElements in_view(GltfDocument& document, const std::string& place, int view_index, std::size_t offset,
+                     const ElementLayout& layout) {
+  const auto [count, element_size, component_type, may_stride] = layout;
   const tinygltf::BufferView& view = document.model.bufferViews[static_cast<std::size_t>(view_index)];
   const std::size_t stride = may_stride && view.byteStride != 0 ? view.byteStride : element_size;
   if (stride < element_size) document.fail(place, "its elements are larger than their byteStride");
@@ -62,8 +69,8 @@ GltfAccessor open_accessor(GltfDocument& document, std::size_t index, std::size_
   if (from.count >= kNone) document.fail(accessor.place, "has more than 4294967294 elements");
   const std::size_t element_size = components * component_size(from.componentType);
   if (from.bufferView >= 0) {
-    accessor.elements = in_view(document, accessor.place, from.bufferView, from.byteOffset, from.count, element_size,
-                                from.componentType, true);
+    accessor.elements = in_view(document, accessor.place, from.bufferView, from.byteOffset,
+                                {from.count, element_size, from.componentType, true});
   } else {
     // Zeros cost no bytes of the file, so their number is believed only as far as the file is long.
     if (from.count > document.bytes_read()) {
@@ -77,11 +84,10 @@ GltfAccessor open_accessor(GltfDocument& document, std::size_t index, std::size_
     const auto& values = from.sparse.values;
     if (!is_index_type(indices.componentType)) document.fail(accessor.place, "its sparse indices are not unsigned integers");
     accessor.sparse_indices = in_view(document, accessor.place + ", sparse indices", indices.bufferView,
-                                      static_cast<std::size_t>(indices.byteOffset), count,
-                                      component_size(indices.componentType), indices.componentType, false);
-    accessor.sparse_values =
-        in_view(document, accessor.place + ", sparse values", values.bufferView, static_cast<std::size_t>(values.byteOffset),
-                count, element_size, from.componentType, false);
+                                      static_cast<std::size_t>(indices.byteOffset),
+                                      {count, component_size(indices.componentType), indices.componentType});
+    accessor.sparse_values = in_view(document, accessor.place + ", sparse values", values.bufferView,
+                                     static_cast<std::size_t>(values.byteOffset), {count, element_size, from.componentType});
   }
   return accessor;
 }

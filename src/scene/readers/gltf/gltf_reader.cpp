@@ -381,9 +381,9 @@ class Reader {
 
 }  // namespace
 
-Scene read_gltf(std::span<const std::byte> bytes, bool binary, const std::filesystem::path& folder, const std::string& name,
-                ReadReport& report, Warnings& warnings, FileShading* shading, const std::optional<ScenePose>& pose) {
-  GltfDocument document = open_gltf(bytes, binary, folder, name);
+Scene read_gltf(const ModelBytes& file, bool binary, ReadReport& report, Warnings& warnings, FileShading* shading,
+                const std::optional<ScenePose>& pose) {
+  GltfDocument document = open_gltf(file.bytes, binary, file.folder, file.name);
   if (pose) apply_pose(document, *pose);
   report.format = binary ? ModelFormat::glb : ModelFormat::gltf;
   report.files = document.buffers.files();

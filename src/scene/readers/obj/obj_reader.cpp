@@ -150,9 +150,10 @@ class ObjScene {
 
 }  // namespace
 
-Scene read_obj(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings,
-               FileShading* shading, bool groups_as_objects, const std::filesystem::path& folder, CreaseTags* tags) {
-  ObjStatements statements(as_text(bytes, name), name, shading != nullptr, groups_as_objects, warnings);
+Scene read_obj(const ModelBytes& file, ReadReport& report, Warnings& warnings, FileShading* shading, bool groups_as_objects,
+               CreaseTags* tags) {
+  const std::string& name = file.name;
+  ObjStatements statements(as_text(file.bytes, name), name, shading != nullptr, groups_as_objects, warnings);
   ObjScene scene(name, report, statements, shading, tags);
   statements.tags = tags;
   statements.on_patch = [&](const ObjPatch& patch) { scene.add_patch(patch); };
@@ -171,7 +172,7 @@ Scene read_obj(std::span<const std::byte> bytes, const std::string& name, ReadRe
   report.vertices += statements.vertices().size();
   report.groups = statements.groups();
   Scene read = scene.finish(warnings);
-  apply_libraries(statements.libraries(), folder, read.materials, report.files, warnings);
+  apply_libraries(statements.libraries(), file.folder, read.materials, report.files, warnings);
   return read;
 }
 

@@ -245,7 +245,7 @@ void ExactSweep::close(std::uint32_t slot, double x, double y) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
       LineState& state = states_[state_of_[e]].lines[i];
       state.near_side |= accompanied;
-      study_.study(lines[i], state, node.x, node.y, x, y, left, right);
+      study_.study(lines[i], state, {node.x, node.y}, {x, y}, left, right);
     }
   }
 }

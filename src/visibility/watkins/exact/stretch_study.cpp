@@ -46,15 +46,15 @@ StretchStudy::StretchStudy(const std::vector<ProjectedVertex>& vertices, const s
       effort_(effort),
       marks_(facets.size()) {}
 
-void StretchStudy::study(std::uint32_t index, LineState& state, double x0, double y0, double x1, double y1,
-                         const Cover& left, const Cover& right) {
+void StretchStudy::study(std::uint32_t index, LineState& state, Point2 from, Point2 to, const Cover& left,
+                         const Cover& right) {
   const SweepLine& l = lines_[index];
   const PageLine line(l.from, l.to, l.face0, l.face1);
   const bool steep = std::abs(line.dy) > std::abs(line.dx);
-  const auto parameter = [&](double x, double y) {
-    return std::clamp(steep ? (y - line.p0.y) / line.dy : (x - line.p0.x) / line.dx, 0.0, 1.0);
+  const auto parameter = [&](Point2 p) {
+    return std::clamp(steep ? (p.y - line.p0.y) / line.dy : (p.x - line.p0.x) / line.dx, 0.0, 1.0);
   };
-  double t0 = parameter(x0, y0), t1 = parameter(x1, y1);
+  double t0 = parameter(from), t1 = parameter(to);
   if (t0 > t1) std::swap(t0, t1);
   const double slack = kSamePlaceSteps / line.size;
   if (t1 - t0 <= slack) return;
@@ -136,7 +136,7 @@ void StretchStudy::test(const PageLine& line, std::uint32_t facet, LineState& st
   ++counts_.facet_tests;
   state.tested.push_back(facet);
   const HiddenInterval h =
-      hidden_interval(line, facets_[facet], vertices_.data(), 0, 1, coincidence_steps_, state.near_side);
+      hidden_interval(line, facets_[facet], vertices_.data(), {0, 1}, coincidence_steps_, state.near_side);
   if (h.sides != HiddenSides::none) state.hidden.push_back(h);
 }
 

@@ -48,10 +48,8 @@ class StretchStudy {
   StretchStudy(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
                std::span<const SweepLine> lines, double coincidence_steps, SpanMethodKind kind, ScanEffort& effort);
 
-  /// The stretch from page position (x0, y0) to (x1, y1), in steps, both on the line; `left` and `right` are the facets over
-  /// its sides.
-  void study(std::uint32_t line, LineState& state, double x0, double y0, double x1, double y1, const Cover& left,
-             const Cover& right);
+  /// The stretch between two page positions in steps, both on the line; `left` and `right` are the facets over its sides.
+  void study(std::uint32_t line, LineState& state, Point2 from, Point2 to, const Cover& left, const Cover& right);
 
   const StretchCounts& counts() const { return counts_; }
   const SpanCounts& span_counts() const { return spans_->counts(); }
