@@ -1,5 +1,5 @@
 #pragma once
-/// The shortest way for the pen.
+/// Joining and ordering of strokes, so that the pen travels less and is lifted less often.
 
 #include <span>
 #include <string_view>
@@ -11,30 +11,33 @@
 namespace ligne {
 
 enum class Optimize {
-  off,    ///< as the drawing is
-  order,  ///< strokes as they are, in the order that makes the way of the raised pen short
-  join,   ///< every line once, ends joined, points that are not needed left out
-  full,   ///< both
+  off,    ///< strokes and their order stay as in the drawing
+  order,  ///< strokes stay; their order and directions make the travel of the raised pen short
+  join,   ///< coincident lines are drawn once, ends are joined, superfluous points are left out; the order stays
+  full,   ///< join, then order
 };
 inline constexpr std::string_view kOptimizeNames[] = {"off", "order", "join", "full"};
 
-/// How far a pen goes.
+/// How far a pen travels.
 struct PathLengths {
-  std::size_t strokes = 0;
-  double down_mm = 0;
-  double up_mm = 0;  ///< between strokes, from the home position to the first, and back where the pen returns
+  std::size_t strokes = 0;  ///< number of times the pen is lowered
+  double down_mm = 0;       ///< drawn length
+  double up_mm = 0;         ///< from the home position to the first stroke, between strokes, and home if it returns
 
   PathLengths& operator+=(const PathLengths& other);
 };
 
+/// Lengths of the strokes drawn in this order from `home` (page mm). With `returns` the pen travels back there at the
+/// end.
 PathLengths measure(const Polylines& lines, Point2 home, bool returns);
 
-/// How fast a plotter is. Adjustable where no device is named: a small one with a servo.
+/// Speeds of a plotter. The defaults hold if no device is named: those of a small plotter with a servo. Adjustable.
 struct PathPace {
+  /// Speeds of the lowered and of the raised pen; time to lift the pen and to lower it again.
   double down_mm_s = 40, up_mm_s = 80, lift_s = 0.25;
 
   double seconds(const PathLengths& lengths) const;
-  /// A line of this length takes as long to draw as the pen to be lifted and lowered.
+  /// Length of the line that takes as long to draw as lifting and lowering the pen.
   double lift_mm() const { return lift_s * down_mm_s; }
 };
 
@@ -42,16 +45,17 @@ struct PathOptions {
   Optimize optimize = Optimize::full;
   JoinTolerances tolerances;
   OrderOptions order;
-  double min_length_mm = 0;  ///< strokes that are shorter are left out, dots too
-  PathPace pace;             ///< by which the way is judged; tolerances.lift_mm should follow from it
+  double min_length_mm = 0;  ///< shorter strokes, and dots, are left out; 0 keeps all
+  PathPace pace;             ///< compares plots by their time; tolerances.lift_mm should be pace.lift_mm()
 };
 
-/// Numbers of the strokes that are not shorter.
+/// Indices of the strokes that are at least this long, ascending.
 std::vector<std::uint32_t> long_strokes(const Polylines& lines, double min_length_mm);
-/// The strokes of these numbers.
+/// The strokes with these indices, in the order of the indices.
 Polylines picked(const Polylines& lines, std::span<const std::uint32_t> numbers);
 
-/// Strokes of one pen, page mm.
+/// The strokes of one pen (page mm), joined, without short ones, and ordered, as the options say. Short strokes are
+/// left out after joining.
 Polylines optimize_paths(const Polylines& lines, const PathOptions& options);
 
 }  // namespace ligne

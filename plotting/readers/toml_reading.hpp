@@ -1,5 +1,5 @@
 #pragma once
-/// Reading of TOML tables with errors that name the line. Private to plotting.
+/// Typed access to TOML tables, with error messages that name file and line. Private to plotting.
 
 #include <initializer_list>
 #include <optional>
@@ -14,16 +14,19 @@
 
 namespace ligne {
 
-/// One table of a TOML file. Every reader throws InputError, "FILE:LINE: what is wrong".
+/// One table of a TOML file. The functions that read a key return nothing, or an empty list, if the key is missing.
+/// They throw InputError, "FILE:LINE: what is wrong", if its value is of another type or out of range.
 class TomlTable {
  public:
+  /// The table must outlive this object. `file` is its name in error messages.
   TomlTable(const toml::table& table, std::string file) : table_(&table), file_(std::move(file)) {}
 
+  /// Throws InputError with the line of `where`, or of the table itself if `where` is null.
   [[noreturn]] void fail(const std::string& cause, const toml::node* where = nullptr) const {
     const auto line = (where ? where->source() : table_->source()).begin.line;
     throw InputError(file_ + (line > 0 ? ":" + std::to_string(line) : ""), cause);
   }
-  /// Refuses keys that are not among these.
+  /// Fails if the table has a key that is not in the list.
   void only(std::initializer_list<std::string_view> keys) const {
     for (const auto& [key, value] : *table_) {
       bool known = false;
@@ -34,12 +37,15 @@ class TomlTable {
   const toml::node* find(std::string_view key) const { return table_->get(key); }
   bool has(std::string_view key) const { return find(key) != nullptr; }
 
+  /// A string.
   std::optional<std::string> text(std::string_view key) const {
     return value<std::string>(key, std::string(key) + " is not a text", text_of);
   }
+  /// An integer or a floating-point number, infinities included; NaN is an error.
   std::optional<double> number(std::string_view key) const {
     return value<double>(key, std::string(key) + " is not a number", number_of);
   }
+  /// An integer from `low` to `high`, both included.
   std::optional<unsigned> count(std::string_view key, unsigned low, unsigned high) const {
     return value<unsigned>(key, std::string(key) + " is not a whole number" + range(low, high),
                            [=](const toml::node& node) { return count_of(node, low, high); });
@@ -48,7 +54,7 @@ class TomlTable {
     return value<bool>(key, std::string(key) + " is neither true nor false",
                        [](const toml::node& node) { return node.value_exact<bool>(); });
   }
-  /// Exactly `n` numbers.
+  /// A list of exactly `n` numbers.
   std::optional<std::vector<double>> numbers(std::string_view key, std::size_t n) const {
     const toml::node* node = find(key);
     if (!node) return std::nullopt;
@@ -56,16 +62,16 @@ class TomlTable {
     if (!array || array->size() != n) fail(std::string(key) + " is not a list of " + std::to_string(n) + " numbers", node);
     return list<double>(key, std::string(key) + " is not a number", number_of);
   }
-  /// A list of whole numbers; nothing: an empty one.
+  /// A list of integers from `low` to `high`, both included.
   std::vector<unsigned> counts(std::string_view key, unsigned low, unsigned high) const {
     return list<unsigned>(key, std::string(key) + " is not a list of whole numbers" + range(low, high),
                           [=](const toml::node& node) { return count_of(node, low, high); });
   }
-  /// A list of texts; nothing: an empty one.
+  /// A list of strings.
   std::vector<std::string> texts(std::string_view key) const {
     return list<std::string>(key, std::string(key) + " is not a list of texts", text_of);
   }
-  /// The tables of [[key]].
+  /// The tables of the array of tables [[key]].
   std::vector<TomlTable> tables(std::string_view key) const {
     return list<TomlTable>(key, "[[" + std::string(key) + "]] is not a list of tables", [this](const toml::node& node) {
       const toml::table* table = node.as_table();
@@ -88,7 +94,7 @@ class TomlTable {
     return " from " + std::to_string(low) + " to " + std::to_string(high);
   }
 
-  /// Returns the value that `read` finds in a node. Fails with `cause` if the node is of another kind.
+  /// Returns the value that `read` finds in a node. Fails with `cause` if `read` finds none.
   template <class T, class Read>
   T read_or_fail(const toml::node& node, const std::string& cause, const Read& read) const {
     std::optional<T> value = read(node);
@@ -115,7 +121,7 @@ class TomlTable {
   std::string file_;
 };
 
-/// Parses the text. Throws as TomlTable does.
+/// Parses the text of a TOML file. Throws InputError, "FILE:LINE: what is wrong".
 toml::table parse_toml(std::string_view text, const std::string& file);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// The ends of strokes by cells of the page.
+/// A grid over the page that finds the stroke ends near a line.
 
 #include <algorithm>
 #include <atomic>
@@ -15,9 +15,11 @@
 
 namespace ligne {
 
-/// An end of a common interval of two strokes is an end of one of them and lies on the other, so partners are found by
-/// walking along each stroke and looking at the ends in its way. The cells are rectangles of a frame; a cell with many ends
-/// gets a grid of its own. Invariant: ends_[first_[c], first_[c + 1]) are those in cell c, equal points together.
+/// Two strokes are partners if they share an interval, that is, lie on each other over some length. Each end of that
+/// interval is an end of one stroke that lies on the other stroke. So partners are found by walking along each stroke
+/// and looking at the ends within the tolerance of it. The cells are rectangles in the coordinates of a DirectionFrame.
+/// A cell with ends at many different points gets a finer grid of its own. Invariant: cell c holds the elements
+/// [first_[c], first_[c + 1]) of ends_, and ends at equal points are adjacent.
 class EndGrid {
  public:
   struct End {
@@ -25,52 +27,55 @@ class EndGrid {
     std::uint32_t stroke;
   };
 
-  /// The wanted cells; sides in lattice steps.
+  /// Constraints on the cells. Lengths are in lattice steps. A cell's length is its side along u, its width that along
+  /// v.
   struct Cells {
     DirectionFrame frame{};
-    double least = 1;        ///< side
-    double longest = 1;      ///< how many times as long as wide
-    bool as_strokes = true;  ///< as long as the strokes are, or longer
-    bool is_finer = false;   ///< in a crowd: no longer than leaves each cell an end or two, however long the strokes are
+    double least = 1;        ///< shortest side
+    double longest = 1;      ///< largest ratio of length to width
+    bool as_strokes = true;  ///< cells are at least about as long as the median stroke
+    bool is_finer = false;   ///< for the finer grid of one cell: about one end per cell matters more than as_strokes
   };
 
   EndGrid() = default;
   EndGrid(std::vector<End> ends, const Cells& cells);
 
-  /// All, in an order in which ends that are near each other are mostly near each other on the page.
+  /// All ends, cell by cell, so that neighbours in the list are mostly neighbours on the page.
   const std::vector<End>& ends() const { return ends_; }
 
-  /// Within which a point counts as on a line.
+  /// Largest distance at which a point counts as on a line, lattice steps: the tolerance plus the rounding of
+  /// positions.
   static double reach_of(double tolerance) { return tolerance + kRounding; }
-  /// Whether a point is within the margin of the line from-to.
+  /// Whether the distance of p from the infinite line through `from` and `to` is at most the margin, lattice steps.
   static bool is_near(LatticePoint p, LatticePoint from, LatticePoint to, double margin) {
     const double dx = double(to.x) - from.x, dy = double(to.y) - from.y, area = orientation(from, to, p);
     return area * area <= margin * margin * (dx * dx + dy * dy);
   }
 
-  /// The stroke that ends here is known to have a partner: its ends need not be looked at by others that have one.
+  /// Records that a stroke with an end at p has a partner: it is settled. To be called once for each end of the stroke.
   void settle_end(LatticePoint p);
 
-  /// Calls visit(end) for the ends within the tolerance of the line from-to, but for those at its own two ends. While
-  /// settled() is true, cells are passed over in which all ends are of settled strokes: thousands of strokes on one line
-  /// look at each other once.
+  /// Calls visit(end) for the ends within the tolerance of the segment from-to, except for ends at `from` or at `to`.
+  /// settled() says whether the stroke that searches has a partner already. As long as it returns true, the walk skips
+  /// cells in which all strokes are settled, so that thousands of strokes on one line do not all visit each other.
   template <class Settled, class Visit>
   void for_each_along(LatticePoint from, LatticePoint to, double tolerance, const Settled& settled, const Visit& visit) {
     if (!ends_.empty()) walk(from, to, reach_of(tolerance), settled, visit);
   }
 
  private:
-  static constexpr double kRounding = 2;       ///< steps; more than the rounding of any position worked out here
-  static constexpr std::uint32_t kCrowd = 64;  ///< adjustable: points in one cell
+  static constexpr double kRounding = 2;       ///< lattice steps; more than the rounding error of any position here
+  static constexpr std::uint32_t kCrowd = 64;  ///< distinct points above which a cell gets a finer grid; adjustable
 
   bool choose_cells(const std::vector<End>& ends, const Cells& cells);
-  /// The first end behind number e, and before `last`, that is elsewhere.
+  /// Index of the first end after e that lies at another point than end e; `last` if there is none before it.
   std::uint32_t next_point(std::uint32_t e, std::uint32_t last) const {
     const LatticePoint p = ends_[e].p;
     if (++e == last || ends_[e].p != p) return e;
-    if (++e == last || ends_[e].p != p) return e;  // two ends are what most points have
+    if (++e == last || ends_[e].p != p) return e;  // most points have two ends
     return next_of_many(e, last);
   }
+  /// Continues next_point() where more than two ends lie at one point.
   std::uint32_t next_of_many(std::uint32_t e, std::uint32_t last) const;
   void refine_if_crowded(std::size_t c, const Cells& cells);
   EndGrid* finer_in(std::size_t c) {
@@ -82,7 +87,7 @@ class EndGrid {
   std::size_t cell_at(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
-  /// Clamped to the grid, all ends of which lie inside.
+  /// Column and row of a position, clamped to the grid; all ends lie inside the grid.
   int column(double u) const { return clamped((u - low_u_) / side_u_, columns_); }
   int row(double v) const { return clamped((v - low_v_) / side_v_, rows_); }
   static int clamped(double part, int n) { return part < 0 ? 0 : part >= n ? n - 1 : static_cast<int>(part); }
@@ -99,14 +104,15 @@ class EndGrid {
   double low_u_ = 0, low_v_ = 0, side_u_ = 1, side_v_ = 1;
   int columns_ = 1, rows_ = 1;
   std::vector<std::uint32_t> first_{0, 0};
-  std::vector<std::uint32_t> open_{0};  ///< per cell, ends of strokes that are not settled
+  std::vector<std::uint32_t> open_{0};  ///< per cell: number of ends whose strokes are not settled
   std::vector<End> ends_;
-  KeyTable finer_number_;  ///< by cell
+  KeyTable finer_number_;  ///< cell to the index of its finer grid in finer_
   std::vector<EndGrid> finer_;
 };
 
-/// Column by column. The foot of an end on the line is at most the margin from it in x and in y, so in u by no more, and in
-/// v, which is sheared by a slope of at most 1, by twice as much.
+/// Walks column by column. The foot of an end's perpendicular on the line is at most the margin away from the end in x
+/// and in y. So it is at most the margin away in u; in v, which is sheared by a slope of at most 1, it is at most twice
+/// that.
 template <class Settled, class Visit>
 void EndGrid::walk(LatticePoint from, LatticePoint to, double margin, const Settled& settled, const Visit& visit) {
   double u0 = frame_.u(from), v0 = frame_.v(from), u1 = frame_.u(to), v1 = frame_.v(to);
