@@ -1,5 +1,5 @@
 #pragma once
-/// From a scene to its picture: what the command line and every other front end have in common.
+/// From a scene to its picture. The command line and every other front end call these functions.
 
 #include <optional>
 
@@ -13,15 +13,18 @@
 
 namespace ligne {
 
-/// The lines, areas and hatching of a scene, which must outlive them. `box` is what axes measure, where the picture is a
-/// plot; `topology` that of the scene, where it is known; with `keep_edges` the sources of strokes are known whatever the
-/// format. Counts, times and warnings go to `run`. Throws RequestError.
+/// Computes the lines, areas and hatching of a scene. The scene must outlive the result.
+/// - `box`: the range that the axes measure, if the picture is a plot with axes.
+/// - `topology`: that of the scene, if the caller has it already; otherwise it is built.
+/// - `keep_edges`: keeps the source edges of strokes even if the requested format does not need them.
+///
+/// Counts, times and warnings go to `run`. Throws RequestError.
 DrawnScene draw_lines(const Scene& scene, PictureRequest request, RunReport& run,
                       const std::optional<PlotBox>& box = std::nullopt, std::optional<Topology> topology = {},
                       bool keep_edges = false);
 
-/// Draws a scene and writes the file of the format that is asked for; arguments as for draw_lines(). `pages`: see
-/// write_picture(). Throws RequestError, std::runtime_error.
+/// Draws a scene and returns the bytes of a file in the requested format. The arguments are those of draw_lines();
+/// `pages` is that of write_picture(). Throws RequestError, std::runtime_error.
 Picture draw_scene(const Scene& scene, const PictureRequest& request, RunReport& run,
                    const std::optional<PlotBox>& box = std::nullopt, std::optional<Topology> topology = {},
                    PdfDocument* pages = nullptr);

@@ -1,5 +1,5 @@
 #pragma once
-/// A scene whose lines are found, and which can be written as several files.
+/// A scene with its visible lines computed, which can be written as several files without computing them again.
 
 #include <optional>
 #include <vector>
@@ -15,13 +15,13 @@
 
 namespace ligne {
 
-/// The results of all phases before composition; draw_lines() makes it.
+/// The results of all phases before the drawing is composed, as draw_lines() fills them in.
 struct DrawnParts {
-  PreparedScene prepared;  ///< without topology and projection
-  SceneVisibility found;   ///< with its lines finished
+  PreparedScene prepared;  ///< its topology and projection are emptied
+  SceneVisibility found;   ///< after finish_lines()
   std::vector<Layer> hatching{};
-  HatchPatches patches{};  ///< where regions are hatched, now or from the file
-  bool has_edges = false;  ///< SceneVisibility::source() can be asked
+  HatchPatches patches{};  ///< smooth groups of faces, if regions are hatched or written to JSON for later hatching
+  bool has_edges = false;  ///< whether SceneVisibility::source() may be called
 };
 
 class DrawnScene {
@@ -33,24 +33,26 @@ class DrawnScene {
   const SceneVisibility& visibility() const { return parts_.found; }
   const HatchPatches& patches() const { return parts_.patches; }
 
-  /// The surfaces behind the mesh, none where no clear creases were asked for.
+  /// The analytic surfaces recognised behind the mesh; none if the request has no clear creases.
   FoundSurfaces surfaces() const;
 
-  /// Lines joined, hatching, fills, and what stands round the picture. Counts and warnings go to `run`.
+  /// Composes the drawing: joined lines, hatching, fills, and the axes, labels and title around the picture. Counts and
+  /// warnings go to `run`.
   Drawing compose(RunReport& run) const;
 
-  /// True where another file needs no more than what was found: the lines of that format, for these pens.
+  /// Whether this result suffices to write a file of that format for those pens.
   bool serves(const OutputRequest& output, const PlotterRequest& plotter) const;
-  /// Chooses the output of write() from now on; serves() says that it can. Throws RequestError.
+  /// Sets the output of later calls of write(). serves() must be true for it. Throws RequestError.
   void choose(OutputRequest output, PlotterRequest plotter);
-  /// The file; `pages`: see write_picture().
+  /// Writes the file; `pages` is that of write_picture().
   Picture write(RunReport& run, PdfDocument* pages = nullptr) const;
 
  private:
   DrawnParts parts_;
 };
 
-/// Only JSON and drawings that tell parts apart look at the source edges; a method needs the memory of the rest.
+/// Whether the output needs the source edges of strokes: JSON does, and so do drawings that separate objects or
+/// materials. For other outputs the edges are freed, since the method needs their memory.
 bool looks_at_edges(const PictureRequest& request);
 
 }  // namespace ligne

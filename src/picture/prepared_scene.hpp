@@ -1,5 +1,5 @@
 #pragma once
-/// A scene made ready for its method: topology, place on the page, candidate lines, contours.
+/// A scene prepared for a visibility method: topology, placement on the page, candidate lines, contours.
 
 #include <cstdint>
 #include <optional>
@@ -27,28 +27,29 @@ struct PreparedScene {
   PictureRequest request;
   const Method& method;
   Topology topology;
-  Surroundings around;  ///< with the place of the picture on the page
+  Surroundings around;  ///< axes and texts around the picture, and its placement on the page
   ProjectedScene projected;
-  BackFaces back_faces;            ///< left out of `projected`
-  std::vector<Light> lights;       ///< that cast shadows
-  std::optional<Facets> facets{};  ///< of `projected`, where they were made beside something else
-  SmoothContours contours{};       ///< in place of outlines of meshes
-  ShapeLines shape_lines{};
+  BackFaces back_faces;            ///< culled: left out of `projected`
+  std::vector<Light> lights;       ///< lights of fills, hatching and shadows
+  std::optional<Facets> facets{};  ///< of `projected`, if made early by an idle thread; else the method makes them
+  SmoothContours contours{};       ///< replace outlines of the mesh
+  ShapeLines shape_lines{};        ///< suggestive contours, ridges, valleys, and tangent lines along fillets
   std::vector<ScanObject> scans{};
-  Patches patches{};                              ///< the surfaces that clear creases found, without free forms
-  std::vector<std::uint32_t> object_edge_ends{};  ///< by object: the end of its edges, which follow those before it
-  std::uint32_t first_probe = 0;                  ///< source of the first probe of a point (LineGroups)
+  Patches patches{};                              ///< analytic surfaces found for clear creases; free forms are emptied
+  std::vector<std::uint32_t> object_edge_ends{};  ///< per object: one past its last edge in the topology
+  /// Source of the first probe: a short line at a marked point (LineGroups) whose visibility is that of the point.
+  std::uint32_t first_probe = 0;
   std::vector<DetailLine> details{};
-  std::uint32_t first_detail = 0;  ///< source of the first of them
+  std::uint32_t first_detail = 0;  ///< source of the first detail line
 
   const View& view() const { return around.placement.view; }
 };
 
-/// Prepares a scene. `box`: what axes measure. `topology`: that of the scene, where it is known. Throws RequestError.
+/// Prepares a scene. `box` and `topology` are those of draw_lines(). Throws RequestError.
 PreparedScene prepare(const Scene& scene, PictureRequest request, const std::optional<PlotBox>& box, RunReport& run,
                       std::optional<Topology> topology = {});
 
-/// The contours of smooth regions at this page and pen width, whose borders are the creases that were found.
+/// Options of the smooth contours: the pen width of the request, and the creases at which smooth regions end.
 ContourOptions contour_options(const PictureRequest& request, const Creases& creases);
 
 }  // namespace ligne

@@ -1,5 +1,6 @@
 #pragma once
-/// Requests for a picture: plain values, with the defaults of the command line. Lengths are in mm, angles in degrees.
+/// Requests for a picture: plain values with the defaults of the command line. Lengths are in mm on the page, angles in
+/// degrees; points and directions are in model coordinates.
 
 #include <array>
 #include <cstdint>
@@ -33,39 +34,39 @@ class Method;
 struct LineGroups;
 struct SurfaceCurves;
 
-/// From where the scene is seen.
+/// The view of the scene. Without any of named_view, camera, direction, eye and made, the view is "iso".
 struct ViewRequest {
-  std::optional<std::string> named_view;  ///< one of kNamedViews; without it, a direction or an eye: "iso"
-  std::optional<std::string> camera{};    ///< of the model's file, by its name (name_fits()); empty: the first
-  std::optional<Point3> direction;        ///< line of sight, from the viewer into the scene: parallel projection
-  std::optional<Point3> eye;              ///< perspective
+  std::optional<std::string> named_view;  ///< one of kNamedViews
+  std::optional<std::string> camera{};    ///< name pattern of a camera of the file (name_fits()); "": the first one
+  std::optional<Point3> direction;        ///< parallel projection along this direction, from the viewer into the scene
+  std::optional<Point3> eye;              ///< perspective from this point
   std::optional<Point3> target;           ///< default: the centre of the scene's bounding box
   double fov_degrees = 35;                ///< vertical angle of view
   std::optional<Point3> up;               ///< default: the up axis
   std::optional<Axis> up_axis;            ///< default: the scene's
-  /// The model is turned so far about its vertical axis, counter-clockwise as seen from above, before it is looked at.
+  /// Rotation of the model about its vertical axis before it is viewed, counter-clockwise as seen from above.
   double turn_degrees = 0;
-  std::optional<Camera> made{};  ///< that of an earlier picture, in place of all others
+  std::optional<Camera> made{};  ///< camera of an earlier picture; it overrides all other members
 };
 
 /// A page as written on the command line.
 struct PageSize {
   Page page;
-  bool explicit_size = false;  ///< WxH: its orientation is meant as written
+  bool explicit_size = false;  ///< given as WxH, so its orientation stays as written
 };
 
-/// Where on which page the picture lies.
+/// The page, and the size of the picture on it.
 struct PageRequest {
   PageSize size;
-  bool landscape = false, portrait = false;  ///< neither: as the picture becomes larger
+  bool landscape = false, portrait = false;  ///< neither: the orientation in which the picture is larger
   double margin_mm = 10;
   double pen_width_mm = 0.35;
-  LineWidths widths_mm{};           ///< of layers by their names
-  std::optional<double> scale;      ///< page length per true length; nothing: fit
-  std::optional<double> unit_mm{};  ///< true length of one model unit; nothing: the scene's
-  std::optional<Rect> extent{};     ///< what the page is to hold, see projected_extent(); nothing: what is drawn
+  LineWidths widths_mm{};           ///< line widths by layer name
+  std::optional<double> scale;      ///< page length divided by true length; nothing: the picture fits the page
+  std::optional<double> unit_mm{};  ///< true length of one model unit in mm; nothing: Scene::unit_mm
+  std::optional<Rect> extent{};     ///< area to fit to the page, see projected_extent(); nothing: that of the scene
 
-  /// Page mm per model unit, or nothing when the picture is to fit.
+  /// Page mm per model unit; nothing if the picture is to fit the page.
   std::optional<double> page_mm_per_unit(double scene_unit_mm) const {
     return scale ? std::optional(*scale * unit_mm.value_or(scene_unit_mm)) : std::nullopt;
   }
@@ -74,45 +75,47 @@ struct PageRequest {
 enum class HiddenLines { none, dashed, solid };
 inline constexpr std::string_view kHiddenLinesNames[] = {"none", "dashed", "solid"};
 
-/// The colour of an object's lines.
+/// The colour of the lines of some objects.
 struct ObjectColor {
-  std::string pattern;  ///< of its name, see name_fits()
+  std::string pattern;  ///< for names of objects, see name_fits()
   std::array<double, 3> color{0, 0, 0};
 };
 
-/// The drawing of a mesh: the lines that an illustrator would draw of the shape it stands for, or those of every edge as
-/// stored.
+/// How a mesh is drawn. `clear`: with the lines that an illustrator would draw of the shape that the mesh approximates.
+/// `exact`: with the edges as they are stored.
 enum class Quality : std::uint8_t { clear, exact };
 inline constexpr std::string_view kQualityNames[] = {"clear", "exact"};
 
-/// Against what the outer outline of an object is a profile: the sheet, or other objects farther back too.
+/// Which lines become profiles. `sheet`: where the empty sheet is seen beside the line; `parts`: also where another
+/// object farther back is seen.
 enum class ProfileKind : std::uint8_t { off, sheet, parts };
 inline constexpr std::string_view kProfileNames[] = {"off", "sheet", "parts"};
 
-/// How surfaces that run into each other are shown: by one line along the middle of a narrow fillet and lines along the
-/// borders of wide ones, always by borders, or by the middles of all fillets.
+/// Where tangent lines are drawn between surfaces that join smoothly. `automatic`: one line along the middle of each
+/// narrow fillet, and lines along the borders of wide ones; `borders`: always along borders; `middles`: along the
+/// middles of all fillets.
 enum class TangentLines : std::uint8_t { automatic, borders, middles };
 inline constexpr std::string_view kTangentNames[] = {"auto", "borders", "middles"};
 
-/// Which lines are drawn, and how they are found.
+/// Which lines are drawn, and how their visibility is computed.
 struct LineRequest {
-  const Method* method = nullptr;  ///< nullptr: the default method, for regions the first that gives them
-  MethodSettings settings;         ///< of the method's own parameters
+  const Method* method = nullptr;  ///< nullptr: chosen automatically
+  MethodSettings settings;         ///< values of the method's own parameters
   LineClasses classes = LineClasses::features();
-  std::optional<ProfileKind> profile{};  ///< nothing: against the sheet when the classes name profiles
-  double crease_degrees = 30;            ///< between faces
-  double surface_crease_degrees = 10;    ///< of clear lines, between surfaces that meshes stand for (scene/patches)
+  std::optional<ProfileKind> profile{};  ///< nothing: `sheet` if the classes include profiles, else `off`
+  double crease_degrees = 30;            ///< smallest angle between faces that makes a crease
+  double surface_crease_degrees = 10;    ///< clear lines: the same between recognised surfaces (scene/patches)
   TangentLines tangent = TangentLines::automatic;
   HiddenLines hidden = HiddenLines::none;
   bool cull = false;  ///< leave out back faces of closed, consistently wound objects
   Quality quality = Quality::clear;
-  /// Shorter visible bits of lines are left out; nothing: 1.5 widths of the pen in clear lines, 0 in exact ones.
+  /// Visible pieces of lines shorter than this are left out. Nothing: 1.5 pen widths for clear lines, 0 for exact ones.
   std::optional<double> least_mm{};
 
   ProfileKind profiles() const {
     return profile.value_or(classes.has(LineClass::profile) ? ProfileKind::sheet : ProfileKind::off);
   }
-  /// The classes that are drawn, and those of which profiles may be parts.
+  /// The classes whose visibility is computed: those that are drawn, and those that profiles are cut from.
   LineClasses studied() const {
     LineClasses all = classes;
     if (profiles() == ProfileKind::off) return all;
@@ -121,14 +124,15 @@ struct LineRequest {
   }
 };
 
-/// `paper`: all in white, for what hides without a colour of its own.
+/// How visible faces are filled. `material`: in the colour of the material; `shade`: that colour, lit; `paper`: in
+/// white, so that faces only hide what lies under them.
 enum class FillKind : std::uint8_t { none, material, shade, paper };
 inline constexpr std::string_view kFillNames[] = {"none", "material", "shade", "paper"};
 
-/// Visible faces as areas of colour, and light.
+/// Areas of colour for visible faces, and the lights of fills, hatching and shadows.
 struct FillRequest {
   FillKind kind = FillKind::none;
-  std::vector<Point3> lights;  ///< directions in which parallel light travels; empty: the lights of the scene
+  std::vector<Point3> lights;  ///< travel directions of parallel lights; empty: the lights of the scene
 
   bool asked() const { return kind != FillKind::none || !lights.empty(); }
 };
@@ -136,68 +140,68 @@ struct FillRequest {
 enum class HatchKind : std::uint8_t { none, shade, material, plain };
 inline constexpr std::string_view kHatchNames[] = {"none", "shade", "material", "plain"};
 
-/// Degrees of darkness, as many as [Boulle1980] has at most.
+/// Largest number of degrees of darkness in hatching, as in [Boulle1980].
 inline constexpr unsigned kMostShades = 4;
 
-/// The lines that strokes follow where they bend with the form: the directions of principal curvature, or the curves of a
-/// surface.
+/// The curves that hatching strokes follow. `curvature`: directions of principal curvature; `iso`: the parameter curves
+/// of a parametric surface.
 enum class FormLines : std::uint8_t { none, curvature, iso };
 
-/// Direction of the strokes: fixed, or on every face along its level lines, or along the form.
+/// Direction of hatching strokes: a fixed angle, the level lines of each face, or the curves of the surface.
 struct HatchDirection {
-  bool by_face = false;
+  bool by_face = false;  ///< along the level lines of each face
   FormLines form = FormLines::none;
-  double degrees = 45;  ///< counter-clockwise as seen; of level faces too
+  double degrees = 45;  ///< fixed angle on the page, counter-clockwise; with `by_face` that of horizontal faces
 };
 
-/// Visible faces as strokes.
+/// Hatching of visible faces.
 struct HatchRequest {
   HatchKind kind = HatchKind::none;
-  std::optional<double> spacing_mm{};  ///< of the closest strokes; nothing: by the width of the pen
+  std::optional<double> spacing_mm{};  ///< distance of strokes where they are closest; nothing: from the pen width
   HatchDirection direction{};
-  bool cross = false;
-  std::optional<unsigned> levels{};  ///< 0: continuous; nothing: kMostShades, but continuous along the form
+  bool cross = false;                ///< adds a second family of strokes across the first
+  std::optional<unsigned> levels{};  ///< degrees of darkness, 0: continuous; nothing: kMostShades; curved strokes: 0
 
   bool asked() const { return kind != HatchKind::none; }
 };
 
-/// Which contour lines have their height written into them.
+/// Which contour lines are labelled with their height: none, index contours, or all.
 enum class ContourLabels : std::uint8_t { none, index, all };
 
-/// A line of the legend.
+/// An entry of the legend: a sample and a text.
 struct LegendEntry {
   std::string text;
   std::optional<std::array<double, 3>> color{};
-  std::string layer{}, object{};  ///< of the lines that it is about
-  bool filled = false;            ///< it is about areas: its sample is one
+  std::string layer{}, object{};  ///< layer and object of the lines that it explains
+  bool filled = false;            ///< it explains areas, so its sample is a filled area
 };
 
-/// Axes, a title and a map's signs round the picture of what is plotted.
+/// Axes, a title, and map signs around the picture of a plot.
 struct AxesChoice {
   std::optional<AxesStyle> style;  ///< nothing: no axes
   bool scale_bar = false, north_arrow = false;
-  std::string scale_unit{};  ///< empty: metres, where the ground has them
+  std::string scale_unit{};  ///< unit of the scale bar; empty: metres, if the coordinates have a known length
   std::vector<LegendEntry> legend{};
-  std::array<std::vector<std::string>, 3> categories{};  ///< names in place of the numbers 0, 1, 2 ...
-  std::array<std::optional<std::string>, 3> names;
+  std::array<std::vector<std::string>, 3> categories{};  ///< per axis: tick names in place of the numbers 0, 1, 2 ...
+  std::array<std::optional<std::string>, 3> names;       ///< names of the x, y and z axis
   TextStyle text = TextStyle::font;
   std::optional<double> text_height_mm;
 };
 
 /// Pens and plotter.
 struct PlotterRequest {
-  std::optional<Optimize> optimize;  ///< nothing: full for pens; other drawings stay as they are made
+  std::optional<Optimize> optimize;  ///< nothing: full if by_pens(), else off
   JoinTolerances tolerances;
-  bool report = false, preview = false;  ///< wanted beside the file (Picture)
-  bool fit_device = false;
-  bool fit_drawing = false;              ///< the drawing has no scale of its own: it fits the device without being asked
-  double min_length_mm = 0;              ///< strokes that are shorter are left out
-  LongPlotRequest parts;                 ///< long plots
-  std::shared_ptr<const Device> device;  ///< nullptr: an SVG or PDF for no device
+  bool report = false, preview = false;  ///< whether Picture gets a plotter report and a preview
+  bool fit_device = false;               ///< scale the drawing to the drawable area of the device
+  bool fit_drawing = false;              ///< the drawing has no fixed scale, so it may be fitted without being asked
+  double min_length_mm = 0;              ///< shorter strokes are left out
+  LongPlotRequest parts;                 ///< parts, pauses and restarts of long plots
+  std::shared_ptr<const Device> device;  ///< nullptr: an SVG or PDF for no particular device
   PenTable pens;
-  PenTable asked_pens;  ///< those of them that were asked for by name, of what must be there
+  PenTable asked_pens;  ///< the entries of `pens` that the user gave: the layers and objects that they name must exist
 
-  /// The drawing is dealt out to pens.
+  /// Whether the drawing is divided among pens.
   bool by_pens() const { return device || !pens.empty(); }
   Optimize path_work() const { return optimize.value_or(by_pens() ? Optimize::full : Optimize::off); }
 };
@@ -205,14 +209,14 @@ struct PlotterRequest {
 enum class OutputFormat { svg, pdf, png, json, hpgl, gcode };
 inline constexpr std::string_view kOutputFormatNames[] = {"svg", "pdf", "png", "json", "hpgl", "gcode"};
 
-/// The file.
+/// The output file.
 struct OutputRequest {
   OutputFormat format = OutputFormat::svg;
-  double dpi = 150;                   ///< PNG
-  std::string title;                  ///< of the document, may be empty
-  bool group_objects = false;         ///< SVG: a group for each object in every layer; JSON: strokes say their object
-  std::vector<ObjectColor> colors{};  ///< SVG, PDF and PNG: of objects, the last that fits; others are black
-  std::optional<bool> curves{};  ///< SVG, PDF and PNG: arcs where lines are tessellated ones; nothing: where lines are clear
+  double dpi = 150;                   ///< resolution of a PNG
+  std::string title;                  ///< title of the document, may be empty
+  bool group_objects = false;         ///< SVG: a group per object in every layer; JSON: strokes name their object
+  std::vector<ObjectColor> colors{};  ///< SVG, PDF and PNG: the last pattern that fits applies; other objects are black
+  std::optional<bool> curves{};       ///< SVG, PDF and PNG: fit arcs to polylines; nothing: if lines are clear
 };
 inline constexpr std::string_view kSwitchNames[] = {"off", "on"};
 
@@ -222,23 +226,24 @@ struct PictureRequest {
   LineRequest lines{};
   PageRequest page{};
   FillRequest fill{};
-  bool regions = false;  ///< visible faces as areas are wanted for themselves
+  bool regions = false;  ///< the visible areas of faces are themselves a wanted result
   HatchRequest hatch{};
-  bool gray_faces = false;  ///< faces in gray, lit from the eye, by a method that gives spans or pixels
+  bool gray_faces = false;  ///< grey faces, lit from the eye; needs a method that returns spans or pixels
   AxesChoice axes{};
   PlotterRequest plotter{};
   OutputRequest output{};
   std::string heading{};                       ///< title above the picture on the page, may be empty
-  std::shared_ptr<const LineGroups> groups{};  ///< lines that are drawn apart; nullptr: none
-  std::shared_ptr<const SurfaceCurves> iso{};  ///< curves that hatching may follow; nullptr: there are none
+  std::shared_ptr<const LineGroups> groups{};  ///< lines and points with looks of their own; nullptr: none
+  std::shared_ptr<const SurfaceCurves> iso{};  ///< parameter curves for HatchDirection::form; nullptr: none
   ContourLabels contour_labels = ContourLabels::none;
-  bool label_decades = false;                       ///< heights of contours are decimal logarithms
-  std::shared_ptr<const CompiledScene> compiled{};  ///< of the scene, by the method; nullptr: it is made when it is needed
-  Keep keep = Keep::nothing;                        ///< what the study leaves is wanted for that
-  std::shared_ptr<const KeptVisibility> earlier{};  ///< what an earlier one has left, by the method; nullptr: nothing
-  std::shared_ptr<const OccludedCells> blank{};     ///< of a streamed scene (streamed_model.hpp); nullptr: there are none
+  bool label_decades = false;                       ///< the heights of contour lines are decimal logarithms
+  std::shared_ptr<const CompiledScene> compiled{};  ///< made by this method from this scene; nullptr: made when needed
+  Keep keep = Keep::nothing;                        ///< what the method shall keep its intermediate results for
+  std::shared_ptr<const KeptVisibility> earlier{};  ///< kept by an earlier run of the same method; nullptr: nothing
+  std::shared_ptr<const OccludedCells> blank{};     ///< streamed scenes (streamed_model.hpp): squares of the page that
+                                                    ///< faces outside this scene hide; nullptr: none
   MemoryLimit memory{};
-  std::function<void(double)> progress{};  ///< called with the fraction of the study done, from one thread at a time
+  std::function<void(double)> progress{};  ///< called with the fraction of visibility work done, one thread at a time
 };
 
 }  // namespace ligne

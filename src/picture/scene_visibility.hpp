@@ -1,5 +1,5 @@
 #pragma once
-/// The visible parts of a scene and their places on the page: the part of a picture that knows nothing of pens and files.
+/// The visible parts of a scene on the page. This part of the program knows nothing of pens and files.
 
 #include <array>
 #include <cstdint>
@@ -16,27 +16,31 @@
 
 namespace ligne {
 
-/// The findings. Every stroke is there once, and regions carry details and light.
+/// The result of a visibility method. After finish_lines() no two strokes coincide, and regions carry details and
+/// light.
 struct SceneVisibility {
-  const Method* method = nullptr;  ///< by which it was found
+  const Method* method = nullptr;  ///< the method that was used
   VisibilityResult result;
-  std::vector<Edge> edges;                     ///< of the scene, where `keep_edges` asks for them
-  std::vector<std::array<Point3, 2>> lines{};  ///< beside them (LineGroups), the same
-  std::vector<std::uint8_t> points_seen{};     ///< of those of LineGroups
-  std::vector<DetailLine> details{};           ///< of the scene, the same as `edges`
-  std::uint32_t first_detail = 0;              ///< source of the first of them
+  std::vector<Edge> edges;                     ///< edges of the scene; empty without `keep_edges`
+  std::vector<std::array<Point3, 2>> lines{};  ///< LineGroups::lines; empty without `keep_edges`
+  std::vector<std::uint8_t> points_seen{};     ///< per point of LineGroups::points: 1 if it is visible
+  std::vector<DetailLine> details{};           ///< contours of details; empty without `keep_edges`
+  std::uint32_t first_detail = 0;              ///< source of the first detail line
 
-  /// The source of a stroke: an edge of the scene, an intersection or the border of a shadow.
+  /// The source of a stroke by its number: an edge of the scene, a line of LineGroups, a detail line, an intersection
+  /// or a border of a shadow. Requires `keep_edges`.
   SourceEdge source(const Scene& scene, std::uint32_t number) const;
 };
 
-/// Every line as its method finds it, visible or hidden. Empties `prepared.topology`, whose memory the method needs.
-/// `span_lines`: where spans are wanted. `keep_edges`: source() is asked later. Throws RequestError.
+/// Runs the visibility method over all candidate lines. Empties `prepared.topology`, because the method needs its
+/// memory. `span_lines`: the scan lines for which spans are wanted, if any. `keep_edges`: whether source() will be
+/// called later. Throws RequestError.
 SceneVisibility compute_visibility(PreparedScene& prepared, std::optional<SpanLines> span_lines, bool keep_edges,
                                    RunReport& run);
 
-/// From the strokes of a method to the lines of a drawing: contours and lines of the shape in their places, no line twice,
-/// profiles cut, and details and light on regions. Throws RequestError.
+/// Turns the strokes of a method into the lines of a drawing: puts smooth contours and shape lines in place of the
+/// lines that stood for them, removes coincident strokes, cuts profiles out of lines, and adds details and light to
+/// regions. Throws RequestError.
 void finish_lines(SceneVisibility& found, PreparedScene& prepared, RunReport& run);
 
 }  // namespace ligne
