@@ -1,5 +1,5 @@
 #pragma once
-/// The drawing: named layers of polylines, text, and areas, in page millimetres.
+/// The drawing: named layers of polylines, texts, and filled areas. Coordinates are in page millimetres.
 
 #include <array>
 #include <cstdint>
@@ -14,7 +14,8 @@
 
 namespace ligne {
 
-/// Polylines as index arrays: polyline i has points [begin[i], begin[i + 1]). A closed polyline repeats its first point.
+/// Polylines in one array: polyline i has the points [begin[i], begin[i + 1]). A closed polyline repeats its first
+/// point.
 struct Polylines {
   std::vector<Point2> points;
   std::vector<std::uint32_t> begin{0};
@@ -30,58 +31,59 @@ struct Polylines {
   }
 };
 
-/// Puts the polylines of `from` behind those of `to`.
+/// Appends the polylines of `from` to those of `to`.
 inline void append(Polylines& to, const Polylines& from) {
   const auto shift = static_cast<std::uint32_t>(to.points.size());
   to.points.insert(to.points.end(), from.points.begin(), from.points.end());
   for (std::size_t i = 1; i < from.begin.size(); ++i) to.begin.push_back(from.begin[i] + shift);
 }
 
-/// Layers of strokes, in the order in which they are painted: hidden strokes, those seen through transparent faces, then the
-/// classes, the strongest last.
+/// Number of layers for strokes: hidden strokes, strokes behind transparent faces, and one layer per line class. They
+/// are painted in this order, with the classes of highest precedence last.
 inline constexpr std::size_t kStrokeLayerCount = kLineClassCount + 2;
+/// Index of the layer of a stroke, from 0, in painting order. `level` is Stroke::level.
 std::size_t stroke_layer(LineClass line_class, bool visible, unsigned level);
 /// "hidden", "behind-glass", or the name of the class.
 std::string_view stroke_layer_name(std::size_t layer);
 
-/// A layer's name is also its id: those of strokes, "underside", "contour-base", "contour-index", "shore", "water", "text",
-/// "debug", "hatch", "legend". Layers of one name that follow each other are one layer by objects, colours and widths.
+/// A set of polylines drawn in one style. Its name identifies it: a name of stroke_layer_name(), or "underside",
+/// "contour-base", "contour-index", "shore", "water", "text", "debug", "hatch", "legend". Successive layers with the
+/// same name are parts of one layer, divided by object, colour and width.
 struct Layer {
   std::string name;
   Polylines lines;
-  std::string material{};  ///< name of the material, where the layer holds the lines of one material only
-  unsigned shade = 0;      ///< hatching of one degree of darkness only: 1 the darkest; 0: of all
-  std::string object{};    ///< name of the object, where the layer holds the lines of one object only
-  std::optional<std::array<double, 3>> color{};  ///< of the lines, where it is not that of all lines
-  std::optional<double> width_mm{};              ///< of the lines, where it is not that of all lines
-  std::optional<double> height{};                ///< where the layer holds contour lines of one height only
+  std::string material{};  ///< name of the material, if all lines belong to one material
+  unsigned shade = 0;      ///< degree of darkness, 1 the darkest, if the layer is hatching of one degree; else 0
+  std::string object{};    ///< name of the object, if all lines belong to one object
+  std::optional<std::array<double, 3>> color{};  ///< of the lines, components in [0, 1]; nothing: by the layer's style
+  std::optional<double> width_mm{};              ///< of the lines; nothing: by the layer's style
+  std::optional<double> height{};                ///< height of the contour lines, if all have the same height
 };
 
 /// An area of one colour.
 struct Fill {
-  std::vector<std::vector<Point2>> contours;  ///< page mm, not closed; what an odd number of them surrounds is filled
+  std::vector<std::vector<Point2>> contours;  ///< page mm, first point not repeated; filled by the even-odd rule
   std::array<double, 3> color{0, 0, 0};       ///< red, green, blue in [0, 1]
   double opacity = 1;
-  bool overlaps = false;  ///< it may lie on other areas of its colour: it is painted by itself
+  bool overlaps = false;  ///< may overlap other areas of its colour, so it is painted separately
 };
 
-/// Layers in the order in which they are painted, over the fills. Layers without lines are left out. Texts are painted last;
-/// writers put them into a layer "text" in a typeface. A drawing has either texts or a layer "text" of lines
-/// (plotting/stroke_text.hpp).
+/// A drawing. Fills are painted first, then layers, then texts. A drawing has either `texts`, which writers put into a
+/// layer "text" in a typeface, or a layer "text" of stroked characters (plotting/stroke_text.hpp).
 struct Drawing {
-  std::vector<Layer> layers;
+  std::vector<Layer> layers;  ///< in painting order; none is without lines
   std::vector<TextItem> texts{};
-  std::vector<Fill> fills{};  ///< in the order in which they are painted
+  std::vector<Fill> fills{};  ///< in painting order
 };
 
-/// Every line once: where strokes lie on each other within `tolerance_mm` one of them stands for all (by class, then the
-/// nearer, then the lower source). A hidden stroke gives way to every visible one, and one seen through transparent faces to
-/// every one seen directly. Strokes whose `needs_overlap_check` is false are only compared with those where it is true.
-/// Those that lie on no other keep their order; the others follow, by precedence.
+/// Makes every line appear once. Where strokes lie on each other within `tolerance_mm`, only the one with the highest
+/// precedence stays: visible before hidden, seen directly before seen through transparent faces, then by class, then
+/// the nearer one, then the lower source. Two strokes are compared only if `needs_overlap_check` is true for at least
+/// one. Strokes without overlap keep their order; the others follow by precedence.
 void remove_coincident_strokes(StrokeModel& model, double tolerance_mm);
 
-/// Joins strokes that continue each other into polylines, per layer. Where more than two strokes of a layer meet the
-/// straightest continue each other.
+/// Joins strokes with common ends into polylines, layer by layer. Where more than two strokes of a layer meet, the pair
+/// that makes the straightest line is joined first.
 Drawing make_drawing(const StrokeModel& model);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Edges with their faces, and the triangles of the faces.
+/// Edges with the faces that they join, and the triangulation of the faces.
 
 #include <array>
 #include <cstdint>
@@ -10,43 +10,45 @@
 
 namespace ligne {
 
-/// An edge of the scene: vertices in ascending order, and its first two faces.
+/// An edge of the scene: its two vertices, v0 < v1, and its first two faces.
 struct Edge {
   std::uint32_t v0 = 0, v1 = 0;
   std::uint32_t face0 = kNone, face1 = kNone;  ///< face1 is kNone on a border
 };
 
+/// Flags of an edge. Most of them come from the CornerFlag of a face at the edge.
 enum EdgeFlag : std::uint16_t {
   kEdgeManyFaces = 1,    ///< more than two faces meet here
-  kEdgeFileHidden = 2,   ///< the file marks it as not to be drawn
-  kEdgeInner = 4,        ///< inside a triangulated polygon
-  kEdgeUnlikeWound = 8,  ///< its two faces run through it in the same direction: their windings disagree
-  kEdgeCurve = 16,       ///< part of an iso-curve of a surface: one of its faces says so
-  kEdgeCrossing = 32,    ///< surfaces cross along it
-  kEdgeContour = 64,     ///< part of a contour line: one of its faces says so
-  kEdgeSmooth = 128,     ///< the file says that the surface runs smoothly over it
-  kEdgeSharp = 256,      ///< the file says that it does not
+  kEdgeFileHidden = 2,   ///< the file marks the edge as hidden
+  kEdgeInner = 4,        ///< triangulation of a polygon made the edge
+  kEdgeUnlikeWound = 8,  ///< its two faces traverse it in the same direction: their windings disagree
+  kEdgeCurve = 16,       ///< part of an iso-curve of a surface
+  kEdgeCrossing = 32,    ///< surfaces penetrate each other along it
+  kEdgeContour = 64,     ///< part of a contour line
+  kEdgeSmooth = 128,     ///< the file says that the surface is smooth across it
+  kEdgeSharp = 256,      ///< the file says that it has a crease here
 };
 
-/// A triangle of a face; wound as the face is.
+/// A triangle of a face, with the winding of the face.
 struct Triangle {
-  std::array<std::uint32_t, 3> v{};
+  std::array<std::uint32_t, 3> v{};  ///< vertex indices
   std::uint32_t face = kNone;
 };
 
 struct Topology {
-  std::vector<Edge> edges;                ///< ordered by (v0, v1)
-  std::vector<std::uint16_t> edge_flags;  ///< EdgeFlag
-  std::vector<Triangle> triangles;        ///< ordered by face
+  std::vector<Edge> edges;                ///< sorted by (v0, v1)
+  std::vector<std::uint16_t> edge_flags;  ///< per edge: EdgeFlag bits
+  std::vector<Triangle> triangles;        ///< sorted by face
 };
 
-/// Finds the edges and triangulates the faces of a finished scene. Time grows with the number of corners.
+/// Finds the edges and triangulates the faces of a scene after finish_scene(). The time grows with the number of
+/// corners.
 Topology build_topology(const Scene& scene);
 
-/// The triangles alone, as in the topology.
+/// The triangles of the faces alone, as in Topology::triangles.
 std::vector<Triangle> triangulate_faces(const Scene& scene);
 
-/// Unit normal of a face by Newell's sum over its outer contour; zero when the face has no area.
+/// Unit normal of a face by Newell's method over its outer contour; zero if the face has no area.
 Point3 face_normal(const Scene& scene, std::uint32_t face);
 
 }  // namespace ligne
