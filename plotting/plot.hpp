@@ -1,5 +1,5 @@
 #pragma once
-/// A drawing dealt out to pens: what a plotter draws, stroke by stroke.
+/// A plot: the strokes of a drawing, divided among pens and in drawing order.
 
 #include <array>
 #include <cstdint>
@@ -15,25 +15,26 @@
 
 namespace ligne {
 
-/// How strokes look in a picture.
+/// Colour and width of a stroke, for plots that are written as pictures.
 struct StrokeLook {
   std::array<double, 3> color{0, 0, 0};
   double width_mm = 0;
   friend bool operator==(const StrokeLook&, const StrokeLook&) = default;
 };
 
-/// The strokes of one pen, in order, page mm.
+/// The strokes of one pen in drawing order.
 struct PenLines {
   Pen pen;
-  Polylines lines;
-  std::vector<StrokeLook> looks{};       ///< where strokes do not all look like their pen
-  std::vector<std::uint32_t> look_of{};  ///< with `looks`: of each stroke the index of its own
-  std::vector<std::uint32_t> actions{};  ///< strokes before which the machine does its action, ascending (plot_parts.hpp)
-  std::vector<std::uint32_t> pauses{};   ///< strokes before which it waits, ascending
+  Polylines lines;                       ///< page mm
+  std::vector<StrokeLook> looks{};       ///< the different looks of the strokes; empty if all look like the pen
+  std::vector<std::uint32_t> look_of{};  ///< per stroke: index into `looks`; empty with it
+  std::vector<std::uint32_t> actions{};  ///< strokes before which the machine performs its action, ascending
+                                         ///< (LongPlotRequest::action in plot_parts.hpp)
+  std::vector<std::uint32_t> pauses{};   ///< strokes before which the machine waits, ascending
 };
 
-/// Pens in the order in which they are used, by number. One is there several times where layers give it other settings,
-/// or, in pictures, other names.
+/// Pens in the order of use, which is that of their numbers. A pen appears more than once if layers give it different
+/// settings or, in pictures, different names.
 struct Plot {
   Page page;
   std::vector<PenLines> pens;
@@ -41,37 +42,43 @@ struct Plot {
 
 struct PlotRequest {
   PlotOptions style;           ///< page and line styles of the layers
-  PenTable pens;               ///< empty: everything to pen 1
-  bool pen_per_layer = false;  ///< with an empty table: a pen for every layer, of the number in its name, else numbered on
+  PenTable pens;               ///< if empty, pen 1 draws everything
+  bool pen_per_layer = false;  ///< with an empty table: one pen per layer, numbered as the layer's name says or else
+                               ///< with the next free number
   bool keep_looks = false;     ///< strokes of pens that the table does not describe keep their colours and widths
   PathOptions paths;
 };
 
-/// Deals the layers out to their pens and turns texts and dashes into strokes, nothing else: lines stay in their order.
+/// Divides the layers among their pens, and converts texts and dashes to strokes. The order of lines does not change.
 Plot deal_to_pens(const Drawing& drawing, const PlotRequest& request);
 
-/// Makes a plot with the lines of every pen joined and ordered. Solid lines are made once and joined before anything is cut;
-/// so are dashed ones before they become dashes.
+/// Divides the layers among their pens, then joins and orders the lines of every pen as `request.paths` says. Dashed
+/// lines are joined before they are cut into dashes. If joining
+/// would make the plot of a pen slower, its lines are only ordered, except with a minimum length or
+/// OrderOptions::inside_first.
 Plot make_plot(const Drawing& drawing, const PlotRequest& request);
 
-/// Lines of every layer joined and, with Optimize::full, ordered; layers, texts and dashes stay what they are.
+/// Joins and orders the lines of every layer as the options say. Texts and line styles do not change.
 Drawing optimize_layers(const Drawing& drawing, const PathOptions& options);
 
-/// The box of the ink, page mm; empty when nothing is drawn.
+/// Bounding box of the drawn points, page mm; empty if nothing is drawn. Pens that are skipped do not count.
 Rect ink_of(const Plot& plot);
 Rect ink_of(const Drawing& drawing);
 
-/// Sum over the pens that are not skipped, each from the home position, as each is put in order.
+/// Sum of the path lengths of all pens that are not skipped, if every pen starts at `home`. Ordering assumes the same.
 PathLengths measure(const Plot& plot, Point2 home, bool returns);
-/// Lengths of the pens that are not skipped, plotted one after the other: pens are changed where the last one ends.
+/// Path lengths if the pens that are not skipped are plotted one after the other: each starts where the one before
+/// ended.
 PathLengths measure_in_turn(const Plot& plot, Point2 home, bool returns);
+/// Sum of the path lengths of all layers, if every layer starts at `home`.
 PathLengths measure(const Drawing& drawing, Point2 home, bool returns);
 
-/// How often a plotter changes its pen.
+/// Number of times the plotter changes its pen.
 std::size_t pen_changes(const Plot& plot);
 
+/// The speeds of a device.
 PathPace pace_of(const Device& device);
-/// Time that the device takes, in seconds: ways at its speeds, lifts, changes of pens.
+/// Plotting time in seconds: travel at the device's speeds, pen lifts, and pen changes.
 double plot_seconds(const Device& device, const PathLengths& lengths, std::size_t pen_changes);
 
 }  // namespace ligne

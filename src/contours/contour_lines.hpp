@@ -1,5 +1,6 @@
 #pragma once
-/// Smooth contours in place of the outlines of a mesh: the way into a study. docs/smooth-contours.md.
+/// Replaces the outlines of a mesh by smooth contours, before a visibility method runs. The page
+/// docs/smooth-contours.md explains the phases and defines sector, sight, probe and sag.
 
 #include <array>
 #include <cstddef>
@@ -15,58 +16,58 @@
 namespace ligne {
 
 struct ContourOptions {
-  RegionBorders borders{};
-  std::span<const ScanObject> scans{};
-  double pen_width_mm = 0.35;  ///< what is smaller on the page is no shape
+  RegionBorders borders{};              ///< where smooth regions end
+  std::span<const ScanObject> scans{};  ///< objects that are scans, whose noise is levelled
+  double pen_width_mm = 0.35;           ///< smaller details on the page are ignored
 };
 
-/// The contours that stand for outlines of the mesh in a projected scene.
+/// The contours that replace outlines of the mesh in a projected scene. In the method's run, sources number first the
+/// sights of all segments, then the probes of all replaced edges, then these edges themselves.
 struct SmoothContours {
   std::vector<ContourChain> chains;
   std::vector<std::vector<std::uint32_t>> faces;  ///< per chain and segment: the face of the scene
-  std::vector<std::vector<int>> sides;            ///< per chain and segment: see ContourSight::side
+  std::vector<std::vector<int>> sides;            ///< per chain and segment: ContourSight::side
   std::vector<std::uint32_t> first_source;        ///< per chain: source of its first segment; the others follow
-  /// Edges of the mesh that are left out, by their ends and first two faces.
-  std::vector<SourceEdge> replaced;
-  std::vector<double> replaced_size_mm;  ///< longest side on the page of the triangles at such an edge
-  std::vector<std::uint8_t> bulges;      ///< 1 where the solid bulges at such an edge, by the winding of its faces
-  std::uint32_t first_probe = 0;         ///< source of the probe of the first of them; the others follow
-  std::uint32_t first_edge = 0;          ///< source of the first of them itself; the others follow
+  std::vector<SourceEdge> replaced;               ///< the edges of the mesh that contours replace
+  std::vector<double> replaced_size_mm;           ///< per replaced edge: longest side on the page of its two triangles
+  std::vector<std::uint8_t> bulges;               ///< per replaced edge: 1 if it is convex, by the winding of its faces
+  std::uint32_t first_probe = 0;                  ///< source of the probe of the first replaced edge; the others follow
+  std::uint32_t first_edge = 0;                   ///< source of the first replaced edge itself; the others follow
 
   bool empty() const { return replaced.empty() && chains.empty(); }
 };
 
-/// The lines that replace outlines of the mesh, before they are put into a projected scene.
+/// The result of replacement_of(), before it is put into a projected scene.
 struct OutlineReplacement {
   SmoothContours contours;
   std::vector<std::array<Point3, 2>>
-      lines;                           ///< at which visibility is studied; their sources are those that `contours` names
-  std::vector<std::uint32_t> removed;  ///< edges of the topology
+      lines;  ///< lines in model space whose visibility the method computes, in the order of the sources in `contours`
+  std::vector<std::uint32_t> removed;  ///< edges of the topology that are no longer candidates
 };
 
-/// The outlines of the mesh among the candidate edges, ascending: edges of the topology.
+/// The edges of the topology that are candidates of class outline, ascending.
 std::vector<std::uint32_t> outline_edges(const Topology& topology, const ProjectedScene& projected);
 
-/// Outlines inside smooth regions, edges of the topology, and the faces round them.
+/// The outline edges inside smooth regions, and the triangles around them.
 struct OutlinePatch {
-  std::vector<std::uint32_t> inside;
+  std::vector<std::uint32_t> inside;  ///< edges of the topology
   SmoothPatch patch;
 };
 
-/// Those among the outlines of the mesh. Scenes that have lines of their own on their faces (iso-curves, contour lines) have
-/// none. Nearly all of it is done in parallel.
+/// Makes the patch of the given outline edges: phase 1 of docs/smooth-contours.md without islands. It is empty for
+/// scenes with iso-curves or contour lines on their faces. Nearly all of the work is parallel.
 OutlinePatch patch_of_outlines(const Scene& scene, const Topology& topology, const Camera& camera,
                                const std::vector<std::uint32_t>& outlines, const RegionBorders& borders);
 
-/// Finds the contours that stand for these outlines, and lines at which the visibility of the contours is studied
-/// (contour_sights.hpp), with sources from that of the last edge on. Of the projected scene, only what select_candidates()
-/// has set is looked at. Half of it is done in one thread.
+/// Finds the contours that replace these outlines, and the lines to test for visibility in their place
+/// (contour_sights.hpp). Sources start at `projected.source_count`. Reads only the members of the projected scene that
+/// select_candidates() sets. About half of the work is done in one thread.
 OutlineReplacement replacement_of(const Scene& scene, const Topology& topology, const ProjectedScene& projected,
                                   OutlinePatch outlines, const ContourOptions& options);
 
-/// Takes the outlines out of the candidate edges, and puts the lines in their place. No other lines were added before.
+/// Removes the replaced outlines from the candidates, and adds the lines. To be called before other lines are added.
 SmoothContours replace_outlines(const Topology& topology, ProjectedScene& projected, OutlineReplacement replacement);
-/// Both, for the outlines that are candidates.
+/// Does all of the above for the outlines that are candidates.
 SmoothContours replace_outlines(const Scene& scene, const Topology& topology, ProjectedScene& projected,
                                 const ContourOptions& options);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The flat facets of an object and the bends between them over which a surface may run smoothly.
+/// The flat facets of an object, and the edges between them across which a surface may be smooth.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace ligne {
 
-/// Lists of indices, one behind the other.
+/// Lists of indices in one array: list i is values[begin[i], begin[i + 1]).
 struct IndexLists {
   std::vector<std::uint32_t> begin{0}, values;
 
@@ -22,27 +22,30 @@ struct IndexLists {
   }
 };
 
-/// Largest bend between two facets of one surface, in degrees: twelve facets a turn, and eight where the file says that the
-/// surface is smooth. Fewer are a polygon (docs/patches.md).
+/// Largest angle between the normals of adjacent facets of one surface, in degrees. It admits a cylinder of twelve
+/// facets (30 degrees), or of eight (45 degrees) if the file says that the surface is smooth. With fewer facets the
+/// body counts as a prism (docs/patches.md).
 inline constexpr double kLargestBend = 31, kLargestSmoothBend = 46;
 
-/// Flatter bends, in degrees, are those of one plane whatever the precision is said to be: programs print six digits, and
-/// others store these as float32. Seven thousand facets go round in larger ones.
+/// Adjacent faces whose normals differ by less than this, in degrees, lie in one plane, whatever Object::precision is:
+/// coordinates may have been printed with six digits by one program and stored as float32 by another. A cylinder would
+/// need more than seven thousand facets to have angles as small.
 inline constexpr double kFlatBend = 0.05;
 
-/// A facet is a set of faces that hang together in one plane. Neighbours are joined by arcs: edges of two faces that are
-/// wound alike and bend by no more than surfaces do (kLargestBend), unless the file calls the edge sharp.
+/// The graph of the facets of one object. A facet is a connected set of coplanar faces. An arc joins two adjacent
+/// facets: an edge of exactly two faces with consistent windings and an angle of at most kLargestBend, unless the file
+/// marks the edge as sharp.
 struct FacetGraph {
   struct Arc {
     std::uint32_t facet, edge;  ///< the neighbour, and the edge of the topology
   };
 
-  std::vector<std::uint32_t> facet_of;  ///< per face of the object, counted from its first one
-  IndexLists faces, vertices;           ///< per facet, of the scene; each vertex once
-  std::vector<FacetFrame> frames;
-  std::vector<double> area;
-  std::vector<std::uint8_t> is_plane;   ///< 1 where a facet has too many corners to be part of a curved surface
-  std::vector<std::uint8_t> is_sliver;  ///< 1 where rounding decides on the normal
+  std::vector<std::uint32_t> facet_of;  ///< per face of the object, in their order: the index of its facet
+  IndexLists faces, vertices;           ///< per facet: its faces and, each once, its vertices in the scene
+  std::vector<FacetFrame> frames;       ///< per facet
+  std::vector<double> area;             ///< per facet, square model units
+  std::vector<std::uint8_t> is_plane;   ///< per facet: 1 if it has too many corners to be part of a curved surface
+  std::vector<std::uint8_t> is_sliver;  ///< per facet: 1 if it is so narrow that rounding determines its normal
   std::vector<std::uint32_t> arc_begin;
   std::vector<Arc> arcs;
 
@@ -52,7 +55,8 @@ struct FacetGraph {
   }
 };
 
-/// The graph of one object with its edges [edge_begin, edge_end) of the topology. `normals` are those of face_normals().
+/// The graph of one object. [edge_begin, edge_end) are its edges in the topology; `normals` are those of
+/// face_normals().
 FacetGraph facet_graph(const Scene& scene, const Topology& topology, const Object& object, std::uint32_t edge_begin,
                        std::uint32_t edge_end, std::span<const glm::vec3> normals);
 

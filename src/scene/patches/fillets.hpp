@@ -1,5 +1,5 @@
 #pragma once
-/// Fillets: narrow strips of a cylinder or a torus between two surfaces that they run into.
+/// Fillets: narrow strips of a cylinder or a torus that join two surfaces smoothly.
 
 #include <cstdint>
 #include <span>
@@ -10,7 +10,8 @@
 
 namespace ligne {
 
-/// A polyline over faces: segment i runs from point i to point i + 1 over face i. A closed line repeats its first point.
+/// A polyline on the mesh: segment i runs from point i to point i + 1 across face faces[i]. A closed line repeats its
+/// first point.
 struct FaceLine {
   std::vector<Point3> points;
   std::vector<std::uint32_t> faces;
@@ -19,12 +20,13 @@ struct FaceLine {
 
 struct FilletMiddles {
   std::vector<std::uint8_t> is_fillet;  ///< per patch
-  std::vector<FaceLine> lines;
+  std::vector<FaceLine> lines;          ///< along their middles
 };
 
-/// The lines along the middle of fillets that are no wider than `widest` (model units, along the arc across them), on the
-/// faces of the mesh. A fillet of a circular edge is a strip of a torus. Corners, where fillets meet on a small sphere, are
-/// fillets too: there the lines go on to the middle of the sphere. `edges` are those of classify_patch_edges().
+/// Finds the fillets that are at most `widest` wide, and the lines along their middles on the faces of the mesh. The
+/// width is measured in model units along the arc across the fillet. A fillet of a circular edge is a strip of a torus.
+/// The small sphere at a corner where fillets meet is a fillet too: the lines continue to its middle. `edges` are those
+/// of classify_patch_edges().
 FilletMiddles fillet_middles(const Scene& scene, const Topology& topology, const Patches& patches,
                              std::span<const PatchEdge> edges, double widest);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The surfaces behind a mesh as a list for people and other programs.
+/// The surfaces recognised behind a mesh, as a list for reports and JSON output.
 
 #include <array>
 #include <cstddef>
@@ -15,19 +15,19 @@ namespace ligne {
 /// Names of SurfaceKind, in its order.
 inline constexpr std::array<std::string_view, 4> kSurfaceKindNames{"cylinder", "cone", "sphere", "torus"};
 
-/// A surface with the part of it that faces cover.
+/// A surface, and the part of it that faces cover. Lengths are in model units.
 struct FoundSurface {
-  /// The first component of the axis that is larger than one half is positive; `at` of a cylinder or a cone is the point of
-  /// the axis at which its faces begin.
+  /// In a normal form: the first component of the axis whose absolute value exceeds one half is positive, and `at` of a
+  /// cylinder or a cone is the point of the axis at which its faces begin.
   PatchSurface surface;
-  bool outward = true;                ///< the faces look away from the axis, the centre or the middle circle
-  double sag = 0;                     ///< median distance of the facets' middles from the surface, model units
-  std::size_t faces = 0;              ///< number of its faces, 1 or more
-  std::uint32_t object = 0;           ///< the object that they belong to
-  std::array<double, 2> along{0, 0};  ///< cylinder, cone: where the faces begin and end along the axis, from `at`
-  double turn = 0;                    ///< cylinder, cone: degrees about the axis that faces cover, 360 at the most
-  /// Uncertainty of the radius, of a torus that of the tube, model units: twice the median distance of corners from the
-  /// surface, but at least the precision of the coordinates, by the sagitta of the arc that they lie on.
+  bool outward = true;                ///< the faces face away from the axis, the centre or the middle circle
+  double sag = 0;                     ///< median distance of the facets' centres from the surface
+  std::size_t faces = 0;              ///< number of its faces, at least 1
+  std::uint32_t object = 0;           ///< index of the object that the faces belong to
+  std::array<double, 2> along{0, 0};  ///< cylinder, cone: interval along the axis that the faces cover, from `at`
+  double turn = 0;                    ///< cylinder, cone: angle about the axis that the faces cover, up to 360 degrees
+  /// Uncertainty of the radius, or of the tube's radius of a torus. Derived from twice the median distance of corners
+  /// from the surface, but at least the precision of the coordinates, by the sagitta of the arc that the corners span.
   double error = 0;
 
   bool has_axis() const { return surface.kind != SurfaceKind::sphere; }
@@ -35,11 +35,11 @@ struct FoundSurface {
 };
 
 struct FoundSurfaces {
-  std::vector<FoundSurface> list;      ///< by object
-  std::vector<std::uint32_t> of_face;  ///< per face its number in the list, kNone where there is none; empty without any
+  std::vector<FoundSurface> list;      ///< sorted by object
+  std::vector<std::uint32_t> of_face;  ///< per face: index into `list`, kNone for none; empty if the list is empty
 };
 
-/// The patches that have faces. O(n log n) for n corners of their faces.
+/// Lists the patches that have faces. O(n log n) for n corners of their faces.
 FoundSurfaces found_surfaces(const Scene& scene, const Patches& patches);
 
 }  // namespace ligne

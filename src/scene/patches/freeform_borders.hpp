@@ -1,6 +1,6 @@
 #pragma once
-/// Edges between a free form and a plane or a surface that was found: does the free form run into it, or meet it at an
-/// angle?
+/// Edges between a free form and a plane or a recognised surface, with what decides whether the two join smoothly or
+/// meet at an angle.
 
 #include <cstdint>
 #include <span>
@@ -14,22 +14,24 @@ namespace ligne {
 struct FacetSurfaces;
 struct PatchOutline;
 
-/// One edge at which a free form ends. Its normal there is continued from the facets behind the edge.
+/// One edge at which a free form ends. The normal of the free form there is extrapolated from the facets behind the
+/// edge.
 struct FreeformBorder {
   std::uint32_t edge = 0;   ///< of the topology
-  std::uint32_t chain = 0;  ///< edges of one chain follow each other between one free form and one other facet or surface
-  double length = 0;
-  /// Angle in radians between both normals; 0 where that of the other side lies between the continued one and that of the
-  /// first facet, as it does where a fillet begins without a step of its curvature.
+  std::uint32_t chain = 0;  ///< number of its chain: consecutive edges between one free form and one facet or surface
+  double length = 0;        ///< of the edge, model units
+  /// Angle between the normals of both sides, in radians; 0 if the normal of the other side lies between the
+  /// extrapolated one and that of the first facet, as where a fillet begins with continuous curvature.
   double angle = 0;
-  double turn = 0;              ///< radians by which the free form turns over its first facet, which makes `angle` uncertain
-  bool is_beside_band = false;  ///< the other side is a patch that may be a part of the free form (PatchOutline::is_band)
-  bool is_fleck = false;        ///< a short chain at a facet without free-form neighbours that runs on smoothly somewhere
+  /// Angle by which the normal of the free form turns across its first facet, radians: how uncertain `angle` is.
+  double turn = 0;
+  bool is_beside_band = false;   ///< the other side is a patch that may be part of the free form (see is_band())
+  bool is_fleck = false;         ///< a short chain at an isolated free-form facet that joins some neighbour smoothly
   bool is_beside_plane = false;  ///< the other side is a plane much wider than the first facet
 };
 
-/// The borders of the free forms of an object, in ascending order of edges; chains are counted from 0. `outlines`: of the
-/// patches. O(n log n).
+/// The borders of the free forms of an object, sorted by edge; chains are numbered from 0. `outlines`: of the patches.
+/// O(n log n).
 std::vector<FreeformBorder> freeform_borders(const Scene& scene, const Topology& topology, const FacetGraph& graph,
                                              const FacetSurfaces& surfaces, std::span<const PatchOutline> outlines);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Normals of surfaces at points whose place about the axis is known.
+/// Normals of surfaces at points whose AxisPlace is known already.
 
 #include <glm/geometric.hpp>
 
@@ -7,7 +7,8 @@
 
 namespace ligne {
 
-/// PatchSurface::normal() of a point with its axis_place(). Spheres do not read the place.
+/// PatchSurface::normal(p), but with `place` given, which must be axis_place(s, p). Spheres do not
+/// read `place`.
 inline Point3 normal_at(const PatchSurface& s, const Point3& p, const AxisPlace& place) {
   const auto unit = [&](const Point3& way) {
     const double length = glm::length(way);

@@ -1,5 +1,5 @@
 #pragma once
-/// Edges of a mesh as borders between the surfaces that it stands for.
+/// Classifies the edges of a mesh by the surfaces on both sides.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -10,33 +10,37 @@
 
 namespace ligne {
 
+/// The relation of the surfaces on both sides of an edge.
 enum class PatchEdge : std::uint8_t {
-  unknown,  ///< between free forms, beside one that tells nothing, of a bend larger than one surface makes, or of other
-            ///< than two faces
-  inside,   ///< of one surface, or of two that run into each other and bend alike
-  tangent,  ///< two surfaces, one of them curved, run into each other
-  sharp,    ///< two surfaces, one of them a plane or a free form, meet at an angle
+  unknown,  ///< not decided here: between free forms, beside a free form that gives no evidence, at an angle above
+            ///< kLargestBend, between recognised surfaces that meet at an angle, or not at exactly two faces
+  inside,   ///< both sides are one surface, or two that join smoothly with similar curvature
+  tangent,  ///< two surfaces, at least one of them curved, join smoothly
+  sharp,    ///< two surfaces, at least one of them a plane or a free form, meet at an angle
 };
 
-/// Angle from which on surfaces that meet make an edge, in degrees. Taste: drawings of parts leave out flatter bends.
+/// Smallest angle between surfaces that makes an edge, in degrees. Taste: drawings of machine parts leave out smaller
+/// ones.
 inline constexpr double kSurfaceCreaseDegrees = 10;
 
-/// Surfaces that run into each other have a line between them when their curvatures across the edge differ by more than this
-/// part of the largest curvature of either: a fillet along a curve is made of several tori, and has no lines across. Taste.
+/// Smallest difference of the curvatures across an edge, as a fraction of the largest curvature of both surfaces, that
+/// makes a tangent line between surfaces that join smoothly. A fillet along a curve consists of several tori with
+/// similar curvatures, and gets no lines across it. Taste.
 inline constexpr double kLikeCurvature = 0.1;
 
-/// Classifies the edges of the topology by the normals of the surfaces at both of their ends, those of free forms continued
-/// to their borders (freeform_borders.hpp). Faces of no patch and no free-form region are planes. `normals` are those of
-/// face_normals().
+/// Classifies the edges of the topology by the normals of the surfaces at both ends of each edge. Normals of free forms
+/// are extrapolated to their borders (freeform_borders.hpp). Faces without a patch or a free form are planes. `normals`
+/// are those of face_normals(); `sharp_degrees` is the smallest angle of a sharp edge.
 std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals,
                                             const Patches& patches, double sharp_degrees);
 
-/// Marks patches that run on into others (Patch::is_band): over an edge that is neither a line nor a sharp bend.
+/// Sets Patch::is_band of the patches that continue into another patch across an edge that is neither a line nor sharp.
 void mark_bands(const Topology& topology, std::span<const glm::vec3> normals, std::span<const PatchEdge> edges,
                 Patches& patches);
 
-/// Takes tangent edges out (they are PatchEdge::inside then) that end where no other line begins, and what ends there
-/// without them: their surfaces go over into a free form there. `is_line`: per edge whether it is another line. O(n log n).
+/// Turns dangling tangent edges into PatchEdge::inside: those with an end at which no other line begins, and then those
+/// that dangle without them. There the surfaces pass into a free form. `is_line`: per edge, 1 if it is another line.
+/// O(n log n).
 void drop_loose_tangents(const Topology& topology, const std::vector<std::uint8_t>& is_line, std::vector<PatchEdge>& edges);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Searches the facets of one object for surfaces.
+/// Searches the facets of one object for surfaces. The steps are described at find_patches().
 
 #include <cstddef>
 #include <cstdint>
@@ -12,30 +12,31 @@
 
 namespace ligne {
 
-/// A surface with the facets that lie on it.
+/// A fitted surface with the facets that lie on it.
 struct PatchCandidate {
   Patch patch;
   std::vector<std::uint32_t> facets;
-  double area = 0;
-  double residual = 0;  ///< largest distance of a corner from the surface
+  double area = 0;      ///< of the facets
+  double residual = 0;  ///< largest distance of a corner of the facets from the surface, model units
 };
 
 class PatchFinder {
  public:
   PatchFinder(const Scene& scene, const Topology& topology, const Object& object, const FacetGraph& graph);
 
-  /// Fills `patches`, and the number of the patch per facet.
+  /// Fills `patches`. Returns the index of the patch of each facet, or kNone.
   std::vector<std::uint32_t> run(std::vector<Patch>& patches);
 
  private:
-  static constexpr std::uint32_t kWordBits = 64;  ///< of is_fetched_
+  static constexpr std::uint32_t kWordBits = 64;  ///< bits of a word of is_fetched_
 
+  /// Whether a vertex lies on the surface that is tried, remembered because several facets share it.
   struct VertexLook {
-    bool is_on = false;      ///< the vertex lies on the surface
-    Point3 normal{0, 0, 0};  ///< of the surface there, if so
+    bool is_on = false;
+    Point3 normal{0, 0, 0};  ///< normal of the surface there, if is_on
   };
   struct LookPlace {
-    std::uint32_t round = 0, number = 0;  ///< valid where the round is look_round_: the place in looks_
+    std::uint32_t round = 0, number = 0;  ///< index into looks_, valid only if round equals look_round_
   };
 
   bool may_curve(std::uint32_t f) const { return !graph_.is_plane[f] && !graph_.is_sliver[f] && patch_of_[f] == kNone; }
@@ -63,15 +64,15 @@ class PatchFinder {
   const Topology& topology_;
   const Object& object_;
   const FacetGraph& graph_;
-  std::vector<std::uint32_t> patch_of_;  ///< per facet
-  std::vector<std::uint32_t> stamp_;     ///< per facet: the round in which it was met last
+  std::vector<std::uint32_t> patch_of_;  ///< per facet: index of its patch, or kNone
+  std::vector<std::uint32_t> stamp_;     ///< per facet: the value of round_ when a search visited it last
   std::uint32_t round_ = 0;
   std::vector<LookPlace> look_of_;         ///< per vertex of the object
-  std::vector<VertexLook> looks_;          ///< of the vertices met since forget_looks()
+  std::vector<VertexLook> looks_;          ///< of the vertices visited since forget_looks()
   std::uint32_t look_round_ = 0;           ///< number of calls of forget_looks()
-  std::vector<std::uint64_t> is_fetched_;  ///< per vertex of the object a bit, 0 but in sort_by_bits()
-  std::vector<std::uint32_t> vertices_;    ///< of fetch_points()
-  std::vector<Point3> points_;             ///< of fetch_points()
+  std::vector<std::uint64_t> is_fetched_;  ///< one bit per vertex of the object; all 0 outside sort_by_bits()
+  std::vector<std::uint32_t> vertices_;    ///< result of fetch_points(): vertices of the facets
+  std::vector<Point3> points_;             ///< result of fetch_points(): their positions
   std::vector<FacetFrame> frames_;
   std::vector<double> numbers_;
 };

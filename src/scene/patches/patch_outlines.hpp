@@ -1,5 +1,5 @@
 #pragma once
-/// The outlines of patches. A surface found in the midst of a free form is a part of it that lies on one by accident.
+/// The boundary lines of patches. They show which patches are parts of a free form that fit a surface only by accident.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,21 +14,24 @@ namespace ligne {
 
 struct Patch;
 
-/// The outline of one patch. It runs on smoothly where the facets bend by no more than one surface does (kLargestBend).
+/// The outline of one patch. The patch continues smoothly across an edge of its outline if the angle between the facets
+/// is at most kLargestBend.
 struct PatchOutline {
-  std::size_t facets = 0;
-  double length = 0;
-  double into_freeform = 0, into_curved = 0;  ///< lengths where it runs on into a free form, and into one or another patch
+  std::size_t facets = 0;  ///< number of facets of the patch
+  double length = 0;       ///< of the outline, model units
+  /// Lengths of the parts across which the patch continues smoothly: into a free form; into a free form or another
+  /// patch.
+  double into_freeform = 0, into_curved = 0;
 
-  /// A small patch that runs into a free form over most of its outline.
+  /// Whether it is a small patch that continues into a free form along most of its outline.
   bool is_speck() const { return facets <= kMostSpeckFacets && into_freeform > kMostOfOutline * length; }
-  /// A patch that runs into free forms and other patches over most of its outline, as the bands of a bent tube do.
+  /// Whether it continues into free forms or other patches along most of its outline, like the bands of a bent tube.
   bool is_band() const { return into_curved > kMostOfOutline * length; }
 
  private:
   // Adjustable.
-  static constexpr std::size_t kMostSpeckFacets = 24;
-  static constexpr double kMostOfOutline = 0.5;
+  static constexpr std::size_t kMostSpeckFacets = 24;  ///< largest number of facets of a speck
+  static constexpr double kMostOfOutline = 0.5;        ///< "most" of an outline: larger fractions of its length
 };
 
 /// The surfaces on which the facets of an object lie.

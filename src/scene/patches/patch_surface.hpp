@@ -1,5 +1,5 @@
 #pragma once
-/// The surfaces that patches of a mesh stand for: spheres, cylinders, cones and tori.
+/// The surfaces that patches of a mesh are tessellated from: cylinders, cones, spheres and tori.
 
 #include <array>
 #include <cstddef>
@@ -12,56 +12,59 @@ namespace ligne {
 
 enum class SurfaceKind : std::uint8_t { cylinder, cone, sphere, torus };
 
-/// A surface with its parameters, in model units. Its normals point away from the axis, the centre or the middle circle.
-///   cylinder  `at` a point of the axis, `radius`;
-///   cone      `at` a point of the axis, `radius` the radius there, which grows by `slope` per unit along the axis;
-///   sphere    `at` the centre, `radius`;
-///   torus     `at` the centre, `radius` of the middle circle about the axis, `tube` the radius of the tube round it.
+/// A surface with its parameters, in model units. Its normals point away from the axis, the centre or the middle
+/// circle. cylinder  `at` a point of the axis, `radius`; cone      `at` a point of the axis, `radius` the radius there,
+/// which grows by `slope` per unit along the axis; sphere    `at` the centre, `radius`; torus     `at` the centre,
+/// `radius` that of the middle circle of the tube, `tube` the radius of the tube.
 struct PatchSurface {
   SurfaceKind kind = SurfaceKind::cylinder;
   Point3 at{0, 0, 0};
   Point3 axis{0, 0, 1};  ///< unit length
   double radius = 0, slope = 0, tube = 0;
 
-  /// Signed distance of a point, positive on the side to which the normals point.
+  /// Signed distance of a point from the surface, positive on the side to which the normals point.
   double distance(const Point3& p) const;
   /// Unit normal of the surface at its point nearest to p.
   Point3 normal(const Point3& p) const;
-  /// Normal curvature near p along a tangent of unit length: above 0 where the surface bends away from its normal.
+  /// Normal curvature near p in the direction of a unit tangent: positive where the surface bends away from its normal.
   double curvature(const Point3& p, const Point3& along) const;
   /// The larger of the absolute values of both principal curvatures near p.
   double largest_curvature(const Point3& p) const;
 };
 
-/// A point as a surface of revolution has it.
+/// A point in the cylindrical coordinates of a surface of revolution.
 struct AxisPlace {
-  Point3 out{0, 0, 0};           ///< unit vector away from the axis
-  double along = 0, radius = 0;  ///< along the axis from `at`, and the distance from the axis
+  Point3 out{0, 0, 0};           ///< unit vector from the axis to the point
+  double along = 0, radius = 0;  ///< coordinate along the axis, from `at`, and distance from the axis
 };
 
+/// The place of p relative to the axis of the surface.
 AxisPlace axis_place(const PatchSurface& surface, const Point3& p);
 
-/// Two unit vectors that make a right-handed orthonormal frame with a unit vector, in front of it.
+/// Two unit vectors x and y such that (x, y, axis) is a right-handed orthonormal frame. `axis` has unit length.
 std::array<Point3, 2> frame_of(const Point3& axis);
 
-/// Number of parameters of the surfaces of that kind.
+/// Number of free parameters of a surface of that kind.
 std::size_t parameter_count(SurfaceKind kind);
 
-/// A facet as fits see it.
+/// The properties of a facet that fits use.
 struct FacetFrame {
-  Point3 middle{0, 0, 0}, normal{0, 0, 0};
+  Point3 middle{0, 0, 0}, normal{0, 0, 0};  ///< centre; unit normal
 };
 
-/// Starting values for refine_surface() from a few facets and their corners; false where there are none.
-///   cylinder  the axis is the direction that the normals are most at a right angle to, the circle Kasa's [Kasa1976];
-///   cone      the axis is the normal of the plane through the ends of the normals, the apex the point nearest to the
-///   planes; sphere    least squares of the squared distances; torus     the axis is the line that the normals come nearest
-///   to meeting [PottmannWallner2001, 4.2], the rest a circle.
+/// Computes starting values for refine_surface() from a few facets and their corners `points`. Returns false if they
+/// determine none.
+/// - cylinder: the axis is the direction most nearly perpendicular to all normals; the circle is fitted by [Kasa1976].
+/// - cone: the axis is the normal of the plane through the tips of the unit normals; the apex is the point nearest to
+///   all planes of facets.
+/// - sphere: an algebraic least squares fit.
+/// - torus: the axis is the line that comes nearest to meeting all normal lines [PottmannWallner2001, 4.2]; the tube is
+///   a circle fitted in the half plane beside the axis.
 bool guess_surface(SurfaceKind kind, std::span<const FacetFrame> facets, std::span<const Point3> points,
                    PatchSurface& surface);
 
-/// Moves a surface to a least sum of the squared distances of the points [Levenberg1944, Marquardt1963]. Returns the largest
-/// distance of a point then.
+/// Fits the surface to the points: minimises the sum of their squared distances [Levenberg1944, Marquardt1963]. Returns
+/// the largest remaining distance of a point.
 double refine_surface(PatchSurface& surface, std::span<const Point3> points);
 
 }  // namespace ligne
