@@ -1,5 +1,5 @@
 #pragma once
-/// Picking things out of many.
+/// Parallel selection of indices.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace ligne {
 
-/// The indices i of [0, count) for which wanted(i) holds, in ascending order. All are asked, in parallel.
+/// The indices i of [0, count) for which wanted(i) is true, ascending. Several threads call wanted().
 template <class Wanted>
 std::vector<std::uint32_t> indices_where(std::size_t count, const Wanted& wanted) {
   std::vector<std::vector<std::uint32_t>> found(block_count(count, kShortWorkBlock));

@@ -10,17 +10,20 @@
 
 namespace ligne {
 
+/// Maps keys to values below kNone, which marks an empty slot.
 class KeyTable {
  public:
+  /// The key of a pair of coordinates.
   static std::uint64_t key(std::int32_t x, std::int32_t y) {
     return std::uint64_t(std::uint32_t(x)) << 32 | std::uint32_t(y);
   }
   static std::uint64_t key(const auto& lattice_point) { return key(lattice_point.x, lattice_point.y); }
 
-  /// The value of the key, kNone where there is none.
+  /// The value of the key, or kNone if the key is not in the table.
   std::uint32_t find(std::uint64_t key) const { return slots_[slot_of(key)].second; }
 
-  /// The place of the key's value, kNone in it when the key is new; the caller must set it.
+  /// A reference to the value of the key. It is kNone if the key is new; the caller must then assign a value before the
+  /// next call.
   std::uint32_t& operator[](std::uint64_t key) {
     if (2 * (size_ + 1) > slots_.size()) grow();
     auto& slot = slots_[slot_of(key)];

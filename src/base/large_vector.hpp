@@ -1,16 +1,16 @@
 #pragma once
-/// Vectors so large that to get their memory from the system takes as long as to fill them.
+/// Vectors so large that the page faults of fresh memory take as long as filling the vector.
 
 #include <cstddef>
 #include <vector>
 
 namespace ligne {
 
-/// Has the pages of memory that was allocated and holds nothing yet brought in, by all threads; small memory is left as
-/// it is.
+/// Touches the pages of freshly allocated memory with all threads, so that page faults happen in parallel. Does nothing
+/// for small sizes. The memory must not hold data yet.
 void prefault(void* memory, std::size_t bytes);
 
-/// n values, whose memory all threads have brought in.
+/// A vector of n value-initialized elements, whose memory was prefaulted.
 template <class T>
 std::vector<T> large_vector(std::size_t n) {
   std::vector<T> values;

@@ -1,5 +1,5 @@
 #pragma once
-/// The index that stands for none.
+/// The index that means "none".
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 #pragma once
-/// Loops over several threads. Every result is the same whatever the number of threads: work is given out by index, and
-/// each index writes to places of its own. The threads are those of the caller's oneTBB arena; this header keeps oneTBB's
-/// own headers, which take seconds to compile, out of all sources but one.
+/// Parallel loops. Results must not depend on the number of threads: the work is divided by index, and the work on an
+/// index writes only to memory of its own. The threads are those of the caller's oneTBB arena. This header hides the
+/// headers of oneTBB, which take seconds to compile, from all sources but one.
 
 #include <algorithm>
 #include <cstddef>
@@ -16,13 +16,13 @@ namespace ligne {
 template <class Signature>
 class FunctionRef;
 
-/// A callable that is borrowed for the time of a call: two pointers, no copy. It must outlive the reference.
+/// A non-owning reference to a callable: two pointers, no copy. The callable must outlive the reference.
 template <class Result, class... Arguments>
 class FunctionRef<Result(Arguments...)> {
  public:
   template <class Callable>
   requires(!std::is_same_v<std::remove_cvref_t<Callable>, FunctionRef>)
-      FunctionRef(Callable&& callable)  // a lambda is handed over as it is
+      FunctionRef(Callable&& callable)  // implicit, so that a lambda can be passed directly
       : object_(const_cast<void*>(static_cast<const void*>(std::addressof(callable)))),
         call_([](void* object, Arguments... arguments) -> Result {
           return (*static_cast<std::remove_reference_t<Callable>*>(object))(arguments...);
@@ -34,23 +34,24 @@ class FunctionRef<Result(Arguments...)> {
   Result (*call_)(void*, Arguments...);
 };
 
-/// Calls work(i) for all i in [0, count). Neighbouring indices may share a task.
+/// Calls work(i) for all i in [0, count). Consecutive indices may share a task.
 void parallel_for(std::size_t count, FunctionRef<void(std::size_t)> work);
 
-/// parallel_for() for few indices whose work is long and uneven: each is a task of its own.
+/// parallel_for() for few indices with long and uneven work: each index is a separate task.
 void parallel_tasks(std::size_t count, FunctionRef<void(std::size_t)> work);
 
-/// Calls work(begin, end) for the blocks [0, size), [size, 2 size), ... of [0, count); the last may be shorter. The blocks
-/// do not depend on the number of threads. `size` is above 0.
+/// Calls work(begin, end) for the blocks [0, size), [size, 2 size), ... of [0, count); the last may be shorter. The
+/// blocks do not depend on the number of threads. `size` must be positive.
 void parallel_blocks(std::size_t count, std::size_t size, FunctionRef<void(std::size_t, std::size_t)> work);
 
-/// Adjustable: sizes of blocks where the work on an index is short, as on a vertex or a triangle, and where it is a search.
+/// Block sizes, in indices: where the work on an index is short, as for a vertex or a triangle; where it is a search.
+/// Adjustable.
 inline constexpr std::size_t kShortWorkBlock = 16'384, kSearchBlock = 256;
 
 /// Number of blocks of parallel_blocks(); the block that begins at `begin` has the number begin / size.
 inline std::size_t block_count(std::size_t count, std::size_t size) { return (count + size - 1) / size; }
 
-/// The results of work(begin, end) for the blocks, added to `sum` from the first to the last.
+/// Calls work(begin, end) for the blocks in parallel, and adds the results to `sum` in the order of the blocks.
 template <class Sum, class Work, class Add = std::plus<>>
 Sum parallel_reduce(std::size_t count, std::size_t size, Sum sum, Work work, Add add = {}) {
   std::vector<Sum> parts(block_count(count, size), sum);
@@ -59,18 +60,18 @@ Sum parallel_reduce(std::size_t count, std::size_t size, Sum sum, Work work, Add
   return sum;
 }
 
-/// Number of threads at the most, and the number of the calling one among them: for memory that each thread keeps.
+/// Largest number of threads, and the index of the calling thread, which is less: for memory that each thread owns.
 std::size_t thread_count();
 std::size_t thread_index();
 
-/// Has all threads of the arena at work once, so that none is started later; gives up when some do not come.
+/// Makes all threads of the arena work once, so that none has to be started later. Stops waiting if some do not come.
 void start_threads();
 
-/// Calls work() with so many threads at the most; 0: as many as there are processors.
+/// Calls work() with at most `threads` threads; 0: as many as there are processors.
 void run_with_threads(unsigned threads, FunctionRef<void()> work);
 
-/// Sorts a range of random access. Elements that are alike in `less` may change places, in the same way for any number of
-/// threads. O(n log n).
+/// Sorts a random access range. The sort is not stable, but the order of equivalent elements is the same for any number
+/// of threads. O(n log n).
 template <class Iterator, class Less = std::less<>>
 void parallel_sort(Iterator begin, Iterator end, Less less = {}) {
   constexpr std::size_t kShort = 4096, kRuns = 16;

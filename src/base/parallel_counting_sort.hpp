@@ -1,5 +1,5 @@
 #pragma once
-/// Counting sort by parts, in parallel.
+/// A parallel, stable counting sort into buckets ("parts").
 
 #include <cstddef>
 #include <utility>
@@ -9,11 +9,15 @@
 
 namespace ligne {
 
-/// Files things by parts. list(begin, end, take) calls take(part, thing...) for the things of the indices [begin, end) of
-/// [0, count), the same each time it is called; allocate(n) makes room when it is known that there are n of them; and
-/// put(place, thing...) writes one. Blocks of so many indices write one after the other into a part: so the things of a part
-/// stand in the order in which they are listed, whatever the number of threads. Returns the first place of each part, and
-/// the end. O(things + parts * blocks).
+/// Sorts items into buckets. An index of [0, count) may produce any number of items. The caller passes three functions:
+/// - list(begin, end, take) calls take(part, item...) for all items of the indices [begin, end); it is called twice for
+///   each block, and must produce the same items both times;
+/// - allocate(n) is called once between, with the total number of items;
+/// - put(place, item...) stores an item at its place in [0, n). Several threads call it.
+///
+/// `block` is the number of indices per block, `parts` the number of buckets. Items of a bucket keep the order in which
+/// they are listed, for any number of threads. Returns the first place of each bucket, followed by n. O(items + parts *
+/// blocks).
 template <class List, class Allocate, class Put>
 std::vector<std::size_t> parallel_counting_sort(std::size_t count, std::size_t block, std::size_t parts, const List& list,
                                                 const Allocate& allocate, const Put& put) {

@@ -1,7 +1,7 @@
 #pragma once
-/// Parts of C++20 that some standard libraries lack (libc++ before version 20), each with a stand-in that gives the same
-/// results. Everywhere else these names are those of the standard library. The stand-ins are always compiled, so that the
-/// tests can hold them against it.
+/// Parts of C++20 that some standard libraries lack (libc++ before version 20). Each has a stand-in with the same
+/// results. Where the standard library has the part, the name refers to that. The stand-ins are always compiled, so
+/// that the tests can compare them with the standard library.
 
 #include <atomic>
 #include <charconv>
@@ -11,10 +11,11 @@
 namespace ligne {
 namespace stand_in {
 
-/// std::from_chars of a decimal double: the grammar of std::chars_format::general, whatever the locale, rounded correctly.
+/// std::from_chars for a decimal double: the grammar of std::chars_format::general, independent of the locale,
+/// correctly rounded.
 std::from_chars_result from_chars(const char* first, const char* last, double& value);
 
-/// std::atomic_ref, by the builtins that GCC and Clang share: the operations that the project uses.
+/// std::atomic_ref with the operations that the project uses, made of builtins that GCC and Clang share.
 template <class T>
 class AtomicRef {
  public:
@@ -59,7 +60,7 @@ class AtomicRef {
         return __ATOMIC_SEQ_CST;
     }
   }
-  /// Order of the load where nothing is exchanged.
+  /// Memory order of the load if the exchange fails.
   static constexpr int failure(std::memory_order order) {
     if (order == std::memory_order_release) return __ATOMIC_RELAXED;
     return order == std::memory_order_acq_rel ? __ATOMIC_ACQUIRE : builtin(order);

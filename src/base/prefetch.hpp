@@ -1,6 +1,6 @@
 #pragma once
-/// Asking for memory before it is read. Loops over the faces or edges of a large mesh read what these name from all over
-/// its arrays: they wait for memory longer than they compute, unless it is asked for some turns ahead.
+/// Prefetching of memory. A loop over the faces or edges of a large mesh reads vertices or faces from all over an
+/// array. It waits for memory longer than it computes, unless it prefetches some iterations ahead.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,24 +9,25 @@
 
 namespace ligne {
 
-/// Adjustable: turns of a loop by which memory is asked for in advance.
+/// Number of loop iterations between the prefetch of an element and its use. Adjustable.
 inline constexpr std::size_t kTurnsAhead = 16;
 
-/// Asks for values[i] for all i of `indices`, which are indices of `values`.
+/// Prefetches values[i] for all i in `indices`, which must be valid indices.
 template <class T, class Indices>
 void prefetch(const std::vector<T>& values, const Indices& indices) {
   for (const std::uint32_t i : indices) __builtin_prefetch(values.data() + i);
 }
 
-/// Asks for what the corners of triangle f + kTurnsAhead name, if there is such a triangle. `corners`: three a triangle.
+/// Prefetches the values of the three corners of triangle f + kTurnsAhead, if there is such a triangle. `corners` holds
+/// three indices into `values` per triangle.
 template <class T>
 void prefetch_corners(const std::vector<T>& values, std::span<const std::uint32_t> corners, std::size_t f) {
   const std::size_t k = 3 * (f + kTurnsAhead);
   if (k + 3 <= corners.size()) prefetch(values, corners.subspan(k, 3));
 }
 
-/// Asks for what the two faces of edge e + kTurnsAhead have in `of_faces`, if there is such an edge. A face that an edge
-/// has not is any number.
+/// Prefetches the values of the two faces of edge e + kTurnsAhead, if there is such an edge. `of_faces` has one value
+/// per face. `face1` may be any number that is no face, if the edge has one face only.
 template <class T, class Edge>
 void prefetch_faces(const std::vector<T>& of_faces, const std::vector<Edge>& edges, std::size_t e) {
   if (e + kTurnsAhead >= edges.size()) return;

@@ -1,5 +1,5 @@
 #pragma once
-/// Work that can be told to end.
+/// Cancellation of work by another thread.
 
 #include <atomic>
 
@@ -7,17 +7,18 @@
 
 namespace ligne {
 
-/// Thrown by work that was told to end.
+/// Thrown by work that was cancelled.
 struct Stopped {};
 
-/// Calls work(). Once `stop` is true its loops of parallel.hpp throw Stopped, and so does check_stop(), in all threads that
-/// work for it; whoever calls this has it thrown. `stop` must outlive the call.
+/// Calls work(). Once `stop` is true, the loops of parallel.hpp and check_stop() throw Stopped in all threads that take
+/// part in the work, and this function throws it to its caller. `stop` must outlive the call.
 void run_until(const std::atomic<bool>& stop, FunctionRef<void()> work);
 
-/// For long loops of one thread: throws Stopped when the work that calls it is to end.
+/// For long loops of one thread: throws Stopped if the work that calls it was cancelled.
 void check_stop();
 
-/// Has the calling thread work for the same as another one for a while, and checks whether that is to end.
+/// While it exists, the calling thread takes part in the work that `stop` cancels. The constructor throws Stopped if
+/// that work was cancelled already.
 class StopScope {
  public:
   explicit StopScope(const std::atomic<bool>* stop);
@@ -25,7 +26,7 @@ class StopScope {
   StopScope(const StopScope&) = delete;
   StopScope& operator=(const StopScope&) = delete;
 
-  /// The stop flag of the calling thread's work; null where nobody can tell it to end.
+  /// The stop flag of the work of the calling thread; null if that work can not be cancelled.
   static const std::atomic<bool>* current();
 
  private:

@@ -1,13 +1,13 @@
 #pragma once
-/// Arrays for values that several threads write, which also get the memory from the system then.
+/// Arrays that several threads fill, so that the page faults of the fresh memory are parallel too.
 
 #include <cstddef>
 #include <memory>
 
 namespace ligne {
 
-/// So many values of a plain type, which are to be written before they are read: nothing is put into them first. Where a
-/// vector is wanted, see large_vector.hpp.
+/// An array of n elements of a trivial type, not initialized: each must be written before it is read. If a std::vector
+/// is needed, see large_vector.hpp.
 template <class T>
 class UninitializedVector {
  public:

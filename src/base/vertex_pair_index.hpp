@@ -1,5 +1,5 @@
 #pragma once
-/// Which things run between the same two nodes: sides of faces between the same vertices, say.
+/// Groups items by the pair of nodes that they join, such as sides of faces by their two vertices.
 
 #include <algorithm>
 #include <cstddef>
@@ -11,20 +11,22 @@
 
 namespace ligne {
 
-/// Things between pairs of nodes, filed by a counting sort under the lower node of each. A file holds few things under one
-/// node, so that they are put in order by the higher one where they stand. O(n + things).
+/// Items ("things") that join pairs of nodes. A counting sort puts them into one bucket per lower node. In a mesh a
+/// bucket holds few items, so each is then sorted in place by the higher node. O(n + items) for n nodes, if buckets are
+/// small.
 class VertexPairIndex {
  public:
   struct Entry {
     std::uint32_t high;   ///< the higher of the two nodes
-    std::uint32_t thing;  ///< a number of the caller's
+    std::uint32_t thing;  ///< index of the item, given by the caller
   };
 
-  /// list(add) calls add(a, b, thing) for all things between nodes a and b of [0, nodes), in ascending order of their
-  /// numbers, and the same each time it is called. `about`: how many things there are, more or less.
+  /// list(add) must call add(a, b, thing) for all items, where a and b are the nodes in [0, nodes) that the item joins,
+  /// in ascending order of `thing`. Several threads call it several times, and it must list the same items each time.
+  /// `about`: approximate number of items.
   template <class List>
   VertexPairIndex(std::size_t nodes, std::size_t about, const List& list) : begin_(nodes + 1, 0) {
-    // A task owns a range of nodes and goes through all things: so entries stand in the order of the things, whatever the
+    // A task owns a range of nodes and lists all items, so the entries of a bucket keep the order of the items for any
     // number of ranges.
     constexpr std::size_t kThingsPerRange = 200'000, kMostRanges = 4;
     const std::size_t ranges = std::clamp<std::size_t>(about / kThingsPerRange, 1, std::min(kMostRanges, thread_count()));
@@ -52,8 +54,8 @@ class VertexPairIndex {
     });
   }
 
-  /// Calls visit(low, entries) for each pair of nodes whose lower one is in [first, last), in ascending order of the pairs.
-  /// The things between them stand in ascending order.
+  /// Calls visit(low, entries) for each pair of nodes that some item joins and whose lower node is in [first, last), in
+  /// ascending order of the pairs. `entries` are the items of the pair, ascending.
   template <class Visit>
   void for_each_pair(std::size_t first, std::size_t last, const Visit& visit) const {
     for (std::size_t low = first; low < last; ++low) {
@@ -67,7 +69,7 @@ class VertexPairIndex {
   }
 
  private:
-  /// Stable.
+  /// Sorts a bucket by the higher node. The sort is stable.
   static void sort(Entry* begin, Entry* end) {
     constexpr std::ptrdiff_t kInsertionSortLimit = 32;
     if (end - begin > kInsertionSortLimit) {  // the hub of a large fan
@@ -82,7 +84,7 @@ class VertexPairIndex {
     }
   }
 
-  std::vector<std::uint32_t> begin_;  ///< first entry of each lower node, and the end
+  std::vector<std::uint32_t> begin_;  ///< per lower node: its first entry; then the number of entries
   std::vector<Entry> entries_;
 };
 
