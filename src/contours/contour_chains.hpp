@@ -1,9 +1,9 @@
 #pragma once
-/// The zero set of g over the triangles of a patch, as chains of segments.
+/// Traces the zero set of g over the triangles of a patch, as chains of segments.
 ///
-/// g changes its sign once along a side, or not at all, and is never zero at a vertex, so a triangle holds no segment or
-/// one, from one of its sides to another. A side inside a region belongs to two triangles, so segments continue each other
-/// in closed chains, or in chains from border to border of the region. They never branch.
+/// g changes its sign at most once along a side, and is never zero at a vertex. So a triangle has at most one segment,
+/// which joins two of its sides. A side inside a region belongs to two triangles, so the segments form closed chains,
+/// or chains from border to border of the region. They never branch.
 
 #include <array>
 #include <cstdint>
@@ -17,28 +17,28 @@ namespace ligne {
 
 /// A point of the zero set on the side of a triangle.
 struct ContourNode {
-  std::uint32_t side = kNone;   ///< of the patch; seen from the segment that leaves it, or that ends there
-  Point3 on_mesh{0, 0, 0};      ///< on the edge itself
-  Point3 on_surface{0, 0, 0};   ///< on the smooth curve that has the normals of the edge's ends
+  std::uint32_t side = kNone;   ///< side of the patch, in the triangle of the segment that leaves it or that ends there
+  Point3 on_mesh{0, 0, 0};      ///< position on the edge itself
+  Point3 on_surface{0, 0, 0};   ///< position on the smooth curve that has the normals of the edge's ends
   Point3 normal{0, 0, 1};       ///< of the smooth surface, unit length
-  Point3 tangent{0, 0, 0};      ///< of the contour on the surface, g grows to its right; zero when not known
-  double radial = 0;            ///< where there is a tangent: its product with normal x sight, of unit length; 0 at a cusp
-  double sag = 0;               ///< how far the mesh may lie from the surface there, model units
-  double sag_ahead = 0;         ///< that of the triangle of the segment that leaves the node
-  double most_mm = 0;           ///< largest distance from the mesh's outline on the page (contour_support.hpp)
-  double bulge_mm = 0;          ///< largest rise over its chord of the segment that leaves the node, on the page
-  std::uint32_t meets = kNone;  ///< at a border of the region: the vertex of the scene through which the mesh's outline runs
+  Point3 tangent{0, 0, 0};      ///< of the contour on the surface; g grows to its right; zero if not known
+  double radial = 0;            ///< if there is a tangent: its dot product with the unit vector of n x v; 0 at a cusp
+  double sag = 0;               ///< bound on the distance between mesh and surface there, model units
+  double sag_ahead = 0;         ///< the same for the triangle of the segment that leaves the node
+  double most_mm = 0;           ///< largest permitted distance from the mesh's outline, on the page
+  double bulge_mm = 0;          ///< largest permitted rise of the next segment above its chord, on the page
+  std::uint32_t meets = kNone;  ///< at a border of the region: the vertex at which the mesh's outline ends
 
-  /// A node inside a triangle where the contour runs along the sight.
+  /// Whether the contour runs along the line of sight here, inside a triangle, or turns back between two surfaces.
   bool is_cusp() const { return radial == 0 && tangent != Point3(0.0); }
 };
 
-/// The piece of a contour between two nodes, in space.
+/// The piece of a contour between two nodes: a cubic Bezier curve in space.
 struct ContourCubic {
   std::array<Point3, 4> controls;
-  bool with_chain;  ///< the tangents of the nodes point in its direction
+  bool with_chain;  ///< whether the tangents of the nodes point in its direction or against it
 
-  /// None where the tangents are not known, or contradict the chord.
+  /// Returns nothing if a tangent is not known or contradicts the chord.
   static std::optional<ContourCubic> between(const ContourNode& a, const ContourNode& b);
 
   Point3 point(double t) const {
@@ -61,6 +61,7 @@ struct ContourChain {
   std::size_t size() const { return triangles.size(); }
 };
 
+/// Traces all contours of a patch.
 std::vector<ContourChain> trace_contours(const Scene& scene, const Camera& camera, const SmoothPatch& patch);
 
 }  // namespace ligne

@@ -1,8 +1,9 @@
 #pragma once
-/// Which edges of the mesh's outline give way to contours, and which stay.
+/// Chooses which edges of the mesh's outline are replaced by contours, and which stay.
 ///
-/// Between a contour and the mesh's outline lie only triangles that look one way while their labels say the other, so the
-/// two come in groups that hang together, and either of them is a whole outline for its group.
+/// Between a contour and the outline of the mesh lie only triangles that face one way while g has the sign of the other
+/// way. So the two form groups, and within a group either of them is a complete outline (docs/smooth-contours.md, phase
+/// 3).
 
 #include <cstdint>
 #include <span>
@@ -23,21 +24,22 @@ std::vector<OutlineSide> outline_sides(const Topology& topology, const SmoothPat
                                        std::span<const std::uint32_t> outline_edges);
 
 struct ContourChoice {
-  std::vector<ContourChain> chains;  ///< that are drawn
-  std::vector<std::uint32_t> sides;  ///< that are not: indices into the sides, in ascending order
+  std::vector<ContourChain> chains;  ///< the contours to draw
+  std::vector<std::uint32_t> sides;  ///< the outline edges that they replace: indices into `sides`, ascending
 };
 
-/// Chooses per group:
-/// - no contour: a fold of the mesh, which is left out;
-/// - one contour from border to border, and the mesh's outline a simple path between the same ends that is straight or has
-///   one corner (a cylinder, a cone): the mesh's outline stays;
-/// - a triangle of it is seen exactly edge on (a flat side in the direction of the view), and its contours, if any, end at
-///   borders: the mesh's outline stays, since a line on the page is all of that triangle;
-/// - the contours lie more than two widths of the pen beside the mesh on the average, or have few nodes and the sag of the
-///   mesh is that large: a coarse mesh is drawn as it is;
-/// - more than a quarter of the contours' length lies farther from the mesh's outline on the page than the sag of the mesh
-///   there and half a pen: the mesh's outline stays, since the contours are those of another shape;
-/// - else the contours, moved to within that distance where they leave it; where no outline of the mesh is near they end.
+/// Decides for each group by the first case that applies:
+/// - It has no contour. It is a fold of the mesh, which is not drawn.
+/// - It has one contour from border to border, and the mesh's outline is a simple path between the same ends that is
+///   straight or has one corner, as on a cylinder or cone. The mesh's outline stays.
+/// - One of its triangles is seen exactly edge on (a flat side along the line of sight), and its contours, if any, end
+///   at borders. The mesh's outline stays, since that triangle is a line on the page.
+/// - The contours lie more than two pen widths beside the mesh on average, or they have few nodes and the sag is that
+///   large. The mesh is coarse and is drawn as it is.
+/// - More than a quarter of the contours' length on the page is farther from the mesh's outline than the sag plus half
+///   a pen width. The mesh's outline stays, since the contours are those of another shape.
+/// - Otherwise the contours are drawn. Nodes that are too far from the outline are moved to within that distance; a
+///   contour ends where no outline of the mesh is near.
 ContourChoice choose_contours(const Scene& scene, const View& view, const SmoothPatch& patch,
                               std::vector<ContourChain> chains, const std::vector<OutlineSide>& sides, double pen_width_mm);
 

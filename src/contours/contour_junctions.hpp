@@ -1,9 +1,9 @@
 #pragma once
-/// Where lines meet contours: T-junctions.
+/// T-junctions of contours with other lines.
 ///
-/// The faces that hide a contour, and the lines that it hides, were found at the mesh; the contour that is drawn runs up to
-/// a chord's rise beside the outline of the mesh. So ends of visible parts are moved along their own line to where it
-/// crosses the line that is drawn.
+/// The faces that hide a contour, and the lines that it hides, were computed from the mesh. The contour as drawn runs
+/// up to the height of a chord's arc beside the outline of the mesh. So ends of visible parts are moved along their own
+/// line to the point where it crosses the line that is drawn.
 
 #include <vector>
 
@@ -18,20 +18,21 @@ namespace ligne {
 struct OutlineSegment {
   Point2 from{0, 0}, to{0, 0};
   double z_from = 0, z_to = 0;
-  std::uint32_t chain = kNone;            ///< of a contour, else kNone
-  double length_from = 0, length_to = 0;  ///< along the contour
+  std::uint32_t chain = kNone;            ///< index of its contour; kNone if it is another line
+  double length_from = 0, length_to = 0;  ///< arc lengths along the contour, page mm
 };
 
-/// Segments near places that are asked about.
+/// Finds segments near a query segment, by a hash grid that has cells only near the queries announced beforehand.
 class SegmentFinder {
  public:
+  /// `cell_mm` is the side of a grid cell.
   explicit SegmentFinder(double cell_mm) : cell_mm_(cell_mm) {}
 
-  /// A segment will be asked about. To be called before the first add().
+  /// Announces a query near() with this segment. To be called before the first add().
   void expect(Point2 from, Point2 to);
-  /// Segments that nothing expected passes are left out. They may be long, and lie far away.
+  /// Stores a segment, unless it passes no cell of an expected query. Segments may be long and far outside the page.
   void add(const OutlineSegment& segment);
-  /// Calls found(segment) for the segments that may cross from-to; some more than once.
+  /// Calls found(segment) for all segments that may cross from-to; for some of them more than once.
   template <class Found>
   void near(Point2 from, Point2 to, Found found) const {
     for_cells(cells_round(from, to), [&](std::uint64_t key) {
@@ -42,40 +43,41 @@ class SegmentFinder {
   }
 
  private:
-  /// Cells [x0, x1] x [y0, y1].
+  /// The cells with columns x0 to x1 and rows y0 to y1, both included.
   struct Rectangle {
     std::int32_t x0 = 0, x1 = -1, y0 = 0, y1 = -1;
     friend bool operator==(const Rectangle&, const Rectangle&) = default;
   };
-  /// Those of the rectangle round the segment.
+  /// The cells that the bounding box of the segment meets.
   Rectangle cells_round(Point2 from, Point2 to) const;
   template <class Visit>
   static void for_cells(const Rectangle& cells, Visit visit);
 
   double cell_mm_;
-  Point2 low_{1e300, 1e300}, high_{-1e300, -1e300};  ///< of all that is expected
-  KeyTable cells_;                                   ///< of each cell that is asked about the list
-  Rectangle expected_;                               ///< last: mostly the next one is the same
+  Point2 low_{1e300, 1e300}, high_{-1e300, -1e300};  ///< bounding box of all expected queries
+  KeyTable cells_;                                   ///< expected cell to the index of its list
+  Rectangle expected_;                               ///< cells of the last expected query: the next has often the same
   std::vector<std::vector<std::uint32_t>> lists_;
   std::vector<OutlineSegment> segments_;
 };
 
-/// The fraction of `from`-`to` at which the segment crosses it, and the depth of the segment there; false when it does not.
+/// Intersects from-to with a segment. Returns false if they do not cross; otherwise sets `fraction` to the place on
+/// from-to, 0 to 1, and `depth` to the depth of the segment there.
 bool crossing(Point2 from, Point2 to, const OutlineSegment& segment, double& fraction, double& depth);
 
-/// A contour with what is seen of it.
+/// A contour with its visible and hidden runs.
 struct SeenContour {
   ContourCurve curve;
   std::vector<ContourRun> runs;
   std::vector<int> sides;  ///< per segment: see ContourSight::side
 };
 
-/// Moves the ends of the visible runs of contours onto the visible lines that hide them, by `reach_mm` at the most or half
-/// the segments of their mesh. Hidden runs twice as short as that, which no line crosses and that are no turn at a cusp, are
-/// a fault of the mesh, and are seen.
+/// Moves the ends of the visible runs of contours onto visible lines in front that cross them. The reach of a move is
+/// `reach_mm`, or half a segment of the contour if that is longer. A hidden run shorter than twice the reach becomes
+/// visible if no line crosses its ends and it is not the part between two cusps: it is an artefact of the mesh.
 void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel& others, double reach_mm);
 
-/// Moves the ends of other visible strokes, where these are hidden, onto visible contours in front of them.
+/// Moves the ends at which other visible strokes become hidden onto visible contours in front of them.
 void move_ends_of_strokes(StrokeModel& others, const std::vector<SeenContour>& contours, double reach_mm);
 
 }  // namespace ligne

@@ -1,14 +1,14 @@
 #pragma once
-/// Where the visibility of a contour is studied.
+/// The lines whose visibility is computed in place of that of a contour: its sights.
 ///
-/// About half of a contour lies on triangles that look away, or behind a bulge between two vertices: there the nearest
-/// triangles of the same surface hide it by a hair. On the page all of a fold lies on one side of its contour. So a segment
-/// is studied a little beside it, on the other side, beyond all edges of the mesh's outline near it. There nothing of the
-/// fold is in front, and what else is in front of the contour still is.
+/// About half of a contour lies on back faces, or behind a bulge between two vertices. There the nearest triangles of
+/// the same surface hide it by a hair. On the page a fold lies entirely on one side of its contour. So the visibility
+/// of a segment is computed on a line a little beside it, on the other side, beyond all edges of the mesh's outline
+/// near it. No part of the fold is in front of that line, but all other occluders of the contour are.
 ///
-/// Which side the fold lies on follows from the slope of g towards the eye: where g grows, the surface curves away from its
-/// normal, and the side of the normal is free. At a cusp of the contour that changes. The part of the contour whose free
-/// side lies inside a solid is hidden by the solid's surface, as it should be.
+/// The slope of g towards the eye tells the side of the fold: where g grows, the surface curves away from its normal,
+/// and the side of the normal is free. At a cusp the sides change. Where the free side lies inside a solid, the surface
+/// of the solid hides the line, as it should.
 
 #include <span>
 #include <vector>
@@ -17,14 +17,14 @@
 
 namespace ligne {
 
-/// The edges of the mesh's outline inside regions, by the sectors at their ends.
+/// The edges of the mesh's outline inside regions, listed by the sectors at their ends.
 class OutlineGraph {
  public:
   OutlineGraph(const Scene& scene, const View& view, const SmoothPatch& patch, const std::vector<OutlineSide>& sides);
 
   struct End {
-    std::uint32_t sector, other;  ///< sectors at this end of the edge and at the other
-    Point2 p, q;                  ///< of these ends, on the page
+    std::uint32_t sector, other;  ///< the sectors at this end of the edge and at the other end
+    Point2 p, q;                  ///< these two ends on the page
   };
   std::span<const End> at(std::uint32_t sector) const {
     return {ends_.data() + begin_[sector], ends_.data() + begin_[sector + 1]};
@@ -35,16 +35,16 @@ class OutlineGraph {
   std::vector<End> ends_;
 };
 
-/// Sectors in the order in which they were reached, each once.
+/// A list of sectors without duplicates, in the order in which a search reached them. clear() takes constant time.
 class ReachedSectors {
  public:
-  /// `sectors`: how many there are, the same each time.
+  /// Empties the list. `sectors` is the number of sectors of the patch, the same in each call.
   void clear(std::size_t sectors) {
     place_.resize(sectors, 0);
     first_ += static_cast<std::uint32_t>(reached_.size());
     reached_.clear();
   }
-  /// The place of a sector among those reached.
+  /// Adds the sector if it is new, and returns its index in the list.
   std::size_t add(std::uint32_t sector) {
     std::uint32_t& place = place_[sector];
     if (place < first_) {
@@ -58,30 +58,30 @@ class ReachedSectors {
 
  private:
   std::uint32_t first_ = 1;
-  std::vector<std::uint32_t> place_;  ///< less than `first_`: not reached since the last clear()
+  std::vector<std::uint32_t> place_;  ///< per sector: first_ plus its index; less if not reached since the last clear()
   std::vector<std::uint32_t> reached_;
 };
 
-/// The line in model space that is studied for a segment, and on which side of the contour it lies.
+/// The line in model space whose visibility is computed for a segment.
 struct ContourSight {
   Point3 from, to;
-  int side = 1;  ///< +1 on that of the normals
+  int side = 1;  ///< side of the contour on which it lies: +1 that of the normals, -1 the other
 };
 
-/// The surroundings of all chains of a drawing.
+/// The scene, view and mesh of all chains of a drawing.
 struct SightScene {
   const Scene& scene;
   const View& view;
   const SmoothPatch& patch;
   const OutlineGraph& outline;
-  double slack_mm;  ///< the least distance of a line from the outline of the mesh, outside of it
+  double slack_mm;  ///< smallest distance of a sight beyond the outline of the mesh
 };
 
-/// Per segment of the chain. `reached`: for each thread, serves one chain after the other.
+/// The sights of a chain, one per segment. `reached`: scratch memory, one element per thread.
 std::vector<ContourSight> contour_sights(const SightScene& in, const ContourChain& chain,
                                          std::vector<ReachedSectors>& reached);
 
-/// The move on the page, mm, for a step of one unit along `n` from p.
+/// The displacement on the page, mm, of a point that moves from p by one model unit along `n`.
 Point2 page_direction(const View& view, const Point3& p, const Point3& n);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Where along a contour it is seen.
+/// The visible and hidden runs of a contour.
 
 #include <vector>
 
@@ -8,29 +8,31 @@
 
 namespace ligne {
 
-/// Seen through so many transparent faces, or:
+/// State of a run: the number of transparent faces in front of it, if it is visible, or one of these.
 inline constexpr int kHiddenState = -1;
-inline constexpr int kOutsideState = -2;  ///< of the window
+inline constexpr int kOutsideState = -2;  ///< outside the window of the view
 
-/// A part of a curve, by CurvePoint::at.
+/// A part of a curve with one state, between two values of CurvePoint::at.
 struct ContourRun {
   double from = 0, to = 0;
   int state = kHiddenState;
 };
 
-/// The runs of a chain of `segments` from the strokes of its segments, which are numbered from `first_source` on and come in
-/// order. `hidden_too`: the strokes say what is hidden; otherwise it is what is not seen.
+/// Makes the runs of a chain of `segments` segments from their strokes, sorted by source; segment i has the source
+/// `first_source` + i. With `hidden_too` hidden parts have strokes, so parts without a stroke are outside; otherwise
+/// parts without a stroke are hidden.
 std::vector<ContourRun> runs_of(const std::vector<Stroke>& strokes, std::uint32_t first_source, std::size_t segments,
                                 bool hidden_too);
 
-/// Gives the parts of runs that lie in `changed`, ascending, the state of these.
+/// Overwrites the states of `runs` within the intervals of `changed`, which must be ascending.
 void put_in(std::vector<ContourRun>& runs, const std::vector<ContourRun>& changed);
 
-/// Takes out runs that are shorter than `shortest_mm` on the page: they get the state of what is beside them.
+/// Gives runs shorter than `shortest_mm` on the page the state of their longer neighbour.
 void drop_short_runs(std::vector<ContourRun>& runs, const ContourCurve& curve, double shortest_mm);
 
-/// Moves the ends of visible runs that are still where they were `found` and lie within `reach_mm` of a cusp there: up to it
-/// the contour is seen, and behind it the surface hides it. `cusps`: nodes of the chain, ascending.
+/// Moves ends of visible runs to a cusp within `reach_mm`: up to the cusp the contour is visible, and beyond it the
+/// surface itself hides it. Ends that differ from `found`, the runs before they were moved to crossing lines, stay.
+/// `cusps`: nodes of the chain, ascending.
 void end_runs_at_cusps(std::vector<ContourRun>& runs, const std::vector<ContourRun>& found, const ContourCurve& curve,
                        const std::vector<std::uint32_t>& cusps, double reach_mm);
 

@@ -1,8 +1,8 @@
 #pragma once
-/// Where contours keep to the outline of the mesh.
+/// Keeps contours close to the outline of the mesh.
 ///
-/// The surface lies no farther from the mesh than its sag, so its outline on the page lies no farther from that of the mesh.
-/// A contour that leaves it by more comes of normals that have gone astray.
+/// The distance of the smooth surface from the mesh is at most the sag, so on the page its outline is no farther from
+/// that of the mesh. A contour that is farther away results from wrong normals.
 
 #include <span>
 #include <vector>
@@ -14,33 +14,34 @@ namespace ligne {
 /// Whether a point of the page lies in the window of the view.
 bool in_window(const View& view, Point2 p);
 
-/// The contours of one group beside the mesh's outline.
+/// Compares the contours of one group with the outline of the mesh.
 class ContourSupport {
  public:
-  /// `chains`: of the group, `sides`: the edges of its outline.
+  /// `chains`: the contours of the group; `sides`: the edges of its outline, as sides of the patch.
   ContourSupport(const Scene& scene, const View& view, const SmoothPatch& patch, std::span<ContourChain* const> chains,
                  std::span<const std::uint32_t> sides, double pen_width_mm);
 
-  /// The mean over the nodes of the way from the mesh to the surface, on the page.
+  /// Mean over the nodes of the distance on the page between the point on the mesh and the point on the surface.
   double mean_lift_mm() const { return mean(&Place::lift); }
-  /// The mean over the nodes of the sag of the mesh, on the page.
+  /// Mean over the nodes of the sag of the mesh, on the page.
   double mean_sag_mm() const { return mean(&Place::sag); }
   std::size_t nodes() const;
-  /// The share of the contours' length on the page that lies too far from the outline, 0 to 1.
+  /// Fraction of the contours' length on the page, 0 to 1, that lies too far from the outline.
   double astray() const;
-  /// The contours, moved to within the sag and half a pen of the outline. They end where no outline is within some widths
-  /// of the pen, or where the middle of a segment lies too far from them. Sets ContourNode::most_mm and bulge_mm.
+  /// The contours, with nodes moved to within the sag plus half a pen width of the outline. They end where no outline
+  /// lies within reach (a few pen widths), or where the middle of a segment is too far from any. Sets
+  /// ContourNode::most_mm and bulge_mm.
   std::vector<ContourChain> supported() const;
 
  private:
   /// A node on the page.
   struct Place {
-    Point2 mm{0, 0}, outline{0, 0};  ///< outline: its nearest place
-    bool counts = true;              ///< it lies in the window, and not right before the eye; others are taken as they are
-    double away = 0, sag = 0, lift = 0;  ///< distance from that; sag of the mesh; way from the mesh to the surface; mm
+    Point2 mm{0, 0}, outline{0, 0};      ///< the node; the nearest point of the mesh's outline
+    bool counts = true;                  ///< false outside the window and close to the eye: then it is not compared
+    double away = 0, sag = 0, lift = 0;  ///< mm: distance to `outline`; sag; distance from mesh to surface
   };
 
-  /// The middles of the chords between places, with the sags of their triangles.
+  /// The midpoints of the chords between nodes, with the sags of their triangles.
   std::vector<Place> middles_of(const ContourChain& chain, const std::vector<Place>& places) const;
   double most_away(const Place& place) const { return place.sag + pen_width_mm_ / 2; }
   double reach(const Place& place) const;
@@ -48,7 +49,7 @@ class ContourSupport {
 
   std::span<ContourChain* const> chains_;
   const View& view_;
-  std::vector<std::vector<Place>> places_, middles_;  ///< of the nodes, and between them
+  std::vector<std::vector<Place>> places_, middles_;  ///< per chain: the nodes; the midpoints between them
   double pen_width_mm_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Strokes of curves that were studied as lines of their own.
+/// Writes strokes of smooth curves in place of the strokes of the lines whose visibility was computed for them.
 
 #include <cstdint>
 #include <functional>
@@ -12,25 +12,27 @@
 
 namespace ligne {
 
-/// Takes the strokes of `count` sources from `first` on out of the model, in the order of their sources.
+/// Removes the strokes with the sources [first, first + count) from the model, and returns them sorted by source.
 std::vector<Stroke> take_strokes(StrokeModel& model, std::uint32_t first, std::size_t count);
 
-/// The sources of curves in a model: `first` + i is a segment that was studied at the line lines[i], beside the curve.
+/// The sources of curves in a model: source `first` + i is a segment whose visibility was computed on the line with
+/// source lines[i].
 struct ContourSources {
   std::uint32_t first = 0;
   std::vector<std::uint32_t> lines;
 };
 
-/// Adds strokes to a model, with sources of their own behind the intersections. It refers to its arguments.
+/// Adds strokes to a model, each with a new source in StrokeModel::intersections. It keeps references to its arguments.
 class CurveWriter {
  public:
+  /// With `hidden_too` hidden runs are written, too. Turns back of up to `longest_fold_mm` are removed (unfold()).
   CurveWriter(StrokeModel& model, const View& view, bool hidden_too, double longest_fold_mm);
 
-  /// The sources of all that was added.
+  /// The sources of all strokes that were added.
   ContourSources take_sources() { return std::move(sources_); }
 
-  /// The runs of a curve of so many segments. The first segment was studied at `first_line`; source_of(segment) says where
-  /// it lies.
+  /// Adds the runs of a curve with `segments` segments. `first_line` is the source of the line that stood for segment
+  /// 0; source_of(i) is the source edge of segment i.
   void add(LineClass line_class, std::size_t segments, std::uint32_t first_line, const ContourCurve& curve,
            const std::vector<ContourRun>& runs, const std::function<SourceEdge(std::size_t)>& source_of);
 

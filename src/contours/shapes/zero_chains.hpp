@@ -1,5 +1,5 @@
 #pragma once
-/// The zero set of a function of the nodes of a mesh, as chains of segments.
+/// Traces the zero set of a function given at the nodes of a mesh, as chains of segments.
 
 #include <cstdint>
 #include <vector>
@@ -11,15 +11,17 @@ namespace ligne {
 /// Segment i runs from point i to point i + 1 over triangle i. A closed chain repeats its first point.
 struct ZeroChain {
   std::vector<Point3> points;
-  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t> triangles;  ///< per segment
   bool closed = false;
 
+  /// Number of segments.
   std::size_t size() const { return triangles.size(); }
 };
 
-/// The function is linear over a triangle, and zero at a node counts as positive; so chains never branch. With `way`, values
-/// are those along directions of which either of two opposite ones is meant: before two values are compared the directions
-/// are made to agree. Triangles whose three directions do not agree have no segment; chains end there.
+/// The function is linear over a triangle, and zero at a node counts as positive, so chains never branch. If `way` is
+/// given, the values are derivatives along its directions, whose signs are arbitrary. Then the signs of directions (and
+/// values) are made to agree before two values are compared. Triangles whose three directions can not be made to agree
+/// have no segment, and chains end there.
 std::vector<ZeroChain> trace_zero_set(const FormMesh& mesh, const std::vector<double>& value,
                                       const std::vector<Point3>& way = {});
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The exact surfaces behind a smooth patch, where they were found (docs/patches.md), in place of normals made of faces.
+/// Exact normals of a smooth patch where surfaces were recognised behind the mesh (docs/patches.md).
 
 #include <cstdint>
 #include <optional>
@@ -9,30 +9,33 @@
 
 namespace ligne {
 
-/// The surface of a triangle of the patch; null where none was found, or only a band of a free form.
+/// The recognised surface of a triangle of the patch; null if there is none, or only a band (Patch::is_band).
 const Patch* surface_at(const SmoothPatch& patch, std::uint32_t triangle);
 
-/// Unit normal of the surface near p, on the side to which the faces look.
+/// Unit normal of the surface near p, on the side that the faces face.
 Point3 facing_normal(const Patch& surface, const Point3& p);
 
-/// How that normal turns: the sum of both principal curvatures, each times the square of its direction.
+/// The derivative of facing_normal(): the sum over both principal curvatures of the curvature times the outer product
+/// of its unit direction with itself.
 NormalTurn facing_turn(const Patch& surface, const Point3& p);
 
 /// The point of the surface nearest to p.
 Point3 nearest_point(const Patch& surface, const Point3& p);
 
-/// The normal that the surfaces round a vertex agree on, and how it turns where they are one surface.
+/// The normal that the surfaces around a vertex agree on.
 struct KnownNormal {
   Point3 normal{0, 0, 0};
-  std::optional<NormalTurn> turn;
+  std::optional<NormalTurn> turn;  ///< its derivative, if all triangles belong to one surface
 };
 
-/// `corners`: those of a sector. None where no triangle has a surface, or where two surfaces meet at an angle.
+/// The normal of a sector with the given corners. Returns nothing if no triangle has a surface, or if two surfaces meet
+/// at an angle.
 std::optional<KnownNormal> known_normal(const Scene& scene, const SmoothPatch& patch,
                                         std::span<const std::uint32_t> corners);
 
-/// Where the outline of a surface crosses a segment that lies beside it: the share of the segment, from p on, at which the
-/// nearest point of the surface has its normal square to the sight. None where both ends of it look the same way.
+/// Where the outline of a surface crosses the segment from p to q near it: the fraction of the segment at which the
+/// nearest point of the surface has a normal perpendicular to the line of sight. Returns nothing if the surface near
+/// both ends faces the same way.
 std::optional<double> outline_crossing(const Patch& surface, const Camera& camera, const Point3& p, const Point3& q);
 
 }  // namespace ligne

@@ -1,11 +1,11 @@
 #pragma once
-/// Probes that make sure that no outline is lost.
+/// Probes, which make sure that no outline is lost.
 ///
-/// Normals are means, so where a mesh is coarse the smooth surface may have no contour at an edge beside which one looks
-/// past the whole body. So for each edge of the mesh's outline that gave way to contours a *probe* is studied: the edge,
-/// moved off its two faces on the page and pushed far back. Where the probe is seen nothing is close
-/// behind the edge, and the edge is a true outline. Such an edge is drawn when no contour was drawn near it. The small folds
-/// of a mesh along its outlines have the surface right behind them, and are not.
+/// Normals are means, so on a coarse mesh the smooth surface may have no contour at an edge that is an outline of the
+/// whole body. So each outline edge that contours replace gets a *probe*: a copy of the edge, moved off its two faces
+/// on the page and far backwards. If the probe is visible, nothing lies closely behind the edge, and the edge is a true
+/// outline. It is drawn if no contour was drawn near it. The small folds of a mesh along its outlines have the surface
+/// closely behind them, and are not drawn.
 
 #include <array>
 #include <vector>
@@ -15,13 +15,15 @@
 
 namespace ligne {
 
-/// The probe of a side of the patch. `object_size`: diagonal of the box round its object.
+/// The probe of a side of the patch, in model space. `object_size`: diagonal of the bounding box of its object;
+/// `slack_mm`: least distance from the edge on the page.
 std::array<Point3, 2> outline_probe(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side,
                                     double object_size, double slack_mm);
 
-/// The longest side on the page of the two triangles at a side of the patch, mm.
+/// Length on the page, mm, of the longest side of the two triangles at a side of the patch.
 double size_on_page(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side);
 
+<<<<<<< HEAD
 /// Lengths on the page that decide about probes, mm.
 struct ProbeSizes {
   double pen_width_mm;
@@ -30,6 +32,11 @@ struct ProbeSizes {
 
 /// Adds strokes for the edges whose probes are seen with no visible contour near them. `probes`: the strokes of the probes,
 /// in the order of their sources.
+=======
+/// Adds strokes for the replaced edges whose probes are visible and that have no visible contour near them. `probes`:
+/// the strokes of the probes, sorted by source. Ends of the new strokes within `reach_mm` of a contour are moved onto
+/// it.
+>>>>>>> 8c25e621 (Explain contours in the terms of their page)
 void add_missing_outlines(StrokeModel& model, const View& view, const SmoothContours& contours,
                           const std::vector<Stroke>& probes, const std::vector<SeenContour>& seen, const ProbeSizes& sizes);
 

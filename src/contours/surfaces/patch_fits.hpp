@@ -1,14 +1,14 @@
 #pragma once
-/// Surfaces through the vertices of a patch, for its normals.
+/// Normals of a patch from surfaces fitted to its vertices.
 
 #include "contours/surfaces/smooth_patch.hpp"
 
 namespace ligne {
 
-/// Fits surfaces at the sectors beside the zero set of g, through the vertices of two rings of its region, and takes over
-/// their normals, turns and g. A sector keeps the mean of the normals of its faces where there is no such surface, and where
-/// its faces all look one way and the fitted normal the other: the zero set of g stays on triangles that touch the outline
-/// of the mesh.
+/// Fits a surface at each sector beside the zero set of g, to the vertices of two rings within its region, and stores
+/// its normal, the derivative of the normal, and g. A sector keeps its mean of face normals if the fit fails, or if all
+/// its faces face one way and the fitted normal the other way. So the zero set of g stays on triangles that touch the
+/// outline of the mesh.
 void fit_surfaces(const Scene& scene, const Camera& camera, SmoothPatch& patch);
 
 }  // namespace ligne

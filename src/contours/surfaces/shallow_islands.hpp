@@ -1,5 +1,5 @@
 #pragma once
-/// Parts of a smooth surface that look away from the viewer by a hair.
+/// Small parts of a scan that face the other way than their surroundings by a few degrees only.
 
 #include <span>
 
@@ -8,9 +8,9 @@
 
 namespace ligne {
 
-/// On scans, flips the sign of g on small islands of the opposite sign where the surface nowhere turns far across the line
-/// of sight. They are the grain of the scan: their contours would be rings side by side where the body is seen edge on.
-/// O(corners of the patch).
+/// On scans, flips the sign of g on islands of the opposite sign if the surface there is nowhere inclined to the line
+/// of sight by 4 degrees. These islands are noise of the scan; their contours would be many small rings where the body
+/// is seen edge on. O(corners of the patch).
 void level_shallow_islands(SmoothPatch& patch, const Scene& scene, const Camera& camera, std::span<const ScanObject> scans);
 
 }  // namespace ligne

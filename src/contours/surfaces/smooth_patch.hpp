@@ -1,14 +1,14 @@
 #pragma once
-/// The faces round the outline of the mesh, with the normals of the smooth surface that they stand for.
+/// The triangles around the outline of the mesh, with the normals of the smooth surface that the mesh approximates.
 ///
-/// Notation: v is the direction from a point of the surface to the eye, n the normal of the smooth surface, g = n . v. The
-/// label of a vertex is the sign of g there. A *sector* is a run of triangles round a vertex that no border parts; a vertex
-/// has one normal and one label in each of its sectors.
+/// Notation: v is the direction from a point of the surface to the eye, n the normal of the smooth surface, g = n . v.
+/// The label of a vertex is the sign of g there. A *sector* is a set of triangles around a vertex that no border of a
+/// region separates; a vertex has one normal and one label in each of its sectors.
 ///
-/// A normal is a mean of face normals with weights that are not negative, or that of a surface through the vertices
-/// (patch_fits.hpp), which keeps to the following. Where all faces round a vertex look the same
-/// way the vertex has the label of its faces, and zero sets of g run only through triangles that touch the outline of the
-/// mesh. That is why a patch of two rings of triangles round that outline is all that is needed.
+/// A normal is a mean of face normals with non-negative weights, or that of a surface fitted to the vertices
+/// (patch_fits.hpp). For both holds: if all faces around a vertex face the same way, the vertex has the label of its
+/// faces. So zero sets of g run only through triangles that touch the outline of the mesh, and a patch of two rings of
+/// triangles around that outline suffices.
 
 #include <array>
 #include <cstdint>
@@ -23,56 +23,58 @@
 
 namespace ligne {
 
-/// Side i of a triangle runs from its corner i to the next one; "side 3 t + i" is that of triangle t.
+/// A part of a mesh as triangles. Side i of a triangle runs from its corner i to the next one; side i of triangle t has
+/// the index 3 t + i.
 struct SmoothPatch {
-  /// Triangles that have no vertex in common with others, and the sectors at their corners.
+  /// A range of triangles that share no vertex with triangles of other ranges, and the range of their sectors.
   struct Run {
     std::uint32_t triangle, triangle_end, sector = 0, sector_end = 0;
   };
 
   std::vector<Triangle> triangles;
   std::vector<Run> runs;
-  std::vector<std::int8_t> facing;     ///< per triangle: +1 when it looks at the viewer, -1 away, 0 edge on
-  std::vector<std::uint32_t> across;   ///< per side: the same side of the neighbour, kNone at a border of the region
-  std::vector<std::uint32_t> sector;   ///< per corner: number of its sector
-  std::vector<std::uint8_t> complete;  ///< per corner: all triangles of its sector are in the patch
-  std::vector<Point3> normals;         ///< per sector, unit length; zero where no face round it has an area
+  std::vector<std::int8_t> facing;     ///< per triangle: +1 if it faces the viewer, -1 if it faces away, 0 if edge on
+  std::vector<std::uint32_t> across;   ///< per side: index of the same side in the neighbour, kNone at a border
+  std::vector<std::uint32_t> sector;   ///< per corner: index of its sector
+  std::vector<std::uint8_t> complete;  ///< per corner: 1 if all triangles of its sector are in the patch
+  std::vector<Point3> normals;         ///< per sector, unit length; zero if no face around it has an area
   std::vector<double> g;               ///< per sector
-  std::vector<std::uint8_t> ruled;     ///< per sector: 1 where its normal is square to rulings (rulings.hpp)
-  std::vector<std::uint32_t> fit;      ///< per sector: number of the fitted surface whose normal it has, or kNone
-  std::vector<NormalTurn> turns;       ///< by that number
-  const Patches* surfaces = nullptr;   ///< those that were found behind the faces of the scene; null: none
+  std::vector<std::uint8_t> ruled;     ///< per sector: 1 if its normal is perpendicular to rulings (rulings.hpp)
+  std::vector<std::uint32_t> fit;      ///< per sector: index into `turns` if its normal comes from a fit, else kNone
+  std::vector<NormalTurn> turns;       ///< derivatives of fitted normals
+  const Patches* surfaces = nullptr;   ///< the surfaces recognised behind the mesh; null: none
 
-  /// Zero counts as looking at the viewer: so g is never zero at a vertex.
+  /// Whether the smooth surface faces the viewer at a corner. g = 0 counts as facing, so g is never zero at a vertex.
   bool looks_at_viewer(std::uint32_t corner) const { return g[sector[corner]] >= 0; }
 };
 
 inline std::uint32_t next_corner(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 inline std::uint32_t last_corner(std::uint32_t corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
 
-/// From the point to the eye; not of unit length in perspective.
+/// Vector from p to the eye; of unit length only in parallel projection.
 Point3 to_eye(const Camera& camera, const Point3& p);
 
 /// Where smooth regions end.
 struct RegionBorders {
   double crease_degrees = 30;
-  /// Per edge of the topology: kCreaseLine where a region ends; it also ends where the normals of the triangles differ by
-  /// more than twice the crease angle. Null: where they differ by more than the crease angle.
+  /// Per edge of the topology: kCreaseLine if a region ends there. A region then also ends where the normals of
+  /// adjacent triangles differ by more than twice the crease angle. If null, it ends where they differ by more than the
+  /// crease angle.
   const std::vector<std::uint8_t>* creases = nullptr;
-  /// The surfaces that were found behind the faces; null: none. They outlive all that is made of them.
+  /// The surfaces recognised behind the mesh; null: none. They must outlive everything that is made from these borders.
   const Patches* surfaces = nullptr;
 };
 
-/// The outline edges of a mesh along which no region ends, in ascending order. Left out are those that have no
-/// vertex near them that another one has: round a vertex inside a region there are two of them, or more, so such an edge
-/// runs from border to border of its region, and is the contour itself.
+/// The outline edges that lie inside regions, ascending. An edge that shares no vertex inside its region with another
+/// such edge is omitted: since an interior vertex has none or at least two of them, it runs from border to border of
+/// its region, and is the contour itself.
 std::vector<std::uint32_t> outlines_inside_regions(const Scene& scene, const Topology& topology,
                                                    std::span<const std::uint32_t> outline_edges,
                                                    const RegionBorders& borders);
 
-/// The patch round edges inside regions. Borders of regions are creases, edges of other than two triangles,
-/// those across which the windings disagree, and all edges at a vertex from whose normal a face round it differs by more
-/// than the crease angle (the tip of a cone).
+/// The patch around edges inside regions. Borders of regions are: creases; edges that do not have exactly two
+/// triangles; edges across which the windings disagree; and all edges at a vertex whose normal differs from that of a
+/// face around it by more than the crease angle (the tip of a cone).
 SmoothPatch smooth_patch(const Scene& scene, const Topology& topology, const Camera& camera,
                          std::span<const std::uint32_t> outline_edges, const RegionBorders& borders);
 

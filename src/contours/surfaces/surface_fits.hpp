@@ -1,9 +1,9 @@
 #pragma once
-/// The smooth surface through the vertices of a mesh, to the third order round each of them.
+/// Fits a polynomial surface to the vertices around a vertex of a mesh, for its normal and curvature.
 ///
-/// A mean of the normals of faces is exact on spheres; where a surface bends differently in different directions it is as
-/// wrong as the triangles round the vertex are uneven. A polynomial of degree three through the vertices of two rings knows
-/// the normal to the third order of their distance, and how it turns [CazalsPouget2005].
+/// A mean of face normals is exact on spheres. Where the curvature depends on the direction, its error grows with the
+/// unevenness of the triangles around the vertex. A polynomial of degree three through the vertices of two rings gives
+/// the normal with an error of third order in their distance, and the derivative of the normal [CazalsPouget2005].
 
 #include <array>
 #include <cstdint>
@@ -14,28 +14,30 @@
 
 namespace ligne {
 
-/// A symmetric matrix (xx, xy, xz, yy, yz, zz): the normal changes by its product with the way along the surface.
+/// The derivative of the unit normal along the surface (shape operator), as a symmetric matrix (xx, xy, xz, yy, yz,
+/// zz).
 using NormalTurn = std::array<double, 6>;
 
+/// The change of the normal for the displacement `way` along the surface: the product of matrix and vector.
 Point3 turned(const NormalTurn& turn, const Point3& way);
 
-/// The input of a fit: the surface passes through `at` and comes nearest to the points round it.
+/// The input of a fit: the surface passes through `at` and approximates the points around it.
 struct PointsRound {
   Point3 at{0, 0, 0};
-  Point3 normal{0, 0, 1};  ///< an estimate, of unit length
+  Point3 normal{0, 0, 1};  ///< estimate of the normal, unit length
   std::span<const Point3> points{};
 };
 
 struct SurfaceFit {
-  Point3 normal{0, 0, 0};
-  NormalTurn turn{};
+  Point3 normal{0, 0, 0};  ///< of unit length
+  NormalTurn turn{};       ///< derivative of the normal
 };
 
-/// The surfaces of two places at once, which takes hardly longer than one. None where the points do not lie on such a
-/// surface, or do not say which; each is the same whatever the other is.
+/// Fits surfaces at two places at once (SIMD), which takes hardly longer than one fit. A result is nothing if the
+/// points do not lie on such a surface or do not determine it. The two results do not depend on each other.
 std::array<std::optional<SurfaceFit>, 2> fit_two_surfaces(const std::array<PointsRound, 2>& fits);
 
-/// One of them alone; false where there is none.
+/// Fits the surface at one place. Returns false if there is none.
 bool fit_surface(const Point3& at, const Point3& normal, std::span<const Point3> points, SurfaceFit& fit);
 
 }  // namespace ligne
