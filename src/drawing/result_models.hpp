@@ -1,5 +1,5 @@
 #pragma once
-/// The other visibility models that a method may produce beside strokes: regions, order, spans, pixels.
+/// The results that a method may return besides strokes: regions, painting order, spans, pixels.
 
 #include <array>
 #include <cstdint>
@@ -13,16 +13,16 @@ namespace ligne {
 struct Region {
   std::uint32_t face = 0;                     ///< face of the scene
   std::vector<std::vector<Point2>> contours;  ///< page mm; the first is outer, the others holes
-  std::uint32_t level = 0;                    ///< how many transparent faces are in front of it: 0 is seen directly
-  /// Bit i: light i reaches it. All bits where no light was asked for.
+  std::uint32_t level = 0;                    ///< number of transparent faces in front of it
+  /// Bit i: light i reaches the region. All bits are set if no light was requested.
   std::uint32_t lights = 0xffffffffu;
-  /// How much of each light comes here through the transparent faces in its way, 0 to 1, by light. Empty: all of those in
+  /// Per light: the fraction, 0 to 1, that transparent faces in its way let through. Empty: 1 for all lights in
   /// `lights`.
   std::vector<double> light_shares{};
-  std::uint32_t material = 0xffffffffu;  ///< of the detail of which it is a part; 0xffffffff for that of the face
+  std::uint32_t material = 0xffffffffu;  ///< material, if it is a part of a detail; 0xffffffff: that of the face
 };
 
-/// A whole face, or a piece of one, to be painted over what comes before it.
+/// A whole face or a piece of one, to be painted over all earlier pieces.
 struct PaintPiece {
   std::uint32_t face = 0;                     ///< face of the scene
   std::vector<std::vector<Point2>> contours;  ///< page mm; the first is outer, the others holes
@@ -30,46 +30,46 @@ struct PaintPiece {
   std::array<double, 3> plane{0, 0, 0};
 };
 
-/// Pieces of faces in painting order, farthest first: none hides anything of one behind it in the list.
+/// Pieces of faces in painting order, farthest first: no piece is hidden by an earlier one.
 struct PaintOrder {
   std::vector<PaintPiece> pieces;
 };
 
-/// A number to be written round a point of the page.
+/// A number to be written on the page, centred on a point.
 struct PageNumber {
   Point2 middle{0, 0};  ///< page mm
   std::uint32_t number = 0;
 };
 
-/// Scan lines of the page, from the top downwards.
+/// Equidistant horizontal scan lines on the page, from top to bottom.
 struct SpanLines {
-  double first_mm = 0;    ///< height of the first on the page
-  double spacing_mm = 1;  ///< from line to line
+  double first_mm = 0;    ///< y coordinate of the first line
+  double spacing_mm = 1;  ///< distance of adjacent lines
   std::uint32_t count = 0;
 
   double y_mm(std::uint32_t line) const { return first_mm + line * spacing_mm; }
 };
 
-/// A run of one scan line on which one face is seen.
+/// An interval of a scan line on which one face is visible.
 struct Span {
   std::uint32_t line = 0;
   double x_from = 0, x_to = 0;  ///< page mm
   std::uint32_t face = 0;
 };
 
-/// Spans line by line from the top, on each line from left to right, disjoint.
+/// Disjoint spans, sorted by line from the top and on each line from left to right.
 struct SpanModel {
   SpanLines lines;
   std::vector<Span> spans;
 };
 
-/// One face per pixel, row by row from the top; 0xffffffff where nothing is seen. Pixels are square.
+/// The visible face of each pixel. Pixels are square, and stored row by row from the top.
 struct PixelModel {
   std::uint32_t width = 0, height = 0;
-  Point2 corner_mm{0, 0};  ///< upper left corner of the first, on the page
-  double pixel_mm = 1;
-  std::vector<std::uint32_t> face;
-  std::vector<float> depth;
+  Point2 corner_mm{0, 0};           ///< position of the upper left corner of the first pixel on the page
+  double pixel_mm = 1;              ///< side of a pixel
+  std::vector<std::uint32_t> face;  ///< per pixel: face of the scene, 0xffffffff for none
+  std::vector<float> depth;         ///< per pixel
 };
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// From spans to areas: what vector files hold in the place of gray pixels.
+/// Converts spans to areas, for vector files.
 
 #include <vector>
 
@@ -7,12 +7,12 @@
 
 namespace ligne {
 
-/// The areas whose spans these are, each of one face, without holes.
+/// Reconstructs areas from spans. Each area belongs to one face and has no holes.
 ///
-/// Spans of one face that lie one below the other, and nothing else of that face beside them, are one area; where it divides
-/// or grows together, new ones begin. Its sides are what the ends of the spans lie on: straight lines, to a micrometre, that
-/// go on to where they meet between two scan lines. Where they do not meet there, which is so at level borders, it ends half
-/// way between the lines. So it is right but for what is smaller than the distance of two scan lines.
+/// Overlapping spans of one face on successive scan lines form one area. Where an area splits or two areas merge, new
+/// areas begin. The sides of an area are straight lines through the ends of its spans, accurate to a micrometre. They
+/// are extended to the point where they meet between two scan lines; if they do not meet there, as at horizontal
+/// borders, the area ends half way between the lines. So errors are smaller than the distance of two scan lines.
 std::vector<Region> areas_of_spans(const SpanModel& spans);
 
 }  // namespace ligne

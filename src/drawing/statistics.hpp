@@ -1,5 +1,5 @@
 #pragma once
-/// Counts and times of a study, in the order in which they were added.
+/// Named counts and times of a run, in the order in which they were added.
 
 #include <cstdint>
 #include <string>
@@ -13,7 +13,7 @@ struct Statistics {
   std::vector<std::pair<std::string, std::uint64_t>> counts;
   std::vector<std::pair<std::string, double>> seconds;
 
-  // Not inline: what makes a text is long, and a study names dozens of figures.
+  // Not inline: the code that makes a string is long, and a method adds dozens of figures.
   void count(std::string_view name, std::uint64_t n);
   void time(std::string_view name, double s);
 };

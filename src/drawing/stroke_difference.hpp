@@ -1,5 +1,5 @@
 #pragma once
-/// The strokes that one drawing shows and another does not.
+/// Compares the visible strokes of two drawings.
 
 #include <vector>
 
@@ -8,23 +8,24 @@
 
 namespace ligne {
 
-/// Lines nearer to each other than this are the same line in two drawings: lines that coincide are merged within a
-/// micrometre, and which of two stays may change with what else is there.
+/// Lines of two drawings that are closer than this, in page mm, count as the same line. Coincident lines are merged
+/// within one micrometre, and which of them stays may depend on other lines.
 inline constexpr double kSameLineMm = 0.002;
 
-/// The parts of visible strokes of `of` along which no visible stroke of `in` runs within the tolerance, which is as long as
-/// a part must be to count: page mm. `same_level`: a stroke seen through transparent faces is only found among those seen
-/// through as many.
+/// The parts of visible strokes of `of` along which no visible stroke of `in` lies within the tolerance, page mm. Parts
+/// shorter than the tolerance are ignored. With `same_level`, only strokes behind equally many transparent faces are
+/// compared.
 std::vector<paper::Segment> parts_missing(const StrokeModel& of, const StrokeModel& in, double tolerance_mm = kSameLineMm,
                                           bool same_level = false);
 
-/// By what two drawings of one scene differ.
+/// The differences of two drawings of one scene, page mm.
 struct StrokeDifference {
   std::vector<paper::Segment> only_first, only_second;
-  double length_mm = 0;   ///< of both
-  double longest_mm = 0;  ///< the longest part
+  double length_mm = 0;   ///< total length of both lists
+  double longest_mm = 0;  ///< length of the longest part
 };
 
+/// Compares two drawings in both directions.
 StrokeDifference difference_of(const StrokeModel& first, const StrokeModel& second, double tolerance_mm = kSameLineMm);
 
 }  // namespace ligne

@@ -1,17 +1,17 @@
 #pragma once
-/// Parts of a stroke.
+/// Cuts strokes into pieces.
 
 #include "drawing/stroke.hpp"
 
 namespace ligne {
 
-/// A place on a stroke where it is cut: at this fraction of its length on the page.
+/// A point at which a stroke is cut.
 struct StrokeCut {
-  double fraction;
-  LatticePoint p;
+  double fraction;  ///< of the stroke's length on the page, from 0 to 1
+  LatticePoint p;   ///< the point, rounded to the lattice
 };
 
-/// The piece of a stroke between two cuts.
+/// The piece of a stroke between two cuts. Its parameters, depths and weights are interpolated.
 inline Stroke stroke_piece(const Stroke& s, const StrokeCut& from, const StrokeCut& to) {
   const auto depth = [&](double fraction) { return static_cast<float>((1 - fraction) * s.z_from + fraction * s.z_to); };
   const auto weight = [&](double fraction) {

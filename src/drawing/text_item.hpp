@@ -1,5 +1,5 @@
 #pragma once
-/// Text in a drawing: where it stands, and the room that it takes.
+/// Texts of a drawing: their position and the space that they take.
 
 #include <array>
 #include <string>
@@ -11,41 +11,43 @@ namespace ligne {
 enum class TextAcross { left, center, right };
 enum class TextUp { base, middle, top };
 
-/// One line of text. `at` is the point of the text that the two anchors name; the middle and the top are those of capitals.
+/// One line of text. The anchors `across` and `up` say which point of the text lies at `at`; middle and top are those
+/// of capital letters.
 struct TextItem {
-  std::string text;        ///< UTF-8; what is malformed is shown as U+FFFD, control characters as blanks
+  std::string text;        ///< UTF-8; malformed bytes are shown as U+FFFD, control characters as blanks
   Point2 at{0, 0};         ///< page mm
-  double height_mm = 2.5;  ///< of capitals
+  double height_mm = 2.5;  ///< height of capital letters
   TextAcross across = TextAcross::left;
   TextUp up = TextUp::base;
   double rotation_degrees = 0;  ///< about `at`, counter-clockwise as seen
 };
 
-/// Room that a line of text takes, in mm.
+/// Space that a line of text takes, in mm.
 struct TextExtent {
   double width = 0;
   double ascent = 0, descent = 0;  ///< above and below the base line
 };
 
-/// The point of the base line at the text's anchor across.
+/// The point on the base line at the horizontal anchor of the text.
 Point2 base_point(const TextItem& item);
 
-/// A rectangle on the page, turned counter-clockwise as seen.
+/// A rectangle on the page, rotated counter-clockwise as seen.
 struct TextBox {
   Point2 center{0, 0};
-  Point2 half{0, 0};  ///< half its width and its height, before it is turned
+  Point2 half{0, 0};  ///< half its width and half its height, before rotation
   double rotation_degrees = 0;
 
   /// Unit vectors along its width and its height, page mm.
   std::array<Point2, 2> axes() const;
   std::array<Point2, 4> corners() const;
-  /// How far it reaches from its center in the direction of a unit vector.
+  /// Largest distance of its points from its center, measured along a unit vector.
   double reach(Point2 direction) const;
 };
 
+/// The box of a text, given the space that its characters take.
 TextBox text_box(const TextItem& item, const TextExtent& extent);
 
-/// The boxes have a point in common when each is widened by half of `gap_mm` on all sides. Boxes that only touch do not
+/// Whether the boxes overlap after each is enlarged by half of `gap_mm` on all sides. Boxes that only touch do not
 /// overlap.
 bool overlap(const TextBox& a, const TextBox& b, double gap_mm = 0);
 

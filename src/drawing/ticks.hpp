@@ -1,5 +1,5 @@
 #pragma once
-/// Round numbers along an axis, and their text.
+/// Positions of axis ticks at round numbers, and their labels.
 
 #include <cstddef>
 #include <string>
@@ -14,13 +14,16 @@ struct Tick {
 
 enum class TickScale {
   linear,
-  decades,  ///< positions are decimal logarithms of what the labels say
+  decades,  ///< logarithmic: positions are decimal logarithms of the numbers in the labels
 };
 
-/// Ticks in [from, to] at whole multiples of 1, 2 or 5 times a power of ten, the finest with no more than `most`, ascending.
-/// A range of one number has a tick there. None when the ends are not finite or descend, or are too near to each other to be
-/// distinguished by doubles. On the scale of decades: at powers of ten, every one or every 2nd, 5th, 10th ...; with room
-/// enough at 1, 2 and 5 times or at 1 to 9 times the powers; within less than a decade at round numbers.
+/// At most `most` ticks in [from, to], ascending.
+/// - linear: at multiples of 1, 2 or 5 times a power of ten, as close as `most` permits.
+/// - decades: at powers of ten, all of them or every 2nd, 5th, 10th and so on; if `most` permits, at 1, 2 and 5 times
+///   or at 1 to 9 times the powers; in a range of less than a decade, at round numbers.
+///
+/// A range of one number has a tick there. There are no ticks if the ends are not finite, descend, or are too close to
+/// be distinguished by doubles.
 std::vector<Tick> round_ticks(TickScale scale, double from, double to, std::size_t most);
 
 }  // namespace ligne

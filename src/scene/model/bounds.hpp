@@ -1,5 +1,5 @@
 #pragma once
-/// How far the vertices of a scene reach.
+/// Bounding boxes of the vertices of a scene.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ struct Bounds {
   Point3 low{0, 0, 0}, high{0, 0, 0};
 };
 
-/// The box round the vertices [begin, end), of which there is at least one.
+/// Bounding box of the vertices [begin, end). The range must not be empty.
 inline Bounds bounds_of(const Scene& scene, std::size_t begin, std::size_t end) {
   const auto of_block = [&](std::size_t first, std::size_t last) {
     Bounds block{scene.vertices[begin + first], scene.vertices[begin + first]};
@@ -31,7 +31,7 @@ inline Bounds bounds_of(const Scene& scene, std::size_t begin, std::size_t end) 
   return parallel_reduce(end - begin, kShortWorkBlock, start, of_block, together);
 }
 
-/// The largest size of a coordinate; 0 without vertices.
+/// Largest absolute value of a coordinate; 0 without vertices.
 inline double largest_coordinate(const Scene& scene) {
   if (scene.vertices.empty()) return 0;
   const auto [low, high] = bounds_of(scene, 0, scene.vertices.size());

@@ -1,5 +1,5 @@
 #pragma once
-/// Warnings about input; errors come with them.
+/// Warnings about input. This header includes that of input errors.
 
 #include <cstddef>
 #include <map>
@@ -12,19 +12,21 @@
 
 namespace ligne {
 
-/// Things that were mended or left out while reading, counted by kind, so that a thousand of one kind are one line.
+/// Collects warnings while a file is read: repairs and omissions, counted by kind, so that a thousand of one kind are
+/// one line.
 class Warnings {
  public:
   /// `kind` is a phrase such as "faces with fewer than three distinct vertices dropped".
   void add(const std::string& kind, std::size_t n = 1) {
     if (n != 0) counts_[kind] += n;
   }
-  /// Counts what the reader leaves out: all of it is one line. `what` is a noun: "primitives with EXT_foo".
+  /// Counts omissions of the reader, all of which are listed in one line. `what` is a noun such as "primitives with
+  /// EXT_foo".
   void leave_out(std::string_view what, std::size_t n = 1) { left_out_.count(what, n); }
 
   const std::map<std::string, std::size_t>& counts() const { return counts_; }
   const Omissions& left_out() const { return left_out_; }
-  /// One line for each kind, and one for all that was left out.
+  /// One line per kind, and one line with all omissions.
   std::vector<std::string> lines() const {
     std::vector<std::string> lines;
     for (const auto& [kind, n] : counts_) lines.push_back(std::to_string(n) + " " + kind);

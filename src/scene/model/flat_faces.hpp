@@ -1,5 +1,5 @@
 #pragma once
-/// Faces without area, and the neighbours whose planes they take.
+/// Faces without area, and the neighbours whose normals they take.
 
 #include <cstdint>
 #include <unordered_map>
@@ -10,17 +10,18 @@
 
 namespace ligne {
 
-/// The face across the longest edge of another one.
+/// The neighbour of a face across its longest edge.
 struct LongestNeighbour {
   double length = -1;  ///< of the edge, model units
   std::uint32_t face = kNone;
-  bool turned = false;  ///< it is wound the other way
+  bool turned = false;  ///< whether its winding is opposite
 };
 
+/// Whether a neighbour may have no area itself: yes, or no.
 enum class FlatNeighbours { taken, passed_over };
 
-/// Per flat face that has neighbours, the one across its longest edge; of equal edges the first in the topology.
-/// `flat`: per face of the scene, not zero if it has no area. `FlatNeighbours` says whether a neighbour may be flat itself.
+/// Maps each flat face that has neighbours to the one across its longest edge. Among edges of equal length, the first
+/// in the topology counts. `flat`: per face of the scene, not zero if it has no area.
 std::unordered_map<std::uint32_t, LongestNeighbour> longest_neighbours(const Scene& scene, const Topology& topology,
                                                                        const std::vector<std::uint8_t>& flat,
                                                                        FlatNeighbours flat_neighbours);

@@ -10,7 +10,7 @@
 namespace ligne {
 
 /// The faces of a scene. A face is a list of contours, the first outer, the others holes; a contour is a cyclic list of
-/// corners; a corner holds a vertex index. While every face is one contour of three corners nothing but the corners is
+/// corners; a corner holds a vertex index. As long as every face is one contour of three corners, only the corners are
 /// stored: corner k of face f is corners()[3 f + k].
 class PolygonFaces {
  public:

@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes put together of faces and boxes.
+/// Builds scenes from faces and boxes.
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace ligne {
 
-/// Starts a new object; faces and vertices added afterwards are its own.
+/// Starts a new object. Faces and vertices that are added until end_object() belong to it.
 inline void begin_object(Scene& scene, const std::string& name = "object") {
   Object object;
   object.name = name;
@@ -20,6 +20,7 @@ inline void begin_object(Scene& scene, const std::string& name = "object") {
   scene.objects.push_back(object);
 }
 
+/// Ends the object: sets the ends of its ranges, and its precision to that of doubles.
 inline void end_object(Scene& scene) {
   Object& object = scene.objects.back();
   object.vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
@@ -32,7 +33,7 @@ inline void end_object(Scene& scene) {
   object.precision = largest * 0x1p-53;
 }
 
-/// An object of one face: outer contour, then holes.
+/// Adds an object of one face. The first contour is the outer one, the others are holes.
 inline void add_face(Scene& scene, const std::vector<std::vector<Point3>>& contours) {
   begin_object(scene);
   bool outer = true;
@@ -48,10 +49,12 @@ inline void add_face(Scene& scene, const std::vector<std::vector<Point3>>& conto
   end_object(scene);
 }
 
+/// The images of the unit vectors of x, y and z.
 using Basis = std::array<Point3, 3>;
 inline constexpr Basis kUpright{Point3{1, 0, 0}, Point3{0, 1, 0}, Point3{0, 0, 1}};
 
-/// A closed box of six quadrilaterals, wound outwards: corner + combinations of the three sides.
+/// Adds an object that is a closed box of six quadrilaterals with outward normals. `corner` is its lowest corner and
+/// `size` its extent before the basis is applied to both.
 inline void add_box(Scene& scene, const Point3& corner, const Point3& size, const Basis& basis = kUpright) {
   begin_object(scene, "box");
   const auto base = static_cast<std::uint32_t>(scene.vertices.size());
@@ -67,7 +70,7 @@ inline void add_box(Scene& scene, const Point3& corner, const Point3& size, cons
   end_object(scene);
 }
 
-/// A rotation by Euler angles in radians.
+/// The basis of a rotation by Euler angles, in radians.
 inline Basis rotation(double a, double b, double c) {
   const double ca = std::cos(a), sa = std::sin(a), cb = std::cos(b), sb = std::sin(b), cc = std::cos(c), sc = std::sin(c);
   return {Point3{cb * cc, cb * sc, -sb}, Point3{sa * sb * cc - ca * sc, sa * sb * sc + ca * cc, sa * cb},

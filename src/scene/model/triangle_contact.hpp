@@ -1,5 +1,5 @@
 #pragma once
-/// Whether two triangles in space meet.
+/// Intersection test of two triangles in space.
 
 #include <array>
 
@@ -7,20 +7,20 @@
 
 namespace ligne {
 
-/// Side of the plane through a, b, c on which d lies: +1 when a, b, c run clockwise as seen from d, -1 when they run
-/// counter-clockwise, 0 when d lies on the plane, or so near to it that rounding could turn the sign.
+/// Side of the plane through a, b, c on which d lies: +1 if a, b, c are clockwise as seen from d, -1 if
+/// counter-clockwise, 0 if d lies on the plane or so close to it that rounding could reverse the sign.
 ///
 /// Identity: plane_side(a,b,c,d) == plane_side(b,c,a,d) == -plane_side(b,a,c,d), wherever none of them is 0.
 int plane_side(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 
 using Corners3 = std::array<Point3, 3>;
 
-/// Whether the triangles are certain to have no more in common than their first `shared` corners, which are those of both,
-/// in the same order: nothing, a corner, or a side. False for three shared corners. "Certain": by signs that rounding can
-/// not turn; of triangles that are nearer than that nothing is said.
+/// Whether the triangles certainly have nothing in common but their first `shared` corners, which must be equal and in
+/// the same order: no point, one corner, or one side. False for three shared corners. "Certainly" means by signs that
+/// rounding can not reverse; false may also mean that the triangles are too close to decide.
 bool are_apart(const Corners3& t, const Corners3& u, int shared);
 
-/// Whether all three corners lie on a line, exactly.
+/// Whether the three corners are exactly collinear.
 bool has_no_area(const Corners3& t);
 
 }  // namespace ligne

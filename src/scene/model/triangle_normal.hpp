@@ -1,5 +1,5 @@
 #pragma once
-/// The normal of a triangle, where there are so many that a call for each would count.
+/// The normal of a triangle, inline for loops over many triangles.
 
 #include <glm/geometric.hpp>
 
@@ -7,7 +7,7 @@
 
 namespace ligne {
 
-/// Unit normal of the triangle a, b, c; zero when it has no area. That of face_normal(), to the bit.
+/// Unit normal of the triangle a, b, c; zero if it has no area. It is equal, bit for bit, to that of face_normal().
 inline Point3 triangle_normal(const Point3& a, const Point3& b, const Point3& c) {
   const Point3 sum = Point3{0, 0, 0} + glm::cross(b - a, c - a);  // no negative zeros
   const double length = glm::length(sum);
