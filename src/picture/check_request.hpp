@@ -1,12 +1,13 @@
 #pragma once
-/// Refusal of requests whose parts do not go together.
+/// Validation of requests.
 
 #include "picture/requests.hpp"
 
 namespace ligne {
 
-/// Throws RequestError when parts of the request do not go together, or not with the method: gray faces and hatching with
-/// the format, hatching and fills with what the method produces, margins with the page.
+/// Throws RequestError if parts of the request contradict each other or the method: grey faces or hatching in a format
+/// that can not have them, hatching or fills with a method that does not return what they need, margins that leave no
+/// page.
 void check(const PictureRequest& request);
 
 }  // namespace ligne

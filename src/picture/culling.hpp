@@ -1,12 +1,12 @@
 #pragma once
-/// Back faces left out before the study.
+/// Culling of back faces before the visibility method runs, with a warning for what is kept.
 
 #include "picture/run_report.hpp"
 #include "view/cull.hpp"
 
 namespace ligne {
 
-/// Leaves the back faces out of the projected scene; objects that keep theirs add one warning.
+/// Removes the back faces from the projected scene. One warning counts the objects that keep theirs.
 BackFaces cull_back_faces(const Scene& scene, const Topology& topology, ProjectedScene& projected, RunReport& run);
 
 }  // namespace ligne

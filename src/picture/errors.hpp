@@ -1,13 +1,14 @@
 #pragma once
-/// Errors of a request.
+/// The exception for requests that can not be served.
 
 #include <stdexcept>
 #include <string>
 
 namespace ligne {
 
-/// A request that can not be served: a value that has no meaning for this scene, or two that do not go together. `field` is
-/// the name of the command line's option without its dashes ("hatch-spacing"); empty where none is to blame.
+/// A request that can not be served: a value that is invalid for this scene, or two values that contradict each other.
+/// `field` is the name of the command line option without its dashes ("hatch-spacing"), or empty if no single option is
+/// the cause.
 class RequestError : public std::runtime_error {
  public:
   RequestError(std::string field, const std::string& cause)

@@ -1,5 +1,5 @@
 #pragma once
-/// Regions as areas of colour.
+/// Coloured areas for visible faces.
 
 #include <span>
 #include <vector>
@@ -12,23 +12,23 @@
 
 namespace ligne {
 
-/// Colours of the regions, in painting order: those seen through most transparent faces first. `material`: the face's
-/// colour; `shade`: darker as the light comes in flatter, darkest where no light comes; `paper`: white. Without lights a
-/// light stands behind the viewer, to the upper left.
+/// Fills for regions, in painting order: regions behind the most transparent faces first. The colour is, for
+/// `material`, that of the face; for `shade`, that colour made darker the more obliquely the light falls, darkest
+/// without light; for `paper`, white. Without lights, a light behind the viewer to the upper left is assumed.
 std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::vector<Region>& regions,
                                std::span<const Light> lights, FillKind kind);
 
-/// Fills by an order of painting: every piece an area of its own, over those before it. Nothing casts a shadow.
+/// Fills for pieces in painting order: each piece is an area that covers earlier ones. There are no cast shadows.
 std::vector<Fill> fill_pieces(const Scene& scene, const View& view, const PaintOrder& order, std::span<const Light> lights,
                               FillKind kind);
 
-/// Regions seen directly in the gray of the brightness of their faces (0 to 1).
+/// Grey fills for the regions that are seen directly. `brightness`: per face, 0 to 1.
 std::vector<Fill> fill_gray(const std::vector<Region>& regions, const std::vector<double>& brightness);
 
 /// The material of a face.
 Material material_of(const Scene& scene, std::uint32_t face);
 
-/// The material of a region: its own where it is part of a detail, else that of its face.
+/// The material of a region: its own if it is part of a detail, else that of its face.
 Material material_of(const Scene& scene, const Region& region);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Lines of a surface's picture that are drawn apart: heights of contours, bands, hachures, curves in space.
+/// Lines of a surface picture with looks of their own: contour lines by height, bands, hachures, curves in space.
 
 #include <array>
 #include <cstdint>
@@ -13,32 +13,32 @@
 
 namespace ligne {
 
-/// Lines of one look. What is not said is as for all lines of their class.
+/// The look of a group of lines. Empty members mean the look of their line class.
 struct LineGroup {
   std::string layer{};
   std::string object{};
   std::optional<std::array<double, 3>> color{};
   std::optional<double> width_mm{};
-  std::optional<double> height{};  ///< of contour lines
+  std::optional<double> height{};  ///< height of contour lines
 };
 
-/// A line beside the edges of the scene: hidden like these.
+/// A line that is no edge of the scene. Faces hide it like an edge.
 struct SpaceLine {
-  std::array<Point3, 2> ends;
-  std::uint32_t group = 0;
+  std::array<Point3, 2> ends;  ///< model coordinates
+  std::uint32_t group = 0;     ///< index into LineGroups::groups
 };
 
-/// A point that is marked where it is seen, and what is written beside it.
+/// A point that is marked on the page if it is visible.
 struct MarkedPoint {
-  Point3 at{0, 0, 0};
-  std::string label;
+  Point3 at{0, 0, 0};  ///< model coordinates
+  std::string label;   ///< text beside the mark
 };
 
 struct LineGroups {
-  std::vector<LineGroup> groups{{}};  ///< the first one is of all other lines
+  std::vector<LineGroup> groups{{}};  ///< group 0 contains all lines that are in no other group
   std::vector<SpaceLine> lines{};
   std::vector<MarkedPoint> points{};
-  std::function<std::uint32_t(const SourceEdge&, LineClass)> group_of{};  ///< of edges of the scene; empty: the first
+  std::function<std::uint32_t(const SourceEdge&, LineClass)> group_of{};  ///< group of an edge of the scene; empty: 0
 };
 
 }  // namespace ligne

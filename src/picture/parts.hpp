@@ -1,5 +1,5 @@
 #pragma once
-/// Drawings that tell parts apart: lines by their objects, colours and materials.
+/// Drawings whose layers are divided by object, colour and material.
 
 #include <string>
 #include <vector>
@@ -10,13 +10,14 @@
 
 namespace ligne {
 
-/// Whether lines of different objects or materials are drawn apart.
+/// Whether the request divides lines by object, colour or material.
 bool tells_parts(const PictureRequest& request);
 
-/// The names of all objects; those without one have their number.
+/// The names of all objects. An object without a name is named by its number.
 std::vector<std::string> object_names(const Scene& scene);
 
-/// Layers by class, and inside a class by what is told apart. A line belongs to the first face of its source edge.
+/// A drawing with layers by line class, each divided by the objects, colours and materials that the request
+/// distinguishes. A line belongs to the first face of its source edge.
 Drawing drawing_by_parts(const SceneVisibility& study, const Scene& scene, const PictureRequest& request);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// The picture's place on the page.
+/// Placement of the picture on the page.
 
 #include "picture/requests.hpp"
 #include "scene/model/scene.hpp"
@@ -7,7 +7,7 @@
 
 namespace ligne {
 
-/// Room beside the picture for what is written round it, in mm.
+/// Space that is kept free around the picture for axes and texts, in mm.
 struct Room {
   double left = 0, top = 0, right = 0, bottom = 0;
 };
@@ -15,28 +15,27 @@ struct Room {
 struct Placement {
   Page page;
   View view;
-  Rect picture;  ///< page mm that the whole scene takes, before anything is clipped; empty when nothing is in view
+  Rect picture;  ///< page mm: extent of the whole scene before clipping; empty if nothing is in view
 
-  /// Something lies outside the sheet and is clipped away.
+  /// Whether a part of the picture lies outside the sheet and is clipped away.
   bool larger_than_page() const;
 };
 
-/// Throws RequestError when the margins leave nothing of the page.
+/// Throws RequestError if the margins leave no drawable area.
 void check(const PageRequest& request);
 
-/// The camera asked for. Throws RequestError where the request has no meaning for this scene.
+/// The requested camera. Throws RequestError if the request is invalid for this scene.
 Camera camera_of(const ViewRequest& request, const Scene& scene);
 
-/// The page in its orientation: as asked for, else that in which a picture of this extent becomes larger (as the page is
-/// named when both are alike).
+/// The page with its orientation: the requested one, else the one in which a picture of this extent is larger. If both
+/// are equal, the page keeps the orientation in which it is defined.
 Page page_for(const PageRequest& request, const Rect& extent);
 
-/// Chooses the page's orientation and puts the camera's picture, of that extent (see projected_extent), on it, in the middle
-/// of what the margins and the room leave. `unit_mm`: true length of a model unit. Throws RequestError when they leave
-/// nothing.
+/// Chooses the orientation of the page, and centres a picture of that extent (see projected_extent) in the area that
+/// margins and room leave. `unit_mm`: true length of a model unit in mm. Throws RequestError if they leave no area.
 Placement place(const Rect& extent, double unit_mm, const Camera& camera, const PageRequest& request, const Room& room = {});
 
-/// Places by the extent of the scene.
+/// Places the picture by the extent of the scene.
 Placement place(const Scene& scene, const Camera& camera, const PageRequest& request, const Room& room = {});
 
 }  // namespace ligne

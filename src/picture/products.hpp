@@ -1,5 +1,5 @@
 #pragma once
-/// The products of a method that a picture is made of.
+/// Which products of a method a picture needs.
 
 #include <cstdint>
 
@@ -8,23 +8,23 @@
 
 namespace ligne {
 
-/// The method that gives what the picture is made of: the one asked for; else, for fills, hatching and shadows, the first
-/// that gives regions; else the default one, in whose place another one may draw the lines (method_choice.hpp).
+/// The method for a request: the requested one; else, for fills, hatching and shadows, the first that returns regions;
+/// else the default method, which method_choice.hpp may replace by another one.
 const Method& method_of(const PictureRequest& request);
 
-/// Whether fills, hatching, shadows or the areas themselves are asked for.
+/// Whether the request has fills, hatching, shadows or PictureRequest::regions.
 bool asks_for_regions(const PictureRequest& request);
 
-/// Where a method gives regions these are hatched, else its spans.
+/// Whether the picture hatches regions: if the method returns any. Otherwise it hatches spans.
 bool hatches_regions(const PictureRequest& request, const Method& method);
 
-/// Fills are painted from the back to the front, since the method gives an order, and no light casts shadows.
+/// Whether fills are painted from back to front: if the method returns an order and no light casts shadows.
 bool paints_in_order(const PictureRequest& request, const Method& method);
 
-/// Products that the picture is made of; a JSON drawing holds all that there are but pixels.
+/// The products that the picture needs, as bits of Product. A JSON drawing needs all products except pixels.
 std::uint8_t wanted_products(const PictureRequest& request, const Method& method);
 
-/// The picture needs regions of its method.
+/// Whether the picture needs regions of its method.
 bool wants_regions(const PictureRequest& request, const Method& method);
 
 }  // namespace ligne

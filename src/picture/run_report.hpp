@@ -1,5 +1,5 @@
 #pragma once
-/// The report of a run: times of its stages, the method's own figures, and warnings.
+/// The report of a run: times of its stages, statistics of the method, and warnings.
 
 #include <chrono>
 #include <ctime>
@@ -16,14 +16,15 @@
 
 namespace ligne {
 
-/// Times of a run's stages, on the clock and of the processor: of all threads together, and without what other programs
-/// take.
+/// Times of the stages of a run: elapsed time (Statistics::seconds) and processor time, which is the sum over all
+/// threads and does not include other programs.
 struct StageTimes : Statistics {
   std::vector<std::pair<std::string, double>> processor_seconds;
 };
 
-/// Calls the work and, when it is done, adds its times under the stage's name. Work that finds no memory ends in a
-/// MemoryError that names the stage; so does work that asks for more than there are addresses (std::length_error).
+/// Calls work(), and adds its times under the name of the stage when it returns. If it runs out of memory
+/// (std::bad_alloc, or std::length_error from a size beyond the address space), throws a MemoryError that names the
+/// stage.
 template <class Work>
 auto timed(StageTimes& stages, const Stage& stage, Work&& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -51,30 +52,30 @@ auto timed(StageTimes& stages, const Stage& stage, Work&& work) {
   }
 }
 
-/// A fault of a picture, or one that was mended on the way to it.
+/// A warning: a fault of the picture, or a fault of the input that was repaired.
 struct RunWarning {
-  std::string place;  ///< file that it is about; empty: the picture
-  std::string text;   ///< a phrase
+  std::string place;  ///< file that it concerns; empty: the picture
+  std::string text;   ///< phrase without a full stop
 };
 
 struct RunReport {
   std::string method;
-  Statistics study;   ///< the method's own counts and times
-  Statistics clear;   ///< what clear lines leave out or change, by cause; empty for exact ones
-  StageTimes stages;  ///< of the whole run
-  /// The choices where nothing was said: a name and a phrase.
+  Statistics study;   ///< counts and times of the method
+  Statistics clear;   ///< numbers of lines that clear lines remove or change, by cause; empty for exact lines
+  StageTimes stages;  ///< times of all stages of the run
+  /// Automatic choices: the name of the choice ("method"), and a phrase with its result and reason.
   std::vector<std::pair<std::string, std::string>> choices;
   std::vector<RunWarning> warnings;
-  InputFiles files;  ///< that were read on the way
+  InputFiles files;  ///< files that were read
 
   void warn(std::string text) { warnings.push_back({{}, std::move(text)}); }
 };
 
-/// As a table for people.
+/// The report as a table to read.
 std::string report_text(const RunReport& report);
 
-/// As JSON: {"format": "ligne-stats", "version": 1, "method", "counts", "seconds", "clear", "choices", "stages",
-/// "processor_seconds"}; "clear" only where clear lines differ, "choices" only where something was chosen.
+/// The report as JSON: {"format": "ligne-stats", "version": 1, "method", "counts", "seconds", "clear", "choices",
+/// "stages", "processor_seconds"}. "clear" and "choices" are omitted if empty.
 std::string report_json(const RunReport& report);
 
 }  // namespace ligne

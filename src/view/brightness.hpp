@@ -1,5 +1,5 @@
 #pragma once
-/// How much light faces get. Gray faces, fills and hatching all take it from here.
+/// Brightness of faces, for grey faces, fills and hatching.
 
 #include <cstdint>
 #include <span>
@@ -10,28 +10,28 @@
 
 namespace ligne {
 
-/// By face, from 0 to 1: cos^2(theta) / R^2, theta the angle between the face's normal and the direction to the eye, R the
-/// distance of the face's middle from the eye, over the largest such value among the faces before the eye
-/// ([Boulle1980] 2.3.2.1, figure 2.29). In parallel projection the eye is far away, and R is the same for all. With the
-/// light at the eye there are no shadows to be seen.
+/// Brightness per face, 0 to 1, with a light at the eye: cos^2(theta) / R^2, divided by the largest such value among
+/// the faces in front of the eye. theta is the angle between the normal of the face and the direction to the eye, R the
+/// distance of the centre of the face from the eye ([Boulle1980] 2.3.2.1, figure 2.29). In parallel projection R is the
+/// same for all faces. With the light at the eye no shadows are visible.
 std::vector<double> face_brightness(const Scene& scene, const Camera& camera);
 
-/// The light that faces get on the side that is seen. It refers to the scene, the camera and the lights.
+/// Computes the light on the visible side of faces. It keeps references to the scene, the camera and the lights.
 class FaceLight {
  public:
-  /// Without lights one is at the eye: face_brightness().
+  /// If there are no lights, a light at the eye is assumed: face_brightness().
   FaceLight(const Scene& scene, const Camera& camera, std::span<const Light> lights);
 
-  /// From 0 to 1: the mean over the lights of cos(theta), theta between the normal and the way to the light, 0 for one
-  /// behind the face. Bit i of `reached` says whether light i (of the first 32) reaches it, shares[i] how much of it comes
-  /// through transparent faces (all, where there is no such number).
+  /// Brightness of a face, 0 to 1: the mean over the lights of cos(theta), where theta is the angle between the normal
+  /// and the direction to the light; 0 for a light behind the face. Bit i of `reached` says whether light i (of the
+  /// first 32) reaches the face; shares[i] is the fraction of it that passes transparent faces, 1 if missing.
   double of(std::uint32_t face, std::uint32_t reached = 0xffffffffu, std::span<const double> shares = {}) const;
 
  private:
   const Scene& scene_;
   const Camera& camera_;
   std::span<const Light> lights_;
-  std::vector<double> from_eye_;  ///< without lights
+  std::vector<double> from_eye_;  ///< face_brightness() if there are no lights
 };
 
 }  // namespace ligne

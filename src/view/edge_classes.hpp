@@ -1,5 +1,5 @@
 #pragma once
-/// Classes of edges for one view.
+/// Classifies the edges of a scene for one view.
 
 #include <cstdint>
 #include <vector>
@@ -11,21 +11,27 @@
 
 namespace ligne {
 
-/// A face as high as an A4 sheet whose plane makes an angle of this sine with the sight is 1 micrometre wide on the page:
-/// it is seen edge on.
+/// Sine of the angle between the plane of a face and the line of sight below which the face is seen edge on. A face as
+/// high as an A4 sheet (297 mm) would then be at most 1 micrometre wide on the page.
 inline constexpr double kEdgeOnSine = 0.001 / 297;
 
-/// Which way a face looks: +1 towards the viewer, -1 away, 0 when it is seen edge on.
+/// Per face: +1 if it faces the viewer, -1 if it faces away, 0 if it is seen edge on.
 std::vector<std::int8_t> face_facings(const Scene& scene, const Camera& camera);
 
-/// The class of every edge: border (one face), outline (one of its faces looks at the viewer, the other does not; a face
-/// seen edge on looks neither way), crease (normals differ by more than the angle, or more than two faces), mesh (all
-/// others; edges that the file hides or that only cut a polygon can be outlines, but not creases), and before all of these
-/// intersection where surfaces cross along the edge, contour and horizon where it is part of a contour line or of an
-/// iso-curve. Faces that are wound against each other are compared as if one were turned round. A face without area takes
-/// the plane of its neighbour across its longest edge. `creases`: per edge kCreaseLine or kTangentLine
-/// (scene/creases/crease_lines.hpp) where it is such a line
-/// if it is none of the others; then neither the angle nor the number of faces decides.
+/// The class of every edge of the topology: the first of these that applies.
+/// - intersection, contour, horizon: surfaces penetrate each other along the edge; it is part of a contour line; of an
+///   iso-curve.
+/// - border: it has one face.
+/// - crease: it has more than two faces. Only two of them are stored, so they can not decide whether it is an outline.
+/// - outline: its two faces do not face the same way. A face seen edge on faces neither way.
+/// - crease: the normals differ by more than the angle.
+/// - mesh: any other edge. Edges that the file hides, and edges made by triangulation of a polygon, can be outlines but
+///   not creases.
+///
+/// If the windings of two faces contradict each other, one is treated as reversed. A face without area takes the normal
+/// of its neighbour across its longest edge. If `creases` is given (per edge kCreaseLine, kTangentLine or 0, see
+/// scene/creases/crease_lines.hpp), it decides on creases and tangent lines instead of the angle and the number of
+/// faces.
 std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topology, const Camera& camera,
                                       double crease_degrees, const std::vector<std::uint8_t>* creases = nullptr);
 

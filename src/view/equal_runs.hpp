@@ -1,5 +1,5 @@
 #pragma once
-/// Runs of equal keys in an order where equal keys stand together.
+/// Finds runs of equal keys in a list in which equal keys are adjacent.
 
 #include <cstddef>
 
@@ -7,11 +7,11 @@
 
 namespace ligne {
 
-/// Things in a block of for_each_run().
+/// Number of items per block of for_each_run().
 inline constexpr std::size_t kRunBlock = 16'384;
 
-/// Calls visit(begin, end) for the runs of things with equal keys among those of numbers [0, n), in parallel: a run
-/// belongs to the block of kRunBlock things in which it begins.
+/// Calls visit(begin, end) in parallel for each run of at least two items of [0, n) with equal keys; key(i) is the key
+/// of item i. A run is visited by the task of the block in which it begins.
 template <class Key, class Visit>
 void for_each_run(std::size_t n, Key key, Visit visit) {
   parallel_blocks(n, kRunBlock, [&](std::size_t first, std::size_t last) {

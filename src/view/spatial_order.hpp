@@ -1,19 +1,19 @@
 #pragma once
-/// Neighbours on the page become neighbours in memory.
+/// Orders a projected scene so that neighbours on the page are close in memory.
 
 #include "view/projected_scene.hpp"
 
 namespace ligne {
 
-/// Renumbers the vertices along a Morton curve over the page (Morton 1966), and orders the triangles and the edges by their
-/// lowest vertex. What a method then does cell by cell or edge by edge stays within the caches; on a mesh of a million
-/// triangles that halves its time.
+/// Renumbers the vertices along a Morton curve over the page (Morton 1966), and sorts the triangles and the edges by
+/// their lowest vertex. The work of a method on a cell or an edge then stays within the caches, which halves its time
+/// on a mesh of a million triangles.
 void order_spatially(ProjectedScene& scene);
 
-/// Side of the squares of the page that the curve runs through, a million of them.
+/// Side in lattice steps of the squares that the curve visits: 1024 x 1024, about a million, cover the lattice.
 inline constexpr std::int32_t kPageSquareSteps = 2 * kLatticeLimit >> 10;
 
-/// The square of the page by which vertices are ordered: its number along the curve.
+/// The number, along the curve, of the square that contains p. Vertices are sorted by it.
 std::uint32_t page_square(LatticePoint p);
 
 }  // namespace ligne

@@ -5,14 +5,15 @@
 
 namespace ligne {
 
-/// A drawing owes its coordinates to one micrometre. Differences below a quarter of it are noise: lines so close
-/// are one line, and a piece of a line so short, cut off by a crossing, is dropped.
+/// Length on the page, mm, below which differences are noise: a quarter of a micrometre, where the accuracy of a
+/// drawing is one micrometre. Lines this close to each other are one line, and a piece of a line this short between two
+/// crossings is dropped.
 inline constexpr double kLeastPartMm = 0.00025;
 
-/// Lines that lie within this distance of each other on the page are one line: a quarter of a micrometre, or what the
-/// error of the input's coordinates moves two lines by.
+/// Distance on the page, mm, within which two lines are one line: a quarter of a micrometre plus twice the error of the
+/// input coordinates, at most one micrometre.
 inline double coincidence_mm(const ProjectedScene& scene) {
-  const double limit = 0.001;  // never more than the accuracy of the drawing
+  const double limit = 0.001;  // the accuracy of the drawing, mm
   const double input = 2 * scene.input_error_mm;
   return kLeastPartMm + (input < limit - kLeastPartMm ? input : limit - kLeastPartMm);
 }
