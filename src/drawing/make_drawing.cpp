@@ -1,13 +1,13 @@
-/// Strokes joined into polylines, layer by layer.
+/// Joins strokes into polylines, layer by layer.
 ///
-/// 1. Strokes are dealt out to their layers by a counting sort, in their order.
-/// 2. Ends are grouped by lattice point (stroke_nodes.hpp). All arrays are flat: 36 bytes a stroke beside the drawing
-/// itself.
-/// 3. At each node the arms are paired (node_pairs.hpp): `partner` then links the ends of strokes into chains and rings.
-/// 4. The chains are walked from their loose ends, in the order of these, then the rings that are left. Points that lie
-///    exactly on the segment between their neighbours are dropped on the way.
+/// 1. A stable counting sort divides the strokes among their layers.
+/// 2. Ends are grouped by lattice point (stroke_nodes.hpp). All arrays are flat: 36 bytes per stroke besides the
+/// drawing.
+/// 3. At each node the ends are paired (node_pairs.hpp): `partner` then links strokes into chains and rings.
+/// 4. Chains are walked from their loose ends, in the order of these ends; then the remaining rings are walked. Points
+///    exactly on the segment between their neighbours are dropped.
 ///
-/// Layers, and the buckets of one layer, are worked on in parallel; each writes only what is its own, so that the result
+/// Layers, and the buckets of one layer, are processed in parallel. Each writes only memory of its own, so the result
 /// does not depend on the number of threads.
 
 #include <algorithm>

@@ -1,12 +1,11 @@
-// Edges come in pairs: e runs one way, e ^ 1 the other way. The edges that leave a point form a ring, counter-clockwise;
-// with that
-//   the next edge round the face on the left of e is the one before e ^ 1 in its ring,
-//   the previous one round the face on its left is the reverse of the one behind e in its ring,
-//   the previous one round the face on its right is the one behind e ^ 1 in its ring.
+// Edges come in pairs: e runs one way, e ^ 1 the other way. The edges that leave a point form a ring in
+// counter-clockwise order. Hence the next edge around the face on the left of e is the predecessor of e ^ 1 in its
+// ring, the previous edge around the face on the left of e is the reverse of the successor of e in its ring, the
+// previous edge around the face on the right of e is the successor of e ^ 1 in its ring.
 //
-// The points come along a Morton curve, so a range of them is cut in two by the highest bit in which its keys differ: along
-// x or along y, all of one half before all of the other. Cuts along y are cuts along x of the points turned by a quarter,
-// (x, y) to (y, -x), and turning changes none of the signs that decide.
+// The points are sorted along a Morton curve, so the highest bit in which the keys of a range differ divides it in x or
+// in y, with one half before the other. A division in y is a division in x of the points rotated by a quarter turn, (x,
+// y) to (y, -x), and the rotation changes none of the signs that decide.
 
 #include "geometry/delaunay.hpp"
 
@@ -21,8 +20,8 @@
 namespace ligne {
 namespace {
 
-/// Sign of: d lies within the circle through a, b, c, which turn counter-clockwise. Differences have 27 bits, their squares'
-/// sums 55, the products of three 111: exact in 128.
+/// Sign of: d lies within the circle through a, b, c, which turn counter-clockwise. Differences have 27 bits, their
+/// squares' sums 55, the products of three 111: exact in 128.
 bool in_circle(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint d) {
   struct Lifted {
     std::int64_t x, y, square;
@@ -144,7 +143,8 @@ class Triangulation {
     return {lowest, highest};
   }
 
-  /// Gives an edge of the hull, counter-clockwise. The calls nest no deeper than keys have bits, and halves beyond that.
+  /// Gives an edge of the hull, counter-clockwise. The calls nest no deeper than keys have bits, and halves beyond
+  /// that.
   Edge divide(std::uint32_t begin, std::uint32_t end, Cut cut) {
     if (end - begin == 2) return make(begin, begin + 1);
     if (end - begin == 3) return three(begin);

@@ -1,5 +1,5 @@
 #pragma once
-/// Clipping to the view volume, before the division by w (Sutherland and Hodgman 1974 in homogeneous coordinates).
+/// Clipping to the view volume in homogeneous coordinates, before the division by w (Sutherland and Hodgman 1974).
 
 #include <array>
 #include <optional>
@@ -11,13 +11,13 @@
 
 namespace ligne {
 
-/// w >= near and the page point inside the window.
+/// A view volume: the points with w >= near_distance whose page point lies in the window.
 struct ClipVolume {
   Rect window;
   double near_distance = 0;
 
   static constexpr int kPlanes = 5;
-  /// Signed distance to plane i, in no particular unit: >= 0 inside.
+  /// Signed distance to plane i, scaled by a positive factor: >= 0 inside.
   double distance(int plane, const HomogeneousPoint& p) const {
     switch (plane) {
       case 0:
@@ -40,33 +40,34 @@ struct ClipVolume {
   }
 };
 
-/// The volume in which lines are drawn: the window, and points that the lattice rounds onto its border. So a line along the
-/// border, or a vertex on it, is in view whatever the last digits of its projection.
+/// The volume in which lines are drawn: the window and all points that the lattice rounds onto its border. So a line
+/// along the border, or a vertex on it, is in view whatever the rounding of its projection.
 ClipVolume line_volume(const View& view, const Lattice& lattice);
 
-/// The volume in which faces are studied: kWindowMarginSteps more than the window, so that a line along the window's border
-/// has on both of its banks what covers it.
+/// The volume to which faces are clipped: larger than the window by kWindowMarginSteps, so that the faces on both sides
+/// of a line along the window's border are known.
 ClipVolume face_volume(const View& view, const Lattice& lattice);
 
-/// Clips a convex contour in place; what is left has no corner when nothing is inside.
+/// Clips a convex contour in place. The result is empty if nothing lies inside.
 void clip_contour(std::vector<HomogeneousPoint>& contour, const ClipVolume& volume);
 
-/// The part of a segment a, b that is inside.
+/// The part of a segment a, b that lies inside a volume.
 struct SegmentPart {
-  /// Parameters of a + t (b - a), 0 <= t <= 1. Since the coordinates are homogeneous, t is also the parameter on the edge in
-  /// model space.
+  /// First and last parameter t of a + t (b - a), 0 <= t <= 1. Since the coordinates are homogeneous, t is also the
+  /// parameter on the edge in model space.
   std::array<double, 2> range{0, 1};
-  /// Per end: it is a point of the volume's border, because the segment's own end lies outside. The parameter does not say:
-  /// where an end is outside by a rounding only, the parameter of the cut may be rounded to 0 or 1.
+  /// Per end: whether the end of the segment lies outside, so that the part ends on the border of the volume. The
+  /// parameters do not tell: if the end is outside by a rounding only, the parameter of the cut may be rounded to 0 or
+  /// 1.
   std::array<bool, 2> cut{false, false};
 
   bool whole() const { return !cut[0] && !cut[1]; }
 };
 
-/// The part inside, or nothing. An end is cut when and only when the volume does not contain it.
+/// The part inside, or nothing. An end is cut if and only if the volume does not contain it.
 std::optional<SegmentPart> clip_segment(const HomogeneousPoint& a, const HomogeneousPoint& b, const ClipVolume& volume);
 
-/// a + t (b - a).
+/// The point a + t (b - a).
 HomogeneousPoint interpolate(const HomogeneousPoint& a, const HomogeneousPoint& b, double t);
 
 }  // namespace ligne

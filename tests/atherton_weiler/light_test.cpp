@@ -1,5 +1,5 @@
-// Shadows, transparency and details on scenes whose areas are known. All are drawn from above or from the front, so that a
-// region's area is that of the part of the face, at one page millimetre to a model unit.
+// Shadows, transparency and details on scenes whose areas are known. All are drawn from above or from the front, so
+// that a region's area is that of the part of the face, at one page millimetre to a model unit.
 
 #include "drawing/measures.hpp"
 #include "picture/draw_scene.hpp"
@@ -105,9 +105,9 @@ TEST(Shadows, ASquareOverAFloor) {
 }
 
 TEST(Shadows, AFrameOverAFloorInTwoLights) {
-  // Parallel: the frame moved by (8, 8): (10, 10) to (14, 14), its hole (11, 11) to (13, 13). The point at (4, 4, 8) doubles
-  // about (4, 4): (0, 0) to (8, 8), hole (2, 2) to (6, 6); of that the frame hides all but ... from above it covers (2, 2)
-  // to (6, 6) less (3, 3) to (5, 5).
+  // Parallel: the frame moved by (8, 8): (10, 10) to (14, 14), its hole (11, 11) to (13, 13). The point at (4, 4, 8)
+  // doubles about (4, 4): (0, 0) to (8, 8), hole (2, 2) to (6, 6); of that the frame hides all but ... from above it
+  // covers (2, 2) to (6, 6) less (3, 3) to (5, 5).
   const Seen seen("shadow_frame.json", "top");
   const auto floor = seen.lit(0, seen.scene.lights);
   EXPECT_NEAR(floor.at(2), 16 - 4, kArea);  // reached by the point only
@@ -134,9 +134,9 @@ double perimeter(const Region& region) {
 }
 
 TEST(Shadows, NoSliversAlongTheBordersOfFaces) {
-  // The lit part of a triangle ends at its border, on the light's page as on the viewer's, but rounded otherwise. The two
-  // dark parts have the square's sides and, twice, the piece in it of the line from (0, 0) to (9.3, 10.7): nothing that runs
-  // on along the line.
+  // The lit part of a triangle ends at its border, on the light's page as on the viewer's, but rounded otherwise. The
+  // two dark parts have the square's sides and, twice, the piece in it of the line from (0, 0) to (9.3, 10.7): nothing
+  // that runs on along the line.
   const Seen seen("shadow_triangles_askew.json", "top");
   constexpr double kSlope = 10.7 / 9.3;
   for (const double x : {1.0, 1.01, 1.07, 1.13, 1.21}) {
@@ -151,8 +151,8 @@ TEST(Shadows, NoSliversAlongTheBordersOfFaces) {
 }
 
 TEST(Shadows, TransparentFacesWeakenTheLight) {
-  // Light falls by 1 where it goes 1 to the right. On the floor: red (6, 2) to (10, 6), blue (6, 4) to (10, 8), the opaque
-  // square (18, 12) to (20, 16).
+  // Light falls by 1 where it goes 1 to the right. On the floor: red (6, 2) to (10, 6), blue (6, 4) to (10, 8), the
+  // opaque square (18, 12) to (20, 16).
   const Seen seen("shadow_glass.json", "top");
   std::map<std::pair<std::uint32_t, double>, double> areas;  // by face and share
   for (const Region& r : cast_shadows(seen.scene, seen.topology, seen.view, seen.scene.lights, seen.regions).regions) {
@@ -170,9 +170,9 @@ TEST(Shadows, TransparentFacesWeakenTheLight) {
   EXPECT_NEAR((areas[{1, 1.0}]), 16, kArea);
   EXPECT_NEAR((areas[{3, 1.0}]), 16, kArea);
   EXPECT_EQ(areas.size(), 9u);
-  // The opaque square: three sides, 8. Red and blue on the floor: x = 10 from 2 to 8; y = 2 from 6 to 10; y = 4, 6 and 8
-  // from 8 to 10, before that under blue's border or, y = 6, under the line that red casts on blue; x = 6 up to 6 under
-  // red's border, then to 8 behind blue. On blue: y = 6, up to x = 6 under red's border.
+  // The opaque square: three sides, 8. Red and blue on the floor: x = 10 from 2 to 8; y = 2 from 6 to 10; y = 4, 6 and
+  // 8 from 8 to 10, before that under blue's border or, y = 6, under the line that red casts on blue; x = 6 up to 6
+  // under red's border, then to 8 behind blue. On blue: y = 6, up to x = 6 under red's border.
   const auto lines = seen.shadow_lines(seen.scene.lights);
   EXPECT_NEAR(lines.at(0), 8 + 6 + 4 + 2 + 2 + 2 + 2, kLength);
   EXPECT_NEAR(lines.at(1), 2, kLength);
@@ -209,8 +209,8 @@ TEST(Transparency, LevelsAreListedToAnyDepth) {
 }
 
 TEST(Transparency, OneTriangleOfGlassHidesNothing) {
-  // The transparent faces has legs of 24. It covers the wall, 8 x 8, of which sixteen triangles with legs of 1 hide half a
-  // unit each.
+  // The transparent faces has legs of 24. It covers the wall, 8 x 8, of which sixteen triangles with legs of 1 hide
+  // half a unit each.
   const Seen seen("glass_triangle.json", "front");
   std::map<FaceAndLevel, double> areas = seen.areas();
   const auto at = [&](std::uint32_t face, std::uint32_t level) { return areas[{face, level}]; };
@@ -221,9 +221,10 @@ TEST(Transparency, OneTriangleOfGlassHidesNothing) {
 }
 
 TEST(Transparency, LinesAreSeenThroughToAnyDepth) {
-  // Green (3, 3) to (9, 9) before blue (4, 4) to (11, 11) before red (1, 1) to (8, 8), 28 round each of the latter. Through
-  // green: of blue two sides of 5; of red two sides from 3 to 8, of which 4 to 8 lies behind blue too. The window (5, 5) to
-  // (7, 7) is behind all. The plate that is seen edge on, x = 10 from 0.5 to 11.5, lies behind blue from 4 on, to 11.
+  // Green (3, 3) to (9, 9) before blue (4, 4) to (11, 11) before red (1, 1) to (8, 8), 28 round each of the latter.
+  // Through green: of blue two sides of 5; of red two sides from 3 to 8, of which 4 to 8 lies behind blue too. The
+  // window (5, 5) to (7, 7) is behind all. The plate that is seen edge on, x = 10 from 0.5 to 11.5, lies behind blue
+  // from 4 on, to 11.
   const Seen seen("transparent_three.json", "front");
   const auto lines = Seen::lengths(seen.strokes, [](const Stroke& s) { return s.visible; });
   EXPECT_NEAR(lines.at(0), 24 + (28 - 10) + (28 - 10) + 48 + (11 - 7), kLength);
@@ -238,8 +239,8 @@ TEST(Transparency, LinesAreSeenThroughToAnyDepth) {
 }
 
 TEST(Shadows, OfWhatGoesOnBeyondTheSheet) {
-  // A floor that is a square on its tip, ten from the centre to each corner, all in the light; the sheet is the 3 x 3 in its
-  // middle.
+  // A floor that is a square on its tip, ten from the centre to each corner, all in the light; the sheet is the 3 x 3
+  // in its middle.
   const Seen seen("lit_floor.json", "top", {{98.5, 98.5}, {101.5, 101.5}});
   const auto floor = seen.lit(0, seen.scene.lights);
   EXPECT_NEAR(floor.at(1), 9, kArea);
@@ -247,8 +248,8 @@ TEST(Shadows, OfWhatGoesOnBeyondTheSheet) {
 }
 
 TEST(Details, AreCutAtTheSheet) {
-  // Above z = 7: of the first detail the two horns beside the notch, 2.25 x 3 / 2 each; of the second 3.5 up to z = 8 and 4
-  // above it.
+  // Above z = 7: of the first detail the two horns beside the notch, 2.25 x 3 / 2 each; of the second 3.5 up to z = 8
+  // and 4 above it.
   const Seen seen("details.json", "front", {{0, 0}, {200, 99}});
   const auto [painted, all] = seen.detail_areas();
   // Faces go on a little beyond the sheet (kWindowMarginSteps), along 16 mm.
@@ -258,17 +259,17 @@ TEST(Details, AreCutAtTheSheet) {
 }
 
 TEST(Details, AreCutAtASmallSheet) {
-  // The sheet is x = 9 to 10, z = 7 to 8: of the first detail what is to the left of the notch, which is at x = 10.25 at
-  // z = 7 and at x = 9.5 at z = 8. Its corners lie far outside.
+  // The sheet is x = 9 to 10, z = 7 to 8: of the first detail what is to the left of the notch, which is at x = 10.25
+  // at z = 7 and at x = 9.5 at z = 8. Its corners lie far outside.
   const Seen seen("details.json", "front", {{101, 98}, {102, 99}});
   const double painted = seen.detail_areas()[0];
   EXPECT_NEAR(painted, 1 - 0.5 * (2.0 / 3) / 2, kArea);
 }
 
 TEST(Details, AreClippedWithTheirFace) {
-  // The first detail is 6 x 8 less a notch of 6 x 4 / 2 = 36; the bar takes one row of 6 from it. The second is a triangle
-  // of base 6 and height 4, 12: the hole takes (4, 4) (6, 6) (4, 6) from it, 2; the bar z = 5 to 6 lies before the hole and
-  // from x = 5..6 beside it nothing.
+  // The first detail is 6 x 8 less a notch of 6 x 4 / 2 = 36; the bar takes one row of 6 from it. The second is a
+  // triangle of base 6 and height 4, 12: the hole takes (4, 4) (6, 6) (4, 6) from it, 2; the bar z = 5 to 6 lies before
+  // the hole and from x = 5..6 beside it nothing.
   const Seen seen("details.json", "front");
   const auto [painted, all] = seen.detail_areas();
   EXPECT_NEAR(painted, (36 - 6) + (12 - 2), kArea);
@@ -280,9 +281,8 @@ TEST(Details, AreLinesOfTheirOwnClass) {
   const std::filesystem::path file = std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/atherton_weiler/scenes/details.json";
   Warnings warnings;
   const Scene scene = read_scene(file, {}, warnings);
-  // The bar hides z = 5 to 6: of the first detail the sides at x = 8 and x = 14 lose 1 each; its bottom is 6, the notch
-  // twice
-  // 5. The second loses to the hole what is within (2, 2) and (6, 6).
+  // The bar hides z = 5 to 6: the sides of the first detail at x = 8 and x = 14 lose 1 each. Its bottom has length 6,
+  // the notch 5 twice. The hole removes the part of the second detail between (2, 2) and (6, 6).
   const double first = 7 + 6 + 7 + 5 + 5, second = std::sqrt(8) + std::sqrt(20) + 4;
   double on_face = 0;
   for (const DetailLine& line : detail_lines(scene)) {

@@ -1,14 +1,15 @@
 /// Evenly spaced strokes ([Jobard1997]) in octaves of distance:
 ///
-/// 1. The strokes of distance D lie where D/2 or more is wanted, and go on where strokes are to be closer. Then come those
-/// of
-///    half the distance, between them, where they are wanted; so strokes end one by one towards the light.
-/// 2. A stroke begins beside one that is there, at the distance, or anywhere where there is none. It follows the field both
-///    ways until it meets a rim, the light, or another stroke of its direction.
-/// 3. In between two octaves some strokes of the denser one are drawn: each goes as far as a number of its own allows, which
-///    strokes that begin at the same side of the same stroke share.
+/// 1. Strokes at the distance D are placed wherever a distance of at least D/2 is wanted, and continue where strokes
+/// should be closer. Then strokes at half the distance are placed between them, where they are wanted. So strokes end
+/// one by one towards the light.
+/// 2. A stroke begins at the wanted distance beside an existing one, or anywhere if there is none. It follows the field
+/// in both directions until it meets a rim, the light, or another stroke of its direction.
+/// 3. Between two octaves, some strokes of the denser one are drawn. A number decides how far each of them goes;
+/// strokes that begin on the same side of the same stroke share it.
 ///
-/// Distances are those on the page, between places of one sheet of the surface: each lies near the other's tangent plane.
+/// Distances are measured on the page between points of one sheet of the surface: each lies near the tangent plane of
+/// the other.
 
 #include "picture/hatching/form_strokes.hpp"
 
@@ -161,7 +162,8 @@ bool StrokePlacement::crowded(const Sample& sample, double distance_mm, const Sa
   return false;
 }
 
-/// Appends points until the stroke ends. `closed` where it came back to its beginning, which is then its last point too.
+/// Appends points until the stroke ends. `closed` where it came back to its beginning, which is then its last point
+/// too.
 StrokePlacement::End StrokePlacement::trace(std::vector<Sample>& line, Point3 along, double sign) {
   FormPlace place = line.front().place;
   bool second = second_, closing = false;

@@ -1,26 +1,29 @@
 #pragma once
-/// From a scene as read to a scene that holds its invariants.
+/// Cleans a scene after reading, so that the invariants of Scene hold.
 
 #include "scene/model/diagnostics.hpp"
 #include "scene/model/scene.hpp"
 
 namespace ligne {
 
-/// Warnings of faces that are left out.
+/// Texts of the warnings about removed faces.
 inline constexpr char kDegenerateFaces[] = "faces with fewer than three distinct vertices dropped";
 inline constexpr char kFacesNotFinite[] = "faces with vertices that are not finite dropped";
 
-/// Makes one object of a scene without objects.
+/// If a scene has no objects, adds one that owns all vertices and faces.
 void own_everything(Scene& scene);
 
-/// Welds the vertices of each object that have equal positions, drops faces that have fewer than three distinct vertices
-/// (and repeated corners, and contours that collapse), triangulates faces that are not planar within the precision of
-/// their object, says which faces lose area because their contours cross, and drops vertices that are not finite together
-/// with their faces. Everything dropped or mended is counted in `warnings`. Faces without area whose vertices differ are
-/// kept: they hide nothing, but they join their neighbours.
+/// Makes the invariants of Scene hold, and counts every removal and repair in `warnings`:
+/// - removes vertices that are not finite, with their faces;
+/// - welds the vertices of each object that have equal positions;
+/// - removes repeated corners, collapsed contours, and faces with fewer than three distinct vertices;
+/// - triangulates faces that are not planar within the precision of their object;
+/// - warns of faces that lose area because their contours cross.
+///
+/// Faces without area but with distinct vertices stay: they hide nothing, but they connect their neighbours.
 void finish_scene(Scene& scene, Warnings& warnings);
 
-/// Puts coplanar neighbouring faces of one object and material together into polygons with holes.
+/// Merges adjacent coplanar faces of one object and material into polygons with holes.
 void merge_coplanar_faces(Scene& scene);
 
 }  // namespace ligne

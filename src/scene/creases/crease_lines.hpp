@@ -1,11 +1,12 @@
 #pragma once
-/// Lines that edges of a mesh are, whatever the view.
+/// View-independent classes of edges.
 
 #include <cstdint>
 
 namespace ligne {
 
-/// Values per edge; 0 for all others. A tangent line is no border of a smooth region.
+/// Values of lists with one element per edge; other edges have 0. Smooth regions end at crease lines, not at tangent
+/// lines.
 inline constexpr std::uint8_t kCreaseLine = 1, kTangentLine = 2;
 
 }  // namespace ligne

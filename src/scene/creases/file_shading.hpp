@@ -1,5 +1,5 @@
 #pragma once
-/// The edges over which a file says that its surfaces run smoothly: by normals, or by smoothing groups.
+/// Smooth and sharp edges as a file declares them: by vertex normals, or by smoothing groups.
 
 #include <cstdint>
 #include <vector>
@@ -8,29 +8,28 @@
 
 namespace ligne {
 
-/// A direction in 32 bits: three times ten, right to a tenth of a degree. Zero and what is not finite become 0, no
-/// direction. Unpacked it has whole coordinates, and not the length 1.
+/// Packs a direction into 32 bits, ten per component, accurate to a tenth of a degree. Zero vectors and vectors that
+/// are not finite give 0, which means no direction.
 std::uint32_t packed_direction(const Point3& direction);
+/// The direction of a packed value. Its components are integers, so it does not have unit length.
 Point3 unpacked_direction(std::uint32_t packed);
 
-/// The findings of a reader. Empty where the file says nothing; otherwise one entry for each corner, or each face, of the
-/// scene.
+/// The shading data that a reader finds. A list is empty if the file has no such data.
 struct FileShading {
-  std::vector<std::uint32_t> corner_normals;  ///< packed_direction(); 0: none
-  std::vector<std::uint32_t> face_groups;     ///< smoothing groups of a face; 0: none
-  bool groups_are_bits = false;               ///< a face may be in several groups, each a bit; otherwise in one, a number
+  std::vector<std::uint32_t> corner_normals;  ///< per corner: packed_direction() of its normal; 0: none
+  std::vector<std::uint32_t> face_groups;     ///< per face: its smoothing groups; 0: none
+  bool groups_are_bits = false;               ///< bits, one per group; false: the number of a single group
 };
 
-/// Marks the edges of a scene, as read and not yet cleaned, of which its file speaks, with kCornerSmooth or kCornerSharp at
-/// both of their corners. An edge has two faces, by equal positions, and
-/// - by normals: it is smooth when both faces have the same normal at one of its ends or at both, else sharp. Where both
-/// faces
-///   have their own normals at all of these corners, they are shaded flat, and nothing is said;
-/// - by groups, where a face has no normals: it is smooth when its faces have a group in common, and sharp when one of them
-/// is in
-///   a group and they have none in common.
-/// An object without any sharp edge may be shaded smoothly by a writer that knows nothing of its shape: there only edges
-/// that bend by less than kAveragedDegrees are smooth.
+/// Sets kCornerSmooth or kCornerSharp at both corners of the edges that the file declares smooth or sharp. The scene
+/// must be as read, before it is cleaned. Only edges of two faces count, where edges are found by equal positions.
+/// - By normals: an edge is smooth if both faces have the same normal at one or both of its ends, else sharp. If both
+///   faces have their own face normals at all these corners, they are shaded flat, and the edge is not marked.
+/// - By groups, if a face has no normals: an edge is smooth if its faces have a group in common. It is sharp if at
+///   least one of them is in a group and they have none in common.
+///
+/// If an object has no sharp edge, its writer may have averaged all normals without regard to its shape. Then only
+/// edges with an angle below kAveragedDegrees are marked as smooth.
 void mark_smooth_edges(Scene& scene, const FileShading& shading);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Edges of more than two faces.
+/// Decides which edges of more than two faces are lines.
 
 #include <cstdint>
 #include <vector>
@@ -9,20 +9,23 @@
 
 namespace ligne {
 
-/// An edge at which walls stand on two faces that run on into each other: it is seen from the side of the walls alone.
+/// An edge at which faces ("walls") stand on two faces that continue each other smoothly. The line is visible only from
+/// the side of the walls.
 struct WallEdge {
-  std::uint32_t edge = 0;  ///< of the topology
-  Point3 side{0, 0, 0};    ///< unit vector to the side of the walls, square to the two faces
+  std::uint32_t edge = 0;  ///< index in the topology
+  Point3 side{0, 0, 0};    ///< unit normal of the two smooth faces, towards the side of the walls
 };
 
 struct SheetEdges {
-  /// Per edge of more than two faces, in their order, 1 where it is a line: the directions of two of its faces from it are
-  /// neither alike nor opposite; or all are alike, and the sheets end there.
+  /// Per edge of more than two faces, in ascending order of these edges: 1 if it is a line. It is one if two of its
+  /// faces leave it in directions that are neither equal nor opposite, or if all leave it in the same direction, so
+  /// that the sheets end there.
   std::vector<std::uint8_t> bent;
-  std::vector<WallEdge> walls;  ///< some of these, in ascending order
+  std::vector<WallEdge> walls;  ///< those of them that are wall edges, ascending
 };
 
-/// `crease_cosine` is that of the angle by which directions differ. O(n log n).
+/// Examines all edges of more than two faces. `crease_cosine`: cosine of the smallest angle of different directions.
+/// O(n log n).
 SheetEdges find_sheet_edges(const Scene& scene, const Topology& topology, float crease_cosine);
 
 }  // namespace ligne

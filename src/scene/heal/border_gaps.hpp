@@ -1,5 +1,5 @@
 #pragma once
-/// The borders of an object, how far they lie from each other, and what of that is a crack.
+/// Measures the gaps between the borders of an object, and decides which of them are cracks.
 
 #include <cstdint>
 #include <optional>
@@ -12,10 +12,10 @@
 
 namespace ligne {
 
-/// The border edges of one object, and what can be asked of them.
+/// The border edges of one object.
 class Border {
  public:
-  /// `edges`: those of one object that have one face.
+  /// `edges`: the edges of one object that have exactly one face.
   Border(const Scene& scene, std::vector<Edge> edges);
 
   const std::vector<Edge>& edges() const { return edges_; }
@@ -25,8 +25,8 @@ class Border {
   double median_length() const;
   bool is_of_one_face() const { return one_face_; }
 
-  /// Point `at` of edge e is not next to vertex v: the edge does not end in v, its face does not have v, and the point is
-  /// not the other end of an edge of v.
+  /// Whether the point of edge e at the parameter `at` is not adjacent to vertex v: the edge does not end in v, its
+  /// face does not contain v, and the point is not the other end of an edge of v.
   bool is_apart(std::uint32_t v, std::uint32_t e, double at) const;
 
  private:
@@ -34,19 +34,20 @@ class Border {
   bool adjacent(std::uint32_t u, std::uint32_t v) const;
 
   const Scene& scene_;
-  std::vector<Edge> edges_;  ///< ordered by their vertices
+  std::vector<Edge> edges_;  ///< sorted by their vertices
   std::vector<std::uint32_t> vertices_;
-  /// (face, vertex) of the faces at the border, sorted; none where all faces are triangles.
+  /// Pairs (face, vertex) of the faces at the border, sorted; empty if all faces are triangles.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> corners_;
-  bool one_face_ = false;  ///< all edges are of one face
+  bool one_face_ = false;  ///< whether all edges belong to one face
 };
 
-/// Finds the parts of a border that other parts of it come near to.
+/// Finds the points of a border that are near to other parts of it.
 class BorderSearch {
  public:
   explicit BorderSearch(const Border& border) : border_(border), tree_(border.segments()) {}
 
-  /// The nearest point of the border that is not next to vertex v. `inside` > 0: at least so far from both ends of its edge.
+  /// The nearest point within `distance` of vertex v that is_apart() from it. If `inside` > 0, the point is at least
+  /// that far from both ends of its edge.
   NearestPoint nearest(std::uint32_t v, double distance, double inside = 0) const;
 
  private:
@@ -54,25 +55,23 @@ class BorderSearch {
   EdgeTree tree_;
 };
 
-/// The gaps within a distance, and those beyond it.
+/// The limit between cracks and openings, model units.
 struct GapBreak {
-  double distance = 0;   ///< of what is a crack; 0: there is none
-  std::size_t near = 0;  ///< vertices within it
-  double next = 0;       ///< the nearest beyond it, as far as was looked; 0: none
+  double distance = 0;   ///< widest crack; 0: there are no cracks
+  std::size_t near = 0;  ///< number of vertices with a gap up to this distance
+  double next = 0;       ///< narrowest gap above it, within the range of the search; 0: none
 };
 
-/// Tells cracks from openings by the distances from the vertices of the border to its other parts.
-/// - What two roundings of one point leave between its copies is always a crack: straightness of the input's precision.
-/// - Nothing is a crack that is wider than an eighth of the median border edge, or than 1/4096 of the model, which is less
-/// than
-///   a twentieth of a millimetre on A4: a seventh of a line.
-/// - Between the two the widest break decides: the largest gap such that the next one is twice as wide or more.
-/// Tessellations
-///   of a common curve leave gaps of up to the square of their chords, and openings begin far beyond. Without such a break
-///   nothing tells the one from the other, and only roundings are closed.
+/// Distinguishes cracks from openings by the gaps: the distances from the vertices of the border to its other parts.
+/// - A gap that rounding can leave between two copies of one point is always a crack (straightness_tolerance()).
+/// - A gap wider than an eighth of the median border edge, or than 1/4096 of the model, is never a crack. On A4 the
+///   latter is less than a twentieth of a millimetre, a seventh of a line width.
+/// - In between, the largest ratio decides: the widest gap such that the next wider one is at least twice as wide.
+///   Different tessellations of one curve leave gaps proportional to the squares of their chords, and openings are far
+///   wider. If there is no such break, only gaps from rounding are cracks.
 GapBreak find_gap_break(const Border& border, double precision, double model_size);
 
-/// The break at a distance that is given.
+/// The limit for a given distance.
 GapBreak gaps_within(const Border& border, double distance);
 
 }  // namespace ligne

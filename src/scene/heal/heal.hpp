@@ -1,5 +1,5 @@
 #pragma once
-/// From a mesh as stored to a mesh of the shape that it stands for.
+/// Heals meshes: removes duplicate faces, sews cracks, and makes windings agree.
 
 #include <cstddef>
 #include <optional>
@@ -11,31 +11,31 @@
 namespace ligne {
 
 struct HealOptions {
-  /// Borders that lie so near to each other are sewn (model units); 0: none; nothing: see border_gaps.hpp.
+  /// Largest distance of borders that are sewn, model units; 0: none are sewn; nothing: find_gap_break() decides.
   std::optional<double> sew_distance;
-  /// Adjustable: a mesh of so many triangles that nothing is found wrong with costs less when its topology is built first.
-  /// Results do not depend on it.
+  /// Number of triangles from which on the topology is built before faults are searched. That is faster for large
+  /// meshes without faults; results do not depend on it. Adjustable.
   std::size_t topology_first_from = 200'000;
 };
 
-/// The borders of one object, as found and as mended.
+/// The result of sewing the borders of one object.
 struct SewnBorders {
   std::size_t object = 0;         ///< index in Scene::objects
-  double distance = 0;            ///< nothing has moved further, model units
+  double distance = 0;            ///< largest distance that a vertex may have moved, model units
   std::size_t edges = 0;          ///< border edges as stored
   std::size_t edges_left = 0;     ///< border edges that remain
-  std::size_t vertices_near = 0;  ///< vertices of the border that lie within the distance of another one
-  double next_gap = 0;            ///< the nearest of the others, as far as was looked; 0: none
+  std::size_t vertices_near = 0;  ///< border vertices within this distance of another part of the border
+  double next_gap = 0;            ///< narrowest gap that was not sewn, within the range of the search; 0: none
 };
 
 struct HealReport {
-  std::size_t objects_twice = 0;   ///< objects that lie exactly on another one: left without faces
-  std::size_t faces_twice = 0;     ///< faces with the same vertices as another one: left out, those of objects_twice too
-  std::size_t vertices_moved = 0;  ///< vertices of borders put onto another one
-  std::size_t edges_split = 0;     ///< times a border was split where a vertex of another one lies on it (T-junctions)
-  std::size_t faces_turned = 0;    ///< faces turned round so that windings agree
-  std::size_t border_edges = 0;    ///< of the scene as stored, duplicates left out
-  std::vector<SewnBorders> sewn;   ///< objects of which a border was sewn
+  std::size_t objects_twice = 0;   ///< objects that coincide with another one; their faces are removed
+  std::size_t faces_twice = 0;     ///< removed faces with the same vertices as another one, objects_twice included
+  std::size_t vertices_moved = 0;  ///< border vertices that were merged with another one
+  std::size_t edges_split = 0;     ///< splits of border edges on which a vertex of another one lies (T-junctions)
+  std::size_t faces_turned = 0;    ///< faces reversed so that windings agree
+  std::size_t border_edges = 0;    ///< border edges of the scene as stored, without duplicates
+  std::vector<SewnBorders> sewn;   ///< the objects of which a border was sewn
 
   std::size_t edges_sewn() const {
     std::size_t n = 0;
@@ -43,17 +43,16 @@ struct HealReport {
     return n;
   }
 
+  /// Whether nothing was changed.
   bool nothing() const { return objects_twice + faces_twice + faces_turned + sewn.size() == 0; }
 };
 
-/// Heals a finished scene (scene/clean/clean.hpp):
-///   1. Objects that coincide exactly with an earlier one lose their faces, and of the faces of an object that have the same
-///      vertices, in whatever winding, the first one stays. Edges keep the flags on which all agree, details move to the
-///      face that stays (duplicate_faces.hpp).
-///   2. Within each object, borders that run along each other nearer than a distance are sewn (sew_borders.hpp).
-///   3. Windings of neighbours are made to agree (agree_windings.hpp).
-/// The scene stays finished. `topology` becomes that of the healed scene, and is made once, unless faces were turned. The
-/// result does not depend on the number of threads; time grows as n log n, memory with n.
+/// Heals a scene after finish_scene() (scene/clean/clean.hpp): 1. It removes the faces of objects that coincide exactly
+/// with an earlier object. Of faces of one object with the same vertices, in any winding, only the first stays; its
+/// edges keep the flags that all of them have, and details move to it (duplicate_faces.hpp). 2. Within each object, it
+/// sews borders that are closer to each other than a distance (sew_borders.hpp). 3. It makes the windings of neighbours
+/// agree (agree_windings.hpp). The scene keeps the invariants of finish_scene(). `topology` becomes that of the healed
+/// scene. The result does not depend on the number of threads. O(n log n) time, O(n) memory.
 HealReport heal(Scene& scene, Topology& topology, const HealOptions& options);
 
 }  // namespace ligne

@@ -1,8 +1,7 @@
-/// 1. Of the edges of the box along each axis those are candidates that lie on the convex outline of its picture. One is
-/// chosen for each axis,
-///    so that they do not get into each other's way (axis_edges.cpp).
-/// 2. Ticks are set at round numbers, as many as have room for their numbers.
-/// 3. Numbers of different axes that would touch are thinned; names go outwards until they are free.
+/// 1. An edge of the box is a candidate for its axis if it lies on the convex outline of the picture of the box. One
+///    candidate is chosen per axis, so that the axes do not overlap (axis_edges.cpp).
+/// 2. Ticks are set at round numbers, as many as leave space for their numbers.
+/// 3. Numbers of different axes that would touch are thinned. Names are moved outwards until they touch nothing.
 
 #include "view/axes/axes_layout.hpp"
 
@@ -221,8 +220,8 @@ class Layout {
     }
   }
 
-  /// The point of the edge whose picture is nearest to the middle of what is seen of it; in perspective that is not its own
-  /// middle.
+  /// The point of the edge whose picture is nearest to the middle of what is seen of it; in perspective that is not its
+  /// own middle.
   Point3 to_model_point_on(const AxisEdge& edge, Point2 page) const {
     const HomogeneousPoint a = to_homogeneous(view_, box_.corner(edge.corner));
     const HomogeneousPoint b = to_homogeneous(view_, box_.corner(edge.corner | 1u << edge.axis));
