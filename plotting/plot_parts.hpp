@@ -1,6 +1,6 @@
 #pragma once
-/// Long plots: the part that is left, the parts they are drawn in, and what the machine does on the way. Strokes of pens
-/// that are skipped are not counted.
+/// Long plots: resuming after an interruption, splitting into parts, and actions of the machine in between. Strokes of
+/// skipped pens do not count.
 
 #include <cstddef>
 #include <optional>
@@ -16,44 +16,45 @@ namespace ligne {
 enum class SplitBy { time, distance, lifts };
 inline constexpr std::string_view kSplitNames[] = {"time", "distance", "lifts"};
 
-/// No part is larger, unless it is one stroke: strokes are not cut.
+/// How a plot is split. No part exceeds the limit unless it is a single stroke, since strokes are not cut.
 struct PlotSplit {
   SplitBy by = SplitBy::time;
-  double most = 0;  ///< seconds, mm that the pen draws, or strokes
+  double most = 0;  ///< largest part: seconds, drawn mm, or number of strokes
 };
 
 struct LongPlotRequest {
   std::optional<PlotSplit> split;
-  bool split_files = false;  ///< a file for each part; otherwise the machine waits between them
-  bool pen_files = false;    ///< a file for each pen
-  std::size_t from_stroke = 1;
-  double from_seconds = 0;         ///< the stroke that is drawn then is the first
-  std::optional<double> every_mm;  ///< the machine does `action` before the pen has drawn more than that
-  std::string action, park;        ///< names of the device; `park`: where pens are changed, empty: where it stands
+  bool split_files = false;        ///< one file per part; otherwise the machine pauses between parts
+  bool pen_files = false;          ///< one file per pen
+  std::size_t from_stroke = 1;     ///< first stroke to draw, counted from 1
+  double from_seconds = 0;         ///< start with the stroke that is being drawn at this time
+  std::optional<double> every_mm;  ///< drawn length after which the machine performs `action` at the latest
+  std::string action, park;        ///< an action and a position that the device defines; pens are changed at
+                                   ///< `park`, or, if that is empty, where the pen is
 
   bool asked() const { return split || pen_files || from_stroke > 1 || from_seconds > 0 || every_mm || !park.empty(); }
 };
 
-/// How many strokes are drawn.
+/// Number of strokes of a plot.
 std::size_t stroke_count(const Plot& plot);
 
-/// The plot without its first strokes.
+/// The plot without its first `strokes` strokes.
 Plot without_first(const Plot& plot, std::size_t strokes);
 
-/// How many strokes are drawn, from first to last point, within the first `seconds` on the device.
+/// Number of strokes that the device completes within the first `seconds`.
 std::size_t strokes_within(const Plot& plot, const Device& device, Point2 home, double seconds);
 
-/// The plot with an action before the first stroke, and again before the pen has drawn more than `every_mm`: strokes are cut
-/// there.
+/// Adds an action before the first stroke and whenever the pen has drawn `every_mm` since the last one. Strokes are cut
+/// at these points.
 Plot with_actions(const Plot& plot, double every_mm);
 
-/// The parts in their order. `device` tells the time, and may be null for the others.
+/// Splits a plot into parts, in order. `device` is needed to split by time, and may be null otherwise.
 std::vector<Plot> split_plot(const Plot& plot, const PlotSplit& split, const Device* device, Point2 home);
 
-/// The parts as one plot in which the machine waits between them.
+/// Joins the parts to one plot with a pause between them.
 Plot with_pauses(const std::vector<Plot>& parts);
 
-/// The strokes of each pen, with its number.
+/// Splits a plot by pens: pairs of pen number and plot.
 std::vector<std::pair<unsigned, Plot>> plots_of_pens(const Plot& plot);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Pens, and which of them draws what.
+/// Pens, and the assignment of layers to pens.
 
 #include <array>
 #include <map>
@@ -11,66 +11,69 @@
 
 namespace ligne {
 
+/// A pen and its settings. The signs in quotes encode a setting in the name of a layer (layer_label()).
 struct Pen {
   unsigned number = 1;
-  std::string name;  ///< shown to whoever puts the pen in; may be empty
+  std::string name;  ///< shown to the operator who inserts the pen; may be empty
   std::array<double, 3> color{0, 0, 0};
-  std::optional<double> width_mm;    ///< nothing: that of the lines
-  bool skip = false;                 ///< "%": the software of the machine leaves the layer out
-  bool pause = false;                ///< "!": it waits before the layer
-  std::optional<unsigned> speed;     ///< "+S": percent
-  std::optional<unsigned> height;    ///< "+H": percent
-  std::optional<unsigned> delay_ms;  ///< "+D"
-  std::string label;                 ///< of its layer, where that has one already; empty: made of the above
+  std::optional<double> width_mm;    ///< nothing: the width of the lines
+  bool skip = false;                 ///< "%": the plotter software omits the layer
+  bool pause = false;                ///< "!": the plotter software waits before the layer
+  std::optional<unsigned> speed;     ///< "+S": pen speed, percent
+  std::optional<unsigned> height;    ///< "+H": pen height, percent
+  std::optional<unsigned> delay_ms;  ///< "+D": delay
+  std::string label;                 ///< label of its layer, if given; empty: layer_label() makes one
 };
 
+/// Largest values that are accepted: pen number, degree of darkness, percentage, delay.
 inline constexpr unsigned kMostPens = 1000, kMostPenShades = 4, kMostPercent = 100, kMostDelayMs = 600'000;
 
-/// Name of a pen's layer in an SVG as Inkscape, vpype and the AxiDraw software read it: "2 name", with the signs before the
-/// number and the settings behind it.
+/// Name of the layer of a pen in an SVG, as Inkscape, vpype and the AxiDraw software read it: "2 name", with "%" and
+/// "!" before the number and the settings after it.
 std::string layer_label(const Pen& pen);
 
-/// The pen that the name of a layer asks for, in the words of pens. A layer whose name begins with "%" is not plotted.
+/// The pen number and settings that the name of a layer contains. A layer whose name begins with "%" is not plotted.
 struct LayerLabel {
-  unsigned number = 0;  ///< 0: it tells none
+  unsigned number = 0;  ///< 0: the name contains none
   bool skip = false, pause = false;
   std::optional<unsigned> speed, height, delay_ms;
-  std::string name;  ///< what is left
+  std::string name;  ///< the rest of the name
 };
+/// Parses the name of a layer.
 LayerLabel parse_layer_label(std::string_view label);
 
-/// The pens, and for layers their number. What is not named goes to pen `rest`.
+/// The pens, and the rules that assign layers to them by pen number. Layers without a rule go to pen `rest`.
 struct PenTable {
   std::map<unsigned, Pen> pens;
   std::map<std::string, unsigned, std::less<>> pen_of_layer;
   std::map<std::string, unsigned, std::less<>> pen_of_material;
-  std::vector<std::pair<std::string, unsigned>> pen_of_object;  ///< by patterns of names as of a shell; the last that fits
-  std::map<unsigned, unsigned> pen_of_shade;                    ///< of hatching: degrees of darkness from 1, the darkest
+  std::vector<std::pair<std::string, unsigned>> pen_of_object;  ///< by patterns of names; the last that fits applies
+  std::map<unsigned, unsigned> pen_of_shade;                    ///< of hatching, by darkness; 1 is the darkest
   unsigned rest = 1;
-  bool names_rest = false;  ///< somebody said which pen that is: then numbers in names of layers do not count
+  bool names_rest = false;  ///< the user set `rest`: numbers in layer names are then ignored
 
   bool empty() const { return pens.empty(); }
-  /// Number of the pen that the table names for a layer; nothing where it names none.
+  /// Number of the pen that a rule assigns to a layer; nothing if no rule applies.
   std::optional<unsigned> named_pen_of(std::string_view layer, std::string_view material, unsigned shade = 0,
                                        const std::string& object = {}) const;
-  /// Number of the pen of a layer: by its shade, its object, its material, its name, whatever is named, in this order. A
-  /// layer that nothing is said of and whose name begins with a number has the pen of that number.
+  /// Number of the pen of a layer: by the first rule for its shade, its object, its material or its name, in this
+  /// order. A layer without a rule whose name begins with a number gets the pen of that number.
   unsigned pen_of(std::string_view layer, std::string_view material, unsigned shade = 0,
                   const std::string& object = {}) const;
-  /// The pen of that number, also when the table does not describe it.
+  /// The pen of that number; one with default settings if the table does not describe it.
   Pen pen(unsigned number) const;
 };
 
-/// "#rgb", "#rrggbb" or one of the sixteen names of CSS 1. Throws std::invalid_argument.
+/// Parses a colour: "#rgb", "#rrggbb" or one of the sixteen names of CSS 1. Throws std::invalid_argument.
 std::array<double, 3> parse_color(std::string_view text);
 /// The code of a colour, "#rrggbb".
 std::string color_code(const std::array<double, 3>& color);
 
-/// "CLASS=N", "CLASS=N,COLOUR" or "CLASS=N,COLOUR,WIDTH"; CLASS is a layer, "object:NAME", "material:NAME", "shade:N" or
-/// "rest" for all others. Throws std::invalid_argument.
+/// Adds a rule such as "CLASS=N", "CLASS=N,COLOUR" or "CLASS=N,COLOUR,WIDTH" to a table. CLASS is a layer,
+/// "object:NAME", "material:NAME", "shade:N", or "rest" for all others. Throws std::invalid_argument.
 void add_pen(PenTable& table, std::string_view text);
 
-/// A table of pens as TOML, docs/plotting.md. Throws std::runtime_error, "FILE:LINE: what is wrong".
+/// Reads a table of pens in TOML (docs/plotting.md). Throws std::runtime_error, "FILE:LINE: what is wrong".
 PenTable read_pens(std::string_view toml, const std::string& name);
 
 }  // namespace ligne

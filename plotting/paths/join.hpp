@@ -1,33 +1,35 @@
 #pragma once
-/// Strokes of one pen: every line once, ends joined.
+/// Joins the strokes of one pen: removes coincident lines, and connects ends.
 
 #include "drawing/drawing.hpp"
 
 namespace ligne {
 
-/// How near is together, in page mm. What a pen shows: its line is some tenths of a millimetre wide, and a plotter's step is
-/// 0.025 mm.
+/// Tolerances in page mm. They are below what a pen shows: its line is some tenths of a millimetre wide, and the step
+/// of a plotter is 0.025 mm.
 struct JoinTolerances {
-  double ends_mm = 0.05;     ///< ends so near to each other become one stroke, by a straight piece from one to the other
-  double overlap_mm = 0.01;  ///< segments that lie on each other within this are drawn once; zero leaves them
-  /// A part that a line loses to another, between two parts that stay, is drawn all the same where it is shorter than this
-  /// and the pen would have to be lifted for it.
+  double ends_mm = 0.05;     ///< ends within this distance are joined by a straight segment
+  double overlap_mm = 0.01;  ///< segments that coincide within this distance are drawn once; 0 keeps all
+  /// A coincident part between two parts of a line that stay is drawn twice, if it is shorter than this and omitting it
+  /// would lift the pen.
   double lift_mm = 10;
-  double simplify_mm = 0.01;  ///< how far the line may leave the points that are left out; zero keeps all that turn
-  /// Part of its length that a line may lose by that: ink is length times width. A circle keeps 41 points at the least.
+  double simplify_mm = 0.01;  ///< largest distance of a removed point from the simplified line; 0 removes only points
+                              ///< on straight lines
+  /// Largest fraction of its length that a line may lose by simplification, since ink is length times width. A circle
+  /// keeps at least 41 points.
   double simplify_loss = 0.001;
 };
 
-/// Draws the lines with as few strokes as their ends allow: where strokes meet in a point the straightest continue each
-/// other, what then is left goes on at any angle, closed lines are taken into others that pass one of their points, and the
-/// ends that stay loose are joined within the tolerance, nearest first. So every connected figure is drawn with half as many
-/// strokes as it has points where an odd number of lines meet. Strokes follow each other as their first lines did. A line
-/// without length stays, as a dot of two equal points.
+/// Draws the lines with as few strokes as possible. Where strokes meet in a point, the pairs that make the straightest
+/// lines are joined first, then the remaining ones at any angle. Closed lines are inserted into lines that pass one of
+/// their points. Loose ends within the tolerance are joined, nearest first. So a connected figure takes half as many
+/// strokes as it has points where an odd number of lines meet. The strokes are in the order of the first lines in them.
+/// A line without length stays as a dot of two equal points.
 ///
-/// A line that loses pieces to others is cut only where that spares more way than a lift takes time.
+/// Coincident pieces are cut out of a line only if that saves more time than lifting the pen takes.
 ///
-/// No point of the result is farther from the input, and no point of the input from the result, than the sum of the three
-/// tolerances.
+/// No point of the result is farther from the input, and no point of the input is farther from the result, than the sum
+/// of ends_mm, overlap_mm and simplify_mm.
 Polylines join_strokes(const Polylines& lines, const JoinTolerances& tolerances);
 
 }  // namespace ligne

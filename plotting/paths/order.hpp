@@ -1,5 +1,5 @@
 #pragma once
-/// The order in which a pen draws its strokes.
+/// Orders the strokes of a pen so that the raised pen travels little.
 
 #include <cstdint>
 #include <vector>
@@ -9,17 +9,17 @@
 namespace ligne {
 
 struct OrderOptions {
-  Point2 home{0, 0};          ///< where the pen comes from, page mm
-  bool returns = false;       ///< it goes back there at the end
-  bool inside_first = false;  ///< what lies in a closed stroke is drawn before it, even where the way up becomes longer
-  /// The work that improving may do, in strokes moved: the same for the same input, whatever the machine.
+  Point2 home{0, 0};          ///< start of the pen, page mm
+  bool returns = false;       ///< whether the pen travels back there at the end
+  bool inside_first = false;  ///< draw strokes inside a closed stroke before it, even if the raised pen travels farther
+  /// Limit of the optimization, in moved strokes. It does not depend on time, so the result is the same on any machine.
   std::uint64_t most_work = 150'000'000;
 };
 
-/// Puts the strokes in an order, and each in a direction, that makes the way with the pen up short: nearest neighbour first,
-/// then 2-opt and or-opt until nothing is gained or the work is done. Closed lines start where that is best.
-/// The way with the pen up is never longer than in the given order. `order`, if not null, gets the given numbers of the
-/// strokes in their new order.
+/// Chooses order and directions of the strokes so that the travel of the raised pen is short: by nearest neighbours
+/// first, then by 2-opt and or-opt until there is no gain or the limit is reached. Closed lines start at the best of
+/// their points. The travel is never longer than in the given order. `order`, if not null, receives the original
+/// indices of the strokes in the new order.
 Polylines order_strokes(const Polylines& lines, const OrderOptions& options, std::vector<std::uint32_t>* order = nullptr);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Files that are whole or not there.
+/// Output files, written completely or not at all.
 
 #include <filesystem>
 #include <memory>
@@ -17,17 +17,16 @@ class OutputError : public std::runtime_error {
  public:
   OutputError(const std::filesystem::path& file, int error);
   const std::filesystem::path& file() const { return file_; }
-  int error() const { return error_; }  ///< as errno has it
+  int error() const { return error_; }  ///< value of errno
 
  private:
   std::filesystem::path file_;
   int error_;
 };
 
-/// The files that a run writes, all or none: each is written beside its target, and when all of them stand there they are
-/// renamed. What can not be taken back comes between: standard output ("-"), and devices and pipes, which are written as
-/// they are. Every function throws OutputError; what was not put in place then is
-/// removed.
+/// The files that a run writes: all or none. Each is written to a temporary file in the directory of its target. When
+/// all are complete, standard output ("-"), devices and pipes are written, since they can not be undone, and then the
+/// temporary files are renamed. Every function may throw OutputError; the remaining temporary files are then removed.
 class OutputFiles {
  public:
   OutputFiles();
@@ -35,14 +34,14 @@ class OutputFiles {
   OutputFiles(const OutputFiles&) = delete;
   OutputFiles& operator=(const OutputFiles&) = delete;
 
-  /// Writes the bytes beside the file, or keeps them for what is no regular file.
+  /// Writes the bytes to a temporary file; if the target is no regular file, keeps them in memory.
   void add(const std::filesystem::path& file, std::string bytes);
-  /// Puts everything in its place; nothing is left to be written afterwards.
+  /// Renames all temporary files to their targets, after the kept bytes were written.
   void commit();
 
  private:
   struct Beside {
-    std::filesystem::path file, target;  ///< as named, and what that leads to
+    std::filesystem::path file, target;  ///< the name that was given; the file to which its links lead
     std::unique_ptr<TemporaryFile> temporary;
   };
   struct InPlace {
@@ -53,10 +52,10 @@ class OutputFiles {
   std::vector<InPlace> in_place_;
 };
 
-/// Removes what is written but not put in its place, when the program has to end at once: it asks for no memory.
+/// Removes all temporary files when the program must end at once. It allocates no memory.
 void remove_unfinished_output();
 
-/// One file by itself.
+/// Writes a single file.
 void write_output(const std::filesystem::path& file, std::string bytes);
 
 }  // namespace ligne

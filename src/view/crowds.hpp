@@ -1,5 +1,5 @@
 #pragma once
-/// Crowds of vertices: more than can be told apart on paper.
+/// Merges crowds of vertices: more vertices within the tolerance than a drawing can resolve.
 
 #include <vector>
 
@@ -7,14 +7,15 @@
 
 namespace ligne {
 
-/// Adjustable: so many vertices in a cube are left alone.
+/// Largest number of vertices in a cube that is no crowd. Adjustable.
 inline constexpr std::size_t kCrowdOfVertices = 16;
 
-/// Gives all vertices of a crowd one place and depth. A crowd is more than sixteen vertices in a cube of the given side,
-/// with those in the cubes around it; the fullest cube gathers first, so no vertex moves by more than two sides along an
-/// axis, and what is no crowd stays as it is. Each pair of the faces of a crowd would be just within the tolerances of each
-/// other or just not: their number would grow with the square of the input, and what they draw would be noise. Vertices must
-/// be ordered by order_spatially(). O(n log n).
+/// Gives all vertices of a crowd the same position and depth. A crowd is more than kCrowdOfVertices vertices in a cube
+/// of the given side, together with those in the cubes around it; its side is `side_steps` on the page and `side_mm` in
+/// depth. The fullest cube is processed first, so no vertex moves by more than two sides along an axis. Other vertices
+/// do not move. Without this, every pair of faces of a crowd would be a decision at the limit of the tolerance: the
+/// work would grow with the square of the input, and the lines would be noise. Vertices must be sorted by
+/// order_spatially(). O(n log n).
 void gather_crowds(std::vector<ProjectedVertex>& vertices, double side_steps, double side_mm);
 
 }  // namespace ligne

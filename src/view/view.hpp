@@ -95,8 +95,8 @@ Point3 camera_coordinates(const Camera& camera, const Point3& p);
 /// field of view. Empty if nothing is in view.
 Rect projected_extent(const Scene& scene, const Camera& camera);
 
-/// The camera whose picture shows the model rotated about the axis through `centre`, counter-clockwise as seen against
-/// the axis.
+/// The camera whose picture shows the model rotated about the axis through `centre`, counter-clockwise as seen with
+/// the axis pointing at the viewer.
 Camera with_model_turned(const Camera& camera, Axis axis, const Point3& centre, double degrees);
 
 /// The centre of the scene's bounding box; the origin if there are no vertices.

@@ -10,19 +10,19 @@
 
 namespace ligne {
 
-/// All methods, in the order in which people are shown them.
+/// All methods, in the order in which lists show them.
 std::span<const Method* const> all_methods();
 
-/// The method for lines when nothing is known of the scene.
+/// The method for lines if nothing is known about the scene.
 const Method& default_method();
 
 /// The method of that name, or nullptr. "auto" is the default method.
 const Method* find_method(std::string_view name);
 
-/// The first method that produces regions: what draws fills, hatching and shadows when no method is named.
+/// The first method that produces regions. It draws fills, hatching and shadows if the request names no method.
 const Method& region_method();
 
-/// The names of the methods that produce one of the products, "a, b".
+/// The names of the methods that produce at least one of the products, as "a, b".
 std::string methods_with(std::uint8_t products);
 
 }  // namespace ligne

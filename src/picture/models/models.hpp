@@ -1,5 +1,5 @@
 #pragma once
-/// Several model files read into one scene.
+/// Reads model files into one scene.
 
 #include <memory>
 #include <optional>
@@ -17,17 +17,17 @@
 
 namespace ligne {
 
-/// Objects of that name moved by `units` model units and `mm` of true length.
+/// A displacement of the objects whose names fit a pattern: `units` model units plus `mm` millimetres of true length.
 struct PartMove {
   std::string pattern;
   Point3 units{0, 0, 0}, mm{0, 0, 0};
 };
 
-/// Which objects are drawn, by their names (name_fits() in scene/clean/named_objects.hpp), and where.
+/// Selection and displacement of objects by patterns of their names (name_fits() in scene/clean/named_objects.hpp).
 struct PartRequest {
-  std::vector<std::string> only;  ///< empty: all
-  std::vector<std::string> hide;
-  std::vector<PartMove> moves;  ///< all that fit add up
+  std::vector<std::string> only;  ///< objects to draw; empty: all
+  std::vector<std::string> hide;  ///< objects to omit
+  std::vector<PartMove> moves;    ///< all that fit an object are added
 
   bool asked() const { return !only.empty() || !hide.empty() || !moves.empty(); }
 };
@@ -35,59 +35,60 @@ struct PartRequest {
 struct ModelRequest {
   std::vector<std::string> files;
   PartRequest parts{};
-  bool tell_parts = false;          ///< parts are told apart in the picture: so are the groups of an OBJ without objects
-  std::optional<double> unit_mm{};  ///< true length of a model unit; nothing: the first scene's
-  /// Clear lines: borders of one object that lie so near to each other are sewn, model units; nothing: what is a crack is
-  /// found out; 0: none. Exact lines: vertices of one object so near to each other become one; nothing: at equal positions.
+  bool tell_parts = false;          ///< the picture distinguishes objects: groups of an OBJ may be objects
+  std::optional<double> unit_mm{};  ///< true length of a model unit in mm; nothing: that of the first file
+  /// A distance in model units. Clear lines: borders of one object within this distance are sewn; nothing: the width of
+  /// cracks is detected; 0: none are sewn. Exact lines: vertices of one object within this distance are welded;
+  /// nothing: only those at equal positions.
   std::optional<double> weld_distance{};
-  bool merge_coplanar = false;      ///< put coplanar neighbouring faces together into polygons
+  bool merge_coplanar = false;      ///< merge adjacent coplanar faces into polygons
   std::optional<ScenePose> pose{};  ///< the moment of an animation of glTF files
   Quality quality = Quality::clear;
-  std::optional<Subdivision> subdivision{};  ///< polygons are control meshes: their limit surfaces are drawn
-  bool shading = true;  ///< clear lines: creases are asked for, so what a file says of smooth and sharp edges counts
+  std::optional<Subdivision> subdivision{};  ///< treat polygons as control meshes, and draw their limit surfaces
+  bool shading = true;  ///< clear lines: read the smooth and sharp edges of the file, since creases are requested
 };
 
-/// One of the files: what was in it, and what was mended.
+/// A report on one of the files: its contents, and the repairs.
 struct ModelFile {
   std::string name;
   ReadReport report;
   Warnings warnings;
-  std::vector<std::string> remarks{};  ///< how it goes together with the others
-  HealReport healed{};                 ///< clear lines: what was found and done
+  std::vector<std::string> remarks{};  ///< about its combination with the other files, such as different units
+  HealReport healed{};                 ///< clear lines: faults found and repaired
 };
 
 struct LoadedModels {
-  Scene scene;  ///< all files, in the order of the request; the first decides on the up axis
+  Scene scene;  ///< the objects of all files, in the order of the request; the up axis is that of the first file
   std::vector<ModelFile> files;
-  std::optional<Topology> topology;                 ///< of the scene, where it is known already
+  std::optional<Topology> topology;                 ///< of the scene, if it was built already
   std::vector<std::string> object_names;            ///< of all files, also of objects that are not drawn
-  std::shared_ptr<const CompiledScene> compiled{};  ///< of a file of `ligne compile`, which stands alone; else nullptr
-  const Method* compiled_for = nullptr;
+  std::shared_ptr<const CompiledScene> compiled{};  ///< tree of a compiled model, which is the only file; else nullptr
+  const Method* compiled_for = nullptr;             ///< the method that made the tree
 };
 
-/// The file that was compiled, where the request names one. Throws RequestError where something else is asked for that
-/// would change its model.
+/// The name of the compiled model in the request, or null if there is none. Throws RequestError if the request has a
+/// further file, or an option that would change the model.
 const std::string* compiled_file(const ModelRequest& request);
 
-/// Reads all files; what is hidden is left out and what is moved is moved before anything is mended. Throws InputError, and
-/// RequestError where no object has a name, or none is left.
+/// Reads all files. Objects are omitted and moved before anything is repaired. Throws InputError; throws RequestError
+/// if no object fits a pattern, or if none is left.
 LoadedModels load_models(const ModelRequest& request);
 
-/// Loads a scene in memory that is as it would stand in a file; `name` stands in messages.
+/// Like load_models(), for a scene in memory that was not cleaned yet. `name` stands in messages.
 LoadedModels load_model(const ModelRequest& request, Scene scene, const std::string& name);
 
-/// Throws RequestError of that option where no object fits one of the patterns.
+/// Throws RequestError for that option if no object fits one of the patterns.
 void require_names(const LoadedModels& models, const std::string& option, const std::vector<std::string>& patterns);
 
-/// Throws RequestError where the picture has colours or pens for objects or materials that are not there.
+/// Throws RequestError if the picture has colours or pens for objects or materials that do not exist.
 void require_parts(const LoadedModels& models, const PictureRequest& picture);
 
-/// A compiled model keeps what it was compiled with: throws RequestError where one of the method's own options, by their
-/// names, is one of `ligne compile`.
+/// Throws RequestError if one of the named options of the method would have to be given to `ligne compile`, since it
+/// changes the tree of the compiled model.
 void require_no_parameters(const LoadedModels& models, const std::vector<std::string>& names);
 
-/// Puts what was healed into the figures of clear lines, and where it is much, and nobody asked for it, into a warning for
-/// each file.
+/// Adds the repairs of healing to RunReport::clear. Warns once per file if there are many and the user did not ask for
+/// them.
 void report_healing(const LoadedModels& models, const ModelRequest& request, RunReport& run);
 
 }  // namespace ligne
