@@ -2,7 +2,7 @@
 ///
 /// 1. A stable counting sort divides the strokes among their layers.
 /// 2. Ends are grouped by lattice point (stroke_nodes.hpp). All arrays are flat: 36 bytes per stroke besides the
-/// drawing.
+///    drawing.
 /// 3. At each node the ends are paired (node_pairs.hpp): `partner` then links strokes into chains and rings.
 /// 4. Chains are walked from their loose ends, in the order of these ends; then the remaining rings are walked. Points
 ///    exactly on the segment between their neighbours are dropped.

@@ -1,7 +1,8 @@
 // Edges come in pairs: e runs one way, e ^ 1 the other way. The edges that leave a point form a ring in
-// counter-clockwise order. Hence the next edge around the face on the left of e is the predecessor of e ^ 1 in its
-// ring, the previous edge around the face on the left of e is the reverse of the successor of e in its ring, the
-// previous edge around the face on the right of e is the successor of e ^ 1 in its ring.
+// counter-clockwise order. Hence
+// - the next edge around the face on the left of e is the predecessor of e ^ 1 in its ring,
+// - the previous edge around the face on the left of e is the reverse of the successor of e in its ring,
+// - the previous edge around the face on the right of e is the successor of e ^ 1 in its ring.
 //
 // The points are sorted along a Morton curve, so the highest bit in which the keys of a range differ divides it in x or
 // in y, with one half before the other. A division in y is a division in x of the points rotated by a quarter turn, (x,

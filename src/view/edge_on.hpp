@@ -13,12 +13,15 @@ namespace ligne {
 /// Per face: 1 if it is seen edge on within the errors below; empty if no face is.
 ///
 /// The test is in model space, because rounding to the page would move corners out of line: near the eye it is
-/// magnified a thousand times. For the corners p, q, r of a triangle relative to the eye, the scalar triple product p .
-/// (q x r) = p . n with n = (q - p) x (r - p) is six times the volume that they span. It counts as zero up to the sum
-/// of e |n|                             the eye is as near to the plane as the precision e of the object, d (|q x r| +
-/// |r x p| + |p x q|)   its change if each coordinate moves by the rounding d, and its own rounding error; |.| is the
-/// sum of the absolute components. In parallel projection the product is that of n and the line of sight, which has no
-/// position that could be near a plane, so the first term is omitted.
+/// magnified a thousand times. Let p, q, r be the corners of a triangle relative to the eye. The scalar triple product
+/// p . (q x r) = p . n with n = (q - p) x (r - p) is six times the volume that they span. It counts as zero up to the
+/// sum of
+///
+///   e |n|                             the eye is as near to the plane as the precision e of the object,
+///   d (|q x r| + |r x p| + |p x q|)   its change if each coordinate moves by the rounding d,
+///
+/// and its own rounding error; |.| is the sum of the absolute components. In parallel projection the product is that
+/// of n and the line of sight, which has no position that could be near a plane, so the first term is omitted.
 std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology& topology, const Camera& camera);
 
 /// The test for one triangle with corners in model coordinates: `precision` is e, `rounding` is d.

@@ -1,12 +1,12 @@
 /// Evenly spaced strokes ([Jobard1997]) in octaves of distance:
 ///
 /// 1. Strokes at the distance D are placed wherever a distance of at least D/2 is wanted, and continue where strokes
-/// should be closer. Then strokes at half the distance are placed between them, where they are wanted. So strokes end
-/// one by one towards the light.
+///    should be closer. Then strokes at half the distance are placed between them, where they are wanted. So strokes
+///    end one by one towards the light.
 /// 2. A stroke begins at the wanted distance beside an existing one, or anywhere if there is none. It follows the field
-/// in both directions until it meets a rim, the light, or another stroke of its direction.
+///    in both directions until it meets a rim, the light, or another stroke of its direction.
 /// 3. Between two octaves, some strokes of the denser one are drawn. A number decides how far each of them goes;
-/// strokes that begin on the same side of the same stroke share it.
+///    strokes that begin on the same side of the same stroke share it.
 ///
 /// Distances are measured on the page between points of one sheet of the surface: each lies near the tangent plane of
 /// the other.

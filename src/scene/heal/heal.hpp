@@ -47,12 +47,16 @@ struct HealReport {
   bool nothing() const { return objects_twice + faces_twice + faces_turned + sewn.size() == 0; }
 };
 
-/// Heals a scene after finish_scene() (scene/clean/clean.hpp): 1. It removes the faces of objects that coincide exactly
-/// with an earlier object. Of faces of one object with the same vertices, in any winding, only the first stays; its
-/// edges keep the flags that all of them have, and details move to it (duplicate_faces.hpp). 2. Within each object, it
-/// sews borders that are closer to each other than a distance (sew_borders.hpp). 3. It makes the windings of neighbours
-/// agree (agree_windings.hpp). The scene keeps the invariants of finish_scene(). `topology` becomes that of the healed
-/// scene. The result does not depend on the number of threads. O(n log n) time, O(n) memory.
+/// Heals a scene after finish_scene() (scene/clean/clean.hpp):
+///
+/// 1. It removes the faces of objects that coincide exactly with an earlier object. If faces of one object have the
+///    same vertices, in any winding, only the first stays; its edges keep the flags that all of them have, and details
+///    move to it (duplicate_faces.hpp).
+/// 2. Within each object, it sews borders that are closer to each other than a distance (sew_borders.hpp).
+/// 3. It makes the windings of neighbours agree (agree_windings.hpp).
+///
+/// The scene keeps the invariants of finish_scene(). `topology` becomes that of the healed scene. The result does not
+/// depend on the number of threads. O(n log n) time, O(n) memory.
 HealReport heal(Scene& scene, Topology& topology, const HealOptions& options);
 
 }  // namespace ligne

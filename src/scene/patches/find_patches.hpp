@@ -36,13 +36,17 @@ struct Patches {
 };
 
 /// Finds cylinders, cones, spheres and tori in the objects of a scene after finish_scene(). `normals` are those of
-/// face_normals(). The search takes these steps: 1. A facet and its neighbours, the largest facet first, give starting
-/// values for each kind of surface. These are fitted to the corners of the facets (patch_surface.hpp). 2. The surface
-/// grows over facets whose corners lie on it, within the precision of the coordinates or a small fraction of the sag,
-/// and is fitted again. 3. A surface is accepted if its corners can not lie on it by accident. Among several, the one
-/// of largest area wins. 4. Facets at the borders of patches join them, and patches on the same surface are merged. The
-/// result does not depend on the order of faces. The search stops early in objects in which few trials succeed, such as
-/// scans.
+/// face_normals(). The search takes these steps:
+///
+/// 1. A facet and its neighbours, the largest facet first, give starting values for each kind of surface. These are
+///    fitted to the corners of the facets (patch_surface.hpp).
+/// 2. The surface grows over facets whose corners lie on it, within the precision of the coordinates or a small
+///    fraction of the sag, and is fitted again.
+/// 3. A surface is accepted if its corners can not lie on it by accident. Among several, the one of largest area wins.
+/// 4. Facets at the borders of patches join them, and patches on the same surface are merged.
+///
+/// The result does not depend on the order of faces. The search stops early in objects in which few trials succeed,
+/// such as scans.
 Patches find_patches(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals);
 
 }  // namespace ligne

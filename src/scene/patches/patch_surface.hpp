@@ -13,9 +13,11 @@ namespace ligne {
 enum class SurfaceKind : std::uint8_t { cylinder, cone, sphere, torus };
 
 /// A surface with its parameters, in model units. Its normals point away from the axis, the centre or the middle
-/// circle. cylinder  `at` a point of the axis, `radius`; cone      `at` a point of the axis, `radius` the radius there,
-/// which grows by `slope` per unit along the axis; sphere    `at` the centre, `radius`; torus     `at` the centre,
-/// `radius` that of the middle circle of the tube, `tube` the radius of the tube.
+/// circle.
+/// - cylinder: `at` is a point of the axis, `radius` its radius.
+/// - cone: `at` is a point of the axis, `radius` the radius there, which grows by `slope` per unit along the axis.
+/// - sphere: `at` is the centre, `radius` its radius.
+/// - torus: `at` is the centre, `radius` that of the middle circle of the tube, `tube` the radius of the tube.
 struct PatchSurface {
   SurfaceKind kind = SurfaceKind::cylinder;
   Point3 at{0, 0, 0};
