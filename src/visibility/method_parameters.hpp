@@ -1,6 +1,6 @@
 #pragma once
-/// Options that a method has of its own, `--resolution N` for example: described by the method's traits, checked by whoever
-/// reads them, handed to the study as values.
+/// Options that only some methods have, such as `--resolution N`. The traits of a method describe them, the command
+/// line checks their values, and VisibilityOptions::settings passes these to the method.
 
 #include <cassert>
 #include <cstddef>
@@ -14,25 +14,26 @@
 
 namespace ligne {
 
-/// A value is a count from `low` to `high`, or one of the `words`; where there are words and `high` is above 0, either will
-/// do. Methods may have parameters of the same name; they are one option of the command line, and mean the same.
+/// Description of a parameter. A value is a count from `low` to `high`, or one of the `words`. If there are words and
+/// `high` is above 0, both are accepted. Parameters of several methods with the same name mean the same, and are one
+/// option of the command line.
 struct MethodParameter {
   std::string_view name;      ///< "resolution" is the option --resolution
-  std::string_view kind;      ///< what stands for the value in a help text, "N"
-  std::string_view meaning;   ///< a few words
-  std::string_view standard;  ///< what holds when it is not given, as in a help text; may be empty
+  std::string_view kind;      ///< placeholder for the value in a help text, such as "N"
+  std::string_view meaning;   ///< description in a few words, for the help text
+  std::string_view standard;  ///< default as shown in a help text; may be empty
   std::span<const std::string_view> words{};
   unsigned low = 0, high = 0;
-  bool of_compile = false;  ///< a parameter of Method::compile()
+  bool of_compile = false;  ///< whether Method::compile() reads it
 };
 
-/// One of the words of a parameter, by its place among them.
+/// One of the words of a parameter, by its index in MethodParameter::words.
 struct ParameterWord {
   std::size_t index = 0;
 };
 using ParameterValue = std::variant<unsigned, ParameterWord>;
 
-/// The values given. A parameter that is not here has the method's own default.
+/// The given values of parameters. A parameter without a value has the default of the method.
 class MethodSettings {
  public:
   void set(std::string_view name, ParameterValue value) {
@@ -47,19 +48,20 @@ class MethodSettings {
 
   bool has(std::string_view name) const { return find(name) != nullptr; }
 
-  /// The count given; none where there is no value, or a word.
+  /// The value as a count; nothing if there is no value or if it is a word.
   std::optional<unsigned> count(std::string_view name) const {
     const ParameterValue* value = find(name);
     const unsigned* number = value ? std::get_if<unsigned>(value) : nullptr;
     return number ? std::optional(*number) : std::nullopt;
   }
 
-  /// The word given, as an enumeration whose members stand in the order of the words.
+  /// The value as a word, converted to an enumeration whose members are in the order of the words; `standard` if there
+  /// is no value.
   template <class Enum>
   Enum choice(std::string_view name, Enum standard) const {
     const ParameterValue* value = find(name);
     const ParameterWord* word = value ? std::get_if<ParameterWord>(value) : nullptr;
-    assert(word || !value);  // whoever set it has read the description
+    assert(word || !value);  // the command line has checked it against the description
     return word ? static_cast<Enum>(word->index) : standard;
   }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Axes, names and title round the picture of what is plotted.
+/// Axes, texts and map signs around the picture of a plot.
 
 #include <array>
 #include <optional>
@@ -15,48 +15,50 @@
 
 namespace ligne {
 
-/// The marks drawn round a picture, and the picture's place between them.
+/// The marks around a picture, and the placement of the picture between them.
 struct Surroundings {
   Placement placement;
   AxesPicture axes;
   MapMarks map{};
-  std::vector<TextItem> texts;  ///< of the axes, of the map's signs, and the title
+  std::vector<TextItem> texts;  ///< texts of axes and map signs, and the title
 };
 
-/// The measure of the axes: the box before scaling, how the model's coordinates follow from its own, and how the axes count.
+/// The ranges of the axes, in the coordinates of the data, and their mapping to model coordinates:
+/// model = (data - origin) * factor.
 struct PlotBox {
-  AxesBox box;
+  AxesBox box;  ///< ranges of the data
   Point3 factor{1, 1, 1};
-  std::array<TickScale, 3> scales{};
-  GroundUnit unit = GroundUnit::unknown;
-  Point3 origin{0, 0, 0};  ///< subtracted from coordinates before they are scaled
+  std::array<TickScale, 3> scales{};      ///< per axis: linear or logarithmic
+  GroundUnit unit = GroundUnit::unknown;  ///< unit of x and y
+  Point3 origin{0, 0, 0};
 
+  /// The box in model coordinates.
   AxesBox in_model() const { return {(box.low - origin) * factor, (box.high - origin) * factor}; }
 };
 
-/// Height of capitals of the numbers and names. Throws RequestError.
+/// Height of capital letters of numbers and names, mm. Throws RequestError.
 double text_height_mm(const AxesChoice& choice, const Page& page);
 
-/// Places the camera's picture and what is asked for round it on the page. `box` is nothing where there are no heights;
-/// `scene`: what the page must hold where there are no axes.
+/// Places the camera's picture on the page, with the requested axes, map signs and texts around it. `box` is nothing if
+/// the scene is no plot. Without axes, the extent of `scene` is fitted to the page.
 Surroundings place_with_axes(const std::optional<PlotBox>& box, const Scene& scene, const Camera& camera,
                              const PageRequest& page, const AxesChoice& choice, const std::string& heading);
 
-/// The lines of the axes that what is plotted may hide.
+/// The lines of the axes that the plotted surface may hide, in model coordinates.
 std::vector<std::array<Point3, 2>> back_lines(const Surroundings& surroundings);
 
-/// All lines of the surroundings: the grid's, and those before it.
+/// All lines of the axes, in model coordinates: those of back_lines(), then those in front of the surface.
 std::vector<std::array<Point3, 2>> all_lines(const Surroundings& surroundings);
 
-/// The lines of the axes on the page: of back_lines() the parts `seen`, and all that is before them.
+/// The lines of the axes on the page: the visible parts `seen` of each of back_lines(), and all lines in front of the
+/// surface.
 Polylines lines_of_axes(const Surroundings& surroundings, std::span<const std::vector<VisibleInterval>> seen);
 
-/// Adds the labels that stand on the picture itself: heights of contour lines. To be called before
-/// add_surroundings().
+/// Adds the labels inside the picture: heights of contour lines. To be called before add_surroundings().
 void add_labels(Drawing& drawing, const PictureRequest& request, const Surroundings& surroundings);
 
-/// Adds ticks to the layer of the axes, which becomes the last one, the signs of a map, and texts to the drawing. Characters
-/// that the single-stroke font lacks give a warning.
+/// Adds ticks to the layer of the axes, which becomes the last one, the signs of a map, and texts to the drawing.
+/// Characters that the single-stroke font lacks give a warning.
 void add_surroundings(Drawing& drawing, const Surroundings& surroundings, const AxesChoice& choice, RunReport& run);
 
 }  // namespace ligne
