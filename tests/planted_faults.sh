@@ -28,7 +28,7 @@ tree=$work/tree build=$work/tree/build/faults logs=$work/logs
 # notice it and quick. PROGRAM/PART is a folder of tests that is run by itself, and counts as a program.
 programs_of() {
   case $1 in
-    warnock_* | watkins_* | painter_* | bsp_* | newell_* | convex_tree_* | view_*) echo visibility_test methods_test relations_test ;;
+    warnock_* | watkins_* | painter_* | bsp_* | newell_* | convex_tree_* | roberts_* | view_*) echo visibility_test methods_test relations_test ;;
     zbuffer_*) echo visibility_test cli_test methods_test ;;
     weiler_*) echo visibility_test picture_test methods_test relations_test ;;
     contour_*) echo contours_test/clear contours_test/contours contours_test/heal picture_test ;;

@@ -9,6 +9,7 @@
 #include "visibility/edges/appel.hpp"
 #include "visibility/newell/newell.hpp"
 #include "visibility/painter/painter.hpp"
+#include "visibility/roberts/roberts.hpp"
 #include "visibility/warnock/warnock.hpp"
 #include "visibility/watkins/watkins.hpp"
 #include "visibility/zbuffer/zbuffer.hpp"
@@ -26,8 +27,9 @@ std::span<const Method* const> all_methods() {
   static const ZBufferMethod depth_buffer;
   static const PainterMethod painter;
   static const CullingMethod culling;
-  static const std::array<const Method*, 10> methods{&appel, &atherton_weiler, &warnock,      &scan,    &newell,
-                                                     &bsp,   &convex_tree,     &depth_buffer, &painter, &culling};
+  static const RobertsMethod roberts;
+  static const std::array<const Method*, 11> methods{&appel,       &atherton_weiler, &warnock, &scan,    &newell, &bsp,
+                                                     &convex_tree, &depth_buffer,    &painter, &culling, &roberts};
   return methods;
 }
 

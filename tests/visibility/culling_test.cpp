@@ -5,12 +5,12 @@
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
 #include "support/test.hpp"
-#include "visibility/culling/convex_body.hpp"
+#include "visibility/common/convex_body.hpp"
 
 namespace ligne::test {
 namespace {
 
-using namespace culling;
+using namespace convexity;
 
 std::string beyond(const ProjectedScene& scene) { return why_not_one_convex_body(scene, face_the_viewer(scene)); }
 

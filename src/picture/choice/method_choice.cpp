@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "picture/products.hpp"
-#include "visibility/culling/convex_body.hpp"
+#include "visibility/common/convex_body.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
@@ -47,7 +47,7 @@ ChoiceFacts facts_of(const PictureRequest& request, const ProjectedScene& projec
   facts.regions = asks_for_regions(request);
   facts.many_triangles = projected.triangles.size() >= kManyTriangles;
   facts.glass = shows_glass(projected);
-  facts.may_be_one_body = !facts.regions && facts.many_triangles && culling::looks_like_one_convex_body(projected);
+  facts.may_be_one_body = !facts.regions && facts.many_triangles && convexity::looks_like_one_convex_body(projected);
   return facts;
 }
 

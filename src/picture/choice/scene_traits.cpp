@@ -15,7 +15,7 @@
 #include "picture/choice/face_pairs.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/common/facet.hpp"
-#include "visibility/culling/convex_body.hpp"
+#include "visibility/common/convex_body.hpp"
 
 namespace ligne {
 namespace {
@@ -154,7 +154,7 @@ std::size_t count_convex_objects(const ProjectedScene& scene) {
       body.face_is_edge_on.resize(face_number.size());
       for (const auto& [face, number] : face_number) body.face_is_edge_on[number] = scene.face_is_edge_on[face];
     }
-    convex += culling::why_not_one_convex_body(body, culling::face_the_viewer(body)).empty();
+    convex += convexity::why_not_one_convex_body(body, convexity::face_the_viewer(body)).empty();
   }
   return convex;
 }

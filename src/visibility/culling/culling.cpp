@@ -3,7 +3,7 @@
 #include "base/no_index.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"
-#include "visibility/culling/convex_body.hpp"
+#include "visibility/common/convex_body.hpp"
 #include "visibility/edges/line_strokes.hpp"
 
 // Phases: (1) faces by the sign of their area on the page, (2) is it one convex body, (3) edges with a front face are drawn.
@@ -12,7 +12,7 @@
 namespace ligne {
 namespace {
 
-using namespace culling;
+using namespace convexity;
 
 /// The parts that the front facets leave of a line that is no edge of the body: one of axes, or of a contour.
 void visible_of_free_line(const PageLine& line, const std::vector<Facet>& front, const ProjectedScene& scene,
@@ -29,15 +29,16 @@ void visible_of_free_line(const PageLine& line, const std::vector<Facet>& front,
 }  // namespace
 
 const MethodTraits& CullingMethod::traits() const {
-  static const MethodTraits traits{"culling",
-                                   "edges of the faces that look at the viewer: enough for one convex body",
-                                   kStrokes,
-                                   true,
-                                   false,
-                                   "L. G. Roberts, Machine perception of three-dimensional solids, 1963",
-                                   MethodTraits{}.tolerance_mm,
-                                   {},
-                                   "one opaque convex body that is wholly in view"};
+  static const MethodTraits traits{
+      "culling",
+      "edges of the faces that look at the viewer: enough for one convex body",
+      kStrokes,
+      true,
+      false,
+      "P. Boulle, Etude et realisation d'algorithmes pour la visualisation de scenes composees de facettes planes, 1980",
+      MethodTraits{}.tolerance_mm,
+      {},
+      "one opaque convex body that is wholly in view"};
   return traits;
 }
 

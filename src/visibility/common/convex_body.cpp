@@ -1,15 +1,16 @@
-#include "visibility/culling/convex_body.hpp"
+#include "visibility/common/convex_body.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
 #include "visibility/common/facet.hpp"
 
-namespace ligne::culling {
+namespace ligne::convexity {
 namespace {
 
 /// A side of a triangle, by the places of its ends.
@@ -74,13 +75,19 @@ bool is_concave(const ProjectedScene& scene, const Triangle& t, const Triangle& 
                      [&](std::uint32_t v) { return side_of(scene, t, tolerance, v) == outside; });
 }
 
-/// Twice the area of the convex hull of all vertices that triangles use, and its border, |dx| + |dy| [Andrew1979].
+/// Twice the area of the convex hull of all vertices that triangles use, and its border, |dx| + |dy|.
 std::array<double, 2> hull_of(const ProjectedScene& scene) {
   std::vector<LatticePoint> points;
   for (const Triangle& t : scene.triangles) {
     for (const std::uint32_t v : t.v) points.push_back(at(scene, v));
   }
-  std::sort(points.begin(), points.end(), [](LatticePoint a, LatticePoint b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  return area_and_border(convex_hull(std::move(points)));
+}
+
+}  // namespace
+
+std::vector<LatticePoint> convex_hull(std::vector<LatticePoint> points) {
+  std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   std::vector<LatticePoint> hull;
   for (int half = 0; half < 2; ++half) {
@@ -89,9 +96,13 @@ std::array<double, 2> hull_of(const ProjectedScene& scene) {
       while (hull.size() >= begin + 2 && orientation(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
       hull.push_back(p);
     }
-    hull.pop_back();
+    if (!hull.empty()) hull.pop_back();
     std::reverse(points.begin(), points.end());
   }
+  return hull;
+}
+
+std::array<double, 2> area_and_border(const std::vector<LatticePoint>& hull) {
   double area = 0, border = 0;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const LatticePoint a = hull[i], b = hull[i + 1 == hull.size() ? 0 : i + 1];
@@ -100,8 +111,6 @@ std::array<double, 2> hull_of(const ProjectedScene& scene) {
   }
   return {area, border};
 }
-
-}  // namespace
 
 Faces face_the_viewer(const ProjectedScene& scene) {
   Faces faces;
@@ -196,4 +205,4 @@ std::string why_not_one_convex_body(const ProjectedScene& scene, const Faces& fa
   return "";
 }
 
-}  // namespace ligne::culling
+}  // namespace ligne::convexity

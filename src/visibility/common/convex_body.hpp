@@ -1,13 +1,14 @@
 #pragma once
 /// Whether a projected scene is one convex body, as far as its front faces tell: then they are all seen, and nothing else.
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "view/projected_scene.hpp"
 
-namespace ligne::culling {
+namespace ligne::convexity {
 
 /// How a face stands to the viewer.
 enum class Facing : std::uint8_t { edge_on, front, back };
@@ -18,6 +19,13 @@ struct Faces {
   double volume = 0;                ///< six times it, in lattice steps and mm of depth
   std::size_t front = 0, back = 0, edge_on = 0;
 };
+
+/// Corners of the convex hull, positively turned; those in a side are left out. Fewer than three where the points are in a
+/// line. Monotone chains [Andrew1979], O(n log n), on exact signs.
+std::vector<LatticePoint> convex_hull(std::vector<LatticePoint> points);
+
+/// Twice the area of a convex contour, and its border, |dx| + |dy|.
+std::array<double, 2> area_and_border(const std::vector<LatticePoint>& hull);
 
 /// Faces by the sign of their area on the page, turned so that the front is outside: the body's volume is above zero in the
 /// coordinates of the page, whose depth keeps planes plane. O(n).
@@ -38,4 +46,4 @@ bool looks_like_one_convex_body(const ProjectedScene& scene);
 ///   lattice along its border: so they lie beside each other and not over each other.
 std::string why_not_one_convex_body(const ProjectedScene& scene, const Faces& faces);
 
-}  // namespace ligne::culling
+}  // namespace ligne::convexity
