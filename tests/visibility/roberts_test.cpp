@@ -1,6 +1,7 @@
 // Roberts: which scenes it takes for convex bodies, against the plain rule in model space; its lines against those of the
 // default method; how many bodies a line is held against.
 
+#include "base/no_index.hpp"
 #include "drawing/stroke_difference.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"

@@ -23,20 +23,14 @@ std::array<Point3, 2> outline_probe(const Scene& scene, const View& view, const 
 /// Length on the page, mm, of the longest side of the two triangles at a side of the patch.
 double size_on_page(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side);
 
-<<<<<<< HEAD
-/// Lengths on the page that decide about probes, mm.
+/// Lengths on the page, mm.
 struct ProbeSizes {
   double pen_width_mm;
-  double reach_mm;  ///< from the end of an outline to a contour on which it is put
+  double reach_mm;  ///< ends of new strokes within it of a contour are moved onto the contour
 };
 
-/// Adds strokes for the edges whose probes are seen with no visible contour near them. `probes`: the strokes of the probes,
-/// in the order of their sources.
-=======
 /// Adds strokes for the replaced edges whose probes are visible and that have no visible contour near them. `probes`:
-/// the strokes of the probes, sorted by source. Ends of the new strokes within `reach_mm` of a contour are moved onto
-/// it.
->>>>>>> 8c25e621 (Explain contours in the terms of their page)
+/// the strokes of the probes, sorted by source.
 void add_missing_outlines(StrokeModel& model, const View& view, const SmoothContours& contours,
                           const std::vector<Stroke>& probes, const std::vector<SeenContour>& seen, const ProbeSizes& sizes);
 

@@ -6,8 +6,9 @@
 #include <span>
 #include <tuple>
 
-#include "geometry/disjoint_sets.hpp"
-#include "geometry/parallel.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "view/clip.hpp"
 #include "visibility/common/convex_body.hpp"
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "visibility/common/facet.hpp"
 #include "visibility/roberts/box_forest.hpp"
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/no_index.hpp"
+
 namespace ligne::roberts {
 namespace {
 
@@ -154,7 +156,8 @@ void BodyLines::take_facet(const PageLine& line, std::uint32_t number) {
   if (facet.face == line.face0 || facet.face == line.face1) return;
   ++counts_.facets;
   bool near_side = false;
-  open_.take(hidden_interval(line, facet, bodies_.vertices.data(), open_.from(), open_.to(), coincidence_steps_, near_side));
+  open_.take(
+      hidden_interval(line, facet, bodies_.vertices.data(), {open_.from(), open_.to()}, coincidence_steps_, near_side));
 }
 
 }  // namespace ligne::roberts

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "visibility/roberts/bodies.hpp"
 
 namespace ligne::roberts {
