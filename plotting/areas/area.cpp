@@ -14,8 +14,6 @@ namespace {
 constexpr std::size_t kMostClipWork = 1'000'000'000;
 /// A change of winding is sorted and applied, which takes the time of so many edges that are only looked at.
 constexpr std::size_t kChangeWork = 40;
-/// Steps by which vertices that lie on a segment up to rounding may lie outside its box.
-constexpr double kRoundingSteps = 2;
 
 /// Tells which boxes may hold edges that meet the line of a stroke, from where it begins or from infinitely far back.
 class LineFilter {

@@ -1,6 +1,9 @@
 #include "areas/clip.hpp"
 
+#include <algorithm>
+
 #include "areas/coverage.hpp"
+#include "areas/edge_tree.hpp"
 #include "areas/seen_parts.hpp"
 #include "areas/side_counts.hpp"
 
@@ -18,6 +21,41 @@ void for_each_area(const Clip& clip, const Visit& visit) {
   }
 }
 
+/// Edges and boxes that are looked at for each segment on the average, to find those that lie along it; of more, all of
+/// which lie in one place, none is compared. Adjustable.
+constexpr std::size_t kMostLooks = 1000;
+
+/// A part of a segment, by fractions of it.
+struct Interval {
+  double begin, end;
+};
+
+/// Appends the part of the segment along which the other one lies up to rounding; false where there is none.
+bool add_common_part(const StepSegment& segment, const StepSegment& other, std::vector<Interval>& parts) {
+  // The longer one says where its line runs.
+  const bool is_longer = segment.tolerance() >= other.tolerance();
+  const StepSegment &longer = is_longer ? segment : other, &shorter = is_longer ? other : segment;
+  if (side_of(longer, orientation(longer, shorter.a)) != 0 || side_of(longer, orientation(longer, shorter.b)) != 0)
+    return false;
+  const double a = nearest_to(segment, other.a).value, b = nearest_to(segment, other.b).value;
+  const Interval part{std::max(std::min(a, b), 0.0), std::min(std::max(a, b), 1.0)};
+  if ((part.end - part.begin) * static_cast<double>(segment.tolerance()) <= kLeastPartSteps) return false;
+  parts.push_back(part);
+  return true;
+}
+
+/// Appends the parts of a segment, unseen ones in the intervals.
+void add_parts_between(std::vector<Interval>& hidden, std::vector<SeenPart>& parts) {
+  std::sort(hidden.begin(), hidden.end(), [](const Interval& p, const Interval& q) { return p.begin < q.begin; });
+  double at = 0;
+  for (const Interval& part : hidden) {
+    if (part.end <= at) continue;
+    if (part.begin > at) parts.push_back({part.begin, true});
+    parts.push_back({at = part.end, false});
+  }
+  if (at < 1 || parts.empty()) parts.push_back({1, true});
+}
+
 }  // namespace
 
 Polylines clipped(const Polylines& lines, const Clip& clip, const Area* filled) {
@@ -26,12 +64,12 @@ Polylines clipped(const Polylines& lines, const Clip& clip, const Area* filled) 
   LineCutter cutter;
   SideTally tally;
   const auto find_parts = [&](const StepSegment& stroke, std::vector<SeenPart>& parts) {
-    bool at_border = false;
+    bool any_seen = false;
     for (const CoveredPart& part : coverage.find(stroke, nullptr, &clip)) {
       parts.push_back({part.end.value, part.plus || part.minus});
-      at_border |= part.plus != part.minus;
+      any_seen |= parts.back().seen;
     }
-    if (!filled || (!at_border && !parts[0].seen)) return;
+    if (!filled || !any_seen) return;
     parts.clear();
     tally.clear();
     tally.add(coverage.find(stroke, nullptr, &clip), SideKind::covered);
@@ -41,8 +79,8 @@ Polylines clipped(const Polylines& lines, const Clip& clip, const Area* filled) 
       const bool has_own = own.plus > 0 || own.minus > 0;
       parts.push_back(
           {end.value, (shown.plus > 0 && (own.plus > 0 || !has_own)) || (shown.minus > 0 && (own.minus > 0 || !has_own))});
-      // Between two parts of the area its own ink has no border.
-      if (own.plus > 0 && own.minus > 0 && shown.plus > 0 && shown.minus > 0) parts.back().seen = false;
+      // Between two parts of the area its own ink has no border; that of a clip path there is one of clip_borders().
+      if (own.plus > 0 && own.minus > 0) parts.back().seen = false;
     });
   };
   for (std::size_t i = 0; i < lines.size(); ++i) cutter.cut(lines[i], out, find_parts);
@@ -73,6 +111,37 @@ Polylines clip_borders(const Area& area, const Clip& clip) {
     const Polylines lines = cutting.contours_near(area.box());
     for (std::size_t i = 0; i < lines.size(); ++i) cutter.cut(lines[i], out, find_parts);
   });
+  return out;
+}
+
+Polylines drawn_once(const Polylines& lines) {
+  std::vector<StepSegment> all;
+  LineCutter cutter;
+  Polylines ignored;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    cutter.cut(lines[i], ignored, [&](const StepSegment& stroke, std::vector<SeenPart>& parts) {
+      all.push_back(stroke);
+      parts.push_back({1, true});
+    });
+  }
+  const EdgeTree tree(all);
+  std::vector<std::vector<Interval>> repeated(all.size());
+  bool any = false;
+  std::size_t looked_at = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const StepBox box = box_of(all[i]).grown(kRoundingSteps);
+    looked_at += tree.search(
+        [&](const StepBox& other) { return box.meets(other); },
+        [&](std::size_t k) { any |= k < i && box.meets(box_of(all[k])) && add_common_part(all[i], all[k], repeated[i]); });
+    if (looked_at > kMostLooks * all.size()) return lines;
+  }
+  if (!any) return lines;
+  Polylines out;
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    cutter.cut(lines[i], out,
+               [&](const StepSegment&, std::vector<SeenPart>& parts) { add_parts_between(repeated[number++], parts); });
+  }
   return out;
 }
 

@@ -29,4 +29,7 @@ Polylines area_borders(const Polylines& contours, const Area& area);
 /// Where the clip paths cut the area: the parts of their contours on one side of which it shows, and not along its own.
 Polylines clip_borders(const Area& area, const Clip& clip);
 
+/// The lines without the parts that lie along earlier ones of them, up to rounding. Time: n log n, and what lies near.
+Polylines drawn_once(const Polylines& lines);
+
 }  // namespace ligne::svg

@@ -26,6 +26,9 @@ struct StepBox {
 
 StepBox box_of(const StepSegment& s);
 
+/// Steps by which vertices that lie on a segment up to rounding may lie outside its box.
+inline constexpr double kRoundingSteps = 2;
+
 /// Edges that follow each other along contours lie near each other: a balanced tree over their order is a tree of boxes.
 class EdgeTree {
  public:

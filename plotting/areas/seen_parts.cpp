@@ -3,13 +3,6 @@
 #include <algorithm>
 
 namespace ligne::svg {
-namespace {
-
-/// Parts of segments that are shorter, in steps, are the rounding of places where edges meet.
-constexpr double kLeastPartSteps = 4;
-
-}  // namespace
-
 void LineCutter::take_points(std::span<const Point2> line) {
   points_.clear();
   steps_.clear();

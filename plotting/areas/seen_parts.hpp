@@ -15,6 +15,9 @@ struct SeenPart {
   bool seen = true;
 };
 
+/// Parts of segments that are shorter, in steps, are the rounding of places where edges meet.
+inline constexpr double kLeastPartSteps = 4;
+
 /// Cuts one line after the other.
 class LineCutter {
  public:

@@ -209,10 +209,12 @@ void SvgReader::draw_rim(const Polylines& contours, const Context& context, cons
   const Area area(contours, fill_rule(context), clip_work_);
   if (!context.clip) {
     border_work_ += work;
-    return add_lines(area_borders(contours, area), context, color, 0);
+    return add_lines(area_borders(drawn_once(contours), area), context, color, 0);
   }
-  add_lines(clipped(contours, *context.clip, &area), cut, color, 0);
-  add_lines(clip_borders(area, *context.clip), cut, color, 0);
+  Polylines rim = clipped(contours, *context.clip, &area);
+  const Polylines by_clip = clip_borders(area, *context.clip);
+  for (std::size_t i = 0; i < by_clip.size(); ++i) rim.add(by_clip[i]);
+  add_lines(drawn_once(rim), cut, color, 0);
 }
 
 void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked,
@@ -241,7 +243,8 @@ void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, co
   } else if (context.clip) {
     Context cut = context;
     cut.clip = nullptr;
-    add_lines(clip_borders(Area(contours, fill_rule(context), clip_work_), *context.clip), cut, color, 0);
+    const Area area(contours, fill_rule(context), clip_work_);
+    add_lines(drawn_once(clip_borders(area, *context.clip)), cut, color, 0);
   }
   if (fills_.how == FillReading::How::outline) ++result_.outlined;
   if (fills_.how == FillReading::How::hatch) hatch_fill(contours, context, color);

@@ -64,9 +64,9 @@ TEST(SvgPainting, AnOutlineIsTheBorderOfItsArea) {
   const auto outline = [](const std::string& path) {
     return lines_of(read("<path stroke='none' fill='red' d='" + path + "'/>"));
   };
-  // Two squares that overlap from 20 to 30.
+  // Two squares that overlap from 20 to 30, where one line stands for two sides.
   EXPECT_EQ(outline("M10 10H30V30H10ZM20 10H40V30H20Z"),
-            (Lines{"1000,1000 3000,1000 ", "2000,1000 4000,1000 4000,3000 2000,3000 ", "3000,3000 1000,3000 1000,1000 "}));
+            (Lines{"1000,1000 3000,1000 ", "3000,1000 4000,1000 4000,3000 3000,3000 ", "3000,3000 1000,3000 1000,1000 "}));
   EXPECT_EQ(outline("M10 10H30V30H10ZM30 10H50V30H30Z"),
             (Lines{"1000,1000 3000,1000 ", "3000,1000 5000,1000 5000,3000 3000,3000 ", "3000,3000 1000,3000 1000,1000 "}))
       << "they abut";
