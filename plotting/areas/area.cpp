@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -14,22 +15,20 @@ namespace {
 constexpr std::size_t kMostClipWork = 1'000'000'000;
 /// A change of winding is sorted and applied, which takes the time of so many edges that are only looked at.
 constexpr std::size_t kChangeWork = 40;
+/// From so many edges on, rows across them are worth their time. Adjustable.
+constexpr std::size_t kManyEdges = 64;
 
-/// Tells which boxes may hold edges that meet the line of a stroke, from where it begins or from infinitely far back.
+/// Tells which boxes may hold edges that meet the line of a stroke from a fraction of it on, which is at most 0.
 class LineFilter {
  public:
-  LineFilter(const StepSegment& stroke, bool backwards)
+  LineFilter(const StepSegment& stroke, double from)
       : a_x_(static_cast<double>(stroke.a.x)),
         a_y_(static_cast<double>(stroke.a.y)),
         dx_(static_cast<double>(stroke.dx())),
         dy_(static_cast<double>(stroke.dy())),
         reach_(box_of(stroke).grown(kRoundingSteps)) {
-    constexpr double kFar = 1e300;
-    if (!backwards) return;
-    if (dx_ > 0) reach_.low_x = -kFar;
-    if (dx_ < 0) reach_.high_x = kFar;
-    if (dy_ > 0) reach_.low_y = -kFar;
-    if (dy_ < 0) reach_.high_y = kFar;
+    if (dx_ != 0) (dx_ > 0 ? reach_.low_x : reach_.high_x) += dx_ * from;
+    if (dy_ != 0) (dy_ > 0 ? reach_.low_y : reach_.high_y) += dy_ * from;
   }
 
   bool operator()(const StepBox& box) const {
@@ -115,17 +114,38 @@ Windings Area::wind_along(const StepSegment& stroke, std::uint32_t number, std::
   begin.extend(stroke.a);
   // Round a point outside the box no contour winds.
   const bool may_begin_inside = box.meets(begin);
+  double from = 0;
+  if (may_begin_inside) {
+    from = -std::numeric_limits<double>::infinity();
+    if (const std::optional<Anchor> anchor = anchor_before(stroke)) {
+      from = anchor->at;
+      at_begin = {anchor->winding, anchor->winding};
+    }
+  }
   const std::size_t before = changes.size();
-  const std::size_t looked_at = tree_.search(LineFilter(stroke, may_begin_inside),
-                                             [&](std::size_t i) { add_changes(i, stroke, number, at_begin, changes); });
+  const std::size_t looked_at = tree_.search(
+      LineFilter(stroke, from), [&](std::size_t i) { add_changes(i, stroke, from, number, at_begin, changes); });
   count(looked_at + kChangeWork * (changes.size() - before));
   return may_begin_inside ? at_begin : Windings{};
 }
 
+/// Where windings are known on the stroke's line before its begin; nothing: infinitely far back, where they are 0.
+std::optional<Anchor> Area::anchor_before(const StepSegment& stroke) const {
+  if (steps_.size() < kManyEdges) return std::nullopt;
+  if (!rows_) {
+    std::vector<std::int32_t> windings;
+    windings.reserve(edges_.size());
+    for (const Edge& edge : edges_) windings.push_back(edge.winding);
+    rows_ = std::make_shared<const WindingRows>(steps_, windings, tree_.box());
+  }
+  return rows_->find_before(stroke);
+}
+
 /// The side of an edge's end decides what the edge changes: whoever walks along the stroke passes the edge on the plus side
 /// where one end alone lies there, and on the minus side likewise. Where an end of the stroke lies on the edge, the passage
-/// is moved to that end; where both do, it is moved to the end near which the edge lies on that side.
-void Area::add_changes(std::size_t i, const StepSegment& stroke, std::uint32_t number, Windings& at_begin,
+/// is moved to that end; where both do, it is moved to the end near which the edge lies on that side. Passages before the
+/// fraction `from` of the stroke are left out.
+void Area::add_changes(std::size_t i, const StepSegment& stroke, double from, std::uint32_t number, Windings& at_begin,
                        std::vector<WindingChange>& changes) const {
   const StepSegment& edge = steps_[i];
   const Int128 at_a = orientation(stroke, edge.a), at_b = orientation(stroke, edge.b);
@@ -147,6 +167,7 @@ void Area::add_changes(std::size_t i, const StepSegment& stroke, std::uint32_t n
     (side > 0 ? by.plus : by.minus) = a - b > 0 ? winding : -winding;
     Along where = at;
     if (begins_on && ends_on) where = (a == side) == runs_along ? kBegin : kEnd;
+    if (where.value < from) continue;
     if (!is_behind_begin(where)) {
       at_begin.plus += by.plus;
       at_begin.minus += by.minus;

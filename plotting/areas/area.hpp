@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "areas/edge_tree.hpp"
 #include "areas/steps.hpp"
+#include "areas/winding_rows.hpp"
 #include "drawing/drawing.hpp"
 
 namespace ligne::svg {
@@ -40,7 +42,7 @@ class Area {
   Area(const Polylines& contours, FillRule rule, ClipWork work);
 
   /// The windings just behind the stroke's begin; appends the changes within the stroke, in no order. Time: the edges in
-  /// whose boxes the stroke and its line backwards may lie.
+  /// whose boxes the stroke and its line backwards may lie, of many edges as far back as to an anchor.
   Windings wind_along(const StepSegment& stroke, std::uint32_t number, std::vector<WindingChange>& changes) const;
   bool is_inside(std::int32_t winding) const { return rule_ == FillRule::nonzero ? winding != 0 : winding % 2 != 0; }
   /// The parts of the closed contours whose edges reach into the box, page mm.
@@ -59,13 +61,15 @@ class Area {
     Point2 a, b;           ///< page mm, in the direction of the contour
     std::int32_t winding;  ///< of contours along the edge of the lattice
   };
-  void add_changes(std::size_t i, const StepSegment& stroke, std::uint32_t number, Windings& at_begin,
+  void add_changes(std::size_t i, const StepSegment& stroke, double from, std::uint32_t number, Windings& at_begin,
                    std::vector<WindingChange>& changes) const;
+  std::optional<Anchor> anchor_before(const StepSegment& stroke) const;
   void count(std::size_t looked_at) const;
 
   std::vector<Edge> edges_;         ///< in the order of the contours
   std::vector<StepSegment> steps_;  ///< the same on the lattice, each from its lower end
   EdgeTree tree_;
+  mutable std::shared_ptr<const WindingRows> rows_;  ///< made when they are needed first
   Rect box_;
   FillRule rule_;
   ClipWork work_;

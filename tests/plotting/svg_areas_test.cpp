@@ -26,6 +26,7 @@ void expect_right(MeantScene (*make)(Dice&), unsigned seed, int all = 10'000) {
 TEST(SvgAreas, AbuttingRectanglesAgreeWithAPicture) { expect_right(abutting_rectangles, 1); }
 TEST(SvgAreas, PolygonsOfSharedCornersAgreeWithAPicture) { expect_right(polygons_of_shared_corners, 2); }
 
+TEST(SvgAreas, ScribblesAgreeWithAPicture) { expect_right(scribbles, 4, 1'000); }
 
 Lines occluded_lines(const std::string& body) {
   return lines_of(read_svg_drawing(page(body), "a.svg", {}, {FillReading::How::outline, 0.35, true}));
