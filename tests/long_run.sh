@@ -12,10 +12,11 @@ status=0
 
 cmake --preset fuzz
 cmake --build --preset fuzz
-for fuzzer in geometry gltf glb obj stl ply asc scene tree zbuf svg drawing; do
+for fuzzer in geometry gltf glb meshopt obj mtl stl ply off 3mf asc scene tree zbuf grid points hgt tiff formula svg areas drawing; do
   [[ -x build/fuzz/tests/fuzz/fuzz_$fuzzer ]] || continue  # the geometry fuzzer needs CGAL
   case $fuzzer in
     geometry) limits=(-max_len=160 -timeout=60) ;;
+    areas) limits=(-max_len=400 -timeout=60) ;;
     *) limits=(-max_len=20000 -timeout=10) ;;
   esac
   mkdir -p "$found/$fuzzer"

@@ -1,5 +1,7 @@
 #include "reader_harness.hpp"
 
+#include "areas_harness.hpp"
+#include "need.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/models/compiled_model.hpp"
 #include "picture/raster/zbuffer_picture.hpp"
@@ -18,15 +20,6 @@
 namespace ligne {
 namespace {
 
-[[noreturn]] void fail(const char* what) {
-  std::fprintf(stderr, "broken invariant: %s\n", what);
-  std::abort();
-}
-
-void need(bool holds, const char* what) {
-  if (!holds) fail(what);
-}
-
 std::vector<ModelFormat> formats_of(std::string_view kind) {
   if (kind == "gltf") return {ModelFormat::gltf};
   if (kind == "glb") return {ModelFormat::glb};
@@ -37,7 +30,8 @@ std::vector<ModelFormat> formats_of(std::string_view kind) {
   if (kind == "3mf") return {ModelFormat::three_mf};
   if (kind == "asc") return {ModelFormat::asc_3d_studio};
   if (kind == "scene") return {ModelFormat::ligne_scene};
-  fail("no such kind of file");
+  need(false, "such a kind of file");
+  return {};
 }
 
 void check_scene(const Scene& scene) {
@@ -237,6 +231,7 @@ void read_as_fuzzer(std::string_view kind, std::span<const std::byte> bytes) {
   if (kind == "formula") return read_formula_as_fuzzer(bytes);
   if (kind == "mtl") return read_mtl_as_fuzzer(bytes);
   if (kind == "meshopt") return read_meshopt_as_fuzzer(bytes);
+  if (kind == "areas") return hide_areas_as_fuzzer(bytes);
   try {
     detect_format(bytes, "." + std::string(kind), "fuzz");
   } catch (const InputError& error) {
