@@ -83,7 +83,7 @@ void append_stroke(std::string& out, const Stroke& s, const StrokeModel& model, 
   out += "{\"class\":\"";
   out += kLineClassNames[static_cast<std::size_t>(s.line_class)];
   out += s.visible ? "\",\"visible\":true" : "\",\"visible\":false";
-  if (s.level > 0) out += ",\"level\":" + std::to_string(s.level);
+  if (s.level > 0) out += (s.visible ? ",\"level\":" : ",\"hidden_by\":") + std::to_string(s.level);
   if (document.object && s.line_class != LineClass::axes) {
     if (const std::uint32_t object = document.object(s.source); object < document.objects.size()) {
       out += ",\"object\":";

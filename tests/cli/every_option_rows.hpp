@@ -50,6 +50,7 @@ inline constexpr OptionRow kDrawRows[] = {
     {"--turn", "50", "--frames 2"},
     {"--study", "polygons", "--method atherton-weiler --stats"},
     {"--show", "clips", "--method atherton-weiler"},
+    {"--propagate", "count", "--method appel --stats"},
     {"--warnock-window", "screen", "--method warnock --show windows"},
     {"--warnock-split", "vertex", "--method warnock --show windows"},
     {"--understanding", "nothing", "--method warnock --resolution 16 --stats"},

@@ -1,8 +1,21 @@
 #include "visibility/edges/appel.hpp"
 
+#include "visibility/edges/counted_visibility.hpp"
 #include "visibility/edges/edge_visibility.hpp"
 
 namespace ligne {
+namespace {
+
+enum class Carried : std::uint8_t { off, test, count, nature, path };
+constexpr std::string_view kCarriedNames[] = {"off", "test", "count", "nature", "path"};
+constexpr MethodParameter kParameters[] = {
+    {"propagate", "off|test|count|nature|path",
+     "count the faces before every part of an edge: by a test of each edge, or carried from vertex to vertex as their number, "
+     "as the set of them, or along a path of edges",
+     "off", kCarriedNames},
+};
+
+}  // namespace
 
 const MethodTraits& AppelMethod::traits() const {
   static const MethodTraits traits{
@@ -12,11 +25,25 @@ const MethodTraits& AppelMethod::traits() const {
       true,
       true,
       "A. Appel, The notion of quantitative invisibility, 1967; R. Galimberti, U. Montanari, An algorithm for hidden line "
-      "elimination, 1969"};
+      "elimination, 1969",
+      MethodTraits{}.tolerance_mm,
+      kParameters};
   return traits;
 }
 
 VisibilityResult AppelMethod::compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const {
+  switch (options.settings.choice("propagate", Carried::off)) {
+    case Carried::off:
+      break;
+    case Carried::test:
+      return counted_visibility(scene, options, {});
+    case Carried::count:
+      return counted_visibility(scene, options, Propagation::count);
+    case Carried::nature:
+      return counted_visibility(scene, options, Propagation::nature);
+    case Carried::path:
+      return counted_visibility(scene, options, Propagation::path);
+  }
   return edge_visibility(scene, options);
 }
 

@@ -88,20 +88,26 @@ void LineStrokes::add(std::size_t count, MakeLineVisibility make, const std::fun
   append_blocks(made, model_.strokes);
 }
 
-void LineStrokes::add_edges(MakeLineVisibility make, const std::function<void(double)>& progress) {
+void LineStrokes::add_edges(MakeLineVisibility make, const std::function<void(double)>& progress,
+                            const CountedLines* counted) {
   add(scene_.edges.size(), make, progress, [&](std::size_t i) {
     const ProjectedEdge& edge = scene_.edges[i];
     const auto range = scene_.edge_parts.empty() ? std::array<double, 2>{0, 1} : scene_.edge_parts[i];
     return std::pair(PageLine(scene_.vertices[edge.v0], scene_.vertices[edge.v1], edge.face0, edge.face1),
-                     Origin{edge.source, edge.line_class, range, is_thin(edge.face0) || is_thin(edge.face1)});
+                     Origin{edge.source, edge.line_class, range, is_thin(edge.face0) || is_thin(edge.face1),
+                            counted ? &(*counted)[i] : nullptr});
   });
 }
 
-void LineStrokes::add_intersections(const std::vector<Intersection>& intersections, MakeLineVisibility make) {
+void LineStrokes::add_intersections(const std::vector<Intersection>& intersections, MakeLineVisibility make,
+                                    const CountedLines* counted) {
   add(intersections.size(), make, {}, [&](std::size_t i) {
     const Intersection& s = intersections[i];
-    return std::pair(PageLine(s.from, s.to, s.face0, s.face1),
-                     Origin{scene_.source_count + static_cast<std::uint32_t>(i), LineClass::intersection, {0, 1}, true});
+    return std::pair(PageLine(s.from, s.to, s.face0, s.face1), Origin{scene_.source_count + static_cast<std::uint32_t>(i),
+                                                                      LineClass::intersection,
+                                                                      {0, 1},
+                                                                      true,
+                                                                      counted ? &(*counted)[i] : nullptr});
   });
   number_intersections(scene_, intersections, model_);
 }
@@ -110,11 +116,29 @@ void LineStrokes::add_parts(const PageLine& line, const std::vector<LinePart>& p
                             std::vector<Stroke>& out) const {
   double end = 0;
   for (const LinePart& part : parts) {
-    if (hidden_too_ && part.from > end) out.push_back(stroke(line, {end, part.from}, origin, false));
+    if (hidden_too_ && part.from > end) add_hidden(line, {end, part.from}, origin, out);
     out.push_back(stroke(line, part, origin, true));
     end = part.to;
   }
-  if (hidden_too_ && end < 1) out.push_back(stroke(line, {end, 1}, origin, false));
+  if (hidden_too_ && end < 1) add_hidden(line, {end, 1}, origin, out);
+}
+
+/// A piece too short for the page belongs to the one before it, or the first to the one behind it.
+void LineStrokes::add_hidden(const PageLine& line, LinePart gap, const Origin& origin, std::vector<Stroke>& out) const {
+  std::vector<LinePart> pieces;
+  const double least = shortest_ / page_length(line);
+  if (origin.counted) {
+    for (const CountedPart& part : *origin.counted) {
+      const double from = std::max(part.from, gap.from), to = std::min(part.to, gap.to);
+      if (part.count == 0 || !(from < to)) continue;
+      if (!pieces.empty() && (to - from < least || pieces.back().level == part.count)) continue;
+      if (pieces.size() == 1 && from - gap.from < least) pieces.clear();
+      pieces.push_back({pieces.empty() ? gap.from : from, gap.to, part.count});
+      if (pieces.size() > 1) pieces[pieces.size() - 2].to = from;
+    }
+  }
+  if (pieces.empty()) pieces.push_back(gap);
+  for (const LinePart& piece : pieces) out.push_back(stroke(line, piece, origin, false));
 }
 
 Stroke LineStrokes::stroke(const PageLine& line, LinePart part, const Origin& origin, bool visible) const {

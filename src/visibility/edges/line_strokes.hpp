@@ -10,6 +10,7 @@
 #include "drawing/stroke.hpp"
 #include "visibility/common/facet.hpp"
 #include "visibility/common/open_parts.hpp"
+#include "visibility/edges/face_counts.hpp"
 #include "visibility/penetration/penetration.hpp"
 
 namespace ligne {
@@ -20,6 +21,9 @@ using LineVisibility = std::function<bool(std::size_t i, const PageLine& line, s
 /// Makes the LineVisibility of a block of lines, which one thread studies with memory of its own.
 using MakeLineVisibility = FunctionRef<LineVisibility()>;
 
+/// Per line its parts with the number of faces before each (face_counts.hpp).
+using CountedLines = std::vector<std::vector<CountedPart>>;
+
 /// Makes the strokes of a scene's lines in parallel, in the order of the lines whatever the number of threads. Lines that
 /// are seen end on have none, and parts that are too short for the page are left out.
 class LineStrokes {
@@ -28,11 +32,14 @@ class LineStrokes {
   /// out.
   LineStrokes(const ProjectedScene& scene, const Facets& facets, bool hidden_too, double shortest_steps);
 
-  /// All candidate edges.
-  void add_edges(MakeLineVisibility make, const std::function<void(double)>& progress = {});
+  /// All candidate edges. With `counted` hidden strokes end where the number of faces before them changes, and have it as
+  /// their level.
+  void add_edges(MakeLineVisibility make, const std::function<void(double)>& progress = {},
+                 const CountedLines* counted = nullptr);
 
   /// The common segments of penetrating faces, behind all edges. To be called once.
-  void add_intersections(const std::vector<Intersection>& intersections, MakeLineVisibility make);
+  void add_intersections(const std::vector<Intersection>& intersections, MakeLineVisibility make,
+                         const CountedLines* counted = nullptr);
 
   /// All strokes.
   StrokeModel take() { return std::move(model_); }
@@ -44,12 +51,14 @@ class LineStrokes {
     LineClass line_class;
     std::array<double, 2> range;  ///< part of the source edge
     bool needs_overlap_check;     ///< whatever lies near
+    const std::vector<CountedPart>* counted = nullptr;
   };
 
   template <class LineOf>
   void add(std::size_t count, MakeLineVisibility make, const std::function<void(double)>& progress, LineOf line_of);
   void add_parts(const PageLine& line, const std::vector<LinePart>& parts, const Origin& origin,
                  std::vector<Stroke>& out) const;
+  void add_hidden(const PageLine& line, LinePart gap, const Origin& origin, std::vector<Stroke>& out) const;
   Stroke stroke(const PageLine& line, LinePart part, const Origin& origin, bool visible) const;
   double model_parameter(const PageLine& line, double t) const;
   bool is_thin(std::uint32_t face) const { return face < facets_.face_is_thin.size() && facets_.face_is_thin[face]; }

@@ -299,4 +299,13 @@ std::vector<Intersection> find_intersections(const ProjectedScene& scene, const 
   return all.finish(least_steps(scene));
 }
 
+std::vector<Intersection> find_intersections(const ProjectedScene& scene, const std::vector<Facet>& facets,
+                                             double coincidence_steps, bool hidden_too) {
+  if (hidden_too) return find_crossing_facets(scene, facets).finish(least_steps(scene));
+  CellGrid::Options options;
+  options.margin_steps = coincidence_steps + 1;
+  options.drop_hidden = true;
+  return find_intersections(scene, facets, CellGrid(scene, facets, options), options.margin_steps);
+}
+
 }  // namespace ligne

@@ -13,4 +13,8 @@ namespace ligne {
 std::vector<Intersection> find_intersections(const ProjectedScene& scene, const std::vector<Facet>& facets,
                                              const CellGrid& grid, double margin_steps);
 
+/// Makes the grid as well. Finds all segments where hidden lines are wanted too.
+std::vector<Intersection> find_intersections(const ProjectedScene& scene, const std::vector<Facet>& facets,
+                                             double coincidence_steps, bool hidden_too);
+
 }  // namespace ligne

@@ -264,12 +264,12 @@ void measure_front(Body& body, Bodies& bodies) {
 }
 
 void plant_trees(Bodies& bodies) {
-  std::vector<PageBox> boxes;
+  std::vector<DepthBox> boxes;
   for (Body& body : bodies.list) {
     if (body.front_size() <= kManyFacets) continue;
     boxes.clear();
     for (std::uint32_t f = body.front_begin; f < body.front_end; ++f) {
-      PageBox box;
+      DepthBox box;
       for (const std::uint32_t v : bodies.front[f].v) box.extend(bodies.vertices[v].p);
       box.z_near = bodies.front[f].z_near;
       boxes.push_back(box);

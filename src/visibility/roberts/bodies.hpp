@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "base/no_index.hpp"
+#include "visibility/common/box_forest.hpp"
 #include "visibility/common/facet.hpp"
-#include "visibility/roberts/box_forest.hpp"
 
 namespace ligne::roberts {
 
@@ -22,7 +22,7 @@ struct Body {
   std::uint32_t hull_begin = 0, hull_end = 0;    ///< corners of its silhouette, in Bodies::hull
   std::uint32_t front_begin = 0, front_end = 0;  ///< facets of the faces that look at the viewer, in Bodies::front
   std::uint32_t plane_begin = 0, plane_end = 0;  ///< the largest facet of each of these faces, in Bodies::planes
-  PageBox box;
+  DepthBox box;
   float z_far = 0;         ///< farthest depth of its front
   float tolerance = 0;     ///< largest depth tolerance of its front
   std::uint32_t root = 0;  ///< tree of its front, in Bodies::forest, where it has many facets

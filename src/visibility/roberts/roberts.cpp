@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "view/tolerances.hpp"
-#include "visibility/common/cell_grid.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/edges/line_strokes.hpp"
 #include "visibility/penetration/intersections.hpp"
@@ -30,17 +29,6 @@ void report(const Bodies& bodies, const BodyCounts& counts, Statistics& statisti
   statistics.count("behind all planes", counts.behind);
   statistics.count("line-plane tests", counts.planes);
   statistics.count("line-facet tests", counts.facets);
-}
-
-/// The lines in which faces of the projected scene, which has coincident ones once, pass through each other. Where hidden
-/// strokes are not wanted, the grid leaves out lines behind what covers its cells.
-std::vector<Intersection> find_penetrations(const ProjectedScene& scene, double coincidence_steps, bool hidden_too) {
-  const Facets facets = make_facets(scene, coincidence_steps);
-  CellGrid::Options options;
-  options.margin_steps = coincidence_steps + 1;
-  options.drop_hidden = !hidden_too;
-  const CellGrid grid(scene, facets.facets, options);
-  return find_intersections(scene, facets.facets, grid, options.margin_steps);
 }
 
 }  // namespace
@@ -70,9 +58,12 @@ VisibilityResult RobertsMethod::compute_visibility(const ProjectedScene& scene, 
   result.unsupported_reason = bodies.unsupported;
   statistics.time("bodies", clock.lap());
 
-  // 2. Lines of penetration.
+  // 2. Lines of penetration, of the projected scene: it has faces that coincide once.
   std::vector<Intersection> intersections;
-  if (scene.with_intersections) intersections = find_penetrations(scene, coincidence_steps, options.hidden_strokes);
+  if (scene.with_intersections) {
+    const Facets facets = make_facets(scene, coincidence_steps);
+    intersections = find_intersections(scene, facets.facets, coincidence_steps, options.hidden_strokes);
+  }
   statistics.time("intersections", clock.lap());
 
   // 3. Lines. Another line may lie on any of them.

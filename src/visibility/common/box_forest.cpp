@@ -1,16 +1,16 @@
-#include "visibility/roberts/box_forest.hpp"
+#include "visibility/common/box_forest.hpp"
 
 #include <utility>
 
 #include "geometry/morton.hpp"
 
-namespace ligne::roberts {
+namespace ligne {
 
-std::uint32_t BoxForest::add_tree(std::span<const PageBox> boxes) {
+std::uint32_t BoxForest::add_tree(std::span<const DepthBox> boxes) {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
   keys.reserve(boxes.size());
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-    const PageBox& b = boxes[i];
+    const DepthBox& b = boxes[i];
     keys.emplace_back(morton_key({b.left + (b.right - b.left) / 2, b.top + (b.bottom - b.top) / 2}), i);
   }
   std::sort(keys.begin(), keys.end());
@@ -23,7 +23,7 @@ std::uint32_t BoxForest::add_tree(std::span<const PageBox> boxes) {
   return root;
 }
 
-void BoxForest::fill(std::uint32_t node, std::span<const PageBox> boxes, std::span<const std::uint32_t> items) {
+void BoxForest::fill(std::uint32_t node, std::span<const DepthBox> boxes, std::span<const std::uint32_t> items) {
   if (items.size() == 1) {
     nodes_[node].box = boxes[items[0]];
     nodes_[node].item = items[0];
@@ -39,4 +39,4 @@ void BoxForest::fill(std::uint32_t node, std::span<const PageBox> boxes, std::sp
   nodes_[node].box.extend(nodes_[children + 1].box);
 }
 
-}  // namespace ligne::roberts
+}  // namespace ligne

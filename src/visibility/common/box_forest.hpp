@@ -10,13 +10,13 @@
 
 #include "visibility/common/open_parts.hpp"
 
-namespace ligne::roberts {
+namespace ligne {
 
-/// A rectangle in lattice steps; everything in it lies at `z_near` or behind.
-struct PageBox {
+/// A rectangle in lattice steps, and depths between which everything in it lies.
+struct DepthBox {
   std::int32_t left = std::numeric_limits<std::int32_t>::max(), right = std::numeric_limits<std::int32_t>::min();
   std::int32_t top = left, bottom = right;
-  float z_near = std::numeric_limits<float>::infinity();
+  float z_near = std::numeric_limits<float>::infinity(), z_far = -z_near;
 
   void extend(LatticePoint p) {
     left = std::min(left, p.x);
@@ -24,12 +24,13 @@ struct PageBox {
     top = std::min(top, p.y);
     bottom = std::max(bottom, p.y);
   }
-  void extend(const PageBox& o) {
+  void extend(const DepthBox& o) {
     left = std::min(left, o.left);
     right = std::max(right, o.right);
     top = std::min(top, o.top);
     bottom = std::max(bottom, o.bottom);
     z_near = std::min(z_near, o.z_near);
+    z_far = std::max(z_far, o.z_far);
   }
 
   /// Length of the part of [from, to] in which the line is over the box and not wholly before it; 0 where there is none. The
@@ -39,6 +40,14 @@ struct PageBox {
                    std::max(line.z(from), line.z(to)) > z_near
                ? to - from
                : 0;
+  }
+
+  /// Whether the line may be over the box and not wholly behind it or before it.
+  bool meets(const PageLine& line) const {
+    double from = 0, to = 1;
+    if (!clip(line.p0.x, line.dx, left, right, from, to) || !clip(line.p0.y, line.dy, top, bottom, from, to)) return false;
+    const double z0 = line.z(from), z1 = line.z(to);
+    return std::max(z0, z1) >= z_near && std::min(z0, z1) <= z_far;
   }
 
  private:
@@ -56,7 +65,7 @@ class BoxForest {
  public:
   /// Builds a tree of items, which are numbered from 0; returns its root. O(n log n): halves along a Morton curve over the
   /// middles of the boxes [Morton1966].
-  std::uint32_t add_tree(std::span<const PageBox> boxes);
+  std::uint32_t add_tree(std::span<const DepthBox> boxes);
 
   /// Calls visit(item) for every item of the tree whose box the open parts of the line may lie behind. The parts are what is
   /// open at the time, so that what visit() takes spares visits. A half of the tree over which more of the line lies comes
@@ -66,7 +75,7 @@ class BoxForest {
     std::array<std::uint32_t, kMostDepth> stack;
     std::size_t size = 0;
     stack[size++] = root;
-    const auto overlap = [&](const PageBox& box) { return box.overlap(line, open.from(), open.to()); };
+    const auto overlap = [&](const DepthBox& box) { return box.overlap(line, open.from(), open.to()); };
     while (size > 0 && !open.empty()) {
       const Node& node = nodes_[stack[--size]];
       if (!(overlap(node.box) > 0)) continue;
@@ -81,19 +90,37 @@ class BoxForest {
     }
   }
 
+  /// Calls visit(item) for every item of the tree whose box the line meets.
+  template <class Visit>
+  void for_each_met(std::uint32_t root, const PageLine& line, Visit visit) const {
+    std::array<std::uint32_t, kMostDepth> stack;
+    std::size_t size = 0;
+    stack[size++] = root;
+    while (size > 0) {
+      const Node& node = nodes_[stack[--size]];
+      if (!node.box.meets(line)) continue;
+      if (node.children == 0) {
+        visit(node.item);
+      } else {
+        stack[size++] = node.children;
+        stack[size++] = node.children + 1;
+      }
+    }
+  }
+
  private:
   /// Trees are balanced and have fewer than 2^32 items; each level leaves one node on the stack.
   static constexpr std::size_t kMostDepth = 40;
 
   struct Node {
-    PageBox box;
+    DepthBox box;
     std::uint32_t children = 0;  ///< the number of the first; the second has the next. 0: a leaf
     std::uint32_t item = 0;      ///< of a leaf
   };
 
-  void fill(std::uint32_t node, std::span<const PageBox> boxes, std::span<const std::uint32_t> items);
+  void fill(std::uint32_t node, std::span<const DepthBox> boxes, std::span<const std::uint32_t> items);
 
   std::vector<Node> nodes_;
 };
 
-}  // namespace ligne::roberts
+}  // namespace ligne

@@ -1,0 +1,92 @@
+#include "visibility/edges/counted_visibility.hpp"
+
+#include <utility>
+
+#include "view/tolerances.hpp"
+#include "visibility/common/clock.hpp"
+#include "visibility/common/occluded_cells.hpp"
+#include "visibility/edges/line_strokes.hpp"
+#include "visibility/penetration/intersections.hpp"
+
+namespace ligne {
+namespace {
+
+/// Every line against all faces, one by one.
+template <class LineOf>
+CountedLines count_each(std::size_t lines, const FacetForest& forest, double coincidence_steps, PropagationCounts& counts,
+                        LineOf line_of) {
+  CountedLines parts(lines);
+  FaceCounter counter(forest, coincidence_steps);
+  for (std::size_t i = 0; i < lines; ++i) {
+    const PageLine line = line_of(i);
+    if (line.p0 == line.p1) continue;
+    ++counts.tested;
+    parts[i] = counter.count(line, false, counts.facets);
+  }
+  return parts;
+}
+
+/// A line is seen where no face is before it.
+LineVisibility seen_parts(const CountedLines& counted, const OccludedCells* blank) {
+  return [&counted, blank](std::size_t i, const PageLine& line, std::vector<LinePart>& parts) {
+    for (const CountedPart& part : counted[i]) {
+      if (part.count == 0) append_part(parts, {part.from, part.to});
+    }
+    if (blank) blank->take_from(parts, line);
+    return true;
+  };
+}
+
+}  // namespace
+
+VisibilityResult counted_visibility(const ProjectedScene& scene, const VisibilityOptions& options,
+                                    std::optional<Propagation> propagation) {
+  VisibilityResult result;
+  Statistics& statistics = result.statistics;
+  const double step = scene.lattice.step_mm;
+  const double coincidence_steps = coincidence_mm(scene) / step;
+  Clock clock;
+  const Facets facets = make_facets(scene, coincidence_steps);
+  const FacetForest forest(scene, facets.facets);
+  statistics.time("facets", clock.lap());
+
+  std::vector<Intersection> intersections;
+  if (scene.with_intersections)
+    intersections = find_intersections(scene, facets.facets, coincidence_steps, options.hidden_strokes);
+  statistics.time("intersections", clock.lap());
+
+  PropagationCounts counts;
+  const auto edge = [&](std::size_t i) {
+    const ProjectedEdge& e = scene.edges[i];
+    return PageLine(scene.vertices[e.v0], scene.vertices[e.v1], e.face0, e.face1);
+  };
+  const CountedLines of_edges = propagation ? propagate(scene, forest, coincidence_steps, *propagation, counts)
+                                            : count_each(scene.edges.size(), forest, coincidence_steps, counts, edge);
+  PropagationCounts apart;
+  const CountedLines of_intersections =
+      count_each(intersections.size(), forest, coincidence_steps, apart, [&](std::size_t i) {
+        const Intersection& x = intersections[i];
+        return PageLine(x.from, x.to, x.face0, x.face1);
+      });
+  LineStrokes strokes(scene, facets, options.hidden_strokes, kLeastPartMm / step);
+  strokes.add_edges([&] { return seen_parts(of_edges, options.blank); }, options.progress, &of_edges);
+  strokes.add_intersections(
+      intersections, [&] { return seen_parts(of_intersections, options.blank); }, &of_intersections);
+  result.strokes = strokes.take();
+  statistics.time("lines", clock.lap());
+
+  statistics.count("facets", facets.facets.size());
+  statistics.count("candidate edges", scene.edges.size());
+  statistics.count("edges against all faces", counts.tested);
+  statistics.count("of them in doubt", counts.in_doubt);
+  statistics.count("edges carried", counts.carried);
+  statistics.count("line-facet tests", counts.facets + apart.facets);
+  statistics.count("of them for edges", counts.facets);
+  statistics.count("facets near edges", counts.near);
+  statistics.count("line-side tests", counts.sides);
+  statistics.count("intersection segments tested", intersections.size());
+  statistics.count("strokes", result.strokes->strokes.size());
+  return result;
+}
+
+}  // namespace ligne
