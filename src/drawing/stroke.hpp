@@ -60,7 +60,7 @@ struct Stroke {
   LineClass line_class = LineClass::mesh;
   bool visible = true;
   bool needs_overlap_check = true;  ///< false if the method knows that no other stroke lies on this one
-  std::uint8_t level = 0;           ///< number of transparent faces in front of it, at most 255
+  std::uint8_t level = 0;           ///< number of transparent faces in front, or of all faces where counted; at most 255
 };
 
 /// Parameter on the source edge at the fraction `s` of the stroke's length on the page, with perspective

@@ -78,7 +78,7 @@ TEST(Propagation, GivesWhatATestOfEachEdgeGives) {
   EXPECT_GT(carried_edges, 1000u);
 }
 
-/// Of boxes that touch nothing most edges are carried, at a fraction of the tests.
+/// Most edges of boxes that touch nothing are carried, at a fraction of the tests.
 TEST(Propagation, SparesTests) {
   const ProjectedScene projected = project_on_a4(random_boxes(200, 5, 40, {4, 2, 3}), along({-1, 2, -1}));
   const std::uint64_t all = count_of(carried(projected, kTest).statistics, "of them for edges");

@@ -33,7 +33,7 @@ std::vector<CountedPart> FaceCounter::count(const PageLine& line, bool with_face
     ++tests;
     bool near_side = false;
     const HiddenInterval hidden =
-        hidden_interval(line, facet, forest_.vertices().data(), 0, 1, coincidence_steps_, near_side);
+        hidden_interval(line, facet, forest_.vertices().data(), {0, 1}, coincidence_steps_, near_side);
     if (hidden.sides == HiddenSides::none) return;
     const int left = hidden.sides != HiddenSides::right, right = hidden.sides != HiddenSides::left;
     events_.push_back({hidden.from, facet.face, left, right});

@@ -7,12 +7,14 @@
 #include <optional>
 #include <tuple>
 
+#include "base/no_index.hpp"
+
 namespace ligne {
 namespace {
 
 constexpr std::int64_t kNotThere = -(std::int64_t{1} << 40);  ///< stays below 0 whatever is added
 
-/// What is before a place: a number of faces, or the faces.
+/// The faces before a place: their number, or the faces themselves.
 struct Invisibility {
   std::int64_t count = 0;              ///< below 0 where what is taken away was not there: then nothing is certain
   std::vector<std::uint32_t> faces{};  ///< ascending; empty unless they are carried
@@ -39,7 +41,7 @@ struct SurfaceSide {
   std::vector<std::uint32_t> right, left;
 };
 
-/// What is near an edge in space.
+/// The neighbourhood of an edge in space.
 struct EdgeNear {
   bool certain = true;
   std::vector<std::uint32_t> at_start, at_end;  ///< faces round either vertex that hide the edge there

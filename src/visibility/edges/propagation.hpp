@@ -6,9 +6,10 @@
 /// round the vertex alone. So one edge of a connected set is tested against all faces, and the others against the sides that
 /// they cross, and the faces that are near to them in space.
 ///
-/// What is not certain is not carried: an edge that touches or pierces a face, that passes exactly through a corner or along
-/// a side on the page, or whose ends are cut, is tested against all faces. So the parts found are those of FaceCounter, and
-/// every place that is hidden is the same to the last bit where both ends are quotients of the same determinants.
+/// Counts that are not certain are not carried: an edge that touches or pierces a face, that passes exactly through a corner
+/// or along a side on the page, or whose ends are cut, is tested against all faces. So the parts found are those of
+/// FaceCounter, and every place that is hidden is the same to the last bit where both ends are quotients of the same
+/// determinants.
 
 #include <cstdint>
 #include <vector>
