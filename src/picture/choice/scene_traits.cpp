@@ -14,8 +14,8 @@
 #include "picture/choice/cover_samples.hpp"
 #include "picture/choice/face_pairs.hpp"
 #include "view/tolerances.hpp"
-#include "visibility/common/facet.hpp"
 #include "visibility/common/convex_body.hpp"
+#include "visibility/common/facet.hpp"
 
 namespace ligne {
 namespace {
