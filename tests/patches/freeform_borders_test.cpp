@@ -65,5 +65,23 @@ TEST_P(EllipticFillets, MeetAPlaneAtAnAngle) {
 
 INSTANTIATE_TEST_SUITE_P(Facets, EllipticFillets, testing::Values(8, 12, 24));
 
+/// The ends of finer ones lie on cylinders of their own.
+TEST(CoarseEllipticFillets, RunIntoACylinder) {
+  // The ellipse ends with a radius of 1, and the cylinder of radius 20 goes on from there.
+  std::vector<Corners> polygons = rounded_edge(12, 4, 2, 0);
+  polygons.pop_back();
+  const auto at = [](int u, int v) {
+    const double t = 5 * kPi / 180 * u;
+    return Point3(-16 + 20 * std::cos(t), 3 * v, -2 - 20 * std::sin(t));
+  };
+  add_grid(polygons, 8, 4, true, at);
+  const Point3 inwards(-20, 0, 0);
+  polygons.push_back({at(8, 0), at(8, 0) + inwards, at(8, 4) + inwards, at(8, 4), at(8, 3), at(8, 2), at(8, 1)});
+  const FoundPatches found(polygons);
+  EXPECT_EQ(count_at(found, PatchEdge::tangent, 0), 4u);
+  EXPECT_EQ(count_at(found, PatchEdge::tangent, 4), 4u);
+  EXPECT_EQ(found.count(PatchEdge::tangent), 8u);
+}
+
 }  // namespace
 }  // namespace ligne

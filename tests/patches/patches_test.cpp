@@ -190,5 +190,81 @@ TEST(Patches, ARowOfFacetsThatBodiesCutIsNoRowOfPlanes) {
   EXPECT_EQ(found.count(PatchEdge::sharp), 0u);
 }
 
+TEST(Patches, AStripOfTrianglesBetweenApproximatedEndsIsACylinder) {
+  // A quarter of a cylinder whose corners lie on two curves alone, at other angles on each, up to a sixth of the sag beside
+  // it. Both sides go on as planes.
+  const int facets = 24;
+  const double turn = kPi / 2 / facets, off = turn * turn / 48;
+  const auto at = [&](double k, double y) {
+    const double radius = 1 + off * std::sin(7 * k + y);
+    return Point3(radius * std::sin(turn * k), y, radius * std::cos(turn * k));
+  };
+  std::vector<Corners> polygons;
+  const auto low = [&](int k) { return at(k, 0); };
+  const auto high = [&](int k) { return at(k == 0 || k == facets ? k : k + 0.4, 30); };
+  for (int k = 0; k < facets; ++k) {
+    polygons.push_back({low(k), low(k + 1), high(k)});
+    polygons.push_back({low(k + 1), high(k + 1), high(k)});
+  }
+  const Point3 left(-20, 0, 0), down(0, 0, -20);
+  polygons.push_back({low(0) + left, low(0), high(0), high(0) + left});
+  polygons.push_back({low(facets), low(facets) + down, high(facets) + down, high(facets)});
+  const FoundPatches found(polygons);
+  ASSERT_EQ(found.faces().size(), 1u);
+  EXPECT_EQ(found.only().kind, SurfaceKind::cylinder);
+  EXPECT_NEAR(found.only().radius, 1, 20 * off);  // a quarter of a turn tells less of the radius than of the surface
+  EXPECT_EQ(found.faces().begin()->second, 2u * facets);
+  EXPECT_EQ(found.count(PatchEdge::tangent), 2u);
+}
+
+TEST(Patches, AFilletOfThreeBandsBesideABossIsATorus) {
+  const int sides = 24, steps = 3;
+  std::vector<Corners> polygons;
+  add_grid(polygons, sides, steps, true, [](int u, int v) {
+    const double b = kPi / 2 * v / steps;
+    return on_circle(6 - 2 * std::sin(b), 2 * kPi * (u % sides) / sides, 2 - 2 * std::cos(b));
+  });
+  add_grid(polygons, sides, 1, true, [](int u, int v) { return on_circle(4, 2 * kPi * (u % sides) / sides, 2 + 3.0 * v); });
+  for (int u = 0; u < sides; ++u) {
+    const double a = 2 * kPi * u / sides, b = 2 * kPi * ((u + 1) % sides) / sides;
+    polygons.push_back({on_circle(20, a), on_circle(20, b), on_circle(6, b), on_circle(6, a)});
+  }
+  const FoundPatches found(polygons);
+  ASSERT_EQ(found.faces().size(), 2u);
+  std::map<SurfaceKind, const PatchSurface*> kinds;
+  for (const auto& [patch, faces] : found.faces()) {
+    kinds[found.patches.list[patch].surface.kind] = &found.patches.list[patch].surface;
+  }
+  ASSERT_TRUE(kinds.contains(SurfaceKind::torus) && kinds.contains(SurfaceKind::cylinder));
+  EXPECT_NEAR(kinds[SurfaceKind::torus]->tube, 2, 1e-4);
+  EXPECT_NEAR(kinds[SurfaceKind::torus]->radius, 6, 1e-4);
+  EXPECT_EQ(found.count(PatchEdge::tangent), 2u * sides);
+}
+
+/// The tangent edges that are left of a chain of so many between two faces that ends in the middle of these at both ends.
+std::size_t tangents_left(int edges, bool is_beside_plane) {
+  Topology topology;
+  for (int i = 0; i < edges; ++i) {
+    const auto v = static_cast<std::uint32_t>(i);
+    topology.edges.push_back({v, v + 1, 0, 1});
+  }
+  const std::size_t count = topology.edges.size();
+  topology.edge_flags.assign(count, 0);
+  Patches patches;
+  patches.patch_of.assign(2, kNone);
+  patches.is_freeform = {1, is_beside_plane ? std::uint8_t{0} : std::uint8_t{1}};
+  std::vector<PatchEdge> kinds(count, PatchEdge::tangent);
+  drop_loose_tangents(topology, patches, std::vector<std::uint8_t>(count, 0), kinds);
+  return static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), PatchEdge::tangent));
+}
+
+TEST(Patches, ShortChainsOfTangentEdgesThatEndFreelyAreNone) {
+  for (int edges = 1; edges < 8; ++edges) EXPECT_EQ(tangents_left(edges, true), edges <= 3 ? 0 : std::size_t(edges));
+}
+
+TEST(Patches, TangentEdgesBetweenCurvedSurfacesThatEndFreelyAreNone) {
+  for (int edges = 1; edges < 8; ++edges) EXPECT_EQ(tangents_left(edges, false), 0u);
+}
+
 }  // namespace
 }  // namespace ligne

@@ -32,6 +32,12 @@ constexpr std::uint32_t kFleckEdges = 2;
 /// Least cosine between the edges of a chain: 45 degrees.
 constexpr double kChainCosine = 0.7;
 
+/// A free form has another curvature than a surface where they differ by this part of the larger one: less may be the error
+/// of the first facets of a free form that the surface is a part of.
+constexpr double kUnlikeCurvature = 0.5;
+/// A larger turn over the first facet, in radians, tells no curvature.
+constexpr double kLargestTurn = 1;
+
 constexpr double kUnknownTurn = 2 * std::numbers::pi;
 
 double angle_between(const Point3& a, const Point3& b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
@@ -181,6 +187,11 @@ class BorderFinder {
     const std::uint32_t patch = patch_of_[arc.facet];
     border.is_beside_band = patch != kNone && outlines_[patch].is_band();
     border.is_beside_plane = patch == kNone && is_deep(arc.facet, from, inwards, first);
+    if (patch != kNone && border.turn > 0 && border.turn <= kLargestTurn) {
+      const double here = glm::dot(free.slope, inwards), k = patches_[patch].surface.curvature(0.5 * (from + to), inwards);
+      const double there = patches_[patch].outward ? k : -k;
+      border.bends_otherwise = std::abs(here - there) > kUnlikeCurvature * std::max(std::abs(here), std::abs(there));
+    }
     border.beyond = patch == kNone ? arc.facet : static_cast<std::uint32_t>(graph_.size()) + patch;
     found_.push_back(border);
   }

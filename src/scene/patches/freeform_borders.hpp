@@ -25,8 +25,10 @@ struct FreeformBorder {
   double angle = 0;
   /// Angle by which the normal of the free form turns across its first facet, radians: how uncertain `angle` is.
   double turn = 0;
-  bool is_beside_band = false;   ///< the other side is a patch that may be part of the free form (see is_band())
-  bool is_fleck = false;         ///< a short chain at an isolated free-form facet that joins some neighbour smoothly
+  bool is_beside_band = false;  ///< the other side is a patch that may be part of the free form (see is_band())
+  bool is_fleck = false;        ///< a short chain at an isolated free-form facet that joins some neighbour smoothly
+  /// The other side is a surface whose curvature across the edge clearly differs from that of the free form.
+  bool bends_otherwise = false;
   bool is_beside_plane = false;  ///< the other side is a plane much wider than the first facet
 };
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/small_matrices.hpp"
 #include "scene/patches/patch_surface.hpp"
-#include "scene/patches/small_matrices.hpp"
 
 namespace ligne {
 namespace {

@@ -18,6 +18,11 @@ constexpr double kSlackDegrees = 0.01;
 /// Adjustable, radians: a free form that turns by less over its first facet is as flat as what it runs into. One runs into a
 /// surface when their normals differ by no more than the slack (1 degree) and this part of that turn.
 constexpr double kLeastTurn = 0.01, kTangentSlack = 0.0175, kTangentPart = 0.4;
+/// Adjustable: normals that differ by more than the slack and this part of the turn over the first facet speak against a
+/// tangent edge. Less than that is the error of a coarse facet.
+constexpr double kApartPart = 1.2;
+/// Facets that bend by less, in degrees, are no creases of meshes: half of the default angle, at which creases continue.
+constexpr double kMeshBend = 15;
 /// Adjustable: parts of a chain that say so for all of it to be of one kind, and that may speak against it.
 constexpr double kMostOfChain = 0.6, kLittleOfChain = 0.1;
 
@@ -32,12 +37,14 @@ class EdgeClassifier {
         sharp_(sine_cosine_degrees(std::min(180.0, sharp_degrees + kSlackDegrees)).cosine),
         flat_(sine_cosine_degrees(kFlatBend).cosine),
         bent_(sine_cosine_degrees(kLargestBend).cosine),
+        mesh_bent_(sine_cosine_degrees(kMeshBend).cosine),
         chains_(patches.borders.size()) {
     for (const FreeformBorder& border : patches.borders) {
       Chain& chain = chains_[border.chain];
       chain.length += border.length;
       const PatchEdge kind = kind_of(border);
       if (kind == PatchEdge::sharp) chain.sharp += border.length;
+      if (kind == PatchEdge::sharp && border.angle > kTangentSlack + kApartPart * border.turn) chain.apart += border.length;
       if (kind == PatchEdge::tangent) chain.tangent += border.length;
     }
   }
@@ -70,17 +77,18 @@ class EdgeClassifier {
   }
 
  private:
-  /// Lengths of a chain of borders of a free form.
+  /// Lengths of a chain of borders of a free form: all, of each kind, and `apart` of those that can not be tangent.
   struct Chain {
-    double length = 0, sharp = 0, tangent = 0;
+    double length = 0, sharp = 0, tangent = 0, apart = 0;
   };
 
   PatchEdge kind_of(const FreeformBorder& border) const {
-    if (border.is_beside_band || border.is_fleck) return PatchEdge::unknown;
+    if (border.is_fleck) return PatchEdge::unknown;
     if (border.angle > kTangentSlack + kTangentPart * border.turn) {
-      return border.angle >= std::acos(sharp_) ? PatchEdge::sharp : PatchEdge::unknown;
+      return !border.is_beside_band && border.angle >= std::acos(sharp_) ? PatchEdge::sharp : PatchEdge::unknown;
     }
-    return border.turn >= kLeastTurn && border.is_beside_plane ? PatchEdge::tangent : PatchEdge::unknown;
+    const bool has_line = border.is_beside_plane || border.bends_otherwise;
+    return border.turn >= kLeastTurn && has_line ? PatchEdge::tangent : PatchEdge::unknown;
   }
 
   PatchEdge border_of_freeform(std::size_t e) const {
@@ -88,7 +96,12 @@ class EdgeClassifier {
     if (border == patches_.borders.end() || border->edge != e) return PatchEdge::unknown;
     const Chain& chain = chains_[border->chain];
     const double most = kMostOfChain * chain.length, little = kLittleOfChain * chain.length;
-    if (chain.tangent >= most && chain.sharp <= little) return PatchEdge::tangent;
+    if (chain.tangent >= most && chain.apart <= little) {
+      // Beside surfaces the rules for meshes decide where facets bend by half of their angle.
+      const Edge& edge = topology_.edges[e];
+      const bool is_bent = glm::dot(Point3(normals_[edge.face0]), Point3(normals_[edge.face1])) < mesh_bent_;
+      return is_bent && !border->is_beside_plane ? PatchEdge::unknown : PatchEdge::tangent;
+    }
     const bool is_sharp = chain.sharp >= most && chain.tangent <= little && !(topology_.edge_flags[e] & kEdgeSmooth);
     return is_sharp ? PatchEdge::sharp : PatchEdge::unknown;
   }
@@ -118,7 +131,7 @@ class EdgeClassifier {
   const Topology& topology_;
   std::span<const glm::vec3> normals_;
   const Patches& patches_;
-  double sharp_, flat_, bent_;  ///< cosines
+  double sharp_, flat_, bent_, mesh_bent_;  ///< cosines
   std::vector<Chain> chains_;
 };
 
@@ -143,58 +156,6 @@ void mark_bands(const Topology& topology, std::span<const glm::vec3> normals, st
     const std::uint32_t p = patches.patch_of[edge.face0], q = patches.patch_of[edge.face1];
     if (p == kNone || q == kNone || p == q) continue;
     if (glm::dot(normals[edge.face0], normals[edge.face1]) >= bent) patches.list[p].is_band = patches.list[q].is_band = true;
-  }
-}
-
-void drop_loose_tangents(const Topology& topology, const std::vector<std::uint8_t>& is_line, std::vector<PatchEdge>& edges) {
-  // Per vertex at which tangent edges end: how many do, the exclusive or of their numbers, which is that of the last one
-  // left, and whether another line ends there.
-  struct Node {
-    std::uint32_t vertex = 0, count = 0, numbers = 0;
-    bool is_held = false;
-  };
-  std::vector<Node> nodes;
-  std::vector<std::uint32_t> tangent;
-  for (std::uint32_t e = 0; e < edges.size(); ++e) {
-    if (edges[e] != PatchEdge::tangent) continue;
-    tangent.push_back(e);
-    nodes.push_back({topology.edges[e].v0});
-    nodes.push_back({topology.edges[e].v1});
-  }
-  if (tangent.empty()) return;
-  std::ranges::sort(nodes, {}, &Node::vertex);
-  const auto is_same = [](const Node& l, const Node& r) { return l.vertex == r.vertex; };
-  nodes.erase(std::unique(nodes.begin(), nodes.end(), is_same), nodes.end());
-  const auto node_at = [&](std::uint32_t v) -> Node* {
-    const auto at = std::ranges::lower_bound(nodes, v, {}, &Node::vertex);
-    return at != nodes.end() && at->vertex == v ? &*at : nullptr;
-  };
-  const auto ends_of = [&](std::uint32_t e) { return std::array{topology.edges[e].v0, topology.edges[e].v1}; };
-  for (const std::uint32_t e : tangent) {
-    for (const std::uint32_t v : ends_of(e)) {
-      Node& node = *node_at(v);
-      ++node.count;
-      node.numbers ^= e;
-    }
-  }
-  for (std::uint32_t e = 0; e < edges.size(); ++e) {
-    if (!is_line[e] && topology.edges[e].face1 != kNone && !(topology.edge_flags[e] & kEdgeManyFaces)) continue;
-    for (const std::uint32_t v : ends_of(e)) {
-      if (Node* node = node_at(v)) node->is_held = true;
-    }
-  }
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    for (Node* node = &nodes[i]; node->count == 1 && !node->is_held;) {
-      const std::uint32_t e = node->numbers;
-      edges[e] = PatchEdge::inside;
-      const auto ends = ends_of(e);
-      Node* next = node_at(ends[0] == node->vertex ? ends[1] : ends[0]);
-      for (Node* end : {node, next}) {
-        --end->count;
-        end->numbers ^= e;
-      }
-      node = next;
-    }
   }
 }
 

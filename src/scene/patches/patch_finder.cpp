@@ -13,17 +13,19 @@ namespace {
 
 // Adjustable parameters.
 /// Distance by which corners may lie beside a surface: precisions of the coordinates, or a part of the sag, since surfaces
-/// between free forms are approximated. Spheres are not.
-constexpr double kPrecisions = 8, kSagPart = 0.03, kSphereSagPart = 0.002;
+/// between free forms are approximated. Spheres are not. A long strip bears more, since many corners are evidence all the
+/// same: programs approximate the curves at which fillets end to a thousandth of a millimetre or worse.
+constexpr double kPrecisions = 8, kSagPart = 0.03, kSphereSagPart = 0.002, kStripSagPart = 0.25;
 /// Largest chance that the corners lie on the surface by accident, where each one beyond the number of the surface's
 /// parameters does so with a chance of twice the largest distance by the sag.
 constexpr double kLargestChance = 1e-7;
 /// Starting values are given up where they miss a corner by more than so many sags.
 constexpr double kWildGuess = 1.5;
-/// Facets with this part of the area of a seed in vain are no seeds beside it: a plane says nothing of the fillet beside it.
-constexpr double kLikeArea = 0.25;
 /// Facets of a band by which a sphere is found, at the most.
 constexpr std::size_t kMostBand = 24;
+/// A strip that is tried by itself has so many facets: fewer say nothing where corners lie beside the surface by as much as
+/// kStripSagPart of the sag.
+constexpr std::size_t kFewestStrip = 8;
 /// A surface with more parameters is taken when its area is larger by such a factor: a band of a torus is a cone as well.
 constexpr double kSimilarArea = 1.05, kTorusArea = 1.3;
 /// So many seeds, spread evenly over all, are tried first. An object is given up when fewer of them get a surface.
@@ -58,7 +60,8 @@ PatchFinder::PatchFinder(const Scene& scene, const Topology& topology, const Obj
       patch_of_(graph.size(), kNone),
       stamp_(graph.size(), 0),
       look_of_(object.vertex_end - object.vertex_begin),
-      is_fetched_(look_of_.size() / kWordBits + 1, 0) {}
+      is_fetched_(look_of_.size() / kWordBits + 1, 0),
+      sag_part_(kSagPart) {}
 
 std::vector<std::uint32_t> PatchFinder::run(std::vector<Patch>& patches) {
   const std::vector<std::uint32_t> all = seeds();
@@ -142,6 +145,14 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
     consider(SurfaceKind::cylinder, std::array{seed, near[i]}, kSimilarArea);
   }
   if (is_settled()) return best;
+  // Triangles between two curves have no corners in common rulings, and more of them are needed.
+  const std::vector<std::uint32_t> strip = strip_of(seed);
+  if (strip.size() >= kFewestStrip && best.facets.size() < strip.size()) {
+    sag_part_ = kStripSagPart;
+    consider(SurfaceKind::cylinder, strip, kSimilarArea);
+    sag_part_ = kSagPart;
+    if (is_settled()) return best;
+  }
   // More facets tell it where they are no strips.
   const std::vector<std::uint32_t> ring = around(seed, 2, 24), wide = around(seed, 10, 28);
   consider(SurfaceKind::cylinder, ring, kSimilarArea);
@@ -151,13 +162,17 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
   consider(SurfaceKind::cone, ring, kSimilarArea);
   consider(SurfaceKind::cone, wide, kSimilarArea);
   if (is_settled()) return best;
-  // A band of a sphere lies on a cylinder or a cone as well, and says which sphere.
+  // A band of a sphere lies on a cylinder or a cone as well, and says which sphere, and with the band beside it which torus.
+  const auto rows = rows_beside(best);
   std::vector<std::uint32_t> band = best.facets;
   band.resize(std::min(band.size(), kMostBand));
   if (!band.empty()) consider(SurfaceKind::sphere, band, kSimilarArea);
   consider(SurfaceKind::sphere, ring, kSimilarArea);
   consider(SurfaceKind::torus, ring, kTorusArea);
   consider(SurfaceKind::torus, wide, kTorusArea);
+  for (const auto& row : rows) {
+    if (!row.empty() && best.patch.surface.kind != SurfaceKind::torus) consider(SurfaceKind::torus, row, kTorusArea);
+  }
   return best;
 }
 
@@ -214,27 +229,8 @@ std::vector<std::uint32_t> PatchFinder::grow(const Patch& patch, std::uint32_t s
   return facets;
 }
 
-/// The seed and facets that may be curved, within so many arcs of it.
-std::vector<std::uint32_t> PatchFinder::around(std::uint32_t seed, int rings, std::size_t most) {
-  std::vector<std::uint32_t> facets{seed};
-  ++round_;
-  stamp_[seed] = round_;
-  std::size_t begin = 0;
-  for (int ring = 0; ring < rings && begin < facets.size(); ++ring) {
-    const std::size_t end = facets.size();
-    for (; begin < end; ++begin) {
-      for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[begin])) {
-        if (stamp_[arc.facet] == round_ || !may_curve(arc.facet) || facets.size() >= most) continue;
-        stamp_[arc.facet] = round_;
-        facets.push_back(arc.facet);
-      }
-    }
-  }
-  return facets;
-}
-
 double PatchFinder::tolerance_for(SurfaceKind kind, double sag) const {
-  return std::max(kPrecisions * object_.precision, (kind == SurfaceKind::sphere ? kSphereSagPart : kSagPart) * sag);
+  return std::max(kPrecisions * object_.precision, (kind == SurfaceKind::sphere ? kSphereSagPart : sag_part_) * sag);
 }
 
 /// Whether the facets of a candidate, whose corners fetch_points() has fetched, can not lie on its surface by accident.

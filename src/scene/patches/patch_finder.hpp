@@ -1,6 +1,7 @@
 #pragma once
 /// Searches the facets of one object for surfaces. The steps are described at find_patches().
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -29,6 +30,10 @@ class PatchFinder {
 
  private:
   static constexpr std::uint32_t kWordBits = 64;  ///< bits of a word of is_fetched_
+  /// Adjustable. A facet on which no surface was found excludes its neighbours of at least this part of its area as seeds;
+  /// smaller ones may belong to a fillet beside a plane. A neighbour of less than this part of a facet's area is not in one
+  /// strip with it.
+  static constexpr double kLikeArea = 0.25;
 
   /// Whether a vertex lies on the surface that is tried, remembered because several facets share it.
   struct VertexLook {
@@ -46,6 +51,8 @@ class PatchFinder {
   PatchCandidate try_surface(SurfaceKind kind, std::uint32_t seed, std::span<const std::uint32_t> facets);
   std::vector<std::uint32_t> grow(const Patch& patch, std::uint32_t seed);
   std::vector<std::uint32_t> around(std::uint32_t seed, int rings, std::size_t most);
+  std::array<std::vector<std::uint32_t>, 2> rows_beside(const PatchCandidate& band);
+  std::vector<std::uint32_t> strip_of(std::uint32_t seed);
   void fetch_points(std::span<const std::uint32_t> facets);
   void sort_by_bits(std::uint32_t low, std::uint32_t high);
   double sag_of(const PatchSurface& surface, std::span<const std::uint32_t> facets);
@@ -75,6 +82,7 @@ class PatchFinder {
   std::vector<Point3> points_;             ///< result of fetch_points(): their positions
   std::vector<FacetFrame> frames_;
   std::vector<double> numbers_;
+  double sag_part_;  ///< corners lie beside the surface by this part of the sag, at the most
 };
 
 }  // namespace ligne

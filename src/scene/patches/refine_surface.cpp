@@ -3,9 +3,9 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "geometry/small_matrices.hpp"
 #include "scene/patches/normal_at.hpp"
 #include "scene/patches/patch_surface.hpp"
-#include "scene/patches/small_matrices.hpp"
 
 namespace ligne {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/patches/small_matrices.hpp"
+#include "geometry/small_matrices.hpp"
 
 #include <algorithm>
 #include <cmath>

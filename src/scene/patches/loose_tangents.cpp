@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <array>
+
+#include "base/no_index.hpp"
+#include "scene/patches/patch_edges.hpp"
+
+namespace ligne {
+namespace {
+
+/// Adjustable: chains of no more tangent edges beside planes that end where no other line begins are flecks.
+constexpr std::size_t kMostLooseEdges = 3;
+
+/// A vertex at which tangent edges end: how many do, the exclusive or of their numbers, which is that of the last one left,
+/// and whether another line ends there.
+struct TangentNode {
+  std::uint32_t vertex = 0, count = 0, numbers = 0;
+  bool is_held = false;
+  bool is_loose() const { return count == 1 && !is_held; }
+};
+
+class TangentChains {
+ public:
+  TangentChains(const Topology& topology, std::vector<PatchEdge>& edges) : topology_(topology), edges_(edges) {
+    std::vector<std::uint32_t> tangent;
+    for (std::uint32_t e = 0; e < edges.size(); ++e) {
+      if (edges[e] != PatchEdge::tangent) continue;
+      tangent.push_back(e);
+      for (const std::uint32_t v : ends_of(e)) nodes_.push_back({v});
+    }
+    std::ranges::sort(nodes_, {}, &TangentNode::vertex);
+    const auto is_same = [](const TangentNode& l, const TangentNode& r) { return l.vertex == r.vertex; };
+    nodes_.erase(std::unique(nodes_.begin(), nodes_.end(), is_same), nodes_.end());
+    for (const std::uint32_t e : tangent) {
+      for (const std::uint32_t v : ends_of(e)) {
+        TangentNode& node = *node_at(v);
+        ++node.count;
+        node.numbers ^= e;
+      }
+    }
+  }
+
+  bool empty() const { return nodes_.empty(); }
+
+  /// Other lines hold the tangent edges that end at them.
+  void hold(const std::vector<std::uint8_t>& is_line) {
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+      if (!is_line[e] && topology_.edges[e].face1 != kNone && !(topology_.edge_flags[e] & kEdgeManyFaces)) continue;
+      for (const std::uint32_t v : ends_of(e)) {
+        if (TangentNode* node = node_at(v)) node->is_held = true;
+      }
+    }
+  }
+
+  /// Takes loose edges out that lie between two curved surfaces, and those that are loose without them.
+  void drop_between_curved(const Patches& patches) {
+    const auto is_curved = [&](std::uint32_t f) { return patches.patch_of[f] != kNone || patches.is_freeform[f]; };
+    for (TangentNode& first : nodes_) {
+      for (TangentNode* node = &first; node->is_loose();) {
+        const std::uint32_t e = node->numbers;
+        if (!is_curved(topology_.edges[e].face0) || !is_curved(topology_.edges[e].face1)) break;
+        edges_[e] = PatchEdge::inside;
+        TangentNode* next = other_end(e, *node);
+        for (TangentNode* end : {node, next}) {
+          --end->count;
+          end->numbers ^= e;
+        }
+        node = next;
+      }
+    }
+  }
+
+  /// Takes loose chains of up to kMostLooseEdges out.
+  void drop_flecks() {
+    std::vector<std::uint32_t> chain;
+    for (const TangentNode& first : nodes_) {
+      if (!first.is_loose()) continue;
+      chain.assign(1, first.numbers);
+      const TangentNode* node = other_end(chain.back(), first);
+      while (node->count == 2 && !node->is_held && chain.size() <= kMostLooseEdges) {
+        chain.push_back(node->numbers ^ chain.back());  // the other one of the two edges
+        node = other_end(chain.back(), *node);
+      }
+      if (chain.size() > kMostLooseEdges) continue;
+      for (const std::uint32_t e : chain) edges_[e] = PatchEdge::inside;
+    }
+  }
+
+ private:
+  std::array<std::uint32_t, 2> ends_of(std::uint32_t e) const { return {topology_.edges[e].v0, topology_.edges[e].v1}; }
+
+  TangentNode* node_at(std::uint32_t v) {
+    const auto at = std::ranges::lower_bound(nodes_, v, {}, &TangentNode::vertex);
+    return at != nodes_.end() && at->vertex == v ? &*at : nullptr;
+  }
+
+  TangentNode* other_end(std::uint32_t e, const TangentNode& node) {
+    const auto ends = ends_of(e);
+    return node_at(ends[0] == node.vertex ? ends[1] : ends[0]);
+  }
+
+  const Topology& topology_;
+  std::vector<PatchEdge>& edges_;
+  std::vector<TangentNode> nodes_;  ///< by vertices
+};
+
+}  // namespace
+
+void drop_loose_tangents(const Topology& topology, const Patches& patches, const std::vector<std::uint8_t>& is_line,
+                         std::vector<PatchEdge>& edges) {
+  TangentChains chains(topology, edges);
+  if (chains.empty()) return;
+  chains.hold(is_line);
+  chains.drop_between_curved(patches);
+  chains.drop_flecks();
+}
+
+}  // namespace ligne
