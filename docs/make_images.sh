@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of docs/tour.md, docs/gallery.md, docs/clear-lines.md, docs/shape-lines.md, docs/surfaces.md, docs/surfaces-gallery.md and docs/methods anew, by the very commands that stand there: docs/make_images.sh [LIGNE [FOLDER]]
+# Makes the pictures of docs/tour.md, docs/gallery.md, docs/clear-lines.md, docs/shape-lines.md, docs/subdivision.md, docs/surfaces.md, docs/surfaces-gallery.md and docs/methods anew, by the very commands that stand there: docs/make_images.sh [LIGNE [FOLDER]]
 # LIGNE is the program (default: ligne.sh, which builds it), FOLDER where the pictures go (default: docs/images).
 # Models and grids that others made are looked for in LIGNE_MODELS_DIR; pictures of those that are not there stay as they are.
 # White paper is put under each drawing, so that it can be read on dark screens too.
@@ -15,7 +15,7 @@ cd "$root"
 commands() {
   awk '/^```/ { inside = $0 == "```sh"; next }
        inside { line = line $0; if (sub(/\\$/, "", line)) next; if (line ~ /^ligne (draw|surface) .* -o docs\/images\//) print line; line = "" }' \
-    docs/tour.md docs/gallery.md docs/clear-lines.md docs/shape-lines.md docs/surfaces.md docs/surfaces-gallery.md docs/methods/*.md
+    docs/tour.md docs/gallery.md docs/clear-lines.md docs/shape-lines.md docs/subdivision.md docs/surfaces.md docs/surfaces-gallery.md docs/methods/*.md
 }
 
 made=0
