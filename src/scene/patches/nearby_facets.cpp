@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <span>
 
 #include "scene/patches/patch_finder.hpp"
 
@@ -9,14 +7,12 @@ namespace ligne {
 namespace {
 
 // Adjustable parameters.
-/// Facets of a strip, and of the band from which others are reached, at the most.
+/// Facets of a strip at the most.
 constexpr std::size_t kMostStrip = 24;
 /// Facets of a strip are so many times as long as they are wide, or more: the square of their length by twice their area.
 constexpr double kLongFacet = 4;
 /// The edges between the facets of a strip have at least this part of the length of the first facet.
 constexpr double kRulingPart = 0.5;
-/// An edge runs round an axis when it changes its place along the rulings by no more than this part of its length.
-constexpr double kRoundPart = 0.3;
 
 }  // namespace
 
@@ -63,33 +59,6 @@ std::vector<std::uint32_t> PatchFinder::strip_of(std::uint32_t seed) {
     }
   }
   return facets;
-}
-
-/// The facets of a band on a cylinder or a cone with those beside it over edges that run round the axis: on the one side of
-/// the band, and on the other.
-std::array<std::vector<std::uint32_t>, 2> PatchFinder::rows_beside(const PatchCandidate& band) {
-  const PatchSurface& surface = band.patch.surface;
-  const auto place = [&](const Point3& p) {
-    const AxisPlace at = axis_place(surface, p);
-    return at.along + surface.slope * at.radius;
-  };
-  ++round_;
-  for (const std::uint32_t f : band.facets) stamp_[f] = round_;
-  const std::span first(band.facets.data(), std::min(band.facets.size(), kMostStrip));
-  std::array<std::vector<std::uint32_t>, 2> rows;
-  for (const std::uint32_t f : first) {
-    for (const FacetGraph::Arc& arc : graph_.arcs_of(f)) {
-      if (stamp_[arc.facet] == round_ || !may_curve(arc.facet)) continue;
-      const Point3 &a = scene_.vertices[topology_.edges[arc.edge].v0], &b = scene_.vertices[topology_.edges[arc.edge].v1];
-      if (std::abs(place(a) - place(b)) > kRoundPart * glm::distance(a, b)) continue;
-      stamp_[arc.facet] = round_;
-      rows[place(graph_.frames[arc.facet].middle) > place((a + b) * 0.5)].push_back(arc.facet);
-    }
-  }
-  for (auto& row : rows) {
-    if (!row.empty()) row.insert(row.end(), first.begin(), first.end());
-  }
-  return rows;
 }
 
 }  // namespace ligne

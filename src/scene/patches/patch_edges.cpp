@@ -87,7 +87,9 @@ class EdgeClassifier {
     if (border.angle > kTangentSlack + kTangentPart * border.turn) {
       return !border.is_beside_band && border.angle >= std::acos(sharp_) ? PatchEdge::sharp : PatchEdge::unknown;
     }
-    const bool has_line = border.is_beside_plane || border.bends_otherwise;
+    // A limit surface, and any other that the file shades smooth, has no lines where patches of it bend differently.
+    const bool is_smooth = topology_.edge_flags[border.edge] & kEdgeSmooth;
+    const bool has_line = border.is_beside_plane || (border.bends_otherwise && !is_smooth);
     return border.turn >= kLeastTurn && has_line ? PatchEdge::tangent : PatchEdge::unknown;
   }
 

@@ -162,17 +162,13 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
   consider(SurfaceKind::cone, ring, kSimilarArea);
   consider(SurfaceKind::cone, wide, kSimilarArea);
   if (is_settled()) return best;
-  // A band of a sphere lies on a cylinder or a cone as well, and says which sphere, and with the band beside it which torus.
-  const auto rows = rows_beside(best);
+  // A band of a sphere lies on a cylinder or a cone as well, and says which sphere.
   std::vector<std::uint32_t> band = best.facets;
   band.resize(std::min(band.size(), kMostBand));
   if (!band.empty()) consider(SurfaceKind::sphere, band, kSimilarArea);
   consider(SurfaceKind::sphere, ring, kSimilarArea);
   consider(SurfaceKind::torus, ring, kTorusArea);
   consider(SurfaceKind::torus, wide, kTorusArea);
-  for (const auto& row : rows) {
-    if (!row.empty() && best.patch.surface.kind != SurfaceKind::torus) consider(SurfaceKind::torus, row, kTorusArea);
-  }
   return best;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 /// Searches the facets of one object for surfaces. The steps are described at find_patches().
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -51,7 +50,6 @@ class PatchFinder {
   PatchCandidate try_surface(SurfaceKind kind, std::uint32_t seed, std::span<const std::uint32_t> facets);
   std::vector<std::uint32_t> grow(const Patch& patch, std::uint32_t seed);
   std::vector<std::uint32_t> around(std::uint32_t seed, int rings, std::size_t most);
-  std::array<std::vector<std::uint32_t>, 2> rows_beside(const PatchCandidate& band);
   std::vector<std::uint32_t> strip_of(std::uint32_t seed);
   void fetch_points(std::span<const std::uint32_t> facets);
   void sort_by_bits(std::uint32_t low, std::uint32_t high);
