@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "drawing/drawing.hpp"
+#include "linework/overlaps/coincident_strokes.hpp"
 #include "plotting/page.hpp"
 #include "plotting/writers/writers.hpp"
 #include "scene/model/topology.hpp"

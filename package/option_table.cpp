@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "cli/commands.hpp"
-#include "drawing/stroke.hpp"
+#include "linework/stroke.hpp"
 #include "picture/requests.hpp"
 #include "picture/surface/surface_request.hpp"
 #include "plotting/devices/device.hpp"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "drawing/stroke.hpp"
+#include "linework/stroke.hpp"
 
 namespace ligne {
 

@@ -15,6 +15,7 @@
 /// came out.
 
 #include "plotting/paths/join.hpp"
+#include "linework/overlaps/coincident_strokes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +26,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/no_index.hpp"
-#include "drawing/graphs/node_pairs.hpp"
+#include "linework/node_pairs.hpp"
 #include "plotting/paths/bridge_cuts.hpp"
 #include "plotting/paths/chain_ends.hpp"
 #include "plotting/paths/simplify.hpp"

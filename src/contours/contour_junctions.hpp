@@ -10,7 +10,7 @@
 #include "base/key_table.hpp"
 #include "base/no_index.hpp"
 #include "contours/contour_states.hpp"
-#include "drawing/stroke.hpp"
+#include "linework/stroke.hpp"
 
 namespace ligne {
 

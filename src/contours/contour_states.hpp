@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "contours/contour_curves.hpp"
-#include "drawing/stroke.hpp"
+#include "linework/stroke.hpp"
 
 namespace ligne {
 

@@ -3,7 +3,7 @@
 
 #include "contours/contour_lines.hpp"
 #include "contours/curve_writer.hpp"
-#include "drawing/stroke.hpp"
+#include "linework/stroke.hpp"
 
 namespace ligne {
 

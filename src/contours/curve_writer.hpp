@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contours/contour_states.hpp"
-#include "drawing/stroke.hpp"
+#include "linework/stroke.hpp"
 #include "view/view.hpp"
 
 namespace ligne {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "drawing/stroke.hpp"
 #include "drawing/text_item.hpp"
 #include "geometry/point.hpp"
+#include "linework/stroke.hpp"
 
 namespace ligne {
 
@@ -75,12 +75,6 @@ struct Drawing {
   std::vector<TextItem> texts{};
   std::vector<Fill> fills{};  ///< in painting order
 };
-
-/// Makes every line appear once. Where strokes lie on each other within `tolerance_mm`, only the one with the highest
-/// precedence stays: visible before hidden, seen directly before seen through transparent faces, then by class, then
-/// the nearer one, then the lower source. Two strokes are compared only if `needs_overlap_check` is true for at least
-/// one. Strokes without overlap keep their order; the others follow by precedence.
-void remove_coincident_strokes(StrokeModel& model, double tolerance_mm);
 
 /// Joins strokes with common ends into polylines, layer by layer. Where more than two strokes of a layer meet, the pair
 /// that makes the straightest line is joined first.

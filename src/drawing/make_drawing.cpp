@@ -17,8 +17,8 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "drawing/drawing.hpp"
-#include "drawing/graphs/node_pairs.hpp"
-#include "drawing/graphs/stroke_nodes.hpp"
+#include "linework/node_pairs.hpp"
+#include "linework/stroke_nodes.hpp"
 
 namespace ligne {
 namespace {

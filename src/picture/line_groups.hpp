@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "drawing/stroke.hpp"
 #include "geometry/point.hpp"
+#include "linework/stroke.hpp"
 
 namespace ligne {
 

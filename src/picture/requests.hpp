@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "drawing/stroke.hpp"
 #include "geometry/point.hpp"
+#include "linework/stroke.hpp"
 #include "picture/models/memory.hpp"
 #include "plotting/devices/device.hpp"
 #include "plotting/devices/pens.hpp"

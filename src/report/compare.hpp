@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "drawing/drawing.hpp"
-#include "drawing/stroke_difference.hpp"
+#include "linework/overlaps/stroke_difference.hpp"
 #include "picture/choice/scene_traits.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "drawing/stroke.hpp"
+#include "linework/stroke.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 #include "view/projected_scene.hpp"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "drawing/stroke.hpp"
+#include "linework/stroke.hpp"
 #include "scene/creases/crease_lines.hpp"
 #include "scene/model/topology.hpp"
 #include "view/view.hpp"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/no_index.hpp"
-#include "drawing/stroke.hpp"
 #include "geometry/lattice.hpp"
+#include "linework/stroke.hpp"
 #include "scene/model/topology.hpp"
 #include "view/view.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "drawing/result_models.hpp"
 #include "drawing/statistics.hpp"
-#include "drawing/stroke.hpp"
+#include "linework/stroke.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/kept_visibility.hpp"
 #include "visibility/method_parameters.hpp"

@@ -2,7 +2,8 @@
 // is drawn, against the oracle: nothing hidden is drawn, nothing visible is missing, nothing is drawn twice. The scenes are
 // found when the program starts: a new one is a new test.
 
-#include "drawing/stroke_difference.hpp"
+#include "linework/overlaps/coincident_strokes.hpp"
+#include "linework/overlaps/stroke_difference.hpp"
 #include "main/tier.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/comparison.hpp"

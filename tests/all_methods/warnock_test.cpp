@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 
+#include "linework/overlaps/coincident_strokes.hpp"
 #include "main/tier.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/corpus_scene.hpp"

@@ -2,6 +2,7 @@
 // that a region's area is that of the part of the face, at one page millimetre to a model unit.
 
 #include "drawing/measures.hpp"
+#include "linework/overlaps/coincident_strokes.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/light/detail_lines.hpp"
 #include "picture/light/details.hpp"

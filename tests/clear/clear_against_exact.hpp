@@ -1,7 +1,7 @@
 #pragma once
 /// A clear drawing against the exact one of the same model.
 
-#include "drawing/stroke.hpp"
+#include "linework/stroke.hpp"
 #include "scene/model/topology.hpp"
 #include "support/page_lines.hpp"
 #include "view/view.hpp"

@@ -1,4 +1,5 @@
 #include "contours/parametric_mesh.hpp"
+#include "linework/overlaps/coincident_strokes.hpp"
 
 #include "contours/contour_strokes.hpp"
 #include "scene/model/topology.hpp"

@@ -1,5 +1,5 @@
 #include "base/parallel.hpp"
-#include "stroke_builder.hpp"
+#include "linework/stroke_builder.hpp"
 #include "support/test.hpp"
 
 namespace ligne {

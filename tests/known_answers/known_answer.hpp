@@ -1,7 +1,7 @@
 #pragma once
 /// Scenes whose visible lines were worked out by hand, one JSON file each; README.md tells the format.
 
-#include "drawing/stroke.hpp"
+#include "linework/stroke.hpp"
 #include "scene/model/scene.hpp"
 #include "support/standard.hpp"
 #include "view/view.hpp"

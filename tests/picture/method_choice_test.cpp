@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "drawing/stroke_difference.hpp"
+#include "linework/overlaps/stroke_difference.hpp"
 #include "picture/choice/method_choice.hpp"
 #include "picture/choice/scene_traits.hpp"
 #include "picture/scene_visibility.hpp"

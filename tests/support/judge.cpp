@@ -3,6 +3,7 @@
 #include <glm/vec4.hpp>
 
 #include "drawing/drawing.hpp"
+#include "linework/overlaps/coincident_strokes.hpp"
 #include "main/checks.hpp"
 #include "support/comparison.hpp"
 #include "support/standard.hpp"

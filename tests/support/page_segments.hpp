@@ -1,7 +1,7 @@
 #pragma once
 /// Segments of the page, by the names of the tests.
 
-#include "drawing/overlaps/page_segments.hpp"
+#include "linework/overlaps/page_segments.hpp"
 
 namespace ligne::test {
 

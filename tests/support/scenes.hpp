@@ -2,6 +2,7 @@
 /// The shortest way from a scene to its strokes.
 
 #include "drawing/drawing.hpp"
+#include "linework/overlaps/coincident_strokes.hpp"
 #include "scene/model/topology.hpp"
 #include "support/scene_parts.hpp"
 #include "support/test.hpp"

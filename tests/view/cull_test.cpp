@@ -2,6 +2,7 @@
 
 #include "view/cull.hpp"
 #include "drawing/drawing.hpp"
+#include "linework/overlaps/coincident_strokes.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/scene_parts.hpp"
 #include "support/scenes.hpp"

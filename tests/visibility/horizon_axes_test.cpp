@@ -3,6 +3,7 @@
 // drawn twice.
 
 #include "height_functions.hpp"
+#include "linework/overlaps/coincident_strokes.hpp"
 #include "main/tier.hpp"
 #include "scene/model/topology.hpp"
 #include "scene/surfaces/surface_mesh.hpp"

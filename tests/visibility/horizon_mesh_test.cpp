@@ -2,6 +2,7 @@
 // shared but the heights.
 
 #include "height_functions.hpp"
+#include "linework/overlaps/coincident_strokes.hpp"
 #include "main/tier.hpp"
 #include "scene/model/topology.hpp"
 #include "support/test.hpp"

@@ -1,7 +1,8 @@
 // The exact scan: its list, its stops, its bands.
 
 #include "drawing/drawing.hpp"
-#include "drawing/overlaps/stroke_overlap.hpp"
+#include "linework/overlaps/coincident_strokes.hpp"
+#include "linework/overlaps/stroke_overlap.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/scenes.hpp"
 #include "support/test.hpp"

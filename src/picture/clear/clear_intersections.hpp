@@ -1,7 +1,7 @@
 #pragma once
 /// The intersections of clear lines.
 
-#include "drawing/stroke.hpp"
+#include "linework/stroke.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
 #include "scene/model/scene.hpp"

@@ -14,9 +14,9 @@
 #include <tuple>
 
 #include "base/no_index.hpp"
-#include "drawing/graphs/stroke_arcs.hpp"
-#include "drawing/overlaps/stroke_overlap.hpp"
-#include "drawing/stroke_piece.hpp"
+#include "linework/overlaps/stroke_overlap.hpp"
+#include "linework/stroke_arcs.hpp"
+#include "linework/stroke_piece.hpp"
 #include "picture/clear/profile_sides.hpp"
 
 namespace ligne {

@@ -3,7 +3,7 @@
 /// docs/profiles.md.
 
 #include "contours/contour_strokes.hpp"
-#include "drawing/stroke.hpp"
+#include "linework/stroke.hpp"
 #include "picture/requests.hpp"
 #include "scene/model/scene.hpp"
 #include "view/projected_scene.hpp"

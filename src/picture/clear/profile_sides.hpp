@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contours/contour_strokes.hpp"
-#include "drawing/stroke.hpp"
+#include "linework/stroke.hpp"
 #include "picture/requests.hpp"
 #include "scene/model/scene.hpp"
 #include "view/projected_scene.hpp"

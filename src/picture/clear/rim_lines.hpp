@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "drawing/stroke.hpp"
+#include "linework/stroke.hpp"
 #include "scene/contacts/chord_errors.hpp"
 #include "scene/contacts/face_neighbours.hpp"
 #include "scene/heal/edge_tree.hpp"

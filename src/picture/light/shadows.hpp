@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "drawing/result_models.hpp"
-#include "drawing/stroke.hpp"
+#include "linework/stroke.hpp"
 #include "scene/model/topology.hpp"
 #include "view/projected_scene.hpp"
 

@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "drawing/stroke.hpp"
 #include "geometry/point.hpp"
+#include "linework/stroke.hpp"
 #include "picture/models/models.hpp"
 #include "picture/requests.hpp"
 #include "scene/model/scene.hpp"

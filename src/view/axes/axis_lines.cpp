@@ -1,4 +1,5 @@
 #include "view/axes/axis_lines.hpp"
+#include "linework/overlaps/coincident_strokes.hpp"
 
 #include <algorithm>
 #include <utility>

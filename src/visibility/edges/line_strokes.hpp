@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
-#include "drawing/stroke.hpp"
+#include "linework/stroke.hpp"
 #include "visibility/common/facet.hpp"
 #include "visibility/common/open_parts.hpp"
 #include "visibility/edges/face_counts.hpp"

@@ -35,7 +35,7 @@ class Sight {
   Point3 eye_, right_, up_, forward_;
 };
 
-/// Fraction of a segment in space at the fraction s on the drawing plane; see source_parameter in drawing/stroke.hpp.
+/// Fraction of a segment in space at the fraction s on the drawing plane; see source_parameter in linework/stroke.hpp.
 inline double fraction_in_space(double w0, double w1, double s) {
   const double numerator = s * w0;
   return numerator / ((1 - s) * w1 + numerator);

@@ -1,0 +1,164 @@
+#include "linework/map/line_groups.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/disjoint_sets.hpp"
+#include "base/parallel.hpp"
+#include "linework/stroke_geometry.hpp"
+#include "linework/stroke_nodes.hpp"
+
+namespace ligne {
+namespace {
+
+/// Adjustable: ends that one task pairs.
+constexpr std::size_t kPairedBlock = 16'384;
+
+}  // namespace
+
+Chains::Chains(const LineMap& map) : of_(map.piece_count(), kNone), chains_(map.piece_count()) {
+  DisjointSets sets(map.piece_count());
+  for (std::uint32_t end = 0; end < 2 * map.piece_count(); ++end) {
+    if (!map.is_alive(end / 2)) continue;
+    if (const std::uint32_t next = map.next(end); next != kNone) sets.join(end / 2, next / 2);
+  }
+  for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
+    if (!map.is_alive(p)) continue;
+    of_[p] = sets.find(p);
+    const Stroke& s = map.piece(p);
+    Chain& chain = chains_[of_[p]];
+    chain.length += page_length(s);
+    chain.only_edges &= is_edge(s);
+    chain.only_intersections &= s.line_class == LineClass::intersection;
+    const bool from_free = map.is_free(2 * p), to_free = map.is_free(2 * p + 1);
+    chain.free_ends += from_free + to_free;
+    chain.cut_ends += (from_free && s.t_from > 0) + (to_free && s.t_to < 1);
+  }
+}
+
+namespace {
+
+/// The arms of the edges at a node, in the order of their ends.
+NodeArms edge_arms(const LineMap& map, std::uint32_t node) {
+  NodeArms arms;
+  map.for_each_end(node, [&](std::uint32_t end) {
+    if (!is_edge(map.piece(end / 2))) return;
+    const LatticePoint p = map.point(end), far = map.point(end ^ 1);
+    arms.add({{far.x - p.x, far.y - p.y}, end});
+  });
+  return arms;
+}
+
+/// Pairs ends of one class at a node, and then those that are left.
+void pair_ends(const LineMap& map, std::uint32_t node, std::vector<std::uint32_t>& same, std::vector<std::uint32_t>& other) {
+  const NodeArms arms = edge_arms(map, node);
+  const auto class_of = [&](const NodeArm& arm) { return map.piece(arm.end / 2).line_class; };
+  if (arms.all().size() < 2) return;
+  if (std::ranges::all_of(arms.all(), [&](const NodeArm& arm) { return class_of(arm) == class_of(arms.all()[0]); })) {
+    return pair_arms(arms.all(), same);
+  }
+  NodeArms group;
+  for (std::size_t c = 0; c < kEdgeClassCount; ++c) {
+    group.clear();
+    for (const NodeArm& arm : arms.all()) {
+      if (class_of(arm) == static_cast<LineClass>(c)) group.add(arm);
+    }
+    pair_arms(group.all(), same);
+  }
+  group.clear();
+  for (const NodeArm& arm : arms.all()) {
+    if (same[arm.end] == kNone) group.add(arm);
+  }
+  pair_arms(group.all(), other);
+}
+
+}  // namespace
+
+Runs::Runs(const LineMap& map) : of_(map.piece_count(), kNone), runs_(map.piece_count()) {
+  const std::size_t ends = 2 * std::size_t{map.piece_count()};
+  std::vector<std::uint32_t> same(ends, kNone), other = same;
+  parallel_blocks(ends, kPairedBlock, [&](std::size_t begin, std::size_t last) {
+    for (auto end = static_cast<std::uint32_t>(begin); end < last; ++end) {
+      const bool is_first = map.is_alive(end / 2) && map.first_end(map.node_of(end)) == end;
+      if (is_first) pair_ends(map, map.node_of(end), same, other);
+    }
+  });
+  DisjointSets sets(map.piece_count());
+  for (std::uint32_t end = 0; end < ends; ++end) {
+    if (same[end] != kNone) sets.join(end / 2, same[end] / 2);
+  }
+  for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
+    if (!map.is_alive(p) || !is_edge(map.piece(p))) continue;
+    of_[p] = sets.find(p);
+    runs_[of_[p]].length += page_length(map.piece(p));
+    runs_[of_[p]].line_class = map.piece(p).line_class;
+  }
+  for (std::uint32_t end = 0; end < ends; ++end) {
+    if (other[end] == kNone) continue;
+    const std::uint32_t beside = of_[other[end] / 2];
+    Run& run = runs_[of_[end / 2]];
+    if (runs_[beside].line_class == run.line_class) continue;
+    if (run.longest_beside == kNone || runs_[beside].length > runs_[run.longest_beside].length) run.longest_beside = beside;
+  }
+}
+
+Arcs::Arcs(const LineMap& map, double reach)
+    : map_(map), junction_of_(2 * std::size_t{map.piece_count()}), is_left_(map.piece_count(), 0) {
+  const std::uint32_t ends = 2 * map.piece_count();
+  DisjointSets junctions(ends);
+  for (const Contact& contact : map.contacts()) {
+    const bool holds = map.degree(contact.node) == 1 && map.degree(contact.other) > 0;
+    if (holds && contact.distance <= reach) junctions.join(contact.node, contact.other);
+  }
+  degree_.assign(ends, 0);
+  for (std::uint32_t end = 0; end < ends; ++end) junction_of_[end] = junctions.find(map.node_of(end));
+  for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
+    is_left_[p] = map.is_alive(p) && junction_of_[2 * p] != junction_of_[2 * p + 1];
+    if (is_left_[p]) ++degree_[junction_of_[2 * p]], ++degree_[junction_of_[2 * p + 1]];
+  }
+  first_at_.assign(ends + 1, 0);
+  std::partial_sum(degree_.begin(), degree_.end(), first_at_.begin() + 1);
+  at_junction_.resize(first_at_.back());
+  std::vector<std::uint32_t> next(first_at_.begin(), first_at_.end() - 1);
+  for (std::uint32_t end = 0; end < ends; ++end) {
+    if (is_left_[end / 2]) at_junction_[next[junction_of_[end]]++] = end / 2;
+  }
+}
+
+std::vector<Arcs::Arc> Arcs::find() const {
+  DisjointSets sets(is_left_.size());
+  std::vector<std::uint32_t> met(degree_.size(), kNone);  // by place of two pieces: the first of them
+  const auto ends = static_cast<std::uint32_t>(junction_of_.size());
+  for (std::uint32_t end = 0; end < ends; ++end) {
+    const std::uint32_t junction = junction_of_[end];
+    if (!is_left_[end / 2] || degree_[junction] != 2) continue;
+    if (met[junction] != kNone) sets.join(end / 2, met[junction]);
+    met[junction] = end / 2;
+  }
+  std::vector<std::uint32_t> number(is_left_.size(), kNone);
+  std::vector<Arc> found;
+  for (std::uint32_t p = 0; p < is_left_.size(); ++p) {
+    if (!is_left_[p]) continue;
+    std::uint32_t& n = number[sets.find(p)];
+    if (n == kNone) {
+      n = static_cast<std::uint32_t>(found.size());
+      found.emplace_back();
+    }
+    found[n].pieces.push_back(p);
+    found[n].length += page_length(map_.piece(p));
+    for (const std::uint32_t end : {2 * p, 2 * p + 1}) {
+      if (degree_[junction_of_[end]] != 2) found[n].junctions.push_back(junction_of_[end]);
+    }
+  }
+  return found;
+}
+
+void Arcs::take_away(const Arc& arc) {
+  for (const std::uint32_t p : arc.pieces) {
+    is_left_[p] = 0;
+    --degree_[junction_of_[2 * p]];
+    --degree_[junction_of_[2 * p + 1]];
+  }
+}
+
+}  // namespace ligne

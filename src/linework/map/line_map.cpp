@@ -1,0 +1,268 @@
+#include "linework/map/line_map.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <tuple>
+#include <utility>
+
+#include "linework/near_part.hpp"
+#include "linework/stroke_geometry.hpp"
+#include "linework/stroke_nodes.hpp"
+
+namespace ligne {
+
+/// The place on another line where a free end lies.
+struct LineMap::Meeting {
+  std::uint32_t piece;
+  double fraction, distance;
+  std::uint32_t node;  ///< of the free end, whose number changes where its piece is cut
+  LatticePoint place{};
+};
+
+LineMap::LineMap(StrokeModel& model, const std::function<bool(const Stroke&)>& takes_part, double reach, double cell)
+    : model_(model),
+      cell_(cell),
+      had_hidden_(any_hidden(model.strokes)),
+      given_(static_cast<std::uint32_t>(model.strokes.size())) {
+  std::vector<std::uint32_t> members;
+  for (std::uint32_t i = 0; i < given_; ++i) {
+    const Stroke& s = model.strokes[i];
+    if (is_seen(s) && s.from != s.to && takes_part(s)) members.push_back(i);
+  }
+  pieces_.reserve(members.size());
+  for (const std::uint32_t i : members) pieces_.push_back({model.strokes[i], i, kNone});
+  node_of_.resize(2 * members.size());
+  next_end_ = first_end_ = std::vector<std::uint32_t>(2 * members.size(), kNone);
+  degree_.assign(2 * members.size(), 0);
+  // A node has the number of its lowest end.
+  for_each_node(model.strokes, members, [&](std::span<const StrokeEnd> ends) {
+    const std::uint32_t node = ends[0].end;
+    first_end_[node] = node;
+    degree_[node] = static_cast<std::uint32_t>(ends.size());
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      node_of_[ends[k].end] = node;
+      if (k + 1 < ends.size()) next_end_[ends[k].end] = ends[k + 1].end;
+    }
+  });
+  if (reach > 0) find_contacts(reach);
+}
+
+std::uint32_t LineMap::next(std::uint32_t end) const {
+  const std::uint32_t node = node_of_[end];
+  if (degree_[node] != 2) return kNone;
+  const std::uint32_t first = first_end_[node];
+  return first == end ? next_end_[end] : first;
+}
+
+void LineMap::file_pieces() {
+  cells_.emplace(cell_);
+  for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
+    if (pieces_[p].alive) cells_->insert(p, pieces_[p].stroke.from, pieces_[p].stroke.to);
+  }
+}
+
+/// A new piece has two nodes of its own.
+std::uint32_t LineMap::new_piece(const Stroke& stroke, std::uint32_t of) {
+  const auto p = static_cast<std::uint32_t>(pieces_.size());
+  pieces_.push_back({stroke, of, kNone});
+  for (const std::uint32_t end : {2 * p, 2 * p + 1}) {
+    node_of_.push_back(end);
+    next_end_.push_back(kNone);
+    first_end_.push_back(end);
+    degree_.push_back(1);
+  }
+  if (cells_) cells_->insert(p, stroke.from, stroke.to);
+  return p;
+}
+
+void LineMap::link(std::uint32_t end, std::uint32_t node) {
+  std::uint32_t* place = &first_end_[node];
+  while (*place != kNone && *place < end) place = &next_end_[*place];
+  next_end_[end] = std::exchange(*place, end);
+  node_of_[end] = node;
+  ++degree_[node];
+}
+
+void LineMap::unlink(std::uint32_t end) {
+  const std::uint32_t node = node_of_[end];
+  std::uint32_t* place = &first_end_[node];
+  while (*place != end) place = &next_end_[*place];
+  *place = std::exchange(next_end_[end], kNone);
+  --degree_[node];
+}
+
+std::vector<std::uint32_t> LineMap::line_back(std::uint32_t end, double length) const {
+  std::vector<std::uint32_t> own;
+  for (double passed = 0; end != kNone && passed <= length; end = next(end ^ 1)) {
+    if (!own.empty() && own.front() == end / 2) break;
+    own.push_back(end / 2);
+    passed += page_length(pieces_[end / 2].stroke);
+  }
+  return own;
+}
+
+std::optional<LineMap::Meeting> LineMap::nearest_line(std::uint32_t end, double reach) {
+  /// A line may meet itself beyond so many times the reach.
+  constexpr double kOwnLineInReaches = 4;
+  const std::vector<std::uint32_t> own = line_back(end, kOwnLineInReaches * reach);
+  const LatticePoint p = point(end);
+  std::optional<Meeting> nearest;
+  near(p, p, reach, [&](std::uint32_t piece) {
+    const Foot foot = foot_on(pieces_[piece].stroke, p);
+    if (foot.distance > reach) return false;
+    if (nearest && std::tie(nearest->distance, nearest->piece) <= std::tie(foot.distance, piece)) return false;
+    if (std::ranges::find(own, piece) == own.end()) nearest = {piece, foot.fraction, foot.distance, node_of_[end]};
+    return false;
+  });
+  if (nearest) nearest->place = point_at(pieces_[nearest->piece].stroke, nearest->fraction);
+  return nearest;
+}
+
+void LineMap::find_contacts(double reach) {
+  std::vector<Meeting> meetings;
+  for (std::uint32_t end = 0; end < node_of_.size(); ++end) {
+    if (!is_free(end)) continue;
+    if (const auto meeting = nearest_line(end, reach)) meetings.push_back(*meeting);
+  }
+  std::ranges::sort(meetings, {}, [](const Meeting& m) { return std::tuple(m.piece, m.fraction, m.node); });
+  std::vector<StrokeCut> cuts;
+  for (std::size_t first = 0, last = 0; first < meetings.size(); first = last) {
+    const std::uint32_t piece = meetings[first].piece;
+    const Stroke whole = pieces_[piece].stroke;
+    const std::uint32_t last_node = node_of_[2 * piece + 1];
+    cuts.clear();
+    std::vector<std::uint32_t> cut_of;
+    for (last = first; last < meetings.size() && meetings[last].piece == piece; ++last) {
+      const LatticePoint place = meetings[last].place;
+      const bool is_inside = place != whole.from && place != whole.to;
+      if (is_inside && (cuts.empty() || cuts.back().p != place)) cuts.push_back({meetings[last].fraction, place});
+      cut_of.push_back(is_inside ? static_cast<std::uint32_t>(cuts.size()) - 1 : kNone);
+    }
+    const std::uint32_t first_new = piece_count();
+    cut(piece, cuts);
+    for (std::size_t m = first; m < last; ++m) {
+      const std::uint32_t c = cut_of[m - first];
+      const std::uint32_t other = c != kNone                        ? node_of_[2 * (first_new + c)]
+                                  : meetings[m].place == whole.from ? node_of_[2 * piece]
+                                                                    : last_node;
+      contacts_.push_back({meetings[m].node, other, meetings[m].distance});
+    }
+  }
+}
+
+/// The first part stays the piece; the others are new pieces. Between two of them is a node of its own.
+void LineMap::cut(std::uint32_t piece, std::span<const StrokeCut> cuts) {
+  if (cuts.empty()) return;
+  const Stroke whole = pieces_[piece].stroke;
+  const std::uint32_t far_node = node_of_[2 * piece + 1];
+  unlink(2 * piece + 1);
+  pieces_[piece].stroke = stroke_piece(whole, {0, whole.from}, cuts[0]);
+  std::uint32_t before = piece;
+  for (std::size_t c = 0; c < cuts.size(); ++c) {
+    const bool is_last = c + 1 == cuts.size();
+    const std::uint32_t p =
+        new_piece(stroke_piece(whole, cuts[c], is_last ? StrokeCut{1, whole.to} : cuts[c + 1]), pieces_[piece].of);
+    pieces_[before].next = p;
+    link(2 * before + 1, node_of_[2 * p]);
+    unlink(2 * p + 1);
+    before = p;
+  }
+  link(2 * before + 1, far_node);
+}
+
+void LineMap::remove(std::uint32_t piece) {
+  pieces_[piece].alive = false;
+  unlink(2 * piece);
+  unlink(2 * piece + 1);
+  removed_ += page_length(pieces_[piece].stroke);
+}
+
+void LineMap::join_contacts() {
+  for (const Contact& contact : contacts_) {
+    if (degree_[contact.node] != 1 || degree_[contact.other] != 1) continue;
+    const std::uint32_t end = first_end_[contact.node];
+    if (point(end) != point(first_end_[contact.other])) continue;
+    unlink(end);
+    link(end, contact.other);
+  }
+}
+
+void LineMap::add(Stroke stroke, std::uint32_t from_end, std::uint32_t to_end, const MakeSource& make_source) {
+  model_.intersections.push_back(make_source(stroke));
+  stroke.source = model_.edge_count + static_cast<std::uint32_t>(model_.intersections.size()) - 1;
+  stroke.t_from = 0;
+  stroke.t_to = 1;
+  stroke.is_joint = true;
+  const std::uint32_t p = new_piece(stroke, static_cast<std::uint32_t>(model_.strokes.size()));
+  model_.strokes.push_back(stroke);
+  for (const auto& [own, to] : {std::pair(2 * p, from_end), std::pair(2 * p + 1, to_end)}) {
+    if (to == kNone) continue;
+    unlink(own);
+    link(own, node_of_[to]);
+  }
+  added_ += page_length(stroke);
+}
+
+/// Parts of a stroke that were removed side by side are one hidden stroke, and those that stay one visible stroke.
+void LineMap::write_stroke(std::uint32_t first_piece, std::vector<Stroke>& out) const {
+  for (std::uint32_t p = first_piece; p != kNone;) {
+    Stroke part = pieces_[p].stroke;
+    part.visible = pieces_[p].alive;
+    std::uint32_t next = pieces_[p].next;
+    for (; next != kNone && pieces_[next].alive == part.visible; next = pieces_[next].next) {
+      const Stroke& s = pieces_[next].stroke;
+      part.to = s.to, part.t_to = s.t_to, part.z_to = s.z_to, part.w_to = s.w_to;
+    }
+    if (part.visible || had_hidden_) out.push_back(part);
+    p = next;
+  }
+}
+
+void LineMap::clear_hidden(std::vector<Stroke>& strokes, double ink, double exact) const {
+  if (!had_hidden_ || model_.strokes.size() == given_) return;
+  const std::span added(model_.strokes.begin() + given_, model_.strokes.end());
+  SegmentCells cells(cell_);
+  for (std::uint32_t a = 0; a < added.size(); ++a) cells.insert(a, added[a].from, added[a].to);
+  std::vector<StrokePart> parts;
+  std::erase_if(strokes, [&](Stroke& s) {
+    if (s.visible || s.from == s.to) return false;
+    parts.clear();
+    const bool is_in_ink = cells.near(s.from, s.to, ink, [&](std::uint32_t a) {
+      const StrokePart in_ink = part_near(s, added[a], ink);
+      if (const StrokePart part = part_near(s, added[a], exact); !part.empty()) parts.push_back(part);
+      return in_ink.from == 0 && in_ink.to == 1;
+    });
+    if (is_in_ink) return true;
+    // The parts along added strokes that begin at one end of the stroke, and those that begin at the other.
+    std::ranges::sort(parts, {}, [](const StrokePart& part) { return std::pair(part.from, part.to); });
+    double from = 0, to = 1;
+    for (const StrokePart& part : parts) {
+      if (part.from <= from) from = std::max(from, part.to);
+    }
+    std::ranges::sort(parts, std::greater<>(), &StrokePart::to);
+    for (const StrokePart& part : parts) {
+      if (part.to >= to) to = std::min(to, part.from);
+    }
+    if (from >= to) return true;
+    s = stroke_piece(s, {from, point_at(s, from)}, {to, point_at(s, to)});
+    return s.from == s.to;
+  });
+}
+
+void LineMap::commit(double ink, double exact) {
+  std::vector<std::uint32_t> first_piece(model_.strokes.size(), kNone);
+  for (std::uint32_t p = piece_count(); p-- > 0;) first_piece[pieces_[p].of] = p;
+  std::vector<Stroke> out;
+  out.reserve(model_.strokes.size());
+  for (std::uint32_t i = 0; i < model_.strokes.size(); ++i) {
+    if (first_piece[i] == kNone) {
+      out.push_back(model_.strokes[i]);
+    } else {
+      write_stroke(first_piece[i], out);
+    }
+  }
+  clear_hidden(out, ink, exact);
+  model_.strokes = std::move(out);
+}
+
+}  // namespace ligne

@@ -1,0 +1,132 @@
+#pragma once
+/// The line map: the visible lines of a drawing as a graph that rules read and edit.
+///
+/// Notation
+///   piece    a straight part of one stroke; a stroke is one piece unless free ends of others lie on it
+///   end      end 2 p is the `from` of piece p, end 2 p + 1 its `to`
+///   node     a place where pieces end; its degree is the number of their ends there
+///   free end the only end at its node
+///   contact  a free end that lies beside another line, and the node on that line (which is cut there)
+///
+/// A node joins ends at exactly one lattice point. Contacts join nodes that are merely near each other, so that each rule
+/// can say how near counts (see Arcs in line_groups.hpp).
+///
+/// Invariants: an end is in the list of its node, in ascending order, if and only if its piece is alive; the degree of a
+/// node is the length of its list; the pieces of a stroke follow each other without a gap, in the order of the stroke.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "linework/map/segment_cells.hpp"
+#include "linework/stroke.hpp"
+#include "linework/stroke_piece.hpp"
+
+namespace ligne {
+
+/// Makes the source of a stroke that joins two lines. The stroke still has the source of the line that it continues.
+using MakeSource = std::function<SourceEdge(const Stroke&)>;
+
+/// A free end at `node` lies `distance` steps from the node `other` of another line. It holds as long as the end is free and
+/// the other line is there.
+struct Contact {
+  std::uint32_t node, other;
+  double distance;
+};
+
+class LineMap {
+ public:
+  /// The strokes of `model` that are seen and for which takes_part() holds; strokes without length have no part. Free ends
+  /// have contacts within `reach` steps; of 0, none are looked for. O(n + m), with m the cells of the side `cell` that lines
+  /// pass.
+  LineMap(StrokeModel& model, const std::function<bool(const Stroke&)>& takes_part, double reach, double cell);
+  LineMap(const LineMap&) = delete;
+  LineMap& operator=(const LineMap&) = delete;
+
+  double step_mm() const { return model_.lattice.step_mm; }
+  /// Pieces have the numbers below this one.
+  std::uint32_t piece_count() const { return static_cast<std::uint32_t>(pieces_.size()); }
+  bool is_alive(std::uint32_t piece) const { return pieces_[piece].alive; }
+  /// The piece as a stroke.
+  const Stroke& piece(std::uint32_t piece) const { return pieces_[piece].stroke; }
+  /// The whole stroke that it is a part of.
+  const Stroke& stroke_of(std::uint32_t piece) const { return model_.strokes[pieces_[piece].of]; }
+  LatticePoint point(std::uint32_t end) const {
+    const Stroke& s = pieces_[end / 2].stroke;
+    return end % 2 == 0 ? s.from : s.to;
+  }
+
+  std::uint32_t node_of(std::uint32_t end) const { return node_of_[end]; }
+  std::uint32_t degree(std::uint32_t node) const { return degree_[node]; }
+  /// The lowest end at a node.
+  std::uint32_t first_end(std::uint32_t node) const { return first_end_[node]; }
+  bool is_free(std::uint32_t end) const { return degree_[node_of_[end]] == 1; }
+  /// The end that continues the line of this one, where exactly two pieces end; otherwise kNone.
+  std::uint32_t next(std::uint32_t end) const;
+  /// The pieces of the chain that ends at `end`, from there on, until they are longer than `length` together.
+  std::vector<std::uint32_t> line_back(std::uint32_t end, double length) const;
+  /// Calls visit(end) for all ends at a node, in ascending order.
+  template <class Visit>
+  void for_each_end(std::uint32_t node, const Visit& visit) const {
+    for (std::uint32_t e = first_end_[node]; e != kNone; e = next_end_[e]) visit(e);
+  }
+  const std::vector<Contact>& contacts() const { return contacts_; }
+
+  /// Calls visit(piece) for the living pieces within `reach` steps of a segment, for some that are farther away, and for
+  /// some more than once, until it returns true. Returns whether it did.
+  template <class Visit>
+  bool near(LatticePoint from, LatticePoint to, double reach, const Visit& visit) {
+    if (!cells_) file_pieces();
+    return cells_->near(from, to, reach, [&](std::uint32_t p) { return pieces_[p].alive && visit(p); });
+  }
+
+  /// Takes a piece off the map.
+  void remove(std::uint32_t piece);
+  /// Makes one node of a free end and the end of the line on which it lay, where the rest of that line was removed.
+  void join_contacts();
+  void set_class(std::uint32_t piece, LineClass line_class) { pieces_[piece].stroke.line_class = line_class; }
+  /// Adds a stroke from the node of one end to that of another, or (kNone) to a node of its own.
+  void add(Stroke stroke, std::uint32_t from_end, std::uint32_t to_end, const MakeSource& make_source);
+
+  double removed_steps() const { return removed_; }
+  double added_steps() const { return added_; }
+
+  /// Writes the map back to the model. Pieces that were removed become hidden strokes; where the model had no hidden strokes
+  /// they go. Hidden strokes that lie in the ink (`ink` steps) of added strokes all along go too, and lose what lies exactly
+  /// (`exact` steps) along one.
+  void commit(double ink, double exact);
+
+ private:
+  struct Piece {
+    Stroke stroke;
+    std::uint32_t of;    ///< number of the stroke
+    std::uint32_t next;  ///< next piece of the stroke
+    bool alive = true;
+  };
+  struct Meeting;
+
+  std::uint32_t new_piece(const Stroke& stroke, std::uint32_t of);
+  void link(std::uint32_t end, std::uint32_t node);
+  void unlink(std::uint32_t end);
+  void file_pieces();
+  void find_contacts(double reach);
+  std::optional<Meeting> nearest_line(std::uint32_t end, double reach);
+  void cut(std::uint32_t piece, std::span<const StrokeCut> cuts);
+  void write_stroke(std::uint32_t first_piece, std::vector<Stroke>& out) const;
+  void clear_hidden(std::vector<Stroke>& strokes, double ink, double exact) const;
+
+  StrokeModel& model_;
+  double cell_;
+  bool had_hidden_;
+  std::uint32_t given_;  ///< strokes of the model at first; others were added
+  std::vector<Piece> pieces_;
+  std::vector<std::uint32_t> node_of_, next_end_;  ///< by end
+  std::vector<std::uint32_t> first_end_, degree_;  ///< by node
+  std::vector<Contact> contacts_;
+  std::optional<SegmentCells> cells_;
+  double removed_ = 0, added_ = 0;
+};
+
+}  // namespace ligne

@@ -1,0 +1,49 @@
+#pragma once
+/// A grid over the page that finds segments near a segment.
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "base/key_table.hpp"
+#include "base/no_index.hpp"
+#include "linework/overlaps/stroke_index.hpp"
+
+namespace ligne {
+
+/// Numbered segments in the square cells that they pass through. Segments come in one by one and stay.
+class SegmentCells {
+ public:
+  /// Side of the cells, lattice steps (walked_cell() gives one that keeps the number of entries small).
+  explicit SegmentCells(double cell) : cell_(cell), grid_(cell, 0) {}
+
+  void insert(std::uint32_t number, LatticePoint from, LatticePoint to) {
+    grid_.walk(from, to, [&](std::uint64_t cell) {
+      std::uint32_t& first = first_[cell];
+      entries_.emplace_back(number, first);
+      first = static_cast<std::uint32_t>(entries_.size() - 1);
+      return false;
+    });
+  }
+  bool empty() const { return entries_.empty(); }
+
+  /// Calls visit(number) for every segment within `reach` steps of the segment from-to, for some that are farther away, and
+  /// for some more than once, until it returns true. Returns whether it did.
+  template <class Visit>
+  bool near(LatticePoint from, LatticePoint to, double reach, const Visit& visit) const {
+    return SegmentGrid(cell_, reach).walk(from, to, [&](std::uint64_t cell) {
+      for (std::uint32_t e = first_.find(cell); e != kNone; e = entries_[e].second) {
+        if (visit(entries_[e].first)) return true;
+      }
+      return false;
+    });
+  }
+
+ private:
+  double cell_;
+  SegmentGrid grid_;
+  KeyTable first_;                                                // of each cell its first entry
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> entries_;  // segment, next entry
+};
+
+}  // namespace ligne

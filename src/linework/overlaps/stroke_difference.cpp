@@ -1,0 +1,125 @@
+#include "linework/overlaps/stroke_difference.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+#include "linework/overlaps/stroke_index.inl.hpp"
+
+namespace ligne {
+namespace {
+
+paper::Segment segment_of(const StrokeModel& model, const Stroke& s) {
+  return {model.lattice.to_mm(s.from), model.lattice.to_mm(s.to)};
+}
+
+/// The visible strokes of a drawing by the cells of a grid that they run through.
+class StrokesByCell {
+ public:
+  StrokesByCell(const StrokeModel& model, double tolerance_mm)
+      : grid_(cell_of(model, tolerance_mm / model.lattice.step_mm), tolerance_mm / model.lattice.step_mm) {
+    for (std::uint32_t i = 0; i < model.strokes.size(); ++i) {
+      if (model.strokes[i].visible) for_each_cell(model.strokes[i], [&](std::uint64_t cell) { cells_[cell].push_back(i); });
+    }
+  }
+
+  /// All that may lie along the stroke, each once, ascending.
+  const std::vector<std::uint32_t>& near(const Stroke& stroke) {
+    found_.clear();
+    for_each_cell(stroke, [&](std::uint64_t cell) {
+      if (const auto list = cells_.find(cell); list != cells_.end()) {
+        found_.insert(found_.end(), list->second.begin(), list->second.end());
+      }
+    });
+    std::sort(found_.begin(), found_.end());
+    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+    return found_;
+  }
+
+ private:
+  static double cell_of(const StrokeModel& model, double tolerance_steps) {
+    std::vector<std::uint32_t> all(model.strokes.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return index_cell(model.strokes, all, tolerance_steps);
+  }
+
+  template <class Visit>
+  void for_each_cell(const Stroke& s, Visit visit) const {
+    grid_.walk(s.from, s.to, [&](std::uint64_t cell) {
+      visit(cell);
+      return false;
+    });
+  }
+
+  SegmentGrid grid_;
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
+  std::vector<std::uint32_t> found_;
+};
+
+/// The visible strokes of a drawing by their ends: most strokes of a scene are the same in two drawings, and where thousands
+/// run side by side, or through one point, only few need be held against all that are near.
+class StrokesByEnds {
+ public:
+  /// Drawings on different lattices have no stroke in common.
+  StrokesByEnds(const StrokeModel& model, const Lattice& lattice, bool by_level) : by_level_(by_level) {
+    if (model.lattice.step_mm != lattice.step_mm || model.lattice.origin_mm != lattice.origin_mm) return;
+    for (const Stroke& s : model.strokes) {
+      if (s.visible) known_.push_back(key(s));
+    }
+    std::sort(known_.begin(), known_.end());
+  }
+  bool hold(const Stroke& s) const { return std::binary_search(known_.begin(), known_.end(), key(s)); }
+
+ private:
+  using Key = std::array<std::int32_t, 5>;
+  Key key(const Stroke& s) const {
+    const std::array<std::int32_t, 2> from{s.from.x, s.from.y}, to{s.to.x, s.to.y};
+    const auto& [first, second] = std::minmax(from, to);
+    return {first[0], first[1], second[0], second[1], by_level_ ? s.level : 0};
+  }
+
+  bool by_level_;
+  std::vector<Key> known_;
+};
+
+}  // namespace
+
+std::vector<paper::Segment> parts_missing(const StrokeModel& of, const StrokeModel& in, double tolerance_mm,
+                                          bool same_level) {
+  const StrokesByEnds same(in, of.lattice, same_level);
+  std::optional<StrokesByCell> others;
+  std::vector<paper::Segment> missing;
+  for (const Stroke& stroke : of.strokes) {
+    if (!stroke.visible || same.hold(stroke)) continue;
+    if (!others) others.emplace(in, tolerance_mm);
+    const paper::Segment segment = segment_of(of, stroke);
+    if (segment.length() <= tolerance_mm) continue;
+    std::vector<paper::Range> covered;
+    for (const std::uint32_t i : others->near(stroke)) {
+      const Stroke& other = in.strokes[i];
+      if (same_level && other.level != stroke.level) continue;
+      if (const auto range = paper::along(segment, segment_of(in, other), tolerance_mm)) covered.push_back(*range);
+    }
+    for (const paper::Range& gap : paper::gaps(std::move(covered), 0, segment.length())) {
+      if (gap.length() > tolerance_mm) missing.push_back({segment.at(gap.from), segment.at(gap.to)});
+    }
+  }
+  return missing;
+}
+
+StrokeDifference difference_of(const StrokeModel& first, const StrokeModel& second, double tolerance_mm) {
+  StrokeDifference difference{parts_missing(first, second, tolerance_mm), parts_missing(second, first, tolerance_mm)};
+  for (const auto* parts : {&difference.only_first, &difference.only_second}) {
+    for (const paper::Segment& part : *parts) {
+      difference.length_mm += part.length();
+      difference.longest_mm = std::max(difference.longest_mm, part.length());
+    }
+  }
+  return difference;
+}
+
+}  // namespace ligne

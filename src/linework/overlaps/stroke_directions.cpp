@@ -1,0 +1,56 @@
+#include "linework/overlaps/stroke_directions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linework/overlaps/stroke_overlap.hpp"
+
+namespace ligne::stroke_directions {
+namespace {
+
+/// In a sample: whether so many strokes have so many ends within the square about them. A crowd in one place of a large
+/// page does not show in the mean distance of all ends.
+bool are_crowded(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of) {
+  // Adjustable.
+  constexpr std::size_t kAsked = 256, kEnds = 8192, kOneIn = 4;
+  constexpr double kMany = 64, kLeastSampled = 4;
+  const auto sampled = [&](std::size_t k, std::size_t count) -> const Stroke& {
+    return strokes[of[of.size() < count ? k : k * of.size() / count]];
+  };
+  std::vector<LatticePoint> ends;
+  for (std::size_t k = 0; k < std::min(of.size(), kEnds); ++k) ends.push_back(sampled(k, kEnds).from);
+  std::sort(ends.begin(), ends.end());
+  const double each = static_cast<double>(2 * of.size()) / static_cast<double>(ends.size());
+  const double least = std::max(kMany / each, kLeastSampled);
+  const std::size_t asked = std::min(of.size(), kAsked);
+  std::size_t crowded = 0;
+  for (std::size_t k = 0; k < asked; ++k) {
+    const Stroke& s = sampled(k, kAsked);
+    const double x = (double(s.from.x) + s.to.x) / 2, y = (double(s.from.y) + s.to.y) / 2;
+    const double half = length(s.from, s.to) / 2;
+    const auto first = std::partition_point(ends.begin(), ends.end(), [&](LatticePoint p) { return p.x - x < -half; });
+    const auto last = std::partition_point(first, ends.end(), [&](LatticePoint p) { return p.x - x <= half; });
+    const auto inside = [&](LatticePoint p) { return std::abs(p.y - y) <= half; };
+    if (static_cast<double>(std::count_if(first, last, inside)) >= least) ++crowded;
+  }
+  return kOneIn * crowded >= asked;
+}
+
+}  // namespace
+
+bool are_crossing(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of) {
+  constexpr double kEndsApart = 4;  // adjustable: so many mean distances of ends is a stroke long
+  LatticePoint low{kLatticeLimit, kLatticeLimit}, high{-kLatticeLimit, -kLatticeLimit};
+  double sum = 0;
+  for (const std::uint32_t i : of) {
+    const Stroke& s = strokes[i];
+    sum += length(s.from, s.to);
+    low = {std::min({low.x, s.from.x, s.to.x}), std::min({low.y, s.from.y, s.to.y})};
+    high = {std::max({high.x, s.from.x, s.to.x}), std::max({high.y, s.from.y, s.to.y})};
+  }
+  const double n = static_cast<double>(of.size());
+  const double area = (double(high.x) - low.x + 1) * (double(high.y) - low.y + 1);
+  return sum / n > kEndsApart * std::sqrt(area / (2 * n)) || are_crowded(strokes, of);
+}
+
+}  // namespace ligne::stroke_directions

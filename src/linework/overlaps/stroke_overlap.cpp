@@ -1,0 +1,56 @@
+#include "linework/overlaps/stroke_overlap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ligne {
+namespace {
+
+/// A place on both segments: fraction of the base and of the other one.
+struct Place {
+  double base, other;
+};
+
+}  // namespace
+
+double length(LatticePoint a, LatticePoint b) {
+  // The sum is exact on the lattice, and std::hypot() takes ten times as long.
+  const double dx = double(b.x) - a.x, dy = double(b.y) - a.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+std::optional<StrokeOverlap> overlap(LatticePoint a0, LatticePoint a1, LatticePoint b0, LatticePoint b1, double tolerance) {
+  const double a_length = length(a0, a1), b_length = length(b0, b1);
+  const bool swapped = b_length > a_length;
+  if (swapped) {
+    std::swap(a0, b0);
+    std::swap(a1, b1);
+  }
+  const double base_length = std::max(a_length, b_length);
+  if (std::min(a_length, b_length) <= tolerance) return std::nullopt;
+
+  // Position along the base, and offset across it, of the other's ends.
+  const double dx = (double(a1.x) - a0.x) / base_length, dy = (double(a1.y) - a0.y) / base_length;
+  const auto along = [&](LatticePoint p) { return (double(p.x) - a0.x) * dx + (double(p.y) - a0.y) * dy; };
+  const auto across = [&](LatticePoint p) { return (double(p.y) - a0.y) * dx - (double(p.x) - a0.x) * dy; };
+  const double y0 = across(b0), y1 = across(b1);
+  if (std::min(y0, y1) > tolerance || std::max(y0, y1) < -tolerance) return std::nullopt;
+  const double x0 = along(b0), x1 = along(b1);
+  const double from = std::max(0.0, std::min(x0, x1)), to = std::min(base_length, std::max(x0, x1));
+  if (to - from <= tolerance) return std::nullopt;
+
+  const auto place = [&](double x) {
+    const double other = x == x0 ? 0 : x == x1 ? 1 : std::clamp((x - x0) / (x1 - x0), 0.0, 1.0);
+    return Place{x == base_length ? 1 : x / base_length, other};
+  };
+  Place first = place(from), last = place(to);
+  const auto deviation = [&](const Place& p) { return std::abs(y0 + p.other * (y1 - y0)); };
+  if (deviation(first) > tolerance || deviation(last) > tolerance) return std::nullopt;
+
+  if (!swapped) return StrokeOverlap{first.base, last.base, first.other, last.other};
+  if (first.other > last.other) std::swap(first, last);
+  return StrokeOverlap{first.other, last.other, first.base, last.base};
+}
+
+}  // namespace ligne

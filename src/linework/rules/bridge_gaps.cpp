@@ -1,0 +1,196 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "linework/map/line_groups.hpp"
+#include "linework/near_part.hpp"
+#include "linework/point_tree.hpp"
+#include "linework/rules/rules.hpp"
+#include "linework/stroke_geometry.hpp"
+
+namespace ligne {
+namespace {
+
+/// Smallest cosine of the turn at a bridged gap, where ink hides it and where it is seen. Taste.
+constexpr double kLeastCosine = 0.5, kStraightCosine = 0.94;
+/// A bridge that is seen needs lines at least this many times as long as itself. Taste.
+constexpr double kLongInGaps = 2;
+/// Bridges of at least this many gaps are far: their lines must be straighter, and longer in proportion. Taste.
+constexpr double kFarPartInGaps = 3, kFarCosine = 0.985, kLongInFar = 4;
+/// Lines within 4 degrees of one line may be shorter in proportion, for bridges of up to this many gaps: a rim whose facets
+/// are hidden at intervals is a row of such lines. Taste.
+constexpr double kRowInGaps = 6, kRowCosine = 0.9976, kLongInRow = 1.5;
+/// Most rounds of joining: a joined line may have become long enough for another bridge.
+constexpr int kMostBridgingRounds = 3;
+/// Two ends that are fewer lattice steps apart have no direction from one to the other: each is rounded by itself.
+constexpr double kRoundedSteps = 8;
+/// A chain whose own ends are joined has at least this many gaps, or a speck would become a ring.
+constexpr double kRingInGaps = 4;
+/// The line behind an end does not block its bridge, so many times as far back as a bridge must be clear of lines.
+constexpr double kOwnLineInClears = 4;
+/// Factor above the roundings of a squared distance.
+constexpr double kAbout = 1 + 0x1p-40;
+/// Adjustable: ends for which one task searches.
+constexpr std::size_t kSearchBlock = 64;
+
+/// A free end of an edge.
+struct LooseEnd {
+  std::uint32_t end;
+  LatticePoint point{};
+  double dx = 0, dy = 0, length = 0;  ///< way of the whole stroke to the end
+  double line_length = 0;             ///< length of its chain
+  std::uint32_t chain = kNone;
+  std::uint32_t nearest = kNone;  ///< of the others that it may be joined to
+};
+
+class LooseEnds {
+ public:
+  LooseEnds(const LineMap& map, double gap, double wide) : gap_(gap), wide_(wide) {
+    const Chains chains(map);
+    for (std::uint32_t end = 0; end < 2 * map.piece_count(); ++end) {
+      if (!map.is_alive(end / 2) || !is_feature(map.piece(end / 2)) || !map.is_free(end)) continue;
+      const Stroke& s = map.stroke_of(end / 2);
+      const LatticePoint start = end % 2 == 0 ? s.to : s.from, p = map.point(end);
+      const std::uint32_t chain = chains.of(end / 2);
+      ends_.push_back({end, p, double(p.x) - start.x, double(p.y) - start.y, page_length(s), chains[chain].length, chain});
+    }
+    std::vector<LatticePoint> points;
+    points.reserve(ends_.size());
+    for (const LooseEnd& end : ends_) points.push_back(end.point);
+    tree_ = PointTree(points);
+    parallel_blocks(ends_.size(), kSearchBlock, [&](std::size_t begin, std::size_t last) {
+      for (std::size_t e = begin; e < last; ++e) ends_[e].nearest = nearest(static_cast<std::uint32_t>(e));
+    });
+  }
+
+  /// Pairs of ends that are each other's nearest.
+  std::vector<std::pair<LooseEnd, LooseEnd>> pairs() const {
+    std::vector<std::pair<LooseEnd, LooseEnd>> found;
+    for (std::uint32_t e = 0; e < ends_.size(); ++e) {
+      const std::uint32_t other = ends_[e].nearest;
+      if (other != kNone && other > e && ends_[other].nearest == e) found.emplace_back(ends_[e], ends_[other]);
+    }
+    return found;
+  }
+
+ private:
+  static double along(const LooseEnd& e, LatticePoint p) {
+    return e.dx * (double(p.x) - e.point.x) + e.dy * (double(p.y) - e.point.y);
+  }
+
+  /// The line goes on towards the point; a stroke shorter than the way to it has no direction that says anything.
+  bool leads_to(const LooseEnd& e, LatticePoint p, double distance) const {
+    if (distance <= kRoundedSteps) return true;
+    const bool shows = distance >= gap_, far = distance >= kFarPartInGaps * gap_;
+    if (e.length <= distance && !shows) return true;
+    const double cosine = along(e, p) / (e.length * distance);
+    const bool in_row = distance < kRowInGaps * gap_ && cosine >= kRowCosine;
+    const double least = !far ? kLongInGaps : in_row ? kLongInRow : kLongInFar;
+    if (shows && e.line_length < least * distance) return false;
+    return cosine >= (far ? kFarCosine : shows ? kStraightCosine : kLeastCosine);
+  }
+
+  /// leads_to() is false, as can be told in a moment: where thousands of lines end side by side, nearly all others are asked
+  /// about in vain.
+  static bool leads_away(const LooseEnd& e, LatticePoint p, double squared_distance) {
+    return along(e, p) < 0 && e.length * e.length > kAbout * squared_distance &&
+           squared_distance > kAbout * kRoundedSteps * kRoundedSteps;
+  }
+
+  /// leads_to() is false for all points of the box: where thousands of lines end side by side, nearly all of these lie
+  /// beside the line, outside of the cone in which points lie to which it may lead.
+  static bool leads_away(const LooseEnd& e, const PointBox& box) {
+    static const double sine = std::sqrt(1 - kLeastCosine * kLeastCosine);
+    constexpr double kRounding = 1;  // steps
+    for (const double side : {-1.0, 1.0}) {
+      // The inner normal of a side of the cone, as long as the stroke.
+      const double nx = sine * e.dx - side * kLeastCosine * e.dy, ny = sine * e.dy + side * kLeastCosine * e.dx;
+      const double x = (nx > 0 ? box.high.x : box.low.x) - double(e.point.x);
+      const double y = (ny > 0 ? box.high.y : box.low.y) - double(e.point.y);
+      if (nx * x + ny * y < -kRounding * e.length) return true;
+    }
+    return false;
+  }
+
+  std::uint32_t nearest(std::uint32_t e) const {
+    const LooseEnd& end = ends_[e];
+    const LatticePoint p = end.point;
+    std::uint32_t best = kNone;
+    double best_distance = wide_;
+    const auto enter = [&](const PointBox& box) {
+      const double squared = box.squared_distance(p);
+      if (squared > kAbout * best_distance * best_distance) return false;
+      const bool is_apart = end.length > wide_ && squared > kAbout * kRoundedSteps * kRoundedSteps;
+      return !is_apart || !leads_away(end, box);
+    };
+    tree_.search(p, enter, [&](std::uint32_t o) {
+      if (o == e) return;
+      const LooseEnd& other = ends_[o];
+      const LatticePoint q = other.point;
+      const double dx = double(q.x) - p.x, dy = double(q.y) - p.y, squared = dx * dx + dy * dy;
+      if (squared > kAbout * best_distance * best_distance) return;
+      if (leads_away(end, q, squared) || leads_away(other, p, squared)) return;
+      const double away = distance(p, q);
+      if (away >= wide_ || away > best_distance || (away == best_distance && o > best)) return;
+      if (end.chain == other.chain && end.line_length < kRingInGaps * gap_) return;
+      if (!leads_to(end, q, away) || !leads_to(other, p, away)) return;
+      best = o;
+      best_distance = away;
+    });
+    return best;
+  }
+
+  double gap_, wide_;
+  PointTree tree_;  ///< of the ends
+  std::vector<LooseEnd> ends_;
+};
+
+/// The stroke between two ends, like the longer of the two lines.
+Stroke bridge_between(const LineMap& map, const LooseEnd& a, const LooseEnd& b) {
+  const Stroke &s = map.stroke_of(a.end / 2), &t = map.stroke_of(b.end / 2);
+  const bool a_from = a.end % 2 == 0, b_from = b.end % 2 == 0;
+  Stroke bridge = map.piece((a.line_length < b.line_length ? b.end : a.end) / 2);
+  bridge.from = a.point;
+  bridge.to = b.point;
+  bridge.z_from = a_from ? s.z_from : s.z_to;
+  bridge.z_to = b_from ? t.z_from : t.z_to;
+  bridge.w_from = a_from ? s.w_from : s.w_to;
+  bridge.w_to = b_from ? t.w_from : t.w_to;
+  return bridge;
+}
+
+std::size_t bridge_once(LineMap& map, const GapLimits& limits, const MakeSource& make_source) {
+  const double gap = limits.gap_mm / map.step_mm(), clear = limits.clear_mm / map.step_mm();
+  const auto pairs = LooseEnds(map, gap, limits.wide_mm / map.step_mm()).pairs();
+  std::vector<std::pair<Stroke, std::size_t>> bridges;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto& [a, b] = pairs[k];
+    const Stroke bridge = bridge_between(map, a, b);
+    std::vector<std::uint32_t> own = map.line_back(a.end, kOwnLineInClears * clear);
+    std::ranges::copy(map.line_back(b.end, kOwnLineInClears * clear), std::back_inserter(own));
+    const auto blocks = [&](std::uint32_t p) {
+      return std::ranges::find(own, p) == own.end() && !part_near(bridge, map.piece(p), clear).empty();
+    };
+    const bool shows = distance(a.point, b.point) >= gap;
+    if (!shows || !map.near(bridge.from, bridge.to, clear, blocks)) bridges.emplace_back(bridge, k);
+  }
+  for (const auto& [bridge, k] : bridges) map.add(bridge, pairs[k].first.end, pairs[k].second.end, make_source);
+  return bridges.size();
+}
+
+}  // namespace
+
+std::size_t bridge_gaps(LineMap& map, const GapLimits& limits, const MakeSource& make_source) {
+  std::size_t count = 0;
+  for (int round = 0; round < kMostBridgingRounds; ++round) {
+    const std::size_t added = bridge_once(map, limits, make_source);
+    count += added;
+    if (added == 0) break;
+  }
+  return count;
+}
+
+}  // namespace ligne

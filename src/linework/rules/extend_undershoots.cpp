@@ -1,0 +1,169 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "linework/map/line_groups.hpp"
+#include "linework/rules/rules.hpp"
+#include "linework/stroke_geometry.hpp"
+
+namespace ligne {
+namespace {
+
+/// A line is at least so many times as long as the way that it is led on. Taste.
+constexpr double kLongInWays = 3;
+/// The direction of a line is that of its last part, at most so long. Taste.
+constexpr double kDirectionInReaches = 0.5;
+/// Sine and cosine of the most that a line turns where it does not run into another one straight: 20 degrees. Taste.
+constexpr double kTurnSine = 0.342, kTurnCosine = 0.94;
+
+struct Vector {
+  double x = 0, y = 0;
+};
+
+/// A free end, and where it may be led.
+struct Undershoot {
+  std::uint32_t end;
+  Vector ahead;         ///< direction, as long as the way that it may go
+  double straight = 2;  ///< the way straight on to the first line, in parts of `ahead`; more than 1 where there is none
+  Vector turned{};      ///< the way to the nearest place on a line in the wedge ahead
+  double turned_part = 2;
+};
+
+/// The nearest place on start + [0, 1] u, seen from the end, to which the line may turn.
+void turn_to(Undershoot& end, const Vector& start, const Vector& u) {
+  const Vector& d = end.ahead;
+  double from = 0, to = 1;
+  for (const double side : {-1.0, 1.0}) {
+    // The inner normal of a side of the wedge.
+    const Vector n{kTurnSine * d.x - side * kTurnCosine * d.y, kTurnSine * d.y + side * kTurnCosine * d.x};
+    const double at_start = n.x * start.x + n.y * start.y, slope = n.x * u.x + n.y * u.y;
+    if (slope == 0 && at_start < 0) return;
+    if (slope > 0) from = std::max(from, -at_start / slope);
+    if (slope < 0) to = std::min(to, -at_start / slope);
+  }
+  if (from > to || (d.x == 0 && d.y == 0)) return;
+  const double square = u.x * u.x + u.y * u.y;
+  const double at = square > 0 ? std::clamp(-(start.x * u.x + start.y * u.y) / square, from, to) : from;
+  const Vector turned{start.x + at * u.x, start.y + at * u.y};
+  const double part = std::hypot(turned.x, turned.y) / std::hypot(d.x, d.y);
+  if (part >= end.turned_part) return;
+  end.turned = turned;
+  end.turned_part = part;
+}
+
+/// Sees whether the line from `p` leads to the stroke.
+void lead_to(Undershoot& end, LatticePoint p, const Stroke& s) {
+  const Vector u{double(s.to.x) - s.from.x, double(s.to.y) - s.from.y};
+  const Vector start{double(s.from.x) - p.x, double(s.from.y) - p.y};
+  const double area = end.ahead.x * u.y - end.ahead.y * u.x;
+  if (area != 0) {
+    const double way = (start.x * u.y - start.y * u.x) / area;
+    const double along = (start.x * end.ahead.y - start.y * end.ahead.x) / area;
+    if (way > 0 && way <= 1 && along >= 0 && along <= 1) end.straight = std::min(end.straight, way);
+  }
+  turn_to(end, start, u);
+}
+
+class UndershootFinder {
+ public:
+  UndershootFinder(LineMap& map, const UndershootLimits& limits)
+      : map_(map),
+        reach_(limits.reach_mm / map.step_mm()),
+        touching_(limits.touching_mm / map.step_mm()),
+        arcs_(map, touching_),
+        arc_of_(map.piece_count(), kNone) {
+    const std::vector<Arcs::Arc> arcs = arcs_.find();
+    for (std::uint32_t a = 0; a < arcs.size(); ++a) {
+      for (const std::uint32_t p : arcs[a].pieces) arc_of_[p] = a;
+      lengths_.push_back(arcs[a].length);
+    }
+  }
+
+  /// Where each end is led to.
+  std::vector<std::pair<std::uint32_t, LatticePoint>> find() {
+    std::vector<std::pair<std::uint32_t, LatticePoint>> found;
+    for (std::uint32_t end = 0; end < 2 * map_.piece_count(); ++end) {
+      const std::uint32_t piece = end / 2;
+      if (!arcs_.has(piece) || !is_feature(map_.piece(piece)) || arcs_.degree(arcs_.junction_of(end)) != 1) continue;
+      const Vector d = direction(end);
+      const double longest = std::min(reach_, lengths_[arc_of_[piece]] / kLongInWays);
+      Undershoot shoot{.end = end, .ahead = {d.x * longest, d.y * longest}};
+      const LatticePoint p = map_.point(end);
+      const LatticePoint far{p.x + static_cast<std::int32_t>(shoot.ahead.x), p.y + static_cast<std::int32_t>(shoot.ahead.y)};
+      map_.near(p, far, touching_ + kTurnSine * reach_, [&](std::uint32_t other) {
+        const bool leads = arcs_.has(other) && arc_of_[other] != arc_of_[piece] && is_feature(map_.piece(other));
+        if (leads) lead_to(shoot, p, map_.piece(other));
+        return false;
+      });
+      if (shoot.straight > 1 && shoot.turned_part > 1) continue;
+      const Vector way =
+          shoot.straight > 1 ? shoot.turned : Vector{shoot.straight * shoot.ahead.x, shoot.straight * shoot.ahead.y};
+      const LatticePoint to{p.x + static_cast<std::int32_t>(std::lround(way.x)),
+                            p.y + static_cast<std::int32_t>(std::lround(way.y))};
+      if (to != p) found.emplace_back(end, to);
+    }
+    return found;
+  }
+
+ private:
+  /// The direction outwards, of unit length; none for a line that comes back to its end.
+  Vector direction(std::uint32_t end) const {
+    const LatticePoint tip = map_.point(end);
+    LatticePoint back = tip;
+    std::uint32_t piece = end / 2, near_side = end;
+    for (double left = kDirectionInReaches * reach_;;) {
+      const std::uint32_t far_side = near_side ^ 1;
+      back = map_.point(far_side);
+      left -= page_length(map_.piece(piece));
+      const std::uint32_t junction = arcs_.junction_of(far_side);
+      if (left <= 0 || arcs_.degree(junction) != 2) break;
+      const auto at = arcs_.pieces_at(junction);
+      piece = at[0] == piece ? at[1] : at[0];
+      near_side = arcs_.junction_of(2 * piece) == junction ? 2 * piece : 2 * piece + 1;
+    }
+    const Vector d{double(tip.x) - back.x, double(tip.y) - back.y};
+    const double length = std::hypot(d.x, d.y);
+    return length > 0 ? Vector{d.x / length, d.y / length} : Vector{};
+  }
+
+  LineMap& map_;
+  double reach_, touching_;
+  Arcs arcs_;
+  std::vector<std::uint32_t> arc_of_;  ///< by piece
+  std::vector<double> lengths_;        ///< by arc
+};
+
+}  // namespace
+
+std::size_t extend_undershoots(LineMap& map, const UndershootLimits& limits, const MakeSource& make_source) {
+  std::vector<std::pair<std::uint32_t, LatticePoint>> found = UndershootFinder(map, limits).find();
+  // If two ends are led to each other, the one whose class stands first stays.
+  struct Way {
+    LatticePoint from, to;
+    LineClass line_class;
+    auto operator<=>(const Way&) const = default;
+  };
+  std::vector<Way> ways;
+  ways.reserve(found.size());
+  for (const auto& [end, to] : found) ways.push_back({map.point(end), to, map.piece(end / 2).line_class});
+  std::ranges::sort(ways);
+  std::erase_if(found, [&](const auto& led) {
+    const Way way{map.point(led.first), led.second, map.piece(led.first / 2).line_class};
+    const auto back = std::ranges::lower_bound(ways, Way{way.to, way.from, LineClass::outline});
+    if (back == ways.end() || back->from != way.to || back->to != way.from) return false;
+    return std::pair(back->line_class, back->from) < std::pair(way.line_class, way.from);
+  });
+  for (const auto& [end, to] : found) {
+    Stroke s = map.piece(end / 2);
+    const bool at_from = end % 2 == 0;
+    s.from = at_from ? s.from : s.to;
+    s.to = to;
+    s.z_from = s.z_to = at_from ? s.z_from : s.z_to;
+    s.w_from = s.w_to = at_from ? s.w_from : s.w_to;
+    map.add(s, end, kNone, make_source);
+  }
+  return found.size();
+}
+
+}  // namespace ligne

@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <functional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "base/key_table.hpp"
+#include "linework/map/line_groups.hpp"
+#include "linework/rules/rules.hpp"
+#include "linework/stroke_geometry.hpp"
+
+namespace ligne {
+namespace {
+
+/// Most rounds: without a dangle, the line that it left may be part of another one. Adjustable.
+constexpr int kMostPruningRounds = 8;
+/// Another way between the ends of an arc counts if it is at most so many times as long. Taste.
+constexpr double kDetour = 2;
+
+class DanglePruner {
+ public:
+  DanglePruner(LineMap& map, const BodyOf& body_of, const DangleLimits& limits)
+      : map_(map),
+        arcs_(map, limits.touching_mm / map.step_mm()),
+        limits_(limits),
+        beside_(limits.beside_mm / map.step_mm()),
+        gap_(limits.gap_mm / map.step_mm()),
+        extents_(body_extents(map, body_of)),
+        body_(map.piece_count(), kNone) {
+    for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
+      if (map.is_alive(p) && map.piece(p).line_class == LineClass::outline) body_[p] = body_of(map.piece(p));
+    }
+  }
+
+  std::size_t prune() {
+    std::size_t count = 0;
+    for (int round = 0; round < kMostPruningRounds; ++round) {
+      std::vector<Arcs::Arc> arcs = arcs_.find();
+      std::ranges::stable_sort(arcs, {}, &Arcs::Arc::length);
+      const std::size_t before = count;
+      for (const Arcs::Arc& arc : arcs) {
+        if (!is_dangle(arc)) continue;
+        arcs_.take_away(arc);
+        for (const std::uint32_t p : arc.pieces) map_.remove(p);
+        ++count;
+      }
+      if (count == before) break;
+    }
+    map_.join_contacts();
+    return count;
+  }
+
+ private:
+  bool is_dangle(const Arcs::Arc& arc) {
+    const std::uint32_t body = body_[arc.pieces.front()];
+    if (body == kNone || arc.junctions.size() != 2) return false;
+    if (!std::ranges::all_of(arc.pieces, [&](std::uint32_t p) { return body_[p] == body; })) return false;
+    // A joint alone stays: the end that it joined would be joined again.
+    if (std::ranges::all_of(arc.pieces, [&](std::uint32_t p) { return map_.piece(p).is_joint; })) return false;
+    const double longest = std::min(limits_.longest_mm / map_.step_mm(), limits_.body_part * extents_[body]);
+    if (arc.length > limits_.beside_times * longest) return false;
+    const auto [fewer, more] = std::minmax({arcs_.degree(arc.junctions[0]), arcs_.degree(arc.junctions[1])});
+    // A junction of two arcs was one of three, of which a dangle went: this arc is part of a longer line now.
+    if (fewer == 2 || more == 2 || bridges_a_gap(arc)) return false;
+    if (arc.length <= longest && fewer == 1 && more > 2) return true;
+    return std::ranges::all_of(arc.pieces, [&](std::uint32_t p) { return runs_beside(p, arc); }) &&
+           (fewer == 1 || leads_to_all(arc.junctions[0], {arc.junctions[1]}, arc, beside_));
+  }
+
+  static bool has(const Arcs::Arc& arc, std::uint32_t piece) { return std::ranges::binary_search(arc.pieces, piece); }
+
+  /// Lines that end near a free end of the arc have no other way to where its other end leads: they are one line with a gap.
+  bool bridges_a_gap(const Arcs::Arc& arc) {
+    const std::vector<std::uint32_t> at[2] = {junctions_near(arc, 0), junctions_near(arc, 1)};
+    // Each by itself: among the junctions near an end may be some of lines with which the arc hangs together anyway.
+    return !at[0].empty() &&
+           std::ranges::any_of(at[1], [&](std::uint32_t junction) { return !leads_to_all(junction, at[0], arc, gap_); });
+  }
+
+  /// The junctions of other lines within a gap of a free end, in order; the end's own junction where it is not free.
+  std::vector<std::uint32_t> junctions_near(const Arcs::Arc& arc, std::size_t side) {
+    const std::uint32_t junction = arc.junctions[side];
+    if (arcs_.degree(junction) > 1) return {junction};
+    const auto at = arcs_.pieces_at(junction);
+    const std::uint32_t own = *std::ranges::find_if(at, [&](std::uint32_t p) { return arcs_.has(p); });
+    const LatticePoint p = map_.point(arcs_.junction_of(2 * own) == junction ? 2 * own : 2 * own + 1);
+    std::vector<std::uint32_t> near;
+    map_.near(p, p, gap_, [&](std::uint32_t other) {
+      for (const std::uint32_t end : {2 * other, 2 * other + 1}) {
+        const bool is_near = arcs_.has(other) && distance(map_.point(end), p) <= gap_;
+        if (is_near && goes_on_without(arcs_.junction_of(end), arc)) near.push_back(arcs_.junction_of(end));
+      }
+      return false;
+    });
+    std::ranges::sort(near);
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    return near;
+  }
+
+  bool goes_on_without(std::uint32_t junction, const Arcs::Arc& arc) const {
+    return std::ranges::any_of(arcs_.pieces_at(junction), [&](std::uint32_t p) { return arcs_.has(p) && !has(arc, p); });
+  }
+
+  /// From a junction to each of `to`, which are in order, there is a way that is not by the arc and not much longer than it
+  /// and `more`. The shortest ways are looked for (Dijkstra, A note on two problems in connexion with graphs, 1959).
+  bool leads_to_all(std::uint32_t from, const std::vector<std::uint32_t>& to, const Arcs::Arc& arc, double more) const {
+    const double longest = kDetour * (arc.length + more);
+    using Way = std::pair<double, std::uint32_t>;  // its length, and the junction that it leads to
+    std::priority_queue<Way, std::vector<Way>, std::greater<>> ways({}, {{0, from}});
+    KeyTable done;  // junctions
+    std::size_t left = to.size();
+    while (!ways.empty()) {
+      const auto [length, junction] = ways.top();
+      ways.pop();
+      if (std::exchange(done[junction], 0) != kNone) continue;
+      if (std::ranges::binary_search(to, junction) && --left == 0) return true;
+      for (const std::uint32_t p : arcs_.pieces_at(junction)) {
+        const double further = length + page_length(map_.piece(p));
+        if (!arcs_.has(p) || further > longest || has(arc, p)) continue;
+        ways.emplace(further, arcs_.junction_of(arcs_.junction_of(2 * p) == junction ? 2 * p + 1 : 2 * p));
+      }
+    }
+    return false;
+  }
+
+  /// Its ends and its middle lie beside another line.
+  bool runs_beside(std::uint32_t p, const Arcs::Arc& arc) {
+    const Stroke& s = map_.piece(p);
+    return lies_beside(s.from, arc) && lies_beside(point_at(s, 0.5), arc) && lies_beside(s.to, arc);
+  }
+  bool lies_beside(LatticePoint p, const Arcs::Arc& arc) {
+    return map_.near(p, p, beside_, [&](std::uint32_t other) {
+      return !has(arc, other) && foot_on(map_.piece(other), p).distance <= beside_;
+    });
+  }
+
+  LineMap& map_;
+  Arcs arcs_;
+  DangleLimits limits_;
+  double beside_, gap_;
+  std::vector<double> extents_;      ///< by body
+  std::vector<std::uint32_t> body_;  ///< by piece: kNone but for outlines
+};
+
+}  // namespace
+
+std::size_t prune_dangles(LineMap& map, const BodyOf& body_of, const DangleLimits& limits) {
+  return DanglePruner(map, body_of, limits).prune();
+}
+
+}  // namespace ligne

@@ -1,0 +1,267 @@
+/// The guarantees at the head of linework/clean_lines.hpp, on random lines with gaps, dangles, short bits and hidden parts.
+
+#include "base/parallel.hpp"
+#include "linework/clean_lines.hpp"
+#include "rule_runner.hpp"
+#include "stroke_builder.hpp"
+#include "support/test.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr double kStep = 0.001, kPen = 0.35;
+/// Widths of the pen: the longest line that any rule may remove (a dangle beside another line), the longest stroke that one
+/// may add, and the reach of extend_undershoots.
+constexpr double kLongestRemoval = 48, kLongestBridge = 12, kReach = 3;
+
+CleanOptions options_for(std::uint32_t given_sources) {
+  CleanOptions options;
+  options.pen_mm = kPen;
+  options.least_mm = 1.5 * kPen;
+  options.scan_of = [given_sources](const Stroke& s) { return s.source < given_sources && s.source % 2 == 0 ? 0u : kNone; };
+  options.object_of = [given_sources](const Stroke& s) { return s.source < given_sources ? s.source % 3 : kNone; };
+  options.make_source = no_source;
+  return options;
+}
+
+/// Random polylines over a page of 100 mm, some nearly straight, with gaps; dangles that leave them; lines that end just
+/// before them; hidden strokes in some of the gaps.
+class RandomLines {
+ public:
+  explicit RandomLines(unsigned seed) : random_(seed) {}
+
+  StrokeModel make() {
+    StrokeModel m;
+    m.lattice.step_mm = kStep;
+    for (std::uint32_t line = 0; line < 24; ++line) add_line(m, line);
+    const std::vector<Stroke> lines = m.strokes;
+    for (std::uint32_t k = 0; k < 40; ++k) add_beside(m, lines[k * lines.size() / 40], 24 + k);
+    m.edge_count = 64;
+    return m;
+  }
+
+ private:
+  double number(double from, double to) { return std::uniform_real_distribution(from, to)(random_); }
+
+  void add(StrokeModel& m, Point2 from, Point2 to, std::uint32_t source, bool visible = true) {
+    Stroke s =
+        stroke(m.lattice.snap(from), m.lattice.snap(to), source % 5 == 4 ? LineClass::crease : LineClass::outline, source);
+    s.t_from = number(0, 0.4), s.t_to = number(0.6, 1);
+    s.visible = visible;
+    if (s.from != s.to) m.strokes.push_back(s);
+  }
+
+  void add_line(StrokeModel& m, std::uint32_t source) {
+    Point2 p{number(0, 100), number(0, 100)};
+    double angle = number(0, 6.28);
+    for (int k = 0; k < 8; ++k) {
+      const double length = std::exp(number(-2.5, 3.3));
+      const Point2 q = p + length * Point2{std::cos(angle), std::sin(angle)};
+      add(m, p, q, source);
+      angle += number(-0.2, 0.2);
+      const Point2 after = number(0, 1) < 0.4 ? q + number(0.02, 3) * Point2{std::cos(angle), std::sin(angle)} : q;
+      if (after != q && number(0, 1) < 0.5) add(m, q, after, source, false);
+      p = after;
+    }
+  }
+
+  /// A line that leaves the stroke, or ends before it.
+  void add_beside(StrokeModel& m, const Stroke& of, std::uint32_t source) {
+    const Point2 from = m.lattice.to_mm(of.from), to = m.lattice.to_mm(of.to);
+    const Point2 foot = from + number(0, 1) * (to - from);
+    const Point2 along = (to - from) / std::max(glm::length(to - from), 1e-9), aside{-along.y, along.x};
+    const Point2 start = foot + number(0, 0.8) * aside;
+    add(m, start, start + number(0.1, 6) * (number(-1, 1) * along + number(0.05, 1) * aside), source);
+  }
+
+  std::mt19937 random_;
+};
+
+StrokeModel random_lines(unsigned seed) { return RandomLines(seed).make(); }
+
+std::vector<RuleReport> clean(StrokeModel& m) {
+  const CleanReport report = clean_lines(m, options_for(m.edge_count));
+  EXPECT_LT(report.passes, kMostCleanPasses);
+  return report.rules;
+}
+
+/// The ends, class and visibility of a stroke, whatever its number is.
+auto shown(const Stroke& s) { return std::tuple(std::min(s.from, s.to), std::max(s.from, s.to), s.line_class, s.visible); }
+auto all_shown(const std::vector<Stroke>& strokes) {
+  std::vector<decltype(shown(strokes[0]))> result;
+  for (const Stroke& s : strokes) result.push_back(shown(s));
+  std::ranges::sort(result);
+  return result;
+}
+
+double shown_mm(const StrokeModel& m) {
+  double sum = 0;
+  for (const Stroke& s : m.strokes) sum += s.visible ? page_length(s) * kStep : 0;
+  return sum;
+}
+
+constexpr unsigned kScenes = 60;
+
+TEST(CleanLines, IsIdempotent) {
+  std::size_t changes = 0;
+  for (unsigned seed = 0; seed < kScenes; ++seed) {
+    StrokeModel m = random_lines(seed);
+    for (const RuleReport& report : clean(m)) changes += report.count;
+    const auto once = all_shown(m.strokes);
+    for (const RuleReport& report : clean(m)) EXPECT_EQ(report.count, 0u) << report.name << ", scene " << seed;
+    EXPECT_TRUE(all_shown(m.strokes) == once) << "scene " << seed;
+  }
+  EXPECT_GT(changes, 10 * kScenes);
+}
+
+TEST(CleanLines, EveryRuleChangesSomething) {
+  std::vector<std::size_t> counts(cleaning_rules().size(), 0);
+  for (unsigned seed = 0; seed < kScenes; ++seed) {
+    StrokeModel m = random_lines(seed);
+    const std::vector<RuleReport> reports = clean(m);
+    for (std::size_t r = 0; r < reports.size(); ++r) counts[r] += reports[r].count;
+  }
+  for (std::size_t r = 0; r < counts.size(); ++r) EXPECT_GT(counts[r], 0u) << cleaning_rules()[r].changes;
+}
+
+TEST(CleanLines, MovesNoEndAndAddsShortStrokes) {
+  for (unsigned seed = 0; seed < kScenes; ++seed) {
+    const StrokeModel given = random_lines(seed);
+    StrokeModel m = given;
+    clean(m);
+    for (const Stroke& s : m.strokes) {
+      if (s.source >= given.edge_count) {
+        EXPECT_LE(page_length(s) * kStep, kLongestBridge * kPen) << "scene " << seed;
+        continue;
+      }
+      // Every cut of a line is rounded to a point of the lattice.
+      constexpr double kRounded = 2;
+      const auto lies_on = [&](const Stroke& old) {
+        return old.source == s.source && foot_on(old, s.from).distance <= kRounded &&
+               foot_on(old, s.to).distance <= kRounded;
+      };
+      EXPECT_TRUE(std::ranges::any_of(given.strokes, lies_on)) << "scene " << seed;
+    }
+  }
+}
+
+/// The longest part of a stroke, in millimetres, that no visible stroke of its source covers.
+double longest_missing(const Stroke& old, const std::vector<Stroke>& strokes) {
+  std::vector<std::pair<double, double>> seen{{1, 1}};  // fractions
+  for (const Stroke& s : strokes) {
+    if (!s.visible || s.source != old.source) continue;
+    const Foot from = foot_on(old, s.from), to = foot_on(old, s.to);
+    if (from.distance <= 2 && to.distance <= 2) seen.push_back(std::minmax({from.fraction, to.fraction}));
+  }
+  std::ranges::sort(seen);
+  double missing = 0, covered = 0;
+  for (const auto& [from, to] : seen) {
+    missing = std::max(missing, from - covered);
+    covered = std::max(covered, to);
+  }
+  return missing * page_length(old) * kStep;
+}
+
+TEST(CleanLines, RemovesNothingThatIsLong) {
+  std::size_t long_strokes = 0, cut = 0;
+  for (unsigned seed = 0; seed < kScenes; ++seed) {
+    const StrokeModel given = random_lines(seed);
+    StrokeModel m = given;
+    clean(m);
+    for (const Stroke& old : given.strokes) {
+      if (!old.visible) continue;
+      const double missing = longest_missing(old, m.strokes);
+      EXPECT_LE(missing, kLongestRemoval * kPen) << "scene " << seed;
+      long_strokes += page_length(old) * kStep > kLongestRemoval * kPen;
+      cut += missing > 0.01;
+    }
+  }
+  EXPECT_GT(long_strokes, kScenes / 4);
+  EXPECT_GT(cut, kScenes);
+}
+
+TEST(CleanLines, CountsEveryMillimetre) {
+  for (unsigned seed = 0; seed < kScenes; ++seed) {
+    StrokeModel m = random_lines(seed);
+    const double before = shown_mm(m);
+    double change = 0;
+    for (const RuleReport& report : clean(m)) {
+      change += report.added_mm - report.removed_mm;
+      if (report.count == 0) {
+        EXPECT_EQ(report.added_mm + report.removed_mm, 0);
+      }
+    }
+    EXPECT_NEAR(shown_mm(m) - before, change, 0.05) << "scene " << seed;
+  }
+}
+
+/// A plain search: free ends by comparing all ends, and the line straight on from each against all strokes.
+TEST(CleanLines, LeavesNoEndThatPointsAtALineWithinReach) {
+  std::size_t free_ends = 0;
+  for (unsigned seed = 0; seed < kScenes; ++seed) {
+    StrokeModel m = random_lines(seed);
+    clean(m);
+    std::erase_if(m.strokes, [](const Stroke& s) { return !s.visible; });
+    const double reach = kReach * kPen / kStep, touching = kPen / 16 / kStep;
+    for (const Stroke& s : m.strokes) {
+      if (page_length(s) < 3 * reach) continue;  // long enough to be led on, and to have a direction
+      for (const LatticePoint p : {s.from, s.to}) {
+        const auto meets = [&](const Stroke& other) { return &other != &s && foot_on(other, p).distance <= touching + 1; };
+        if (std::ranges::any_of(m.strokes, meets)) continue;
+        ++free_ends;
+        const LatticePoint q = p == s.from ? s.to : s.from;
+        const double dx = (double(p.x) - q.x) / page_length(s), dy = (double(p.y) - q.y) / page_length(s);
+        const LatticePoint ahead{p.x + std::int32_t(0.98 * reach * dx), p.y + std::int32_t(0.98 * reach * dy)};
+        for (const Stroke& other : m.strokes) {
+          if (&other == &s) continue;
+          const bool crosses = orientation(p, ahead, other.from) * orientation(p, ahead, other.to) < 0 &&
+                               orientation(other.from, other.to, p) * orientation(other.from, other.to, ahead) < 0;
+          EXPECT_FALSE(crosses && other.source != s.source) << "scene " << seed << " at " << p.x << ',' << p.y;
+        }
+      }
+    }
+  }
+  EXPECT_GT(free_ends, kScenes);
+}
+
+TEST(CleanLines, DoesNotDependOnTheOrderOfStrokes) {
+  for (unsigned seed = 0; seed < kScenes; ++seed) {
+    StrokeModel m = random_lines(seed), shuffled = m;
+    std::ranges::shuffle(shuffled.strokes, std::mt19937(seed));
+    clean(m);
+    clean(shuffled);
+    EXPECT_TRUE(all_shown(m.strokes) == all_shown(shuffled.strokes)) << "scene " << seed;
+  }
+}
+
+TEST(CleanLines, TurnsAndMirrorsWithTheDrawing) {
+  const auto turned = [](LatticePoint p) { return LatticePoint{-p.y, p.x}; };
+  const auto mirrored = [](LatticePoint p) { return LatticePoint{-p.x, p.y}; };
+  const auto apply = [](StrokeModel m, const auto& move) {
+    for (Stroke& s : m.strokes) s.from = move(s.from), s.to = move(s.to);
+    return m;
+  };
+  for (unsigned seed = 0; seed < kScenes; ++seed) {
+    const StrokeModel given = random_lines(seed);
+    StrokeModel plain = given, other = apply(given, turned), image = apply(given, mirrored);
+    clean(plain);
+    clean(other);
+    clean(image);
+    EXPECT_TRUE(all_shown(apply(plain, turned).strokes) == all_shown(other.strokes)) << "turned, scene " << seed;
+    EXPECT_TRUE(all_shown(apply(plain, mirrored).strokes) == all_shown(image.strokes)) << "mirrored, scene " << seed;
+  }
+}
+
+TEST(CleanLines, DoesNotDependOnTheNumberOfThreads) {
+  for (unsigned seed = 0; seed < kScenes / 4; ++seed) {
+    const auto with_threads = [&](std::size_t n) {
+      StrokeModel m = random_lines(seed);
+      run_with_threads(n, [&] { clean(m); });
+      return all_shown(m.strokes);
+    };
+    EXPECT_TRUE(with_threads(1) == with_threads(4)) << "scene " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace ligne

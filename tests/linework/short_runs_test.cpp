@@ -1,0 +1,136 @@
+/// Pieces of lines that do not show beside others, and pieces of another class than their line.
+
+#include "base/disjoint_sets.hpp"
+#include "drawing/drawing.hpp"
+#include "linework/map/line_groups.hpp"
+#include "linework/near_part.hpp"
+#include "rule_runner.hpp"
+#include "stroke_builder.hpp"
+#include "support/test.hpp"
+
+namespace ligne {
+namespace {
+
+constexpr auto kCrease = LineClass::crease, kOutline = LineClass::outline;
+constexpr OverdrawLimits kLimits{50, 17, 17};  // steps; a pen of about a third of a millimetre with steps of 0.01 mm
+
+std::size_t merge(StrokeModel& m) {
+  return apply_rule(m, 0, [](LineMap& map) { return merge_short_runs(map, 50); });
+}
+std::size_t remove_overdrawn(StrokeModel& m, const OverdrawLimits& limits) {
+  return apply_rule(m, 0, [&](LineMap& map) { return remove_overdrawn_runs(map, limits); });
+}
+
+StrokeModel outlines(const std::string& text) { return sketch(text, kOutline); }
+
+TEST(ShortRuns, BecomeThoseOfTheirLine) {
+  StrokeModel m = outlines("0,0 300,0; crease 300,0 320,5; 320,5 800,20");
+  EXPECT_EQ(merge(m), 1u);
+  ASSERT_EQ(make_drawing(m).layers.size(), 1u);
+  EXPECT_EQ(make_drawing(m).layers[0].lines.size(), 1u);
+}
+
+TEST(ShortRuns, GoOnThroughOtherShortOnes) {
+  StrokeModel m = outlines("0,0 300,0; crease 300,0 320,5; intersection 320,5 330,9");
+  EXPECT_EQ(merge(m), 2u);
+  for (const Stroke& s : m.strokes) EXPECT_EQ(s.line_class, kOutline);
+}
+
+TEST(ShortRuns, OfARunOfTheClassStay) {
+  expect_changes({{"together they are long enough", "0,0 300,0; crease 300,0 330,0 360,0; 360,0 800,0", 0},
+                  {"the outline goes on by itself", "0,0 300,0 600,0; crease 300,0 300,40", 0},
+                  {"mesh", "mesh 0,0 300,0; crease 300,0 340,0", 0}},
+                 merge, outlines);
+}
+
+TEST(OverdrawnRuns, AreWhatTheInkOfOtherLinesHides) {
+  expect_changes(
+      {{"rungs between lines that nearly touch go", "0,0 300,0; 0,45 300,45; crease 100,0 100,45", 1},
+       {"edges seen end on go", "0,0 300,0 600,0; crease 300,0 300,1", 1},
+       {"23 steps of it show", "0,0 600,0; crease 300,0 300,40", 0},
+       {"alone", "0,0 600,0; crease 300,90 300,100", 0},
+       {"a small thing by itself: bits have no ink that hides bits", "0,0 15,0 0,12 0,0", 0},
+       {"bits that meet count together", "0,0 600,0; crease 300,0 300,30; intersection 300,30 302,60", 0}},
+      [](StrokeModel& m) { return remove_overdrawn(m, kLimits); }, outlines);
+  StrokeModel spur = outlines("0,0 300,0 600,0; 300,0 330,12");
+  EXPECT_EQ(remove_overdrawn(spur, kLimits), 1u);
+  EXPECT_EQ(spur.strokes.size(), 2u);
+}
+
+TEST(OverdrawnRuns, BecomeHiddenWhereHiddenLinesAreDrawn) {
+  StrokeModel m = outlines("0,0 600,0; crease 300,0 300,20; hidden crease 0,80 600,80");
+  EXPECT_EQ(remove_overdrawn(m, kLimits), 1u);
+  ASSERT_EQ(m.strokes.size(), 3u);
+  EXPECT_FALSE(m.strokes[1].visible);
+}
+
+/// A plain search for the same: every bit against every line, every end against every end.
+std::vector<Stroke> left_by_all_pairs(StrokeModel m, const OverdrawLimits& limits) {
+  const LineMap map(m, is_no_mesh, 0, 100);  // a piece has the number of its stroke
+  const Runs runs(map);
+  const auto is_short = [&](std::uint32_t i) { return runs[runs.of(i)].length < limits.longest_mm; };
+  DisjointSets groups(m.strokes.size());
+  for (std::uint32_t i = 0; i < m.strokes.size(); ++i)
+    for (std::uint32_t k = 0; k < m.strokes.size(); ++k) {
+      if (!is_short(i) || !is_short(k)) continue;
+      groups.join(i, runs.of(i));
+      for (const LatticePoint p : {m.strokes[i].from, m.strokes[i].to}) {
+        for (const LatticePoint q : {m.strokes[k].from, m.strokes[k].to})
+          if (std::hypot(double(p.x) - q.x, double(p.y) - q.y) <= limits.ink_mm) groups.join(i, k);
+      }
+    }
+  std::vector<double> shown(m.strokes.size(), 0);
+  std::vector<bool> touches(m.strokes.size(), false);
+  for (std::uint32_t i = 0; i < m.strokes.size(); ++i) {
+    if (!is_short(i)) continue;
+    constexpr int kPlaces = 4096;  // along the bit
+    std::vector<bool> inked(kPlaces, false);
+    for (std::uint32_t k = 0; k < m.strokes.size(); ++k) {
+      if (is_short(k)) continue;
+      const StrokePart part = part_near(m.strokes[i], m.strokes[k], limits.ink_mm);
+      for (int place = 0; place < kPlaces; ++place) {
+        const double at = (place + 0.5) / kPlaces;
+        if (part.from <= at && at <= part.to) inked[place] = true;
+      }
+      if (!part.empty()) touches[groups.find(i)] = true;
+    }
+    shown[groups.find(i)] += page_length(m.strokes[i]) * double(std::count(inked.begin(), inked.end(), false)) / kPlaces;
+  }
+  std::vector<Stroke> left;
+  for (std::uint32_t i = 0; i < m.strokes.size(); ++i) {
+    const std::uint32_t group = groups.find(i);
+    if (!is_short(i) || !touches[group] || shown[group] >= limits.shown_mm) left.push_back(m.strokes[i]);
+  }
+  return left;
+}
+
+TEST(OverdrawnRuns, AreThoseOfAllPairs) {
+  std::mt19937 random(7);
+  std::size_t dropped = 0, kept = 0;
+  // A pen that is narrow, and wide, against the lines.
+  for (const double ink : {5.0, 17.0, 60.0}) {
+    for (int scene = 0; scene < 20; ++scene) {
+      const auto number = [&](int from, int to) { return std::uniform_int_distribution(from, to)(random); };
+      std::vector<Stroke> strokes;
+      for (int i = 0; i < 60; ++i) {
+        const LatticePoint p{number(0, 900), number(0, 900)};
+        const int reach = i % 6 == 0 ? 500 : 30;
+        const LatticePoint q{p.x + number(-reach, reach), p.y + number(-reach, reach)};
+        if (p != q) strokes.push_back(stroke(p, q, i % 2 == 0 ? kOutline : kCrease));
+      }
+      StrokeModel m = model(strokes);
+      const OverdrawLimits limits{50, ink, 17};
+      const std::vector<Stroke> left = left_by_all_pairs(m, limits);
+      remove_overdrawn(m, limits);
+      ASSERT_EQ(m.strokes.size(), left.size()) << "ink " << ink << ", scene " << scene;
+      for (std::size_t i = 0; i < left.size(); ++i) EXPECT_EQ(m.strokes[i].from, left[i].from);
+      dropped += strokes.size() - left.size();
+      kept += left.size();
+    }
+  }
+  EXPECT_GT(dropped, 100u);
+  EXPECT_GT(kept, 1000u);
+}
+
+}  // namespace
+}  // namespace ligne

@@ -1,0 +1,86 @@
+#pragma once
+/// Short ways to strokes for tests. The lattice has a step of one millimetre, so that lattice points are page points.
+
+#include "linework/stroke.hpp"
+#include "support/test.hpp"
+
+namespace ligne {
+
+inline Stroke stroke(LatticePoint from, LatticePoint to, LineClass line_class = LineClass::mesh, std::uint32_t source = 0) {
+  Stroke s;
+  s.from = from;
+  s.to = to;
+  s.line_class = line_class;
+  s.source = source;
+  return s;
+}
+
+inline Stroke hidden(Stroke s) {
+  s.visible = false;
+  return s;
+}
+
+inline Stroke at_depth(Stroke s, float z_from, float z_to) {
+  s.z_from = z_from;
+  s.z_to = z_to;
+  return s;
+}
+
+inline StrokeModel model(std::vector<Stroke> strokes) {
+  StrokeModel m;
+  m.strokes = std::move(strokes);
+  return m;
+}
+
+/// Strokes in words, points in mm: "outline 0,0 300,0 320,5; hidden crease#7 0,9 9,9" are two outlines that follow each
+/// other, and a hidden crease of source 7. Without these words a stroke is visible, of class `usual`, and of source 0.
+inline StrokeModel sketch(const std::string& text, LineClass usual = LineClass::mesh, double step_mm = 1) {
+  StrokeModel m;
+  m.lattice.step_mm = step_mm;
+  std::istringstream pieces(text);
+  for (std::string piece; std::getline(pieces, piece, ';');) {
+    Stroke s = stroke({}, {}, usual);
+    std::size_t points = 0;
+    std::istringstream words(piece);
+    for (std::string word; words >> word;) {
+      Point2 p;
+      if (std::sscanf(word.c_str(), "%lf,%lf", &p.x, &p.y) == 2) {
+        s.from = std::exchange(s.to, m.lattice.snap(p));
+        if (points++ > 0) m.strokes.push_back(s);
+        continue;
+      }
+      const std::size_t hash = std::min(word.find('#'), word.size());
+      if (hash < word.size()) s.source = static_cast<std::uint32_t>(std::stoul(word.substr(hash + 1)));
+      const std::string_view name = std::string_view(word).substr(0, hash);
+      const auto known = std::find(kLineClassNames.begin(), kLineClassNames.end(), name);
+      if (known != kLineClassNames.end()) s.line_class = static_cast<LineClass>(known - kLineClassNames.begin());
+      if (name == "hidden") s.visible = false;
+      if (known == kLineClassNames.end() && name != "hidden" && !name.empty()) throw std::invalid_argument(text);
+    }
+  }
+  return m;
+}
+
+/// Outlines of scans, in words, with steps of 1/1000 mm. Sources below 100 are of one rough body.
+inline StrokeModel scan(const std::string& text) {
+  StrokeModel m = sketch(text, LineClass::outline, 0.001);
+  m.edge_count = 1000;
+  return m;
+}
+
+/// Strokes in words, and how many changes are to be made to them.
+struct StrokeCase {
+  const char* name;
+  const char* strokes;
+  std::size_t changes;
+};
+
+template <class Change>
+void expect_changes(std::initializer_list<StrokeCase> cases, const Change& change, StrokeModel (*read)(const std::string&)) {
+  for (const auto& [name, strokes, changes] : cases) {
+    StrokeModel m = read(strokes);
+    EXPECT_EQ(change(m), changes) << name << ": " << strokes;
+  }
+}
+
+}  // namespace ligne

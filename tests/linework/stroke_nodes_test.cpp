@@ -1,0 +1,201 @@
+/// The places where strokes end, against a map of all of them.
+
+#include "linework/stroke_nodes.hpp"
+#include "base/no_index.hpp"
+#include "linework/node_pairs.hpp"
+#include "linework/stroke_arcs.hpp"
+#include "stroke_builder.hpp"
+#include "support/test.hpp"
+
+namespace ligne {
+namespace {
+
+using Ends = std::vector<std::uint32_t>;
+
+/// Random strokes between places of a square, so many to a side.
+std::vector<Stroke> random_strokes(std::size_t count, std::uint32_t side) {
+  std::mt19937 random(7);
+  const auto coordinate = [&] { return static_cast<std::int32_t>(random() % side); };
+  std::vector<Stroke> strokes(count);
+  for (Stroke& s : strokes) s.from = {coordinate(), coordinate()}, s.to = {coordinate(), coordinate()};
+  return strokes;
+}
+
+/// By place, every third stroke left out.
+void expect_all_places(std::size_t count, std::uint32_t side) {
+  const std::vector<Stroke> strokes = random_strokes(count, side);
+  std::vector<std::uint32_t> members;
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (i % 3 != 0) members.push_back(i);
+  std::map<LatticePoint, Ends> expected;
+  for (std::uint32_t i = 0; i < members.size(); ++i) {
+    expected[strokes[members[i]].from].push_back(2 * i);
+    expected[strokes[members[i]].to].push_back(2 * i + 1);
+  }
+  // Places are visited at once, so each writes what is its own.
+  std::vector<Ends> found(2 * members.size());
+  for_each_node(strokes, members, [&](std::span<const StrokeEnd> ends) {
+    Ends& here = found[ends[0].end];
+    for (const auto& [p, end] : ends) {
+      EXPECT_EQ(p, ends[0].p);
+      here.push_back(end);
+    }
+  });
+  std::size_t places = 0;
+  for (const Ends& here : found) {
+    if (here.empty()) continue;
+    ++places;
+    const Stroke& s = strokes[members[here[0] / 2]];
+    EXPECT_EQ(here, expected[here[0] % 2 == 0 ? s.from : s.to]);
+  }
+  EXPECT_EQ(places, expected.size());
+}
+
+TEST(StrokeNodes, AllEndsAreVisitedPlaceByPlace) {
+  expect_all_places(0, 1);
+  expect_all_places(20, 3);
+  expect_all_places(30'000, 100);
+  expect_all_places(300'000, 400);
+}
+
+TEST(StrokeNodes, ArmsLeadAwayFromThePlace) {
+  std::vector<Stroke> strokes(20);
+  for (std::int32_t i = 0; i < 20; ++i) strokes[static_cast<std::size_t>(i)].to = {i, 2 * i};
+  std::vector<std::uint32_t> members(strokes.size());
+  std::iota(members.begin(), members.end(), 0u);
+  std::vector<StrokeEnd> ends;
+  for (std::uint32_t i = 0; i < 20; ++i) ends.push_back({{0, 0}, 2 * i});
+  const NodeArms arms(strokes, members, ends);
+  ASSERT_EQ(arms.all().size(), 20u);
+  for (std::size_t i = 0; i < 20; ++i) {
+    EXPECT_EQ(arms.all()[i].end, 2 * i);
+    EXPECT_EQ(arms.all()[i].direction, strokes[i].to);
+  }
+  NodeArms again = arms;
+  again.clear();
+  again.add(arms.all()[3]);
+  ASSERT_EQ(again.all().size(), 1u);
+  EXPECT_EQ(again.all()[0].end, 6u);
+}
+
+std::vector<std::uint32_t> paired(const std::vector<LatticePoint>& directions,
+                                  void (*pair)(std::span<const NodeArm>, std::span<std::uint32_t>) = pair_arms) {
+  std::vector<NodeArm> arms;
+  for (const LatticePoint d : directions) arms.push_back({d, static_cast<std::uint32_t>(arms.size())});
+  std::vector<std::uint32_t> partner(arms.size(), kNone);
+  pair(arms, partner);
+  return partner;
+}
+
+using ArmPartners = std::vector<std::uint32_t>;
+constexpr std::uint32_t none = kNone;
+
+TEST(NodePairs, KnownAnswers) {
+  EXPECT_EQ(paired({{1, 0}}), (ArmPartners{none}));
+  EXPECT_EQ(paired({{1, 0}, {1, 1}}), (ArmPartners{1, 0})) << "two arms are paired at any angle";
+  EXPECT_EQ(paired({{1, 0}, {0, 1}, {-1, 0}, {0, -1}}), (ArmPartners{2, 3, 0, 1}));
+  EXPECT_EQ(paired({{1, 0}, {1, 1}, {1, -1}}), (ArmPartners{none, 2, 1})) << "a turn of exactly 90 degrees is allowed";
+  EXPECT_EQ(paired({{2, 0}, {2, 1}, {2, -1}}), (ArmPartners{none, none, none})) << "all turns are sharper than 90 degrees";
+  EXPECT_EQ(paired({{9, 0}, {-9, 1}, {-9, 0}}), (ArmPartners{2, none, 0})) << "the straighter of two";
+  EXPECT_EQ(paired({{1, 0}, {-1, 0}, {1, 0}, {-1, 0}}), (ArmPartners{1, 0, 3, 2})) << "equal turns go by number";
+}
+
+TEST(NodePairs, TurnsAreToldApartToTheLastStep) {
+  constexpr std::int32_t far = 1 << 26;
+  EXPECT_EQ(paired({{far, 0}, {-far, 1}, {-far + 1, 1}}), (ArmPartners{1, 0, none}));
+  EXPECT_EQ(paired({{far, 0}, {-far + 1, 1}, {-far, 1}}), (ArmPartners{2, none, 0}));
+}
+
+TEST(NodePairs, FewAndManyArmsAgree) {
+  std::mt19937 random(11);
+  for (int round = 0; round < 5000; ++round) {
+    std::vector<LatticePoint> directions(3 + random() % (kFewArms - 2));
+    const int spread = round % 3 == 0 ? 1 << 20 : 1 << 26;
+    for (LatticePoint& d : directions) {
+      d = {int(random() % spread) - (round % 2 ? spread / 2 : 0), int(random() % (1 << 26)) - (1 << 25)};
+      if (d == LatticePoint{}) d.x = 1;
+    }
+    EXPECT_EQ(paired(directions, pair_few_arms), paired(directions, pair_many_arms)) << "round " << round;
+  }
+}
+
+TEST(NodePairs, ManyArmsGoStraightAcross) {
+  constexpr std::uint32_t half = 50000;
+  std::vector<LatticePoint> directions(2 * half);
+  for (std::uint32_t i = 0; i < half; ++i) {
+    const double angle = M_PI * (i + 0.5) / half;
+    const LatticePoint d{int(2e7 * std::cos(angle)), int(2e7 * std::sin(angle))};
+    directions[i] = d;
+    directions[half + i] = {-d.x, -d.y};
+  }
+  const ArmPartners partner = paired(directions);
+  for (std::uint32_t i = 0; i < half; ++i) ASSERT_EQ(partner[i], half + i);
+}
+
+TEST(NodePairs, ManyArmsOnTwoFansStayFast) {
+  // Every arm of the left fan wants the same arm of the right one: a search per arm would take the square of their number.
+  std::vector<LatticePoint> directions;
+  for (int i = 0; i < 50000; ++i) {
+    directions.push_back({-(1 << 25), i * 100});
+    directions.push_back({1 << 25, i * 100 + 7});
+  }
+  const ArmPartners partner = paired(directions);
+  for (std::uint32_t i = 0; i < partner.size(); ++i) ASSERT_EQ(partner[partner[i]], i);
+}
+
+constexpr double kArcTolerance = 2;
+
+std::vector<StrokeArc> arcs(const std::string& text) {
+  const std::vector<Stroke> strokes = sketch(text).strokes;
+  std::vector<std::uint32_t> all(strokes.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return stroke_arcs(strokes, all, kArcTolerance);
+}
+
+/// Every part begins where the one before ends.
+void expect_connected(const StrokeArc& arc) {
+  for (std::size_t i = 1; i < arc.parts.size(); ++i) {
+    const ArcPart &a = arc.parts[i - 1], &b = arc.parts[i];
+    EXPECT_EQ(a.reversed ? a.p_from : a.p_to, b.reversed ? b.p_to : b.p_from);
+  }
+}
+
+TEST(StrokeArcs, ALineOfManyStrokesIsOneArcAndARingIsClosed) {
+  for (const auto& [strokes, closed] :
+       {std::pair("200,0 100,50; 0,0 100,50; 200,0 300,0", false), {"0,0 100,0; 100,100 100,0; 0,0 100,100", true}}) {
+    const auto found = arcs(strokes);
+    ASSERT_EQ(found.size(), 1u) << strokes;
+    EXPECT_EQ(found[0].parts.size(), 3u) << strokes;
+    EXPECT_EQ(found[0].closed, closed) << strokes;
+    expect_connected(found[0]);
+  }
+}
+
+TEST(StrokeArcs, EndAtJunctions) {
+  // Three meet in a point; a fourth ends on the middle of one of them, a step beside it.
+  const auto found = arcs("0,0 1000,0 1500,500; 1000,0 1500,-500; 400,1 400,600");
+  ASSERT_EQ(found.size(), 5u);
+  for (const StrokeArc& arc : found) EXPECT_EQ(arc.parts.size(), 1u);
+  double cut = 0;
+  for (const StrokeArc& arc : found)
+    if (arc.parts[0].stroke == 0 && arc.parts[0].from == 0) cut = arc.parts[0].to;
+  EXPECT_NEAR(cut, 0.4, 1e-9);
+}
+
+TEST(StrokeArcs, EndAtCrossings) {
+  const auto found = arcs("0,0 1000,0; 250,-500 250,500");
+  ASSERT_EQ(found.size(), 4u);
+  for (const StrokeArc& arc : found) {
+    const ArcPart& part = arc.parts[0];
+    EXPECT_TRUE(part.p_from == (LatticePoint{250, 0}) || part.p_to == (LatticePoint{250, 0}));
+  }
+}
+
+TEST(StrokeArcs, OfLinesThatEndBesideAnother) {
+  EXPECT_EQ(arcs("0,0 1000,0; 500,10 500,500").size(), 2u) << "an end beside it";
+  EXPECT_EQ(arcs("0,0 1000,0 2000,300; 1001,-1 1400,-700").size(), 3u) << "an end beside a corner is one";
+  EXPECT_TRUE(arcs("5,5 5,5").empty());
+}
+
+}  // namespace
+}  // namespace ligne
