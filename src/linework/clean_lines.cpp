@@ -105,7 +105,7 @@ CleanReport clean_lines(StrokeModel& model, const CleanOptions& options) {
     ++report.passes;
     is_clean = true;
     LineMap map(
-        model, [](const Stroke& s) { return s.line_class != LineClass::mesh; }, reach, cell);
+        model, [](const Stroke& s) { return s.line_class != LineClass::mesh; }, {.reach = reach}, cell);
     for (std::size_t r = 0; r < kRules.size(); ++r) {
       const double added = map.added_steps(), removed = map.removed_steps();
       const std::size_t count = kRules[r].apply(map, options);

@@ -12,7 +12,7 @@ StrokeModel lines_of_outlines(const std::string& text) { return sketch(text, Lin
 
 /// The map of all strokes but the mesh, with contacts within two millimetres.
 struct Mapped {
-  explicit Mapped(StrokeModel strokes) : model(std::move(strokes)), map(model, is_no_mesh, 2, 50) {}
+  explicit Mapped(StrokeModel strokes) : model(std::move(strokes)), map(model, is_no_mesh, {.reach = 2}, 50) {}
   StrokeModel model;
   LineMap map;
 };
@@ -110,11 +110,49 @@ TEST(LineMapTest, EditsAreWrittenBack) {
   EXPECT_EQ(m.model.strokes[4].source, m.model.edge_count) << "a source of its own";
 }
 
+/// The arcs of lines, which also meet where they cross and where corners lie beside lines, as the points that they run
+/// through.
+std::vector<std::vector<LatticePoint>> arcs_of(const std::string& text) {
+  StrokeModel m = lines_of_outlines(text);
+  const LineMap map(m, is_no_mesh, {.reach = 2, .any_node = true, .crossings = true}, 50);
+  expect_valid(map);
+  const Arcs arcs(map, 2);
+  std::vector<std::vector<LatticePoint>> found;
+  for (const Arcs::Arc& arc : arcs.find()) {
+    found.emplace_back();
+    const std::vector<std::uint32_t> ends = arcs.along(arc);
+    EXPECT_EQ(ends.size(), arc.pieces.size());
+    for (const std::uint32_t end : ends) found.back().push_back(map.point(end));
+    found.back().push_back(map.point(ends.back() ^ 1));
+  }
+  return found;
+}
+
+TEST(ArcsTest, RunFromJunctionToJunction) {
+  const auto line = arcs_of("200,0 100,50; 0,0 100,50; 200,0 300,0");
+  ASSERT_EQ(line.size(), 1u);
+  EXPECT_EQ(line[0].size(), 4u);
+  EXPECT_EQ(std::min(line[0].front(), line[0].back()), (LatticePoint{0, 0}));
+  const auto ring = arcs_of("0,0 100,0; 100,100 100,0; 0,0 100,100");
+  ASSERT_EQ(ring.size(), 1u);
+  EXPECT_EQ(ring[0].front(), ring[0].back());
+  EXPECT_EQ(arcs_of("0,0 1000,0 1500,500; 1000,0 1500,-500; 400,1 400,600").size(), 5u);
+  const auto cross = arcs_of("0,0 1000,0; 250,-500 250,500");
+  ASSERT_EQ(cross.size(), 4u);
+  for (const auto& arc : cross) EXPECT_TRUE(arc.front() == (LatticePoint{250, 0}) || arc.back() == (LatticePoint{250, 0}));
+}
+
+TEST(ArcsTest, MeetBesideEachOther) {
+  EXPECT_EQ(arcs_of("0,0 1000,0; 500,10 500,500").size(), 2u) << "an end beside it";
+  EXPECT_EQ(arcs_of("0,0 1000,0 2000,300; 1001,-1 1400,-700").size(), 3u) << "an end beside a corner is one";
+  EXPECT_EQ(arcs_of("0,0 1000,0; 400,500 500,1 600,500").size(), 4u) << "a corner beside a line";
+}
+
 TEST(LineMapTest, ACrowdAtOnePointCostsLittle) {
   constexpr std::int32_t kArms = 20'000;
   StrokeModel star = model({});
   for (std::int32_t i = 0; i < kArms; ++i) star.strokes.push_back(stroke({0, 0}, {100'000, i}, LineClass::outline));
-  LineMap map(star, is_no_mesh, 2, walked_cell(star.strokes, 50));
+  LineMap map(star, is_no_mesh, {.reach = 2}, walked_cell(star.strokes, 50));
   EXPECT_EQ(map.degree(map.node_of(0)), std::uint32_t(kArms));
   EXPECT_EQ(Arcs(map, 0).find().size(), std::size_t(kArms));
   for (std::uint32_t p = 0; p < map.piece_count(); ++p) map.remove(p);

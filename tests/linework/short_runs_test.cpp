@@ -66,7 +66,7 @@ TEST(OverdrawnRuns, BecomeHiddenWhereHiddenLinesAreDrawn) {
 
 /// A plain search for the same: every bit against every line, every end against every end.
 std::vector<Stroke> left_by_all_pairs(StrokeModel m, const OverdrawLimits& limits) {
-  const LineMap map(m, is_no_mesh, 0, 100);  // a piece has the number of its stroke
+  const LineMap map(m, is_no_mesh, {}, 100);  // a piece has the number of its stroke
   const Runs runs(map);
   const auto is_short = [&](std::uint32_t i) { return runs[runs.of(i)].length < limits.longest_mm; };
   DisjointSets groups(m.strokes.size());

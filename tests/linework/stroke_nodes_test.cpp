@@ -3,7 +3,6 @@
 #include "linework/stroke_nodes.hpp"
 #include "base/no_index.hpp"
 #include "linework/node_pairs.hpp"
-#include "linework/stroke_arcs.hpp"
 #include "stroke_builder.hpp"
 #include "support/test.hpp"
 
@@ -141,60 +140,6 @@ TEST(NodePairs, ManyArmsOnTwoFansStayFast) {
   }
   const ArmPartners partner = paired(directions);
   for (std::uint32_t i = 0; i < partner.size(); ++i) ASSERT_EQ(partner[partner[i]], i);
-}
-
-constexpr double kArcTolerance = 2;
-
-std::vector<StrokeArc> arcs(const std::string& text) {
-  const std::vector<Stroke> strokes = sketch(text).strokes;
-  std::vector<std::uint32_t> all(strokes.size());
-  std::iota(all.begin(), all.end(), 0u);
-  return stroke_arcs(strokes, all, kArcTolerance);
-}
-
-/// Every part begins where the one before ends.
-void expect_connected(const StrokeArc& arc) {
-  for (std::size_t i = 1; i < arc.parts.size(); ++i) {
-    const ArcPart &a = arc.parts[i - 1], &b = arc.parts[i];
-    EXPECT_EQ(a.reversed ? a.p_from : a.p_to, b.reversed ? b.p_to : b.p_from);
-  }
-}
-
-TEST(StrokeArcs, ALineOfManyStrokesIsOneArcAndARingIsClosed) {
-  for (const auto& [strokes, closed] :
-       {std::pair("200,0 100,50; 0,0 100,50; 200,0 300,0", false), {"0,0 100,0; 100,100 100,0; 0,0 100,100", true}}) {
-    const auto found = arcs(strokes);
-    ASSERT_EQ(found.size(), 1u) << strokes;
-    EXPECT_EQ(found[0].parts.size(), 3u) << strokes;
-    EXPECT_EQ(found[0].closed, closed) << strokes;
-    expect_connected(found[0]);
-  }
-}
-
-TEST(StrokeArcs, EndAtJunctions) {
-  // Three meet in a point; a fourth ends on the middle of one of them, a step beside it.
-  const auto found = arcs("0,0 1000,0 1500,500; 1000,0 1500,-500; 400,1 400,600");
-  ASSERT_EQ(found.size(), 5u);
-  for (const StrokeArc& arc : found) EXPECT_EQ(arc.parts.size(), 1u);
-  double cut = 0;
-  for (const StrokeArc& arc : found)
-    if (arc.parts[0].stroke == 0 && arc.parts[0].from == 0) cut = arc.parts[0].to;
-  EXPECT_NEAR(cut, 0.4, 1e-9);
-}
-
-TEST(StrokeArcs, EndAtCrossings) {
-  const auto found = arcs("0,0 1000,0; 250,-500 250,500");
-  ASSERT_EQ(found.size(), 4u);
-  for (const StrokeArc& arc : found) {
-    const ArcPart& part = arc.parts[0];
-    EXPECT_TRUE(part.p_from == (LatticePoint{250, 0}) || part.p_to == (LatticePoint{250, 0}));
-  }
-}
-
-TEST(StrokeArcs, OfLinesThatEndBesideAnother) {
-  EXPECT_EQ(arcs("0,0 1000,0; 500,10 500,500").size(), 2u) << "an end beside it";
-  EXPECT_EQ(arcs("0,0 1000,0 2000,300; 1001,-1 1400,-700").size(), 3u) << "an end beside a corner is one";
-  EXPECT_TRUE(arcs("5,5 5,5").empty());
 }
 
 }  // namespace

@@ -107,8 +107,7 @@ Arcs::Arcs(const LineMap& map, double reach)
   const std::uint32_t ends = 2 * map.piece_count();
   DisjointSets junctions(ends);
   for (const Contact& contact : map.contacts()) {
-    const bool holds = map.degree(contact.node) == 1 && map.degree(contact.other) > 0;
-    if (holds && contact.distance <= reach) junctions.join(contact.node, contact.other);
+    if (map.holds(contact) && contact.distance <= reach) junctions.join(contact.node, contact.other);
   }
   degree_.assign(ends, 0);
   for (std::uint32_t end = 0; end < ends; ++end) junction_of_[end] = junctions.find(map.node_of(end));
@@ -159,6 +158,29 @@ void Arcs::take_away(const Arc& arc) {
     --degree_[junction_of_[2 * p]];
     --degree_[junction_of_[2 * p + 1]];
   }
+}
+
+std::vector<std::uint32_t> Arcs::along(const Arc& arc) const {
+  std::uint32_t end = 2 * arc.pieces.front();
+  for (const std::uint32_t p : arc.pieces) {
+    if (arc.junctions.empty()) break;
+    if (degree_[junction_of_[2 * p]] == 2 && degree_[junction_of_[2 * p + 1]] == 2) continue;
+    end = degree_[junction_of_[2 * p]] != 2 ? 2 * p : 2 * p + 1;
+    break;
+  }
+  std::vector<std::uint32_t> ends;
+  while (ends.size() < arc.pieces.size()) {
+    ends.push_back(end);
+    const std::uint32_t junction = junction_of_[end ^ 1];
+    if (degree_[junction] != 2) break;
+    std::uint32_t next = kNone;
+    for (const std::uint32_t p : pieces_at(junction)) {
+      if (has(p) && p != end / 2) next = p;
+    }
+    if (next == kNone) break;
+    end = junction_of_[2 * next] == junction ? 2 * next : 2 * next + 1;
+  }
+  return ends;
 }
 
 }  // namespace ligne

@@ -76,6 +76,8 @@ class Arcs {
   /// The arcs of the pieces that are left, in the order of their lowest pieces.
   std::vector<Arc> find() const;
   void take_away(const Arc& arc);
+  /// The ends at which the pieces of an arc begin, in the order of the arc; that of a ring begins with its lowest piece.
+  std::vector<std::uint32_t> along(const Arc& arc) const;
 
  private:
   const LineMap& map_;

@@ -11,16 +11,18 @@
 
 namespace ligne {
 
-/// The place on another line where a free end lies.
+/// A place inside or at the end of a piece where another line meets it.
 struct LineMap::Meeting {
   std::uint32_t piece;
   double fraction, distance;
-  std::uint32_t node;  ///< of the free end, whose number changes where its piece is cut
+  std::uint32_t contact;  ///< whose other node lies there
   LatticePoint place{};
 };
 
-LineMap::LineMap(StrokeModel& model, const std::function<bool(const Stroke&)>& takes_part, double reach, double cell)
+LineMap::LineMap(StrokeModel& model, const std::function<bool(const Stroke&)>& takes_part, const Meetings& meetings,
+                 double cell)
     : model_(model),
+      meetings_(meetings),
       cell_(cell),
       had_hidden_(any_hidden(model.strokes)),
       given_(static_cast<std::uint32_t>(model.strokes.size())) {
@@ -44,7 +46,7 @@ LineMap::LineMap(StrokeModel& model, const std::function<bool(const Stroke&)>& t
       if (k + 1 < ends.size()) next_end_[ends[k].end] = ends[k + 1].end;
     }
   });
-  if (reach > 0) find_contacts(reach);
+  if (meetings.reach > 0) find_contacts();
 }
 
 std::uint32_t LineMap::next(std::uint32_t end) const {
@@ -101,56 +103,82 @@ std::vector<std::uint32_t> LineMap::line_back(std::uint32_t end, double length) 
   return own;
 }
 
-std::optional<LineMap::Meeting> LineMap::nearest_line(std::uint32_t end, double reach) {
+std::optional<LineMap::Meeting> LineMap::nearest_line(std::uint32_t end) {
   /// A line may meet itself beyond so many times the reach.
   constexpr double kOwnLineInReaches = 4;
-  const std::vector<std::uint32_t> own = line_back(end, kOwnLineInReaches * reach);
+  std::vector<std::uint32_t> own = line_back(end, kOwnLineInReaches * meetings_.reach);
+  for_each_end(node_of_[end], [&](std::uint32_t e) { own.push_back(e / 2); });
   const LatticePoint p = point(end);
   std::optional<Meeting> nearest;
-  near(p, p, reach, [&](std::uint32_t piece) {
+  near(p, p, meetings_.reach, [&](std::uint32_t piece) {
     const Foot foot = foot_on(pieces_[piece].stroke, p);
-    if (foot.distance > reach) return false;
+    if (foot.distance > meetings_.reach) return false;
     if (nearest && std::tie(nearest->distance, nearest->piece) <= std::tie(foot.distance, piece)) return false;
-    if (std::ranges::find(own, piece) == own.end()) nearest = {piece, foot.fraction, foot.distance, node_of_[end]};
+    if (std::ranges::find(own, piece) == own.end()) nearest = {piece, foot.fraction, foot.distance, 0};
     return false;
   });
   if (nearest) nearest->place = point_at(pieces_[nearest->piece].stroke, nearest->fraction);
   return nearest;
 }
 
-void LineMap::find_contacts(double reach) {
+/// Two lines that cross inside both meet there; the second node of the contact is that of the later piece.
+void LineMap::find_crossings(std::vector<Meeting>& found) {
+  std::vector<std::uint32_t> met(pieces_.size(), kNone);  // by piece, the last one with which it was compared
+  const auto given = piece_count();
+  for (std::uint32_t a = 0; a < given; ++a) {
+    const Stroke& s = pieces_[a].stroke;
+    near(s.from, s.to, 0, [&](std::uint32_t b) {
+      if (b <= a || std::exchange(met[b], a) == a) return false;
+      const Stroke& t = pieces_[b].stroke;
+      const double a0 = orientation(t.from, t.to, s.from), a1 = orientation(t.from, t.to, s.to);
+      const double b0 = orientation(s.from, s.to, t.from), b1 = orientation(s.from, s.to, t.to);
+      if (!(a0 * a1 < 0 && b0 * b1 < 0)) return false;
+      const LatticePoint place = point_at(s, a0 / (a0 - a1));
+      const auto contact = static_cast<std::uint32_t>(contacts_.size());
+      contacts_.push_back({kNone, kNone, 0});
+      found.push_back({a, a0 / (a0 - a1), 0, contact, place});
+      found.push_back({b, b0 / (b0 - b1), 0, contact, place});
+      return false;
+    });
+  }
+}
+
+void LineMap::find_contacts() {
   std::vector<Meeting> meetings;
   for (std::uint32_t end = 0; end < node_of_.size(); ++end) {
-    if (!is_free(end)) continue;
-    if (const auto meeting = nearest_line(end, reach)) meetings.push_back(*meeting);
+    if (meetings_.any_node ? first_end_[node_of_[end]] != end : !is_free(end)) continue;
+    auto meeting = nearest_line(end);
+    if (!meeting) continue;
+    meeting->contact = static_cast<std::uint32_t>(contacts_.size());
+    contacts_.push_back({node_of_[end], kNone, meeting->distance});
+    meetings.push_back(*meeting);
   }
-  std::ranges::sort(meetings, {}, [](const Meeting& m) { return std::tuple(m.piece, m.fraction, m.node); });
+  if (meetings_.crossings) find_crossings(meetings);
+  std::ranges::sort(meetings, {}, [](const Meeting& m) { return std::tuple(m.piece, m.fraction, m.contact); });
   std::vector<StrokeCut> cuts;
   for (std::size_t first = 0, last = 0; first < meetings.size(); first = last) {
     const std::uint32_t piece = meetings[first].piece;
     const Stroke whole = pieces_[piece].stroke;
-    const std::uint32_t last_node = node_of_[2 * piece + 1];
+    const std::uint32_t first_node = node_of_[2 * piece], last_node = node_of_[2 * piece + 1], new_piece = piece_count();
     cuts.clear();
-    std::vector<std::uint32_t> cut_of;
+    std::vector<std::uint32_t> nodes;  // by meeting; a cut has the number of the first end behind it
     for (last = first; last < meetings.size() && meetings[last].piece == piece; ++last) {
-      const LatticePoint place = meetings[last].place;
+      const auto& [of, fraction, distance, contact, place] = meetings[last];
       const bool is_inside = place != whole.from && place != whole.to;
-      if (is_inside && (cuts.empty() || cuts.back().p != place)) cuts.push_back({meetings[last].fraction, place});
-      cut_of.push_back(is_inside ? static_cast<std::uint32_t>(cuts.size()) - 1 : kNone);
+      if (is_inside && (cuts.empty() || cuts.back().p != place)) cuts.push_back({fraction, place});
+      const auto behind = static_cast<std::uint32_t>(2 * (new_piece + cuts.size() - 1));
+      nodes.push_back(is_inside ? behind : place == whole.from ? first_node : last_node);
     }
-    const std::uint32_t first_new = piece_count();
     cut(piece, cuts);
     for (std::size_t m = first; m < last; ++m) {
-      const std::uint32_t c = cut_of[m - first];
-      const std::uint32_t other = c != kNone                        ? node_of_[2 * (first_new + c)]
-                                  : meetings[m].place == whole.from ? node_of_[2 * piece]
-                                                                    : last_node;
-      contacts_.push_back({meetings[m].node, other, meetings[m].distance});
+      Contact& contact = contacts_[meetings[m].contact];
+      (contact.node == kNone ? contact.node : contact.other) = nodes[m - first];
     }
   }
 }
 
-/// The first part stays the piece; the others are new pieces. Between two of them is a node of its own.
+/// The first part stays the piece; the others are new pieces. Between two of them is a node of its own, with the number of
+/// the end behind it.
 void LineMap::cut(std::uint32_t piece, std::span<const StrokeCut> cuts) {
   if (cuts.empty()) return;
   const Stroke whole = pieces_[piece].stroke;

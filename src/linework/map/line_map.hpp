@@ -29,19 +29,24 @@ namespace ligne {
 /// Makes the source of a stroke that joins two lines. The stroke still has the source of the line that it continues.
 using MakeSource = std::function<SourceEdge(const Stroke&)>;
 
-/// A free end at `node` lies `distance` steps from the node `other` of another line. It holds as long as the end is free and
-/// the other line is there.
+/// The node `node` lies `distance` steps from the node `other` of another line.
 struct Contact {
   std::uint32_t node, other;
   double distance;
 };
 
+/// Which places of lines are contacts.
+struct Meetings {
+  double reach = 0;        ///< steps; of 0, no contacts are looked for
+  bool any_node = false;   ///< nodes of several ends have contacts too; otherwise free ends only
+  bool crossings = false;  ///< where two lines cross both are cut, and their nodes are a contact
+};
+
 class LineMap {
  public:
-  /// The strokes of `model` that are seen and for which takes_part() holds; strokes without length have no part. Free ends
-  /// have contacts within `reach` steps; of 0, none are looked for. O(n + m), with m the cells of the side `cell` that lines
-  /// pass.
-  LineMap(StrokeModel& model, const std::function<bool(const Stroke&)>& takes_part, double reach, double cell);
+  /// The strokes of `model` that are seen and for which takes_part() holds; strokes without length have no part. O(n + m),
+  /// with m the cells of the side `cell` that lines pass, and the pairs of lines in one cell if crossings are looked for.
+  LineMap(StrokeModel& model, const std::function<bool(const Stroke&)>& takes_part, const Meetings& meetings, double cell);
   LineMap(const LineMap&) = delete;
   LineMap& operator=(const LineMap&) = delete;
 
@@ -51,6 +56,7 @@ class LineMap {
   bool is_alive(std::uint32_t piece) const { return pieces_[piece].alive; }
   /// The piece as a stroke.
   const Stroke& piece(std::uint32_t piece) const { return pieces_[piece].stroke; }
+  std::uint32_t stroke_number(std::uint32_t piece) const { return pieces_[piece].of; }
   /// The whole stroke that it is a part of.
   const Stroke& stroke_of(std::uint32_t piece) const { return model_.strokes[pieces_[piece].of]; }
   LatticePoint point(std::uint32_t end) const {
@@ -73,6 +79,11 @@ class LineMap {
     for (std::uint32_t e = first_end_[node]; e != kNone; e = next_end_[e]) visit(e);
   }
   const std::vector<Contact>& contacts() const { return contacts_; }
+  /// A contact of a free end holds until the end is joined; any contact until one of its lines goes.
+  bool holds(const Contact& contact) const {
+    const std::uint32_t ends = degree_[contact.node];
+    return degree_[contact.other] > 0 && (meetings_.any_node ? ends > 0 : ends == 1);
+  }
 
   /// Calls visit(piece) for the living pieces within `reach` steps of a segment, for some that are farther away, and for
   /// some more than once, until it returns true. Returns whether it did.
@@ -111,13 +122,15 @@ class LineMap {
   void link(std::uint32_t end, std::uint32_t node);
   void unlink(std::uint32_t end);
   void file_pieces();
-  void find_contacts(double reach);
-  std::optional<Meeting> nearest_line(std::uint32_t end, double reach);
+  void find_contacts();
+  void find_crossings(std::vector<Meeting>& found);
+  std::optional<Meeting> nearest_line(std::uint32_t end);
   void cut(std::uint32_t piece, std::span<const StrokeCut> cuts);
   void write_stroke(std::uint32_t first_piece, std::vector<Stroke>& out) const;
   void clear_hidden(std::vector<Stroke>& strokes, double ink, double exact) const;
 
   StrokeModel& model_;
+  Meetings meetings_;
   double cell_;
   bool had_hidden_;
   std::uint32_t given_;  ///< strokes of the model at first; others were added

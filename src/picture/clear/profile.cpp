@@ -10,12 +10,12 @@
 #include "picture/clear/profile.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 #include "base/no_index.hpp"
-#include "linework/overlaps/stroke_overlap.hpp"
-#include "linework/stroke_arcs.hpp"
+#include "linework/map/line_groups.hpp"
+#include "linework/overlaps/stroke_index.hpp"
+#include "linework/stroke_geometry.hpp"
 #include "linework/stroke_piece.hpp"
 #include "picture/clear/profile_sides.hpp"
 
@@ -38,35 +38,25 @@ struct Bit {
   bool free;
 };
 
-/// The parts of an arc as bits, in the order of the arc.
-std::vector<Bit> bits_of(const StrokeArc& arc, const std::vector<Stroke>& strokes, const std::vector<FreeParts>& free,
-                         const std::vector<std::uint32_t>& member_of) {
-  std::vector<Bit> bits, of_part;
-  for (const ArcPart& part : arc.parts) {
-    const Stroke& s = strokes[part.stroke];
-    const double size = length(s.from, s.to);
-    of_part.clear();
-    double last = part.from;
-    const auto cut_at = [&](double fraction) -> StrokeCut {
-      if (fraction == part.from) return {fraction, part.p_from};
-      if (fraction == part.to) return {fraction, part.p_to};
-      return {fraction,
-              {static_cast<std::int32_t>(std::lround(s.from.x + fraction * (double(s.to.x) - s.from.x))),
-               static_cast<std::int32_t>(std::lround(s.from.y + fraction * (double(s.to.y) - s.from.y)))}};
-    };
-    const auto add = [&](double to, bool is_free) {
-      if (!(last < to)) return;
-      of_part.push_back({part.stroke, cut_at(last), cut_at(to), (to - last) * size, is_free});
-      last = to;
-    };
-    for (const FreePart& open : free[member_of[part.stroke]].parts) {
-      add(std::clamp(open.from, part.from, part.to), false);
-      add(std::clamp(open.to, part.from, part.to), true);
-    }
-    add(part.to, false);
-    if (part.reversed) std::reverse(of_part.begin(), of_part.end());
-    bits.insert(bits.end(), of_part.begin(), of_part.end());
+/// A piece of a line as bits, in the order of its stroke.
+std::vector<Bit> bits_of(const LineMap& map, std::uint32_t piece, const FreeParts& free) {
+  const Stroke &whole = map.stroke_of(piece), &s = map.piece(piece);
+  const double size = page_length(whole), from = foot_on(whole, s.from).fraction, to = foot_on(whole, s.to).fraction;
+  const auto cut_at = [&](double fraction) -> StrokeCut {
+    return {fraction, fraction == from ? s.from : fraction == to ? s.to : point_at(whole, fraction)};
+  };
+  std::vector<Bit> bits;
+  double last = from;
+  const auto add = [&](double until, bool is_free) {
+    if (!(last < until)) return;
+    bits.push_back({map.stroke_number(piece), cut_at(last), cut_at(until), (until - last) * size, is_free});
+    last = until;
+  };
+  for (const FreePart& open : free.parts) {
+    add(std::clamp(open.from, from, to), false);
+    add(std::clamp(open.to, from, to), true);
   }
+  add(to, false);
   return bits;
 }
 
@@ -152,19 +142,30 @@ void draw_profiles(StrokeModel& model, const ProjectedScene& projected, const Sc
   std::vector<std::uint32_t> members, member_of(model.strokes.size(), kNone);
   for (std::uint32_t i = 0; i < model.strokes.size(); ++i) {
     const Stroke& s = model.strokes[i];
-    if (!s.visible || s.level > 0 || s.from == s.to || static_cast<std::size_t>(s.line_class) >= kEdgeClassCount) continue;
+    if (!is_seen(s) || !is_edge(s) || s.from == s.to) continue;
     member_of[i] = static_cast<std::uint32_t>(members.size());
     members.push_back(i);
   }
   if (members.empty()) return;
   const auto free = free_parts(model, members, projected, scene, contours, {kind, pen_width_mm});
   const double step = model.lattice.step_mm;
+  /// Adjustable: side of the cells in which lines are looked for, in widths of the pen.
+  constexpr double kCellInPens = 4;
+  const LineMap map(model, is_edge, {.reach = kJunctionMm / step, .any_node = true, .crossings = true},
+                    walked_cell(model.strokes, kCellInPens * pen_width_mm / step));
+  const Arcs arcs(map, kJunctionMm / step);
   std::vector<Bit> profiles;
-  for (const StrokeArc& arc : stroke_arcs(model.strokes, members, kJunctionMm / step)) {
-    std::vector<Bit> bits = bits_of(arc, model.strokes, free, member_of);
-    if (arc.closed) begin_at_change(bits);
+  for (const Arcs::Arc& arc : arcs.find()) {
+    std::vector<Bit> bits;
     double off_mm = 0;
-    for (const ArcPart& part : arc.parts) off_mm = std::max(off_mm, free[member_of[part.stroke]].off_mm);
+    for (const std::uint32_t end : arcs.along(arc)) {
+      const FreeParts& parts = free[member_of[map.stroke_number(end / 2)]];
+      std::vector<Bit> of_piece = bits_of(map, end / 2, parts);
+      if (end % 2 == 1) std::ranges::reverse(of_piece);
+      bits.insert(bits.end(), of_piece.begin(), of_piece.end());
+      off_mm = std::max(off_mm, parts.off_mm);
+    }
+    if (arc.junctions.empty()) begin_at_change(bits);
     drop_short_runs(bits, std::max(kShortestInPens * pen_width_mm, kShortestOff * off_mm) / step);
     std::copy_if(bits.begin(), bits.end(), std::back_inserter(profiles), [](const Bit& bit) { return bit.free; });
   }

@@ -83,7 +83,7 @@ void count(RunReport& run, std::string_view name, std::size_t n) {
 std::size_t remove_short_bits_of(StrokeModel& strokes, double least_mm,
                                  const std::function<bool(const Stroke&)>& takes_part) {
   const double least = least_mm / strokes.lattice.step_mm;
-  LineMap map(strokes, takes_part, 0, walked_cell(strokes.strokes, least));
+  LineMap map(strokes, takes_part, {}, walked_cell(strokes.strokes, least));
   const std::size_t removed = remove_short_bits(map, least_mm);
   map.commit(0, 0);
   return removed;
