@@ -131,6 +131,22 @@ TEST(TableSurface, AFirstRowBehindAWordHoldsNoHeights) {
   EXPECT_EQ(warnings.left_out().text(), "left out: 1 column of row names");
 }
 
+TEST(TableSurface, BelowNamesTheFirstRowHoldsHeights) {
+  Warnings warnings;
+  const std::string rows = "Hof,5,2,3\nUlm,4,5,6\nTrier,7,8,9\n";
+  expect_grid(*grid("rownames,V1,V2,V3\n" + rows, warnings), {0, 1, 2}, {0, 1, 2}, {{5, 2, 3}, {4, 5, 6}, {7, 8, 9}});
+  EXPECT_EQ(warnings.left_out().text(), "left out: 1 column (rownames), 1 head row");
+  EXPECT_TRUE(
+      grid_error("town,hotels,bridges,churches\n" + rows).starts_with("M:2: the columns hotels, bridges, churches "));
+}
+
+TEST(TableSurface, FactsAboutThingsAreNoMatrix) {
+  for (const char* text : {",id,diet,pulse,time\n0,1,low fat,85,1 min\n1,1,low fat,88,9 min\n",
+                           "\"a\",\"b\"\n3.6,79\n1.8,54\n", "\"a\",\"b\",\"c\",\"kind\"\n1,5,2,x\n2,4,9,y\n"}) {
+    EXPECT_NE(grid_error(text).find("have names that do not say what they are"), std::string::npos) << text;
+  }
+}
+
 TEST(TableSurface, LongTablesOfAnyNames) {
   Warnings warnings;
   expect_grid(*grid("time,freq,power\n0,0,1\n1,0,2\n0,1,3\n1,1,4\n", warnings), {0, 1}, {0, 1}, {{1, 2}, {3, 4}});

@@ -200,8 +200,12 @@ class RowSurface {
     return nullptr;
   }
 
-  /// The first cell of all is no number, and those behind it are: the corner of a frame.
+  /// The first cell of all is no number, and those behind it are: the corner of a frame. Below names of the columns it is
+  /// the name of a row.
   bool has_corner() const {
+    const std::vector<std::string>& names = table_.names();
+    if (is_named() && std::any_of(names.begin() + 1, names.end(), [](const std::string& n) { return !n.empty(); }))
+      return false;
     const std::span<const double> head = table_.row(rows_.begin);
     if (head.size() < 3 || rows_.begin != 0 || std::isfinite(head[0])) return false;
     return std::all_of(head.begin() + 1, head.end(), [](double v) { return std::isfinite(v); });
@@ -258,7 +262,11 @@ class RowSurface {
   /// Columns of a matrix are numbered, or named in quotes, or their rows are: other names are those of different things.
   void check_names(const std::vector<std::size_t>& numbers) {
     const bool has_row_names = is_index_name(table_.names().front());
-    if (table_.has_quoted_names() || has_row_names || names_are_a_series(numbers)) {
+    bool has_texts = false;  // beside names of rows: facts about things, such as a species
+    for (std::size_t k = 1; k < columns_; ++k) has_texts = has_texts || table_.column(k).is_text();
+    const bool has_named_rows = has_row_names || table_.column(0).is_text();
+    const bool may_be_matrix = !has_texts && (numbers.size() > 2 || has_named_rows);
+    if (((table_.has_quoted_names() || has_row_names) && may_be_matrix) || names_are_a_series(numbers)) {
       warnings_.leave_out("head row");
       return;
     }
