@@ -89,6 +89,11 @@ class OpenInput {
   bool is_pipe_ = false, had_writer_ = false;
 };
 
+/// Whether the bytes are the pointer that Git LFS leaves in place of a file until it is fetched.
+bool is_lfs_pointer(std::span<const std::byte> bytes) {
+  return as_characters(bytes).starts_with("version https://git-lfs.github.com/spec/");
+}
+
 }  // namespace
 
 std::vector<std::byte> read_input(const std::filesystem::path& file, const std::string& name, InputFiles& opened,
@@ -110,6 +115,7 @@ std::vector<std::byte> read_input(const std::filesystem::path& file, const std::
     read = in.read(std::span(bytes).subspan(begin));
     bytes.resize(begin + read);
   }
+  if (is_lfs_pointer(bytes)) throw InputError(name, "is a pointer of Git LFS, not the file: git lfs pull fetches that");
   return bytes;
 }
 

@@ -44,6 +44,11 @@ TEST_F(InputFile, ReadsWholeFiles) {
   EXPECT_EQ(read(folder_ / "large", 1 << 20), "F: is larger than 1 MiB");
 }
 
+TEST_F(InputFile, NamesPointersOfGitLfs) {
+  std::ofstream(folder_ / "pointer") << "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a2146\nsize 12345\n";
+  EXPECT_EQ(read(folder_ / "pointer"), "F: is a pointer of Git LFS, not the file: git lfs pull fetches that");
+}
+
 TEST_F(InputFile, RefusesWhatIsNoFile) {
   EXPECT_EQ(read(folder_ / "none"), "F: there is no such file");
   EXPECT_EQ(read(folder_), "F: is a directory, not a file");

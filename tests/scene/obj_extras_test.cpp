@@ -42,6 +42,14 @@ TEST_F(ObjLibraries, GiveColourAndOpacity) {
   EXPECT_EQ(r.report.files[0].filename(), "red glass.mtl");
 }
 
+TEST_F(ObjLibraries, ColoursOfVerticesMayBeUnknown) {
+  const Result r = read("v 0 0 0 nan nan nan\nv 1 0 0 NaN -nan inf 1\nv 1 1 0 0.5 0.5 0.5\nf 1 2 3\n");
+  EXPECT_EQ(r.scene.vertices[1], Point3(1, 0, 0));
+  for (const char* line : {"v 0 nan 0\n", "v 0 0 0 nan\n", "v 0 0 0 red 0 0\n"}) {
+    EXPECT_THROW(read(line + square_ + "f 1 2 3\n"), InputError) << line;
+  }
+}
+
 TEST_F(ObjLibraries, NameWhatIsLeftOut) {
   write("a.mtl", "newmtl m\nKd 1 1 1\nmap_Kd wood.png\nmap_Kd -s 2 2 wood.png\nnorm n.png\nwobble 1\n");
   const Result r = read("mtllib a.mtl missing.mtl ../a.mtl\n" + square_ + "usemtl m\nf 1 2 3\n");

@@ -33,7 +33,13 @@ TEST(Strangers, AreNamedWithWhatToDo) {
   EXPECT_EQ(message("#usda 1.0\n"), "M: is a USD file" + blender);
   EXPECT_EQ(message(zip_test::zip({{"scene.usdc", "PXR-USDC"}}, false)), "M: is a USD file" + blender);
   EXPECT_EQ(message(zip_test::zip({{"readme.txt", "hello"}})), "M: is a ZIP archive, not a model");
+  EXPECT_TRUE(message(zip_test::zip({{"duck.dae", "<COLLADA>"}})).starts_with("M: is an archive with a COLLADA file, "));
+  EXPECT_TRUE(message(zip_test::zip({{"a.3DRep", "<x/>"}})).starts_with("M: is a 3DXML file, which is not read: "));
   EXPECT_EQ(message(std::string("MM\x0a\0\0\0\2\0\0\0", 10)), "M: is a binary 3D Studio file (3DS)" + assimp);
+  EXPECT_EQ(message("0.5 1 2 255 0 0\n"),
+            "M: is a table of numbers, not a model; as heights it is drawn with: ligne surface --grid");
+  EXPECT_EQ(message("MeshVersionFormatted 1\n"),
+            "M: is a Medit mesh, which is not read: convert it with: gmsh IN -0 -o OUT.stl");
   EXPECT_EQ(message("BLENDER-v300"), "M: is a Blender file" + blender);
   EXPECT_EQ(message("  0\nSECTION\n  2\nHEADER\n"), "M: is a DXF file" + freecad);
   EXPECT_EQ(message("AC1027\0"), "M: is a DWG file" + freecad);

@@ -32,6 +32,12 @@ ModelFormat zip_format(std::span<const std::byte> bytes, const std::string& name
       throw InputError(name, "is a USD file, which is not read: open it in Blender and export glTF");
     if (inside.ends_with(".amf"))
       throw InputError(name, "is an AMF file, which is not read: open it in PrusaSlicer or FreeCAD and export 3MF or STL");
+    if (inside.ends_with(".dae"))
+      throw InputError(name,
+                       "is an archive with a COLLADA file, which is not read: unpack it and convert that, for example "
+                       "with: assimp export IN OUT.glb");
+    if (inside.ends_with(".3dxml") || inside.ends_with(".3drep"))
+      throw InputError(name, "is a 3DXML file, which is not read: export STL or STEP from CATIA or SolidWorks");
   }
   throw InputError(name, "is a ZIP archive, not a model");
 }
@@ -64,6 +70,21 @@ bool is_esri_grid(std::string_view text) {
   std::string_view rest = text.substr(0, text.find_first_of("\r\n"));
   const std::string_view word = take_word(rest);
   return (equal_ignoring_case(word, "ncols") || equal_ignoring_case(word, "nrows")) && parse_integer(take_word(rest));
+}
+
+/// "OFF BINARY", a line of text before numbers that are none.
+bool begins_binary_off(std::string_view text) {
+  std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  return is_off_word(take_word(line)) && starts_with_ignoring_case(trimmed(line), "BINARY");
+}
+
+/// Three numbers or more at the beginning: points, or heights.
+bool begins_with_numbers(std::string_view text) {
+  std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  for (int k = 0; k < 3; ++k) {
+    if (!number_in(take_word(line))) return false;
+  }
+  return true;
 }
 
 /// A statement that only OBJ has: "v 1 2 3", or "f 1/1 2/2 3/3", or mtllib.
@@ -136,6 +157,8 @@ ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suf
   if (chars.starts_with("\xFF\xFE") || chars.starts_with("\xFE\xFF"))
     throw InputError(name, "is UTF-16 text; UTF-8 is needed");
 
+  if (begins_binary_off(text))
+    throw InputError(name, "is a binary OFF file, which is not read: convert it to text, or to PLY");
   const bool is_binary = chars.substr(0, kLookedAt).find('\0') != std::string_view::npos;
   if (!is_binary) {
     if (text.empty()) throw InputError(name, "holds nothing but white space");
@@ -150,6 +173,8 @@ ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suf
   if (!is_binary && equal_ignoring_case(suffix, ".off")) return ModelFormat::off;
   if (!is_binary && equal_ignoring_case(suffix, ".obj")) return ModelFormat::obj;
   if (!is_binary && equal_ignoring_case(suffix, ".gltf")) return ModelFormat::gltf;
+  if (!is_binary && begins_with_numbers(text))
+    throw InputError(name, "is a table of numbers, not a model; as heights it is drawn with: ligne surface --grid");
   throw InputError(name, "not a model file that is known (glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio ASCII, ligne scene)");
 }
 

@@ -53,6 +53,7 @@ constexpr std::array kBeginnings{
     Stranger{"3D Geometry File Format", "a Rhino file", "export OBJ or STL from Rhino"},
     Stranger{"# vtk DataFile", "a VTK file", "open it in ParaView and save its surface as PLY or STL"},
     Stranger{"$MeshFormat", "a Gmsh mesh", "convert it with: gmsh IN -0 -o OUT.stl"},
+    Stranger{"MeshVersionFormatted", "a Medit mesh", "convert it with: gmsh IN -0 -o OUT.stl"},
     Stranger{"# .PCD", "a point cloud (PCD)", "it holds points alone: reconstruct a surface, for example in MeshLab"},
     Stranger{"DBRep_DrawableShape", "a BREP file of Open CASCADE", kWithFreeCad},
     Stranger{{"U3D\0", 4}, "a U3D file", kWithBlender},

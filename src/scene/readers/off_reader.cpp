@@ -89,13 +89,18 @@ class OffReader {
     next_line(true);
     const std::int64_t n = take_count(line_, "a number of corners");
     corners_.clear();
+    const std::size_t first_line = lines_.number();
     for (std::int64_t k = 0; k < n; ++k) {
+      if (trimmed(line_).empty()) next_line(true);
       const std::int64_t vertex = take_count(line_, "a corner of a face");
       if (vertex >= vertices_) {
         throw error("face names vertex " + std::to_string(vertex) + " of " + std::to_string(vertices_));
       }
       corners_.push_back(static_cast<std::uint32_t>(vertex));
     }
+    // A face of several lines ends at the end of one: else a corner is missing above, and this is the next face.
+    if (lines_.number() != first_line && !trimmed(line_).empty())
+      throw error("face from line " + std::to_string(first_line) + " on ends within this line");
     if (n < 3) return warnings_.leave_out(n == 2 ? "faces of two corners" : "faces of less than two corners");
     use_color();
     builder_.add_face(corners_);

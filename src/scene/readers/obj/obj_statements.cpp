@@ -17,6 +17,12 @@ constexpr std::array<std::string_view, 15> kPassedOver{"vt",    "vn",     "vp", 
                                                        "lod",   "bevel",  "c_interp", "d_interp",   "ctech",
                                                        "stech", "usemap", "maplib",   "shadow_obj", "trace_obj"};
 
+/// "nan", "-inf" and the like, which programs write for colours that they do not know.
+bool is_no_finite_number(std::string_view word) {
+  if (word.starts_with('-') || word.starts_with('+')) word.remove_prefix(1);
+  return starts_with_ignoring_case(word, "nan") || starts_with_ignoring_case(word, "inf");
+}
+
 /// Zero when they are none: normals only say how a surface is shaded.
 Point3 three_numbers(std::string_view rest) {
   Point3 numbers(0);
@@ -156,12 +162,14 @@ void ObjStatements::add_vertex(std::string_view rest) {
   for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
     if (word[0] == '#') break;
     const std::optional<double> value = number_in(word);
-    if (!value) return fail(shown(word) + " is not a coordinate of a vertex");
+    // Behind four numbers stands a colour, of which nothing is drawn.
+    const bool is_color = n > 3 || (n == 3 && !trimmed(rest).empty());
+    if (!value && !(is_color && is_no_finite_number(word))) return fail(shown(word) + " is not a coordinate of a vertex");
     if (n < 3) {
       vertex.position[n] = *value;
       vertex.digits = std::max(vertex.digits, significant_digits(word));
     }
-    if (n == 3) weight = *value;
+    if (n == 3) weight = value.value_or(1);
     if (++n > kMostNumbers) return fail("vertex with more than 8 numbers");
   }
   if (n < 3) return fail("vertex with " + std::to_string(n) + " coordinates, needs 3");
