@@ -133,6 +133,23 @@ TEST_F(SurfaceMeshTest, MeshFiles) {
   fails("sqrt(-1-r) --as-mesh -o a.obj", 1, "surface: sqrt(-1-r) is nowhere a number");
 }
 
+TEST_F(SurfaceMeshTest, MeshesOverDegreesAreNoThingsInSpace) {
+  write("mesh.dat", "0 0 0\n1 0.1 0\n2 0 0\n\n0.1 1 0\n1.1 1.1 12\n2.1 1 0\n\n0 2 0\n1 2.1 0\n2 2 0\n");
+  const auto highest = [&](const Words& more) {
+    const Outcome outcome = surface(Words("--grid mesh.dat --as-mesh") + more, {"-o", "mesh.obj"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    std::istringstream text(contents(file("mesh.obj")));
+    double z = 0;
+    for (std::string line; std::getline(text, line);) {
+      if (line.starts_with("v ")) z = std::max(z, std::stod(line.substr(line.rfind(' '))));
+    }
+    return z;
+  };
+  EXPECT_DOUBLE_EQ(highest({}), 12);
+  EXPECT_DOUBLE_EQ(highest("--ground metres"), 12);
+  EXPECT_LT(highest("--ground degrees"), 2);
+}
+
 TEST_F(SurfaceMeshTest, TheSameBytesWithAnyNumberOfThreads) {
   const Words bowls = "x^2+y^2 8-x^2-y^2 -x -3:3 -y -3:3 --hidden dashed --z-range 0:7";
   const auto with = [&](const char* threads) {

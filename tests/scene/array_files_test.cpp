@@ -70,8 +70,9 @@ TEST(Npy, PositionsInTheFirstColumn) {
   EXPECT_EQ(heights(npy("<f8", "9, 4", values), matrix)->x().size(), 4u);
 }
 
-/// A classic file with the coordinates lon and lat (descending), and z of two bytes with a scale and a fill value.
-std::string netcdf(char version) {
+/// A classic file with the coordinates lon and lat (descending), and z of two bytes with a scale and a fill value; over
+/// (lat, lon), or over (lon, lat).
+std::string netcdf(char version, const std::vector<float>& lon = {5, 6, 7}, bool lon_first = false) {
   const auto name = [](const std::string& text) {
     return big(static_cast<std::uint32_t>(text.size())) + text + std::string((4 - text.size() % 4) % 4, '\0');
   };
@@ -86,14 +87,15 @@ std::string netcdf(char version) {
             offset(begin);
     vars += name("lon") + big(1) + big(1) + big(12) + big(1) + text_attribute("units", "degrees_east") + big(5) + big(12) +
             offset(begin + 16);
-    vars += name("z") + big(2) + big(0) + big(1) + big(12) + big(2) + name("scale_factor") + big(6) + big(1) +
-            raw(0.5, std::endian::big) + name("_FillValue") + big(3) + big(1) + raw(std::int16_t{-1}, std::endian::big) +
-            "\0\0"s + big(3) + big(12) + offset(begin + 28);
+    vars += name("z") + big(2) + big(lon_first ? 1 : 0) + big(lon_first ? 0 : 1) + big(12) + big(2) + name("scale_factor") +
+            big(6) + big(1) + raw(0.5, std::endian::big) + name("_FillValue") + big(3) + big(1) +
+            raw(std::int16_t{-1}, std::endian::big) + "\0\0"s + big(3) + big(12) + offset(begin + 28);
     return "CDF"s + version + big(0) + dims + big(0) + big(0) + vars;
   };
   const std::string head = build(static_cast<std::uint32_t>(build(0).size()));
-  return head + numbers<double>({50, 40}, std::endian::big) + numbers<float>({5, 6, 7}, std::endian::big) +
-         numbers<std::int16_t>({8, 10, -1, 2, 4, 6}, std::endian::big);
+  return head + numbers<double>({50, 40}, std::endian::big) + numbers<float>({lon[0], lon[1], lon[2]}, std::endian::big) +
+         (lon_first ? numbers<std::int16_t>({8, 2, 10, 4, -1, 6}, std::endian::big)
+                    : numbers<std::int16_t>({8, 10, -1, 2, 4, 6}, std::endian::big));
 }
 
 TEST(Netcdf, CoordinatesScalesAndFillValues) {
@@ -108,6 +110,23 @@ TEST(Netcdf, CoordinatesScalesAndFillValues) {
   GridChoice choice;
   choice.using_columns = {"height"};
   EXPECT_EQ(error_of(whole, choice), "M: has no array 'height': there are lat, lon, z");
+}
+
+TEST(Netcdf, AxesInAnyOrderAreNotMirrored) {
+  const std::vector<std::vector<double>> z{{1, 2, 3}, {4, 5, kNaN}};
+  expect_grid(*heights(netcdf('\1', {5, 6, 7}, true)), {5, 6, 7}, {40, 50}, z);
+  expect_grid(*heights("{\"x\": [5, 6, 7], \"y\": [40, 50], \"z\": [[1, 4], [2, 5], [3, null]]}"), {5, 6, 7}, {40, 50}, z);
+  GridChoice choice;
+  choice.using_columns = {"a", "b", "c"};
+  expect_grid(*heights("{\"a\": [5, 6, 7], \"b\": [40, 50], \"c\": [[1, 4], [2, 5], [3, null]]}", choice), {5, 6, 7},
+              {40, 50}, z);
+}
+
+TEST(Netcdf, LongitudesGoOnPastTheLastDegree) {
+  const std::vector<std::vector<double>> z{{1, 2, 3}, {4, 5, kNaN}};
+  expect_grid(*heights(netcdf('\1', {359, 359.5, 0.25})), {359, 359.5, 360.25}, {40, 50}, z);
+  expect_grid(*heights(netcdf('\1', {179, -180, -179})), {179, 180, 181}, {40, 50}, z);
+  EXPECT_EQ(error_of(netcdf('\1', {5, 7, 6})), "M: positions x do not ascend: number 3 is not above the one before it");
 }
 
 TEST(Matlab, MatricesPlainAndCompressed) {

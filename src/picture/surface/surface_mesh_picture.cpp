@@ -61,7 +61,9 @@ bool may_cross(const SurfaceRequest& request, const std::vector<Surface>& given)
 
 bool keeps_shape(const SurfaceRequest& request, const std::vector<SurfacePoints>& surfaces, const AxesBox& box) {
   if (!request.parametric.empty()) return true;
-  if (std::none_of(surfaces.begin(), surfaces.end(), [](const SurfacePoints& s) { return s.parametric; })) return false;
+  // Heights over degrees are no lengths in space.
+  const auto may_keep = [](const SurfacePoints& s) { return s.parametric && s.unit != GroundUnit::degrees; };
+  if (std::none_of(surfaces.begin(), surfaces.end(), may_keep)) return false;
   const Point3 size = box.high - box.low;
   return std::max({size.x, size.y, size.z}) <= kMostUnlikeMesh * std::min({size.x, size.y, size.z});
 }

@@ -95,6 +95,12 @@ void check_mesh(const SurfaceRequest& request, const std::string& file) {
   refuse(request.log_axes[0] || request.log_axes[1] || request.log_axes[2], "an axis of decades");
 }
 
+/// The unit of x and y that the request says, or else the file.
+GroundUnit ground_of(const SurfaceRequest& request, GroundUnit as_read) {
+  if (request.ground == GroundChoice::as_read) return as_read;
+  return request.ground == GroundChoice::metres ? GroundUnit::same : GroundUnit::degrees;
+}
+
 /// Takes a surface as its file has it; `name` is that of the surface.
 Surface grid_surface(const SurfaceRequest& request, GridSurface read, const std::string& file, std::string name) {
   Surface surface;
@@ -102,15 +108,14 @@ Surface grid_surface(const SurfaceRequest& request, GridSurface read, const std:
   if (read.mesh) {
     check_mesh(request, file);
     surface.mesh = std::move(read.mesh);
+    surface.unit = ground_of(request, surface.mesh->unit);
     surface.x_stride = surface.y_stride = request.every.value_or(1);
     return surface;
   }
   surface.heights = std::move(read.heights);
   const std::size_t thinned_by = request.every ? surface.heights->thinned_by() : 1;
   if (!request.log_axes[0] && !request.log_axes[1] && !request.log_axes[2]) surface.function = surface.heights->function();
-  const GroundUnit unit = request.ground == GroundChoice::as_read  ? surface.heights->unit()
-                          : request.ground == GroundChoice::metres ? GroundUnit::same
-                                                                   : GroundUnit::degrees;
+  const GroundUnit unit = ground_of(request, surface.heights->unit());
   if (request.x || request.y) {
     surface.heights = window_heights(std::move(surface.heights), window_of(request.x), window_of(request.y), file);
   }

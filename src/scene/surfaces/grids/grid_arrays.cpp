@@ -15,6 +15,25 @@ namespace {
 /// Positions that a mesh grid repeats differ by no more than this part of the largest, from single precision.
 constexpr double kSameInMeshgrid = 0x1p-20;
 
+/// Turns the array about its diagonal: what ran along columns runs along rows.
+void transpose(DataArray& array) {
+  const std::size_t rows = array.shape[0], columns = array.shape[1];
+  std::vector<double> turned(array.values.size());
+  for (std::size_t k = 0; k < turned.size(); ++k) turned[k] = array.values[k % rows * columns + k / rows];
+  array.values = std::move(turned);
+  std::swap(array.shape[0], array.shape[1]);
+  if (array.dimensions.size() == 2) std::swap(array.dimensions[0], array.dimensions[1]);
+}
+
+/// Longitudes that ascend past 180 or 360 degrees and go on from the other end, without that step.
+std::vector<double> unwrapped_longitudes(std::vector<double> degrees) {
+  if (std::is_sorted(degrees.begin(), degrees.end()) || std::is_sorted(degrees.rbegin(), degrees.rend())) return degrees;
+  for (std::size_t k = 1; k < degrees.size(); ++k) {
+    if (degrees[k - 1] - degrees[k] > 180) degrees[k] += 360;
+  }
+  return degrees;
+}
+
 class ArraySurface {
  public:
   ArraySurface(std::vector<DataArray> arrays, const std::string& name, const GridChoice& choice, Warnings& warnings)
@@ -35,6 +54,7 @@ class ArraySurface {
     if (arrays_.size() == 1) {
       if (auto series = series_of(*z)) return {std::move(series), {}};
     }
+    if (has_columns_along_x(*z)) transpose(arrays_[static_cast<std::size_t>(z - arrays_.data())]);
     const DataArray *x = positions(*z, 1), *y = positions(*z, 0);
     leave_out_others({z, x, y});
     if (x && y && x->shape.size() == 2 && y->shape.size() == 2) {
@@ -121,6 +141,28 @@ class ArraySurface {
     return array.shape[1] == 2 && (array.name.ends_with("_bnds") || array.name.ends_with("_bounds"));
   }
 
+  /// Whether x goes with the first index: the axes' names say so, or the positions fit only so.
+  bool has_columns_along_x(const DataArray& z) const {
+    const auto fits = [&](const DataArray* array, std::size_t dimension) {
+      return array && array->shape.size() == 1 && array->shape[0] == z.shape[dimension];
+    };
+    if (choice_.using_columns.size() == 3) {
+      const DataArray &x = chosen(choice_.using_columns[0]), &y = chosen(choice_.using_columns[1]);
+      return z.shape[0] != z.shape[1] && fits(&x, 0) && fits(&y, 1);
+    }
+    if (z.dimensions.size() == 2) {
+      return fits(find(z.dimensions[0]), 0) && fits(find(z.dimensions[1]), 1) && named_columns({z.dimensions[0]}).x &&
+             named_columns({z.dimensions[1]}).y;
+    }
+    const DataArray *x = nullptr, *y = nullptr;
+    for (const DataArray& array : arrays_) {
+      const NamedColumns role = named_columns({array.name});
+      if (!x && role.x) x = &array;
+      if (!y && role.y) y = &array;
+    }
+    return z.shape[0] != z.shape[1] && fits(x, 0) && fits(y, 1);
+  }
+
   /// The array of positions along a dimension: that of an option, the coordinate variable of netCDF, or one named for it.
   const DataArray* positions(const DataArray& z, std::size_t dimension) const {
     const auto fits = [&](const DataArray& array) {
@@ -170,7 +212,7 @@ class ArraySurface {
   std::vector<double> axis(const DataArray& z, const DataArray* at, std::size_t dimension) const {
     const std::size_t count = z.shape[dimension];
     if (!at) return counted_positions(count);
-    if (at->shape.size() == 1) return at->values;
+    if (at->shape.size() == 1) return is_degrees(at, "_east") ? unwrapped_longitudes(at->values) : at->values;
     std::vector<double> values;
     for (std::size_t k = 0; k < count; ++k) values.push_back(at->values[dimension == 1 ? k : k * z.shape[1]]);
     return values;
@@ -184,7 +226,9 @@ class ArraySurface {
       rows.values.insert(rows.values.end(), {x.values[k], y.values[k], z.values[k]});
     }
     warnings_.add("rows of a mesh whose x and y both vary", z.shape[0]);
-    return {nullptr, mesh_of_blocks(rows, name_)};
+    GridSurface surface{nullptr, mesh_of_blocks(rows, name_)};
+    if (is_degrees(&x, "_east") && is_degrees(&y, "_north")) surface.mesh->unit = GroundUnit::degrees;
+    return surface;
   }
 
   GridSurface surface_of(const std::array<const std::vector<double>*, 3>& columns) {
