@@ -7,6 +7,23 @@
 #include "plotting/writers/cairo_path.hpp"
 
 namespace ligne {
+namespace {
+
+/// Paints the halo of a text that begins at the current point, which stays.
+void stroke_halo(cairo_t* cairo, const std::string& text, double halo_mm) {
+  double x = 0, y = 0;
+  cairo_get_current_point(cairo, &x, &y);
+  cairo_save(cairo);
+  cairo_set_source_rgb(cairo, 1, 1, 1);
+  cairo_set_line_width(cairo, 2 * halo_mm);
+  cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+  cairo_text_path(cairo, text.c_str());
+  cairo_stroke(cairo);
+  cairo_restore(cairo);
+  cairo_move_to(cairo, x, y);
+}
+
+}  // namespace
 
 void write_texts(cairo_t* cairo, std::span<const TextItem> texts) {
   if (texts.empty()) return;
@@ -31,6 +48,7 @@ void write_texts(cairo_t* cairo, std::span<const TextItem> texts) {
     cairo_translate(cairo, base.x, base.y);
     cairo_rotate(cairo, -item.rotation_degrees * std::numbers::pi / 180);
     cairo_move_to(cairo, -before * extents.x_advance, 0);
+    if (item.halo_mm > 0) stroke_halo(cairo, text, item.halo_mm);
     cairo_show_text(cairo, text.c_str());
     cairo_restore(cairo);
     cairo_new_path(cairo);

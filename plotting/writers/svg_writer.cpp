@@ -162,6 +162,9 @@ std::string text_layer(std::span<const TextItem> items) {
     if (item.across == TextAcross::right) text += " text-anchor=\"end\"";
     if (item.rotation_degrees != 0)
       text += " transform=\"rotate(" + svg_number(-item.rotation_degrees) + " " + x + " " + y + ")\"";
+    if (item.halo_mm > 0)  // one element, below whose letters its rim is painted: a pen plots it once
+      text += " stroke=\"#fff\" stroke-width=\"" + svg_number(2 * item.halo_mm) +
+              "\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
     text += ">" + xml_text(clean_utf8(item.text)) + "</text>\n";
   }
   return text + "</g>\n";

@@ -20,6 +20,7 @@ struct TextItem {
   TextAcross across = TextAcross::left;
   TextUp up = TextUp::base;
   double rotation_degrees = 0;  ///< about `at`, counter-clockwise as seen
+  double halo_mm = 0;           ///< width of the rim of paper colour round its letters, below them; 0: none
 };
 
 /// Space that a line of text takes, in mm.

@@ -75,9 +75,9 @@ Drawing DrawnScene::compose(RunReport& run) const {
       tells_parts(request()) ? drawing_by_parts(parts_.found, prepared.scene, request()) : make_drawing(*result.strokes);
   add_debug_layer(drawing, result.debug);
   drawing.layers.insert(drawing.layers.begin(), parts_.hatching.begin(), parts_.hatching.end());  // below all lines
+  drawing.fills = fills_of(*this, run);  // before labels, which have a halo on areas
   add_labels(drawing, request(), prepared.around);
   add_point_marks(drawing, *this);
-  drawing.fills = fills_of(*this, run);
   add_surroundings(drawing, prepared.around, request().axes, run);
   return drawing;
 }

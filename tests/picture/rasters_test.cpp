@@ -118,5 +118,42 @@ TEST_F(Rasters, GrayFacesLookTheSameInSvgAndPng) {
   }
 }
 
+/// White pixels within the bounding box of the gray ones, but for its rim, which readers smooth.
+std::size_t white_inside(const Raster& a) {
+  int low_x = a.width, low_y = a.height, high_x = 0, high_y = 0;
+  for (int y = 0; y < a.height; ++y) {
+    for (int x = 0; x < a.width; ++x) {
+      if (a.at(x, y)[0] < 50 || a.at(x, y)[0] > 250) continue;
+      low_x = std::min(low_x, x), high_x = std::max(high_x, x);
+      low_y = std::min(low_y, y), high_y = std::max(high_y, y);
+    }
+  }
+  constexpr int kRim = 2;
+  std::size_t count = 0;
+  for (int y = low_y + kRim; y <= high_y - kRim; ++y) {
+    for (int x = low_x + kRim; x <= high_x - kRim; ++x) count += a.at(x, y) == std::array<int, 3>{255, 255, 255};
+  }
+  return count;
+}
+
+/// A plane fills its square with one gray, so that white there is that of labels; each label has about as much white round
+/// its letters as they have ink.
+TEST_F(Rasters, LabelsOnAreasHaveHalos) {
+  const Words plain =
+      "surface x -x 0:10 -y 0:10 --contour-step 2 --lines none --fill shade --view top --page A6 --text-height 2.5";
+  Words labelled = plain;
+  labelled += "--contour-labels all";
+  EXPECT_EQ(white_inside(raster(written(plain, "plain.svg"))), 0u);
+  const Raster svg = raster(written(labelled, "page.svg")), pdf = raster(written(labelled, "page.pdf"));
+  labelled += "--dpi 150";
+  const Raster png = read_raster(written(labelled, "page.png"));
+  constexpr std::size_t kLeastOfALabel = 60;  // pixels: a digit of 1.9 mm is eleven pixels high, its halo three wide
+  for (const Raster* one : {&svg, &pdf, &png}) EXPECT_GT(white_inside(*one), 4 * kLeastOfALabel);
+  EXPECT_LE(missing(pdf, svg), dark(svg) / 100);
+  EXPECT_LE(missing(png, svg), dark(svg) / 100);
+  labelled += "--text stroke";
+  EXPECT_GT(white_inside(read_raster(written(labelled, "strokes.png"))), 4 * kLeastOfALabel) << "an area below strokes";
+}
+
 }  // namespace
 }  // namespace ligne::test

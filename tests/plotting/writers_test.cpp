@@ -150,6 +150,17 @@ TEST(Svg, TextsAreALayerOfText) {
   test::expect_parts(xml.text, {"a < b & \"c\" > 'd'", "2\u00b710\u2076\ufffd "});
 }
 
+TEST(Svg, HalosAreStrokedBelowTheirLetters) {
+  Drawing drawing = text_drawing();
+  drawing.texts[1].halo_mm = 0.75;
+  const Xml xml = parse_xml(write_svg(drawing, {}));
+  ASSERT_EQ(xml.elements.size(), 5u) << "a text stays one element";
+  EXPECT_EQ(xml.elements[2].attributes.count("stroke"), 0u);
+  EXPECT_EQ(xml.elements[3].attributes.at("stroke"), "#fff");
+  EXPECT_EQ(xml.elements[3].attributes.at("stroke-width"), "1.5");
+  EXPECT_EQ(xml.elements[3].attributes.at("paint-order"), "stroke");
+}
+
 TEST(Pdf, TextsAreText) {
   const std::string pdf = write_pdf(text_drawing(), {});
   test::expect_parts(pdf, {"/Font"});

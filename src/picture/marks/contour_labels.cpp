@@ -17,13 +17,13 @@
 
 #include "drawing/ticks.hpp"
 #include "picture/marks/box_grid.hpp"
+#include "picture/marks/halos.hpp"
 
 namespace ligne {
 namespace {
 
 // Adjustable, in heights of capitals.
 constexpr double kGapBeside = 0.5, kGapAbove = 0.3;  ///< white round a label
-constexpr double kHalo = 0.15;                       ///< round a label on coloured areas
 constexpr double kMostBend = 0.3;                    ///< how far the line leaves the middle of its label
 constexpr double kTrials = 0.5;                      ///< distance of the places that are tried
 constexpr double kLeastLine = 3;                     ///< in lengths of the label: shorter lines have none
@@ -273,15 +273,6 @@ std::optional<double> Labelling::cost_of_crossing(std::uint32_t number, double s
   return kCrossedCost * crossed / options_.height_mm;
 }
 
-/// A white area behind a label, for drawings with coloured areas.
-Fill halo(const TextItem& label, TextStyle style) {
-  constexpr std::array<double, 3> kWhite{1, 1, 1};
-  TextBox box = text_box(label, text_extent(label.text, label.height_mm, style));
-  box.half += Point2{kHalo, kHalo} * label.height_mm;
-  const auto corners = box.corners();
-  return {{std::vector<Point2>(corners.begin(), corners.end())}, kWhite};
-}
-
 }  // namespace
 
 std::string height_text(double height, double step, bool decades) {
@@ -389,9 +380,7 @@ std::vector<TextItem> label_contours(Drawing& drawing, const ContourLabelOptions
   boxes.reserve(labels.size());
   for (const TextItem& label : labels) boxes.push_back(label_box(label, options.style));
   make_gaps(drawing, boxes);
-  if (!drawing.fills.empty()) {
-    for (const TextItem& label : labels) drawing.fills.push_back(halo(label, options.style));
-  }
+  set_off_from_fills(drawing, labels, options.style);
   return labels;
 }
 

@@ -6,6 +6,7 @@
 
 #include "picture/marks/box_grid.hpp"
 #include "picture/marks/contour_labels.hpp"
+#include "picture/marks/halos.hpp"
 #include "picture/marks/point_tree.hpp"
 #include "plotting/stroke_text.hpp"
 
@@ -128,6 +129,7 @@ std::vector<TextItem> mark_points(Drawing& drawing, const std::vector<MarkedPoin
     }
   }
   make_gaps(drawing, gaps);
+  set_off_from_fills(drawing, labels, style);
   if (layer.lines.size() > 0) drawing.layers.push_back(std::move(layer));
   return labels;
 }
