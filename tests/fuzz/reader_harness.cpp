@@ -77,10 +77,10 @@ void check_heights(const HeightSource& heights) {
   }
 }
 
-void read_grid_as_fuzzer(std::span<const std::byte> bytes) {
+void read_surfaces_as_fuzzer(std::span<const std::byte> bytes, const GridChoice& choice) {
   try {
     Warnings warnings;
-    for (const GridSurface& surface : read_surfaces(bytes, "fuzz", warnings)) {
+    for (const GridSurface& surface : read_surfaces(bytes, "fuzz", warnings, {}, nullptr, choice)) {
       if (surface.heights) check_heights(*surface.heights);
       if (surface.mesh)
         need(surface.mesh->points.size() == surface.mesh->columns * surface.mesh->rows, "meshes have all their points");
@@ -89,6 +89,19 @@ void read_grid_as_fuzzer(std::span<const std::byte> bytes) {
   } catch (const InputError& error) {
     need_one_line(error);
   }
+}
+
+/// Reads a grid as its content says, and once more with the options that the number of its bytes chooses.
+void read_grid_as_fuzzer(std::span<const std::byte> bytes) {
+  read_surfaces_as_fuzzer(bytes, {});
+  constexpr std::array kLayouts{TableLayout::matrix, TableLayout::frame, TableLayout::series, TableLayout::columns,
+                                TableLayout::automatic};
+  GridChoice choice;
+  choice.layout = kLayouts[bytes.size() % kLayouts.size()];
+  if (bytes.size() % 2 == 1) choice.data_set = 1;
+  if (bytes.size() % 3 == 1) choice.using_columns = {"3"};
+  if (bytes.size() % 3 == 2) choice.using_columns = {"2", "1", "3"};
+  read_surfaces_as_fuzzer(bytes, choice);
 }
 
 void read_points_as_fuzzer(std::span<const std::byte> bytes) {
