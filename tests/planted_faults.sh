@@ -29,7 +29,7 @@ tree=$work/tree build=$work/tree/build/faults logs=$work/logs
 programs_of() {
   case $1 in
     warnock_* | watkins_* | painter_* | bsp_* | newell_* | convex_tree_* | roberts_* | view_*) echo visibility_test methods_test relations_test ;;
-    zbuffer_*) echo visibility_test cli_test methods_test ;;
+    appel_* | zbuffer_*) echo visibility_test cli_test methods_test ;;
     weiler_*) echo visibility_test picture_test methods_test relations_test ;;
     contour_*) echo contours_test/clear contours_test/contours contours_test/heal picture_test ;;
     clip_*) echo geometry_test "$(programs_of weiler_)" ;;
@@ -54,6 +54,7 @@ filter_of() {
     contours_test/heal) echo 'ClearDrawing*:Contacts*:Creases*:*Defect*:EdgeTree*:Heal*:SegmentCells*' ;;
     cli_test)
       case $2 in
+        appel_*) echo 'DrawTest.*Hidden*' ;;
         horizon_*) echo '*Surface*' ;;
         plot_*) echo '*Plot*' ;;
         zbuffer_*) echo 'ZBufferFile*' ;;

@@ -12,6 +12,7 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "drawing/hidden_parts.hpp"
 #include "plotting/writers/number_text.hpp"
 #include "plotting/writers/writers.hpp"
 
@@ -84,6 +85,10 @@ void append_stroke(std::string& out, const Stroke& s, const StrokeModel& model, 
   out += kLineClassNames[static_cast<std::size_t>(s.line_class)];
   out += s.visible ? "\",\"visible\":true" : "\",\"visible\":false";
   if (s.level > 0) out += (s.visible ? ",\"level\":" : ",\"hidden_by\":") + std::to_string(s.level);
+  if (const HiddenPart* part = hidden_part_of(model, s); part && !part->faces.empty()) {
+    out += ",\"hiding_faces\":";
+    append_list(out, part->faces, [&](std::uint32_t face) { append_integer(out, face); });
+  }
   if (document.object && s.line_class != LineClass::axes) {
     if (const std::uint32_t object = document.object(s.source); object < document.objects.size()) {
       out += ",\"object\":";

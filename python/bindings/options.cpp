@@ -76,7 +76,11 @@ const std::map<std::string, Setter, std::less<>>& setters() {
        }},
       {"tangent", text(parse_tangent, LIGNE_FIELD(picture.lines.tangent))},
       {"min-length", text(parse_min_length, LIGNE_FIELD(picture.lines.least_mm))},
-      {"hidden", text(parse_hidden, LIGNE_FIELD(picture.lines.hidden))},
+      {"hidden", each([](Options& o, const std::string& t) {
+         const HiddenChoice choice = parse_hidden_choice(t);
+         o.picture.lines.hidden = choice.lines;
+         o.picture.lines.most_hiding = choice.most_hiding;
+       })},
       {"quality", text(parse_quality, LIGNE_FIELD(picture.lines.quality))},
       {"cull", flag(LIGNE_FIELD(picture.lines.cull))},
       {"regions", flag(LIGNE_FIELD(picture.regions))},
@@ -213,6 +217,7 @@ PictureRequest Options::request() const {
   request.plotter.fit_drawing = !request.page.scale;
   check(request);
   request.lines.settings = settings_of(*this, method_of(request));
+  count_hidden(request.lines);
   return request;
 }
 

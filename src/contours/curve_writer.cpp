@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/no_index.hpp"
+#include "drawing/hidden_parts.hpp"
 
 namespace ligne {
 
@@ -40,31 +41,42 @@ void CurveWriter::add(LineClass line_class, std::size_t segments, std::uint32_t 
     std::vector<CurvePoint> points = curve.part(run.from, run.to);
     unfold(points, longest_fold_mm_);
     for (std::size_t i = 1; i < points.size(); ++i) {
-      const auto segment = std::min(static_cast<std::size_t>(points[i - 1].at), segments - 1);
-      add_stroke(line_class, points[i - 1], points[i], run.state, number_of(segment), double(segment));
+      const std::size_t segment = std::min(static_cast<std::size_t>(points[i - 1].at), segments - 1);
+      const auto number = static_cast<std::uint32_t>(segment);
+      add_stroke(line_class, points[i - 1], points[i], run.state, {number, number_of(segment), first_line + number});
     }
   }
 }
 
 void CurveWriter::add_stroke(LineClass line_class, const CurvePoint& from, const CurvePoint& to, int state,
-                             std::uint32_t source, double segment) {
+                             const Segment& segment) {
   Stroke s;
   s.from = model_.lattice.snap(from.mm);
   s.to = model_.lattice.snap(to.mm);
   if (s.from == s.to || !(from.at < to.at)) return;
-  s.t_from = from.at - segment;
-  s.t_to = std::min(to.at - segment, 1.0);
+  s.t_from = from.at - segment.number;
+  s.t_to = std::min(to.at - segment.number, 1.0);
   s.z_from = static_cast<float>(from.depth);
   s.z_to = static_cast<float>(to.depth);
   if (view_.camera.perspective) {
     s.w_from = static_cast<float>(from.weight);
     s.w_to = static_cast<float>(to.weight);
   }
-  s.source = source;
+  s.source = segment.source;
   s.line_class = line_class;
   s.visible = state >= 0;
   s.level = static_cast<std::uint8_t>(std::max(state, 0));
+  if (!s.visible && !model_.hidden_parts.empty()) carry_count(s, segment.line);
   model_.strokes.push_back(s);
+}
+
+/// The faces before the line are those before the curve that takes its place.
+void CurveWriter::carry_count(Stroke& s, std::uint32_t line) {
+  const HiddenPart* found = hidden_part_at(model_, line, (s.t_from + s.t_to) / 2);
+  if (!found) return;
+  HiddenPart part{s.source, s.t_from, s.t_to, found->count, found->faces};
+  s.level = static_cast<std::uint8_t>(std::min(part.count, 255u));
+  model_.hidden_parts.push_back(std::move(part));
 }
 
 }  // namespace ligne

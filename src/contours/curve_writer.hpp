@@ -37,8 +37,14 @@ class CurveWriter {
            const std::vector<ContourRun>& runs, const std::function<SourceEdge(std::size_t)>& source_of);
 
  private:
-  void add_stroke(LineClass line_class, const CurvePoint& from, const CurvePoint& to, int state, std::uint32_t source,
-                  double segment);
+  /// A segment of the curve at hand.
+  struct Segment {
+    std::uint32_t number = 0;
+    std::uint32_t source = 0;  ///< of its strokes
+    std::uint32_t line = 0;    ///< source of the line that stood for it
+  };
+  void add_stroke(LineClass line_class, const CurvePoint& from, const CurvePoint& to, int state, const Segment& segment);
+  void carry_count(Stroke& s, std::uint32_t line);
 
   StrokeModel& model_;
   ContourSources sources_;

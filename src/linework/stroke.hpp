@@ -82,13 +82,23 @@ struct SourceEdge {
   bool intersection = false;
 };
 
+/// A hidden part of a line, and the faces before it: their number is the quantitative invisibility of its points
+/// [Appel1967], the set of them their nature [GalimbertiMontanari1969].
+struct HiddenPart {
+  std::uint32_t source = 0;
+  double t_from = 0, t_to = 1;  ///< parameters on the source edge, as in Stroke
+  std::uint32_t count = 0;
+  std::vector<std::uint32_t> faces{};  ///< ascending; empty where only their number was asked for
+};
+
 /// All strokes that one run of a method returns. Sources below `edge_count` are the sources of ProjectedScene: edges of
 /// the topology and added lines. Source `edge_count` + i is intersections[i].
 struct StrokeModel {
   Lattice lattice;
   std::vector<Stroke> strokes;
   std::uint32_t edge_count = 0;
-  std::vector<SourceEdge> intersections;  ///< intersections of faces; later phases append borders of shadows and curves
+  std::vector<SourceEdge> intersections;   ///< intersections of faces; later phases append borders of shadows and curves
+  std::vector<HiddenPart> hidden_parts{};  ///< by source and parameter, where the faces before lines were counted
 };
 
 }  // namespace ligne

@@ -4,6 +4,7 @@
 #include "picture/hatching/form_hatching.hpp"
 #include "picture/hatching/hatching.hpp"
 #include "picture/pages/write_picture.hpp"
+#include "picture/parse/parse_options.hpp"
 #include "picture/placement.hpp"
 #include "picture/products.hpp"
 #include "visibility/registry.hpp"
@@ -49,6 +50,14 @@ void check(const PictureRequest& request) {
   }
   check(request.page);
   if (request.output.format == OutputFormat::png) check_png(request.page.size.page, request.output.dpi, request.memory);
+}
+
+void count_hidden(LineRequest& request) {
+  if (!request.most_hiding) return;
+  const Method* const counting = find_method("appel");
+  if (!request.method) request.method = counting;
+  if (request.method != counting) throw RequestError("hidden", "a number of faces is counted by --method appel");
+  if (!request.settings.has("propagate")) set_parameter(request.settings, *counting, "propagate", "test");
 }
 
 }  // namespace ligne

@@ -74,6 +74,8 @@ struct PageRequest {
 
 enum class HiddenLines { none, dashed, solid };
 inline constexpr std::string_view kHiddenLinesNames[] = {"none", "dashed", "solid"};
+/// Largest LineRequest::most_hiding: strokes count up to 255 faces, which then means that many or more.
+inline constexpr unsigned kMostCountedFaces = 254;
 
 /// The colour of the lines of some objects.
 struct ObjectColor {
@@ -107,6 +109,8 @@ struct LineRequest {
   double surface_crease_degrees = 10;    ///< clear lines: the same between recognised surfaces (scene/patches)
   TangentLines tangent = TangentLines::automatic;
   HiddenLines hidden = HiddenLines::none;
+  /// Hidden lines behind more faces than this are left out; nothing: none are. Needs their number, see count_hidden().
+  std::optional<unsigned> most_hiding{};
   bool cull = false;  ///< leave out back faces of closed, consistently wound objects
   Quality quality = Quality::clear;
   /// Visible pieces of lines shorter than this are left out. Nothing: 1.5 pen widths for clear lines, 0 for exact ones.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/no_index.hpp"
+#include "drawing/hidden_parts.hpp"
 #include "picture/choice/method_choice.hpp"
 #include "picture/clear/clear_intersections.hpp"
 #include "picture/clear/profile.hpp"
@@ -178,6 +179,7 @@ void finish_lines(SceneVisibility& found, PreparedScene& prepared, RunReport& ru
   const ContourSources contours = draw_contours(strokes, prepared.scene, prepared.view(), prepared.contours,
                                                 lines.hidden != HiddenLines::none, contour_options(prepared.request, {}));
   add_shape_strokes(found.result, prepared);
+  if (lines.most_hiding) leave_out_often_hidden(strokes, *lines.most_hiding);
   light_regions(prepared, found.result, run);
   warn_of_empty_or_cut(strokes, prepared.around.placement, run);
   timed(run.stages, {"drawing", std::to_string(strokes.strokes.size()) + " strokes"},

@@ -116,6 +116,47 @@ TEST_F(DrawTest, HiddenLinesAreDashedOrSolid) {
   expect_parts(solid, {"id=\"hidden\""});
 }
 
+/// A cube behind a plate: its far edges are behind two faces of its own and the plate.
+TEST_F(DrawTest, HiddenLinesBehindFewFaces) {
+  write("behind.obj", contents(file("cube.obj")) + "v -30 -30 40\nv 5 -30 40\nv 5 30 40\nv -30 30 40\nf 9 10 11 12\n");
+  const auto hidden = [](const json& drawing) {
+    std::map<unsigned, double> length;  // by number of faces before it, mm
+    for (const json& s : drawing["strokes"]) {
+      const auto from = s["points"][0], to = s["points"][1];
+      const unsigned faces = s["visible"].get<bool>() ? 0u : s.value("hidden_by", 0u);
+      length[faces] += std::hypot(from[0].get<double>() - to[0].get<double>(), from[1].get<double>() - to[1].get<double>());
+    }
+    return length;
+  };
+  const Words scene{"behind.obj", "--view", "dimetric", "--quality", "exact", "--method", "appel"};
+  const std::map<unsigned, double> all = hidden(drawn(scene + "--hidden dashed --propagate test"));
+  ASSERT_EQ(all.size(), 3u) << "seen, behind one face, behind two";
+  for (const char* how : {"test", "count", "nature", "path"}) {
+    for (const unsigned most : {1u, 2u, 3u}) {
+      std::map<unsigned, double> few = all;
+      std::erase_if(few, [&](const auto& entry) { return entry.first > most; });
+      const auto found = hidden(drawn(scene + Words{"--hidden", "dashed:" + std::to_string(most), "--propagate", how}));
+      ASSERT_EQ(found.size(), few.size()) << how;
+      for (const auto& [faces, length] : few) EXPECT_NEAR(found.at(faces), length, kMicrometre) << how << ", " << faces;
+    }
+  }
+  // Counted without being asked to.
+  EXPECT_EQ(hidden(drawn("behind.obj --view dimetric --quality exact --hidden solid:1")).size(), 2u);
+}
+
+/// The faces before each hidden stroke stand in the file, as many as it is hidden by.
+TEST_F(DrawTest, HidingFacesOfStrokes) {
+  const json drawing = drawn("cube.obj square.obj --view dimetric --hidden dashed --method appel --propagate nature");
+  std::size_t hidden = 0;
+  for (const json& s : drawing["strokes"]) {
+    EXPECT_EQ(s.contains("hiding_faces"), !s["visible"].get<bool>());
+    if (!s.contains("hiding_faces")) continue;
+    ++hidden;
+    EXPECT_EQ(s["hiding_faces"].size(), s["hidden_by"].get<std::size_t>());
+  }
+  EXPECT_GT(hidden, 3u);
+}
+
 TEST_F(DrawTest, EveryMethodByName) {
   const json methods = json::parse(run("methods --json").out);
   for (const json& method : methods["methods"]) {

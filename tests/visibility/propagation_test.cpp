@@ -1,5 +1,6 @@
 // The number of faces before an edge: counted edge by edge, and carried from vertex to vertex in three ways.
 
+#include "drawing/hidden_parts.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/test.hpp"
@@ -17,10 +18,28 @@ VisibilityResult carried(const ProjectedScene& projected, Word word) {
   return find_method("appel")->compute_visibility(projected, options);
 }
 
+/// The strokes by source and parameter. Neighbours behind equally many faces are one: only sets of faces part them.
+std::vector<Stroke> joined(const StrokeModel& model) {
+  std::vector<Stroke> all = model.strokes, joined;
+  std::stable_sort(all.begin(), all.end(), [](const Stroke& a, const Stroke& b) {
+    return std::tie(a.source, a.t_from) < std::tie(b.source, b.t_from);
+  });
+  for (const Stroke& s : all) {
+    Stroke* const last = joined.empty() ? nullptr : &joined.back();
+    if (last && !last->visible && !s.visible && last->source == s.source && last->t_to == s.t_from &&
+        last->level == s.level) {
+      last->t_to = s.t_to;
+    } else {
+      joined.push_back(s);
+    }
+  }
+  return joined;
+}
+
 /// Strokes in the order of their sources and parameters, with the number of faces before each.
 std::vector<std::string> words_of(const StrokeModel& model) {
   std::vector<std::string> words;
-  for (const Stroke& s : model.strokes) {
+  for (const Stroke& s : joined(model)) {
     char text[160];
     std::snprintf(text, sizeof text, "%08u %.6f %.6f %s before it: %u", s.source, s.t_from, s.t_to,
                   s.visible ? "visible" : "hidden", s.level);
@@ -55,6 +74,80 @@ TEST(Propagation, CountsTheFacesBeforeEachPart) {
     EXPECT_NEAR(share[2], 1.0 / 6, 1e-6);
     EXPECT_NEAR(share[3], 2.0 / 6, 1e-6);
   }
+}
+
+/// The plates of the test above, by number from the farthest: the sets grow by one plate at each end.
+TEST(Propagation, NamesTheFacesBeforeEachPart) {
+  const Scene scene = scene_of_faces({{{-3, 9, 0}, {3, 9, 0}, {3, 9, 8}, {-3, 9, 8}},
+                                      {{-2, 3, -1}, {2, 3, -1}, {2, 3, 1}, {-2, 3, 1}},
+                                      {{-1.5, 2, -1}, {1.5, 2, -1}, {1.5, 2, 1}, {-1.5, 2, 1}},
+                                      {{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}}});
+  const VisibilityResult result = carried(project_on_a4(scene, along({0, 1, 0}), "all"), kNature);
+  const Topology topology = build_topology(scene);
+  std::map<std::vector<std::uint32_t>, double> share;
+  for (const HiddenPart& part : result.strokes->hidden_parts) {
+    const Edge& edge = topology.edges[part.source];
+    if (scene.vertices[edge.v0].y == 9 && scene.vertices[edge.v0].z == 0 && scene.vertices[edge.v1].z == 0)
+      share[part.faces] += part.t_to - part.t_from;
+  }
+  ASSERT_EQ(share.size(), 3u);
+  EXPECT_NEAR((share[{1}]), 1.0 / 6, 1e-6);
+  EXPECT_NEAR((share[{1, 2}]), 1.0 / 6, 1e-6);
+  EXPECT_NEAR((share[{1, 2, 3}]), 2.0 / 6, 1e-6);
+}
+
+/// Whether a face has a triangle over the page point whose depth there is less; both with some slack for points of edges.
+bool is_before(const ProjectedScene& scene, std::uint32_t face, Point2 at, double depth) {
+  for (const Triangle& triangle : scene.triangles) {
+    if (triangle.face != face) continue;
+    std::array<Point2, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) p[i] = scene.lattice.to_mm(scene.vertices[triangle.v[i]].p);
+    const auto cross = [](Point2 a, Point2 b, Point2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); };
+    const double area = cross(p[0], p[1], p[2]);
+    if (area == 0) continue;
+    double z = 0, least = 1;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double weight = cross(at, p[(i + 1) % 3], p[(i + 2) % 3]) / area;
+      least = std::min(least, weight);
+      z += weight * scene.vertices[triangle.v[i]].z;
+    }
+    constexpr double kSlack = 1e-3;
+    if (least > -kSlack && z < depth + kSlack) return true;
+  }
+  return false;
+}
+
+/// Every set has as many faces as were counted, each of them once, and before the middle of the part.
+TEST(Propagation, EveryFaceOfASetIsBeforeTheLine) {
+  std::size_t sets = 0;
+  for (const char* name : {"bricks", "lattice_of_bars", "gear", "holes_behind_holes", "cyclic_4", "stair", "nested_cubes"}) {
+    const ProjectedScene projected = project_on_a4(corpus_scene(name), along({-0.37, 0.83, -0.41}));
+    const VisibilityResult result = carried(projected, kNature);
+    for (const Stroke& s : result.strokes->strokes) {
+      const HiddenPart* const part = hidden_part_of(*result.strokes, s);
+      ASSERT_EQ(part != nullptr, !s.visible);
+      if (!part) continue;
+      ++sets;
+      EXPECT_EQ(part->count, s.level);
+      EXPECT_EQ(part->faces.size(), part->count);
+      EXPECT_EQ(std::ranges::adjacent_find(part->faces, std::greater_equal{}), part->faces.end());
+      const Point2 middle = (projected.lattice.to_mm(s.from) + projected.lattice.to_mm(s.to)) / 2.0;
+      for (const std::uint32_t face : part->faces) {
+        EXPECT_TRUE(is_before(projected, face, middle, (double(s.z_from) + s.z_to) / 2)) << name << ", face " << face;
+      }
+    }
+  }
+  EXPECT_GT(sets, 300u);
+}
+
+TEST(Propagation, LeavesOutWhatManyFacesHide) {
+  StrokeModel all =
+      std::move(*carried(project_on_a4(random_boxes(40, 7, 30, {4, 2, 3}), along({-1, 2, -1})), kTest).strokes);
+  StrokeModel few = all;
+  leave_out_often_hidden(few, 2);
+  std::erase_if(all.strokes, [](const Stroke& s) { return !s.visible && s.level > 2; });
+  EXPECT_EQ(words_of(few), words_of(all));
+  EXPECT_TRUE(std::ranges::any_of(few.strokes, [](const Stroke& s) { return s.level == 2; }));
 }
 
 TEST(Propagation, GivesWhatATestOfEachEdgeGives) {

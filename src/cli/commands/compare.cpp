@@ -32,6 +32,7 @@ void compare(const CompareOptions& options) {
   request.picture.lines = options.lines;
   request.picture.page = options.page;
   request.picture.memory = options.run.memory();
+  if (options.lines.most_hiding) throw UsageError("--hidden", "a number of faces is counted by one method: see ligne draw");
   if (request.picture.lines.profiles() != ProfileKind::off) request.picture.lines.classes.add(LineClass::profile);
   check(request.picture);
   ModelRequest model = options.model;

@@ -13,6 +13,7 @@
 #include "cli/progress.hpp"
 #include "files/message_text.hpp"
 #include "files/named_input.hpp"
+#include "picture/check_request.hpp"
 #include "picture/clear/clear_creases.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/errors.hpp"
@@ -98,6 +99,7 @@ PictureRequest request_of(const DrawOptions& options, const MemoryLimit& memory)
   }
   check_mixed_scene(options.surfaces);
   request.lines.settings = settings_of(options.method, method_of(request));
+  count_hidden(request.lines);
   if (!options.zbuffer_add.empty()) require_no_place(request, printable(options.zbuffer_add, kLongestPath));
   return request;
 }

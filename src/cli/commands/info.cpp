@@ -5,6 +5,7 @@
 #include "cli/options/page_options.hpp"
 #include "cli/options/view_options.hpp"
 #include "files/named_input.hpp"
+#include "picture/check_request.hpp"
 #include "picture/products.hpp"
 #include "report/scene_info.hpp"
 
@@ -26,7 +27,8 @@ void inform(const InfoOptions& options) {
   RunReport run;
   PictureRequest request;
   request.lines = options.lines;
-  settings_of(options.method, method_of(request));
+  request.lines.settings = settings_of(options.method, method_of(request));
+  count_hidden(request.lines);
   ModelRequest model = options.model;
   model.quality = options.lines.quality;
   model.unit_mm = options.page.unit_mm;

@@ -65,9 +65,16 @@ void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice,
       .standard("auto");
   group.add("--min-length", "LEN", request.least_mm, parse_min_length, "leave out shorter visible parts of lines")
       .standard("1.5 pens; 0 for exact lines");
+  const auto take_hidden = [&request](const std::string& text) {
+    const HiddenChoice choice = parse_hidden_choice(text);
+    request.hidden = choice.lines;
+    request.most_hiding = choice.most_hiding;
+  };
   group
-      .add("--hidden", "HOW", request.hidden, parse_hidden,
-           "draw hidden lines in a layer of their own: none, dashed or solid")
+      .add_text(
+          "--hidden", "HOW", take_hidden,
+          "draw hidden lines in a layer of their own: none, dashed or solid; dashed:N, solid:N: those behind at most N "
+          "faces (--method appel)")
       .standard("none");
   group
       .add("--quality", "HOW", request.quality, parse_quality,

@@ -116,6 +116,15 @@ double parse_crease(const std::string& text) { return parse_within(text, 0, 180,
 
 HiddenLines parse_hidden(const std::string& text) { return static_cast<HiddenLines>(parse_choice(text, kHiddenLinesNames)); }
 
+HiddenChoice parse_hidden_choice(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) return {parse_hidden(text)};
+  HiddenChoice choice{parse_hidden(text.substr(0, colon))};
+  if (choice.lines == HiddenLines::none) throw std::invalid_argument("nothing is drawn by none, so that it takes no number");
+  choice.most_hiding = parse_count(text.substr(colon + 1), 1, kMostCountedFaces);
+  return choice;
+}
+
 TangentLines parse_tangent(const std::string& text) { return static_cast<TangentLines>(parse_choice(text, kTangentNames)); }
 
 Quality parse_quality(const std::string& text) { return static_cast<Quality>(parse_choice(text, kQualityNames)); }

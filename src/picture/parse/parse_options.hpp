@@ -32,6 +32,13 @@ double parse_min_length(const std::string& text);
 /// An angle from 0 to 180 degrees.
 double parse_crease(const std::string& text);
 HiddenLines parse_hidden(const std::string& text);
+
+/// One of these words, with ":N" behind dashed or solid: LineRequest::hidden and most_hiding.
+struct HiddenChoice {
+  HiddenLines lines = HiddenLines::none;
+  std::optional<unsigned> most_hiding{};
+};
+HiddenChoice parse_hidden_choice(const std::string& text);
 TangentLines parse_tangent(const std::string& text);
 Quality parse_quality(const std::string& text);
 ProfileKind parse_profile(const std::string& text);

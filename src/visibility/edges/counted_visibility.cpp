@@ -13,15 +13,15 @@ namespace {
 
 /// Every line against all faces, one by one.
 template <class LineOf>
-CountedLines count_each(std::size_t lines, const FacetForest& forest, double coincidence_steps, PropagationCounts& counts,
-                        LineOf line_of) {
+CountedLines count_each(std::size_t lines, const FacetForest& forest, double coincidence_steps, bool with_faces,
+                        PropagationCounts& counts, LineOf line_of) {
   CountedLines parts(lines);
   FaceCounter counter(forest, coincidence_steps);
   for (std::size_t i = 0; i < lines; ++i) {
     const PageLine line = line_of(i);
     if (line.p0 == line.p1) continue;
     ++counts.tested;
-    parts[i] = counter.count(line, false, counts.facets);
+    parts[i] = counter.count(line, with_faces, counts.facets);
   }
   return parts;
 }
@@ -55,16 +55,18 @@ VisibilityResult counted_visibility(const ProjectedScene& scene, const Visibilit
     intersections = find_intersections(scene, facets.facets, coincidence_steps, options.hidden_strokes);
   statistics.time("intersections", clock.lap());
 
+  const bool with_faces = propagation == Propagation::nature;
   PropagationCounts counts;
   const auto edge = [&](std::size_t i) {
     const ProjectedEdge& e = scene.edges[i];
     return PageLine(scene.vertices[e.v0], scene.vertices[e.v1], e.face0, e.face1);
   };
-  const CountedLines of_edges = propagation ? propagate(scene, forest, coincidence_steps, *propagation, counts)
-                                            : count_each(scene.edges.size(), forest, coincidence_steps, counts, edge);
+  const CountedLines of_edges = propagation
+                                    ? propagate(scene, forest, coincidence_steps, *propagation, counts)
+                                    : count_each(scene.edges.size(), forest, coincidence_steps, with_faces, counts, edge);
   PropagationCounts apart;
   const CountedLines of_intersections =
-      count_each(intersections.size(), forest, coincidence_steps, apart, [&](std::size_t i) {
+      count_each(intersections.size(), forest, coincidence_steps, with_faces, apart, [&](std::size_t i) {
         const Intersection& x = intersections[i];
         return PageLine(x.from, x.to, x.face0, x.face1);
       });

@@ -1,6 +1,7 @@
 #include "visibility/edges/face_counts.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace ligne {
 namespace {
@@ -53,11 +54,11 @@ std::vector<CountedPart> FaceCounter::count(const PageLine& line, bool with_face
   const auto add_part = [&](double to) {
     if (!(from < to)) return;
     const auto n = static_cast<std::uint32_t>(std::min(left, right));
-    const std::vector<std::uint32_t>& faces = left <= right ? left_ : right_;
-    if (!parts.empty() && parts.back().count == n && parts.back().faces == faces) {
+    CountedPart part{from, to, n, left <= right ? left_ : right_};
+    if (!parts.empty() && parts.back().is_like(part)) {
       parts.back().to = to;
     } else {
-      parts.push_back({from, to, n, faces});
+      parts.push_back(std::move(part));
     }
     from = to;
   };

@@ -15,6 +15,8 @@ struct CountedPart {
   double from = 0, to = 0;
   std::uint32_t count = 0;
   std::vector<std::uint32_t> faces{};  ///< ascending
+
+  bool is_like(const CountedPart& other) const { return count == other.count && faces == other.faces; }
 };
 
 /// A tree of the facets. Facets of a face do not lie over each other, so that facets count as faces.

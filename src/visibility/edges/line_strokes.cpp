@@ -42,17 +42,6 @@ void number_intersections(const ProjectedScene& scene, const std::vector<Interse
   }
 }
 
-/// Puts the strokes of all blocks behind the others.
-void append_blocks(std::vector<std::vector<Stroke>>& blocks, std::vector<Stroke>& strokes) {
-  std::vector<std::size_t> first(blocks.size() + 1, strokes.size());
-  for (std::size_t b = 0; b < blocks.size(); ++b) first[b + 1] = first[b] + blocks[b].size();
-  strokes.resize(first.back());
-  parallel_for(blocks.size(), [&](std::size_t b) {
-    std::copy(blocks[b].begin(), blocks[b].end(), strokes.begin() + static_cast<std::ptrdiff_t>(first[b]));
-    std::vector<Stroke>().swap(blocks[b]);
-  });
-}
-
 }  // namespace
 
 LineStrokes::LineStrokes(const ProjectedScene& scene, const Facets& facets, bool hidden_too, double shortest_steps)
@@ -64,12 +53,12 @@ LineStrokes::LineStrokes(const ProjectedScene& scene, const Facets& facets, bool
 template <class LineOf>
 void LineStrokes::add(std::size_t count, MakeLineVisibility make, const std::function<void(double)>& progress,
                       LineOf line_of) {
-  std::vector<std::vector<Stroke>> made(block_count(count, kLinesPerBlock));
+  std::vector<Block> made(block_count(count, kLinesPerBlock));
   std::mutex progress_mutex;
   std::size_t done = 0;
   parallel_blocks(count, kLinesPerBlock, [&](std::size_t begin, std::size_t end) {
     const LineVisibility visibility = make();
-    std::vector<Stroke>& out = made[begin / kLinesPerBlock];
+    Block& out = made[begin / kLinesPerBlock];
     std::vector<LinePart> parts;
     for (std::size_t i = begin; i < end; ++i) {
       auto [line, origin] = line_of(i);
@@ -85,7 +74,35 @@ void LineStrokes::add(std::size_t count, MakeLineVisibility make, const std::fun
     const std::lock_guard lock(progress_mutex);
     progress(static_cast<double>(++done) / static_cast<double>(made.size()));
   });
-  append_blocks(made, model_.strokes);
+  append_blocks(made);
+}
+
+/// Puts the strokes of all blocks behind the others.
+void LineStrokes::append_blocks(std::vector<Block>& blocks) {
+  std::vector<Stroke>& strokes = model_.strokes;
+  std::vector<std::size_t> first(blocks.size() + 1, strokes.size());
+  for (std::size_t b = 0; b < blocks.size(); ++b) first[b + 1] = first[b] + blocks[b].strokes.size();
+  strokes.resize(first.back());
+  parallel_for(blocks.size(), [&](std::size_t b) {
+    std::copy(blocks[b].strokes.begin(), blocks[b].strokes.end(), strokes.begin() + static_cast<std::ptrdiff_t>(first[b]));
+    std::vector<Stroke>().swap(blocks[b].strokes);
+  });
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (const std::size_t stroke : blocks[b].hidden) counted_.hidden.push_back(first[b] + stroke);
+    counted_.counted.insert(counted_.counted.end(), blocks[b].counted.begin(), blocks[b].counted.end());
+  }
+}
+
+StrokeModel LineStrokes::take() {
+  std::vector<HiddenPart>& parts = model_.hidden_parts;
+  for (std::size_t i = 0; i < counted_.hidden.size(); ++i) {
+    const Stroke& s = model_.strokes[counted_.hidden[i]];
+    parts.push_back({s.source, s.t_from, s.t_to, counted_.counted[i]->count, counted_.counted[i]->faces});
+  }
+  std::sort(parts.begin(), parts.end(), [](const HiddenPart& a, const HiddenPart& b) {
+    return std::pair(a.source, a.t_from) < std::pair(b.source, b.t_from);
+  });
+  return std::move(model_);
 }
 
 void LineStrokes::add_edges(MakeLineVisibility make, const std::function<void(double)>& progress,
@@ -113,32 +130,42 @@ void LineStrokes::add_intersections(const std::vector<Intersection>& intersectio
 }
 
 void LineStrokes::add_parts(const PageLine& line, const std::vector<LinePart>& parts, const Origin& origin,
-                            std::vector<Stroke>& out) const {
+                            Block& out) const {
   double end = 0;
   for (const LinePart& part : parts) {
     if (hidden_too_ && part.from > end) add_hidden(line, {end, part.from}, origin, out);
-    out.push_back(stroke(line, part, origin, true));
+    out.strokes.push_back(stroke(line, part, origin, true));
     end = part.to;
   }
   if (hidden_too_ && end < 1) add_hidden(line, {end, 1}, origin, out);
 }
 
 /// A piece too short for the page belongs to the one before it, or the first to the one behind it.
-void LineStrokes::add_hidden(const PageLine& line, LinePart gap, const Origin& origin, std::vector<Stroke>& out) const {
-  std::vector<LinePart> pieces;
+void LineStrokes::add_hidden(const PageLine& line, LinePart gap, const Origin& origin, Block& out) const {
+  struct Piece {
+    LinePart part;
+    const CountedPart* counted = nullptr;
+  };
+  std::vector<Piece> pieces;
   const double least = shortest_ / page_length(line);
   if (origin.counted) {
     for (const CountedPart& part : *origin.counted) {
       const double from = std::max(part.from, gap.from), to = std::min(part.to, gap.to);
       if (part.count == 0 || !(from < to)) continue;
-      if (!pieces.empty() && (to - from < least || pieces.back().level == part.count)) continue;
+      if (!pieces.empty() && (to - from < least || pieces.back().counted->is_like(part))) continue;
       if (pieces.size() == 1 && from - gap.from < least) pieces.clear();
-      pieces.push_back({pieces.empty() ? gap.from : from, gap.to, part.count});
-      if (pieces.size() > 1) pieces[pieces.size() - 2].to = from;
+      pieces.push_back({{pieces.empty() ? gap.from : from, gap.to, part.count}, &part});
+      if (pieces.size() > 1) pieces[pieces.size() - 2].part.to = from;
     }
   }
-  if (pieces.empty()) pieces.push_back(gap);
-  for (const LinePart& piece : pieces) out.push_back(stroke(line, piece, origin, false));
+  if (pieces.empty()) pieces.push_back({gap});
+  for (const Piece& piece : pieces) {
+    if (piece.counted) {
+      out.hidden.push_back(out.strokes.size());
+      out.counted.push_back(piece.counted);
+    }
+    out.strokes.push_back(stroke(line, piece.part, origin, false));
+  }
 }
 
 Stroke LineStrokes::stroke(const PageLine& line, LinePart part, const Origin& origin, bool visible) const {

@@ -32,8 +32,8 @@ class LineStrokes {
   /// out.
   LineStrokes(const ProjectedScene& scene, const Facets& facets, bool hidden_too, double shortest_steps);
 
-  /// All candidate edges. With `counted` hidden strokes end where the number of faces before them changes, and have it as
-  /// their level.
+  /// All candidate edges. With `counted` hidden strokes end where the faces before them change, as far as these are known,
+  /// and have their number as their level. `counted` must live until take().
   void add_edges(MakeLineVisibility make, const std::function<void(double)>& progress = {},
                  const CountedLines* counted = nullptr);
 
@@ -41,8 +41,8 @@ class LineStrokes {
   void add_intersections(const std::vector<Intersection>& intersections, MakeLineVisibility make,
                          const CountedLines* counted = nullptr);
 
-  /// All strokes.
-  StrokeModel take() { return std::move(model_); }
+  /// All strokes, with the faces before the hidden ones where they were counted.
+  StrokeModel take();
 
  private:
   /// Where a line comes from.
@@ -54,11 +54,18 @@ class LineStrokes {
     const std::vector<CountedPart>* counted = nullptr;
   };
 
+  /// The strokes of a block of lines. counted[i] is the part that hidden[i], the number of a stroke, was made from.
+  struct Block {
+    std::vector<Stroke> strokes;
+    std::vector<std::size_t> hidden;
+    std::vector<const CountedPart*> counted;
+  };
+
   template <class LineOf>
   void add(std::size_t count, MakeLineVisibility make, const std::function<void(double)>& progress, LineOf line_of);
-  void add_parts(const PageLine& line, const std::vector<LinePart>& parts, const Origin& origin,
-                 std::vector<Stroke>& out) const;
-  void add_hidden(const PageLine& line, LinePart gap, const Origin& origin, std::vector<Stroke>& out) const;
+  void add_parts(const PageLine& line, const std::vector<LinePart>& parts, const Origin& origin, Block& out) const;
+  void add_hidden(const PageLine& line, LinePart gap, const Origin& origin, Block& out) const;
+  void append_blocks(std::vector<Block>& blocks);
   Stroke stroke(const PageLine& line, LinePart part, const Origin& origin, bool visible) const;
   double model_parameter(const PageLine& line, double t) const;
   bool is_thin(std::uint32_t face) const { return face < facets_.face_is_thin.size() && facets_.face_is_thin[face]; }
@@ -68,6 +75,7 @@ class LineStrokes {
   bool hidden_too_;
   double shortest_;
   StrokeModel model_;
+  Block counted_;  ///< of all strokes, without these themselves
 };
 
 }  // namespace ligne

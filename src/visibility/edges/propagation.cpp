@@ -323,7 +323,7 @@ bool Propagator::carry(std::uint32_t edge, const EdgeNear& near, bool from_end) 
   const auto add_part = [&](double to) {
     if (from != to) {
       CountedPart part{std::min(from, to), std::max(from, to), static_cast<std::uint32_t>(now.count), now.faces};
-      const bool goes_on = !parts.empty() && parts.back().count == part.count && parts.back().faces == part.faces;
+      const bool goes_on = !parts.empty() && parts.back().is_like(part);
       if (!goes_on) {
         parts.push_back(std::move(part));
       } else if (from_end) {
