@@ -15,6 +15,7 @@
 #include "plotting/writers/number_text.hpp"
 #include "plotting/writers/writers.hpp"
 #include "report/compare_style.hpp"
+#include "visibility/method_parts.hpp"
 
 namespace ligne {
 namespace {
@@ -38,6 +39,21 @@ double study_seconds(const MethodOutcome& m) {
   double sum = 0;
   for (const auto& [name, value] : m.stages.seconds) sum += name == "study" ? value : 0;
   return sum;
+}
+
+/// The text with code elements in place of pairs of backticks.
+std::string with_code(const std::string& text) {
+  std::string html;
+  bool inside = false;
+  for (const char c : text) {
+    if (c != '`') {
+      html += c;
+      continue;
+    }
+    html += inside ? "</code>" : "<code>";
+    inside = !inside;
+  }
+  return html;
 }
 
 /// The lines of the layers, whose styles go by the names.
@@ -88,7 +104,7 @@ class ComparisonPage {
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
         "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\"><title>" +
         name_ + " by every method</title><style>" + std::string(kCompareStyle) + "</style></head><body><main>\n";
-    page += head() + overview() + times() + drawings() + operations() + matrix();
+    page += head() + overview() + times() + drawings() + operations() + matrix() + seven_parts();
     return page + "<footer>Made by <b>ligne compare</b>. Times are of one run on one machine; a difference is a length of " +
            "line farther than " + shortest(1000 * kSameLineMm) + " \u00b5m from any line of the other drawing.</footer>" +
            "</main></body></html>\n";
@@ -249,6 +265,25 @@ class ComparisonPage {
                 : !mm  ? "<td class=\"zero\">\u2013</td>"
                 : zero ? "<td class=\"zero\">0.000</td>"
                        : "<td class=\"off\">" + fixed(*mm, 3) + "</td>";
+      }
+      text += "</tr>";
+    }
+    return text + "</tbody></table></div>";
+  }
+
+  /// The parts by which [Boulle1980] describes a method: a row for each part, a column for each method.
+  std::string seven_parts() const {
+    std::string text =
+        "<h2>The seven parts</h2><p class=\"soft\">How each method works, in the terms of the thesis.</p><div "
+        "class=\"scroll\"><table class=\"parts\"><thead><tr><th>Part</th>";
+    for (const MethodOutcome& m : comparison_.methods) text += "<th>" + name_of(m) + "</th>";
+    text += "</tr></thead><tbody>";
+    for (std::size_t i = 0; i < kMethodParts.size(); ++i) {
+      const MethodPart& part = kMethodParts[i];
+      text += "<tr><th>" + std::string(part.symbol) + "<small>" + std::string(part.meaning) + "</small></th>";
+      for (const MethodOutcome& m : comparison_.methods) {
+        const SevenParts* parts = seven_parts_of(m.method->traits().name);
+        text += "<td>" + (parts ? with_code(xml_text((*parts)[i])) : "") + "</td>";
       }
       text += "</tr>";
     }

@@ -46,6 +46,8 @@ td.time{min-width:260px;text-align:left}
 .zero{color:#a8a299}
 .same{background:#f3f1ec}
 .off{background:#fbe6e8;color:#9c0214;font-weight:600}
+.parts th,.parts td{text-align:left;vertical-align:top;font-size:13.5px}
+.parts td{white-space:normal;min-width:30ch}
 .matrix{width:auto}
 .matrix th,.matrix td{padding:7px 11px;font-size:13.5px}
 .grid{display:grid;grid-template-columns:repeat(auto-fill,minmax(340px,1fr));gap:20px;margin-top:16px}

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "report/listing.hpp"
+#include "visibility/method_parts.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
@@ -73,6 +74,13 @@ std::string methods_json() {
     if (!traits.only_for.empty()) entry["only_for"] = traits.only_for;
     entry["paper"] = traits.paper;
     entry["default"] = method == default_method;
+    entry["parts"] = nlohmann::ordered_json::array();
+    if (const SevenParts* parts = seven_parts_of(traits.name)) {
+      for (std::size_t i = 0; i < kMethodParts.size(); ++i) {
+        entry["parts"].push_back(
+            {{"symbol", kMethodParts[i].symbol}, {"meaning", kMethodParts[i].meaning}, {"text", (*parts)[i]}});
+      }
+    }
     entry["options"] = nlohmann::ordered_json::array();
     for (const MethodParameter& p : traits.parameters) {
       entry["options"].push_back(
