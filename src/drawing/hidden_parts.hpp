@@ -1,7 +1,7 @@
 #pragma once
 /// Looks up the faces before hidden strokes.
 
-#include "drawing/stroke.hpp"
+#include "linework/stroke.hpp"
 
 namespace ligne {
 
