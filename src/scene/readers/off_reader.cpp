@@ -4,6 +4,7 @@
 #include "scene/readers/off_reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <array>
 #include <optional>
 #include <vector>
@@ -127,7 +128,7 @@ class OffReader {
     std::string name = "#";
     for (std::size_t k = 0; k < n; ++k) {
       constexpr char kDigits[] = "0123456789abcdef";
-      const auto byte = static_cast<unsigned>(color[k] * 255 + 0.5);
+      const auto byte = static_cast<unsigned>(std::lround(color[k] * 255));
       name += kDigits[byte / 16];
       name += kDigits[byte % 16];
     }
