@@ -4,8 +4,8 @@
 #include "scene/readers/off_reader.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
