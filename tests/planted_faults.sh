@@ -31,6 +31,7 @@ programs_of() {
     warnock_* | watkins_* | painter_* | bsp_* | newell_* | convex_tree_* | roberts_* | view_*) echo visibility_test methods_test relations_test ;;
     appel_* | zbuffer_*) echo visibility_test cli_test methods_test ;;
     weiler_*) echo visibility_test picture_test methods_test relations_test ;;
+    linework_*) echo drawing_test contours_test/clear contours_test/heal picture_test ;;
     contour_*) echo contours_test/clear contours_test/contours contours_test/heal picture_test ;;
     clip_*) echo geometry_test "$(programs_of weiler_)" ;;
     horizon_*) echo visibility_test cli_test ;;
@@ -49,7 +50,7 @@ filter_of() {
   local general="${each_view#:}${each}:*RandomScenes*:*Crowds*:*Resolution*"
   case $1 in
     methods_test) echo "$general" ;;
-    contours_test/clear) echo 'ClearAgainstExact*:MeshSags*' ;;
+    contours_test/clear) echo '*CleanAgain*:ClearAgainstExact*:MeshSags*' ;;
     contours_test/contours) echo 'ContourSupport*:OutlineGaps*:ShallowIslands*:*ShapeLines*:SmoothContours*:SmoothPatch*:SurfaceFits*:*Surfaces.*' ;;
     contours_test/heal) echo 'ClearDrawing*:Contacts*:Creases*:*Defect*:EdgeTree*:Heal*:SegmentCells*' ;;
     cli_test)

@@ -81,6 +81,16 @@ TEST(LineMapTest, ContactsEndWhenTheirLineGoes) {
   expect_valid(m.map);
 }
 
+TEST(LineMapTest, ContactsEndWhenTheirEndIsJoined) {
+  Mapped m(lines_of_outlines("0,0 300,0; 100,1 100,90"));
+  EXPECT_EQ(Arcs(m.map, 2).find().size(), 3u);
+  Stroke on = m.map.piece(1);
+  on.from = {100, 1}, on.to = {100, -50};
+  m.map.add(on, 2 * 1, kNone, no_source);
+  EXPECT_EQ(Arcs(m.map, 2).find().size(), 2u) << "the line goes on across the other";
+  expect_valid(m.map);
+}
+
 TEST(LineMapTest, RunsAreOfOneClassAndStraight) {
   const Mapped m(lines_of_outlines("0,0 100,0; 100,0 200,0; 100,0 100,90; crease 200,0 250,0"));
   const Runs runs(m.map);
