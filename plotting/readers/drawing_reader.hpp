@@ -11,8 +11,10 @@
 #include <vector>
 
 #include "drawing/drawing.hpp"
+#include "drawing/result_models.hpp"
 #include "files/omissions.hpp"
 #include "plotting/page.hpp"
+#include "plotting/writers/writers.hpp"
 
 namespace ligne {
 
@@ -25,9 +27,23 @@ struct ReadRegion {
   std::string material;  ///< its name, or empty
 };
 
+/// The order of painting that a ligne-drawing keeps, and its strokes on their lattice.
+struct ReadOrder {
+  struct Piece {
+    std::uint32_t face = 0, material = 0;  ///< `material` is an index into `materials`
+    double light = 1;                      ///< 0 dark to 1
+  };
+  PaintOrder order;           ///< without the pieces that the file says are hidden
+  std::vector<Piece> pieces;  ///< per piece of the order
+  bool tells_hidden = false;  ///< whether the file says so of any
+  std::vector<DocumentMaterial> materials;
+  StrokeModel strokes;  ///< without sources and parameters
+};
+
 struct ReadDrawing {
   Drawing drawing;                              ///< page mm, true to scale
   std::vector<ReadRegion> regions;              ///< of a ligne-drawing that has them
+  std::optional<ReadOrder> order{};             ///< where it was asked for
   Page page;                                    ///< margin 0 where the file tells none
   bool dashes_cut = false;                      ///< dashes are strokes already
   std::map<std::string, std::size_t> left_out;  ///< what was skipped because the caller allowed it, with counts
@@ -45,8 +61,8 @@ struct ReadDrawing {
 inline constexpr double kFarthestMm = 1e6;
 
 /// A ligne-drawing (docs/drawing-format.md): strokes become lines of two points in layers by class. Throws
-/// InputError, "FILE: what is wrong and where".
-ReadDrawing read_json_drawing(std::string_view json, const std::string& file);
+/// InputError, "FILE: what is wrong and where". `with_order`: also the order of painting, which the file must have.
+ReadDrawing read_json_drawing(std::string_view json, const std::string& file, bool with_order = false);
 
 /// How areas are filled with strokes.
 struct FillHatch {

@@ -7,6 +7,7 @@
 #include "base/parallel.hpp"
 #include "files/input_error.hpp"
 #include "plotting/readers/drawing_reader.hpp"
+#include "plotting/readers/order_reader.hpp"
 
 namespace ligne {
 namespace {
@@ -17,10 +18,15 @@ using nlohmann::json;
 /// twice.
 class DrawingReader {
  public:
-  explicit DrawingReader(std::string file) : file_(std::move(file)) {}
+  DrawingReader(std::string file, bool with_order) : file_(std::move(file)), with_order_(with_order) {}
 
   ReadDrawing read(std::string_view text) {
     json root;
+    SplitDrawing split;
+    if (with_order_) {
+      split = split_drawing(text, file_);
+      text = split.rest;
+    }
     try {
       root =
           json::parse(text, [this](int depth, json::parse_event_t event, json& value) { return take(depth, event, value); });
@@ -37,6 +43,7 @@ class DrawingReader {
     ReadDrawing result;
     result.page = page_of(root);
     result.regions = std::move(regions_);
+    if (with_order_) result.order = order_of(root, split.order);
     for (Layer& layer : layers_) {
       if (layer.lines.size() > 0) result.drawing.layers.push_back(std::move(layer));
     }
@@ -53,14 +60,20 @@ class DrawingReader {
       if (in_strokes_ && has_strokes_) fail("there are two lists of strokes");
       has_strokes_ = has_strokes_ || in_strokes_;
       in_regions_ = value == "regions";
+      in_order_ = value == "order";
+      is_kept_ = with_order_ && (value == "lattice" || value == "materials");
+      if (in_order_ && has_order_) fail("there are two orders of painting");
+      has_order_ = has_order_ || in_order_;
       return true;
     }
+    if (in_order_ && depth >= 2) return false;  // pieces are read apart (order_reader.hpp)
     if (in_regions_) {
       if (event == json::parse_event_t::object_start && depth > 2) fail_region("has an object inside");
       if (event != json::parse_event_t::object_end || depth != 2) return true;
       add_region(value);
       return false;
     }
+    if (is_kept_) return true;
     if (!in_strokes_) return depth < 3 || event == json::parse_event_t::key;
     if (event == json::parse_event_t::object_start && depth > 2) return false;  // the source edge
     if (event == json::parse_event_t::object_end && depth == 2) {
@@ -92,31 +105,85 @@ class DrawingReader {
       lines.points.push_back(point_of(p, [&](const std::string& cause) { fail_stroke(cause); }));
     }
     lines.begin.push_back(static_cast<std::uint32_t>(lines.points.size()));
+    if (with_order_) keep_ends(lines, visible->get<bool>(), level == stroke.end() ? 0 : level->get<std::uint64_t>());
     ++count_;
+  }
+
+  /// The stroke that was added last, for the lattice.
+  void keep_ends(const Polylines& lines, bool visible, std::uint64_t level) {
+    if (lines[lines.size() - 1].size() != 2) fail_stroke("is no straight piece");
+    Stroke s;
+    s.line_class = last_class_;
+    s.visible = visible;
+    s.level = static_cast<std::uint8_t>(std::min<std::uint64_t>(level, 255));
+    painted_.strokes.strokes.push_back(s);
+    ends_.push_back({lines.points[lines.points.size() - 2], lines.points.back()});
   }
 
   [[noreturn]] void fail_region(const std::string& cause) const {
     fail("region " + std::to_string(regions_.size()) + ": " + cause);
   }
 
-  void add_contour(const json& contour, ReadRegion& region) const {
-    if (!contour.is_array() || contour.size() < 3) fail_region("a contour has no three points");
-    std::vector<Point2>& points = region.contours.emplace_back();
-    for (const json& p : contour) {
-      points.push_back(point_of(p, [&](const std::string& cause) { fail_region(cause); }));
+  using Contours = std::vector<std::vector<Point2>>;
+
+  static void add_contour(const json& contour, Contours& contours, FunctionRef<void(const std::string&)> fail_with) {
+    if (!contour.is_array() || contour.size() < 3) fail_with("a contour has no three points");
+    std::vector<Point2>& points = contours.emplace_back();
+    for (const json& p : contour) points.push_back(point_of(p, fail_with));
+  }
+
+  static Contours contours_of(const json& value, FunctionRef<void(const std::string&)> fail_with) {
+    const auto outer = value.find("outer"), holes = value.find("holes");
+    Contours contours;
+    if (outer == value.end()) fail_with("has no outer contour");
+    add_contour(*outer, contours, fail_with);
+    if (holes == value.end() || !holes->is_array()) return contours;
+    for (const json& hole : *holes) add_contour(hole, contours, fail_with);
+    return contours;
+  }
+
+  /// The members that are not in the pieces themselves.
+  ReadOrder order_of(const json& root, std::string_view pieces) {
+    if (!has_order_) fail("has no order of painting; ligne draw --method newell -o FILE.json stores one");
+    if (!pieces.empty()) read_pieces(pieces, file_, painted_);
+    for (const json& one : root.value("materials", json::array())) {
+      DocumentMaterial material;
+      if (!one.is_object()) fail("a material is not an object");
+      if (const auto name = one.find("name"); name != one.end() && name->is_string())
+        material.name = name->get<std::string>();
+      const auto color = one.find("color"), opacity = one.find("opacity");
+      for (std::size_t c = 0; color != one.end() && color->is_array() && c < std::min<std::size_t>(color->size(), 3); ++c) {
+        if ((*color)[c].is_number()) material.color[c] = std::clamp((*color)[c].get<double>(), 0.0, 1.0);
+      }
+      if (opacity != one.end() && opacity->is_number()) material.opacity = std::clamp(opacity->get<double>(), 0.0, 1.0);
+      painted_.materials.push_back(std::move(material));
+    }
+    for (const ReadOrder::Piece& piece : painted_.pieces) {
+      if (piece.material >= painted_.materials.size()) fail("a piece of the order has a material that is not there");
+    }
+    put_on_lattice(root.value("lattice", json()));
+    return std::move(painted_);
+  }
+
+  void put_on_lattice(const json& lattice) {
+    const json origin = lattice.is_object() ? lattice.value("origin_mm", json()) : json();
+    const json step = lattice.is_object() ? lattice.value("step_mm", json()) : json();
+    if (!step.is_number() || !(step.get<double>() > 0)) fail("the lattice has no step_mm");
+    Lattice& to = painted_.strokes.lattice;
+    to.origin_mm = point_of(origin, [&](const std::string& cause) { fail("the lattice: " + cause); });
+    to.step_mm = step.get<double>();
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      painted_.strokes.strokes[i].from = to.snap(ends_[i][0]);
+      painted_.strokes.strokes[i].to = to.snap(ends_[i][1]);
     }
   }
 
   /// Regions seen through transparent faces are not hatched.
   void add_region(const json& value) {
-    const auto level = value.find("level"), outer = value.find("outer"), holes = value.find("holes");
+    const auto level = value.find("level");
     if (level != value.end() && level->is_number() && level->get<double>() > 0) return;
     ReadRegion region;
-    if (outer == value.end()) fail_region("has no outer contour");
-    add_contour(*outer, region);
-    if (holes != value.end() && holes->is_array()) {
-      for (const json& hole : *holes) add_contour(hole, region);
-    }
+    region.contours = contours_of(value, [&](const std::string& cause) { fail_region(cause); });
     // Files of earlier versions tell neither: each region is an area of its own.
     const auto patch = value.find("patch"), light = value.find("light"), color = value.find("color"),
                material = value.find("material_name");
@@ -134,8 +201,9 @@ class DrawingReader {
 
   Polylines& layer_of(const std::string& line_class, bool visible, bool through_transparent) {
     for (std::size_t c = 0; c < kLineClassCount; ++c) {
-      if (kLineClassNames[c] == line_class)
-        return layers_[stroke_layer(static_cast<LineClass>(c), visible, through_transparent)].lines;
+      if (kLineClassNames[c] != line_class) continue;
+      last_class_ = static_cast<LineClass>(c);
+      return layers_[stroke_layer(last_class_, visible, through_transparent)].lines;
     }
     fail_stroke("there is no class of that name");
   }
@@ -158,7 +226,11 @@ class DrawingReader {
 
   std::string file_;
   bool in_strokes_ = false, has_strokes_ = false, in_regions_ = false;
+  bool with_order_ = false, in_order_ = false, has_order_ = false, is_kept_ = false;
   std::vector<ReadRegion> regions_;
+  ReadOrder painted_;
+  std::vector<std::array<Point2, 2>> ends_;  ///< of its strokes
+  LineClass last_class_ = LineClass::mesh;
   std::size_t count_ = 0;
   /// In the order of painting.
   std::array<Layer, kStrokeLayerCount> layers_ = [] {
@@ -170,6 +242,8 @@ class DrawingReader {
 
 }  // namespace
 
-ReadDrawing read_json_drawing(std::string_view json, const std::string& file) { return DrawingReader(file).read(json); }
+ReadDrawing read_json_drawing(std::string_view json, const std::string& file, bool with_order) {
+  return DrawingReader(file, with_order).read(json);
+}
 
 }  // namespace ligne

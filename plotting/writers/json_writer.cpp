@@ -179,19 +179,26 @@ void append_contour(std::string& out, const std::vector<Point2>& contour) {
   append_list(out, contour, [&](Point2 p) { append_point(out, p, kPageDecimals); });
 }
 
-/// The beginning of an object: a face and an area of it.
-void append_area(std::string& out, std::uint32_t face, std::span<const std::vector<Point2>> contours) {
-  out += "{\"face\":";
+/// Every corner as it is, so that what is painted from the file is what is painted without it.
+void append_exact_contour(std::string& out, const std::vector<Point2>& contour) {
+  append_list(out, contour, [&](Point2 p) { append_numbers(out, std::array{p.x, p.y}); });
+}
+
+/// A face and an area of it.
+void append_area(std::string& out, std::uint32_t face, std::span<const std::vector<Point2>> contours,
+                 void (*append)(std::string&, const std::vector<Point2>&)) {
+  out += "\"face\":";
   append_face(out, face);
   out += ",\"outer\":";
-  append_contour(out, contours.empty() ? std::vector<Point2>{} : contours[0]);
+  append(out, contours.empty() ? std::vector<Point2>{} : contours[0]);
   out += ",\"holes\":";
-  append_list(out, contours.subspan(contours.empty() ? 0 : 1), [&](const auto& hole) { append_contour(out, hole); });
+  append_list(out, contours.subspan(contours.empty() ? 0 : 1), [&](const auto& hole) { append(out, hole); });
 }
 
 void append_region(std::string& out, const Region& region, const RegionAppearance* look,
                    const std::vector<std::uint32_t>* through) {
-  append_area(out, region.face, region.contours);
+  out += '{';
+  append_area(out, region.face, region.contours, append_contour);
   if (region.level > 0) out += ",\"level\":" + std::to_string(region.level);
   if (region.lights != 0xffffffffu) {
     out += ",\"lights\":";
@@ -223,10 +230,26 @@ void append_region(std::string& out, const Region& region, const RegionAppearanc
   out += '}';
 }
 
-void append_piece(std::string& out, const PaintPiece& piece) {
-  append_area(out, piece.face, piece.contours);
+void append_piece(std::string& out, const PaintPiece& piece, const PieceAppearance* look) {
+  out += '{';
+  if (look && look->hidden) out += "\"hidden\":true,";  // first, so that a reader can pass over the rest
+  append_area(out, piece.face, piece.contours, append_exact_contour);
   out += ",\"plane\":";
   append_numbers(out, piece.plane);
+  if (look) {
+    out += ",\"material\":";
+    append_integer(out, look->material);
+    out += ",\"light\":";
+    append_shortest(out, look->light);
+  }
+  out += '}';
+}
+
+void append_material(std::string& out, const DocumentMaterial& material) {
+  out += "{\"name\":" + json_string(material.name) + ",\"color\":";
+  append_numbers(out, material.color);
+  out += ",\"opacity\":";
+  append_shortest(out, material.opacity);
   out += '}';
 }
 
@@ -327,10 +350,16 @@ std::string write_json(const DrawingDocument& document, const PlotOptions& optio
                     document.seen_through.empty() ? nullptr : &document.seen_through[i]);
     });
   }
+  if (!document.materials.empty()) {
+    out += ",\n\"materials\":";
+    append_array(out, document.materials.size(),
+                 [&](std::string& text, std::size_t i) { append_material(text, document.materials[i]); });
+  }
   if (document.order) {
     out += ",\n\"order\":";
-    append_array(out, document.order->pieces.size(),
-                 [&](std::string& text, std::size_t i) { append_piece(text, document.order->pieces[i]); });
+    append_array(out, document.order->pieces.size(), [&](std::string& text, std::size_t i) {
+      append_piece(text, document.order->pieces[i], document.piece_looks.empty() ? nullptr : &document.piece_looks[i]);
+    });
   }
   if (document.spans) {
     out += ",\n\"spans\":";

@@ -115,6 +115,20 @@ struct DocumentSurface {
   std::uint32_t object = 0;
 };
 
+/// A material of the scene, for painting from a stored order.
+struct DocumentMaterial {
+  std::string name{};
+  std::array<double, 3> color{0, 0, 0};  ///< red, green, blue in [0, 1]
+  double opacity = 1;
+};
+
+/// Properties of a piece of an order that painting needs besides its contours.
+struct PieceAppearance {
+  double light = 1;            ///< brightness from 0, dark, to 1
+  std::uint32_t material = 0;  ///< index into DrawingDocument::materials
+  bool hidden = false;         ///< opaque pieces in front hide it: it need not be painted
+};
+
 /// The contents of a JSON drawing, except page and pens. The format is docs/drawing-format.md. Null pointers and empty
 /// members are not written.
 struct DrawingDocument {
@@ -124,6 +138,8 @@ struct DrawingDocument {
   /// Per region: the numbers of the regions that are seen through it; or empty.
   std::vector<std::vector<std::uint32_t>> seen_through{};
   const PaintOrder* order = nullptr;
+  std::vector<PieceAppearance> piece_looks{};  ///< per piece of the order, or empty
+  std::vector<DocumentMaterial> materials{};   ///< that the pieces name
   const SpanModel* spans = nullptr;
   const std::vector<std::vector<Point2>>* debug = nullptr;  ///< polylines (page mm) that show how the method worked
   std::function<SourceEdge(std::uint32_t)> source;          ///< maps a source number to its edge; must be thread-safe

@@ -65,7 +65,12 @@ const std::map<std::string, Setter, std::less<>>& setters() {
       {"strict", [](PlotDrawingRequest& plot, const std::string& name,
                     py::handle value) { plot.reading.strict = flag_of(name, value); }},
       {"input-dpi", text(parse_dpi, LIGNE_FIELD(reading.px_per_inch))},
-      {"fill", text(parse_fill_reading, LIGNE_FIELD(fills))},
+      {"fill", [](PlotDrawingRequest& request, const std::string& name,
+                  py::handle value) { parse_plot_fill(text_of(name, value), request.fills, request.paint); }},
+      {"material",
+       [](PlotDrawingRequest& plot, const std::string& name, py::handle value) {
+         for (const std::string& one : texts_of(name, value)) parse_material(one, plot.paint);
+       }},
       {"min-length", text([](const std::string& t) { return parse_length_mm(t); }, LIGNE_FIELD(plotter.min_length_mm))},
       {"occlude",
        [](PlotDrawingRequest& plot, const std::string& name, py::handle value) {

@@ -39,6 +39,7 @@ def plot(
     strict: bool = False,
     input_dpi: float = 96,
     fill: Optional[str] = None,
+    material: Named = None,
     min_length: Length = 0,
     occlude: Union[bool, str] = False,
     hatch: Optional[str] = None,
@@ -84,6 +85,7 @@ def plot(
         Or a file that is open for writing, text or binary.
         None: Plotted.data holds the bytes, of an SVG unless `format` says otherwise, and Plotted.parts those of all files.
     hatch_spacing, hatch_angle: of all fills, or {"layer or colour": value}; hatch_cross: True, or names of such.
+    material: colours of materials for `fill`, {"name": "colour"}.
 
     All others are the options of `ligne plot`, with the same defaults (docs/options.md). Raises RequestError, InputError,
     MemoryLimitError.

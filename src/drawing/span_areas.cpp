@@ -137,6 +137,21 @@ std::vector<std::size_t> continued(const std::vector<OpenArea>& above, const Spa
 
 }  // namespace
 
+SpanModel spans_of_pixels(const PixelModel& pixels) {
+  constexpr std::uint32_t kNoFace = 0xffffffffu;
+  SpanModel model;
+  model.lines = {pixels.corner_mm.y + pixels.pixel_mm / 2, pixels.pixel_mm, pixels.height};
+  for (std::uint32_t row = 0; row < pixels.height; ++row) {
+    const std::uint32_t* const face = pixels.face.data() + std::size_t{row} * pixels.width;
+    const auto edge = [&](std::uint32_t column) { return pixels.corner_mm.x + column * pixels.pixel_mm; };
+    for (std::uint32_t from = 0, to = 0; from < pixels.width; from = to) {
+      while (to < pixels.width && face[to] == face[from]) ++to;
+      if (face[from] != kNoFace) model.spans.push_back({row, edge(from), edge(to), face[from]});
+    }
+  }
+  return model;
+}
+
 std::vector<Region> areas_of_spans(const SpanModel& model) {
   constexpr std::size_t kNoArea = std::numeric_limits<std::size_t>::max();
   std::vector<Region> areas;

@@ -7,6 +7,9 @@
 
 namespace ligne {
 
+/// The spans of a picture of faces: one line through the middle of each row of pixels, runs of a face from edge to edge.
+SpanModel spans_of_pixels(const PixelModel& pixels);
+
 /// Reconstructs areas from spans. Each area belongs to one face and has no holes.
 ///
 /// Overlapping spans of one face on successive scan lines form one area. Where an area splits or two areas merge, new

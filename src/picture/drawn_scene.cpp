@@ -59,6 +59,7 @@ std::vector<Fill> fills_of(const DrawnScene& drawn, RunReport& run) {
     return fill_regions(prepared.scene, prepared.view(), *result.regions, prepared.lights, kind);
   }
   if (result.order && paints_in_order(prepared.request, prepared.method)) return paint(prepared, *result.order, run);
+  if (fills_spans(prepared.request, prepared.method)) return filled_spans(prepared, result);
   return gray_areas(prepared, result);
 }
 

@@ -45,20 +45,26 @@ class FillColors {
 
   std::array<double, 3> of(const Material& material, std::uint32_t face, std::uint32_t lights,
                            const std::vector<double>& shares) const {
-    if (kind_ == FillKind::paper) return {1, 1, 1};
-    const double brightness = kind_ == FillKind::material ? 1 : kAmbient + (1 - kAmbient) * light_.of(face, lights, shares);
-    std::array<double, 3> color{};
-    for (int c = 0; c < 3; ++c) {
-      color[static_cast<std::size_t>(c)] = std::round(std::clamp(material.color[c] * brightness, 0.0, 1.0) * 255) / 255;
-    }
-    return color;
+    const double light = kind_ == FillKind::shade ? light_.of(face, lights, shares) : 1;
+    return fill_color(material.color, light, face, kind_);
   }
+  double light_on(std::uint32_t face) const { return light_.of(face, kAllLights, {}); }
 
  private:
   Light shoulder_;
   FaceLight light_;
   FillKind kind_;
 };
+
+/// A colour of middle brightness for the number of a face: a multiplicative hash, as of Knuth, of which three bytes are
+/// used.
+std::array<double, 3> random_color(std::uint32_t face) {
+  const std::uint64_t hash = (std::uint64_t{face} + 1) * 0x9e3779b97f4a7c15u;
+  std::array<double, 3> color{};
+  constexpr unsigned kDarkest = 80, kRange = 176;
+  for (unsigned c = 0; c < 3; ++c) color[c] = (kDarkest + (hash >> (40 + 8 * c) & 0xff) * kRange / 256) / 255.0;
+  return color;
+}
 
 struct LeveledFill {
   std::uint32_t level;
@@ -100,6 +106,26 @@ std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::
     found.push_back({region.level, is_narrow(region), {region.contours, color, material.opacity}});
   }
   return in_painting_order(std::move(found));
+}
+
+std::array<double, 3> fill_color(const Point3& material, double light, std::uint32_t face, FillKind kind) {
+  if (kind == FillKind::paper) return {1, 1, 1};
+  if (kind == FillKind::random) return random_color(face);
+  const double brightness = kind == FillKind::material ? 1 : kAmbient + (1 - kAmbient) * light;
+  std::array<double, 3> color{};
+  for (int c = 0; c < 3; ++c) {
+    color[static_cast<std::size_t>(c)] = std::round(std::clamp(material[c] * brightness, 0.0, 1.0) * 255) / 255;
+  }
+  return color;
+}
+
+std::vector<double> lights_of_pieces(const Scene& scene, const View& view, const PaintOrder& order,
+                                     std::span<const Light> lights) {
+  const FillColors colors(scene, view, lights, FillKind::shade);
+  std::vector<double> found;
+  found.reserve(order.pieces.size());
+  for (const PaintPiece& piece : order.pieces) found.push_back(colors.light_on(piece.face));
+  return found;
 }
 
 std::vector<Fill> fill_gray(const std::vector<Region>& regions, const std::vector<double>& brightness) {

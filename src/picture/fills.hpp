@@ -1,6 +1,8 @@
 #pragma once
 /// Coloured areas for visible faces.
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,6 +23,14 @@ std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::
 /// Fills for pieces in painting order: each piece is an area that covers earlier ones. There are no cast shadows.
 std::vector<Fill> fill_pieces(const Scene& scene, const View& view, const PaintOrder& order, std::span<const Light> lights,
                               FillKind kind);
+
+/// The colour of a face, components in [0, 1] in steps of a byte: of its material, lit with `light` from 0 to 1, white, or
+/// by chance, the same for a face number every time.
+std::array<double, 3> fill_color(const Point3& material, double light, std::uint32_t face, FillKind kind);
+
+/// Per piece the light on its face, 0 to 1, as fill_pieces() takes it.
+std::vector<double> lights_of_pieces(const Scene& scene, const View& view, const PaintOrder& order,
+                                     std::span<const Light> lights);
 
 /// Grey fills for the regions that are seen directly. `brightness`: per face, 0 to 1.
 std::vector<Fill> fill_gray(const std::vector<Region>& regions, const std::vector<double>& brightness);

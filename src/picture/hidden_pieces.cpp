@@ -106,18 +106,27 @@ class HiddenSamples {
 
 }  // namespace
 
-std::size_t drop_hidden_pieces(PaintOrder& order, const Rect& page, const std::function<bool(std::uint32_t)>& is_opaque) {
+std::vector<std::uint8_t> find_hidden_pieces(const PaintOrder& order, const Rect& page,
+                                             const std::function<bool(std::uint32_t)>& is_opaque) {
   HiddenSamples samples(page);
-  std::vector<PaintPiece> kept;
-  for (auto piece = order.pieces.rbegin(); piece != order.pieces.rend(); ++piece) {
-    if (!samples.shows(*piece)) continue;
-    if (is_opaque(piece->face)) samples.hide();
-    kept.push_back(std::move(*piece));
+  std::vector<std::uint8_t> is_hidden(order.pieces.size(), 0);
+  for (std::size_t i = order.pieces.size(); i-- > 0;) {
+    is_hidden[i] = !samples.shows(order.pieces[i]);
+    if (!is_hidden[i] && is_opaque(order.pieces[i].face)) samples.hide();
   }
-  std::reverse(kept.begin(), kept.end());
-  const std::size_t dropped = order.pieces.size() - kept.size();
-  order.pieces = std::move(kept);
-  return dropped;
+  return is_hidden;
+}
+
+std::size_t drop_hidden_pieces(PaintOrder& order, const Rect& page, const std::function<bool(std::uint32_t)>& is_opaque) {
+  const std::vector<std::uint8_t> is_hidden = find_hidden_pieces(order, page, is_opaque);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < is_hidden.size(); ++i) {
+    if (is_hidden[i]) continue;
+    if (kept != i) order.pieces[kept] = std::move(order.pieces[i]);
+    ++kept;
+  }
+  order.pieces.resize(kept);
+  return is_hidden.size() - kept;
 }
 
 }  // namespace ligne

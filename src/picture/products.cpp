@@ -22,17 +22,23 @@ bool paints_in_order(const PictureRequest& request, const Method& method) {
   return request.fill.kind != FillKind::none && request.fill.lights.empty() && (products & kOrder);
 }
 
+bool fills_spans(const PictureRequest& request, const Method& method) {
+  const std::uint8_t products = method.traits().products;
+  return request.fill.kind != FillKind::none && request.fill.lights.empty() && !(products & (kRegions | kOrder)) &&
+         (products & (kSpans | kPixels));
+}
+
 std::uint8_t wanted_products(const PictureRequest& request, const Method& method) {
   if (request.output.format == OutputFormat::json) return 0xff & ~kPixels;
   std::uint8_t wanted = kStrokes;
-  if (request.gray_faces) wanted |= kSpans | kPixels;
+  if (request.gray_faces || fills_spans(request, method)) wanted |= kSpans | kPixels;
   if (wants_regions(request, method)) wanted |= kRegions;
   if (paints_in_order(request, method)) wanted |= kOrder;
   return wanted;
 }
 
 bool wants_regions(const PictureRequest& request, const Method& method) {
-  return request.regions || (request.fill.asked() && !paints_in_order(request, method)) ||
+  return request.regions || (request.fill.asked() && !paints_in_order(request, method) && !fills_spans(request, method)) ||
          hatches_regions(request, method) || request.lines.classes.has(LineClass::shadow);
 }
 

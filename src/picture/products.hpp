@@ -21,6 +21,10 @@ bool hatches_regions(const PictureRequest& request, const Method& method);
 /// Whether fills are painted from back to front: if the method returns an order and no light casts shadows.
 bool paints_in_order(const PictureRequest& request, const Method& method);
 
+/// Whether fills are made of the spans or pixels of a method that returns neither regions nor an order. No light casts
+/// shadows then.
+bool fills_spans(const PictureRequest& request, const Method& method);
+
 /// The products that the picture needs, as bits of Product. A JSON drawing needs all products except pixels.
 std::uint8_t wanted_products(const PictureRequest& request, const Method& method);
 

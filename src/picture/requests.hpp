@@ -129,9 +129,9 @@ struct LineRequest {
 };
 
 /// How visible faces are filled. `material`: in the colour of the material; `shade`: that colour, lit; `paper`: in
-/// white, so that faces only hide what lies under them.
-enum class FillKind : std::uint8_t { none, material, shade, paper };
-inline constexpr std::string_view kFillNames[] = {"none", "material", "shade", "paper"};
+/// white, so that faces only hide what lies under them; `random`: each face in a colour of its own, by chance.
+enum class FillKind : std::uint8_t { none, material, shade, paper, random };
+inline constexpr std::string_view kFillNames[] = {"none", "material", "shade", "paper", "random"};
 
 /// Areas of colour for visible faces, and the lights of fills, hatching and shadows.
 struct FillRequest {

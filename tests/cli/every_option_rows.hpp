@@ -224,6 +224,7 @@ inline constexpr OptionRow kPlotRows[] = {
     {"--strict", "", "", kDrawnFormats, "nothing of this drawing is left out"},
     {"--input-dpi", "72", "", kDrawnFormats, "this drawing says its size in millimetres"},
     {"--fill", "hatch"},
+    {"--material", "stone=red", "--fill material"},
     {"--min-length", "15"},
     {"--occlude"},
     {"--hatch", "plain"},

@@ -214,8 +214,13 @@ void read_drawing_as_fuzzer(std::string_view kind, std::span<const std::byte> by
   try {
     const ReadDrawing read =
         kind == "svg" ? read_svg_drawing(text, "fuzz", {}, {FillReading::How::hatch, 1}, {.strict = bytes.size() % 4 == 1})
-                      : read_json_drawing(text, "fuzz");
+                      : read_json_drawing(text, "fuzz", bytes.size() % 2 == 1);
     need(read.page.width_mm > 0 && read.page.height_mm > 0, "pages have an area");
+    if (read.order) {
+      need(read.order->pieces.size() == read.order->order.pieces.size(), "every piece has a look");
+      for (const ReadOrder::Piece& piece : read.order->pieces)
+        need(piece.material < read.order->materials.size(), "materials are there");
+    }
     for (const Layer& layer : read.drawing.layers) {
       for (const Point2 p : layer.lines.points)
         need(std::abs(p.x) <= kFarthestMm && std::abs(p.y) <= kFarthestMm, "points lie within a kilometre");

@@ -60,9 +60,9 @@ class Painting : public testing::TestWithParam<const char*> {};
 
 TEST_P(Painting, ShowsWhatIsSeen) {
   const std::string file = GetParam();
-  for (const char* fill : chosen("painting, " + file, 2, {"shade", "material"})) {
+  for (const char* fill : chosen("painting, " + file, 2, {"shade", "material", "random"})) {
     const Raster seen = drawn(file, "atherton-weiler", fill);
-    for (const char* method : {"bsp", "newell", "convex-tree"}) {
+    for (const char* method : {"bsp", "newell", "convex-tree", "watkins", "zbuffer"}) {
       const Raster painted = drawn(file, method, fill);
       ASSERT_EQ(painted.pixels.size(), seen.pixels.size());
       std::size_t looked_at = 0, others = 0, white = 0;

@@ -145,9 +145,15 @@ void setup_plot(CLI::App& app, PlotCommandOptions& options) {
            "units of an SVG to the inch: 96 by CSS, 72 or 90 by some programs")
       .standard("96");
   input
-      .add("--fill", "HOW", options.request.fills, parse_fill_reading,
-           "filled areas of an SVG: refuse; outline, their contours; hatch, strokes inside too")
+      .add_text(
+          "--fill", "HOW",
+          [&options](const std::string& text) { parse_plot_fill(text, options.request.fills, options.request.paint); },
+          "filled areas of an SVG: refuse; outline, their contours; hatch, strokes inside too; of a stored drawing that has "
+          "an order: material, shade, paper, random, painted as draw --fill does")
       .standard("outline");
+  input.add_repeatable(
+      "--material", "NAME=COLOUR", [&options](const std::string& text) { parse_material(text, options.request.paint); },
+      "with --fill material or shade: another colour for a material; repeatable");
   input
       .add(
           "--min-length", "LEN", options.plotter.choice.request.min_length_mm,

@@ -9,8 +9,9 @@ namespace ligne {
 void add_fill_options(CLI::App& app, FillRequest& request) {
   OptionGroup group(app, "Fills");
   group
-      .add("--fill", "HOW", request.kind, parse_fill,
-           "visible faces in colour: none material shade paper; by a method that gives regions, or painted in its order")
+      .add(
+          "--fill", "HOW", request.kind, parse_fill,
+          "visible faces in colour: none material shade paper random; by a method that gives regions, an order, spans or pixels")
       .standard("none");
   group.add_repeatable(
       "--light", "X,Y,Z", [&request](const std::string& text) { request.lights.push_back(parse_vector(text)); },

@@ -4,6 +4,7 @@
 
 #include "drawing/span_areas.hpp"
 #include "picture/fills.hpp"
+#include "picture/products.hpp"
 #include "plotting/hatching/fill_rim.hpp"
 #include "view/brightness.hpp"
 
@@ -16,11 +17,12 @@ constexpr double kAreaLinesMm = kFillRimMm / 3;
 }  // namespace
 
 std::optional<SpanLines> gray_face_lines(const PictureRequest& request, const Method& method, const PlotOptions& plot) {
-  if (!request.gray_faces) return std::nullopt;
+  const bool fills = fills_spans(request, method);
+  if (!request.gray_faces && !fills) return std::nullopt;
   const auto lines = [](double spacing_mm, double count) {
     return SpanLines{spacing_mm / 2, spacing_mm, static_cast<std::uint32_t>(count)};
   };
-  if (request.output.format == OutputFormat::png) return lines(kMmPerInch / plot.dpi, png_size(plot).height);
+  if (request.output.format == OutputFormat::png && !fills) return lines(kMmPerInch / plot.dpi, png_size(plot).height);
   if (!(method.traits().products & kSpans)) return std::nullopt;
   return lines(kAreaLinesMm, std::ceil(plot.page.height_mm / kAreaLinesMm));
 }
@@ -41,6 +43,11 @@ std::vector<Fill> gray_areas(const PreparedScene& prepared, const VisibilityResu
   const PictureRequest& request = prepared.request;
   if (!request.gray_faces || request.output.format == OutputFormat::png || !result.spans) return {};
   return fill_gray(areas_of_spans(*result.spans), face_brightness(prepared.scene, prepared.view().camera));
+}
+
+std::vector<Fill> filled_spans(const PreparedScene& prepared, const VisibilityResult& result) {
+  const std::vector<Region> areas = areas_of_spans(result.spans ? *result.spans : spans_of_pixels(*result.pixels));
+  return fill_regions(prepared.scene, prepared.view(), areas, prepared.lights, prepared.request.fill.kind);
 }
 
 }  // namespace ligne

@@ -11,8 +11,8 @@
 
 namespace ligne {
 
-/// The scan lines that gray faces are made of: for PNG one for each row of pixels. Nothing when no gray faces are wanted, or
-/// lines as the method has them: pixels in vector files.
+/// The scan lines that gray faces are made of, for PNG one for each row of pixels, and fills of a method that gives spans.
+/// Nothing when no such faces are wanted, or lines as the method has them: pixels in vector files.
 std::optional<SpanLines> gray_face_lines(const PictureRequest& request, const Method& method, const PlotOptions& plot);
 
 /// Faces as a light at the eye shows them, as pixels: in PNG those of the page, in vector files those of the method, where
@@ -22,5 +22,8 @@ std::optional<GrayPicture> gray_faces(const PreparedScene& prepared, const Visib
 
 /// The gray faces as areas for vector files, by a method that gives spans; none otherwise.
 std::vector<Fill> gray_areas(const PreparedScene& prepared, const VisibilityResult& result);
+
+/// The fills that are asked for, as areas of the spans or pixels of the method (fills_spans()).
+std::vector<Fill> filled_spans(const PreparedScene& prepared, const VisibilityResult& result);
 
 }  // namespace ligne

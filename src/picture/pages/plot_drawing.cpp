@@ -22,6 +22,8 @@ constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 28;
 
 constexpr double kPenWidthMm = 0.35;
 
+constexpr std::string_view kPaintedWords = "material, shade, paper or random";
+
 std::string_view without_mark(std::string_view text) {
   const std::string_view bom = "\xef\xbb\xbf";
   if (text.starts_with(bom)) text.remove_prefix(bom.size());
@@ -39,7 +41,9 @@ bool begins_json(std::string_view text) { return first_character(without_mark(te
 ReadDrawing read_drawing(const PlotDrawingRequest& request, const DrawingText& drawing, const FillReading& fills) {
   const std::string_view content = without_mark(drawing.text);
   const char begins = first_character(content);
-  if (begins == '{') return read_json_drawing(content, drawing.name);
+  const bool paints = request.paint.kind != FillKind::none;
+  if (begins == '{') return read_json_drawing(content, drawing.name, paints);
+  if (paints) throw RequestError("fill", "paints a ligne-drawing that has an order; " + drawing.name + " is not one");
   if (begins == '<') return read_svg_drawing(drawing.text, drawing.name, request.skip, fills, request.reading);
   if (content.starts_with("\x1f\x8b"))
     throw std::runtime_error(drawing.name + ": is compressed; gzip -dc FILE | ligne plot - reads it");
@@ -51,6 +55,11 @@ ReadDrawing read_drawing(const PlotDrawingRequest& request, const DrawingText& d
 void transform(Drawing& drawing, double scale, Point2 shift) {
   for (Layer& layer : drawing.layers) {
     for (Point2& p : layer.lines.points) p = p * scale + shift;
+  }
+  for (Fill& fill : drawing.fills) {
+    for (std::vector<Point2>& contour : fill.contours) {
+      for (Point2& p : contour) p = p * scale + shift;
+    }
   }
 }
 
@@ -157,6 +166,7 @@ ReadDrawing placed_drawing(const PlotDrawingRequest& request, const DrawingText&
       throw std::runtime_error(drawing.name + ": " + e.what());
     }
   }
+  if (read.order) paint_stored(read, request.paint, run);
   warn_of_left_out(request, drawing.name, read, run);
   place(request, read);
   if (request.pen_width_mm) {
@@ -204,7 +214,7 @@ Picture write_sheet(const Sheet& sheet, const PlotDrawingRequest& request, const
   style.curves = request.curves;
   style.starts_stay = plotter.by_pens();
   // Curves rise this far over the chords that reading and simplifying made of them; a polygon of the file rises more.
-  style.curve_rise_mm = svg::kFlatnessMm + plotter.tolerances.simplify_mm;
+  if (request.paint.kind == FillKind::none) style.curve_rise_mm = svg::kFlatnessMm + plotter.tolerances.simplify_mm;
   style.style = [&](const std::string& layer) { return style_of_layer(layer, style.pen_width_mm, style.hidden_solid); };
   return timed(run.stages, "write", [&] {
     return write_picture(sheet.drawing, style, plotter, {request.format, nullptr, pages}, run);
@@ -226,6 +236,12 @@ void add_drawing(Drawing& sheet, Drawing drawing, Point2 shift) {
     }
     const auto last = std::find_if(sheet.layers.rbegin(), sheet.layers.rend(), same_name);
     sheet.layers.insert(last == sheet.layers.rend() ? sheet.layers.end() : last.base(), std::move(layer));
+  }
+  for (Fill& fill : drawing.fills) {
+    for (std::vector<Point2>& contour : fill.contours) {
+      for (Point2& p : contour) p += shift;
+    }
+    sheet.fills.push_back(std::move(fill));
   }
 }
 
@@ -313,6 +329,13 @@ bool is_svg(const DrawingText& drawing) { return !begins_json(drawing.text); }
 
 void check(const PlotDrawingRequest& request) {
   if (request.format == OutputFormat::json) throw RequestError("format", "plot writes svg, pdf, png, hpgl or gcode");
+  if (request.paint.kind != FillKind::none) {
+    if (request.plotter.by_pens() && request.format != OutputFormat::png)
+      throw RequestError("fill", "pens draw no filled faces; see --hatch");
+    if (request.tile) throw RequestError("tile", "does not go with --fill " + std::string(kPaintedWords));
+  } else if (!request.paint.colors.empty()) {
+    throw RequestError("material", "goes with --fill material or shade");
+  }
   if (!request.tile) return;
   const PlotterRequest& plotter = request.plotter;
   if (plotter.parts.asked())
@@ -327,7 +350,8 @@ Picture plot_drawings(std::span<const DrawingText> drawings, const PlotDrawingRe
     throw RequestError("", "several drawings go on one sheet with --grid CxR, such as 2x2");
   PlotterRequest plotter = request.plotter;
   plotter.fit_drawing = !request.scale;
-  if (!plotter.by_pens() && !plotter.optimize) plotter.optimize = Optimize::join;
+  // A drawing that is painted from an order has the lines of the study, joined already.
+  if (!plotter.by_pens() && !plotter.optimize && request.paint.kind == FillKind::none) plotter.optimize = Optimize::join;
   const double pen_mm = hatch_pen_mm(request, plotter.pens);
   const ReadDrawing read = timed(run.stages, {"read", printable(drawings.front().name, kLongestPath)}, [&] {
     return request.grid ? drawings_in_grid(drawings, request, pen_mm, run)

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "files/input_file.hpp"
+#include "picture/pages/paint_stored.hpp"
 #include "picture/pages/write_picture.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
@@ -26,6 +27,7 @@ struct PlotDrawingRequest {
   std::set<std::string> skip;             ///< kinds of SVG content that may be left out
   SvgReading reading;                     ///< how strictly an SVG is read, and the size of its units
   std::optional<FillReading::How> fills;  ///< nothing: outline, or hatch where hatches are given
+  StoredPaint paint;                      ///< areas of the order of painting that a ligne-drawing keeps
   bool occlude = false;                   ///< opaque areas hide
   bool own_layer = false;                 ///< areas, white ones too, hide only what is in their layer
   FillHatches hatches;

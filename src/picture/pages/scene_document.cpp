@@ -7,6 +7,7 @@
 
 #include "picture/drawn_scene.hpp"
 #include "picture/fills.hpp"
+#include "picture/hidden_pieces.hpp"
 #include "picture/light/seen_through.hpp"
 #include "picture/parts.hpp"
 #include "scene/clean/named_objects.hpp"
@@ -29,6 +30,28 @@ std::vector<RegionAppearance> looks_of(const PreparedScene& prepared, const std:
     look.material = material.name;
   }
   return looks;
+}
+
+/// The materials that pieces of an order name, and the number of that of each piece.
+void add_piece_looks(const PreparedScene& prepared, const PaintOrder& order, DrawingDocument& document) {
+  const Scene& scene = prepared.scene;
+  const std::vector<double> lights = lights_of_pieces(scene, prepared.view(), order, prepared.lights);
+  for (const Material& m : scene.materials) {
+    document.materials.push_back({m.name, {m.color.x, m.color.y, m.color.z}, m.opacity});
+  }
+  const auto none = static_cast<std::uint32_t>(document.materials.size());
+  const std::vector<std::uint8_t> hidden =
+      find_hidden_pieces(order, prepared.around.placement.page.sheet(),
+                         [&](std::uint32_t face) { return material_of(scene, face).opacity >= 1; });
+  bool needs_none = false;
+  for (std::size_t i = 0; i < order.pieces.size(); ++i) {
+    const std::uint32_t m = scene.face_material.empty() ? 0 : scene.face_material[order.pieces[i].face];
+    needs_none = needs_none || m >= none;
+    document.piece_looks.push_back({std::clamp(lights[i], 0.0, 1.0), std::min(m, none), hidden[i] != 0});
+  }
+  if (!needs_none) return;
+  const Material standard;
+  document.materials.push_back({{}, {standard.color.x, standard.color.y, standard.color.z}, standard.opacity});
 }
 
 /// Members that each kind of surface has, as docs/drawing-format.md says.
@@ -67,6 +90,7 @@ std::string scene_json(const DrawnScene& drawn, const PlotOptions& plot) {
     document.seen_through = seen_through(prepared.scene, *result.regions, result.strokes->lattice);
   }
   document.order = result.order ? &*result.order : nullptr;
+  if (result.order) add_piece_looks(prepared, *result.order, document);
   document.spans = result.spans ? &*result.spans : nullptr;
   document.debug = result.debug.empty() ? nullptr : &result.debug;
   document.source = [&](std::uint32_t source) { return found.source(prepared.scene, source); };

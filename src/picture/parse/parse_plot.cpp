@@ -4,7 +4,9 @@
 #include <stdexcept>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "files/message_text.hpp"
 #include "picture/parse/parse.hpp"
 #include "plotting/devices/pens.hpp"
 #include "plotting/page.hpp"
@@ -30,8 +32,22 @@ std::string layer_or_color(const std::string& name) {
 
 }  // namespace
 
-FillReading::How parse_fill_reading(const std::string& text) {
-  return static_cast<FillReading::How>(parse_choice(text, kFillReadingNames));
+void parse_plot_fill(const std::string& text, std::optional<FillReading::How>& reading, StoredPaint& paint) {
+  std::vector<std::string_view> words(std::begin(kFillReadingNames), std::end(kFillReadingNames));
+  const std::size_t readings = words.size();
+  words.insert(words.end(), std::begin(kFillNames) + 1, std::end(kFillNames));  // none is what happens without it
+  const std::size_t choice = parse_choice(text, words);
+  if (choice < readings) {
+    reading = static_cast<FillReading::How>(choice);
+  } else {
+    paint.kind = static_cast<FillKind>(choice - readings + 1);
+  }
+}
+
+void parse_material(const std::string& text, StoredPaint& paint) {
+  const std::size_t equals = text.rfind('=');
+  if (equals == std::string::npos || equals == 0) throw std::invalid_argument(shown(text, '"') + " is not NAME=COLOUR");
+  paint.colors[text.substr(0, equals)] = parse_color(text.substr(equals + 1));
 }
 
 std::set<std::string> parse_skip(const std::string& text) {

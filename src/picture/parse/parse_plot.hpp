@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -12,8 +13,11 @@
 
 namespace ligne {
 
-/// "refuse", "outline" or "hatch".
-FillReading::How parse_fill_reading(const std::string& text);
+/// --fill of plot: how the areas of an SVG are drawn, or how the order of a stored drawing is painted.
+void parse_plot_fill(const std::string& text, std::optional<FillReading::How>& reading, StoredPaint& paint);
+
+/// NAME=COLOUR, a material and its colour.
+void parse_material(const std::string& text, StoredPaint& paint);
 
 /// "all" layers, or only their own "layer" (true): what areas hide.
 bool parse_own_layer(const std::string& text);

@@ -1,0 +1,79 @@
+#pragma once
+/// A cursor over the text of a JSON value: for long lists of numbers, which a tree of values would hold in many times their
+/// size and read in many times their time.
+
+#include <cstddef>
+#include <stdexcept>
+#include <string_view>
+
+namespace ligne {
+
+/// Thrown where the text is not as it is asked for; `at` counts bytes of it.
+struct JsonSyntaxError : std::runtime_error {
+  explicit JsonSyntaxError(std::size_t place) : std::runtime_error("is not JSON that can be read"), at(place) {}
+  std::size_t at;
+};
+
+class JsonCursor {
+ public:
+  explicit JsonCursor(std::string_view text) : text_(text) {}
+
+  /// The place of the next token, in bytes.
+  std::size_t place() {
+    skip_blanks();
+    return at_;
+  }
+  /// Passes over the character if it comes next.
+  bool take(char c) {
+    skip_blanks();
+    if (at_ >= text_.size() || text_[at_] != c) return false;
+    ++at_;
+    return true;
+  }
+  void expect(char c) {
+    if (!take(c)) throw JsonSyntaxError(at_);
+  }
+  bool at_end() {
+    skip_blanks();
+    return at_ == text_.size();
+  }
+
+  /// The characters between the quotes of a string, with its escapes as they stand.
+  std::string_view string();
+  double number();
+  /// Passes over a value of any kind, whatever is inside, and gives its text. Brackets need not match their kinds.
+  std::string_view value();
+
+  /// Calls member(name) at the value of each member of an object, which it must pass over.
+  template <class Member>
+  void for_each_member(Member member) {
+    expect('{');
+    if (take('}')) return;
+    do {
+      const std::string_view name = string();
+      expect(':');
+      member(name);
+    } while (take(','));
+    expect('}');
+  }
+  /// Calls item() at each item of an array, which it must pass over.
+  template <class Item>
+  void for_each_item(Item item) {
+    expect('[');
+    if (take(']')) return;
+    do item();
+    while (take(','));
+    expect(']');
+  }
+
+ private:
+  void skip_blanks() {
+    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\n' || text_[at_] == '\r' || text_[at_] == '\t'))
+      ++at_;
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace ligne
