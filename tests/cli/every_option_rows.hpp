@@ -48,6 +48,8 @@ inline constexpr OptionRow kDrawRows[] = {
     {"--up-axis", "x"},
     {"--frames", "2"},
     {"--turn", "50", "--frames 2"},
+    {"--to", "30,90,90", "--eye 90,90,90 --frames 2"},
+    {"--path", "way.csv", "--eye 90,90,90 --frames 2"},
     {"--study", "polygons", "--method atherton-weiler --stats"},
     {"--show", "clips", "--method atherton-weiler"},
     {"--propagate", "count", "--method appel --stats"},

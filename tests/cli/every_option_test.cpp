@@ -73,6 +73,7 @@ class EveryOption : public ProgramTest {
     write("drawing.svg", kFilledDrawing);
     write("pens.toml", kTwoPens);
     write("points.csv", "1,1\n2,3\n");
+    write("way.csv", "60,90,90\n0,90,60\n");
     std::string grid = "ncols 7\nnrows 6\nxllcorner 0\nyllcorner 0\ncellsize 2\n", scattered;
     for (int i = 0; i < 6; ++i) {
       for (int k = 0; k < 7; ++k) {

@@ -71,6 +71,13 @@ TEST_F(ProgramTest, InfoTextNamesEveryMethod) {
     expect_parts(info.out, {"\n  " + name + " "});
     expect_parts(list, {name, method["paper"].get<std::string>()});
     defaults += method["default"].get<bool>();
+    ASSERT_EQ(method["parts"].size(), 7u) << name;
+    std::string symbols;
+    for (const json& part : method["parts"]) {
+      symbols += part["symbol"].get<std::string>() + ' ';
+      EXPECT_FALSE(part["text"].get<std::string>().empty()) << name;
+    }
+    EXPECT_EQ(symbols, "MD Td Psi sigma Ti RI MV ");
   }
   EXPECT_EQ(defaults, 1);
   expect_parts(info.out, {"open: 4 border edges"});
@@ -151,7 +158,8 @@ TEST_F(ProgramTest, ComparePageNeedsNothingElse) {
   for (const char* from_outside : {"http:", "https:", "src=", "@import", "<script", "<link"}) {
     EXPECT_EQ(page.find(from_outside), std::string::npos) << from_outside;
   }
-  expect_parts(page, {"exact methods draw the same lines", "<svg"});
+  expect_parts(page, {"exact methods draw the same lines", "<svg", "The seven parts",
+                      "<th>sigma<small>strategy</small></th>", "<code>ProjectedScene</code>"});
   EXPECT_NE(contents(file("table.txt")).find("appel"), std::string::npos);
 }
 
@@ -162,6 +170,7 @@ TEST_F(ProgramTest, CompareRefusesWhatMakesNoSense) {
   refused("--methods magic", "--methods: \"magic\" is not one of auto");
   refused("--methods appel,appel", "--methods: \"appel\" is there twice");
   refused("--methods auto", "--methods: auto is one of the others");
+  refused("--hidden dashed:1", "--hidden: a number of faces is counted by one method");
   refused("--methods appel --resolution 64", "--resolution: none of the methods has such an option");
   refused("--json --csv", "--");
   EXPECT_EQ(new_files(), Words{});

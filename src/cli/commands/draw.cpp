@@ -1,5 +1,7 @@
 #include "cli/commands/draw.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "cli/commands/mixed_scene_options.hpp"
@@ -25,6 +27,7 @@
 #include "picture/parts.hpp"
 #include "picture/products.hpp"
 #include "picture/raster/zbuffer_picture.hpp"
+#include "scene/surfaces/grids/point_table.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
@@ -53,13 +56,42 @@ void add_frame_options(CLI::App& app, DrawOptions& options) {
                                 [](const std::string& text) { return parse_count(text, 2, kMostFrames); },
                                 "successive views of the turning model: files -o name%03d.svg, or the pages of one PDF")
                             .standard("one view");
+  const Option turn =
+      group
+          .add(
+              "--turn", "DEG", options.frames.turn_degrees,
+              [](const std::string& text) { return parse_within(text, -kMostDegrees, kMostDegrees, "degrees"); },
+              "angle by which they turn the model in all, counter-clockwise as seen from above")
+          .standard("360")
+          .needs(frames);
+  const Option to = group.add("--to", "X,Y,Z", options.last_eye, parse_point,
+                              "with --eye and --frames: the eye moves there on a straight line");
+  to.needs(frames).excludes({turn});
   group
-      .add(
-          "--turn", "DEG", options.frames.turn_degrees,
-          [](const std::string& text) { return parse_within(text, -kMostDegrees, kMostDegrees, "degrees"); },
-          "angle by which they turn the model in all, counter-clockwise as seen from above")
-      .standard("360")
-      .needs(frames);
+      .add("--path", "FILE", options.path, parse_file_name,
+           "with --eye and --frames: the eye moves on through the places X Y Z of a table, looking ahead or at --target")
+      .needs(frames)
+      .excludes({to, turn});
+}
+
+/// The way of the eye, where it moves.
+void add_way(const DrawOptions& options, FrameRequest& frames, RunReport& run) {
+  const std::optional<Point3>& eye = options.picture.view.eye;
+  if (options.last_eye) {
+    if (!eye) throw UsageError("--to", "goes with --eye, where the eye begins");
+    frames.eyes = {*eye, *options.last_eye};
+  }
+  if (options.path.empty()) return;
+  if (!eye) throw UsageError("--path", "goes with --eye, where the eye begins");
+  frames.eyes = {*eye};
+  frames.looks_ahead = !options.picture.view.target;
+  Warnings warnings;
+  for (const std::vector<Point3>& line : read_lines(options.path, run.files, warnings))
+    frames.eyes.insert(frames.eyes.end(), line.begin(), line.end());
+  for (std::string& line : warnings.lines()) run.warnings.push_back({options.path, std::move(line)});
+  const bool has_places = frames.eyes.size() > 1 &&
+                          std::ranges::none_of(frames.eyes, [](const Point3& p) { return std::isnan(p.x + p.y + p.z); });
+  if (!has_places) throw InputError(printable(options.path, kLongestPath), "has no rows of places X Y Z");
 }
 
 void add_zbuffer_options(CLI::App& app, DrawOptions& options) {
@@ -201,6 +233,8 @@ void draw(const DrawOptions& options, PictureRequest request) {
   std::size_t frame = 0;
   FrameRequest frames = options.frames;
   frames.as_pages = as_pages;
+  add_way(options, frames, run);
+  files.were_read(run.files);
   draw_frames(models.scene, request, frames, run, std::move(models.topology),
               [&](Picture picture) { files.write(outputs[frame++], std::move(picture.bytes)); });
   warn_of_use(options, request);

@@ -22,6 +22,8 @@ struct DrawOptions {
   PictureRequest picture;
   MethodChoice method;
   FrameRequest frames;
+  std::optional<Point3> last_eye;         ///< the eye moves from that of the view to this one
+  std::string path;                       ///< file of the places of the eye; empty: none
   std::string zbuffer_add, zbuffer_save;  ///< files of depth buffers; empty: none
   OutputOptions output;
   PlotterOptions plotter;

@@ -1,9 +1,13 @@
 #include "picture/pages/frames.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "picture/draw_scene.hpp"
 #include "picture/products.hpp"
@@ -51,11 +55,50 @@ bool took_list_over(const Statistics& study) {
   return std::ranges::any_of(study.counts, [](const auto& c) { return c.first == kOfListBefore && c.second > 0; });
 }
 
+/// A place on a way, and the direction in which it goes on there.
+struct WayPlace {
+  Point3 at, direction;
+};
+
+/// The place at that share of the length of a way of two points or more, from 0 to 1.
+WayPlace place_on_way(const std::vector<Point3>& way, double share) {
+  double whole = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) whole += glm::distance(way[i - 1], way[i]);
+  double left = share * whole;
+  WayPlace place{way.front(), {0, 0, 0}};
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const double length = glm::distance(way[i - 1], way[i]);
+    if (!(length > 0)) continue;
+    const double part = std::min(left / length, 1.0);
+    place = {way[i - 1] + part * (way[i] - way[i - 1]), (way[i] - way[i - 1]) / length};
+    left -= length;
+    if (left <= 0) break;
+  }
+  return place;
+}
+
+void set_view(ViewRequest& view, const FrameRequest& frames, unsigned i) {
+  if (frames.eyes.empty()) {
+    view.turn_degrees = frames.turn_degrees * i / frames.count;
+    return;
+  }
+  const WayPlace place = place_on_way(frames.eyes, frames.count > 1 ? double(i) / (frames.count - 1) : 0);
+  view.eye = place.at;
+  if (frames.looks_ahead) view.target = place.at + place.direction;
+}
+
+/// The field of view on the plane that is looked at, at 1 mm per model unit as of projected_extent().
+Rect field_of_view(const Camera& camera) {
+  const double half_height = std::tan(glm::radians(camera.fov_degrees / 2)) * camera.target_distance;
+  const Point2 half{half_height * camera.aspect, half_height};
+  return {-half, half};
+}
+
 /// The extent that the page must hold so that every frame has its place.
 Rect extent_of_all(const Scene& scene, PictureRequest request, const FrameRequest& frames) {
   Rect all;
   for (unsigned i = 0; i < frames.count; ++i) {
-    request.view.turn_degrees = frames.turn_degrees * i / frames.count;
+    set_view(request.view, frames, i);
     const Rect extent = projected_extent(scene, camera_of(request.view, scene));
     if (extent.empty()) continue;
     all.extend(extent.min);
@@ -70,7 +113,9 @@ void draw_frames(const Scene& scene, PictureRequest request, const FrameRequest&
                  std::optional<Topology> topology, const std::function<void(Picture)>& take) {
   check(request);
   const std::string asks = std::to_string(scene.faces.size()) + " faces";
-  request.page.extent = timed(run.stages, {"frames", asks}, [&] { return extent_of_all(scene, request, frames); });
+  const bool moves = !frames.eyes.empty();
+  if (!moves)
+    request.page.extent = timed(run.stages, {"frames", asks}, [&] { return extent_of_all(scene, request, frames); });
   if (!topology) topology = timed(run.stages, {"topology", asks}, [&] { return build_topology(scene); });
   const Method& method = method_of(request);
   if (method.traits().compiles && !request.compiled) {
@@ -82,7 +127,8 @@ void draw_frames(const Scene& scene, PictureRequest request, const FrameRequest&
   const std::function<void(double)> progress = request.progress;
   unsigned lists_taken_over = 0;
   for (unsigned i = 0; i < frames.count; ++i) {
-    request.view.turn_degrees = frames.turn_degrees * i / frames.count;
+    set_view(request.view, frames, i);
+    if (moves) request.page.extent = field_of_view(camera_of(request.view, scene));
     if (progress) request.progress = [&, i](double done) { progress((i + done) / frames.count); };
     RunReport frame;
     const DrawnScene drawn = draw_lines(scene, request, frame, {}, topology);
