@@ -4,11 +4,14 @@ namespace ligne::studies {
 namespace {
 
 constexpr Experiment kExperiments[] = {
+    {"propagation", "Boulle 1.1", "the faces before an edge, tested and carried", study_propagation},
     {"edge-tests", "Boulle 2.2.3.1", "remembering the edge that meets a window", study_edge_tests},
     {"understanding", "Boulle 2.2.3.2", "windows by what the module of understanding knows", study_understanding},
     {"windows", "Boulle 2.2.3.3", "windows by the choice of the first one", study_windows},
+    {"window-costs", "Boulle 2.2.3.2, 2.2.3.4", "tests of a window against their bounds", study_window_costs},
     {"modules", "Boulle 2.2.3.4", "shares of analysis and understanding; precision", study_modules},
     {"merge-orders", "Boulle 2.3.3.1", "three segments in six orders by merge", study_merge_orders},
+    {"stack-cost", "Boulle 2.3.3.2", "the stack's evaluation, term by term", study_stack_cost},
     {"span-sort", "Boulle 2.3.3.2", "what the sort of segments is worth", study_span_sort},
     {"whole-numbers", "Boulle 2.3.3.3", "box, whole numbers, stack, and Warnock against box", study_whole_numbers},
     {"squares", "Boulle 2.3.3.4", "n squares at five angles: stack against box by kind of operation", study_squares},
@@ -22,6 +25,7 @@ constexpr Experiment kExperiments[] = {
     {"clip-sum", "Boulle 2.4.2.4", "clips against the sum in n and r", study_clip_sum},
     {"shadow-cost", "Boulle 2.4.2.6", "the cost of cast shadows", study_shadow_cost},
     {"list-cases", "Boulle 2.5.2.7", "extreme cases of the list: apart, cut, rings", study_list_cases},
+    {"decomposition", "Boulle 2.5.2.7", "zones and slabs, nested: the tree written out", study_decomposition},
     {"four-methods", "Boulle 2.6", "four methods by nine properties", study_four_methods},
     {"segment-tests", "Boulle 3.2.1.1", "segment against segment, four ways", study_segment_tests},
     {"many-segments", "Boulle 3.2.1.2", "crossings of many segments: sweep against all pairs", study_many_segments},
@@ -31,6 +35,8 @@ constexpr Experiment kExperiments[] = {
     {"sorts", "Boulle 3.3", "four sorts on random, sorted and nearly sorted lists", study_sorts},
     {"depth-increments", "Lecture 5.1", "depth by increments against the plane's equation", study_depth_increments},
     {"tree-complexity", "Huet 3.1", "complexity of display trees", study_tree_complexity},
+    {"successive-views", "Boulle, conclusion", "views one after the other: what the one before spares",
+     study_successive_views},
 };
 
 }  // namespace

@@ -47,13 +47,17 @@ std::span<const Experiment> experiments();
 /// The experiment of that name, or nullptr.
 const Experiment* find_experiment(std::string_view name);
 
+// Edges, [Boulle1980] 1.1.
+Result study_propagation(const StudyRequest& request);
 // Warnock, [Boulle1980] 2.2.
 Result study_edge_tests(const StudyRequest& request);
 Result study_understanding(const StudyRequest& request);
 Result study_windows(const StudyRequest& request);
+Result study_window_costs(const StudyRequest& request);
 Result study_modules(const StudyRequest& request);
 // Scan lines, [Boulle1980] 2.3.
 Result study_merge_orders(const StudyRequest& request);
+Result study_stack_cost(const StudyRequest& request);
 Result study_span_sort(const StudyRequest& request);
 Result study_whole_numbers(const StudyRequest& request);
 Result study_squares(const StudyRequest& request);
@@ -69,6 +73,7 @@ Result study_clip_sum(const StudyRequest& request);
 Result study_shadow_cost(const StudyRequest& request);
 // Newell, Newell and Sancha, [Boulle1980] 2.5, and the four methods together, 2.6.
 Result study_list_cases(const StudyRequest& request);
+Result study_decomposition(const StudyRequest& request);
 Result study_four_methods(const StudyRequest& request);
 // Elementary operations, [Boulle1980] 3.
 Result study_segment_tests(const StudyRequest& request);
@@ -80,5 +85,7 @@ Result study_sorts(const StudyRequest& request);
 // The other sources.
 Result study_depth_increments(const StudyRequest& request);
 Result study_tree_complexity(const StudyRequest& request);
+// Successive views, [Boulle1980] conclusion.
+Result study_successive_views(const StudyRequest& request);
 
 }  // namespace ligne::studies

@@ -169,6 +169,16 @@ Scene city(int n) {
   return scene;
 }
 
+Scene zones_of_slabs() {
+  Scene scene;
+  add_plate(scene, {0, 10}, {0, 10}, {9, 8});
+  add_plate(scene, {0, 10}, {0, 4}, {3, 2});
+  add_plate(scene, {0, 10}, {6, 10}, {3, 1});
+  add_plate(scene, {20, 30}, {0, 10}, {9, 1.5});
+  add_plate(scene, {20, 30}, {2, 8}, {0, 0.5});
+  return scene;
+}
+
 Scene columns(int n, double degrees) {
   Scene scene;
   const Basis basis = rotation(0, 0, degrees * pi / 180);

@@ -44,6 +44,9 @@ Scene apart_in_depth(int n);
 /// Figure 2.84: a leaning plate, and n faces of c = 4 teeth corners that stand in it with their teeth.
 Scene combs_through_plate(int n, int teeth);
 
+/// Figure 2.88: zones of slabs of zones, each of one face in the end.
+Scene zones_of_slabs();
+
 /// [Huet1994] 3.1: the faces of a stair of n steps.
 Scene stair(int n);
 

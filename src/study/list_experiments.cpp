@@ -99,7 +99,81 @@ Table rings(const StudyRequest& request, Chart& chart) {
   return table;
 }
 
+/// "zones side by side" and the like, for the node of a set.
+std::string division_words(const newell::PriorityList::SetNode& node) {
+  using Division = newell::PriorityList::Division;
+  switch (node.division) {
+    case Division::x:
+      return "zones, from the left";
+    case Division::y:
+      return "zones, from the top";
+    case Division::depth:
+      return "slabs, from the nearest";
+    case Division::list:
+      return "a list, sorted";
+    case Division::one:
+      break;
+  }
+  return "one face";
+}
+
+/// The tree of figure 2.88, a row for each set: "2.1" is the first part of the second part of the whole.
+Table decomposition_of(const NamedScene& named, bool& without_list) {
+  Table table{"Decomposition of " + named.name,
+              {{"set", ColumnKind::label},
+               {"divided into", ColumnKind::words},
+               {"thesis", ColumnKind::source},
+               {"faces", ColumnKind::count},
+               {"first face", ColumnKind::count}}};
+  const ProjectedScene projected = on_sheet(named.scene, named.view);
+  newell::PaintElements elements(projected);
+  newell::PriorityList list(elements, true);
+  list.sort();
+  const auto& tree = list.tree();
+  std::vector<std::string> names(tree.size());
+  std::vector<unsigned> children(tree.size(), 0);
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    const newell::PriorityList::SetNode& node = tree[i];
+    if (i > 0) {
+      const std::string& parent = names[node.parent];
+      names[i] = (parent == "whole" ? "" : parent + ".") + std::to_string(++children[node.parent]);
+    } else {
+      names[i] = "whole";
+    }
+    without_list = without_list && node.division != newell::PriorityList::Division::list;
+    table.rows.push_back({names[i], division_words(node), "boxes of one face: the study is done",
+                          std::uint64_t{node.elements.size()},
+                          std::uint64_t{elements[*std::ranges::min_element(node.elements)].face}});
+  }
+  std::ranges::sort(table.rows, [](const auto& a, const auto& b) {
+    const auto path = [](const std::vector<Cell>& row) {
+      std::vector<int> numbers;
+      for (const char c : std::get<std::string>(row[0])) {
+        if (c == '.' || numbers.empty()) numbers.push_back(0);
+        if (c >= '0' && c <= '9') numbers.back() = 10 * numbers.back() + (c - '0');
+      }
+      return numbers;
+    };
+    return path(a) < path(b);
+  });
+  return table;
+}
+
 }  // namespace
+
+Result study_decomposition(const StudyRequest& request) {
+  NamedScene figure{"figure 2.88", zones_of_slabs(), "front"};
+  finish(figure.scene);
+  bool without_list = true, others = true;
+  Result result;
+  result.tables.push_back(decomposition_of(figure, without_list));
+  for (const NamedScene& named : request.models) result.tables.push_back(decomposition_of(named, others));
+  result.finding = without_list ? Finding::holds : Finding::no_longer;
+  result.sentence =
+      "Zones and slabs are decomposed in turn until each has one face; a walk through the tree is the model of visibility, and no "
+      "pair of faces is compared.";
+  return result;
+}
 
 Result study_list_cases(const StudyRequest& request) {
   Result result;

@@ -74,14 +74,58 @@ Result study_merge_orders(const StudyRequest&) {
   for (auto& row : table.rows) row[3] = double(std::get<std::uint64_t>(row[2])) / double(least);
   Result result;
   result.tables.push_back(std::move(table));
-  result.finding = double(most) >= 1.3 * double(least) ? Finding::holds : Finding::in_part;
   const double named = double(count_in(result.tables[0], 2, "merge from the head, operations")) /
                        double(count_in(result.tables[0], 0, "merge from the head, operations"));
-  char words[160];
-  std::snprintf(words, sizeof words,
-                "The order 2-1-3 takes %.2f times the operations of 1-2-3, and the worst order %.2f times the best: ", named,
-                double(most) / double(least));
+  // The source has a ratio of two orders, which the arrangement was chosen by, and a spread of all six.
+  constexpr double kNamed = 1.35, kSpread = 1.3, kNear = 0.1;
+  const double spread = double(most) / double(least);
+  const bool named_holds = std::abs(named - kNamed) < kNear, spread_holds = std::abs(spread - kSpread) < kNear;
+  result.finding = named_holds && spread_holds   ? Finding::holds
+                   : named_holds || spread_holds ? Finding::in_part
+                                                 : Finding::no_longer;
+  char words[200];
+  std::snprintf(
+      words, sizeof words,
+      "The order 2-1-3 takes %.2f times the operations of 1-2-3, where the thesis has 1.35 times the time; but the worst "
+      "order takes %.2f times the best, where it has 1.3: ",
+      named, spread);
   result.sentence = std::string(words) + "what comes early and is hidden later costs insertions that are undone.";
+  return result;
+}
+
+Result study_stack_cost(const StudyRequest& request) {
+  Table table{"Actions of the stack on n squares, and the terms of its evaluation, n being the number of segments",
+              {{"angle", ColumnKind::label},
+               {"squares", ColumnKind::label},
+               {"thesis", ColumnKind::source},
+               {"segments", ColumnKind::count},
+               {"searches", ColumnKind::count},
+               {"2 n - 1", ColumnKind::count},
+               {"shown", ColumnKind::count},
+               {"2 n - 1 - equal ends", ColumnKind::count},
+               {"depth tests", ColumnKind::count},
+               {"pushes", ColumnKind::count},
+               {"pops", ColumnKind::count},
+               {"n - 1, the most of each", ColumnKind::count}}};
+  bool exact = true, bounded = true;
+  for (const double angle : {0.0, 15.0, 30.0, 45.0, 60.0}) {
+    for (const int n : {5, request.pick(10, 100)}) {
+      const auto list = squares<double>(n, angle, 512.0 / 400 * 1024);
+      const StackActions a = ThesisSpans(list).stack().actions;
+      const std::uint64_t segments = list.size(), searches = 2 * segments - 1;
+      exact = exact && a.searches == searches && a.shown == searches - a.equal_ends;
+      bounded = bounded && a.depths < segments && a.pushes < segments && a.pops <= a.pushes;
+      table.rows.push_back({std::to_string(int(angle)), std::to_string(n),
+                            "(2n-1) C1 + nbaff C2 + (n-1) C3 + sum of a (C4+C5)", segments, a.searches, searches, a.shown,
+                            searches - a.equal_ends, a.depths, a.pushes, a.pops, segments - 1});
+    }
+  }
+  Result result;
+  result.tables.push_back(std::move(table));
+  result.finding = exact && bounded ? Finding::holds : Finding::no_longer;
+  result.sentence =
+      "Searches and shown parts are what the formula says; depth tests stay below its n - 1, since segments that begin together "
+      "need none, and so do pushes and pops.";
   return result;
 }
 

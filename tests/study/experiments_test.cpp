@@ -150,6 +150,93 @@ TEST(Study, OrdersOfMerge) {
   const Counts operations = counts(table, "merge from the head, operations");
   ASSERT_EQ(operations.size(), 6u);
   EXPECT_NEAR(double(operations[2]) / double(operations[0]), 1.35, 0.05);
+  // All orders: 1.64 where the source has 1.3.
+  EXPECT_EQ(std::ranges::max(operations), 157u);
+  EXPECT_EQ(std::ranges::min(operations), 96u);
+  EXPECT_EQ(run("merge-orders").finding, Finding::in_part);
+}
+
+// 1.1: what is carried is tested and carried in all, and gives the same strokes.
+TEST(Study, Propagation) {
+  const Table table = run("propagation").tables[0];
+  ASSERT_EQ(table.rows.size() % 4, 0u);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    EXPECT_EQ(count_in(table, i, "tested") + count_in(table, i, "gone on"), count_in(table, i, "edges"));
+    const std::size_t test = i - i % 4;
+    EXPECT_LE(count_in(table, i, "edge against face"), count_in(table, test, "edge against face"));
+    EXPECT_EQ(count_in(table, i, "strokes"), count_in(table, test, "strokes"));
+  }
+  EXPECT_EQ(count_in(table, 0, "edge against face"), 99u) << "a ring of 9 bars, each edge over or beside some of the others";
+}
+
+// Conclusion: trees are built once, and what is deduced of faces and edges is right, or the finding says that it is not.
+TEST(Study, SuccessiveViews) {
+  const Result result = run("successive-views");
+  EXPECT_NE(result.finding, Finding::no_longer);
+  const Table& table = result.tables[0];
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const std::string what = std::get<std::string>(table.rows[i][2]);
+    const std::uint64_t alone = count_in(table, i, "each by itself"), following = count_in(table, i, "from the one before");
+    if (what.find("tree") != std::string::npos) {
+      EXPECT_EQ(alone, 4 * following) << what;
+    }
+    if (what.find("asked") != std::string::npos) {
+      EXPECT_LT(following, alone) << what;
+    }
+  }
+}
+
+// 2.2.3.2 and 2.2.3.4: counts keep to their bounds; without penetration a surrounder has one depth for four, and where
+// nothing is deceived by the corner that is looked at there are as many windows.
+TEST(Study, WindowCosts) {
+  const Result result = run("window-costs");
+  EXPECT_EQ(result.finding, Finding::holds);
+  const Table &sides = result.tables[0], &depths = result.tables[1];
+  for (std::size_t i = 0; i < sides.rows.size(); ++i) {
+    EXPECT_LE(count_in(sides, i, "at least"), count_in(sides, i, "tests"));
+    EXPECT_LE(count_in(sides, i, "tests"), count_in(sides, i, "at most"));
+  }
+  for (std::size_t i = 0; i < depths.rows.size(); i += 2) {
+    EXPECT_LE(count_in(depths, i, "their depths"), 4 * count_in(depths, i, "surrounders"));
+    EXPECT_LE(count_in(depths, i + 1, "their depths"), count_in(depths, i + 1, "surrounders"));
+    EXPECT_EQ(count_in(depths, i, "at most"), 8 * count_in(depths, i, "intersectors"));
+    EXPECT_EQ(count_in(depths, i + 1, "at most"), 2 * count_in(depths, i + 1, "intersectors"));
+  }
+  // A square turned by 40 degrees before a triangle: planes that are parallel, so that one corner tells as much as four.
+  EXPECT_EQ(count_in(depths, 0, "windows"), count_in(depths, 1, "windows"));
+  EXPECT_EQ(count_in(depths, 0, "their depths"), 4 * count_in(depths, 1, "their depths"));
+}
+
+// 2.3.3.2: squares at 0 degrees are two segments each that begin and end together: a search for each end but the first, no
+// depth test, one push and one pop a square.
+TEST(Study, StackCost) {
+  const Result result = run("stack-cost");
+  EXPECT_EQ(result.finding, Finding::holds);
+  const Table& table = result.tables[0];
+  for (const std::size_t row : {0u, 1u}) {
+    const std::uint64_t squares = row == 0 ? 5 : 10;
+    EXPECT_EQ(count_in(table, row, "segments"), 2 * squares);
+    EXPECT_EQ(count_in(table, row, "searches"), 4 * squares - 1);
+    EXPECT_EQ(count_in(table, row, "shown"), 2 * squares - 1);
+    EXPECT_EQ(count_in(table, row, "depth tests"), 0u);
+    EXPECT_EQ(count_in(table, row, "pushes"), squares);
+    EXPECT_EQ(count_in(table, row, "pops"), squares);
+  }
+}
+
+// Figure 2.88: a slab before another, zones of slabs of zones in it; five faces, each a set of its own, and no list.
+TEST(Study, Decomposition) {
+  const Table table = run("decomposition").tables[0];
+  std::vector<std::string> sets;
+  std::uint64_t leaves = 0;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    sets.push_back(std::get<std::string>(table.rows[i][0]));
+    leaves += std::get<std::string>(table.rows[i][1]) == "one face";
+    EXPECT_NE(std::get<std::string>(table.rows[i][1]), "a list, sorted");
+  }
+  EXPECT_EQ(sets, (std::vector<std::string>{"whole", "1", "2", "2.1", "2.1.1", "2.1.1.1", "2.1.1.2", "2.1.2", "2.2"}));
+  EXPECT_EQ(leaves, 5u);
+  EXPECT_EQ(run("decomposition").finding, Finding::holds);
 }
 
 // Figure 2.56.

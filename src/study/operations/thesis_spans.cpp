@@ -65,6 +65,7 @@ std::uint32_t ThesisSpans::next_of(std::vector<std::uint32_t>& pile, const std::
   while (test(!pile.empty()) && next == kBackground) {
     const std::uint32_t top = pile.back();
     pile.pop_back();
+    ++run_.actions.pops;
     run_.operations.accesses += 2;
     if (test(!ended[top])) next = top;
   }
@@ -92,9 +93,15 @@ SpanRun ThesisSpans::stack() {
   std::vector<std::uint32_t> pile;
   std::uint32_t current = kBackground;
   Real right = real(0);
-  for (const End& e : ends) {
+  StackActions& actions = run_.actions;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const End& e = ends[i];
     run_.operations.accesses += 1;
     const Real x = e.left ? s[e.segment].x0 : s[e.segment].x1;
+    if (i > 0) {
+      ++actions.searches;
+      (x_of(e) == x_of(ends[i - 1]) ? actions.equal_ends : actions.shown) += 1;
+    }
     if (test(current != kBackground)) show(right.value(), x.value(), current);
     right = x;
     if (test(current == kBackground) && e.left) {
@@ -117,7 +124,10 @@ SpanRun ThesisSpans::stack() {
       continue;
     }
     // Case 1: it begins with the current one, and the sort has put what is nearer first. Case 2: the depths decide.
-    const bool nearer = !(fresh.x0 == old.x0) && fresh.z0 < old.z(fresh.x0);
+    const bool begins_alike = fresh.x0 == old.x0;
+    if (!begins_alike) ++actions.depths;
+    const bool nearer = !begins_alike && fresh.z0 < old.z(fresh.x0);
+    ++actions.pushes;
     run_.operations.accesses += 1;
     run_.operations.assignments += 1;
     pile.push_back(nearer ? current : e.segment);

@@ -23,10 +23,20 @@ struct PlaneSegment {
   Real z(const Real& x) const { return z0 + slope * (x - x0); }
 };
 
+/// The actions of the stack by which [Boulle1980] 2.3.3.2 evaluates it: C1 to C5 are their costs.
+struct StackActions {
+  std::uint64_t searches = 0;          ///< C1: of the next end of a segment
+  std::uint64_t shown = 0;             ///< C2: segments or background, up to an end that is not where the one before was
+  std::uint64_t depths = 0;            ///< C3: depth tests at left ends
+  std::uint64_t pushes = 0, pops = 0;  ///< C4 and C5
+  std::uint64_t equal_ends = 0;        ///< ends where the one before was
+};
+
 struct SpanRun {
   std::vector<watkins::VisibleSpan> spans;
   Operations operations;
   std::uint64_t boxes = 0;  ///< parts of the line studied (box)
+  StackActions actions;     ///< of the stack
 };
 
 class ThesisSpans {

@@ -81,28 +81,41 @@ PriorityList::Key PriorityList::key(double reach, std::uint32_t element) {
 
 std::vector<std::uint32_t> PriorityList::sort() {
   state_.assign(elements_.size(), State::waiting);
-  std::vector<Set> waiting(1);
-  waiting[0].resize(elements_.size());
-  std::iota(waiting[0].begin(), waiting[0].end(), 0u);
+  std::vector<OpenSet> waiting(1);
+  waiting[0].set.resize(elements_.size());
+  std::iota(waiting[0].set.begin(), waiting[0].set.end(), 0u);
+  waiting[0].node = add_node(waiting[0].set, 0);
   while (!waiting.empty()) {
     check_stop();
-    const Set set = std::move(waiting.back());
+    const OpenSet open = std::move(waiting.back());
     waiting.pop_back();
-    if (set.size() == 1) {
-      output(set[0]);
-    } else if (!set.empty() && !decompose(set, waiting)) {
-      sort_list(set);
+    if (open.set.size() == 1) {
+      set_division(open, Division::one);
+      output(open.set[0]);
+    } else if (!open.set.empty() && !decompose(open, waiting)) {
+      sort_list(open.set);
     }
   }
   return std::move(order_);
 }
 
+/// The node of a set, where sets are kept.
+std::uint32_t PriorityList::add_node(const Set& set, std::uint32_t parent) {
+  if (!keep_sets_) return 0;
+  tree_.push_back({parent, Division::list, set});
+  return static_cast<std::uint32_t>(tree_.size() - 1);
+}
+
+void PriorityList::set_division(const OpenSet& open, Division division) {
+  if (keep_sets_) tree_[open.node].division = division;
+}
+
 /// Zones and slabs: sets whose extents are apart along one axis need no comparison. In depth the farthest is put last into
 /// `waiting`, since it is painted first.
-bool PriorityList::decompose(const Set& set, std::vector<Set>& waiting) {
+bool PriorityList::decompose(const OpenSet& open, std::vector<OpenSet>& waiting) {
   for (const int axis : {2, 0, 1}) {
     check_stop();
-    Set by_low = set;
+    Set by_low = open.set;
     std::sort(by_low.begin(), by_low.end(), [&](std::uint32_t a, std::uint32_t b) {
       return std::pair(elements_[a].extents.low[axis], a) < std::pair(elements_[b].extents.low[axis], b);
     });
@@ -119,7 +132,11 @@ bool PriorityList::decompose(const Set& set, std::vector<Set>& waiting) {
     if (parts.size() == 1) continue;
     (axis == 2 ? counts_.slabs : counts_.zones) += parts.size();
     if (keep_sets_) keep(parts, axis == 2);
-    for (Set& part : parts) waiting.push_back(std::move(part));
+    set_division(open, axis == 2 ? Division::depth : axis == 0 ? Division::x : Division::y);
+    for (Set& part : parts) {
+      const std::uint32_t node = add_node(part, open.node);
+      waiting.push_back({std::move(part), node});
+    }
     return true;
   }
   return false;

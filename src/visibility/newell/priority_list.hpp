@@ -40,6 +40,8 @@ struct ListCounts {
 /// Sorts all elements, farthest first; cuts those that have no place in an order.
 class PriorityList {
  public:
+  using Set = std::vector<std::uint32_t>;
+
   /// `keep_sets`: zones() and slabs() are wanted. The first list is by depth; but elements of an earlier list keep their
   /// order, and the others are put among them where they reach as far. Any list may be the first, since it is checked and
   /// mended; in a good one fewer elements have to be moved.
@@ -54,11 +56,22 @@ class PriorityList {
     Extents extents;
     std::uint32_t number = 0;
   };
+  /// How a set was decomposed. `x` and `y`: into zones side by side, from the left or from the top; `depth`: into slabs,
+  /// from the nearest on; `list`: not at all, it was sorted; `one`: it is one element.
+  enum class Division : std::uint8_t { x, y, depth, list, one };
+  /// A set of the decomposition, [Boulle1980] 2.5.2.7, figure 2.88: node 0 is the whole, children stand behind their parent
+  /// in the order of their division.
+  struct SetNode {
+    std::uint32_t parent = 0;
+    Division division = Division::list;
+    Set elements{};
+  };
+  /// The tree of the decomposition, where sets are kept.
+  const std::vector<SetNode>& tree() const { return tree_; }
   const std::vector<FoundSet>& zones() const { return zones_; }
   const std::vector<FoundSet>& slabs() const { return slabs_; }
 
  private:
-  using Set = std::vector<std::uint32_t>;
   /// How far an element reaches, the farthest first, and its number. There is one order, of the list and of the sets Q_p;
   /// depths that are equal as floats stand by their numbers.
   using Key = std::uint64_t;
@@ -67,8 +80,15 @@ class PriorityList {
   static Key key(double reach, std::uint32_t element);
   static std::uint32_t element_of(Key k) { return static_cast<std::uint32_t>(k); }  ///< kNone of kLast
 
-  bool decompose(const Set& set, std::vector<Set>& waiting);
+  /// A set that is not done, and its node in the tree.
+  struct OpenSet {
+    Set set;
+    std::uint32_t node = 0;
+  };
+  bool decompose(const OpenSet& open, std::vector<OpenSet>& waiting);
   void keep(const std::vector<Set>& parts, bool slabs);
+  std::uint32_t add_node(const Set& set, std::uint32_t parent);
+  void set_division(const OpenSet& open, Division division);
   void sort_list(const Set& set);
   void output(std::uint32_t element);
 
@@ -110,6 +130,7 @@ class PriorityList {
   Keys keys_;  ///< of every element
   bool keep_sets_;
   std::vector<FoundSet> zones_, slabs_;
+  std::vector<SetNode> tree_;
   std::vector<std::uint32_t> order_;
 
   // The list at hand: what was moved to its head, the initial sort, and what was put in later.
