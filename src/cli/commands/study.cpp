@@ -6,6 +6,7 @@
 #include "cli/options/options.hpp"
 #include "cli/progress.hpp"
 #include "picture/parse/parse.hpp"
+#include "study/plates.hpp"
 #include "study/run_experiments.hpp"
 
 namespace ligne {
@@ -17,7 +18,8 @@ constexpr const char* kStudyExamples = R"(Examples:
   ligne study --list
   ligne study squares --svg squares.svg
   ligne study coherence gearbox.obj --json coherence.json
-  ligne study all --size small)";
+  ligne study all --size small
+  ligne study --plates plates.pdf)";
 
 /// Checks the parts of the command line that have to be right before the work begins.
 std::vector<const Experiment*> chosen(const StudyCommandOptions& options) {
@@ -29,11 +31,15 @@ std::vector<const Experiment*> chosen(const StudyCommandOptions& options) {
 }
 
 void study_chosen(const StudyCommandOptions& options) {
-  const std::vector<const Experiment*> list = chosen(options);
+  const bool only_plates = !options.plates.empty() && options.words.empty();
+  const std::vector<const Experiment*> list = only_plates ? std::vector<const Experiment*>{} : chosen(options);
   RunFiles files;
+  files.will_write("--plates", options.plates);
   files.will_write("--json", options.json);
   files.will_write("--csv", options.csv);
   files.will_write("--svg", options.svg);
+  if (!options.plates.empty()) files.write(options.plates, plates_pdf(make_plates()));
+  if (only_plates) return files.commit();
   InputFiles read;
   const std::vector<NamedScene> models = read_models(std::span(options.words).subspan(1), read);
   files.were_read(read);
@@ -72,6 +78,8 @@ void setup_study(CLI::App& app, StudyCommandOptions& options) {
   group.add("--json", "FILE", options.json, parse_file_name, "the tables as JSON; - is standard output");
   group.add("--csv", "FILE", options.csv, parse_file_name, "the figures as CSV, one a line");
   group.add("--svg", "FILE", options.svg, parse_file_name, "the plots, below each other");
+  group.add("--plates", "FILE", options.plates, parse_file_name,
+            "the plates of the thesis, drawn anew, as a PDF; needs no NAME");
   add_run_options(command, options.run);
 }
 

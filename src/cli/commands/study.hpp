@@ -16,7 +16,7 @@ namespace ligne {
 struct StudyCommandOptions {
   std::vector<std::string> words;  ///< the experiment's name, and files of models
   bool list = false;
-  std::string json, csv, svg;  ///< files, or empty
+  std::string json, csv, svg, plates;  ///< files, or empty
   studies::StudySize size = studies::StudySize::full;
   RunOptions run;
 };
