@@ -17,7 +17,7 @@ namespace {
 
 using namespace warnock;
 
-/// What was counted over all windows, and the bounds of the source for the same windows.
+/// Counts over all windows, and the bounds of the source for the same windows.
 struct WindowCosts {
   std::uint64_t windows = 0;
   std::uint64_t side_tests = 0, side_least = 0, side_most = 0;  ///< POS

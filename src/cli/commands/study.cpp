@@ -6,7 +6,7 @@
 #include "cli/options/options.hpp"
 #include "cli/progress.hpp"
 #include "picture/parse/parse.hpp"
-#include "study/plates.hpp"
+#include "study/plates/plates.hpp"
 #include "study/run_experiments.hpp"
 
 namespace ligne {

@@ -11,7 +11,7 @@
 namespace ligne {
 namespace {
 
-/// What painting asks of a face, found by its number. All pieces of a face look alike.
+/// Looks of faces by their numbers. All pieces of a face look alike.
 class FaceLooks {
  public:
   explicit FaceLooks(const ReadOrder& stored) : materials_(stored.materials), looks_(stored.pieces) {

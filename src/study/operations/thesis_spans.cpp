@@ -73,22 +73,24 @@ std::uint32_t ThesisSpans::next_of(std::vector<std::uint32_t>& pile, const std::
   return next;
 }
 
-SpanRun ThesisSpans::stack() {
-  std::sort(source_.begin(), source_.end(), [](const auto& a, const auto& b) { return watkins::comes_before(a, b); });
-  const std::vector<PlaneSegment> s = counted();
-  struct End {
-    std::uint32_t segment;
-    bool left;
-  };
-  const auto x_of = [&](const End& e) { return e.left ? source_[e.segment].x0 : source_[e.segment].x1; };
+/// Left ends stand before right ones at the same place: case 3 of figure 2.47 wants to meet them.
+std::vector<ThesisSpans::End> ThesisSpans::sorted_ends() const {
   std::vector<End> ends;
-  for (std::uint32_t i = 0; i < s.size(); ++i) {
+  for (std::uint32_t i = 0; i < source_.size(); ++i) {
     ends.push_back({i, true});
     ends.push_back({i, false});
   }
-  // Left ends stand before right ones at the same place: case 3 of figure 2.47 wants to meet them.
+  const auto x_of = [&](const End& e) { return e.left ? source_[e.segment].x0 : source_[e.segment].x1; };
   std::stable_sort(ends.begin(), ends.end(),
                    [&](const End& a, const End& b) { return x_of(a) != x_of(b) ? x_of(a) < x_of(b) : a.left && !b.left; });
+  return ends;
+}
+
+SpanRun ThesisSpans::stack() {
+  std::sort(source_.begin(), source_.end(), [](const auto& a, const auto& b) { return watkins::comes_before(a, b); });
+  const std::vector<PlaneSegment> s = counted();
+  const std::vector<End> ends = sorted_ends();
+  const auto x_of = [&](const End& e) { return e.left ? source_[e.segment].x0 : source_[e.segment].x1; };
   std::vector<bool> ended(s.size(), false);
   std::vector<std::uint32_t> pile;
   std::uint32_t current = kBackground;

@@ -78,6 +78,12 @@ class ThesisSpans {
   }
   SpanRun take() { return std::move(run_); }
 
+  struct End {
+    std::uint32_t segment;
+    bool left;
+  };
+  std::vector<End> sorted_ends() const;
+
   /// The newest segment of the pile that goes on, none of them the background; those that ended leave the pile.
   std::uint32_t next_of(std::vector<std::uint32_t>& pile, const std::vector<bool>& ended);
   /// The box round what was met in a part of the line, how much that is, and whether it is two segments that cross.

@@ -1,4 +1,4 @@
-#include "study/plates.hpp"
+#include "study/plates/plates.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "scene/readers/ligne_scene_reader.hpp"
 #include "study/experiments.hpp"
 #include "study/generators.hpp"
-#include "study/plate_scenes.hpp"
+#include "study/plates/plate_scenes.hpp"
 #include "visibility/newell/priority_list.hpp"
 #include "visibility/registry.hpp"
 
