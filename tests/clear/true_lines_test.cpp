@@ -143,13 +143,14 @@ Result compare(const TruePart& part, int facets, std::size_t sight) {
 /// Parts of what is surely seen that is drawn, and of what is drawn that is true. Outlines of coarse fillets end a little
 /// before their cusps, or run a little beyond them.
 constexpr double kLeastEdges = 0.98, kLeastOutlines = 0.92, kLeastTrue = 0.97;
+/// Part that is true of what is drawn of a torus of 12 by 12 facets, of which an outline runs 1 mm beyond each cusp.
+constexpr double kLeastTrueOfCoarseTorus = 0.96;
 
 class TrueLines : public testing::TestWithParam<TruePart> {};
 
 TEST_P(TrueLines, AreDrawnAndNothingElse) {
   const TruePart& part = GetParam();
-  for (const int facets : {12, 16, 24}) {
-    if (part.name == "ring" && facets == 12) continue;  // no torus is found in these (docs/patches.md)
+  for (const int facets : {12, 16, 24, 48}) {
     for (std::size_t sight = 0; sight < kSights.size(); ++sight) {
       if (!is_chosen(part.name + std::to_string(facets), sight, 2)) continue;
       SCOPED_TRACE(part.name + ", " + std::to_string(facets) + " facets, sight " + std::to_string(sight));
@@ -159,7 +160,8 @@ TEST_P(TrueLines, AreDrawnAndNothingElse) {
         const double least = kind == static_cast<std::size_t>(TrueLine::outline) ? kLeastOutlines : kLeastEdges;
         EXPECT_GE(result.kinds[kind].share(), least) << kNames[kind] << ", of " << result.kinds[kind].seen_mm << " mm";
       }
-      EXPECT_GE(result.true_mm, kLeastTrue * result.ink_mm) << "of " << result.ink_mm << " mm drawn";
+      const double least_true = part.name == "ring" && facets == 12 ? kLeastTrueOfCoarseTorus : kLeastTrue;
+      EXPECT_GE(result.true_mm, least_true * result.ink_mm) << "of " << result.ink_mm << " mm drawn";
     }
   }
 }

@@ -242,24 +242,40 @@ TEST(Patches, AFilletOfThreeBandsBesideABossIsATorus) {
 }
 
 /// The tangent edges that are left of a chain of so many between two faces that ends in the middle of these at both ends.
-std::size_t tangents_left(int edges, bool is_beside_plane) {
+/// The edges are of length 1 and parallel to the axis of a cylinder, on which the first face lies. Both faces are so wide.
+std::size_t tangents_left(int edges, bool is_beside_plane, double width = 1) {
   Topology topology;
+  Scene scene;
   for (int i = 0; i < edges; ++i) {
     const auto v = static_cast<std::uint32_t>(i);
     topology.edges.push_back({v, v + 1, 0, 1});
+    scene.vertices.emplace_back(i, 0, 0);
   }
+  scene.vertices.emplace_back(edges, 0, 0);
+  scene.vertices.emplace_back(0, width, 0);
+  scene.vertices.emplace_back(0, -width, 0);
+  const auto end = static_cast<std::uint32_t>(edges);
+  scene.faces.add_face(std::array{0u, end, end + 1});
+  scene.faces.add_face(std::array{0u, end + 2, end});
   const std::size_t count = topology.edges.size();
   topology.edge_flags.assign(count, 0);
   Patches patches;
-  patches.patch_of.assign(2, kNone);
-  patches.is_freeform = {1, is_beside_plane ? std::uint8_t{0} : std::uint8_t{1}};
+  patches.list.resize(1);
+  patches.list[0].surface.axis = Point3(1, 0, 0);
+  patches.patch_of = {0, kNone};
+  patches.is_freeform = {0, is_beside_plane ? std::uint8_t{0} : std::uint8_t{1}};
   std::vector<PatchEdge> kinds(count, PatchEdge::tangent);
-  drop_loose_tangents(topology, patches, std::vector<std::uint8_t>(count, 0), kinds);
+  drop_loose_tangents(scene, topology, patches, std::vector<std::uint8_t>(count, 0), kinds);
   return static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), PatchEdge::tangent));
 }
 
 TEST(Patches, ShortChainsOfTangentEdgesThatEndFreelyAreNone) {
   for (int edges = 1; edges < 8; ++edges) EXPECT_EQ(tangents_left(edges, true), edges <= 3 ? 0 : std::size_t(edges));
+}
+
+TEST(Patches, LongTangentEdgesBesideNarrowFacesAreKeptWhereTheyEndFreely) {
+  EXPECT_EQ(tangents_left(1, true, 0.3), 0u);
+  EXPECT_EQ(tangents_left(1, true, 0.2), 1u) << "a side of a strip that runs into a free form at both ends";
 }
 
 TEST(Patches, TangentEdgesBetweenCurvedSurfacesThatEndFreelyAreNone) {

@@ -190,6 +190,7 @@ class GraphBuilder {
   void add_arcs(std::uint32_t edge_begin, std::uint32_t edge_end) {
     const double cosine = sine_cosine_degrees(kLargestBend).cosine;
     const double smooth_cosine = sine_cosine_degrees(kLargestSmoothBend).cosine;
+    const double steep_cosine = sine_cosine_degrees(kSteepBend).cosine;
     struct Pair {
       std::uint32_t a, b, edge;
     };
@@ -202,7 +203,11 @@ class GraphBuilder {
       if (a == b) continue;
       const bool by_chance = graph_.is_sliver[a] || graph_.is_sliver[b];
       const double least = topology_.edge_flags[e] & kEdgeSmooth ? smooth_cosine : cosine;
-      if (!by_chance && glm::dot(graph_.frames[a].normal, graph_.frames[b].normal) < least) continue;
+      const double bend = glm::dot(graph_.frames[a].normal, graph_.frames[b].normal);
+      if (!by_chance && bend < least) {
+        if (bend >= steep_cosine) graph_.steep.push_back({a, b});
+        continue;
+      }
       ++graph_.arc_begin[a + 1], ++graph_.arc_begin[b + 1];
       pairs.push_back({a, b, e});
     }

@@ -1,6 +1,7 @@
 #pragma once
 /// The flat facets of an object, and the edges between them across which a surface may be smooth.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -27,6 +28,10 @@ struct IndexLists {
 /// body counts as a prism (docs/patches.md).
 inline constexpr double kLargestBend = 31, kLargestSmoothBend = 46;
 
+/// Largest angle, in degrees, between a patch and a facet beside it whose corners lie on its surface exactly. At the ends of
+/// fillets the last triangles are turned far from the surface, and facets of a torus of 12 by 12 bend by up to 31.1 degrees.
+inline constexpr double kSteepBend = 60;
+
 /// Adjacent faces whose normals differ by less than this, in degrees, lie in one plane, whatever Object::precision is:
 /// coordinates may have been printed with six digits by one program and stored as float32 by another. A cylinder would
 /// need more than seven thousand facets to have angles as small.
@@ -48,6 +53,8 @@ struct FacetGraph {
   std::vector<std::uint8_t> is_sliver;  ///< per facet: 1 if it is so narrow that rounding determines its normal
   std::vector<std::uint32_t> arc_begin;
   std::vector<Arc> arcs;
+  /// Pairs of adjacent facets that would have an arc but for an angle of up to kSteepBend.
+  std::vector<std::array<std::uint32_t, 2>> steep;
 
   std::size_t size() const { return frames.size(); }
   std::span<const Arc> arcs_of(std::uint32_t facet) const {

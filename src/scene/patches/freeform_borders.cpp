@@ -23,6 +23,9 @@ namespace {
 constexpr double kLookInDepths = 2.2;
 constexpr int kMostRings = 3;
 constexpr std::size_t kMostFacets = 24;
+/// Largest angle, in degrees, at which a free form may run into what lies on its far side: facets of less than half of a
+/// crease bend.
+constexpr double kBeyondDegrees = 15;
 /// Middles of facets that differ by less than this part of the depth of the first one say nothing of how the form turns.
 constexpr double kLeastSpread = 0.25;
 /// Corners of a plane that are looked at for its depth, at the most, evenly spread: thousands of edges may lie beside it.
@@ -122,10 +125,12 @@ class BorderFinder {
     Point3 normal, slope{0, 0, 0};
   };
 
-  /// Least squares of the normals of the facets near f, each of which is that of the surface at the middle of its depths. A
-  /// facet alone is flat; where neighbours do not tell how the form turns, it may turn by
-  /// anything.
-  Continued continued(std::uint32_t f, std::uint32_t edge, const Point3& from, const Point3& inwards, double first) {
+  /// Least squares of the normals of the facets near f, each of which is that of the surface at the middle of its depths,
+  /// and of those of other surfaces where the form runs into them on its far side: it may be one facet deep. A facet alone
+  /// is flat; where neighbours do not tell how the form turns, it may turn by anything. `opposite`: what lies beyond the
+  /// edge, by number_beyond().
+  Continued continued(std::uint32_t f, std::uint32_t edge, std::uint32_t opposite, const Point3& from, const Point3& inwards,
+                      double first) {
     reach(f, edge);
     double count = 0, sum = 0, squares = 0;
     Point3 normals(0.0), products(0.0);
@@ -138,6 +143,21 @@ class BorderFinder {
       squares += s * s;
       normals += graph_.frames[g].normal;
       products += s * graph_.frames[g].normal;
+      for (const FacetGraph::Arc& arc : graph_.arcs_of(g)) {
+        const std::uint32_t beyond = arc.edge == edge ? opposite : number_beyond(arc.facet);
+        if (is_freeform_[arc.facet] || beyond == opposite) continue;
+        if (glm::dot(graph_.frames[g].normal, graph_.frames[arc.facet].normal) < beyond_cosine_) continue;
+        const Edge& far = topology_.edges[arc.edge];
+        const Point3 at = 0.5 * (scene_.vertices[far.v0] + scene_.vertices[far.v1]);
+        const double depth = glm::dot(at - from, inwards);
+        if (depth < s || depth > kLookInDepths * first) continue;
+        const Point3 normal = other_normal(arc.facet, at);
+        count += 1;
+        sum += depth;
+        squares += depth * depth;
+        normals += normal;
+        products += depth * normal;
+      }
     }
     const Continued none{graph_.frames[f].normal, facets_.size() > 1 ? kUnknownTurn / first * inwards : Point3(0, 0, 0)};
     if (count == 0) return none;
@@ -153,6 +173,12 @@ class BorderFinder {
     return std::ranges::all_of(graph_.arcs_of(f), [&](const FacetGraph::Arc& arc) {
       return glm::dot(graph_.frames[f].normal, graph_.frames[arc.facet].normal) <= edge_cosine_;
     });
+  }
+
+  /// A number of the plane or surface of a facet.
+  std::uint32_t number_beyond(std::uint32_t facet) const {
+    const std::uint32_t patch = patch_of_[facet];
+    return patch == kNone ? facet : static_cast<std::uint32_t>(graph_.size()) + patch;
   }
 
   Point3 other_normal(std::uint32_t facet, const Point3& at) const {
@@ -171,7 +197,7 @@ class BorderFinder {
     if (!(size > 0)) return;
     inwards /= size;
     const double first = depths(f, from, inwards).high;
-    const Continued free = continued(f, arc.edge, from, inwards, first);
+    const Continued free = continued(f, arc.edge, number_beyond(arc.facet), from, inwards, first);
     const Point3 other = other_normal(arc.facet, 0.5 * (from + to));
     Found border;
     border.edge = arc.edge;
@@ -192,7 +218,7 @@ class BorderFinder {
       const double there = patches_[patch].outward ? k : -k;
       border.bends_otherwise = std::abs(here - there) > kUnlikeCurvature * std::max(std::abs(here), std::abs(there));
     }
-    border.beyond = patch == kNone ? arc.facet : static_cast<std::uint32_t>(graph_.size()) + patch;
+    border.beyond = number_beyond(arc.facet);
     found_.push_back(border);
   }
 
@@ -240,6 +266,7 @@ class BorderFinder {
   std::vector<std::uint32_t> facets_;      ///< of reach()
   std::size_t near_ = 0;                   ///< so many of them are f and its neighbours
   std::vector<Found> found_;
+  const double beyond_cosine_ = sine_cosine_degrees(kBeyondDegrees).cosine;
   const double edge_cosine_ = sine_cosine_degrees(kSurfaceCreaseDegrees).cosine;
 };
 

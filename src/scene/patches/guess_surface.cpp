@@ -139,8 +139,8 @@ bool guess_axis(std::span<const FacetFrame> facets, const Point3& middle, PatchS
   return true;
 }
 
-bool guess_torus(std::span<const FacetFrame> facets, std::span<const Point3> points, PatchSurface& s) {
-  if (!guess_axis(facets, middle_of(points), s)) return false;
+/// Completes a torus whose axis is known.
+bool guess_profile(std::span<const Point3> points, PatchSurface& s) {
   std::vector<Point2> profile;
   profile.reserve(points.size());
   for (const Point3& p : points) {
@@ -155,7 +155,19 @@ bool guess_torus(std::span<const FacetFrame> facets, std::span<const Point3> poi
   return s.radius > 0;
 }
 
+bool guess_torus(std::span<const FacetFrame> facets, std::span<const Point3> points, PatchSurface& s) {
+  return guess_axis(facets, middle_of(points), s) && guess_profile(points, s);
+}
+
 }  // namespace
+
+bool guess_torus_about(const PatchSurface& round, std::span<const Point3> points, PatchSurface& torus) {
+  torus = PatchSurface{};
+  torus.kind = SurfaceKind::torus;
+  torus.axis = round.axis;
+  torus.at = round.at;
+  return guess_profile(points, torus);
+}
 
 bool guess_surface(SurfaceKind kind, std::span<const FacetFrame> facets, std::span<const Point3> points,
                    PatchSurface& surface) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "base/no_index.hpp"
 #include "scene/patches/patch_finder.hpp"
@@ -10,6 +11,8 @@ namespace {
 /// Adjustable: sags by which corners of a facet that joins a patch late may lie beside its surface. Where bodies of facets
 /// were cut by each other, corners lie on the chords, up to the largest sag, which is 1.5 times the median one of triangles.
 constexpr double kJoinedSags = 1.6;
+/// Least cosine between the normals of a triangle and of the surface on which its corners lie exactly.
+constexpr double kSlantingCosine = 0.5;
 /// Sags by which corners of a patch may lie beside the surface of another one that it becomes part of.
 constexpr double kMergedSags = 0.2;
 
@@ -17,25 +20,47 @@ constexpr double kMergedSags = 0.2;
 
 /// Facets without a surface beside a patch join it.
 void PatchFinder::join_borders(const std::vector<Patch>& patches) {
+  // Rows of a torus that is coarse round its axis and fine round its tube are tilted far from its normals.
+  join_facets(patches, true);
+  join_facets(patches, false);
+}
+
+/// `slanting`: triangles whose corners lie on the surface as exactly as the coordinates tell, in nearly any direction; else
+/// facets near it in its direction.
+void PatchFinder::join_facets(const std::vector<Patch>& patches, bool slanting) {
   std::vector<std::uint32_t> reached;
   for (std::uint32_t f = 0; f < graph_.size(); ++f) {
     if (patch_of_[f] != kNone) reached.push_back(f);
   }
-  for (std::size_t i = 0; i < reached.size(); ++i) {
-    const Patch& patch = patches[patch_of_[reached[i]]];
-    forget_looks();
-    for (const FacetGraph::Arc& arc : graph_.arcs_of(reached[i])) {
-      if (patch_of_[arc.facet] != kNone) continue;
-      if (!lies_on(patch, arc.facet, kJoinedSags * patch.sag)) continue;
-      patch_of_[arc.facet] = patch_of_[reached[i]];
-      reached.push_back(arc.facet);
+  const auto try_to_join = [&](std::uint32_t from, std::uint32_t f) {
+    if (patch_of_[f] != kNone || (slanting && graph_.vertices[f].size() != 3)) return;
+    const Patch& patch = patches[patch_of_[from]];
+    const double tolerance = slanting ? tolerance_for(patch.surface.kind, 0) : kJoinedSags * patch.sag;
+    if (!lies_on(patch, f, tolerance, slanting ? kSlantingCosine : kNormalCosine)) return;
+    patch_of_[f] = patch_of_[from];
+    reached.push_back(f);
+  };
+  std::size_t next = 0;
+  const auto grow_over_arcs = [&] {
+    for (; next < reached.size(); ++next) {
+      const std::uint32_t from = reached[next];
+      forget_looks();
+      for (const FacetGraph::Arc& arc : graph_.arcs_of(from)) try_to_join(from, arc.facet);
     }
+  };
+  grow_over_arcs();
+  if (!slanting) return;
+  for (const auto& [a, b] : graph_.steep) {
+    forget_looks();
+    if (patch_of_[a] != kNone) try_to_join(a, b);
+    if (patch_of_[b] != kNone) try_to_join(b, a);
   }
+  grow_over_arcs();
 }
 
 /// Patches that touch become one where the facets of the smaller one that it was found by lie on the surface of the larger.
-/// `found_by`: the patch per facet before join_borders().
-void PatchFinder::merge_patches(const std::vector<Patch>& patches, const std::vector<std::uint32_t>& found_by) {
+/// `found_by`: the patch per facet before join_borders(). Returns whether any did.
+bool PatchFinder::merge_patches(const std::vector<Patch>& patches, const std::vector<std::uint32_t>& found_by) {
   std::vector<std::vector<std::uint32_t>> facets(patches.size()), core(patches.size());
   for (std::uint32_t f = 0; f < graph_.size(); ++f) {
     if (patch_of_[f] != kNone) facets[patch_of_[f]].push_back(f);
@@ -45,21 +70,31 @@ void PatchFinder::merge_patches(const std::vector<Patch>& patches, const std::ve
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t l, std::uint32_t r) { return facets[l].size() > facets[r].size(); });
+  bool is_merged = false;
+  const auto try_to_merge = [&](std::uint32_t p, std::uint32_t q) {
+    if (p == kNone || q == kNone || q == p || facets[q].size() > facets[p].size()) return;
+    const auto lies_on_p = [&](std::uint32_t f) {
+      return lies_on(patches[p], f, kMergedSags * patches[p].sag, kSlantingCosine);
+    };
+    if (!std::all_of(core[q].begin(), core[q].end(), lies_on_p)) return;
+    for (const std::uint32_t f : facets[q]) patch_of_[f] = p;
+    facets[p].insert(facets[p].end(), facets[q].begin(), facets[q].end());
+    facets[q].clear();
+    is_merged = true;
+  };
   for (const std::uint32_t p : order) {
     forget_looks();
     for (std::size_t i = 0; i < facets[p].size(); ++i) {
-      for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[p][i])) {
-        const std::uint32_t q = patch_of_[arc.facet];
-        if (q == kNone || q == p || facets[q].size() > facets[p].size() || patches[q].outward != patches[p].outward)
-          continue;
-        const auto lies_on_p = [&](std::uint32_t f) { return lies_on(patches[p], f, kMergedSags * patches[p].sag); };
-        if (!std::all_of(core[q].begin(), core[q].end(), lies_on_p)) continue;
-        for (const std::uint32_t f : facets[q]) patch_of_[f] = p;
-        facets[p].insert(facets[p].end(), facets[q].begin(), facets[q].end());
-        facets[q].clear();
-      }
+      for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[p][i])) try_to_merge(p, patch_of_[arc.facet]);
     }
   }
+  for (const auto& [a, b] : graph_.steep) {
+    for (const auto& [p, q] : {std::pair(patch_of_[a], patch_of_[b]), std::pair(patch_of_[b], patch_of_[a])}) {
+      forget_looks();
+      try_to_merge(p, q);
+    }
+  }
+  return is_merged;
 }
 
 }  // namespace ligne

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <glm/geometric.hpp>
 
 #include "base/no_index.hpp"
 #include "scene/patches/patch_edges.hpp"
@@ -7,8 +8,11 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: chains of no more tangent edges beside planes that end where no other line begins are flecks.
+/// Adjustable: chains of no more tangent edges beside planes that end where no other line begins are flecks,
 constexpr std::size_t kMostLooseEdges = 3;
+/// unless one of them is the side of a strip of a cylinder: parallel to its axis up to this sine (1 degree), and so many
+/// times as long as the face beside it is wide.
+constexpr double kStripSine = 0.0175, kStripLength = 4;
 
 /// A vertex at which tangent edges end: how many do, the exclusive or of their numbers, which is that of the last one left,
 /// and whether another line ends there.
@@ -20,7 +24,8 @@ struct TangentNode {
 
 class TangentChains {
  public:
-  TangentChains(const Topology& topology, std::vector<PatchEdge>& edges) : topology_(topology), edges_(edges) {
+  TangentChains(const Scene& scene, const Topology& topology, const Patches& patches, std::vector<PatchEdge>& edges)
+      : scene_(scene), topology_(topology), patches_(patches), edges_(edges) {
     std::vector<std::uint32_t> tangent;
     for (std::uint32_t e = 0; e < edges.size(); ++e) {
       if (edges[e] != PatchEdge::tangent) continue;
@@ -52,8 +57,8 @@ class TangentChains {
   }
 
   /// Takes loose edges out that lie between two curved surfaces, and those that are loose without them.
-  void drop_between_curved(const Patches& patches) {
-    const auto is_curved = [&](std::uint32_t f) { return patches.patch_of[f] != kNone || patches.is_freeform[f]; };
+  void drop_between_curved() {
+    const auto is_curved = [&](std::uint32_t f) { return patches_.patch_of[f] != kNone || patches_.is_freeform[f]; };
     for (TangentNode& first : nodes_) {
       for (TangentNode* node = &first; node->is_loose();) {
         const std::uint32_t e = node->numbers;
@@ -80,13 +85,33 @@ class TangentChains {
         chain.push_back(node->numbers ^ chain.back());  // the other one of the two edges
         node = other_end(chain.back(), *node);
       }
-      if (chain.size() > kMostLooseEdges) continue;
+      if (chain.size() > kMostLooseEdges || std::ranges::any_of(chain, [&](std::uint32_t e) { return is_of_strip(e); }))
+        continue;
       for (const std::uint32_t e : chain) edges_[e] = PatchEdge::inside;
     }
   }
 
  private:
   std::array<std::uint32_t, 2> ends_of(std::uint32_t e) const { return {topology_.edges[e].v0, topology_.edges[e].v1}; }
+
+  /// Whether an edge is a side of a strip of a cylinder. Where the file shades it smooth, rules for meshes see the strip.
+  bool is_of_strip(std::uint32_t e) const {
+    if (topology_.edge_flags[e] & kEdgeSmooth) return false;
+    const Edge& edge = topology_.edges[e];
+    const Point3 &from = scene_.vertices[edge.v0], along = scene_.vertices[edge.v1] - from;
+    const double squared = glm::dot(along, along);
+    const auto is_strip = [&](std::uint32_t face) {
+      const std::uint32_t p = patches_.patch_of[face];
+      if (p == kNone || patches_.list[p].surface.kind != SurfaceKind::cylinder) return false;
+      const double sine = glm::length(glm::cross(along, patches_.list[p].surface.axis));
+      if (sine * sine > kStripSine * kStripSine * squared) return false;
+      // A corner at the width of the face spans a parallelogram with the edge.
+      return std::ranges::all_of(scene_.faces.contour(face, 0), [&](std::uint32_t v) {
+        return kStripLength * glm::length(glm::cross(along, scene_.vertices[v] - from)) <= squared;
+      });
+    };
+    return is_strip(edge.face0) || is_strip(edge.face1);
+  }
 
   TangentNode* node_at(std::uint32_t v) {
     const auto at = std::ranges::lower_bound(nodes_, v, {}, &TangentNode::vertex);
@@ -98,19 +123,21 @@ class TangentChains {
     return node_at(ends[0] == node.vertex ? ends[1] : ends[0]);
   }
 
+  const Scene& scene_;
   const Topology& topology_;
+  const Patches& patches_;
   std::vector<PatchEdge>& edges_;
   std::vector<TangentNode> nodes_;  ///< by vertices
 };
 
 }  // namespace
 
-void drop_loose_tangents(const Topology& topology, const Patches& patches, const std::vector<std::uint8_t>& is_line,
-                         std::vector<PatchEdge>& edges) {
-  TangentChains chains(topology, edges);
+void drop_loose_tangents(const Scene& scene, const Topology& topology, const Patches& patches,
+                         const std::vector<std::uint8_t>& is_line, std::vector<PatchEdge>& edges) {
+  TangentChains chains(scene, topology, patches, edges);
   if (chains.empty()) return;
   chains.hold(is_line);
-  chains.drop_between_curved(patches);
+  chains.drop_between_curved();
   chains.drop_flecks();
 }
 

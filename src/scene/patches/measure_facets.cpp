@@ -11,9 +11,6 @@ namespace {
 // Adjustable parameters.
 /// Largest ratio of a facet's sag to the median: tessellators keep to one sag, and a flat side between roundings does not.
 constexpr double kMostSags = 4;
-/// Least cosine between the normals of a facet and of its surface at its corners: half of the diagonal of a square facet of
-/// which twelve go round.
-constexpr double kNormalCosine = 0.92;
 /// Points of a patch to which a surface is fitted, at the most.
 constexpr std::size_t kMostPoints = 96;
 /// Fewer vertices are sorted by comparing them, which costs no more than their bits.
@@ -87,8 +84,9 @@ const PatchFinder::VertexLook& PatchFinder::look_at(const Patch& patch, std::uin
   return looks_[number];
 }
 
-/// Whether the corners of a facet lie on the surface, and its plane lies beside it as those of the patch do.
-bool PatchFinder::lies_on(const Patch& patch, std::uint32_t f, double tolerance) {
+/// Whether the corners of a facet lie on the surface, and its plane lies beside it as those of the patch do. `least_cosine`:
+/// between its normal and those of the surface at its corners.
+bool PatchFinder::lies_on(const Patch& patch, std::uint32_t f, double tolerance, double least_cosine) {
   const bool has_normal = !graph_.is_sliver[f];
   const FacetFrame& frame = graph_.frames[f];
   if (has_normal && std::abs(patch.surface.distance(frame.middle)) > kMostSags * patch.sag + tolerance) return false;
@@ -96,7 +94,7 @@ bool PatchFinder::lies_on(const Patch& patch, std::uint32_t f, double tolerance)
   for (const std::uint32_t v : graph_.vertices[f]) {
     const VertexLook& look = look_at(patch, v, tolerance);
     if (!look.is_on) return false;
-    if (has_normal && !(glm::dot(look.normal, normal) >= kNormalCosine)) return false;
+    if (has_normal && !(glm::dot(look.normal, normal) >= least_cosine)) return false;
   }
   return true;
 }

@@ -10,7 +10,7 @@ namespace {
 /// Facets of a strip at the most.
 constexpr std::size_t kMostStrip = 24;
 /// Facets of a strip are so many times as long as they are wide, or more: the square of their length by twice their area.
-constexpr double kLongFacet = 4;
+constexpr double kLongFacet = 3;
 /// The edges between the facets of a strip have at least this part of the length of the first facet.
 constexpr double kRulingPart = 0.5;
 

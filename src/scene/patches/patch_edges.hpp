@@ -41,7 +41,7 @@ void mark_bands(const Topology& topology, std::span<const glm::vec3> normals, st
 /// Turns dangling tangent edges into PatchEdge::inside: those between two curved surfaces with an end at which no other line
 /// begins, and then those that dangle without them, since there the surfaces pass into a free form; and short chains of
 /// others, which are flecks. `is_line`: per edge, 1 if it is another line. O(n log n).
-void drop_loose_tangents(const Topology& topology, const Patches& patches, const std::vector<std::uint8_t>& is_line,
-                         std::vector<PatchEdge>& edges);
+void drop_loose_tangents(const Scene& scene, const Topology& topology, const Patches& patches,
+                         const std::vector<std::uint8_t>& is_line, std::vector<PatchEdge>& edges);
 
 }  // namespace ligne

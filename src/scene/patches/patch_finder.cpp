@@ -19,6 +19,8 @@ constexpr double kPrecisions = 8, kSagPart = 0.03, kSphereSagPart = 0.002, kStri
 /// Largest chance that the corners lie on the surface by accident, where each one beyond the number of the surface's
 /// parameters does so with a chance of twice the largest distance by the sag.
 constexpr double kLargestChance = 1e-7;
+/// Largest such chance for a cylinder into which its neighbours on both sides run.
+constexpr double kLikelyChance = 1e-3;
 /// Starting values are given up where they miss a corner by more than so many sags.
 constexpr double kWildGuess = 1.5;
 /// Facets of a band by which a sphere is found, at the most.
@@ -26,8 +28,9 @@ constexpr std::size_t kMostBand = 24;
 /// A strip that is tried by itself has so many facets: fewer say nothing where corners lie beside the surface by as much as
 /// kStripSagPart of the sag.
 constexpr std::size_t kFewestStrip = 8;
-/// A surface with more parameters is taken when its area is larger by such a factor: a band of a torus is a cone as well.
-constexpr double kSimilarArea = 1.05, kTorusArea = 1.3;
+/// A surface is taken in place of another one when its area is larger by such a factor; a sphere or a torus in place of a
+/// band of a cylinder or a cone by more, since each band lies on spheres and tori too, and often one beside it by accident.
+constexpr double kSimilarArea = 1.05, kRoundArea = 1.3;
 /// So many seeds, spread evenly over all, are tried first. An object is given up when fewer of them get a surface.
 constexpr std::size_t kSamples = 64;
 constexpr std::ptrdiff_t kFewestSuccesses = 4;
@@ -38,7 +41,8 @@ constexpr double kLeastSlope = 1e-4, kLargestSlope = 100;
 /// tube's radius, and over ten times that radius bends away from a cylinder by less than a fifteenth of it.
 constexpr double kLeastRing = 0.02, kLargestRing = 200;
 
-/// Tori of other proportions are spheres or cylinders within any tolerance, and cones of other slopes cylinders or planes.
+}  // namespace
+
 bool is_plausible(const PatchSurface& s) {
   switch (s.kind) {
     case SurfaceKind::torus:
@@ -49,8 +53,6 @@ bool is_plausible(const PatchSurface& s) {
       return s.radius > 0;
   }
 }
-
-}  // namespace
 
 PatchFinder::PatchFinder(const Scene& scene, const Topology& topology, const Object& object, const FacetGraph& graph)
     : scene_(scene),
@@ -78,9 +80,11 @@ std::vector<std::uint32_t> PatchFinder::run(std::vector<Patch>& patches) {
     }
   }
   search(all, patches);
+  join_bands(patches);
   const std::vector<std::uint32_t> found_by = patch_of_;
   join_borders(patches);
-  merge_patches(patches, found_by);
+  // Patches that become one have facets beside them that lie on the larger one's surface only.
+  if (merge_patches(patches, found_by)) join_borders(patches);
   return std::move(patch_of_);
 }
 
@@ -165,10 +169,10 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
   // A band of a sphere lies on a cylinder or a cone as well, and says which sphere.
   std::vector<std::uint32_t> band = best.facets;
   band.resize(std::min(band.size(), kMostBand));
-  if (!band.empty()) consider(SurfaceKind::sphere, band, kSimilarArea);
-  consider(SurfaceKind::sphere, ring, kSimilarArea);
-  consider(SurfaceKind::torus, ring, kTorusArea);
-  consider(SurfaceKind::torus, wide, kTorusArea);
+  if (!band.empty()) consider(SurfaceKind::sphere, band, kRoundArea);
+  consider(SurfaceKind::sphere, ring, kRoundArea);
+  consider(SurfaceKind::torus, ring, kRoundArea);
+  consider(SurfaceKind::torus, wide, kRoundArea);
   return best;
 }
 
@@ -206,7 +210,8 @@ PatchCandidate PatchFinder::try_surface(SurfaceKind kind, std::uint32_t seed, st
   return c;
 }
 
-std::vector<std::uint32_t> PatchFinder::grow(const Patch& patch, std::uint32_t seed) {
+/// The facets on the surface that hang together with the seed; those of other patches only if `over_patches`.
+std::vector<std::uint32_t> PatchFinder::grow(const Patch& patch, std::uint32_t seed, bool over_patches) {
   const double tolerance = tolerance_for(patch.surface.kind, patch.sag);
   std::vector<std::uint32_t> facets;
   forget_looks();
@@ -216,7 +221,8 @@ std::vector<std::uint32_t> PatchFinder::grow(const Patch& patch, std::uint32_t s
   stamp_[seed] = round_;
   for (std::size_t i = 0; i < facets.size(); ++i) {
     for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[i])) {
-      if (stamp_[arc.facet] == round_ || patch_of_[arc.facet] != kNone || graph_.is_plane[arc.facet]) continue;
+      if (stamp_[arc.facet] == round_ || graph_.is_plane[arc.facet]) continue;
+      if (patch_of_[arc.facet] != kNone && !over_patches) continue;
       if (!lies_on(patch, arc.facet, tolerance)) continue;
       stamp_[arc.facet] = round_;
       facets.push_back(arc.facet);
@@ -234,13 +240,15 @@ bool PatchFinder::is_certain(const PatchCandidate& c) {
   const PatchSurface& surface = c.patch.surface;
   const double spare = static_cast<double>(points_.size()) - static_cast<double>(parameter_count(surface.kind));
   const double chance = std::min(1.0, std::max(c.residual * 2, kPrecisions * object_.precision) / c.patch.sag);
-  const bool no_accident = spare >= 2 && std::pow(chance, spare) <= kLargestChance;
+  const double all = spare >= 2 ? std::pow(chance, spare) : 1;
+  const bool no_accident = all <= kLargestChance;
   // Symmetry is no accident either: a flat side between two equal chamfers lies on a cylinder. Four facets in a row are a
   // surface, and fewer when what follows on both sides goes on in its direction.
   switch (surface.kind) {
     case SurfaceKind::cylinder: {
       const std::size_t n = angles_of(surface, false);
-      return n >= 5 ? no_accident : n >= 3 && is_tangent(c, n - 2);
+      if (n >= 5 && no_accident) return true;
+      return n >= 3 && (n < 5 || all <= kLikelyChance) && is_tangent(c, n - 2);
     }
     case SurfaceKind::cone: {
       const std::size_t n = angles_of(surface, false);

@@ -20,6 +20,9 @@ struct PatchCandidate {
   double residual = 0;  ///< largest distance of a corner of the facets from the surface, model units
 };
 
+/// Tori of other proportions are spheres or cylinders within any tolerance, and cones of other slopes cylinders or planes.
+bool is_plausible(const PatchSurface& s);
+
 class PatchFinder {
  public:
   PatchFinder(const Scene& scene, const Topology& topology, const Object& object, const FacetGraph& graph);
@@ -33,6 +36,9 @@ class PatchFinder {
   /// smaller ones may belong to a fillet beside a plane. A neighbour of less than this part of a facet's area is not in one
   /// strip with it.
   static constexpr double kLikeArea = 0.25;
+  /// Adjustable. Least cosine between the normals of a facet and of its surface at its corners: half of the diagonal of a
+  /// square facet of which twelve go round.
+  static constexpr double kNormalCosine = 0.92;
 
   /// Whether a vertex lies on the surface that is tried, remembered because several facets share it.
   struct VertexLook {
@@ -48,7 +54,7 @@ class PatchFinder {
   void search(std::span<const std::uint32_t> seeds, std::vector<Patch>& patches);
   PatchCandidate best_at(std::uint32_t seed);
   PatchCandidate try_surface(SurfaceKind kind, std::uint32_t seed, std::span<const std::uint32_t> facets);
-  std::vector<std::uint32_t> grow(const Patch& patch, std::uint32_t seed);
+  std::vector<std::uint32_t> grow(const Patch& patch, std::uint32_t seed, bool over_patches = false);
   std::vector<std::uint32_t> around(std::uint32_t seed, int rings, std::size_t most);
   std::vector<std::uint32_t> strip_of(std::uint32_t seed);
   void fetch_points(std::span<const std::uint32_t> facets);
@@ -57,13 +63,18 @@ class PatchFinder {
   double tolerance_for(SurfaceKind kind, double sag) const;
   void forget_looks();
   const VertexLook& look_at(const Patch& patch, std::uint32_t vertex, double tolerance);
-  bool lies_on(const Patch& patch, std::uint32_t f, double tolerance);
+  bool lies_on(const Patch& patch, std::uint32_t f, double tolerance, double least_cosine = kNormalCosine);
   bool is_certain(const PatchCandidate& c);
   std::size_t angles_of(const PatchSurface& surface, bool about_circle);
   bool is_tangent(const PatchCandidate& c, std::size_t rows);
   bool goes_on(const PatchCandidate& c);
+  void join_bands(std::vector<Patch>& patches);
+  PatchCandidate torus_through(const std::vector<Patch>& patches, const std::vector<std::vector<std::uint32_t>>& facets,
+                               std::uint32_t p, std::uint32_t q);
+  Point3 middle_of(std::span<const std::uint32_t> facets) const;
   void join_borders(const std::vector<Patch>& patches);
-  void merge_patches(const std::vector<Patch>& patches, const std::vector<std::uint32_t>& found_by);
+  void join_facets(const std::vector<Patch>& patches, bool slanting);
+  bool merge_patches(const std::vector<Patch>& patches, const std::vector<std::uint32_t>& found_by);
 
   const Scene& scene_;
   const Topology& topology_;

@@ -1,5 +1,6 @@
 #include "scene/patches/patch_outlines.hpp"
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -8,6 +9,12 @@
 #include "scene/patches/find_patches.hpp"
 
 namespace ligne {
+namespace {
+
+/// Adjustable: largest angle, in degrees, between the normals of a surface and of a plane that it runs into.
+constexpr double kTangentDegrees = 1;
+
+}  // namespace
 
 std::vector<PatchOutline> patch_outlines(const Scene& scene, std::span<const Edge> edges, const Object& object,
                                          const FacetGraph& graph, const FacetSurfaces& surfaces) {
@@ -17,6 +24,7 @@ std::vector<PatchOutline> patch_outlines(const Scene& scene, std::span<const Edg
     if (p != kNone) ++outlines[p].facets;
   }
   const double smooth = sine_cosine_degrees(kLargestBend).cosine;
+  const double tangent = sine_cosine_degrees(kTangentDegrees).cosine;
   for (const Edge& edge : edges) {
     if (edge.face1 == kNone) continue;
     const std::uint32_t a = graph.facet_of[edge.face0 - object.face_begin],
@@ -28,6 +36,11 @@ std::vector<PatchOutline> patch_outlines(const Scene& scene, std::span<const Edg
       if (patch_of[here] == kNone) continue;
       PatchOutline& outline = outlines[patch_of[here]];
       outline.length += length;
+      if (is_smooth && patch_of[there] == kNone && !is_freeform[there]) {
+        const Point3 middle = 0.5 * (scene.vertices[edge.v0] + scene.vertices[edge.v1]);
+        const double cosine = glm::dot(patches[patch_of[here]].surface.normal(middle), graph.frames[there].normal);
+        if (std::abs(cosine) >= tangent) outline.into_planes += length;
+      }
       if (is_smooth && is_freeform[there]) outline.into_freeform += length;
       if (is_smooth && (is_freeform[there] || patch_of[there] != kNone)) outline.into_curved += length;
     }

@@ -22,9 +22,15 @@ struct PatchOutline {
   /// Lengths of the parts across which the patch continues smoothly: into a free form; into a free form or another
   /// patch.
   double into_freeform = 0, into_curved = 0;
+  /// Length along which its surface, not its facets, has the direction of planes beside it. A free form has no such
+  /// surfaces by accident.
+  double into_planes = 0;
 
-  /// Whether it is a small patch that continues into a free form along most of its outline.
-  bool is_speck() const { return facets <= kMostSpeckFacets && into_freeform > kMostOfOutline * length; }
+  /// Whether it is a small patch that continues into a free form along most of its outline, and exactly into no plane.
+  bool is_speck() const {
+    return facets <= kMostSpeckFacets && into_freeform > kMostOfOutline * length &&
+           into_planes < kTangentPartOfOutline * length;
+  }
   /// Whether it continues into free forms or other patches along most of its outline, like the bands of a bent tube.
   bool is_band() const { return into_curved > kMostOfOutline * length; }
 
@@ -32,6 +38,8 @@ struct PatchOutline {
   // Adjustable.
   static constexpr std::size_t kMostSpeckFacets = 24;  ///< largest number of facets of a speck
   static constexpr double kMostOfOutline = 0.5;        ///< "most" of an outline: larger fractions of its length
+  /// Least part of the outline of a fillet at a plane; it has four sides, of which those at its ends may be longer.
+  static constexpr double kTangentPartOfOutline = 0.15;
 };
 
 /// The surfaces on which the facets of an object lie.

@@ -65,6 +65,10 @@ struct FacetFrame {
 bool guess_surface(SurfaceKind kind, std::span<const FacetFrame> facets, std::span<const Point3> points,
                    PatchSurface& surface);
 
+/// Computes starting values of a torus about the axis of another surface of revolution, from points of the torus. Returns
+/// false if they lie on no circle in the half plane beside the axis.
+bool guess_torus_about(const PatchSurface& round, std::span<const Point3> points, PatchSurface& torus);
+
 /// Fits the surface to the points: minimises the sum of their squared distances [Levenberg1944, Marquardt1963]. Returns
 /// the largest remaining distance of a point.
 double refine_surface(PatchSurface& surface, std::span<const Point3> points);
