@@ -37,9 +37,13 @@ class PieceReader {
     json_.for_each_member([&](std::string_view name) {
       if (name == "hidden") {
         hidden = json_.value().starts_with("true");
-      } else if (hidden) {
+        return;
+      }
+      if (hidden) {
         json_.value();
-      } else if (name == "face") {
+        return;
+      }
+      if (name == "face") {
         face = json_.number();
       } else if (name == "material") {
         material = json_.number();

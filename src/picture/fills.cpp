@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/hash.hpp"
 #include "plotting/hatching/fill_rim.hpp"
 #include "view/brightness.hpp"
 
@@ -59,10 +60,13 @@ class FillColors {
 /// A colour of middle brightness for the number of a face: a multiplicative hash, as of Knuth, of which three bytes are
 /// used.
 std::array<double, 3> random_color(std::uint32_t face) {
-  const std::uint64_t hash = (std::uint64_t{face} + 1) * 0x9e3779b97f4a7c15u;
+  const std::uint64_t hash = (std::uint64_t{face} + 1) * kGoldenRatio;
   std::array<double, 3> color{};
   constexpr unsigned kDarkest = 80, kRange = 176;
-  for (unsigned c = 0; c < 3; ++c) color[c] = (kDarkest + (hash >> (40 + 8 * c) & 0xff) * kRange / 256) / 255.0;
+  for (unsigned c = 0; c < 3; ++c) {
+    const std::uint64_t level = kDarkest + (hash >> (40 + 8 * c) & 0xff) * kRange / 256;  // of 255
+    color[c] = static_cast<double>(level) / 255;
+  }
   return color;
 }
 

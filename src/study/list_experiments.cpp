@@ -74,8 +74,9 @@ Table pieces_of_a_cut(bool& holds) {
     const ProjectedScene projected = on_sheet(scene);
     newell::PaintElements elements(projected);
     const std::uint64_t pieces = elements.cut(0, {{1, 0, 0}, {6, 0, 0}}).size();
-    holds = holds && pieces <= static_cast<std::uint64_t>(2 * teeth + 1);
-    table.rows.push_back({std::to_string(4 * teeth), std::to_string(2 * teeth + 1), pieces});
+    const std::uint64_t most = 2 * static_cast<std::uint64_t>(teeth) + 1;
+    holds = holds && pieces <= most;
+    table.rows.push_back({std::to_string(4 * teeth), std::to_string(most), pieces});
   }
   return table;
 }

@@ -17,8 +17,8 @@ class FaceLooks {
   explicit FaceLooks(const ReadOrder& stored) : materials_(stored.materials), looks_(stored.pieces) {
     const auto by_face = [](const ReadOrder::Piece& a, const ReadOrder::Piece& b) { return a.face < b.face; };
     std::ranges::stable_sort(looks_, by_face);
-    const auto repeated = std::ranges::unique(looks_, {}, &ReadOrder::Piece::face);
-    looks_.erase(repeated.begin(), repeated.end());
+    const auto are_of_one_face = [](const ReadOrder::Piece& a, const ReadOrder::Piece& b) { return a.face == b.face; };
+    looks_.erase(std::unique(looks_.begin(), looks_.end(), are_of_one_face), looks_.end());
   }
 
   const ReadOrder::Piece& of(std::uint32_t face) const {

@@ -294,11 +294,14 @@ class TreeDrawer {
     leaf_width_ = area.width() / static_cast<double>(leaves(0));
     level_height_ = area.height() / (depth(0) + 0.5);
     place(0, 0);
+  }
+
+  void draw() {
     std::vector<std::vector<Point2>> links;
-    for (std::uint32_t i = 1; i < tree.size(); ++i)
-      links.push_back({at_[tree[i].parent] + Point2{0, 1.5}, at_[i] - Point2{0, 4}});
-    plate.lines("outline", links);
-    for (std::uint32_t i = 0; i < tree.size(); ++i) plate.text(words(i), at_[i], kSmallHeight, TextAcross::center);
+    for (std::uint32_t i = 1; i < tree_.size(); ++i)
+      links.push_back({at_[tree_[i].parent] + Point2{0, 1.5}, at_[i] - Point2{0, 4}});
+    plate_.lines("outline", links);
+    for (std::uint32_t i = 0; i < tree_.size(); ++i) plate_.text(words(i), at_[i], kSmallHeight, TextAcross::center);
   }
 
  private:
@@ -357,7 +360,8 @@ Plate decomposition() {
   newell::PriorityList list(elements, true);
   list.sort();
   const PlateCell cell{cell_at(0, 2, 1, 3), "THE TREE"};
-  TreeDrawer(plate, elements, list.tree(), cell.area);
+  TreeDrawer tree(plate, elements, list.tree(), cell.area);
+  tree.draw();
   plate.name_below(cell);
   return plate.take();
 }
