@@ -34,6 +34,9 @@ constexpr double kSimilarArea = 1.05, kRoundArea = 1.3;
 /// So many seeds, spread evenly over all, are tried first. An object is given up when fewer of them get a surface.
 constexpr std::size_t kSamples = 64;
 constexpr std::ptrdiff_t kFewestSuccesses = 4;
+/// Nor has an object surfaces if those of the samples together have less than this share (one in so many) of its facets: in
+/// a free form of a million facets some rows of ten lie on cylinders.
+constexpr std::size_t kLeastShare = 2000;
 /// Slopes of cones. Over ten times its radius a cone of the least one differs from a cylinder by a thousandth of the radius,
 /// an eighth of the sag of 24 facets a turn; one of the largest differs from a plane by half a degree.
 constexpr double kLeastSlope = 1e-4, kLargestSlope = 100;
@@ -73,7 +76,9 @@ std::vector<std::uint32_t> PatchFinder::run(std::vector<Patch>& patches) {
     for (std::size_t i = 0; i < all.size(); i += step) samples.push_back(all[i]);
     search(samples, patches);
     const auto succeeded = [&](std::uint32_t f) { return patch_of_[f] != kNone; };
-    if (std::count_if(samples.begin(), samples.end(), succeeded) < kFewestSuccesses) {
+    const auto facets =
+        static_cast<std::size_t>(std::ranges::count_if(patch_of_, [](std::uint32_t p) { return p != kNone; }));
+    if (std::ranges::count_if(samples, succeeded) < kFewestSuccesses || kLeastShare * facets < all.size()) {
       patches.clear();
       patch_of_.assign(graph_.size(), kNone);
       return std::move(patch_of_);
