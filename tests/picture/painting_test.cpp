@@ -63,8 +63,6 @@ TEST_P(Painting, ShowsWhatIsSeen) {
   for (const char* fill : chosen("painting, " + file, 2, {"shade", "material", "random"})) {
     const Raster seen = drawn(file, "atherton-weiler", fill);
     for (const char* method : {"bsp", "newell", "convex-tree", "watkins", "zbuffer"}) {
-      // A known fault: areas of spans differ there in 308 of two million pixels; docs/sources.md.
-      if (method == std::string("watkins") && file.find("holes_behind_holes") != file.npos) continue;
       const Raster painted = drawn(file, method, fill);
       ASSERT_EQ(painted.pixels.size(), seen.pixels.size());
       std::size_t looked_at = 0, others = 0, white = 0;

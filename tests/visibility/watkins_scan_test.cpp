@@ -86,6 +86,14 @@ TEST(WatkinsScan, LinesPassedOverHaveTheSpansOfAStudyOnAllScenes) {
   EXPECT_GT(scenes, 100u);
 }
 
+/// A corner of a face on a scan line: nothing of the face is seen on that line, and all of it on the next one.
+TEST(WatkinsScan, FacesBeginOnTheLineBelowACorner) {
+  const PreparedScan p(corpus_scene("holes_behind_holes"), along({-1, 1, -1}));
+  constexpr std::uint32_t kLines = 4200;  // the highest corner of a plate lies on one of them
+  const LineStudyResult every = p.study(kLines, kEveryLine), recognising = p.study(kLines, kRecognising);
+  EXPECT_LT(difference(every.spans, recognising.spans), 1e-6 * length(every.spans));
+}
+
 /// All span methods see the same.
 TEST(WatkinsScan, SpanMethodsAgree) {
   for (const char* name : {"bricks", "penetrating_plates_with_holes", "gear"}) {

@@ -7,13 +7,6 @@
 #include "base/no_index.hpp"
 
 namespace ligne::watkins {
-namespace {
-
-/// Edges on one line of the page have accumulators that differ by their roundings; that is no exchange. In grid units: far
-/// above 2^-53 of the largest u, far below a lattice step at any number of lines that a page can have.
-constexpr double kSamePlace = 0x1p-20;
-
-}  // namespace
 
 void ScanCounts::operator+=(const ScanCounts& o) {
   lines += o.lines;
@@ -85,6 +78,7 @@ void LineScan::begin(std::uint32_t line) {
   spans_.clear();
   penetrating_.clear();
   must_study_ = true;
+  opens_ = false;
   ended_edges_.clear();
   if (line == 0) return;
   for (std::uint32_t e = 0; e < scene_.first_of_line[line]; ++e) {
@@ -129,7 +123,7 @@ bool LineScan::take_line(std::uint32_t line) {
     return slot == kNone;
   });
   const bool first = must_study_, exchanged = sort(line);
-  const bool study = first || !options_.coherence || exchanged || changes_matter(line);
+  const bool study = first || opens_ || !options_.coherence || exchanged || changes_matter(line);
   for (const std::uint32_t slot : gone_) listener_.ended(*this, slot);
   if (study) {
     if (scene_.grid.whole) {
@@ -137,6 +131,7 @@ bool LineScan::take_line(std::uint32_t line) {
     } else {
       study_line(*real_);
     }
+    opens_ = std::ranges::any_of(ends_, [this](const SegmentEnds& ends) { return is_opening(ends); });
     if (!order_.empty()) {
       ++counts_.studied;
       ++(first ? counts_.studied_first : exchanged ? counts_.studied_exchanges : counts_.studied_ends);

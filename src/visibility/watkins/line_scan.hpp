@@ -14,6 +14,7 @@
 /// crosses and ends as one. A penetration without such an edge gets one for the time until the next study: it goes straight
 /// on, and where one of the two faces gains or loses an edge a line is studied.
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -57,6 +58,10 @@ struct ActiveEdge {
   std::uint32_t before = 0, after = 0;  ///< of a boundary: the spans left and right of it, or kNone
   std::uint32_t continues = 0;          ///< slot of the edge in which it goes on, when it has ended; or kNone
 };
+
+/// Edges on one line of the page have accumulators that differ by their roundings; that is no exchange. In grid units: far
+/// above 2^-53 of the largest u, far below a lattice step at any number of lines that a page can have.
+inline constexpr double kSamePlace = 0x1p-20;
 
 /// A run on which one face is seen, between two active edges.
 struct LineSpan {
@@ -132,6 +137,11 @@ class LineScan : private PairOrders {
     double u0, u1;
     std::uint32_t face;
   };
+  /// A segment that is a point on this line and not on the next one: the corner of a face lies on the line. No span of it is
+  /// found, so none can be carried on, and its edges bound nothing when they change places.
+  bool is_opening(const SegmentEnds& ends) const {
+    return std::abs(ends.u1 - ends.u0) <= kSamePlace && slots_[ends.left].track.du != slots_[ends.right].track.du;
+  }
 
   const ScanScene& scene_;
   std::span<const SweepLine> lines_;
@@ -148,6 +158,7 @@ class LineScan : private PairOrders {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> by_vertex_;  ///< working memory of sort_by_vertex()
   std::vector<std::uint32_t> ended_edges_;
   bool must_study_ = true;                  ///< there is nothing to be carried on
+  bool opens_ = false;                      ///< is_opening() for some segment of the line studied last
   std::vector<std::uint32_t> penetrating_;  ///< faces that meet in a penetration without an edge
   std::vector<LineSpan> spans_;
 
