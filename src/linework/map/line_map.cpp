@@ -249,7 +249,7 @@ void LineMap::write_stroke(std::uint32_t first_piece, std::vector<Stroke>& out) 
 void LineMap::clear_hidden(std::vector<Stroke>& strokes, double ink, double exact) const {
   if (!had_hidden_ || model_.strokes.size() == given_) return;
   const std::span added(model_.strokes.begin() + given_, model_.strokes.end());
-  SegmentCells cells(cell_);
+  LineCells cells(cell_);
   for (std::uint32_t a = 0; a < added.size(); ++a) cells.insert(a, added[a].from, added[a].to);
   std::vector<StrokePart> parts;
   std::erase_if(strokes, [&](Stroke& s) {

@@ -20,7 +20,7 @@
 #include <span>
 #include <vector>
 
-#include "linework/map/segment_cells.hpp"
+#include "linework/map/line_cells.hpp"
 #include "linework/stroke.hpp"
 #include "linework/stroke_piece.hpp"
 
@@ -138,7 +138,7 @@ class LineMap {
   std::vector<std::uint32_t> node_of_, next_end_;  ///< by end
   std::vector<std::uint32_t> first_end_, degree_;  ///< by node
   std::vector<Contact> contacts_;
-  std::optional<SegmentCells> cells_;
+  std::optional<LineCells> cells_;
   double removed_ = 0, added_ = 0;
 };
 

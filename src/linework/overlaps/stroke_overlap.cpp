@@ -14,12 +14,6 @@ struct Place {
 
 }  // namespace
 
-double length(LatticePoint a, LatticePoint b) {
-  // The sum is exact on the lattice, and std::hypot() takes ten times as long.
-  const double dx = double(b.x) - a.x, dy = double(b.y) - a.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
-
 std::optional<StrokeOverlap> overlap(LatticePoint a0, LatticePoint a1, LatticePoint b0, LatticePoint b1, double tolerance) {
   const double a_length = length(a0, a1), b_length = length(b0, b1);
   const bool swapped = b_length > a_length;

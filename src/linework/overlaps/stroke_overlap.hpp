@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "geometry/lattice.hpp"
+#include "linework/stroke_geometry.hpp"
 
 namespace ligne {
 
@@ -19,8 +19,5 @@ struct StrokeOverlap {
 /// of it. So a wedge, two segments that leave one point at an angle however small, does not coincide unless it closes
 /// again within the tolerance. `tolerance` in lattice steps.
 std::optional<StrokeOverlap> overlap(LatticePoint a0, LatticePoint a1, LatticePoint b0, LatticePoint b1, double tolerance);
-
-/// Length of a segment in lattice steps.
-double length(LatticePoint a, LatticePoint b);
 
 }  // namespace ligne

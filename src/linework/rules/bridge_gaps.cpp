@@ -133,7 +133,7 @@ class LooseEnds {
       const double dx = double(q.x) - p.x, dy = double(q.y) - p.y, squared = dx * dx + dy * dy;
       if (squared > kAbout * best_distance * best_distance) return;
       if (leads_away(end, q, squared) || leads_away(other, p, squared)) return;
-      const double away = distance(p, q);
+      const double away = length(p, q);
       if (away >= wide_ || away > best_distance || (away == best_distance && o > best)) return;
       if (end.chain == other.chain && end.line_length < kRingInGaps * gap_) return;
       if (!leads_to(end, q, away) || !leads_to(other, p, away)) return;
@@ -174,7 +174,7 @@ std::size_t bridge_once(LineMap& map, const GapLimits& limits, const MakeSource&
     const auto blocks = [&](std::uint32_t p) {
       return std::ranges::find(own, p) == own.end() && !part_near(bridge, map.piece(p), clear).empty();
     };
-    const bool shows = distance(a.point, b.point) >= gap;
+    const bool shows = length(a.point, b.point) >= gap;
     if (!shows || !map.near(bridge.from, bridge.to, clear, blocks)) bridges.emplace_back(bridge, k);
   }
   for (const auto& [bridge, k] : bridges) map.add(bridge, pairs[k].first.end, pairs[k].second.end, make_source);

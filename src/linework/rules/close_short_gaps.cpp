@@ -53,7 +53,7 @@ std::size_t close_short_gaps(StrokeModel& model, double gap_mm) {
     while (k < order.size() && strokes[order[k]].source == a.source && !strokes[order[k]].visible) ++k;
     if (k == order.size()) break;
     const Stroke& b = strokes[order[k]];
-    const double gap = distance(a.to, b.from);
+    const double gap = length(a.to, b.from);
     if (b.source != a.source || !is_seen(b) || b.line_class != a.line_class || !(gap > 0) || gap >= longest) continue;
     if (hidden_too != (k > i + 1)) continue;  // a gap without hidden strokes among others: nothing is known of it
     ++closed;

@@ -87,7 +87,7 @@ class DanglePruner {
     std::vector<std::uint32_t> near;
     map_.near(p, p, gap_, [&](std::uint32_t other) {
       for (const std::uint32_t end : {2 * other, 2 * other + 1}) {
-        const bool is_near = arcs_.has(other) && distance(map_.point(end), p) <= gap_;
+        const bool is_near = arcs_.has(other) && length(map_.point(end), p) <= gap_;
         if (is_near && goes_on_without(arcs_.junction_of(end), arc)) near.push_back(arcs_.junction_of(end));
       }
       return false;

@@ -103,7 +103,7 @@ class IsolatedChains {
       Stroke axis;  // to the point that is farthest from the first one
       axis.from = axis.to = own.front().second;
       for (const auto& [chain, p] : own) {
-        if (distance(axis.from, p) > page_length(axis)) axis.to = p;
+        if (length(axis.from, p) > page_length(axis)) axis.to = p;
       }
       may_go_[ring] = std::ranges::all_of(own, [&](const Corner& corner) {
         return foot_on(axis, corner.second).distance <= limits_.ring_width_mm / map_.step_mm();

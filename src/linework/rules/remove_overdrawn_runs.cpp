@@ -79,7 +79,7 @@ DisjointSets touching_runs(const LineMap& map, const Runs& runs, const std::vect
     if (groups.find(of[0].run) == groups.find(others[0].run)) return;
     for (const End& a : of) {
       for (const End& b : others) {
-        if (distance(a.p, b.p) <= reach) return groups.join(a.run, b.run);
+        if (length(a.p, b.p) <= reach) return groups.join(a.run, b.run);
       }
     }
   };

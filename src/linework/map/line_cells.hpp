@@ -12,10 +12,10 @@
 namespace ligne {
 
 /// Numbered segments in the square cells that they pass through. Segments come in one by one and stay.
-class SegmentCells {
+class LineCells {
  public:
   /// Side of the cells, lattice steps (walked_cell() gives one that keeps the number of entries small).
-  explicit SegmentCells(double cell) : cell_(cell), grid_(cell, 0) {}
+  explicit LineCells(double cell) : cell_(cell), grid_(cell, 0) {}
 
   void insert(std::uint32_t number, LatticePoint from, LatticePoint to) {
     grid_.walk(from, to, [&](std::uint64_t cell) {
