@@ -52,7 +52,7 @@ inline constexpr OptionRow kDrawRows[] = {
     {"--path", "way.csv", "--eye 90,90,90 --frames 2"},
     {"--study", "polygons", "--method atherton-weiler --stats"},
     {"--show", "clips", "--method atherton-weiler"},
-    {"--propagate", "count", "--method appel --stats"},
+    {"--propagate", "count", "--method appel --stats", kPlotters, kSameLines},
     {"--warnock-window", "screen", "--method warnock --show windows"},
     {"--warnock-split", "vertex", "--method warnock --show windows"},
     {"--understanding", "nothing", "--method warnock --resolution 16 --stats"},
