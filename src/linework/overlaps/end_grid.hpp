@@ -15,9 +15,9 @@
 
 namespace ligne {
 
-/// Two strokes are partners if they share an interval, that is, lie on each other over some length. Each end of that
-/// interval is an end of one stroke that lies on the other stroke. So partners are found by walking along each stroke
-/// and looking at the ends within the tolerance of it. The cells are rectangles in the coordinates of a DirectionFrame.
+/// Two strokes overlap if they share an interval, that is, lie on each other over some length. Each end of that interval
+/// is an end of one stroke that lies on the other stroke. So overlaps are found by walking along each stroke and looking
+/// at the ends within the tolerance of it. The cells are rectangles in the coordinates of a DirectionFrame.
 /// A cell with ends at many different points gets a finer grid of its own. Invariant: cell c holds the elements
 /// [first_[c], first_[c + 1]) of ends_, and ends at equal points are adjacent.
 class EndGrid {
@@ -52,11 +52,11 @@ class EndGrid {
     return area * area <= margin * margin * (dx * dx + dy * dy);
   }
 
-  /// Records that a stroke with an end at p has a partner: it is settled. To be called once for each end of the stroke.
+  /// Records that a stroke with an end at p overlaps another one: it is settled. To be called once for each end of the stroke.
   void settle_end(LatticePoint p);
 
   /// Calls visit(end) for the ends within the tolerance of the segment from-to, except for ends at `from` or at `to`.
-  /// settled() says whether the stroke that searches has a partner already. As long as it returns true, the walk skips
+  /// settled() says whether an overlap of the searching stroke is known already. As long as it returns true, the walk skips
   /// cells in which all strokes are settled, so that thousands of strokes on one line do not all visit each other.
   template <class Settled, class Visit>
   void for_each_along(LatticePoint from, LatticePoint to, double tolerance, const Settled& settled, const Visit& visit) {

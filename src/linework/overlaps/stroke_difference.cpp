@@ -5,10 +5,9 @@
 #include <cstdint>
 #include <numeric>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
-#include "linework/overlaps/stroke_index.inl.hpp"
+#include "linework/map/line_cells.hpp"
 
 namespace ligne {
 namespace {
@@ -17,25 +16,24 @@ paper::Segment segment_of(const StrokeModel& model, const Stroke& s) {
   return {model.lattice.to_mm(s.from), model.lattice.to_mm(s.to)};
 }
 
-/// The visible strokes of a drawing by the cells of a grid that they run through.
+/// The visible strokes of a drawing by the cells of a grid that they pass through.
 class StrokesByCell {
  public:
   StrokesByCell(const StrokeModel& model, double tolerance_mm)
-      : grid_(cell_of(model, tolerance_mm / model.lattice.step_mm), tolerance_mm / model.lattice.step_mm) {
+      : tolerance_steps_(tolerance_mm / model.lattice.step_mm), cells_(cell_of(model, tolerance_steps_)) {
     for (std::uint32_t i = 0; i < model.strokes.size(); ++i) {
-      if (model.strokes[i].visible) for_each_cell(model.strokes[i], [&](std::uint64_t cell) { cells_[cell].push_back(i); });
+      if (model.strokes[i].visible) cells_.insert(i, model.strokes[i].from, model.strokes[i].to);
     }
   }
 
   /// All that may lie along the stroke, each once, ascending.
   const std::vector<std::uint32_t>& near(const Stroke& stroke) {
     found_.clear();
-    for_each_cell(stroke, [&](std::uint64_t cell) {
-      if (const auto list = cells_.find(cell); list != cells_.end()) {
-        found_.insert(found_.end(), list->second.begin(), list->second.end());
-      }
+    cells_.near(stroke.from, stroke.to, 2 * tolerance_steps_, [&](std::uint32_t i) {
+      found_.push_back(i);
+      return false;
     });
-    std::sort(found_.begin(), found_.end());
+    std::ranges::sort(found_);
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
     return found_;
   }
@@ -47,16 +45,8 @@ class StrokesByCell {
     return index_cell(model.strokes, all, tolerance_steps);
   }
 
-  template <class Visit>
-  void for_each_cell(const Stroke& s, Visit visit) const {
-    grid_.walk(s.from, s.to, [&](std::uint64_t cell) {
-      visit(cell);
-      return false;
-    });
-  }
-
-  SegmentGrid grid_;
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
+  double tolerance_steps_;
+  LineCells cells_;
   std::vector<std::uint32_t> found_;
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 /// The parts of a piece in the ink of other lines. Parts are united as they come: a piece among thousands of lines keeps
 /// few.
-class Inked {
+class InkedParts {
  public:
   void add(const StrokePart& part) {
     parts_.push_back(part);
@@ -119,7 +119,7 @@ std::size_t remove_overdrawn_runs(LineMap& map, const OverdrawLimits& limits) {
   std::vector<std::uint8_t> touches(map.piece_count(), 0);  // by group: the ink of another line
   for (const std::uint32_t b : bits) {
     const Stroke& bit = map.piece(b);
-    Inked inked;
+    InkedParts inked;
     map.near(bit.from, bit.to, ink, [&](std::uint32_t p) {
       if (runs.of(p) == kNone || is_short(p)) return false;
       if (const StrokePart part = part_near(bit, map.piece(p), ink); !part.empty()) inked.add(part);

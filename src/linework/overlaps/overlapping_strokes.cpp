@@ -1,4 +1,4 @@
-#include "linework/overlaps/stroke_partners.hpp"
+#include "linework/overlaps/overlapping_strokes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,8 +21,9 @@ namespace {
 
 constexpr std::size_t kGrain = 4096;
 
-/// A coarse raster of the page in which strokes are marked: most strokes of a large drawing lie in no marked square, and
-/// this is found out faster than in a hash table. A drawing of few strokes has few squares: to clear many would cost more.
+/// A coarse raster of the page whose squares are marked where strokes pass. Most strokes of a large drawing lie in no marked
+/// square, and the raster tells so faster than a hash table. The raster of few strokes has few squares, since it must be
+/// cleared.
 class MarkedSquares {
  public:
   MarkedSquares(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double margin)
@@ -34,7 +35,7 @@ class MarkedSquares {
       });
     }
   }
-  /// May the stroke lie on one of those marked?
+  /// Whether the stroke may lie on one that was marked.
   bool near(const Stroke& s) const {
     return for_each_square(s, [&](std::size_t k) { return marks_[k] != 0; });
   }
@@ -53,7 +54,7 @@ class MarkedSquares {
     constexpr double limit = kLatticeLimit;
     return static_cast<std::size_t>((std::clamp(v, -limit, limit) + limit) * per_step_);
   }
-  /// The squares within the margin of the stroke, column by column, until visit returns true; and some beside them.
+  /// Visits the squares within the margin of the stroke, and some beside them, column by column until visit returns true.
   template <class Visit>
   bool for_each_square(const Stroke& s, const Visit& visit) const {
     const double low = std::min(s.from.y, s.to.y), high = std::max(s.from.y, s.to.y);
@@ -122,7 +123,7 @@ void mark_same_ends(const std::vector<Stroke>& strokes, const std::vector<std::u
   }
 }
 
-/// The strokes that may coincide, and those near them, in order.
+/// The numbers of the strokes that need a check, and of those near them, in order.
 std::vector<std::uint32_t> find_candidates(const std::vector<Stroke>& strokes, double tolerance_steps) {
   std::vector<std::uint32_t> flagged;
   for (std::uint32_t i = 0; i < strokes.size(); ++i) {
@@ -144,21 +145,20 @@ std::vector<std::uint32_t> find_candidates(const std::vector<Stroke>& strokes, d
   return result;
 }
 
-/// Two strokes of any length coincide
-/// - where one of them is short: an end of a short one lies on the other;
-/// - where both are long and what they have in common is, too: they have about one direction, and an end of one lies on the
-///   other;
-/// - where both are long and what they have in common is short: it lies between an end of one and an end of the other;
-/// - or else they have both ends in common.
-/// So where strokes cross many others all of them go along the ends of the short ones, and the long ones along those of long
-/// ones of about their direction, and from each of its ends a long one looks for ends of others a little way along itself.
-class PartnerSearch {
+/// Finds overlaps by the ends of strokes. Two strokes that overlap are of one of these kinds:
+/// - One is short, and an end of it lies on the other.
+/// - Both and their common interval are long. They have nearly one direction, and an end of one lies on the other.
+/// - Both are long, and their common interval is short. It lies between an end of one and an end of the other.
+/// - Both ends are common.
+/// So each stroke is followed past the ends of short strokes, each long one also past the ends of long ones of nearly its
+/// direction, and a little way from each of its ends past the ends of all long ones.
+class OverlapSearch {
  public:
-  PartnerSearch(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& candidates, double tolerance,
-                std::vector<Partners>& result)
+  OverlapSearch(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& candidates, double tolerance,
+                std::vector<OverlapState>& result)
       : strokes_(strokes), tolerance_(tolerance), result_(result) {
     if (stroke_directions::are_crossing(strokes, candidates)) long_ = stroke_directions::kLong * tolerance;
-    file(candidates);
+    sort_into_groups(candidates);
   }
 
   void run() {
@@ -166,7 +166,11 @@ class PartnerSearch {
     search_near_ends();
   }
 
-  void mark(std::uint32_t i) { AtomicRef<Partners>(result_[i]).store(Partners::some, std::memory_order_relaxed); }
+  /// Returns whether the stroke was marked before.
+  bool mark(std::uint32_t i) {
+    return AtomicRef<OverlapState>(result_[i]).exchange(OverlapState::overlapping, std::memory_order_relaxed) ==
+           OverlapState::overlapping;
+  }
 
  private:
   using End = EndGrid::End;
@@ -177,10 +181,10 @@ class PartnerSearch {
     if (!is_long(from, to)) return kShort;
     return static_cast<std::size_t>(stroke_directions::range_of(stroke_directions::direction(from, to)));
   }
-  bool has_partner(std::uint32_t i) const {
-    return AtomicRef<Partners>(result_[i]).load(std::memory_order_relaxed) == Partners::some;
+  bool is_overlapping(std::uint32_t i) const {
+    return AtomicRef<OverlapState>(result_[i]).load(std::memory_order_relaxed) == OverlapState::overlapping;
   }
-  void file(const std::vector<std::uint32_t>& candidates);
+  void sort_into_groups(const std::vector<std::uint32_t>& candidates);
   void search_along();
   void search_near_ends();
   LatticePoint stub_of(const End& end) const;
@@ -190,13 +194,13 @@ class PartnerSearch {
 
   const std::vector<Stroke>& strokes_;
   double tolerance_;
-  double long_ = std::numeric_limits<double>::infinity();  ///< longer strokes are filed by direction
-  std::vector<Partners>& result_;
+  double long_ = std::numeric_limits<double>::infinity();  ///< longer strokes are sorted by direction
+  std::vector<OverlapState>& result_;
   std::array<std::vector<End>, kShort + 1> ends_;  ///< by group
   std::array<EndGrid, kShort + 1> grids_;
 };
 
-void PartnerSearch::file(const std::vector<std::uint32_t>& candidates) {
+void OverlapSearch::sort_into_groups(const std::vector<std::uint32_t>& candidates) {
   std::vector<std::uint8_t> group(candidates.size());
   parallel_blocks(candidates.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -214,24 +218,24 @@ void PartnerSearch::file(const std::vector<std::uint32_t>& candidates) {
   }
 }
 
-void PartnerSearch::settle(const End& end) {
-  if (AtomicRef<Partners>(result_[end.stroke]).exchange(Partners::some, std::memory_order_relaxed) == Partners::some) return;
+void OverlapSearch::settle(const End& end) {
+  if (mark(end.stroke)) return;
   EndGrid& grid = grids_[group_of(end.p, end.far)];
   grid.settle_end(end.p);
   grid.settle_end(end.far);
 }
 
-void PartnerSearch::compare(const End& end, const End& other) {
-  if (other.stroke == end.stroke || (has_partner(end.stroke) && has_partner(other.stroke))) return;
+void OverlapSearch::compare(const End& end, const End& other) {
+  if (other.stroke == end.stroke || (is_overlapping(end.stroke) && is_overlapping(other.stroke))) return;
   if (!overlap(end.p, end.far, other.p, other.far, tolerance_)) return;
   if (!strokes_[end.stroke].needs_overlap_check && !strokes_[other.stroke].needs_overlap_check) return;
   settle(end);
   settle(other);
 }
 
-/// The stroke of an end in this group.
-void PartnerSearch::search(const End& end, std::size_t group) {
-  const auto settled = [&] { return has_partner(end.stroke); };
+/// Follows the stroke of an end of this group past the ends of others.
+void OverlapSearch::search(const End& end, std::size_t group) {
+  const auto settled = [&] { return is_overlapping(end.stroke); };
   const auto visit = [&](const End& other) { compare(end, other); };
   grids_[kShort].for_each_along(end.p, end.far, tolerance_, settled, visit);
   if (group == kShort) return;
@@ -240,7 +244,7 @@ void PartnerSearch::search(const End& end, std::size_t group) {
   });
 }
 
-void PartnerSearch::search_along() {
+void OverlapSearch::search_along() {
   constexpr double kLongest = 16;  // adjustable: how many times as long as wide the cells of one range are
   const double least = kLeastCellInTolerances * tolerance_;
   parallel_tasks(kShort + 1, [&](std::size_t g) {
@@ -248,7 +252,7 @@ void PartnerSearch::search_along() {
     const DirectionFrame frame = is_range ? stroke_directions::frame_of(static_cast<int>(g)) : DirectionFrame{};
     grids_[g] = EndGrid(std::move(ends_[g]), {frame, least, is_range ? kLongest : 1, true});
   });
-  // Few from everywhere come first: of thousands on one line they settle nearly all.
+  // Few strokes from everywhere come first. Among thousands on one line they settle nearly all.
   for (const std::size_t step : {std::size_t{4096}, std::size_t{64}, std::size_t{1}}) {
     for (std::size_t g = 0; g <= kShort; ++g) {
       const std::vector<End>& ends = grids_[g].ends();
@@ -261,16 +265,16 @@ void PartnerSearch::search_along() {
   }
 }
 
-/// So far along the stroke of an end as the end of another may be with which it has a short interval in common.
-LatticePoint PartnerSearch::stub_of(const End& end) const {
+/// The place on the stroke of an end up to which a short common interval that begins there may reach.
+LatticePoint OverlapSearch::stub_of(const End& end) const {
   const double dx = double(end.far.x) - end.p.x, dy = double(end.far.y) - end.p.y;
   const double part = std::min(1.0, stroke_directions::kLong * tolerance_ / length(end.p, end.far));
   return {end.p.x + static_cast<std::int32_t>(std::lround(part * dx)),
           end.p.y + static_cast<std::int32_t>(std::lround(part * dy))};
 }
 
-/// Looks for short common intervals of long strokes: between an end of one and an end of the other, each on both.
-void PartnerSearch::search_near_ends() {
+/// Finds short common intervals of long strokes, between an end of one and an end of the other.
+void OverlapSearch::search_near_ends() {
   std::vector<End> long_ends;
   std::size_t count = 0;
   for (std::size_t g = 0; g < kShort; ++g) count += grids_[g].ends().size();
@@ -285,7 +289,7 @@ void PartnerSearch::search_near_ends() {
   parallel_blocks(ends.size(), kGrain, [&](std::size_t begin, std::size_t last) {
     for (std::size_t e = begin; e < last; ++e) {
       const End& end = ends[e];
-      if (has_partner(end.stroke)) continue;
+      if (is_overlapping(end.stroke)) continue;
       const LatticePoint stub = stub_of(end);
       grid.for_each_along(
           end.p, stub, tolerance_, [] { return false; },
@@ -296,7 +300,7 @@ void PartnerSearch::search_near_ends() {
   });
 }
 
-/// Marks the partners by a search of each stroke, which ends at its first partner.
+/// Marks each overlapping stroke. The search of a stroke ends at its first overlap.
 template <class Mark>
 void search_side_by_side(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& candidates, double tolerance,
                          const Mark& mark) {
@@ -304,36 +308,36 @@ void search_side_by_side(const std::vector<Stroke>& strokes, const std::vector<s
   parallel_blocks(candidates.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Stroke& s = strokes[candidates[k]];
-      const auto is_partner = [&](std::uint32_t number) {
+      const auto overlaps = [&](std::uint32_t number) {
         const Stroke& other = strokes[candidates[number]];
         return number != k && (s.needs_overlap_check || other.needs_overlap_check) &&
                overlap(s.from, s.to, other.from, other.to, tolerance).has_value();
       };
-      if (tree.query(s.from, s.to, is_partner)) mark(candidates[k]);
+      if (tree.query(s.from, s.to, overlaps)) mark(candidates[k]);
     }
   });
 }
 
 }  // namespace
 
-std::vector<Partners> find_partners(const std::vector<Stroke>& strokes, double tolerance_steps) {
-  std::vector<Partners> result(strokes.size(), Partners::cannot);
+std::vector<OverlapState> find_overlapping_strokes(const std::vector<Stroke>& strokes, double tolerance_steps) {
+  std::vector<OverlapState> result(strokes.size(), OverlapState::excluded);
   const std::vector<std::uint32_t> candidates = find_candidates(strokes, tolerance_steps);
   if (candidates.empty()) return result;
   for (const std::uint32_t i : candidates) {
-    if (strokes[i].needs_overlap_check) result[i] = Partners::none;
+    if (strokes[i].needs_overlap_check) result[i] = OverlapState::alone;
   }
   if (StrokeTree::suits(strokes, candidates, tolerance_steps)) {
-    search_side_by_side(strokes, candidates, tolerance_steps, [&](std::uint32_t i) { result[i] = Partners::some; });
+    search_side_by_side(strokes, candidates, tolerance_steps, [&](std::uint32_t i) { result[i] = OverlapState::overlapping; });
     return result;
   }
-  PartnerSearch search(strokes, candidates, tolerance_steps, result);
+  OverlapSearch search(strokes, candidates, tolerance_steps, result);
   search.run();
   mark_same_ends(strokes, candidates, [&](std::uint32_t i) { search.mark(i); });
   return result;
 }
 
-std::vector<std::uint32_t> find_partners_of(const std::vector<Stroke>& others, const std::vector<Stroke>& strokes,
+std::vector<std::uint32_t> strokes_that_overlap(const std::vector<Stroke>& others, const std::vector<Stroke>& strokes,
                                             const std::vector<std::uint32_t>& of, double tolerance_steps) {
   std::vector<std::uint32_t> all(others.size());
   std::iota(all.begin(), all.end(), 0u);

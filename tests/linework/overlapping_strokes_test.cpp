@@ -1,6 +1,6 @@
-/// The search for partners against all pairs.
+/// The search for overlaps against all pairs.
 
-#include "linework/overlaps/stroke_partners.hpp"
+#include "linework/overlaps/overlapping_strokes.hpp"
 #include "linework/overlaps/stroke_difference.hpp"
 #include "linework/overlaps/stroke_directions.hpp"
 #include "linework/overlaps/stroke_overlap.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kTolerance = 3;
 
-std::vector<Partners> by_all_pairs(const std::vector<Stroke>& strokes) {
+std::vector<OverlapState> by_all_pairs(const std::vector<Stroke>& strokes) {
   std::vector<bool> some(strokes.size());
   for (std::size_t i = 0; i < strokes.size(); ++i)
     for (std::size_t k = i + 1; k < strokes.size(); ++k) {
@@ -21,17 +21,17 @@ std::vector<Partners> by_all_pairs(const std::vector<Stroke>& strokes) {
       if (!a.needs_overlap_check && !b.needs_overlap_check) continue;
       if (overlap(a.from, a.to, b.from, b.to, kTolerance)) some[i] = some[k] = true;
     }
-  std::vector<Partners> result;
-  for (const bool s : some) result.push_back(s ? Partners::some : Partners::none);
+  std::vector<OverlapState> result;
+  for (const bool s : some) result.push_back(s ? OverlapState::overlapping : OverlapState::alone);
   return result;
 }
 
 /// Those that can have none count as those that have none.
 void expect_found(const std::vector<Stroke>& strokes, std::uint32_t seed) {
-  const std::vector<Partners> expected = by_all_pairs(strokes), found = find_partners(strokes, kTolerance);
+  const std::vector<OverlapState> expected = by_all_pairs(strokes), found = find_overlapping_strokes(strokes, kTolerance);
   ASSERT_EQ(found.size(), expected.size());
   std::size_t wrong = 0;
-  for (std::size_t i = 0; i < found.size(); ++i) wrong += (found[i] == Partners::some) != (expected[i] == Partners::some);
+  for (std::size_t i = 0; i < found.size(); ++i) wrong += (found[i] == OverlapState::overlapping) != (expected[i] == OverlapState::overlapping);
   EXPECT_EQ(wrong, 0u) << "seed " << seed;
 }
 
@@ -76,7 +76,7 @@ std::vector<Stroke> clustered(std::uint32_t seed, int count, int page, int short
 
 const std::uint32_t kSeeds = test::runs_all() ? 10 : 4;
 
-TEST(StrokePartners, AreThoseOfAllPairs) {
+TEST(OverlappingStrokes, AreThoseOfAllPairs) {
   const struct {
     const char* name;
     std::array<int, 2> counts;  ///< numbers of strokes, for even seeds and for odd ones
@@ -104,11 +104,11 @@ std::vector<Stroke> crowded_on_a_large_page(std::uint32_t seed) {
   return strokes;
 }
 
-TEST(StrokePartners, InACrowdOnALargePage) {
+TEST(OverlappingStrokes, InACrowdOnALargePage) {
   for (std::uint32_t seed = 1; seed <= kSeeds / 2; ++seed) expect_found(crowded_on_a_large_page(seed), seed);
 }
 
-TEST(StrokePartners, ACrowdOnALargePageIsCrossing) {
+TEST(OverlappingStrokes, ACrowdOnALargePageIsCrossing) {
   const auto are_crossing = [](const std::vector<Stroke>& strokes) {
     std::vector<std::uint32_t> all(strokes.size());
     std::iota(all.begin(), all.end(), 0u);
@@ -126,7 +126,7 @@ TEST(StrokePartners, ACrowdOnALargePageIsCrossing) {
   EXPECT_FALSE(are_crossing(mesh));
 }
 
-TEST(StrokePartners, AmongFarStrokesOfWhichFewMayCoincide) {
+TEST(OverlappingStrokes, AmongFarStrokesOfWhichFewMayCoincide) {
   for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
     std::vector<Stroke> strokes = clustered(seed, 700, 20'000'000, 1000, 10'000'000);
     for (std::size_t i = 0; i < strokes.size(); ++i) strokes[i].needs_overlap_check = i % 50 == 0;
