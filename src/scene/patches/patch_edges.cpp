@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/patches/facet_graph.hpp"
+#include "scene/patches/whole_borders.hpp"
 
 namespace ligne {
 namespace {
@@ -50,8 +51,6 @@ class EdgeClassifier {
   }
 
   PatchEdge operator()(std::size_t e) const {
-    constexpr std::uint16_t kSpoken =
-        kEdgeManyFaces | kEdgeUnlikeWound | kEdgeSharp | kEdgeCrossing | kEdgeFileHidden | kEdgeInner;
     const Edge& edge = topology_.edges[e];
     if (edge.face1 == kNone || (topology_.edge_flags[e] & kSpoken)) return PatchEdge::unknown;
     const std::uint32_t p = patches_.patch_of[edge.face0], q = patches_.patch_of[edge.face1];
@@ -76,7 +75,29 @@ class EdgeClassifier {
     return bend_alike(edge, n0) ? PatchEdge::inside : PatchEdge::tangent;
   }
 
+  /// The evidence of an edge that is of the given kind by itself.
+  BorderEvidence evidence(std::size_t e, PatchEdge kind) const {
+    const Edge& edge = topology_.edges[e];
+    if (edge.face1 == kNone || (topology_.edge_flags[e] & kSpoken)) return BorderEvidence::none;
+    const std::uint32_t p = patches_.patch_of[edge.face0], q = patches_.patch_of[edge.face1];
+    const bool is_border =
+        p != q && (p != kNone || patches_.is_freeform[edge.face0]) && (q != kNone || patches_.is_freeform[edge.face1]);
+    if (!is_border || glm::dot(Point3(normals_[edge.face0]), Point3(normals_[edge.face1])) < bent_)
+      return BorderEvidence::none;
+    if (kind == PatchEdge::tangent) return BorderEvidence::tangent;
+    if (kind != PatchEdge::unknown) return BorderEvidence::against;
+    if (p != kNone && q != kNone) return BorderEvidence::angled;
+    const auto border = std::ranges::lower_bound(patches_.borders, e, {}, &FreeformBorder::edge);
+    if (border == patches_.borders.end() || border->edge != e) return BorderEvidence::open;
+    if (kind_of(*border) == PatchEdge::tangent) return BorderEvidence::tangent;
+    const bool is_against = border->turn > 0 && border->angle > kTangentSlack + kApartPart * border->turn;
+    return is_against && !border->is_fleck ? BorderEvidence::against : BorderEvidence::open;
+  }
+
  private:
+  static constexpr std::uint16_t kSpoken =
+      kEdgeManyFaces | kEdgeUnlikeWound | kEdgeSharp | kEdgeCrossing | kEdgeFileHidden | kEdgeInner;
+
   /// Lengths of a chain of borders of a free form: all, of each kind, and `apart` of those that can not be tangent.
   struct Chain {
     double length = 0, sharp = 0, tangent = 0, apart = 0;
@@ -143,9 +164,14 @@ std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& 
                                             const Patches& patches, double sharp_degrees) {
   const EdgeClassifier classify(scene, topology, normals, patches, sharp_degrees);
   std::vector<PatchEdge> edges(topology.edges.size());
+  std::vector<BorderEvidence> evidence(edges.size());
   parallel_blocks(edges.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) edges[e] = classify(e);
+    for (std::size_t e = begin; e < end; ++e) {
+      edges[e] = classify(e);
+      evidence[e] = classify.evidence(e, edges[e]);
+    }
   });
+  if (!patches.list.empty()) decide_by_whole_borders(scene, topology, patches, evidence, edges);
   return edges;
 }
 

@@ -1,0 +1,161 @@
+#include "scene/patches/whole_borders.hpp"
+
+#include <algorithm>
+#include <array>
+#include <compare>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable.
+/// A patch may be a band where more than this part of its border has evidence. One of the two long sides of a strip is less
+/// than half of its border; both are more than this part unless the strip is two thirds as wide as long.
+constexpr double kMostCurved = 0.6;
+/// A patch is no band if it meets one other patch along this part of the border that has evidence, as the cone at the tip of
+/// a shaft does: it has one side.
+constexpr double kOneSide = 0.8;
+/// Parts of a chain that make all of it tangent, and that may speak against it.
+constexpr double kMostTangent = 0.6, kMostAgainst = 0.1;
+/// Least cosine between consecutive edges of a chain: 45 degrees.
+constexpr double kStraightCosine = 0.7;
+
+class WholeBorders {
+ public:
+  WholeBorders(const Scene& scene, const Topology& topology, const Patches& patches,
+               std::span<const BorderEvidence> evidence, std::vector<PatchEdge>& edges)
+      : scene_(scene), topology_(topology), patches_(patches), evidence_(evidence), edges_(edges) {}
+
+  void run() {
+    decide_angled();
+    decide_chains();
+  }
+
+ private:
+  std::array<std::uint32_t, 2> patches_at(std::size_t e) const {
+    const Edge& edge = topology_.edges[e];
+    return {patches_.patch_of[edge.face0], patches_.patch_of[edge.face1]};
+  }
+
+  double length_of(std::size_t e) const {
+    return glm::distance(scene_.vertices[topology_.edges[e].v0], scene_.vertices[topology_.edges[e].v1]);
+  }
+
+  void decide_angled() {
+    if (std::ranges::find(evidence_, BorderEvidence::angled) == evidence_.end()) return;
+    struct Border {
+      double length = 0, curved = 0;  ///< all of it; the edges that have evidence
+    };
+    std::vector<Border> borders(patches_.list.size());
+    std::map<std::array<std::uint32_t, 2>, double> shared;  // by two patches, the lower number first
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (topology_.edges[e].face1 == kNone) continue;
+      const auto [p, q] = patches_at(e);
+      if (p == q) continue;
+      const double length = length_of(e), curved = evidence_[e] != BorderEvidence::none ? length : 0;
+      for (const std::uint32_t patch : {p, q}) {
+        if (patch == kNone) continue;
+        borders[patch].length += length;
+        borders[patch].curved += curved;
+      }
+      if (curved > 0 && p != kNone && q != kNone) shared[{std::min(p, q), std::max(p, q)}] += length;
+    }
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (evidence_[e] != BorderEvidence::angled || edges_[e] != PatchEdge::unknown) continue;
+      const auto [p, q] = patches_at(e);
+      const double both = shared[{std::min(p, q), std::max(p, q)}];
+      const auto may_be_band = [&](std::uint32_t patch) {
+        const Border& border = borders[patch];
+        return border.curved > kMostCurved * border.length && both < kOneSide * border.curved;
+      };
+      if (!may_be_band(p) && !may_be_band(q)) edges_[e] = PatchEdge::sharp;
+    }
+  }
+
+  /// One side of an edge: the patch there.
+  struct Side {
+    std::uint32_t patch, edge;
+    auto operator<=>(const Side&) const = default;
+  };
+
+  void decide_chains() {
+    std::vector<Side> sides;
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+      if (evidence_[e] == BorderEvidence::none) continue;
+      for (const std::uint32_t patch : patches_at(e)) {
+        if (patch != kNone) sides.push_back({patch, e});
+      }
+    }
+    std::ranges::sort(sides);
+    DisjointSets chains = chains_of(sides);
+    struct Lengths {
+      double all = 0, tangent = 0, against = 0;
+    };
+    std::vector<Lengths> lengths(sides.size());
+    for (std::uint32_t i = 0; i < sides.size(); ++i) {
+      const BorderEvidence evidence = evidence_[sides[i].edge];
+      const double length = length_of(sides[i].edge);
+      Lengths& sum = lengths[chains.find(i)];
+      sum.all += length;
+      if (evidence == BorderEvidence::tangent) sum.tangent += length;
+      if (evidence == BorderEvidence::against || evidence == BorderEvidence::angled) sum.against += length;
+    }
+    for (std::uint32_t i = 0; i < sides.size(); ++i) {
+      const std::uint32_t e = sides[i].edge;
+      // Rules for meshes see what the file shades smooth.
+      if (edges_[e] != PatchEdge::unknown || (topology_.edge_flags[e] & kEdgeSmooth)) continue;
+      const Lengths& sum = lengths[chains.find(i)];
+      if (sum.tangent >= kMostTangent * sum.all && sum.against <= kMostAgainst * sum.all) edges_[e] = PatchEdge::tangent;
+    }
+  }
+
+  /// Joins sides of one patch that go straight on at a vertex where two of its sides end. `sides`: sorted.
+  DisjointSets chains_of(std::span<const Side> sides) const {
+    struct End {
+      std::uint32_t patch, vertex, side;
+      auto operator<=>(const End&) const = default;
+    };
+    std::vector<End> ends;
+    for (std::uint32_t i = 0; i < sides.size(); ++i) {
+      const Edge& edge = topology_.edges[sides[i].edge];
+      for (const std::uint32_t v : {edge.v0, edge.v1}) ends.push_back({sides[i].patch, v, i});
+    }
+    std::ranges::sort(ends);
+    DisjointSets chains(sides.size());
+    for (std::size_t i = 0, last = 0; i < ends.size(); i = last) {
+      const auto& [patch, vertex, side] = ends[i];
+      while (last < ends.size() && ends[last].patch == patch && ends[last].vertex == vertex) ++last;
+      if (last - i == 2 && goes_straight_on(vertex, sides[side].edge, sides[ends[i + 1].side].edge)) {
+        chains.join(side, ends[i + 1].side);
+      }
+    }
+    return chains;
+  }
+
+  bool goes_straight_on(std::uint32_t vertex, std::uint32_t first, std::uint32_t second) const {
+    const auto away = [&](std::uint32_t e) {
+      const Edge& edge = topology_.edges[e];
+      return glm::normalize(scene_.vertices[edge.v0 == vertex ? edge.v1 : edge.v0] - scene_.vertices[vertex]);
+    };
+    return glm::dot(away(first), away(second)) <= -kStraightCosine;
+  }
+
+  const Scene& scene_;
+  const Topology& topology_;
+  const Patches& patches_;
+  std::span<const BorderEvidence> evidence_;
+  std::vector<PatchEdge>& edges_;
+};
+
+}  // namespace
+
+void decide_by_whole_borders(const Scene& scene, const Topology& topology, const Patches& patches,
+                             std::span<const BorderEvidence> evidence, std::vector<PatchEdge>& edges) {
+  WholeBorders(scene, topology, patches, evidence, edges).run();
+}
+
+}  // namespace ligne

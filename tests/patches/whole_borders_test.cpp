@@ -1,0 +1,95 @@
+/// Edges that are decided by the whole border of a patch.
+
+#include "scene/patches/whole_borders.hpp"
+
+#include <gtest/gtest.h>
+
+#include "patches/patch_scenes.hpp"
+
+namespace ligne {
+namespace {
+
+using namespace test;
+
+/// A closed body of revolution about z: rings of facets between circles, each of a radius and a height, with flat ends.
+std::vector<Corners> turned_body(int facets, const std::vector<Point2>& circles) {
+  std::vector<Corners> polygons;
+  const auto at = [&](int u, int v) {
+    const Point2 circle = circles[static_cast<std::size_t>(v)];
+    return on_circle(circle.x, 2 * kPi * (u % facets) / facets, circle.y);
+  };
+  const int rows = static_cast<int>(circles.size()) - 1;
+  add_grid(polygons, facets, rows, false, at);
+  Corners bottom, top;
+  for (int u = 0; u < facets; ++u) {
+    bottom.push_back(at(facets - u, 0));
+    top.push_back(at(u, rows));
+  }
+  polygons.push_back(bottom);
+  polygons.push_back(top);
+  return polygons;
+}
+
+/// A cylinder of radius 10 that becomes a cone at z = 0.
+std::vector<Corners> pointed_shaft(int facets, double degrees) {
+  return turned_body(facets, {{10, -20}, {10, 0}, {10 - 8 * std::tan(degrees * kPi / 180), 8}});
+}
+
+/// The edges of the ring at z = 0.
+std::vector<std::size_t> ring_of(const FoundPatches& found) {
+  std::vector<std::size_t> ring;
+  for (std::size_t e = 0; e < found.edges.size(); ++e) {
+    const Edge& edge = found.topology.edges[e];
+    if (found.scene.vertices[edge.v0].z == 0 && found.scene.vertices[edge.v1].z == 0) ring.push_back(e);
+  }
+  return ring;
+}
+
+TEST(WholeBorders, CylinderAndConeMeetInASharpEdge) {
+  for (const int facets : {12, 24, 48}) {
+    for (const double degrees : {12, 20, 29}) {
+      SCOPED_TRACE(std::to_string(facets) + " facets, " + std::to_string(degrees) + " degrees");
+      const FoundPatches found(pointed_shaft(facets, degrees));
+      for (const std::size_t e : ring_of(found)) EXPECT_EQ(found.edges[e], PatchEdge::sharp);
+      EXPECT_EQ(found.count(PatchEdge::sharp), static_cast<std::size_t>(facets));
+    }
+  }
+}
+
+TEST(WholeBorders, ANarrowTipIsNoBand) {
+  const FoundPatches found(turned_body(24, {{10, -20}, {10, 0}, {1, 9 / std::tan(20 * kPi / 180)}}));
+  for (const std::size_t e : ring_of(found)) EXPECT_EQ(found.edges[e], PatchEdge::sharp);
+}
+
+TEST(WholeBorders, RingsOfACoarseDomeHaveNoEdges) {
+  std::vector<Point2> circles;
+  for (int k = 0; k <= 3; ++k) circles.push_back(Point2(20 * std::cos(k * kPi / 12), 12 * std::sin(k * kPi / 12)));
+  const FoundPatches found(turned_body(24, circles));
+  ASSERT_GE(found.faces().size(), 3u);
+  EXPECT_EQ(found.count(PatchEdge::sharp), 0u);
+}
+
+/// The ring of a shaft where so many edges have evidence of a kind, and all others are tangent.
+std::vector<PatchEdge> ring_with(std::size_t count, BorderEvidence kind) {
+  FoundPatches found(pointed_shaft(24, 20));
+  const std::vector<std::size_t> ring = ring_of(found);
+  std::vector<BorderEvidence> evidence(found.edges.size(), BorderEvidence::none);
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    evidence[ring[i]] = i < count ? kind : BorderEvidence::tangent;
+    found.edges[ring[i]] = i < count ? PatchEdge::unknown : PatchEdge::tangent;
+  }
+  decide_by_whole_borders(found.scene, found.topology, found.patches, evidence, found.edges);
+  std::vector<PatchEdge> kinds;
+  for (const std::size_t e : ring) kinds.push_back(found.edges[e]);
+  return kinds;
+}
+
+TEST(WholeBorders, MostOfAChainDecidesForTheRest) {
+  EXPECT_EQ(std::ranges::count(ring_with(9, BorderEvidence::open), PatchEdge::tangent), 24);
+  EXPECT_EQ(std::ranges::count(ring_with(10, BorderEvidence::open), PatchEdge::tangent), 14);
+  EXPECT_EQ(std::ranges::count(ring_with(2, BorderEvidence::against), PatchEdge::tangent), 24);
+  EXPECT_EQ(std::ranges::count(ring_with(3, BorderEvidence::against), PatchEdge::tangent), 21);
+}
+
+}  // namespace
+}  // namespace ligne
