@@ -305,6 +305,32 @@ void append_head(std::string& out, const DrawingDocument& document, const Page& 
   out += "},\n\"method\":" + json_string(document.method);
 }
 
+void append_plane(std::string& out, const ScanPlane& plane) {
+  const auto append_runs = [&](const char* name, const std::vector<ScanPlane::Run>& runs) {
+    out += name;
+    append_list(out, runs, [&](const ScanPlane::Run& run) {
+      out += '[';
+      append_shortest(out, run.x0);
+      out += ',';
+      append_shortest(out, run.x1);
+      out += ',';
+      append_face(out, run.segment);
+      out += ',';
+      append_integer(out, run.row);
+      out += ']';
+    });
+  };
+  out += "{\"y\":";
+  append_shortest(out, plane.y_mm);
+  out += ",\"segments\":";
+  append_list(out, plane.segments, [&](const ScanPlane::Segment& s) {
+    append_numbers(out, std::array{s.x0, s.z0, s.x1, s.z1, double(s.face)});
+  });
+  append_runs(",\"runs\":", plane.runs);
+  append_runs(",\"bars\":", plane.bars);
+  out += '}';
+}
+
 /// Counts only: times differ from run to run, and the same input gives the same bytes.
 void append_stats(std::string& out, const Statistics& statistics) {
   out += ",\n\"stats\":{\"counts\":{";
@@ -364,6 +390,10 @@ std::string write_json(const DrawingDocument& document, const PlotOptions& optio
   if (document.spans) {
     out += ",\n\"spans\":";
     append_spans(out, *document.spans);
+  }
+  if (document.plane) {
+    out += ",\n\"plane\":";
+    append_plane(out, *document.plane);
   }
   if (document.debug) {
     out += ",\n\"debug\":";

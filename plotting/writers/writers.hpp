@@ -141,6 +141,7 @@ struct DrawingDocument {
   std::vector<PieceAppearance> piece_looks{};  ///< per piece of the order, or empty
   std::vector<DocumentMaterial> materials{};   ///< that the pieces name
   const SpanModel* spans = nullptr;
+  const ScanPlane* plane = nullptr;
   const std::vector<std::vector<Point2>>* debug = nullptr;  ///< polylines (page mm) that show how the method worked
   std::function<SourceEdge(std::uint32_t)> source;          ///< maps a source number to its edge; must be thread-safe
   std::vector<std::string> objects{};                       ///< names of the objects, if strokes name their object

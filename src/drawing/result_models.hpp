@@ -63,6 +63,25 @@ struct SpanModel {
   std::vector<Span> spans;
 };
 
+/// The plane through a scan line and the line of sight: how faces lie behind each other there ([Boulle1980], figures
+/// 2.39 to 2.50). Lengths in page mm; depths as in View::model_to_page, smaller is nearer.
+struct ScanPlane {
+  struct Segment {
+    double x0, z0, x1, z1;  ///< x0 <= x1
+    std::uint32_t face;     ///< face of the scene
+  };
+  struct Run {
+    double x0, x1;
+    unsigned row;           ///< of a bar: which step of the span method
+    std::uint32_t segment;  ///< index of segments; 0xffffffff: a part that was divided
+  };
+  double y_mm = 0;
+  std::uint8_t kind = 0;          ///< index of the span method in watkins::kSpanMethodNames
+  std::vector<Segment> segments;  ///< as the span method took them
+  std::vector<Run> runs;          ///< the visible runs, left to right
+  std::vector<Run> bars;          ///< how the span method went
+};
+
 /// The visible face of each pixel. Pixels are square, and stored row by row from the top.
 struct PixelModel {
   std::uint32_t width = 0, height = 0;

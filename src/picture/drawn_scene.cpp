@@ -11,12 +11,15 @@
 #include "picture/line_groups.hpp"
 #include "picture/marks/contour_labels.hpp"
 #include "picture/marks/point_marks.hpp"
+#include "picture/marks/scan_plane_inset.hpp"
 #include "picture/pages/scene_document.hpp"
 #include "picture/parts.hpp"
 #include "picture/products.hpp"
 
 namespace ligne {
 namespace {
+
+constexpr double kInsetText = 0.8;  ///< height of texts in an inset, as a part of that of other texts
 
 /// Polylines that show how the method worked, below all lines.
 void add_debug_layer(Drawing& drawing, const std::vector<std::vector<Point2>>& polylines) {
@@ -50,6 +53,15 @@ void add_point_marks(Drawing& drawing, const DrawnScene& drawn) {
   std::ranges::move(labels, std::back_inserter(drawing.texts));
 }
 
+/// The plane of a scan line, in the place that was kept free for it.
+void add_inset(Drawing& drawing, const ScanPlane& plane, const PreparedScene& prepared) {
+  const Placement& placement = prepared.around.placement;
+  const Rect drawable = placement.page.drawable(), picture = placement.picture;
+  Rect area = drawable;
+  area.min.y = drawable.max.y - prepared.request.page.inset_part * drawable.height();
+  add_scan_plane(drawing, plane, picture, area, kInsetText * text_height_mm(prepared.request.axes, placement.page));
+}
+
 /// Areas below all lines: regions, pieces of faces painted over each other, or spans.
 std::vector<Fill> fills_of(const DrawnScene& drawn, RunReport& run) {
   const PreparedScene& prepared = drawn.prepared();
@@ -80,6 +92,7 @@ Drawing DrawnScene::compose(RunReport& run) const {
   add_labels(drawing, request(), prepared.around);
   add_point_marks(drawing, *this);
   add_surroundings(drawing, prepared.around, request().axes, run);
+  if (result.plane) add_inset(drawing, *result.plane, prepared);
   return drawing;
 }
 

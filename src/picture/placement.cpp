@@ -23,12 +23,12 @@ Page turned(Page page) {
 }
 
 /// Scale at which the extent fills the drawable part of the page.
-double fitting_scale(const Page& page, const Rect& extent) {
+double fitting_scale(const Page& page, const Rect& extent, double inset_part) {
   if (extent.empty()) return 0;
   constexpr double unbounded = std::numeric_limits<double>::infinity();
   const Rect area = page.drawable();
   const double across = extent.width() > 0 ? area.width() / extent.width() : unbounded;
-  const double down = extent.height() > 0 ? area.height() / extent.height() : unbounded;
+  const double down = extent.height() > 0 ? area.height() * (1 - inset_part) / extent.height() : unbounded;
   return std::min(across, down);
 }
 
@@ -102,7 +102,9 @@ Page page_for(const PageRequest& request, const Rect& extent) {
   if (request.landscape) return lies ? page : turned(page);
   if (request.portrait) return lies ? turned(page) : page;
   if (request.size.explicit_size) return page;
-  return fitting_scale(turned(page), extent) > fitting_scale(page, extent) ? turned(page) : page;
+  return fitting_scale(turned(page), extent, request.inset_part) > fitting_scale(page, extent, request.inset_part)
+             ? turned(page)
+             : page;
 }
 
 Placement place(const Scene& scene, const Camera& camera, const PageRequest& request, const Room& room) {
@@ -114,7 +116,7 @@ Placement place(const Rect& extent, double unit_mm, const Camera& camera, const 
   placement.page = page_for(request, extent);
   Rect area = placement.page.drawable();
   area.min += Point2(room.left, room.top);
-  area.max -= Point2(room.right, room.bottom);
+  area.max -= Point2(room.right, room.bottom + request.inset_part * area.height());
   if (!(area.width() > 0 && area.height() > 0)) {
     throw RequestError("page", "numbers and names of the axes leave nothing of a page of " +
                                    shortest(placement.page.width_mm) + " x " + shortest(placement.page.height_mm) +

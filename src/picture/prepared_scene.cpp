@@ -11,6 +11,7 @@
 #include "picture/light/lighting.hpp"
 #include "picture/line_groups.hpp"
 #include "picture/marks/point_marks.hpp"
+#include "picture/marks/scan_plane_inset.hpp"
 #include "picture/products.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/registry.hpp"
@@ -148,6 +149,7 @@ PreparedScene prepare(const Scene& scene, PictureRequest asked, const std::optio
                       std::optional<Topology> topology) {
   const Method& method = method_of(asked);
   PreparedScene prepared{scene, std::move(asked), method, {}, {}, {}, {}, {}};
+  prepared.request.page.inset_part = inset_part(prepared.request.lines);
   const PictureRequest& request = prepared.request;
   run.method = method.traits().name;
   const std::string faces = faces_text(scene);

@@ -64,6 +64,7 @@ struct PageRequest {
   LineWidths widths_mm{};           ///< line widths by layer name
   std::optional<double> scale;      ///< page length divided by true length; nothing: the picture fits the page
   std::optional<double> unit_mm{};  ///< true length of one model unit in mm; nothing: Scene::unit_mm
+  double inset_part = 0;            ///< part of the drawable height that is kept free below the picture
   std::optional<Rect> extent{};     ///< area to fit to the page, see projected_extent(); nothing: that of the scene
 
   /// Page mm per model unit; nothing if the picture is to fit the page.

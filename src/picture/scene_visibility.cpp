@@ -96,7 +96,7 @@ void warn_of_limits(const MethodTraits& method, const VisibilityResult& result, 
   }
   if (!result.left_out.empty()) run.warn("--method " + name + " leaves out " + result.left_out);
   // The scene may have nothing of that kind: no cut, one zone, a convex body without planes.
-  if (lines.settings.has("show") && result.debug.empty() && result.debug_numbers.empty()) {
+  if (lines.settings.has("show") && result.debug.empty() && result.debug_numbers.empty() && !result.plane) {
     run.warn("--show finds nothing of that kind to draw");
   }
 }

@@ -90,6 +90,7 @@ struct VisibilityResult {
   std::optional<PaintOrder> order;
   std::optional<SpanModel> spans;
   std::optional<PixelModel> pixels;
+  std::optional<ScanPlane> plane;          ///< for a method that shows it
   std::vector<std::vector<Point2>> debug;  ///< polylines (page mm) that illustrate how the method worked
   std::vector<PageNumber> debug_numbers;   ///< numbers to be drawn for the same purpose
   Statistics statistics;

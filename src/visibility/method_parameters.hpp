@@ -15,8 +15,8 @@
 namespace ligne {
 
 /// Description of a parameter. A value is a count from `low` to `high`, or one of the `words`. If there are words and
-/// `high` is above 0, both are accepted. Parameters of several methods with the same name mean the same, and are one
-/// option of the command line.
+/// `high` is above 0, both are accepted. A word NAME=X is written as NAME, or as NAME= with a number. Parameters of several
+/// methods with the same name mean the same, and are one option of the command line.
 struct MethodParameter {
   std::string_view name;      ///< "resolution" is the option --resolution
   std::string_view kind;      ///< placeholder for the value in a help text, such as "N"
@@ -30,6 +30,7 @@ struct MethodParameter {
 /// One of the words of a parameter, by its index in MethodParameter::words.
 struct ParameterWord {
   std::size_t index = 0;
+  std::optional<double> number{};  ///< behind the word
 };
 using ParameterValue = std::variant<unsigned, ParameterWord>;
 
@@ -53,6 +54,13 @@ class MethodSettings {
     const ParameterValue* value = find(name);
     const unsigned* number = value ? std::get_if<unsigned>(value) : nullptr;
     return number ? std::optional(*number) : std::nullopt;
+  }
+
+  /// The number behind a word; nothing if there is none.
+  std::optional<double> number(std::string_view name) const {
+    const ParameterValue* value = find(name);
+    const ParameterWord* word = value ? std::get_if<ParameterWord>(value) : nullptr;
+    return word ? word->number : std::nullopt;
   }
 
   /// The value as a word, converted to an enumeration whose members are in the order of the words; `standard` if there

@@ -92,6 +92,7 @@ std::string scene_json(const DrawnScene& drawn, const PlotOptions& plot) {
   document.order = result.order ? &*result.order : nullptr;
   if (result.order) add_piece_looks(prepared, *result.order, document);
   document.spans = result.spans ? &*result.spans : nullptr;
+  document.plane = result.plane ? &*result.plane : nullptr;
   document.debug = result.debug.empty() ? nullptr : &result.debug;
   document.source = [&](std::uint32_t source) { return found.source(prepared.scene, source); };
   const ObjectOfFace object_of(prepared.scene);

@@ -204,6 +204,16 @@ ParameterValue parse_parameter(const std::string& text, const MethodParameter& p
   if (parameter.words.empty()) return parse_count(text, parameter.low, parameter.high);
   const bool number = parameter.high > 0 && !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
   if (number) return parse_count(text, parameter.low, parameter.high);
+  const std::size_t sign = text.find('=');
+  std::vector<std::string_view> names(parameter.words.begin(), parameter.words.end());
+  for (std::string_view& name : names) {
+    const std::size_t end = name.find('=');
+    if (end != std::string_view::npos && name.substr(0, end) == text.substr(0, sign)) {
+      const auto index = static_cast<std::size_t>(&name - names.data());
+      return ParameterWord{index,
+                           sign == std::string::npos ? std::nullopt : std::optional(parse_number(text.substr(sign + 1)))};
+    }
+  }
   return ParameterWord{parse_choice(text, parameter.words)};
 }
 

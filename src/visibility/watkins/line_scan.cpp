@@ -37,6 +37,7 @@ LineScan::LineScan(const ScanScene& scene, const std::vector<ProjectedVertex>& v
   } else {
     real_ = make_span_method<double>(options.kind);
     real_->ask(this);
+    real_->record(options.trace);
   }
 }
 

@@ -27,9 +27,10 @@ namespace ligne::watkins {
 
 struct ScanOptions {
   SpanMethodKind kind = SpanMethodKind::stack;
-  bool coherence = true;  ///< pass over lines on which nothing changes
-  bool recognise = true;  ///< and over changes among hidden elements
-  bool sorted = true;     ///< segments by the full key; otherwise as their faces come
+  bool coherence = true;       ///< pass over lines on which nothing changes
+  bool recognise = true;       ///< and over changes among hidden elements
+  bool sorted = true;          ///< segments by the full key; otherwise as their faces come
+  SpanTrace* trace = nullptr;  ///< records studies on real coordinates
 };
 
 struct ScanCounts {
@@ -94,6 +95,9 @@ class LineScan : private PairOrders {
   const std::vector<std::uint32_t>& order() const { return order_; }  ///< slots by u
   const ActiveEdge& active(std::uint32_t slot) const { return slots_[slot]; }
   const std::vector<LineSpan>& spans() const { return spans_; }
+  /// Segments of the line studied last, on real coordinates, in the order of the span method.
+  const std::vector<ScanSegment<double>>& segments() const { return real_segments_; }
+  std::uint32_t face_of(const ScanSegment<double>& segment) const { return ends_[segment.face].face; }
   const std::vector<std::uint32_t>& ended_edges() const {
     return ended_edges_;
   }  ///< edges that the line before met, and this one does not

@@ -1,6 +1,7 @@
 #include "visibility/watkins/watkins.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@
 #include "visibility/penetration/intersections.hpp"
 #include "visibility/watkins/exact/exact_study.hpp"
 #include "visibility/watkins/exact/line_study.hpp"
+#include "visibility/watkins/scan_plane.hpp"
 
 // Phases: (1) facets, (2) facets and lines that are surely hidden are left out, (3) the scan over the edges, which also
 // finds what penetrates, (4) the scan over the lines of intersection, where there are any, (5) spans for those who want
@@ -28,9 +30,11 @@ namespace {
 using namespace watkins;
 
 constexpr std::string_view kExactWord[] = {"exact"};
-constexpr std::string_view kShowNames[] = {"spans"};
+constexpr std::string_view kShowNames[] = {"spans", "plane=Y"};
+enum class Show : std::uint8_t { spans, plane };
 constexpr unsigned kMostLines = 1u << 20;
 constexpr unsigned kShownLines = 48;    ///< adjustable: of an exact study
+constexpr double kShownStepMm = 0.01;   ///< the line through the middle is one whose number is short
 constexpr double kTickOfSpacing = 0.3;  ///< adjustable: height of the ends of spans, of the distance of two lines
 
 constexpr MethodParameter kParameters[] = {
@@ -38,8 +42,10 @@ constexpr MethodParameter kParameters[] = {
      kSpanMethodNames, 0, 0},
     {"lines", "N|exact", "scan lines over the height of the page, or a stop at every event", "exact", kExactWord, 1,
      kMostLines},
-    {"show", "spans", "as layer debug: the runs of scan lines on which one face is seen; 48 lines without --lines", "",
-     kShowNames},
+    {"show", "spans|plane=Y",
+     "as layer debug: the runs of scan lines on which one face is seen, 48 lines without --lines; or below the drawing "
+     "the plane of the scan line Y mm below the top of the page (plane: through the middle), segment by segment",
+     "", kShowNames},
 };
 
 void report(const SpanCounts& counts, Statistics& statistics) {
@@ -158,6 +164,7 @@ class WatkinsStudy {
   void make_spans();
   void make_strokes();
   void show_spans();
+  void show_plane();
   std::vector<SweepLine> all_lines() const {
     std::vector<SweepLine> all = lines_;
     all.insert(all.end(), crossed_.begin(), crossed_.end());
@@ -323,9 +330,24 @@ void WatkinsStudy::make_strokes() {
   result_.statistics.count("strokes", result_.strokes->strokes.size());
 }
 
+/// The plane of one line, with all faces: also those behind others.
+void WatkinsStudy::show_plane() {
+  Rect extent;
+  for (const Triangle& t : scene_.triangles) {
+    for (const std::uint32_t v : t.v) extent.extend(scene_.lattice.to_mm(scene_.vertices[v].p));
+  }
+  if (extent.empty()) return;
+  const double y =
+      options_.settings.number("show").value_or(std::round((extent.min.y + extent.max.y) / 2 / kShownStepMm) * kShownStepMm);
+  const Facets all = make_facets(scene_, exact_options_.coincidence_steps);
+  ScanPlane plane = scan_plane(scene_, all.facets, all_lines(), y, by_lines_);
+  if (!plane.segments.empty()) result_.plane = std::move(plane);
+}
+
 /// Spans as lines on the page with a tick at either end, where they are seen apart.
 void WatkinsStudy::show_spans() {
   if (!options_.settings.has("show")) return;
+  if (options_.settings.choice("show", Show::spans) == Show::plane) return show_plane();
   LineStudyOptions options = by_lines_;
   options.track = false;
   options.collect_spans = true;

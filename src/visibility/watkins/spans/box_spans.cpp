@@ -130,10 +130,13 @@ class BoxMethod final : public SpanMethod<X> {
   void decide(const Box& box, double a, double b, std::size_t kept_begin, std::vector<VisibleSpan>& out) {
     if (box.count == 0) return;
     if (box.count == 1) {
+      this->note_bar(box.x0, box.x1, depth_, box.segment);
       this->give(box.x0, box.x1, box.segment, out);
       return;
     }
     if (box.crossing) {
+      this->note_bar(a, box.cut, depth_, box.segment);
+      this->note_bar(box.cut, b, depth_, box.other);
       this->give(a, box.cut, box.segment, out);
       this->give(box.cut, b, box.other, out);
       return;
@@ -143,15 +146,22 @@ class BoxMethod final : public SpanMethod<X> {
       const auto first = lists_.begin() + static_cast<std::ptrdiff_t>(kept_begin);
       const auto nearest = std::min_element(
           first, lists_.end(), [&](std::uint32_t i, std::uint32_t k) { return segments_[i].z(a) < segments_[k].z(a); });
+      this->note_bar(a, b, depth_, *nearest);
       this->give(a, b, *nearest, out);
       return;
     }
+    this->note_bar(a, b, depth_, kDivided);
     const std::size_t kept_end = lists_.size();
+    ++depth_;
     study_part(a, cut, kept_begin, kept_end, out);
     study_part(cut, b, kept_begin, kept_end, out);
+    --depth_;
   }
 
+  static constexpr std::uint32_t kDivided = 0xffffffffu;  ///< SpanTrace::Bar::segment
+
   std::span<const ScanSegment<X>> segments_;
+  unsigned depth_ = 0;                ///< of division
   std::vector<std::uint32_t> lists_;  ///< a stack of lists: a part's segments lie above those of the part that it comes from
 };
 

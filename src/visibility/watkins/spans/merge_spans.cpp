@@ -19,6 +19,7 @@ class MergeMethod final : public SpanMethod<X> {
     head_ = passed_ = kEnd;
     for (std::uint32_t i = 0; i < segments.size(); ++i) {
       if (segments[i].x0 < segments[i].x1) merge(i);
+      if (this->trace_) note_list(i);
     }
     out.clear();
     for (std::uint32_t p = head_; p != kEnd; p = pieces_[p].next)
@@ -32,6 +33,11 @@ class MergeMethod final : public SpanMethod<X> {
     double x0, x1;
     std::uint32_t segment, next;
   };
+
+  void note_list(std::uint32_t row) {
+    for (std::uint32_t p = head_; p != kEnd; p = pieces_[p].next)
+      this->note_bar(pieces_[p].x0, pieces_[p].x1, row, pieces_[p].segment);
+  }
 
   /// Puts a piece behind `before` (or first), joined with it where it goes on.
   std::uint32_t insert(std::uint32_t before, double x0, double x1, std::uint32_t segment) {

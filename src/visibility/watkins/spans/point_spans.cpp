@@ -56,6 +56,7 @@ class PointMethod final : public SpanMethod<X> {
     for (std::size_t cell = 0; cell < n; ++cell) {
       if (seen_[cell] == kNobody) continue;
       const double x = double(from) + double(cell);
+      this->note_bar(x, x + 1, 0, seen_[cell]);
       this->give(x, x + 1, seen_[cell], out);
     }
   }
@@ -99,6 +100,7 @@ class PointMethod final : public SpanMethod<X> {
         const DepthComparison seen = compare_depths(segments_[best], s, x, b, this->counts_, this->pairs_);
         if (seen.turns_to_second()) turn = std::min(turn, seen.x);
       }
+      this->note_bar(x, turn, 0, best);
       this->give(x, turn, best, out);
       x = turn;
     }

@@ -69,6 +69,18 @@ struct SpanCounts {
   std::array<std::pair<std::string_view, std::uint64_t>, kKinds> named() const;
 };
 
+/// How a study went, for pictures of the scan plane. Row 0 is drawn first.
+struct SpanTrace {
+  /// A run of the line in one row: of merge the visible list after a segment, of stack a place on the stack (row 0: the
+  /// current segment), of box a part at a depth of division, of point a cell.
+  struct Bar {
+    double x0, x1;
+    unsigned row;
+    std::uint32_t segment;  ///< index among the segments studied; 0xffffffff: a part that is divided
+  };
+  std::vector<Bar> bars;
+};
+
 enum class SpanMethodKind : std::uint8_t { merge, stack, box, point };
 inline constexpr std::array<std::string_view, 4> kSpanMethodNames{"merge", "stack", "box", "point"};
 
@@ -105,7 +117,14 @@ class SpanMethod {
   /// Who is asked where segments touch; without anybody their depths decide.
   void ask(PairOrders* pairs) { pairs_ = pairs; }
 
+  /// Further studies are recorded there; null: nowhere.
+  void record(SpanTrace* trace) { trace_ = trace; }
+
  protected:
+  void note_bar(double x0, double x1, std::size_t row, std::uint32_t segment) {
+    if (trace_ && x0 < x1) trace_->bars.push_back({x0, x1, static_cast<unsigned>(row), segment});
+  }
+
   /// Appends a span, or lengthens the last one.
   void give(double x0, double x1, std::uint32_t segment, std::vector<VisibleSpan>& out) {
     if (!(x0 < x1)) return;
@@ -119,6 +138,7 @@ class SpanMethod {
 
   SpanCounts counts_;
   PairOrders* pairs_ = nullptr;
+  SpanTrace* trace_ = nullptr;
 };
 
 template <class X>

@@ -70,6 +70,7 @@ class StackMethod final : public SpanMethod<X> {
   /// Gives what is seen from x to `to`, changing over where the current segment is penetrated.
   void advance(double x, double to, std::vector<VisibleSpan>& out) {
     while (current_ != kNobody && turn_ < to) {
+      note_stack(x, turn_);
       this->give(x, turn_, current_, out);
       x = turn_;
       ++this->counts_.pushes;
@@ -80,7 +81,15 @@ class StackMethod final : public SpanMethod<X> {
       current_ = follower;
       look_ahead(x);
     }
-    if (current_ != kNobody) this->give(x, to, current_, out);
+    if (current_ == kNobody) return;
+    note_stack(x, to);
+    this->give(x, to, current_, out);
+  }
+
+  void note_stack(double x, double to) {
+    if (!this->trace_) return;
+    this->note_bar(x, to, 0, current_);
+    for (std::size_t i = 0; i < stack_.size(); ++i) this->note_bar(x, to, i + 1, stack_[i]);
   }
 
   void begin(std::uint32_t segment, double x) {
