@@ -55,6 +55,42 @@ TEST(Newell, SiblingsAreNotCompared) {
   EXPECT_EQ(sorted(scene).faces.size(), 1u);
 }
 
+double area(const PaintPiece& piece) {
+  double sum = 0;
+  for (const std::vector<Point2>& contour : piece.contours) {
+    double of_contour = 0;
+    for (std::size_t i = 2; i < contour.size(); ++i)
+      of_contour += cross(contour[i - 1] - contour[0], contour[i] - contour[0]) / 2;
+    sum += &contour == &piece.contours.front() ? std::abs(of_contour) : -std::abs(of_contour);
+  }
+  return sum;
+}
+
+// 2.5.2.1: the model of visibility is the faces in another order. A face with a hole is one piece of two contours, and a
+// face that was cut gives as many pieces as connected parts, with the area of the whole.
+TEST(Newell, TheOrderHoldsWholeFaces) {
+  Scene scene;
+  add_face(scene, {{{0, 0, 0}, {9, 0, 0}, {9, 0, 9}, {0, 0, 9}}, {{3, 0, 3}, {3, 0, 6}, {6, 0, 6}, {6, 0, 3}}});
+  const auto order_of = [](const Scene& s, const Point3& direction) {
+    const Picture picture = draw(s, {along(direction), "all", false, 1, "appel"});
+    return *find_method("newell")->compute_visibility(picture.projected, {}).order;
+  };
+  const PaintOrder whole = order_of(scene, {0, 1, 0});
+  ASSERT_EQ(whole.pieces.size(), 1u);
+  ASSERT_EQ(whole.pieces[0].contours.size(), 2u);
+  EXPECT_EQ(whole.pieces[0].contours[0].size(), 4u);
+  EXPECT_NEAR(area(whole.pieces[0]), 72, 1e-9);
+
+  Scene bar = scene;  // goes through the hole of the face and through its rim
+  add_face(bar, {{{1, -4, 4}, {8, -4, 4}, {8, 4, 5}, {1, 4, 5}}});
+  const PaintOrder cut = order_of(bar, {0, 1, 0});
+  double of_plate = 0, of_bar = 0;
+  for (const PaintPiece& piece : cut.pieces) (piece.face == 0 ? of_plate : of_bar) += area(piece);
+  EXPECT_GT(cut.pieces.size(), 2u);
+  EXPECT_NEAR(of_plate, 72, 1e-6);
+  EXPECT_NEAR(of_bar, 7, 1e-6);
+}
+
 /// Boxes that penetrate each other.
 Scene crowd_of_boxes(int count) {
   Scene scene;

@@ -162,7 +162,7 @@ TEST(Show, ChangesNothingElse) {
         options.settings = variant.settings;
         const VisibilityResult with_layer = variant.method->compute_visibility(picture.projected, options);
         EXPECT_TRUE(plain == bytes_of(with_layer)) << variant.name << ", " << name << ", view " << view.name;
-        shown[variant.name] += !with_layer.debug.empty() || !with_layer.debug_numbers.empty();
+        shown[variant.name] += !with_layer.debug.empty() || !with_layer.debug_numbers.empty() || with_layer.plane;
       }
     }
   }

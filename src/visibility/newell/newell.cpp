@@ -118,21 +118,22 @@ VisibilityResult NewellMethod::compute_visibility(const ProjectedScene& scene, c
 
   FaceRanks ranks(scene.model->faces.size());
   PaintPieces pieces(scene, elements.pieces());
-  PaintOrder order;
+  PaintOrder order, numbered;
   std::vector<std::uint32_t> number_of_piece;
-  const bool paint = (options.wanted & kOrder) || (shows && show == Show::order);
+  const bool numbers = shows && show == Show::order;
   for (std::size_t i = 0; i < farthest_first.size(); ++i) {
     const Element& element = elements[farthest_first[i]];
     ranks.add(element.face, static_cast<std::uint32_t>(farthest_first.size() - i));
-    if (!paint) continue;
-    for (const std::uint32_t part : element.parts) pieces.add(part, order);
-    number_of_piece.resize(order.pieces.size(), static_cast<std::uint32_t>(i + 1));
+    if (options.wanted & kOrder) pieces.add_whole(element.parts, element.page_plane, order);
+    if (!numbers) continue;
+    for (const std::uint32_t part : element.parts) pieces.add(part, numbered);  // convex, so a number finds its place
+    number_of_piece.resize(numbered.pieces.size(), static_cast<std::uint32_t>(i + 1));
   }
   std::vector<std::vector<Point2>> cut;
   if (shows && show == Show::splits) cut = pieces.outlines_of_cut();
   VisibilityResult result = edge_visibility(scene, options, &ranks);
   result.debug = std::move(cut);
-  if (shows && show == Show::order) result.debug_numbers = order_numbers(order, number_of_piece);
+  if (numbers) result.debug_numbers = order_numbers(numbered, number_of_piece);
   if (shows && show == Show::zones) show_sets(list.zones(), false, result);
   if (shows && show == Show::slabs) show_sets(list.slabs(), true, result);
   if (options.wanted & kOrder) result.order = std::move(order);

@@ -1,11 +1,64 @@
 #include "visibility/order/paint_pieces.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 namespace ligne {
+namespace {
+
+/// A side of a piece, as it turns. Corners that cuts made are equal where neighbours were cut on their common side.
+struct DirectedSide {
+  Point3 from, to;
+  std::array<double, 6> key() const { return {from.x, from.y, from.z, to.x, to.y, to.z}; }
+  std::array<double, 6> opposite() const { return {to.x, to.y, to.z, from.x, from.y, from.z}; }
+};
+
+/// The sides that no two pieces of one turn have in common, joined into contours. Which of several contours through one
+/// corner goes on there is of no account to an area that is filled by parity.
+std::vector<std::vector<Point3>> outer_contours(const ModelPieces& pieces, std::span<const std::uint32_t> parts) {
+  std::vector<DirectedSide> sides;
+  for (const std::uint32_t part : parts) {
+    const std::span<const std::uint32_t> corners = pieces.corners(part);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      sides.push_back({pieces.point(corners[i]), pieces.point(corners[i + 1 == corners.size() ? 0 : i + 1])});
+  }
+  std::ranges::sort(sides, {}, &DirectedSide::key);
+  std::vector<std::uint8_t> taken(sides.size(), 0);
+  const auto find = [&](const std::array<double, 6>& key) {
+    return static_cast<std::size_t>(std::ranges::lower_bound(sides, key, {}, &DirectedSide::key) - sides.begin());
+  };
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const std::size_t other = find(sides[i].opposite());
+    taken[i] = other < sides.size() && sides[other].key() == sides[i].opposite();
+  }
+  std::vector<std::vector<Point3>> contours;
+  for (std::size_t first = 0; first < sides.size(); ++first) {
+    if (taken[first]) continue;
+    std::vector<Point3>& contour = contours.emplace_back();
+    for (std::size_t side = first; side < sides.size();) {
+      taken[side] = 1;
+      contour.push_back(sides[side].from);
+      const Point3 at = sides[side].to;
+      constexpr double kLeast = std::numeric_limits<double>::lowest();
+      side = find({at.x, at.y, at.z, kLeast, kLeast, kLeast});
+      while (side < sides.size() && sides[side].from == at && taken[side]) ++side;
+      if (side < sides.size() && sides[side].from != at) break;
+    }
+  }
+  return contours;
+}
+
+double twice_area(const std::vector<Point2>& contour) {
+  double sum = 0;
+  for (std::size_t i = 2; i < contour.size(); ++i) sum += cross(contour[i - 1] - contour[0], contour[i] - contour[0]);
+  return std::abs(sum);
+}
+
+}  // namespace
 
 Viewpoint viewpoint_of(const Camera& camera) { return {camera.eye, -camera.forward, camera.perspective}; }
 
@@ -30,6 +83,13 @@ PaintPieces::PaintPieces(const ProjectedScene& scene, const ModelPieces& pieces)
       volume_(face_volume(scene.view, scene.lattice)),
       page_planes_(scene.view),
       is_seen_(shown_faces(scene)) {}
+
+bool PaintPieces::project(std::span<const Point3> contour) {
+  corners_.clear();
+  for (const Point3& p : contour) corners_.push_back(to_homogeneous(view_, p));
+  clip_contour(corners_, volume_);
+  return corners_.size() >= 3;
+}
 
 /// Puts what is seen of the piece into corners_; returns whether there is anything.
 bool PaintPieces::project(std::uint32_t piece) {
@@ -60,6 +120,21 @@ void PaintPieces::add(std::uint32_t piece, PaintOrder& order) {
     if (!std::isfinite(c)) return;  // seen edge on
   }
   for (const HomogeneousPoint& p : corners_) painted.contours[0].emplace_back(p.x / p.w, p.y / p.w);
+  order.pieces.push_back(std::move(painted));
+}
+
+void PaintPieces::add_whole(std::span<const std::uint32_t> pieces, const std::array<double, 3>& plane, PaintOrder& order) {
+  if (pieces.size() == 1) return add(pieces[0], order);
+  if (!is_seen_[pieces_.face(pieces[0])]) return;
+  PaintPiece painted{pieces_.face(pieces[0]), {}, plane};
+  for (const std::vector<Point3>& contour : outer_contours(pieces_, pieces)) {
+    if (!project(contour)) continue;
+    std::vector<Point2>& on_page = painted.contours.emplace_back();
+    for (const HomogeneousPoint& p : corners_) on_page.emplace_back(p.x / p.w, p.y / p.w);
+  }
+  if (painted.contours.empty()) return;
+  const auto outer = std::ranges::max_element(painted.contours, {}, twice_area);
+  std::swap(*outer, painted.contours.front());
   order.pieces.push_back(std::move(painted));
 }
 

@@ -2,6 +2,7 @@
 /// Pieces of faces in model space as they are painted on the page.
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "drawing/result_models.hpp"
@@ -37,11 +38,16 @@ class PaintPieces {
   /// Puts the piece behind all that were added.
   void add(std::uint32_t piece, PaintOrder& order);
 
+  /// Puts a part of a face that consists of these pieces, with that plane on the page, behind all that were added: as one
+  /// area with holes. Sides that two of the pieces have in common are inside it, so it has no seams.
+  void add_whole(std::span<const std::uint32_t> pieces, const std::array<double, 3>& plane, PaintOrder& order);
+
   /// The outlines on the page, hidden or not, of all pieces of triangles that were cut.
   std::vector<std::vector<Point2>> outlines_of_cut();
 
  private:
   bool project(std::uint32_t piece);
+  bool project(std::span<const Point3> contour);
 
   const View& view_;
   const ModelPieces& pieces_;
