@@ -217,7 +217,7 @@ std::shared_ptr<DrawingHolder> DrawingHolder::of_scene(std::shared_ptr<const Sce
                                                        const py::object& progress) {
   auto holder = std::make_shared<DrawingHolder>();
   check_mixed_scene(surfaces);
-  if (height_count(surfaces) > 0) {
+  if (has_surfaces(surfaces)) {
     run(py::none(), options.threads, [&](const Progress&) {
       auto mixed = std::make_shared<SceneHolder>(*scene);
       add_surfaces(surfaces, mixed->models, options.picture, holder->run_);

@@ -282,8 +282,11 @@ def draw(
     regions: bool = False,
     surface: Union[Heights, Sequence[Heights], None] = None,
     grid: Union[Path, Sequence[Path], None] = None,
+    parametric: Sequence[Tuple[str, str, str]] = (),
     x: Optional[Range] = None,
     y: Optional[Range] = None,
+    u: Union[Range, List[Range], None] = None,
+    v: Union[Range, List[Range], None] = None,
     samples: Optional[int] = None,
     every: Optional[int] = None,
     z_scale: Optional[float] = None,
@@ -328,8 +331,8 @@ def draw(
         weld, merge_coplanar, subdivide) may stand among the others.
     view: a name, or a View; direction, or eye with target and fov, are others.
     regions: visible faces as areas, too (Drawing.regions).
-    surface: among the models: formulas in x and y, or arrays as surface() takes them; grid: files of heights; x, y, samples,
-        every, z_scale, z_range: of these.
+    surface: among the models: formulas in x and y, or arrays as surface() takes them; grid: files of heights; parametric:
+        surfaces as three formulas in u and v; x, y, u, v, samples, every, z_scale, z_range: of these.
     threads: 0 is all processors. max_memory: bytes or a text such as "2G", refused beforehand where the counts tell it.
     progress: called with the fraction done, in this thread, at most twenty times a second; what it raises ends the work.
     parameters: the methods' own options, such as resolution=512.
@@ -339,13 +342,15 @@ def draw(
     """
     options = arguments(locals(), "model", "view", "quality", "progress", *VIEW_OPTIONS, *_OF_SURFACES)
     options.update(seen_from(view, {name: value for name, value in locals().items() if name in VIEW_OPTIONS}))
-    surfaces = _surfaces(surface, grid, dict(x=x, y=y, samples=samples, every=every, z_scale=z_scale, z_range=z_range))
+    of_surfaces = dict(x=x, y=y, samples=samples, every=every, z_scale=z_scale, z_range=z_range, u=u, v=v)
+    of_surfaces["parametric"] = [tuple(str(formula) for formula in three) for three in parametric]
+    surfaces = _surfaces(surface, grid, of_surfaces)
     scene = _scene_for(model, quality, options)
     return Drawing.of_scene(scene, surfaces, options, progress)
 
 
 _OF_READING = ("only", "hide", "move", "weld", "merge_coplanar", "subdivide", "pose")
-_OF_SURFACES = ("surface", "grid", "x", "y", "samples", "every", "z_scale", "z_range")
+_OF_SURFACES = ("surface", "grid", "parametric", "x", "y", "u", "v", "samples", "every", "z_scale", "z_range")
 
 
 def _several(value: Any) -> List[Any]:

@@ -240,6 +240,21 @@ TEST_F(MixedSceneTest, CurvesAndModelsHideEachOtherAndMeetInAFootLine) {
   }
 }
 
+// [Boulle1980] figure 1.1 has curved surfaces among plane ones. A plane in u and v is that in x and y; a ball round the box
+// hides all of it.
+TEST_F(MixedSceneTest, ParametricSurfacesStandAmongModels) {
+  write_box("box.obj", false);
+  for (const char* view : {"--view top", "--view iso"}) {
+    const Words end = Words{"--up-axis", "z", "--quality", "exact"} + view;
+    const json plane = mixed(Words{"box.obj", "--surface", "0", "-x", "-3:3:7", "-y", "-3:3:7"} + end);
+    const json same = mixed(Words{"box.obj", "--parametric", "u", "v", "0", "-u", "-3:3:7", "-v", "-3:3:7"} + end);
+    for (const char* layer : {"horizon", "outline", "border", "crease", "intersection"})
+      EXPECT_NEAR(length(same, layer), length(plane, layer), 1e-3) << layer;
+  }
+  const Words ball{"box.obj", "--parametric", "2*cos(u)*cos(v)", "2*sin(u)*cos(v)", "2*sin(v)", "-v", "-pi/2:pi/2:9"};
+  EXPECT_EQ(length(mixed(ball + "--view iso"), "crease"), 0);
+}
+
 TEST_F(MixedSceneTest, FormulasTakeTheGroundOfTheModels) {
   write_box("box.obj", false);
   const json above = mixed("box.obj --up-axis z --surface 5 --view top");
@@ -255,7 +270,9 @@ TEST_F(MixedSceneTest, Mistakes) {
     EXPECT_EQ(outcome.status, status) << outcome.err;
     EXPECT_EQ(outcome.err.rfind("ligne: " + message, 0), 0u) << outcome.err;
   };
-  refused("-x 0:1", 2, "-x, -y, --samples, --every, --z-scale, --z-range: go with --surface or --grid");
+  refused("-x 0:1", 2, "-x, -y, --every: go with --surface or --grid");
+  refused("--samples 9", 2, "--samples, --z-scale, --z-range: go with --surface, --grid or --parametric");
+  refused("-u 0:1 --surface x", 2, "-u, -v: go with --parametric");
   refused("--surface foo(x)", 1, "formula:1: unknown function 'foo'");
   refused("--grid absent.csv", 1, "absent.csv: ");
 }

@@ -110,7 +110,7 @@ void check_zbuffer(const DrawOptions& options, PictureRequest& request) {
   if (!request.lines.method) request.lines.method = zbuffer;
   if (request.lines.method != zbuffer) throw RequestError(field, "is of --method zbuffer");
   if (options.frames.count > 1) throw RequestError(field, "is of one view");
-  if (height_count(options.surfaces) > 0) throw RequestError(field, "is of models, not of surfaces");
+  if (has_surfaces(options.surfaces)) throw RequestError(field, "is of models, not of surfaces");
 }
 
 /// The request that the options come to. A wrong one is refused before anything is read.
@@ -152,7 +152,7 @@ void put_behind(const ZBuffer& buffer, LoadedModels& models) {
 std::optional<LoadedModels> stream(const DrawOptions& options, const ModelRequest& model, PictureRequest& request,
                                    RunReport& run, RunFiles& files) {
   const bool one_picture = options.frames.count == 1 && options.zbuffer_add.empty() && options.zbuffer_save.empty() &&
-                           height_count(options.surfaces) == 0;
+                           !has_surfaces(options.surfaces);
   if (!one_picture) {
     if (options.streaming != Streaming::on) return std::nullopt;
     throw RequestError("stream", "is of one picture of one model");

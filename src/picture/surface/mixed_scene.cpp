@@ -12,8 +12,6 @@
 namespace ligne {
 namespace {
 
-bool asked(const SurfaceRequest& request) { return height_count(request) > 0; }
-
 /// A point of a scene in which z is up, where another axis is.
 Point3 turned(const Point3& p, Axis up) {
   return up == Axis::z ? p : up == Axis::y ? Point3{p.x, p.z, -p.y} : Point3{p.z, p.x, p.y};
@@ -39,13 +37,19 @@ std::array<Point3, 2> extent(const Scene& scene, Axis up) {
 }  // namespace
 
 void check_mixed_scene(const SurfaceRequest& request) {
-  if (asked(request)) return;
-  if (request.x || request.y || request.samples || request.every || request.z_scale || request.z_range)
-    throw RequestError("", "-x, -y, --samples, --every, --z-scale, --z-range: go with --surface or --grid");
+  if (std::max(request.u.size(), request.v.size()) > request.parametric.size()) {
+    throw RequestError("", request.parametric.empty() ? "-u, -v: go with --parametric"
+                                                      : "-u, -v: there are more of them than parametric surfaces");
+  }
+  if (height_count(request) == 0 && (request.x || request.y || request.every))
+    throw RequestError("", "-x, -y, --every: go with --surface or --grid");
+  if (has_surfaces(request)) return;
+  if (request.samples || request.z_scale || request.z_range)
+    throw RequestError("", "--samples, --z-scale, --z-range: go with --surface, --grid or --parametric");
 }
 
 void add_surfaces(const SurfaceRequest& request, LoadedModels& models, PictureRequest& picture, RunReport& run) {
-  if (!asked(request)) return;
+  if (!has_surfaces(request)) return;
   picture.lines.classes.add(LineClass::horizon);
   const Axis up = picture.view.up_axis.value_or(models.scene.up_axis);
   Scene surfaces = surface_objects(request, extent(models.scene, up), run);

@@ -1,5 +1,5 @@
 #pragma once
-/// Surfaces z = f(x, y) among models.
+/// Surfaces among models.
 
 #include "picture/models/models.hpp"
 #include "picture/surface/surface_request.hpp"

@@ -356,7 +356,7 @@ Picture draw_surface_mesh(const SurfaceRequest& request, const std::vector<Surfa
 }
 
 Scene surface_objects(SurfaceRequest request, const std::array<Point3, 2>& ground, RunReport& run) {
-  if (request.grids.empty()) {
+  if (request.grids.empty() && height_count(request) > 0) {
     if (!request.x) request.x = CurveRange{ground[0].x, ground[1].x, {}};
     if (!request.y) request.y = CurveRange{ground[0].y, ground[1].y, {}};
   }
