@@ -11,7 +11,7 @@
 namespace ligne {
 namespace {
 
-/// Every line against all faces, one by one.
+/// Tests every line against all faces.
 template <class LineOf>
 CountedLines count_each(std::size_t lines, const FacetForest& forest, double coincidence_steps, bool with_faces,
                         PropagationCounts& counts, LineOf line_of) {
@@ -26,7 +26,7 @@ CountedLines count_each(std::size_t lines, const FacetForest& forest, double coi
   return parts;
 }
 
-/// A line is seen where no face is before it.
+/// A line is visible where no face lies in front of it.
 LineVisibility seen_parts(const CountedLines& counted, const OccludedCells* blank) {
   return [&counted, blank](std::size_t i, const PageLine& line, std::vector<LinePart>& parts) {
     for (const CountedPart& part : counted[i]) {

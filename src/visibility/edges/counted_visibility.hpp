@@ -1,5 +1,6 @@
 #pragma once
-/// Edges with the number of faces before each of their parts, tested one by one or carried from vertex to vertex.
+/// Visibility of edges by counting the faces in front of each part: each edge is tested by itself, or the counts are
+/// carried from vertex to vertex.
 
 #include <optional>
 
@@ -8,8 +9,8 @@
 
 namespace ligne {
 
-/// The strokes of edge_visibility(), where hidden ones have the number of faces before them as their level. Without a
-/// propagation every edge is tested against all faces.
+/// Gives the strokes of edge_visibility(); the level of a hidden stroke is the number of faces in front of it. Without
+/// a propagation every edge is tested against all faces.
 VisibilityResult counted_visibility(const ProjectedScene& scene, const VisibilityOptions& options,
                                     std::optional<Propagation> propagation);
 

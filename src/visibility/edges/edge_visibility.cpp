@@ -20,7 +20,7 @@
 namespace ligne {
 namespace {
 
-/// Screen grid for a study; few candidate lines need few of its cells.
+/// Options of the screen grid. If there are few candidate lines, only the cells along them are filled.
 CellGrid::Options grid_options(const ProjectedScene& scene, const Facets& facets, double coincidence_steps,
                                bool hidden_strokes, bool regions, bool see_through) {
   constexpr std::size_t kManyLines = 4;
@@ -33,8 +33,8 @@ CellGrid::Options grid_options(const ProjectedScene& scene, const Facets& facets
   return options;
 }
 
-/// The ranks without those of faces that are seen edge on, exactly or within the lattice. Such a face overlaps nothing on
-/// the page, so an order may put it anywhere, and its own lines with it: their depths decide.
+/// Drops the ranks of faces seen edge on, exactly or within the lattice. Such a face overlaps nothing on the page, so
+/// an order may put it, and its lines, anywhere: for them depths decide.
 FaceRanks without_thin_faces(FaceRanks ranks, const Facets& facets) {
   for (std::uint32_t f = 0; f < facets.face_is_thin.size(); ++f) {
     if (facets.face_is_thin[f]) ranks.forget(f);

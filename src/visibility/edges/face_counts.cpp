@@ -40,7 +40,8 @@ std::vector<CountedPart> FaceCounter::count(const PageLine& line, bool with_face
     events_.push_back({hidden.from, facet.face, left, right});
     events_.push_back({hidden.to, facet.face, -left, -right});
   });
-  // At one place what begins comes first, so that a face that goes on in its next facet is there once more, not once less.
+  // At one place beginnings come before ends: a face that goes on in its next facet is counted once too often there,
+  // never once too few.
   std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
     if (a.t != b.t) return a.t < b.t;
     if ((a.left + a.right > 0) != (b.left + b.right > 0)) return a.left + a.right > 0;

@@ -26,8 +26,8 @@ Point3 to_model(const ProjectedScene& scene, const ProjectedVertex& v) {
   return to_model_point(scene.view, scene.lattice.to_mm(v.p), v.z);
 }
 
-/// Strokes whose source is `scene.source_count` + i come from intersections[i]. Gives numbers to those that have strokes,
-/// without gaps, and lists them in the model.
+/// Strokes whose source is `scene.source_count` + i come from intersections[i]. Numbers the intersections that have
+/// strokes, without gaps, and lists them in the model.
 void number_intersections(const ProjectedScene& scene, const std::vector<Intersection>& intersections, StrokeModel& model) {
   std::vector<std::uint32_t> number(intersections.size(), kNone);
   for (Stroke& s : model.strokes) {
@@ -77,7 +77,7 @@ void LineStrokes::add(std::size_t count, MakeLineVisibility make, const std::fun
   append_blocks(made);
 }
 
-/// Puts the strokes of all blocks behind the others.
+/// Appends the strokes of all blocks to the model.
 void LineStrokes::append_blocks(std::vector<Block>& blocks) {
   std::vector<Stroke>& strokes = model_.strokes;
   std::vector<std::size_t> first(blocks.size() + 1, strokes.size());
@@ -140,7 +140,7 @@ void LineStrokes::add_parts(const PageLine& line, const std::vector<LinePart>& p
   if (hidden_too_ && end < 1) add_hidden(line, {end, 1}, origin, out);
 }
 
-/// A piece too short for the page belongs to the one before it, or the first to the one behind it.
+/// A piece too short for the page joins the piece before it; the first piece joins the next one.
 void LineStrokes::add_hidden(const PageLine& line, LinePart gap, const Origin& origin, Block& out) const {
   struct Piece {
     LinePart part;
@@ -189,7 +189,8 @@ Stroke LineStrokes::stroke(const PageLine& line, LinePart part, const Origin& or
   return s;
 }
 
-/// Parameter in model space of the page parameter t: weights are the distances along the sight, one over magnification.
+/// Converts the page parameter t to the parameter in model space. The weights are the distances along the viewing
+/// direction, which are one over the magnifications.
 double LineStrokes::model_parameter(const PageLine& line, double t) const {
   if (!scene_.view.camera.perspective || t == 0 || t == 1) return t;
   const double m0 = scene_.magnification(line.z0), m1 = scene_.magnification(line.z1);

@@ -1,5 +1,5 @@
 #pragma once
-/// The last phase of every method: from what it found of each line to strokes.
+/// The last phase of every method: makes strokes from the visible parts of the lines.
 
 #include <array>
 #include <cstddef>
@@ -15,46 +15,47 @@
 
 namespace ligne {
 
-/// Puts the visible parts of line number i into `parts`: in order, disjoint. Returns whether another line may lie on it.
+/// Puts the visible parts of line number i into `parts`: in order, disjoint. Returns whether another line may coincide
+/// with it.
 using LineVisibility = std::function<bool(std::size_t i, const PageLine& line, std::vector<LinePart>& parts)>;
 
-/// Makes the LineVisibility of a block of lines, which one thread studies with memory of its own.
+/// Makes the LineVisibility for a block of lines. One thread studies the block, with its own memory.
 using MakeLineVisibility = FunctionRef<LineVisibility()>;
 
-/// Per line its parts with the number of faces before each (face_counts.hpp).
+/// Per line: its parts with the number of faces in front of each (face_counts.hpp).
 using CountedLines = std::vector<std::vector<CountedPart>>;
 
-/// Makes the strokes of a scene's lines in parallel, in the order of the lines whatever the number of threads. Lines that
-/// are seen end on have none, and parts that are too short for the page are left out.
+/// Makes the strokes of a scene's lines in parallel. Their order is that of the lines, for any number of threads. Lines
+/// seen end on give no stroke; parts too short for the page are left out.
 class LineStrokes {
  public:
-  /// `hidden_too`: what lies between the visible parts becomes hidden strokes. Parts shorter than `shortest_steps` are left
-  /// out.
+  /// `hidden_too`: the gaps between the visible parts become hidden strokes. Parts shorter than `shortest_steps`
+  /// lattice steps are left out.
   LineStrokes(const ProjectedScene& scene, const Facets& facets, bool hidden_too, double shortest_steps);
 
-  /// All candidate edges. With `counted` hidden strokes end where the faces before them change, as far as these are known,
-  /// and have their number as their level. `counted` must live until take().
+  /// Adds all candidate edges. With `counted`, hidden strokes end where the known faces in front of them change, and
+  /// their level is the number of these faces. `counted` must live until take().
   void add_edges(MakeLineVisibility make, const std::function<void(double)>& progress = {},
                  const CountedLines* counted = nullptr);
 
-  /// The common segments of penetrating faces, behind all edges. To be called once.
+  /// Adds the common segments of penetrating faces, after all edges. To be called once.
   void add_intersections(const std::vector<Intersection>& intersections, MakeLineVisibility make,
                          const CountedLines* counted = nullptr);
 
-  /// All strokes, with the faces before the hidden ones where they were counted.
+  /// Returns all strokes, with the faces in front of the hidden ones where these were counted.
   StrokeModel take();
 
  private:
-  /// Where a line comes from.
+  /// The source of a line.
   struct Origin {
     std::uint32_t source;
     LineClass line_class;
     std::array<double, 2> range;  ///< part of the source edge
-    bool needs_overlap_check;     ///< whatever lies near
+    bool needs_overlap_check;     ///< even if no other side lies along the line
     const std::vector<CountedPart>* counted = nullptr;
   };
 
-  /// The strokes of a block of lines. counted[i] is the part that hidden[i], the number of a stroke, was made from.
+  /// The strokes of a block of lines. Stroke number hidden[i] was made from the part counted[i].
   struct Block {
     std::vector<Stroke> strokes;
     std::vector<std::size_t> hidden;
@@ -75,7 +76,7 @@ class LineStrokes {
   bool hidden_too_;
   double shortest_;
   StrokeModel model_;
-  Block counted_;  ///< of all strokes, without these themselves
+  Block counted_;  ///< `hidden` and `counted` of all strokes; its `strokes` stay empty
 };
 
 }  // namespace ligne

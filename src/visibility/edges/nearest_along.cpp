@@ -13,7 +13,7 @@
 namespace ligne {
 namespace {
 
-// Adjustable: facets to a task, and cells of the grid along the longer side of what the lines take up.
+// Adjustable: facets and lines per task, and grid cells along the longer side of the lines' bounding box.
 constexpr std::size_t kFacetsPerTask = 16'384;
 constexpr std::size_t kLinesPerTask = 256;
 constexpr int kMostCells = 256;
@@ -26,8 +26,8 @@ struct Cover {
   double from, to;
 };
 
-/// Whether the facet lies over a part of the line; the ends are quotients of exact determinants, so that two facets on one
-/// side give the same end to the last bit, and no sheet shows between them.
+/// Whether the facet covers a part of the line, which goes to `cover`. The ends are quotients of exact determinants:
+/// two facets with a common side give the same end to the last bit, and no gap shows between them.
 bool covers(const LineOnPage& line, const Facet& facet, const std::vector<ProjectedVertex>& vertices, Cover& cover) {
   cover.from = 0;
   cover.to = 1;
@@ -57,7 +57,7 @@ struct LineBox {
   bool meets(const LineBox& o) const { return left <= o.right && o.left <= right && top <= o.bottom && o.top <= bottom; }
 };
 
-/// The lines by the cells of a grid through which they run.
+/// A grid whose cells list the lines that run through them.
 class LineGrid {
  public:
   explicit LineGrid(const std::vector<LineOnPage>& lines) : boxes_(lines.size()) {
@@ -106,7 +106,7 @@ class LineGrid {
     }
   }
 
-  /// Row by row of cells; a step to both sides is for the roundings.
+  /// Visits the cells row by row. One step on both sides allows for rounding.
   template <class Visit>
   void for_cells_of(const LineOnPage& line, Visit visit) const {
     LineBox box;
@@ -134,8 +134,8 @@ class LineGrid {
   std::vector<std::uint32_t> begin_, list_;
 };
 
-/// The covers of all lines, by line. Which facets were left out because they lie behind one that covers all of a line may
-/// depend on which task came first; so all of them are left out afterwards.
+/// The covers of all lines, by line. The tasks skip facets behind one that covers a whole line, but which ones they
+/// skip depends on the order of the tasks; so a last pass drops all of them.
 class Covers {
  public:
   Covers(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
@@ -146,7 +146,7 @@ class Covers {
     std::vector<std::vector<Cover>> found((facets.size() + kFacetsPerTask - 1) / kFacetsPerTask);
     parallel_blocks(facets.size(), kFacetsPerTask, [&](std::size_t first, std::size_t last) {
       std::vector<Cover>& out = found[first / kFacetsPerTask];
-      std::vector<std::uint32_t> met(lines.size(), kNone);  // per line: the facet with which it was met last
+      std::vector<std::uint32_t> met(lines.size(), kNone);  // per line: the last facet tested against it
       for (std::size_t f = first; f < last; ++f) {
         const Facet& facet = facets[f];
         LineBox box;
@@ -188,7 +188,7 @@ class Covers {
   bool kept(const Cover& c) const { return !(facets_[c.facet].z_near > depths_[c.line].load(std::memory_order_relaxed)); }
 
   const std::vector<Facet>& facets_;
-  std::vector<std::atomic<float>> depths_;  ///< behind which a line sees nothing
+  std::vector<std::atomic<float>> depths_;  ///< per line: depth behind which everything is hidden
   std::vector<std::uint32_t> begin_;
   std::vector<Cover> covers_;
 };
@@ -216,7 +216,7 @@ std::vector<SeenStretch> any_stretches(std::vector<Cover> covers) {
   return stretches;
 }
 
-/// Depths of a facet's plane at both ends of a line that it covers a part of.
+/// Depths of a facet's plane at both ends of a line. The facet covers a part of the line.
 struct CoverDepth {
   const Cover* cover;
   double z_from, z_to;

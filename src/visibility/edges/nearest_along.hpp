@@ -1,8 +1,8 @@
 #pragma once
-/// The nearest facet along lines of the page, stretch by stretch, as it would be seen if no line were drawn.
+/// The nearest facet along lines of the page, stretch by stretch.
 ///
-/// The lines are few beside the facets, so the lines are filed in a grid, and each facet is held against those near it. A
-/// facet that lies over all of a line hides for that line whatever is behind it.
+/// There are far fewer lines than facets, so the grid holds the lines, and each facet is tested against the lines near
+/// it. A facet that covers a whole line hides everything behind it from that line.
 
 #include <array>
 #include <cstdint>
@@ -15,15 +15,14 @@ namespace ligne {
 
 using LineOnPage = std::array<LatticePoint, 2>;
 
-/// A part of a line, by fractions of its length on the page.
+/// A part of a line, in fractions of its length on the page.
 struct SeenStretch {
   double from = 0, to = 1;
   std::uint32_t facet = kNone;  ///< kNone: the sheet
 };
 
-/// The stretches of each line, in order and without gaps. Where facets penetrate between two ends of
-/// facets, the one that is nearer in the middle stands for both. `any_facet`: it is enough that there is one, it need not be
-/// the nearest.
+/// Returns the stretches of each line, in order and without gaps. Where two facets penetrate within a stretch, the one
+/// that is nearer at its middle is given for all of it. `any_facet`: any facet will do, not only the nearest.
 std::vector<std::vector<SeenStretch>> nearest_along(const std::vector<ProjectedVertex>& vertices,
                                                     const std::vector<Facet>& facets, const std::vector<LineOnPage>& lines,
                                                     bool any_facet);

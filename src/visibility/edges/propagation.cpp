@@ -12,12 +12,13 @@
 namespace ligne {
 namespace {
 
-constexpr std::int64_t kNotThere = -(std::int64_t{1} << 40);  ///< stays below 0 whatever is added
+constexpr std::int64_t kNotThere = -(std::int64_t{1} << 40);  ///< stays below 0 for any number of faces added
 
-/// The faces before a place: their number, or the faces themselves.
+/// The faces in front of a place: their number, or the faces themselves.
 struct Invisibility {
-  std::int64_t count = 0;              ///< below 0 where what is taken away was not there: then nothing is certain
-  std::vector<std::uint32_t> faces{};  ///< ascending; empty unless they are carried
+  std::int64_t count = 0;              ///< below 0 if a face was removed that was not there: the count is then
+                                       ///< uncertain
+  std::vector<std::uint32_t> faces{};  ///< ascending; empty unless the set is carried
 
   void change(std::uint32_t face, int by, bool with_faces) {
     count += by;
@@ -33,8 +34,8 @@ struct Invisibility {
   }
 };
 
-/// A side of facets where the surfaces on its two banks are not alike: the faces to the right of v0 -> v1, with y down, and
-/// to the left.
+/// A side of facets with different surfaces on its two sides: the faces to the right of v0 -> v1, with y down, and to
+/// the left.
 struct SurfaceSide {
   std::uint32_t v0, v1;
   double tolerance;  ///< largest depth tolerance of its facets
@@ -44,7 +45,7 @@ struct SurfaceSide {
 /// The neighbourhood of an edge in space.
 struct EdgeNear {
   bool certain = true;
-  std::vector<std::uint32_t> at_start, at_end;  ///< faces round either vertex that hide the edge there
+  std::vector<std::uint32_t> at_start, at_end;  ///< faces at either vertex that hide the edge there
 };
 
 class Propagator {
@@ -79,7 +80,7 @@ class Propagator {
   bool find_crossings(std::uint32_t edge, const PageLine& line);
   void arrive(std::uint32_t vertex, Invisibility at_vertex, const std::vector<std::uint32_t>& hiding);
 
-  /// A side that the edge passes behind, and whether it comes onto the right bank.
+  /// A side that the edge passes behind, and whether the edge passes to its right.
   struct Crossing {
     double t;
     std::uint32_t side;
@@ -95,7 +96,7 @@ class Propagator {
   BoxForest side_forest_;
   std::uint32_t side_root_ = 0;
   std::vector<std::uint32_t> edge_begin_, edges_of_;    ///< candidate edges by vertex
-  std::vector<std::optional<Invisibility>> at_vertex_;  ///< without the faces round the vertex
+  std::vector<std::optional<Invisibility>> at_vertex_;  ///< not counting the faces at the vertex
   std::deque<std::uint32_t> open_;                      ///< vertices whose edges are to be followed
   std::vector<std::uint8_t> done_;
   std::vector<Crossing> crossings_;
@@ -154,7 +155,7 @@ void Propagator::find_edges_of_vertices() {
   }
 }
 
-/// Edges in the order in which they may become starts: for paths those with the nearest vertex first.
+/// The order in which edges may become starts; for paths, the edges with the nearest vertex come first.
 std::vector<std::uint32_t> Propagator::start_order() const {
   std::vector<std::uint32_t> order(scene_.edges.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -186,7 +187,8 @@ std::vector<std::vector<CountedPart>> Propagator::run() {
   return std::move(parts_);
 }
 
-/// Tests the edge against all faces. Where it is certain, what is before its ends is known from then on.
+/// Tests the edge against all faces. If the result is certain, the faces in front of its two ends are known from then
+/// on.
 void Propagator::start_at(std::uint32_t edge) {
   done_[edge] = 1;
   const PageLine line = line_of(edge);
@@ -203,7 +205,7 @@ void Propagator::start_at(std::uint32_t edge) {
   arrive(scene_.edges[edge].v1, {last.count, last.faces}, near.at_end);
 }
 
-/// Carries what is known of the vertex along its edges.
+/// Carries the faces in front of the vertex along its edges.
 void Propagator::follow(std::uint32_t vertex) {
   for (std::uint32_t i = edge_begin_[vertex]; i < edge_begin_[vertex + 1]; ++i) {
     const std::uint32_t edge = edges_of_[i];
@@ -240,8 +242,8 @@ EdgeNear Propagator::look_near(std::uint32_t edge, const PageLine& line) {
   return near;
 }
 
-/// Whether it is certain that the facet lies before or behind all of the edge that is over it, but for a vertex that they
-/// have in common. Adds it to the faces that hide the edge there.
+/// Whether the facet certainly lies all in front of, or all behind, the part of the edge over it; a common vertex does
+/// not count. A facet in front at a common vertex is added to the faces that hide the edge there.
 bool Propagator::look_at_facet(std::uint32_t edge, const PageLine& line, const Facet& facet, EdgeNear& near) const {
   const ProjectedVertex* const p = scene_.vertices.data();
   double enter = 0, leave = 1;
@@ -278,8 +280,8 @@ bool Propagator::look_at_facet(std::uint32_t edge, const PageLine& line, const F
   return true;
 }
 
-/// Finds the sides behind which the edge passes; false where one is in doubt. Sides at the edge's own vertices meet it there
-/// alone, unless they lie along it.
+/// Finds the sides that the edge passes behind; false if one is in doubt. A side at one of the edge's own vertices
+/// meets the edge only there, unless it lies along it.
 bool Propagator::find_crossings(std::uint32_t edge, const PageLine& line) {
   crossings_.clear();
   const ProjectedEdge& e = scene_.edges[edge];
@@ -312,7 +314,7 @@ bool Propagator::find_crossings(std::uint32_t edge, const PageLine& line) {
   return certain;
 }
 
-/// From one end of the edge to the other. False where the count would fall below none: then nothing was certain.
+/// Carries the count from one end of the edge to the other. False if it falls below zero: then it was not certain.
 bool Propagator::carry(std::uint32_t edge, const EdgeNear& near, bool from_end) {
   const ProjectedEdge& e = scene_.edges[edge];
   Invisibility now = *at_vertex_[from_end ? e.v1 : e.v0];

@@ -1,15 +1,14 @@
 #pragma once
-/// The number of faces before a line carried from vertex to vertex along the edges, in place of a test of every edge.
+/// Carries the number of faces in front of a line from vertex to vertex along the edges, instead of testing every edge.
 ///
-/// Along an edge the number changes where the edge passes behind a side at which a surface turns back or ends, and nowhere
-/// else, as long as the edge pierces and touches nothing. From one edge to the next at their vertex it changes by the faces
-/// round the vertex alone. So one edge of a connected set is tested against all faces, and the others against the sides that
-/// they cross, and the faces that are near to them in space.
+/// As long as an edge pierces and touches nothing, the number changes along it only where it passes behind a side at
+/// which a surface turns back or ends. From one edge to the next at their vertex only the faces round that vertex
+/// change it. So one edge of a connected set is tested against all faces, and the others only against the sides that
+/// they cross and the faces near them in space.
 ///
-/// Counts that are not certain are not carried: an edge that touches or pierces a face, that passes exactly through a corner
-/// or along a side on the page, or whose ends are cut, is tested against all faces. So the parts found are those of
-/// FaceCounter, and every place that is hidden is the same to the last bit where both ends are quotients of the same
-/// determinants.
+/// Uncertain counts are not carried. An edge is tested against all faces if it touches or pierces a face, if it passes
+/// exactly through a corner or along a side on the page, or if its ends are cut. So the parts are those of FaceCounter;
+/// their ends are equal to the last bit where both are quotients of the same determinants.
 
 #include <cstdint>
 #include <vector>
@@ -18,23 +17,24 @@
 
 namespace ligne {
 
-/// The quantity that is carried, and the order in which edges are followed.
+/// The quantity carried, and the order in which edges are followed.
 enum class Propagation : std::uint8_t {
   count,   ///< the number of faces [Appel1967], in rings about the start
   nature,  ///< the set of faces [GalimbertiMontanari1969]; it changes at every side of a face
-  path,    ///< the number of faces along a path that goes on at the end of each edge, from the nearest vertex [Loutrel1970]
+  path,    ///< the number of faces, depth first from the nearest vertex: a path goes on at the end of each edge
+           ///< [Loutrel1970]
 };
 
 struct PropagationCounts {
-  std::uint64_t tested = 0;    ///< edges against all faces
-  std::uint64_t carried = 0;   ///< edges by what was known at one end
-  std::uint64_t in_doubt = 0;  ///< of the tested ones, those of which nothing is carried on
-  std::uint64_t facets = 0;    ///< line against facet, for the tested edges
-  std::uint64_t near = 0;      ///< line against facet near it, for all edges
-  std::uint64_t sides = 0;     ///< line against side
+  std::uint64_t tested = 0;    ///< edges tested against all faces
+  std::uint64_t carried = 0;   ///< edges with counts carried from one end
+  std::uint64_t in_doubt = 0;  ///< tested edges from which no count is carried on
+  std::uint64_t facets = 0;    ///< tests of a line against a facet, for the tested edges
+  std::uint64_t near = 0;      ///< tests of a line against a facet near it, for all edges
+  std::uint64_t sides = 0;     ///< tests of a line against a side
 };
 
-/// The parts of each candidate edge, by its number; none of those seen end on.
+/// Returns the parts of each candidate edge, by its number. Edges seen end on have none.
 std::vector<std::vector<CountedPart>> propagate(const ProjectedScene& scene, const FacetForest& forest,
                                                 double coincidence_steps, Propagation kind, PropagationCounts& counts);
 

@@ -8,20 +8,20 @@
 
 namespace ligne {
 
-/// Like VisibleParts, but a transparent face hides nothing: what is behind it is seen at a higher level. Working
-/// memory that is kept from line to line. The grid is one through which transparent faces are seen.
+/// Like VisibleParts, but a transparent face hides nothing: lines behind it are visible at a higher level. The object
+/// keeps its working memory from line to line. The grid must be made with `see_through`.
 class TransparentLines {
  public:
   TransparentLines(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid,
                    double coincidence_steps)
       : scene_(scene), facets_(facets.data()), grid_(grid), coincidence_steps_(coincidence_steps) {}
 
-  /// The visible parts of the line with their levels, in order, disjoint. A point is seen on the side on which less is in
-  /// front of it. The parts are the caller's to change until the next call.
+  /// Finds the visible parts of the line with their levels, in order, disjoint. The level is that of the side of the
+  /// line with less in front of it. The caller may change the parts until the next call.
   std::vector<LinePart>& find(const PageLine& line);
 
  private:
-  /// Something begins or ends to be in front of a side, or of both.
+  /// A place where a facet begins or ceases to cover one side of the line, or both.
   struct Event {
     double t;
     int left, right;  ///< transparent facets, +1 or -1

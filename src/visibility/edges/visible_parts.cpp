@@ -6,7 +6,7 @@
 namespace ligne {
 namespace {
 
-/// Two dozen roundings of depths interpolated along a line and along a side.
+/// Relative rounding error of two depths interpolated along a line and along a side: about two dozen roundings.
 constexpr double kSideDepthRounding = 0x1p-46;
 
 }  // namespace
@@ -44,8 +44,8 @@ bool VisibleParts::has_side_along(const PageLine& line, const Facet& facet) cons
   return near >= 2;
 }
 
-/// Whether a side of the facet lies along a visible part of the line for longer than a coincidence, and there, at one end of
-/// what they have in common at least, not behind it. Of two lines that lie on each other one has the other's side so.
+/// Whether a side of the facet lies along a visible part of the line, over more than the coincidence distance, and is
+/// not behind it at one end of the common part at least. For two coincident lines this holds for at least one of them.
 bool VisibleParts::has_side_along_part(const PageLine& line, const Facet& facet) const {
   const double limit = coincidence_steps_ * line.size, square = line.dx * line.dx + line.dy * line.dy;
   const double least = coincidence_steps_ / std::sqrt(square);

@@ -1,5 +1,5 @@
 #pragma once
-/// The visible parts of one line: what is left of it when every facet in front has taken its interval.
+/// The visible parts of one line: the rest of it after every facet in front has taken its interval.
 
 #include <mutex>
 #include <vector>
@@ -14,9 +14,9 @@ namespace ligne {
 /// Counts for the statistics.
 struct TestCounts {
   std::uint64_t leaves = 0;           ///< leaf cells visited
-  std::uint64_t covered = 0;          ///< of them, those in which the line lies behind the cover
-  std::uint64_t facet_tests = 0;      ///< line against facet
-  std::uint64_t behind_in_order = 0;  ///< not tested: the order of the faces says that the facet is behind
+  std::uint64_t covered = 0;          ///< visited leaf cells in which the line lies behind the cover
+  std::uint64_t facet_tests = 0;      ///< tests of a line against a facet
+  std::uint64_t behind_in_order = 0;  ///< facets not tested: by the order of the faces they lie behind
   void operator+=(const TestCounts& o) {
     leaves += o.leaves;
     covered += o.covered;
@@ -31,11 +31,11 @@ struct TestTotals {
   TestCounts counts;
 };
 
-/// Working memory that is kept from line to line.
+/// Finds the visible parts of lines, one by one. It keeps its working memory from line to line.
 class VisibleParts {
  public:
-  /// `totals` gets the counts in the end; none where nobody asks for them. `ranks`: an order of the faces, if there is one.
-  /// `blank`: where no line is seen, if it is known. `by_sight`: see find().
+  /// The destructor adds the counts to `totals`, if given. `ranks`: an order of the faces, if there is one. `blank`:
+  /// cells in which no line is visible, if known. `by_sight`: see find().
   VisibleParts(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double coincidence_steps,
                TestTotals* totals = nullptr, const FaceRanks* ranks = nullptr, const OccludedCells* blank = nullptr,
                bool by_sight = false)
@@ -55,9 +55,9 @@ class VisibleParts {
     totals_->counts += counts_;
   }
 
-  /// Finds the visible parts of the line, in order, disjoint; parts that touch are one. They are the caller's to change
-  /// until the next call. Afterwards near_side() says whether a side of a facet in front of the line or level with it lies
-  /// along the line; with `by_sight` only the visible part of the line is tested.
+  /// Finds the visible parts of the line, in order, disjoint; parts that touch are joined. The caller may change them
+  /// until the next call. Afterwards near_side() says whether a side of a facet in front of the line or level with it
+  /// lies along the line; with `by_sight` only the visible part of the line is tested.
   std::vector<LinePart>& find(const PageLine& line);
   bool near_side() const { return near_side_; }
 
@@ -77,13 +77,13 @@ class VisibleParts {
   double coincidence_steps_;
   TestTotals* totals_;
   const FaceRanks* ranks_;
-  std::uint32_t rank_ = 0;  ///< of the line at hand
+  std::uint32_t rank_ = 0;  ///< of the current line
   const OccludedCells* blank_;
   bool by_sight_;
   bool near_side_ = false;
-  std::vector<std::uint32_t> near_;  ///< facets with a side along the line, seen or not, maybe repeated
+  std::vector<std::uint32_t> near_;  ///< facets with a side along the line, visible or not, perhaps repeated
   std::vector<LinePart> parts_;      ///< found so far, along the whole line
-  OpenParts open_;                   ///< not yet hidden, in the leaf at hand
+  OpenParts open_;                   ///< not yet hidden, in the current leaf
   TestCounts counts_;
 };
 
