@@ -18,7 +18,7 @@ std::uint32_t BoxForest::add_tree(std::span<const DepthBox> boxes) {
   items.reserve(keys.size());
   for (const auto& [key, item] : keys) items.push_back(item);
   const auto root = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.emplace_back();  // without boxes it stays an empty one, which no line meets
+  nodes_.emplace_back();  // without boxes the root stays empty, and no line meets it
   if (!items.empty()) fill(root, boxes, items);
   return root;
 }

@@ -12,7 +12,7 @@
 
 namespace ligne {
 
-/// A rectangle in lattice steps, and depths between which everything in it lies.
+/// A rectangle in lattice steps, and the bounds of the depths of everything in it.
 struct DepthBox {
   std::int32_t left = std::numeric_limits<std::int32_t>::max(), right = std::numeric_limits<std::int32_t>::min();
   std::int32_t top = left, bottom = right;
@@ -33,8 +33,8 @@ struct DepthBox {
     z_far = std::max(z_far, o.z_far);
   }
 
-  /// Length of the part of [from, to] in which the line is over the box and not wholly before it; 0 where there is none. The
-  /// box is taken a step larger on all sides, which is more than the roundings here.
+  /// Length of the part of [from, to] in which the line is over the box, or 0 if there is none or all of it lies in
+  /// front of the box. The box is widened by one step on all sides, which exceeds the rounding here.
   double overlap(const PageLine& line, double from, double to) const {
     return clip(line.p0.x, line.dx, left, right, from, to) && clip(line.p0.y, line.dy, top, bottom, from, to) &&
                    std::max(line.z(from), line.z(to)) > z_near
@@ -42,7 +42,7 @@ struct DepthBox {
                : 0;
   }
 
-  /// Whether the line may be over the box and not wholly behind it or before it.
+  /// Whether the line may meet the box on the page and in depth.
   bool meets(const PageLine& line) const {
     double from = 0, to = 1;
     if (!clip(line.p0.x, line.dx, left, right, from, to) || !clip(line.p0.y, line.dy, top, bottom, from, to)) return false;
@@ -63,13 +63,13 @@ struct DepthBox {
 
 class BoxForest {
  public:
-  /// Builds a tree of items, which are numbered from 0; returns its root. O(n log n): halves along a Morton curve over the
-  /// middles of the boxes [Morton1966].
+  /// Builds a tree of items, numbered from 0, and returns its root. It halves the items along a Morton curve through
+  /// the centres of the boxes [Morton1966]. O(n log n).
   std::uint32_t add_tree(std::span<const DepthBox> boxes);
 
-  /// Calls visit(item) for every item of the tree whose box the open parts of the line may lie behind. The parts are what is
-  /// open at the time, so that what visit() takes spares visits. A half of the tree over which more of the line lies comes
-  /// first: it is likely to hide more.
+  /// Calls visit(item) for every item of the tree whose box may lie in front of open parts of the line. The parts that
+  /// visit() takes are no longer searched. The half of the tree that overlaps more of the line comes first, as it is
+  /// likely to hide more.
   template <class Visit>
   void for_each_before(std::uint32_t root, const PageLine& line, const OpenParts& open, Visit visit) const {
     std::array<std::uint32_t, kMostDepth> stack;
@@ -114,7 +114,7 @@ class BoxForest {
 
   struct Node {
     DepthBox box;
-    std::uint32_t children = 0;  ///< the number of the first; the second has the next. 0: a leaf
+    std::uint32_t children = 0;  ///< number of the first child; the second follows it. 0: a leaf
     std::uint32_t item = 0;      ///< of a leaf
   };
 

@@ -11,7 +11,7 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: of a patch of more facets only the farthest depth is known.
+/// Facets of the largest patch whose planes are kept; of a larger one only the farthest depth is known. Adjustable.
 constexpr std::size_t kMostPlanes = 8;
 
 struct ClippedFacet {
@@ -19,7 +19,7 @@ struct ClippedFacet {
   std::size_t count = 0;
 };
 
-/// The part of the facet in the square of half side `reach` round (x, y).
+/// Clips the facet to the square of half side `reach` round (x, y).
 ClippedFacet clip_to_square(const Facet& f, const ProjectedVertex* vertices, double x, double y, double reach) {
   ClippedFacet part;
   for (const std::uint32_t v : f.v) part.corners[part.count++] = {vertices[v].p.x - x, vertices[v].p.y - y};
@@ -54,7 +54,7 @@ void CellCover::add(const Facet& f) {
   const std::size_t before = uses_.size();
   for (int i = 0; i < 3; ++i) {
     const double centre = g.ex[i] * x + g.ey[i] * y + g.e[i];
-    if (centre - (std::abs(g.ex[i]) + std::abs(g.ey[i])) * reach > 0) continue;  // the cell is on the facet's side of it
+    if (centre - (std::abs(g.ex[i]) + std::abs(g.ey[i])) * reach > 0) continue;  // the whole cell lies inside this side
     const std::uint32_t a = scene_.place(f.v[i]), b = scene_.place(f.v[(i + 1) % 3]);
     const LatticePoint from = scene_.vertices[a].p, to = scene_.vertices[b].p;
     if (std::min(from.x, to.x) > x + reach || std::max(from.x, to.x) < x - reach) continue;
@@ -125,8 +125,9 @@ void CellCover::remove_ends() {
   }
 }
 
-/// Where surfaces meet in a side a patch can go on on one of them without the others. So the farthest member is removed,
-/// with what it leaves without a neighbour, and again the farthest, until none is left: what went last hides most.
+/// Where several surfaces meet in a side, a patch may continue on any one of them. So the loop removes the farthest
+/// member, with all members that this leaves without a neighbour, until none remains. The members removed last hide
+/// most.
 std::optional<float> CellCover::choose_patch() {
   planes_.clear();
   if (members_.empty()) return std::nullopt;
@@ -155,8 +156,8 @@ std::optional<float> CellCover::choose_patch() {
   return round_up(z_far);
 }
 
-/// The depth of the patch is nowhere beyond the farthest of its planes. That is a convex function and the depth of the facet
-/// a linear one: what holds at the corners of the facet's part in the cell holds between them.
+/// The patch is nowhere deeper than the farthest of its planes, which is a convex function; the facet's depth is a
+/// linear one. So the test at the corners of the clipped facet holds between them.
 bool CellCover::hides(const Facet& f) const {
   if (planes_.empty()) return false;
   const double half = square_.size / 2, x = square_.x + half, y = square_.y + half;

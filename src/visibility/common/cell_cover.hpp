@@ -1,5 +1,5 @@
 #pragma once
-/// The cover that hides the depth of a cell: one facet, or a connected patch of facets that do so together.
+/// The cover of a cell: one facet, or a connected patch of facets, that hides everything behind it in the cell.
 
 #include <cstdint>
 #include <optional>
@@ -10,19 +10,20 @@
 
 namespace ligne {
 
-/// Finds the patch that covers a cell and hides most. A patch is a set of facets such that across every side of them that
-/// passes through the cell another one of them goes on, on the other side of it. Then their union covers the cell: a point
-/// of the cell on the border of the union would lie inside a facet or on such a side, or be a corner round which facet
-/// follows facet, each by an angle of its own, until they close. One object serves many cells, and holds their work space.
+/// Finds the patch that covers a cell and hides most. A patch is a set of facets in which every side that passes
+/// through the cell has facets of the set on both sides. Then their union covers the cell, as no point of the cell can
+/// be on its border: such a point would lie inside a facet, on a side with facets on both sides, or at a corner with a
+/// closed ring of facets round it. One object serves many cells, and holds their work space.
 class CellCover {
  public:
-  /// `margin`: steps by which cells are widened.
+  /// `margin`: width added round each cell, in lattice steps.
   CellCover(const ProjectedScene& scene, const std::vector<Facet>& facets, double margin)
       : scene_(scene), facets_(facets), margin_(margin) {}
 
-  /// The farthest depth over the cell of the patch for which that is the nearest, depth tolerance added, if there is a
-  /// patch. hides(facet): whether it may belong to one. The list is in the order of z_near: mostly a surface in front covers
-  /// the cell, and then nothing that begins behind it need be looked at.
+  /// Returns the farthest depth of the best patch in the cell, depth tolerance added, if there is a patch; the best
+  /// patch is the one for which this depth is nearest. hides(facet) says whether the facet may belong to a patch. The
+  /// list is ordered by z_near: usually a surface in front covers the cell, and facets that begin behind it need not be
+  /// examined.
   template <class Hides>
   std::optional<float> find(const CellFacet* list, std::size_t n, const CellSquare& square, Hides hides) {
     square_ = square;
@@ -42,38 +43,38 @@ class CellCover {
     return choose_patch();
   }
 
-  /// Whether a facet lies behind the patch found last wherever it is in the cell.
+  /// Whether the part of a facet in the cell lies all behind the patch found last.
   bool hides(const Facet& f) const;
 
  private:
   static constexpr std::uint32_t kStays = 0xffffffffu;
   struct Member {
     FacetFunctions functions;
-    double z_far = 0;              ///< over the cell, depth tolerance added
-    std::uint32_t round = kStays;  ///< in which it was removed
+    double z_far = 0;              ///< farthest depth in the cell, depth tolerance added
+    std::uint32_t round = kStays;  ///< the round that removed it
   };
   /// A side of a member that passes through the cell.
   struct SideUse {
-    std::uint64_t side;  ///< its places, the lower first
-    bool reversed;       ///< the member has it from the higher place to the lower
+    std::uint64_t side;  ///< numbers of its two places, the lower in the high half
+    bool reversed;       ///< the member's side runs from the higher place to the lower
     std::uint32_t member;
-    std::uint32_t next = kNone;  ///< use of the same side
+    std::uint32_t next = kNone;  ///< next use of the same side
   };
-  /// A slot in a hash table of sides; it holds the side that was put into it in round `filled` of filling it.
+  /// A slot of the hash table of sides. It is in use if `filled` is the number of the current filling.
   struct Slot {
     std::uint64_t side;
     std::uint32_t number, filled = 0;
   };
 
-  /// Where in the middle third of the list the depths are farthest apart.
+  /// Position of the largest gap between depths in the middle third of the list.
   static std::size_t widest_gap(const CellFacet* list, std::size_t n);
 
   void add(const Facet& f);
   std::optional<float> choose_patch();
   void number_sides();
-  /// Removes a member, and those that it leaves with a side on which nothing goes on, and so on.
+  /// Removes a member, then the members that lose their neighbour across a side, and so on.
   void remove(std::uint32_t member, std::uint32_t round);
-  /// Removes what ends within the cell: it belongs to no patch.
+  /// Removes the members that end within the cell: they belong to no patch.
   void remove_ends();
 
   const ProjectedScene& scene_;
@@ -85,10 +86,10 @@ class CellCover {
   std::vector<Slot> slots_;
   std::uint32_t filled_ = 0;
   std::vector<std::uint32_t> first_use_;     ///< of each side
-  std::vector<std::uint32_t> alive_[2];      ///< by side: uses of members alive, forward and reversed
-  std::vector<std::uint32_t> member_sides_;  ///< by member: up to three times 2 side + reversed, kNone for fewer
+  std::vector<std::uint32_t> alive_[2];      ///< per side: number of uses by remaining members, forward and reversed
+  std::vector<std::uint32_t> member_sides_;  ///< three entries per member, each 2 * side + reversed; kNone if unused
   std::vector<std::uint32_t> removed_, by_depth_;
-  std::vector<FacetFunctions> planes_;  ///< of the patch; none where it has too many
+  std::vector<FacetFunctions> planes_;  ///< planes of the patch; empty if it has more than kMostPlanes
 };
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Squares of the screen grid, and facets as their lists hold them.
+/// Squares of the screen grid, and the entries of their lists of facets.
 
 #include <cstdint>
 
@@ -42,7 +42,7 @@ struct CellSquare {
 struct CellFacet {
   std::uint32_t facet = 0;
   float z_near = 0;  ///< nearest depth in the cell
-  CellBox box{};     ///< of its projection
+  CellBox box{};     ///< box of its projection
 };
 
 }  // namespace ligne

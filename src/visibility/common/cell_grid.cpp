@@ -15,7 +15,7 @@ namespace {
 
 // Adjustable parameters.
 constexpr double kSizeFactor = 1.5;     ///< side of a top-level cell over the mean extent of a facet
-constexpr double kCellsPerFacet = 1.0;  ///< at most so many top-level cells
+constexpr double kCellsPerFacet = 1.0;  ///< largest number of top-level cells per facet
 constexpr double kMinCells = 256;
 constexpr std::size_t kFacetsPerBlock = 65'536;
 
@@ -31,9 +31,9 @@ struct CellGrid::Filler {
   const std::vector<Facet>& facets;
   const Options& options;
   CellGrid& grid;
-  std::vector<std::uint8_t> wanted;   ///< per top-level cell, when only some are filled
-  std::vector<std::uint32_t> listed;  ///< then the facets in whose range one of these is
-  std::vector<Range> ranges;          ///< of all facets or of those listed, margin included
+  std::vector<std::uint8_t> wanted;   ///< per top-level cell: 1 if it is filled; empty if all are
+  std::vector<std::uint32_t> listed;  ///< if only some cells are filled: the facets whose range contains one
+  std::vector<Range> ranges;          ///< ranges of cells of all facets, or of those in `listed`, with the margin
 
   bool hides(const Facet& f) const { return options.hides(scene, f); }
   bool choose_cells();
@@ -41,12 +41,12 @@ struct CellGrid::Filler {
   Range range_of(const Facet& f) const;
   bool is_wanted(const Range& r) const;
   void find_ranges();
-  /// Facets that are filed, and the number of the k-th.
+  /// Number of facets that the grid takes, and the index of the k-th.
   std::size_t filed() const { return wanted.empty() ? facets.size() : listed.size(); }
   std::size_t facet_number(std::size_t k) const { return wanted.empty() ? k : listed[k]; }
   void find_occluders();
   void fill();
-  /// Rows are dealt out in bands, each filled by one task that scans all facets: lists keep the order of the facets.
+  /// Divides the rows into bands. One task fills a band and scans all facets, so lists keep the order of the facets.
   template <class Work>
   void for_each_band(Work work) const {
     const int bands = std::clamp(static_cast<int>(facets.size() / kFacetsPerBlock), 1, 4);
@@ -61,7 +61,7 @@ struct CellGrid::Filler {
 };
 
 bool CellGrid::Filler::choose_cells() {
-  /// Sums over all facets: width and height, area and length of the outline, and the box round them.
+  /// Sums over all facets of width plus height, of area and of the length of the outline; and their bounding box.
   struct Extent {
     double sides = 0, area = 0, outline = 0;
     double x0 = 1e300, y0 = 1e300, x1 = -1e300, y1 = -1e300;
@@ -95,7 +95,7 @@ bool CellGrid::Filler::choose_cells() {
   size = std::max(size, std::max(width, height) / 4096);
   size = std::min(size, std::sqrt(width * height / kMinCells));
   size = std::max({size, kSmallestCell, std::max(width, height) / 4096});
-  // Large facets lie in many cells: about area / size^2 + outline / size of them, which must be no more than the limit.
+  // A large facet lies in about area / size^2 + outline / size cells; the sum must stay within the limit.
   const double limit = most_entries(facets.size()) / 2;
   size = std::max(size, (outline + std::sqrt(outline * outline + 4 * limit * area)) / (2 * limit));
   // A whole number of steps, so that cell borders are exact.

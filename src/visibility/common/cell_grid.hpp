@@ -1,14 +1,14 @@
 #pragma once
-/// The screen grid: for every cell the facets that may be seen in it.
+/// The screen grid: lists for every cell the facets that may be visible in it.
 ///
-/// A uniform grid over the page whose overfull cells are split into 4 x 4 children, again and again. Every cell knows the
-/// depth of the nearest facet, or connected patch of facets, that covers it whole (its cover, cell_cover.hpp); what lies
-/// behind the cover is not listed, and a line behind it needs no further test. Cells are listed with a margin around them,
-/// so that a line that runs along the border of a cell meets in that cell all facets on both of its sides.
+/// A uniform grid over the page; overfull cells are split into 4 x 4 children, recursively. Every cell knows the depth
+/// of its cover: the nearest facet, or connected patch of facets, that covers it whole (cell_cover.hpp). Facets behind
+/// the cover are not listed, and a line behind it needs no further test. Lists include the facets in a margin round the
+/// cell, so a line along the border of a cell finds the facets on both of its sides in that cell.
 ///
-/// Invariants: a facet whose projection comes within `margin` of a cell is in the list of every leaf there, unless it is
-/// behind the leaf's cover, or coincides there with a listed facet of a lower face and both cover the leaf. Lists are
-/// ordered by z_near. A child's cover is not behind its parent's.
+/// Invariants: every leaf lists each facet whose projection comes within `margin` of it, unless the facet is behind the
+/// leaf's cover, or both it and a listed facet of a lower face cover the leaf and coincide there. Lists are ordered by
+/// z_near. A child's cover is not behind its parent's.
 
 #include <algorithm>
 #include <cstdint>
@@ -34,7 +34,7 @@ struct Cell {
   float occluder_depth = std::numeric_limits<float>::infinity();
   std::uint16_t arena = 0;
   bool one_face = false;   ///< all facets of the list are of one face
-  bool one_plane = false;  ///< the list is long, and its facets have a plane in common; see CellGrid::plane_of()
+  bool one_plane = false;  ///< the list is long, and its facets lie in one plane; see CellGrid::plane_of()
 };
 
 inline constexpr int kSplitSide = 4;
@@ -43,10 +43,10 @@ class CellGrid {
  public:
   struct Options {
     double margin_steps = 0;
-    /// Leave out of the lists what is behind the cover. Off when all intersections are wanted, the hidden ones too.
+    /// Drop facets behind the cover from the lists. Off when hidden intersections are wanted, too.
     bool drop_hidden = true;
     bool see_through = false;  ///< transparent faces cover nothing
-    /// When not null: only the cells that these lines run through are filled.
+    /// If not null, only the cells that these lines run through are filled.
     const std::vector<ProjectedEdge>* only_along = nullptr;
 
     bool hides(const ProjectedScene& scene, const Facet& f) const {
@@ -56,8 +56,9 @@ class CellGrid {
 
   CellGrid(const ProjectedScene& scene, const std::vector<Facet>& facets, const Options& options);
 
-  /// Calls visit(cell, square, from, to) for every leaf that the line runs through, in order; [from, to] is the line's part
-  /// in it, and neighbouring parts share their ends to the last bit. visit returns nothing.
+  /// Calls visit(cell, square, from, to) for every leaf that the line runs through, in order, and for split cells whose
+  /// cover hides the line there. [from, to] is the line's part in the cell; neighbouring parts share their ends to the
+  /// last bit.
   template <class Visit>
   void for_each_leaf(const PageLine& line, Visit visit) const;
 
@@ -73,9 +74,9 @@ class CellGrid {
   bool complete() const { return complete_; }
   std::size_t top_cell_count() const { return cells_.size(); }
   const CellFacet* list(const Cell& cell) const { return arenas_[cell.arena].list.data() + cell.begin; }
-  /// The plane of the facets of a leaf for which `one_plane` is true.
+  /// The common plane of the facets of a leaf; `one_plane` must be true.
   const CommonPlane& plane_of(const Cell& cell) const;
-  /// Per facet: 1 if any leaf lists it. The others can not be seen, and hide nothing visible.
+  /// Per facet: 1 if any leaf lists it. Unlisted facets are invisible, and hide nothing visible.
   std::vector<std::uint8_t> listed(std::size_t facets) const;
   std::size_t entry_count() const;
   std::size_t leaf_count() const;
@@ -95,15 +96,15 @@ class CellGrid {
   struct Splitter;
 
   // Adjustable parameters.
-  static constexpr double kSmallestCell = 64;  ///< steps; smaller cells are not split
-  /// How many entries the leaves have at the most, about.
+  static constexpr double kSmallestCell = 64;  ///< least side of a cell, in lattice steps
+  /// Approximate limit on the number of entries of all leaves.
   static double most_entries(std::size_t facets) { return std::max(64 * static_cast<double>(facets), 2.5e5); }
 
   void split_overfull(const ProjectedScene& scene, const std::vector<Facet>& facets, const Options& options);
 
-  /// Cells side by side, all of one size: those of the whole grid, or of one that is split.
+  /// A block of cells of equal size: the whole grid, or the children of a split cell.
   struct Cells {
-    double x, y, size;  ///< of the first one
+    double x, y, size;  ///< corner of the first cell, and side of all
     int columns, rows;
     const Cell* cells;
 
@@ -138,8 +139,8 @@ void CellGrid::for_each_leaf(const PageLine& line, Visit visit) const {
   walk(line, top_cells(), 0, 1, visit);
 }
 
-/// Walks a uniform grid along the line: at each step the next border crossed is the nearer one of the next vertical and the
-/// next horizontal border.
+/// Walks a uniform grid along the line. Each step crosses the nearer of the next vertical and the next horizontal
+/// border.
 template <class Visit>
 void CellGrid::walk(const PageLine& line, const Cells& cells, double from, double to, const Visit& visit) const {
   const double x = cells.x, y = cells.y, size = cells.size;

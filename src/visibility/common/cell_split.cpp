@@ -12,11 +12,11 @@ namespace {
 // Adjustable parameters.
 constexpr std::size_t kLeafFacets = 24;      ///< a list longer than this is split if large facets may cover children
 constexpr std::size_t kCrowdedFacets = 256;  ///< a list longer than this is split anyway
-constexpr double kLargeBreadth = 0.6;        ///< facets broader than so many sides of the cell are large
-constexpr double kLargePart = 0.25;          ///< what part of the list must be large facets
-constexpr double kGain = 0.7;                ///< see progress in split()
+constexpr double kLargeBreadth = 0.6;        ///< a facet broader than this times the cell's side is large
+constexpr double kLargePart = 0.25;          ///< least share of large facets in a list worth splitting
+constexpr double kGain = 0.7;                ///< least saving, as a ratio of list lengths; see `progress` in split()
 
-/// A list that was in this order may have lost some of its entries since.
+/// Often the list is already sorted: removing entries keeps the order.
 void sort_by_depth(CellFacet* begin, CellFacet* end) {
   const auto before = [](const CellFacet& a, const CellFacet& b) {
     return a.z_near != b.z_near ? a.z_near < b.z_near : a.facet < b.facet;
@@ -34,7 +34,7 @@ struct CellGrid::Splitter {
   CellGrid& grid;
 
   bool hides(const Facet& f) const { return options.hides(scene, f); }
-  /// The facet of the lower face is seen where two coincide.
+  /// Where two facets coincide, the one of the lower face is visible.
   bool comes_first(std::uint32_t a, std::uint32_t b) const {
     return facets[a].face != facets[b].face ? facets[a].face < facets[b].face : a < b;
   }
@@ -44,7 +44,7 @@ struct CellGrid::Splitter {
   void finish_leaf(Cell& cell, CellFacet* list, std::size_t n, const CellSquare& square,
                    std::vector<LeafPlane>& planes) const;
   bool of_one_face(const CellFacet* list, std::size_t n) const;
-  /// Removes from a long list what lies behind the cell's cover; gives the list's new length.
+  /// Removes the facets behind the cell's cover from a long list; returns its new length.
   std::size_t drop_covered(Cell& cell, CellFacet* list, std::size_t n, const CellSquare& square, CellCover& cover) const;
   static constexpr int kChildren = kSplitSide * kSplitSide;
   /// Lists and nearest covers of the children of a cell, row by row.
@@ -52,20 +52,20 @@ struct CellGrid::Splitter {
     std::vector<CellFacet> lists[kChildren];
     float covers[kChildren];
   };
-  /// Files what the cell inherited under its children. Sorts it, nearest first.
+  /// Sorts the inherited entries, nearest first, and distributes them to the children.
   void hand_down(const Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Children& children) const;
-  /// The place for what a task splits, and its work space.
+  /// The arena into which a task splits cells, and its work space.
   struct Store {
     Arena& arena;
-    std::uint16_t index;  ///< of the arena
+    std::uint16_t index;  ///< number of the arena
     CellCover& cover;
   };
-  /// `budget`: how many entries the leaves of the cell should have at the most.
+  /// `budget`: largest number of entries that the leaves of the cell should have.
   void split(Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, double budget, Store& store);
 };
 
-/// Facets broader than children of the cell cover some of them and hide what is behind; a crowd of small ones is only
-/// spread.
+/// Facets broader than a child cell cover some children and hide what is behind them. Splitting only spreads small
+/// facets.
 bool CellGrid::Splitter::worth_splitting(const CellFacet* list, std::size_t n, double size) const {
   if (n <= kLeafFacets || size < kSplitSide * kSmallestCell) return false;
   if (n > kCrowdedFacets) return !of_one_face(list, n);
@@ -76,7 +76,7 @@ bool CellGrid::Splitter::worth_splitting(const CellFacet* list, std::size_t n, d
 }
 
 void CellGrid::Splitter::split_overfull() {
-  // A fixed number of arenas, so that the structure does not depend on the number of threads.
+  // The number of arenas is fixed, so that the structure does not depend on the number of threads.
   constexpr std::size_t kArenas = 64;
   grid.arenas_.resize(kArenas + 1);
   const std::size_t n = grid.cells_.size();
@@ -200,9 +200,9 @@ void CellGrid::Splitter::split(Cell& cell, const CellSquare& square, std::vector
     if (options.drop_hidden) std::erase_if(lists[k], [&](const CellFacet& c) { return c.z_near > covers[k]; });
     total += lists[k].size();
   }
-  // A line through the cell meets kSplitSide children. A child is split again if the children of this cell save work for
-  // such a line, or if its own list is shorter than its parent's was: where many sides lie along one line no split helps.
-  // The estimate assumes that the lists of a child grow at the ratio of this cell.
+  // A line through the cell meets kSplitSide children. A child is split again if the children of this cell save work
+  // for such a line, or if its list is clearly shorter than its parent's: no split helps where many sides lie along one
+  // line. The estimate assumes that the lists of a child grow by this cell's ratio.
   const double growth = static_cast<double>(total) / static_cast<double>(inherited.size());
   const double parent = kGain * static_cast<double>(inherited.size());
   const bool all_gain = static_cast<double>(total) < parent * kSplitSide;

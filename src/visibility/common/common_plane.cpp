@@ -8,11 +8,11 @@
 namespace ligne {
 namespace {
 
-/// Share of the sum of the sizes: a dozen roundings of a depth and of the value it is compared with.
+/// Rounding error as a share of the sum of the terms: a dozen roundings of a depth and of the value compared with it.
 constexpr double kPlaneRounding = 0x1p-49;
-/// Share of the depth tolerance by which corners may lie off the plane.
+/// Largest distance of a corner from the plane, as a share of the depth tolerance: see CommonPlane.
 constexpr double kPart = 0.5;
-/// Adjustable: by so many times the tolerance the plane of a small facet may miss others that lie in it.
+/// Distance in tolerances by which the plane of a small facet may miss other facets in the same plane. Adjustable.
 constexpr double kTurnedByRounding = 16;
 
 }  // namespace
@@ -70,8 +70,8 @@ double CommonPlane::farthest(const ProjectedScene& scene, const std::vector<Face
 
 std::optional<CommonPlane> CommonPlane::of(const ProjectedScene& scene, const std::vector<Facet>& facets,
                                            std::span<const CellFacet> list) {
-  // The first facet's own plane is at hand, and where planes differ it tells so at once. But a small one's plane, continued
-  // over all facets, is turned too far by the rounding of its corners.
+  // The plane of the first facet costs nothing, and shows at once where planes differ. But rounded corners tilt the
+  // plane of a small facet, too far to fit all facets.
   const bool is_long = list.size() > kLongList;
   CommonPlane plane = of_facet(scene, facets[list.front().facet]);
   const double enough = is_long ? kTurnedByRounding : kPart;

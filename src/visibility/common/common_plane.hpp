@@ -1,5 +1,5 @@
 #pragma once
-/// The plane in which several facets lie: none of them hides what lies in it, and no two of them penetrate.
+/// The common plane of several facets: none of them hides a line in the plane, and no two of them penetrate.
 
 #include <cstddef>
 #include <optional>
@@ -12,38 +12,38 @@
 
 namespace ligne {
 
-/// A plane such that every corner of some facets lies within half of each one's depth tolerance of it.
+/// A plane from which every corner of the facets is at most half the least of their depth tolerances away.
 ///
-/// Another facet's corner is then, with W the sum of its absolute weights over a facet, no farther from that facet's plane
-/// than (1 + W) / 2 of the tolerance: it is on it.
+/// Let W be the sum of the absolute weights of a corner over another of the facets. Then the corner is no farther from
+/// the plane of that facet than (1 + W) / 2 of the tolerance, so it counts as in the plane.
 class CommonPlane {
  public:
-  /// Adjustable: for more facets than that the plane nearest to all corners is tried, too.
+  /// Number of facets above which the least-squares plane of all corners is tried, too. Adjustable.
   static constexpr std::size_t kLongList = 24;
 
-  /// The plane of the facets with these numbers in `facets`, if there is one; for few of them none is found now and then.
+  /// The common plane of the listed facets, if there is one. For short lists it may miss a plane that exists.
   static std::optional<CommonPlane> of(const ProjectedScene& scene, const std::vector<Facet>& facets,
                                        std::span<const CellFacet> list);
 
-  /// Whether the line lies within half the tolerance of the plane, all along: it is no deeper than the tolerance behind any
-  /// place of any of the facets, so that none of them hides a part of it.
+  /// Whether the whole line lies within half the tolerance of the plane. Then it is nowhere farther behind a facet than
+  /// the tolerance, so no facet hides a part of it.
   bool holds(const PageLine& line) const;
 
  private:
   CommonPlane() = default;
   static CommonPlane of_facet(const ProjectedScene& scene, const Facet& facet);
-  /// By least squares of depths; none where all corners lie on one line of the page.
+  /// The plane of least squares of depths; none if all corners lie on one line of the page.
   static std::optional<CommonPlane> nearest_to(const ProjectedScene& scene, const std::vector<Facet>& facets,
                                                std::span<const CellFacet> list);
-  /// How far from it a corner of the facets lies at the most, over the least tolerance; or that of the first corners beyond
+  /// Largest distance of a corner from the plane, in units of the least tolerance. It stops at the first facet beyond
   /// `enough`.
   double farthest(const ProjectedScene& scene, const std::vector<Facet>& facets, std::span<const CellFacet> list,
                   double enough);
-  /// How far from it the place may lie, roundings included.
+  /// Upper bound of the distance in depth of the point from the plane, rounding included.
   double distance(LatticePoint p, double z) const;
 
   double zx_ = 0, zy_ = 0, z_ = 0;  ///< depth zx x + zy y + z
-  double touch_ = 0;                ///< the least tolerance
+  double touch_ = 0;                ///< least depth tolerance of the facets
 };
 
 }  // namespace ligne

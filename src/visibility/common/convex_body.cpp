@@ -13,7 +13,7 @@
 namespace ligne::convexity {
 namespace {
 
-/// A side of a triangle, by the places of its ends.
+/// A side of a triangle, given by the places of its ends.
 struct Side {
   std::uint32_t low, high;
   std::uint32_t triangle;
@@ -51,8 +51,8 @@ double tolerance_of(const ProjectedScene& scene, const Triangle& t) {
   return depth_tolerance_mm(scene, gradient, std::min({a.z, b.z, c.z}));
 }
 
-/// Where the vertex lies to the plane of a triangle with area: -1 in front of it, 1 behind it, 0 within the tolerance. Each
-/// corner of the plane may be off by the tolerance of touching, and counts there as much as it does for the depth.
+/// Position of the vertex relative to the plane of a triangle with area: -1 in front, 1 behind, 0 within the tolerance.
+/// Each corner of the triangle may be off by the tolerance, weighted as its depth is.
 int side_of(const ProjectedScene& scene, const Triangle& t, double tolerance, std::uint32_t vertex) {
   const ProjectedVertex* p[3] = {&scene.vertices[t.v[0]], &scene.vertices[t.v[1]], &scene.vertices[t.v[2]]};
   const double area = orientation(p[0]->p, p[1]->p, p[2]->p);
@@ -66,8 +66,8 @@ int side_of(const ProjectedScene& scene, const Triangle& t, double tolerance, st
   return depth - q.z > weights * tolerance ? -1 : q.z - depth > weights * tolerance ? 1 : 0;
 }
 
-/// Whether a corner of `other` is in front of the plane of a triangle of the body's front, or behind that of one of its
-/// back.
+/// Whether a corner of `other` lies outside the plane of `t`: in front of it if `t` is a front triangle, else behind
+/// it.
 bool is_concave(const ProjectedScene& scene, const Triangle& t, const Triangle& other, bool front) {
   const double tolerance = tolerance_of(scene, t);
   const int outside = front ? -1 : 1;
@@ -75,7 +75,7 @@ bool is_concave(const ProjectedScene& scene, const Triangle& t, const Triangle& 
                      [&](std::uint32_t v) { return side_of(scene, t, tolerance, v) == outside; });
 }
 
-/// Twice the area of the convex hull of all vertices that triangles use, and its border, |dx| + |dy|.
+/// Twice the area of the convex hull of all vertices that triangles use, and the length of its border in |dx| + |dy|.
 std::array<double, 2> hull_of(const ProjectedScene& scene) {
   std::vector<LatticePoint> points;
   for (const Triangle& t : scene.triangles) {
@@ -124,7 +124,7 @@ Faces face_the_viewer(const ProjectedScene& scene) {
     volume += area * (scene.vertices[t.v[0]].z + scene.vertices[t.v[1]].z + scene.vertices[t.v[2]].z);
     if (!scene.is_edge_on(t)) areas[t.face] += area;
   }
-  // Areas of the front, which is at smaller depths, count below zero in a volume above zero.
+  // The front is nearer, so its areas are negative if the volume is positive.
   const double of_front = volume > 0 ? -1 : 1;
   faces.facing.assign(count, Facing::edge_on);
   faces.known.assign(count, 0);
@@ -138,7 +138,7 @@ Faces face_the_viewer(const ProjectedScene& scene) {
 }
 
 bool looks_like_one_convex_body(const ProjectedScene& scene) {
-  // Adjustable: a body with a dent that these do not meet is found out by the study.
+  // Adjustable: a dent between the samples is found by why_not_one_convex_body().
   constexpr std::size_t kSamples = 64;
   if (scene.triangles.empty()) return false;
   const auto has_end = [](const ProjectedEdge& e) { return e.face0 == kNone || e.face1 == kNone; };

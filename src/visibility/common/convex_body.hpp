@@ -1,5 +1,5 @@
 #pragma once
-/// Whether a projected scene is one convex body, as far as its front faces tell: then they are all seen, and nothing else.
+/// Decides whether a projected scene is one convex body. If it is, exactly its front faces are visible.
 
 #include <array>
 #include <cstdint>
@@ -10,40 +10,40 @@
 
 namespace ligne::convexity {
 
-/// How a face stands to the viewer.
+/// Side of a face that the viewer sees.
 enum class Facing : std::uint8_t { edge_on, front, back };
 
 struct Faces {
-  std::vector<Facing> facing;       ///< per face of the scene; edge on too where it has no triangles
+  std::vector<Facing> facing;       ///< per face of the scene; edge_on if it has no triangles
   std::vector<std::uint8_t> known;  ///< 1 when it has triangles
-  double volume = 0;                ///< six times it, in lattice steps and mm of depth
+  double volume = 0;                ///< six times the volume, in lattice steps squared times mm of depth
   std::size_t front = 0, back = 0, edge_on = 0;
 };
 
-/// Corners of the convex hull, positively turned; those in a side are left out. Fewer than three where the points are in a
-/// line. Monotone chains [Andrew1979], O(n log n), on exact signs.
+/// Corners of the convex hull, positively turned, without points inside a side. Fewer than three if the points lie on a
+/// line. Monotone chains [Andrew1979] with exact signs, O(n log n).
 std::vector<LatticePoint> convex_hull(std::vector<LatticePoint> points);
 
-/// Twice the area of a convex contour, and its border, |dx| + |dy|.
+/// Twice the area of a convex contour, and the length of its border as the sum of |dx| + |dy|.
 std::array<double, 2> area_and_border(const std::vector<LatticePoint>& hull);
 
-/// Faces by the sign of their area on the page, turned so that the front is outside: the body's volume is above zero in the
-/// coordinates of the page, whose depth keeps planes plane. O(n).
+/// Sorts faces into front and back by the sign of their area on the page. The sign of the body's volume decides which
+/// sign is the front. Depth on the page keeps planes plane, so volumes have a meaning there. O(n).
 Faces face_the_viewer(const ProjectedScene& scene);
 
-/// Whether it may be worth finding out if the scene is one opaque convex body: it has edges of two faces alone, and of a
-/// sample of its triangles none has vertices of the sample on both sides. O(n), for the edges.
+/// Quick check whether the scene may be one opaque convex body: every edge has two faces, and in a sample of its
+/// triangles none has vertices of the sample on both sides. O(n), for the edges.
 bool looks_like_one_convex_body(const ProjectedScene& scene);
 
 /// Why the scene is not one opaque convex body that is wholly in view; empty when it is. O(n log n).
 ///
 /// It is when
-/// - the faces of the edges are those of the triangles, and not copies that were left out,
-/// - every side has two triangles, which run along it in opposite directions, and all hang together,
-/// - it has a volume beyond the tolerances of touching,
-/// - no two triangles of a side make an angle that is concave by more than their depth tolerances,
-/// - the areas of the front triangles add up to that of the convex hull of all vertices on the page, but for a step of the
-///   lattice along its border: so they lie beside each other and not over each other.
+/// - the faces of the edges have triangles: they are not copies that were left out,
+/// - every side has two triangles, which run along it in opposite directions, and all triangles are connected,
+/// - its volume exceeds the tolerances of touching,
+/// - no two triangles at a side form an angle that is concave by more than their depth tolerances,
+/// - the areas of the front triangles add up to the area of the convex hull of all vertices on the page, within one
+///   lattice step along its border: so front triangles do not overlap.
 std::string why_not_one_convex_body(const ProjectedScene& scene, const Faces& faces);
 
 }  // namespace ligne::convexity

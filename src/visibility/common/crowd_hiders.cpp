@@ -5,7 +5,7 @@
 
 namespace ligne {
 
-/// The facet goes to the front, and what was there behind it.
+/// Moves the facet to the front of the list, and the others one place back; a full list drops its last one.
 void CrowdHiders::Known::remember(std::uint32_t facet) {
   const auto end = facets.begin() + static_cast<std::ptrdiff_t>(count);
   auto place = std::find(facets.begin(), end, facet);
@@ -28,7 +28,7 @@ std::size_t CrowdHiders::direction_of(const PageLine& line) {
   return flat ? part : part + 2 * kSlopes;
 }
 
-/// Takes from what is open of the line what the facet hides; returns whether that is anything.
+/// Removes the part that the facet hides from the open parts of the line; returns whether it hides any.
 bool CrowdHiders::take(const PageLine& line, std::uint32_t facet) {
   const Facet& f = facets_[facet];
   if (f.face == line.face0 || f.face == line.face1) return false;

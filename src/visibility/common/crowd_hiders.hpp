@@ -1,8 +1,8 @@
 #pragma once
-/// Whether a line is hidden by one or two of the facets that hid the lines before it.
+/// Tests lines first against the few facets that hid earlier lines.
 ///
-/// Where many facets pass through each other at one place nearly all of their common segments are hidden, and by a few of
-/// them: those are remembered, by the direction of the line that they hid, and asked first.
+/// Where many facets pass through each other at one place, a few of them hide nearly all of their common segments.
+/// These few are remembered, by the direction of the line that they hid, and tested first.
 
 #include <array>
 #include <vector>
@@ -14,19 +14,19 @@ namespace ligne {
 
 class CrowdHiders {
  public:
-  /// Parts no longer than `least_steps` are not drawn.
+  /// `least_steps`: parts no longer than this, in lattice steps, are not drawn.
   CrowdHiders(const ProjectedScene& scene, const std::vector<Facet>& facets, double least_steps)
       : scene_(scene), facets_(facets), least_(least_steps) {}
 
-  /// Whether facets that were met before, or else facets of the list (by z_near), hide so much of the line that nothing of
-  /// it would be drawn. A line that nothing would be left of if all facets of the scene were asked may still be denied.
+  /// Whether remembered facets, or else facets of the list (ordered by z_near), hide the line, but for parts too short
+  /// to draw. False does not mean that the line is visible: other facets may hide it.
   bool hide(const PageLine& line, const CellFacet* list, std::size_t count);
 
  private:
-  // Adjustable: facets remembered for lines of about one direction, and the ranges of directions.
+  // Adjustable: facets remembered per range of directions, and the number of ranges.
   static constexpr std::size_t kKnown = 8;
   static constexpr int kSlopes = 32, kDirections = 4 * kSlopes;
-  /// Adjustable: facets of lists that may be asked in vain, at first and for each line.
+  /// Adjustable: number of list facets that may be tested in vain, at the start and added for each line.
   static constexpr std::size_t kPatience = 100'000, kPatiencePerLine = 8;
 
   struct Known {
@@ -46,8 +46,8 @@ class CrowdHiders {
   OpenParts open_;
   std::vector<std::uint32_t> found_;
   std::vector<LinePart> parts_;
-  std::size_t in_vain_ = 0;           ///< facets of lists asked for lines that are seen
-  std::size_t patience_ = kPatience;  ///< how many that may be
+  std::size_t in_vain_ = 0;           ///< list facets tested for lines that were not hidden
+  std::size_t patience_ = kPatience;  ///< limit on in_vain_
 };
 
 }  // namespace ligne

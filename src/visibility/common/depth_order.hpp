@@ -1,5 +1,5 @@
 #pragma once
-/// How two surfaces lie to each other in depth, where both are on the page.
+/// Order in depth of two surfaces where they overlap on the page.
 
 #include <cstdint>
 

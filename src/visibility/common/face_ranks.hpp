@@ -1,5 +1,5 @@
 #pragma once
-/// Where the faces stand in an order of their pieces from front to back.
+/// Positions of faces in an order of their pieces from front to back.
 
 #include <algorithm>
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace ligne {
 
-/// The ranks of the pieces of each face. A piece hides nothing of one of lower rank, or of its own. Faces without pieces,
-/// and lines of no face, have no place in the order: nothing is known of them.
+/// The ranks of the pieces of each face. A piece hides no piece of lower or equal rank. Faces without pieces, and lines
+/// of no face, have no rank.
 class FaceRanks {
  public:
   explicit FaceRanks(std::size_t face_count) : ranges_(face_count) {}
@@ -22,19 +22,19 @@ class FaceRanks {
     r.known = true;
   }
 
-  /// From now on nothing is known of the face.
+  /// Removes the ranks of the face.
   void forget(std::uint32_t face) {
     if (face < ranges_.size()) ranges_[face] = {};
   }
 
-  /// A face that covers both sides of a line and hides it stands before the pieces that each of its faces has there, since
-  /// on the page it overlaps both. So no face that begins behind this rank hides the line. That is not so of a face with a
-  /// side along the line: it covers one side, and on the page may overlap neither.
+  /// The rank behind which no face hides the line. A face that hides a line and covers both of its sides overlaps both
+  /// faces of the line on the page, so it has a lower rank than their pieces there. This does not hold for a face with
+  /// a side along the line: it covers one side only, and may overlap neither face.
   std::uint32_t rank_of(const PageLine& line) const { return std::min(last(line.face0), last(line.face1)); }
 
   bool begins_behind(std::uint32_t face, std::uint32_t rank) const { return ranges_[face].first > rank; }
 
-  /// Whether every piece of the first stands before, or behind, every piece of the second.
+  /// Whether every piece of `a` has a lower rank than every piece of `b`.
   bool all_before(std::uint32_t a, std::uint32_t b) const {
     return ranges_[a].known && ranges_[b].known && ranges_[a].last < ranges_[b].first;
   }

@@ -11,18 +11,18 @@
 namespace ligne {
 namespace {
 
-/// Roundings when a depth is interpolated: a dozen double operations.
+/// Relative rounding error of an interpolated depth: a dozen double operations.
 constexpr double kDepthRounding = 0x1p-48;
 
-/// As nextafter() towards minus infinity, of what is a number and not minus infinity: floats of one sign are ordered as
-/// their bits are.
+/// As nextafter() towards minus infinity, for any number but minus infinity: floats of one sign are ordered as their
+/// bits are.
 float next_below(float f) {
   const auto bits = std::bit_cast<std::uint32_t>(f);
   if (f == 0) return -std::numeric_limits<float>::denorm_min();
   return std::bit_cast<float>(f > 0 ? bits - 1 : bits + 1);
 }
 
-/// One more than the largest number among the faces that have triangles.
+/// One more than the largest face number of the triangles.
 std::uint32_t count_faces(const std::vector<Triangle>& triangles) {
   const auto of_block = [&](std::size_t begin, std::size_t end) {
     std::uint32_t count = 0;
@@ -93,7 +93,7 @@ Facets make_facets(const ProjectedScene& scene, double thin_steps) {
     }
     kept[block + 1] = out - block * kBlock;
   });
-  // Close the gaps that triangles without area left.
+  // Close the gaps left by triangles without area.
   std::size_t end = 0;
   for (std::size_t block = 0; block < blocks; ++block) {
     const auto first = result.facets.begin() + static_cast<std::ptrdiff_t>(block * kBlock);

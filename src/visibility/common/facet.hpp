@@ -21,21 +21,20 @@ struct Facet {
   float size;             ///< largest |dx| + |dy| of its sides, rounded up
 };
 
-/// Depth within which something touches a facet of the given depth gradient (absolute values summed, mm per step).
-/// The lattice moves a facet and an edge by at most half a step each in x and in y; the input's own error moves both too.
-/// See docs/numerics.md, "Touching".
+/// Distance in depth, in mm, within which an object touches a facet. `gradient` is its depth gradient, as the sum of
+/// absolute values in mm per step. The lattice moves a facet and an edge by at most half a step each in x and in y; the
+/// input's own error moves both too. See docs/numerics.md, "Touching".
 double depth_tolerance_mm(const ProjectedScene& scene, double gradient, double z_near);
 
-/// The facets of the triangles that have area on the page, which is that on the lattice unless the face is seen edge on; and
-/// which faces have a triangle that is seen edge on (its height on the page is below `thin_steps`), whose edges therefore
-/// lie on each other.
+/// Facets are made of the triangles with area on the lattice, except those of faces seen edge on. A face is thin if one
+/// of its triangles is at most `thin_steps` lattice steps high on the page, so that its edges lie on each other.
 struct Facets {
   std::vector<Facet> facets;
   std::vector<std::uint8_t> face_is_thin;
 };
 Facets make_facets(const ProjectedScene& scene, double thin_steps);
 
-/// A double rounded to float towards minus or plus infinity.
+/// Rounds a double to a float towards minus or plus infinity.
 float round_down(double v);
 float round_up(double v);
 

@@ -5,11 +5,12 @@
 
 namespace ligne {
 
-/// E_i(x, y) = ex x + ey y + e, and depth z(x, y) = zx x + zy y + z. In rounded arithmetic: for searches, not for decisions.
+/// E_i(x, y) = ex x + ey y + e, and depth z(x, y) = zx x + zy y + z. The arithmetic is rounded: for searches, not for
+/// decisions.
 struct FacetFunctions {
   double ex[3] = {}, ey[3] = {}, e[3] = {};
   double zx = 0, zy = 0, z = 0;
-  double slack = 0;  ///< depth tolerance, within which depths computed here are right
+  double slack = 0;  ///< depth tolerance of the facet, which bounds the error of depths computed here
 
   double depth(double x, double y) const { return zx * x + zy * y + z; }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A facet against a cell of the screen grid.
+/// Tests of a facet against a cell of the screen grid.
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ inline PageBox page_box(const Facet& f, const ProjectedVertex* vertices) {
   return {double(left), double(right), double(top), double(bottom)};
 }
 
-/// About the smallest height of a facet over a side: it decides whether the facet can cover a cell, however long it is.
+/// Approximate smallest height of a facet over a side, which limits the cells that the facet can cover.
 inline double breadth(const Facet& f, const ProjectedVertex* vertices) {
   return orientation(vertices[f.v[0]].p, vertices[f.v[1]].p, vertices[f.v[2]].p) / f.size;
 }
@@ -34,7 +34,8 @@ inline CellSquare child_square(const CellSquare& cell, int k) {
 
 enum class Meeting { apart, meets, covers };
 
-/// Facet against the square with a margin; for `meets` and `covers` the facet's depths over the square.
+/// Tests the facet against the square widened by the margin. Unless they are apart, z_near and z_far bound the facet's
+/// depths over the square.
 inline Meeting meet(const FacetFunctions& g, const Facet& f, const CellSquare& square, double margin, double& z_near,
                     double& z_far) {
   const double half = square.size / 2, x = square.x + half, y = square.y + half, reach = half + margin;
@@ -51,13 +52,14 @@ inline Meeting meet(const FacetFunctions& g, const Facet& f, const CellSquare& s
   return covers ? Meeting::covers : Meeting::meets;
 }
 
-/// The nearest of the facets that cover a cell: others that coincide with it there need not be listed.
+/// A facet that covers a cell: other facets that coincide with it there need not be listed.
 struct NearestCover {
   FacetFunctions functions;
   std::size_t entry = 0;
   bool any = false;
 
-  /// Whether a facet that covers the cell coincides with this one in it, within the depth tolerance of either.
+  /// Whether another facet that covers the cell coincides with this one there, within the larger of their depth
+  /// tolerances.
   bool stands_for(const FacetFunctions& other, const CellSquare& square) const {
     if (!any) return false;
     const double tolerance = std::max(functions.slack, other.slack);

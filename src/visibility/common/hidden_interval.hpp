@@ -31,12 +31,12 @@ struct PageLine {
   double z(double t) const { return z0 + t * (z1 - z0); }
 };
 
-/// The effect of a facet on a line. A facet whose side runs exactly along the line covers only one side of it: a point of a
-/// line is hidden when both of its sides are covered, so that an edge behind the common side of two faces is hidden, and one
-/// behind the rim of the outermost face is not (it lies on the rim, and is drawn once).
+/// The sides of a line that a facet covers. A facet whose side runs exactly along the line covers only one side of it,
+/// and a point of a line is hidden only when both sides are covered. So an edge behind the common side of two faces is
+/// hidden; one behind the rim of the outermost face is not (it coincides with the rim, and is drawn once).
 enum class HiddenSides : std::uint8_t { none, both, left, right };
 
-/// A part of a line, by parameters.
+/// A part of a line, as parameters.
 struct ParameterRange {
   double from = 0, to = 1;
 };
@@ -46,14 +46,14 @@ struct HiddenInterval {
   HiddenSides sides = HiddenSides::none;
 };
 
-/// The signed areas of the triangles that a place of the line makes with the sides of a facet, each linear in the parameter:
-/// at_start - t * fall. They are the weights of the corners, corner i + 2 that of side i.
+/// The signed areas of the triangles between a point of the line and the sides of a facet. Each is linear in the
+/// parameter: at_start - t * fall. The area of side i is the weight of corner i + 2.
 struct SideAreas {
   double at_start[3], fall[3];
 };
 
-/// Narrows [enter, leave], on which the line is over the facet, to where it lies behind it, by more than its depth tolerance
-/// somewhere. False where it does not.
+/// Narrows [enter, leave], the part of the line over the facet, to the part behind the facet. False if no point of it
+/// is farther behind than the depth tolerance.
 inline bool narrow_to_behind(const PageLine& line, const Facet& facet, const ProjectedVertex* vertices,
                              const SideAreas& sides, double& enter, double& leave) {
   const double *e0 = sides.at_start, *fall = sides.fall;
@@ -74,24 +74,25 @@ inline bool narrow_to_behind(const PageLine& line, const Facet& facet, const Pro
   return true;
 }
 
-/// The piece of a part of the line within the part of the line on which the facet lies strictly in front of it, by more than
-/// its depth tolerance somewhere. That part is found for the whole line: what is hidden does not depend on the pieces in
-/// which the line is asked about, which are those of cells, of windows or of what is not hidden yet. The ends at which the
-/// line enters or leaves the facet are quotients of exact determinants: two facets on one side give the same end to the last
-/// bit. `near_side` is set when a side of the facet lies along the line within `coincidence_steps`.
+/// Finds the interval that the facet hides, for the whole line, and clips it to `part`. The facet must lie in front of
+/// the interval, by more than its depth tolerance somewhere. As the interval is that of the whole line, the result does
+/// not depend on how the caller divides the line (by cells, by windows or by earlier facets). The ends at which the
+/// line enters or leaves the facet are quotients of exact determinants: two facets with a common side give the same end
+/// to the last bit. `near_side` is set when a side of the facet lies along the line within `coincidence_steps`.
 inline HiddenInterval hidden_interval(const PageLine& line, const Facet& facet, const ProjectedVertex* vertices,
                                       ParameterRange part, double coincidence_steps, bool& near_side) {
   double from = part.from, to = part.to;
   const ProjectedVertex& a = vertices[facet.v[0]];
   const ProjectedVertex& b = vertices[facet.v[1]];
   const ProjectedVertex& c = vertices[facet.v[2]];
-  // Corners relative to the line's first point, and their side of the line: f = d x corner. All determinants here are exact
-  // (geometry/lattice.hpp).
+  // Corners relative to the line's first point, and f = d x corner, whose sign is the side of the line. All
+  // determinants here are exact (geometry/lattice.hpp).
   const double x[3] = {double(a.p.x) - line.p0.x, double(b.p.x) - line.p0.x, double(c.p.x) - line.p0.x};
   const double y[3] = {double(a.p.y) - line.p0.y, double(b.p.y) - line.p0.y, double(c.p.y) - line.p0.y};
   const double f[3] = {line.dx * y[0] - line.dy * x[0], line.dx * y[1] - line.dy * x[1], line.dx * y[2] - line.dy * x[2]};
-  // A facet with no corner on one side of the line, and at most one corner on it, is beside it. Before it is dismissed: may
-  // a side of it lie along the line? A corner is |f| / |d| from the line, the line at most |f| / |side| from a side.
+  // A facet with no corner on one side of the line, and at most one corner on it, is beside it. Before it is dismissed,
+  // `near_side` needs a test for a side along the line: a corner is |f| / |d| from the line, and the line at most |f| /
+  // |side| from a side.
   const double close = coincidence_steps * std::max<double>(line.size, facet.size);
   const double lowest = std::min({f[0], f[1], f[2]}), highest = std::max({f[0], f[1], f[2]});
   if (lowest > close || highest < -close) return {};

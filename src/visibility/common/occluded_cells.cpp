@@ -6,7 +6,7 @@
 namespace ligne {
 namespace {
 
-/// Where a line that moves by `d` comes to the next border of a square.
+/// Parameter at which a line with component `d` reaches the next border of a square.
 double next_border(std::int64_t cell, std::int64_t first, std::int64_t size, double origin, double d) {
   const double border = static_cast<double>(first + (cell + (d > 0 ? 1 : 0)) * size);
   return (border - origin) / d;

@@ -1,5 +1,5 @@
 #pragma once
-/// The page cut into squares, and those of them in which no line is seen.
+/// The page cut into squares, with marks on those in which no line is visible.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace ligne {
 
 /// Squares of a whole, even number of lattice steps.
 struct PageSquares {
-  std::int64_t x = 0, y = 0, size = 2;  ///< of the first one, and of all
+  std::int64_t x = 0, y = 0, size = 2;  ///< corner of the first square, and side of all
   std::int64_t columns = 1, rows = 1;
 
   std::size_t count() const { return static_cast<std::size_t>(columns * rows); }
@@ -29,12 +29,12 @@ struct PageSquares {
   }
 };
 
-/// For a scene that is part of a model: the squares in which something that is not in the scene hides every line.
+/// For a scene that is part of a model: marks the squares in which an object outside the scene hides every line.
 struct OccludedCells {
   PageSquares squares;
-  std::vector<std::uint8_t> blank;  ///< by number
+  std::vector<std::uint8_t> blank;  ///< per square: 1 if no line is visible in it
 
-  /// Takes from the parts of a line what lies in blank squares.
+  /// Removes the parts of a line that lie in blank squares.
   void take_from(std::vector<LinePart>& parts, const PageLine& line) const;
 };
 

@@ -16,8 +16,8 @@ struct OpaqueScene {
   std::string left_out() const { return std::to_string(faces_left_out) + " transparent faces"; }
 };
 
-/// The scene without its transparent faces, and without the edges that only such faces have; an edge that an opaque face has
-/// too keeps its class. Nothing when all faces in view are opaque.
+/// The scene without its transparent faces and without the edges that have only such faces. An edge that also has an
+/// opaque face keeps its class. Nothing if all faces in view are opaque.
 std::optional<OpaqueScene> without_transparent_faces(const ProjectedScene& scene);
 
 }  // namespace ligne

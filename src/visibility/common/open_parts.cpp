@@ -25,7 +25,7 @@ void OpenParts::take(double from, double to) {
   open_.swap(spare_);
 }
 
-/// Hides what is covered on the left and on the right. Both unions are swept together.
+/// Takes the intervals that are covered both on the left and on the right. One sweep runs over both unions.
 void OpenParts::take_one_sided() {
   struct Event {
     double t;

@@ -12,7 +12,7 @@ namespace ligne {
 /// A part of a line, as parameters.
 struct LinePart {
   double from = 0, to = 0;
-  std::uint32_t level = 0;  ///< of what is seen: how many transparent faces are in front of it
+  std::uint32_t level = 0;  ///< number of transparent faces in front of it
 };
 
 /// Whether every part has a length and begins where the one before it ends, or later.
@@ -26,7 +26,7 @@ class OpenParts {
     one_sided_.clear();
   }
 
-  /// The ends of the open parts: nothing outside them can matter. Not when empty().
+  /// The first and the last end of the open parts; facets outside them can be ignored. Not when empty().
   double from() const { return open_.front().from; }
   double to() const { return open_.back().to; }
   bool empty() const { return open_.empty(); }
@@ -39,7 +39,7 @@ class OpenParts {
     }
   }
 
-  /// The open parts, in order, when every interval has been taken.
+  /// Returns the open parts, in order. To be called after the last interval was taken.
   const std::vector<LinePart>& finish() {
     if (one_sided_.size() > 1) take_one_sided();
     assert(are_ascending(open_));
@@ -54,7 +54,7 @@ class OpenParts {
   std::vector<HiddenInterval> one_sided_;  ///< intervals that cover one side
 };
 
-/// Appends a part; one of the same level that begins where the last one ends continues it.
+/// Appends a part, or extends the last part if that has the same level and ends where this one begins.
 inline void append_part(std::vector<LinePart>& parts, const LinePart& part) {
   if (!parts.empty() && parts.back().to == part.from && parts.back().level == part.level) {
     parts.back().to = part.to;
@@ -63,9 +63,9 @@ inline void append_part(std::vector<LinePart>& parts, const LinePart& part) {
   }
 }
 
-/// Joins parts of [0, 1] over hidden gaps shorter than the least length and drops parts that are shorter; what remains of a
-/// line that is shorter as a whole is the line or nothing. What goes on in another level is a part of its own; where it is
-/// too short the one before goes on. Lengths are in page steps.
+/// Joins parts of [0, 1] over hidden gaps no longer than the least length, and drops parts no longer than that. A line
+/// that is itself no longer stays whole if more than half is visible, else it goes. A part of another level stays
+/// separate, unless it is too short: then the part before it is extended over it. Lengths are in page steps.
 void drop_short_parts(std::vector<LinePart>& parts, double length, double least);
 
 }  // namespace ligne
