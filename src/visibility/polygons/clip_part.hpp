@@ -10,12 +10,12 @@
 
 namespace ligne {
 
-/// Numbers of source segments: side k of facet f is 3 f + k; cuts have one number in common.
+/// Numbers of source segments: side k of facet f is 3 f + k; all cuts share one number.
 inline constexpr std::uint32_t kCutSource = 0xffffffffu;
 inline std::uint32_t side_source(std::uint32_t facet, unsigned side) { return 3 * facet + side; }
 
-/// A facet, or the part of it on the left of a line, as the edges of its contour. Side k of a facet is the segment from the
-/// vertex of the lower number, so that both facets on it have the same segment.
+/// A facet, or its part on the left of a line, as the edges of its contour. The segment of a side runs from the vertex
+/// of the lower number, so that both facets at the side have equal segments.
 struct ClipPart {
   std::array<ContourEdge, 4> edges;
   std::uint32_t count = 0;  ///< 0 when nothing is left

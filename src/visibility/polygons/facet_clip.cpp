@@ -7,22 +7,22 @@
 
 #include "base/no_index.hpp"
 
-// Many clip faces over one subject: the page is halved again and again, and each half has only the clip faces that meet it.
-// A half that they cover is done: nothing is seen there. Halving changes no result: a part of an edge is decided by all
-// faces that meet its half, whole as they are, and parts that go on across a border are put together when the edges are
-// linked. The sides of halves are odd numbers of half steps, so that no corner lies on them and no side runs along them.
+// If many clip faces lie over one subject, the window is halved recursively, and each half gets only the clip faces
+// that meet it. A half that they cover is finished: nothing is visible there. Halving changes no result: all faces that
+// meet a half, unclipped, decide the parts of edges in it, and linking the edges joins parts across a border of halves.
+// The sides of halves are odd numbers of half steps, so that no corner lies on them and no side runs along them.
 
 namespace ligne {
 namespace {
 
-/// Adjustable: a window over which so many rims pass, or fewer, is not halved.
+/// A window that this many rims cross, or fewer, is not halved. Adjustable.
 constexpr std::size_t kFewRims = 24;
 constexpr int kDeepest = 24;
 
-/// Five numbers below 2^55 are rounded when a line of a face is evaluated in half steps: the sum is off by less than this.
+/// Bound on the error when a line of a face is evaluated in half steps: five numbers below 2^55 are rounded.
 constexpr double kDoubt = 64;
 
-/// Cuts [from, to] to where low <= 2 (a + t d) <= high. Exact: 2 low and 2 a have 27 bits.
+/// Clips [from, to] to low <= 2 (a + t d) <= high. Exact: 2 low and 2 a have 27 bits.
 bool cut_range(double a, double d, double low, double high, SegmentParameter& from, SegmentParameter& to) {
   if (d == 0) return 2 * a > low && 2 * a < high;
   const double at_low = low - 2 * a, at_high = high - 2 * a;
@@ -100,13 +100,13 @@ void FacetClip::begin_list(std::span<const Number> list) {
   for (const Number i : list) listed_[i] = list_number_;
 }
 
-/// Whether a side of a clip face of the list bounds it and its neighbours in the list.
+/// Whether a side of a clip face is a rim: the list has no partner across it.
 bool FacetClip::is_rim(Number clip, std::uint32_t side) const {
   const std::uint32_t partner = sides_.partner(clip, side);
   return partner == kNone || listed_[partner] != list_number_;
 }
 
-/// A point that lies within the subject and the window for sure, in half steps.
+/// Finds a point, in half steps, that surely lies inside the subject and the window.
 bool FacetClip::find_inner_point(const Window& window, double& x, double& y) const {
   struct Place {
     double x, y;
@@ -137,7 +137,7 @@ bool FacetClip::find_inner_point(const Window& window, double& x, double& y) con
   clip([&](const Place& p) { return p.y - window.y0; });
   clip([&](const Place& p) { return window.y1 - p.y; });
   if (n < 3) return false;
-  // Unequal weights: the middle may well lie on a side of a regular mesh.
+  // The weights are unequal because the centre may well lie on a side of a regular mesh.
   double sum = 0, weight = 1;
   x = y = 0;
   for (std::size_t i = 0; i < n; ++i, weight *= 0.8) {
@@ -150,9 +150,9 @@ bool FacetClip::find_inner_point(const Window& window, double& x, double& y) con
   return x > window.x0 && x < window.x1 && y > window.y0 && y < window.y1 && subject_lines_.surely_inside(x, y);
 }
 
-/// From a clip face over some place of the subject its neighbours are gone through, over the sides that pass over the
-/// subject. When none of these is a rim, what holds at the one place holds everywhere. Clip faces of other surfaces are not
-/// asked, so that those which happen to be listed without their neighbours do not matter.
+/// Starts at a clip face over some point of the subject and visits its neighbours, across the sides that pass over the
+/// subject. If none of these sides is a rim, the patch covers the whole subject, as it covers the point. Other surfaces
+/// do not matter, even if the list contains some of their clip faces without neighbours.
 bool FacetClip::covers(std::span<const Number> list, const Window& window) {
   double x = 0, y = 0;
   if (!find_inner_point(window, x, y)) return false;
@@ -170,7 +170,8 @@ bool FacetClip::covers(std::span<const Number> list, const Window& window) {
         const std::uint32_t partner = sides_.partner(patch_[n], k);
         if (partner != kNone && listed_[partner] == reached) continue;
         if (beside(part.edges[k].segment, window) || !passes_over_subject(part.edges[k])) continue;
-        rim = partner == kNone || listed_[partner] != listed;  // not listed, or of a patch with a rim
+        rim = partner == kNone || listed_[partner] != listed;  // the partner is not listed, or belongs to a patch with
+                                                               // a rim
         if (rim) break;
         listed_[partner] = reached;
         patch_.push_back(partner);
@@ -221,8 +222,8 @@ void FacetClip::split(const Window& window, std::span<const Number> list, int de
     for (std::uint32_t k = 0; k < part.count; ++k) rims += is_rim(i, k) && !beside(part.edges[k].segment, window);
   }
   const double width = window.x1 - window.x0, height = window.y1 - window.y0;
-  // Lists that do not become shorter are of sides through one place, or of transparent faces; deeper halves would only
-  // repeat them.
+  // A list does not become shorter if its sides pass through one point, or if its faces are transparent; smaller halves
+  // would only repeat it.
   const bool shorter = depth == 0 || depth % 6 != 0 || kept.size() < list.size();
   if (rims <= kFewRims || depth >= kDeepest || std::max(width, height) <= 8 || !shorter) {
     borders_in(window, kept, depth == 0);
@@ -239,8 +240,8 @@ void FacetClip::split(const Window& window, std::span<const Number> list, int de
   split(b, kept, depth + 1);
 }
 
-/// Whether the edge's segment lies on the outer side of a side of the subject, or along it. There it borders nothing of the
-/// subject that a side of the subject does not border too.
+/// Whether the edge's segment lies outside a side of the subject, or along it. There it bounds nothing of the subject
+/// that the subject's own side does not bound.
 bool FacetClip::beside_subject(const ContourEdge& edge) const {
   if (edge.source == kCutSource) return false;
   for (std::uint32_t k = 0; k < subject_.count; ++k) {
@@ -252,7 +253,7 @@ bool FacetClip::beside_subject(const ContourEdge& edge) const {
   return false;
 }
 
-/// Whether the edge's segment has points in the inside of the subject; true also where only the line of a cut does.
+/// Whether the edge's segment has points inside the subject; for a cut, whether its whole line has.
 bool FacetClip::passes_over_subject(const ContourEdge& edge) const {
   if (beside_subject(edge)) return false;
   int left = 0, right = 0;

@@ -1,5 +1,6 @@
 #pragma once
-/// The visible part of one facet: it is the subject, what is in front of it are the clip faces, nearest first.
+/// Finds the visible part of one facet. The facet is the subject, and the facets in front of it are the clip faces,
+/// nearest first.
 
 #include <array>
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace ligne {
 
-/// Working memory that is kept from facet to facet.
+/// Clips one facet after the other. It keeps its working memory from facet to facet.
 class FacetClip {
  public:
   /// A rectangle of the page in half steps.
@@ -23,7 +24,7 @@ class FacetClip {
 
   void begin(const ClipPart& subject);
 
-  /// Adds a clip face and gives its number. Numbers count from 0.
+  /// Adds a clip face and returns its number, counted from 0.
   Number add(const ClipPart& clip, bool transparent);
   void add(std::vector<ContourFace> clips, bool transparent) {
     for (ContourFace& face : clips) faces_.push_back({std::move(face), transparent});
@@ -33,18 +34,18 @@ class FacetClip {
   /// Whether the subject lies beside the window. False where rounding leaves it open.
   bool subject_beside(const Window& window) const { return subject_lines_.meet(window) == Meeting::apart; }
 
-  /// Whether the opaque ones of these clip faces hide all of the subject that lies in the window. False where rounding
-  /// leaves it open.
+  /// Whether the opaque clip faces of the list hide all of the subject in the window. False where rounding leaves it
+  /// open.
   bool covers(std::span<const Number> list, const Window& window);
 
-  /// Appends the borders of what is left of the subject, the inside on the left: out[k] of that behind k transparent clip
-  /// faces.
+  /// Appends the borders of the visible part of the subject, with the inside on the left. out[k] gets the part behind k
+  /// transparent clip faces.
   void finish(std::vector<std::vector<ContourEdge>>& out);
 
  private:
   enum class Meeting : std::uint8_t { apart, covers, meets };
 
-  /// The lines of a convex part: a point (x, y) in half steps is inside while a x + b y + c > 0 for all of them.
+  /// The lines that bound a convex part: a point (x, y) in half steps is inside if a x + b y + c > 0 for all of them.
   struct Lines {
     Lines() = default;
     explicit Lines(const ClipPart& part);
@@ -77,9 +78,9 @@ class FacetClip {
   Lines subject_lines_;
   std::vector<Clip<ClipPart>> clips_;
   std::vector<Lines> lines_;
-  std::vector<Clip<ContourFace>> faces_;  ///< clip faces that are no convex parts
+  std::vector<Clip<ContourFace>> faces_;  ///< clip faces that are not convex parts
   SharedSides sides_;
-  std::vector<std::uint32_t> listed_;  ///< per clip face: the list it was in last
+  std::vector<std::uint32_t> listed_;  ///< per clip face: number of the last list that contained it
   std::uint32_t list_number_ = 0;
   std::vector<Number> patch_;  ///< clip faces of one surface
   EdgeOverlay overlay_;

@@ -30,10 +30,10 @@ bool apart(const Corners& a, const Corners& b) {
 
 struct Place {
   double x, y;
-  double d;  ///< depth of the first facet less that of the second
+  double d;  ///< depth of the first facet minus that of the second
 };
 
-/// Depth over a facet, from weights that are determinants: as good for slivers as for others.
+/// Depth over a facet, from weights that are determinants: as accurate for slivers as for other facets.
 class FacetPlane {
  public:
   explicit FacetPlane(const Corners& c) : c_(c), area_(orientation(c[0].p, c[1].p, c[2].p)) {}
@@ -51,7 +51,8 @@ class FacetPlane {
   double area_;
 };
 
-/// Corners of the overlap, at most six, found in double arithmetic: what they decide has a tolerance of a step and more.
+/// Corners of the overlap, at most six. Double arithmetic suffices: all decisions on them have a tolerance of at least
+/// one step.
 struct Overlap {
   std::array<Place, 9> p;
   std::size_t n = 0;
@@ -77,7 +78,8 @@ LatticePoint rounded(const Place& p) {
   return {static_cast<std::int32_t>(std::lround(p.x)), static_cast<std::int32_t>(std::lround(p.y))};
 }
 
-/// The common line: the two places farthest apart where the boundary of the overlap has d = 0, `first` on its left.
+/// Finds the common line: the two points with d = 0 on the boundary of the overlap, so directed that the first facet is
+/// in front on its left.
 bool find_cut(const Overlap& o, LatticeSegment& cut) {
   std::array<Place, 9> zero;
   std::size_t n = 0;

@@ -1,7 +1,6 @@
 #pragma once
-/// Which of two facets is in front where they overlap on the page, decided once for all of the overlap: Atherton and
-/// Weiler's comparison of depths for the piece that a clip has found inside, and the order of faces that touch in a scan by
-/// lines.
+/// Decides which of two facets is in front where they overlap on the page, once for the whole overlap. Atherton and
+/// Weiler's method needs it for the piece inside a clip, and scan-line methods for faces that touch.
 
 #include <cstdint>
 #include <vector>
@@ -14,13 +13,13 @@ namespace ligne {
 
 struct FacetOrder {
   DepthOrder order = DepthOrder::apart;
-  bool touching = false;  ///< somewhere over the overlap they are within their tolerances of each other
-  bool tie = false;       ///< everywhere: they coincide, and the face of the lower number is taken for the one in front
-  LatticeSegment cut{};   ///< two lattice points of the common line
+  bool touching = false;  ///< somewhere over the overlap they are within the sum of their tolerances
+  bool tie = false;       ///< the same everywhere: they coincide, and the face of the lower number counts as in front
+  LatticeSegment cut{};   ///< two lattice points on the common line
 };
 
-/// The answer depends on the two facets alone and not on their order: order_of(b, a) is order_of(a, b) with the roles
-/// exchanged, and the same cut in the other direction. So of two facets each point of the page is given to exactly one.
+/// The result does not depend on the order of the arguments: order_of(b, a) is order_of(a, b) with the roles exchanged
+/// and the cut reversed. So each point of the overlap belongs to exactly one of the two facets.
 FacetOrder order_of(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t a,
                     std::uint32_t b);
 

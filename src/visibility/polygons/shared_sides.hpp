@@ -1,7 +1,7 @@
 #pragma once
-/// Sides that two clip faces have in common, one on each side. They bound nothing of the two together: how often all clip
-/// faces wind round a place is the same without them. So a surface of many facets is laid over a subject as one face, by its
-/// rim.
+/// Finds sides that two clip faces share, one on each side. Such a side does not bound the union of the two: without it
+/// the winding numbers of all clip faces stay unchanged. So a surface of many facets clips a subject as one face, with
+/// its rim.
 
 #include <cstdint>
 #include <vector>
@@ -15,11 +15,10 @@ class SharedSides {
  public:
   void clear();
 
-  /// Clip faces are added with the numbers 0, 1, 2, ... Transparent ones and others are not brought together.
+  /// Adds clip faces with the numbers 0, 1, 2, ... A transparent and an opaque face are never partners.
   void add(const ClipPart& clip, bool transparent);
 
-  /// The clip face on the other side of a side of a clip face, or kNone. Each side is brought together with one other at
-  /// most.
+  /// The clip face across a side of a clip face, or kNone. Each side has at most one partner.
   std::uint32_t partner(std::uint32_t clip, std::uint32_t side) const { return partner_[kMostSides * clip + side]; }
 
  private:
@@ -30,7 +29,7 @@ class SharedSides {
     bool transparent, reversed;
     std::uint32_t number;  ///< kMostSides times the clip face, plus the side
   };
-  /// A place of the hash table; of an older subject when the round is another.
+  /// A slot of the hash table. If its round is not the current one, it belongs to an earlier subject.
   struct Slot {
     std::uint32_t round = 0, side = 0;
   };

@@ -9,15 +9,15 @@
 #include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "visibility/polygons/facet_order.hpp"
 
-// Per face: (1) each of its facets is the subject once. The lists of the cells that it lies in give what may be in front,
-// nearest first. Where two overlap their order is found from the depths of the overlap; what begins nearer and proves to be
-// behind clips nothing, it will itself be clipped. (2) Pieces of several facets are one face: what two of them have in
-// common vanishes. (3) The borders are linked to contours.
+// Steps for each face: (1) Each of its facets is the subject once. The lists of its cells give the facets that may be
+// in front, nearest first. If two overlap, their depths over the overlap give their order; a facet that begins nearer
+// but is behind clips nothing, as it will itself be clipped. (2) The common borders of pieces from several facets are
+// removed. (3) The borders are linked to contours.
 
 namespace ligne {
 namespace {
 
-/// Facets by face, in the order of the first facet of each: neighbours on the page stay neighbours.
+/// Facets grouped by face, in the order of each face's first facet, so that neighbours on the page stay close.
 struct FacesOfFacets {
   std::vector<std::uint32_t> facets;
   std::vector<std::uint32_t> begin{0};
@@ -42,7 +42,7 @@ FacesOfFacets group(const std::vector<Facet>& facets) {
   return result;
 }
 
-/// Cuts edges on one segment where others on it end, so that what is passed twice, forth and back, is so in equal pieces.
+/// Splits edges on one segment where other edges on it end, so that parts passed in both directions are equal pieces.
 void split_at_common_ends(std::vector<ContourEdge>& edges) {
   const auto key = [](const ContourEdge& e) { return std::tie(e.segment.a.x, e.segment.a.y, e.segment.b.x, e.segment.b.y); };
   std::sort(edges.begin(), edges.end(), [&](const ContourEdge& a, const ContourEdge& b) {
@@ -77,11 +77,11 @@ void split_at_common_ends(std::vector<ContourEdge>& edges) {
   edges = std::move(cut);
 }
 
-/// Adjustable: when so many clip faces of a cell are laid over the subject, and twice as many, and so on, it is seen whether
-/// they hide it there.
+/// Number of clip faces in a cell at which the first test is made whether they hide the subject there; the number then
+/// doubles. Adjustable.
 constexpr std::size_t kFirstCheck = 4;
 
-/// One task's memory.
+/// Studies faces for one thread, with its working memory.
 class Worker {
  public:
   Worker(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, const FaceRanks* ranks,
@@ -95,7 +95,7 @@ class Worker {
         stamp_(facets.size(), 0),
         number_(facets.size(), 0) {}
 
-  /// Appends the regions of the face of these facets.
+  /// Appends the regions of a face with these facets.
   void study(std::span<const std::uint32_t> group, VisibleFaces& out) {
     for (std::vector<ContourEdge>& edges : levels_) edges.clear();
     for (const std::uint32_t f : group) clip(f, out.counts);
@@ -122,19 +122,19 @@ class Worker {
   const std::vector<Facet>& facets_;
   const CellGrid& grid_;
   const FaceRanks* ranks_;
-  const std::vector<std::uint8_t>& listed_;  ///< per facet: it does not lie behind covers everywhere
+  const std::vector<std::uint8_t>& listed_;  ///< per facet: 1 if it is in front of the cover of some cell
   std::vector<std::uint8_t>& touches_;
-  std::vector<std::uint32_t> stamp_;     ///< per facet: the facet for which it was looked at last, plus one
-  std::vector<std::uint32_t> number_;    ///< per facet: what compare() said then
-  std::vector<FacetClip::Number> here_;  ///< clip faces of the cell at hand
+  std::vector<std::uint32_t> stamp_;     ///< per facet: number of the last facet compared with it, plus one
+  std::vector<std::uint32_t> number_;    ///< per facet: result of compare() with that facet
+  std::vector<FacetClip::Number> here_;  ///< clip faces in the current cell
   FacetClip clip_;
   std::vector<std::vector<ContourEdge>>
-      levels_;  ///< borders of the face at hand, by the number of transparent faces in front
-  /// Facets that touch the one at hand or cross it.
+      levels_;  ///< borders of the current face, by the number of transparent faces in front
+  /// A facet that touches or crosses the current one.
   struct Near {
     std::uint32_t facet;
-    FacetOrder order;  ///< of the one at hand and this
-    ClipPart part;     ///< what of it is in front
+    FacetOrder order;  ///< order of the current facet and this one
+    ClipPart part;     ///< its part in front of the current facet
   };
   std::vector<Near> near_;
 
@@ -158,17 +158,17 @@ int common_corners(const Facet& a, const Facet& b) {
   return n;
 }
 
-/// The part of facet a in front of facet b.
+/// The part of facet a in front of facet b, by their order `a_b`.
 ClipPart part_in_front(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t a,
                        const FacetOrder& a_b) {
   if (a_b.order == DepthOrder::crossing) return left_of(whole_facet(facets, vertices, a), a_b.cut);
   return a_b.order == DepthOrder::first ? whole_facet(facets, vertices, a) : ClipPart{};
 }
 
-/// Three facets through one line have three cuts that should be one line, but each is rounded by itself. Between them a may
-/// be in front of h, h in front of g, and g in front of a: nobody is seen. So it may be where three touch within their
-/// tolerances. There the face of the lowest number is taken for the one in front. Gives the places where g is in front of a,
-/// and there is such an h.
+/// Finds the places where g is in front of a, but an h makes the order cyclic. Three facets through one line have three
+/// cuts, which should be one line, but each is rounded by itself. Between the cuts a may be in front of h, h in front
+/// of g, and g in front of a, so that none is visible. This can also happen where three facets touch within their
+/// tolerances. There the face of the lowest number counts as in front.
 std::vector<ContourFace> Worker::rings(std::uint32_t a, const Near& g) const {
   std::vector<ContourFace> places;
   if (facets_[g.facet].face < facets_[a].face) return places;
@@ -188,8 +188,8 @@ std::vector<ContourFace> Worker::rings(std::uint32_t a, const Near& g) const {
   return places;
 }
 
-/// Lays what of the other facet is in front over the subject. Gives its number, kCovers when it hides the subject whole, and
-/// kNothing when nothing was laid over it or it waits in near_.
+/// Adds the part of the other facet in front of the subject as a clip face, and returns its number. Returns kCovers if
+/// the other hides the whole subject, and kNothing if no clip face was added or it waits in near_.
 std::uint32_t Worker::compare(std::uint32_t facet, std::uint32_t other, StudyCounts& counts) {
   const Facet &f = facets_[facet], &g = facets_[other];
   if (g.face == f.face || clear(g.face)) return kNothing;
@@ -240,7 +240,8 @@ void Worker::clip(std::uint32_t facet, StudyCounts& counts) {
   stamp_[facet] = facet + 1;
   number_[facet] = kNothing;
   grid_.for_each_leaf_in(x0, y0, x1, y1, [&](const Cell& cell, const CellSquare& square) {
-    // A step more on each side: where facets have points in common, one of the cells that are looked at holds some of them.
+    // One step is added on each side: if facets have common points, at least one of the visited cells then holds some
+    // of them.
     const FacetClip::Window window{2 * square.x - 2, 2 * square.y - 2, 2 * (square.x + square.size) + 2,
                                    2 * (square.y + square.size) + 2};
     if (hidden || clip_.subject_beside(window)) return;

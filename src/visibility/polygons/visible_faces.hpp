@@ -1,5 +1,6 @@
 #pragma once
-/// The study of visibility: every facet clipped by those in front of it, and the pieces of a face put together.
+/// Finds the visible regions of all faces: clips every facet by the facets in front of it, and joins the pieces of each
+/// face.
 
 #include <cstdint>
 #include <functional>
@@ -16,13 +17,13 @@ namespace ligne {
 struct BorderPart {
   std::uint32_t side = 0;   ///< see side_source()
   std::uint32_t level = 0;  ///< of the region
-  double from = 0, to = 1;  ///< on the segment from the vertex of the lower number
+  double from = 0, to = 1;  ///< parameters on the segment from the vertex of the lower number
 };
 
 struct StudyCounts {
   std::uint64_t compared = 0;     ///< pairs of facets that overlap on the page
-  std::uint64_t wrong_sorts = 0;  ///< of them, those in which the one that begins nearer is behind
-  std::uint64_t cuts = 0;         ///< pairs that pass through each other
+  std::uint64_t wrong_sorts = 0;  ///< compared pairs in which the facet that begins nearer is behind
+  std::uint64_t cuts = 0;         ///< pairs that penetrate each other
   std::uint64_t ties = 0;         ///< pairs that coincide
   std::uint64_t clips = 0;        ///< clip faces laid over a subject
   std::uint64_t not_listed = 0;   ///< facets behind a cover everywhere
@@ -39,20 +40,19 @@ struct StudyCounts {
 };
 
 struct VisibleFaces {
-  std::vector<Region> regions;      ///< by face
-  std::vector<BorderPart> borders;  ///< their borders, but for cuts
-  std::vector<std::uint8_t>
-      facet_touches;  ///< per facet: somewhere it touches another one that is no neighbour along a side
+  std::vector<Region> regions;              ///< by face
+  std::vector<BorderPart> borders;          ///< the borders of the regions, except cuts
+  std::vector<std::uint8_t> facet_touches;  ///< per facet: 1 if it touches a facet that is not its neighbour along a side
   StudyCounts counts;
 };
 
-/// Appends the regions that these edges bound, and their borders. `several_pieces`: the edges are those of pieces that lie
-/// beside each other; what two of these have in common vanishes.
+/// Appends the regions that these edges bound, and their borders. `several_pieces`: the edges bound several adjacent
+/// pieces, whose common borders are removed.
 void add_regions(const Lattice& lattice, std::uint32_t face, std::uint32_t level, std::vector<ContourEdge>& edges,
                  bool several_pieces, VisibleFaces& out);
 
-/// `grid` lists the facets of the scene. `progress` may be empty. `ranks`: an order of the faces, which then says for every
-/// two whose pieces all stand before each other which is in front; of other pairs, and without it, depths decide.
+/// `grid` lists the facets of the scene. `progress` may be empty. `ranks` is an order of the faces. It decides for two
+/// faces if all pieces of one come before all pieces of the other; depths decide for other pairs, and without it.
 VisibleFaces find_visible_faces(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid,
                                 const std::function<void(double)>& progress, const FaceRanks* ranks = nullptr);
 

@@ -12,7 +12,7 @@ __extension__ using Int128 = __int128;
 }  // namespace
 
 void ConvexFiller::walk(FixedCorner a, FixedCorner b, std::int64_t first, std::int64_t end) {
-  // A side that a neighbour has too comes out equal: it is walked downwards whatever its direction.
+  // Every side is walked downwards, so that it gives equal places for both polygons that share it.
   if (b.v < a.v) std::swap(a, b);
   const std::int64_t from = std::max(first, ceiling(a.v, FixedCorner::kPlaces)),
                      to = std::min(end, ceiling(b.v, FixedCorner::kPlaces));

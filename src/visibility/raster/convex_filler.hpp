@@ -1,10 +1,11 @@
 #pragma once
-/// Filling of convex polygons in whole numbers (Heulin, "Remplissage de polygones"): every side is walked once, line by
-/// line, by one addition to a fixed-point place; the first side that meets a line leaves its place in one table, the second
-/// in another, and what lies between the two is the polygon's run.
+/// Filling of convex polygons in integers (Heulin, "Remplissage de polygones"). Every side is walked once, line by
+/// line, by one addition to a fixed-point place. The first side that meets a line leaves its place in one table, the
+/// second in another; the polygon's run lies between the two.
 ///
-/// Heulin has 8 binary places and rounds corners to whole pixels; here corners have kPlaces of them, and places on a
-/// side 32. Lines and columns are met as in scan_conversion.hpp: those with top <= line < bottom and left <= column < right.
+/// Heulin uses 8 binary places and rounds corners to whole pixels; here corners have kPlaces binary places, and places
+/// on a side have 32. As in scan_conversion.hpp, a polygon meets the lines with top <= line < bottom and the columns
+/// with left <= column < right.
 
 #include <algorithm>
 #include <cmath>
@@ -26,11 +27,11 @@ struct FixedCorner {
   static std::int64_t rounded(double w) { return static_cast<std::int64_t>(std::floor(w * (1 << kPlaces) + 0.5)); }
 };
 
-/// Fills one polygon after the other, with working memory that is kept.
+/// Fills polygons one after the other. It keeps its working memory.
 class ConvexFiller {
  public:
-  /// Calls row(line, from, to) for the columns [from, to) of each of the lines [first, end) that the polygon meets, from the
-  /// top. Where a polygon is not convex, the rows of its first two sides are given.
+  /// Calls row(line, from, to) with the columns [from, to) for each of the lines [first, end) that the polygon meets,
+  /// from the top. If the polygon is not convex, a row lies between the first two sides that meet the line.
   template <class Row>
   void fill(std::span<const FixedCorner> corners, std::int64_t first, std::int64_t end, Row row);
 
@@ -41,7 +42,7 @@ class ConvexFiller {
     std::int64_t first = kNone, second = kNone;  ///< in units of 2^-32 of a pixel
   };
 
-  /// The whole number that is not below a place in units of 2^-places.
+  /// The least integer not below a place in units of 2^-places.
   static std::int64_t ceiling(std::int64_t w, int places) { return (w + ((std::int64_t{1} << places) - 1)) >> places; }
 
   void walk(FixedCorner a, FixedCorner b, std::int64_t first, std::int64_t end);

@@ -12,20 +12,20 @@
 #include "visibility/raster/convex_filler.hpp"
 #include "visibility/raster/scan_conversion.hpp"
 
-// Phases of add(): (1) the scene's triangles are put together into faces, with the sides that bound them (Td), (2) faces are
-// listed by the bands of rows that they reach into, (3) bands are painted in parallel.
+// Phases of add(): (1) group the scene's triangles into faces, with the sides that bound them (Td), (2) list the faces
+// for each band of rows that they meet, (3) paint the bands in parallel.
 
 namespace ligne::zbuffer {
 namespace {
 
 constexpr std::uint32_t kBandRows =
-    16;  ///< adjustable; few enough to stay in the cache while faces are painted one after the other
-/// A depth that is stored as a float, and one computed along a side and a run, are off by this part of it.
+    16;  ///< rows of a band; few enough to stay in the cache while its faces are painted. Adjustable
+/// Relative error of a depth that is stored as a float or computed along a side and a run.
 constexpr double kFloatRounding = 0x1p-22;
 
 }  // namespace
 
-/// Depth over the plane of a triangle: at its first corner, and by how much it changes from pixel to pixel.
+/// Depth over the plane of a triangle: at its first corner, and its change from pixel to pixel.
 struct PixelPlane {
   double u = 0, v = 0, z = 0, du = 0, dv = 0;
 
@@ -40,13 +40,13 @@ struct PixelPlane {
   double at(double other_u, double other_v) const { return z + (other_u - u) * du + (other_v - v) * dv; }
 };
 
-/// Triangles of one face that are painted at once.
+/// Triangles of one face that are painted together.
 struct DepthBuffer::Piece {
   std::uint32_t triangle_begin, triangle_end;
-  std::size_t side_begin, side_end;  ///< its borders; none: those of its one triangle
-  std::uint32_t row_begin, row_end;  ///< rows whose line of centres meets it
-  std::uint32_t face;                ///< its number in the buffer
-  float reach;                       ///< hiding depth less depth
+  std::size_t side_begin, side_end;  ///< its borders; if empty, the sides of its only triangle
+  std::uint32_t row_begin, row_end;  ///< rows whose line of centres meets the piece
+  std::uint32_t face;                ///< number of the face in the buffer
+  float reach;                       ///< hiding depth minus depth
 };
 
 /// Phase 1, for a block of triangles.
@@ -70,7 +70,7 @@ class DepthBuffer::Preparation {
     std::vector<Side>().swap(sides);
   }
 
-  /// Triangles [begin, end), of one face.
+  /// Adds triangles [begin, end), all of one face.
   void add_face(std::uint32_t begin, std::uint32_t end) {
     const std::uint32_t face = triangles_[begin].face;
     if (face < scene_.face_is_transparent.size() && scene_.face_is_transparent[face]) return;
@@ -83,7 +83,8 @@ class DepthBuffer::Preparation {
   }
 
  private:
-  /// Where a face overlaps itself on the page its borders do not tell what it covers.
+  /// Whether all triangles are turned alike. If not, the face overlaps itself on the page, and its borders do not
+  /// determine what it covers.
   bool turned_alike(std::uint32_t begin, std::uint32_t end) const {
     bool positive = false, negative = false;
     for (std::uint32_t t = begin; t < end; ++t) {
@@ -120,7 +121,7 @@ class DepthBuffer::Preparation {
     if (!plane_of) return;
     ++counts.faces;
     counts.triangles += end - begin;
-    // Half a unit of fixed point more: corners are rounded to it.
+    // Half a unit of fixed point, the rounding error of a corner.
     constexpr double kRounding = 0.5 / (1 << FixedCorner::kPlaces);
     const PixelGrid& grid = buffer_.grid_;
     const auto whole = [](double w, std::uint32_t limit) {
@@ -137,10 +138,12 @@ class DepthBuffer::Preparation {
                       reach(begin, end, *plane_of, z_near)});
   }
 
-  /// By how much points of the face, and what touches it, may be farther than its depth at a centre within a pixel of them.
+  /// Largest depth by which a point of the face, or one that touches it, may lie behind the face's depth at a centre
+  /// within one pixel.
   float reach(std::uint32_t begin, std::uint32_t end, const Triangle& t, double z_near) const {
     const PixelPlane plane(vertex(t.v[0]), vertex(t.v[1]), vertex(t.v[2]), places_);
-    // Depths of a face that is not planar are interpolated between those of its corners: none is farther off the plane.
+    // Depths of a face that is not planar are interpolated between its corners, so none is farther off the plane than a
+    // corner.
     double off_plane = 0, z_size = 0;
     for (std::uint32_t i = begin; i < end; ++i) {
       for (const std::uint32_t v : triangles_[i].v) {
@@ -214,7 +217,8 @@ class DepthBuffer::BandPainter {
     filler_.fill(corners, row_begin_, row_end_, [&](std::int64_t row, std::int64_t left, std::int64_t right) {
       const std::int64_t from = std::max<std::int64_t>(left, 0), to = std::min<std::int64_t>(right, buffer_.grid_.width);
       if (from >= to) return;
-      // Rounded corners may let a centre in that is beside a slender triangle, where its plane is far from its corners.
+      // Rounded corners may include a centre beside a slender triangle, where the plane is far from the corners'
+      // depths.
       const auto depth_at = [&](std::int64_t column) {
         return std::clamp(plane.at(double(column), double(row)), z_near, z_far);
       };
@@ -224,7 +228,7 @@ class DepthBuffer::BandPainter {
     });
   }
 
-  /// Columns [from, to) of a row; z at the first, and by how much it changes.
+  /// Paints columns [from, to) of a row; `z` is the depth at the first, `step` its change per column.
   void paint_run(std::uint32_t row, std::uint32_t from, std::uint32_t to, double z, double step, const Piece& piece) {
     const DepthScale& scale = buffer_.scale_;
     if (scale.step == 0) {
@@ -234,8 +238,8 @@ class DepthBuffer::BandPainter {
     }
   }
 
-  /// `count` pixels from `begin` on; stored_at(i) is the depth of the i-th. Written without branches, so that several pixels
-  /// are painted at once: all three values are stored in any case.
+  /// Paints `count` pixels from `begin` on; stored_at(i) is the depth of pixel i. The loop has no branches and always
+  /// stores all three values, so that the compiler can paint several pixels at once.
   template <class StoredAt>
   void paint_pixels(std::size_t begin, std::uint32_t count, const Piece& piece, StoredAt stored_at) {
     float* depth = buffer_.depth_.data() + begin;
@@ -286,7 +290,7 @@ PaintCounts DepthBuffer::add_from(std::uint32_t begin, const ProjectedScene& sce
   return paint(scene, by_face(std::move(added)), filling, 0);
 }
 
-/// Numbers of pieces by the bands of rows that they meet: those of a band from begin[band] on.
+/// Numbers of the pieces that meet each band of rows; the list of a band starts at begin[band].
 struct DepthBuffer::BandLists {
   BandLists(const std::vector<Piece>& all, std::uint32_t height);
 
@@ -309,7 +313,7 @@ DepthBuffer::BandLists::BandLists(const std::vector<Piece>& all, std::uint32_t h
   }
 }
 
-/// `triangles` of the scene, those of each face behind each other.
+/// `triangles`: of the scene, sorted by face.
 PaintCounts DepthBuffer::paint(const ProjectedScene& scene, const std::vector<Triangle>& triangles, Filling filling,
                                std::uint32_t first_face) {
   // 1. Faces. A block begins where a face does.

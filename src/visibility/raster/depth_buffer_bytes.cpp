@@ -24,7 +24,7 @@ DepthBuffer DepthBuffer::read(ByteReader& bytes, const Rect& window, std::uint32
   }
   grid.width = bytes.number<std::uint32_t>();
   grid.height = bytes.number<std::uint32_t>();
-  // Pixels begin at the window's corner and end where it ends, but for the rounding to whole pixels.
+  // The pixels cover the window exactly, but for the rounding to whole pixels.
   constexpr double kMostBeyond = 2;
   const double most_mm = kMostBeyond * grid.pixel_mm;
   const auto near = [&](double a, double b) { return std::abs(a - b) <= most_mm; };

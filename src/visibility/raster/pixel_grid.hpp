@@ -1,5 +1,5 @@
 #pragma once
-/// Where the pixels of a depth buffer lie on the page.
+/// Places of the pixels of a depth buffer on the page.
 ///
 /// Notation: u and v are page coordinates in pixels, rightwards and downwards; the centre of pixel (i, j), column i of row
 /// j, is at u = i, v = j.
@@ -19,7 +19,8 @@ struct PixelGrid {
   double pixel_mm = 1;
   std::uint32_t width = 1, height = 1;
 
-  /// `rows` where they are given; else the pixels of a picture whose rows are known; else `standard` rows over the window.
+  /// A grid of `rows` rows if given; else the pixels of the picture with these lines; else `standard` rows over the
+  /// window.
   static PixelGrid of(const Rect& window, const std::optional<SpanLines>& lines, std::optional<std::uint32_t> rows,
                       std::uint32_t standard) {
     if (rows || !lines) return over(window, rows.value_or(standard));
@@ -27,10 +28,10 @@ struct PixelGrid {
     return {{0, lines->first_mm - lines->spacing_mm / 2}, lines->spacing_mm, columns, lines->count};
   }
 
-  /// So many rows of square pixels over a part of the page; fewer and larger ones where it is a strip so wide that there
-  /// would be more than 16 times as many columns.
+  /// Covers the window with `rows` rows of square pixels. If that needs more than 16 columns per row, the pixels are
+  /// larger and the rows fewer.
   static PixelGrid over(const Rect& window, std::uint32_t rows) {
-    constexpr double kMostColumns = 16;  // by row
+    constexpr double kMostColumns = 16;  // columns per row
     const double by_height = window.height() / rows, by_width = window.width() / (kMostColumns * rows);
     const auto count = [](double pixels) { return static_cast<std::uint32_t>(std::ceil(std::fmax(pixels, 1))); };
     if (by_height >= by_width) return {window.min, by_height, count(window.width() / by_height), rows};
@@ -38,7 +39,7 @@ struct PixelGrid {
   }
 };
 
-/// From lattice points to pixels. The same point gives the same place to the last bit.
+/// Converts lattice points to pixels. Equal points give equal places, to the last bit.
 struct PixelPlaces {
   double by, u0, v0;
 

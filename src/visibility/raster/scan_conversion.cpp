@@ -48,7 +48,7 @@ void PolygonScan::add(const GridPoint& a, const GridPoint& b) {
 void PolygonScan::take_active(std::uint32_t line, std::size_t& next) {
   std::erase_if(active_, [line](const EdgeTrack& t) { return t.last == line; });
   for (EdgeTrack& t : active_) t.advance();
-  // Almost in order: insertion costs little more than looking.
+  // The sides are almost in order, so insertion sort costs little more than a check.
   for (std::size_t i = 1; i < active_.size(); ++i) {
     for (std::size_t k = i; k > 0 && active_[k].u < active_[k - 1].u; --k) std::swap(active_[k], active_[k - 1]);
   }

@@ -1,9 +1,9 @@
 #pragma once
-/// Scan conversion of any polygon, holes and all ([Boulle1980] 2.3.2.2 and 2.3.2.4; lecture, 5.1).
+/// Scan conversion of any polygon, with holes ([Boulle1980] 2.3.2.2 and 2.3.2.4; lecture, 5.1).
 ///
-/// Notation: grid units. Scan line i is v = i; u is measured in the same unit along the line. An edge is met by the lines
-/// with v_top <= i < v_bottom, so of two edges that meet at a point on a line one is counted, at a peak two or none, and
-/// parity is right at every vertex; edges that no line meets, horizontal ones among them, bound nothing.
+/// Notation: grid units. Scan line i is v = i; u is measured in the same unit along the line. The lines with v_top <= i
+/// < v_bottom meet an edge. So where two edges join at a point on a line, the line counts one of them, or at a peak two
+/// or none, and parity is right at every vertex. Edges that no line meets, such as horizontal ones, bound nothing.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 
 namespace ligne {
 
-/// The scan lines on the page. On whole coordinates points are rounded to the grid in both directions before anything else.
+/// The scan lines on the page. If `whole`, points are first rounded to the grid in both directions.
 struct LineGrid {
   double u_origin = 0, v_origin = 0;  ///< lattice steps
   double spacing = 1;                 ///< lattice steps from line to line
@@ -35,12 +35,12 @@ struct GridPoint {
   double u, v, z;
 };
 
-/// An edge as the lines meet it, updated by two additions a line. The accumulators are real whatever the coordinates: a
-/// whole u that were itself updated by a rounded step would stand still where the edge is steep ([Boulle1980] figure 2.38).
+/// An edge as the lines meet it, updated by two additions per line. The accumulators are real for whole coordinates,
+/// too: a whole u with a rounded step would stand still on a steep edge ([Boulle1980] figure 2.38).
 struct EdgeTrack {
-  double u = 0, z = 0;                ///< on the line at hand
+  double u = 0, z = 0;                ///< on the current line
   double du = 0, dz = 0;              ///< from line to line
-  std::uint32_t first = 0, last = 0;  ///< lines [first, last) meet it
+  std::uint32_t first = 0, last = 0;  ///< lines [first, last) meet the edge
 
   /// An edge that no line meets has first == last, and du, dz go from its upper end to its lower one.
   static EdgeTrack between(GridPoint a, GridPoint b, std::uint32_t line_count);
@@ -49,7 +49,7 @@ struct EdgeTrack {
     u += du;
     z += dz;
   }
-  /// On that line, which meets it; used to begin somewhere inside.
+  /// The edge on a line that meets it, to begin between its ends.
   EdgeTrack on(std::uint32_t line) const;
 };
 
@@ -60,18 +60,18 @@ struct PolygonRun {
   double z0, z1;
 };
 
-/// Scan conversion of one polygon after the other, with working memory that is kept.
+/// Converts polygons one after the other. It keeps its working memory.
 class PolygonScan {
  public:
-  /// For the lines [first, end).
+  /// Begins a polygon, on the lines [first, end).
   void begin(std::uint32_t first, std::uint32_t end) {
     first_ = first;
     end_ = end;
     table_.clear();
   }
 
-  /// A side of a contour, in any direction and order. Two contours with the same side give the same places on it to the
-  /// last bit: what lies between neighbours belongs to exactly one of them.
+  /// Adds a side of a contour, in any direction and order. Two contours with a common side get equal places on it, to
+  /// the last bit, so each point belongs to exactly one of two neighbours.
   void add(const GridPoint& a, const GridPoint& b);
 
   /// Calls run(PolygonRun) for all runs, line by line from the top and left to right, by the rule of parity.
@@ -82,19 +82,19 @@ class PolygonScan {
   void take_active(std::uint32_t line, std::size_t& next);
 
   std::uint32_t first_ = 0, end_ = 0;
-  std::vector<EdgeTrack> table_;   ///< sides by their first line
-  std::vector<EdgeTrack> active_;  ///< sides that the line meets, from left to right
+  std::vector<EdgeTrack> table_;   ///< sides, sorted by their first line
+  std::vector<EdgeTrack> active_;  ///< sides that the current line meets, from left to right
 };
 
-/// All runs of a polygon. `contour_end[i]` is one past the last corner of contour i; any winding, contours may cross. Runs
-/// of length zero are given too: with them no vertex on a line is lost.
+/// All runs of a polygon. `contour_end[i]` is one past the last corner of contour i. Contours may have any winding and
+/// may cross. Runs of length zero are included, so that no vertex on a line is lost.
 std::vector<PolygonRun> scan_polygon(std::span<const GridPoint> corners, std::span<const std::uint32_t> contour_end,
                                      std::uint32_t line_count);
 
 template <class Run>
 void PolygonScan::scan(Run run) {
   if (table_.empty()) return;
-  // The table of sides by first line: one sort does for the buckets.
+  // One sort of the sides by their first line replaces the buckets.
   std::stable_sort(table_.begin(), table_.end(), [](const EdgeTrack& a, const EdgeTrack& b) { return a.first < b.first; });
   active_.clear();
   std::size_t next = 0;
