@@ -14,7 +14,7 @@ constexpr std::size_t kLeafFacets = 24;      ///< a list longer than this is spl
 constexpr std::size_t kCrowdedFacets = 256;  ///< a list longer than this is split anyway
 constexpr double kLargeBreadth = 0.6;        ///< a facet broader than this times the cell's side is large
 constexpr double kLargePart = 0.25;          ///< least share of large facets in a list worth splitting
-constexpr double kGain = 0.7;                ///< least saving, as a ratio of list lengths; see `progress` in split()
+constexpr double kGain = 0.7;                ///< lists must shrink below this ratio; see `progress` in split()
 
 /// Often the list is already sorted: removing entries keeps the order.
 void sort_by_depth(CellFacet* begin, CellFacet* end) {

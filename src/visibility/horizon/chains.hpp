@@ -1,5 +1,5 @@
 #pragma once
-/// Short segments of the page that are joined to polylines at the end.
+/// Collects short segments on the page, and joins them to polylines at the end.
 
 #include "drawing/drawing.hpp"
 #include "view/tolerances.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// The u axis of the picture in columns of equal width, and bands of them that are studied side by side.
+/// Columns of equal width that divide the u axis of the picture, and bands of columns that are studied in parallel.
 
 #include <algorithm>
 #include <cstddef>
@@ -20,12 +20,12 @@ class Columns {
   std::size_t count() const { return count_; }
   double extent() const { return extent_; }
 
-  /// The column of u; the first or the last one for what lies outside.
+  /// The column of u; outside the picture, the first or the last column.
   std::size_t at(double u) const {
     const double c = (u - u_min_) / width_;
     return c <= 0 ? 0 : std::min(static_cast<std::size_t>(c), count_ - 1);
   }
-  /// Where column c begins.
+  /// The place u at which column c begins.
   double begin(std::size_t c) const { return u_min_ + static_cast<double>(c) * width_; }
 
  private:
@@ -39,7 +39,8 @@ struct ColumnRange {
   bool holds(std::size_t c) const { return begin <= c && c < end; }
 };
 
-/// Columns in up to kMostBands bands of nearly as many. Their number does not depend on that of the threads.
+/// Divides the columns into at most kMostBands bands of nearly equal size. The number of bands does not depend on the
+/// number of threads.
 class Bands {
  public:
   static constexpr std::size_t kMostBands = 16;
@@ -61,7 +62,7 @@ class Bands {
   std::vector<std::uint16_t> of_column_;
 };
 
-/// The columns that a band holds: its own, and one more on either side, which the places beside its own border lie in.
+/// The columns that a band holds: its own, and one more on either side for places just beyond its borders.
 inline ColumnRange with_neighbours(ColumnRange own, const Columns& columns) {
   return {own.begin - std::min<std::size_t>(own.begin, 1), std::min(own.end + 1, columns.count())};
 }

@@ -37,7 +37,7 @@ double Coverage::tolerance(const Rim& rim) const {
 
 void Coverage::cover(std::array<Corner, 3> c) {
   std::sort(c.begin(), c.end(), [](const Corner& a, const Corner& b) { return a.u < b.u; });
-  if (!(c[2].u - c[0].u > least_)) return;  // seen edge on, upright: it has no width that could hide
+  if (!(c[2].u - c[0].u > least_)) return;  // an upright triangle seen edge on: without width it hides nothing
   const auto rim = [](const Corner& a, const Corner& b) { return Rim{a.u, a.v, (b.v - a.v) / (b.u - a.u)}; };
   const Rim across = rim(c[0], c[2]);
   const bool middle_is_high = c[1].v >= across.height(c[1].u);
@@ -57,7 +57,7 @@ void Coverage::cover_between(double u0, double u1, const Rim& lower, const Rim& 
   }
 }
 
-/// Appends a band to added_; one that goes on in another becomes part of it.
+/// Appends a band to added_, or extends the band that it continues.
 void Coverage::put(const Band& band) {
   if (band.u1 - band.u0 <= least_) return;
   for (auto b = added_.rbegin(); b != added_.rend(); ++b) {
@@ -69,7 +69,7 @@ void Coverage::put(const Band& band) {
   added_.push_back(band);
 }
 
-/// Puts `band` over [from, to], where no two rims cross, together with those of the touched bands that it meets there.
+/// Adds `band` over [from, to], where no two rims cross, merged with the touched bands that it meets there.
 void Coverage::add_over(double from, double to, Band band, const std::vector<Band>& touched) {
   const double u = (from + to) / 2;
   for (const Band& t : touched) {
@@ -173,7 +173,8 @@ void Coverage::find_uncovered(const Line& line, std::vector<Span>& uncovered) {
     append_uncovered(from, to, least_, hidden_, found);
   }
   if (found.empty()) return;
-  // A part seen to within a rounding of the line's end reaches that end, so that it goes on in the next line.
+  // A visible part that misses the line's end only by rounding is extended to it, so that it continues in the next
+  // line.
   if (found.front().from - line.u0 <= least_) found.front().from = line.u0;
   if (line.u1 - found.back().to <= least_) found.back().to = line.u1;
   uncovered.insert(uncovered.begin() + static_cast<std::ptrdiff_t>(first_span), found.begin(), found.end());

@@ -1,6 +1,6 @@
 #pragma once
-/// The horizon in general, where it is no function of u: behind holes of the surface one sees through it. What is covered
-/// is, at every u, any number of intervals of v.
+/// The horizon of a surface with holes. It is not a function of u, as lines behind a hole are visible through it: at
+/// every u the covered places are any number of intervals of v.
 
 #include <array>
 #include <cstddef>
@@ -10,13 +10,13 @@
 
 namespace ligne::horizon {
 
-/// A union of triangles of the drawing plane, as bands between two lines over a range of u. No two bands overlap; a band
-/// keeps the lines that it is made of, as in ExactEnvelope, and the bands stand in cells of equal width.
+/// A union of triangles of the drawing plane, stored as bands between two lines over a range of u. No two bands
+/// overlap. A band keeps its original lines, as in ExactEnvelope. Cells of equal width hold the bands.
 class Coverage {
  public:
   /// For triangles in [u_min, u_max].
   Coverage(double u_min, double u_max, std::size_t cells);
-  /// Over a band of columns: what is found lies in its own.
+  /// For a band of columns: results lie in its own columns.
   Coverage(const Columns& columns, ColumnRange own);
 
   struct Corner {
@@ -25,20 +25,20 @@ class Coverage {
   /// Adds a triangle.
   void cover(std::array<Corner, 3> corners);
 
-  /// Appends where the line is not covered: ascending, each as long as can be. What is level with the rim of a band is
-  /// covered.
+  /// Appends the uncovered parts of the line, ascending, each as long as possible. A part level with the rim of a band
+  /// counts as covered.
   void find_uncovered(const Line& line, std::vector<Span>& uncovered);
 
-  /// Finds the cover of an upright line from (u, v0) to (u, v1), v0 < v1, looking at what covers its left (side < 0) or
-  /// right side; appends to `covered` spans of v, in any order.
+  /// Finds the covered parts of an upright line from (u, v0) to (u, v1), v0 < v1, on its left (side < 0) or its right
+  /// side; appends them to `covered` as spans of v, in any order.
   void find_covered_beside(double u, double v0, double v1, int side, std::vector<Span>& covered) const;
 
-  /// Sorts `covered`, and appends the parts that it leaves of [from, to], but for parts no longer than `least`; a span
-  /// continues the last one that ends where it begins.
+  /// Sorts `covered`, and appends the rest of [from, to] to `uncovered`, except parts no longer than `least`. A part
+  /// that begins at the end of the last span extends that span.
   static void append_uncovered(double from, double to, double least, std::vector<Span>& covered,
                                std::vector<Span>& uncovered);
 
-  /// Parts no longer than this are rounding.
+  /// Length up to which a part is only rounding.
   double least() const { return least_; }
 
  private:
@@ -62,7 +62,7 @@ class Coverage {
   Columns columns_;
   ColumnRange own_, held_;
   double least_;
-  std::vector<std::vector<Band>> cells_;  ///< of the columns held
+  std::vector<std::vector<Band>> cells_;  ///< of the columns in held_
   std::vector<Band> touched_, added_;     ///< scratch
   std::vector<double> cuts_;              ///< scratch
   std::vector<Span> hidden_;              ///< scratch

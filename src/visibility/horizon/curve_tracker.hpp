@@ -1,5 +1,5 @@
 #pragma once
-/// From the seen pieces of a curve to polylines, one for each stretch that is seen without a break.
+/// Joins the visible pieces of a curve to polylines, one for each stretch that is visible without a break.
 
 #include <cmath>
 #include <vector>
@@ -12,8 +12,8 @@ namespace ligne::horizon {
 
 class CurveTracker {
  public:
-  /// The part from t0 to t1 of the segment a, b in space is seen; it belongs to `lines`. Parts come in order along the
-  /// curve.
+  /// Adds the visible part from t0 to t1 of the segment a, b in space; it goes to `lines`. Parts must come in order
+  /// along the curve.
   void add(const HomogeneousPoint& a, const HomogeneousPoint& b, double t0, double t1, Polylines& lines) {
     if (!(continues_ && t0 == 0 && lines_ == &lines)) {
       end();
@@ -25,16 +25,16 @@ class CurveTracker {
     reached_end_ = t1 == 1;
   }
 
-  /// The next parts are of the segment behind this one.
+  /// Ends a segment: the next parts belong to the following segment.
   void next_segment() {
     continues_ = reached_end_;
     reached_end_ = false;
   }
 
-  /// Nothing of a segment is seen.
+  /// Ends a segment of which nothing is visible.
   void interrupt() { continues_ = reached_end_ = false; }
 
-  /// Gives the stretch away.
+  /// Ends the stretch, and puts it into its polylines.
   void end() {
     double length = 0;
     for (std::size_t i = 1; i < points_.size(); ++i)

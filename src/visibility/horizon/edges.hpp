@@ -1,5 +1,5 @@
 #pragma once
-/// Edges and triangles in the order in which the sweep asks about them, and adds them to the horizons.
+/// Events of the sweep: edges tested against the horizons, and edges and triangles that raise them.
 
 #include <array>
 #include <cstddef>
@@ -14,18 +14,19 @@
 
 namespace ligne::horizon {
 
-/// A segment is upright on the drawing plane when its ends are no farther apart across it than this part of the picture.
+/// Greatest horizontal distance between the ends of an upright segment, as a part of the picture's width.
 inline constexpr double kUprightPart = 0x1p-42;
 
-/// Where a segment can be seen: above all that is nearer, below it, or either. A surface that rises in the picture behind
-/// the line of sight shows itself above its nearer parts only.
+/// The horizons against which a segment is tested: it can be visible above everything nearer, below it, or either. A
+/// surface that rises in the picture with distance is visible only above its nearer parts.
 enum class Against : std::uint8_t { upper, lower, both };
 
-/// Which sides of an upright line are looked at. It is hidden where all of them are covered; curves that hide have no sides.
+/// The sides of an upright line that are tested. The line is hidden where all of them are covered; curves that hide
+/// have no sides.
 enum class LineSides : std::uint8_t { left, right, both, none };
 
-/// The use of the seen parts of an edge; `nothing`: nobody asks. An interruption is no edge, but the end of a curve's
-/// stretch.
+/// The use of the visible parts of an edge; `nothing`: the edge is not tested. An interruption is not an edge; it ends
+/// a stretch of a curve.
 enum class Goal : std::uint8_t {
   nothing,
   curve,
@@ -40,26 +41,26 @@ enum class Goal : std::uint8_t {
 
 struct SightEdge {
   SightLine line;
-  double from = 0, to = 1;                  ///< of the segment from a to b, what the line is
-  const Sample *a = nullptr, *b = nullptr;  ///< placed; of edges that are asked for
-  CurveTracker* curve = nullptr;            ///< that it is a segment of
-  std::uint32_t number = 0;                 ///< of the contour's height, or of the line off the surface
+  double from = 0, to = 1;                  ///< part of the segment from a to b that the line is
+  const Sample *a = nullptr, *b = nullptr;  ///< samples with a place on the page; only for tested edges
+  CurveTracker* curve = nullptr;            ///< the curve that the edge belongs to, or null
+  std::uint32_t number = 0;                 ///< number of the contour's height, or of the back line
   std::uint16_t first_band = 0, last_band = 0;
   Goal goal = Goal::nothing;
   Against against = Against::both;
   LineSides sides = LineSides::both;
-  bool upper = false, lower = false;  ///< it then becomes part of the upper, of the lower horizon
-  bool open = true;                   ///< what the band found of an upright line
+  bool upper = false, lower = false;  ///< it then raises the upper, the lower horizon
+  bool open = true;                   ///< result of find_seen() for an upright line
 
   bool is_asked() const { return goal != Goal::nothing && goal != Goal::interruption; }
 };
 
 using SightTriangle = std::array<SightPoint, 3>;
 
-/// The part of an edge that a band sees.
+/// A part of an edge that is visible in a band.
 struct SeenSpan {
   std::uint32_t edge;
-  bool below;  ///< the lower horizon, where both are asked
+  bool below;  ///< below the lower horizon, for edges tested against both
   Span span;
 };
 
@@ -69,11 +70,13 @@ struct EdgeList {
 
   std::vector<SightEdge> edges;
   std::vector<SightTriangle> triangles;
-  std::deque<Sample> samples;     ///< ends of edges that are no samples of rows, or are placed for them alone
-  CurveTracker nearest_row, row;  ///< of the part's first row, and of the row behind the strip
-  std::vector<std::vector<std::uint32_t>> of_band;  ///< what each band takes: numbers of edges, of triangles with kTriangle
-  std::vector<std::vector<SeenSpan>> seen;          ///< by each band, in the order of the edges
-  std::size_t asked = 0;                            ///< edges of the surface that are asked for
+  std::deque<Sample> samples;     ///< ends of edges that are not samples of rows, or copies of samples with a place on
+                                  ///< the page
+  CurveTracker nearest_row, row;  ///< curves of the part's first row, and of the row behind the strip
+  std::vector<std::vector<std::uint32_t>> of_band;  ///< per band: numbers of its edges, and of its triangles plus
+                                                    ///< kTriangle
+  std::vector<std::vector<SeenSpan>> seen;          ///< per band: visible parts, in the order of the edges
+  std::size_t asked = 0;                            ///< number of tested edges of the surface
 
   void clear() {
     edges.clear();

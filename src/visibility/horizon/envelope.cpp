@@ -17,11 +17,11 @@ ExactEnvelope::ExactEnvelope(const Columns& columns, ColumnRange own)
       least_(kLeastPart * columns.extent()),
       cells_(held_.end - held_.begin) {}
 
-/// Puts into found_ where the line is above the pieces of the cell, or where there are none.
+/// Puts into found_ the parts of the line that are above the pieces of the cell, or over no piece.
 void ExactEnvelope::find_in_cell(const std::vector<Piece>& cell, const Piece& line, double tolerance) {
   found_.clear();
   const auto level = [tolerance](double d) { return std::abs(d) <= tolerance ? 0.0 : d; };
-  double at = line.u0;  // up to here all is known
+  double at = line.u0;  // everything before this place is done
   for (const Piece& p : cell) {
     if (p.u1 <= at) continue;
     if (p.u0 >= line.u1) break;
@@ -40,7 +40,7 @@ void ExactEnvelope::find_in_cell(const std::vector<Piece>& cell, const Piece& li
   if (line.u1 - at > least_) append_span(found_, {at, line.u1}, least_);
 }
 
-/// Puts the line into the cell over the spans found, in place of what was there.
+/// Replaces the pieces of the cell over the spans in found_ by the line.
 void ExactEnvelope::rebuild(std::vector<Piece>& cell, const Piece& line) {
   rebuilt_.clear();
   const auto put = [this](Piece piece, double from, double to) {
@@ -88,7 +88,8 @@ void ExactEnvelope::search(const Line& line, std::vector<Span>& above) {
       }
     }
   }
-  // A part seen to within a rounding of the line's end reaches that end, so that it goes on in the next line.
+  // A visible part that misses the line's end only by rounding is extended to it, so that it continues in the next
+  // line.
   if (above.size() == first_span) return;
   if (above[first_span].from - line.u0 <= least_) above[first_span].from = line.u0;
   if (line.u1 - above.back().to <= least_) above.back().to = line.u1;
@@ -100,7 +101,7 @@ void ExactEnvelope::raise(const Line& line, std::vector<Span>& above) { search<t
 
 double ExactEnvelope::height(double u) const {
   double highest = kNothing;
-  // Where pieces end the neighbours count too, also those of the next cell.
+  // At the end of a piece its neighbours count, too, also in the next cell.
   const std::size_t first = columns_.at(u - least_), last = columns_.at(u + least_);
   for (std::size_t c = first; c <= last; ++c) {
     for (const Piece& p : cell(c)) {

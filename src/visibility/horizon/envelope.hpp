@@ -1,5 +1,5 @@
 #pragma once
-/// The horizon: the highest of the lines taken so far, over every place u across the picture.
+/// The horizon: the highest of the lines taken so far, at every place u across the picture.
 
 #include <algorithm>
 #include <cstddef>
@@ -20,7 +20,7 @@ struct Span {
   double from, to;
 };
 
-/// Appends a span, joined to the last one where that ends but for `least`.
+/// Appends a span, or joins it to the last one if the gap between them is at most `least`.
 inline void append_span(std::vector<Span>& spans, Span span, double least) {
   if (!spans.empty() && span.from - spans.back().to <= least) {
     spans.back().to = std::max(spans.back().to, span.to);
@@ -31,31 +31,31 @@ inline void append_span(std::vector<Span>& spans, Span span, double least) {
 
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
-/// The upper horizon as a piecewise linear function that knows the lines that it is made of, so that nothing is lost when it
-/// is cut again and again: crossings are computed from the lines themselves. (The lower horizon is the upper one of the
-/// lines turned upside down.) The pieces stand in cells of equal width, ascending in each; to take a line costs time with
-/// the pieces that it spans.
+/// The upper horizon as a piecewise linear function. Its pieces keep their original lines, and crossings are computed
+/// from these, so repeated cuts lose no precision. (The lower horizon is the upper one of the lines turned upside
+/// down.) Cells of equal width hold the pieces, in ascending order; the time to take a line grows with the number of
+/// pieces that it spans.
 class ExactEnvelope {
  public:
-  /// For lines in [u_min, u_max]. `cells` is best about the number of curves.
+  /// For lines in [u_min, u_max]. The best number of cells is about the number of curves.
   ExactEnvelope(double u_min, double u_max, std::size_t cells);
-  /// The horizon over a band: what is found lies in its own columns.
+  /// For a band of columns: results lie in its own columns.
   ExactEnvelope(const Columns& columns, ColumnRange own);
 
-  /// Appends to `above` where the line is higher than the horizon, or where there is none yet: ascending, each as long as
-  /// can be.
+  /// Appends to `above` the parts of the line that are higher than the horizon, or where there is none yet: ascending,
+  /// each as long as possible.
   void find_above(const Line& line, std::vector<Span>& above);
 
-  /// Finds the parts above; then raises the horizon there.
+  /// Finds the parts above, then raises the horizon there.
   void raise(const Line& line, std::vector<Span>& above);
 
   /// Height of the horizon at u, kNothing where there is none: the higher one where it jumps.
   double height(double u) const;
 
-  /// Its limit from the left (side < 0) or from the right.
+  /// Limit of the height at u from the left (side < 0) or from the right.
   double height_beside(double u, int side) const;
 
-  /// Parts of u no longer than this are rounding.
+  /// Length along u up to which a part is only rounding.
   double least() const { return least_; }
 
  private:
@@ -77,7 +77,7 @@ class ExactEnvelope {
   Columns columns_;
   ColumnRange own_, held_;
   double least_;
-  std::vector<std::vector<Piece>> cells_;  ///< of the columns held
+  std::vector<std::vector<Piece>> cells_;  ///< of the columns in held_
   std::vector<Span> found_;                ///< scratch: where the line is above, in one cell
   std::vector<Piece> rebuilt_;             ///< scratch
 };

@@ -10,7 +10,7 @@
 namespace ligne {
 namespace {
 
-/// Calls take(row, z, result) for all rows; merge(result) once for each block of rows, in order.
+/// Calls take(row, z, result) for all rows, in parallel, then merge(result) once for each block of rows, in order.
 template <class Result, class Take, class Merge>
 void for_rows(const HeightSource& heights, Take take, Merge merge) {
   constexpr std::size_t kRows = 64;
@@ -49,7 +49,7 @@ struct Extremes {
   }
 };
 
-/// Every three of the points a face.
+/// A scene whose faces are a fan of triangles over the points.
 Scene scene_of(const std::vector<Point3>& points) {
   Scene scene;
   scene.vertices = points;
@@ -91,7 +91,7 @@ Scene box_of(const HeightSource& heights, const HeightSurvey& survey, double z_s
 }
 
 Scene extent_scene(const HeightSource& heights, double z_scale, const Camera& camera) {
-  // In perspective what leaves the field of view fills it; a pyramid's corners show that as well as all samples would.
+  // In perspective, points outside the field of view are moved to its border: the surface fills the view there.
   const double half_height = std::tan(camera.fov_degrees * 3.14159265358979323846 / 360),
                half_width = half_height * camera.aspect;
   Extremes extremes;

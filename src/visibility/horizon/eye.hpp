@@ -1,6 +1,6 @@
 #pragma once
-/// Where points of the surface are for the horizon and on the page, and which part of a segment is in front of the eye and
-/// inside the window.
+/// Finds the places of points of the surface on the drawing plane and on the page, and the part of a segment in front
+/// of the eye and inside the window.
 
 #include <algorithm>
 #include <array>
@@ -13,20 +13,21 @@
 
 namespace ligne::horizon {
 
-/// In perspective nothing nearer to the vertical through the eye than this part of the target distance is drawn.
+/// Least distance in perspective of drawn points from the eye, along the normal of the drawing plane, as a part of the
+/// target distance.
 inline constexpr double kNearestPart = 0x1p-30;
 
-/// A sample, for the horizon and on the page.
+/// A sample of the surface, with its places on the drawing plane and on the page.
 struct Sample {
   Point3 p;
   SightPoint seen;
   HomogeneousPoint page{};
   bool hole = true;
-  bool placed = false;  ///< it is known where it is on the page, and whether
-  bool inside = false;  ///< the window holds it
+  bool placed = false;  ///< `page` and `inside` are computed
+  bool inside = false;  ///< it is inside the window
 };
 
-/// The part of a segment that is in front of the eye: its ends, and where they are on the segment, as fractions in space.
+/// The part of a segment that is in front of the eye: its ends, and their fractions of the segment in space.
 struct FrontPart {
   SightPoint a, b;
   double from, to;
@@ -40,7 +41,7 @@ class Eye {
         volume_{view.window, view.near_distance},
         nearest_(kNearestPart * view.camera.target_distance) {}
 
-  /// Not placed on the page yet.
+  /// A sample without a place on the page.
   Sample sample(const Point3& p) const { return {p, sight_(p), {}, false}; }
   Sample placed(Sample s) const {
     s.page = to_homogeneous(view_, s.p);
@@ -66,7 +67,7 @@ class Eye {
     return part;
   }
 
-  /// The corners of the part of a triangle that is in front, in order; none when nothing is.
+  /// The corners, in order, of the part of a triangle that is in front of the eye; empty if there is none.
   std::vector<SightPoint> contour_in_front(const std::array<const SightPoint*, 3>& corners) const {
     std::vector<SightPoint> contour;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -77,8 +78,8 @@ class Eye {
     return contour;
   }
 
-  /// Calls sink(t0, t1) for what is seen of the segment inside the window. `seen` are fractions of the part from `from` to
-  /// `to`.
+  /// Calls sink(t0, t1) for the visible parts of the segment inside the window. `seen` holds fractions of the part from
+  /// `from` to `to`.
   template <class Sink>
   void give(const Sample& a, const Sample& b, double from, double to, const std::vector<Span>& seen, Sink sink) const {
     if (seen.empty()) return;

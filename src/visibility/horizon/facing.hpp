@@ -1,5 +1,5 @@
 #pragma once
-/// Which side of a triangle is seen.
+/// Finds the visible side of a triangle.
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +10,12 @@
 
 namespace ligne::horizon {
 
-/// 1: the corners turn counter-clockwise for the viewer, -1: clockwise, 0: the triangle is seen edge on, that is, it is no
-/// thicker on the drawing plane than heights that are level; a rounding must not separate its sides. `picture` is the
-/// picture's width in parallel projection, nothing in perspective, where the corners' distance stands for it. The points may
-/// lie behind the eye.
+/// 1 if the corners turn counter-clockwise for the viewer, -1 if clockwise, 0 if the triangle is seen edge on: it is
+/// then no thicker on the drawing plane than the difference of level heights, since rounding must not separate its
+/// sides. `picture` is the picture's width in parallel projection; in perspective it is 0, and the distance of the
+/// corners takes its place. The points may lie behind the eye.
 inline std::int8_t facing_of(const SightPoint& p, const SightPoint& q, const SightPoint& r, double picture) {
-  if (picture > 0) {  // w is 1: the same, without what is multiplied by it
+  if (picture > 0) {  // w is 1, which simplifies the determinant
     const double turn = (q.x * r.y - q.y * r.x) + (r.x * p.y - r.y * p.x) + (p.x * q.y - p.y * q.x);
     const double extent =
         std::max(std::max(std::abs(q.x - p.x), std::abs(q.y - p.y)), std::max(std::abs(r.x - p.x), std::abs(r.y - p.y)));
@@ -23,7 +23,7 @@ inline std::int8_t facing_of(const SightPoint& p, const SightPoint& q, const Sig
     return turn > 0 ? 1 : -1;
   }
   const double det = p.w * (q.x * r.y - q.y * r.x) + q.w * (r.x * p.y - r.y * p.x) + r.w * (p.x * q.y - p.y * q.x);
-  // The determinant is thickness times side, in perspective times the square of the distance.
+  // The determinant is thickness times side times, in perspective, the square of the distance.
   const double side = std::max({std::abs(q.x - p.x), std::abs(q.y - p.y), std::abs(q.w - p.w), std::abs(r.x - p.x),
                                 std::abs(r.y - p.y), std::abs(r.w - p.w)});
   const double distance = std::max({std::abs(p.w), std::abs(q.w), std::abs(r.w), std::abs(p.x), std::abs(p.y)});

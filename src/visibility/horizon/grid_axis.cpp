@@ -6,7 +6,7 @@
 namespace ligne::horizon {
 namespace {
 
-/// An eye nearer to a sample than this part of the axis is over it.
+/// Distance, as a part of the axis, within which an eye counts as over a sample.
 constexpr double kSamePart = 0x1p-40;
 
 std::optional<double> to_near_sample(const std::vector<double>& samples, std::optional<double> eye) {

@@ -1,6 +1,6 @@
 #pragma once
-/// Horizons in bands of columns that work side by side. A band looks only at the part of an edge over its columns, so no
-/// band waits for another; all take the edges in the same order.
+/// Horizons of bands of columns, which work in parallel. A band uses only the part of an edge over its columns, so no
+/// band waits for another. All bands take the edges in the same order.
 
 #include <vector>
 
@@ -17,14 +17,14 @@ class HidingBands {
     for (std::size_t b = 0; b < bands.size(); ++b) bands_.push_back({Horizon(bands.columns(), bands.of_band(b)), {}, {}});
   }
 
-  /// Finds what is seen of the edges of the lists, one behind the other.
+  /// Finds the visible parts of the edges of the lists, in order.
   void take(std::vector<EdgeList>& lists) {
     parallel_tasks(bands_.size(), [&](std::size_t b) {
       for (EdgeList& list : lists) take(list, b);
     });
   }
 
-  /// Spans of two bands that are no farther apart are one.
+  /// Largest gap over which spans of two bands are joined.
   double least() const { return bands_.front().horizon.least(); }
 
  private:
@@ -47,7 +47,7 @@ class HidingBands {
         band.above.clear();
         band.below.clear();
         const bool open = band.horizon.find_seen(edge, band.above, band.below);
-        if (edge.line.upright()) edge.open = open;  // it lies in one band
+        if (edge.line.upright()) edge.open = open;  // an upright line lies in one band
         for (const Span& span : band.above) list.seen[b].push_back({number, false, span});
         for (const Span& span : band.below) list.seen[b].push_back({number, true, span});
       }

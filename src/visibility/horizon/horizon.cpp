@@ -26,7 +26,7 @@ std::pair<double, double> u_range(const Camera& camera, const Sight& sight, cons
   return range;
 }
 
-/// The view with its eye over the samples that it is over but for a rounding.
+/// The view with its eye moved exactly over samples from which it differs only by rounding.
 View with_eye_over(const View& view, int column, const GridAxis& x, int row, const GridAxis& y) {
   View study = view;
   if (x.eye()) study.camera.eye[column] = *x.eye();
@@ -34,7 +34,7 @@ View with_eye_over(const View& view, int column, const GridAxis& x, int row, con
   return study;
 }
 
-/// Contour lines of one height after the other.
+/// Joins the contour lines of one height after the other.
 void join(std::vector<Chains>& chains, Polylines& lines, std::vector<std::uint32_t>& levels) {
   for (std::uint32_t level = 0; level < chains.size(); ++level) {
     append(lines, chains[level].finish());
@@ -93,8 +93,8 @@ HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View&
 
 namespace {
 
-/// Lines that lie off the surface, where the eye is over the grid: the surface reaches down to the point below the eye, and
-/// no edge informs the lower horizon of it.
+/// Whether the study needs Coverage: it has lines off the surface, and the eye is over the grid. Then the surface
+/// reaches down to the point below the eye, and no edge lowers the lower horizon accordingly.
 bool needs_coverage(const HeightSource& heights, const Camera& camera, const HorizonOptions& options) {
   if (!camera.perspective || (options.back_lines.empty() && !options.contour_base)) return false;
   const Point3& eye = camera.eye;
@@ -102,9 +102,9 @@ bool needs_coverage(const HeightSource& heights, const Camera& camera, const Hor
          eye.y < heights.y().back();
 }
 
-/// The view to be studied. Where a row or a column is narrower on the page than lines that are one, it is seen end on: then
-/// the study looks along it exactly, so that all of it lies on one upright line and its order is that of the sights. The
-/// page keeps the view as it is.
+/// The view to be studied. If a row or a column is so narrow on the page that its ends coincide, it is seen end on. The
+/// study then looks exactly along it, so that it lies on one upright line, in order along the lines of sight. The page
+/// keeps the original view.
 View along_axis_if_nearly(const HeightSource& heights, const View& view) {
   View study = view;
   Point3& forward = study.camera.forward;
@@ -130,14 +130,14 @@ HorizonLines horizon_lines(const HeightSource& heights, const View& view, const 
   const bool by_curves = options.hidden_by == HiddenBy::curves;
   const auto sweep = [&](const HeightSource& source, bool transposed) {
     if (options.resolution) return sweep_all<TwoHorizons<PixelEnvelope>>(source, transposed, study, options, statistics);
-    // Curves that hide cover nothing: the classical method has no answer to holes.
+    // Hiding curves cover no area, so the classical method cannot handle holes.
     const auto has_holes = [&] { return options.holes ? *options.holes : survey(heights).holes; };
     if (!by_curves && (needs_coverage(heights, study.camera, options) || has_holes())) {
       return sweep_all<GeneralHorizon>(source, transposed, study, options, statistics);
     }
     return sweep_all<TwoHorizons<ExactEnvelope>>(source, transposed, study, options, statistics);
   };
-  // Columns may lie along the sights, since a strip knows the cells on both sides of them; rows may not.
+  // Columns may lie along the lines of sight, since a strip has the cells on both sides of them; rows may not.
   const Point3& forward = study.camera.forward;
   if (!study.camera.perspective && forward.y == 0 && forward.x != 0) return sweep(*transposed(heights), true);
   return sweep(heights, false);

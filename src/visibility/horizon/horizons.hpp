@@ -20,8 +20,9 @@ class TwoHorizons {
 
   TwoHorizons(const Columns& columns, ColumnRange own) : upper_(columns, own), lower_(columns, own) {}
 
-  /// Finds the parts of an edge seen over the band's own columns, as spans of its line: above the upper and below the lower
-  /// horizon apart. Whether a side of an upright line is open: there is no horizon, or nobody has looked.
+  /// Finds the visible parts of an edge over the band's own columns, as spans of its line, separately above the upper
+  /// and below the lower horizon. For an upright line it returns whether a side is open: it has no horizon, or was not
+  /// tested.
   bool find_seen(const SightEdge& edge, std::vector<Span>& above, std::vector<Span>& below) {
     const SightLine& sight = edge.line;
     if (sight.upright()) return find_seen_upright(edge, above);
@@ -31,7 +32,7 @@ class TwoHorizons {
     return true;
   }
 
-  /// From now on the edge is part of the horizons that it is to be part of.
+  /// Adds the edge to the horizons that it raises.
   void raise(const SightEdge& edge) {
     if (edge.line.upright()) return;
     raised_.clear();
@@ -39,7 +40,7 @@ class TwoHorizons {
     if (edge.lower) lower_.raise(edge.line.upside_down(), raised_);
   }
 
-  /// Spans of two bands that are no farther apart are one.
+  /// Largest gap over which spans of two bands are joined.
   double least() const { return upper_.least(); }
 
  private:
@@ -78,7 +79,7 @@ class TwoHorizons {
   std::vector<Span> raised_;  ///< scratch
 };
 
-/// A horizon that is no function of u: for surfaces with holes.
+/// A horizon that is not a function of u: for surfaces with holes.
 class GeneralHorizon {
  public:
   static constexpr bool kCovers = true;

@@ -3,11 +3,11 @@
 
 namespace ligne::horizon {
 
-/// Parts of the u axis that are shorter than this part of it are rounding.
+/// Length on the u axis below which a part is only rounding, as a part of the picture's width.
 inline constexpr double kLeastPart = 0x1p-42;
 
-/// Heights that differ by less than this part of the picture's size are level: they are the sum of a dozen roundings. So are
-/// heights that a line has at places that differ by less.
+/// Difference between level heights, as a part of the picture's size: a height carries a dozen roundings. Heights of
+/// one line at two places that are nearer to each other than this are level, too.
 inline constexpr double kLevelPart = 0x1p-44;
 
 }  // namespace ligne::horizon

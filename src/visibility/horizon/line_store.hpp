@@ -1,5 +1,5 @@
 #pragma once
-/// Where the sweeps over the parts of a grid put what is seen.
+/// The visible lines of the sweeps over all parts of a grid.
 
 #include <array>
 #include <vector>
@@ -13,9 +13,9 @@ namespace ligne::horizon {
 struct LineStore {
   HorizonLines lines;
   Chains outline, border;
-  std::vector<Chains> contours, base_contours;  ///< of each height
-  /// The drawn parts of the curves straight before the eye, which two parts share: the column towards low and high y,
-  /// the row towards low and high x.
+  std::vector<Chains> contours, base_contours;  ///< per height
+  /// Drawn parts of the curves straight in front of the eye, which two parts of the grid share: the column towards low
+  /// and high y, the row towards low and high x.
   std::array<std::vector<Span>, 2> column_ahead, row_ahead;
 };
 

@@ -10,9 +10,10 @@
 namespace ligne::horizon {
 namespace {
 
-/// Rows that are read at a time, by all threads: as many as make so many samples, but some for every thread.
+/// Samples that all threads read at a time, and limits on the number of rows with so many samples: enough rows for
+/// every thread.
 constexpr std::size_t kSamplesAtATime = std::size_t{1} << 13, kFewestRows = 8, kMostRows = 256;
-/// Rows of the block before that the first strip of a block needs.
+/// Rows of the previous block that the first strip of a block needs.
 constexpr std::size_t kCarried = 2;
 
 }  // namespace
@@ -54,7 +55,7 @@ std::size_t PartEdges::next(std::vector<EdgeList>& lists) {
   read_ += count;
   if (first == 0 && grid_.rows.begin > 0) strip_beyond_ = facings_[kCarried + grid_.rows.begin];
 
-  // A strip comes when the facings of the next one are known.
+  // A strip is added once the facings of the next one are known.
   const std::size_t begin = std::max(grid_.rows.begin + 1, std::max<std::size_t>(first, 1) - (first > 0 ? 1 : 0));
   const std::size_t end = read_ == all ? all : read_ - 1;
   lists.resize(end > begin ? end - begin : 0);
@@ -88,7 +89,7 @@ void PartEdges::read(std::size_t row, std::vector<Sample>& samples) const {
   }
 }
 
-/// Facing of the triangle a, b, c, counter-clockwise in columns and rows.
+/// Facing of the triangle a, b, c, whose corners are counter-clockwise in columns and rows.
 std::int8_t PartEdges::facing(const Sample& a, const Sample& b, const Sample& c) const {
   const std::int8_t turned = facing_of(a.seen, b.seen, c.seen, picture_);
   const bool is_same = grid_.columns.sign * grid_.rows.sign * (grid_.transposed ? -1 : 1) > 0;
@@ -116,7 +117,8 @@ void PartEdges::find_facings(const std::vector<Sample>& before, const std::vecto
   }
 }
 
-/// The strip before row r: its cells, its columns' pieces, and row r; the part's first row too when r is the second.
+/// Adds the strip in front of row r: its cells, its pieces of the columns, and row r; also the part's first row if r is
+/// the second.
 void PartEdges::add_strip(const Strip& strip, EdgeList& list) {
   list.clear();
   list.of_band.resize(bands_.size());
@@ -137,7 +139,7 @@ void PartEdges::add_strip(const Strip& strip, EdgeList& list) {
   }
 }
 
-/// The segment of the part's first row before cell c.
+/// Adds the segment of the part's first row in front of cell c.
 void PartEdges::add_near_row(const Strip& strip, std::size_t c, EdgeList& list) {
   const std::size_t begin = grid_.rows.begin;
   const bool drawn = grid_.y.drawn[grid_.rows.order[begin]];
@@ -146,7 +148,7 @@ void PartEdges::add_near_row(const Strip& strip, std::size_t c, EdgeList& list) 
            drawn ? &list.nearest_row : nullptr, begin > 0);
 }
 
-/// Cell c: what is in it, its diagonal, and its edges on the far side.
+/// Adds cell c: its contours, its diagonal, and its edges on the far side.
 void PartEdges::add_cell(const Strip& strip, std::size_t c, CurveTracker* column_curve, CurveTracker* row_curve,
                          EdgeList& list) const {
   const Facings& cell = strip.cells[c];
@@ -175,7 +177,7 @@ void PartEdges::add_cell(const Strip& strip, std::size_t c, CurveTracker* column
     triangle(p, f, q);
   } else if (first_is_nearer(n, f)) {
     contours(n, p, f, cell.first);
-    far_column_edge();  // before the diagonal, whose far end it shares: it may be upright
+    far_column_edge();  // before the diagonal, which ends in it: this edge may be upright
     add_edge(list, n, f, {cell.first, cell.second}, nullptr);
     triangle(n, p, f);
     contours(n, f, q, cell.second);
@@ -192,12 +194,12 @@ void PartEdges::add_cell(const Strip& strip, std::size_t c, CurveTracker* column
   }
 }
 
-/// The state before the first position of a part beyond which nothing is known.
+/// State in front of the first position of a part, if no position before it is given.
 std::int8_t PartEdges::before(const GridAxis::Part& part, const GridAxis& axis) {
   return part.order.front() == 0 || part.order.front() + 1 == axis.at.size() ? kNoFace : kOtherPart;
 }
 
-/// Whether sights cross the diagonal n - f from the side of p to the side of q.
+/// Whether lines of sight cross the diagonal n - f from the side of p to the side of q.
 bool PartEdges::first_is_nearer(const Sample& n, const Sample& f) const {
   const Camera& camera = view_.camera;
   const Point3 sight = camera.perspective ? n.p - camera.eye : camera.forward, diagonal = f.p - n.p;
@@ -205,8 +207,8 @@ bool PartEdges::first_is_nearer(const Sample& n, const Sample& f) const {
   return std::abs(sight[column] * diagonal[row]) <= std::abs(sight[row] * diagonal[column]);
 }
 
-/// An edge between the nearer and the farther of its faces; `curve` when it is drawn as part of a curve. Of an edge straight
-/// before the eye (`ahead`), where two parts meet, each looks at its own side.
+/// Adds an edge between its nearer and its farther face; `curve` if it is drawn as part of a curve. An edge straight in
+/// front of the eye (`ahead`) belongs to two parts; each part tests its own side.
 void PartEdges::add_edge(EdgeList& list, const Sample& a, const Sample& b, Facings faces, CurveTracker* curve,
                          bool ahead) const {
   const auto [nearer, farther] = faces;
@@ -250,7 +252,7 @@ void PartEdges::add_edge(EdgeList& list, const Sample& a, const Sample& b, Facin
       ++list.asked;
     }
   }
-  // The other sides of a triangle that is seen edge on lie on this line: they are asked for before it is added.
+  // The other sides of a triangle seen edge on lie on this line; they are tested before the triangle is added.
   if (thickens) put_triangle(list, {part->a, part->b, part->b});
 }
 
@@ -260,7 +262,7 @@ void PartEdges::add_triangle(EdgeList& list, const Sample& a, const Sample& b, c
   for (std::size_t i = 2; i < contour.size(); ++i) put_triangle(list, {contour[0], contour[i - 1], contour[i]});
 }
 
-/// The contour lines in a triangle.
+/// Adds the contour lines in a triangle.
 void PartEdges::add_contours(EdgeList& list, const Sample& a, const Sample& b, const Sample& c, std::int8_t facing) const {
   const std::array<const Sample*, 3> corners{&a, &b, &c};
   const auto [low, high] = std::minmax({a.p.z, b.p.z, c.p.z});
@@ -269,7 +271,7 @@ void PartEdges::add_contours(EdgeList& list, const Sample& a, const Sample& b, c
     std::array<Point3, 2> ends;
     int n = 0;
     for (int i = 0; i < 3 && n < 2; ++i) {
-      // From the lower to the higher end, so that both neighbours of an edge find the same point.
+      // Interpolates from the lower to the higher end, so that both triangles at an edge find the same point.
       const Sample *s = corners[i], *e = corners[(i + 1) % 3];
       if (s->p.z > e->p.z) std::swap(s, e);
       if (!(s->p.z < *level && *level <= e->p.z)) continue;
@@ -286,7 +288,7 @@ void PartEdges::add_contours(EdgeList& list, const Sample& a, const Sample& b, c
       }
     }
     if (options_.contour_base) {
-      // Points below the surface here can not be seen above nearer ones.
+      // Points below the surface here cannot be visible above nearer ones.
       const double base = *options_.contour_base * options_.z_scale;
       for (Point3& end : ends) end.z = base;
       if (SightEdge* edge = add_contour(list, ends, number)) {
@@ -298,7 +300,7 @@ void PartEdges::add_contours(EdgeList& list, const Sample& a, const Sample& b, c
   }
 }
 
-/// `ends`: the nearer one first. Null when nothing of it is in front.
+/// `ends`: the nearer one first. Null if no part of the segment is in front of the eye.
 SightEdge* PartEdges::add_contour(EdgeList& list, const std::array<Point3, 2>& ends, std::size_t number) const {
   const Sample &a = list.samples.emplace_back(eye_.placed(eye_.sample(ends[0]))),
                &b = list.samples.emplace_back(eye_.placed(eye_.sample(ends[1])));
@@ -311,7 +313,7 @@ SightEdge* PartEdges::add_contour(EdgeList& list, const std::array<Point3, 2>& e
   return &edge;
 }
 
-/// Along every sight this grows.
+/// A distance that grows along every line of sight.
 double PartEdges::away(const Point3& p) const {
   const int column = grid_.transposed ? 1 : 0;
   return grid_.columns.sign * p[column] + grid_.rows.sign * p[1 - column];
@@ -324,7 +326,7 @@ void PartEdges::add_back_lines(EdgeList& list) const {
   for (std::size_t i = 0; i < options_.back_lines.size(); ++i) {
     const auto& line = options_.back_lines[i];
     const Sample a = eye_.sample(line[0]), b = eye_.sample(line[1]);
-    double from = 0, to = 1;  // what is in this part
+    double from = 0, to = 1;  // range of the line in this part of the grid
     if (eye_.perspective()) {
       const Point3& eye = view_.camera.eye;
       const std::array<std::array<double, 2>, 2> ahead{
@@ -349,12 +351,13 @@ void PartEdges::add_back_lines(EdgeList& list) const {
   }
 }
 
-/// The sample with its place on the page: itself, where rows have it, else a copy.
+/// The sample with its place on the page: itself if it has one, else a copy in the list.
 const Sample* PartEdges::placed(EdgeList& list, const Sample& sample) const {
   return sample.placed ? &sample : &list.samples.emplace_back(eye_.placed(sample));
 }
 
-/// Adds an edge for the bands that see it, and for those that hold a part of what it hides; nobody asks for it yet.
+/// Adds an edge to the bands that it passes, and if it raises a horizon to the bands that hold its columns; it has no
+/// goal yet.
 SightEdge& PartEdges::put(EdgeList& list, const FrontPart& part, bool upper, bool lower) const {
   const auto number = static_cast<std::uint32_t>(list.edges.size());
   SightEdge& edge = list.edges.emplace_back();

@@ -9,14 +9,15 @@
 ///     |      |
 ///     n ---- p      before         columns c - 1, c
 ///
-/// Its diagonal runs p - q ("anti") or n - f ("main"), whichever is the one of HiddenBy::surface in the grid's own
-/// directions. `first` is the triangle at the side n - p, `second` the one at the side q - f.
+/// Its diagonal runs p - q ("anti") or n - f ("main"): the diagonal of HiddenBy::surface, seen in the part's
+/// directions. `first` is the triangle at the side n - p, `second` the triangle at the side q - f.
 ///
-/// Invariant: when an edge comes, all that lies before it on any line of sight has come, and nothing that lies behind it.
+/// Invariant: when an edge comes, everything in front of it on any line of sight has come, and nothing behind it has.
 ///
-/// A sight goes over the ground along one straight path, on which the surface is a function. While it rises in the picture
-/// ("facing" > 0: its upper side is seen) each of its points is seen when it is above all before; so the upper horizon needs
-/// to know no more than the edges where the surface stops to rise, and the lower one those where it stops to fall.
+/// A line of sight passes over the ground along one straight path, on which the surface is a function. While the
+/// surface rises in the picture ("facing" > 0: its upper side is visible), a point of it is visible if it is above
+/// everything before. So only the edges where the surface stops rising raise the upper horizon, and only those where it
+/// stops falling the lower one.
 
 #include <vector>
 
@@ -31,7 +32,7 @@ struct GridPart {
   const HeightSource& heights;
   const GridAxis &x, &y;
   const GridAxis::Part &columns, &rows;
-  bool transposed;  ///< x and y have changed places
+  bool transposed;  ///< x and y are exchanged
 
   Point3 placed(double at_x, double at_y, double z) const {
     return transposed ? Point3{at_y, at_x, z} : Point3{at_x, at_y, z};
@@ -40,33 +41,33 @@ struct GridPart {
 
 class PartEdges {
  public:
-  /// `covers`: whether what hides is made of triangles, not of edges alone.
+  /// `covers`: triangles hide, not only edges.
   PartEdges(const GridPart& grid, const View& view, const HorizonOptions& options, const Eye& eye, const Bands& bands,
             bool covers);
 
-  /// Reads the next rows, by all threads, and puts their strips into `lists`, the nearer first. They are good until the next
-  /// call. The number of rows read; none at the end.
+  /// Reads the next rows, with all threads, and puts their strips into `lists`, nearest first. The lists are valid
+  /// until the next call. Returns the number of rows read, 0 at the end.
   std::size_t next(std::vector<EdgeList>& lists);
 
-  /// The lines off the surface, after all strips.
+  /// Adds the lines off the surface, after all strips.
   void add_back_lines(EdgeList& list) const;
 
   std::vector<CurveTracker>& column_curves() { return column_curves_; }
 
  private:
-  /// +1: the upper side is seen, -1: the lower one, 0: edge on. Beyond an edge there may be no face, or one of another part
-  /// of the grid.
+  /// Facing: +1 if the upper side is visible, -1 if the lower one, 0 if edge on. Across an edge there may be no face,
+  /// or a face of another part of the grid.
   static constexpr std::int8_t kNoFace = 2, kOtherPart = 3;
   static bool is_face(std::int8_t facing) { return facing < kNoFace; }
   struct Facings {
     std::int8_t first = kNoFace, second = kNoFace;
     bool any() const { return first != kNoFace; }
   };
-  /// A strip: the rows before and behind it, its cells, and those beyond its farther row.
+  /// A strip: the rows in front of and behind it, its cells, and the cells beyond its farther row.
   struct Strip {
     const std::vector<Sample>&nearer, &row;
     const std::vector<Facings>&cells, &beyond;
-    std::size_t r;  ///< of the farther row
+    std::size_t r;  ///< number of the farther row
   };
   std::int8_t near_column(const Facings& f) const { return anti_ ? f.first : f.second; }
   std::int8_t far_column(const Facings& f) const { return anti_ ? f.second : f.first; }
@@ -82,7 +83,7 @@ class PartEdges {
                 EdgeList& list) const;
   static std::int8_t before(const GridAxis::Part& part, const GridAxis& axis);
   bool first_is_nearer(const Sample& n, const Sample& f) const;
-  /// `faces`: the nearer and the farther one.
+  /// `faces`: facings of the nearer and the farther face.
   void add_edge(EdgeList& list, const Sample& a, const Sample& b, Facings faces, CurveTracker* curve,
                 bool ahead = false) const;
   void add_triangle(EdgeList& list, const Sample& a, const Sample& b, const Sample& c) const;
@@ -100,18 +101,18 @@ class PartEdges {
   const Eye& eye_;
   const Bands& bands_;
   bool covers_;
-  bool anti_;       ///< the diagonal runs from column to column against the rows
-  double picture_;  ///< its width; 0 in perspective
+  bool anti_;       ///< the diagonal is p - q
+  double picture_;  ///< width of the picture; 0 in perspective
   double upright_;
   std::vector<CurveTracker> column_curves_;
-  std::vector<double> levels_;  ///< of contours, scaled
+  std::vector<double> levels_;  ///< heights of the contours, scaled
 
-  std::size_t read_ = 0;  ///< rows so far
-  /// The last two rows of the block before, and then those of this one; of each row the cells before it.
+  std::size_t read_ = 0;  ///< rows read so far
+  /// The last two rows of the block before, then the rows of this block; facings_ holds the cells in front of each row.
   std::vector<std::vector<Sample>> rows_;
   std::vector<std::vector<Facings>> facings_;
-  std::vector<Facings> no_cells_;      ///< behind the last row
-  std::vector<Facings> strip_beyond_;  ///< before the part's first row, where another part begins
+  std::vector<Facings> no_cells_;      ///< cells behind the last row: none
+  std::vector<Facings> strip_beyond_;  ///< cells in front of the part's first row, which belong to another part
 };
 
 }  // namespace ligne::horizon

@@ -5,15 +5,15 @@
 namespace ligne::horizon {
 namespace {
 
-/// Extends the seen part of an upright line to an end that it misses by a rounding, so that it goes on in the next
-/// line.
+/// Extends the visible part of an upright line to an end that it misses only by rounding, so that it continues in the
+/// next line.
 void reach_ends(const Line& line, double least, std::vector<Span>& seen) {
   if (seen.empty()) return;
   if (seen.front().from - line.v0 <= least) seen.front().from = line.v0;
   if (line.v1 - seen.back().to <= least) seen.back().to = line.v1;
 }
 
-/// Puts the parts above and below together.
+/// Merges the parts above and below.
 void join(std::vector<Span>& above, const std::vector<Span>& below) {
   above.insert(above.end(), below.begin(), below.end());
   std::sort(above.begin(), above.end(), [](const Span& s, const Span& t) { return s.from < t.from; });
@@ -41,8 +41,7 @@ PartLines::PartLines(const Eye& eye, const Columns& columns, double least, LineS
       store_(store),
       upright_lines_(columns, upright_) {}
 
-/// The fractions in space of an edge that are seen, and that are to be drawn: of an upright one those on which nothing has
-/// been drawn yet.
+/// The visible fractions of an edge in space that are to be drawn; for an upright edge only those not drawn before.
 const std::vector<Span>& PartLines::seen(const EdgeList& list, std::uint32_t number) {
   const SightEdge& edge = list.edges[number];
   const SightLine& sight = edge.line;
@@ -61,7 +60,7 @@ const std::vector<Span>& PartLines::seen(const EdgeList& list, std::uint32_t num
   if (!below_.empty()) join(seen_, below_);
   if (seen_.empty()) return seen_;
   if (sight.upright()) {
-    // Between two closed sides the horizons rise and fall with what is seen, and nothing is seen twice.
+    // Between two closed sides each visible part moves the horizons, so nothing is found twice.
     if (edge.open) upright_lines_.draw(sight.line().u0, seen_);
     reach_ends(sight.line(), upright_, seen_);
   }

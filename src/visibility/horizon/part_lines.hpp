@@ -1,5 +1,5 @@
 #pragma once
-/// Makes lines on the page from the seen parts of the edges of one part of the grid, in the order of the edges.
+/// Makes lines on the page from the visible parts of the edges of one part of the grid, in the order of the edges.
 
 #include <vector>
 
@@ -11,10 +11,10 @@ namespace ligne::horizon {
 
 class PartLines {
  public:
-  /// Spans of two bands that are no farther apart than `least` are one.
+  /// `least`: largest gap over which spans of two bands are joined.
   PartLines(const Eye& eye, const Columns& columns, double least, LineStore& store);
 
-  /// Takes what the bands have seen of a strip.
+  /// Takes the visible parts of a strip that the bands found.
   void add(EdgeList& list);
 
   UprightLines& upright_lines() { return upright_lines_; }
@@ -27,7 +27,7 @@ class PartLines {
   double upright_, least_;
   LineStore& store_;
   UprightLines upright_lines_;
-  std::vector<std::size_t> taken_;          ///< of each band's spans
+  std::vector<std::size_t> taken_;          ///< per band: number of its spans taken
   std::vector<Span> above_, below_, seen_;  ///< scratch
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The sweep over one part of the grid: edges come from the nearest cell to the farthest, what hides takes them, and what is
-/// seen becomes lines.
+/// The sweep over one part of the grid: edges come from the nearest cell to the farthest, the horizons take them, and
+/// their visible parts become lines.
 
 #include <utility>
 #include <vector>
@@ -23,7 +23,7 @@ class PartSweep {
         lines_(eye_, columns, hiding_.least(), store),
         store_(store) {}
 
-  /// Calls progress(rows done). The number of edges of the surface that were asked for.
+  /// Calls progress(rows done). Returns the number of tested edges of the surface.
   template <class Progress>
   std::size_t run(Progress progress) {
     std::size_t asked = 0;
@@ -47,8 +47,8 @@ class PartSweep {
   }
 
  private:
-  /// Calls share(spans drawn here, spans of all parts) for the curves straight before the eye: each part sees one side of
-  /// them, and where two parts meet v is the same for both.
+  /// Calls share(spans drawn here, spans of all parts) for the curves straight in front of the eye. Each part tests one
+  /// side of these curves; on them v has the same value for both parts.
   template <class Share>
   void share_lines_ahead(Share share) {
     const GridAxis::Part &columns = grid_.columns, &rows = grid_.rows;

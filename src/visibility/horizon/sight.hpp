@@ -7,9 +7,8 @@
 
 namespace ligne::horizon {
 
-/// A point as the viewer sees it on an upright drawing plane. Upright means that verticals stay verticals, whatever the
-/// camera's tilt: what hides what depends on the line of sight alone, so any plane serves, and on this one the horizon is a
-/// function of u.
+/// A point projected to an upright drawing plane, on which verticals stay vertical for any tilt of the camera. Hiding
+/// depends only on the lines of sight, so any plane serves, and on this one the horizon is a function of u.
 struct SightPoint {
   double x, y;  ///< to the right and upwards, before the division by w
   double w;     ///< distance from the viewer along the plane's normal; 1 in parallel projection
@@ -17,7 +16,8 @@ struct SightPoint {
   double v() const { return y / w; }
 };
 
-/// The sight of one part of the grid: all points with sign_x (x - eye_x) >= 0 and sign_y (y - eye_y) >= 0 in perspective.
+/// The projection of one part of the grid: in perspective, of all points with sign_x (x - eye_x) >= 0 and sign_y (y -
+/// eye_y) >= 0.
 class Sight {
  public:
   Sight(const Camera& camera, double sign_x, double sign_y);

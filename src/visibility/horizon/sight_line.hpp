@@ -1,5 +1,5 @@
 #pragma once
-/// A segment as it is compared with a horizon: from left to right, with the way back to fractions in space.
+/// A segment to be compared with a horizon: from left to right, with conversion back to fractions in space.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace ligne::horizon {
 class SightLine {
  public:
   SightLine() = default;
-  /// Upright are segments no wider than `upright`: they have no width that could hide.
+  /// A segment no wider than `upright` is upright: it has no width that could hide.
   SightLine(const SightPoint& a, const SightPoint& b, double upright)
       : w0_(a.w), w1_(b.w), line_{a.u(), a.v(), b.u(), b.v()} {
     upright_ = std::abs(line_.u1 - line_.u0) <= upright;
@@ -26,11 +26,11 @@ class SightLine {
   double height_of_start() const { return turned_ ? line_.v1 : line_.v0; }
   Line upside_down() const { return {line_.u0, -line_.v0, line_.u1, -line_.v1}; }
 
-  /// Spans of u, upright of v, become fractions of the segment in space, ascending.
+  /// Converts spans of u (for an upright segment, of v) to fractions of the segment in space, ascending.
   void to_space(std::vector<Span>& spans) const {
     const double from = upright_ ? line_.v0 : line_.u0, to = upright_ ? line_.v1 : line_.u1, extent = to - from;
     for (Span& s : spans) {
-      if (s.from == from && s.to == to && from < to) {  // most lines are seen as a whole or not at all
+      if (s.from == from && s.to == to && from < to) {  // most lines are visible as a whole or not at all
         s = {0, 1};
         continue;
       }

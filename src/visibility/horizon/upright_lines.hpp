@@ -1,6 +1,6 @@
 #pragma once
-/// The drawn parts of upright lines. In a view along an axis a whole curve, and every rim behind a hole, lies on one
-/// upright line of the picture: what is seen of it twice is drawn once.
+/// The drawn parts of upright lines. In a view along an axis a whole curve, with every rim behind a hole, lies on one
+/// upright line of the picture; a part that is visible twice is drawn once.
 
 #include <cstddef>
 #include <vector>
@@ -12,10 +12,10 @@ namespace ligne::horizon {
 
 class UprightLines {
  public:
-  /// Lines no farther apart than `least` are one; parts no longer are rounding.
+  /// `least`: largest distance between lines that count as one, and length up to which a part is only rounding.
   UprightLines(const Columns& columns, double least) : columns_(columns), least_(least), cells_(columns.count()) {}
 
-  /// Takes away from `spans` (of v, ascending) what has been drawn at u, and remembers the rest as drawn.
+  /// Removes the parts drawn at u from `spans` (of v, ascending), and remembers the rest as drawn.
   void draw(double u, std::vector<Span>& spans);
 
   /// The parts drawn at u: ascending, none touching another.

@@ -18,8 +18,8 @@
 namespace ligne::zbuffer {
 namespace {
 
-constexpr std::uint32_t kBandRows =
-    16;  ///< rows of a band; few enough to stay in the cache while its faces are painted. Adjustable
+/// Rows of a band: few enough to stay in the cache while its faces are painted. Adjustable.
+constexpr std::uint32_t kBandRows = 16;
 /// Relative error of a depth that is stored as a float or computed along a side and a run.
 constexpr double kFloatRounding = 0x1p-22;
 

@@ -39,7 +39,7 @@ struct GridPoint {
 /// too: a whole u with a rounded step would stand still on a steep edge ([Boulle1980] figure 2.38).
 struct EdgeTrack {
   double u = 0, z = 0;                ///< on the current line
-  double du = 0, dz = 0;              ///< from line to line
+  double du = 0, dz = 0;              ///< change from line to line
   std::uint32_t first = 0, last = 0;  ///< lines [first, last) meet the edge
 
   /// An edge that no line meets has first == last, and du, dz go from its upper end to its lower one.
