@@ -10,7 +10,7 @@
 namespace ligne {
 namespace {
 
-/// Open boxes as intervals [first, end) of elementary intervals of y. A box that has ended stays and is passed over.
+/// Open boxes as intervals [first, end) of elementary intervals of y. Closed boxes stay in the tree and are skipped.
 class OpenBoxes {
  public:
   OpenBoxes(std::span<const AxisBox> boxes, std::size_t intervals, DisjointSets& sets) : boxes_(boxes), sets_(sets) {
@@ -21,10 +21,11 @@ class OpenBoxes {
   void insert(std::uint32_t box, std::size_t first, std::size_t end) { insert(box, first, end, 1, 0, leaves_); }
 
  private:
-  /// Invariant: of two of the boxes stored at a node and below it that are open now, both are in one set when `joined`.
+  /// Invariant: if `joined`, all open boxes stored at this node and below it are in one set.
   struct Node {
-    std::uint32_t own = kNone;   ///< the last to end of those stored here: all of them are in one set while it is open
-    std::uint32_t last = kNone;  ///< the last to end of those stored here and below
+    std::uint32_t own = kNone;   ///< the box stored here that ends last; while it is open, all open boxes stored here
+                                 ///< are in its set
+    std::uint32_t last = kNone;  ///< the box stored here or below that ends last
     bool joined = true;
   };
 

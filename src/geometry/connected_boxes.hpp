@@ -1,5 +1,5 @@
 #pragma once
-/// Which rectangles hang together by overlapping.
+/// Groups of rectangles that overlap.
 
 #include <span>
 
@@ -12,13 +12,14 @@ struct AxisBox {
   double x0, y0, x1, y1;
 };
 
-/// Sets of boxes that are connected by common inner points: two boxes with only a border in common are not, nor is one
-/// without an inner point with any.
+/// Sets of boxes that are connected by common inner points. Boxes that share only a border are not connected, and a box
+/// without inner points is connected to none.
 ///
-/// A sweep from left to right. The open boxes are intervals of y in a segment tree. A node knows, of the boxes that are
-/// stored at it and below it, the one that ends last, and whether all that were open are known to be one set. A new box is
-/// joined with the last of every node on its way and, below its own nodes, with the last of those whose boxes are known to
-/// be one set; afterwards all below are. So crowds cost no more than others: O(n log n) joins.
+/// A sweep from left to right keeps the open boxes as intervals of y in a segment tree. Each node knows which of the
+/// boxes stored at it and below it ends last, and whether all open ones are known to be in one set. A new box is joined
+/// with the last box of every node on its path. Below the nodes that store it, the descent stops at nodes whose boxes
+/// are known to be in one set; afterwards all nodes passed are such nodes. So many boxes at one place cost no more than
+/// others: O(n log n) joins.
 DisjointSets connect_boxes(std::span<const AxisBox> boxes);
 
 }  // namespace ligne

@@ -1,6 +1,6 @@
 #pragma once
-/// Sine and cosine of angles in degrees, exact at whole multiples of 90, where those of radians are off by a rounding: pi is
-/// none of the doubles.
+/// Sine and cosine of angles in degrees. They are exact at whole multiples of 90, where the functions of radians are
+/// off by a rounding because no double equals pi.
 
 #include <cmath>
 
@@ -10,7 +10,8 @@ struct SineCosine {
   double sine, cosine;
 };
 
-/// At whole multiples of 90 degrees 0, 1 and -1. The sine is odd and the cosine even, exactly. NaN for what is not finite.
+/// 0, 1 or -1 at whole multiples of 90 degrees. The sine is odd and the cosine even, exactly. NaN if `degrees` is not
+/// finite.
 inline SineCosine sine_cosine_degrees(double degrees) {
   constexpr double kDegree = 3.14159265358979323846 / 180;
   int quarters = 0;

@@ -21,8 +21,8 @@
 namespace ligne {
 namespace {
 
-/// Sign of: d lies within the circle through a, b, c, which turn counter-clockwise. Differences have 27 bits, their
-/// squares' sums 55, the products of three 111: exact in 128.
+/// Sign of the in-circle determinant: positive if d lies within the circle through a, b, c, which turn
+/// counter-clockwise. Differences have 27 bits, sums of their squares 55, products of all three 111: exact in 128.
 bool in_circle(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint d) {
   struct Lifted {
     std::int64_t x, y, square;
@@ -60,20 +60,20 @@ class Triangulation {
  private:
   struct Place {
     LatticePoint at;
-    std::uint32_t number;  ///< of the caller's points
+    std::uint32_t number;  ///< index among the caller's points
   };
 
-  /// Along what a set of points is cut, and where.
+  /// Axis across which a set of points is divided, and the way the place of the division is chosen.
   enum class Axis { x, y };
   enum class Cut { by_keys, in_halves };
 
-  /// The hull's edges that leave its lowest point along an axis counter-clockwise, and its highest one clockwise.
+  /// Two edges of the hull: counter-clockwise from its lowest point along an axis, and clockwise from its highest.
   using Ends = std::pair<Edge, Edge>;
 
   struct HalfEdge {
-    Edge next, previous;  ///< in the ring
-    std::uint32_t from;   ///< kNone for edges that were removed
-    std::uint32_t face;   ///< on the left, once all is done
+    Edge next, previous;  ///< in the ring around `from`
+    std::uint32_t from;   ///< kNone for removed edges
+    std::uint32_t face;   ///< on the left; set at the end
   };
 
   std::uint32_t from(Edge e) const { return edges_[e].from; }
@@ -105,14 +105,14 @@ class Triangulation {
     return e;
   }
 
-  /// Joins two rings, or divides one.
+  /// Joins two rings, or divides one ring.
   void splice(Edge a, Edge b) {
     std::swap(edges_[a].next, edges_[b].next);
     edges_[edges_[a].next].previous = a;
     edges_[edges_[b].next].previous = b;
   }
 
-  /// An edge from the end of a to the beginning of b, so that all three have one face on their left.
+  /// Adds an edge from the end of a to the beginning of b, such that all three have one face on their left.
   Edge connect(Edge a, Edge b) {
     const Edge e = make(to(a), from(b));
     splice(e, next_left(a));
@@ -127,14 +127,14 @@ class Triangulation {
     removed_.push_back(e & ~Edge{1});
   }
 
-  /// By the axis, then by the one that a quarter turn makes of the other.
+  /// Orders by the coordinate of the axis, then by the other one as a quarter turn makes it.
   static bool is_before(const Place& a, const Place& b, Axis axis) {
     const LatticePoint &p = a.at, &q = b.at;
     return axis == Axis::x ? std::pair(p.x, p.y) < std::pair(q.x, q.y) : std::pair(p.y, -p.x) < std::pair(q.y, -q.x);
   }
   bool is_before(std::uint32_t a, std::uint32_t b, Axis axis) const { return is_before(points_[a], points_[b], axis); }
 
-  /// `edge`: of the hull, counter-clockwise.
+  /// `edge` is an edge of the hull, counter-clockwise.
   Ends ends_along(Axis axis, Edge edge) const {
     Edge lowest = edge, highest = edge ^ 1;
     for (Edge e = previous_right(edge); e != edge; e = previous_right(e)) {
@@ -144,8 +144,8 @@ class Triangulation {
     return {lowest, highest};
   }
 
-  /// Gives an edge of the hull, counter-clockwise. The calls nest no deeper than keys have bits, and halves beyond
-  /// that.
+  /// Returns an edge of the hull, counter-clockwise. Calls nest at most as deep as the keys have bits, plus the
+  /// halvings.
   Edge divide(std::uint32_t begin, std::uint32_t end, Cut cut) {
     if (end - begin == 2) return make(begin, begin + 1);
     if (end - begin == 3) return three(begin);
@@ -155,7 +155,7 @@ class Triangulation {
       const int bit = std::bit_width(keys_[begin] ^ keys_[end - 1]) - 1;
       const auto first = keys_.begin() + begin, last = keys_.begin() + end;
       const auto upper = std::lower_bound(first, last, keys_[end - 1] >> bit << bit);
-      // A part of one point has no edge. There the points are cut in halves, and leave the order of their keys.
+      // A part with one point has no edge. Then the points are divided into halves by coordinates instead of by keys.
       if (upper - first < 2 || last - upper < 2) return divide(begin, end, Cut::in_halves);
       middle = static_cast<std::uint32_t>(upper - keys_.begin());
       axis = bit % 2 == 0 ? Axis::x : Axis::y;
@@ -190,7 +190,7 @@ class Triangulation {
     return turned > 0 ? a : c ^ 1;
   }
 
-  /// Gives an edge of the hull, counter-clockwise.
+  /// Returns an edge of the hull, counter-clockwise.
   Edge merge(Ends left, Ends right) {
     Edge inner_left = left.second, inner_right = right.first;
     for (;;) {  // the common tangent from below
@@ -229,7 +229,7 @@ class Triangulation {
     }
   }
 
-  /// The faces on the left of all edges that are triangles.
+  /// Collects the triangles among the faces on the left of the edges.
   Delaunay collect() {
     Delaunay result;
     result.triangles.reserve(2 * points_.size());
@@ -249,9 +249,9 @@ class Triangulation {
   }
 
   std::vector<Place> points_;
-  std::vector<std::uint64_t> keys_;  ///< of the points as they came
+  std::vector<std::uint64_t> keys_;  ///< of the points in the order given
   std::vector<HalfEdge> edges_;
-  std::vector<Edge> removed_;  ///< pairs to be used again
+  std::vector<Edge> removed_;  ///< pairs that can be reused
 };
 
 }  // namespace

@@ -18,11 +18,11 @@ struct Delaunay {
   std::vector<std::array<std::uint32_t, 3>> neighbours;
 };
 
-/// Triangulates the convex hull. Points are different, ascend by morton_key() (geometry/morton.hpp), and have coordinates
-/// of at most kLatticeLimit. There are no triangles when all points lie on a line. All signs are exact; of four points on a
-/// circle either diagonal may be taken. Divide and conquer with edges in rings round their ends [GuibasStolfi1985]; the
-/// parts are squares and halves of squares, not strips, so that few edges are made in vain [Dwyer1987]: O(n) for points
-/// evenly strewn, O(n log n) in all cases that the lattice can hold.
+/// Triangulates the convex hull. Requires distinct points that ascend by morton_key() (geometry/morton.hpp), with
+/// coordinates of at most kLatticeLimit. There are no triangles if all points lie on a line. All signs are exact; of
+/// four points on a circle either diagonal may be chosen. Divide and conquer with edges in rings around their ends
+/// [GuibasStolfi1985]. The parts are squares and halves of squares, not strips, so that few edges are made and removed
+/// again [Dwyer1987]: O(n) for evenly distributed points, O(n log n) in all cases that the lattice can hold.
 Delaunay triangulate_delaunay(std::span<const LatticePoint> points);
 
 }  // namespace ligne

@@ -8,7 +8,7 @@ Int128 whole(double v) { return static_cast<std::int64_t>(v); }
 /// floor(d num / den + 1/2) on the fine lattice. |d| <= 2^26, so that the largest number below has 26 + 53 + 17 bits.
 std::int64_t fine_offset(double d, SegmentParameter t) {
   constexpr double kParts = 1 << kFineBits;
-  // Three roundings of a value below 2^27 + 16 bits; where the nearest half is farther than that the doubles decide.
+  // Bound on three roundings of a value below 2^27 + 16 bits. Doubles decide if the nearest half is farther than this.
   constexpr double kDoubt = 0x1p-7;
   const double v = d * (t.num / t.den) * kParts + 0.5;
   const double below = std::floor(v);

@@ -14,16 +14,18 @@ using Index = std::uint32_t;
 using Triple = std::array<Index, 3>;
 constexpr Index kOutside = 0xffffffffu;
 
-/// Adjustable: the bounds on the work. A grid of holes needs flips with the side of the grid (52 for each triangle of a
-/// hundred thousand corners), a square with its corners on the sides many more; most shapes need one for two triangles.
+/// Largest number of flips: per triangle, and in all. Adjustable. A grid of holes needs flips in proportion to the side
+/// of the grid (52 per triangle at a hundred thousand corners), and a square with its corners on the sides needs many
+/// more. Most shapes need one flip per two triangles.
 constexpr std::size_t kFlipsPerTriangle = 64, kMostFlips = 10'000'000;
 
-/// Shewchuk 1997, section 4.4: of the sum of the sizes of the terms. Below it the circle decides nothing, so an edge is only
-/// flipped when it surely is not Delaunay, and none is flipped to and fro.
+/// Error bound of the in-circle determinant, relative to the sum of the sizes of its terms (Shewchuk 1997, section
+/// 4.4). A smaller determinant decides nothing. So only edges that surely are not Delaunay are flipped, and no edge is
+/// flipped back and forth.
 constexpr double kCircleErrorBound =
     (10 + 48 * std::numeric_limits<double>::epsilon()) * (std::numeric_limits<double>::epsilon() / 2);
 
-/// Whether d surely lies inside the circle through a, b, c, which are counter-clockwise.
+/// Whether d surely lies inside the circle through a, b, c, which turn counter-clockwise.
 bool is_inside_circle(Point2 a, Point2 b, Point2 c, Point2 d) {
   a -= d, b -= d, c -= d;
   const double bc = b.x * c.y, cb = c.x * b.y, ca = c.x * a.y, ac = a.x * c.y, ab = a.x * b.y, ba = b.x * a.y;
@@ -33,7 +35,7 @@ bool is_inside_circle(Point2 a, Point2 b, Point2 c, Point2 d) {
   return la * (bc - cb) + lb * (ca - ac) + lc * (ab - ba) > kCircleErrorBound * size;
 }
 
-/// Side k of triangle t, from its corner k to the next one, has the number 3 t + k.
+/// Flips edges. Side k of triangle t, from its corner k to the next one, has the number 3 t + k.
 class Flipper {
  public:
   Flipper(const std::vector<Point2>& positions, std::vector<Triple>& triangles)
@@ -66,7 +68,7 @@ class Flipper {
   Index from(Index side) const { return t_[side / 3][side % 3]; }
 
   void find_neighbours() {
-    // Sides by the lower of their two positions.
+    // Sides, sorted by the lower of their two positions.
     std::vector<Index> begin(p_.size() + 1, 0);
     const auto lower = [&](Index side) { return std::min(from(side), from(turned(side, 1))); };
     const auto sides = static_cast<Index>(across_.size());
@@ -87,8 +89,8 @@ class Flipper {
     }
   }
 
-  /// The side a b between the triangles a b c and b a d is exchanged for c d, when it is not Delaunay and they are convex
-  /// together.
+  /// Whether the side a b of the triangles a b c and b a d is to become c d: it is not Delaunay, and the two triangles
+  /// form a convex quadrilateral.
   bool is_to_be_flipped(Index side) const {
     const Index other = across_[side];
     if (other == kOutside) return false;
@@ -101,7 +103,7 @@ class Flipper {
     if (other != kOutside) across_[other] = side;
   }
 
-  /// a b c and b a d become d c a (where a b c was) and c d b.
+  /// Replaces a b c and b a d by d c a (in the place of a b c) and c d b.
   void flip(Index side) {
     const Index other = across_[side];
     const Index a = from(side), b = from(other), c = from(turned(side, 2)), d = from(turned(other, 2));
@@ -122,7 +124,7 @@ class Flipper {
 
   const std::vector<Point2>& p_;
   std::vector<Triple>& t_;
-  std::vector<Index> across_;  ///< by side: the same side of the other triangle
+  std::vector<Index> across_;  ///< per side: the coincident side of the neighbouring triangle
 };
 
 }  // namespace

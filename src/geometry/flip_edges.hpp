@@ -1,5 +1,5 @@
 #pragma once
-/// Triangulations made less slender.
+/// Makes triangulations less slender.
 
 #include <array>
 #include <cstdint>
@@ -9,9 +9,10 @@
 
 namespace ligne {
 
-/// Flips edges between two triangles until each is locally Delaunay (Lawson 1977: the constrained Delaunay triangulation),
-/// or until a bound on their number is met, which is linear in the number of triangles. What the triangles cover stays as it
-/// is. `triangles` are triples of positions, counter-clockwise, and do not overlap.
+/// Flips edges between two triangles until each is locally Delaunay (Lawson 1977: the constrained Delaunay
+/// triangulation), or until a bound on the number of flips is reached, which is linear in the number of triangles. The
+/// triangles cover the same area as before. `triangles` are triples of positions, counter-clockwise, and do not
+/// overlap.
 void flip_to_delaunay(const std::vector<Point2>& positions, std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 }  // namespace ligne

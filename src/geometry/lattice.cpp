@@ -6,7 +6,7 @@
 namespace ligne {
 namespace {
 
-/// A page without extent gets the lattice of one a picometre wide, so that the step stays a normal number.
+/// Smallest extent of a page that sets the lattice, in millimetres: a picometre keeps the step a normal number.
 constexpr double kLeastExtentMm = 1e-9;
 
 }  // namespace
@@ -15,8 +15,8 @@ Lattice Lattice::covering(const Rect& page_mm, int margin_steps) {
   Lattice lattice;
   if (page_mm.empty()) return lattice;
   const double half = std::max({page_mm.width(), page_mm.height(), kLeastExtentMm}) / 2;
-  // One step of slack on every side keeps rounded coordinates inside the limit, another one the origin, which is rounded
-  // too.
+  // One step of slack on every side keeps rounded coordinates within the limit; another allows for the rounding of the
+  // origin.
   const int exponent = static_cast<int>(std::ceil(std::log2(half / (kLatticeLimit - 2 - margin_steps))));
   lattice.step_mm = std::ldexp(1.0, exponent);
   const Point2 centre = (page_mm.min + page_mm.max) * 0.5;

@@ -4,7 +4,7 @@
 /// After projection every x and y is a whole number of lattice steps, |x|, |y| <= 2^25. A difference of two coordinates
 /// then has 26 bits, a product of two differences 52, and the sum of two such products 53: every orientation determinant
 /// is exact in plain double arithmetic, with no filter and no fallback. The step is a power of two in millimetres, about
-/// 8 nm on A4 and 31 nm on A0, far below the micrometre that a drawing owes. See docs/numerics.md.
+/// 8 nm on A4 and 31 nm on A0, far below the micrometre that a drawing needs. See docs/numerics.md.
 
 #include <compare>
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace ligne {
 struct LatticePoint {
   std::int32_t x = 0;
   std::int32_t y = 0;
-  /// Equal, and by x, then by y: for sorting.
+  /// Equality, and the order by x, then by y, for sorting.
   friend auto operator<=>(const LatticePoint&, const LatticePoint&) = default;
 };
 
@@ -39,8 +39,8 @@ struct Lattice {
   Point2 origin_mm{0, 0};  ///< page position of lattice point (0, 0); a whole number of steps
   double step_mm = 1;      ///< a power of two
 
-  /// The finest lattice that holds the rectangle and `margin_steps` of its steps round it. Rectangles without area are
-  /// welcome; an empty one gives a step of 1 mm.
+  /// The finest lattice that holds the rectangle and `margin_steps` of its steps around it. Rectangles without area are
+  /// allowed; an empty one gives a step of 1 mm.
   static Lattice covering(const Rect& page_mm, int margin_steps = 0);
 
   /// Nearest lattice point; coordinates outside the limit are clamped to it.

@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers of lattice points along a Morton curve [Morton1966]: what is near in number is near in the plane.
+/// Numbers lattice points along a Morton curve [Morton1966]: points with near numbers are near in the plane.
 
 #include <cstdint>
 
@@ -7,9 +7,10 @@
 
 namespace ligne {
 
-/// The bits of x and of y by turns, y's above x's. Points with |coordinate| <= kLatticeLimit have the same key only when
-/// they are the same point. Where the highest bit that differs within a set of keys is an even one, the points with a 0
-/// there have all a smaller x than those with a 1; where it is odd, a smaller y.
+/// Interleaves the bits of x and y, the bit of y above that of x. Points with
+/// coordinate
+/// <= kLatticeLimit have equal keys only if they are equal. Let b be the highest bit that differs within a set of keys.
+/// Points with a 0 there all have a smaller x than points with a 1 if b is even, and a smaller y if b is odd.
 inline std::uint64_t morton_key(LatticePoint p) {
   const auto spread = [](std::int32_t coordinate) {
     auto v = static_cast<std::uint64_t>(std::int64_t{coordinate} + kLatticeLimit);

@@ -1,12 +1,12 @@
 #pragma once
-/// The place on a segment that is nearest to a point, on the page and in space.
+/// The point of a segment that is nearest to a given point, on the page and in space.
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 
 namespace ligne {
 
-/// From 0 at `from` to 1 at `to`; 0 where the segment has no length. Rounded.
+/// Parameter of the nearest point: 0 at `from`, 1 at `to`, 0 if the segment has no length. Rounded.
 template <class Point>
 double nearest_on_segment(const Point& p, const Point& from, const Point& to) {
   const Point along = to - from;

@@ -9,7 +9,7 @@ namespace ligne {
 using Point2 = glm::dvec2;
 using Point3 = glm::dvec3;
 
-/// The area of the parallelogram of u and v: positive when u turns towards v from +x towards +y.
+/// Area of the parallelogram of u and v: positive when the turn from u to v is the turn from +x towards +y.
 inline double cross(Point2 u, Point2 v) { return u.x * v.y - u.y * v.x; }
 
 /// Axis-aligned rectangle [min.x, max.x] x [min.y, max.y]. Empty (min > max) until extended.

@@ -7,8 +7,8 @@
 namespace ligne {
 namespace {
 
-/// A sum of doubles that do not overlap, in ascending order of size; its value is the exact sum, its sign that of the last
-/// component that is not zero.
+/// A sum of non-overlapping doubles in ascending order of size. Its value is the exact sum; its sign is that of the
+/// last component that is not zero.
 class Expansion {
  public:
   /// Adds x exactly: the rounding error of each two-sum stays as a component of its own.
@@ -58,7 +58,7 @@ double difference_error(double a, double b) {
   return (a - (difference + b_taken)) + (b_taken - b);
 }
 
-/// True when the differences of the coordinates from those of c carry no rounding: the rule among input that is collinear.
+/// True when the differences of the coordinates from those of c are exact, as they mostly are in collinear input.
 bool differences_are_exact(Point2 a, Point2 b, Point2 c) {
   return difference_error(a.x, c.x) == 0 && difference_error(b.y, c.y) == 0 && difference_error(a.y, c.y) == 0 &&
          difference_error(b.x, c.x) == 0;

@@ -7,12 +7,12 @@
 namespace ligne {
 namespace {
 
-/// A matrix is diagonal when the rest is less than half a unit in the last place of the diagonal.
+/// Largest off-diagonal part of a matrix taken as diagonal, relative to the diagonal: half a unit in the last place.
 constexpr double kDiagonal = 0x1p-53;
-/// Rotations that make an entry zero are repeated so often at the most; they converge quadratically.
+/// Largest number of sweeps of rotations. They converge quadratically, so few are needed.
 constexpr int kMostSweeps = 12;
 
-/// Applies the rotation by which the entry (p, q) of the symmetric matrix m becomes zero to m and to the columns of v.
+/// Applies the rotation that makes the entry (p, q) of the symmetric matrix m zero, to m and to the columns of v.
 void rotate(Matrix3& m, Matrix3& v, std::size_t p, std::size_t q) {
   if (m[p][q] == 0) return;
   const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
@@ -59,7 +59,7 @@ std::optional<Point3> solve(const Matrix3& m, const Point3& b) {
   const Point3 c0(m[0][0], m[1][0], m[2][0]), c1(m[0][1], m[1][1], m[2][1]), c2(m[0][2], m[1][2], m[2][2]);
   const Point3 c12 = glm::cross(c1, c2);
   const double det = glm::dot(c0, c12);
-  // Below this part of the product of the columns' lengths rounding decides.
+  // Smallest determinant relative to the product of the columns' lengths; below it rounding decides.
   constexpr double kSingular = 1e-12;
   if (!(std::abs(det) > kSingular * glm::length(c0) * glm::length(c1) * glm::length(c2))) return std::nullopt;
   return Point3(glm::dot(b, c12), glm::dot(c0, glm::cross(b, c2)), glm::dot(c0, glm::cross(c1, b))) / det;

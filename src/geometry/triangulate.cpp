@@ -17,10 +17,10 @@ namespace {
 using Index = std::uint32_t;
 using Triple = std::array<Index, 3>;
 
-/// Adjustable: polygons of so many corners at the most are cut by ears alone, which are as quick there.
+/// Largest number of corners of a polygon that is cut by ears without a sweep, which is as fast there. Adjustable.
 constexpr std::size_t kFewCorners = 256;
 
-/// +1 or -1 when the contour is strictly convex and goes round once, in that direction; otherwise 0.
+/// +1 or -1 if the contour is strictly convex and winds once in that direction; otherwise 0.
 int convex_sign(std::span<const Point2> c) {
   const std::size_t n = c.size();
   const int sign = orientation_sign(c[n - 1], c[0], c[1]);
@@ -35,7 +35,7 @@ int convex_sign(std::span<const Point2> c) {
   return changes == 2 ? sign : 0;
 }
 
-/// The points, scaled by a power of two when their size would take products out of the range of exact predicates.
+/// The points, scaled by a power of two if their size would take products out of the range of exact predicates.
 std::vector<Point2> in_exact_range(std::span<const Point2> points) {
   constexpr int kLargestExponent = 400, kSmallestExponent = -200;
   double largest = 0;
@@ -57,7 +57,7 @@ struct Cut {
   bool whole = true;
 };
 
-/// Triangles as they come, slender ones too where `slender`.
+/// Cuts the polygon. `slender`: edges are not flipped, so that slender triangles stay.
 Cut cut(const ContourEdges& contours, bool slender) {
   SweptContours swept;
   if (contours.edges.size() <= kFewCorners) {
@@ -74,7 +74,7 @@ Cut cut(const ContourEdges& contours, bool slender) {
   return {std::move(swept.triangles), true};
 }
 
-/// Whether one contour is all, so small and strictly convex that the triangles about its first corner will do.
+/// Whether the only contour is so small and strictly convex that a fan about its first corner suffices.
 bool is_small_and_convex(std::span<const Point2> points, std::span<const std::uint32_t> contour_end) {
   return contour_end.size() == 1 && contour_end[0] <= kFewCorners && convex_sign(points.first(contour_end[0])) != 0;
 }

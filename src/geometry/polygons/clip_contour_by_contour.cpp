@@ -8,11 +8,11 @@
 namespace ligne {
 namespace {
 
-/// Collects the parts of one edge after the other that border a set of points.
+/// Collects the parts of edges that border a set of points, one edge after the other.
 class BorderCollector {
  public:
-  /// The part from-to of the edge has the set on its left, on its right, on both sides or on none. `continues`: it continues
-  /// the part given before, and nothing ends there.
+  /// Adds the part from-to of the edge, which has the set on its left, on its right, on both sides or on none.
+  /// `continues`: the part continues the part added before, with no corner between them.
   void part(const ContourEdge& edge, SegmentParameter from, SegmentParameter to, bool left, bool right, bool continues) {
     if (left == right) return;
     if (continues && !edges_.empty() && edges_.back().reversed == right && edges_.back().segment == edge.segment &&
@@ -29,7 +29,7 @@ class BorderCollector {
   std::vector<ContourEdge> edges_;
 };
 
-/// A rectangle round corners as they are rounded, and a fine step more.
+/// A bounding box of corners rounded to the fine lattice, enlarged by one fine step.
 class FineBox {
  public:
   void extend(const ContourEdge& edge) {

@@ -1,12 +1,11 @@
 #pragma once
 /// A face clipped by a face: the elementary operation of Atherton and Weiler.
 ///
-/// P. Atherton, K. Weiler, "Hidden surface removal using polygon area sorting", SIGGRAPH 1977; contours of any form, with
-/// holes. The papers walk from intersection to intersection and change over to the other contour there; where corners lie on
-/// edges or edges on edges the walk needs cases, and each case a rule. Here nothing is walked before everything is known:
-/// every edge of both faces is cut into parts on whose two sides nothing changes, a part belongs to the border of a result
-/// when the result lies on one of its sides and not on the other, and the parts found are linked. See
-/// geometry/polygons/edge_overlay.hpp for the singular cases.
+/// P. Atherton, K. Weiler, "Hidden surface removal using polygon area sorting", SIGGRAPH 1977; contours of any form,
+/// with holes. The paper walks along a contour and changes to the other one at each intersection. Where corners lie on
+/// edges or edges on edges, that walk needs special cases. Here every edge of both faces is first cut into parts whose
+/// two sides are uniform. A part belongs to the border of a result if the result lies on exactly one of its sides. The
+/// parts found are then linked. See geometry/polygons/edge_overlay.hpp for the singular cases.
 
 #include <span>
 #include <vector>
@@ -19,14 +18,13 @@ struct ClipResult {
   std::vector<ContourFace> inside, outside;  ///< of the subject, inside and outside the clip face
 };
 
-/// Clips the subject face by the clip face. Either may be any set of faces, given as the faces of the other lists are; where
-/// they overlap each other the set counts once.
+/// Clips the subject face by the clip face. Either may be any set of faces; faces of one set that overlap count once.
 ///
 /// Identities: inside and outside have no inner point in common and together are the subject; clip(a, b).inside and clip(b,
 /// a).inside cover the same points; clip(a, a) gives a and nothing. Corners that the results have in common have the same
 /// coordinates. Exact for source segments with |coordinates| <= kLatticeLimit. Time: the product of the numbers of edges.
-/// `closed`: see link_edges(). Results that are clipped again are to be closed, and the faces of each list kept together. Of
-/// edges that lie on each other those of the subject are then kept.
+/// `closed`: see link_edges(). It is needed for results that are clipped again, if the faces of each list are kept
+/// together. Of coincident edges, those of the subject are then kept.
 ClipResult clip_contour_by_contour(std::span<const ContourFace> subject, std::span<const ContourFace> clip,
                                    bool closed = false);
 

@@ -13,10 +13,11 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// Adjustable: so many positions are looked at one by one.
+/// Smallest number of positions that are searched by blocks; fewer are tested one by one. Adjustable.
 constexpr std::size_t kLeastBlock = 64;
 
-/// Far above the rounding errors of the height of a line at a place, which are a few units in the last place of its ends.
+/// Relative tolerance of the height of a line at a given x, far above its rounding error of a few units in the last
+/// place.
 constexpr double kHeightError = 1e-12;
 
 bool lexicographically_less(Point2 a, Point2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
@@ -52,7 +53,7 @@ int sign_at_smallest_corner(std::span<const Point2> contour) {
   int sign = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t before = (i + n - 1) % n;
-    // Among equal corners in a row the first one speaks.
+    // In a run of equal corners only the first one counts.
     if (contour[i] != smallest || contour[before] == smallest) continue;
     std::size_t after = (i + 1) % n;
     while (contour[after] == smallest) after = (after + 1) % n;
@@ -70,7 +71,8 @@ int contour_sign(std::span<const Point2> contour) {
     twice_area += a.x * b.y - a.y * b.x;
     size += std::abs(a.x * b.y) + std::abs(a.y * b.x);
   }
-  // Two roundings in each product's factors, one each in product, difference and sum over n terms, to first order.
+  // Two roundings in the factors of each product, and one each in product, difference and sum over n terms, to first
+  // order.
   const double bound = (static_cast<double>(contour.size()) + 5) * std::numeric_limits<double>::epsilon() * size;
   if (std::abs(twice_area) > bound) return twice_area > 0 ? 1 : -1;
   return sign_at_smallest_corner(contour);

@@ -5,8 +5,9 @@
 namespace ligne {
 namespace {
 
-/// Twice the area of the loop about its first corner: |coordinates| < 2^43, a product 2^88, thousands of millions of them
-/// 2^120.
+/// Twice the area of the loop about its first corner.
+/// coordinates
+/// < 2^43, so a product has 88 bits, and the sum of some thousand million products 120.
 Int128 exact_twice_area(const EdgeLoop& loop) {
   if (loop.empty()) return 0;
   const FinePoint origin = loop.front().begin();
@@ -22,7 +23,7 @@ Int128 exact_twice_area(const EdgeLoop& loop) {
 
 double in_steps(Int128 twice_area) { return std::ldexp(static_cast<double>(twice_area), -2 * kFineBits); }
 
-/// Adds what an edge a-b does to the winding about p, seen along +x; true when p lies on the edge.
+/// Adds the contribution of edge a-b to the winding about p, along a ray in +x; true if p lies on the edge.
 bool count_winding(FinePoint a, FinePoint b, FinePoint p, int& winding) {
   const Int128 turn = Int128{b.x - a.x} * (p.y - a.y) - Int128{b.y - a.y} * (p.x - a.x);
   if (turn == 0 && (a.x < b.x ? a.x <= p.x && p.x <= b.x : b.x <= p.x && p.x <= a.x) &&
@@ -40,7 +41,7 @@ ContourFace make_contour_face(std::span<const std::vector<LatticePoint>> contour
   ContourFace face;
   for (std::size_t c = 0; c < contours.size(); ++c) {
     const std::vector<LatticePoint>& points = contours[c];
-    double area = 0;  // its sign only; contours that turn both ways equally have no area to speak of
+    double area = 0;  // only its sign is used; contours that turn equally both ways have no defined side
     EdgeLoop loop;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const LatticePoint a = points[i], b = points[i + 1 == points.size() ? 0 : i + 1];

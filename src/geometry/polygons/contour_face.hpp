@@ -1,10 +1,10 @@
 #pragma once
-/// Faces whose contours are led back to the lattice segments that they came from.
+/// Faces whose contours refer to the lattice segments that they came from.
 ///
-/// A corner made by a clip lies on no lattice, so it is not stored as a point: an edge of a contour is a run on a *source
-/// segment*, whose ends are lattice points, from one exact parameter to another. A clip shortens runs and changes no
-/// segment. So every predicate works on the segments as they were given, exactly, however many clips came before; and each
-/// piece of a border knows where it comes from.
+/// A corner made by a clip lies on no lattice, so it is not stored as a point. An edge of a contour is a run on a
+/// *source segment*, whose ends are lattice points, from one exact parameter to another. Clipping shortens runs but
+/// never changes a segment. So every predicate is exact on the segments as given, after any number of clips, and each
+/// piece of a border knows its source.
 
 #include <cstdint>
 #include <span>
@@ -38,22 +38,22 @@ struct ContourFace {
   std::vector<EdgeLoop> contours;
 };
 
-/// A face from closed contours of lattice points, the first outer, in either winding. Edges get the sources `first_source`,
-/// and so on, one by corner. Repeated corners are skipped. Contours may touch themselves and each other; they are not to
-/// cross.
+/// Makes a face from closed contours of lattice points, the first one outer, in either winding. The edges get the
+/// sources `first_source`, `first_source` + 1 and so on, one per corner. Repeated corners are skipped. Contours may
+/// touch themselves and each other, but must not cross.
 ContourFace make_contour_face(std::span<const std::vector<LatticePoint>> contours, std::uint32_t first_source = 0);
 
-/// Faces bounded by the edges, given in any order: with the inside on their left they form closed contours. Of edges that
-/// lie on each other one is kept, and two that run against each other vanish.
+/// Faces bounded by the edges, which may come in any order and form closed contours with the inside on their left. Of
+/// coincident edges one is kept; two that run in opposite directions vanish.
 ///
-/// Invariants: contours of one face do not cross; a corner appears once in a contour; faces that have only corners in common
-/// are faces of their own. Runs on one source that follow each other are one edge, but where other contours touch it.
-/// Contours without area are left out.
+/// Invariants: contours of one face do not cross; a corner appears once in a contour; faces that share only corners are
+/// separate faces. Consecutive runs on one source are merged, except where other contours touch. Contours without area
+/// are left out.
 ///
-/// With `closed` contours stay closed exactly, not only on the fine lattice: runs shorter than that can resolve, which are
-/// otherwise left out, are kept in a contour that passes there, begin() and end() the same. For faces that will be clipped
-/// again: lines along their edges may pass through the gap. And of edges that lie on each other the first one is kept,
-/// otherwise that of the lowest source.
+/// With `closed`, contours stay closed exactly, not only on the fine lattice: runs with equal begin() and end() on the
+/// fine lattice, which are otherwise left out, are kept in a contour that passes there. Use it for faces that will be
+/// clipped again, since lines along their edges could pass through the gap. Of coincident edges the first is then kept,
+/// otherwise the one with the lowest source.
 std::vector<ContourFace> link_edges(std::vector<ContourEdge> edges, bool closed = false);
 
 /// Twice the signed area in square steps, computed exactly from the corners on the fine lattice and rounded once.

@@ -1,6 +1,6 @@
 // Phase 1  pieces that run against each other cancel out.
-// Phase 2  at every position an arriving piece is followed by the first leaving piece clockwise from it: between the two
-//          lies one sector of the inside. That gives every piece one successor; its cycles are the loops.
+// Phase 2  at every position an arriving piece is followed by the first leaving piece clockwise from it: between the
+// two lies one sector of the inside. So every piece has one successor, and the cycles of successors are the loops.
 
 #include "geometry/polygons/contour_links.hpp"
 
@@ -19,7 +19,7 @@ namespace {
 using Index = std::uint32_t;
 using DirectedEdge = std::pair<Index, Index>;
 
-/// Takes away pieces in pairs that run against each other. Returns the rest ordered by their first position.
+/// Removes pairs of pieces that run in opposite directions. Returns the rest ordered by first position.
 std::vector<DirectedEdge> cancel_opposite(std::vector<SweepEdge> pieces) {
   const auto ends = [](const SweepEdge& e) { return std::pair{e.low, e.high}; };
   std::sort(pieces.begin(), pieces.end(), [&](const SweepEdge& a, const SweepEdge& b) { return ends(a) < ends(b); });
@@ -35,10 +35,10 @@ std::vector<DirectedEdge> cancel_opposite(std::vector<SweepEdge> pieces) {
   return rest;
 }
 
-/// The edges that leave one position, in clockwise order, of which each is taken once.
+/// The edges that leave one position, in clockwise order; each is taken once.
 class LeavingEdges {
  public:
-  /// `first` is the number of the first of the edges that begin at `centre`.
+  /// `first` is the index of the first edge that begins at `centre`.
   LeavingEdges(const std::vector<Point2>& p, Index centre, std::span<const DirectedEdge> edges, std::size_t first)
       : p_(p), centre_(centre), order_(edges.size()), free_(edges.size() + 1) {
     for (std::size_t k = 0; k < edges.size(); ++k) order_[k] = {edges[k].second, static_cast<Index>(first + k)};
@@ -51,7 +51,7 @@ class LeavingEdges {
     std::iota(free_.begin(), free_.end(), std::size_t{0});
   }
 
-  /// The first edge that is not taken, clockwise from just behind the direction to `start`.
+  /// Takes the first free edge clockwise from just behind the direction to `start`.
   Index take(Index start) {
     const bool left_start = is_left(start);
     const auto after = std::partition_point(order_.begin(), order_.end(), [&](const Leaving& leaving) {
@@ -69,11 +69,12 @@ class LeavingEdges {
     Index to, edge;
   };
 
-  /// Positions are numbered from left to right, and upwards where x is equal. Clockwise from straight down, the directions
-  /// to lower numbers are a half turn, and those to higher ones the other: within each the sign of a turn orders them.
+  /// Positions are numbered from left to right, and upwards where x is equal. So clockwise from straight down,
+  /// directions to lower numbers fill one half turn and those to higher numbers the other. Within each half the sign of
+  /// a turn orders them.
   bool is_left(Index to) const { return to < centre_; }
 
-  /// The place at or behind `at` that is not taken; the end where there is none.
+  /// The first free place at or behind `at`; the end if there is none.
   std::size_t find_free(std::size_t at) {
     std::size_t root = at;
     while (free_[root] != root) root = free_[root];
@@ -84,10 +85,11 @@ class LeavingEdges {
   const std::vector<Point2>& p_;
   Index centre_;
   std::vector<Leaving> order_;
-  std::vector<std::size_t> free_;  ///< by place in the order: a place at or behind it, itself while it is not taken
+  std::vector<std::size_t> free_;  ///< per place in the order: a place at or behind it; the place itself while it is
+                                   ///< free
 };
 
-/// The successor of every edge; a permutation, since as many edges arrive at a position as leave it.
+/// The successor of every edge: a permutation, since equally many edges arrive at a position and leave it.
 std::vector<Index> link_edges(const std::vector<Point2>& p, const std::vector<DirectedEdge>& edges) {
   std::vector<std::size_t> arriving(edges.size());
   std::iota(arriving.begin(), arriving.end(), std::size_t{0});
@@ -95,7 +97,7 @@ std::vector<Index> link_edges(const std::vector<Point2>& p, const std::vector<Di
                    [&](std::size_t a, std::size_t b) { return edges[a].second < edges[b].second; });
   std::vector<Index> successor(edges.size());
   for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    // Both lists are ordered by the position, and have as many edges of each.
+    // Both lists are ordered by position, and have equally many edges at each.
     const Index centre = edges[begin].first;
     while (end < edges.size() && edges[end].first == centre) ++end;
     if (end - begin == 1) {
@@ -109,7 +111,7 @@ std::vector<Index> link_edges(const std::vector<Point2>& p, const std::vector<Di
   return successor;
 }
 
-/// Loops that run round the same way bound nothing new.
+/// Drops loops that repeat another loop in the same direction: they bound nothing new.
 void drop_repeated(std::vector<std::vector<Index>>& loops) {
   if (loops.size() < 2) return;
   std::vector<std::size_t> order(loops.size());

@@ -1,5 +1,5 @@
 #pragma once
-/// Contours that touch, made into loops that do not run along each other.
+/// Links contours that touch into loops that do not run along each other.
 
 #include <cstdint>
 #include <vector>
@@ -19,8 +19,8 @@ struct LinkedContours {
   std::vector<std::vector<std::uint32_t>> holes;  ///< loops of positions, clockwise
 };
 
-/// `positions` as number_contour_edges() finds them, `pieces` the edges cut at every position that lies on them. What two
-/// contours run along in opposite directions belongs to neither boundary and vanishes, and so do spikes and contours
+/// Links `positions` as numbered by number_contour_edges() and `pieces`, the edges cut at every position on them.
+/// Pieces along which two contours run in opposite directions bound nothing and vanish, and so do spikes and contours
 /// without area.
 LinkedContours link_contours(const std::vector<Point2>& positions, const std::vector<SweepEdge>& pieces);
 

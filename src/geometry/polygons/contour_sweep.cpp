@@ -1,18 +1,18 @@
 // A line sweeps over the positions in their order (from left to right, and upwards where x is equal). The edges that it
-// crosses are kept in order from below to above (Shamos and Hoey 1976). Nothing is computed but signs.
+// crosses are kept in order from below to above (Shamos and Hoey 1976). Only signs are computed.
 //
 //          \      above        At a position p the bundles that end there or pass through it stand in a row in the order,
 //      ----- p -----           since their line and p have orientation 0. They are taken out, and cut there. What goes on
 //          /  \                from them and the edges that begin at p are sorted by direction and put in. Edges of one
 //      below   ----            direction are one *bundle*: the nearest of their ends is the next place where it is cut.
 //
-// Invariants: no two edges in the order have crossed, up to the line; a bundle holds no position inside of it up to the
-// line; two bundles that are neighbours in the order do not cross further on, or one of them ends before. So when the first
-// crossing of all is due, its edges are found as neighbours before the line comes there. Both are then taken out, and cut at
-// the positions that EdgeCutter finds on them.
+// Invariants: up to the sweep line no two edges in the order have crossed, and no bundle holds a position in its
+// inside; two neighbouring bundles do not cross further on, unless one of them ends before. So the edges of the first
+// crossing are found as neighbours before the line reaches it. Both are then taken out, and cut at the positions that
+// EdgeCutter finds on them.
 //
-// A bundle whose edges cancel out bounds nothing. While there is one, no slab can be followed, and the pieces are swept once
-// more without it.
+// A bundle whose edges cancel out bounds nothing. While one is in the order no slab can be followed, so the pieces are
+// swept again without it.
 
 #include "geometry/polygons/contour_sweep.hpp"
 
@@ -33,7 +33,7 @@ using Index = std::uint32_t;
 using Node = SweepOrder::Node;
 using Slab = MonotoneChains::Slab;
 
-/// The numbers of edges by position: those of position i are list[begin[i]] to list[begin[i + 1] - 1], in ascending order.
+/// Edge numbers by position: those of position i are list[begin[i]] to list[begin[i + 1] - 1], in ascending order.
 struct EdgesOfPosition {
   std::vector<Index> begin, list;
   template <class End>
@@ -46,7 +46,7 @@ struct EdgesOfPosition {
   }
 };
 
-/// Edges between the same two positions become one; those that cancel out are left out.
+/// Merges edges between the same two positions; drops those that cancel out.
 std::vector<SweepEdge> merge_equal(std::size_t positions, const std::vector<SweepEdge>& edges) {
   const EdgesOfPosition leaving(positions, edges, [](const SweepEdge& e) { return e.low; });
   std::vector<SweepEdge> merged;
@@ -67,7 +67,7 @@ std::vector<SweepEdge> merge_equal(std::size_t positions, const std::vector<Swee
 
 class ContourSweep {
  public:
-  /// `edges` as merge_equal() leaves them.
+  /// `edges` must come from merge_equal().
   ContourSweep(const std::vector<Point2>& positions, const std::vector<SweepEdge>& edges)
       : p_(positions),
         edges_(edges),
@@ -96,14 +96,14 @@ class ContourSweep {
   std::vector<MonotoneChains::Triple>& triangles() { return chains_.triangles(); }
 
  private:
-  /// Edges that lie on each other from `from` on, as a heap (leftist, Crane 1972): at its root is one that ends first.
+  /// Edges that coincide from `from` on, as a leftist heap (Crane 1972) whose root is an edge that ends first.
   struct Bundle {
     Point2 low, high;  ///< ends of the root
     Index root = kNone;
     Index from = 0;
     std::int32_t winding = 0;  ///< of all its edges
-    std::int32_t above = 0;    ///< how often the contours wind round what lies above
-    Slab slab = 0;             ///< what lies above, where that is the inside
+    std::int32_t above = 0;    ///< winding number of the contours about the region above
+    Slab slab = 0;             ///< slab of the region above, if that is inside
   };
   struct Heap {
     Index left = kNone, right = kNone;
@@ -114,7 +114,7 @@ class ContourSweep {
 
   Index rank(Index e) const { return e == kNone ? 0 : heaps_[e].rank; }
 
-  /// The depth of the recursion is at most the sum of both ranks: the logarithm of the number of edges.
+  /// The recursion depth is at most the sum of both ranks: the logarithm of the number of edges.
   Index meld(Index a, Index b) {
     if (a == kNone) return b;
     if (b == kNone) return a;
@@ -127,7 +127,7 @@ class ContourSweep {
 
   int side(Node n, Index p) const { return orientation_sign(bundles_[n].low, bundles_[n].high, p_[p]); }
 
-  /// Fills touched_ with the bundles through p, and says which bundle lies below p and which above.
+  /// Fills touched_ with the bundles through p. Returns the bundle below p and the one above.
   std::pair<Node, Node> find_touched(Index p) {
     touched_.clear();
     Node first = kNone;
@@ -160,7 +160,7 @@ class ContourSweep {
     return last;
   }
 
-  /// Fills leaving_ with the bundles that go on from p, from below to above.
+  /// Fills leaving_ with the bundles that continue from p, from below to above.
   void find_leaving(Index p, Index first, Index last) {
     leaving_.clear();
     for (const Node n : touched_) {
@@ -214,12 +214,12 @@ class ContourSweep {
       check_neighbours(below, above);
     } else {
       check_neighbours(highest, above);
-      // That may have taken out all that is new, and has then looked at what lies below.
+      // Taking out may have removed all new bundles; it has then checked the neighbours below.
       if (bundles_[lowest].root != kNone) check_neighbours(below, lowest);
     }
   }
 
-  /// The bundles of leaving_ take the places of those of touched_. Returns the lowest and the highest of them.
+  /// Puts the bundles of leaving_ in the place of those of touched_. Returns the lowest and the highest of them.
   std::pair<Node, Node> put_in_order(Node below) {
     Node lowest = kNone, at = below;
     for (std::size_t i = 0; i < leaving_.size(); ++i) {
@@ -236,7 +236,7 @@ class ContourSweep {
     return {lowest, lowest == kNone ? kNone : at};
   }
 
-  /// The inside round p, when all is simple so far.
+  /// Updates the slabs around p, if everything so far is simple.
   void cut_slabs(Index p, Node below) {
     const auto inside_above = [&](Node n) { return n != kNone && bundles_[n].above == 1; };
     for (std::size_t i = 0; i + 1 < touched_.size(); ++i) {
@@ -260,14 +260,15 @@ class ContourSweep {
     if (!leaving_.empty()) leaving_.back().slab = upper;
   }
 
-  /// Whether two neighbours cross further on: the end of the one that ends first lies on the wrong side of the other.
+  /// Whether two neighbours cross further on: the end of the bundle that ends first lies on the wrong side of the
+  /// other.
   bool cross(Node below, Node above) const {
     const Bundle &a = bundles_[below], &b = bundles_[above];
     if (edges_[a.root].high <= edges_[b.root].high) return orientation_sign(b.low, b.high, a.high) > 0;
     return orientation_sign(a.low, a.high, b.high) < 0;
   }
 
-  /// Takes out neighbours that cross, and what then becomes neighbours, until none do.
+  /// Takes out neighbours that cross, then the new neighbours that cross, until none do.
   void check_neighbours(Node below, Node above) {
     while (below != kNone && above != kNone && cross(below, above)) {
       crossing_ = true;
@@ -279,7 +280,7 @@ class ContourSweep {
     }
   }
 
-  /// Its edges are cut when the sweep is done.
+  /// Takes out a bundle. Its edges are cut when the sweep is done.
   void take_out(Node n) {
     std::vector<Index> rest{bundles_[n].root};
     node_of_[rest.back()] = kNone;
@@ -299,12 +300,12 @@ class ContourSweep {
   const std::vector<SweepEdge>& edges_;
   EdgesOfPosition arriving_;
   std::vector<Heap> heaps_;    ///< by edge
-  std::vector<Node> node_of_;  ///< by edge: the bundle of which it is the root
+  std::vector<Node> node_of_;  ///< by edge: the bundle that has it as root
   SweepOrder order_;
   std::vector<Bundle> bundles_;     ///< by node
   std::vector<Node> touched_;       ///< scratch
   std::vector<Bundle> leaving_;     ///< scratch
-  std::vector<SweepEdge> crossed_;  ///< what is left of edges taken out
+  std::vector<SweepEdge> crossed_;  ///< remainders of the edges taken out
   std::vector<SweepEdge> pieces_;
   MonotoneChains chains_;
   bool crossing_ = false, wound_once_ = true, cancelling_ = false;

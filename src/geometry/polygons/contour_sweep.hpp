@@ -1,5 +1,5 @@
 #pragma once
-/// A sweep over the edges of contours: where they meet each other, and the triangles of what they bound.
+/// A sweep over the edges of contours: where they meet, and the triangles of the region that they bound.
 
 #include <array>
 #include <cstdint>
@@ -9,25 +9,25 @@
 
 namespace ligne {
 
-/// An edge of contours, from a position to one of higher number; or several that lie on each other.
+/// One edge of the contours, from a position to one of higher number, or several coincident ones.
 struct SweepEdge {
   std::uint32_t low = 0, high = 0;
-  /// How many more contours wind round what lies to the left of it than round what lies to the right: 1 for an edge of a
-  /// contour that runs from low to high with the inside on its left, -1 for one that runs the other way.
+  /// Winding number of the contours on the left of the edge minus that on its right: 1 for an edge of a contour that
+  /// runs from low to high with the inside on its left, -1 for one that runs the other way.
   std::int32_t winding = 0;
 };
 
 struct SweptContours {
-  /// No two edges cross, and no point is wound round but once or not at all.
+  /// No two edges cross, and every winding number is 0 or 1.
   bool simple = true;
-  /// The edges, cut at every position that lies on them. Equal ones are one piece; what cancels out is left out.
+  /// The edges, cut at every position on them. Equal ones are merged; those that cancel out are dropped.
   std::vector<SweepEdge> pieces;
-  /// When simple, what the contours wind round: triples of positions, counter-clockwise, none without area.
+  /// If simple: triangles of the inside, as triples of positions, counter-clockwise, none without area.
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// `positions` are distinct and in lexicographic order; `edges` are edges of closed contours, and may cross, touch and lie
-/// on each other. O(n log n) for contours that do not cross.
+/// `positions` are distinct and in lexicographic order. `edges` are the edges of closed contours, which may cross,
+/// touch and overlap. O(n log n) for contours that do not cross.
 SweptContours sweep_contours(const std::vector<Point2>& positions, std::vector<SweepEdge> edges);
 
 }  // namespace ligne

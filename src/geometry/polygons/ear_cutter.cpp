@@ -1,6 +1,6 @@
-// The loops share no edges (contour_links.hpp); a hole that touches the outer contour is part of it. The others are joined
-// by bridges, from the hole whose leftmost corner is leftmost on, so that a bridge can only be blocked by what is joined
-// already. Then ears are cut:
+// The loops share no edges (contour_links.hpp); a hole that touches the outer contour is part of it. Other holes are
+// joined by bridges, in the order of their leftmost corners, so that only parts already joined can block a bridge. Then
+// ears are cut:
 //
 //            c                An ear is a convex corner b whose triangle a b c holds nothing of the rest of the ring in its
 //           / \               inside. Rings touch themselves (at bridges, and where a diagonal passes a corner), so a corner
@@ -25,19 +25,20 @@ namespace {
 using Index = std::uint32_t;
 using Triple = std::array<Index, 3>;
 
-/// Corners that may be looked at in all, and for each corner of the loops. Loops that do not cross take far fewer; without
-/// a bound those of a scribble would take the square of their number. Adjustable: a few tenths of a second.
+/// Largest number of corners tested: in all at least, and per corner of the loops. Loops that do not cross need far
+/// fewer. Without a bound the work on a scribble would grow with the square of its corners. Adjustable: a few tenths of
+/// a second.
 constexpr std::size_t kLooksAtLeast = std::size_t{1} << 24, kLooksOfCorner = 512;
-/// Between two questions whether the work is to end.
+/// Number of corners tested between two calls of check_stop().
 constexpr std::size_t kLooksUnasked = std::size_t{1} << 16;
 
-/// A corner of a ring: a cyclic list with the inside on its left.
+/// A corner of a ring, which is a cyclic list with the inside on its left.
 struct CornerNode {
   Index position = 0;
   Index prev = 0, next = 0;
   bool cut = false;
-  bool reflex = false;  ///< in the list of those that can block
-  /// A node that was found inside the triangle at this corner, and the triangle's other corners then.
+  bool reflex = false;  ///< in the list of corners that can block
+  /// A node found inside the triangle at this corner, and the triangle's other corners at that time.
   Index blocker = kNone, blocked_prev = kNone, blocked_next = kNone;
 };
 
@@ -68,7 +69,7 @@ class EarCutter {
   bool whole() const { return whole_; }
 
  private:
-  /// Counts corners that are looked at; false when there were too many.
+  /// Counts tested corners; false if the bound is exceeded.
   bool may_look(std::size_t corners) {
     const std::size_t before = looks_left_ / kLooksUnasked;
     looks_left_ -= std::min(looks_left_, corners);
@@ -111,8 +112,8 @@ class EarCutter {
     return false;
   }
 
-  /// Joins the ring of a hole by a bridge from its first corner m (lowest number) to the nearest corner of lower number
-  /// that sees it. There is one when the contours do not cross; a hole outside every contour stays out.
+  /// Joins the ring of a hole by a bridge from its first corner m (lowest number) to the nearest visible corner of
+  /// lower number. There is one if the contours do not cross; a hole outside every contour stays out.
   void join_hole(Index m) {
     const auto distance = [&](Index n) {
       const Point2 d = at(n) - at(m);
@@ -139,7 +140,7 @@ class EarCutter {
     whole_ = false;
   }
 
-  /// v -> w becomes v -> m -> (hole) -> m' -> v' -> w.
+  /// Turns v -> w into v -> m -> (hole) -> m' -> v' -> w.
   void add_bridge(Index m, Index v) {
     for (Index n = m;;) {
       joined_.push_back(n);
@@ -163,7 +164,8 @@ class EarCutter {
 
   enum class Rule { strict, touching, any };
 
-  /// True when the segment from `from`, a point of the closed triangle with the given sides, to `to` enters its inside.
+  /// True when the segment from `from`, a point of the closed triangle with the given sides, to `to` enters the
+  /// triangle's inside.
   static bool enters(const Point2 (&t)[3], const int (&side)[3], Point2 to) {
     for (int i = 0; i < 3; ++i) {
       if (side[i] == 0 && orientation_sign(t[i], t[(i + 1) % 3], to) <= 0) return false;
@@ -171,8 +173,9 @@ class EarCutter {
     return true;
   }
 
-  /// True when corner n keeps the triangle t, cut off along t[2] t[0], from being an ear. Under the strict rule a corner
-  /// on the inside of that diagonal does so as well, which puts off triangles with corners in the middle of their sides.
+  /// True when corner n keeps the triangle t, cut off along t[2] t[0], from being an ear. Under the strict rule a
+  /// corner in the middle of that diagonal blocks too, which postpones triangles with corners in the middle of their
+  /// sides.
   bool blocks(Index n, const Point2 (&t)[3], Rule rule) const {
     const Point2 q = at(n);
     int side[3];
@@ -203,7 +206,7 @@ class EarCutter {
     return false;
   }
 
-  /// A corner that keeps the triangle t at b from being an ear.
+  /// Finds a corner that keeps the triangle t at b from being an ear.
   Index find_blocker(Index b, const Point2 (&t)[3], Rule rule) {
     const Index a = nodes_[b].prev, c = nodes_[b].next;
     const auto [y_min, y_max] = std::minmax({t[0].y, t[1].y, t[2].y});
@@ -228,8 +231,8 @@ class EarCutter {
     return orientation_sign(t[0], t[1], q) > 0 && orientation_sign(t[1], t[2], q) > 0 && orientation_sign(t[2], t[0], q) > 0;
   }
 
-  /// Whether the node that was found inside the triangle at b is there still. Contours that cross leave most corners blocked
-  /// for good, and they are asked about again and again.
+  /// Whether the node that was found inside the triangle at b is still there. If contours cross, most corners stay
+  /// blocked for good, and are tested again and again.
   bool still_blocked(Index b) const {
     const CornerNode& node = nodes_[b];
     return node.blocker != kNone && node.prev == node.blocked_prev && node.next == node.blocked_next &&
@@ -244,7 +247,7 @@ class EarCutter {
     nodes_[b].cut = true;
   }
 
-  /// Keeps in reflex_ what can still block: corners that are not strictly convex.
+  /// Keeps in reflex_ the corners that can still block: those that are not strictly convex.
   void refresh_reflex() {
     std::erase_if(reflex_, [&](Index n) {
       const bool harmless = nodes_[n].cut || turn(n) > 0;
@@ -280,7 +283,7 @@ class EarCutter {
           refresh_reflex();
           cuts_since_refresh = 0;
         }
-        b = nodes_[next].next;  // leaving one corner out gives fewer slender triangles
+        b = nodes_[next].next;  // skipping one corner gives fewer slender triangles
       } else if (++failures <= left) {
         b = next;
       } else {
@@ -298,7 +301,7 @@ class EarCutter {
   std::vector<CornerNode> nodes_;
   std::vector<Index> rings_;   ///< one node of each ring to cut
   std::vector<Index> joined_;  ///< nodes of the rings to cut
-  std::vector<Index> reflex_;  ///< of the ring being cut, by position
+  std::vector<Index> reflex_;  ///< reflex corners of the ring being cut, by position
   std::vector<Triple> triangles_;
   std::size_t looks_left_ = 0;
   bool whole_ = true;

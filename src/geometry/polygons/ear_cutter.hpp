@@ -15,9 +15,9 @@ struct CutEars {
   bool whole = true;                                    ///< as in triangulate()
 };
 
-/// Also for contours that cross, and that wind round points several times. Holes are joined to the outer loops by bridges,
-/// then ears are cut (Meisters 1975; bridges after Eberly 2002). The work is bounded: of large loops that cross a part may
-/// stay uncut, which then are not whole.
+/// Triangulates loops, even if they cross or wind around points several times. Holes are joined to the outer loops by
+/// bridges, then ears are cut (Meisters 1975; bridges after Eberly 2002). The work is bounded: a part of large loops
+/// that cross may stay uncut, and `whole` is then false.
 CutEars cut_ears(const std::vector<Point2>& positions, const LinkedContours& links);
 
 }  // namespace ligne

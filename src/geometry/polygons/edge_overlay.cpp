@@ -7,7 +7,7 @@ namespace {
 
 int sign(double v) { return (v > 0) - (v < 0); }
 
-/// The side of the run's end at t, when the segment's ends are at a and b: most runs end where their segments do.
+/// Side of the run's end at t, given the sides of the segment's ends a and b, where most runs end.
 int side_of_end(const LatticeSegment& line, const LatticeSegment& s, SegmentParameter t, double at_a, double at_b) {
   if (t.num == 0) return sign(at_a);
   if (t.num == t.den) return sign(at_b);
@@ -15,7 +15,7 @@ int side_of_end(const LatticeSegment& line, const LatticeSegment& s, SegmentPara
   return side(line, s, t);
 }
 
-/// Parameter of a lattice point on the line.
+/// Parameter of a lattice point that lies on the line.
 SegmentParameter parameter_of(const LatticeSegment& line, LatticePoint p) {
   const bool along_x = std::abs(line.dx()) >= std::abs(line.dy());
   const double num = along_x ? double(p.x) - line.a.x : double(p.y) - line.a.y, den = along_x ? line.dx() : line.dy();
@@ -30,7 +30,8 @@ void EdgeOverlay::add(const ContourFace& face, unsigned set) {
   }
 }
 
-/// An edge on the same line: where it ends nothing may change, but whoever lies on it is to be cut there too.
+/// Adds the ends of an edge on the same line: no winding need change there, but edges on the line are to be cut there
+/// too.
 void EdgeOverlay::add_ends(const LatticeSegment& line, const ContourEdge& edge, SegmentParameter from, SegmentParameter to) {
   for (const SegmentParameter t : {edge.from, edge.to}) {
     SegmentParameter on_line;
@@ -61,7 +62,7 @@ EdgeSides EdgeOverlay::start(std::size_t i, SegmentParameter from, SegmentParame
     }
     if (e.reversed) std::swap(first, last);
     Event event{{}, edges_[k].set, 0, 0, first != 0 && last != 0};
-    // Who passes an edge that runs from left to right comes into its inside.
+    // A walker on the line who crosses an edge that runs from left to right enters its inside.
     if ((first > 0) != (last > 0)) event.left = first > 0 ? 1 : -1;
     if ((first < 0) != (last < 0)) event.right = first < 0 ? -1 : 1;
     event.t = crossing(line, e.segment);

@@ -1,11 +1,11 @@
 #pragma once
-/// Sets of directed edges laid over each other: along an edge, how often each set winds round the page just left and just
-/// right of it.
+/// Overlays sets of directed edges: gives, along an edge, the winding number of each set just left and just right of
+/// it.
 ///
-/// The line of an edge, moved to the left by less than anything that matters, meets no corner and runs along no edge. On it
-/// the winding of a set changes where an edge of the set has one end on its left and the other on its right; an end exactly
-/// on the unmoved line counts as right. The same to the right. So corners on edges, corners on corners, and edges on edges
-/// need no case of their own: the sides of corners are exact, and order along the line is exact
+/// The line of an edge, moved left by an infinitesimal distance, meets no corner and runs along no edge. On it the
+/// winding of a set changes where an edge of the set has one end on its left and the other on its right; an end exactly
+/// on the unmoved line counts as right. The right side is treated likewise. So corners on edges, corners on corners,
+/// and edges on edges need no special case: the sides of corners are exact, and the order along the line is exact
 /// (geometry/exact_segment.hpp).
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace ligne {
 
-/// Windings of the sets, up to three, on the two sides of a part of an edge, in the direction of its segment.
+/// Windings of up to three sets on the two sides of a part of an edge, in the direction of its segment.
 struct EdgeSides {
   std::array<std::int32_t, 3> left{}, right{};
 };
@@ -32,9 +32,10 @@ class EdgeOverlay {
   std::size_t size() const { return edges_.size(); }
   const ContourEdge& edge(std::size_t i) const { return edges_[i].edge; }
 
-  /// Calls visit(from, to, sides, corner) for the parts of edge i between `from` and `to` on its segment, in order, without
-  /// gaps. Nothing changes within a part. `corner`: at `from` there may be a corner of a border that goes on along the edge:
-  /// other edges end or meet there, or begin to run along it. A place where one edge passes through is no such corner.
+  /// Calls visit(from, to, sides, corner) for the parts of edge i between `from` and `to` on its segment, in order,
+  /// without gaps. Nothing changes within a part. `corner`: a border that continues along the edge may have a corner at
+  /// `from`, because other edges end, meet or begin to run along it there. A single edge that passes through makes no
+  /// such corner.
   template <class Visit>
   void for_each_part(std::size_t i, SegmentParameter from, SegmentParameter to, Visit visit) {
     EdgeSides sides = start(i, from, to);
@@ -64,10 +65,10 @@ class EdgeOverlay {
     SegmentParameter t;
     unsigned set;
     std::int32_t left, right;
-    bool passes;  ///< the edge has its ends on the two sides of the line
+    bool passes;  ///< the ends of the edge lie strictly on opposite sides of the line
   };
 
-  /// Fills events_ with what changes between from and to, in order; gives what holds at `from`.
+  /// Fills events_ with the changes between from and to, in order; returns the windings at `from`.
   EdgeSides start(std::size_t i, SegmentParameter from, SegmentParameter to);
 
   void add_ends(const LatticeSegment& line, const ContourEdge& edge, SegmentParameter from, SegmentParameter to);

@@ -6,9 +6,9 @@
 #include "base/no_index.hpp"
 #include "geometry/polygons/contour_face.hpp"
 
-// Phases: (1) edges that lie on each other or run against each other are dropped; (2) loops are traced: at a corner with
-// several ways on the loop stays at the sector of the inside that it came along, so that what has only a corner in common
-// comes apart; (3) loops that come back to a corner are cut there; (4) holes are given to the outer contours that hold them.
+// Phases: (1) coincident and opposite edges are dropped; (2) loops are traced: at a corner with several ways on, the
+// loop follows the sector of the inside that it came along, so that parts that share only a corner are separated; (3)
+// loops that return to a corner are cut there; (4) holes are given to the outer contours that hold them.
 
 namespace ligne {
 namespace {
@@ -31,7 +31,7 @@ struct Box {
   bool holds(const Box& o) const { return low.x <= o.low.x && low.y <= o.low.y && o.high.x <= high.x && o.high.y <= high.y; }
 };
 
-/// A closed contour of runs with its corners, and the doubled signed area.
+/// A closed contour of runs with its corners, and twice its signed area.
 struct Loop {
   EdgeLoop edges;
   std::vector<FinePoint> corners;
@@ -62,7 +62,7 @@ class Linker {
   std::uint32_t next(std::uint32_t run) const;
   void add_loop(std::span<const std::uint32_t> runs);
   std::vector<ContourFace> make_faces();
-  /// Whether several runs begin where this one does. There a corner is kept even where the contour goes straight on:
+  /// Whether several runs begin where this one does. Such a corner is kept even if the contour goes straight on: once
   /// rounded, it may lie beside the longer edge, and contours that touch there would cross.
   bool shared_corner(std::uint32_t run) const {
     return (run > 0 && runs_[run - 1].begin == runs_[run].begin) ||
@@ -72,16 +72,16 @@ class Linker {
 
   std::vector<ContourEdge> edges_;
   bool closed_;
-  std::vector<Run> short_runs_;        ///< those that end where they begin, by place, when they are to be kept
+  std::vector<Run> short_runs_;        ///< runs that end where they begin, by place; only if they are to be kept
   std::vector<Run> runs_;              ///< by begin
   std::vector<std::uint32_t> corner_;  ///< per run: the first run that begins where it ends; the corner's number
   std::vector<std::uint8_t> used_;
-  std::vector<std::uint32_t> place_;  ///< per corner: where on the path at hand it was left
+  std::vector<std::uint32_t> place_;  ///< per corner: its index on the current path
   std::vector<std::uint32_t> path_;
   std::vector<Loop> outer_, holes_;
 };
 
-/// One of two runs on one segment is kept, or none when they run against each other.
+/// Gathers short runs: keeps one of two coincident runs, and none if they run in opposite directions.
 void Linker::gather_short_runs() {
   for (std::uint32_t i = 0; i < edges_.size(); ++i) {
     const FinePoint p = edges_[i].begin();
@@ -99,7 +99,7 @@ void Linker::gather_short_runs() {
   std::stable_sort(short_runs_.begin(), short_runs_.end(), [](const Run& a, const Run& b) { return a.begin < b.begin; });
 }
 
-/// Takes those that lie at corners of the loop.
+/// Inserts the short runs that lie at corners of the loop.
 void Linker::insert_short_runs(EdgeLoop& loop) {
   EdgeLoop all;
   for (const ContourEdge& e : loop) {
@@ -151,7 +151,7 @@ void Linker::find_corners() {
   }
 }
 
-/// Whether, turning negatively from the direction back along the run, `a` is met before `b`.
+/// Whether `a` is met before `b` when turning negatively from the direction back along the run.
 bool met_before(const ContourEdge& came, const ContourEdge& a, const ContourEdge& b) {
   const double rx = -came.dx(), ry = -came.dy();
   const auto quarter = [&](const ContourEdge& e) {  // 0: less than half a turn, 1: half a turn, 2: more, 3: a whole one
@@ -176,7 +176,7 @@ std::uint32_t Linker::next(std::uint32_t run) const {
 
 void Linker::trace(std::uint32_t first) {
   path_.clear();
-  // The corner at which a run begins: that of the run before it.
+  // The corner at which a run begins, which is the end corner of the run before it.
   const auto begin_corner = [&](std::uint32_t run) {
     const auto found = std::lower_bound(runs_.begin(), runs_.end(), runs_[run].begin,
                                         [](const Run& r, const FinePoint& p) { return r.begin < p; });
@@ -190,7 +190,7 @@ void Linker::trace(std::uint32_t first) {
     corner = corner_[run];
     if (corner == kNone) break;
     if (place_[corner] == kNone) continue;
-    // Back at a corner of the path: what lies between is a loop.
+    // Back at a corner of the path: the path since then is a loop.
     const std::size_t from = place_[corner];
     add_loop(std::span(path_).subspan(from));
     for (std::size_t k = from; k < path_.size(); ++k) place_[begin_corner(path_[k])] = kNone;
@@ -255,7 +255,8 @@ int position(const Loop& loop, FinePoint p) {
   return winding > 0 ? 1 : -1;
 }
 
-/// A hole lies in an outer contour when a corner of it does; when all corners lie on the contour, the middle of an edge.
+/// A hole lies in an outer contour if one of its corners does. If all corners lie on the contour, the middle of an edge
+/// decides.
 bool holds(const Loop& outer, const Loop& hole) {
   if (!outer.box.holds(hole.box)) return false;
   for (const FinePoint p : hole.corners) {

@@ -114,7 +114,7 @@ MonotoneChains::Slab MonotoneChains::split(Slab slab, Index p) {
     lower.met = false;
     upper.lower = lower.upper;
   } else {
-    // The last corner sees p; the part on the other side of the line between them begins with that line.
+    // The last corner sees p. The part beyond the line between them begins with that line.
     const Index last = links_[lower.lower.last].position;
     Chain& begun = lower.lower.side == Side::lower ? lower.lower : upper.lower;
     if (lower.lower.side == Side::lower) upper.lower = lower.lower;

@@ -1,5 +1,5 @@
 #pragma once
-/// Triangles of a region that a sweep line goes through.
+/// Triangulates a region behind a sweep line.
 
 #include <array>
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace ligne {
 
-/// The inside of a polygon to the left of a sweep line, cut into triangles as the line goes on. A *slab* is the inside
-/// between two edges that are neighbours on the line. What is left of it to be cut lies to the right of a chain of corners:
+/// The inside of a polygon to the left of a sweep line, cut into triangles as the line advances. A *slab* is the inside
+/// between two edges that are neighbours on the line. Its uncut part lies to the right of a chain of corners:
 ///
 ///       a ------------------------ upper edge      The chain a b c d bends away from the inside (or is straight) at each
 ///        \                                         corner, so the next corner p of the slab sees all of it from the upper
@@ -19,10 +19,10 @@ namespace ligne {
 ///              c--__d         | sweep line         bend that hides the others. What p sees is cut off.
 ///                    \________|_ lower edge
 ///
-/// Invariant: all corners of a chain but the first lie on one side of the slab. Where two slabs have met at a corner, both
-/// of their chains end there, and the next corner of the slab is joined to it (Garey, Johnson, Preparata and Tarjan 1978,
-/// cut into monotone parts and cut the parts in one go). The signs are exact, and no triangle is without area: a corner in
-/// line with the last two of a chain is added to the chain.
+/// Invariant: all corners of a chain except the first lie on one side of the slab. Where two slabs have met at a
+/// corner, both of their chains end there, and the next corner of the slab is joined to it (Garey, Johnson, Preparata
+/// and Tarjan 1978: cutting into monotone parts and cutting the parts, done in one pass). The signs are exact, and no
+/// triangle lacks area: a corner collinear with the last two of a chain is added to the chain.
 class MonotoneChains {
  public:
   using Index = std::uint32_t;
@@ -33,14 +33,14 @@ class MonotoneChains {
 
   /// p is the leftmost corner of a new slab.
   Slab start(Index p);
-  /// The lower or upper edge ends at p and another one goes on.
+  /// The lower or upper edge ends at p, and another one continues.
   void add_lower(Slab slab, Index p);
   void add_upper(Slab slab, Index p);
   /// Both edges end at p.
   void end(Slab slab, Index p);
-  /// p lies between the edges: `slab` is now what lies below p, and the new slab what lies above.
+  /// p lies between the edges: `slab` becomes the part below p, and the new slab is the part above.
   Slab split(Slab slab, Index p);
-  /// The upper edge of `lower` and the lower edge of `upper` end at p, and none goes on: `lower` is now both.
+  /// The upper edge of `lower` and the lower edge of `upper` end at p, and none continues: `lower` becomes both slabs.
   void merge(Slab lower, Slab upper, Index p);
 
   /// Triangles cut so far, counter-clockwise.
@@ -59,7 +59,7 @@ class MonotoneChains {
     Side side = Side::lower;
   };
   struct Chains {
-    Chain lower, upper;  ///< `upper` only where two slabs have met
+    Chain lower, upper;  ///< `upper` is used only if two slabs have met
     bool met = false;
   };
 

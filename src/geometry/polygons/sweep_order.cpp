@@ -28,7 +28,7 @@ SweepOrder::Node SweepOrder::insert_after(Node before) {
   links_[n].next = after;
   if (after != kNone) links_[after].previous = n;
   (before == kNone ? first_ : links_[before].next) = n;
-  // One of two neighbours has no child on the side of the other.
+  // One of two neighbours has no child on the side facing the other.
   if (before != kNone && links_[before].right == kNone) {
     links_[before].right = n;
     links_[n].parent = before;

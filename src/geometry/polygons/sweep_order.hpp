@@ -8,9 +8,9 @@
 
 namespace ligne {
 
-/// A sequence of nodes that is searched by place: a treap whose nodes also know their neighbours. It compares nothing by
-/// itself: whoever inserts says where. Priorities are made of the order of insertion, so that a sweep does the same each
-/// time. Expected time of a search, an insertion or an erasure: log n.
+/// A sequence of nodes with search by place: a treap whose nodes also know their neighbours. It compares nothing
+/// itself; the caller says where to insert. Priorities follow from the order of insertion, so that a sweep is
+/// reproducible. Expected time of a search, an insertion or an erasure: log n.
 class SweepOrder {
  public:
   using Node = std::uint32_t;
@@ -23,7 +23,8 @@ class SweepOrder {
   Node insert_after(Node before);
   void erase(Node n);
 
-  /// The first node for which `reached` is true; it must be so for all nodes behind that one and for none before it.
+  /// The first node for which `reached` is true. It must be true for all nodes behind that one and false for all before
+  /// it.
   template <class Reached>
   Node find_first(Reached reached) const {
     Node found = kNone;
@@ -46,7 +47,7 @@ class SweepOrder {
   };
 
   Node new_node();
-  /// Puts `child` where `n` hangs.
+  /// Puts `child` in the place of `n`.
   void replace(Node n, Node child);
   /// Lifts n above its parent.
   void rotate_up(Node n);
