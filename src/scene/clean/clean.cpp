@@ -1,6 +1,6 @@
-// The order of work: weld the vertices, put the first vertex of each position into the corners, drop the faces that collapse
-// by that, cut the faces that are not planar, drop the vertices that are left over. Scenes of triangles alone, the large
-// ones, take a way of their own that works in place; where nothing is to be done nothing is copied.
+// Order of work: weld the vertices, replace each corner's vertex by the first one at its position, drop the faces that
+// collapse, cut the faces that are not planar, drop the unused vertices. Scenes of triangles alone, which are the large
+// ones, are cleaned in place by code of their own. A scene that needs no change is not copied.
 
 #include "scene/clean/clean.hpp"
 
@@ -44,7 +44,7 @@ struct Dropped {
 bool is_degenerate(const std::uint32_t* t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 bool is_lost(const std::uint32_t* t) { return t[0] == kNone || t[1] == kNone || t[2] == kNone; }
 
-/// Drops the triangles that collapsed; order stays.
+/// Drops collapsed triangles; keeps the order of the others.
 void drop_triangles(Scene& scene, Warnings& warnings) {
   const std::span<std::uint32_t> corners = scene.faces.corners();
   const std::size_t n = scene.faces.size();
@@ -91,7 +91,7 @@ Dropped clean_triangles(Scene& scene, const Weld& weld, Warnings& warnings) {
   return dropped;
 }
 
-/// Writes a scene's faces anew, one after the other.
+/// Rewrites the faces of a scene, one after the other.
 class PolygonCleaner {
  public:
   PolygonCleaner(Scene& scene, const Weld& weld, Warnings& warnings) : scene_(scene), weld_(weld), warnings_(warnings) {}
@@ -116,7 +116,7 @@ class PolygonCleaner {
   }
 
  private:
-  /// Takes the contours of face f, welded, into face_; false when the face is to be dropped.
+  /// Reads the welded contours of face f into face_; false if the face is to be dropped.
   bool read_face(std::uint32_t f) {
     face_.corners.clear(), face_.flags.clear(), face_.contour_end.clear();
     for (std::size_t c = 0; c < scene_.faces.contour_count(f); ++c) {
@@ -145,7 +145,7 @@ class PolygonCleaner {
     for (std::size_t k = 0; k < contour.size(); ++k) {
       const std::uint32_t v = weld_.first[contour[k]];
       if (v == kNone) return false;
-      // Among equal corners in a row the last one stays: its edge is the one that leads on.
+      // In a run of equal corners the last one stays: its edge leads on.
       if (v == weld_.first[contour[k + 1 == contour.size() ? 0 : k + 1]]) continue;
       face_.corners.push_back(v);
       face_.flags.push_back(scene_.corner_flags.empty() ? 0 : scene_.corner_flags[first + k]);
@@ -196,7 +196,7 @@ class PolygonCleaner {
     add_flags(face.flags);
   }
 
-  /// Flags come into being with the first corner that has one.
+  /// Adds flags of corners. The list of flags stays empty until a corner has one.
   void add_flags(std::span<const std::uint8_t> flags) {
     if (flags_.empty() && std::all_of(flags.begin(), flags.end(), [](std::uint8_t f) { return f == 0; })) return;
     flags_.resize(faces_.corners().size() - flags.size(), 0);

@@ -15,8 +15,8 @@ void for_blocks(std::size_t n, const Work& work) {
   });
 }
 
-/// Puts the vertices for which stays(v) holds together, and the objects on them. `number` has one entry more than there are
-/// vertices: where each goes, or would.
+/// Moves the vertices for which stays(v) holds to the front, and adapts the ranges of the objects. `number` has one
+/// entry more than there are vertices: the new index of each vertex, or of the next one that stays.
 template <class Stays>
 void keep_vertices(Scene& scene, const std::vector<std::uint32_t>& number, const Stays& stays) {
   for (std::size_t v = 0; v < scene.vertices.size(); ++v) {
@@ -34,7 +34,7 @@ void keep_vertices(Scene& scene, const std::vector<std::uint32_t>& number, const
 void drop_unused_vertices(Scene& scene) {
   const std::span<std::uint32_t> corners = scene.faces.corners();
   const std::size_t n = scene.vertices.size();
-  // Several threads may mark one vertex; all of them write the same.
+  // Several threads may mark one vertex; all write the same value.
   std::vector<std::uint8_t> used(n, 0);
   for_blocks(corners.size(), [&](std::size_t k) {
     AtomicRef<std::uint8_t> mark(used[corners[k]]);

@@ -1,6 +1,6 @@
-// Candidates are the edges at a vertex that several objects have, or that more faces meet at than at a vertex of one sheet.
-// Their sides (an edge of a triangle, and the direction in which the triangle leaves it) are sorted by edge; at each edge
-// the sides of an object are put together into sheets, and the sheets compared with each other.
+// Candidates are the edges at vertices that several objects share, or at which more faces meet than in one sheet. Their
+// sides (an edge of a triangle, and the direction in which the triangle leaves it) are sorted by edge. At each edge the
+// sides of an object are combined into sheets, and the sheets are compared.
 
 #include "scene/clean/crossing_edges.hpp"
 
@@ -21,12 +21,12 @@
 namespace ligne {
 namespace {
 
-/// Triangles at an inner vertex of a grid whose cells are cut by parallel diagonals.
+/// Number of triangles at an inner vertex of a grid whose cells are cut by parallel diagonals.
 constexpr std::uint8_t kTrianglesOfOneSheet = 6;
 
 /// An edge of a triangle.
 struct Side {
-  std::uint32_t v0, v1;  ///< places (vertices that stand for all at one position), in ascending order
+  std::uint32_t v0, v1;  ///< places (one vertex stands for all at a position), in ascending order
   std::uint32_t object;
   std::uint32_t corner;  ///< of the triangle, where the edge begins
   auto key() const { return std::tie(v0, v1); }
@@ -35,14 +35,14 @@ struct Side {
 /// The direction in which a triangle leaves the edge, as an angle round it.
 struct Direction {
   double angle;      ///< radians, in [-pi, pi]
-  double tolerance;  ///< by how much the error of the positions can turn it
+  double tolerance;  ///< angle by which the error of the positions can turn it, in radians
 };
 
 struct Sheet {
   Direction a, b;
 };
 
-/// From one direction on to another, in [0, 2 pi).
+/// Angle from one direction to the other, in [0, 2 pi).
 double turn(const Direction& from, const Direction& to) {
   const double angle = to.angle - from.angle;
   return angle < 0 ? angle + 2 * std::numbers::pi : angle;
@@ -59,11 +59,12 @@ bool sheets_cross(const Sheet& s, const Sheet& t) {
   return (turn(s.a, t.a) < end) != (turn(s.a, t.b) < end);
 }
 
-/// By how much a sheet is bent, 0 when it runs straight through.
+/// Angle by which a sheet is bent, in radians; 0 if it is straight.
 double bend(const Sheet& s) { return std::abs(turn(s.a, s.b) - std::numbers::pi); }
 
-/// The sheets of one object: two directions are one, four are two, those that run the straightest. Where sheets lie on each
-/// other they are one; a single direction is a border, which crosses nothing, and of other numbers nothing can be said.
+/// Adds the sheets of one object at an edge. Two directions make one sheet, and four make the two straightest sheets.
+/// Coincident sheets count once. A single direction is a border, which crosses nothing. Other numbers of directions are
+/// ambiguous and give no sheet.
 void add_sheets(std::vector<Direction>& directions, std::vector<Sheet>& sheets) {
   std::sort(directions.begin(), directions.end(), [](const Direction& l, const Direction& r) { return l.angle < r.angle; });
   directions.erase(std::unique(directions.begin(), directions.end(), equal), directions.end());
@@ -97,7 +98,7 @@ class CrossingSearch {
   }
 
  private:
-  /// place_[v] stands for all vertices at the position of v; busy_[v] says whether sheets may cross at that place.
+  /// Sets place_[v], the vertex that stands for all at the position of v, and busy_[v]: sheets may cross at this place.
   void find_places() {
     const std::size_t n = scene_.vertices.size();
     Scene all;
@@ -133,7 +134,7 @@ class CrossingSearch {
 
   void judge(std::span<const Side> sides) {
     const Point3 from = scene_.vertices[sides[0].v0], along = glm::normalize(scene_.vertices[sides[0].v1] - from);
-    // Two axes across the edge: that of the model to which the edge runs the least, and the one that is left.
+    // The two axes across the edge: the model axis least parallel to the edge, and the remaining one.
     int least = 0;
     for (int axis = 1; axis < 3; ++axis) {
       if (std::abs(along[axis]) < std::abs(along[least])) least = axis;
@@ -151,7 +152,7 @@ class CrossingSearch {
       }
       const Point3 out = scene_.vertices[at(next(next(sides[i].corner)))] - from;
       const double x = glm::dot(out, first), y = glm::dot(out, second), height = std::hypot(x, y);
-      // Both the edge and the far corner may be off by the distance.
+      // Both the edge and the far corner may be wrong by the distance.
       if (height > 2 * distance_) directions_.push_back({std::atan2(y, x), 2 * distance_ / height});
     }
     add_sheets(directions_, sheets_);

@@ -17,7 +17,7 @@ std::vector<Point3> corner_points(const std::vector<Point3>& vertices, const Loo
   return points;
 }
 
-/// Projects along the axis in which `normal` is largest; keeps the winding as seen from the tip of `normal`.
+/// Projects along the axis in which `normal` is largest. Keeps the winding seen from the tip of `normal`.
 std::vector<Point2> project(std::span<const Point3> points, const Point3& normal) {
   const Point3 size(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z));
   const int axis = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0;
@@ -29,7 +29,7 @@ std::vector<Point2> project(std::span<const Point3> points, const Point3& normal
   return flat;
 }
 
-/// Corner that follows each corner on its contour.
+/// Index of the next corner on the contour, per corner.
 std::vector<std::uint32_t> successors(const LooseFace& face) {
   std::vector<std::uint32_t> next(face.corners.size());
   std::uint32_t begin = 0;
@@ -53,7 +53,7 @@ bool is_planar(const std::vector<Point3>& vertices, const LooseFace& face, doubl
 
 bool is_covered(const std::vector<Point3>& vertices, const LooseFace& face) {
   if (face.corners.size() == 3) return true;
-  // Not along the area vector: parts wound against each other can leave none.
+  // Not along the area vector, which can vanish if parts are wound in opposite directions.
   const std::vector<Point3> points = corner_points(vertices, face);
   return triangles_are_whole(project(points, spanning_plane(points).normal), face.contour_end);
 }
@@ -63,7 +63,7 @@ std::vector<CutTriangle> cut_into_triangles(const std::vector<Point3>& vertices,
   Point3 normal = area_vector(vertices, std::span(face.corners).first(face.contour_end[0]));
   if (normal == Point3(0)) normal = spanning_plane(points).normal;
   const std::vector<std::uint32_t> next = successors(face);
-  // A hole may be wound as the outer contour is; its edges then run against those of the triangles.
+  // A hole may be wound like the outer contour; its edges then run opposite to those of the triangles.
   const auto flags_of_edge = [&](std::uint32_t from, std::uint32_t to) -> std::uint8_t {
     if (next[from] == to) return face.flags[from];
     if (next[to] == from) return face.flags[to];

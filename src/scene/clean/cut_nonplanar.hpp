@@ -1,5 +1,5 @@
 #pragma once
-/// Faces that are not planar, and their triangles.
+/// Triangulates faces that are not planar.
 
 #include <array>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace ligne {
 
-/// A face that stands by itself: the corners of its contours, one contour after the other.
+/// A face outside a scene: the corners of its contours, one contour after the other.
 struct LooseFace {
   std::vector<std::uint32_t> corners;      ///< vertex indices
   std::vector<std::uint8_t> flags;         ///< CornerFlag per corner
@@ -21,16 +21,16 @@ struct CutTriangle {
   std::array<std::uint8_t, 3> flags;
 };
 
-/// Whether every corner lies as near to the plane of the corners as the precision of the coordinates allows
-/// (planarity_tolerance()). A triangle always does.
+/// Whether the distance of every corner from the plane of the corners is within the precision of the coordinates
+/// (planarity_tolerance()). Always true for a triangle.
 bool is_planar(const std::vector<Point3>& vertices, const LooseFace& face, double precision);
 
-/// Whether the triangles of a planar face cover all of it: false when its contours cross so that a part is lost.
+/// Whether the triangles of a planar face cover all of it: false if its contours cross so that a part is lost.
 bool is_covered(const std::vector<Point3>& vertices, const LooseFace& face);
 
-/// Cuts the face into triangles, wound as its outer contour is, in its projection along the dominant axis of its area
-/// vector. Edges that the face did not have carry kCornerInner. Nothing comes back when the projection has no area.
-/// `covered` says whether the triangles cover all of the projection, as is_covered() does.
+/// Cuts the face into triangles, wound like its outer contour, in the projection along the dominant axis of its area
+/// vector. New edges carry kCornerInner. Returns nothing if the projection has no area. `covered` is set to whether the
+/// triangles cover the whole projection, as is_covered() does.
 std::vector<CutTriangle> cut_into_triangles(const std::vector<Point3>& vertices, const LooseFace& face, bool& covered);
 
 }  // namespace ligne

@@ -13,7 +13,7 @@
 namespace ligne {
 namespace {
 
-/// Walks edges into simple contours.
+/// Walks along edges to form simple contours.
 class BoundaryWalk {
  public:
   BoundaryWalk(const std::vector<Point3>& vertices, const PlaneAxes& axes, std::vector<BoundaryEdge> edges)
@@ -31,7 +31,7 @@ class BoundaryWalk {
   }
 
  private:
-  /// From one edge until nothing of the path is left. Invariant: no vertex begins two edges of the path.
+  /// Walks from one edge until the path is used up. Invariant: no vertex begins two edges of the path.
   void walk(std::size_t edge) {
     for (;;) {
       used_[edge] = 1;
@@ -44,7 +44,7 @@ class BoundaryWalk {
     }
   }
 
-  /// The end of the path from `begin` on is a contour.
+  /// Cuts off the end of the path from `begin` on as a contour.
   void cut(std::size_t begin) {
     Contour contour;
     for (const std::size_t e : std::span(path_).subspan(begin)) {
@@ -56,8 +56,8 @@ class BoundaryWalk {
     if (contour.corners.size() >= 3) contours_.push_back(std::move(contour));
   }
 
-  /// Among the edges that leave `at`, the first one clockwise from where the path comes from: between the two lies the
-  /// region.
+  /// Among the edges that leave `at`, the first one clockwise from the edge by which the path arrives: the region lies
+  /// between the two.
   std::size_t next_edge(std::uint32_t at) const {
     const auto first = std::lower_bound(edges_.begin(), edges_.end(), at,
                                         [](const BoundaryEdge& e, std::uint32_t v) { return e.from < v; });
@@ -78,10 +78,11 @@ class BoundaryWalk {
 
   const std::vector<Point3>& vertices_;
   const PlaneAxes& axes_;
-  std::vector<BoundaryEdge> edges_;  ///< by vertex from which they start
+  std::vector<BoundaryEdge> edges_;  ///< by start vertex
   std::vector<std::uint8_t> used_;
   std::vector<std::size_t> path_;                         ///< edges, each starting where the one before ends
-  std::unordered_map<std::uint32_t, std::size_t> place_;  ///< where on the path a vertex begins an edge
+  std::unordered_map<std::uint32_t, std::size_t> place_;  ///< per vertex: index of the edge on the path that begins at
+                                                          ///< it
   std::vector<Contour> contours_;
 };
 
@@ -94,7 +95,7 @@ double signed_area(const std::vector<Point3>& vertices, const PlaneAxes& axes, c
   return sum / 2;
 }
 
-/// A point of a hole that decides whether an outer contour goes around it: a vertex that the two do not share, or the middle
+/// A point of a hole that decides whether an outer contour surrounds it: a vertex that they do not share, or the middle
 /// of an edge.
 Point2 probe(const std::vector<Point3>& vertices, const PlaneAxes& axes, const Contour& hole, const Contour& outer) {
   std::vector<std::uint32_t> shared = outer.corners;
@@ -143,7 +144,8 @@ std::vector<MergedFace> faces_of_boundary(const std::vector<Point3>& vertices, c
   }
   if (faces.empty()) return faces;
   for (Contour& hole : holes) {
-    // The smallest contour around it. When rounding leaves none, the largest of all is the only one that can be meant.
+    // Takes the smallest contour around it. If rounding leaves none, only the largest contour of all can be the right
+    // one.
     std::size_t best = static_cast<std::size_t>(std::max_element(areas.begin(), areas.end()) - areas.begin());
     for (std::size_t f = 0; f < faces.size() && faces.size() > 1; ++f) {
       const Contour& outer = faces[f].contours[0];

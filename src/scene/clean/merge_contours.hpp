@@ -1,5 +1,5 @@
 #pragma once
-/// From the boundary edges of a planar region to contours, and contours without needless vertices.
+/// Forms contours from the boundary edges of a planar region, and removes their needless vertices.
 
 #include <cstdint>
 #include <vector>
@@ -24,28 +24,28 @@ struct Contour {
 /// A face of contours, the first outer, the others holes.
 struct MergedFace {
   std::uint32_t material = 0;
-  bool merged = false;  ///< made of several faces
+  bool merged = false;  ///< made from several faces
   std::vector<Contour> contours{};
-  std::uint32_t source = 0;  ///< Scene::face_source of the first of its faces
+  std::uint32_t source = 0;  ///< Scene::face_source of its first face
 };
 
-/// The two model axes along which a plane is drawn, so that its normal points at the viewer.
+/// The two model axes in which a plane is drawn so that its normal points at the viewer.
 struct PlaneAxes {
   int right = 0, up = 1;
   static PlaneAxes facing(const Point3& normal);
   Point2 operator()(const Point3& p) const { return {p[right], p[up]}; }
 };
 
-/// Walks the boundary of a region into contours that visit no vertex twice, and puts holes into the outer contours around
-/// them. As many edges must leave each vertex as come to it. Edges that run there and back vanish.
+/// Walks the boundary of a region into contours that visit no vertex twice, and assigns holes to the outer contours
+/// around them. Equally many edges must leave and reach each vertex. Pairs of opposite edges vanish.
 std::vector<MergedFace> faces_of_boundary(const std::vector<Point3>& vertices, const PlaneAxes& axes,
                                           std::vector<BoundaryEdge> edges);
 
-/// Whether a point lies inside of a contour (even-odd rule).
+/// Whether a point lies inside a contour (even-odd rule).
 bool is_inside(const std::vector<Point3>& vertices, const PlaneAxes& axes, const Contour& contour, Point2 p);
 
-/// Leaves out vertices in the middle of straight runs, where every contour that uses the vertex runs straight through it
-/// between the same two neighbours, and only in merged faces. `object` owns the vertices of `faces`.
+/// Removes a vertex from merged faces if every contour that uses it runs straight through it between the same two
+/// neighbours. `object` owns the vertices of `faces`.
 void straighten(const std::vector<Point3>& vertices, const Object& object, std::vector<MergedFace>& faces);
 
 }  // namespace ligne

@@ -1,12 +1,12 @@
-// Phases, for each object by itself:
-//   1. Each edge that has exactly two faces, which run through it in opposite directions, pairs their corners.
-//   2. Regions grow over such edges from the largest face to smaller ones, over faces of one material whose corners lie in
-//      the plane of that first face (planarity_tolerance()) and that look to the same side. Measuring always
-//      from the first face keeps a gently curved surface from being flattened step by step.
+// Phases, per object:
+//   1. Each edge of exactly two faces that traverse it in opposite directions pairs their corners.
+//   2. Regions grow over such edges from the largest face to smaller ones, over faces of one material that have the same
+//      orientation and whose corners lie in the plane of the first face (planarity_tolerance()). Since distances are
+//      always measured from the first face, a gently curved surface is not flattened step by step.
 //   3. Edges with both sides in one region cancel; the others are walked into contours (merge_contours.hpp).
-//   4. Vertices in the middle of straight runs go (straighten.cpp).
-// A region of one face keeps it as it is. Where faces that are not in the plane stand on an edge inside a region, that edge
-// cancels too, and stays theirs alone.
+//   4. Vertices in the middle of straight runs are removed (straighten.cpp).
+// A region of one face keeps it unchanged. If faces outside the plane stand on an edge inside a region, the region loses
+// that edge too, and only they keep it.
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ class ObjectMerger {
     }
   }
 
-  /// The new faces. new_face(f) says afterwards where face f went.
+  /// Makes the new faces. new_face(f) then tells where face f went.
   std::vector<MergedFace> run() {
     pair_corners();
     grow_regions();
@@ -62,7 +62,7 @@ class ObjectMerger {
     return faces;
   }
 
-  /// Which new face of this object the point of old face f is in, or kNone when nothing is left of it.
+  /// The new face of this object that contains the point of old face f, or kNone if nothing of f remains.
   std::uint32_t new_face(std::uint32_t f, const std::vector<MergedFace>& faces, const Point3& point) const {
     const std::uint32_t r = region_of_[f - object_.face_begin];
     if (begin_[r] == end_[r]) return kNone;
@@ -75,11 +75,11 @@ class ObjectMerger {
 
  private:
   struct Region {
-    SpanningPlane plane;  ///< of its first face, the normal on the side that the face looks to
+    SpanningPlane plane;  ///< plane of its first face, with the normal of that face's orientation
     std::vector<std::uint32_t> faces;
   };
 
-  // Faces and corners are counted from the object's first one.
+  // Faces and corners are numbered from the first one of the object.
   std::span<const std::uint32_t> contour(std::uint32_t f, std::size_t c) const {
     return scene_.faces.contour(object_.face_begin + f, c);
   }
@@ -101,7 +101,7 @@ class ObjectMerger {
   }
 
   void pair_corners() {
-    // Corners by the lower vertex of their edge, then by the higher one.
+    // Corners, sorted by the lower vertex of their edge, then by the higher one.
     const std::uint32_t n = static_cast<std::uint32_t>(next_.size());
     const auto ends = [&](std::uint32_t k) { return std::minmax({vertex(k), vertex(next_[k])}); };
     std::vector<std::uint32_t> bucket(object_.vertex_end - object_.vertex_begin + 1, 0);
@@ -211,7 +211,7 @@ class ObjectMerger {
   std::vector<std::uint32_t> begin_, end_;  ///< per region: its new faces
 };
 
-/// The faces of the new scene, one after the other.
+/// Writes the faces of the new scene, one after the other.
 class FaceWriter {
  public:
   void add(const MergedFace& face) {

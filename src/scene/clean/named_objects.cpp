@@ -51,7 +51,7 @@ void keep_objects(Scene& scene, const std::vector<std::uint8_t>& keep, std::size
   scene.face_material = std::move(material);
   scene.face_source = std::move(source);
   scene.corner_flags = std::move(flags);
-  Warnings none;  // details of objects that are not wanted are not wanted
+  Warnings none;  // warnings about details of unwanted objects are dropped
   renumber_faces(scene, first_new, none);
   drop_unused_vertices(scene);
   std::vector<Object> kept;

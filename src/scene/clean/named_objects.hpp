@@ -1,5 +1,5 @@
 #pragma once
-/// Objects by name: which are kept, and which are moved.
+/// Selects and moves objects by name.
 
 #include <cstdint>
 #include <string>
@@ -13,11 +13,11 @@ namespace ligne {
 /// The name of an object, or "object N" with its number.
 std::string object_name(const Object& object, std::size_t number);
 
-/// Whether a pattern as of a shell fits the whole name: * ? [a-z], and \ before a character that is meant itself.
+/// Whether a shell pattern matches the whole name: * ? [a-z], and \ before a character to be taken literally.
 bool name_fits(const std::string& pattern, const std::string& name);
 
-/// Leaves the objects whose entry in `keep` is not 0. Those without a name get that of their number `first_number` + i, so
-/// that they keep it.
+/// Keeps only the objects whose entry in `keep` is not 0. Objects without a name are named by their number
+/// `first_number` + i, so that the number stays.
 void keep_objects(Scene& scene, const std::vector<std::uint8_t>& keep, std::size_t first_number);
 
 /// Moves an object, with the details on its faces.
@@ -27,7 +27,7 @@ void move_object(Scene& scene, std::size_t object, const Point3& by);
 class ObjectOfFace {
  public:
   explicit ObjectOfFace(const Scene& scene);
-  /// kNone for kNone.
+  /// The object of the face; kNone for kNone.
   std::uint32_t operator()(std::uint32_t face) const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-/// Cells of a hashed grid in which whatever is near a point is found. Cells are two distances wide, so that all within one
-/// distance of a point lie in its own cell or in those beyond its nearer walls: eight cells.
+/// Cells of a hashed grid for finding all points near a given point. Cells are two distances wide, so everything within
+/// one distance of a point lies in its own cell or in those beyond its nearer walls: eight cells.
 
 #include <array>
 #include <bit>
@@ -12,7 +12,7 @@
 
 namespace ligne {
 
-/// The eight cells round a point: per axis its own cell, and that beyond the nearer wall.
+/// The eight cells around a point: per axis its own cell and the one beyond the nearer wall.
 class NearCells {
  public:
   NearCells(const Point3& p, double distance) {
@@ -26,8 +26,8 @@ class NearCells {
 
   bool finite() const { return finite_; }
 
-  /// Slots of the cells among `slots`, a power of two; the first is that of the point's own. Cells that share a slot only
-  /// cost time: distances are looked at.
+  /// Slots of the cells among `slots`, a power of two; the first is the slot of the point's own cell. Cells that share
+  /// a slot only cost time, since callers compare distances.
   std::array<std::size_t, 8> slots(std::size_t slots) const {
     const auto mixed = [](std::uint64_t hash, double cell) {
       return extend_hash(std::rotl(hash, 23), bits_of_number(cell));

@@ -1,6 +1,6 @@
-// A vertex can go when every contour that visits it goes straight on there, all between the same two neighbours: then the
-// contours on both sides lose the same vertex and still fit. Small bends add up along a gentle curve, so a whole run of such
-// vertices goes only when all of it lies on the chord between its ends; otherwise all of it stays.
+// A vertex can be removed if every contour that visits it goes straight on there, all between the same two neighbours:
+// the contours on both sides then lose the same vertex and still fit. Small bends add up along a gentle curve. So a run
+// of such vertices is removed only if all of it lies on the chord between its ends; otherwise all of it stays.
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ class Straightener {
   }
 
  private:
-  /// The findings of the contours about a vertex.
+  /// Findings of the contours at a vertex.
   struct Seen {
     std::uint32_t low = kNone, high = kNone;  ///< its two neighbours
     bool straight = false;
@@ -43,7 +43,7 @@ class Straightener {
     }
   }
 
-  /// Whether q lies on the chord from a to b, within the precision of the coordinates.
+  /// Whether q lies on the chord from a to b within the precision of the coordinates.
   bool is_on_chord(std::uint32_t a, std::uint32_t q, std::uint32_t b) const {
     const Point3 chord = vertices_[b] - vertices_[a], to_q = vertices_[q] - vertices_[a];
     const double length = glm::length(chord);
@@ -69,7 +69,7 @@ class Straightener {
     }
   }
 
-  /// Runs of straight vertices that bend away from the chord between their ends are not straight.
+  /// Marks runs of straight vertices as not straight if they leave the chord between their ends.
   void check_runs(Contour& contour) {
     const std::size_t n = contour.corners.size();
     const auto at = [&](std::size_t k) { return contour.corners[k % n]; };
@@ -89,7 +89,7 @@ class Straightener {
     }
   }
 
-  /// A contour without area would lose too much.
+  /// Keeps all vertices of a contour that would have fewer than three left.
   void keep_three(Contour& contour) {
     const auto is_bend = [&](std::uint32_t v) { return !seen(v).straight; };
     if (std::count_if(contour.corners.begin(), contour.corners.end(), is_bend) >= 3) return;

@@ -1,6 +1,6 @@
-// Vertices are sorted stably into parts by the top bits of a hash of their position; every part then has a small hash table
-// of its own, open addressing, that fits the cache, and parts are independent of each other. Inside a part vertices come
-// in ascending order, so the first one of a position stands for the others whatever the number of threads.
+// Vertices are sorted stably into parts by the top bits of a hash of their position. Every part then has its own small
+// hash table with open addressing that fits the cache, and parts are independent of each other. Within a part vertices
+// come in ascending order, so the first one at a position stands for the others, at any number of threads.
 
 #include "scene/clean/weld.hpp"
 
@@ -20,9 +20,9 @@ namespace {
 
 constexpr unsigned kPartBits = 7;
 constexpr std::size_t kParts = std::size_t{1} << kPartBits;
-/// Entries by which the memory is asked for in advance: the vertices of a part lie all over the scene.
+/// Number of entries by which memory is prefetched: the vertices of a part lie all over the scene.
 constexpr std::size_t kAhead = 16;
-/// Vertices that one task hashes and sorts into parts.
+/// Number of vertices that one task hashes and sorts into parts.
 constexpr std::size_t kBlock = std::size_t{1} << 15;
 
 std::uint32_t hash(const Point3& p) {
@@ -66,7 +66,7 @@ Parts sort_into_parts(const std::vector<Point3>& vertices, std::vector<std::uint
   return parts;
 }
 
-/// Welds the vertices of one part; returns how many have found another that stands for them.
+/// Welds the vertices of one part; returns how many were replaced by an earlier one.
 std::size_t weld_part(const Scene& scene, std::span<const Entry> entries, std::vector<std::uint32_t>& first) {
   constexpr Entry kFree{0, kNone};
   const std::size_t size = std::bit_ceil(2 * entries.size() + 1);
@@ -89,7 +89,7 @@ std::size_t weld_part(const Scene& scene, std::span<const Entry> entries, std::v
       }
       if (there.hash != e.hash || scene.vertices[there.vertex] != scene.vertices[e.vertex]) continue;
       if (there.vertex < object_begin) {
-        there = e;  // the same position in an earlier object: nobody asks for that one again
+        there = e;  // this position of an earlier object is not needed any more
       } else {
         first[e.vertex] = there.vertex;
         ++repeated;

@@ -1,5 +1,5 @@
-// The vertices that stay where they are stand in a hashed grid (near_cells.hpp). Since they are farther apart than the
-// distance, a cell holds a few of them only.
+// The vertices that stay are kept in a hashed grid (near_cells.hpp). Since they are farther apart than the distance, a
+// cell holds only a few of them.
 
 #include "scene/clean/weld_near.hpp"
 
@@ -16,11 +16,11 @@ namespace {
 
 class NearVertices {
  public:
-  /// `count`: vertices that will be taken, at most.
+  /// `count`: largest number of vertices that will be added.
   NearVertices(std::vector<Point3>& vertices, double distance, std::size_t count)
       : vertices_(vertices), distance_(distance), heads_(std::bit_ceil(count + 1), kNone) {}
 
-  /// Moves vertex v onto one that stays, or lets it stay.
+  /// Moves vertex v onto one that stays, or adds it to those.
   void take(std::uint32_t v) {
     const Point3 p = vertices_[v];
     const NearCells cells(p, distance_);
@@ -48,7 +48,7 @@ class NearVertices {
 
   std::vector<Point3>& vertices_;
   double distance_;
-  std::vector<std::uint32_t> heads_;  ///< by slot: the first of the links of the vertices in its cells
+  std::vector<std::uint32_t> heads_;  ///< per slot: the first link of the vertices in its cells
   std::vector<Link> links_;
 };
 

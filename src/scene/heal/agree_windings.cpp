@@ -16,7 +16,7 @@ bool joins_two_faces(const Topology& topology, std::size_t e) {
   return edge.face1 != kNone && edge.face0 != edge.face1 && !(topology.edge_flags[e] & kEdgeManyFaces);
 }
 
-/// The neighbours of each face over edges of two faces.
+/// The neighbours of each face across edges of two faces.
 class Neighbours {
  public:
   struct Neighbour {
@@ -51,7 +51,7 @@ class Neighbours {
   std::vector<Neighbour> all_;
 };
 
-/// Each edge keeps its flags: those of the corner where it begins.
+/// Reverses a face. Each edge keeps its flags, which belong to the corner where it begins.
 void turn(Scene& scene, std::uint32_t face) {
   const std::span<std::uint32_t> corners = scene.faces.corners();
   for (std::size_t c = 0; c < scene.faces.contour_count(face); ++c) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Windings that agree: which side of a sheet is the front.
+/// Makes windings agree: decides which side of a sheet is the front.
 
 #include <cstddef>
 
@@ -8,10 +8,10 @@
 
 namespace ligne {
 
-/// Turns faces round so that neighbours run through their common edge in opposite directions, wherever a set of faces that
-/// hang together over edges of two faces allows it: of the two ways, the one that turns fewer faces. A set that has only
-/// one side (a Moebius strip) stays as it is. Returns the number of faces turned; `topology` is that of the scene before.
-/// O(n); where all windings agree only the edges are read.
+/// Reverses faces so that neighbours traverse their common edge in opposite directions. Works on each set of faces
+/// connected by edges of two faces; of the two solutions it takes the one that reverses fewer faces. A one-sided set (a
+/// Moebius strip) stays as it is. Returns the number of faces reversed. `topology` is that of the scene before. O(n);
+/// if all windings agree, only the edges are read.
 std::size_t agree_windings(Scene& scene, const Topology& topology);
 
 }  // namespace ligne

@@ -12,7 +12,7 @@
 namespace ligne {
 namespace {
 
-/// Calls visit(from, to) for the sides of a face.
+/// Calls visit(from, to) for each side of a face.
 template <class Visit>
 void for_sides(const PolygonFaces& faces, std::uint32_t f, const Visit& visit) {
   for (std::size_t c = 0; c < faces.contour_count(f); ++c) {
@@ -22,13 +22,13 @@ void for_sides(const PolygonFaces& faces, std::uint32_t f, const Visit& visit) {
   }
 }
 
-/// Different numbers for different vertices, without a pattern that could cancel in sums: two rounds of multiplication.
+/// Maps vertices to distinct numbers without a pattern that could cancel in sums: two rounds of multiplication.
 std::uint64_t scatter(std::uint32_t v) { return mix_bits(v + kGoldenRatio); }
 
 }  // namespace
 
 std::vector<std::uint8_t> ends_of_odd_edges(const Scene& scene) {
-  // Whatever the parts are, the sums are the same: exclusive or knows no order.
+  // The sums do not depend on the division into parts, since exclusive or is commutative.
   constexpr std::size_t kFacesPerPart = 100'000, kMostParts = 4;
   const PolygonFaces& faces = scene.faces;
   const std::size_t n = faces.size(), vertices = scene.vertices.size();
@@ -103,7 +103,7 @@ std::vector<std::vector<Edge>> border_edges(const Scene& scene, const Topology& 
   std::size_t object = 0;
   const auto is_border = [&](std::size_t e) { return topology.edges[e].face1 == kNone; };
   for (const std::uint32_t e : indices_where(topology.edges.size(), is_border)) {
-    // Objects own ascending ranges of the vertices, and edges come in the order of their vertices.
+    // Objects own ascending ranges of the vertices, and edges are sorted by their vertices.
     while (topology.edges[e].v0 >= scene.objects[object].vertex_end) ++object;
     borders[object].push_back(topology.edges[e]);
   }

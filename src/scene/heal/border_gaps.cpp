@@ -14,7 +14,8 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: what counts as a break between cracks and openings, and the limits of cracks.
+/// Smallest ratio of two gaps that separates cracks from openings, and largest crack relative to the median border edge
+/// and to the model. Adjustable; see find_gap_break().
 constexpr double kBreak = 2;
 constexpr double kPartOfMedian = 1.0 / 8;
 constexpr double kPartOfModel = 1.0 / 4096;
@@ -64,7 +65,7 @@ std::size_t count_within(const std::vector<double>& gaps, double distance) {
 }  // namespace
 
 Border::Border(const Scene& scene, std::vector<Edge> edges) : scene_(scene), edges_(std::move(edges)) {
-  // The lower ends come in order already.
+  // The lower ends are sorted already.
   for (const Edge& edge : edges_) vertices_.push_back(edge.v0);
   for (const Edge& edge : edges_) vertices_.push_back(edge.v1);
   const auto higher = vertices_.begin() + static_cast<std::ptrdiff_t>(edges_.size());
@@ -130,7 +131,7 @@ bool Border::is_apart(std::uint32_t v, std::uint32_t e, double at) const {
 }
 
 NearestPoint BorderSearch::nearest(std::uint32_t v, double distance, double inside) const {
-  if (border_.is_of_one_face()) return {};  // which has v, whatever comes near
+  if (border_.is_of_one_face()) return {};  // the face has v, so no point is apart from it
   return tree_.nearest(border_.point(v), distance, [&](std::uint32_t e, double at) {
     if (inside > 0) {
       const Edge& edge = border_.edges()[e];

@@ -71,7 +71,7 @@ struct GapBreak {
 ///   wider. If there is no such break, only gaps from rounding are cracks.
 GapBreak find_gap_break(const Border& border, double precision, double model_size);
 
-/// The limit for a given distance.
+/// Counts the gaps within a given distance, and finds the next wider one.
 GapBreak gaps_within(const Border& border, double distance);
 
 }  // namespace ligne

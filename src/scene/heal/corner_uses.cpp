@@ -18,7 +18,7 @@ CornerUses::CornerUses(const Scene& scene, const Object& object, std::span<const
       for (const std::uint32_t v : scene.faces.contour(f, c)) ++begin_[number_[v - first_vertex_] + 1];
     }
   }
-  begin_[1] = 0;  // those that nobody asks for
+  begin_[1] = 0;  // drops the count of vertices not requested
   for (std::size_t k = 1; k < begin_.size(); ++k) begin_[k] += begin_[k - 1];
   uses_.resize(begin_.back());
   std::vector<std::uint32_t> next = begin_;

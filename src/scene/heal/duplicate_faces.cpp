@@ -1,9 +1,9 @@
-// Within an object: each face takes a bit by a hash of its corners, one of 64 at its lowest vertex, so that neighbours lie
-// together; those that share it take one of many others; and those that share that too are put into a hash table by their
-// key. So a mesh without duplicates costs two short looks at its faces.
+// Within an object: each face sets a bit chosen by a hash of its corners, one of 64 at its lowest vertex, so that
+// neighbours use near memory. Faces that share a bit set one of many other bits; faces that share that too go into a
+// hash table by their key. So a mesh without duplicates costs two short passes over its faces.
 //
-// Between objects: objects that may coincide have the same sum of hashes of positions. Each is written down as its sorted
-// positions and its sorted face keys in terms of them, and compared with the first of its kind.
+// Between objects: objects that may coincide have equal sums of position hashes. Each is described by its sorted
+// positions and by its sorted face keys in terms of these, and compared with the first of its kind.
 
 #include "scene/heal/duplicate_faces.hpp"
 
@@ -34,7 +34,7 @@ std::uint64_t hash(std::span<const std::uint32_t> key) {
   return h;
 }
 
-/// Those of the faces that share their bit with another one, in their order. `face(k)`: the faces, for k in [0, count);
+/// Returns the faces that share their bit with another one, in order. `face(k)`: the faces, for k in [0, count).
 /// `bit_of(f)` is less than `bits`, which is a multiple of 64.
 template <class Face, class Bit>
 std::vector<std::uint32_t> faces_that_share(std::size_t count, std::size_t bits, const Face& face, const Bit& bit_of) {
@@ -42,7 +42,7 @@ std::vector<std::uint32_t> faces_that_share(std::size_t count, std::size_t bits,
     std::uint64_t taken = 0, shared = 0;
   };
   std::vector<Words> words(bits / 64);
-  // A task owns a range of the words and goes through all faces.
+  // Each task owns a range of the words and reads all faces.
   constexpr std::size_t kFacesPerRange = 200'000, kMostRanges = 4;
   const std::size_t ranges = std::clamp<std::size_t>(count / kFacesPerRange, 1, std::min(kMostRanges, thread_count()));
   parallel_tasks(ranges, [&](std::size_t range) {
@@ -64,7 +64,7 @@ std::vector<std::uint32_t> faces_that_share(std::size_t count, std::size_t bits,
   return sharing;
 }
 
-/// The bit of a face among 64 at its lowest vertex, whatever the order of its corners.
+/// The bit of a face among the 64 at its lowest vertex; it does not depend on the order of the corners.
 std::size_t bit_at_vertex(std::span<const std::uint32_t> contour) {
   std::uint32_t lowest = contour[0], sum = 0;
   for (const std::uint32_t v : contour) {
@@ -93,7 +93,7 @@ std::vector<std::uint32_t> suspect_faces(const PolygonFaces& faces, std::size_t 
       });
 }
 
-/// One face stands for another.
+/// Records that face `first` stands for `face`.
 void stand_in(DuplicateFaces& found, std::size_t faces, std::uint32_t face, std::uint32_t first) {
   if (found.first.empty()) {
     found.first.resize(faces);
@@ -105,7 +105,7 @@ void stand_in(DuplicateFaces& found, std::size_t faces, std::uint32_t face, std:
 void find_within_objects(const Scene& scene, DuplicateFaces& found) {
   const std::vector<std::uint32_t> candidates = suspect_faces(scene.faces, scene.vertices.size());
   if (candidates.empty()) return;
-  // Vertices of different objects differ, so one table serves all.
+  // Different objects have different vertices, so one table serves all.
   const std::size_t mask = std::bit_ceil(2 * candidates.size() + 1) - 1;
   struct Slot {
     std::uint64_t hash = 0;
@@ -131,11 +131,11 @@ void find_within_objects(const Scene& scene, DuplicateFaces& found) {
   }
 }
 
-/// An object written down so that objects that coincide are equal.
+/// Description of an object that is equal for objects that coincide.
 struct Shape {
   std::vector<Point3> positions;                  ///< sorted
-  std::vector<std::vector<std::uint32_t>> faces;  ///< keys in terms of them, sorted, each once
-  std::vector<std::uint32_t> face;                ///< a face of each key: the first
+  std::vector<std::vector<std::uint32_t>> faces;  ///< keys in terms of positions, sorted and distinct
+  std::vector<std::uint32_t> face;                ///< per key: its first face
 };
 
 Shape shape_of(const Scene& scene, const Object& object) {
@@ -168,7 +168,7 @@ Shape shape_of(const Scene& scene, const Object& object) {
   return shape;
 }
 
-/// The objects that have as many vertices as another one, ascending: only such may coincide.
+/// The objects that have as many vertices as another object, ascending. Only these may coincide.
 std::vector<std::uint32_t> like_large_objects(const Scene& scene) {
   std::vector<std::uint32_t> order(scene.objects.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -224,7 +224,7 @@ void find_equal_objects(const Scene& scene, DuplicateFaces& found) {
   }
 }
 
-using Corner = std::pair<std::array<std::uint32_t, 2>, std::size_t>;  ///< ends of an edge, and the corner it begins at
+using Corner = std::pair<std::array<std::uint32_t, 2>, std::size_t>;  ///< ends of an edge, and its corner
 
 std::vector<Corner> edges_of(const Scene& scene, std::uint32_t f) {
   std::vector<Corner> edges;
@@ -239,7 +239,8 @@ std::vector<Corner> edges_of(const Scene& scene, std::uint32_t f) {
   return edges;
 }
 
-/// Faces of one object alone: those of another one have vertices of their own, and their flags go with it.
+/// Joins flags of faces of one object. Faces of other objects have their own vertices, and their flags are dropped with
+/// them.
 void join_flags(Scene& scene, std::uint32_t from, std::uint32_t to) {
   constexpr std::uint8_t kAllMustSay = kCornerFileHidden | kCornerInner | kCornerSmooth;
   const std::vector<Corner> a = edges_of(scene, from), b = edges_of(scene, to);
@@ -255,7 +256,8 @@ void join_flags(Scene& scene, std::uint32_t from, std::uint32_t to) {
 bool may_repeat_triangles(const Topology& topology) {
   const std::vector<Edge>& edges = topology.edges;
   constexpr std::uint32_t kMostLookedBack = 64;  // adjustable
-  // Edges come by their lower vertex: of two faces that have two edges there, the second looks back for the first.
+  // Edges are sorted by their lower vertex. If two faces share two edges there, the second edge looks back for the
+  // first.
   const auto repeats = [&](std::size_t e) {
     if (topology.edge_flags[e] & kEdgeManyFaces) return true;
     const Edge& edge = edges[e];
@@ -282,7 +284,7 @@ DuplicateFaces find_duplicate_faces(const Scene& scene, bool within_objects) {
   if (within_objects) find_within_objects(scene, found);
   if (scene.objects.size() > 1) find_equal_objects(scene, found);
   for (std::uint32_t f = 0; f < found.first.size(); ++f) {
-    // The first face of a pair within an object may have gone with that object.
+    // The first face of a pair within an object may itself be replaced, together with its object.
     found.first[f] = found.first[found.first[f]];
     found.faces += found.first[f] != f;
   }

@@ -13,13 +13,13 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: segments in a leaf.
+/// Largest number of segments in a leaf. Adjustable.
 constexpr std::uint32_t kLeaf = 4;
 
-/// The point of a segment that is nearest to another point.
+/// The point of a segment nearest to another point.
 struct Foot {
   double at;      ///< from 0 to 1 along the segment
-  double square;  ///< of the distance
+  double square;  ///< squared distance
 };
 
 Foot foot(const EdgeTree::Segment& s, const Point3& p) {
@@ -29,12 +29,12 @@ Foot foot(const EdgeTree::Segment& s, const Point3& p) {
   return {at, glm::dot(away, away)};
 }
 
-/// A square that is larger by this factor belongs to a larger distance, whatever was rounded.
+/// Factor on a squared distance that exceeds all rounding: a larger square means a larger distance.
 constexpr double kSquareSlack = 1 + 8 * std::numeric_limits<double>::epsilon();
 
 double square_limit(double distance) { return kSquareSlack * distance * distance; }
 
-/// The nearest of the segments that were looked at.
+/// Keeps the nearest of the segments tested.
 class NearestSearch {
  public:
   NearestSearch(const Point3& p, double distance, FunctionRef<bool(std::uint32_t, double)> accept)
@@ -66,7 +66,7 @@ class NearestSearch {
 EdgeTree::EdgeTree(std::vector<Segment> segments) : segments_(std::move(segments)), order_(segments_.size()) {
   std::iota(order_.begin(), order_.end(), 0u);
   if (segments_.empty()) return;
-  // Ranges are halved, so those of one depth differ by one at the most.
+  // Ranges are halved, so the sizes at one depth differ by at most one.
   std::size_t leaves = 1;
   while (leaves * kLeaf < segments_.size()) leaves *= 2;
   boxes_.resize(2 * leaves - 1);
@@ -104,7 +104,7 @@ NearestPoint EdgeTree::nearest(const Point3& p, double distance, FunctionRef<boo
     std::uint32_t begin, end;
     double square;
   };
-  std::array<Range, 64> stack;  // one entry a level, and the depth is that of a 32-bit count
+  std::array<Range, 64> stack;  // one entry per level; the depth is at most that of a 32-bit count
   std::size_t top = 0;
   const auto push = [&](const Range& range) {
     if (!search.is_beyond(range.square)) stack[top++] = range;

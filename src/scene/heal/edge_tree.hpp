@@ -1,5 +1,5 @@
 #pragma once
-/// The nearest of a set of segments in space.
+/// Finds the nearest of a set of segments in space.
 
 #include <algorithm>
 #include <cstddef>
@@ -13,31 +13,32 @@
 
 namespace ligne {
 
-/// A point of a segment near to another point.
+/// A point of a segment near a given point.
 struct NearestPoint {
-  std::uint32_t segment = kNone;  ///< index, or kNone when none is near enough
-  double at = 0;                  ///< 0 at its start, 1 at its end
+  std::uint32_t segment = kNone;  ///< index, or kNone if none is near enough
+  double at = 0;                  ///< parameter: 0 at the start, 1 at the end
   double distance = 0;
 };
 
-/// A tree of boxes over segments, halved at the median of their middles along the longest side: O(n log n) to build.
+/// A tree of bounding boxes over segments, halved at the median of their midpoints along the longest side: O(n log n)
+/// to build.
 class EdgeTree {
  public:
   struct Segment {
     Point3 a, b;
   };
-  /// Adjustable: segments that one search looks at.
+  /// Largest number of segments tested by one search. Adjustable.
   static constexpr std::size_t kMostVisits = 256;
 
   explicit EdgeTree(std::vector<Segment> segments);
 
-  /// The nearest point within `distance` on a segment that `accept(segment, at)` takes. Of equally near ones the first met,
-  /// which depends on the segments alone. Looks at `kMostVisits` segments at the most, the nearer boxes first, so that
-  /// crowds of segments at one place take no time without bound; beyond that the nearest so far is returned.
+  /// The nearest point within `distance` on a segment for which `accept(segment, at)` is true. Of equally near ones it
+  /// returns the first met, which depends on the segments alone. It tests at most `kMostVisits` segments, nearer boxes
+  /// first, so that many segments at one place take bounded time; beyond that it returns the nearest one so far.
   NearestPoint nearest(const Point3& p, double distance, FunctionRef<bool(std::uint32_t, double)> accept) const;
 
-  /// The nearest point within `distance` on segments [begin, end), which are all looked at; of equally near ones the first,
-  /// and `several` says that there are others.
+  /// The nearest point within `distance` on the segments [begin, end), testing all of them. Of equally near ones it
+  /// returns the first and sets `several`.
   NearestPoint nearest_of(std::uint32_t begin, std::uint32_t end, const Point3& p, double distance, bool& several) const;
 
  private:
@@ -52,7 +53,7 @@ class EdgeTree {
       return square;
     }
   };
-  /// The middle of a segment along the side that is halved.
+  /// Midpoint of a segment along the side that is halved.
   struct Middle {
     double at;
     std::uint32_t segment;
@@ -60,12 +61,12 @@ class EdgeTree {
   void build(std::size_t node, std::uint32_t begin, std::uint32_t end, std::vector<Middle>& middles);
 
   std::vector<Segment> segments_;
-  std::vector<std::uint32_t> order_;  ///< of the segments, so that a node is a range
+  std::vector<std::uint32_t> order_;  ///< permutation of the segments in which each node is a range
   std::vector<Box> boxes_;            ///< children of node i: 2 i + 1 and 2 i + 2
 };
 
-/// The nearest point within `distance` on those of the segments that are listed, which are all looked at, and that `accept`
-/// takes; of equally near ones the first that is listed.
+/// The nearest point within `distance` on the listed segments for which `accept` is true, testing all of them. Of
+/// equally near ones it returns the first listed.
 NearestPoint nearest_among(std::span<const EdgeTree::Segment> segments, std::span<const std::uint32_t> listed,
                            const Point3& p, double distance, FunctionRef<bool(std::uint32_t, double)> accept);
 

@@ -8,8 +8,8 @@
 namespace ligne {
 namespace {
 
-/// Where the least rotation of a cyclic word begins (Shiloach 1981: two candidates run against each other, and the one that
-/// loses at its letter k can not begin before k + 1).
+/// Start of the least rotation of a cyclic word (Shiloach 1981: two candidates are compared; the one that loses at its
+/// letter k can not begin before k + 1).
 std::size_t least_rotation(std::span<const std::uint32_t> word) {
   const std::size_t n = word.size();
   std::size_t i = 0, j = 1, k = 0;
@@ -26,9 +26,9 @@ std::size_t least_rotation(std::span<const std::uint32_t> word) {
   return std::min(i, j);
 }
 
-/// The least word of a cyclic contour, read in either direction.
+/// Replaces a cyclic contour by its least word, read in either direction.
 void make_canonical(std::vector<std::uint32_t>& contour) {
-  if (contour.size() == 3) {  // rotations and reversal are all the orders of three
+  if (contour.size() == 3) {  // rotations and reversal give all orders of three
     std::sort(contour.begin(), contour.end());
     return;
   }
@@ -59,7 +59,7 @@ void face_key(const Scene& scene, std::uint32_t face, FunctionRef<std::uint32_t(
   }
   std::sort(holes.begin(), holes.end());
   for (const auto& hole : holes) {
-    key.push_back(kNone);  // no vertex goes by it
+    key.push_back(kNone);  // a separator that is no vertex
     key.insert(key.end(), hole.begin(), hole.end());
   }
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// A key that two faces with equal contours have in common.
+/// A key that is equal for faces with equal contours.
 
 #include <cstdint>
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace ligne {
 
-/// Writes the key of a face into `key`: two faces have the same key if and only if their outer contours visit the same
-/// vertices in the same cyclic order or in the reverse one, and their holes do. `name` gives the number by which a vertex
-/// goes. Takes time with the number of corners, but for the order of holes.
+/// Writes the key of a face into `key`. Two faces have the same key if and only if their outer contours visit the same
+/// vertices in the same cyclic order or in reverse, and their holes do too. `name` maps a vertex to the number used in
+/// the key. Takes time proportional to the number of corners, plus the sorting of holes.
 void face_key(const Scene& scene, std::uint32_t face, FunctionRef<std::uint32_t(std::uint32_t)> name,
               std::vector<std::uint32_t>& key);
 

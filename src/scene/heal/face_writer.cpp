@@ -59,7 +59,7 @@ void FaceWriter::finish(std::vector<std::uint32_t>* faces) {
   scene_.corner_flags = std::move(flags);
   scene_.face_material = std::move(material);
   scene_.face_source = std::move(source);
-  Warnings none;  // details stand on faces that stay
+  Warnings none;  // no detail is lost: faces with details stay
   renumber_faces(scene_, first, none);
   if (!faces) return;
   std::vector<std::uint32_t> come_from;
@@ -100,7 +100,7 @@ PolygonFaces FaceWriter::faces() const {
   return faces;
 }
 
-/// None when no corner has any.
+/// Flags of the new corners; none if no corner has any.
 std::vector<std::uint8_t> FaceWriter::corner_flags() const {
   std::vector<std::uint8_t> flags;
   if (scene_.corner_flags.empty() && std::ranges::all_of(flags_of_others_, is_zero)) return flags;
@@ -118,7 +118,7 @@ std::vector<std::uint8_t> FaceWriter::corner_flags() const {
   return flags;
 }
 
-/// Values of each new face, from the face that it is, or in whose place it stands.
+/// Values of each new face, copied from the old face that it is or replaces.
 std::vector<std::uint32_t> FaceWriter::of_origins(const std::vector<std::uint32_t>& values) const {
   std::vector<std::uint32_t> now;
   if (values.empty()) return now;
@@ -127,13 +127,13 @@ std::vector<std::uint32_t> FaceWriter::of_origins(const std::vector<std::uint32_
   return now;
 }
 
-/// See renumber_faces().
+/// The list that renumber_faces() takes.
 std::vector<std::uint32_t> FaceWriter::first_new() const {
   std::vector<std::uint32_t> first;
   first.reserve(scene_.faces.size() + 1);
   std::uint32_t next = 0;
   for (const Part& part : parts_) {
-    if (part.first >= first.size()) {  // not a further face in the place of one
+    if (part.first >= first.size()) {  // skipped for a further face in the place of one
       first.resize(part.first, next);
       first.resize(part.last);
       std::iota(first.begin() + part.first, first.end(), next);

@@ -1,5 +1,5 @@
 #pragma once
-/// Writes the faces of a scene anew, with their flags and materials.
+/// Rewrites the faces of a scene, with their flags and materials.
 
 #include <cstdint>
 #include <span>
@@ -11,28 +11,28 @@
 
 namespace ligne {
 
-/// Takes down what becomes of the faces, in ascending order, and copies at the end, array by array in parallel. Faces of
-/// which nothing is said are left out.
+/// Records the fate of the faces in ascending order, and copies at the end, array by array in parallel. Faces without a
+/// record are dropped.
 class FaceWriter {
  public:
   explicit FaceWriter(Scene& scene) : scene_(scene) {}
 
-  /// Faces [first, last) of the scene as they stand there.
+  /// Keeps the faces [first, last) of the scene.
   void keep(std::uint32_t first, std::uint32_t last);
-  /// Another face or triangle in the place of face f; several take its place one after the other.
+  /// Replaces face f by another face or triangle; several in a row replace it together.
   void replace(std::uint32_t f, const LooseFace& face);
   void replace(std::uint32_t f, const CutTriangle& triangle);
-  /// Puts the new faces into the scene, and objects and details on their new numbers. Vertices stay. In an ascending list of
-  /// faces those that came from them take their place.
+  /// Puts the new faces into the scene, and renumbers objects and details. Vertices stay. In `faces`, an ascending
+  /// list, each face is replaced by the faces made from it.
   void finish(std::vector<std::uint32_t>* faces = nullptr);
 
  private:
-  /// Faces [first, last) of the scene, or one other face in the place of `first`. Each face gives one new one.
+  /// Faces [first, last) of the scene, or one other face in the place of `first`. Each gives one new face.
   struct Part {
     std::uint32_t first, last;
-    std::uint32_t other = kNone;  ///< number among the other faces
+    std::uint32_t other = kNone;  ///< index among the other faces
   };
-  /// Faces in a row.
+  /// Consecutive faces.
   struct Row {
     const PolygonFaces& faces;
     const std::vector<std::uint8_t>& flags;
@@ -51,10 +51,10 @@ class FaceWriter {
   std::vector<Part> parts_;
   PolygonFaces others_;
   std::vector<std::uint8_t> flags_of_others_;  ///< per corner
-  std::size_t count_ = 0;                      ///< of new faces
+  std::size_t count_ = 0;                      ///< number of new faces
 };
 
-/// Face f of the scene by itself.
+/// Face f as a face outside the scene.
 LooseFace loose_face(const Scene& scene, std::uint32_t f);
 
 }  // namespace ligne

@@ -18,7 +18,7 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: how often borders are split that were split before.
+/// Largest number of rounds in which border edges are split. Adjustable.
 constexpr int kMostRounds = 4;
 
 double size_of(const Scene& scene) {
@@ -27,8 +27,8 @@ double size_of(const Scene& scene) {
   return glm::distance(low, high);
 }
 
-/// Sewing triangles makes no borders but between vertices of borders; polygons may be cut anywhere. `faces`: all that have a
-/// vertex of a border.
+/// Marks the vertices and faces at which sewing may make borders. Triangles get new borders only between border
+/// vertices; polygons may be cut anywhere. `faces`: all faces with a vertex on a border.
 void take_border(const Scene& scene, const Object& object, const Border& border, std::span<const std::uint32_t> faces,
                  Sewing& sewing) {
   std::vector<std::uint8_t>& marked = sewing.may_be_on_border;
@@ -42,20 +42,20 @@ void take_border(const Scene& scene, const Object& object, const Border& border,
   }
 }
 
-/// Where borders may be.
+/// The places where borders may be.
 struct NearBorders {
   std::vector<std::uint8_t> marked;  ///< per vertex: it may be on a border
-  std::vector<std::uint32_t> faces;  ///< that have such a vertex
+  std::vector<std::uint32_t> faces;  ///< faces that have such a vertex
 };
 
-/// `ends`: of odd edges.
+/// `ends`: marks of the ends of odd edges.
 NearBorders near_borders(const Scene& scene, std::vector<std::uint8_t> ends) {
   NearBorders near{std::move(ends), {}};
   near.faces = faces_at(scene, near.marked);
   return near;
 }
 
-/// The borders of the objects that are sewn, and the distances, and what was seen of them.
+/// Finds the borders of the objects to be sewn. Sets their distances, and the findings in the report.
 std::vector<std::unique_ptr<Border>> borders_to_sew(const Scene& scene, const HealOptions& options, const NearBorders& near,
                                                     Sewing& sewing, HealReport& report) {
   std::vector<std::unique_ptr<Border>> borders(scene.objects.size());
@@ -88,7 +88,7 @@ std::vector<std::unique_ptr<Border>> borders_to_sew(const Scene& scene, const He
   return borders;
 }
 
-/// Vertices that moved may have left polygons that are not planar: those are cut.
+/// Cuts the polygons that are no longer planar because vertices moved.
 void cut_bent_faces(Scene& scene, std::vector<std::uint32_t>& faces) {
   if (scene.faces.all_triangles()) return;
   FaceWriter writer(scene);
@@ -108,7 +108,7 @@ void cut_bent_faces(Scene& scene, std::vector<std::uint32_t>& faces) {
   writer.finish(&faces);
 }
 
-/// Whether there was anything to sew.
+/// Sews borders; returns whether there was anything to sew.
 bool sew(Scene& scene, const HealOptions& options, const NearBorders& near, HealReport& report) {
   Sewing sewing{std::vector<double>(scene.objects.size(), 0)};
   {
@@ -117,7 +117,7 @@ bool sew(Scene& scene, const HealOptions& options, const NearBorders& near, Heal
     report.vertices_moved = join_border_vertices(scene, borders, sewing);
   }
   if (report.vertices_moved > 0) cut_bent_faces(scene, sewing.faces);
-  // An edge that was split may lie beside another vertex now.
+  // A split edge may now lie beside another vertex.
   for (int round = 0; round < kMostRounds; ++round) {
     const EdgeSplits split = split_border_edges(scene, sewing);
     if (split.splits == 0) break;
@@ -140,11 +140,11 @@ void count_edges_left(const Scene& scene, const Topology& topology, HealReport& 
 HealReport heal(Scene& scene, Topology& topology, const HealOptions& options) {
   HealReport report;
   const bool sews = options.sew_distance != 0.0;
-  // Whether the topology is that of the scene, and no triangle stands twice in it.
+  // Whether `topology` is that of the scene, which has no repeated triangle.
   bool known = scene.faces.all_triangles() && scene.faces.size() >= options.topology_first_from;
   if (known) topology = build_topology(scene);
   known = known && !may_repeat_triangles(topology);
-  // Nearly all files have no duplicates, and the borders that are found beside them are right.
+  // Nearly all files have no duplicates, and the borders found in parallel are then right.
   DuplicateFaces duplicates;
   NearBorders near;
   parallel_tasks(sews ? 2 : 1, [&](std::size_t task) {

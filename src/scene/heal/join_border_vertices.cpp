@@ -1,6 +1,6 @@
-// The vertices that stay stand in a hashed grid of cells two distances wide, as in clean/weld_near.cpp: whatever is near
-// enough to a vertex lies in its own cell or beyond its nearer walls. Vertices that may not be joined can crowd in a cell;
-// of such a crowd kMostTried are looked at, so that time grows with the number of vertices.
+// The vertices that stay are kept in a hashed grid of cells two distances wide, as in clean/weld_near.cpp: everything
+// near enough to a vertex lies in its own cell or beyond the cell's nearer walls. Many vertices that must not be joined
+// can lie in one cell. Only kMostTried of them are tested, so that time grows with the number of vertices.
 
 #include <algorithm>
 #include <bit>
@@ -19,7 +19,7 @@
 namespace ligne {
 namespace {
 
-/// Adjustable.
+/// Largest number of vertices tested per search. Adjustable.
 constexpr int kMostTried = 64;
 
 class Joiner {
@@ -30,7 +30,7 @@ class Joiner {
     heads_.assign(std::bit_ceil(border.vertices().size() + 1), kNone);
   }
 
-  /// Joins vertex v to one that stays, or lets it stay.
+  /// Joins vertex v to one that stays, or adds it to those.
   bool take(std::uint32_t v) {
     const Point3 p = scene_.vertices[v];
     const auto slots = NearCells(p, distance_).slots(heads_.size());
@@ -61,7 +61,7 @@ class Joiner {
     std::uint32_t vertex, next;
   };
 
-  /// No face of v loses a corner, and no triangle turns over, when v goes to w.
+  /// Whether no face of v loses a corner, and no triangle turns over, when v moves to w.
   bool may_join(std::uint32_t v, std::uint32_t w) const {
     const auto& points = scene_.vertices;
     for (const CornerUse& use : uses_.of(v)) {
@@ -74,13 +74,13 @@ class Joiner {
 
   const Scene& scene_;
   double distance_;
-  std::vector<std::uint32_t>& target_;  ///< per vertex of the scene: where it went, or itself
+  std::vector<std::uint32_t>& target_;  ///< per vertex of the scene: the vertex that it moved to, or itself
   CornerUses uses_;
-  std::vector<std::uint32_t> heads_;  ///< by slot: the first of the links of the vertices in its cells
+  std::vector<std::uint32_t> heads_;  ///< per slot: the first link of the vertices in its cells
   std::vector<Link> links_;
 };
 
-/// Leaves the marks of the vertices that stay.
+/// Keeps the marks of the vertices that stay.
 void keep_marks(std::vector<std::uint8_t>& marks, const std::vector<std::uint32_t>& target) {
   std::size_t left = 0;
   for (std::uint32_t v = 0; v < target.size(); ++v) {

@@ -10,11 +10,12 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: cells are so many mean lengths of a segment wide, and so many reaches at least.
+/// Smallest width of a cell: in mean lengths of a segment, and in reaches. Adjustable.
 constexpr double kSideInLengths = 2, kSideInReaches = 4;
-/// Cells along the longest side of the box at the most: a cell's three numbers have 21 bits each.
+/// Largest number of cells along the longest side of the box: each of a cell's three numbers has 21 bits.
 constexpr double kMostCells = 0x1p20;
-/// More than the roundings of a place, of a cell and of the largest coordinate.
+/// Bounds on the rounding errors of a cell number, relative to the side of a cell, and of a point, relative to the
+/// largest coordinate.
 constexpr double kCellRounding = 0x1p-20, kRounding = 0x1p-48;
 
 }  // namespace
@@ -25,7 +26,7 @@ SegmentCells::SegmentCells(std::span<const EdgeTree::Segment> segments, double r
   std::vector<std::pair<std::uint32_t, std::uint32_t>> listed;  // slot, segment
   listed.reserve(4 * segments.size());
   for (std::uint32_t s = 0; s < segments.size(); ++s) {
-    // Long segments in parts, so that the boxes round them are no larger than a cell.
+    // Long segments are cut into parts, so that their boxes are no larger than a cell.
     const auto& [a, b] = segments[s];
     const Point3 along = b - a;
     const double parts = std::ceil(std::max(1.0, glm::length(along) / side_));

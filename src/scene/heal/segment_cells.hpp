@@ -1,5 +1,5 @@
 #pragma once
-/// Segments by the cells of space that they come near.
+/// Lists segments by the cells of space near them.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,14 +13,14 @@
 
 namespace ligne {
 
-/// Where most of the segments near a point are its own and their neighbours, a look at one cell costs less than the way down
-/// a tree. Cells are about as large as two segments are long, and kept in a hashed table. O(n).
+/// If most segments near a point are its own and their neighbours, reading one cell costs less than descending a tree.
+/// Cells are about as wide as two segments are long, and are kept in a hash table. O(n).
 class SegmentCells {
  public:
-  /// For questions about segments within `reach`.
+  /// Prepares for queries of segments within `reach`.
   SegmentCells(std::span<const EdgeTree::Segment> segments, double reach);
 
-  /// All segments within reach of a point in the box round the segments; others too, and some more than once.
+  /// All segments within reach of a point in the segments' bounding box. May list others too, and repeat some.
   std::span<const std::uint32_t> near(const Point3& p) const {
     const std::size_t slot = slot_of(cell_of(p));
     return {listed_.data() + begin_[slot], listed_.data() + begin_[slot + 1]};
@@ -41,7 +41,7 @@ class SegmentCells {
 
   Point3 low_{0, 0, 0};
   double side_ = 1, margin_ = 0;
-  std::vector<std::uint32_t> begin_;   ///< by slot, of which there is a power of two, the first segment; and the end
+  std::vector<std::uint32_t> begin_;   ///< per slot (their number is a power of two): the first segment; and the end
   std::vector<std::uint32_t> listed_;  ///< segments
 };
 

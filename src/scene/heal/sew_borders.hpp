@@ -1,5 +1,5 @@
 #pragma once
-/// Sewing borders that run along each other.
+/// Sews borders that run along each other.
 
 #include <cstdint>
 #include <memory>
@@ -11,20 +11,20 @@
 
 namespace ligne {
 
-/// Sewing in progress.
+/// State of a sewing in progress.
 struct Sewing {
-  std::vector<double> distances;  ///< per object; 0: it is not sewn, or no longer
-  /// Per vertex: all vertices at borders of the objects that are sewn, and maybe others.
+  std::vector<double> distances;  ///< per object; 0: it is not sewn, or not any more
+  /// Per vertex: 1 for all vertices on borders of the objects that are sewn, and possibly for others.
   std::vector<std::uint8_t> may_be_on_border{};
-  std::vector<std::uint8_t> settled{};  ///< per vertex: it has moved, or another one has come to it
-  /// All faces of the objects that are sewn that have such a vertex, and maybe others, ascending.
+  std::vector<std::uint8_t> settled{};  ///< per vertex: it has moved, or another one has moved onto it
+  /// All faces that have such a vertex, and possibly others, of the objects that are sewn; ascending.
   std::vector<std::uint32_t> faces{};
 };
 
-/// Puts vertices of the border onto other ones of the border of the same object that are nearer than the object's distance,
-/// the nearest of those before them that stay. So none moves further than that. A vertex stays where it is when a
-/// triangle would lose its corner or turn over. Returns the number of vertices moved, which are no longer
-/// there. `borders`: of the objects that are sewn.
+/// Moves border vertices onto earlier border vertices of the same object that stay and are nearer than the object's
+/// distance, each onto the nearest. So no vertex moves further than that. A vertex stays where it is if a triangle
+/// would lose its corner or turn over. Returns the number of vertices moved, which are then removed. `borders`: those
+/// of the objects that are sewn.
 std::size_t join_border_vertices(Scene& scene, std::span<const std::unique_ptr<Border>> borders, Sewing& sewing);
 
 struct EdgeSplits {
@@ -32,10 +32,10 @@ struct EdgeSplits {
   std::size_t vertices_moved = 0;
 };
 
-/// Splits border edges where a vertex of the border of the same object lies within the object's distance of them, its foot
-/// between their ends: T-junctions. The vertex moves onto the edge where that bends the faces round it less than the face of
-/// the edge would bend otherwise. A triangle is cut from the corner across the edge; a polygon gets the vertex, and is cut
-/// into triangles when that leaves it not planar. A face that would turn over stays as it is.
+/// Splits border edges at T-junctions: where a border vertex of the same object lies within the object's distance of an
+/// edge, with its foot between the edge's ends. The vertex moves onto the edge if that bends the faces around it less
+/// than it would otherwise bend the face of the edge. A triangle is cut from the corner across the edge. A polygon gets
+/// the vertex, and is cut into triangles if it is no longer planar. A face that would turn over stays as it is.
 EdgeSplits split_border_edges(Scene& scene, Sewing& sewing);
 
 }  // namespace ligne

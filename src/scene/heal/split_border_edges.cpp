@@ -20,7 +20,7 @@ namespace {
 /// A vertex that lies on an edge of a face.
 struct Split {
   std::uint32_t face = 0;
-  std::uint32_t v0 = 0, v1 = 0;  ///< of the edge, in ascending order
+  std::uint32_t v0 = 0, v1 = 0;  ///< the ends of the edge, in ascending order
   double at = 0;                 ///< 0 at v0, 1 at v1
   std::uint32_t vertex = 0;
 
@@ -29,8 +29,8 @@ struct Split {
   }
 };
 
-/// Puts the vertices that lie beside an edge onto it, where that bends the faces round the vertex less than the split would
-/// bend the face of the edge. So a straight edge and a flat face stay what they are.
+/// Moves vertices beside an edge onto it, if that bends the faces around the vertex less than the split would bend the
+/// face of the edge. So straight edges and flat faces stay so.
 std::size_t move_onto_edges(Scene& scene, const Object& object, std::span<const std::uint32_t> faces,
                             std::span<const Split> splits, std::vector<std::uint8_t>& settled) {
   std::vector<std::uint32_t> vertices;
@@ -54,7 +54,7 @@ std::size_t move_onto_edges(Scene& scene, const Object& object, std::span<const 
   return moved;
 }
 
-/// `inside`: a foot nearer to an end of the edge is that end.
+/// Finds the splits. `inside`: a foot nearer than this to an end of the edge counts as that end.
 std::vector<Split> splits_of(const Border& border, double distance, double inside) {
   const std::vector<std::uint32_t>& vertices = border.vertices();
   const BorderSearch search(border);
@@ -71,7 +71,7 @@ std::vector<Split> splits_of(const Border& border, double distance, double insid
   return splits;
 }
 
-/// The vertices to be put between two corners, in the order from the first to the second.
+/// The vertices to be inserted between two corners, in order from the first to the second.
 std::vector<std::uint32_t> between(std::span<const Split> splits, std::uint32_t from, std::uint32_t to) {
   const auto [low, high] = std::minmax(from, to);
   std::vector<std::uint32_t> vertices;
@@ -82,13 +82,13 @@ std::vector<std::uint32_t> between(std::span<const Split> splits, std::uint32_t 
   return vertices;
 }
 
-/// Cuts a triangle edge by edge, each from the corner across it, so that no piece has all its corners along one edge.
+/// Cuts a triangle edge by edge, each from the opposite corner, so that no piece has all its corners on one edge.
 class TriangleSplitter {
  public:
   TriangleSplitter(const std::vector<Point3>& vertices, std::span<const Split> splits)
       : vertices_(vertices), splits_(splits) {}
 
-  /// Nothing when a piece would turn over.
+  /// Returns nothing if a piece would turn over.
   std::optional<std::vector<CutTriangle>> run(const CutTriangle& triangle) {
     normal_ = normal_of(triangle);
     for (int k = 0; k < 3; ++k) {
@@ -108,7 +108,7 @@ class TriangleSplitter {
     return glm::cross(vertices_[t.vertices[1]] - a, vertices_[t.vertices[2]] - a);
   }
 
-  /// `edge[k]`: which edge of the whole triangle edge k is, or -1 when it is a cut.
+  /// `edge[k]`: the edge of the whole triangle on which edge k lies, or -1 if it is a cut.
   void cut(const CutTriangle& t, std::array<int, 3> edge) {
     for (int k = 0; k < 3; ++k) {
       if (edge[k] < 0 || along_[edge[k]].empty()) continue;
@@ -152,7 +152,7 @@ LooseFace with_vertices(const LooseFace& face, std::span<const Split> splits) {
   return out;
 }
 
-/// The face or the triangles that take the place of a face with splits.
+/// The face or the triangles that replace a face with splits.
 struct SplitFace {
   std::uint32_t face = 0;
   std::size_t splits = 0;
@@ -160,7 +160,7 @@ struct SplitFace {
   std::vector<CutTriangle> pieces{};
 };
 
-/// Nothing when it can not be done.
+/// Returns nothing if the face can not be split.
 std::optional<SplitFace> split_face(const Scene& scene, double precision, std::span<const Split> splits) {
   SplitFace split{splits[0].face, splits.size()};
   const LooseFace face = loose_face(scene, split.face);
@@ -228,7 +228,7 @@ EdgeSplits split_border_edges(Scene& scene, Sewing& sewing) {
   if (done.splits == 0) return done;
   FaceWriter writer(scene);
   std::uint32_t written = 0;
-  for (const OfObject& object : objects) {  // which own ascending ranges of the faces
+  for (const OfObject& object : objects) {  // objects own ascending ranges of the faces
     for (const SplitFace& split : object.faces) {
       writer.keep(written, split.face);
       if (split.whole) writer.replace(split.face, *split.whole);
