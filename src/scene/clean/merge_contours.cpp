@@ -81,8 +81,7 @@ class BoundaryWalk {
   std::vector<BoundaryEdge> edges_;  ///< by start vertex
   std::vector<std::uint8_t> used_;
   std::vector<std::size_t> path_;                         ///< edges, each starting where the one before ends
-  std::unordered_map<std::uint32_t, std::size_t> place_;  ///< per vertex: index of the edge on the path that begins at
-                                                          ///< it
+  std::unordered_map<std::uint32_t, std::size_t> place_;  ///< per vertex: index of the path edge from it
   std::vector<Contour> contours_;
 };
 

@@ -11,11 +11,11 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: a face so many times as wide as its neighbour is a flat side beside a narrow rounding, and no chord of an arc
-/// of which both were parts. It lies as near to its shape as the rounding does.
+/// Largest ratio of the widths of two faces that are chords of one arc. A wider face is a flat side beside a narrow
+/// rounding, and lies as near to its shape as the rounding does. Adjustable.
 constexpr double kUneven = 4;
 
-/// How far the face with this normal reaches from one of its edges.
+/// Distance from an edge of the face to its farthest vertex, across the edge. `normal` is that of the face.
 double width_from(const Scene& scene, std::uint32_t face, const Point3& normal, std::uint32_t v0, std::uint32_t v1) {
   const Point3 origin = scene.vertices[v0];
   const Point3 across = glm::cross(normal, glm::normalize(scene.vertices[v1] - origin));

@@ -1,5 +1,5 @@
 #pragma once
-/// How far a mesh lies from the smooth surface that it stands for.
+/// Estimates the distance of a mesh from the smooth surface that it approximates.
 
 #include <cstdint>
 #include <vector>
@@ -9,17 +9,17 @@
 
 namespace ligne {
 
-/// Estimates for some faces of a scene, by the angles at which their neighbours join them. A face of width w (from the edge
-/// to its farthest vertex) that bends by the angle t against its neighbour is the chord of an arc whose height is
-/// w/2 tan(t/4). Where it is much wider than its neighbour, it is a flat side beside a narrow rounding, whose width counts
-/// in place of its own. Edges that bend by more than `smooth_degrees`, and those of one face or of more than two, are no
-/// part of a smooth surface.
+/// Estimates for some faces of a scene, from the angles between them and their neighbours. A face of width w (from the
+/// edge to its farthest vertex) that forms the angle t with its neighbour is the chord of an arc of height w/2
+/// tan(t/4). A face much wider than its neighbour is a flat side beside a narrow rounding, and then the neighbour's
+/// width counts. Edges with an angle above `smooth_degrees`, and edges of one face or of more than two, are not part of
+/// a smooth surface.
 class ChordErrors {
  public:
   /// `faces`: ascending, with their neighbours.
   ChordErrors(const Scene& scene, const FaceNeighbours& neighbours, std::vector<std::uint32_t> faces, double smooth_degrees);
 
-  /// Model units; 0 for a face that no neighbour joins smoothly. `face` is one of those given.
+  /// The estimate in model units; 0 for a face that no neighbour joins smoothly. `face` must be one of those given.
   double of(std::uint32_t face) const;
 
  private:

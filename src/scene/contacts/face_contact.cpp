@@ -36,7 +36,7 @@ bool within_distance(const Scene& scene, const std::array<std::uint32_t, 2>& fac
   const Point3 line = glm::cross(n, m);
   const double sine = glm::length(line);
   if (sine == 0) return true;  // parallel planes that meet
-  // In either face, away from the segment; to the same side of it.
+  // Directions in the two faces, away from the segment and to the same side of it.
   const Point3 along_n = glm::cross(line / sine, n);
   Point3 along_m = glm::cross(line / sine, m);
   if (glm::dot(along_n, along_m) < 0) along_m = -along_m;

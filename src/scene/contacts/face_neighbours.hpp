@@ -1,5 +1,5 @@
 #pragma once
-/// The faces beside some faces of a scene.
+/// Finds the neighbours of some faces of a scene.
 
 #include <compare>
 #include <cstdint>
@@ -19,17 +19,17 @@ void for_each_edge(const Scene& scene, std::uint32_t face, Visit visit) {
   }
 }
 
-/// For a few faces, found without the topology of the whole scene.
+/// Neighbours of a few faces, found without the topology of the whole scene.
 class FaceNeighbours {
  public:
-  /// O(corners of the objects that the faces belong to). `faces`: ascending.
+  /// Takes O(corners of the objects that own the faces). `faces`: ascending.
   FaceNeighbours(const Scene& scene, const std::vector<std::uint32_t>& faces);
 
-  /// The face on the other side of the edge from v to w of one of the faces; kNone on a border, and where more than two
-  /// faces meet.
+  /// The neighbour of one of the faces across the edge from v to w; kNone on a border and where more than two faces
+  /// meet.
   std::uint32_t across(std::uint32_t face, std::uint32_t v, std::uint32_t w) const;
 
-  /// Calls visit(face, neighbour, v, w) for every edge of two faces, one at least of which was given.
+  /// Calls visit(face, neighbour, v, w) for every edge of two faces, at least one of which was given.
   template <class Visit>
   void for_each_pair(Visit visit) const {
     for (std::size_t begin = 0, end = 0; begin < uses_.size(); begin = end) {
@@ -50,7 +50,7 @@ class FaceNeighbours {
     return end;
   }
 
-  std::vector<EdgeUse> uses_;  ///< of the edges that join two vertices of the faces, by edge
+  std::vector<EdgeUse> uses_;  ///< the edges between vertices of the faces, sorted by edge
 };
 
 }  // namespace ligne

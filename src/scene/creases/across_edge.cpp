@@ -10,16 +10,16 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: a side is so many times as wide as the faces of the rounding beside it,
+/// Smallest ratio of the width of a side to that of a face of the rounding beside it. Adjustable.
 constexpr double kWideTimes = 4;
-/// and behind so many triangles at the most, two for each face of the rounding.
+/// Largest number of triangles searched for the side, two per face of the rounding.
 constexpr int kMostFaces = 8;
-/// Adjustable: of the width, so much lies on either side of an edge in the middle.
+/// Smallest distance of a middle edge from either end of the rounding, relative to the width. Adjustable.
 constexpr double kMiddlePart = 1.0 / 3;
-/// Adjustable: edges along a rounding, and the diagonals of its faces, turn from it by less than 45 degrees.
+/// Cosine of 45 degrees: edges along a rounding, and the diagonals of its faces, deviate from it by less. Adjustable.
 constexpr double kAlongCosine = 0.70710678;
 
-/// From a line to a point, at a right angle to the line.
+/// The vector from a line to a point, perpendicular to the line.
 Point3 across_line(const Point3& start, const Point3& along, const Point3& p) {
   return p - start - glm::dot(p - start, along) * along;
 }
@@ -35,7 +35,7 @@ const Edge* find_edge(const Topology& topology, std::pair<std::uint32_t, std::ui
   return at != topology.edges.end() && ends_of(*at) == ends ? &*at : nullptr;
 }
 
-/// The edge of a face, other than the given one, that runs most along a direction; null where all run across it.
+/// The edge of a face, other than the given one, that is most parallel to a direction; null if all run across it.
 const Edge* opposite_edge(const Scene& scene, const Topology& topology, const Edge& edge, std::uint32_t f,
                           const Point3& along) {
   const auto contour = scene.faces.contour(f, 0);
@@ -53,7 +53,7 @@ const Edge* opposite_edge(const Scene& scene, const Topology& topology, const Ed
   return best.first == kNone ? nullptr : find_edge(topology, best);
 }
 
-/// Goes from the edge over one of its faces, and others, to a face that is much wider than `narrow`.
+/// Walks from the edge across one of its faces and further ones to a face that is much wider than `narrow`.
 bool find_wide_side(const Scene& scene, const Topology& topology, const Edge& start, double narrow, double& way,
                     std::uint32_t& f) {
   const Point3 along = direction(scene, start);

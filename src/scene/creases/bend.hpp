@@ -9,7 +9,7 @@ enum class Bend : std::uint8_t {
   none,
   weak,    ///< above half of the crease angle: a crease may continue over it
   strong,  ///< above the crease angle
-  firm,    ///< a corner, whatever is round it
+  firm,    ///< a corner, regardless of its surroundings
 };
 
 }  // namespace ligne

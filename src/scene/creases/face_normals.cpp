@@ -14,10 +14,10 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: how far slivers are followed to a face that has a normal.
+/// Largest number of slivers passed on the way to a face that has a normal. Adjustable.
 constexpr int kLongestChain = 8;
 
-/// As face_normal(), and zero for slivers.
+/// Returns face_normal(), or zero for slivers.
 Point3 own_normal(const Scene& scene, const Object& object, std::uint32_t f) {
   const auto contour = scene.faces.contour(f, 0);
   if (contour.size() != 3) return face_normal(scene, f);
@@ -29,9 +29,9 @@ Point3 own_normal(const Scene& scene, const Object& object, std::uint32_t f) {
   return length <= straightness_tolerance(object.precision, longest) * longest ? Point3{0, 0, 0} : area / length;
 }
 
-/// The normals that faces without one take from their neighbours across their longest edges. Where all round is thinner than
-/// the precision, as in terrain whose eastings were written with six digits, the faces are all there is to go by, and keep
-/// their own.
+/// Gives faces without a normal that of their neighbour across their longest edge. If everything around is thinner than
+/// the precision, as in terrain whose eastings were written with six digits, the faces keep their own normals, since
+/// there are no better ones.
 void take_from_neighbours(const Scene& scene, const Topology& topology, std::vector<glm::vec3>& normals) {
   std::vector<std::uint8_t> flat(normals.size());
   for (std::size_t f = 0; f < normals.size(); ++f) flat[f] = normals[f] == glm::vec3{0, 0, 0};

@@ -16,17 +16,18 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: normals as near to each other are one; and as near to that of the face are shading it flat.
+/// Largest angle between equal normals, and between a file's normal and that of its face where the face is shaded flat.
+/// Adjustable.
 constexpr double kSameDegrees = 5;
 constexpr double kFlatShadingDegrees = 1;
-/// Less than the 45 degrees of a chamfer: what averaged normals may make smooth.
+/// Largest angle that averaged normals may make smooth: less than the 45 degrees of a chamfer.
 constexpr double kAveragedDegrees = 40;
 
 constexpr std::uint32_t kLevels = 1023;
 
 double cosine(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
 
-/// Whether the cosine of the angle between two directions in levels is not below one that is not negative.
+/// Whether the cosine of the angle between two packed directions is at least `least_cosine`, which is not negative.
 bool within(std::uint32_t a, std::uint32_t b, double least_cosine) {
   if (a == b) return true;
   const Point3 p = unpacked_direction(a), q = unpacked_direction(b);
@@ -34,13 +35,13 @@ bool within(std::uint32_t a, std::uint32_t b, double least_cosine) {
   return d >= 0 && d * d >= least_cosine * least_cosine * glm::dot(p, p) * glm::dot(q, q);
 }
 
-/// A side of a face: from the corner where it begins to the one at its end.
+/// A side of a face, by its first and its second corner.
 struct Side {
   std::uint32_t corner, next;
   std::uint32_t face;
 };
 
-/// The sides of faces, by the corners where they begin.
+/// The sides of faces, indexed by their first corners.
 class Sides {
  public:
   explicit Sides(const PolygonFaces& faces) {
@@ -65,10 +66,10 @@ class Sides {
   Side operator[](std::uint32_t corner) const { return {corner, next(corner), face_.empty() ? corner / 3 : face_[corner]}; }
 
  private:
-  std::vector<std::uint32_t> next_, face_;  ///< empty while all faces are triangles
+  std::vector<std::uint32_t> next_, face_;  ///< empty if all faces are triangles
 };
 
-/// The sides of all faces by the positions of their ends; those without two of them are left out.
+/// The sides of all faces, filed by the positions of their ends. Sides with equal ends are left out.
 VertexPairIndex file_sides(const Scene& scene, const Sides& sides) {
   const Weld weld = weld_vertices(scene);
   const std::span<const std::uint32_t> corners = scene.faces.corners();
@@ -88,7 +89,7 @@ class Marker {
     const VertexPairIndex filed = file_sides(scene_, sides_);
     measure_faces();
     if (scene_.corner_flags.empty()) scene_.corner_flags.resize(scene_.faces.corners().size(), 0);
-    // Each side is of one pair, so no two tasks mark the same corner.
+    // Each side belongs to one pair, so no two tasks mark one corner.
     const std::size_t nodes = scene_.vertices.size(), blocks = block_count(nodes, kShortWorkBlock);
     std::vector<std::vector<std::pair<Side, Side>>> smooth(blocks);
     std::vector<std::vector<std::size_t>> sharp_objects(blocks);
@@ -121,8 +122,8 @@ class Marker {
  private:
   enum class Said { nothing, smooth, sharp };
 
-  /// The normal of each face, and whether that of the file at each of its corners is the same, on whatever side: files
-  /// disagree on the side to which a face looks.
+  /// Computes the normal of each face, and whether the file's normal at each of its corners is parallel to it. The sign
+  /// is ignored: files disagree on the orientation of faces.
   void measure_faces() {
     const std::vector<std::uint32_t>& shaded = shading_.corner_normals;
     normals_.resize(scene_.faces.size());
@@ -151,7 +152,7 @@ class Marker {
     return static_cast<std::size_t>(after - scene_.objects.begin());
   }
 
-  /// Whether both run from the same end of the edge to the other: then the faces are wound against each other.
+  /// Whether both sides run in the same direction: then the windings of their faces disagree.
   bool same_way(const Side& a, const Side& b) const {
     const auto corners = std::as_const(scene_.faces).corners();
     return scene_.vertices[corners[a.corner]] == scene_.vertices[corners[b.corner]];
@@ -195,7 +196,7 @@ class Marker {
   const FileShading& shading_;
   Sides sides_;
   std::vector<Point3> normals_;        ///< per face
-  std::vector<std::uint8_t> is_flat_;  ///< per corner: shaded with the normal of its face
+  std::vector<std::uint8_t> is_flat_;  ///< per corner: the file's normal is that of the face
   const double same_ = cosine(kSameDegrees);
 };
 

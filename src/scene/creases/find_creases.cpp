@@ -24,17 +24,17 @@
 namespace ligne {
 namespace {
 
-/// Adjustable.
-constexpr double kLowPart = 0.5;          ///< of the crease angle: down to there a crease continues, or a sharp edge is one
-constexpr double kFirmDegrees = 20;       ///< above the crease angle: no fleck of a bend
-constexpr double kSurelySharp = 60;       ///< an edge so sharp is a crease whatever the file says of its shading
-constexpr double kRoundPart = 1.0 / 256;  ///< of the object's size: a smaller rounding is drawn as the edge that it rounds
-constexpr double kNarrowPart = 1.0 / 96;  ///< as is one that is narrower, between wide sides
-constexpr double kShortPart = 1.0 / 16;   ///< of the object's size
-constexpr double kSpurPart = 1.0 / 64;    ///< of the object's size: a longer edge is no spur
-constexpr double kTurnCosine = 0.70710678;  ///< a crease continues over an edge that turns by less than 45 degrees
+/// Adjustable. Parts are relative to the size of the object where nothing else is named.
+constexpr double kLowPart = 0.5;          ///< of the crease angle: least at which a crease continues, or a sharp edge is one
+constexpr double kFirmDegrees = 20;       ///< above the crease angle: such an edge stays even if isolated
+constexpr double kSurelySharp = 60;       ///< edges from this angle on are creases, even if the file says smooth
+constexpr double kRoundPart = 1.0 / 256;  ///< smaller radii are drawn as the edge that they round
+constexpr double kNarrowPart = 1.0 / 96;  ///< as are narrower roundings between wide sides
+constexpr double kShortPart = 1.0 / 16;   ///< shorter chains are dropped
+constexpr double kSpurPart = 1.0 / 64;    ///< longer edges are no spurs
+constexpr double kTurnCosine = 0.70710678;  ///< cosine of 45 degrees: largest turn of a continued crease
 
-/// Normals of small faces in float32 are off by about this much: an edge at the crease angle itself is no crease.
+/// Allowance for the error of float32 normals of small faces: an edge at exactly the crease angle is no crease.
 constexpr double kSlackDegrees = 0.01;
 
 float cosine_of(double degrees) {
@@ -105,7 +105,7 @@ class Finder {
     found_.traced = traced.continued;
   }
 
-  /// Edges inside one surface are none, whatever the angle of its facets; those where surfaces meet at an angle are
+  /// Edges inside one surface are no creases, at any angle of its facets. Edges at which surfaces meet at an angle are
   /// creases.
   void decide_by_surfaces(const std::vector<glm::vec3>& normals) {
     found_.patches = find_patches(scene_, topology_, normals);
@@ -113,7 +113,7 @@ class Finder {
     mark_bands(topology_, normals, found_.patch_edges, found_.patches);
     for (std::size_t e = 0; e < bends_.size(); ++e) {
       if (found_.patch_edges[e] == PatchEdge::unknown) continue;
-      // A rounding that is too small to be drawn as a surface has an edge, whatever surface it is.
+      // A rounding too small to be drawn as a surface is drawn as an edge, whichever surface it belongs to.
       if ((topology_.edge_flags[e] & kEdgeSmooth) && bends_[e] >= Bend::strong) continue;
       const Bend bend = found_.patch_edges[e] == PatchEdge::sharp ? Bend::strong : Bend::none;
       found_.inside_surfaces += bend == Bend::none && bends_[e] >= Bend::strong;
@@ -145,15 +145,16 @@ class Finder {
     return cosine < limits_.low ? Bend::weak : Bend::none;
   }
 
-  /// The bend of an edge that the file calls smooth: a surface too small to be drawn as bending is drawn with an edge.
+  /// The bend of an edge that the file calls smooth: a surface too small to be drawn as curved is drawn as an edge.
   Bend bend_of_smooth(const Edge& edge, const std::vector<glm::vec3>& normals, float cosine) const {
     const double size = sizes_[object_of(edge.v0)];
     const auto widths = widths_across(scene_, edge);
     const double narrow = std::min(widths[0], widths[1]);
-    // The radius of the arc of which the faces are chords. One may be a flat side beside the arc: the narrower one counts.
+    // The radius of the arc of which the faces are chords. One of them may be a flat side beside it, so the narrower
+    // one counts.
     if (cosine < limits_.crease && narrow < kRoundPart * size * std::acos(std::max(-1.0f, cosine)))
       return cosine < limits_.firm ? Bend::firm : Bend::strong;
-    // Both faces of the edge in the middle belong to the rounding.
+    // If the edge is in the middle, both its faces belong to the rounding.
     if (widths[0] + widths[1] >= kNarrowPart * size) return Bend::none;
     const auto rounding = rounding_at(scene_, topology_, edge, narrow);
     if (!rounding || rounding->width() >= kNarrowPart * size) return Bend::none;
@@ -161,20 +162,20 @@ class Finder {
     return bend < limits_.crease && rounding->in_middle() ? Bend::strong : Bend::none;
   }
 
-  /// An edge that bends, at one of its ends.
+  /// One end of an edge that bends.
   struct End {
     std::uint32_t vertex, edge;
     friend bool operator<(const End& a, const End& b) { return std::pair(a.vertex, a.edge) < std::pair(b.vertex, b.edge); }
   };
-  /// A vertex at the end of such edges: its ends begin at `first`.
+  /// A vertex at which such edges end; its entries in ends_ begin at `first`.
   struct Node {
     std::uint32_t vertex, first;
-    std::uint32_t creases;  ///< edges that are creases by themselves
+    std::uint32_t creases;  ///< number of its edges that are creases by themselves
   };
 
   bool is_crease(std::uint32_t e) const { return bends_[e] >= Bend::strong; }
 
-  /// The edges that may be creases, by their vertices.
+  /// Collects the edges that may be creases, by vertex.
   void collect() {
     for (const std::uint32_t e : indices_where(bends_.size(), [&](std::size_t i) { return bends_[i] != Bend::none; })) {
       ends_.push_back({topology_.edges[e].v0, e});
@@ -205,9 +206,9 @@ class Finder {
     bool firm = false, open = false, anchored = false;
   };
   struct Chains {
-    DisjointSets sets;                                           ///< of nodes
-    std::vector<Chain> list;                                     ///< by the node that stands for its set
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< a node, and a crease that begins there
+    DisjointSets sets;                                           ///< sets of nodes
+    std::vector<Chain> list;                                     ///< by the representative node of the set
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< a node, and a crease that begins at it
     Chain& of(std::uint32_t node) { return list[sets.find(node)]; }
   };
 
@@ -233,8 +234,8 @@ class Finder {
     return found;
   }
 
-  /// From every vertex where a single crease ends, over weak edges in its direction, if that leads to another crease, and
-  /// over no longer way than both are long. Creases are those that are so by themselves, so the order does not matter.
+  /// Continues every single crease end over weak edges in its direction, if that leads to another crease over no longer
+  /// a way than either of the two. Only creases by themselves are continued, so the order does not matter.
   void continue_ends() {
     Chains found = chains();
     std::vector<std::uint32_t> joined;
@@ -259,9 +260,9 @@ class Finder {
     return glm::normalize(scene_.vertices[v] - scene_.vertices[from]);
   }
 
-  /// The weak edges by which crease e goes on behind a node to another crease; none when it comes to none.
+  /// The weak edges by which crease e continues behind a node to another crease; empty if it reaches none.
   std::vector<std::uint32_t> way_on(std::uint32_t node, std::uint32_t e, Chains& found) const {
-    // Adjustable: so each end costs no more than that.
+    // Bounds on the edges of the way and on the edges per vertex, which bound the work per end. Adjustable.
     constexpr std::size_t kLongestWay = 64, kMostEnds = 64;
     std::vector<std::uint32_t> way;
     const double longest = found.of(node).length;
@@ -298,7 +299,7 @@ class Finder {
         std::count_if(ends.begin(), ends.end(), [&](const End& end) { return is_crease(end.edge); }));
   }
 
-  /// A crease that ends at a border does not end in the middle of a surface.
+  /// Marks nodes on borders: a crease that ends at one does not end in the middle of a surface.
   void find_anchors() {
     anchored_.assign(nodes_.size(), 0);
     const auto is_border = [&](std::size_t e) { return topology_.edges[e].face1 == kNone; };
@@ -312,7 +313,7 @@ class Finder {
 
   bool is_open(std::uint32_t node) const { return !anchored_[node] && creases_at(node) == 1; }
 
-  /// Single short edges that stand out from a crease that goes on without them.
+  /// Drops single short edges that branch off a crease.
   void drop_spurs() {
     std::vector<std::uint32_t> spurs;
     for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
@@ -374,9 +375,9 @@ class Finder {
   Limits limits_;
   std::vector<double> sizes_;  ///< per object
   std::vector<Bend> bends_;    ///< per edge
-  std::vector<End> ends_;      ///< of the edges that bend, sorted
+  std::vector<End> ends_;      ///< ends of the edges that bend, sorted
   std::vector<Node> nodes_;
-  std::vector<std::uint8_t> anchored_;  ///< per node: on a border
+  std::vector<std::uint8_t> anchored_;  ///< per node: 1 on a border
   Creases found_;
 };
 

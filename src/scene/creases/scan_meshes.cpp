@@ -13,14 +13,14 @@
 namespace ligne {
 namespace {
 
-// Adjustable: what is a scan or a remeshed surface.
-constexpr double kEvenPart = 3.0 / 4;    ///< of the edges have a length between half and twice the median
-constexpr double kEvenLength = 1.0 / 2;  ///< of the length of all edges is theirs: few long edges are construction
-constexpr double kBentPart = 1.0 / 8;    ///< at most of the edges bend by more than the crease angle
-constexpr double kFlatPart = 1.0 / 4;    ///< at most of the edges bend by less than kFlatDegrees: planes are construction
+// Limits for scans and remeshed surfaces. Adjustable.
+constexpr double kEvenPart = 3.0 / 4;    ///< smallest part of the edges between half and twice the median length
+constexpr double kEvenLength = 1.0 / 2;  ///< and of their total length; few long edges mean a constructed shape
+constexpr double kBentPart = 1.0 / 8;    ///< largest part of the edges that bend by more than the crease angle
+constexpr double kFlatPart = 1.0 / 4;    ///< largest part that bends by less than kFlatDegrees; planes mean construction
 constexpr double kFlatDegrees = 1;
-/// Largest part of the edges that may have more than two faces, or faces that are wound against each other. Scanners leave
-/// single triangles behind; they spoil their neighbourhood, and not all of the scan.
+/// Largest part of the edges that may have more than two faces, or faces with opposite windings. Scanners leave stray
+/// triangles, which spoil their neighbourhood but not the whole scan.
 constexpr double kDefectPart = 1.0 / 32;
 
 }  // namespace
@@ -34,7 +34,7 @@ bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm
     Counts operator+(const Counts& o) const { return {spoken + o.spoken, defect + o.defect, bent + o.bent}; }
   };
   const auto least = static_cast<float>(sine_cosine_degrees(kFlatDegrees).cosine);
-  // That there are too many is known before all edges are looked at.
+  // Lets the count stop early, when too many edges are flat.
   std::atomic<std::size_t> all_flat{0};
   const auto too_flat = [&] { return static_cast<double>(all_flat) > kFlatPart * count; };
   const auto count_edges = [&](std::size_t begin, std::size_t end) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Objects that are meshed like scans.
+/// Recognises objects that are meshed like scans.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -17,8 +17,8 @@ struct ScanObject {
   std::uint32_t edge_begin = 0, edge_end = 0;
 };
 
-/// Whether the mesh of an object is that of a scan or a remeshed surface, without planes and without knowledge of its
-/// corners. `normals` are those of face_normals(), `bends` what the edges are by their angles.
+/// Whether the mesh of an object looks like a scan or a remeshed surface: without planes and without vertices placed on
+/// its corners. `normals` are those of face_normals(), `bends` the classes of the edges by their angles.
 bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
              const std::vector<Bend>& bends, const ScanObject& object);
 

@@ -15,19 +15,18 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: sine from which on a face at an edge stands on the plane of two others, and does not lie in it.
+/// Smallest sine at which a face at an edge stands on the plane of two others, instead of lying in it. Adjustable.
 constexpr double kBesideSine = 1e-3;
 
 /// A face at an edge of more than two.
 struct Sheet {
-  std::size_t edge;  ///< number in the list of such edges
+  std::size_t edge;  ///< index in the list of such edges
   Point3 across;     ///< from the edge into the face, unit length
   Point3 normal;     ///< of the face, unit length
 };
 
-/// Where two faces run on into each other and each other one stands on the same side of them by itself: the direction to
-/// that side, square to them. Faces that lie on each other are the sides of two bodies that touch, and between these there
-/// is a line.
+/// If two faces continue each other and every other face stands on one side of them, coinciding with no other face: the
+/// unit normal towards that side. Coincident faces are the sides of two bodies that touch, with a line between them.
 std::optional<Point3> side_of_walls(std::span<const Sheet> sheets, float crease_cosine) {
   constexpr std::size_t kMostSheets = 8;
   if (sheets.size() > kMostSheets) return std::nullopt;

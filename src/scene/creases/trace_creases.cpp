@@ -15,20 +15,20 @@
 namespace ligne {
 namespace {
 
-// Adjustable: what is a clean line on it.
-constexpr double kWidePart = 3.0 / 4;       ///< of the crease angle: where the surface bends less, no line runs on
-constexpr double kWalkCosine = 0.70710678;  ///< 45 degrees from one edge to the direction of the last kLookBack
+// Limits for a clean line. Adjustable.
+constexpr double kWidePart = 3.0 / 4;       ///< of the crease angle: a line ends where the surface bends less
+constexpr double kWalkCosine = 0.70710678;  ///< 45 degrees, from the last kLookBack edges to the next one
 constexpr std::size_t kLookBack = 3;
 constexpr std::size_t kFewestEdges = 6;
-constexpr double kRidgePart = 2.0 / 3;        ///< of its vertices have an edge that bends by more than the crease angle
-constexpr double kZigzagPart = 1.0 / 3;       ///< at most of its vertices turn by more than the angle of kZigzagCosine
+constexpr double kRidgePart = 2.0 / 3;        ///< smallest part of vertices at an edge above the crease angle
+constexpr double kZigzagPart = 1.0 / 3;       ///< largest part of vertices that turn more than kZigzagCosine
 constexpr double kZigzagCosine = 0.64278761;  ///< 50 degrees
-constexpr double kSharpPart = 0.95;           ///< of the bend farther out: a line with less at it lies on a rounding
-constexpr double kLongPart = 1.0 / 8;         ///< of the size of the object: a shorter line on a rounding is none
+constexpr double kSharpPart = 0.95;           ///< of the bend farther out; a line below lies on a rounding
+constexpr double kLongPart = 1.0 / 8;         ///< of the size of the object: a shorter line on a rounding is no crease
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-/// The creases of one object whose edges are [edge_begin, edge_end).
+/// Traces the creases of one object, whose edges are [edge_begin, edge_end).
 class Tracer {
  public:
   Tracer(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals, std::vector<Bend>& bends,
@@ -74,10 +74,10 @@ class Tracer {
   static constexpr double kUnknown = -1;
   enum class VertexState : std::uint8_t { open, beside, line };
 
-  /// The candidates, by their places in candidates_, or the faces at each vertex of the object, in ascending order.
+  /// Lists per vertex of the object: the candidates, by their index in candidates_, or the faces, in ascending order.
   class AtVertices {
    public:
-    /// Calls list(add), in which add(vertex, thing) is called for everything, twice.
+    /// Calls list(add) twice; each time `list` must call add(vertex, thing) for everything.
     template <class List>
     AtVertices(std::uint32_t vertex_begin, std::uint32_t vertex_end, const List& list)
         : vertex_begin_(vertex_begin), begin_(vertex_end - vertex_begin + 2, 0) {
@@ -116,12 +116,12 @@ class Tracer {
     }
   }
 
-  /// The edges that may lie on a line, the faces round them, and how far the surface bends at each.
+  /// Collects the edges that may lie on a line, the faces around them, and the bend of the surface at each.
   void collect() {
     for (std::size_t e = edge_begin_; e < edge_end_; ++e) {
       if (bends_[e] != Bend::none) candidates_.push_back(static_cast<std::uint32_t>(e));
       if (bends_[e] < Bend::strong) continue;
-      // Where triangles cross a ridge by turns from both sides, the edges along it do not bend at all.
+      // If triangles cross a ridge alternately from both sides, the edges along the ridge do not bend at all.
       for (const std::uint32_t f : {topology_.edges[e].face0, topology_.edges[e].face1}) add_edges_of(f);
     }
     std::sort(candidates_.begin(), candidates_.end());
@@ -160,7 +160,7 @@ class Tracer {
     }
   }
 
-  /// By vertex of the object: whether it is one of a face that shares a vertex with a face of a candidate.
+  /// Per vertex of the object: 1 if it is on a face that shares a vertex with a face of a candidate.
   std::vector<std::uint8_t> near_candidates() const {
     std::vector<std::uint8_t> at(object_.vertex_end - object_.vertex_begin, 0);
     for (const std::uint32_t e : candidates_) {
@@ -190,7 +190,7 @@ class Tracer {
     round.erase(std::unique(round.begin(), round.end()), round.end());
   }
 
-  /// The angle between those of the faces that lie on one side of an edge and those that lie on the other.
+  /// The angle between the faces on one side of an edge and those on the other, in radians.
   double bend_between(std::uint32_t e, std::span<const std::uint32_t> faces) const {
     const Edge& edge = topology_.edges[e];
     const Point3 across = glm::cross(along(e), Point3(normals_[edge.face0] + normals_[edge.face1]));
@@ -204,14 +204,15 @@ class Tracer {
     return std::atan2(glm::length(glm::cross(sides[0], sides[1])), glm::dot(sides[0], sides[1]));
   }
 
-  /// bend_between() among the faces that share a vertex with those of an edge: a triangle that stands out is a small part of
-  /// either side, and an edge that runs across a ridge has both slopes on both sides. `round` is memory for those faces.
+  /// bend_between() for the faces that share a vertex with the edge's faces. A triangle that stands out is only a small
+  /// part of either side, and an edge across a ridge has both slopes on both sides. `round` is scratch memory for these
+  /// faces.
   double wide_bend(std::uint32_t e, std::vector<std::uint32_t>& round) const {
     faces_round(std::array{topology_.edges[e].face0, topology_.edges[e].face1}, round);
     return bend_between(e, round);
   }
 
-  /// bend_between() among the faces round those, without them.
+  /// bend_between() for the next ring of faces, without those of wide_bend().
   double far_bend(std::uint32_t e) const {
     std::vector<std::uint32_t> near, far;
     faces_round(std::array{topology_.edges[e].face0, topology_.edges[e].face1}, near);
@@ -220,7 +221,7 @@ class Tracer {
     return bend_between(e, far);
   }
 
-  /// A line in the making: its vertices, and the edges between them.
+  /// A line being traced: its vertices and the edges between them.
   struct Line {
     std::vector<std::uint32_t> vertices, edges;
     void turn_round() {
@@ -229,7 +230,7 @@ class Tracer {
     }
   };
 
-  /// Beside a line no other one runs, nor on it; one may come to it and end there.
+  /// No line may run on another one or beside it, but it may reach one and end there.
   bool may_run(std::uint32_t from, std::uint32_t to) {
     const VertexState a = state_of(from), b = state_of(to);
     return a == VertexState::open || b == VertexState::open || (a == VertexState::line) != (b == VertexState::line);
@@ -255,7 +256,7 @@ class Tracer {
       refused_[k] = !is_crease;
     }
     if (!is_clean_line) return;
-    // Beside a rounding, too: another way along it would be no better.
+    // Also beside a rounding that is no crease: another line along it would be no better.
     for (const std::uint32_t v : line.vertices) {
       for (const std::uint32_t face : faces_at_[v]) {
         for (const std::uint32_t next : scene_.faces.contour(face, 0)) {
@@ -266,7 +267,7 @@ class Tracer {
     for (const std::uint32_t v : line.vertices) state_of(v) = VertexState::line;
   }
 
-  /// Adds the edge by which a line goes on behind its last vertex, the one that bends most and turns least.
+  /// Adds the edge that continues the line behind its last vertex: the one that bends most and turns least.
   bool extend(Line& line) {
     const std::uint32_t v = line.vertices.back();
     if (state_of(v) == VertexState::line) return false;
@@ -299,7 +300,7 @@ class Tracer {
 
   bool is_on_ridge(std::uint32_t vertex) const { return on_ridge_[vertex - object_.vertex_begin] != 0; }
 
-  /// A line that comes to no other one ends where its ridge does.
+  /// Cuts the end of a line back to the end of its ridge, unless the line reaches another one.
   void shorten(Line& line) {
     while (line.edges.size() > 1 && !is_on_ridge(line.vertices.back()) &&
            state_of(line.vertices.back()) != VertexState::line) {
@@ -322,7 +323,8 @@ class Tracer {
     return static_cast<double>(on_ridge) >= kRidgePart * count && static_cast<double>(turns) <= kZigzagPart * count;
   }
 
-  /// The surface bends on beside the line, so that it is one of many ways along a rounding; and it is soon over.
+  /// Whether the line is short, and the surface goes on bending beside it: then it is one of many ways along a
+  /// rounding.
   bool is_short_rounding(const Line& line) const {
     double length = 0, wide = 0, far = 0;
     for (const std::uint32_t k : line.edges) length += glm::length(along(candidates_[k]));
@@ -343,12 +345,12 @@ class Tracer {
   double size_;
   std::vector<std::uint32_t> candidates_;
   double least_wide_ = 0;
-  std::vector<double> wide_;          ///< per candidate: wide_bend(); where lines do not come, it need not be known
-  std::vector<std::uint32_t> round_;  ///< memory for it
+  std::vector<double> wide_;                            ///< per candidate: wide_bend(), computed where lines come
+  std::vector<std::uint32_t> round_;                    ///< scratch memory for wide_bend()
   std::vector<std::uint8_t> on_line_, firm_, refused_;  ///< per candidate
   std::vector<VertexState> state_of_vertex_;            ///< per vertex of the object
-  std::vector<std::uint8_t> on_ridge_;  ///< per vertex of the object: an edge there bends by more than the angle
-  AtVertices edges_at_, faces_at_;      ///< the latter round vertices of candidates' faces only
+  std::vector<std::uint8_t> on_ridge_;                  ///< per vertex of the object: 1 at an edge above the crease angle
+  AtVertices edges_at_, faces_at_;                      ///< faces_at_: only at vertices of candidates' faces
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-/// Creases of scans and remeshed surfaces: lines along ridges instead of the teeth of single triangles.
+/// Traces the creases of scans and remeshed surfaces as lines along ridges, without the teeth of single triangles.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,12 +17,12 @@ namespace ligne {
 struct TracedCreases {
   std::vector<ScanObject> scans;  ///< in ascending order
   std::size_t left_out = 0;       ///< edges that bend by more than the crease angle, but lie on no clean line
-  std::size_t continued = 0;      ///< edges that bend by less, and lie on one
+  std::size_t continued = 0;      ///< edges that bend by less, but lie on a clean line
 };
 
-/// In objects that are evenly meshed all over (docs/clear-lines.md, "Scans"), sets the bends of the edges that lie on no
-/// clean line to none, and those of the edges of a line to strong. Other objects stay as they are. `normals` are those of
-/// face_normals(), `sizes` the extents of the objects.
+/// In evenly meshed objects (docs/clear-lines.md, "Scans"), sets the bends of edges on no clean line to none, and those
+/// of edges on a clean line to strong. Other objects stay unchanged. `normals` are those of face_normals(), `sizes` the
+/// extents of the objects.
 TracedCreases trace_creases(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
                             std::span<const double> sizes, double crease_degrees, std::vector<Bend>& bends);
 

@@ -14,8 +14,8 @@ namespace ligne {
 namespace {
 
 // Adjustable.
-constexpr std::size_t kMostRounds = 300;  ///< of conjugate gradients: so many edges directions reach into flat parts
-constexpr double kResidual = 1e-4;        ///< part of the first residual: directions, nothing that is hidden
+constexpr std::size_t kMostRounds = 300;  ///< of conjugate gradients; directions spread this many edges into flat parts
+constexpr double kResidual = 1e-4;        ///< relative to the first residual; enough for directions, which hide nothing
 
 TangentFrame frame_of(const Point3& normal) {
   if (glm::dot(normal, normal) == 0) return {};
@@ -31,7 +31,7 @@ double angle_in(const TangentFrame& frame, const Point3& direction) {
   return std::atan2(glm::dot(direction, frame.y), glm::dot(direction, frame.x));
 }
 
-/// xx, xy, xz, yy, yz, zz of a symmetric matrix.
+/// Components xx, xy, xz, yy, yz, zz of a symmetric matrix.
 using Tensor = std::array<double, 6>;
 
 double applied(const Tensor& t, const Point3& a, const Point3& b) {
@@ -39,8 +39,8 @@ double applied(const Tensor& t, const Point3& a, const Point3& b) {
          t[4] * (a.y * b.z + a.z * b.y) + t[5] * a.z * b.z;
 }
 
-/// The second fundamental form (e, f, g) in the frame that fits the changes of the normals along the sides best: normal
-/// equations of e x + f y = n.x and f x + g y = n.y, which have a solution for a triangle that has an area.
+/// The second fundamental form (e, f, g) in the frame that best fits the changes of the normals along the sides: normal
+/// equations of e x + f y = n.x and f x + g y = n.y, which have a solution for a triangle with area.
 std::array<double, 3> fitted_form(const FormMesh& mesh, const std::vector<Point3>& normals, std::uint32_t t,
                                   const TangentFrame& frame) {
   double xx = 0, xy = 0, yy = 0, right[3] = {0, 0, 0};
@@ -82,7 +82,7 @@ std::vector<FormLink> form_links(const FormMesh& mesh, const std::vector<Tangent
       const Point3 side = mesh.points[b] - mesh.points[a];
       const double square = glm::dot(side, side);
       if (!(area > 0) || !(square > 0)) continue;
-      // The weight of a side in a mesh of equilateral triangles, of which each has a half; above zero in any mesh.
+      // Weight of a side in a mesh of equilateral triangles, half from each of its triangles; positive in any mesh.
       links.push_back({std::min(a, b), std::max(a, b), area / (3 * square), 0});
     }
   }

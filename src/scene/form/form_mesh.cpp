@@ -16,7 +16,7 @@
 namespace ligne {
 namespace {
 
-/// A side of a triangle, by the scene's vertices at its ends.
+/// A side of a triangle, by the scene vertices at its ends.
 struct Side {
   std::uint32_t low, high, triangle, corner;
 };
@@ -36,12 +36,12 @@ std::vector<Side> sides_of(const std::vector<Triangle>& triangles) {
   return sides;
 }
 
-/// Whether two triangles run through their common side in one direction: their windings disagree.
+/// Whether the windings of two triangles disagree: both traverse their common side in the same direction.
 bool unlike_wound(const std::vector<Triangle>& triangles, const Side& a, const Side& b) {
   return triangles[a.triangle].v[a.corner] == triangles[b.triangle].v[b.corner];
 }
 
-/// Adjustable: no mean of normals means much across an edge of so many crease angles, whatever is said of the edge.
+/// Limit for smoothing normals across an edge, in crease angles, even if the edge is no crease. Adjustable.
 constexpr double kSharp = 2;
 
 void join_neighbours(const Scene& scene, const Topology& topology, double crease_degrees,
@@ -49,7 +49,7 @@ void join_neighbours(const Scene& scene, const Topology& topology, double crease
   const std::vector<Triangle>& triangles = topology.triangles;
   const double degrees = std::min(180.0, creases ? kSharp * crease_degrees : crease_degrees);
   const double cosine = std::cos(degrees * std::numbers::pi / 180);
-  std::size_t edge = 0;  // in the order of the sides
+  std::size_t edge = 0;  // advances in the order of the sides
   const auto is_crease = [&](const Side& side) {
     const auto before = [&](const Edge& e) { return e.v0 != side.low ? e.v0 < side.low : e.v1 < side.high; };
     while (edge < topology.edges.size() && before(topology.edges[edge])) ++edge;
@@ -76,7 +76,7 @@ void join_neighbours(const Scene& scene, const Topology& topology, double crease
   }
 }
 
-/// Winds neighbours alike, as far as that can be. `node` holds vertices of the scene.
+/// Makes the windings of neighbours agree as far as possible. `node` holds vertices of the scene.
 void wind_alike(FormMesh& mesh) {
   std::vector<char> seen(mesh.triangles.size(), 0);
   std::vector<std::uint32_t> open;
@@ -105,7 +105,7 @@ void wind_alike(FormMesh& mesh) {
   }
 }
 
-/// Puts nodes of their own in place of the scene's vertices.
+/// Replaces the scene vertices in `node` by nodes.
 void make_nodes(const Scene& scene, FormMesh& mesh) {
   DisjointSets corners(3 * mesh.triangles.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -135,7 +135,8 @@ void make_nodes(const Scene& scene, FormMesh& mesh) {
   }
 }
 
-/// Normals of nodes: those of their triangles by the angles at the node, so that it does not matter how a face was cut.
+/// Computes the normals of nodes. Triangle normals are weighted by the angle at the node, so that the cutting of faces
+/// does not matter.
 void find_normals(FormMesh& mesh) {
   mesh.normals.assign(mesh.points.size(), {0, 0, 0});
   mesh.areas.assign(mesh.points.size(), 0);

@@ -28,8 +28,7 @@ class CornerUses {
 
  private:
   std::uint32_t first_vertex_;
-  std::vector<std::uint32_t> number_;  ///< per vertex of the object: its number among the requested ones, from 1 on; 0:
-                                       ///< not requested
+  std::vector<std::uint32_t> number_;  ///< per vertex of the object: its number, from 1 on; 0: not requested
   std::vector<std::uint32_t> begin_;   ///< per number: its first use; and the end
   std::vector<CornerUse> uses_;
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// Warnings about input. This header includes that of input errors.
+/// Warnings about input. Includes the header of input errors.
 
 #include <cstddef>
 #include <map>

@@ -10,8 +10,8 @@ namespace {
 constexpr double kSqrt3 = 1.7320508075688772;
 constexpr double kPlaneErrors = 8;  ///< see planarity_tolerance()
 constexpr double kLineErrors = 2;   ///< see straightness_tolerance()
-/// Roundings of one unit in the last place of the span, between the coordinates and a distance from a plane: differences,
-/// the two projections, the cross product and the dot product.
+/// Number of roundings of one unit in the last place of the span, from coordinates to the distance from a plane:
+/// differences, two projections, the cross product and the dot product.
 constexpr double kArithmeticRoundings = 16;
 
 double arithmetic_error(double span) { return kArithmeticRoundings * std::numeric_limits<double>::epsilon() * span; }

@@ -36,16 +36,16 @@ class PolygonFaces {
   void add_face(std::span<const std::uint32_t> outer);
   /// Adds a hole to the face added last.
   void add_hole(std::span<const std::uint32_t> hole);
-  /// Appends n triangles whose corners the caller then fills in: returns the 3 n new corners.
+  /// Appends n triangles and returns their 3 n corners for the caller to fill in.
   std::span<std::uint32_t> append_triangles(std::size_t n);
-  /// Appends triangles whose corners are given, three for each.
+  /// Appends triangles with the given corners, three each.
   void append_triangles(std::vector<std::uint32_t> corners);
 
   std::span<const std::uint32_t> corners() const { return corners_; }
   std::span<std::uint32_t> corners() { return corners_; }
-  /// Leaves the first n faces. Requires all_triangles() and n <= size().
+  /// Keeps the first n faces. Requires all_triangles() and n <= size().
   void truncate_triangles(std::size_t n) { corners_.resize(3 * n); }
-  /// Room for that many corners in all.
+  /// Reserves memory for n corners in all.
   void reserve_corners(std::size_t n) { corners_.reserve(n); }
   void shrink_to_fit();
 

@@ -7,10 +7,11 @@
 namespace ligne {
 namespace {
 
-/// Fewer significant digits than the default of printf's %g and of C++ streams: written by hand.
+/// Number of significant digits below which numbers count as written by hand: the default of printf's %g and of C++
+/// streams.
 constexpr int kFewestDigitsOfWriters = 6;
 
-/// Half a unit in the last of `digits` binary digits.
+/// Half a unit in the last of `digits` binary digits of a number.
 double half_ulp(double largest, int digits, int smallest_exponent) {
   if (largest == 0 || !std::isfinite(largest)) return 0;
   const int exponent = std::max(std::ilogb(largest) + 1, smallest_exponent);

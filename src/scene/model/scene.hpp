@@ -59,9 +59,9 @@ enum class Axis : std::uint8_t { x, y, z };
 enum CornerFlag : std::uint8_t {
   kCornerFileHidden = 1,  ///< the file marks this edge as hidden (3D Studio: AB, BC or CA is 0): class mesh
   kCornerInner = 2,       ///< triangulation of a polygon made this edge: class mesh, never a crease
-  kCornerCurve = 4,       ///< part of an iso-curve: class horizon, whatever its faces are
+  kCornerCurve = 4,       ///< part of an iso-curve: class horizon, regardless of its faces
   kCornerCrossing = 8,    ///< surfaces penetrate each other along this edge: class intersection
-  kCornerContour = 16,    ///< part of a contour line: class contour, whatever its faces are
+  kCornerContour = 16,    ///< part of a contour line: class contour, regardless of its faces
   kCornerSmooth = 32,     ///< the file says that the surface is smooth across this edge; read for clear lines
   kCornerSharp = 64,      ///< the file says that it has a crease at this edge; read for clear lines
 };

@@ -15,11 +15,11 @@ namespace ligne {
 namespace {
 
 // Adjustable.
-constexpr std::size_t kLeaf = 4;  ///< triangles at most in a leaf of the tree
+constexpr std::size_t kLeaf = 4;  ///< largest number of triangles in a leaf of the tree
 
 using Corner = std::array<float, 3>;
 
-/// In single precision, rounded outwards.
+/// A bounding box in single precision, rounded outwards.
 struct Box {
   Corner low, high;
 
@@ -41,13 +41,13 @@ float rounded_down(double v) {
 }
 float rounded_up(double v) { return -rounded_down(-v); }
 
-/// A triangle with its box.
+/// A triangle and its box.
 struct Item {
   Box box;
   std::uint32_t triangle;
 };
 
-/// The tree of one surface. Its nodes stand as in a heap: the children of node i are 2 i + 1 and 2 i + 2.
+/// The tree of one surface, stored as a heap: the children of node i are 2 i + 1 and 2 i + 2.
 class SelfSearch {
  public:
   SelfSearch(std::span<const Point3> vertices, std::span<const Triangle> triangles, std::span<const std::uint32_t> own)
@@ -112,7 +112,7 @@ class SelfSearch {
         node.size(), [&] { build(node.first()); }, [&] { build(node.second()); });
   }
 
-  /// All pairs within the node.
+  /// Tests all pairs within the node.
   void within(const Node& node) {
     if (found_) return;
     if (node.leaf()) {
@@ -126,7 +126,7 @@ class SelfSearch {
     between(node.first(), node.second());
   }
 
-  /// All pairs of one in each node.
+  /// Tests all pairs of one triangle from each node.
   void between(const Node& a, const Node& b) {
     if (found_ || !boxes_[a.number].meets(boxes_[b.number])) return;
     if (a.leaf() && b.leaf()) {
@@ -146,7 +146,7 @@ class SelfSearch {
     if (!first.box.meets(second.box)) return;
     const Triangle &t = triangles_[first.triangle], &u = triangles_[second.triangle];
     if (t.face == u.face) return;
-    // The common vertices come to stand first.
+    // Moves the common vertices to the front.
     std::array<std::uint32_t, 3> tv = t.v, uv = u.v;
     int shared = 0;
     for (int i = 0; i < 3; ++i) {
@@ -167,7 +167,7 @@ class SelfSearch {
   std::span<const Triangle> triangles_;
   std::vector<Item> items_;  ///< in the order of the tree
   std::vector<Box> boxes_;
-  std::atomic<bool> found_ = false;  ///< ends the search: one contact is as good as many
+  std::atomic<bool> found_ = false;  ///< ends the search at the first contact
 };
 
 }  // namespace

@@ -14,17 +14,17 @@
 #include "geometry/triangulate.hpp"
 #include "scene/model/triangle_normal.hpp"
 
-// Edges are found by counting sort: every corner of a contour gives one half-edge, filed under the lower of its two
-// vertices; a bucket then holds the half-edges of one vertex (six on average) and is sorted by the other vertex. Half-edges
-// go first into parts, of a range of vertices each, whose buckets fit the cache. Blocks of faces write one after the other
-// into a part: the order inside a bucket is the order of the corners, whatever the number of threads.
+// Edges are found by counting sort. Every corner of a contour gives one half-edge, filed under the lower of its two
+// vertices. A bucket holds the half-edges of one vertex (six on average) and is sorted by the other vertex. Half-edges
+// first go into parts, each for a range of vertices, whose buckets fit the cache. Blocks of faces write into a part in
+// their order. So the order within a bucket is that of the corners, at any number of threads.
 
 namespace ligne {
 namespace {
 
 constexpr std::uint32_t kReversed = 0x80000000u;  ///< the half-edge runs from the higher vertex to the lower
 
-/// Adjustable: faces of a block, and vertices of a part.
+/// Number of faces in a block, and of vertices in a part. Adjustable.
 constexpr std::size_t kFacesPerBlock = 65'536, kVerticesPerPart = 16'384;
 
 struct HalfEdge {
@@ -56,7 +56,7 @@ void for_each_half_edge(const PolygonFaces& faces, std::size_t begin, std::size_
   }
 }
 
-/// The half-edges by parts, inside a part in the order of the corners.
+/// The half-edges by part, within a part in the order of the corners.
 struct Parts {
   struct Entry {
     std::uint32_t lower;
@@ -64,7 +64,7 @@ struct Parts {
   };
   std::vector<std::size_t> begin;  ///< first entry of each part, and the end
   UninitializedVector<Entry> entries;
-  UninitializedVector<std::uint8_t> corner_flags;  ///< of each entry, where the scene has any
+  UninitializedVector<std::uint8_t> corner_flags;  ///< per entry, if the scene has any
 };
 
 Parts sort_into_parts(const Scene& scene) {
@@ -93,13 +93,13 @@ struct Buckets {
   std::vector<std::uint32_t> begin;  ///< first half-edge of each vertex, and the end
   UninitializedVector<HalfEdge> half_edges;
   bool with_flags = false;
-  UninitializedVector<std::uint8_t> corner_flags;  ///< parallel to half_edges, when the scene has any
+  UninitializedVector<std::uint8_t> corner_flags;  ///< parallel to half_edges, if the scene has any
 };
 
-/// Files the half-edges of a part, whose vertices are [first, last). Where the part begins and ends is written already:
-/// other tasks read it.
+/// Files the half-edges of a part, whose vertices are [first, last). The caller has written where the part begins and
+/// ends, since other tasks read that.
 void fill_buckets(const Parts& parts, std::size_t part, std::size_t first, std::size_t last, Buckets& buckets) {
-  // Counts, then the places of the next half-edges.
+  // Counts first, then the positions of the next half-edges.
   std::vector<std::uint32_t> next(last - first, 0);
   for (std::size_t i = parts.begin[part]; i < parts.begin[part + 1]; ++i) ++next[parts.entries[i].lower - first];
   auto sum = static_cast<std::uint32_t>(parts.begin[part]);
@@ -114,7 +114,7 @@ void fill_buckets(const Parts& parts, std::size_t part, std::size_t first, std::
   }
 }
 
-/// Sorts the bucket [begin, end) by the other vertex, keeping the order of equals; flags move along.
+/// Sorts the bucket [begin, end) by the other vertex. The sort is stable and moves the flags too.
 void sort_bucket(Buckets& buckets, std::uint32_t begin, std::uint32_t end) {
   auto& h = buckets.half_edges;
   constexpr std::uint32_t kInsertionSortLimit = 32;
@@ -147,7 +147,7 @@ void sort_bucket(Buckets& buckets, std::uint32_t begin, std::uint32_t end) {
   }
 }
 
-/// The class of an edge when any of its faces says so, and when all do, by the flags of corners.
+/// Edge flags by corner flags: those set if any face of the edge has the corner flag, and those set if all have it.
 struct EdgeFlags {
   std::array<std::uint16_t, 256> of_any{}, of_all{};
 };
@@ -174,7 +174,7 @@ std::uint16_t flags_of_edge(const Buckets& buckets, std::uint32_t begin, std::ui
     if ((a.face_and_direction & kReversed) == (b.face_and_direction & kReversed)) flags |= kEdgeUnlikeWound;
   }
   if (buckets.with_flags) {
-    std::uint8_t common = 0xff, any = 0;  // an edge is as the file says only when all faces on it say so
+    std::uint8_t common = 0xff, any = 0;  // a flag of the file holds for an edge if all its faces have it
     for (std::uint32_t k = begin; k < end; ++k) {
       common &= buckets.corner_flags[k];
       any |= buckets.corner_flags[k];
@@ -188,7 +188,8 @@ void find_edges(const Scene& scene, Topology& topology) {
   const std::size_t vertex_count = scene.vertices.size();
   if (vertex_count == 0) return;
   Buckets buckets;
-  // Runs of equal half-edges are edges: sort and count them per part, then write every part at its place.
+  // Runs of equal half-edges are edges. They are sorted and counted per part, and then every part is written at its
+  // place.
   const std::size_t count = block_count(vertex_count, kVerticesPerPart);
   const auto for_each_edge_of_part = [&](std::size_t part, auto visit) {
     const std::size_t last = std::min(vertex_count, (part + 1) * kVerticesPerPart);
@@ -233,7 +234,7 @@ void find_edges(const Scene& scene, Topology& topology) {
   });
 }
 
-/// The two coordinates in which the polygon is largest, in an order that keeps its winding.
+/// The two coordinates in which the polygon is largest, ordered to keep its winding.
 Point2 flatten(const Point3& p, const Point3& normal) {
   const Point3 a = glm::abs(normal);
   if (a.x >= a.y && a.x >= a.z) return normal.x > 0 ? Point2{p.y, p.z} : Point2{p.z, p.y};

@@ -41,11 +41,11 @@ struct Topology {
   std::vector<Triangle> triangles;        ///< sorted by face
 };
 
-/// Finds the edges and triangulates the faces of a scene after finish_scene(). The time grows with the number of
+/// Finds the edges and triangulates the faces of a scene after finish_scene(). Takes time proportional to the number of
 /// corners.
 Topology build_topology(const Scene& scene);
 
-/// The triangles of the faces alone, as in Topology::triangles.
+/// Only the triangles of the faces, as in Topology::triangles.
 std::vector<Triangle> triangulate_faces(const Scene& scene);
 
 /// Unit normal of a face by Newell's method over its outer contour; zero if the face has no area.

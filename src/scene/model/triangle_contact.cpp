@@ -1,12 +1,12 @@
-// Two closed convex sets have no point in common when a plane, or in some projection a line, lies strictly between them.
-// Everything below looks for such a plane or line:
+// Two closed convex sets have no common point if a plane, or in some projection a line, lies strictly between them. The
+// code below looks for such a plane or line:
 //
 //   plane of a triangle                     signs of plane_side()
 //   plane through an edge and a side        the same: a line that has a side of a triangle on its left and another one on
 //                                           its right passes the triangle by
 //   line in a projection along an axis      orientation_sign(), which is exact; this distinguishes coplanar triangles
 //
-// So "apart" is always a proof, and where signs are not certain the answer is "not apart".
+// So "apart" is always proven; if signs are uncertain, the answer is "not apart".
 
 #include "scene/model/triangle_contact.hpp"
 
@@ -18,15 +18,15 @@
 namespace ligne {
 namespace {
 
-/// The determinant of three differences differs from the true one by at most this part of the sum of the sizes of its terms
-/// (Shewchuk 1997, "o3derrboundA"), and by what underflow takes: four products of two differences below 2^-1074 each, times
-/// differences below 2^202 (kLargestCoordinate).
+/// Relative error bound of the determinant of three differences, as a part of the sum of the sizes of its terms
+/// (Shewchuk 1997, "o3derrboundA"), and an absolute bound on the loss by underflow: four products of two differences,
+/// below 2^-1074 each, times differences below 2^202 (kLargestCoordinate).
 constexpr double kPlaneSideErrorBound = (7.0 + 56.0 * 0x1p-53) * 0x1p-53;
 constexpr double kUnderflow = 0x1p-868;
 
 Point2 flat(const Point3& p, int axis) { return {p[(axis + 1) % 3], p[(axis + 2) % 3]}; }
 
-/// Whether the segment and the triangle have nothing in common in the projection along the axis.
+/// Whether the segment and the triangle have no common point in the projection along the axis.
 bool apart_in_projection(const Point3& p, const Point3& q, const Corners3& t, int axis) {
   const Point2 p2 = flat(p, axis), q2 = flat(q, axis);
   const std::array<Point2, 3> c{flat(t[0], axis), flat(t[1], axis), flat(t[2], axis)};
@@ -63,7 +63,7 @@ bool beside(const Corners3& t, const Corners3& u, int first) {
   return side != 0;
 }
 
-/// Triangles on one side: apart when they lie in different planes, or on different sides of it.
+/// Whether triangles with a common side are apart: in different planes, or on different sides of it in one plane.
 bool apart_beyond_side(const Corners3& t, const Corners3& u) {
   if (plane_side(t[0], t[1], t[2], u[2]) != 0) return true;
   for (int axis = 0; axis < 3; ++axis) {
@@ -89,7 +89,7 @@ bool are_apart(const Corners3& t, const Corners3& u, int shared) {
   if (shared > 2) return false;
   if (shared == 2) return apart_beyond_side(t, u);
   if (beside(t, u, shared) || beside(u, t, shared)) return true;
-  // Points that two triangles have in common beyond a shared corner reach the opposite side of one of them.
+  // Common points of two triangles other than a shared corner reach the opposite side of one of them.
   if (shared == 1) return segment_apart(t[1], t[2], u) && segment_apart(u[1], u[2], t);
   for (int i = 0; i < 3; ++i) {
     const int k = (i + 1) % 3;

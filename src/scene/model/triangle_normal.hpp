@@ -7,7 +7,7 @@
 
 namespace ligne {
 
-/// Unit normal of the triangle a, b, c; zero if it has no area. It is equal, bit for bit, to that of face_normal().
+/// Unit normal of the triangle a, b, c; zero if it has no area. Equal to face_normal() bit for bit.
 inline Point3 triangle_normal(const Point3& a, const Point3& b, const Point3& c) {
   const Point3 sum = Point3{0, 0, 0} + glm::cross(b - a, c - a);  // no negative zeros
   const double length = glm::length(sum);
