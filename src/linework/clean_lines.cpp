@@ -8,21 +8,21 @@
 namespace ligne {
 namespace {
 
-// Lengths in widths of the pen. "Taste" marks those that were chosen by looking at drawings.
-constexpr double kGapInPens = 1;              ///< a wider gap shows between the round ends of two lines
-constexpr double kWideInGaps = 3;             ///< widest gap that is bridged if there are no outlines: taste
-constexpr double kFarInGaps = 12;             ///< and if there are: taste
-constexpr double kInkInPens = 0.5;            ///< ink of a line reaches half a pen to either side
-constexpr double kShownInPens = 0.5;          ///< a run that shows less beside the ink of others is no line: taste
-constexpr double kMeetingInPens = 1;          ///< lines whose ink meets
-constexpr double kTouchingInPens = 1.0 / 16;  ///< ends that lie on a line, up to roundings of the page
-constexpr double kUndershootInGaps = 3;       ///< longest way that an end is led on: taste
-constexpr double kDangleInPens = 12, kDanglePart = 1.0 / 32;  ///< longest dangle: taste
-constexpr double kBesideInPens = 2.5, kBesideInDangles = 4;   ///< arcs beside a line: taste
-constexpr double kBrokenInPens = 4;                           ///< a gap in an outline of a scan: taste
+// Lengths in pen widths or in gaps (gap_mm()). "Taste" marks values that were chosen by looking at drawings.
+constexpr double kGapInPens = 1;                              ///< a wider gap shows between the round ends of two lines
+constexpr double kWideInGaps = 3;                             ///< widest gap that is bridged if there are no outlines: taste
+constexpr double kFarInGaps = 12;                             ///< widest gap that is bridged if there are outlines: taste
+constexpr double kInkInPens = 0.5;                            ///< ink of a line reaches half a pen to either side
+constexpr double kShownInPens = 0.5;                          ///< least length that shows outside of other ink: taste
+constexpr double kMeetingInPens = 1;                          ///< lines this near to each other touch
+constexpr double kTouchingInPens = 1.0 / 16;                  ///< an end this near lies on a line; allows for rounding
+constexpr double kUndershootInGaps = 3;                       ///< longest extension of an end: taste
+constexpr double kDangleInPens = 12, kDanglePart = 1.0 / 32;  ///< longest dangle, also as part of its body: taste
+constexpr double kBesideInPens = 2.5, kBesideInDangles = 4;   ///< arcs beside a line, largest distance and size: taste
+constexpr double kBrokenInPens = 4;                           ///< largest gap in an outline of a scan: taste
 constexpr double kScanFleckInPens = 8, kLoneInPens = 5;       ///< longest isolated chains: taste
-constexpr double kFleckPart = 1.0 / 48;                       ///< and as part of the extent of the body: taste
-constexpr double kRingInPens = 0.25;                          ///< a ring so narrow is drawn as one line
+constexpr double kFleckPart = 1.0 / 48;                       ///< also as part of the extent of the body: taste
+constexpr double kRingInPens = 0.25;                          ///< a ring no wider than this is drawn as one line
 
 double gap_mm(const CleanOptions& o) { return std::min(o.least_mm, kGapInPens * o.pen_mm); }
 
@@ -97,7 +97,7 @@ CleanReport clean_lines(StrokeModel& model, const CleanOptions& options) {
   CleanReport report;
   for (const CleaningRule& rule : kRules) report.rules.push_back({rule.name, rule.changes});
   const double step = model.lattice.step_mm, reach = kMeetingInPens * options.pen_mm / step;
-  /// Adjustable: side of the cells in which rules look for lines.
+  /// Side of the cells in which rules look for lines, in pen widths. Adjustable.
   constexpr double kCellInPens = 4;
   const double cell = walked_cell(model.strokes, kCellInPens * options.pen_mm / step);
   bool is_clean = false;

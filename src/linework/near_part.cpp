@@ -4,7 +4,8 @@
 
 namespace ligne {
 
-/// The hull of the parts in the two discs round the ends of the other and in the strip between them.
+/// The part is the hull of the parts in the two discs around the ends of the other stroke and in the strip between
+/// them.
 StrokePart part_near(const Stroke& bit, const Stroke& line, double reach) {
   const double dx = double(bit.to.x) - bit.from.x, dy = double(bit.to.y) - bit.from.y, square = dx * dx + dy * dy;
   StrokePart part;
@@ -17,7 +18,8 @@ StrokePart part_near(const Stroke& bit, const Stroke& line, double reach) {
   }
   const double ux = double(line.to.x) - line.from.x, uy = double(line.to.y) - line.from.y, length = std::hypot(ux, uy);
   if (length == 0) return part;
-  // Fractions at which the stroke is at a distance along and beside the line: each linear in the fraction.
+  // Clips to the fractions at which the distances along and across the other stroke are in range. Both are linear in
+  // the fraction.
   double from = 0, to = 1;
   const auto clip = [&](double start, double slope, double low, double high) {
     if (slope == 0) {

@@ -6,7 +6,7 @@
 /// turned by half a turn as its ghost. The turn between two arms is the distance between one and the ghost of the other,
 /// and the smallest of all turns is always that of an arm and a ghost that are neighbours on the circle: anything between
 /// them would make a smaller one. So the candidates are the neighbours only; when a pair is taken its four marks leave the
-/// circle and at most four new neighbourhoods arise. O(d log d) for d arms.
+/// circle and at most four new pairs of neighbours arise. O(d log d) for d arms.
 
 #include "linework/node_pairs.hpp"
 
@@ -20,8 +20,8 @@
 namespace ligne {
 namespace {
 
-/// Turns are compared by their tangent. Dot and cross product of two directions are exact (see geometry/lattice.hpp), so
-/// that one division is all the rounding there is.
+/// Turn of more than 90 degrees. Turns are compared by their tangent. Dot and cross product of two directions are exact
+/// (see geometry/lattice.hpp), so the only rounding is one division.
 constexpr double kTooSharp = -1;
 
 double dot(LatticePoint a, LatticePoint b) { return double(a.x) * b.x + double(a.y) * b.y; }
@@ -53,7 +53,7 @@ struct Mark {
   bool ghost;
 };
 
-/// Order round the circle from +x over +y; exact.
+/// Order around the circle from +x over +y; exact.
 bool before(const Mark& l, const Mark& r) {
   const auto half = [](LatticePoint d) { return d.y < 0 || (d.y == 0 && d.x < 0); };
   if (half(l.direction) != half(r.direction)) return half(r.direction);
@@ -123,7 +123,8 @@ void pair_many_arms(std::span<const NodeArm> arms, std::span<std::uint32_t> part
       next[previous[i]] = next[i];
       previous[next[i]] = previous[i];
     }
-    // A mark that has left still knows its neighbours of then; the last one to leave of a run knows those that stayed.
+    // A removed mark keeps the neighbours that it had. In a run of removed marks, the last one removed has the
+    // neighbours that remain.
     for (const std::uint32_t i : gone) {
       if (!taken[marks[previous[i]].arm]) offer(previous[i]);
     }

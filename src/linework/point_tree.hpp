@@ -1,5 +1,5 @@
 #pragma once
-/// Points of the page in a tree of boxes.
+/// A tree of bounding boxes over points of the page.
 
 #include <algorithm>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace ligne {
 
-/// The least box round some points, its sides along the axes.
+/// Bounding box of points, parallel to the axes.
 struct PointBox {
   LatticePoint low, high;
 
@@ -22,7 +22,7 @@ struct PointBox {
   }
 };
 
-/// Divides where the points are farthest apart, into halves.
+/// Divides the points into halves along the longer side of their box.
 class PointTree {
  public:
   PointTree() = default;
@@ -31,8 +31,8 @@ class PointTree {
     if (!points.empty()) build(points, 0, static_cast<std::uint32_t>(points.size()));
   }
 
-  /// Calls visit(number) for all points in boxes of which, and of all boxes round them, enter(box) says true; those near p
-  /// come first.
+  /// Calls visit(number) for all points in each leaf for whose box, and all boxes around it, enter(box) returns true.
+  /// The child nearer to p is searched first.
   template <class Enter, class Visit>
   void search(LatticePoint p, const Enter& enter, const Visit& visit) const {
     if (!nodes_.empty()) search_node(0, p, enter, visit);
@@ -43,8 +43,8 @@ class PointTree {
 
   struct Node {
     PointBox box;
-    std::uint32_t begin, end;  ///< in number_
-    std::uint32_t second = 0;  ///< child; the first one follows the node; 0: a leaf
+    std::uint32_t begin, end;  ///< range in number_
+    std::uint32_t second = 0;  ///< second child; the first child follows the node; 0 in a leaf
   };
 
   void build(const std::vector<LatticePoint>& points, std::uint32_t begin, std::uint32_t end) {
@@ -81,7 +81,7 @@ class PointTree {
     search_node(then, p, enter, visit);
   }
 
-  std::vector<std::uint32_t> number_;  ///< of the points, in the order of the leaves
+  std::vector<std::uint32_t> number_;  ///< numbers of the points, in the order of the leaves
   std::vector<Node> nodes_;
 };
 

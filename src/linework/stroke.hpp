@@ -10,8 +10,8 @@
 
 namespace ligne {
 
-/// Class of a line, decided on the edge in space. Where lines coincide on the page, the class that stands first here is
-/// drawn.
+/// Class of a line, decided on the edge in space. Where lines of several classes coincide on the page, the first class
+/// of this list is drawn.
 enum class LineClass : std::uint8_t {
   outline,       ///< edge between a front face and a back face
   border,        ///< edge of one face
@@ -26,8 +26,8 @@ enum class LineClass : std::uint8_t {
   shadow,        ///< border of a shadow on a face; no edge of the scene
   suggestive,    ///< suggestive contour: where the surface almost turns into an outline
                  ///< (contours/shapes/shape_lines.hpp); no edge of the scene
-  ridge,         ///< where the curvature of a surface is greatest, outwards; no edge of the scene
-  valley,        ///< where the curvature of a surface is greatest, inwards; no edge of the scene
+  ridge,         ///< greatest outward curvature of a surface; no edge of the scene
+  valley,        ///< greatest inward curvature of a surface; no edge of the scene
   detail,        ///< contour of a detail on a face; no edge of the scene
   profile,       ///< part of an outline, border or crease behind which an object ends; set after all other classes
 };
@@ -60,7 +60,7 @@ struct Stroke {
   LineClass line_class = LineClass::mesh;
   bool visible = true;
   bool needs_overlap_check : 1 = true;  ///< false if the method knows that no other stroke lies on this one
-  bool is_joint : 1 = false;            ///< added to join lines, or to lead one on (linework/clean_lines.hpp)
+  bool is_joint : 1 = false;            ///< added to join lines or to extend one (linework/clean_lines.hpp)
   std::uint8_t level = 0;               ///< number of transparent faces in front, or of all faces where counted; at most 255
 };
 
@@ -82,13 +82,13 @@ struct SourceEdge {
   bool intersection = false;
 };
 
-/// A hidden part of a line, and the faces before it: their number is the quantitative invisibility of its points
-/// [Appel1967], the set of them their nature [GalimbertiMontanari1969].
+/// A hidden part of a line and the faces in front of it. The number of these faces is the quantitative invisibility of
+/// its points [Appel1967]; the set of them is their nature [GalimbertiMontanari1969].
 struct HiddenPart {
   std::uint32_t source = 0;
   double t_from = 0, t_to = 1;  ///< parameters on the source edge, as in Stroke
   std::uint32_t count = 0;
-  std::vector<std::uint32_t> faces{};  ///< ascending; empty where only their number was asked for
+  std::vector<std::uint32_t> faces{};  ///< ascending; empty if only the number was requested
 };
 
 /// All strokes that one run of a method returns. Sources below `edge_count` are the sources of ProjectedScene: edges of
@@ -98,7 +98,7 @@ struct StrokeModel {
   std::vector<Stroke> strokes;
   std::uint32_t edge_count = 0;
   std::vector<SourceEdge> intersections;   ///< intersections of faces; later phases append borders of shadows and curves
-  std::vector<HiddenPart> hidden_parts{};  ///< by source and parameter, where the faces before lines were counted
+  std::vector<HiddenPart> hidden_parts{};  ///< by source and parameter; empty unless faces in front were counted
 };
 
 }  // namespace ligne

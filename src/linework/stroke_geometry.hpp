@@ -16,7 +16,7 @@ inline bool is_seen(const Stroke& s) { return s.visible && s.level == 0; }
 /// True for edges of the scene and intersections; false for lines of surfaces and axes, which no rule changes.
 inline bool is_edge(const Stroke& s) { return static_cast<std::size_t>(s.line_class) < kEdgeClassCount; }
 
-/// True for the lines that rules join and lead on: edges, but not those of the bare mesh.
+/// True for lines that rules join and extend: edges that are not mere mesh edges.
 inline bool is_feature(const Stroke& s) { return is_edge(s) && s.line_class != LineClass::mesh; }
 
 inline bool any_hidden(const std::vector<Stroke>& strokes) {
@@ -40,7 +40,7 @@ inline LatticePoint point_at(const Stroke& s, double fraction) {
   return {between(s.from.x, s.to.x), between(s.from.y, s.to.y)};
 }
 
-/// The point of a segment that is nearest to a point.
+/// The point of a segment that is nearest to a given point.
 struct Foot {
   double fraction = 0;  ///< of the segment's length, from 0 to 1
   double distance = 0;  ///< lattice steps

@@ -10,19 +10,20 @@
 namespace ligne {
 namespace {
 
-// Adjustable parameters: ends in a bucket (12 bytes each, to stay in the first-level cache with their table), the number of
-// buckets that a scattering pass can write to at once, and strokes that one task of it scatters.
+// Adjustable: ends in a bucket (12 bytes each, so that the ends and their table fit into the first-level cache); binary
+// logarithm of the most buckets, which limits the memory areas that a scattering pass writes to at once; buckets that
+// one task sorts; strokes that one task scatters.
 constexpr std::size_t kBucketEnds = 512;
 constexpr unsigned kMostBucketBits = 14;
 constexpr std::size_t kBucketsPerTask = 16;
 constexpr std::size_t kScatteredBlock = 131'072;
-/// Adjustable: ends crowd where a bucket has more of them.
+/// Adjustable: above this many ends in a bucket, buckets are chosen by hash.
 constexpr std::uint32_t kCrowdedBucket = 64 * kBucketEnds;
 
 std::uint64_t hash_of(LatticePoint p) { return mix_bits(std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y)); }
 
-/// All ends, by buckets: squares of the page, since strokes that are near each other there mostly are so in memory. Where
-/// they crowd, buckets are by the hash of the place.
+/// All ends in buckets. A bucket is a square of the page, since strokes that are near each other on the page are mostly
+/// near in memory. If a square has too many ends, buckets are chosen by the hash of the point.
 class Buckets {
  public:
   Buckets(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> members)
@@ -37,7 +38,7 @@ class Buckets {
       by_hash_ = true;
       next = counts();
     }
-    // Each block of strokes has its own place in each bucket, so that a bucket holds its ends in their order.
+    // Each block of strokes has its own place in each bucket, so the ends of a bucket keep their order.
     const std::size_t blocks = next.size() / count();
     std::uint32_t sum = 0;
     for (std::size_t b = 0; b < count(); ++b) {
@@ -85,7 +86,7 @@ class Buckets {
           sum.add(part);
           return sum;
         });
-    // A step more than there is, so that the highest lie in the last square.
+    // One step is added to the extent, so that the highest coordinates lie in the last square.
     const double squares = double(std::size_t{1} << row_bits_);
     low_x_ = all.low_x, low_y_ = all.low_y;
     per_step_x_ = squares / (double(all.high_x) - low_x_ + 1);
@@ -104,7 +105,7 @@ class Buckets {
     });
   }
 
-  /// By block of strokes, and by bucket.
+  /// Counts ends by block of strokes and by bucket.
   std::vector<std::uint32_t> counts() const {
     std::vector<std::uint32_t> counts(block_count(members_.size(), kScatteredBlock) * count());
     for_blocks(counts, [&](std::uint32_t* own, LatticePoint p, std::uint32_t) { ++own[bucket(p)]; });
@@ -129,13 +130,13 @@ class Buckets {
   std::vector<StrokeEnd> ends_;
 };
 
-/// Brings together the ends of each place of a bucket. Its memory serves one bucket after the other.
+/// Groups the ends of a bucket by their point. One object serves many buckets, to reuse its memory.
 class NodeSorter {
  public:
   void visit_nodes(std::span<const StrokeEnd> ends, FunctionRef<void(std::span<const StrokeEnd>)> visit) {
     constexpr std::uint32_t kFree = 0xffffffffu;
     const std::size_t n = ends.size();
-    // Places are numbered in the order in which they are met; a table of at least twice as many slots finds them again.
+    // Points are numbered in order of appearance. A hash table with at least twice as many slots finds them again.
     const std::size_t mask = std::bit_ceil(2 * n) - 1;
     table_.assign(mask + 1, kFree);
     node_of_.resize(n);
@@ -155,7 +156,7 @@ class NodeSorter {
     for (std::size_t node = 0; node + 1 < next_.size(); ++node) next_[node + 1] += next_[node];
     sorted_.resize(n);
     for (std::size_t i = 0; i < n; ++i) sorted_[next_[node_of_[i]]++] = ends[i];
-    // Each place now has moved on to where the next one begins.
+    // Each entry of next_ now is the place where the next node begins.
     std::uint32_t begin = 0;
     for (std::size_t node = 0; node + 1 < next_.size(); ++node) {
       visit({sorted_.data() + begin, sorted_.data() + next_[node]});

@@ -1,5 +1,5 @@
 #pragma once
-/// The places where strokes end.
+/// Nodes: the points where strokes end.
 
 #include <array>
 #include <cstddef>
@@ -19,19 +19,19 @@ struct StrokeEnd {
   std::uint32_t end;
 };
 
-/// Calls visit(ends) for each place where a stroke of `members` ends, with all ends there in ascending order; for several
-/// places at once, in no order. O(n).
+/// Calls visit(ends) for each point where strokes of `members` end, with all ends there in ascending order. Calls come
+/// from several threads, in no particular order. O(n).
 ///
 /// Ends are first spread over buckets by their place, so that a bucket fits into the cache; in each bucket a small hash
 /// table numbers the places, and a counting sort brings the ends of a place together.
 void for_each_node(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> members,
                    FunctionRef<void(std::span<const StrokeEnd>)> visit);
 
-/// Arms of one place. Of few, as there are mostly, no memory is asked for.
+/// Arms of one node. A few arms, the common case, need no memory allocation.
 class NodeArms {
  public:
   NodeArms() = default;
-  /// Those of the ends at a place, in their order.
+  /// The arms of the ends at one node, in their order.
   NodeArms(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> members, std::span<const StrokeEnd> ends) {
     for (const auto& [p, end] : ends) {
       const Stroke& s = strokes[members[end / 2]];

@@ -11,10 +11,10 @@
 
 namespace ligne {
 
-/// Numbered segments in the square cells that they pass through. Segments come in one by one and stay.
+/// Square cells that list the numbered segments passing through them. Segments can be added but not removed.
 class LineCells {
  public:
-  /// Side of the cells, lattice steps (walked_cell() gives one that keeps the number of entries small).
+  /// `cell` is the side of a cell in lattice steps; walked_cell() gives one that keeps the number of entries small.
   explicit LineCells(double cell) : cell_(cell), grid_(cell, 0) {}
 
   void insert(std::uint32_t number, LatticePoint from, LatticePoint to) {
@@ -42,7 +42,7 @@ class LineCells {
  private:
   double cell_;
   SegmentGrid grid_;
-  KeyTable first_;                                                // of each cell its first entry
+  KeyTable first_;                                                // for each cell its first entry
   std::vector<std::pair<std::uint32_t, std::uint32_t>> entries_;  // segment, next entry
 };
 

@@ -11,7 +11,7 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: ends that one task pairs.
+/// Adjustable: number of ends that one task pairs.
 constexpr std::size_t kPairedBlock = 16'384;
 
 }  // namespace
@@ -49,7 +49,7 @@ NodeArms edge_arms(const LineMap& map, std::uint32_t node) {
   return arms;
 }
 
-/// Pairs ends of one class at a node, and then those that are left.
+/// Pairs the ends of each class at a node, and then the ends without a partner.
 void pair_ends(const LineMap& map, std::uint32_t node, std::vector<std::uint32_t>& same, std::vector<std::uint32_t>& other) {
   const NodeArms arms = edge_arms(map, node);
   const auto class_of = [&](const NodeArm& arm) { return map.piece(arm.end / 2).line_class; };
@@ -126,7 +126,7 @@ Arcs::Arcs(const LineMap& map, double reach)
 
 std::vector<Arcs::Arc> Arcs::find() const {
   DisjointSets sets(is_left_.size());
-  std::vector<std::uint32_t> met(degree_.size(), kNone);  // by place of two pieces: the first of them
+  std::vector<std::uint32_t> met(degree_.size(), kNone);  // by junction of two pieces: the first of them
   const auto ends = static_cast<std::uint32_t>(junction_of_.size());
   for (std::uint32_t end = 0; end < ends; ++end) {
     const std::uint32_t junction = junction_of_[end];

@@ -1,6 +1,6 @@
 #pragma once
-/// Three ways to follow a line through the nodes of a LineMap. Each is a snapshot: it does not follow later edits of the
-/// map, except where it says so.
+/// Three ways to follow a line through the nodes of a LineMap. Each is a snapshot: later edits of the map do not change
+/// it, except where noted.
 
 #include <cstdint>
 #include <span>
@@ -11,13 +11,13 @@
 
 namespace ligne {
 
-/// Chains: pieces continue each other where two of them end and no third one does. A chain is known by its lowest piece.
+/// Chains: two pieces continue each other where exactly two pieces end. A chain is identified by its lowest piece.
 class Chains {
  public:
   struct Chain {
     double length = 0;            ///< lattice steps
-    std::uint32_t free_ends = 0;  ///< 0 for a ring, or where the chain ends at ends of others
-    std::uint32_t cut_ends = 0;   ///< free ends at which the edge goes on: visibility ends the line there
+    std::uint32_t free_ends = 0;  ///< 0 for a ring, or if the chain ends at ends of other chains
+    std::uint32_t cut_ends = 0;   ///< free ends inside an edge: visibility ends the line there
     bool only_edges = true, only_intersections = true;
   };
 
@@ -31,15 +31,15 @@ class Chains {
   std::vector<Chain> chains_;
 };
 
-/// Runs: pieces of one class that will be drawn as one line. At a node the ends of each class are paired, the straightest
-/// pair first; ends of edges that are left continue those of other classes in the same way. A run is known by its lowest
-/// piece.
+/// Runs: pieces of one class that are drawn as one line. At each node the ends of each class are paired, the
+/// straightest pair first; then the remaining ends of edges are paired across classes in the same way. A run is
+/// identified by its lowest piece.
 class Runs {
  public:
   struct Run {
     double length = 0;  ///< lattice steps
     LineClass line_class = LineClass::mesh;
-    std::uint32_t longest_beside = kNone;  ///< the longest run of another class that continues this one
+    std::uint32_t longest_beside = kNone;  ///< the longest run of another class that continues this run
   };
 
   /// Takes the pieces of edges; others have the run kNone. O(n log d) for nodes of the degree d.
@@ -52,38 +52,38 @@ class Runs {
   std::vector<Run> runs_;
 };
 
-/// Arcs: lines from one junction to the next, where a line that ends within `reach` of the side of another makes a junction.
-/// Pieces no longer than the reach between two places that are one junction belong to no arc.
+/// Arcs: lines from one junction to the next. A line that ends within `reach` of the side of another makes a junction
+/// there. Pieces whose two ends belong to one junction belong to no arc.
 class Arcs {
  public:
   struct Arc {
     std::vector<std::uint32_t> pieces;     ///< ascending
     double length = 0;                     ///< lattice steps
-    std::vector<std::uint32_t> junctions;  ///< the two that it leads to; none for a ring
+    std::vector<std::uint32_t> junctions;  ///< its two junctions; none for a ring
   };
 
   /// O(n).
   Arcs(const LineMap& map, double reach);
-  /// The junction, or the place in the course of a line, of an end.
+  /// The junction of an end, which may also be a node inside a line.
   std::uint32_t junction_of(std::uint32_t end) const { return junction_of_[end]; }
-  /// The number of pieces at a junction that are left.
+  /// The number of remaining pieces at a junction.
   std::uint32_t degree(std::uint32_t junction) const { return degree_[junction]; }
   bool has(std::uint32_t piece) const { return is_left_[piece] != 0; }
-  /// All pieces that ended at a junction at first, ascending.
+  /// All pieces that ended at the junction originally, ascending.
   std::span<const std::uint32_t> pieces_at(std::uint32_t junction) const {
     return {at_junction_.data() + first_at_[junction], at_junction_.data() + first_at_[junction + 1]};
   }
-  /// The arcs of the pieces that are left, in the order of their lowest pieces.
+  /// The arcs of the remaining pieces, in the order of their lowest pieces.
   std::vector<Arc> find() const;
   void take_away(const Arc& arc);
-  /// The ends at which the pieces of an arc begin, in the order of the arc; that of a ring begins with its lowest piece.
+  /// The ends at which the pieces of an arc begin, in the order of the arc. A ring begins with its lowest piece.
   std::vector<std::uint32_t> along(const Arc& arc) const;
 
  private:
   const LineMap& map_;
   std::vector<std::uint32_t> junction_of_;             ///< by end
   std::vector<std::uint32_t> degree_;                  ///< by junction
-  std::vector<std::uint32_t> first_at_, at_junction_;  ///< of each junction the first of its pieces; these
+  std::vector<std::uint32_t> first_at_, at_junction_;  ///< for each junction the index of its first piece; the pieces
   std::vector<std::uint8_t> is_left_;                  ///< by piece
 };
 

@@ -11,11 +11,11 @@
 
 namespace ligne {
 
-/// A place inside or at the end of a piece where another line meets it.
+/// A point of a piece, inside it or at an end, where another line meets it.
 struct LineMap::Meeting {
   std::uint32_t piece;
   double fraction, distance;
-  std::uint32_t contact;  ///< whose other node lies there
+  std::uint32_t contact;  ///< the contact whose other node lies there
   LatticePoint place{};
 };
 
@@ -63,7 +63,7 @@ void LineMap::file_pieces() {
   }
 }
 
-/// A new piece has two nodes of its own.
+/// Adds a piece with two nodes of its own.
 std::uint32_t LineMap::new_piece(const Stroke& stroke, std::uint32_t of) {
   const auto p = static_cast<std::uint32_t>(pieces_.size());
   pieces_.push_back({stroke, of, kNone});
@@ -104,7 +104,7 @@ std::vector<std::uint32_t> LineMap::line_back(std::uint32_t end, double length) 
 }
 
 std::optional<LineMap::Meeting> LineMap::nearest_line(std::uint32_t end) {
-  /// A line may meet itself beyond so many times the reach.
+  /// Least distance along a line from an end at which the line may meet itself, in reaches.
   constexpr double kOwnLineInReaches = 4;
   std::vector<std::uint32_t> own = line_back(end, kOwnLineInReaches * meetings_.reach);
   for_each_end(node_of_[end], [&](std::uint32_t e) { own.push_back(e / 2); });
@@ -121,9 +121,9 @@ std::optional<LineMap::Meeting> LineMap::nearest_line(std::uint32_t end) {
   return nearest;
 }
 
-/// Two lines that cross inside both meet there; the second node of the contact is that of the later piece.
+/// Finds the points where two lines cross inside both. The second node of such a contact is that of the later piece.
 void LineMap::find_crossings(std::vector<Meeting>& found) {
-  std::vector<std::uint32_t> met(pieces_.size(), kNone);  // by piece, the last one with which it was compared
+  std::vector<std::uint32_t> met(pieces_.size(), kNone);  // by piece: the last piece that it was compared with
   const auto given = piece_count();
   for (std::uint32_t a = 0; a < given; ++a) {
     const Stroke& s = pieces_[a].stroke;
@@ -161,7 +161,7 @@ void LineMap::find_contacts() {
     const Stroke whole = pieces_[piece].stroke;
     const std::uint32_t first_node = node_of_[2 * piece], last_node = node_of_[2 * piece + 1], new_piece = piece_count();
     cuts.clear();
-    std::vector<std::uint32_t> nodes;  // by meeting; a cut has the number of the first end behind it
+    std::vector<std::uint32_t> nodes;  // by meeting; the node of a cut has the number of the first end behind it
     for (last = first; last < meetings.size() && meetings[last].piece == piece; ++last) {
       const auto& [of, fraction, distance, contact, place] = meetings[last];
       const bool is_inside = place != whole.from && place != whole.to;
@@ -177,8 +177,8 @@ void LineMap::find_contacts() {
   }
 }
 
-/// The first part stays the piece; the others are new pieces. Between two of them is a node of its own, with the number of
-/// the end behind it.
+/// Cuts a piece into parts. The first part keeps the number of the piece; the others are new pieces. Between two parts
+/// is a new node, with the number of the end behind it.
 void LineMap::cut(std::uint32_t piece, std::span<const StrokeCut> cuts) {
   if (cuts.empty()) return;
   const Stroke whole = pieces_[piece].stroke;
@@ -231,7 +231,7 @@ void LineMap::add(Stroke stroke, std::uint32_t from_end, std::uint32_t to_end, c
   added_ += page_length(stroke);
 }
 
-/// Parts of a stroke that were removed side by side are one hidden stroke, and those that stay one visible stroke.
+/// Writes adjacent removed parts of a stroke as one hidden stroke, and adjacent remaining parts as one visible stroke.
 void LineMap::write_stroke(std::uint32_t first_piece, std::vector<Stroke>& out) const {
   for (std::uint32_t p = first_piece; p != kNone;) {
     Stroke part = pieces_[p].stroke;
@@ -261,7 +261,7 @@ void LineMap::clear_hidden(std::vector<Stroke>& strokes, double ink, double exac
       return in_ink.from == 0 && in_ink.to == 1;
     });
     if (is_in_ink) return true;
-    // The parts along added strokes that begin at one end of the stroke, and those that begin at the other.
+    // Finds the part along added strokes at each end of the stroke.
     std::ranges::sort(parts, {}, [](const StrokePart& part) { return std::pair(part.from, part.to); });
     double from = 0, to = 1;
     for (const StrokePart& part : parts) {

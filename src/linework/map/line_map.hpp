@@ -26,38 +26,39 @@
 
 namespace ligne {
 
-/// Makes the source of a stroke that joins two lines. The stroke still has the source of the line that it continues.
+/// Makes the source of a stroke that joins two lines. On the call, the stroke has the source of the line that it
+/// continues.
 using MakeSource = std::function<SourceEdge(const Stroke&)>;
 
-/// The node `node` lies `distance` steps from the node `other` of another line.
+/// A contact: the node `node` lies `distance` lattice steps from the node `other` of another line.
 struct Contact {
   std::uint32_t node, other;
   double distance;
 };
 
-/// Which places of lines are contacts.
+/// Selects the points of lines that become contacts.
 struct Meetings {
-  double reach = 0;        ///< steps; of 0, no contacts are looked for
-  bool any_node = false;   ///< nodes of several ends have contacts too; otherwise free ends only
-  bool crossings = false;  ///< where two lines cross both are cut, and their nodes are a contact
+  double reach = 0;        ///< lattice steps; 0: no contacts
+  bool any_node = false;   ///< whether nodes of several ends have contacts too, or only free ends
+  bool crossings = false;  ///< whether two lines that cross are both cut, with a contact between their nodes
 };
 
 class LineMap {
  public:
-  /// The strokes of `model` that are seen and for which takes_part() holds; strokes without length have no part. O(n + m),
-  /// with m the cells of the side `cell` that lines pass, and the pairs of lines in one cell if crossings are looked for.
+  /// Takes the visible strokes of `model` for which takes_part() returns true, except strokes without length. O(n + m),
+  /// where m counts the cells of side `cell` that lines pass, plus, with crossings, the pairs of lines in one cell.
   LineMap(StrokeModel& model, const std::function<bool(const Stroke&)>& takes_part, const Meetings& meetings, double cell);
   LineMap(const LineMap&) = delete;
   LineMap& operator=(const LineMap&) = delete;
 
   double step_mm() const { return model_.lattice.step_mm; }
-  /// Pieces have the numbers below this one.
+  /// The number of pieces, dead ones included.
   std::uint32_t piece_count() const { return static_cast<std::uint32_t>(pieces_.size()); }
   bool is_alive(std::uint32_t piece) const { return pieces_[piece].alive; }
   /// The piece as a stroke.
   const Stroke& piece(std::uint32_t piece) const { return pieces_[piece].stroke; }
   std::uint32_t stroke_number(std::uint32_t piece) const { return pieces_[piece].of; }
-  /// The whole stroke that it is a part of.
+  /// The whole stroke of the piece.
   const Stroke& stroke_of(std::uint32_t piece) const { return model_.strokes[pieces_[piece].of]; }
   LatticePoint point(std::uint32_t end) const {
     const Stroke& s = pieces_[end / 2].stroke;
@@ -69,9 +70,9 @@ class LineMap {
   /// The lowest end at a node.
   std::uint32_t first_end(std::uint32_t node) const { return first_end_[node]; }
   bool is_free(std::uint32_t end) const { return degree_[node_of_[end]] == 1; }
-  /// The end that continues the line of this one, where exactly two pieces end; otherwise kNone.
+  /// The other end at the node if exactly two pieces end there; otherwise kNone.
   std::uint32_t next(std::uint32_t end) const;
-  /// The pieces of the chain that ends at `end`, from there on, until they are longer than `length` together.
+  /// The pieces of the chain that ends at `end`, from that end on, until their total length exceeds `length`.
   std::vector<std::uint32_t> line_back(std::uint32_t end, double length) const;
   /// Calls visit(end) for all ends at a node, in ascending order.
   template <class Visit>
@@ -79,7 +80,8 @@ class LineMap {
     for (std::uint32_t e = first_end_[node]; e != kNone; e = next_end_[e]) visit(e);
   }
   const std::vector<Contact>& contacts() const { return contacts_; }
-  /// A contact of a free end holds until the end is joined; any contact until one of its lines goes.
+  /// Whether the contact still holds. A contact of a free end holds until the end is joined; any contact holds until
+  /// one of its lines is removed.
   bool holds(const Contact& contact) const {
     const std::uint32_t ends = degree_[contact.node];
     return degree_[contact.other] > 0 && (meetings_.any_node ? ends > 0 : ends == 1);
@@ -93,27 +95,27 @@ class LineMap {
     return cells_->near(from, to, reach, [&](std::uint32_t p) { return pieces_[p].alive && visit(p); });
   }
 
-  /// Takes a piece off the map.
+  /// Removes a piece from the map.
   void remove(std::uint32_t piece);
-  /// Makes one node of a free end and the end of the line on which it lay, where the rest of that line was removed.
+  /// Joins a free end with the end of the line on which it lay, where the rest of that line was removed.
   void join_contacts();
   void set_class(std::uint32_t piece, LineClass line_class) { pieces_[piece].stroke.line_class = line_class; }
-  /// Adds a stroke from the node of one end to that of another, or (kNone) to a node of its own.
+  /// Adds a stroke from the node of `from_end` to that of `to_end`. An end that is kNone gets a node of its own.
   void add(Stroke stroke, std::uint32_t from_end, std::uint32_t to_end, const MakeSource& make_source);
 
   double removed_steps() const { return removed_; }
   double added_steps() const { return added_; }
 
-  /// Writes the map back to the model. Pieces that were removed become hidden strokes; where the model had no hidden strokes
-  /// they go. Hidden strokes that lie in the ink (`ink` steps) of added strokes all along go too, and lose what lies exactly
-  /// (`exact` steps) along one.
+  /// Writes the map back to the model. Removed pieces become hidden strokes, or are left out if the model had none.
+  /// Hidden strokes that lie all along in the ink (within `ink` steps) of added strokes are left out too. Others lose
+  /// the parts at their ends that lie exactly (within `exact` steps) along an added stroke.
   void commit(double ink, double exact);
 
  private:
   struct Piece {
     Stroke stroke;
     std::uint32_t of;    ///< number of the stroke
-    std::uint32_t next;  ///< next piece of the stroke
+    std::uint32_t next;  ///< next piece of the stroke, or kNone
     bool alive = true;
   };
   struct Meeting;
@@ -133,7 +135,7 @@ class LineMap {
   Meetings meetings_;
   double cell_;
   bool had_hidden_;
-  std::uint32_t given_;  ///< strokes of the model at first; others were added
+  std::uint32_t given_;  ///< number of strokes in the model at first; later ones were added
   std::vector<Piece> pieces_;
   std::vector<std::uint32_t> node_of_, next_end_;  ///< by end
   std::vector<std::uint32_t> first_end_, degree_;  ///< by node

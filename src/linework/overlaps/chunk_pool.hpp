@@ -1,6 +1,6 @@
 #pragma once
-/// Many lists that grow and are never shortened, in one store: what a list holds stands in a few chunks, so to look at all
-/// of it costs little. Nothing moves when a list grows, so hardly more memory is taken than is filled.
+/// Many growing lists in one store. A list is a chain of chunks, each about as large as all chunks before it, so that a
+/// walk over the list is fast. Nothing moves when a list grows, so the store takes little more memory than its items.
 
 #include <algorithm>
 #include <array>
@@ -18,9 +18,9 @@ class ChunkPool {
  public:
   /// One of the lists; its items are in no order.
   struct List {
-    std::uint32_t last = kNoChunk;  ///< of its chunks
+    std::uint32_t last = kNoChunk;  ///< its newest chunk
     std::uint32_t size = 0;
-    std::uint32_t free = 0;  ///< places in the last chunk
+    std::uint32_t free = 0;  ///< unused places in the newest chunk
   };
 
   void push(List& list, const T& item) {
@@ -30,7 +30,7 @@ class ChunkPool {
     ++list.size;
   }
 
-  /// Calls visit(item) for each until it returns true; true when it did.
+  /// Calls visit(item) for each item until it returns true. Returns whether it did.
   template <class Visit>
   bool visit(const List& list, const Visit& visit) const {
     std::uint32_t unused = list.free;
@@ -44,7 +44,7 @@ class ChunkPool {
     return false;
   }
 
-  /// Takes all items out, and gives the chunks to other lists.
+  /// Returns all items and empties the list. Its chunks become free for other lists.
   std::vector<T> take(List& list) {
     std::vector<T> taken;
     taken.reserve(list.size);
@@ -62,15 +62,15 @@ class ChunkPool {
   static constexpr std::uint32_t kLargestOrder = 6, kBlock = 1u << 14;  // adjustable
 
   struct Chunk {
-    std::uint32_t begin;   ///< among the places of all blocks
-    std::uint32_t before;  ///< the chunk before it in its list, or among those not used
+    std::uint32_t begin;   ///< index of its first place, counted over all blocks
+    std::uint32_t before;  ///< the next older chunk of its list, or the next free chunk
     std::uint32_t size;    ///< a power of two
   };
 
   T* place(const Chunk& chunk) { return blocks_[chunk.begin / kBlock].data() + chunk.begin % kBlock; }
   const T* place(const Chunk& chunk) const { return blocks_[chunk.begin / kBlock].data() + chunk.begin % kBlock; }
 
-  /// Adds a chunk to the list: about as large as all that it has.
+  /// Adds a chunk about as large as all chunks that the list has.
   void grow(List& list) {
     const std::uint32_t order = std::min(kLargestOrder, static_cast<std::uint32_t>(std::bit_width(list.size)));
     std::uint32_t chunk = unused_[order];
@@ -93,7 +93,7 @@ class ChunkPool {
 
   std::vector<UninitializedVector<T>> blocks_;
   std::vector<Chunk> chunks_;
-  std::uint32_t end_ = 0;  ///< of the places that belong to chunks
+  std::uint32_t end_ = 0;  ///< first place that belongs to no chunk
   std::array<std::uint32_t, kLargestOrder + 1> unused_ = none();
 
   static constexpr std::array<std::uint32_t, kLargestOrder + 1> none() {

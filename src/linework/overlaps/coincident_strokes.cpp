@@ -1,9 +1,10 @@
-/// Resolution of overlaps: where strokes lie on each other, one of them stays.
+/// Resolution of overlaps: where strokes lie on each other, only one of them stays.
 ///
 /// Most strokes overlap no other one (overlapping_strokes.hpp) and are kept at once. The others are decided in the order of
 /// their precedence. Each is compared with the strokes kept so far:
 /// - If it overlaps a kept stroke of higher precedence, the common interval is cut out of it, and the rest is decided again.
-/// - Otherwise it is kept. Kept strokes of lower precedence lose the common interval, and their rests are decided again. This
+/// - Otherwise it is kept. Kept strokes of lower precedence lose the common interval, and their rests are decided again.
+/// This
 ///   happens because precedence depends on the depth in the middle of the common interval, while the order in which strokes
 ///   are decided goes by the depth in the middle of whole strokes.
 ///
@@ -88,8 +89,10 @@ class OverlapResolver {
   /// A stroke that was kept when it was decided.
   struct Kept {
     Stroke stroke;
-    std::uint32_t position;  ///< in the order of precedence; the last of those whose decision made this rest
-    bool is_kept;            ///< false after a later stroke has cut it
+    /// Position in the order of precedence. For a rest it is the last position among the strokes whose decisions made
+    /// it.
+    std::uint32_t position;
+    bool is_kept;  ///< false after a later stroke has cut it
     bool is_rest;
   };
   const std::vector<Kept>& kept() const { return kept_; }
@@ -158,7 +161,8 @@ void OverlapResolver<Index>::cut(const Stroke& stroke, std::uint32_t position, s
   add_rest_to({1, stroke.to});
 }
 
-/// Whether all strokes of a run precede this one. `last` bounds their order; they lie between two fractions of the stroke.
+/// Whether all strokes of a run precede this stroke. `last` is the upper bound of their order, `begin` and `end` are
+/// the fractions of this stroke at the ends of the run.
 template <class Index>
 bool OverlapResolver<Index>::goes_behind(const Stroke& stroke, const StrokeOrder& last, double begin, double end) const {
   constexpr double kRounding = 0x1p-8;  // largest rounding error of a depth, in tolerances
@@ -275,11 +279,11 @@ std::vector<StrokePrecedence> precedence_order(const std::vector<Stroke>& stroke
   return order;
 }
 
-/// The kept strokes and rests of all strokes of the order, by falling precedence.
+/// Returns the kept strokes and the rests of all strokes of the order, by falling precedence.
 template <class Index>
 std::vector<Stroke> resolve_with(Index index, const std::vector<Stroke>& strokes, std::vector<OverlapState>& states,
                                  const std::vector<StrokePrecedence>& order, double tolerance_steps, double tolerance_mm) {
-  // Searches for overlaps with rests; the second one is for rests of rests.
+  // Rounds of searching for overlaps with rests; the second round is for rests of rests.
   constexpr int kSearches = 2;
   OverlapResolver<Index> resolver(std::move(index), tolerance_steps, tolerance_mm);
   std::vector<std::uint32_t> position_of(strokes.size()), alone;
@@ -332,10 +336,10 @@ std::vector<Stroke> resolve(const std::vector<Stroke>& strokes, std::vector<Over
   return with(StrokeIndex(index_cell(strokes, overlapping, tolerance_steps), tolerance_steps));
 }
 
-/// Where nearly all of many strokes overlap, rests overlap the few others all the time. Then all strokes are compared from
-/// the beginning, which spares the searches for rests.
+/// Compares all strokes from the beginning where nearly all of many strokes overlap. Rests would overlap the few other
+/// strokes all the time; comparing these too spares the searches for rests.
 void compare_all_where_most_overlap(std::vector<OverlapState>& states) {
-  // Adjustable: overlapping strokes, and how many times as many as the others they must be.
+  // Adjustable: fewest overlapping strokes, and their smallest ratio to the other strokes.
   constexpr std::ptrdiff_t kMany = 1024, kTimes = 4;
   const auto overlapping = std::count(states.begin(), states.end(), OverlapState::overlapping);
   if (overlapping < kMany || kTimes * std::count(states.begin(), states.end(), OverlapState::alone) > overlapping) return;

@@ -1,5 +1,5 @@
 #pragma once
-/// Lines that lie on each other, drawn once.
+/// Removes all but one of the lines that lie on each other.
 
 #include "linework/stroke.hpp"
 

@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::size_t kBlock = 4096;
 // Adjustable.
-constexpr double kMostCellsPerStroke = 64;  ///< that a stroke crosses on the average, at most
-constexpr std::size_t kLeastCells = 4;      ///< of the grid of a crowded cell
+constexpr double kMostCellsPerStroke = 64;  ///< largest mean number of cells that a stroke crosses
+constexpr std::size_t kLeastCells = 4;      ///< fewest cells of the finer grid of a cell
 
 }  // namespace
 
-/// About one cell for each end, as long as the common stroke or as square as they can be. Returns whether there is more than
-/// a cell or two.
+/// Chooses cells for about one end each, as long as the median stroke or else as square as possible. Returns whether
+/// the grid has at least kLeastCells cells.
 bool EndGrid::choose_cells(const std::vector<End>& ends, const Cells& cells) {
   frame_ = cells.frame;
   constexpr double kFar = std::numeric_limits<double>::max();
@@ -67,7 +67,7 @@ EndGrid::EndGrid(std::vector<End> ends, const Cells& cells) {
   ends_.resize(ends.size());
   for (std::size_t i = 0; i < ends.size(); ++i) ends_[next[cell[i]]++] = ends[i];
   std::vector<End>().swap(ends);
-  // Equal points stand together, so that a point where thousands of strokes meet is passed by at once.
+  // Sorts equal points together, so that a walk skips a point where thousands of strokes meet in a few steps.
   parallel_blocks(cell_count, kBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
       open_[c] = first_[c + 1] - first_[c];
@@ -79,7 +79,7 @@ EndGrid::EndGrid(std::vector<End> ends, const Cells& cells) {
   for (std::size_t c = 0; c < cell_count; ++c) refine_if_crowded(c, cells);
 }
 
-/// By doubling steps, since thousands may be alike.
+/// Searches by doubling steps, since thousands of ends may be equal.
 std::uint32_t EndGrid::next_of_many(std::uint32_t e, std::uint32_t last) const {
   const LatticePoint p = ends_[e].p;
   std::uint32_t step = 2;
@@ -89,7 +89,7 @@ std::uint32_t EndGrid::next_of_many(std::uint32_t e, std::uint32_t last) const {
                                     ends_.begin());
 }
 
-/// A cell with many points gets a grid of its own, where that has several cells.
+/// Gives a cell with many points a grid of its own, if that has several cells.
 void EndGrid::refine_if_crowded(std::size_t c, const Cells& cells) {
   if (first_[c + 1] - first_[c] <= kCrowd) return;
   std::uint32_t points = 0;

@@ -27,8 +27,8 @@ class EndGrid {
     std::uint32_t stroke;
   };
 
-  /// Constraints on the cells. Lengths are in lattice steps. A cell's length is its side along u, its width that along
-  /// v.
+  /// Constraints on the cells. Lengths are in lattice steps. A cell's length is its side along u, its width the side
+  /// along v.
   struct Cells {
     DirectionFrame frame{};
     double least = 1;        ///< shortest side
@@ -52,7 +52,8 @@ class EndGrid {
     return area * area <= margin * margin * (dx * dx + dy * dy);
   }
 
-  /// Records that a stroke with an end at p overlaps another one: it is settled. To be called once for each end of the stroke.
+  /// Records that a stroke with an end at p overlaps another one, which settles it. Call it once for each end of the
+  /// stroke.
   void settle_end(LatticePoint p);
 
   /// Calls visit(end) for the ends within the tolerance of the segment from-to, except for ends at `from` or at `to`.
@@ -111,8 +112,8 @@ class EndGrid {
 };
 
 /// Walks column by column. The foot of an end's perpendicular on the line is at most the margin away from the end in x
-/// and in y. So it is at most the margin away in u; in v, which is sheared by a slope of at most 1, it is at most twice
-/// that.
+/// and in y. So it is at most the margin away in u. In v, which is sheared by a slope of at most 1, it is at most twice
+/// the margin away.
 template <class Settled, class Visit>
 void EndGrid::walk(LatticePoint from, LatticePoint to, double margin, const Settled& settled, const Visit& visit) {
   double u0 = frame_.u(from), v0 = frame_.v(from), u1 = frame_.u(to), v1 = frame_.v(to);

@@ -1,5 +1,5 @@
 #pragma once
-/// The ends of segments, by places of the page.
+/// A grid over the ends of segments.
 
 #include <cmath>
 #include <cstdint>
@@ -12,10 +12,11 @@
 
 namespace ligne {
 
-/// Finds ends that are within the reach of a point, but not at it: thousands that meet in one point are one entry.
+/// Finds ends within reach of a point, but not at the point itself. Ends at one point are one entry, however many they
+/// are.
 class EndPoints {
  public:
-  /// In lattice steps, along x and along y.
+  /// `reach` is in lattice steps, along x and along y.
   explicit EndPoints(double reach) : reach_(reach) {}
 
   void add(LatticePoint p, std::uint32_t segment) {
@@ -33,7 +34,7 @@ class EndPoints {
     return p != q && std::abs(double(p.x) - q.x) <= reach_ && std::abs(double(p.y) - q.y) <= reach_;
   }
 
-  /// Calls found(segment) for each end near the point until it returns true; true when it did.
+  /// Calls found(segment) for each end near the point until it returns true. Returns whether it did.
   template <class Found>
   bool for_each_near(LatticePoint p, const Found& found) const {
     for (std::int32_t row = cell(p.y - reach_); row <= cell(p.y + reach_); ++row) {
@@ -52,7 +53,7 @@ class EndPoints {
  private:
   struct Point {
     LatticePoint p;
-    std::uint32_t next;  ///< in the same cell
+    std::uint32_t next;  ///< next point of the same cell
     std::vector<std::uint32_t> segments;
   };
 

@@ -21,9 +21,9 @@ namespace {
 
 constexpr std::size_t kGrain = 4096;
 
-/// A coarse raster of the page whose squares are marked where strokes pass. Most strokes of a large drawing lie in no marked
-/// square, and the raster tells so faster than a hash table. The raster of few strokes has few squares, since it must be
-/// cleared.
+/// A coarse raster of the page that marks the squares through which strokes pass. Most strokes of a large drawing lie
+/// in no marked square, and the raster finds this faster than a hash table. The fewer strokes, the fewer squares, since
+/// they must be cleared.
 class MarkedSquares {
  public:
   MarkedSquares(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double margin)
@@ -35,7 +35,7 @@ class MarkedSquares {
       });
     }
   }
-  /// Whether the stroke may lie on one that was marked.
+  /// Whether the stroke may lie on a marked stroke.
   bool near(const Stroke& s) const {
     return for_each_square(s, [&](std::size_t k) { return marks_[k] != 0; });
   }
@@ -68,7 +68,7 @@ class MarkedSquares {
     }
     return false;
   }
-  /// Visits the cells of a stroke that is not upright and crosses several columns and rows.
+  /// Visits the squares of a stroke that is not vertical and crosses several columns and rows.
   template <class Visit>
   bool for_each_crossed(const Stroke& s, std::size_t left, std::size_t right, const Visit& visit) const {
     const double low = std::min(s.from.y, s.to.y), high = std::max(s.from.y, s.to.y);
@@ -123,7 +123,7 @@ void mark_same_ends(const std::vector<Stroke>& strokes, const std::vector<std::u
   }
 }
 
-/// The numbers of the strokes that need a check, and of those near them, in order.
+/// Returns, in order, the numbers of the strokes that need a check and of the strokes near them.
 std::vector<std::uint32_t> find_candidates(const std::vector<Stroke>& strokes, double tolerance_steps) {
   std::vector<std::uint32_t> flagged;
   for (std::uint32_t i = 0; i < strokes.size(); ++i) {
@@ -145,13 +145,15 @@ std::vector<std::uint32_t> find_candidates(const std::vector<Stroke>& strokes, d
   return result;
 }
 
-/// Finds overlaps by the ends of strokes. Two strokes that overlap are of one of these kinds:
+/// Finds overlaps by the ends of strokes. Two overlapping strokes are of one of these kinds:
 /// - One is short, and an end of it lies on the other.
-/// - Both and their common interval are long. They have nearly one direction, and an end of one lies on the other.
+/// - Both strokes and their common interval are long. They have nearly the same direction, and an end of one lies on
+///   the other.
 /// - Both are long, and their common interval is short. It lies between an end of one and an end of the other.
-/// - Both ends are common.
-/// So each stroke is followed past the ends of short strokes, each long one also past the ends of long ones of nearly its
-/// direction, and a little way from each of its ends past the ends of all long ones.
+/// - They share both ends.
+/// So the search follows each stroke past the ends of short strokes, and each long stroke also past the ends of long
+/// strokes of nearly its direction. From each end of a long stroke it goes a short way past the ends of all long
+/// strokes.
 class OverlapSearch {
  public:
   OverlapSearch(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& candidates, double tolerance,
@@ -174,7 +176,7 @@ class OverlapSearch {
 
  private:
   using End = EndGrid::End;
-  static constexpr std::size_t kShort = stroke_directions::kRanges;  ///< the group of short strokes, behind the ranges
+  static constexpr std::size_t kShort = stroke_directions::kRanges;  ///< group of the short strokes, after the ranges
 
   bool is_long(LatticePoint from, LatticePoint to) const { return length(from, to) > long_; }
   std::size_t group_of(LatticePoint from, LatticePoint to) const {
@@ -233,7 +235,7 @@ void OverlapSearch::compare(const End& end, const End& other) {
   settle(other);
 }
 
-/// Follows the stroke of an end of this group past the ends of others.
+/// Follows the stroke of an end of this group past the ends of other strokes.
 void OverlapSearch::search(const End& end, std::size_t group) {
   const auto settled = [&] { return is_overlapping(end.stroke); };
   const auto visit = [&](const End& other) { compare(end, other); };
@@ -245,14 +247,15 @@ void OverlapSearch::search(const End& end, std::size_t group) {
 }
 
 void OverlapSearch::search_along() {
-  constexpr double kLongest = 16;  // adjustable: how many times as long as wide the cells of one range are
+  // Adjustable: largest ratio of length to width of the cells of a range.
+  constexpr double kLongest = 16;
   const double least = kLeastCellInTolerances * tolerance_;
   parallel_tasks(kShort + 1, [&](std::size_t g) {
     const bool is_range = g < kShort;
     const DirectionFrame frame = is_range ? stroke_directions::frame_of(static_cast<int>(g)) : DirectionFrame{};
     grids_[g] = EndGrid(std::move(ends_[g]), {frame, least, is_range ? kLongest : 1, true});
   });
-  // Few strokes from everywhere come first. Among thousands on one line they settle nearly all.
+  // A few strokes, spread over the whole page, come first. Among thousands on one line they settle nearly all.
   for (const std::size_t step : {std::size_t{4096}, std::size_t{64}, std::size_t{1}}) {
     for (std::size_t g = 0; g <= kShort; ++g) {
       const std::vector<End>& ends = grids_[g].ends();
@@ -265,7 +268,7 @@ void OverlapSearch::search_along() {
   }
 }
 
-/// The place on the stroke of an end up to which a short common interval that begins there may reach.
+/// Returns the point of the stroke that a short common interval from this end can reach at most.
 LatticePoint OverlapSearch::stub_of(const End& end) const {
   const double dx = double(end.far.x) - end.p.x, dy = double(end.far.y) - end.p.y;
   const double part = std::min(1.0, stroke_directions::kLong * tolerance_ / length(end.p, end.far));
@@ -328,7 +331,8 @@ std::vector<OverlapState> find_overlapping_strokes(const std::vector<Stroke>& st
     if (strokes[i].needs_overlap_check) result[i] = OverlapState::alone;
   }
   if (StrokeTree::suits(strokes, candidates, tolerance_steps)) {
-    search_side_by_side(strokes, candidates, tolerance_steps, [&](std::uint32_t i) { result[i] = OverlapState::overlapping; });
+    search_side_by_side(strokes, candidates, tolerance_steps,
+                        [&](std::uint32_t i) { result[i] = OverlapState::overlapping; });
     return result;
   }
   OverlapSearch search(strokes, candidates, tolerance_steps, result);
@@ -338,7 +342,7 @@ std::vector<OverlapState> find_overlapping_strokes(const std::vector<Stroke>& st
 }
 
 std::vector<std::uint32_t> strokes_that_overlap(const std::vector<Stroke>& others, const std::vector<Stroke>& strokes,
-                                            const std::vector<std::uint32_t>& of, double tolerance_steps) {
+                                                const std::vector<std::uint32_t>& of, double tolerance_steps) {
   std::vector<std::uint32_t> all(others.size());
   std::iota(all.begin(), all.end(), 0u);
   const MarkedSquares squares(others, all, tolerance_steps);

@@ -14,8 +14,8 @@ enum class OverlapState : std::uint8_t {
   overlapping,  ///< it has an interval in common with another stroke, and one of the two needs a check
 };
 
-/// The state of each stroke. Runs in parallel. O(n log n), and a test of each pair of strokes one of which has an end near
-/// the line of the other.
+/// Returns the state of each stroke. Runs in parallel. Takes O(n log n), plus one test for each pair of strokes where
+/// one has an end near the line of the other.
 std::vector<OverlapState> find_overlapping_strokes(const std::vector<Stroke>& strokes, double tolerance_steps);
 
 /// The strokes numbered in `of` that overlap one of `others`, in the order of their numbers.

@@ -1,5 +1,5 @@
 #pragma once
-/// Segments of the page that lie along each other. Plain doubles: what is compared differs by micrometres.
+/// Segments of the page that lie along each other, in plain doubles: differences below a micrometre do not matter here.
 
 #include <algorithm>
 #include <cmath>
@@ -68,8 +68,8 @@ inline std::vector<Range> gaps(std::vector<Range> ranges, double from, double to
   return result;
 }
 
-/// Length of the part that two segments have in common as a whole: one lies within `lateral` of the other all along that
-/// part. A wedge, that is two segments that leave one point at an angle, has none.
+/// Length of the interval where one segment lies within `lateral` of the other all along. It is 0 for a wedge, which is
+/// two segments that leave one point at an angle.
 inline double common_length(const Segment& a, const Segment& b, double lateral) {
   const bool swapped = b.length() > a.length();
   const Segment &base = swapped ? b : a, &other = swapped ? a : b;

@@ -1,5 +1,6 @@
 #pragma once
-/// Segments that follow each other on one line: a stroke on that line which loses to all of them loses one interval.
+/// Runs: segments that follow each other on one line. A stroke on that line that loses to all of them loses one
+/// interval.
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@
 
 namespace ligne {
 
-/// The order in which two strokes go, for one stroke, or for the last of several.
+/// The order of precedence of a stroke, or an upper bound for several strokes.
 struct StrokeOrder {
   std::size_t rank = 0;
   float z = 0;  ///< farthest depth
@@ -21,8 +22,8 @@ struct StrokeOrder {
   }
 };
 
-/// In the coordinates of a frame (linework/overlaps/stroke_directions.hpp). All the segments lie within `aside` in v of the
-/// line from (u0, v0) to (u1, v1), which they cover but for gaps that are shorter than any piece of a stroke.
+/// A run in the coordinates of a frame (linework/overlaps/stroke_directions.hpp). All its segments lie within `aside`
+/// in v of the line from (u0, v0) to (u1, v1). They cover this line except for gaps shorter than any piece of a stroke.
 struct SegmentRun {
   double u0, v0, u1, v1;
   double aside = 0;
@@ -31,8 +32,8 @@ struct SegmentRun {
 
   double v_at(double u) const { return u1 > u0 ? v0 + (u - u0) / (u1 - u0) * (v1 - v0) : v0; }
 
-  /// Both as one; nothing when there is a gap, one of them ends within the other or they are on different lines: by more
-  /// than `slack`.
+  /// Joins two runs. Returns nothing if the gap between them or their distance from the common line is above `slack`,
+  /// or if one run ends inside the other.
   static std::optional<SegmentRun> joined(SegmentRun a, SegmentRun b, double slack) {
     if (b.u0 < a.u0) std::swap(a, b);
     if (b.u0 > a.u1 + slack || b.u1 <= a.u1) return std::nullopt;

@@ -7,20 +7,21 @@
 namespace ligne {
 namespace {
 
-constexpr double kRounding = 2;  ///< steps; more than the rounding of any position worked out here
+constexpr double kRounding = 2;  ///< lattice steps; more than the rounding error of any position here
 
-// In tolerances.
-// A common interval begins and ends where the segments are within the tolerance of each other, and at one of their ends;
-// both are measured at right angles to one of them, so that the ends may change places.
+// Largest distance by which the ends of a common interval may seem to be swapped, in tolerances. An interval begins and
+// ends at an end of one segment that is within the tolerance of the other. Each end is measured at right angles to one
+// of the segments.
 constexpr double kTurned = 2;
-// A point of a short segment near the line, in v: slopes on the page are at most 1.
+// Largest distance in v of a point of a short segment near the line, in tolerances: slopes on the page are at most 1.
 constexpr double kBeside = 3;
 
-// Gaps in a run, and how far its segments are off its line; a line on which it lies is no farther from it. Less than a piece
-// of a stroke is long, and together within the tolerance.
+// Bounds of a run, in tolerances: its gaps and the distance of its segments from its line; the distance from its line
+// to a line on which the run lies. Gaps are shorter than any piece of a stroke, and the distances together are within
+// the tolerance.
 constexpr double kRunSlack = 0.25, kOnRun = 0.5;
 
-// Adjustable: a node is built anew when one child has more than this part of it, and these.
+// Adjustable: a node is rebuilt when one child has more than this part of the node's segments plus kFew.
 constexpr double kUneven = 0.75;
 constexpr std::uint32_t kFew = 16;
 
@@ -42,7 +43,8 @@ void SegmentTree::Node::add(const FrameSegment& s) {
   bounds.at_first.add(s.v_at(first_u)), bounds.at_last.add(s.v_at(last_u));
 }
 
-/// The range of all lines below. A line is a mean of its values at two places, with weights that are negative beyond them.
+/// Range of v at u over the lines of all segments below. A line's value is a weighted mean of its values at two places;
+/// one weight is negative outside of these places.
 NumberRange SegmentTree::Node::v_at(double u) const {
   const double t = last_u > first_u ? (u - first_u) / (last_u - first_u) : 0;
   const auto [a, b] = std::pair(bounds.at_first, bounds.at_last);
@@ -50,8 +52,8 @@ NumberRange SegmentTree::Node::v_at(double u) const {
           (1 - t) * (t <= 1 ? a.high : a.low) + t * (t >= 0 ? b.high : b.low)};
 }
 
-/// Whether some line below may be within the margin of this one at some u in the range: the difference is bounded by two
-/// linear functions.
+/// Whether the line of a segment below may be within the margin of this line at some u in the range. Two linear
+/// functions bound the difference.
 bool SegmentTree::Node::is_near(const FrameSegment& line, double u_low, double u_high, double margin) const {
   const NumberRange first = v_at(u_low), last = v_at(u_high);
   const double v_first = line.v_at(u_low), v_last = line.v_at(u_high);
@@ -60,8 +62,9 @@ bool SegmentTree::Node::is_near(const FrameSegment& line, double u_low, double u
   return !above && !below;
 }
 
-/// How far apart in v, at one u, a segment and the line may be where both are within the tolerance of each other, measured
-/// at right angles to the steeper of them, and at a u that is off by as much. Slopes of segments on the page are at most 1.
+/// Largest distance in v at one u between a segment and the line where both are within the tolerance of each other. The
+/// tolerance is measured at right angles to the steeper of them, and u is off by as much. Slopes of segments on the
+/// page are at most 1.
 double SegmentTree::margin_along(const FrameSegment& line, double slopes_apart) const {
   const double steepest = std::max(1.0, std::abs(line.slope) + std::abs(frame_.slope));
   return tolerance_ * (std::sqrt(1 + steepest * steepest) + slopes_apart) + kRounding;
@@ -96,7 +99,7 @@ bool SegmentTree::may_be(const Node& node, const FrameSegment& line, Question qu
   return std::abs((u - line.u0) * dv - (v - line.v0) * du) <= half_u * std::abs(dv) + half_v * std::abs(du);
 }
 
-/// may_be() for one segment of a leaf that is near the line.
+/// may_be() for one segment of a leaf near the line.
 bool SegmentTree::may_be(const FrameSegment& s, const FrameSegment& line, Question question) const {
   if (question == Question::along) {
     const double margin = margin_along(line, std::abs(s.slope - line.slope));
@@ -239,7 +242,7 @@ std::uint32_t SegmentTree::new_children() {
   return static_cast<std::uint32_t>(nodes_.size() - 2);
 }
 
-/// Collects the items below, and frees the nodes there.
+/// Collects the items below the node, and frees its child nodes.
 void SegmentTree::collect(std::uint32_t node, std::vector<std::uint32_t>& items) {
   const std::uint32_t children = nodes_[node].children;
   if (children == kNone) {
@@ -260,7 +263,8 @@ void SegmentTree::build_anew(std::uint32_t node) {
   build(node, items);
 }
 
-/// How the node divides its items: by what sets them farther apart. Nothing where they are all alike.
+/// Chooses the key by which the node divides its items: the quantity that separates them most. Returns false if all
+/// keys are equal.
 bool SegmentTree::choose_division(Node& node, std::span<const std::uint32_t> items, std::vector<double>& keys) const {
   double length = 0, sum_of_slopes = 0;
   NumberRange slope, u;
@@ -295,7 +299,7 @@ bool SegmentTree::choose_division(Node& node, std::span<const std::uint32_t> ite
   node.divide = *middle;
   const auto least = std::min_element(keys.begin(), keys.end());
   if (*least < node.divide) return true;
-  // Half of them have the least key: those above it go to the second child.
+  // Half of the items have the least key; the node divides above it.
   double next = std::numeric_limits<double>::infinity();
   for (const double key : keys) {
     if (key > node.divide) next = std::min(next, key);

@@ -1,5 +1,5 @@
 #pragma once
-/// Segments of about one direction, or short ones, in a tree: each stands in one leaf, whatever it crosses.
+/// A tree over segments of similar direction, or over short ones. Each segment is in exactly one leaf.
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +19,13 @@ namespace ligne {
 /// A segment in the coordinates of a frame, u0 <= u1.
 struct FrameSegment {
   double u0, v0, u1, v1;
-  double slope;  ///< 0 for one that is upright
+  double slope;  ///< 0 for a vertical segment
 
   FrameSegment(const DirectionFrame& frame, LatticePoint from, LatticePoint to);
   double v_at(double u) const { return v0 + (u - u0) * slope; }
 };
 
-/// Segments from this many tolerances on are filed by direction.
+/// Least length of a segment that is filed by direction, in tolerances.
 inline constexpr double kDirectedLength = 12;
 
 /// A range of numbers; empty at first.
@@ -37,48 +37,50 @@ struct NumberRange {
   double farthest(double value) const { return std::max(std::abs(low - value), std::abs(high - value)); }
 };
 
-/// A segment is four numbers: the u of its two ends, its slope, and its v in the middle. The tree divides by slope, by v
-/// across the common slope of a node, or by u, whichever sets the segments farther apart, in steps of the page: so segments
-/// that cross each other everywhere are told apart by their slopes, parallel ones by their offset. Memory is linear.
+/// A segment is four numbers: u of its two ends, its slope, and its v in the middle. The tree divides by slope, by v
+/// across the mean slope of a node, or by u. It takes the quantity that separates the segments most, measured in steps
+/// of the page. So the slope separates segments that cross each other everywhere, and the offset separates parallel
+/// ones. Memory is linear.
 ///
-/// Invariants: a node's bounds hold all that stands below it (they shrink only when it is built anew); `count` is what
-/// stands below. A node of which one child has got too much is built anew, when it has grown by half since it was. Where
+/// Invariants: a node's bounds contain all segments below it (they shrink only when the node is rebuilt), and `count`
+/// is the number of segments below. A node is rebuilt when one child has become too large and the node has grown by
+/// half since it was built. A node whose segments form one run, and were inserted with their order, stores this run.
 /// what stands below is one run of segments that came in with their order, the node knows that.
 class SegmentTree {
  public:
-  /// The questions to the segments here.
+  /// Relations between the line of a query and the segments of the tree.
   enum class Question : std::uint8_t {
-    along,   ///< both ends of what they have in common with the line near each other
-    beside,  ///< the line is short: near it
-    box,     ///< the segments here are short: any part near the line
+    along,   ///< the common interval has both ends within the tolerance of line and segment
+    beside,  ///< the line is short, and the segment passes near it
+    box,     ///< the segments of the tree are short, and any part of one is near the line
   };
 
-  /// `is_directed`: the segments have slopes of at most a half; otherwise they are short.
+  /// `is_directed`: the segments have slopes of at most 1/2. Otherwise they are short.
   SegmentTree(const DirectionFrame& frame, bool is_directed, double tolerance)
       : frame_(frame), is_directed_(is_directed), tolerance_(tolerance) {}
 
   const DirectionFrame& frame() const { return frame_; }
-  /// Returns the place of the segment, for erase(). Those with an order may become parts of runs.
+  /// Returns the place of the segment, for erase(). Segments with an order may become parts of runs.
   std::uint32_t insert(const FrameSegment& segment, std::uint32_t number, const std::optional<StrokeOrder>& order = {});
   void erase(std::uint32_t place);
 
-  /// Puts in many at once, into an empty tree: for each its number.
+  /// Fills an empty tree with segments and their numbers.
   void fill(const std::vector<std::pair<FrameSegment, std::uint32_t>>& segments);
 
-  /// Calls found(number) for the segments of which the answer may be yes, until it returns true; true when it did.
+  /// Calls found(number) for each segment that may satisfy the question, until it returns true. Returns whether it did.
   template <class Found>
   bool query(const FrameSegment& line, Question question, const Found& found) const {
     return query(
         line, question, [](const SegmentRun&) { return false; }, found);
   }
-  /// As above, but runs that lie on the line and inside it are handed to takes_run(run) first; where that returns true their
-  /// segments are not told one by one.
+  /// As above, but first calls takes_run(run) for each run that lies on the line and inside it. Where that returns
+  /// true, found() is not called for the segments of the run.
   template <class TakesRun, class Found>
   bool query(const FrameSegment& line, Question question, const TakesRun& takes_run, const Found& found) const {
     return !nodes_.empty() && visit(0, line, question, takes_run, found);
   }
 
-  /// How many nodes such a query looks at.
+  /// Number of nodes that such a query visits.
   std::size_t nodes_asked(const FrameSegment& line, Question question) const {
     return nodes_.empty() ? 0 : nodes_asked(0, line, question);
   }
@@ -91,20 +93,20 @@ class SegmentTree {
     std::uint32_t number, next, leaf;
     bool erased;
   };
-  /// At two places along u, and for the ends.
+  /// Ranges over the segments of a node: coordinates of their ends, slopes, and v at the places first_u and last_u.
   struct Bounds {
     NumberRange low_u, low_v, high_u, high_v, slope, at_first, at_last;
   };
   struct Node {
     Bounds bounds;
-    double first_u = 0, last_u = 0;           ///< the places of at_first and at_last
-    double of_u = 0, of_v = 0, of_slope = 0;  ///< the key by which a node divides is a sum of these
+    double first_u = 0, last_u = 0;           ///< where at_first and at_last are measured
+    double of_u = 0, of_v = 0, of_slope = 0;  ///< a node divides by the key of_u * u + of_v * v + of_slope * slope
     double divide = 0;                        ///< keys below go to the first child
     std::uint32_t parent = kNone;
-    std::uint32_t children = kNone;  ///< two of them; kNone: a leaf
+    std::uint32_t children = kNone;  ///< the first of two adjacent nodes; kNone for a leaf
     std::uint32_t first_item = kNone;
     std::uint32_t count = 0, count_when_built = 0;
-    std::uint32_t listed = 0;  ///< of a leaf: items, and those erased since it was built
+    std::uint32_t listed = 0;  ///< for a leaf: its items, including those erased since it was built
 
     double key(const FrameSegment& s) const {
       return of_u * (s.u0 + s.u1) / 2 + of_v * (s.v0 + s.v1) / 2 + of_slope * s.slope;
@@ -153,7 +155,7 @@ class SegmentTree {
   std::vector<Item> items_;
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> free_;  ///< pairs of nodes
-  /// Some segment came in with its order: then there are as many of the next two as of items and nodes.
+  /// Whether a segment was inserted with its order. Only then the next two have an entry for each item and each node.
   bool has_runs_ = false;
   std::vector<std::optional<StrokeOrder>> orders_;   ///< by item
   std::vector<std::optional<SegmentRun>> runs_{{}};  ///< by node

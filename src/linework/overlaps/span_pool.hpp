@@ -1,5 +1,5 @@
 #pragma once
-/// Many lists that grow, in one array: what a list holds stands side by side, so to look at all of it costs little.
+/// Many growing lists in one array. The items of a list are adjacent, so that a walk over the list is fast.
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace ligne {
 
-/// The array. A list that is full moves to a place of twice its size, and its old place serves another one.
+/// The array. A list that is full moves to a place of twice its size, and another list may take its old place.
 template <class T>
 class SpanPool {
  public:
@@ -28,7 +28,7 @@ class SpanPool {
     items_[list.begin + list.size++] = item;
   }
 
-  /// Takes item number i out; the last one takes its place.
+  /// Removes item number i. The last item takes its place.
   void remove(List& list, std::uint32_t i) { items_[list.begin + i] = items_[list.begin + --list.size]; }
 
  private:
@@ -51,7 +51,7 @@ class SpanPool {
   }
 
   std::vector<T> items_;
-  std::array<std::vector<std::uint32_t>, 32> free_;  ///< places by the logarithm of their size
+  std::array<std::vector<std::uint32_t>, 32> free_;  ///< free places, by the binary logarithm of their size
 };
 
 }  // namespace ligne

@@ -16,7 +16,7 @@ paper::Segment segment_of(const StrokeModel& model, const Stroke& s) {
   return {model.lattice.to_mm(s.from), model.lattice.to_mm(s.to)};
 }
 
-/// The visible strokes of a drawing by the cells of a grid that they pass through.
+/// A grid over the visible strokes of a drawing. Each cell lists the strokes that pass through it.
 class StrokesByCell {
  public:
   StrokesByCell(const StrokeModel& model, double tolerance_mm)
@@ -26,7 +26,7 @@ class StrokesByCell {
     }
   }
 
-  /// All that may lie along the stroke, each once, ascending.
+  /// Returns all strokes that may lie along this one, each once, in ascending order.
   const std::vector<std::uint32_t>& near(const Stroke& stroke) {
     found_.clear();
     cells_.near(stroke.from, stroke.to, 2 * tolerance_steps_, [&](std::uint32_t i) {
@@ -50,11 +50,12 @@ class StrokesByCell {
   std::vector<std::uint32_t> found_;
 };
 
-/// The visible strokes of a drawing by their ends: most strokes of a scene are the same in two drawings, and where thousands
-/// run side by side, or through one point, only few need be held against all that are near.
+/// The visible strokes of a drawing, looked up by their two ends. Most strokes are equal in two drawings of one scene.
+/// So few strokes need a comparison with all strokes near them, even where thousands run side by side or through one
+/// point.
 class StrokesByEnds {
  public:
-  /// Drawings on different lattices have no stroke in common.
+  /// Drawings on different lattices share no stroke.
   StrokesByEnds(const StrokeModel& model, const Lattice& lattice, bool by_level) : by_level_(by_level) {
     if (model.lattice.step_mm != lattice.step_mm || model.lattice.origin_mm != lattice.origin_mm) return;
     for (const Stroke& s : model.strokes) {

@@ -8,8 +8,8 @@
 namespace ligne::stroke_directions {
 namespace {
 
-/// In a sample: whether so many strokes have so many ends within the square about them. A crowd in one place of a large
-/// page does not show in the mean distance of all ends.
+/// Whether, in a sample, one in kOneIn strokes has kMany ends in the square around it. The mean distance of all ends
+/// does not show a dense place on a large page.
 bool are_crowded(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of) {
   // Adjustable.
   constexpr std::size_t kAsked = 256, kEnds = 8192, kOneIn = 4;
@@ -39,7 +39,8 @@ bool are_crowded(const std::vector<Stroke>& strokes, const std::vector<std::uint
 }  // namespace
 
 bool are_crossing(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of) {
-  constexpr double kEndsApart = 4;  // adjustable: so many mean distances of ends is a stroke long
+  // Adjustable: strokes cross if their mean length exceeds this many mean distances of ends.
+  constexpr double kEndsApart = 4;
   LatticePoint low{kLatticeLimit, kLatticeLimit}, high{-kLatticeLimit, -kLatticeLimit};
   double sum = 0;
   for (const std::uint32_t i : of) {

@@ -8,11 +8,11 @@
 namespace ligne {
 namespace {
 
-// Adjustable: a stroke may cross this many cells of the index on the average.
+// Adjustable: largest mean number of cells that a stroke crosses.
 constexpr double kCellsPerStroke = 64;
-constexpr std::uint32_t kCrowd = 256;  ///< segments and points in one cell
-// Cells are refined as long as segments stand in so many on the average, and so many more in all: memory grows with the
-// input.
+constexpr std::uint32_t kCrowd = 256;  ///< adjustable: most segments and points in a cell that is not refined
+// Largest number of list entries up to which cells are refined: this many for each segment, plus a constant. So memory
+// grows linearly with the input.
 constexpr std::size_t kMostCells = 24, kFewEntries = 1 << 20;
 
 double median(std::vector<float>& values) {
@@ -41,7 +41,7 @@ std::uint32_t StrokeIndex::leaf_at(LatticePoint p) const {
   return c;
 }
 
-/// Puts a point that is in no list into the leaf where it is, on the level or below.
+/// Adds a point that is in no list to its leaf, on this level or below.
 void StrokeIndex::put_point(std::size_t level, std::uint32_t point) {
   std::uint64_t key = 0;
   std::uint32_t c = kNone;
@@ -71,7 +71,7 @@ void StrokeIndex::add_end(std::uint32_t segment, int side) {
   if (is_new || !points_[point].listed) put_point(0, point);
 }
 
-/// Lists the segment in the leaves of a range through which it passes, but for those in which it ends.
+/// Adds the segment to the leaves of a range through which it passes without ending in them.
 void StrokeIndex::pass(std::size_t level, const CellRange& range, std::uint32_t segment) {
   const LatticePoint from = segments_[segment].from, to = segments_[segment].to;
   const SegmentGrid grid = levels_[level].grid;
@@ -131,7 +131,7 @@ void StrokeIndex::erase(std::uint32_t segment) {
     auto& arms = points_[point].arms;
     arms_.remove(arms, place);
     if (place == arms.size) continue;
-    // The last arm has taken the place.
+    // The last arm has moved to the free place.
     Segment& moved = segments_[arms_.items(arms)[place].segment];
     for (const int k : {0, 1}) {
       if (moved.ends[k] == point && moved.arms[k] == arms.size) moved.arms[k] = place;
@@ -161,7 +161,8 @@ double index_cell(const std::vector<Stroke>& strokes, const std::vector<std::uin
 
 double walked_cell(const std::vector<Stroke>& strokes, double wanted) {
   constexpr double kCellsOfFew = 1 << 18;
-  double sum = 0;  // of the cells' sides that a stroke of this extent crosses at the most
+  // Sum of the sides of cells that a stroke of this extent crosses at most.
+  double sum = 0;
   for (const Stroke& s : strokes) sum += std::abs(double(s.to.x) - s.from.x) + std::abs(double(s.to.y) - s.from.y);
   return std::max(wanted, sum / (kCellsPerStroke * static_cast<double>(strokes.size()) + kCellsOfFew));
 }

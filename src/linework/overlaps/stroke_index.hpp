@@ -1,5 +1,5 @@
 #pragma once
-/// Finds, among segments of the page, those that may lie on a given one.
+/// Finds the segments of the page that may coincide with a given segment.
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +16,10 @@
 
 namespace ligne {
 
-/// Cells are no smaller, in tolerances: the reach of the tolerance is a part of them.
+/// Smallest side of a cell, in tolerances. It keeps the reach of the tolerance small against the cell.
 inline constexpr double kLeastCellInTolerances = 8;
 
-/// Cells of a grid, the last ones included; all of them unless told otherwise.
+/// A range of grid cells, ends included; all cells by default.
 struct CellRange {
   std::int32_t column0 = std::numeric_limits<std::int32_t>::min(), row0 = column0;
   std::int32_t column1 = std::numeric_limits<std::int32_t>::max(), row1 = column1;
@@ -28,32 +28,34 @@ struct CellRange {
 /// A uniform grid of square cells over the page.
 class SegmentGrid {
  public:
-  /// Side of the cells, and the distance within which a point counts as on a segment, in lattice steps.
+  /// `cell` is the side of a cell, `tolerance` the distance within which a point counts as on a segment, both in
+  /// lattice steps.
   SegmentGrid(double cell, double tolerance) : cell_(cell), margin_(tolerance + kRounding) {}
 
   std::uint64_t cell_of(LatticePoint p) const { return KeyTable::key(index(p.x), index(p.y)); }
 
-  /// Calls visit(cell) for every cell within the tolerance of the segment until it returns true; true when it did.
+  /// Calls visit(cell) for every cell within the tolerance of the segment until it returns true. Returns whether it
+  /// did.
   template <class Visit>
   bool walk(LatticePoint from, LatticePoint to, const Visit& visit) const {
     return walk_cells(from, to, {},
                       [&](std::int32_t column, std::int32_t row) { return visit(KeyTable::key(column, row)); });
   }
 
-  /// Calls visit(column, row) for the cells of a range.
+  /// Calls visit(column, row) for those cells that lie in a range.
   template <class Visit>
   bool walk_cells(LatticePoint from, LatticePoint to, const CellRange& range, const Visit& visit) const;
 
-  /// The point may lie on the line of the segment.
+  /// Whether the point may lie on the infinite line of the segment.
   bool near(LatticePoint p, LatticePoint from, LatticePoint to, double segment_length) const {
     return std::abs(orientation(from, to, p)) <= margin_ * segment_length;
   }
-  /// near() where the length is not known.
+  /// near() for a segment of unknown length.
   bool near(LatticePoint p, LatticePoint from, LatticePoint to) const {
     const double dx = double(to.x) - from.x, dy = double(to.y) - from.y, area = orientation(from, to, p);
     return area * area <= margin_ * margin_ * (dx * dx + dy * dy);
   }
-  /// The point is beside the segment, or no farther from it than the margin along its line.
+  /// Whether the foot of the point's perpendicular is on the segment or at most the margin beyond its ends.
   bool beside(LatticePoint p, LatticePoint from, LatticePoint to) const {
     const double dx = double(to.x) - from.x, dy = double(to.y) - from.y, squared = dx * dx + dy * dy;
     const double along = dx * (double(p.x) - from.x) + dy * (double(p.y) - from.y),
@@ -62,34 +64,34 @@ class SegmentGrid {
   }
 
  private:
-  static constexpr double kRounding = 2;  ///< steps; more than the rounding of any position worked out here
+  static constexpr double kRounding = 2;  ///< lattice steps; more than the rounding error of any position here
 
   std::int32_t index(double v) const { return static_cast<std::int32_t>(std::floor(v / cell_)); }
 
   double cell_, margin_;
 };
 
-/// A grid (kept as a hash table of its cells) over segments, which are numbered as they come in. A cell in which there is a
-/// crowd gives what it has to cells of a finer grid.
+/// A grid over segments, stored as a hash table of its cells. Segments are numbered in the order of insertion. A cell
+/// with too many entries passes them to the cells of a finer grid.
 ///
-/// Where two segments coincide, each end of their common interval is an end of one of them, and lies on the other. So it
-/// is enough to ask which segments pass both ends of the new one, and which ends lie along the new one. A cell therefore
-/// keeps two lists: the segments that pass through without ending in it, and the points in it at which segments end, each
-/// with its segments. Segments that share an end are met at their other ends, or, when they share both, by a table of the
-/// pairs of ends: a point where thousands of segments meet costs each of them nothing. Where hundreds are in a cell few of
-/// them are near, so the lists hold the coordinates that tell, side by side.
+/// Where two segments coincide, each end of their common interval is an end of one of them and lies on the other. So a
+/// query needs only the segments that pass the ends of the new one, and the ends that lie along the new one. A cell
+/// therefore keeps two lists: the segments that pass through it without ending in it, and the points in it where
+/// segments end, each with its segments. Segments that share one end are found by their other ends; those that share
+/// both ends, by a table of pairs of ends. So a point where thousands of segments meet adds no cost to a query. Where a
+/// cell has hundreds of segments, few are near the query; the lists hold the coordinates for this test side by side.
 class StrokeIndex {
  public:
-  /// As for SegmentGrid.
+  /// Side of the cells and tolerance, as for SegmentGrid.
   StrokeIndex(double cell, double tolerance) : tolerance_(tolerance) { levels_.emplace_back(cell, tolerance); }
 
   void insert(LatticePoint from, LatticePoint to);
 
-  /// Segment number `segment` is no longer to be found; it keeps its number.
+  /// Queries no longer find segment number `segment`. It keeps its number.
   void erase(std::uint32_t segment);
 
-  /// Calls found(segment) for every inserted segment that may coincide with from-to, for some more than once, until it
-  /// returns true; true when it did.
+  /// Calls found(segment) for every inserted segment that may coincide with from-to, until it returns true. Some
+  /// segments come more than once. Returns whether found() did return true.
   template <class Found>
   bool query(LatticePoint from, LatticePoint to, const Found& found) const;
 
@@ -97,10 +99,10 @@ class StrokeIndex {
   struct Segment {
     LatticePoint from, to;
     bool erased = false;
-    std::uint32_t ends[2] = {};  ///< its points
-    std::uint32_t arms[2] = {};  ///< its places in their lists
+    std::uint32_t ends[2] = {};  ///< indices of its two end points
+    std::uint32_t arms[2] = {};  ///< its places in the lists of arms of these points
   };
-  /// A segment that passes through a cell, and a point in it.
+  /// A segment that passes through a cell without ending in it.
   struct Through {
     LatticePoint from, to;
     std::uint32_t segment;
@@ -117,9 +119,9 @@ class StrokeIndex {
   struct Cell {
     ChunkPool<Through>::List throughs;
     ChunkPool<PlacedEnd>::List ends;
-    bool refined = false;  ///< its lists are those of the cells below
+    bool refined = false;  ///< the cells of the next level have its entries
   };
-  /// A grid; cells of the next one are kParts times as small.
+  /// A grid. The cells of the next level have a kParts-th of its side.
   struct Level {
     Level(double cell_side, double tolerance) : side(cell_side), grid(cell_side, tolerance) {}
     double side;
@@ -129,7 +131,7 @@ class StrokeIndex {
   struct EndPoint {
     LatticePoint p;
     SpanPool<Arm>::List arms{};
-    bool listed = true;  ///< in the list of its cell
+    bool listed = true;  ///< whether the list of its cell contains it
   };
 
   static std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
@@ -161,17 +163,17 @@ class StrokeIndex {
   SpanPool<Arm> arms_;
   ChunkPool<Through> throughs_;
   ChunkPool<PlacedEnd> ends_;
-  std::size_t through_count_ = 0;  ///< ever listed
+  std::size_t through_count_ = 0;  ///< number of entries ever added
 };
 
-/// Side of the cells of an index over the strokes numbered in `of`, in steps: as small as the common stroke, or as the mean
-/// distance of strokes when these are long, but never so small that the strokes cross more than 64 of them on the average,
-/// and always larger than the reach of the tolerance.
+/// Side of the cells of an index over the strokes numbered in `of`, in lattice steps. It is the median length of the
+/// strokes, or their mean distance if that is smaller. Lower bounds: strokes cross at most 64 cells on average, and a
+/// cell is larger than the reach of the tolerance.
 double index_cell(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double tolerance_steps);
 
-/// Side of the cells of a grid that all strokes are walked through, in steps: `wanted`, unless they would pass more than
-/// 64 cells on the average and a quarter of a million in all. Then it is so much larger: a hair of a pen on a large page
-/// asks for no more memory than the strokes.
+/// Side of the cells of a grid through which all strokes are walked, in lattice steps. It is `wanted`, unless the
+/// strokes would pass more than 64 cells on average and a quarter of a million in all. Then it is larger by that ratio,
+/// so that a very fine pen on a large page needs no more memory than the strokes.
 double walked_cell(const std::vector<Stroke>& strokes, double wanted);
 
 }  // namespace ligne

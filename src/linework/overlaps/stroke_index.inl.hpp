@@ -1,5 +1,5 @@
 #pragma once
-/// The visiting parts of SegmentGrid and StrokeIndex.
+/// Templates of SegmentGrid and StrokeIndex that visit cells and segments.
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ bool SegmentGrid::walk_cells(LatticePoint from, LatticePoint to, const CellRange
   return false;
 }
 
-/// The cells within the tolerance of the segment that are not refined, until visit(cell) returns true.
+/// Calls visit(leaf) for each leaf within the tolerance of the segment, until it returns true.
 template <class Visit>
 bool StrokeIndex::visit_leaves(std::size_t level, const CellRange& range, LatticePoint from, LatticePoint to,
                                const Visit& visit) const {
@@ -47,18 +47,18 @@ bool StrokeIndex::visit_leaves(std::size_t level, const CellRange& range, Lattic
   });
 }
 
-/// The two are farther apart, as far as can be said for certain.
+/// Whether the two points are certainly farther apart than the distance, whatever their rounding.
 inline bool is_farther(LatticePoint a, LatticePoint b, double distance) {
   const double dx = double(b.x) - a.x, dy = double(b.y) - a.y, least = std::max(0.0, distance - 1);
   return dx * dx + dy * dy > least * least;
 }
 
-/// From p on, q lies on the same side as `towards`.
+/// Whether q lies on the same side of p as `towards`.
 inline bool is_ahead(LatticePoint p, LatticePoint towards, LatticePoint q) {
   return (double(towards.x) - p.x) * (double(q.x) - p.x) + (double(towards.y) - p.y) * (double(q.y) - p.y) > 0;
 }
 
-/// The segments that pass through the cell or end in it, but not at p, and are near p and the other point.
+/// Finds the segments that pass through the cell or end in it, but not at p, and are near both p and the other point.
 template <class Found>
 bool StrokeIndex::visit_passing(const Cell& cell, LatticePoint p, LatticePoint other, const Found& found) const {
   const SegmentGrid& grid = levels_[0].grid;
@@ -75,13 +75,14 @@ bool StrokeIndex::visit_passing(const Cell& cell, LatticePoint p, LatticePoint o
   });
 }
 
-/// The segments with an end in the cell that is near from-to, but not at its ends.
+/// Finds the segments with an end in the cell that is near from-to but not at its ends.
 template <class Found>
 bool StrokeIndex::visit_along(const Cell& cell, LatticePoint from, LatticePoint to, const Found& found) const {
   const SegmentGrid& grid = levels_[0].grid;
   return ends_.visit(cell.ends, [&](const PlacedEnd& end) {
     if (!grid.near(end.p, from, to) || end.p == from || end.p == to) return false;
-    // The other end of what the two have in common is the far end, or an end of from-to, and farther than the tolerance.
+    // The other end of the common interval is the far end, or an end of from-to that is farther away than the
+    // tolerance.
     const bool from_is_far = is_farther(end.p, from, tolerance_), to_is_far = is_farther(end.p, to, tolerance_);
     for (const Arm& arm : arms_.items(points_[end.point].arms)) {
       const bool may_lie = (grid.near(arm.far, from, to) && grid.beside(arm.far, from, to)) ||
@@ -99,7 +100,7 @@ bool StrokeIndex::query(LatticePoint from, LatticePoint to, const Found& found) 
     if (const std::uint32_t c = leaf_at(p); c != kNone && visit_passing(cells_[c], p, other, found)) return true;
   }
   if (visit_leaves(0, {}, from, to, [&](const Cell& leaf) { return visit_along(leaf, from, to, found); })) return true;
-  // The segment with the same ends.
+  // Looks up the segment with the same two ends.
   const std::uint32_t a = point_table_.find(KeyTable::key(from)), b = point_table_.find(KeyTable::key(to));
   if (a == kNone || b == kNone) return false;
   const std::uint32_t same = pair_table_.find(pair_key(a, b));

@@ -7,7 +7,7 @@
 namespace ligne {
 namespace {
 
-/// A place on both segments: fraction of the base and of the other one.
+/// A place on both segments, as fractions of the base and of the other segment.
 struct Place {
   double base, other;
 };
@@ -24,7 +24,7 @@ std::optional<StrokeOverlap> overlap(LatticePoint a0, LatticePoint a1, LatticePo
   const double base_length = std::max(a_length, b_length);
   if (std::min(a_length, b_length) <= tolerance) return std::nullopt;
 
-  // Position along the base, and offset across it, of the other's ends.
+  // Positions along the base and offsets across it of the other segment's ends.
   const double dx = (double(a1.x) - a0.x) / base_length, dy = (double(a1.y) - a0.y) / base_length;
   const auto along = [&](LatticePoint p) { return (double(p.x) - a0.x) * dx + (double(p.y) - a0.y) * dy; };
   const auto across = [&](LatticePoint p) { return (double(p.y) - a0.y) * dx - (double(p.x) - a0.x) * dy; };

@@ -3,9 +3,9 @@
 namespace ligne {
 
 bool StrokeTree::suits(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double tolerance) {
-  // Adjustable: fewer strokes are nothing to speak of; of a sample some are asked, which look at so many nodes on the
-  // average. The teeth of a comb ask for 17 to 19; boxes at any angle (23 to 37) and strokes at random (37), where the
-  // tree was tried, are told apart sooner by their ends.
+  // Adjustable: fewest strokes; size of the sample; number of queries; largest mean number of nodes that a query
+  // visits. The teeth of a comb need 17 to 19 nodes. Boxes at any angle (23 to 37) and random strokes (37) were faster
+  // with the search by ends.
   constexpr std::size_t kFewest = 4096, kSample = 4096, kAsked = 256, kMostNodes = 20;
   if (of.size() < kFewest || !stroke_directions::are_crossing(strokes, of)) return false;
   std::vector<std::uint32_t> sample;
@@ -37,7 +37,7 @@ bool StrokeTree::suits_runs(const std::vector<Stroke>& strokes, const std::vecto
       if (overlap(s.from, s.to, other.from, other.to, tolerance)) ++common;
     }
   }
-  return common >= (kOnEach + 1) * kAsked;  // each lies on itself
+  return common >= (kOnEach + 1) * kAsked;  // each stroke lies on itself
 }
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Finds, among segments of the page that come and go, those that may coincide with a given one.
+/// Finds the segments of the page that may coincide with a given segment, while segments are inserted and erased.
 
 #include <array>
 #include <cmath>
@@ -16,20 +16,21 @@
 
 namespace ligne {
 
-/// Segments numbered as they come in: those of about one direction in one tree, short ones, whose directions say little, in
-/// another. A segment is held only against those of which both ends of a common interval may be within the tolerance, so
-/// neither thousands that cross in one place nor thousands side by side are looked at one by one. Segments of very different
-/// directions have but a short interval in common, between an end of each; they are found by their ends.
+/// Segments, numbered in the order of insertion. Each tree holds the segments of similar direction; short segments,
+/// whose directions are unreliable, have trees of their own. A query visits only segments that may have both ends of a
+/// common interval within the tolerance. So it does not visit thousands of segments that cross in one place or run side
+/// by side. Segments of very different directions share only a short interval near an end of each; these are found by
+/// their ends.
 class StrokeTree {
  public:
-  /// The distance within which segments count as one, in lattice steps.
+  /// `tolerance` is the distance within which segments coincide, in lattice steps.
   explicit StrokeTree(double tolerance)
       : tolerance_(tolerance),
         directed_(kDirectedLength * tolerance),
         trees_(make_trees(tolerance)),
         ends_(kAcross * tolerance + kRounding) {}
 
-  /// With the strokes numbered in `of`, which are not to be erased; in parallel.
+  /// Inserts the strokes numbered in `of`, in parallel. These can not be erased.
   StrokeTree(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double tolerance)
       : StrokeTree(tolerance) {
     std::array<std::vector<std::pair<FrameSegment, std::uint32_t>>, kGroups> segments;
@@ -42,14 +43,14 @@ class StrokeTree {
     parallel_tasks(kGroups, [&](std::size_t group) { trees_[group].fill(std::exchange(segments[group], {})); });
   }
 
-  /// Whether a query looks at few of the strokes: most lie side by side. A sample tells. Those that cross each other
-  /// everywhere are better told apart by their ends.
+  /// Whether queries visit few nodes because most strokes lie side by side, judged by a sample. Strokes that cross each
+  /// other everywhere are separated better by their ends.
   static bool suits(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double tolerance);
 
-  /// Whether many of the strokes lie on each other, so that they make runs. A sample tells.
+  /// Whether many strokes lie on each other and so form runs, judged by a sample.
   static bool suits_runs(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double tolerance);
 
-  /// Segments that come in with their order may become parts of runs.
+  /// A segment that is inserted with its order may become part of a run.
   void insert(LatticePoint from, LatticePoint to, const std::optional<StrokeOrder>& order = {}) {
     const std::uint32_t number = add(from, to);
     SegmentTree& tree = trees_[segments_[number].group];
@@ -57,7 +58,7 @@ class StrokeTree {
     segments_[number].place = tree.insert({tree.frame(), from, to}, number, may_run ? order : std::nullopt);
   }
 
-  /// Segment number `segment` is no longer to be found; it keeps its number.
+  /// Queries no longer find segment number `segment`. It keeps its number.
   void erase(std::uint32_t segment) {
     Segment& s = segments_[segment];
     if (s.erased) return;
@@ -65,15 +66,15 @@ class StrokeTree {
     trees_[s.group].erase(s.place);
   }
 
-  /// Calls found(segment) for every inserted segment that may coincide with from-to, until it returns true; true when it
+  /// Calls found(segment) for every segment that may coincide with from-to, until it returns true. Returns whether it
   /// did.
   template <class Found>
   bool query(LatticePoint from, LatticePoint to, const Found& found) const {
     return query(
         from, to, [](const SegmentRun&, double, double) { return false; }, found);
   }
-  /// As above, but runs within the tolerance of from-to are handed to takes_run(run, begin, end) first, with the fractions
-  /// of from-to at the two ends of the run; where that returns true their segments are not told one by one.
+  /// As above, but first calls takes_run(run, begin, end) for runs within the tolerance of from-to, with the fractions
+  /// of from-to at the two ends of the run. Where that returns true, found() is not called for the segments of the run.
   template <class TakesRun, class Found>
   bool query(LatticePoint from, LatticePoint to, const TakesRun& takes_run, const Found& found) const {
     for (std::size_t group = 0; group < kGroups; ++group) {
@@ -99,16 +100,17 @@ class StrokeTree {
 
  private:
   using Question = SegmentTree::Question;
-  /// Behind the groups of the four quarters of directions: short ones nearer to the x axis, and to the y axis.
+  /// Trees 0 to 3 hold the quarters of directions, 4 and 5 the short segments nearer to the x axis and to the y axis.
   static constexpr std::size_t kShort = 4, kGroups = 6;
-  /// In a frame, where the segments have slopes of at most a half. A steeper line is at an angle of 11 degrees or more to
-  /// them.
+  /// Largest slope of a line, in a frame, that is compared with its segments, whose slopes are at most 1/2. A steeper
+  /// line is at an angle of 11 degrees or more to them.
   static constexpr double kSteep = 1;
-  /// Segments at such an angle share less than 10.2 tolerances; those that share an end share nothing.
+  /// Reach of the search by ends, in tolerances. Segments at such an angle share less than 10.2 tolerances, and nothing
+  /// if they share an end.
   static constexpr double kAcross = kDirectedLength + 2;
-  static constexpr double kRounding = 2;  ///< steps
-  /// Tolerances. What such a segment has in common with a stroke along a run is longer than the tolerance, since it is at an
-  /// angle of at most 30 degrees to it.
+  static constexpr double kRounding = 2;  ///< lattice steps
+  /// Least length of a segment in a run, in tolerances. The interval that it shares with a stroke along the run is
+  /// longer than the tolerance, since the angle between them is at most 30 degrees.
   static constexpr double kLeastInRun = 2;
 
   struct Segment {
@@ -127,7 +129,7 @@ class StrokeTree {
     if (length(from, to) < directed_) return kShort + (DirectionFrame::is_flat(from, to) ? 0 : 1);
     return std::min(kShort - 1, static_cast<std::size_t>(stroke_directions::direction(from, to)));
   }
-  /// The question for a group; nothing when its directions are so different that the ends tell.
+  /// Returns the question for a group, or nothing if its directions are so different that the ends find the segments.
   std::optional<Question> question_of(std::size_t group, const FrameSegment& line, LatticePoint from,
                                       LatticePoint to) const {
     if (group >= kShort) return Question::box;

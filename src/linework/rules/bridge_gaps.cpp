@@ -20,18 +20,18 @@ constexpr double kLeastCosine = 0.5, kStraightCosine = 0.94;
 constexpr double kLongInGaps = 2;
 /// Bridges of at least this many gaps are far: their lines must be straighter, and longer in proportion. Taste.
 constexpr double kFarPartInGaps = 3, kFarCosine = 0.985, kLongInFar = 4;
-/// Lines within 4 degrees of one line may be shorter in proportion, for bridges of up to this many gaps: a rim whose facets
-/// are hidden at intervals is a row of such lines. Taste.
+/// Lines within 4 degrees of one line may be shorter in proportion, for bridges of up to this many gaps. A rim whose
+/// facets are hidden at intervals is a row of such lines. Taste.
 constexpr double kRowInGaps = 6, kRowCosine = 0.9976, kLongInRow = 1.5;
 /// Most rounds of joining: a joined line may have become long enough for another bridge.
 constexpr int kMostBridgingRounds = 3;
-/// Two ends that are fewer lattice steps apart have no direction from one to the other: each is rounded by itself.
+/// Two ends fewer lattice steps apart define no direction, because each is rounded by itself.
 constexpr double kRoundedSteps = 8;
-/// A chain whose own ends are joined has at least this many gaps, or a speck would become a ring.
+/// A chain whose own ends are joined has at least this many gaps. Otherwise a speck would become a ring.
 constexpr double kRingInGaps = 4;
-/// The line behind an end does not block its bridge, so many times as far back as a bridge must be clear of lines.
+/// The line behind an end does not block its bridge over this many times the clear distance.
 constexpr double kOwnLineInClears = 4;
-/// Factor above the roundings of a squared distance.
+/// Factor above the rounding errors of a squared distance.
 constexpr double kAbout = 1 + 0x1p-40;
 /// Adjustable: ends for which one task searches.
 constexpr std::size_t kSearchBlock = 64;
@@ -40,10 +40,10 @@ constexpr std::size_t kSearchBlock = 64;
 struct LooseEnd {
   std::uint32_t end;
   LatticePoint point{};
-  double dx = 0, dy = 0, length = 0;  ///< way of the whole stroke to the end
+  double dx = 0, dy = 0, length = 0;  ///< direction and length of the whole stroke, towards the end
   double line_length = 0;             ///< length of its chain
   std::uint32_t chain = kNone;
-  std::uint32_t nearest = kNone;  ///< of the others that it may be joined to
+  std::uint32_t nearest = kNone;  ///< nearest end to which it may be joined
 };
 
 class LooseEnds {
@@ -81,7 +81,7 @@ class LooseEnds {
     return e.dx * (double(p.x) - e.point.x) + e.dy * (double(p.y) - e.point.y);
   }
 
-  /// The line goes on towards the point; a stroke shorter than the way to it has no direction that says anything.
+  /// Whether the line goes on towards the point. A stroke shorter than the distance to it defines no direction.
   bool leads_to(const LooseEnd& e, LatticePoint p, double distance) const {
     if (distance <= kRoundedSteps) return true;
     const bool shows = distance >= gap_, far = distance >= kFarPartInGaps * gap_;
@@ -93,18 +93,17 @@ class LooseEnds {
     return cosine >= (far ? kFarCosine : shows ? kStraightCosine : kLeastCosine);
   }
 
-  /// leads_to() is false, as can be told in a moment: where thousands of lines end side by side, nearly all others are asked
-  /// about in vain.
+  /// Quick test that implies !leads_to(). Where thousands of lines end side by side, it rejects nearly all pairs.
   static bool leads_away(const LooseEnd& e, LatticePoint p, double squared_distance) {
     return along(e, p) < 0 && e.length * e.length > kAbout * squared_distance &&
            squared_distance > kAbout * kRoundedSteps * kRoundedSteps;
   }
 
-  /// leads_to() is false for all points of the box: where thousands of lines end side by side, nearly all of these lie
-  /// beside the line, outside of the cone in which points lie to which it may lead.
+  /// Whether leads_to() is false for all points of the box. A line may lead only to points in a cone. Where thousands
+  /// of lines end side by side, nearly all ends lie outside of it.
   static bool leads_away(const LooseEnd& e, const PointBox& box) {
     static const double sine = std::sqrt(1 - kLeastCosine * kLeastCosine);
-    constexpr double kRounding = 1;  // steps
+    constexpr double kRounding = 1;  // lattice steps
     for (const double side : {-1.0, 1.0}) {
       // The inner normal of a side of the cone, as long as the stroke.
       const double nx = sine * e.dx - side * kLeastCosine * e.dy, ny = sine * e.dy + side * kLeastCosine * e.dx;
@@ -148,7 +147,7 @@ class LooseEnds {
   std::vector<LooseEnd> ends_;
 };
 
-/// The stroke between two ends, like the longer of the two lines.
+/// The stroke between two ends, with the properties of the longer of the two lines.
 Stroke bridge_between(const LineMap& map, const LooseEnd& a, const LooseEnd& b) {
   const Stroke &s = map.stroke_of(a.end / 2), &t = map.stroke_of(b.end / 2);
   const bool a_from = a.end % 2 == 0, b_from = b.end % 2 == 0;

@@ -30,7 +30,8 @@ std::size_t close_short_gaps(StrokeModel& model, double gap_mm) {
   std::vector<Stroke>& strokes = model.strokes;
   const double longest = gap_mm / model.lattice.step_mm;
   const bool hidden_too = any_hidden(strokes);
-  // A gap lies between strokes of one source, and most sources have one stroke.
+  // Looks only at sources with several strokes, since a gap lies between strokes of one source. Most sources have one
+  // stroke.
   std::uint32_t sources = 0;
   for (const Stroke& s : strokes) sources = std::max(sources, s.source + 1);
   std::vector<std::uint8_t> met(sources, 0), met_again(sources, 0);
@@ -55,7 +56,7 @@ std::size_t close_short_gaps(StrokeModel& model, double gap_mm) {
     const Stroke& b = strokes[order[k]];
     const double gap = length(a.to, b.from);
     if (b.source != a.source || !is_seen(b) || b.line_class != a.line_class || !(gap > 0) || gap >= longest) continue;
-    if (hidden_too != (k > i + 1)) continue;  // a gap without hidden strokes among others: nothing is known of it
+    if (hidden_too != (k > i + 1)) continue;  // unknown gap: the drawing has hidden strokes, but not here
     ++closed;
     if (!hidden_too) added.push_back(between(a, b));
     for (std::size_t h = i + 1; h < k; ++h) {

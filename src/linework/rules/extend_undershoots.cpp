@@ -10,32 +10,33 @@
 namespace ligne {
 namespace {
 
-/// A line is at least so many times as long as the way that it is led on. Taste.
+/// Smallest ratio of the length of a line to its extension. Taste.
 constexpr double kLongInWays = 3;
-/// The direction of a line is that of its last part, at most so long. Taste.
+/// Longest last part of a line that gives its direction, in reaches. Taste.
 constexpr double kDirectionInReaches = 0.5;
-/// Sine and cosine of the most that a line turns where it does not run into another one straight: 20 degrees. Taste.
+/// Sine and cosine of the largest turn of a line that meets no line straight ahead: 20 degrees. Taste.
 constexpr double kTurnSine = 0.342, kTurnCosine = 0.94;
 
 struct Vector {
   double x = 0, y = 0;
 };
 
-/// A free end, and where it may be led.
+/// A free end and the possible extensions of its line.
 struct Undershoot {
   std::uint32_t end;
-  Vector ahead;         ///< direction, as long as the way that it may go
-  double straight = 2;  ///< the way straight on to the first line, in parts of `ahead`; more than 1 where there is none
-  Vector turned{};      ///< the way to the nearest place on a line in the wedge ahead
+  Vector ahead;         ///< direction; its length is the longest extension
+  double straight = 2;  ///< length of the straight extension, in parts of `ahead`; above 1: it meets no line
+  Vector turned{};      ///< extension to the nearest point of a line in the wedge ahead
   double turned_part = 2;
 };
 
-/// The nearest place on start + [0, 1] u, seen from the end, to which the line may turn.
+/// Updates the turned extension: the nearest point of start + [0, 1] u within the wedge. `start` is relative to the
+/// end.
 void turn_to(Undershoot& end, const Vector& start, const Vector& u) {
   const Vector& d = end.ahead;
   double from = 0, to = 1;
   for (const double side : {-1.0, 1.0}) {
-    // The inner normal of a side of the wedge.
+    // The inner normal of one side of the wedge.
     const Vector n{kTurnSine * d.x - side * kTurnCosine * d.y, kTurnSine * d.y + side * kTurnCosine * d.x};
     const double at_start = n.x * start.x + n.y * start.y, slope = n.x * u.x + n.y * u.y;
     if (slope == 0 && at_start < 0) return;
@@ -52,7 +53,7 @@ void turn_to(Undershoot& end, const Vector& start, const Vector& u) {
   end.turned_part = part;
 }
 
-/// Sees whether the line from `p` leads to the stroke.
+/// Updates both extensions of the line that ends at `p` with the stroke.
 void lead_to(Undershoot& end, LatticePoint p, const Stroke& s) {
   const Vector u{double(s.to.x) - s.from.x, double(s.to.y) - s.from.y};
   const Vector start{double(s.from.x) - p.x, double(s.from.y) - p.y};
@@ -80,7 +81,7 @@ class UndershootFinder {
     }
   }
 
-  /// Where each end is led to.
+  /// Returns the ends to extend and their targets.
   std::vector<std::pair<std::uint32_t, LatticePoint>> find() {
     std::vector<std::pair<std::uint32_t, LatticePoint>> found;
     for (std::uint32_t end = 0; end < 2 * map_.piece_count(); ++end) {
@@ -107,7 +108,7 @@ class UndershootFinder {
   }
 
  private:
-  /// The direction outwards, of unit length; none for a line that comes back to its end.
+  /// The outward direction of unit length; zero for a line that returns to its end.
   Vector direction(std::uint32_t end) const {
     const LatticePoint tip = map_.point(end);
     LatticePoint back = tip;
@@ -138,7 +139,7 @@ class UndershootFinder {
 
 std::size_t extend_undershoots(LineMap& map, const UndershootLimits& limits, const MakeSource& make_source) {
   std::vector<std::pair<std::uint32_t, LatticePoint>> found = UndershootFinder(map, limits).find();
-  // If two ends are led to each other, the one whose class stands first stays.
+  // If two ends would be extended to each other, only the one whose class comes first is extended.
   struct Way {
     LatticePoint from, to;
     LineClass line_class;

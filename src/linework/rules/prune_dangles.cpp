@@ -12,9 +12,9 @@
 namespace ligne {
 namespace {
 
-/// Most rounds: without a dangle, the line that it left may be part of another one. Adjustable.
+/// Most rounds; adjustable. Removing a dangle may make the line that it left part of another dangle.
 constexpr int kMostPruningRounds = 8;
-/// Another way between the ends of an arc counts if it is at most so many times as long. Taste.
+/// Largest length of another path between the ends of an arc, as a multiple of the arc. Taste.
 constexpr double kDetour = 2;
 
 class DanglePruner {
@@ -55,12 +55,13 @@ class DanglePruner {
     const std::uint32_t body = body_[arc.pieces.front()];
     if (body == kNone || arc.junctions.size() != 2) return false;
     if (!std::ranges::all_of(arc.pieces, [&](std::uint32_t p) { return body_[p] == body; })) return false;
-    // A joint alone stays: the end that it joined would be joined again.
+    // Keeps an arc that only joins lines: the end that it joined would be joined again.
     if (std::ranges::all_of(arc.pieces, [&](std::uint32_t p) { return map_.piece(p).is_joint; })) return false;
     const double longest = std::min(limits_.longest_mm / map_.step_mm(), limits_.body_part * extents_[body]);
     if (arc.length > limits_.beside_times * longest) return false;
     const auto [fewer, more] = std::minmax({arcs_.degree(arc.junctions[0]), arcs_.degree(arc.junctions[1])});
-    // A junction of two arcs was one of three, of which a dangle went: this arc is part of a longer line now.
+    // Such a junction of two arcs was one of three before a dangle was removed, so this arc is now part of a longer
+    // line.
     if (fewer == 2 || more == 2 || bridges_a_gap(arc)) return false;
     if (arc.length <= longest && fewer == 1 && more > 2) return true;
     return std::ranges::all_of(arc.pieces, [&](std::uint32_t p) { return runs_beside(p, arc); }) &&
@@ -69,15 +70,16 @@ class DanglePruner {
 
   static bool has(const Arcs::Arc& arc, std::uint32_t piece) { return std::ranges::binary_search(arc.pieces, piece); }
 
-  /// Lines that end near a free end of the arc have no other way to where its other end leads: they are one line with a gap.
+  /// Whether lines that end near a free end of the arc have no other path to its other end. They are then one line with
+  /// a gap.
   bool bridges_a_gap(const Arcs::Arc& arc) {
     const std::vector<std::uint32_t> at[2] = {junctions_near(arc, 0), junctions_near(arc, 1)};
-    // Each by itself: among the junctions near an end may be some of lines with which the arc hangs together anyway.
+    // Each junction is tested by itself: some near an end may belong to lines that connect with the arc anyway.
     return !at[0].empty() &&
            std::ranges::any_of(at[1], [&](std::uint32_t junction) { return !leads_to_all(junction, at[0], arc, gap_); });
   }
 
-  /// The junctions of other lines within a gap of a free end, in order; the end's own junction where it is not free.
+  /// The junctions of other lines within a gap of a free end, in order. The end's own junction if it is not free.
   std::vector<std::uint32_t> junctions_near(const Arcs::Arc& arc, std::size_t side) {
     const std::uint32_t junction = arc.junctions[side];
     if (arcs_.degree(junction) > 1) return {junction};
@@ -101,11 +103,12 @@ class DanglePruner {
     return std::ranges::any_of(arcs_.pieces_at(junction), [&](std::uint32_t p) { return arcs_.has(p) && !has(arc, p); });
   }
 
-  /// From a junction to each of `to`, which are in order, there is a way that is not by the arc and not much longer than it
-  /// and `more`. The shortest ways are looked for (Dijkstra, A note on two problems in connexion with graphs, 1959).
+  /// Whether paths that avoid the arc lead from a junction to each of `to` (sorted), each no longer than kDetour times
+  /// the arc plus `more`. Searches for the shortest paths (Dijkstra, A note on two problems in connexion with graphs,
+  /// 1959).
   bool leads_to_all(std::uint32_t from, const std::vector<std::uint32_t>& to, const Arcs::Arc& arc, double more) const {
     const double longest = kDetour * (arc.length + more);
-    using Way = std::pair<double, std::uint32_t>;  // its length, and the junction that it leads to
+    using Way = std::pair<double, std::uint32_t>;  // length of the path, and the junction at its end
     std::priority_queue<Way, std::vector<Way>, std::greater<>> ways({}, {{0, from}});
     KeyTable done;  // junctions
     std::size_t left = to.size();
@@ -123,7 +126,7 @@ class DanglePruner {
     return false;
   }
 
-  /// Its ends and its middle lie beside another line.
+  /// Whether both ends and the middle of the piece lie beside another line.
   bool runs_beside(std::uint32_t p, const Arcs::Arc& arc) {
     const Stroke& s = map_.piece(p);
     return lies_beside(s.from, arc) && lies_beside(point_at(s, 0.5), arc) && lies_beside(s.to, arc);
@@ -139,7 +142,7 @@ class DanglePruner {
   DangleLimits limits_;
   double beside_, gap_;
   std::vector<double> extents_;      ///< by body
-  std::vector<std::uint32_t> body_;  ///< by piece: kNone but for outlines
+  std::vector<std::uint32_t> body_;  ///< by piece; kNone except for outlines
 };
 
 }  // namespace

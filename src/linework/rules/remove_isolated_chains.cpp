@@ -13,7 +13,7 @@
 namespace ligne {
 namespace {
 
-/// The box round lines on the lattice.
+/// Bounding box of lines on the lattice.
 struct Extent {
   double low_x = std::numeric_limits<double>::max(), low_y = low_x, high_x = -low_x, high_y = -low_x;
 
@@ -27,7 +27,7 @@ struct Extent {
   double diagonal() const { return std::hypot(high_x - low_x, high_y - low_y); }
 };
 
-/// Clusters of chains that may go, and what holds them.
+/// Clusters of chains that may be removed, and the lines that keep them.
 class IsolatedChains {
  public:
   IsolatedChains(LineMap& map, const BodyOf& body_of, const IsolatedLimits& limits)
@@ -41,7 +41,8 @@ class IsolatedChains {
   }
 
   std::size_t remove() {
-    std::vector<Extent> extents(map_.piece_count());  // by cluster, as the following
+    // The three lists are by cluster.
+    std::vector<Extent> extents(map_.piece_count());
     std::vector<std::uint8_t> held(map_.piece_count(), 0);
     std::vector<std::uint32_t> ends_held(map_.piece_count(), 0);
     for (std::uint32_t p = 0; p < map_.piece_count(); ++p) {
@@ -85,7 +86,7 @@ class IsolatedChains {
     keep_thin_rings(rings);
   }
 
-  /// Rings no wider than a line may go too.
+  /// Marks rings that are narrow enough to be a line there and back: these may be removed too.
   void keep_thin_rings(const std::vector<std::uint32_t>& rings) {
     if (rings.empty()) return;
     std::vector<std::pair<std::uint32_t, LatticePoint>> corners;  // chain, point
@@ -100,7 +101,7 @@ class IsolatedChains {
     for (const std::uint32_t ring : rings) {
       const auto first = std::ranges::lower_bound(corners, ring, {}, &Corner::first);
       const std::span<const Corner> own(first, std::ranges::upper_bound(first, corners.end(), ring, {}, &Corner::first));
-      Stroke axis;  // to the point that is farthest from the first one
+      Stroke axis;  // to the corner farthest from the first one
       axis.from = axis.to = own.front().second;
       for (const auto& [chain, p] : own) {
         if (length(axis.from, p) > page_length(axis)) axis.to = p;
@@ -111,7 +112,7 @@ class IsolatedChains {
     }
   }
 
-  /// Finds the lines that end on a candidate's piece, and those on which it ends.
+  /// Finds the lines that end on a piece of a candidate, and those on which the piece ends.
   void meet_others(std::uint32_t p) {
     const double reach = limits_.touching_mm / map_.step_mm();
     const Stroke& s = map_.piece(p);
@@ -144,7 +145,7 @@ class IsolatedChains {
   Chains chains_;
   IsolatedLimits limits_;
   std::vector<std::uint8_t> may_go_;      ///< by chain
-  DisjointSets clusters_;                 ///< of chains
+  DisjointSets clusters_;                 ///< sets of chains
   std::vector<std::uint8_t> held_;        ///< by piece: a line ends on it
   std::vector<std::uint32_t> ends_held_;  ///< by piece: its ends that lie on lines
 };

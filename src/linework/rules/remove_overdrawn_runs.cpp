@@ -14,8 +14,8 @@
 namespace ligne {
 namespace {
 
-/// The parts of a piece in the ink of other lines. Parts are united as they come: a piece among thousands of lines keeps
-/// few.
+/// The parts of a piece in the ink of other lines. Parts are merged as they are added, so that a piece among thousands
+/// of lines stores few.
 class InkedParts {
  public:
   void add(const StrokePart& part) {
@@ -25,7 +25,7 @@ class InkedParts {
   bool empty() const { return parts_.empty(); }
   bool is_whole() const { return parts_.size() == 1 && parts_[0].from == 0 && parts_[0].to == 1; }
 
-  /// The length of the whole that no part covers.
+  /// Returns the fraction of the piece that no part covers.
   double uncovered() {
     unite();
     double open = 0, covered_to = 0;
@@ -55,9 +55,9 @@ class InkedParts {
   std::size_t most_ = 8;
 };
 
-/// Runs of the short pieces `bits`, by their lowest pieces, in groups: where one ends another ends, within `reach`. Ends in
-/// one cell are that near; of two cells the ends are compared until the first pair is found. O(n log n) unless cells of many
-/// ends touch.
+/// Groups runs of the short pieces `bits`: two runs belong together if an end of one is within `reach` of an end of the
+/// other. Runs are known by their lowest pieces. Any two ends in one grid cell are that near; ends of two cells are
+/// compared until the first pair is found. O(n log n) unless cells with many ends touch.
 DisjointSets touching_runs(const LineMap& map, const Runs& runs, const std::vector<std::uint32_t>& bits, double reach) {
   struct End {
     std::int32_t column, row;
@@ -92,7 +92,7 @@ DisjointSets touching_runs(const LineMap& map, const Runs& runs, const std::vect
     const auto [column, row] = key(ends[begin]);
     const std::span<const End> of = cell_at(column, row);
     for (const End& e : of) groups.join(e.run, of[0].run);
-    // Those of the cells round it that come before it in order.
+    // Joins with the cells around it that come before it in order.
     for (std::int32_t c = column - kReachInCells; c <= column; ++c) {
       for (std::int32_t r = row - kReachInCells; r <= row + kReachInCells && (c < column || r < row); ++r) {
         if (const std::span<const End> others = cell_at(c, r); !others.empty()) join_cells(of, others);
@@ -116,7 +116,7 @@ std::size_t remove_overdrawn_runs(LineMap& map, const OverdrawLimits& limits) {
   if (bits.empty()) return 0;
   DisjointSets groups = touching_runs(map, runs, bits, ink);
   std::vector<double> shown(map.piece_count(), 0);          // by group
-  std::vector<std::uint8_t> touches(map.piece_count(), 0);  // by group: the ink of another line
+  std::vector<std::uint8_t> touches(map.piece_count(), 0);  // by group: whether it meets the ink of another line
   for (const std::uint32_t b : bits) {
     const Stroke& bit = map.piece(b);
     InkedParts inked;

@@ -8,8 +8,8 @@
 namespace ligne {
 namespace {
 
-/// The run whose class a short run takes. Follows the longest neighbour until a run is long enough or has no longer
-/// neighbour.
+/// Returns the run whose class a short run takes. Follows the longest neighbour until a run is long enough or has no
+/// longer neighbour.
 std::uint32_t class_donor(const Runs& runs, std::uint32_t run, double least) {
   while (runs[run].length < least) {
     const std::uint32_t beside = runs[run].longest_beside;

@@ -16,22 +16,22 @@
 namespace ligne {
 namespace {
 
-/// The best parabola through seven points with even steps: the weights of the middle one and of those beside it.
+/// Weights of the least-squares parabola through seven equally spaced points: the middle point and those beside it.
 constexpr std::array<double, 4> kParabola{7.0 / 21, 6.0 / 21, 3.0 / 21, -2.0 / 21};
 constexpr int kReach = 3;
-/// Adjustable: what zigzags from point to point goes, and a circle of twenty points keeps its radius.
+/// Adjustable: two rounds remove a zigzag from point to point, and a circle of twenty points keeps its radius.
 constexpr int kRounds = 2;
-/// Adjustable: a line that turns by more, from kReach points before to as many after, has a corner.
+/// Adjustable: a line has a corner where it turns by more, measured kReach points to either side.
 constexpr double kCornerCosine = 0.70710678;  ///< 45 degrees
-/// Adjustable: a point moves by so much of the shorter of the strokes that meet there at the most. A zigzag of even strokes
-/// stays below that; where long strokes meet short ones, a parabola overshoots.
+/// Adjustable: largest shift of a point, as part of the shorter stroke that ends there. A zigzag of equal strokes stays
+/// below it. Where long strokes meet short ones, a parabola overshoots.
 constexpr double kMostShift = 0.5;
 
 /// Points along a line.
 class Line {
  public:
   void add(LatticePoint p) { places_.emplace_back(p.x, p.y); }
-  /// The last point leads back to the first one.
+  /// Connects the last point to the first one.
   void close() { closed_ = true; }
 
   LatticePoint at(std::size_t i) const {
@@ -42,7 +42,8 @@ class Line {
   void smooth() {
     const auto n = static_cast<int>(places_.size());
     if (n <= kReach) return;
-    std::vector<int> corners;  // the ends of a line among them
+    // The ends of an open line count as corners.
+    std::vector<int> corners;
     for (int i = 0; i < n; ++i) {
       if (is_corner(i)) corners.push_back(i);
     }
@@ -54,7 +55,7 @@ class Line {
       for (std::size_t c = 0; c + 1 < corners.size(); ++c) {
         const int from = corners[c], to = corners[c + 1];
         if (to - from < kReach) continue;
-        // Mirrored in the corners, these stay.
+        // Reflection in the corners keeps them in place.
         smooth_part(from, to, [&](int i) {
           if (i < from) return 2.0 * place(from) - place(2 * from - i);
           return i > to ? 2.0 * place(to) - place(2 * to - i) : place(i);
@@ -78,7 +79,7 @@ class Line {
     return glm::dot(before, after) < kCornerCosine * glm::length(before) * glm::length(after);
   }
 
-  /// From one place to another, both of them too.
+  /// Smooths the points `from` to `to`, both included.
   template <class PlaceAt>
   void smooth_part(int from, int to, const PlaceAt& place_at) {
     std::vector<Point2> smooth;
@@ -92,7 +93,7 @@ class Line {
     for (int i = from; i <= to; ++i) places_[index(i)] = smooth[static_cast<std::size_t>(i - from)];
   }
 
-  /// Takes points back towards where they were.
+  /// Moves points back so that none has moved too far.
   void limit_shifts(const std::vector<Point2>& given) {
     const auto n = static_cast<int>(places_.size());
     for (int i = 0; i < n; ++i) {
@@ -133,13 +134,13 @@ class LineSmoother {
     for (const std::uint32_t i : rough_) is_rough_[i] = 1;
   }
 
-  /// The number of points.
+  /// Returns the number of points moved.
   std::size_t run() {
     std::size_t moved = 0;
     done_.assign(strokes_.size(), 0);
     for (const std::uint32_t i : rough_) {
       if (done_[i]) continue;
-      // Back to where the line begins, or once round the ring.
+      // Goes back to the beginning of the line, or once around the ring.
       std::uint32_t first = 2 * i;
       for (std::uint32_t back = next(first); back != kNone; back = next(first)) {
         first = back ^ 1;
@@ -147,7 +148,7 @@ class LineSmoother {
       }
       moved += smooth_from(first);
     }
-    // Only now: strokes are found by the places of their ends.
+    // Moves points only now, because next() finds strokes by the points of their ends.
     for (const auto& [end, to] : smooth_) point(end) = to;
     return moved;
   }
@@ -167,7 +168,7 @@ class LineSmoother {
     ++arms_[node].count;
   }
 
-  /// The end of the stroke by which a rough line goes on where one of its strokes ends.
+  /// Returns the near end of the stroke that continues a rough line at `end`, or kNone.
   std::uint32_t next(std::uint32_t end) {
     const Arms& arms = arms_[nodes_.find(KeyTable::key(point(end)))];
     if (arms.count != 2) return kNone;
@@ -179,7 +180,7 @@ class LineSmoother {
 
   std::size_t smooth_from(std::uint32_t first) {
     Line line;
-    std::vector<std::uint32_t> ends;  // the first of each stroke, in the direction of the line
+    std::vector<std::uint32_t> ends;  // the first end of each stroke, in the direction of the line
     for (std::uint32_t end = first; end != kNone && !done_[end / 2]; end = next(end ^ 1)) {
       done_[end / 2] = 1;
       ends.push_back(end);
@@ -206,7 +207,7 @@ class LineSmoother {
   std::vector<std::uint8_t> is_rough_, done_;  ///< by stroke
   KeyTable nodes_;
   std::vector<Arms> arms_;                                      ///< by node
-  std::vector<std::pair<std::uint32_t, LatticePoint>> smooth_;  ///< ends, and where they go
+  std::vector<std::pair<std::uint32_t, LatticePoint>> smooth_;  ///< ends and their new points
 };
 
 }  // namespace

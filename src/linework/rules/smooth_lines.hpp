@@ -1,5 +1,5 @@
 #pragma once
-/// Lines along the edges of a mesh that is finer than what they stand for.
+/// Smooths lines along the edges of a mesh that is finer than the shape it represents.
 
 #include <cstddef>
 #include <functional>
@@ -8,10 +8,10 @@
 
 namespace ligne {
 
-/// Smooths the lines of the strokes for which is_rough() holds: the vertices of a scan lie to either side of a ridge, and
-/// the edges from one to the next zigzag along it. A point moves where two such strokes meet that are seen alike, and no
-/// third one: onto the parabola that fits the points up to three to either side, twice. Ends, junctions and corners stay.
-/// Returns the number of points. O(n).
+/// Smooths the lines of the strokes for which is_rough() holds. The vertices of a scan lie on both sides of a ridge, so
+/// the edges along it zigzag. A point moves if exactly two strokes meet there, both rough and of equal visibility. It
+/// moves, twice, onto the parabola fitted to the points up to three to either side. Ends, junctions and corners stay.
+/// Returns the number of points moved. O(n).
 std::size_t smooth_lines(StrokeModel& model, const std::function<bool(const Stroke&)>& is_rough);
 
 }  // namespace ligne
