@@ -55,9 +55,10 @@ struct Layer {
   std::string material{};  ///< name of the material, if all lines belong to one material
   unsigned shade = 0;      ///< degree of darkness, 1 the darkest, if the layer is hatching of one degree; else 0
   std::string object{};    ///< name of the object, if all lines belong to one object
-  std::optional<std::array<double, 3>> color{};  ///< of the lines, components in [0, 1]; nothing: by the layer's style
-  std::optional<double> width_mm{};              ///< of the lines; nothing: by the layer's style
-  std::optional<double> height{};                ///< height of the contour lines, if all have the same height
+  /// Of the lines, components in [0, 1]; none: the layer's style decides.
+  std::optional<std::array<double, 3>> color{};
+  std::optional<double> width_mm{};  ///< of the lines; none: the layer's style decides
+  std::optional<double> height{};    ///< height of the contour lines, if all have the same height
 };
 
 /// An area of one colour.
@@ -71,7 +72,7 @@ struct Fill {
 /// A drawing. Fills are painted first, then layers, then texts. A drawing has either `texts`, which writers put into a
 /// layer "text" in a typeface, or a layer "text" of stroked characters (plotting/stroke_text.hpp).
 struct Drawing {
-  std::vector<Layer> layers;  ///< in painting order; none is without lines
+  std::vector<Layer> layers;  ///< in painting order; each has lines
   std::vector<TextItem> texts{};
   std::vector<Fill> fills{};  ///< in painting order
 };

@@ -28,7 +28,7 @@ constexpr std::size_t kHiddenLayer = 0, kTransparentLayer = 1, kProfileLayer = k
 
 std::size_t layer_of(const Stroke& stroke) { return stroke_layer(stroke.line_class, stroke.visible, stroke.level); }
 
-/// The strokes of one layer, and what continues what.
+/// The strokes of one layer and their continuations.
 class StrokeGraph {
  public:
   StrokeGraph(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> members)
@@ -57,13 +57,13 @@ void StrokeGraph::link() {
   });
 }
 
-/// b lies on the segment a c, between its ends.
+/// Whether b lies on the segment a c, between its ends.
 bool between(LatticePoint a, LatticePoint b, LatticePoint c) {
   if (orientation(a, b, c) != 0) return false;
   return (double(b.x) - a.x) * (double(c.x) - b.x) + (double(b.y) - a.y) * (double(c.y) - b.y) > 0;
 }
 
-/// Drops the seam of a closed line when the line runs straight on there.
+/// Drops the first point of a closed line if the line runs straight through it.
 void straighten_seam(std::vector<LatticePoint>& line) {
   const std::size_t n = line.size();
   if (n < 4 || line.front() != line.back() || !between(line[n - 2], line[0], line[1])) return;

@@ -63,8 +63,8 @@ struct SpanModel {
   std::vector<Span> spans;
 };
 
-/// The plane through a scan line and the line of sight: how faces lie behind each other there ([Boulle1980], figures
-/// 2.39 to 2.50). Lengths in page mm; depths as in View::model_to_page, smaller is nearer.
+/// The plane through a scan line and the line of sight: it shows how faces lie behind each other ([Boulle1980], figures
+/// 2.39 to 2.50). Lengths are in page mm; depths as in View::model_to_page, smaller is nearer.
 struct ScanPlane {
   struct Segment {
     double x0, z0, x1, z1;  ///< x0 <= x1

@@ -8,13 +8,13 @@
 namespace ligne {
 namespace {
 
-/// Along one axis: the pixels of a picture in units of those of a model.
+/// Maps the pixels of a picture to the pixels of a model, along one axis. Lengths are in pixels of the model.
 struct Resampling {
   double corner, size;
-  std::uint32_t count;  ///< of the model
+  std::uint32_t count;  ///< number of pixels of the model
 
-  /// Calls part(i, share) for the pixels of the model that pixel `at` of the picture covers, with the share of it that each
-  /// takes.
+  /// Calls part(i, share) for each pixel i of the model that pixel `at` of the picture covers. `share` is the fraction
+  /// of the picture's pixel that it fills.
   template <class Part>
   void of(std::uint32_t at, Part part) const {
     const double from = std::max(corner + at * size, 0.0), to = std::min(corner + (at + 1) * size, double(count));
@@ -63,7 +63,7 @@ GrayPicture shade(const PixelModel& pixels, const std::vector<double>& brightnes
   const auto darkness = [&](std::uint32_t face) { return face < brightness.size() ? 1 - brightness[face] : 0; };
   constexpr std::size_t kRows = 16;
   parallel_blocks(height, kRows, [&](std::size_t begin, std::size_t end) {
-    std::vector<double> dark(pixels.width);  // the rows that one row of the picture covers, put together
+    std::vector<double> dark(pixels.width);  // sum of the rows that one row of the picture covers
     for (std::size_t y = begin; y < end; ++y) {
       std::fill(dark.begin(), dark.end(), 0.0);
       rows.of(static_cast<std::uint32_t>(y), [&](std::uint32_t row, double share) {

@@ -10,10 +10,10 @@
 namespace ligne {
 namespace {
 
-/// Ends of spans that lie nearer than this to a straight line lie on it: as right as strokes are.
+/// Largest distance of span ends from a straight side, in mm: the accuracy of strokes.
 constexpr double kStraightMm = 0.001;
 
-/// One side of an area: where its spans begin, or end, line by line.
+/// One side of an area: the begins or the ends of its spans, line by line.
 struct AreaSide {
   const SpanLines& lines;
   std::uint32_t first_line;
@@ -22,15 +22,16 @@ struct AreaSide {
   Point2 at(std::size_t i) const { return {x[i], lines.y_mm(first_line + static_cast<std::uint32_t>(i))}; }
 };
 
-/// A straight piece of a side, of the points [first, last].
+/// A straight piece of a side, through the points [first, last].
 struct StraightRun {
   std::size_t first = 0, last = 0;
-  double x = 0, y = 0, slope = 0;  ///< x + slope (height - y); of a single point: upright
+  double x = 0, y = 0, slope = 0;  ///< x + slope (height - y); vertical if it has one point
 
   double at(double height) const { return x + slope * (height - y); }
 };
 
-/// Each run as long as one line through its first point stays within the tolerance of all others.
+/// Splits a side into runs. A run goes on while one line through its first point stays within the tolerance of all
+/// others.
 std::vector<StraightRun> straight_runs(const AreaSide& side) {
   std::vector<StraightRun> runs;
   for (std::size_t i = 0; i < side.x.size();) {
@@ -51,14 +52,14 @@ std::vector<StraightRun> straight_runs(const AreaSide& side) {
   return runs;
 }
 
-/// The height at which two runs meet, if they do so between two heights.
+/// The height at which two runs meet, if it lies between two heights.
 std::optional<double> meeting(const StraightRun& a, const StraightRun& b, double from, double to) {
   if (a.slope == b.slope) return std::nullopt;
   const double y = a.y + (b.at(a.y) - a.x) / (a.slope - b.slope);
   return y >= from && y <= to ? std::optional(y) : std::nullopt;
 }
 
-/// The corners of a side, from above.
+/// The corners of a side, from top to bottom.
 std::vector<Point2> corners_of(const AreaSide& side, const std::vector<StraightRun>& runs) {
   std::vector<Point2> corners{side.at(0)};
   for (std::size_t r = 1; r < runs.size(); ++r) {
@@ -74,9 +75,9 @@ std::vector<Point2> corners_of(const AreaSide& side, const std::vector<StraightR
   return corners;
 }
 
-/// Where the area ends above its first span (`down` -1) or below its last (1): one point where its sides meet before the
-/// next scan line, else two half way to it. A level side tells little of what is beyond: it goes no farther than that
-/// across.
+/// Ends the area above its first span (`down` -1) or below its last one (1). If its sides meet before the next scan
+/// line, the end is that point; otherwise two points half way to the line. A nearly horizontal side is extended
+/// sideways by at most that distance.
 std::vector<Point2> end_of(const StraightRun& left, const StraightRun& right, double y, double spacing, double down) {
   const double next = y + down * spacing, half = spacing / 2;
   const double x_left = left.at(y), x_right = right.at(y);
@@ -91,7 +92,7 @@ std::vector<Point2> end_of(const StraightRun& left, const StraightRun& right, do
   return {{a, between}, {b, between}};
 }
 
-/// An area that the scan lines still run through.
+/// An area that is not finished on the current scan line.
 struct OpenArea {
   std::uint32_t face = 0, first_line = 0;
   std::vector<double> left, right;
@@ -114,8 +115,8 @@ struct OpenArea {
   }
 };
 
-/// For each span of a line the area above it that it alone continues; none where there is no such area. Both from left to
-/// right.
+/// For each span of a line, the area above it if each continues only the other; otherwise `none`. Areas and spans run
+/// from left to right.
 std::vector<std::size_t> continued(const std::vector<OpenArea>& above, const Span* spans, std::size_t count,
                                    std::size_t none) {
   std::vector<std::size_t> area_of(count, none);
@@ -175,7 +176,7 @@ std::vector<Region> areas_of_spans(const SpanModel& model) {
       next[s].left.push_back(span.x_from);
       next[s].right.push_back(span.x_to);
     }
-    for (const OpenArea& area : open) close(area);  // but for those that were taken
+    for (const OpenArea& area : open) close(area);  // areas that were continued are empty here
     open = std::move(next);
   }
   for (const OpenArea& area : open) close(area);

@@ -7,7 +7,7 @@
 
 namespace ligne {
 
-/// The spans of a picture of faces: one line through the middle of each row of pixels, runs of a face from edge to edge.
+/// Returns one scan line through the middle of each row of pixels, with one span for each run of pixels of a face.
 SpanModel spans_of_pixels(const PixelModel& pixels);
 
 /// Reconstructs areas from spans. Each area belongs to one face and has no holes.

@@ -13,7 +13,7 @@ struct Statistics {
   std::vector<std::pair<std::string, std::uint64_t>> counts;
   std::vector<std::pair<std::string, double>> seconds;
 
-  // Not inline: the code that makes a string is long, and a method adds dozens of figures.
+  // Not inline: the code that makes a string is long, and a method adds dozens of entries.
   void count(std::string_view name, std::uint64_t n);
   void time(std::string_view name, double s);
 };

@@ -58,7 +58,7 @@ TextBox text_box(const TextItem& item, const TextExtent& extent) {
 }
 
 bool overlap(const TextBox& a, const TextBox& b, double gap_mm) {
-  // Two convex figures are apart when they are apart along a side's normal of one of them.
+  // Two convex polygons are disjoint if a side's normal of one of them separates them.
   const Point2 between = b.center - a.center;
   for (const TextBox* box : {&a, &b}) {
     for (const Point2 n : box->axes()) {

@@ -11,8 +11,8 @@ namespace ligne {
 enum class TextAcross { left, center, right };
 enum class TextUp { base, middle, top };
 
-/// One line of text. The anchors `across` and `up` say which point of the text lies at `at`; middle and top are those
-/// of capital letters.
+/// One line of text. The anchors `across` and `up` select the point of the text that lies at `at`. Middle and top refer
+/// to capital letters.
 struct TextItem {
   std::string text;        ///< UTF-8; malformed bytes are shown as U+FFFD, control characters as blanks
   Point2 at{0, 0};         ///< page mm
@@ -20,10 +20,10 @@ struct TextItem {
   TextAcross across = TextAcross::left;
   TextUp up = TextUp::base;
   double rotation_degrees = 0;  ///< about `at`, counter-clockwise as seen
-  double halo_mm = 0;           ///< width of the rim of paper colour round its letters, below them; 0: none
+  double halo_mm = 0;           ///< width of the rim of paper colour around and below its letters; 0: none
 };
 
-/// Space that a line of text takes, in mm.
+/// Size of a line of text, in mm.
 struct TextExtent {
   double width = 0;
   double ascent = 0, descent = 0;  ///< above and below the base line
@@ -45,7 +45,7 @@ struct TextBox {
   double reach(Point2 direction) const;
 };
 
-/// The box of a text, given the space that its characters take.
+/// Returns the box of a text of the given size.
 TextBox text_box(const TextItem& item, const TextExtent& extent);
 
 /// Whether the boxes overlap after each is enlarged by half of `gap_mm` on all sides. Boxes that only touch do not

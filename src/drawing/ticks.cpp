@@ -13,25 +13,25 @@
 namespace ligne {
 namespace {
 
-/// A number of plain digits is written as such up to this length; a longer one when the form with a power of ten is no
-/// shorter.
+/// Largest number of digits of a number that is always written plainly. A longer one is written with a power of ten if
+/// that is shorter.
 constexpr std::size_t kShortNumber = 5;
-/// Plain numbers have no more digits before or behind the point than this.
+/// Largest number of digits of a plain number before or after the point.
 constexpr int kMostPlainDigits = 17;
-/// Whole numbers of doubles are exact up to here: beyond it neighbouring ticks could be one double.
+/// Largest multiple of a step. Integers are exact in doubles up to here; beyond it neighbouring ticks could be equal.
 constexpr double kMostSteps = 0x1p53 / 10;
 
 constexpr std::string_view kMinus = "\u2212", kTimes = "\u00b7", kRaisedMinus = "\u207b";
 constexpr std::string_view kRaisedDigits[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
                                               "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
 
-/// n 10^exponent, exactly.
+/// The exact number n 10^exponent.
 struct Decimal {
   std::int64_t n = 0;
   int exponent = 0;
 };
 
-/// Without zeros at the end of n.
+/// Removes trailing zeros of n.
 Decimal shortened(Decimal d) {
   if (d.n == 0) return {0, 0};
   for (; d.n % 10 == 0; d.n /= 10) ++d.exponent;
@@ -57,7 +57,7 @@ Decimal decimal_of(double value) {
     d.n = 10 * d.n + (*p - '0');
     --d.exponent;
   }
-  ++d.exponent;  // of the digit before the point
+  ++d.exponent;  // exponent of the digit before the point
   const char* const exponent = p + 1 + (p + 1 != end && p[1] == '+');
   int e = 0;
   std::from_chars(exponent, end, e);
@@ -76,7 +76,7 @@ std::string power_text(int exponent) {
   return text;
 }
 
-/// "-0.025" of a decimal that has few digits.
+/// Text of a decimal with few digits, such as "-0.025".
 std::string plain_text(Decimal d) {
   std::string digits = digits_of(d);
   if (d.exponent >= 0) {
@@ -89,7 +89,7 @@ std::string plain_text(Decimal d) {
   return sign_of(d) + digits;
 }
 
-/// "-2.5·10⁶", "10⁶".
+/// Text with a power of ten, such as "-2.5·10⁶" or "10⁶".
 std::string scientific_text(Decimal d) {
   if (d.n == 0) return "0";
   std::string digits = digits_of(d);
@@ -103,7 +103,7 @@ std::size_t characters(std::string_view utf8) {
   return static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
-/// All plain, or all with powers of ten, whichever is shorter on the whole.
+/// Returns all texts plain or all with powers of ten, whichever is shorter in total.
 std::vector<std::string> texts_of(const std::vector<Decimal>& numbers) {
   std::vector<std::string> plain, scientific;
   std::size_t longest = 0, plain_sum = 0, scientific_sum = 0;
@@ -121,7 +121,7 @@ std::vector<std::string> texts_of(const std::vector<Decimal>& numbers) {
   return can_be_plain && (longest <= kShortNumber || plain_sum <= scientific_sum) ? plain : scientific;
 }
 
-/// The step 1, 2 or 5 times a power of ten.
+/// A step of 1, 2 or 5 times a power of ten.
 struct Step {
   int digit = 1, exponent = 0;
   double size() const { return value_of({digit, exponent}); }
@@ -131,7 +131,7 @@ struct Step {
   }
 };
 
-/// First and last whole multiple of a step in a range, the ends with a slack for the rounding of both ends and of the
+/// First and last integer multiple of a step in a range. The range has a slack for the rounding of both ends and of the
 /// division.
 struct Multiples {
   double first = 0, last = -1;
@@ -145,7 +145,7 @@ struct Multiples {
 
 std::vector<Decimal> round_numbers(double from, double to, std::size_t most) {
   if (from == to) return {decimal_of(from)};
-  // Half of it, since the whole may be more than a double holds.
+  // The half, since the whole span may overflow a double.
   const double half_span = to / 2 - from / 2;
   if (!(half_span > 0)) return {};
   Step step{1, static_cast<int>(std::floor(std::log10(half_span) - std::log10(static_cast<double>(most)))) - 1};
@@ -177,7 +177,7 @@ std::vector<Tick> with_powers(const std::vector<int>& exponents) {
   return ticks;
 }
 
-/// The digits times the powers of ten within the range of logarithms.
+/// Ticks at the digits times all powers of ten in the range of logarithms.
 std::vector<Tick> digit_ticks(double from, double to, std::initializer_list<int> digits) {
   std::vector<Decimal> numbers;
   for (int e = static_cast<int>(std::floor(from)); e <= static_cast<int>(std::floor(to)); ++e) {
@@ -190,7 +190,7 @@ std::vector<Tick> digit_ticks(double from, double to, std::initializer_list<int>
 }
 
 std::vector<Tick> decade_ticks(double from, double to, std::size_t most) {
-  // Powers of ten beyond those of a double have no number that a label could say.
+  // Powers of ten outside the range of doubles can not be labelled.
   constexpr double kLeast = std::numeric_limits<double>::min_exponent10,
                    kLargest = std::numeric_limits<double>::max_exponent10;
   from = std::max(from, kLeast);

@@ -10,8 +10,8 @@ namespace ligne {
 /// page.
 void check(const PictureRequest& request);
 
-/// Has the faces before lines counted where LineRequest::most_hiding needs them. Throws RequestError for a method that does
-/// not count them.
+/// Makes the method count the faces in front of lines if LineRequest::most_hiding needs it. Throws RequestError for a
+/// method that does not count them.
 void count_hidden(LineRequest& request);
 
 }  // namespace ligne

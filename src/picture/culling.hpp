@@ -1,5 +1,5 @@
 #pragma once
-/// Culling of back faces before the visibility method runs, with a warning for what is kept.
+/// Culls back faces before the visibility method runs. Warns about back faces that stay.
 
 #include "picture/run_report.hpp"
 #include "view/cull.hpp"

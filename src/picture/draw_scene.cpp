@@ -12,7 +12,7 @@
 namespace ligne {
 namespace {
 
-/// Numbers that show how the method worked as polylines, like the rest of that.
+/// Writes the debug numbers of the method as polylines of the debug layer.
 void write_debug_numbers(VisibilityResult& result, const PictureRequest& request, const Page& page) {
   if (result.debug_numbers.empty()) return;
   const double height_mm = text_height_mm(request.axes, page);

@@ -15,7 +15,7 @@ namespace ligne {
 
 /// Computes the lines, areas and hatching of a scene. The scene must outlive the result.
 /// - `box`: the range that the axes measure, if the picture is a plot with axes.
-/// - `topology`: that of the scene, if the caller has it already; otherwise it is built.
+/// - `topology`: the topology of the scene if the caller has it already; otherwise it is built.
 /// - `keep_edges`: keeps the source edges of strokes even if the requested format does not need them.
 ///
 /// Counts, times and warnings go to `run`. Throws RequestError.
@@ -23,8 +23,8 @@ DrawnScene draw_lines(const Scene& scene, PictureRequest request, RunReport& run
                       const std::optional<PlotBox>& box = std::nullopt, std::optional<Topology> topology = {},
                       bool keep_edges = false);
 
-/// Draws a scene and returns the bytes of a file in the requested format. The arguments are those of draw_lines();
-/// `pages` is that of write_picture(). Throws RequestError, std::runtime_error.
+/// Draws a scene and returns the bytes of a file in the requested format. The arguments are those of draw_lines(), plus
+/// `pages` of write_picture(). Throws RequestError, std::runtime_error.
 Picture draw_scene(const Scene& scene, const PictureRequest& request, RunReport& run,
                    const std::optional<PlotBox>& box = std::nullopt, std::optional<Topology> topology = {},
                    PdfDocument* pages = nullptr);

@@ -19,9 +19,9 @@
 namespace ligne {
 namespace {
 
-constexpr double kInsetText = 0.8;  ///< height of texts in an inset, as a part of that of other texts
+constexpr double kInsetText = 0.8;  ///< height of texts in an inset, as part of the height of other texts
 
-/// Polylines that show how the method worked, below all lines.
+/// Adds the polylines that show how the method worked, below all lines.
 void add_debug_layer(Drawing& drawing, const std::vector<std::vector<Point2>>& polylines) {
   if (polylines.empty()) return;
   Layer layer{"debug", {}};
@@ -29,7 +29,7 @@ void add_debug_layer(Drawing& drawing, const std::vector<std::vector<Point2>>& p
   drawing.layers.insert(drawing.layers.begin(), std::move(layer));
 }
 
-/// Pieces of faces from the back to the front.
+/// Makes fills of pieces of faces, from back to front.
 std::vector<Fill> paint(const PreparedScene& prepared, const PaintOrder& order, RunReport& run) {
   const Scene& scene = prepared.scene;
   PaintOrder seen = order;
@@ -40,7 +40,7 @@ std::vector<Fill> paint(const PreparedScene& prepared, const PaintOrder& order, 
   return fill_pieces(scene, prepared.view(), seen, prepared.lights, prepared.request.fill.kind);
 }
 
-/// Marked points, with labels that keep clear of all other texts.
+/// Marks points, and labels them clear of all other texts.
 void add_point_marks(Drawing& drawing, const DrawnScene& drawn) {
   const PictureRequest& request = drawn.request();
   if (!request.groups || request.groups->points.empty()) return;
@@ -53,7 +53,7 @@ void add_point_marks(Drawing& drawing, const DrawnScene& drawn) {
   std::ranges::move(labels, std::back_inserter(drawing.texts));
 }
 
-/// The plane of a scan line, in the place that was kept free for it.
+/// Adds the plane of a scan line in the space reserved for it.
 void add_inset(Drawing& drawing, const ScanPlane& plane, const PreparedScene& prepared) {
   const Placement& placement = prepared.around.placement;
   const Rect drawable = placement.page.drawable(), picture = placement.picture;
@@ -62,7 +62,7 @@ void add_inset(Drawing& drawing, const ScanPlane& plane, const PreparedScene& pr
   add_scan_plane(drawing, plane, picture, area, kInsetText * text_height_mm(prepared.request.axes, placement.page));
 }
 
-/// Areas below all lines: regions, pieces of faces painted over each other, or spans.
+/// Makes the areas below all lines from regions, overpainting pieces of faces, or spans.
 std::vector<Fill> fills_of(const DrawnScene& drawn, RunReport& run) {
   const PreparedScene& prepared = drawn.prepared();
   const VisibilityResult& result = drawn.visibility().result;
@@ -101,7 +101,7 @@ bool DrawnScene::serves(const OutputRequest& output, const PlotterRequest& plott
   PictureRequest other = request();
   other.output = output;
   other.plotter = plotter;
-  // Hatching is as dense as its pens are wide, and gray faces have a line for each row of pixels.
+  // The density of hatching depends on the pen width, and grey faces have one scan line per row of pixels.
   if (request().hatch.asked() || request().gray_faces) return false;
   if (looks_at_edges(other) && !parts_.has_edges) return false;
   if (output.format == OutputFormat::json && parts_.found.result.regions && parts_.patches.of_face.empty()) return false;

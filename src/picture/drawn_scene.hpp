@@ -44,7 +44,7 @@ class DrawnScene {
   bool serves(const OutputRequest& output, const PlotterRequest& plotter) const;
   /// Sets the output of later calls of write(). serves() must be true for it. Throws RequestError.
   void choose(OutputRequest output, PlotterRequest plotter);
-  /// Writes the file; `pages` is that of write_picture().
+  /// Writes the file; `pages` as for write_picture().
   Picture write(RunReport& run, PdfDocument* pages = nullptr) const;
 
  private:

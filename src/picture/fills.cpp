@@ -12,18 +12,18 @@
 namespace ligne {
 namespace {
 
-// Adjustable: how dark what no light reaches is.
+// Adjustable: brightness of faces without light.
 constexpr double kAmbient = 0.35;
 
 constexpr std::uint32_t kAllLights = 0xffffffffu;
 
-/// Behind the viewer, to the upper left: for scenes without a light.
+/// A light behind the viewer, to the upper left, for scenes without lights.
 Light light_over_the_shoulder(const Camera& camera) {
   return {Light::Kind::parallel, camera.forward + 0.5 * camera.right + 0.7 * camera.down};
 }
 
-/// Narrower, on the average, than the rims of its neighbours reach over it. The normals of slivers say little about a
-/// surface, and in colours of their own they are streaks.
+/// Whether the region is narrower, on average, than the rims that its neighbours paint over it. The normals of slivers
+/// say little about the surface, so their own colours would be streaks.
 bool is_narrow(const Region& region) {
   double twice_area = 0, length = 0;
   for (const std::vector<Point2>& contour : region.contours) {
@@ -57,7 +57,7 @@ class FillColors {
   FillKind kind_;
 };
 
-/// A colour of middle brightness for the number of a face: a multiplicative hash, as of Knuth, of which three bytes are
+/// A colour of middle brightness from the number of a face, by a multiplicative hash (Knuth), of which three bytes are
 /// used.
 std::array<double, 3> random_color(std::uint32_t face) {
   const std::uint64_t hash = (std::uint64_t{face} + 1) * kGoldenRatio;
@@ -76,7 +76,8 @@ struct LeveledFill {
   Fill fill;
 };
 
-/// Within a level nothing overlaps but rims, which hide what is narrow. So colours may be put together.
+/// Sorts fills by level, narrow ones first, then by colour. Within a level only rims overlap, and rims hide narrow
+/// fills. So fills of one colour may be adjacent.
 std::vector<Fill> in_painting_order(std::vector<LeveledFill> found) {
   std::stable_sort(found.begin(), found.end(), [](const LeveledFill& a, const LeveledFill& b) {
     if (a.level != b.level) return a.level > b.level;

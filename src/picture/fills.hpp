@@ -24,11 +24,11 @@ std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::
 std::vector<Fill> fill_pieces(const Scene& scene, const View& view, const PaintOrder& order, std::span<const Light> lights,
                               FillKind kind);
 
-/// The colour of a face, components in [0, 1] in steps of a byte: of its material, lit with `light` from 0 to 1, white, or
-/// by chance, the same for a face number every time.
+/// The colour of a face, components in [0, 1] in steps of 1/255, as `kind` says: the colour of its material, that
+/// colour lit with `light` (0 to 1), white, or a random colour that depends only on the face number.
 std::array<double, 3> fill_color(const Point3& material, double light, std::uint32_t face, FillKind kind);
 
-/// Per piece the light on its face, 0 to 1, as fill_pieces() takes it.
+/// Per piece the light on its face, 0 to 1, as fill_pieces() uses it.
 std::vector<double> lights_of_pieces(const Scene& scene, const View& view, const PaintOrder& order,
                                      std::span<const Light> lights);
 

@@ -11,10 +11,10 @@ namespace ligne {
 namespace {
 
 constexpr double kSampleMm = 0.1;
-/// Adjustable: larger pages are sampled wider.
+/// Adjustable: most sample points; larger pages are sampled more coarsely.
 constexpr double kMostSamples = 0x1p28;
 
-/// One bit for every point of the page that is looked at: whether it is hidden from all that comes.
+/// One bit for each sample point of the page: whether an opaque piece covers it.
 class HiddenSamples {
  public:
   explicit HiddenSamples(const Rect& page)
@@ -27,7 +27,7 @@ class HiddenSamples {
 
   bool shows(const PaintPiece& piece) {
     find_runs(piece);
-    // Beside the points on the piece those next to them: it may show between two points.
+    // Tests also the points next to those on the piece, since the piece may be visible between two points.
     for (const PolygonRun& run : runs_) {
       const std::uint32_t first = run.line == 0 ? 0 : run.line - 1, last = std::min(run.line + 1, rows_ - 1);
       for (std::uint32_t row = first; row <= last; ++row) {
@@ -43,7 +43,7 @@ class HiddenSamples {
     return false;
   }
 
-  /// The piece that was asked for last hides what lies behind it.
+  /// Marks the points of the piece last passed to shows() as covered.
   void hide() {
     for (const PolygonRun& run : runs_) {
       visit_words(run.line, std::ceil(run.u0), std::ceil(run.u1) - 1, [](std::uint64_t& word, std::uint64_t mask) {
@@ -78,7 +78,7 @@ class HiddenSamples {
     return !visit_words(row, from, to, [](std::uint64_t& word, std::uint64_t mask) { return (~word & mask) == 0; });
   }
 
-  /// Calls visit(word, mask) for the columns [from, to] of a row until it returns false; returns whether it never did.
+  /// Calls visit(word, mask) for the columns [from, to] of a row until it returns false. Returns whether it never did.
   template <class Visit>
   bool visit_words(std::uint32_t row, double from, double to, Visit visit) {
     if (!(to >= 0 && from <= columns_ - 1.0)) return true;

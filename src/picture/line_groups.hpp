@@ -1,5 +1,5 @@
 #pragma once
-/// Lines of a surface picture with looks of their own: contour lines by height, bands, hachures, curves in space.
+/// Lines of a surface picture with styles of their own: contour lines by height, bands, hachures, curves in space.
 
 #include <array>
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace ligne {
 
-/// The look of a group of lines. Empty members mean the look of their line class.
+/// The style of a group of lines. Empty members mean the style of the line class.
 struct LineGroup {
   std::string layer{};
   std::string object{};

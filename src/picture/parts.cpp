@@ -17,19 +17,19 @@ bool groups_objects(const PictureRequest& request) {
   return request.output.group_objects && request.output.format == OutputFormat::svg && !request.plotter.by_pens();
 }
 
-/// A part that is told apart.
+/// Key by which lines are divided into layers.
 struct Part {
   std::string material;
   std::uint32_t object = kNone;
-  std::size_t color = 0;    ///< number of the colour from 1 on, 0: none of its own
-  std::uint32_t group = 0;  ///< of LineGroups
+  std::size_t color = 0;    ///< number of the colour, from 1; 0: no colour of its own
+  std::uint32_t group = 0;  ///< index into LineGroups::groups
 
   bool operator<(const Part& o) const {
     return std::tie(material, object, color, group) < std::tie(o.material, o.object, o.color, o.group);
   }
 };
 
-/// Which of the colours the object has, from 1 on; 0: none.
+/// Returns the number of the object's colour, from 1; 0: none.
 std::size_t color_of(const std::vector<ObjectColor>& colors, const std::string& name) {
   for (std::size_t i = colors.size(); i > 0; --i) {
     if (name_fits(colors[i - 1].pattern, name)) return i;
@@ -43,14 +43,15 @@ std::size_t painting_order(const std::string& layer) {
   return order;
 }
 
-/// A layer with its place among the others: those of one class by the names that groups give them.
+/// A layer with its place in the painting order. Layers of one class are ordered by their group names.
 struct OrderedLayer {
   std::size_t order;
   std::string group;
   Layer layer;
 };
 
-/// Gives a layer the look of its group; the name that this gives it, or nothing. Hidden lines stay hidden ones.
+/// Applies the style of a group to a layer, except to hidden lines. Returns the layer name of the group, or an empty
+/// one.
 std::string dress(Layer& layer, const LineGroup& group) {
   if (layer.name == stroke_layer_name(0)) return {};
   if (!group.layer.empty()) layer.name = group.layer;

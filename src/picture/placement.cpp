@@ -14,7 +14,7 @@
 namespace ligne {
 namespace {
 
-/// Slack for the rounding of the picture's size: the micrometre to which a drawing is right.
+/// Slack for the rounding of the picture's size, in mm: the accuracy of a drawing.
 constexpr double kSlackMm = 1e-3;
 
 Page turned(Page page) {
@@ -32,7 +32,7 @@ double fitting_scale(const Page& page, const Rect& extent, double inset_part) {
   return std::min(across, down);
 }
 
-/// The camera of the file that the request names. Throws RequestError.
+/// Returns the camera of the file that the request names. Throws RequestError.
 const SceneCamera& file_camera(const std::string& name, const Scene& scene) {
   if (scene.cameras.empty()) throw RequestError("view", "the model has no camera");
   if (name.empty()) return scene.cameras.front();
@@ -44,7 +44,7 @@ const SceneCamera& file_camera(const std::string& name, const Scene& scene) {
       "view", "no camera is called " + shown(name, '"') + "; there " + (scene.cameras.size() == 1 ? "is " : "are ") + names);
 }
 
-/// Looks through a camera of the file. The true scale of a perspective holds where the middle of the scene is.
+/// Sets the request to a camera of the file. In perspective, lengths are true at the middle of the scene.
 void look_through(const SceneCamera& from, const Scene& scene, CameraRequest& to) {
   const double length = glm::length(from.forward);
   if (!to.up) to.up = from.up;

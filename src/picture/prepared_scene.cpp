@@ -19,7 +19,7 @@
 namespace ligne {
 namespace {
 
-/// The outlines of a mesh that is drawn itself, edge by edge, are its own.
+/// Whether smooth contours replace outlines. A mesh that is drawn edge by edge keeps its own outlines.
 bool draws_contours(const LineRequest& lines) {
   return lines.quality == Quality::clear && lines.studied().has(LineClass::outline) && !lines.classes.has(LineClass::mesh);
 }
@@ -28,7 +28,7 @@ std::string faces_text(const Scene& scene) {
   return std::to_string(scene.faces.size()) + " faces, " + std::to_string(scene.vertices.size()) + " vertices";
 }
 
-/// The least memory of a scene: a place on the page for each vertex, and a triangle for each face.
+/// Lower bound of the memory for a scene: a page position for each vertex and a triangle for each face.
 double least_bytes(const Scene& scene) {
   return static_cast<double>(scene.vertices.size() * sizeof(ProjectedScene::vertices[0]) +
                              scene.faces.size() * sizeof(Topology::triangles[0]));
@@ -44,12 +44,12 @@ std::vector<std::uint32_t> edge_ends_of_objects(const Scene& scene, const Topolo
   return ends;
 }
 
-/// Adjustable: facets of more triangles wait for the study, when the topology, which takes twice their memory, is gone.
+/// Adjustable: with more triangles, the method makes the facets later. By then the topology, which takes twice their
+/// memory, is freed.
 constexpr std::size_t kMostEarlyFacets = 2'000'000;
 
-/// Places the scene on the page, and finds the contours in place of outlines beside that. These depend on the outlines that
-/// are candidates, nearly all of which are still there when the scene has been placed; where some are not, the contours are
-/// found once more.
+/// Places the scene on the page and, in parallel, finds the contours that replace outlines. The contours depend on the
+/// candidate outlines, nearly all of which remain after placement. If some do not, the contours are computed again.
 SmoothContours place_with_contours(PreparedScene& prepared, const Creases& creases, RunReport& run) {
   const Scene& scene = prepared.scene;
   const Topology& topology = prepared.topology;
@@ -58,7 +58,7 @@ SmoothContours place_with_contours(PreparedScene& prepared, const Creases& creas
   std::vector<std::uint32_t> outlines;
   if (with_contours) outlines = outline_edges(topology, projected);
   const ContourOptions options = contour_options(prepared.request, creases);
-  // The method begins with them, and they have nothing to do with lines.
+  // The default method begins with the facets, and they do not depend on lines.
   const bool makes_facets = with_contours && !prepared.request.lines.cull && &prepared.method == &default_method() &&
                             topology.triangles.size() <= kMostEarlyFacets;
   OutlinePatch patch;
@@ -69,7 +69,7 @@ SmoothContours place_with_contours(PreparedScene& prepared, const Creases& creas
       patch = patch_of_outlines(scene, topology, projected.view.camera, outlines, options.borders);
     }
   });
-  // Facets come second, beside what one thread does: so both threads end the patch.
+  // The facets come second, since one thread makes them. So two threads can finish the patch first.
   OutlineReplacement replacement;
   parallel_tasks(with_contours ? 2 : 0, [&](std::size_t task) {
     if (task == 0) {
@@ -84,8 +84,8 @@ SmoothContours place_with_contours(PreparedScene& prepared, const Creases& creas
   return replace_outlines(topology, projected, std::move(replacement));
 }
 
-/// The creases of the mesh, the lines along fillets that are drawn for this view, and the edges that are candidates,
-/// projected. The lines go to `tangents`.
+/// Selects the creases of the mesh, the lines along fillets for this view (into `tangents`) and the candidate edges,
+/// and projects the edges.
 Creases select_lines(PreparedScene& prepared, std::vector<ShapeLine>& tangents, RunReport& run) {
   const LineRequest& lines = prepared.request.lines;
   Creases creases;
@@ -96,7 +96,7 @@ Creases select_lines(PreparedScene& prepared, std::vector<ShapeLine>& tangents, 
   return creases;
 }
 
-/// Lines along fillets, and those of the shape that are asked for.
+/// Adds the lines along fillets and the requested shape lines.
 void add_lines_of_shape(PreparedScene& prepared, std::vector<ShapeLine> lines, const Creases& creases) {
   const LineClasses& classes = prepared.request.lines.classes;
   if (has_shape_lines(classes)) {
@@ -107,7 +107,7 @@ void add_lines_of_shape(PreparedScene& prepared, std::vector<ShapeLine> lines, c
   if (!lines.empty()) prepared.shape_lines = add_shape_lines(prepared.projected, std::move(lines));
 }
 
-/// Scans and surfaces are looked at again when lines are cleaned and written; free forms are not.
+/// Keeps the scans and surfaces, which the cleaning and writing of lines need. Free forms are dropped.
 void keep_surfaces(PreparedScene& prepared, Creases creases) {
   prepared.scans = std::move(creases.scans);
   if (creases.patches.list.empty()) return;
@@ -116,7 +116,7 @@ void keep_surfaces(PreparedScene& prepared, Creases creases) {
   prepared.patches.borders = {};
 }
 
-/// Lines that are no edges of the scene: curves and marked points, details of faces, axes.
+/// Adds the lines that are no edges of the scene: curves and marked points, details of faces, axes.
 void add_other_lines(PreparedScene& prepared) {
   ProjectedScene& projected = prepared.projected;
   const PictureRequest& request = prepared.request;

@@ -21,7 +21,7 @@
 
 namespace ligne {
 
-/// The scene itself must outlive this.
+/// A prepared scene. The scene itself must outlive it.
 struct PreparedScene {
   const Scene& scene;
   PictureRequest request;
@@ -29,11 +29,12 @@ struct PreparedScene {
   Topology topology;
   Surroundings around;  ///< axes and texts around the picture, and its placement on the page
   ProjectedScene projected;
-  BackFaces back_faces;            ///< culled: left out of `projected`
-  std::vector<Light> lights;       ///< lights of fills, hatching and shadows
-  std::optional<Facets> facets{};  ///< of `projected`, if made early by an idle thread; else the method makes them
-  SmoothContours contours{};       ///< replace outlines of the mesh
-  ShapeLines shape_lines{};        ///< suggestive contours, ridges, valleys, and tangent lines along fillets
+  BackFaces back_faces;       ///< culled faces, which `projected` does not contain
+  std::vector<Light> lights;  ///< lights of fills, hatching and shadows
+  /// Facets of `projected` if an idle thread made them; otherwise the method makes them.
+  std::optional<Facets> facets{};
+  SmoothContours contours{};  ///< replace outlines of the mesh
+  ShapeLines shape_lines{};   ///< suggestive contours, ridges, valleys, and tangent lines along fillets
   std::vector<ScanObject> scans{};
   Patches patches{};                              ///< analytic surfaces found for clear creases; free forms are emptied
   std::vector<std::uint32_t> object_edge_ends{};  ///< per object: one past its last edge in the topology

@@ -1,5 +1,5 @@
 #pragma once
-/// Which products of a method a picture needs.
+/// Selects the method of a picture, and the products that it needs from the method.
 
 #include <cstdint>
 
@@ -8,27 +8,27 @@
 
 namespace ligne {
 
-/// The method for a request: the requested one; else, for fills, hatching and shadows, the first that returns regions;
-/// else the default method, which method_choice.hpp may replace by another one.
+/// The method for a request: the requested method; for fills, hatching and shadows the first one that returns regions;
+/// otherwise the default method, which method_choice.hpp may replace.
 const Method& method_of(const PictureRequest& request);
 
 /// Whether the request has fills, hatching, shadows or PictureRequest::regions.
 bool asks_for_regions(const PictureRequest& request);
 
-/// Whether the picture hatches regions: if the method returns any. Otherwise it hatches spans.
+/// Whether the picture hatches regions, which it does if the method returns regions. Otherwise it hatches spans.
 bool hatches_regions(const PictureRequest& request, const Method& method);
 
-/// Whether fills are painted from back to front: if the method returns an order and no light casts shadows.
+/// Whether fills are painted from back to front. They are if the method returns an order and no light casts shadows.
 bool paints_in_order(const PictureRequest& request, const Method& method);
 
-/// Whether fills are made of the spans or pixels of a method that returns neither regions nor an order. No light casts
-/// shadows then.
+/// Whether fills are made of spans or pixels. They are if the method returns neither regions nor an order, and no light
+/// casts shadows.
 bool fills_spans(const PictureRequest& request, const Method& method);
 
 /// The products that the picture needs, as bits of Product. A JSON drawing needs all products except pixels.
 std::uint8_t wanted_products(const PictureRequest& request, const Method& method);
 
-/// Whether the picture needs regions of its method.
+/// Whether the picture needs regions from its method.
 bool wants_regions(const PictureRequest& request, const Method& method);
 
 }  // namespace ligne

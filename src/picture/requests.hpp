@@ -67,7 +67,7 @@ struct PageRequest {
   double inset_part = 0;            ///< part of the drawable height that is kept free below the picture
   std::optional<Rect> extent{};     ///< area to fit to the page, see projected_extent(); nothing: that of the scene
 
-  /// Page mm per model unit; nothing if the picture is to fit the page.
+  /// Page mm per model unit; none if the picture is fitted to the page.
   std::optional<double> page_mm_per_unit(double scene_unit_mm) const {
     return scale ? std::optional(*scale * unit_mm.value_or(scene_unit_mm)) : std::nullopt;
   }

@@ -22,8 +22,8 @@ struct StageTimes : Statistics {
   std::vector<std::pair<std::string, double>> processor_seconds;
 };
 
-/// Calls work(), and adds its times under the name of the stage when it returns. If it runs out of memory
-/// (std::bad_alloc, or std::length_error from a size beyond the address space), throws a MemoryError that names the
+/// Calls work() and adds its times under the name of the stage. If it runs out of memory (std::bad_alloc, or
+/// std::length_error from a size beyond the address space), throws a MemoryError that names the stage.
 /// stage.
 template <class Work>
 auto timed(StageTimes& stages, const Stage& stage, Work&& work) {
@@ -71,7 +71,7 @@ struct RunReport {
   void warn(std::string text) { warnings.push_back({{}, std::move(text)}); }
 };
 
-/// The report as a table to read.
+/// The report as a table for people.
 std::string report_text(const RunReport& report);
 
 /// The report as JSON: {"format": "ligne-stats", "version": 1, "method", "counts", "seconds", "clear", "choices",

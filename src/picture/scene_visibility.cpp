@@ -20,12 +20,12 @@
 namespace ligne {
 namespace {
 
-/// Parts of axes hidden by a surface are not drawn, not even where hidden lines are.
+/// Removes the hidden parts of axes, even where hidden lines are drawn.
 void remove_hidden_axes(StrokeModel& model) {
   std::erase_if(model.strokes, [](const Stroke& stroke) { return stroke.line_class == LineClass::axes && !stroke.visible; });
 }
 
-/// Profiles, and of what was studied for them no more than is asked for.
+/// Cuts profiles out of lines, and then removes the classes that were needed only for profiles.
 void add_profiles(StrokeModel& model, PreparedScene& prepared, const ContourSources& contours) {
   const LineRequest& lines = prepared.request.lines;
   draw_profiles(model, prepared.projected, prepared.scene, contours, lines.profiles(), prepared.request.page.pen_width_mm);
@@ -35,7 +35,7 @@ void add_profiles(StrokeModel& model, PreparedScene& prepared, const ContourSour
   });
 }
 
-/// Draws the lines of the shape that were studied, and tells how many there are.
+/// Draws the shape lines and counts them.
 void add_shape_strokes(VisibilityResult& result, const PreparedScene& prepared) {
   const LineRequest& lines = prepared.request.lines;
   draw_shape_lines(*result.strokes, prepared.view(), prepared.shape_lines, lines.hidden != HiddenLines::none,
@@ -58,9 +58,9 @@ void warn_of_empty_or_cut(const StrokeModel& strokes, const Placement& placement
   }
 }
 
-/// Whether strokes are compared for coincidence by what is seen beside them alone: where the model is streamed, or could be,
-/// so that their order does not depend on what is hidden, and of other large models since nearly none are compared then.
-/// Drawings of small models keep the order that they had before.
+/// Whether only visible parts beside strokes decide if strokes coincide. So it is for models that are or could be
+/// streamed, where the order of strokes must not depend on hidden parts, and for other large models, where it leaves
+/// few comparisons. Drawings of small models keep the order that they had before.
 bool coincide_by_sight(const PictureRequest& request, const Scene& scene) {
   return request.blank || (scene.faces.size() >= kFewestStreamedFaces && request.lines.hidden == HiddenLines::none);
 }
@@ -82,7 +82,7 @@ VisibilityOptions study_options(const PreparedScene& prepared, std::optional<Spa
   return options;
 }
 
-/// Warns of the parts of the scene that the method can not handle, or not draw.
+/// Warns of the parts of the scene that the method can not handle, or does not draw.
 void warn_of_limits(const MethodTraits& method, const VisibilityResult& result, const ProjectedScene& projected,
                     const LineRequest& lines, RunReport& run) {
   const std::string name(method.name);
@@ -95,13 +95,13 @@ void warn_of_limits(const MethodTraits& method, const VisibilityResult& result, 
              ", and of this scene " + result.unsupported_reason);
   }
   if (!result.left_out.empty()) run.warn("--method " + name + " leaves out " + result.left_out);
-  // The scene may have nothing of that kind: no cut, one zone, a convex body without planes.
+  // The scene may contain no such thing: no cut, one zone only, a convex body without planes.
   if (lines.settings.has("show") && result.debug.empty() && result.debug_numbers.empty() && !result.plane) {
     run.warn("--show finds nothing of that kind to draw");
   }
 }
 
-/// The points that are seen, told by their probes, which are no lines of the drawing.
+/// Finds which marked points are visible, and removes their probes, which are no lines of the drawing.
 void take_points(SceneVisibility& found, const PreparedScene& prepared, RunReport& run) {
   if (!prepared.request.groups) return;
   const auto& points = prepared.request.groups->points;
@@ -110,14 +110,14 @@ void take_points(SceneVisibility& found, const PreparedScene& prepared, RunRepor
   if (!unseen.empty()) run.warn(unseen);
 }
 
-/// Counts of the faces that took no part.
+/// Counts the faces that took no part.
 void count_left_out(Statistics& statistics, const PreparedScene& prepared) {
   if (prepared.back_faces.faces > 0) statistics.count("back faces, left out", prepared.back_faces.faces);
   const auto edge_on = std::ranges::count(prepared.projected.face_is_edge_on, std::uint8_t{1});
   if (edge_on > 0) statistics.count("faces seen edge on, left out", static_cast<std::uint64_t>(edge_on));
 }
 
-/// Moves the sources of strokes from what was prepared to what is found; the method needs the memory of the rest.
+/// Moves the sources of strokes from `prepared` to `found`, and frees the rest, since the method needs the memory.
 void keep_sources(SceneVisibility& found, PreparedScene& prepared, bool keep_edges) {
   found.first_detail = prepared.first_detail;
   if (keep_edges) {

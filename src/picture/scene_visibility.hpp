@@ -1,5 +1,5 @@
 #pragma once
-/// The visible parts of a scene on the page. This part of the program knows nothing of pens and files.
+/// The visible parts of a scene on the page. This part of the program does not depend on pens or files.
 
 #include <array>
 #include <cstdint>
@@ -38,9 +38,9 @@ struct SceneVisibility {
 SceneVisibility compute_visibility(PreparedScene& prepared, std::optional<SpanLines> span_lines, bool keep_edges,
                                    RunReport& run);
 
-/// Turns the strokes of a method into the lines of a drawing: puts smooth contours and shape lines in place of the
-/// lines that stood for them, removes coincident strokes, cuts profiles out of lines, and adds details and light to
-/// regions. Throws RequestError.
+/// Turns the strokes of a method into the lines of a drawing. It replaces the lines that stood for smooth contours and
+/// shape lines, removes coincident strokes, cuts profiles out of lines, and adds details and light to regions. Throws
+/// RequestError.
 void finish_lines(SceneVisibility& found, PreparedScene& prepared, RunReport& run);
 
 }  // namespace ligne

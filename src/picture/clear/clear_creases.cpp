@@ -12,8 +12,8 @@ namespace ligne {
 
 namespace {
 
-/// Adjustable: fillets that are narrower on the page, in widths of the pen, are drawn by one line: two lines so near to each
-/// other look like one that is too thick. Taste.
+/// Adjustable: fillets narrower than this on the page, in pen widths, are drawn as one line. Two lines this near to
+/// each other look like one line that is too thick. Taste.
 constexpr double kNarrowFilletInPens = 8;
 
 double widest_fillet(const PictureRequest& request, const View& view) {

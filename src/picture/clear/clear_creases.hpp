@@ -1,5 +1,5 @@
 #pragma once
-/// The creases of clear lines.
+/// Selects the creases of clear lines.
 
 #include "contours/shapes/shape_lines.hpp"
 #include "picture/requests.hpp"
@@ -11,19 +11,19 @@
 
 namespace ligne {
 
-/// Whether lines of these classes are creases, or depend on them.
+/// Whether lines of these classes are creases, or depend on creases.
 bool asks_for_creases(LineClasses classes);
 
-/// The edges that a picture has: of exact lines by the crease angle, of clear ones by find_creases(), whose result goes into
-/// `creases`, which must outlive the selection. What clear lines change is counted in `run`.
+/// Selects the edges of a picture: by the crease angle for exact lines, by find_creases() for clear ones. Its result
+/// goes into `creases`, which must outlive the selection. Counts in `run` what clear lines change.
 EdgeSelection select_edges(const Scene& scene, const Topology& topology, const LineRequest& request, LineClasses classes,
                            Creases& creases, RunReport& run);
 
-/// Takes out of `creases` what is seen from one side alone (WallEdge) where the viewer is on the other.
+/// Removes edges of `creases` that are visible from one side only (WallEdge) if the viewer is on the other side.
 void leave_out_walls_behind(const Scene& scene, const Topology& topology, const Camera& camera, Creases& creases);
 
-/// Marks the borders between surfaces that run into each other in `creases`, where they are drawn (LineRequest::tangent).
-/// Returns the lines along the middle of fillets that are drawn in place of theirs.
+/// Marks in `creases` the borders between surfaces that join smoothly, where LineRequest::tangent draws them. Returns
+/// the lines along the middle of fillets that replace the borders of these fillets.
 std::vector<ShapeLine> choose_tangent_lines(const Scene& scene, const Topology& topology, const PictureRequest& request,
                                             const View& view, Creases& creases);
 

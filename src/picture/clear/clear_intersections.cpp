@@ -16,17 +16,19 @@
 namespace ligne {
 namespace {
 
-/// Ends of segments that continue each other are rounded to the lattice one by one: so many steps apart at the most.
+/// Largest distance of two segment ends that coincide, in lattice steps: each end is rounded by itself.
 constexpr double kSameEndSteps = 4;
-/// Adjustable: connected intersections of whose length less than this part lies in contacts stay whole.
+/// Adjustable: least part of the length of a chain of intersections that must lie in contacts. Below it the chain stays
+/// whole.
 constexpr double kTangentPart = 0.25;
 
-/// Segments that hang together by their ends.
+/// Sets of segments that are connected by their ends.
 DisjointSets connect(const std::vector<SourceEdge>& segments, double distance) {
   DisjointSets sets(segments.size());
   std::size_t slots = 1;
   while (slots < 4 * segments.size()) slots *= 2;
-  std::vector<std::vector<std::uint32_t>> ends(slots);  // by the cell of the end: twice the segment, plus which end
+  // By the cell of the end. An end is twice the number of its segment, plus 0 or 1.
+  std::vector<std::vector<std::uint32_t>> ends(slots);
   const auto place = [&](std::uint32_t end) { return segments[end / 2].ends[end % 2]; };
   for (std::uint32_t end = 0; end < 2 * segments.size(); ++end) {
     const NearCells cells(place(end), distance);
@@ -38,7 +40,7 @@ DisjointSets connect(const std::vector<SourceEdge>& segments, double distance) {
         if (glm::distance(place(end), place(other)) <= distance) sets.join(end / 2, other / 2);
       }
     }
-    // One end stands for all that coincide with it.
+    // Stores one of several coincident ends.
     auto& own = ends[near[0]];
     const bool stands = std::any_of(own.begin(), own.end(), [&](std::uint32_t other) { return place(other) == place(end); });
     if (!stands) own.push_back(end);
@@ -46,7 +48,7 @@ DisjointSets connect(const std::vector<SourceEdge>& segments, double distance) {
   return sets;
 }
 
-/// The faces of intersections, ascending.
+/// Returns the faces of the intersections, ascending.
 std::vector<std::uint32_t> faces_of(const std::vector<SourceEdge>& segments) {
   std::vector<std::uint32_t> faces;
   for (const SourceEdge& s : segments) {
@@ -57,7 +59,7 @@ std::vector<std::uint32_t> faces_of(const std::vector<SourceEdge>& segments) {
   return faces;
 }
 
-/// The faces, and those beside them.
+/// Returns the faces and their neighbours.
 std::vector<std::uint32_t> with_neighbours(const Scene& scene, std::vector<std::uint32_t> faces) {
   const FaceNeighbours neighbours(scene, faces);
   neighbours.for_each_pair([&](std::uint32_t a, std::uint32_t b, std::uint32_t, std::uint32_t) {
@@ -68,7 +70,7 @@ std::vector<std::uint32_t> with_neighbours(const Scene& scene, std::vector<std::
   return faces;
 }
 
-/// Per segment whether its faces touch, but for those of intersections that are tangent only at places.
+/// Per segment whether its faces only touch. It is false for chains of intersections that are tangent only in places.
 std::vector<bool> find_contacts(const Scene& scene, const std::vector<SourceEdge>& segments, const ChordErrors& errors,
                                 double same_end) {
   std::vector<bool> contact(segments.size(), false);
@@ -82,7 +84,8 @@ std::vector<bool> find_contacts(const Scene& scene, const std::vector<SourceEdge
   }
   if (std::find(contact.begin(), contact.end(), true) == contact.end()) return contact;
   DisjointSets chains = connect(segments, same_end);
-  std::vector<std::array<double, 2>> lengths(segments.size(), {0, 0});  // by chain: all, and in contacts
+  // By chain: total length, and length in contacts.
+  std::vector<std::array<double, 2>> lengths(segments.size(), {0, 0});
   for (std::uint32_t i = 0; i < segments.size(); ++i) {
     const double length = glm::distance(segments[i].ends[0], segments[i].ends[1]);
     auto& [all, in_contact] = lengths[chains.find(i)];

@@ -1,5 +1,5 @@
 #pragma once
-/// The intersections of clear lines.
+/// Removes intersections that clear lines do not draw.
 
 #include "linework/stroke.hpp"
 #include "picture/requests.hpp"
@@ -9,11 +9,11 @@
 
 namespace ligne {
 
-/// Leaves out the strokes of intersections where two surfaces only touch: a pin in its bore, a ball in its race, whose
-/// triangles pass through each other all over. Faces touch where they lie within each other's distance from the shape that
-/// they stand for (chord_errors.hpp). Where surfaces that do intersect are tangent in places, their line stays whole. What
-/// runs along a rim goes there (rim_lines.hpp). Counted in `run`. Does nothing for exact lines. docs/clear-lines.md,
-/// "Contacts".
+/// Removes the strokes of intersections where two surfaces only touch. The triangles of a pin in its bore or a ball in
+/// its race, for example, penetrate each other everywhere. Faces touch where their distance is within the errors of
+/// both faces (chord_errors.hpp). Where surfaces that do intersect are tangent in places, their line stays whole.
+/// Intersections along a rim move onto the rim (rim_lines.hpp). Counts the changes in `run`. Does nothing for exact
+/// lines. docs/clear-lines.md, "Contacts".
 void clear_intersections(StrokeModel& model, const Scene& scene, const ProjectedScene& projected, const LineRequest& request,
                          RunReport& run);
 

@@ -1,11 +1,11 @@
 /// Profiles.
 ///
-/// 1. Beside every visible stroke it is looked what would be seen there without lines (profile_sides.hpp).
-/// 2. On a line that runs from one junction with other lines to the next one, the answer can not change: where what is seen
-///    beside it ends, that end is a line too, and meets it. So on each such arc what is shorter than two widths of the pen
-///    is noise, from concave corners and from looking a little beside, and gives way. What is left changes at junctions;
-///    inside an arc only where another line is not drawn.
-/// 3. Strokes are cut where it changes.
+/// 1. Beside every visible stroke, find what would be visible there without lines (profile_sides.hpp).
+/// 2. The answer can not change along an arc, a line between two junctions: where a visible area beside it ends,
+/// another line ends or crosses the arc. So on each arc a run shorter than two pen widths is noise, from concave
+/// corners and from testing at a distance from the line, and takes the value of its neighbours. The remaining changes
+/// are at junctions, or inside an arc where another line is not drawn.
+/// 3. Cut the strokes at these changes.
 
 #include "picture/clear/profile.hpp"
 
@@ -22,15 +22,15 @@
 namespace ligne {
 namespace {
 
-/// A shorter change, in widths of the pen, is no change of the line.
+/// Shortest run that counts as a change of the line, in pen widths.
 constexpr double kShortestInPens = 2;
-/// Nor is what is shorter than so many times the distance at which it was looked beside the line: by so much a change is off
-/// where the other line crosses at eight degrees.
+/// Shortest such run, in multiples of the distance at which the side of the line was tested. A line that crosses at
+/// eight degrees moves the change by that much.
 constexpr double kShortestOff = 7;
-/// A line ends at another one when it ends so near to it: twice what curves may leave their points by.
+/// Distance within which a line ends at another line, in mm: twice the largest distance between a curve and its points.
 constexpr double kJunctionMm = 0.004;
 
-/// A part of an arc that is free or not.
+/// A part of an arc that is free or not free as a whole.
 struct Bit {
   std::uint32_t stroke;
   StrokeCut from, to;  ///< on the stroke
@@ -38,7 +38,7 @@ struct Bit {
   bool free;
 };
 
-/// A piece of a line as bits, in the order of its stroke.
+/// Splits a piece of a line into bits, in the order of its stroke.
 std::vector<Bit> bits_of(const LineMap& map, std::uint32_t piece, const FreeParts& free) {
   const Stroke &whole = map.stroke_of(piece), &s = map.piece(piece);
   const double size = page_length(whole), from = foot_on(whole, s.from).fraction, to = foot_on(whole, s.to).fraction;
@@ -60,14 +60,14 @@ std::vector<Bit> bits_of(const LineMap& map, std::uint32_t piece, const FreePart
   return bits;
 }
 
-/// Bits that follow each other and are alike.
+/// Consecutive bits with the same value of `free`.
 struct Run {
   double length;
   bool free;
-  std::size_t end;  ///< behind its last bit
+  std::size_t end;  ///< index behind its last bit
 };
 
-/// Takes out runs that are shorter than `shortest`: the shortest gives way first.
+/// Merges each run shorter than `shortest` with its neighbours, the shortest run first.
 void drop_short_runs(std::vector<Bit>& bits, double shortest) {
   std::vector<Run> runs;
   for (std::size_t i = 0; i < bits.size(); ++i) {
@@ -92,7 +92,7 @@ void drop_short_runs(std::vector<Bit>& bits, double shortest) {
   }
 }
 
-/// A ring begins where it changes, so that no run is cut in two.
+/// Rotates the bits of a ring so that it begins at a change and no run is cut in two.
 void begin_at_change(std::vector<Bit>& bits) {
   for (std::size_t i = 1; i < bits.size(); ++i) {
     if (bits[i].free == bits[i - 1].free) continue;
@@ -101,7 +101,7 @@ void begin_at_change(std::vector<Bit>& bits) {
   }
 }
 
-/// The strokes cut where bits that are free begin and end.
+/// Cuts the strokes where free bits begin and end.
 std::vector<Stroke> cut_strokes(const std::vector<Stroke>& strokes, std::vector<Bit>& free_bits) {
   std::sort(free_bits.begin(), free_bits.end(), [](const Bit& l, const Bit& r) {
     return std::tie(l.stroke, l.from.fraction) < std::tie(r.stroke, r.from.fraction);
@@ -149,7 +149,7 @@ void draw_profiles(StrokeModel& model, const ProjectedScene& projected, const Sc
   if (members.empty()) return;
   const auto free = free_parts(model, members, projected, scene, contours, {kind, pen_width_mm});
   const double step = model.lattice.step_mm;
-  /// Adjustable: side of the cells in which lines are looked for, in widths of the pen.
+  /// Side of the cells for the search of lines, in pen widths. Adjustable.
   constexpr double kCellInPens = 4;
   const LineMap map(model, is_edge, {.reach = kJunctionMm / step, .any_node = true, .crossings = true},
                     walked_cell(model.strokes, kCellInPens * pen_width_mm / step));

@@ -1,5 +1,5 @@
 #pragma once
-/// Profiles: the parts of lines behind which an object ends, and the sheet, or another object farther back, is seen.
+/// Profiles: the parts of lines behind which an object ends, so that the paper or an object farther back is visible.
 /// docs/profiles.md.
 
 #include "contours/contour_strokes.hpp"
@@ -10,8 +10,8 @@
 
 namespace ligne {
 
-/// Gives these parts of the visible strokes of edges class profile; to be called when every line is there once. `contours`:
-/// what draw_contours() gave.
+/// Gives these parts of the visible strokes of edges the class profile. Call it after coincident strokes are removed.
+/// `contours` is the result of draw_contours().
 void draw_profiles(StrokeModel& model, const ProjectedScene& projected, const Scene& scene, const ContourSources& contours,
                    ProfileKind kind, double pen_width_mm);
 

@@ -14,15 +14,15 @@
 namespace ligne {
 namespace {
 
-/// How far beside a stroke is beside it: so many times the distance within which lines are one.
+/// Distance of the tested line from the stroke, in multiples of the distance within which lines coincide.
 constexpr double kBesideCoincidences = 4;
-/// A gap through which something is seen is so wide, in widths of the pen: what is narrower is full of ink.
+/// Narrowest gap through which something is visible, in pen widths. Ink fills narrower gaps.
 constexpr double kLeastGapInPens = 0.25;
-/// Another object is farther back when it is so many widths of the pen behind: what is nearer touches.
+/// Least depth of another object behind the stroke, in pen widths. A nearer object touches.
 constexpr double kLeastDepthInPens = 1;
 constexpr std::size_t kBlock = 256;
 
-/// The lines on one side of a stroke at which is looked.
+/// The lines on one side of a stroke along which visibility is tested.
 struct Side {
   LineOnPage close, off;
   std::vector<FreePart> free{{0, 1}};
@@ -32,7 +32,7 @@ LatticePoint moved(LatticePoint p, Point2 by) {
   return {static_cast<std::int32_t>(std::lround(p.x + by.x)), static_cast<std::int32_t>(std::lround(p.y + by.y))};
 }
 
-/// Across from-to, of unit length; zero for a point.
+/// Unit vector at right angles to from-to; zero for a point.
 Point2 across(LatticePoint from, LatticePoint to) {
   const Point2 d{double(to.x) - from.x, double(to.y) - from.y};
   const double size = std::hypot(d.x, d.y);
@@ -90,7 +90,7 @@ class SourceFaces {
   std::vector<std::array<std::uint32_t, 2>> of_edge_;
 };
 
-/// The lines beside strokes.
+/// Makes the lines beside strokes.
 class Sides {
  public:
   Sides(const StrokeModel& model, const Scene& scene, const ProjectedScene& projected, const SourceFaces& faces,
@@ -112,13 +112,13 @@ class Sides {
     }
   }
 
-  /// The sides of a stroke on the mesh on which none of its faces lies, the free one of a contour.
+  /// Adds the sides of a stroke on the mesh on which none of its faces lies, or the free side of a contour.
   void add(const Stroke& stroke, std::vector<Side>& sides) const {
     if (stroke.source >= contours_.first && stroke.source - contours_.first < contours_.lines.size()) {
       if (const auto side = free_side(stroke)) sides.push_back(*side);
       return;
     }
-    if (stroke.line_class == LineClass::intersection) return;  // faces go on to all sides of it
+    if (stroke.line_class == LineClass::intersection) return;  // its faces lie on all sides
     const Point2 out = across(stroke.from, stroke.to);
     const auto& faces = faces_(stroke);
     const std::array covered{side_of(faces[0], stroke), side_of(faces[1], stroke)};
@@ -130,9 +130,10 @@ class Sides {
   }
 
  private:
-  static constexpr double kLeastSteps = 4;  ///< beyond the roundings of both ends of two lines
+  static constexpr double kLeastSteps = 4;  ///< lattice steps; more than the rounding errors of both ends of two lines
 
-  /// A contour was studied at a line beyond the outline of its mesh: it is looked there.
+  /// The free side of a contour. Its visibility was computed on a line beyond the outline of the mesh; that line is
+  /// tested.
   std::optional<Side> free_side(const Stroke& stroke) const {
     const std::uint32_t line = contours_.lines[stroke.source - contours_.first] - first_line_;
     if (edge_of_line_[line] == kNone) return {};
@@ -145,7 +146,7 @@ class Sides {
       return moved(p0, {u * (double(p1.x) - p0.x), u * (double(p1.y) - p0.y)});
     };
     const std::array close{at(stroke.t_from), at(stroke.t_to)};
-    // The line lies beside the segment on the mesh; the curve that is drawn may lie beyond both.
+    // That line lies beside the segment on the mesh. The curve that is drawn may lie beyond both.
     const std::array<Point3, 2>& ends = model_.intersections[stroke.source - model_.edge_count].ends;
     const LatticePoint m0 = on_page(ends[0]), m1 = on_page(ends[1]);
     Point2 out = across(m0, m1);
@@ -154,8 +155,8 @@ class Sides {
     return Side{close, {moved(close[0], gap_ * out), moved(close[1], gap_ * out)}};
   }
 
-  /// On which side of an edge of it the face lies, 1: that of across(), -1: the other one; 0: not all of it on one, or so
-  /// narrow that what is looked at lies beyond it.
+  /// The side of an edge of the face on which the face lies: 1 for the side of across(), -1 for the other. 0 if it lies
+  /// on both sides, or is so narrow that the tested line lies beyond it.
   double side_of(std::uint32_t face, const Stroke& stroke) const {
     if (face == kNone) return 0;
     const View& view = projected_.view;
@@ -163,7 +164,7 @@ class Sides {
     double lowest = 0, highest = 0;
     for (const std::uint32_t v : scene_.faces.contour(face, 0)) {
       const HomogeneousPoint p = to_homogeneous(view, scene_.vertices[v]);
-      if (view.camera.perspective && !(p.w > view.near_distance)) return 0;  // it has no place on the page
+      if (view.camera.perspective && !(p.w > view.near_distance)) return 0;  // the vertex has no place on the page
       const double height = along.x * (p.y / p.w - from.y) - along.y * (p.x / p.w - from.x);
       lowest = std::min(lowest, height);
       highest = std::max(highest, height);
@@ -180,22 +181,22 @@ class Sides {
   const ProjectedScene& projected_;
   const SourceFaces& faces_;
   const ContourSources& contours_;
-  double beside_, gap_;  ///< steps
+  double beside_, gap_;  ///< lattice steps
   std::uint32_t first_line_ = 0;
   std::vector<std::uint32_t> edge_of_line_;
 };
 
-/// Between the middles of a stroke and of the line close beside it.
+/// Distance between the middle of a stroke and the middle of the line close beside it.
 double distance_mm(const StrokeModel& model, const Stroke& stroke, const Side& side) {
   const double x = (double(side.close[0].x) + side.close[1].x - stroke.from.x - stroke.to.x) / 2;
   const double y = (double(side.close[0].y) + side.close[1].y - stroke.from.y - stroke.to.y) / 2;
   return std::hypot(x, y) * model.lattice.step_mm;
 }
 
-/// Adds the part of a stretch on which the facet that is seen lies farther behind the stroke than `least_mm`.
+/// Adds the part of a stretch on which the visible facet lies more than `least_mm` behind the stroke.
 void add_behind(std::vector<FreePart>& parts, const Stroke& stroke, const SeenStretch& stretch, const Facet& facet,
                 const ProjectedScene& projected, double least_mm) {
-  // How far the plane of the facet is behind the stroke itself is linear along it.
+  // The distance of the facet's plane behind the stroke is linear along it.
   const auto behind = [&](double t) {
     const double x = stroke.from.x + t * (double(stroke.to.x) - stroke.from.x);
     const double y = stroke.from.y + t * (double(stroke.to.y) - stroke.from.y);
@@ -208,7 +209,7 @@ void add_behind(std::vector<FreePart>& parts, const Stroke& stroke, const SeenSt
   add_part(parts, from > 0 ? stretch.from : change, to > 0 ? stretch.to : change);
 }
 
-/// The facets in the way of a look at the sheet: all but those that are not even in the way of a line.
+/// The facets that hide the paper: all except faces of clear material, which hide no line either.
 std::vector<Facet> facets_in_the_way(const ProjectedScene& projected) {
   std::vector<Facet> facets = make_facets(projected, 0).facets;
   if (!projected.face_is_transparent.empty()) {
@@ -236,7 +237,7 @@ std::vector<FreeParts> free_parts(const StrokeModel& model, std::span<const std:
     const std::uint32_t object = object_of(face);
     return object == object_of(faces(stroke)[0]) || object == object_of(faces(stroke)[1]);
   };
-  // Only beside what is free close by is it looked farther off.
+  // Tests the farther line only where the close one is free.
   const auto look = [&](auto line_of) {
     std::vector<LineOnPage> lines;
     for (const auto& of_stroke : sides) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Where beside a stroke nothing of its own object is seen.
+/// Finds the parts of strokes beside which their own object is not visible.
 
 #include <array>
 #include <cstdint>
@@ -19,10 +19,10 @@ struct FreePart {
   double from = 0, to = 1;
 };
 
-/// Parts of a stroke that end what is seen.
+/// The parts of a stroke at which the visible object ends.
 struct FreeParts {
-  std::vector<FreePart> parts;  ///< in order and apart
-  double off_mm = 0;            ///< how far beside the stroke was looked; contours are drawn beside their mesh
+  std::vector<FreePart> parts;  ///< sorted and disjoint
+  double off_mm = 0;            ///< distance of the tested line; contours are drawn beside their mesh
 };
 
 /// The kind of profile, and the width of the pen that draws it.
@@ -31,8 +31,9 @@ struct ProfileStyle {
   double pen_width_mm;
 };
 
-/// Per stroke of `members` the parts beside which, on one side at least, lies the sheet, or what the kind says. Both close
-/// beside the stroke, beyond all that counts as on it, and as far off as a gap is wide that its ink leaves open.
+/// Returns for each stroke of `members` the parts with the paper, or another object as the kind says, on at least one
+/// side. It must be visible both close to the stroke, beyond the tolerance of coincident lines, and at the distance of
+/// the narrowest gap that ink leaves open.
 std::vector<FreeParts> free_parts(const StrokeModel& model, std::span<const std::uint32_t> members,
                                   const ProjectedScene& projected, const Scene& scene, const ContourSources& contours,
                                   const ProfileStyle& style);

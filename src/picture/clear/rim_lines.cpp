@@ -13,10 +13,10 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: the rims of a face that has no more are looked at one by one, whatever else lies near them.
+/// Adjustable: largest number of rims of a face for which the rims are tested one by one, without the tree.
 constexpr std::uint32_t kFewRims = 32;
 
-/// Whether the face looks at the viewer.
+/// Whether the face is turned towards the viewer.
 bool looks_at(const Scene& scene, std::uint32_t face, const Camera& camera) {
   const Point3 sight = camera.perspective ? scene.vertices[scene.faces.contour(face, 0)[0]] - camera.eye : camera.forward;
   return glm::dot(face_normal(scene, face), sight) < 0;
@@ -73,7 +73,7 @@ std::optional<RimLines::Place> RimLines::nearest(std::uint32_t face, double dist
   for (; last != rims_.end() && last->face == face; ++last) widest = std::max(widest, last->distance);
   const auto begin = static_cast<std::uint32_t>(first - rims_.begin()),
              end = static_cast<std::uint32_t>(last - rims_.begin());
-  // At a corner, which is equally near to two rims, the tree decides for faces of few rims as for those of many.
+  // At a corner, which is equally near to two rims, the tree decides for faces with few rims as for those with many.
   NearestPoint found;
   bool several = end - begin > kFewRims;
   if (!several) found = tree_.nearest_of(begin, end, p, distance + widest, several);
@@ -137,7 +137,7 @@ std::vector<Stroke> RimLines::pieces(StrokeModel& model, const Stroke& stroke, c
     const bool at_v0 = r.v0 == s.v0 || r.v0 == s.v1, at_v1 = r.v1 == s.v0 || r.v1 == s.v1;
     if (at_v0 == at_v1) continue;
     const std::uint32_t corner = at_v0 ? r.v0 : r.v1;
-    // At the tip of a narrow face both ends may lie near two rims that meet far away, or turn back there.
+    // At the tip of a narrow face the two ends may lie near two rims that meet far away, or that turn back there.
     const Point3 turn = scene_.vertices[corner];
     const double farthest = distance + std::max(r.distance, s.distance);
     const Point3 nearest_of_piece = between(from, to, nearest_on_segment(turn, from, to));

@@ -1,5 +1,5 @@
 #pragma once
-/// Intersections that run along the rim of a face.
+/// Moves intersections that run along the rim of a face onto the rim.
 
 #include <optional>
 #include <vector>
@@ -13,23 +13,25 @@
 
 namespace ligne {
 
-/// Where a pin leaves its bore its triangles hide the rim of the bore here and there, and cut the face round it instead,
-/// within the distance of the triangles from their shapes. A piece of an intersection that lies so near to a rim (a border
-/// of one of its faces, or an edge that bends by more than `smooth_degrees`) is drawn on the rim, as a piece of it.
+/// Rims near intersections. Where a pin leaves its bore, its triangles hide parts of the rim of the bore and cut the
+/// face around it instead, within the distance of the triangles from the exact shapes. A piece of an intersection this
+/// near to a rim is drawn as a piece of the rim. A rim is a border of one of its faces, or an edge that bends by more
+/// than `smooth_degrees`.
 class RimLines {
  public:
   RimLines(const Scene& scene, const FaceNeighbours& neighbours, const ChordErrors& errors,
            const std::vector<SourceEdge>& segments, double smooth_degrees);
 
-  /// The pieces of rims that stand for a stroke of an intersection, one or two, with sources appended to
-  /// `model.intersections`; none where it runs along no rim, or along one of no class of `classes`.
+  /// Returns one or two pieces of rims that replace a stroke of an intersection, and appends their sources to
+  /// `model.intersections`. Returns none if the stroke runs along no rim, or along a rim whose class is not in
+  /// `classes`.
   std::vector<Stroke> pieces(StrokeModel& model, const Stroke& stroke, const View& view, LineClasses classes) const;
 
  private:
   struct Rim {
     std::uint32_t v0, v1;
     std::uint32_t face, neighbour;
-    double distance;  ///< of its two faces' shapes
+    double distance;  ///< the error of its neighbour: distance of the triangles from the exact shape
   };
   struct Place {
     std::uint32_t rim;
@@ -37,7 +39,7 @@ class RimLines {
   };
   std::optional<Place> nearest(std::uint32_t face, double distance, const Point3& p) const;
   LineClass line_class(const Rim& rim, const Camera& camera) const;
-  /// From a place on a rim to another on the same one.
+  /// Adds a piece between two places of one rim.
   void add_piece(StrokeModel& model, std::vector<Stroke>& pieces, const Stroke& stroke, const View& view, const Place& from,
                  double to) const;
   static std::vector<Rim> find_rims(const Scene& scene, const FaceNeighbours& neighbours, const ChordErrors& errors,

@@ -17,12 +17,12 @@
 namespace ligne {
 namespace {
 
-/// Widths of the pen: bits of lines that visibility leaves are shown from this length on. Taste.
+/// Shortest bit of a line that visibility leaves and that is drawn, in pen widths. Taste.
 constexpr double kLeastInPens = 1.5;
-/// Widths of the pen: a wider gap shows between the round ends of two strokes.
+/// Widest gap that the round ends of two strokes close, in pen widths.
 constexpr double kGapInPens = 1;
 
-/// The number of the scan that a stroke belongs to, kNone for other objects.
+/// Returns the number of the scan of a stroke, kNone for other objects.
 std::uint32_t scan_of(const std::vector<ScanObject>& scans, const StrokeModel& strokes, const Stroke& s) {
   const bool is_edge = s.source < strokes.edge_count;
   const std::uint32_t number = is_edge ? s.source : strokes.intersections[s.source - strokes.edge_count].faces[0];
@@ -32,7 +32,7 @@ std::uint32_t scan_of(const std::vector<ScanObject>& scans, const StrokeModel& s
   return static_cast<std::uint32_t>(scan - scans.begin());
 }
 
-/// The number of the object that a stroke belongs to.
+/// Returns the number of the object of a stroke, or kNone.
 std::uint32_t object_of(const PreparedScene& prepared, const StrokeModel& strokes, const Stroke& s) {
   if (s.source < strokes.edge_count) {
     const auto& ends = prepared.object_edge_ends;
@@ -79,7 +79,7 @@ void count(RunReport& run, std::string_view name, std::size_t n) {
   if (n > 0) run.clear.count(name, n);
 }
 
-/// Removes short bits among the strokes for which takes_part() holds.
+/// Removes short bits among the strokes for which takes_part() returns true.
 std::size_t remove_short_bits_of(StrokeModel& strokes, double least_mm,
                                  const std::function<bool(const Stroke&)>& takes_part) {
   const double least = least_mm / strokes.lattice.step_mm;

@@ -1,5 +1,5 @@
 #pragma once
-/// The strokes of a study as the lines of a drawing.
+/// Turns the strokes of a visibility method into the lines of a drawing.
 
 #include "linework/clean_lines.hpp"
 #include "linework/stroke.hpp"
@@ -8,15 +8,15 @@
 
 namespace ligne {
 
-/// Draws every line once, and where short bits are no lines (LineRequest::least_mm) cleans the lines. The changes are
-/// counted in `run.clear`.
+/// Removes coincident strokes and, where LineRequest::least_mm asks for it, cleans the lines. Counts the changes in
+/// `run.clear`.
 void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport& run);
 
-/// Cleans the lines of a scene, none of which coincide: clean_lines() with the scene's scans and objects. Bits of lines are
-/// shown from `least_mm` on.
+/// Cleans the lines of a scene with clean_lines() and the scene's scans and objects. No two lines may coincide. Bits
+/// shorter than `least_mm` are removed.
 CleanReport clean_scene_lines(StrokeModel& strokes, const PreparedScene& prepared, double least_mm);
 
-/// The shortest bit of a line that is shown, millimetres; 0: any.
+/// Returns the length of the shortest bit of a line that is drawn, in mm; 0: any.
 double least_bit_mm(const PreparedScene& prepared);
 
 }  // namespace ligne

@@ -12,12 +12,13 @@ namespace {
 
 using Key = std::tuple<double, double, double>;
 
-/// Adds a direction to others of its line, whichever way it points.
+/// Adds a direction to a sum, reversed if that brings it nearer.
 void add_way(Point3& sum, const Point3& way) { sum += glm::dot(sum, way) < 0 ? -way : way; }
 
 bool has_both(const std::array<Point3, 2>& ways) { return ways[0] != Point3{0, 0, 0} && ways[1] != Point3{0, 0, 0}; }
 
-/// From the sample before to the one behind, as far as there are such.
+/// The vector from the previous sample to the next one. At the rim, the sample itself takes the place of the missing
+/// one.
 Point3 way_past(const SurfacePoints& surface, std::size_t at, std::size_t place, std::size_t count, std::size_t step) {
   const std::size_t from = place > 0 ? at - step : at, to = place + 1 < count ? at + step : at;
   const Point3 way = surface.points[to] - surface.points[from];
@@ -56,7 +57,7 @@ FormField curve_field(const FormMesh& mesh, const SurfaceCurves& curves) {
     for (std::size_t k = 0; k < 2; ++k) directions[n][k] = unit(curves.ways[found->second][k]);
     known[n] = 1;
   }
-  for (bool changed = true; changed;) {  // one ring of unknown nodes after the other, from those known before
+  for (bool changed = true; changed;) {  // one ring of unknown nodes after the other, from the known nodes
     changed = false;
     FormField::Directions sums(directions.size());
     for (const FormTriangle& triangle : mesh.triangles) {

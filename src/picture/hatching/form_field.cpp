@@ -1,15 +1,16 @@
-/// Directions of principal curvature, evened out:
+/// Smoothed directions of principal curvature:
 ///
-/// 1. Normals are evened out, so that small bumps do not count. Of each triangle the second fundamental form that fits the
-///    change of the normals along its sides; at a node the mean of those of its triangles ([Rusinkiewicz2004], with forms
-///    kept as tensors of space).
-/// 2. A cross at the angle a in the tangent plane is the number exp(4 i a): quarter turns leave it as it is. Crosses z that
-///    differ little from those of the curvature, the less the more it tells, and from their neighbours' are the least of
-///    sum area c |z - u|^2 + length^2 sum w |z_i - turn_ij z_j|^2, one linear system, solved by conjugate gradients.
-/// 3. Which of the cross's two directions is the first: neighbours agree along a spanning tree in which the surest of them
-///    come first, and each tree has the direction in which the surface bends most.
-/// 4. The first directions alone, as numbers exp(2 i a) that half turns leave as they are, are evened out once more: where
-///    neighbours could not agree, strokes bend.
+/// 1. Normals are smoothed, so that small bumps do not count. Each triangle gets the second fundamental form that fits
+/// the change of the normals along its sides, each node the mean over its triangles ([Rusinkiewicz2004], with forms
+/// kept as tensors in space).
+/// 2. A cross at the angle a in the tangent plane is the number exp(4 i a), which quarter turns do not change. The
+/// smoothed crosses z stay near the crosses u of the curvature, the more so the higher their confidence c, and near
+/// those of their neighbours. They minimise sum area c |z - u|^2 + length^2 sum w |z_i - turn_ij z_j|^2, one linear
+/// system, solved by conjugate gradients.
+/// 3. One of the two directions of a cross becomes the first. Neighbours agree along a spanning forest that joins the
+/// nodes of highest confidence first. In each tree the first direction is the one in which the surface bends most.
+/// 4. The first directions alone, as numbers exp(2 i a) that half turns do not change, are smoothed once more: where
+/// neighbours could not agree, strokes bend.
 
 #include "picture/hatching/form_field.hpp"
 
@@ -30,20 +31,21 @@ namespace ligne {
 namespace {
 
 // Adjustable.
-constexpr double kFlatTurn = 0.02;   ///< radians over `length`: what bends less tells no direction
-constexpr double kNormalPart = 0.5;  ///< of `length`: smaller bumps do not count
+constexpr double kFlatTurn = 0.02;   ///< least turn, radians over `length`, that defines a direction
+constexpr double kNormalPart = 0.5;  ///< of `length`; smaller bumps do not count
 
 constexpr double kQuarter = std::numbers::pi / 2;
 
-/// The direction that the curvature gives a node.
+/// The directions that the curvature defines at a node.
 struct Told {
   Complex cross{0, 0};  ///< of unit length, or zero
-  double weight = 0;    ///< area times how much it tells, at most 1
-  double first = 0;     ///< angle of the direction that bends most
+  double weight = 0;    ///< area times confidence, which is at most 1
+  double first = 0;     ///< angle of the direction in which the surface bends most
   double first_weight = 0;
 };
 
-/// Both principal curvatures turn the normal by at most these radians over `length`; more of it tells no more.
+/// Confidence in a direction: the difference of the curvatures' turns over `length`, in radians, at most 1 and 0 below
+/// kFlatTurn.
 double trust(double difference, double length) {
   const double turn = std::min(1.0, difference * length);
   return turn < kFlatTurn ? 0 : turn;
@@ -57,7 +59,7 @@ std::vector<Told> tell(const FormMesh& mesh, const std::vector<TangentFrame>& fr
     const auto [e, f, g] = forms[n];
     const double difference = std::hypot(e - g, 2 * f), mean = e + g;  // k1 - k2, k1 + k2
     if (!(difference > 0)) continue;
-    const double larger = std::atan2(2 * f, e - g) / 2;  // direction of the larger curvature, sign and all
+    const double larger = std::atan2(2 * f, e - g) / 2;  // direction of the larger curvature, with sign
     told[n].first = mean >= 0 ? larger : larger + kQuarter;
     told[n].cross = std::polar(1.0, 4 * larger);
     told[n].weight = mesh.areas[n] * trust(difference, length);
@@ -114,7 +116,7 @@ std::vector<char> first_directions(const std::vector<double>& angles, const std:
   return turned;
 }
 
-/// The part of `v` in the plane.
+/// The component of `v` in the plane, as a unit vector.
 Point3 in_plane(const Point3& v, const Point3& normal) { return unit(v - normal * glm::dot(normal, v)); }
 
 }  // namespace

@@ -18,13 +18,13 @@ namespace ligne {
 namespace {
 
 // Adjustable.
-constexpr double kSmoothSpacings = 12;  ///< directions are evened out over so many distances of the closest strokes
-constexpr double kCrossedFrom = 0.6;    ///< darkness from which strokes are crossed without being asked for
+constexpr double kSmoothSpacings = 12;  ///< smoothing distance of directions, in closest stroke distances
+constexpr double kCrossedFrom = 0.6;    ///< darkness from which strokes are crossed without request
 
-/// The first direction at a node of a surface that bends nowhere: its level line, or where it is level that of straight
-/// strokes on the page.
+/// The first direction at a node of a surface without curvature: its level line, or on level surfaces the direction of
+/// straight strokes on the page.
 Point3 flat_direction(const FormMesh& mesh, const HatchScene& hatch, std::uint32_t node) {
-  constexpr double kLevel = 1e-3;  // sine of the slope below which it counts as level
+  constexpr double kLevel = 1e-3;  // sine of the slope below which a surface counts as level
   Point3 up{0, 0, 0};
   up[static_cast<int>(hatch.prepared.scene.up_axis)] = 1;
   const Point3 normal = mesh.normals[node], level = glm::cross(normal, up);
@@ -49,7 +49,7 @@ FormField field_of(const HatchScene& hatch, double length) {
   return curvature_field(hatch.form, length, [&](std::uint32_t node) { return flat_direction(hatch.form, hatch, node); });
 }
 
-/// The light of faces, even over smooth surfaces, and what of it comes to their regions.
+/// The light of faces, interpolated over smooth surfaces, and the share that reaches their regions.
 class FormLight {
  public:
   FormLight(const HatchScene& hatch, const FormMesh& mesh)
@@ -79,7 +79,7 @@ class FormLight {
   std::vector<double> of_node_;
 };
 
-/// How dark a place is drawn: 1 with the closest strokes, 0 with none; and how dark the strokes across.
+/// Darkness of a place: 1 with the closest strokes, 0 with none; and the darkness of the strokes across.
 struct Darkness {
   double first = 1, second = 0;
 };
@@ -102,7 +102,7 @@ double spacing_of(double darkness, double closest_mm) {
   return darkness * kSparsest >= 1 ? closest_mm / darkness : FormTone::kNoStrokes;
 }
 
-/// Refuses more points than strokes can be made of.
+/// Throws RequestError if strokes would need too many points.
 void check_points(const PictureRequest& request, const std::vector<Region>& regions, double closest_mm, double most) {
   double area = 0;
   for (const Region& region : regions) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Hatching that follows the form.
+/// Hatching along the curves of surfaces.
 
 #include <vector>
 
@@ -11,8 +11,8 @@ inline bool follows_form(const HatchRequest& request) {
   return request.asked() && request.direction.form != FormLines::none;
 }
 
-/// Strokes along the field of the request over the regions that are seen directly, the closer the darker; where it is
-/// darkest others cross them. Throws RequestError.
+/// Draws strokes along the requested field over the regions that are visible directly, the closer the darker; crossed
+/// in the darkest places. Throws RequestError.
 std::vector<Layer> hatch_form(const HatchScene& hatch, const std::vector<Region>& regions);
 
 }  // namespace ligne

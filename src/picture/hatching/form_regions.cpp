@@ -11,7 +11,7 @@
 namespace ligne {
 namespace {
 
-/// Nearer points are one place: the micrometre to which drawings are right.
+/// Distance within which two points coincide, in mm: the accuracy of drawings.
 constexpr double kTouchMm = 1e-3;
 
 double distance_to(Point2 p, Point2 from, Point2 to) {
@@ -63,7 +63,8 @@ void FormRegions::add_rim(const Rim& rim) {
   const auto number = static_cast<std::uint32_t>(rims_.size());
   rims_.push_back(rim);
   const auto index = [this](double v) { return static_cast<std::int32_t>(std::floor(v / cell_mm_)); };
-  // Pieces no longer than a cell, so that a long slanting rim is not filed in all cells of its box.
+  // Splits the rim into pieces no longer than a cell, so that a long slanting rim is not listed in all cells of its
+  // bounding box.
   const int pieces = 1 + static_cast<int>(glm::distance(rim.from, rim.to) / cell_mm_);
   for (int i = 0; i < pieces; ++i) {
     const Point2 a = rim.from + (rim.to - rim.from) * (double(i) / pieces);
@@ -77,10 +78,10 @@ void FormRegions::add_rim(const Rim& rim) {
   }
 }
 
-/// The sides of a face's regions are rims, but for those over which the surface goes on in sight: to a neighbour that looks
-/// at the viewer too, or to another region of the face, where a shadow ends.
+/// Collects the sides of a face's regions as rims, except sides over which the visible surface continues: to a
+/// neighbour that also faces the viewer, or to another region of the face, where a shadow ends.
 void FormRegions::add_rims(const FormMesh& mesh, std::span<const Point2> page, std::uint32_t face) {
-  std::vector<Rim> open;  // sides of the face over which it goes on
+  std::vector<Rim> open;  // sides of the face over which the surface continues
   for (std::uint32_t t = mesh.first[face]; t < mesh.first[face + 1]; ++t) {
     const FormTriangle& triangle = mesh.triangles[t];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -91,7 +92,7 @@ void FormRegions::add_rims(const FormMesh& mesh, std::span<const Point2> page, s
       if (corners[0] < 0 || corners[1] < 0) continue;
       const Point2 a = page[ends[0]], b = page[ends[1]], mine = page[triangle.node[(k + 2) % 3]],
                    other = page[mesh.triangles[next].node[static_cast<std::size_t>(3 - corners[0] - corners[1])]];
-      // A neighbour that lies on the same side has turned away.
+      // A neighbour on the same side faces away.
       if ((cross(b - a, mine - a) > 0) != (cross(b - a, other - a) > 0)) open.push_back({a, b});
     }
   }

@@ -1,5 +1,5 @@
 #pragma once
-/// The visible surfaces of a mesh, and where on the page they end.
+/// The visible surfaces of a mesh, and their rims on the page.
 
 #include <cstdint>
 #include <optional>
@@ -13,21 +13,22 @@
 
 namespace ligne {
 
-/// It refers to the regions. Those behind transparent faces do not count.
+/// Looks up visible regions of faces and their rims. It refers to `regions`, and ignores those behind transparent
+/// faces.
 class FormRegions {
  public:
-  /// `cell_mm`: about the distance at which rims are asked for.
+  /// `cell_mm`: side of the grid cells, about the distance of the queries for rims.
   FormRegions(const Scene& scene, const FormMesh& mesh, const View& view, std::span<const Region> regions, double cell_mm);
 
-  /// The region of the face that holds the point of the page.
+  /// Returns the region of the face that contains the point of the page.
   std::optional<std::uint32_t> region_at(std::uint32_t face, Point2 page_mm) const;
-  /// region_at() for a point of the face that is seen, and may lie between two regions.
+  /// region_at() for a visible point of the face, which may lie between two regions.
   std::uint32_t region_near(std::uint32_t face, Point2 page_mm) const;
-  /// How much of the way between two points of a face is seen, from its beginning: 1 is all of it.
+  /// Returns the fraction of the way between two points of a face up to which it is visible; 1: all of it.
   double seen_until(std::uint32_t face, Point2 from, Point2 to) const;
-  /// Whether a rim is nearer than that: there the surface ends, or is hidden, or turns away.
+  /// Whether a rim is within the distance. At a rim the surface ends, is hidden, or turns away.
   bool near_rim(Point2 page_mm, double distance_mm) const;
-  /// A point inside of each region; nothing where there is no room.
+  /// Returns a point inside the region; none if it has no area.
   static std::optional<Point2> point_inside(const Region& region);
 
   const Region& operator[](std::uint32_t number) const { return regions_[number]; }
@@ -50,7 +51,7 @@ class FormRegions {
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;  ///< rims that meet the box of a cell
 };
 
-/// Number of a cell of a square grid, of any place.
+/// Key of a cell of a square grid.
 std::uint64_t grid_cell(std::int32_t column, std::int32_t row);
 
 }  // namespace ligne

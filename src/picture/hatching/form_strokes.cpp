@@ -28,21 +28,22 @@ namespace ligne {
 namespace {
 
 // Adjustable, in distances of the strokes.
-constexpr double kBeginApart = 0.9;  ///< a stroke begins no nearer to another
-constexpr double kStayApart = 0.65;  ///< and ends where it comes nearer
-constexpr double kSeedsEvery = 0.5;  ///< along a stroke others may begin beside it
-/// Shortest stroke: between two rims, from one rim, and free, in closest distances; in its own distance.
+constexpr double kBeginApart = 0.9;  ///< least distance of a stroke's begin from other strokes
+constexpr double kStayApart = 0.65;  ///< distance at which a stroke ends
+constexpr double kSeedsEvery = 0.5;  ///< distance along a stroke at which others may begin beside it
+/// Least length of a stroke between two rims, from one rim, and free, in closest distances. The last is in its own
+/// distance.
 constexpr double kShortest[] = {1, 2, 4};
 constexpr double kShortestOwn = 1.2;
 constexpr double kAlike = 0.7;  ///< cosine: strokes at larger angles cross
-/// Points are left out that the line passes so near: less than half a step of a plotter.
+/// Largest distance of a removed point from the line, in mm: less than half a step of a plotter.
 constexpr double kFlatnessMm = 0.01;
 
 /// A point of a stroke.
 struct Sample {
   FormPlace place;
   Point3 at, along, normal;
-  double length;  ///< along the stroke, from where it began; below zero on its other side
+  double length;  ///< along the stroke from its begin; negative on its other side
   double scale;   ///< page mm per unit of model
   std::uint32_t stroke, surface;
   FormTone tone;
@@ -72,10 +73,10 @@ class StrokePlacement {
   std::vector<FormStroke> take() const;
 
  private:
-  /// A sample of the stroke that is drawn, and how it is hidden from others of its kind.
+  /// Makes a sample of the current stroke.
   Sample sample(const FormPlace& place, const Point3& along, double length) const;
   bool allowed(const Sample& sample, bool second) const;
-  /// Whether another stroke of the direction is nearer; `own`: the end of the stroke itself, if that is it.
+  /// Whether another stroke of this direction is nearer; sets `own` if it is the stroke itself.
   bool crowded(const Sample& sample, double distance_mm, const Sample** own) const;
   bool begin_at(const FormPlace& place, double share);
   enum class End { rim, free, closed };
@@ -98,7 +99,7 @@ class StrokePlacement {
   // For the strokes that are added now:
   bool second_ = false;
   double distance_ = 0;
-  double limit_ = 0;  ///< where strokes are to be so far apart or farther, this one ends
+  double limit_ = 0;  ///< a stroke ends where the wanted distance is at least this
 };
 
 std::uint64_t StrokePlacement::cell_of(Point2 page, int dx, int dy) const {
@@ -112,7 +113,7 @@ void StrokePlacement::file(const Sample& sample) {
   cells_[cell_of(sample.place.page)].push_back(sample);
 }
 
-/// The last that was filed of those that are left.
+/// Removes the sample, which must be the last one in its cell.
 void StrokePlacement::withdraw(const Sample& sample) {
   --points_;
   cells_[cell_of(sample.place.page)].pop_back();
@@ -162,8 +163,7 @@ bool StrokePlacement::crowded(const Sample& sample, double distance_mm, const Sa
   return false;
 }
 
-/// Appends points until the stroke ends. `closed` where it came back to its beginning, which is then its last point
-/// too.
+/// Appends points until the stroke ends. It is `closed` if it returned to its begin, which is then also its last point.
 StrokePlacement::End StrokePlacement::trace(std::vector<Sample>& line, Point3 along, double sign) {
   FormPlace place = line.front().place;
   bool second = second_, closing = false;
@@ -179,7 +179,7 @@ StrokePlacement::End StrokePlacement::trace(std::vector<Sample>& line, Point3 al
       line.push_back(first);
       return End::closed;
     }
-    if (length - last < step / 2) continue;  // small triangles
+    if (length - last < step / 2) continue;  // skips steps over small triangles
     last = length;
     const Sample next = sample(place, along * sign, sign * length);
     if (!allowed(next, second)) return next.tone.spacing_mm[second] < limit_ ? End::rim : End::free;
@@ -263,7 +263,7 @@ std::vector<FormStroke> StrokePlacement::take() const {
   for (const PlacedStroke& stroke : strokes_) {
     const std::vector<Sample>& samples = stroke.samples;
     for (std::size_t from = 0; from + 1 < samples.size();) {
-      std::size_t to = from + 1;  // the last point of what is of one layer
+      std::size_t to = from + 1;  // the last point of this layer's part
       const std::uint32_t layer = samples[from].tone.layer;
       while (to + 1 < samples.size() && samples[to].tone.layer == layer) ++to;
       std::vector<Point2> line;

@@ -11,47 +11,48 @@
 
 namespace ligne {
 
-/// The tone to be drawn at a place.
+/// The tone of a place.
 struct FormTone {
   static constexpr double kNoStrokes = std::numeric_limits<double>::infinity();
-  /// Distance of the strokes along the first direction, and of those along the second.
+  /// Distances of the strokes along the first and along the second direction.
   std::array<double, 2> spacing_mm{kNoStrokes, kNoStrokes};
   std::uint32_t layer = 0;
   double pen_mm = 0.35;
 };
 
 struct FormStrokeOptions {
-  double closest_mm = 1.4;   ///< of all distances
+  double closest_mm = 1.4;   ///< least distance of strokes
   double shortest_mm = 0;    ///< shorter strokes are left out, and specks
-  double most_points = 1e7;  ///< of all strokes: std::length_error beyond
+  double most_points = 1e7;  ///< most points of all strokes; beyond, throws std::length_error
 };
 
-/// A stroke, page mm; all of it is of one layer.
+/// A stroke in page mm, all of one layer.
 struct FormStroke {
   std::uint32_t layer = 0;
   std::vector<Point2> points;
 };
 
-/// From one point of a stroke to the next, in closest distances (adjustable).
+/// Distance of successive points of a stroke, in closest distances (adjustable).
 inline constexpr double kFormStep = 0.2;
-/// Bytes that a point takes while strokes are placed.
+/// Memory for each point while strokes are placed, in bytes.
 inline constexpr double kFormPointBytes = 400;
 
-/// The shape along which strokes run, and what of it is seen. All of it outlives the strokes' placement.
+/// The surface along which strokes run, and its visible parts. All members must outlive the placement of strokes.
 struct FormGround {
   const FormMesh& mesh;
   const FormField& field;
   const FormWalk& walk;
   const FormRegions& regions;
-  std::span<const std::uint32_t> surfaces;  ///< by face: its smooth surface; strokes of different ones keep no distance
+  /// By face: its smooth surface. Strokes of different surfaces keep no distance.
+  std::span<const std::uint32_t> surfaces;
 };
 
-/// How far strokes of the sparsest hatching are apart, in closest distances.
+/// Distance of the strokes of the sparsest hatching, in closest distances.
 inline constexpr double kSparsest = 8;
 
-/// Strokes of evenly spaced lines of the field ([Jobard1997]), the sparsest first and then those between them, so that
-/// where it is darker strokes join those of the lighter parts. They end half a pen from rims. Every region gets its
-/// chance to begin a stroke.
+/// Makes evenly spaced strokes along lines of the field ([Jobard1997]), the sparsest first and then those between them,
+/// so that strokes of lighter parts continue into darker parts. They end half a pen width from rims. In every region a
+/// stroke may begin.
 std::vector<FormStroke> form_strokes(const FormGround& ground, std::span<const Region> seen,
                                      const std::function<FormTone(const FormPlace&)>& tone,
                                      const FormStrokeOptions& options);

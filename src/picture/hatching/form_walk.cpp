@@ -12,7 +12,7 @@
 namespace ligne {
 namespace {
 
-/// Triangles about a vertex through which a walk may pass without getting farther.
+/// Largest number of triangles around a vertex that a walk may pass without moving on.
 constexpr int kMostTurns = 64;
 
 Weights weights_in(const FormMesh& mesh, std::uint32_t triangle, const Point3& point) {
@@ -59,7 +59,7 @@ double FormWalk::scale_at(const Point3& point) const {
   return view_.scale * view_.camera.target_distance / camera_coordinates(view_.camera, point).z;
 }
 
-/// How fast the weights change.
+/// Rates at which the weights change along the direction.
 Weights FormWalk::rates(std::uint32_t triangle, const Point3& direction) const {
   const Weights ends = weights_in(mesh_, triangle, mesh_.point(triangle, 0) + direction);
   return {ends[0] - 1, ends[1], ends[2]};
@@ -86,7 +86,7 @@ FormPlace FormWalk::moved(const FormPlace& place, const Point3& way) const {
   return to;
 }
 
-/// Moves to the end of the length, or over the side where the triangle ends.
+/// Moves by the length, or across a side if the triangle ends before.
 bool FormWalk::advance(FormPlace& place, const Point3& direction, const Exit& exit, double length) const {
   const bool leaves = !(length < exit.length);
   FormPlace to = moved(place, direction * std::min(length, exit.length));
@@ -124,7 +124,7 @@ bool FormWalk::step(const FormField& field, FormPlace& place, Point3& along, boo
     if (!(speed > 0)) return false;
     Exit exit = exit_of(place, way);
     if (!std::isfinite(exit.length)) return false;
-    if (exit.length > 0) {  // the direction in the middle of the step
+    if (exit.length > 0) {  // use the direction in the middle of the step
       const FormPlace middle = moved(place, way * (std::min(step_mm / speed, exit.length) / 2));
       const Point3 better = field.onward(mesh_, middle.triangle, middle.weights, way, second);
       const Exit better_exit = exit_of(place, better);
@@ -153,7 +153,7 @@ bool FormWalk::cross(FormPlace& place, Point2 direction, double length_mm) const
     const double det = v1.x * v2.y - v1.y * v2.x;
     if (det == 0) return false;
     const Point3 way = e1 * ((direction.x * v2.y - direction.y * v2.x) / det) +
-                       e2 * ((v1.x * direction.y - v1.y * direction.x) / det);  // a millimetre of page per length
+                       e2 * ((v1.x * direction.y - v1.y * direction.x) / det);  // one mm on the page per unit of length
     const Exit exit = exit_of(place, way);
     if (!std::isfinite(exit.length)) return false;
     const Point2 before = place.page;

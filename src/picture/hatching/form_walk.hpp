@@ -1,5 +1,5 @@
 #pragma once
-/// Walks over the faces of a mesh, as far as they are seen.
+/// Walks over the visible faces of a mesh.
 
 #include <optional>
 
@@ -16,28 +16,28 @@ struct FormPlace {
   Point2 page{0, 0};
 };
 
-/// It refers to its arguments.
+/// The walker. It refers to its arguments.
 class FormWalk {
  public:
   FormWalk(const FormMesh& mesh, const View& view, const FormRegions& regions)
       : mesh_(mesh), view_(view), regions_(regions) {}
 
   Point3 point(const FormPlace& place) const;
-  /// The place of a face that is drawn at a point of the page.
+  /// Returns the point of the face that is drawn at a point of the page.
   std::optional<FormPlace> place_on(std::uint32_t face, Point2 page_mm) const;
-  /// Millimetres of page per unit of model that a direction of space is seen as at a place.
+  /// Returns the velocity on the page, in mm per model unit, of a move in a direction of space.
   Point2 page_velocity(const Point3& point, const Point3& direction) const;
-  /// Millimetres of page per unit of model across the line of sight.
+  /// Returns page mm per model unit at right angles to the line of sight.
   double scale_at(const Point3& point) const;
 
-  /// Goes on along the field for at most `step_mm` of page and to the end of the triangle at the farthest, and turns
-  /// `along`. False where the surface ends or is not seen any more: then `place` is as far as it was seen.
+  /// Moves along the field by at most `step_mm` on the page and at most to the end of the triangle, and updates
+  /// `along`. Returns false where the surface ends or is hidden; `place` is then its last visible point.
   bool step(const FormField& field, FormPlace& place, Point3& along, bool& second, double step_mm) const;
-  /// Goes `length_mm` over the page in a direction of it; false where the surface ends before.
+  /// Moves by `length_mm` on the page in a direction of the page. Returns false if the surface ends before.
   bool cross(FormPlace& place, Point2 direction, double length_mm) const;
 
  private:
-  /// How far a direction leads before it leaves the triangle, in its own length, and over which side.
+  /// Distance to the side where a direction leaves the triangle, in lengths of the direction, and that side.
   struct Exit {
     double length;
     int side;

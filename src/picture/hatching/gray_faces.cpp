@@ -11,7 +11,8 @@
 namespace ligne {
 namespace {
 
-/// Between the scan lines of areas. What they miss is a third as wide as the rims of areas, which cover it.
+/// Distance of the scan lines of areas, in mm. The strips that they miss are a third of the width of the areas' rims,
+/// which cover them.
 constexpr double kAreaLinesMm = kFillRimMm / 3;
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-/// Faces in gray, lit from the eye.
+/// Grey faces, lit from the eye.
 
 #include <optional>
 #include <vector>
@@ -11,19 +11,19 @@
 
 namespace ligne {
 
-/// The scan lines that gray faces are made of, for PNG one for each row of pixels, and fills of a method that gives spans.
-/// Nothing when no such faces are wanted, or lines as the method has them: pixels in vector files.
+/// The scan lines of grey faces, and of fills with a method that returns spans. For PNG there is one for each row of
+/// pixels. None if no such faces are requested, or if the method decides on the lines (pixels in vector files).
 std::optional<SpanLines> gray_face_lines(const PictureRequest& request, const Method& method, const PlotOptions& plot);
 
-/// Faces as a light at the eye shows them, as pixels: in PNG those of the page, in vector files those of the method, where
-/// it gives pixels. Nothing when none are wanted, or areas stand for them.
+/// Grey faces as pixels, lit from the eye: pixels of the page in PNG, pixels of the method in vector files. None if
+/// none are requested, or if areas replace them.
 std::optional<GrayPicture> gray_faces(const PreparedScene& prepared, const VisibilityResult& result,
                                       const PlotOptions& plot);
 
-/// The gray faces as areas for vector files, by a method that gives spans; none otherwise.
+/// Grey faces as areas, for vector files and a method that returns spans; otherwise none.
 std::vector<Fill> gray_areas(const PreparedScene& prepared, const VisibilityResult& result);
 
-/// The fills that are asked for, as areas of the spans or pixels of the method (fills_spans()).
+/// The requested fills as areas, from the spans or pixels of the method (fills_spans()).
 std::vector<Fill> filled_spans(const PreparedScene& prepared, const VisibilityResult& result);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// The layers that hatching needs: one, or one for each shade or material that pens are chosen by.
+/// The layers of hatching: one, or one for each shade or material that selects pens.
 
 #include <string>
 #include <vector>
@@ -8,19 +8,19 @@
 
 namespace ligne {
 
-/// It refers to the scene.
+/// Collects the layers. It refers to the scene.
 class HatchLayers {
  public:
   explicit HatchLayers(const HatchScene& hatch) : hatch_(hatch) {}
 
-  /// Width of the pen that draws such a layer.
+  /// Width of the pen that draws this layer, in mm.
   double pen_mm(unsigned shade, const std::string& material) const;
   double pen_mm(const Layer& layer) const { return pen_mm(layer.shade, layer.material); }
-  /// The layer's number. Shades and materials are distinguished only when pens are.
+  /// The layer's number. Shades and materials have layers of their own only if they select pens.
   std::uint32_t number(unsigned shade, const std::string& material);
 
   std::vector<Layer>& all() { return layers_; }
-  /// Those with lines, without the ones that are too short for the request.
+  /// Returns the layers that have lines, without lines too short for the request.
   std::vector<Layer> take();
 
  private:
@@ -28,10 +28,10 @@ class HatchLayers {
   std::vector<Layer> layers_;
 };
 
-/// Distance of the closest strokes: that of the request, or by the pen.
+/// Distance of the closest strokes, in mm: as requested, or in proportion to the pen width.
 double closest_strokes_mm(const HatchRequest& request, double pen_mm);
 
-/// Continuous shades: what gets more light is left white.
+/// Brightness above which nothing is hatched, for continuous shades.
 inline constexpr double kBrightestHatched = 0.92;
 
 }  // namespace ligne

@@ -46,7 +46,7 @@ Point3 area_vector(const Scene& scene, std::uint32_t face) {
 }
 
 std::vector<std::optional<double>> flat_light(const Scene& scene, const HatchPatches& patches, const FaceLight& light) {
-  // Within a degree the light differs by less than a third of the step from one number of rows to the next.
+  // Cosine of one degree. Within it, the light differs by less than a third of the step between two numbers of rows.
   constexpr double kFlatCosine = 0.99985;
   struct Sum {
     Point3 normal{0, 0, 0};

@@ -1,5 +1,5 @@
 #pragma once
-/// Faces that hang together smoothly, for hatching.
+/// Smoothly connected faces, for hatching.
 
 #include <cstdint>
 #include <optional>
@@ -10,18 +10,18 @@
 
 namespace ligne {
 
-/// Faces that are one surface: their common edges are no creases. Strokes continue over them, and end at the rims of
-/// patches.
+/// Groups of faces that form one surface, whose common edges are no creases. Strokes continue across these edges and
+/// end at the rims of patches.
 struct HatchPatches {
   std::vector<std::uint32_t> of_face;
   std::uint32_t count = 0;
 };
 
-/// Twice the area of the face, along its normal.
+/// Vector along the face's normal; its length is twice the area of the face.
 Point3 area_vector(const Scene& scene, std::uint32_t face);
 
-/// One light for all faces of a patch that is flat, by their areas; nothing for other patches. From near by, each piece of a
-/// flat face gets light of its own, and rows would be uneven on what is seen as one face.
+/// Returns one light for all faces of each flat patch, weighted by their areas; none for other patches. With a near
+/// light each piece of a flat face has its own light, and the rows would be uneven on what looks like one face.
 std::vector<std::optional<double>> flat_light(const Scene& scene, const HatchPatches& patches, const FaceLight& light);
 
 HatchPatches hatch_patches(const Scene& scene, const Topology& topology, double crease_degrees);

@@ -27,23 +27,23 @@ namespace ligne {
 namespace {
 
 // Adjustable.
-constexpr double kFaceStep = 7.5;  ///< directions of faces, degrees
-/// Materials in their order: degrees added to the direction of the strokes.
+constexpr double kFaceStep = 7.5;  ///< step of the directions of faces, degrees
+/// Degrees added to the direction of the strokes, by number of the material.
 constexpr double kMaterialTurns[] = {0, 90, 135, 45, 22.5, 112.5, 67.5, 157.5};
-constexpr double kMostLines = 1e6;  ///< of runs, on the page
-constexpr double kMostRuns = 3e7;   ///< on all faces: a gigabyte
-/// Under one width of the pen. Every one is held against all others that the pen covers; even a tone that draws one of
-/// sixteen of them is solid ink long before.
+constexpr double kMostLines = 1e6;  ///< largest number of lines of runs on the page
+constexpr double kMostRuns = 3e7;   ///< largest number of runs on all faces; they take a gigabyte
+/// Largest number of lines within one pen width. Each line is compared with all others that the pen covers. Even a tone
+/// that draws one line of sixteen is solid ink at a much lower number.
 constexpr double kMostLinesUnderPen = 128;
 
-/// How a face is hatched: its strokes in words of plotting/hatching/hatch.hpp, and their direction.
+/// The hatching of a face: its strokes, in terms of plotting/hatching/hatch.hpp, and their direction.
 struct FaceHatch {
   double degrees = 0;
   SurfaceHatch strokes{0, kRowCycle, 0, 0};
   bool cross = false;
 };
 
-/// Degrees in [0, 180): strokes have no sense.
+/// Reduces degrees to [0, 180): strokes have no orientation.
 double half_turn(double degrees) {
   const double rest = std::fmod(degrees, 180);
   return rest < 0 ? rest + 180 : rest;
@@ -60,7 +60,7 @@ struct DirectionRuns {
   std::vector<SurfaceRun> runs;
 };
 
-/// Decides how faces are hatched, and collects the layers that they need.
+/// Decides how faces are hatched, and collects the layers.
 class Hatching {
  public:
   explicit Hatching(const HatchScene& hatch)
@@ -82,7 +82,7 @@ class Hatching {
 
   double line_mm() const { return line_mm_; }
 
-  /// `region`: what is known beyond the face, or nullptr.
+  /// `region`: details and light of the region, or nullptr for the whole face.
   FaceHatch of(std::uint32_t face, const Region* region);
   void add(std::vector<FaceHatch>& faces, std::span<const DirectionRuns> directions);
 
@@ -99,11 +99,12 @@ class Hatching {
   double line_mm_ = 0, pen_mm_ = 0;
   unsigned closest_ = 1;
   std::vector<double> patch_degrees_;              ///< where the direction is by face
-  std::vector<std::optional<double>> flat_light_;  ///< of patches that are flat; empty: not asked for
+  std::vector<std::optional<double>> flat_light_;  ///< of flat patches; empty: not needed
 };
 
-/// The direction on the page of the level lines of each patch, in steps; that of the request where the patch is level, or
-/// seen along them. A patch that is curved has that of the mean of what looks at the viewer.
+/// Finds the direction on the page of the level lines of each patch, in steps of kFaceStep. It is the requested
+/// direction if the patch is level or seen along its level lines. A curved patch has the direction of the mean over its
+/// faces, weighted by their visible size.
 void Hatching::find_directions() {
   const Scene& scene = hatch_.prepared.scene;
   const Camera& camera = hatch_.prepared.view().camera;
@@ -119,7 +120,7 @@ void Hatching::find_directions() {
     const double seen = std::abs(glm::dot(area, sight));
     Mean& mean = means[hatch_.patches.of_face[face]];
     if (glm::dot(area, sight) > 0) area = -area;
-    mean.normal += area * seen;  // what is seen edge on counts little
+    mean.normal += area * seen;  // faces seen edge on count little
     mean.at += point * seen;
     mean.weight += seen;
   }
@@ -174,8 +175,9 @@ FaceHatch Hatching::of(std::uint32_t face, const Region* region) {
   return how;
 }
 
-/// Where all that is seen of a patch is of one shade, as flat faces are, its rows get one distance instead of some of a
-/// cycle. Faces too narrow for a stroke do not count: whether they are seen at all, a method may round.
+/// Gives equal distances to the rows of a patch whose visible parts all have one shade, as on flat faces, in place of
+/// some rows of a cycle. Faces too narrow for a stroke do not count, since rounding may decide whether a method shows
+/// them.
 void Hatching::space_evenly(std::vector<FaceHatch>& faces, std::span<const DirectionRuns> directions) const {
   constexpr std::uint32_t kMixed = 0xffffffffu;
   std::map<std::uint32_t, std::uint32_t> rows_of_patch;
@@ -218,7 +220,7 @@ void Hatching::add(std::vector<FaceHatch>& faces, std::span<const DirectionRuns>
   }
 }
 
-/// All directions in which something is hatched.
+/// All directions in which a face is hatched.
 std::set<double> directions_of(std::span<const FaceHatch> faces) {
   std::set<double> directions;
   for (const FaceHatch& face : faces) {
@@ -229,7 +231,7 @@ std::set<double> directions_of(std::span<const FaceHatch> faces) {
   return directions;
 }
 
-/// The page as the strokes see it.
+/// The bounding box of the page in the frame of the strokes.
 Rect turned(const Rect& window, const HatchFrame& frame) {
   Rect box;
   for (const Point2 p : {window.min, window.max, Point2{window.min.x, window.max.y}, Point2{window.max.x, window.min.y}})
@@ -237,32 +239,32 @@ Rect turned(const Rect& window, const HatchFrame& frame) {
   return box;
 }
 
-/// How many lines cross what lies between `low` and `high` across them.
+/// Number of lines between `low` and `high`, measured across the lines.
 double lines_between(double low, double high, double line_mm) {
   return std::max(0.0, std::floor(high / line_mm) - std::ceil(low / line_mm) + 1);
 }
 
-/// Refuses more runs than can be made into strokes.
+/// Throws RequestError if there are more runs than memory or time allow.
 void check_runs(const PictureRequest& request, double runs) {
   const std::string text = std::to_string(static_cast<std::uint64_t>(runs)) + " lines across the visible faces";
   if (runs > kMostRuns) throw RequestError("hatch-spacing", "the strokes are too close: " + text);
   request.memory.require(runs * sizeof(SurfaceRun), {"hatch", text});
 }
 
-/// Every line across a region has a run in it.
+/// Number of runs in a region: one for every line across it.
 double runs_of(const Region& region, const HatchFrame& frame, double line_mm) {
   Rect box;
   for (const Point2 p : region.contours.front()) box.extend(frame.to_frame(p));
   return box.empty() ? 0 : lines_between(box.min.y, box.max.y, line_mm);
 }
 
-/// The view with the page turned so that the strokes run from left to right; `box` is what of it is seen, in the strokes'
-/// frame, and comes to lie at (0, 0).
+/// The view with the page turned so that the strokes run from left to right. `box` is the visible part in the frame of
+/// the strokes; its corner moves to (0, 0).
 View turned_view(const Scene& scene, const View& view, const HatchFrame& frame, const Rect& box) {
   Camera camera = view.camera;
   camera.right = view.camera.right * frame.along().x + view.camera.down * frame.along().y;
   camera.down = view.camera.right * frame.across().x + view.camera.down * frame.across().y;
-  // The field of view of the turned camera holds that of the other one.
+  // The field of view of the turned camera contains that of the given one.
   const double half = std::tan(camera.fov_degrees * std::numbers::pi / 360) * std::hypot(1.0, camera.aspect);
   camera.fov_degrees = std::atan(half) * 360 / std::numbers::pi;
   camera.aspect = 1;
@@ -272,7 +274,7 @@ View turned_view(const Scene& scene, const View& view, const HatchFrame& frame, 
   return make_view(scene, camera, {{shift, shift}}, page, view.scale);
 }
 
-/// Cuts runs down to the window.
+/// Clips runs to the window.
 void cut_to(const Rect& window, const HatchFrame& frame, double line_mm, std::vector<SurfaceRun>& runs) {
   const std::vector<std::vector<Point2>> sheet{
       {window.min, {window.max.x, window.min.y}, window.max, {window.min.x, window.max.y}}};
@@ -289,7 +291,7 @@ void cut_to(const Rect& window, const HatchFrame& frame, double line_mm, std::ve
   });
 }
 
-/// The parts of the faces hatched in that direction that the method's scan lines along the strokes see.
+/// Returns the visible parts of the faces hatched in that direction, from scan lines of the method along the strokes.
 DirectionRuns seen_in_direction(const PreparedScene& prepared, std::span<const FaceHatch> faces, double degrees,
                                 double line_mm) {
   DirectionRuns direction{degrees, HatchFrame(prepared.view().offset, degrees), {}};
@@ -323,7 +325,7 @@ HatchScene hatch_scene(const PreparedScene& prepared, const PlotOptions& plot) {
   const PictureRequest& request = prepared.request;
   const bool gives_regions = request.lines.method ? (prepared.method.traits().products & kRegions) != 0
                                                   : chooses_regions(request, prepared.projected);
-  // A stored drawing can be hatched later.
+  // Patches are also needed in JSON, since a stored drawing can be hatched later.
   if (hatch.request().asked() || (request.output.format == OutputFormat::json && gives_regions)) {
     hatch.patches = hatch_patches(prepared.scene, prepared.topology, prepared.request.lines.crease_degrees);
   }

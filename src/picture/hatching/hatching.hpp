@@ -1,5 +1,5 @@
 #pragma once
-/// Visible faces as strokes: how each is hatched, and what of it is seen.
+/// Hatches visible faces.
 
 #include <string_view>
 #include <vector>
@@ -13,12 +13,12 @@
 
 namespace ligne {
 
-/// The data that all ways of hatching need. `prepared` is as it was before the study.
+/// The data for all kinds of hatching. `prepared` must not have been passed to compute_visibility() yet.
 struct HatchScene {
   const PreparedScene& prepared;
   const PlotOptions& plot;
-  HatchPatches patches;  ///< none where nothing is hatched, now or later
-  FormMesh form;         ///< where strokes follow the form
+  HatchPatches patches;  ///< empty if nothing is hatched, now or later
+  FormMesh form;         ///< empty unless strokes follow the form
 
   const HatchRequest& request() const { return prepared.request.hatch; }
   const PenTable& pens() const { return prepared.request.plotter.pens; }
@@ -26,16 +26,16 @@ struct HatchScene {
 
 HatchScene hatch_scene(const PreparedScene& prepared, const PlotOptions& plot);
 
-/// Throws the RequestError of a method that gives nothing to hatch.
+/// Throws the RequestError for a method that returns nothing to hatch.
 [[noreturn]] void refuse_hatching(std::string_view method);
 
-/// Hatches regions that are seen directly. What no light reaches is hatched across too. Layers "hatch": one, or one for each
-/// shade or material that pens are chosen by; none where regions are not hatched. Throws RequestError.
+/// Hatches the directly visible regions, crosswise where no light reaches. Returns layers "hatch": one, or one for each
+/// shade or material that selects pens; none if regions are not hatched. Throws RequestError.
 std::vector<Layer> hatch_regions(const HatchScene& hatch, const std::vector<Region>& regions, RunReport& run);
 
-/// Hatches the spans that a method gives, on scan lines that run along the strokes: the scene is studied once for every
-/// direction, turned on the page. Back faces are left out, and lights cast no shadows. No layers where spans are not
-/// hatched. To be called before the topology is given up. Throws RequestError.
+/// Hatches the spans of a method, on scan lines along the strokes: for each direction, the scene is turned on the page
+/// and its visibility computed once. Back faces are left out, and lights cast no shadows. Returns no layers if spans
+/// are not hatched. Call it while the topology exists. Throws RequestError.
 std::vector<Layer> hatch_spans(const HatchScene& hatch, RunReport& run);
 
 }  // namespace ligne

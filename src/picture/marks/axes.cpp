@@ -15,23 +15,23 @@ namespace {
 
 constexpr const char* kDefaultNames[] = {"x", "y", "z"};
 
-/// Capitals of numbers and names on a sheet whose shorter side is that of A4 (ISO 3098: 2.5 mm). Larger sheets are looked at
-/// from farther away, but not in proportion: with the root of the side it is 1.8 mm on A6 and 5 mm on A0, which ISO 3098 has
-/// too.
+/// Height of capitals of numbers and names on a sheet whose shorter side is that of A4 (ISO 3098: 2.5 mm). Larger
+/// sheets are read from farther away, but not in proportion. With the square root of the side it is 1.8 mm on A6 and 5
+/// mm on A0, which ISO 3098 has too.
 constexpr double kTextHeightMm = 2.5, kSideOfA4Mm = 210;
-/// Shares of the shorter side inside the margins: the largest height of texts, and their largest default.
+/// Largest height of texts, and their largest default height, as parts of the shorter side inside the margins.
 constexpr double kHighestPart = 0.1, kHighestDefaultPart = 0.05;
-constexpr double kTitleHeight = 1.4;   ///< of the other texts
-constexpr double kLabelHeight = 0.75;  ///< of the other texts: heights in contour lines
+constexpr double kTitleHeight = 1.4;   ///< relative to the other texts
+constexpr double kLabelHeight = 0.75;  ///< heights in contour lines, relative to the other texts
 
-/// One label on so much of a contour line, less on small sheets: as part of the shorter side.
+/// Distance of labels along a contour line; on small sheets, as part of the shorter side.
 constexpr double kLabelDistanceMm = 120, kLabelDistancePart = 0.6;
 
-/// The room is found by trying: with less room for the picture there may be fewer numbers, and these may be shorter.
+/// The room is found by trials: with less room for the picture there may be fewer or shorter numbers.
 constexpr double kRoomSlackMm = 1e-3;  ///< the accuracy of the drawing
 constexpr int kFreeTrials = 3, kMostTrials = 8;
 
-/// The room that is needed over the picture on each side.
+/// The room needed beyond the picture on each side.
 Room overhang(const Rect& picture, const Rect& all) {
   return {picture.min.x - all.min.x, picture.min.y - all.min.y, all.max.x - picture.max.x, all.max.y - picture.max.y};
 }
@@ -63,7 +63,7 @@ std::optional<AxesRequest> request_of(const AxesChoice& choice, const std::optio
   return request;
 }
 
-/// The sample of an area's colour: so many times as wide as high.
+/// Ratio of width to height of the sample of an area's colour.
 constexpr double kSwatch = 5;
 
 void add_swatch(Drawing& drawing, const std::array<double, 3>& color, const std::array<Point2, 2>& sample) {
@@ -79,7 +79,7 @@ void add_swatch(Drawing& drawing, const std::array<double, 3>& color, const std:
   drawing.layers.back().lines.add(outline);
 }
 
-/// Puts the sample of a legend's entry into the layer of the lines that it is about, so that one pen draws both.
+/// Puts the sample of a legend's entry into the layer of the lines that it explains, so that one pen draws both.
 void add_sample(Drawing& drawing, const LegendEntry& entry, const std::array<Point2, 2>& sample) {
   if (entry.filled && entry.color) return add_swatch(drawing, *entry.color, sample);
   for (Layer& layer : drawing.layers) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers in square cells, found by a place of the page.
+/// A grid of square cells that finds numbered boxes near a place of the page.
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ class BoxGrid {
     for_cells(box, [&](std::int64_t key) { cells_[key].push_back(number); });
   }
 
-  /// Calls visit(number) until it gives true; a number may come several times. Whether it did.
+  /// Calls visit(number) for boxes near `box`, some several times, until it returns true. Returns whether it did.
   template <class Visit>
   bool any_near(const Rect& box, Visit visit) const {
     bool found = false;

@@ -1,6 +1,6 @@
-// Lines are taken from the longest to the shortest. Each is divided into stretches of equal length, and each stretch gets
-// the best place that is left: places are tried half a capital apart. A place costs what the line bends there, how far the
-// text is from level, and the thinner lines that would have to give way.
+// Labels lines from the longest to the shortest. Divides each into stretches of equal length, and gives each stretch
+// the best free place, tried at distances of half a capital. A place costs the more, the more the line bends there, the
+// steeper the text is, and the more of thinner lines must give way.
 
 #include "picture/marks/contour_labels.hpp"
 
@@ -23,21 +23,22 @@ namespace ligne {
 namespace {
 
 // Adjustable, in heights of capitals.
-constexpr double kGapBeside = 0.5, kGapAbove = 0.3;  ///< white round a label
-constexpr double kMostBend = 0.3;                    ///< how far the line leaves the middle of its label
-constexpr double kTrials = 0.5;                      ///< distance of the places that are tried
-constexpr double kLeastLine = 3;                     ///< in lengths of the label: shorter lines have none
-/// A label may differ from its height by this part of the step between heights: a fiftieth of what the eye tells apart.
+constexpr double kGapBeside = 0.5, kGapAbove = 0.3;  ///< white around a label
+constexpr double kMostBend = 0.3;                    ///< largest distance of the line from the middle of its label
+constexpr double kTrials = 0.5;                      ///< distance of successive trials
+constexpr double kLeastLine = 3;                     ///< shortest line with a label, in lengths of the label
+/// Largest error of a label, as part of the step between heights: a fiftieth of what the eye distinguishes.
 constexpr double kLabelError = 0.005;
-/// Heights with more digits behind the point, or larger ones, are written with a power of ten.
+/// Heights with more decimals than this, or larger than kLongestPlainHeight, are written with a power of ten.
 constexpr int kMostLabelDigits = 9;
 constexpr double kLongestPlainHeight = 1e10;
-/// Labels no farther apart than this, in heights of capitals, that lie along each other up to so many degrees are read in
-/// one direction, as long as none stands on its head: steep ones may lean beyond upright by this much.
+/// Neighbouring labels that are nearly parallel are read in one direction, so long as none is upside down. The
+/// constants are the largest distance of neighbours in heights of capitals, the largest angle between them, and the
+/// angle by which steep labels may lean beyond upright, both in degrees.
 constexpr double kNeighbourReach = 20, kAlongDegrees = 40, kBeyondUpright = 25;
 // Costs, in bends.
 constexpr double kSteepCost = 0.15, kOffMiddleCost = 0.1, kCrossedCost = 1;
-constexpr double kFrameCost = 10;  ///< for a line that stays, such as the box's, in place of kCrossedCost
+constexpr double kFrameCost = 10;  ///< for a line that stays, such as a line of the box, instead of kCrossedCost
 
 Rect bounds(const TextBox& box) {
   Rect rect;
@@ -62,13 +63,13 @@ std::optional<std::array<double, 2>> inside(const TextBox& box, Point2 a, Point2
   return std::array<double, 2>{from, to};
 }
 
-/// Layers through which labels make no gap: the shape itself, and what stands round the picture.
+/// Whether labels cut gaps into the layer. The shape itself and the marks around the picture stay.
 bool gives_way(const Layer& layer) {
   constexpr std::string_view kStay[] = {"outline", "border", "intersection", "axes", "text"};
   return std::find(std::begin(kStay), std::end(kStay), layer.name) == std::end(kStay);
 }
 
-/// A contour line, or one that stays, with its length up to each point.
+/// A contour line, or one that stays, with its arc length at each point.
 struct Line {
   std::span<const Point2> points;
   std::vector<double> at;
@@ -129,7 +130,7 @@ class Labelling {
 
   const ContourLabelOptions& options_;
   std::vector<Line> lines_;
-  double step_ = 0;  ///< between neighbouring heights
+  double step_ = 0;  ///< smallest difference of two heights
   struct Segment {
     std::uint32_t line, index;
   };
@@ -174,8 +175,7 @@ void Labelling::collect_line(std::span<const Point2> points, Line line) {
   lines_.push_back(std::move(line));
 }
 
-/// Begins with the labels that are nearest to level, which are upright as they are; each steeper one follows its nearest
-/// neighbour.
+/// Begins with the labels nearest to horizontal, which are upright. Each steeper one follows its nearest neighbour.
 void Labelling::agree_directions() {
   std::vector<std::size_t> order(labels_.size());
   std::iota(order.begin(), order.end(), 0);
@@ -187,7 +187,7 @@ void Labelling::agree_directions() {
     const Point2 at = labels_[k].at;
     double& degrees = labels_[k].rotation_degrees;
     if (std::abs(degrees) >= 90 - kBeyondUpright) {
-      double nearest = reach, followed = 90;  // the first of its neighbours is read upwards
+      double nearest = reach, followed = 90;  // without neighbours, a label is read upwards
       done.any_near({at - Point2{reach, reach}, at + Point2{reach, reach}}, [&](std::uint32_t n) {
         const double apart = glm::distance(labels_[n].at, at), other = labels_[n].rotation_degrees;
         if (apart < nearest && std::abs(std::remainder(other - degrees, 180)) <= kAlongDegrees) {
@@ -225,7 +225,7 @@ void Labelling::label(std::uint32_t number) {
   }
 }
 
-/// A label in the middle of the place `s` of the line; nothing where it may not stand.
+/// Makes a label centred at the arc length `s` of the line; none if it is not allowed there.
 std::optional<Place> Labelling::place(std::uint32_t number, double s, const std::string& text, double width) const {
   const Line& line = lines_[number];
   const Point2 a = line.point(s - width / 2), b = line.point(s + width / 2), middle = line.point(s);
@@ -256,7 +256,7 @@ std::optional<Place> Labelling::place(std::uint32_t number, double s, const std:
   return place;
 }
 
-/// The cost of the lines that run through the box; nothing where one of them has labels too, or is this one on its way back.
+/// The cost of the lines that cross the box; none if one of them has labels too, or is this line on its way back.
 std::optional<double> Labelling::cost_of_crossing(std::uint32_t number, double s, const Place& place) const {
   const double reach = place.box.half.x * 1.5;
   double crossed = 0;
@@ -302,7 +302,7 @@ std::string height_text(double height, double step, bool decades) {
 
 TextBox label_box(const TextItem& label, TextStyle style) {
   TextBox box = text_box(label, text_extent(label.text, label.height_mm, style));
-  // Round the point that the line runs through, so that it leaves by the short sides.
+  // The box is centred on the point of the line, so that the line leaves it through the short sides.
   box.half.x += kGapBeside * label.height_mm;
   box.half.y = std::max(box.half.y, label.height_mm / 2) + kGapAbove * label.height_mm;
   return box;
@@ -310,7 +310,7 @@ TextBox label_box(const TextItem& label, TextStyle style) {
 
 Polylines without_boxes(const Polylines& lines, std::span<const TextBox> boxes) {
   if (boxes.empty()) return lines;
-  // Cells of the mean size: among the marks of many points a long label must not make them wide.
+  // Cells have the mean size of the boxes: among the marks of many points, one long label must not make them large.
   double size = 0;
   for (const TextBox& box : boxes) size += (bounds(box).width() + bounds(box).height()) / 2;
   BoxGrid grid(size / static_cast<double>(boxes.size()));
@@ -351,7 +351,7 @@ Polylines without_boxes(const Polylines& lines, std::span<const TextBox> boxes) 
       }
       if (cuts.empty() || cuts.back()[1] < 1) piece.push_back(b);
     }
-    // The two ends of a ring that was cut elsewhere are one piece.
+    // The two ends of a ring that is cut elsewhere form one piece.
     if (closed && cut && whole_start && piece.size() > 1 && kept.size() > first_kept) {
       Polylines joined;
       const std::span<const Point2> start = kept[first_kept];

@@ -6,8 +6,8 @@ namespace ligne {
 namespace {
 
 // Adjustable, in heights of capitals.
-constexpr double kHalo = 0.25;    ///< round letters: as wide as two of their stems
-constexpr double kGround = 0.15;  ///< round the box of a label of strokes
+constexpr double kHalo = 0.25;    ///< around letters; as wide as two stems
+constexpr double kGround = 0.15;  ///< around the box of a label of single strokes
 
 Fill ground_below(const TextItem& label) {
   constexpr std::array<double, 3> kWhite{1, 1, 1};

@@ -1,5 +1,5 @@
 #pragma once
-/// Labels that stay readable on coloured areas.
+/// Keeps labels readable on coloured areas.
 
 #include <span>
 

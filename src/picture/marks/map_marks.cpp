@@ -16,11 +16,12 @@ namespace {
 constexpr double kRowGap = 1.2, kTick = 0.6, kTextGap = 0.5;
 constexpr double kArrow = 4, kArrowHead = 1.2;
 constexpr double kSample = 6, kEntryGap = 3, kEntryRow = 1.8;
-/// Adjustable: so much of north is seen at least; with less, within 0.06 degrees of the sight, an arrow points nowhere.
+/// Adjustable: least length of the unit vector to the north on the page. Below it, within 0.06 degrees of the line of
+/// sight, an arrow has no meaning.
 constexpr double kLeastNorth = 1e-3;
-constexpr double kBarPart = 0.3;  ///< of the width: no scale bar is longer
+constexpr double kBarPart = 0.3;  ///< largest length of a scale bar, as part of the width
 
-/// The largest of 1, 2 and 5 times a power of ten that is not above `most`.
+/// The largest product of 1, 2 or 5 and a power of ten up to `most`.
 double round_below(double most) {
   const double power = std::pow(10.0, std::floor(std::log10(most)));
   return (most / power >= 5 ? 5 : most / power >= 2 ? 2 : 1) * power;
@@ -32,7 +33,7 @@ std::string plain_number(double value) {
   return text;
 }
 
-/// Rows of signs, each below the last one.
+/// Adds lines and texts to the marks, and extends their bounding box.
 class Rows {
  public:
   Rows(MapMarks& marks, const MeasureText& measure, double height) : marks_(marks), measure_(measure), h_(height) {}
@@ -55,7 +56,7 @@ class Rows {
   double h_;
 };
 
-/// Numbers of the ground for a millimetre from left to right. Of degrees, metres.
+/// Ground units per mm of the page, from left to right; metres if the unit is degrees.
 double ground_of_mm(const MapGround& ground, const View& view) {
   const Camera& camera = view.camera;
   if (camera.perspective) throw RequestError("scale-bar", "needs a parallel projection: a perspective view has no scale");
@@ -65,13 +66,13 @@ double ground_of_mm(const MapGround& ground, const View& view) {
   return std::hypot(camera.right.x / ground.factor.x, camera.right.y / ground.factor.y) / (view.scale * across);
 }
 
-/// The place of a row of marks: its upper left corner and its width, mm of the page.
+/// The place of a row of marks: its upper left corner and its width, page mm.
 struct RowPlace {
   Point2 at;
   double width;
 };
 
-/// A line with ticks at its ends and its middle; the numbers stand above. The height that it takes.
+/// Adds a line with ticks at its ends and its middle, and numbers above. Returns its height.
 double add_scale_bar(Rows& rows, const std::string& asked_unit, const MapGround& ground, const View& view,
                      const RowPlace& place, double h) {
   const Point2 at = place.at;
@@ -96,7 +97,8 @@ double add_scale_bar(Rows& rows, const std::string& asked_unit, const MapGround&
   return line - at.y;
 }
 
-/// An arrow in the direction of growing y, its letter before its head; right of it nothing is left of `right`.
+/// Adds an arrow in the direction of growing y with its letter at the head, inside a square whose upper right corner is
+/// `right_top`. Returns its height.
 double add_north_arrow(Rows& rows, const View& view, Point2 right_top, double h) {
   const Camera& camera = view.camera;
   if (camera.perspective)
@@ -104,7 +106,7 @@ double add_north_arrow(Rows& rows, const View& view, Point2 right_top, double h)
   const Point2 north{camera.right.y, camera.down.y};
   if (!(glm::length(north) > kLeastNorth)) throw RequestError("north-arrow", "north is seen end on");
   const Point2 along = glm::normalize(north), across{-along.y, along.x};
-  // The arrow with its letter in a square.
+  // The arrow and its letter are inside a square.
   const double half = (kArrow / 2 + 1) * h;
   const Point2 middle{right_top.x - half, right_top.y + half};
   const Point2 tip = middle + along * (half - 1.6 * h), tail = middle - along * half;

@@ -13,12 +13,12 @@
 namespace ligne {
 namespace {
 
-constexpr double kBeforeMm = 0.2, kProbeMm = 0.02;  ///< a point that much behind the surface is on it, to the eye
+constexpr double kBeforeMm = 0.2, kProbeMm = 0.02;  ///< distance of a probe before its point; length of a probe
 // In heights of capitals.
 constexpr double kMarkPart = 0.45, kBesidePart = 0.4;
-constexpr double kCellHeights = 2;  ///< side of the cells in which the boxes of texts are listed
+constexpr double kCellHeights = 2;  ///< side of the cells that list the boxes of texts
 
-/// Where a label may stand: to the right, to the left, above, below, and between these.
+/// Places of a label in order of preference: right, left, above, below, and between these.
 struct LabelPlace {
   double x, y;
   TextAcross across;
@@ -29,7 +29,7 @@ constexpr LabelPlace kLabelPlaces[] = {{1, -1, TextAcross::left, TextUp::base}, 
                                        {1, 1, TextAcross::left, TextUp::top},     {-1, 1, TextAcross::right, TextUp::top},
                                        {0, -1, TextAcross::center, TextUp::base}, {0, 1, TextAcross::center, TextUp::top}};
 
-/// Boxes of texts, which do not overlap each other.
+/// Boxes of texts that do not overlap each other.
 class TakenPlaces {
  public:
   explicit TakenPlaces(double cell_mm) : grid_(cell_mm) {}

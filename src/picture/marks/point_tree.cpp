@@ -7,7 +7,7 @@
 namespace ligne {
 namespace {
 
-/// Points of a leaf are looked at one by one.
+/// Largest number of points in a leaf, which are tested one by one.
 constexpr std::size_t kMostInLeaf = 8;
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-/// Points of the page in a tree that tells whether any of them lies in a rectangle.
+/// A tree over points of the page that finds whether one lies in a rectangle.
 
 #include <cstddef>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace ligne {
 
-/// A k-d tree [Bentley1975]: n log n to build, and a question takes the root of n at the most, also where points coincide.
+/// A k-d tree [Bentley1975]. Building takes O(n log n); a query takes O(sqrt n) at most, also if points coincide.
 class PointTree {
  public:
   explicit PointTree(std::vector<Point2> points);
@@ -17,7 +17,7 @@ class PointTree {
   bool any_within(Point2 center, Point2 half) const { return !nodes_.empty() && any_within(0, center, half); }
 
  private:
-  /// Points [begin, end) and their bounds; children are `left` and left + 1, 0 for leaves.
+  /// Points [begin, end) and their bounds. The children are `left` and left + 1; `left` is 0 in a leaf.
   struct Node {
     std::size_t begin = 0, end = 0, left = 0;
     Rect bounds;

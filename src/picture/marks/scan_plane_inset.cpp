@@ -17,7 +17,7 @@ namespace {
 constexpr double kInsetPart = 0.52, kPlanePart = 0.6;
 constexpr double kThin = 0.13, kSegment = 0.25, kSeen = 0.7;
 constexpr double kRowMm = 4.2;     ///< largest height of a row of steps
-constexpr double kNumberedMm = 3;  ///< shortest bar and segment that gets its number, at texts of kRowMm
+constexpr double kNumberedMm = 3;  ///< shortest bar or segment with a number
 constexpr std::array<double, 3> kGray{0.72, 0.72, 0.72}, kInk{0.25, 0.25, 0.25}, kRed{0.8, 0.1, 0.1}, kBlue{0.1, 0.3, 0.65},
     kTint{0.82, 0.89, 0.97}, kBoxes{0.85, 0.55, 0.2};
 constexpr std::array<const char*, 4> kStepNames{
@@ -67,7 +67,7 @@ class PlaneDrawer {
     drawing_.texts.push_back(std::move(item));
   }
 
-  /// Where each run begins and ends: from the picture down to the surface that is seen.
+  /// Draws the ends of each run: from the picture down to the visible surface.
   void draw_sight() {
     for (const ScanPlane::Run& run : plane_.runs) {
       const ScanPlane::Segment& s = plane_.segments[run.segment];
@@ -78,7 +78,7 @@ class PlaneDrawer {
     }
   }
 
-  /// Around the segments of every part of the line that was divided, smaller and smaller.
+  /// Draws a box around the segments of every part of the line that was divided.
   void draw_boxes() {
     for (const ScanPlane::Run& bar : plane_.bars) {
       if (bar.segment != kNone) continue;
@@ -117,7 +117,7 @@ class PlaneDrawer {
     text(std::to_string(segment + 1), at(plane_.segments[segment], (x0 + x1) / 2), TextAcross::center);
   }
 
-  /// More segments than this have no room for their numbers.
+  /// Largest number of segments with room for their numbers.
   std::size_t most_numbers() const { return static_cast<std::size_t>(extent_.width() / (kNumberedMm * text_mm_ / 2.5)); }
 
   void draw_steps() {
@@ -152,7 +152,7 @@ class PlaneDrawer {
   const ScanPlane& plane_;
   Rect picture_, area_, extent_{};
   double text_mm_, scale_ = 1, base_ = 0;
-  double bottom_ = 0;  ///< of the plane; the steps stand below
+  double bottom_ = 0;  ///< lower end of the plane; the steps are drawn below
 };
 
 }  // namespace
