@@ -94,6 +94,12 @@ std::vector<Way> ways_to_ask(const std::vector<LatticePoint>& contour, const Sec
       {"codes", "O(n), coordinates alone", true,
        [&](LatticePoint p, ContourCounts& c) { return by_codes(contour, p, false, c); }},
       {"codes, mended", "no figure", true, [&](LatticePoint p, ContourCounts& c) { return by_codes(contour, p, true, c); }},
+      {"crossings, convex", "ends at the second one", false,
+       [&](LatticePoint p, ContourCounts& c) { return by_crossings(contour, p, c, ContourKind::convex); }},
+      {"angles, convex", "ends where the sum turns", false,
+       [&](LatticePoint p, ContourCounts& c) { return by_angles(contour, p, c, ContourKind::convex); }},
+      {"half planes, no orientation", "1 to n; n inside", false,
+       [&](LatticePoint p, ContourCounts& c) { return by_unoriented_half_planes(contour, p, c); }},
   };
 }
 
@@ -190,8 +196,9 @@ Result study_point_in_contour(const StudyRequest& request) {
   result.sentence =
       "Sectors gain most from what is known of a contour, log n signs for one point, and need no arc tangent: signs alone search "
       "them, exactly. Of the two for any contour the thesis prefers angles; crossings with the half-open rule have no special "
-      "cases, are exact, and are many times as fast. Codes as printed turn round every side that passes from a domain to the opposite "
-      "one, and err.";
+      "cases, are exact, and are many times as fast. Early ends on convex contours spare a quarter of the sides of crossings and "
+      "a sixth of those of angles; doing without an orientation takes twice the signs. Codes as printed turn round every side "
+      "that passes from a domain to the opposite one, and err.";
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
@@ -273,6 +274,45 @@ double clip_seconds(const std::vector<ScreenSegment>& segments, bool halving) {
          double(segments.size());
 }
 
+/// Codes of n bits: segments clipped by convex contours in the screen.
+Table clipped_by_contours(const std::vector<ScreenSegment>& segments) {
+  Table table{"A segment clipped by codes of n bits, by a convex contour of n sides",
+              {{"n", ColumnKind::label},
+               {"thesis", ColumnKind::source},
+               {"points coded", ColumnKind::measure},
+               {"signs", ColumnKind::measure},
+               {"crossings", ColumnKind::measure},
+               {"most crossings", ColumnKind::count},
+               {"ns", ColumnKind::time}}};
+  for (const unsigned n : {4u, 8u, 16u, 32u, 64u}) {
+    constexpr double kMiddle = kScreenPoints / 2.0, kRadius = kScreenPoints / 3.0;
+    ClipContour contour;
+    for (unsigned i = 0; i < n; ++i) {
+      const double angle = 0.1 + 2 * std::numbers::pi * i / n;
+      contour.corners.emplace_back(kMiddle + kRadius * std::cos(angle), kMiddle + kRadius * std::sin(angle));
+    }
+    ClipCounts sum;
+    std::uint64_t most = 0;
+    for (const auto& [p, q] : segments) {
+      ClipCounts counts;
+      clip_by_codes(p, q, contour, counts);
+      sum.codes += counts.codes;
+      sum.crossings += counts.crossings;
+      most = std::max(most, counts.crossings);
+    }
+    const double m = double(segments.size());
+    const double seconds = seconds_each([&] {
+      ClipCounts unused;
+      std::size_t parts = 0;
+      for (const auto& [p, q] : segments) parts += clip_by_codes(p, q, contour, unused).has_value();
+      return parts;
+    });
+    table.rows.push_back({std::to_string(n), "a code of length n; at most n crossings", double(sum.codes) / m,
+                          n * double(sum.codes) / m, double(sum.crossings) / m, most, 1e9 * seconds / m});
+  }
+  return table;
+}
+
 }  // namespace
 
 Result study_segment_clipping(const StudyRequest& request) {
@@ -305,7 +345,7 @@ Result study_segment_clipping(const StudyRequest& request) {
   times.rows.push_back({"halving", "no crossing to compute: for hardware", by_halving, farthest});
   times.rows.push_back({"codes", "a costly crossing", by_codes, 0.0});
   Result result;
-  result.tables = {std::move(table), std::move(times)};
+  result.tables = {std::move(table), std::move(times), clipped_by_contours(segments)};
   result.finding = by_codes < by_halving ? Finding::in_part : Finding::holds;
   result.sentence =
       "The bounds of the thesis are reached, where it has them strict: a segment with one end inside takes up to k middles. A "

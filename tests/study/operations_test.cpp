@@ -129,6 +129,7 @@ int as_sign(Place place) { return place == Place::inside ? 1 : place == Place::o
 
 TEST(Operations, PointsInConvexContours) {
   std::mt19937 random(3);
+  std::uint64_t spared = 0;
   for (int round = 0; round < 300; ++round) {
     const int limit = round % 2 == 0 ? 6 : 1000;
     const auto contour = convex_contour(random, 3 + round % 12, limit);
@@ -143,11 +144,21 @@ TEST(Operations, PointsInConvexContours) {
       EXPECT_EQ(as_sign(by_triangles(contour, p, counts)), truth);
       EXPECT_EQ(as_sign(sectors.by_signs(p, counts)), truth);
       EXPECT_EQ(as_sign(by_codes(contour, p, true, counts)), truth);
+      ContourCounts early, all;
+      EXPECT_EQ(as_sign(by_crossings(contour, p, early, ContourKind::convex)), truth);
+      by_crossings(contour, p, all);
+      EXPECT_LE(early.sides, all.sides);
+      spared += all.sides - early.sides;
+      EXPECT_EQ(as_sign(by_unoriented_half_planes(contour, p, counts)), truth);
+      std::vector<LatticePoint> turned(contour.rbegin(), contour.rend());
+      EXPECT_EQ(as_sign(by_unoriented_half_planes(turned, p, counts)), truth);
       if (truth != 0) {
+        EXPECT_EQ(as_sign(by_angles(contour, p, counts, ContourKind::convex)), truth);
         EXPECT_EQ(as_sign(by_angles(contour, p, counts)), truth);
       }
     }
   }
+  EXPECT_GT(spared, 1000u);
 }
 
 TEST(Operations, PointsInAnyContours) {
@@ -185,6 +196,39 @@ TEST(Operations, CodesAsPrintedErr) {
   EXPECT_EQ(by_codes(contour, p, true, counts), Place::inside);
   EXPECT_EQ(by_codes({{LatticePoint{-10, -20}, LatticePoint{20, 30}, LatticePoint{-20, 30}}}, p, true, counts),
             by_crossings({{LatticePoint{-10, -20}, LatticePoint{20, 30}, LatticePoint{-20, 30}}}, p, counts));
+}
+
+// By codes of n bits: what the parameters of the entry and of the exit say (Cyrus and Beck).
+TEST(Operations, SegmentsClippedByConvexContours) {
+  std::mt19937 random(6);
+  std::size_t parts = 0;
+  for (int round = 0; round < 200; ++round) {
+    const auto corners = convex_contour(random, 3 + round % 40, 1000);
+    if (corners.size() < 3 || orientation(corners[0], corners[1], corners[2]) <= 0) continue;
+    ClipContour contour;
+    for (const LatticePoint c : corners) contour.corners.emplace_back(c.x, c.y);
+    for (int i = 0; i < 60; ++i) {
+      const LatticePoint a = random_point(random, 1500), b = random_point(random, 1500);
+      const Point2 p(a.x, a.y), q(b.x, b.y);
+      double enters = 0, leaves = 1;
+      for (std::size_t side = 0; side < corners.size(); ++side) {
+        const double at_p = contour.height(side, p), at_q = contour.height(side, q);
+        if (at_p < 0 && at_q < 0) enters = 2;
+        if (at_p < 0 && at_q >= 0) enters = std::max(enters, at_p / (at_p - at_q));
+        if (at_p >= 0 && at_q < 0) leaves = std::min(leaves, at_p / (at_p - at_q));
+      }
+      ClipCounts counts;
+      const ClippedSegment part = clip_by_codes(p, q, contour, counts);
+      EXPECT_LE(counts.crossings, corners.size());
+      if (std::abs(leaves - enters) < 1e-9) continue;
+      ASSERT_EQ(part.has_value(), enters < leaves);
+      if (!part) continue;
+      ++parts;
+      for (const Point2 d : {part->first - (p + (q - p) * enters), part->second - (p + (q - p) * leaves)})
+        EXPECT_LT(std::abs(d.x) + std::abs(d.y), 1e-6);
+    }
+  }
+  EXPECT_GT(parts, 1000u);
 }
 
 TEST(Operations, ClippedSegments) {

@@ -27,8 +27,9 @@ LatticePoint next(std::span<const LatticePoint> contour, std::size_t i) {
 
 }  // namespace
 
-Place by_crossings(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts) {
+Place by_crossings(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts, ContourKind kind) {
   bool inside = false;
+  int crossed = 0;
   for (std::size_t i = 0; i < contour.size(); ++i) {
     const LatticePoint a = contour[i], b = next(contour, i);
     ++counts.sides;
@@ -44,18 +45,22 @@ Place by_crossings(std::span<const LatticePoint> contour, LatticePoint p, Contou
     const double sign = sign_of(a, b, p, counts);
     if (sign == 0) return on_line(a, b, p, counts);
     inside ^= (sign > 0) == (b.y > a.y);
+    crossed += a.y != p.y && b.y != p.y;
+    if (kind == ContourKind::convex && crossed == 2) break;
   }
   return inside ? Place::inside : Place::outside;
 }
 
-Place by_angles(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts) {
+Place by_angles(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts, ContourKind kind) {
   double sum = 0;
   for (std::size_t i = 0; i < contour.size(); ++i) {
     const LatticePoint a = contour[i], b = next(contour, i);
     const double ax = double(a.x) - p.x, ay = double(a.y) - p.y, bx = double(b.x) - p.x, by = double(b.y) - p.y;
     ++counts.sides;
     ++counts.angles;
-    sum += std::atan2(ax * by - ay * bx, ax * bx + ay * by);
+    const double angle = std::atan2(ax * by - ay * bx, ax * bx + ay * by);
+    if (kind == ContourKind::convex && angle * sum < 0) return Place::outside;
+    sum += angle;
   }
   return std::abs(sum) > 1 ? Place::inside : Place::outside;
 }
@@ -67,6 +72,20 @@ Place by_half_planes(std::span<const LatticePoint> contour, LatticePoint p, Cont
     const double sign = sign_of(a, b, p, counts);
     if (sign < 0) return Place::outside;
     if (sign == 0) return on_line(a, b, p, counts);
+  }
+  return Place::inside;
+}
+
+Place by_unoriented_half_planes(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts) {
+  for (std::size_t i = 0; i < contour.size(); ++i) {
+    const LatticePoint a = contour[i], b = next(contour, i);
+    ++counts.sides;
+    const double sign = sign_of(a, b, p, counts);
+    if (sign == 0) return on_line(a, b, p, counts);
+    double inner = 0;  // corners in a line with the side say nothing
+    for (std::size_t k = i + 2; inner == 0 && k < i + contour.size(); ++k)
+      inner = sign_of(a, b, contour[k % contour.size()], counts);
+    if ((sign > 0) != (inner > 0)) return Place::outside;
   }
   return Place::inside;
 }

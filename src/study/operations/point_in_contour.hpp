@@ -22,16 +22,26 @@ struct ContourCounts {
   std::uint64_t angles = 0;       ///< arc tangents
 };
 
+/// Which contours a method may be given. `convex`: it ends as soon as the answer is known of a convex one.
+enum class ContourKind : std::uint8_t { any, convex };
+
 /// 3.2.2.1: crossings of a ray with the sides, by parity. Corners on the ray belong to what lies above it, so there are no
-/// special cases. Any contour.
-Place by_crossings(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts);
+/// special cases. A line crosses a convex contour twice at the most: the second crossing that is no corner ends the search.
+Place by_crossings(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts,
+                   ContourKind kind = ContourKind::any);
 
 /// 3.2.2.2: the angles under which the sides are seen add up to nothing outside. Any contour; in doubles, and what lies on
-/// the contour is not told.
-Place by_angles(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts);
+/// the contour is not told. The sum is monotonous where a convex contour holds the point: an angle of the other sign ends
+/// the search.
+Place by_angles(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts,
+                ContourKind kind = ContourKind::any);
 
 /// 3.2.2.3, Dahan and Le Tuan: on one side of all sides. Convex contours.
 Place by_half_planes(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts);
+
+/// 3.2.2.3, the same without an orientation: the point is on the side of Q_i on which the corner behind it lies,
+/// Q_i(x) Q_i(x_i+2) > 0. Two signs a side.
+Place by_unoriented_half_planes(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts);
 
 /// Decides by triangles: 3 to 2 n - 3 lines.
 Place by_triangles(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts);

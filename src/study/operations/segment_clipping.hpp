@@ -3,10 +3,12 @@
 /// halving (Sproull and Sutherland).
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "geometry/point.hpp"
 
@@ -51,6 +53,44 @@ inline ClippedSegment clip_by_codes(Point2 p, Point2 q, const ClipRectangle& r, 
     }
     ++counts.codes;
     code = r.code(end);
+  }
+}
+
+/// A convex contour of at most 64 sides with what a point is coded by, 3.2.3.1: a bit for each side beyond which it lies.
+struct ClipContour {
+  std::vector<Point2> corners;  ///< positively turned
+
+  std::uint64_t code(Point2 p) const {
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) bits |= std::uint64_t{height(i, p) < 0} << i;
+    return bits;
+  }
+  /// Height over side i, times its length.
+  double height(std::size_t i, Point2 p) const {
+    const Point2 a = corners[i], b = corners[i + 1 == corners.size() ? 0 : i + 1];
+    return cross(b - a, p - a);
+  }
+};
+
+/// The part within the contour, or nothing, by codes of n bits. At the most n crossings are computed, one a side.
+inline ClippedSegment clip_by_codes(Point2 p, Point2 q, const ClipContour& contour, ClipCounts& counts) {
+  counts.codes += 2;
+  std::uint64_t of_p = contour.code(p), of_q = contour.code(q);
+  std::uint64_t done = 0;  // an end that was put on a side may be a rounding beyond it
+  for (;;) {
+    if ((of_p & of_q) != 0) return std::nullopt;
+    if ((of_p | of_q) == 0) return std::pair(p, q);
+    const bool first = of_p != 0;
+    Point2& end = first ? p : q;
+    std::uint64_t& code = first ? of_p : of_q;
+    const auto side = static_cast<std::size_t>(std::countr_zero(code));
+    const double at_p = contour.height(side, p), at_q = contour.height(side, q);
+    ++counts.crossings;
+    end = p + (q - p) * (at_p / (at_p - at_q));
+    done |= std::uint64_t{1} << side;
+    ++counts.codes;
+    code = contour.code(end) & ~done;
+    (first ? of_q : of_p) &= ~done;
   }
 }
 
