@@ -1,7 +1,7 @@
 #include "visibility/bsp/bsp.hpp"
 
-// Phases: (1) the tree, in model space, (2) one walk through it, from the front, (3) every edge against the faces that have
-// pieces before its own. See docs/methods/bsp.md.
+// Phases: (1) build the tree, in model space, (2) walk through it once, from the front, (3) test every edge against the
+// faces that have pieces in front of its own. See docs/methods/bsp.md.
 
 namespace ligne {
 

@@ -16,7 +16,7 @@ BspTree::BspTree(const Scene& scene, const PlaneChoice& options) : pieces_(scene
   Task all;
   all.pieces.resize(pieces_.pieces().size());
   std::iota(all.pieces.begin(), all.pieces.end(), 0u);
-  // A list of sets that wait, and not a recursion: trees may be as deep as there are faces.
+  // A list of waiting sets replaces recursion, as a tree may be as deep as the number of faces.
   std::vector<Task> open;
   open.push_back(std::move(all));
   while (!open.empty()) {
@@ -33,7 +33,7 @@ BspTree::BspTree(ByteReader& bytes, const Scene& scene) : pieces_(bytes, scene) 
   }
   nodes_ = bytes.list<Node>();
   in_planes_ = bytes.list<std::uint32_t>();
-  // As it is compiled: nodes own ranges that follow each other, and stand before their subtrees.
+  // A valid tree is as compiled: the nodes own consecutive ranges, and each node comes before its subtrees.
   std::vector<std::uint8_t> is_child(nodes_.size(), 0);
   std::uint32_t end = 0;
   for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
@@ -74,7 +74,7 @@ void BspTree::divide(Task task, const PlaneChoice& options, std::vector<Task>& o
   Task front{{}, number, true, task.depth + 1, scramble(task.seed)};
   Task back{{}, number, false, task.depth + 1, scramble(task.seed + 1)};
   for (const std::uint32_t piece : task.pieces) {
-    // The triangles of one face lie in one plane, but for the error of its corners: none hides another one.
+    // The triangles of one face lie in one plane, but for the error of its corners: none hides another.
     const PlaneSide side = pieces_.face(piece) == root.face ? PlaneSide::on : pieces_.side(piece, root.plane);
     switch (side) {
       case PlaneSide::on:

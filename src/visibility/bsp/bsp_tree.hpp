@@ -16,36 +16,37 @@
 
 namespace ligne {
 
-/// Invariants: the pieces of a node lie in its plane, those of its front subtree in front of it or on it, those of its back
-/// subtree behind it or on it; each within ModelPieces::tolerance(). Pieces of one face have no inner point in common and
-/// together are the face.
+/// Invariants: the pieces of a node lie in its plane, the pieces of its front subtree in front of the plane or on it,
+/// the pieces of its back subtree behind it or on it; all within ModelPieces::tolerance(). Pieces of one face do not
+/// overlap, and together they are the face.
 class BspTree final : public CompiledScene {
  public:
   struct Counts {
-    std::uint64_t triangles = 0;  ///< of the scene, with area
+    std::uint64_t triangles = 0;  ///< triangles of the scene with area
     std::uint64_t nodes = 0;
     std::uint64_t splits = 0;
-    std::uint64_t depth = 0;        ///< nodes from the root to the deepest one, both counted
-    std::uint64_t free_planes = 0;  ///< nodes whose plane is that of no face
+    std::uint64_t depth = 0;        ///< nodes on the path from the root to the deepest node, both included
+    std::uint64_t free_planes = 0;  ///< nodes whose plane is not the plane of a face
   };
 
-  /// Compiles the scene. Typically n log n in the number of faces; for any input no more memory than there are pieces.
+  /// Compiles the scene. Typical time n log n in the number of faces; memory grows with the number of pieces, for any
+  /// input.
   BspTree(const Scene& scene, const PlaneChoice& options);
-  /// A tree of that scene that was written. Throws InputError.
+  /// Reads a tree of the scene. Throws InputError.
   BspTree(ByteReader& bytes, const Scene& scene);
   void write(ByteWriter& bytes) const override;
 
   const ModelPieces& pieces() const { return pieces_; }
   const Counts& counts() const { return counts_; }
 
-  /// Its planes, node by node.
+  /// The planes of the tree, node by node.
   std::vector<PartitionNode> partition() const;
 
-  /// Calls visit(piece, rank) for all pieces from the front to the back. Those of one node lie in one plane and have one
-  /// rank: none hides another one.
+  /// Calls visit(piece, rank) for all pieces from front to back. Pieces of one node lie in one plane and share a rank:
+  /// none hides another.
   template <class Visit>
   void front_to_back(const Viewpoint& viewpoint, Visit visit) const {
-    std::vector<std::pair<std::uint32_t, bool>> open;  // a node, and whether it is its own turn
+    std::vector<std::pair<std::uint32_t, bool>> open;  // a node, and whether its own pieces are next
     std::uint32_t rank = 0;
     if (!nodes_.empty()) open.emplace_back(0, false);
     while (!open.empty()) {

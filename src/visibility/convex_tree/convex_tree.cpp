@@ -10,19 +10,20 @@
 #include "visibility/convex_tree/point_boxes.hpp"
 #include "visibility/order/dividing_plane.hpp"
 
-// [Huet1994] 3.2. Its measure of termination is the number of planes that support a triangle of the set; here that of the
-// triangles of the scene of which the set has pieces, which is as good: pieces of one triangle have one plane. Peeling takes
-// all pieces of a triangle. A separating plane through a triangle leaves that triangle on its front side only, where it is
-// peeled next. A separating plane of no triangle leaves fewer pieces on either side, and no more triangles.
+// [Huet1994] 3.2. Huet's measure of termination is the number of planes that support a triangle of the set. Here it is
+// the number of scene triangles with pieces in the set. That serves as well, since pieces of one triangle have one
+// plane. Peeling takes all pieces of a triangle. A separating plane through a triangle leaves that triangle on its
+// front side only, where it is peeled next. Any other separating plane leaves fewer pieces on either side, and no more
+// triangles.
 
 namespace ligne {
 namespace {
 
-constexpr std::size_t kMany = 96;      ///< adjustable: of larger sets a convex set is peeled only when it is a large part
-constexpr std::size_t kSample = 256;   ///< adjustable: pieces by which that is judged
-constexpr std::size_t kLeastPart = 8;  ///< adjustable: one in so many
+constexpr std::size_t kMany = 96;      ///< adjustable: from sets larger than this only a large convex set is peeled
+constexpr std::size_t kSample = 256;   ///< adjustable: pieces in the sample that estimates its share
+constexpr std::size_t kLeastPart = 8;  ///< adjustable: least share of a large convex set is one over this
 
-/// Finds the pieces of a set that all others lie on one side of.
+/// Finds the pieces of a set whose planes have all other pieces on one side.
 class HullSearch {
  public:
   HullSearch(const ModelPieces& pieces, const std::vector<std::uint32_t>& set) : pieces_(pieces), set_(set) {
@@ -43,7 +44,8 @@ class HullSearch {
     }
   }
 
-  /// The plane of the piece with its normal to the side on which all others lie; nothing when there are others on both.
+  /// The plane of the piece, with its normal towards the side of all other pieces; none if there are pieces on both
+  /// sides.
   std::optional<ModelPlane> supporting_plane(std::uint32_t piece) {
     ModelPlane plane = pieces_.plane_of(piece);
     const double tolerance = pieces_.tolerance();
@@ -176,7 +178,7 @@ bool ConvexTree::is_worth_peeling(const std::vector<std::uint32_t>& set) const {
   const std::size_t stride = (set.size() + kSample - 1) / kSample;
   std::vector<std::uint32_t> sample;
   for (std::size_t i = 0; i < set.size(); i += stride) sample.push_back(set[i]);
-  // A vertex not on the hull of the sample is not on that of the set: most sets are told from their sample alone.
+  // A vertex not on the hull of the sample is not on the hull of the set, so the sample alone rejects most sets.
   for (const std::vector<std::uint32_t>* among : {&std::as_const(sample), &set}) {
     HullSearch hull(pieces_, *among);
     std::size_t found = 0;
@@ -212,7 +214,7 @@ void ConvexTree::compile(Task task, const PlaneChoice& options, std::vector<Task
   separate(std::move(task), node, options, open);
 }
 
-/// Takes the triangles on the convex hull out of the set; the node is convex when there are any.
+/// Moves the triangles on the convex hull from the set to the node; the node is convex if there are any.
 void ConvexTree::peel(Task& task, Node& node) {
   const auto begin = static_cast<std::uint32_t>(inward_.size());
   HullSearch hull(pieces_, task.pieces);
@@ -220,7 +222,7 @@ void ConvexTree::peel(Task& task, Node& node) {
   for (const std::uint32_t piece : task.pieces) {
     std::optional<ModelPlane> plane = hull.supporting_plane(piece);
     if (!plane && task.lies_on_parent && pieces_.side(piece, nodes_[task.parent].plane) == PlaneSide::on) {
-      plane = nodes_[task.parent].plane;  // all of the set is in front of that
+      plane = nodes_[task.parent].plane;  // the whole set is in front of that plane
     }
     if (plane) {
       inward_.push_back({piece, *plane});
@@ -234,7 +236,7 @@ void ConvexTree::peel(Task& task, Node& node) {
   node.convex = node.end > node.begin;
 }
 
-/// `task.parent` is the number that the node gets.
+/// Separates the set by a plane. `task.parent` is the number that the node gets.
 void ConvexTree::separate(Task task, Node& node, const PlaneChoice& options, std::vector<Task>& open) {
   const DividingPlane chosen = choose_plane(pieces_, task.pieces, options, task.seed);
   const std::uint64_t before = count_supports(task.pieces);

@@ -1,6 +1,6 @@
 #pragma once
-/// Huet's display tree: convex sets of triangles, one inside the other, and planes between what is not convex. It is
-/// compiled once; the display takes dot products only.
+/// Huet's display tree: nested convex sets of triangles, and planes that separate sets that are not convex. It is
+/// compiled once; display needs only dot products.
 ///
 /// S. Huet, "Compilation d'objets 3D", 1994. docs/methods/convex-tree.md.
 
@@ -16,37 +16,37 @@
 
 namespace ligne {
 
-/// Invariants: every piece of a convex node has all other pieces of it and all those below on one side, the inside, or in
-/// its plane; a separating node has its front subtree in front of its plane or in it, its back subtree behind it or in it.
-/// Each within ModelPieces::tolerance().
+/// Invariants: for every piece of a convex node, all other pieces of the node and of its subtree lie on one side of its
+/// plane, the inside, or in the plane. The front subtree of a separating node lies in front of its plane or in it, the
+/// back subtree behind it or in it. All within ModelPieces::tolerance().
 class ConvexTree final : public CompiledScene {
  public:
   struct Counts {
-    std::uint64_t triangles = 0;    ///< of the scene, with area
+    std::uint64_t triangles = 0;    ///< triangles of the scene with area
     std::uint64_t convex_sets = 0;  ///< nodes of type 1
     std::uint64_t planes = 0;       ///< nodes of type 2: the complexity of the tree
-    std::uint64_t free_planes = 0;  ///< of them, those whose plane is that of no triangle
+    std::uint64_t free_planes = 0;  ///< nodes of type 2 whose plane is not the plane of a triangle
     std::uint64_t splits = 0;
     std::uint64_t depth = 0;
-    bool terminates = true;  ///< the measure fell at every node
+    bool terminates = true;  ///< the measure of termination fell at every node
   };
 
   ConvexTree(const Scene& scene, const PlaneChoice& options);
-  /// A tree of that scene that was written. Throws InputError.
+  /// Reads a tree of the scene. Throws InputError.
   ConvexTree(ByteReader& bytes, const Scene& scene);
   void write(ByteWriter& bytes) const override;
 
   const ModelPieces& pieces() const { return pieces_; }
   const Counts& counts() const { return counts_; }
 
-  /// Its separating planes, and its convex sets as nodes that divide nothing.
+  /// The separating planes of the tree, with convex sets as nodes that divide nothing.
   std::vector<PartitionNode> partition() const;
 
-  /// Calls visit(piece, rank) for all pieces from the front to the back. Pieces of one rank do not hide each other: they
-  /// belong to one convex set, and all look at the viewer, or all look away.
+  /// Calls visit(piece, rank) for all pieces from front to back. Pieces of one rank do not hide each other: they belong
+  /// to one convex set, and all or none of them face the viewer.
   template <class Visit>
   void front_to_back(const Viewpoint& viewpoint, Visit visit) const {
-    // A node, and what of it is to be done: all, or the far side of a convex set.
+    // A node, and whether only the far side of a convex set is left to visit.
     std::vector<std::pair<std::uint32_t, bool>> open;
     std::uint32_t rank = 0;
     if (!nodes_.empty()) open.emplace_back(0, false);
@@ -55,7 +55,8 @@ class ConvexTree final : public CompiledScene {
       open.pop_back();
       const Node& node = nodes_[number];
       if (node.convex) {
-        // Proposition 2: what is seen from outside lies before all that is inside, what is seen from inside behind it.
+        // Proposition 2: pieces seen from outside lie in front of everything inside the set, pieces seen from inside
+        // behind it.
         for (std::uint32_t i = node.begin; i < node.end; ++i) {
           if (viewpoint.in_front_of(inward_[i].plane) == far_side) visit(inward_[i].piece, rank);
         }
@@ -80,17 +81,19 @@ class ConvexTree final : public CompiledScene {
   };
   struct Node {
     bool convex = false;
-    std::uint32_t begin = 0, end = 0;           ///< convex set: of inward_
+    std::uint32_t begin = 0, end = 0;           ///< convex set: range of inward_
     ModelPlane plane;                           ///< separating plane
-    std::uint32_t front = kNone, back = kNone;  ///< of a convex set `front` is what is inside
+    std::uint32_t front = kNone, back = kNone;  ///< `front` of a convex set is the subtree inside it
   };
   struct Task {
     std::vector<std::uint32_t> pieces;
     std::uint32_t parent = kNone;
     bool front = true;
     std::uint64_t depth = 1, seed = 0;
-    std::uint64_t most_supports = ~std::uint64_t{0};  ///< what is left when a convex set is peeled off has fewer
-    bool lies_on_parent = false;                      ///< its pieces in the plane of the parent are part of a convex set
+    std::uint64_t most_supports = ~std::uint64_t{0};  ///< the rest after peeling off a convex set must have fewer
+                                                      ///< supports
+    bool lies_on_parent = false;                      ///< some pieces lie in the plane of the parent; they belong to a
+                                                      ///< convex set
   };
 
   void compile(Task task, const PlaneChoice& options, std::vector<Task>& open);
@@ -103,7 +106,7 @@ class ConvexTree final : public CompiledScene {
   std::vector<Node> nodes_;
   std::vector<Inward> inward_;
   Counts counts_;
-  std::vector<std::uint64_t> counted_;  ///< per triangle: the set for which it was counted last
+  std::vector<std::uint64_t> counted_;  ///< per triangle: number of the last set that counted it
   std::uint64_t counted_sets_ = 0;
 };
 

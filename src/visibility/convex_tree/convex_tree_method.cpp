@@ -1,7 +1,7 @@
 #include "visibility/convex_tree/convex_tree_method.hpp"
 
-// Phases: (1) the tree, in model space, (2) one walk through it, from the front, by dot products, (3) every edge against the
-// faces that have pieces before its own. See docs/methods/convex-tree.md.
+// Phases: (1) build the tree, in model space, (2) walk through it once, from the front, by dot products, (3) test every
+// edge against the faces that have pieces in front of its own. See docs/methods/convex-tree.md.
 
 namespace ligne {
 

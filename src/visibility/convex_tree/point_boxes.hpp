@@ -1,5 +1,5 @@
 #pragma once
-/// Points in boxes in boxes: is there one below a plane?
+/// A tree of boxes over points, to find whether a point lies below a plane.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ class PointBoxes {
  public:
   explicit PointBoxes(std::vector<Point3> points) : points_(std::move(points)) { build(); }
 
-  /// Whether a point is lower over the plane than -tolerance. Boxes that are not are passed over.
+  /// Whether the height of some point over the plane is below -tolerance. Boxes wholly above are skipped.
   bool any_below(const ModelPlane& plane, double tolerance) const {
     if (points_.empty()) return false;
     std::vector<std::uint32_t> open{0};
@@ -41,7 +41,7 @@ class PointBoxes {
   static constexpr std::uint32_t kInLeaf = 48;
   struct Box {
     Point3 low, high;
-    std::uint32_t begin, end, child = kNone;  ///< of two that follow each other
+    std::uint32_t begin, end, child = kNone;  ///< the first of two consecutive children, or kNone
   };
 
   void build() {

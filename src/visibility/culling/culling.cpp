@@ -6,15 +6,15 @@
 #include "visibility/common/convex_body.hpp"
 #include "visibility/edges/line_strokes.hpp"
 
-// Phases: (1) faces by the sign of their area on the page, (2) is it one convex body, (3) edges with a front face are drawn.
-// See docs/methods/culling.md.
+// Phases: (1) sort faces by the sign of their area on the page, (2) check that the scene is one convex body, (3) draw
+// edges with a front face. See docs/methods/culling.md.
 
 namespace ligne {
 namespace {
 
 using namespace convexity;
 
-/// The parts that the front facets leave of a line that is no edge of the body: one of axes, or of a contour.
+/// Finds the visible parts of a line that is not an edge of the body, such as a line of the axes or of a contour.
 void visible_of_free_line(const PageLine& line, const std::vector<Facet>& front, const ProjectedScene& scene,
                           double coincidence_steps, OpenParts& open, std::vector<LinePart>& parts) {
   open.reset(0, 1);

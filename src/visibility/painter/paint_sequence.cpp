@@ -21,10 +21,10 @@ struct PaintedFace {
   double mean = 0;
 };
 
-/// Two faces that overlap on the page, the one of the lower number first.
+/// Two faces that overlap on the page, the lower number first.
 struct Pair {
   std::uint32_t a = 0, b = 0;
-  bool a_in_front = false, b_in_front = false;  ///< somewhere
+  bool a_in_front = false, b_in_front = false;  ///< in front in some part of the overlap
   friend bool operator<(const Pair& p, const Pair& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); }
 };
 
@@ -85,12 +85,12 @@ std::vector<Pair> overlapping_pairs(const ProjectedScene& scene, const std::vect
   return all;
 }
 
-/// On which sides of a plane the corners of a face lie, beyond the tolerance of touching.
+/// Sides of a plane on which corners of a face lie, beyond the tolerance of touching.
 struct Sides {
   bool in_front = false, behind = false;
 };
 
-/// Each corner of the plane's facet may be off by the tolerance, and counts as much as it does for the depth.
+/// Each corner of the plane's facet may be off by the tolerance, weighted as its depth is.
 Sides sides_of(const ProjectedScene& scene, const std::vector<Facet>& facets, const PaintedFace& of, const Facet& plane) {
   const ProjectedVertex* p[3] = {&scene.vertices[plane.v[0]], &scene.vertices[plane.v[1]], &scene.vertices[plane.v[2]]};
   const double area = orientation(p[0]->p, p[1]->p, p[2]->p);
@@ -112,7 +112,7 @@ Sides sides_of(const ProjectedScene& scene, const std::vector<Facet>& facets, co
   return sides;
 }
 
-/// Cases (a) and (b): +1 when `a` is in front of `b`, -1 when behind, 0 when neither can be told so.
+/// Cases (a) and (b): +1 if `a` is in front of `b`, -1 if behind, 0 if these cases do not decide.
 int in_front(const ProjectedScene& scene, const std::vector<Facet>& facets, const PaintedFace& a, const PaintedFace& b) {
   const auto plane_of = [&](const PaintedFace& f) -> const Facet& {
     return facets[*std::max_element(f.facets.begin(), f.facets.end(),
@@ -125,8 +125,8 @@ int in_front(const ProjectedScene& scene, const std::vector<Facet>& facets, cons
   return 0;
 }
 
-/// Step 2 of the lecture: what is known of pairs is kept, whatever the sort says; the sort decides among the rest. A heap of
-/// the faces that no other has to come before; when there is none, the first of a ring is taken as it is sorted.
+/// Step 2 of the lecture: the known order of pairs overrides the sort, which decides the rest. A heap holds the faces
+/// that wait for no other face. If it is empty, the faces form a ring, and the first of them in the sort is taken.
 void resolve(const ProjectedScene& scene, const std::vector<Facet>& facets, const std::vector<PaintedFace>& faces,
              const std::vector<Pair>& pairs, PaintSequence& sequence) {
   std::vector<std::int8_t> known(pairs.size(), 0);
@@ -193,7 +193,7 @@ PaintSequence paint_sequence(const ProjectedScene& scene, const std::vector<Face
   const auto key = [&](std::uint32_t f) { return sort == DepthSort::mean ? faces[f].mean : faces[f].farthest; };
   std::stable_sort(sequence.faces.begin(), sequence.faces.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return key(a) > key(b); });
-  // Where every face has one depth, no two can be in each other's way.
+  // If every face has constant depth, the sort is right for every pair.
   const std::vector<Pair> pairs = sequence.level ? std::vector<Pair>{} : overlapping_pairs(scene, facets, grid);
   sequence.overlapping = pairs.size();
   if (sort == DepthSort::resolved) resolve(scene, facets, faces, pairs, sequence);

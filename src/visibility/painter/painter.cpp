@@ -13,8 +13,8 @@
 #include "visibility/painter/paint_sequence.hpp"
 #include "visibility/raster/depth_buffer.hpp"
 
-// Phases: (1) facets and their grid, (2) the order, (3) lines: each is painted with the later of its faces, and covered by
-// the faces that come after it, (4) pixels. See docs/methods/painter.md.
+// Phases: (1) facets and their grid, (2) the order, (3) lines: each is painted with the later of its faces, and later
+// faces cover it, (4) pixels. See docs/methods/painter.md.
 
 namespace ligne {
 namespace {
@@ -30,7 +30,7 @@ constexpr MethodParameter kParameters[] = {
     {"show", "order", "as layer debug: the order of painting as numbers", "", kShowNames},
 };
 
-/// The parts of lines that painting leaves.
+/// Finds the parts of lines that remain visible after painting.
 class PaintedLines {
  public:
   PaintedLines(const ProjectedScene& scene, const Facets& facets, const CellGrid& grid, const PaintSequence& sequence,
@@ -40,7 +40,7 @@ class PaintedLines {
   bool find(const PageLine& line, std::vector<LinePart>& parts) {
     const std::uint32_t place = place_of(line);
     bool near_side = false;
-    PageLine nearest = line;  // so that no cell is taken for hidden
+    PageLine nearest = line;  // so that no cell counts as hidden
     nearest.z0 = nearest.z1 = -std::numeric_limits<double>::infinity();
     grid_.for_each_leaf(nearest, [&](const Cell& cell, const CellSquare&, double from, double to) {
       open_.reset(from, to);
@@ -57,28 +57,28 @@ class PaintedLines {
   }
 
  private:
-  /// kNever for a face that is edge on within the lattice, too: it overlaps nothing on the page, so its place says nothing
-  /// of its lines.
+  /// Place of a face in the order. A face seen edge on within the lattice gives kNever, too: it overlaps nothing on the
+  /// page, so its place says nothing about its lines.
   std::uint32_t place_of(std::uint32_t face) const {
     const bool thin = face < facets_.face_is_thin.size() && facets_.face_is_thin[face];
     return thin ? PaintSequence::kNever : sequence_.place(face);
   }
-  /// The later place of its faces; kNever when none is painted.
+  /// The later place of the line's faces; kNever if none is painted.
   std::uint32_t place_of(const PageLine& line) const {
     const std::uint32_t a = place_of(line.face0), b = place_of(line.face1);
     return a == PaintSequence::kNever ? b : b == PaintSequence::kNever ? a : std::max(a, b);
   }
 
-  /// The part of the line that the facet paints over. A painter knows no depth: later facets cover the line, unless it
-  /// touches it. Lines that are painted with no face are hidden by what is in front of them.
+  /// The part of the line that the facet paints over. A painter ignores depth: a later facet covers the line, unless
+  /// the line touches it. For lines painted with no face, depth decides.
   HiddenInterval covered(const PageLine& line, const Facet& facet, std::uint32_t place, bool& near_side) const {
     const ProjectedVertex* vertices = scene_.vertices.data();
     if (place == PaintSequence::kNever) {
       return hidden_interval(line, facet, vertices, {open_.from(), open_.to()}, coincidence_steps_, near_side);
     }
     if (sequence_.place(facet.face) < place) {
-      // A face with a side along the line covers one side of it and need not overlap the line's own faces on the page: then
-      // any order of theirs is right, and its depth tells.
+      // A face with a side along the line covers one side of it and need not overlap the line's own faces on the page.
+      // Then any order of these faces is right, and depth decides.
       const HiddenInterval beside =
           hidden_interval(line, facet, vertices, {open_.from(), open_.to()}, coincidence_steps_, near_side);
       return beside.sides == HiddenSides::both ? HiddenInterval{} : beside;
@@ -105,7 +105,7 @@ class PaintedLines {
   OpenParts open_;
 };
 
-/// The picture when all is painted: a depth buffer in which every face lies at the depth of its place in the order.
+/// The finished picture: a depth buffer in which the depth of a face is its place in the order.
 PixelModel paint(const ProjectedScene& scene, const PaintSequence& sequence, const VisibilityOptions& options) {
   ProjectedScene flat;
   flat.lattice = scene.lattice;
@@ -122,7 +122,7 @@ PixelModel paint(const ProjectedScene& scene, const PaintSequence& sequence, con
   return buffer.take_pixels();
 }
 
-/// The triangles of the faces as they are painted.
+/// The triangles of the faces, in the order of painting.
 PaintOrder paint_order(const ProjectedScene& scene, const PaintSequence& sequence) {
   std::vector<std::vector<std::uint32_t>> triangles_at(sequence.faces.size());
   for (std::uint32_t i = 0; i < scene.triangles.size(); ++i) {
@@ -146,8 +146,8 @@ PaintOrder paint_order(const ProjectedScene& scene, const PaintSequence& sequenc
   return order;
 }
 
-/// A face in whose plane the eye lies has no place in the order, and where it reaches to the eye its lines lie before all
-/// others on the page.
+/// Whether the eye may lie on a face: the eye is in the plane of some face, and a part is out of view. Such a face has
+/// no place in the order, and where it reaches the eye its lines are in front of all others.
 bool eye_is_on_a_face(const ProjectedScene& scene) {
   const bool cut_off = scene.view.camera.perspective && !scene.edge_parts.empty();
   return cut_off && std::ranges::count(scene.face_is_edge_on, std::uint8_t{1}) > 0;

@@ -17,12 +17,12 @@ namespace {
 
 using convexity::Facing;
 
-/// Adjustable: parts of the model that one thread looks at at a time, and facets above which a body's front gets a tree.
+/// Adjustable: parts of the model in one task, and the number of facets above which a body's front gets a tree.
 constexpr std::size_t kPartsPerTask = 64;
 constexpr std::uint32_t kManyFacets = 16;
 
-/// The model on the page: all triangles, whatever lies on others. Vertices that are out of view have the planes of the view
-/// volume beyond which they lie as bits, and no place.
+/// The model on the page: all triangles, also coincident ones. `outside` has, per vertex, a bit for each plane of the
+/// view volume beyond which it lies; such a vertex has no place on the page.
 struct PlacedModel {
   ProjectedScene page;
   std::vector<std::uint8_t> outside;
@@ -52,10 +52,11 @@ PlacedModel place_model(const ProjectedScene& scene) {
   return placed;
 }
 
-/// Connected parts: triangles of one face, and those that alone share a side. Parts with a common edge stay apart.
+/// Connected parts. They join triangles of one face, and two triangles if no third one has their common side. So bodies
+/// that touch in an edge stay separate.
 struct Parts {
-  std::vector<std::uint32_t> triangles;  ///< by part, ascending in each
-  std::vector<std::uint32_t> begin;      ///< of each part in `triangles`, and the end
+  std::vector<std::uint32_t> triangles;  ///< numbers of triangles by part, ascending in each part
+  std::vector<std::uint32_t> begin;      ///< begin of each part in `triangles`, and the end of the last
   std::span<const std::uint32_t> of(std::size_t part) const {
     return std::span(triangles).subspan(begin[part], begin[part + 1] - begin[part]);
   }
@@ -92,7 +93,7 @@ Parts find_parts(const std::vector<Triangle>& triangles) {
   const auto n = static_cast<std::uint32_t>(triangles.size());
   std::vector<std::uint32_t> part_of(n), count;
   for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t root = sets.find(i);  // the lowest of its set
+    const std::uint32_t root = sets.find(i);  // the lowest number of its set
     if (root == i) {
       part_of[i] = static_cast<std::uint32_t>(count.size());
       count.push_back(0);
@@ -112,14 +113,14 @@ Parts find_parts(const std::vector<Triangle>& triangles) {
 
 enum class Place : std::uint8_t { in_view, out_of_view, cut };
 
-/// A part as it is found by itself.
+/// The study of one part.
 struct FoundPart {
   Place place = Place::in_view;
   bool is_flat = false;
   std::string unsupported;
   std::vector<LatticePoint> hull;
-  std::vector<std::uint32_t> faces;    ///< of the model, ascending
-  std::vector<std::uint8_t> is_front;  ///< of `faces`
+  std::vector<std::uint32_t> faces;    ///< faces of the model, ascending
+  std::vector<std::uint8_t> is_front;  ///< per face of `faces`: 1 if it is a front face
 };
 
 Place place_of(const PlacedModel& model, std::span<const std::uint32_t> triangles) {
@@ -133,7 +134,7 @@ Place place_of(const PlacedModel& model, std::span<const std::uint32_t> triangle
   return all ? Place::out_of_view : any ? Place::cut : Place::in_view;
 }
 
-/// The part as a scene of its own; faces and vertices are numbered anew.
+/// The part as a separate scene, with new numbers of faces and vertices.
 ProjectedScene scene_of_part(const ProjectedScene& page, std::span<const std::uint32_t> triangles,
                              std::vector<std::uint32_t>& faces) {
   ProjectedScene part;
@@ -162,7 +163,8 @@ ProjectedScene scene_of_part(const ProjectedScene& page, std::span<const std::ui
   return part;
 }
 
-/// A single face is convex when its triangles fill the hull of its corners, each of which was rounded by half a step.
+/// A single face is convex if its triangles fill the hull of its corners, but for the rounding of each corner by half a
+/// step.
 bool is_convex_face(const ProjectedScene& face, const std::vector<LatticePoint>& hull) {
   double filled = 0;
   for (const Triangle& t : face.triangles)
@@ -220,7 +222,7 @@ void add_body(FoundPart& found, Bodies& bodies) {
   bodies.list.push_back(body);
 }
 
-/// The facets of front faces, by body.
+/// Adds the facets of front faces, by body.
 void add_fronts(Bodies& bodies) {
   const auto body_of = [&](const Facet& f) { return bodies.is_front[f.face] ? bodies.of_face[f.face] : kNone; };
   std::vector<std::uint32_t> next(bodies.list.size() + 1, 0);
@@ -243,8 +245,8 @@ double area_of(const Bodies& bodies, std::uint32_t facet) {
   return orientation(bodies.vertices[v[0]].p, bodies.vertices[v[1]].p, bodies.vertices[v[2]].p);
 }
 
-/// The planes and bounds of a body's front. The largest facet of a face stands for its plane: it says most about the plane
-/// elsewhere. Facets are ordered by their faces.
+/// Finds the planes and bounds of a body's front. The largest facet of a face gives its plane, as its plane is the most
+/// accurate elsewhere. Facets are ordered by face.
 void measure_front(Body& body, Bodies& bodies) {
   body.plane_begin = static_cast<std::uint32_t>(bodies.planes.size());
   body.z_far = -std::numeric_limits<float>::infinity();
@@ -278,7 +280,9 @@ void plant_trees(Bodies& bodies) {
     body.has_tree = true;
   }
   boxes.clear();
-  for (const Body& body : bodies.list) boxes.push_back(body.box);  // without a front: at no depth, so that no line is behind
+  for (const Body& body : bodies.list)
+    boxes.push_back(body.box);  // a body without a front has no depth, so no line is
+                                // behind it
   bodies.root = bodies.forest.add_tree(boxes);
 }
 

@@ -8,11 +8,11 @@
 namespace ligne::roberts {
 namespace {
 
-/// Adjustable: bodies with more faces in front are not asked plane by plane.
+/// Largest number of front faces of a body for which lines are tested plane by plane. Adjustable.
 constexpr std::uint32_t kMostPlanes = 32;
 
-/// How far a place of the line is behind the plane of a facet, and how far that may be off: each corner of the facet may be
-/// off by its depth tolerance, and counts there as much as it does for the depth.
+/// Distance in depth of a point of the line behind the plane of a facet, and its error bound: each corner of the facet
+/// may be off by the depth tolerance, weighted as its depth is.
 struct PlaneDistance {
   double behind, error;
 };
@@ -51,8 +51,8 @@ void BodyLines::find(const PageLine& line, std::vector<LinePart>& parts) {
   if (!open_.empty()) parts = open_.finish();
 }
 
-/// An edge of a convex body is seen past the body itself when one of its faces is a front face, as all edges of a body
-/// without any are. A line of penetration lies in a face of each body.
+/// A convex body does not hide its own edge if one of the edge's faces is a front face, or if the body has no front
+/// faces. A line of penetration lies in a face of each of its two bodies.
 BodyLines::Own BodyLines::own_of(const PageLine& line) const {
   Own own;
   if (line.face0 == kNone) return own;
@@ -67,7 +67,7 @@ BodyLines::Own BodyLines::own_of(const PageLine& line) const {
   } else if (kind_ == LineKind::intersection) {
     own.hidden = hides(first, is_front(line.face0)) || hides(second, is_front(line.face1));
   } else {
-    own.by_facets = true;  // bodies of one object meet in this edge, which names a face of each
+    own.by_facets = true;  // bodies of one object meet in this edge, which has one face of each
   }
   return own;
 }
@@ -92,8 +92,8 @@ void BodyLines::take_body(const PageLine& line, const Body& body) {
   }
 }
 
-/// The inequalities of the silhouette. The ends are quotients of exact determinants, as those of facets are. A silhouette
-/// along which the line runs covers one side of it.
+/// Clips the line by the inequalities of the silhouette. The ends are quotients of exact determinants, as for facets.
+/// If the line runs along a side of the silhouette, the body covers one side of the line.
 bool BodyLines::clip_to_silhouette(const PageLine& line, const Body& body, HiddenInterval& inside) const {
   inside = {0, 1, HiddenSides::both};
   const LatticePoint* const corners = bodies_.hull.data();
@@ -116,15 +116,15 @@ bool BodyLines::clip_to_silhouette(const PageLine& line, const Body& body, Hidde
   return std::max(inside.from, open_.from()) < std::min(inside.to, open_.to());
 }
 
-/// The inequalities of the planes, as far as they are certain. A line is behind the body where it is behind all planes, and
-/// not behind it where no part of it may be behind all of them.
+/// Applies the inequalities of the planes, as far as they are certain. The line is behind the body if it is behind all
+/// planes, and in front if no part of it can be behind all of them.
 BodyLines::Depth BodyLines::depth_of(const PageLine& line, const Body& body, double enter, double leave) {
   const double z_enter = line.z(enter), z_leave = line.z(leave);
   if (std::min(z_enter, z_leave) > double(body.z_far) + body.tolerance) return Depth::behind;
   if (std::max(z_enter, z_leave) <= body.box.z_near) return Depth::before;
   if (body.plane_end - body.plane_begin > kMostPlanes) return Depth::unknown;
   bool behind_all = true;
-  double from = 0, to = 1;  // of [enter, leave]: what may be behind the planes so far
+  double from = 0, to = 1;  // part of [enter, leave] that may be behind the planes so far
   for (std::uint32_t i = body.plane_begin; i < body.plane_end; ++i) {
     ++counts_.planes;
     const Facet& facet = bodies_.front[bodies_.planes[i]];

@@ -1,5 +1,5 @@
 #pragma once
-/// One line against the bodies before it.
+/// Finds the visible parts of lines by testing them against bodies.
 
 #include <cstdint>
 #include <mutex>
@@ -13,12 +13,12 @@ namespace ligne::roberts {
 /// Counts for the statistics.
 struct BodyCounts {
   std::uint64_t own = 0;     ///< lines hidden by their own body
-  std::uint64_t bodies = 0;  ///< line against body
-  std::uint64_t beside = 0;  ///< of them, those in which the line is outside the silhouette
-  std::uint64_t before = 0;  ///< and before a plane of the front all the way
-  std::uint64_t behind = 0;  ///< and behind all planes
-  std::uint64_t planes = 0;  ///< line against plane
-  std::uint64_t facets = 0;  ///< line against facet: where the line touches or pierces the front
+  std::uint64_t bodies = 0;  ///< tests of a line against a body
+  std::uint64_t beside = 0;  ///< such tests in which the line is outside the silhouette
+  std::uint64_t before = 0;  ///< such tests in which the line is in front of the body
+  std::uint64_t behind = 0;  ///< such tests in which the line is behind all planes
+  std::uint64_t planes = 0;  ///< tests of a line against a plane
+  std::uint64_t facets = 0;  ///< tests of a line against a facet: where the line touches or pierces the front
   void operator+=(const BodyCounts& o) {
     own += o.own;
     bodies += o.bodies;
@@ -38,7 +38,7 @@ struct BodyTotals {
 
 enum class LineKind : std::uint8_t { edge, intersection };
 
-/// Working memory that is kept from line to line. `totals` gets the counts in the end.
+/// Tests lines one by one. It keeps its working memory from line to line; the destructor adds the counts to `totals`.
 class BodyLines {
  public:
   BodyLines(const Bodies& bodies, double coincidence_steps, LineKind kind, BodyTotals& totals)
@@ -50,17 +50,18 @@ class BodyLines {
     totals_.counts += counts_;
   }
 
-  /// The visible parts of the line, in order, disjoint.
+  /// Finds the visible parts of the line, in order, disjoint.
   void find(const PageLine& line, std::vector<LinePart>& parts);
 
  private:
   /// The bodies on which the line lies.
   struct Own {
     std::uint32_t bodies[2] = {kNone, kNone};
-    bool hidden = false;     ///< all of the line lies behind one of them
-    bool by_facets = false;  ///< they may hide it: nothing is known but its first two faces
+    bool hidden = false;     ///< one of them hides the whole line
+    bool by_facets = false;  ///< they may hide it, and only facets can decide: the line names only one face of each
+                             ///< body
   };
-  /// Where the line lies to all of a body's front.
+  /// Position of the line relative to a body's whole front.
   enum class Depth : std::uint8_t { before, behind, unknown };
 
   Own own_of(const PageLine& line) const;

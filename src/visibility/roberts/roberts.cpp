@@ -9,8 +9,8 @@
 #include "visibility/penetration/intersections.hpp"
 #include "visibility/roberts/body_lines.hpp"
 
-// Phases: (1) bodies and their inequalities, (2) lines of penetration, (3) every line against the bodies before it.
-// See docs/methods/roberts.md.
+// Phases: (1) bodies and their inequalities, (2) lines of penetration, (3) every line against the bodies in front of
+// it. See docs/methods/roberts.md.
 
 namespace ligne {
 namespace {
@@ -58,7 +58,7 @@ VisibilityResult RobertsMethod::compute_visibility(const ProjectedScene& scene, 
   result.unsupported_reason = bodies.unsupported;
   statistics.time("bodies", clock.lap());
 
-  // 2. Lines of penetration, of the projected scene: it has faces that coincide once.
+  // 2. Lines of penetration, of the projected scene, which has only one of coincident faces.
   std::vector<Intersection> intersections;
   if (scene.with_intersections) {
     const Facets facets = make_facets(scene, coincidence_steps);
@@ -66,7 +66,7 @@ VisibilityResult RobertsMethod::compute_visibility(const ProjectedScene& scene, 
   }
   statistics.time("intersections", clock.lap());
 
-  // 3. Lines. Another line may lie on any of them.
+  // 3. Lines. Each may coincide with another.
   BodyTotals totals;
   const auto against_bodies = [&](LineKind kind) {
     return [&bodies, &totals, coincidence_steps, kind]() -> LineVisibility {

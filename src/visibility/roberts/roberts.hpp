@@ -1,5 +1,5 @@
 #pragma once
-/// Edges of convex bodies against bodies, by linear inequalities.
+/// Tests edges against convex bodies, by linear inequalities.
 ///
 /// After L. G. Roberts, "Machine perception of three-dimensional solids", 1963. docs/methods/roberts.md.
 

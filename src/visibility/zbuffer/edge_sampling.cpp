@@ -7,7 +7,7 @@
 namespace ligne::zbuffer {
 namespace {
 
-/// The places at which a coordinate that runs from `from` to `to` is a whole number, as parameters, in order.
+/// Parameters, in order, at which a coordinate that runs from `from` to `to` is a whole number.
 class WholePlaces {
  public:
   WholePlaces(double from, double to) : from_(from), change_(to - from) {
@@ -20,7 +20,7 @@ class WholePlaces {
     }
   }
 
-  /// Infinity where there is none.
+  /// Infinity if there is none.
   double next() const { return change_ == 0 ? std::numeric_limits<double>::infinity() : (next_ - from_) / change_; }
   void advance() { next_ += step_; }
 

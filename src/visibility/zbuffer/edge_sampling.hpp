@@ -1,11 +1,12 @@
 #pragma once
-/// Lines against a depth buffer.
+/// Tests lines against a depth buffer.
 ///
-/// A line goes through squares whose corners are four centres of pixels. In each it is tested at one point, in the middle
-/// of its way through the square: it is hidden when it is farther there than the hiding depth of each corner. A face in
-/// front that covers the surroundings of the point covers all four; where one of them shows something else the line is at
-/// the rim of what is in front of it, and is drawn. So lines go on up to a pixel behind a rim, but outlines, which have a
-/// face on one side only, do not break. Centres outside the window, where faces end, say nothing.
+/// A line passes through squares whose corners are four centres of pixels. In each square it is tested at one point,
+/// the middle of its part there: it is hidden if it is farther than the hiding depths of all four corners. A face in
+/// front of the line that covers the surroundings of the point covers all four corners. If a corner shows something
+/// else, the line is at the rim of the face in front, and is drawn. So lines continue up to a pixel behind a rim, but
+/// outlines, which have a face on one side only, do not break. Centres outside the window, where faces end, are
+/// ignored.
 
 #include <cstdint>
 #include <vector>
@@ -18,10 +19,10 @@ namespace ligne::zbuffer {
 
 class EdgeSampling {
  public:
-  /// Parts outside the window were clipped away before the buffer was painted.
+  /// `window`: faces outside it were clipped before the buffer was painted.
   EdgeSampling(const DepthBuffer& buffer, const Lattice& lattice, const Rect& window);
 
-  /// The visible parts of the line, in order, disjoint.
+  /// Finds the visible parts of the line, in order, disjoint.
   void find(const PageLine& line, std::vector<LinePart>& parts) const;
 
  private:
@@ -29,7 +30,7 @@ class EdgeSampling {
 
   const DepthBuffer& buffer_;
   PixelPlaces places_;
-  std::int64_t first_column_, last_column_, first_row_, last_row_;  ///< whose centres are in the window
+  std::int64_t first_column_, last_column_, first_row_, last_row_;  ///< pixels whose centres are in the window
 };
 
 }  // namespace ligne::zbuffer

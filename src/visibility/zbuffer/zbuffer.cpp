@@ -13,7 +13,7 @@
 #include "visibility/zbuffer/edge_sampling.hpp"
 #include "visibility/zbuffer/kept_buffer.hpp"
 
-// Phases: (1) the buffer: faces filled row by row, (2) lines of intersection, where they are wanted, (3) lines sampled
+// Phases: (1) fill the buffer, face by face and row by row, (2) find lines of intersection, if wanted, (3) sample lines
 // against the buffer. See docs/methods/zbuffer.md.
 
 namespace ligne {
@@ -31,10 +31,11 @@ constexpr MethodParameter kParameters[] = {
     {"depth-bits", "N", "whole depths of so many bits (default: real ones)", "", {}, kFewestBits, kMostBits},
 };
 
-/// Parts shorter than the way through two squares of pixels are below the resolution.
+/// Shortest part of a line that is drawn, in pixels: a part within two squares of pixels is below the resolution.
 constexpr double kShortestPixels = 2;
 
-/// From the near plane (in parallel projection: from the nearest point) to the farthest point of the scene.
+/// The scale of stored depths: from the near plane (in parallel projection: from the nearest point) to the farthest
+/// point of the scene.
 DepthScale scale_of(const ProjectedScene& scene, const VisibilityOptions& options) {
   const auto bits = options.settings.count("depth-bits");
   if (!bits || scene.triangles.empty()) return {};
@@ -57,10 +58,10 @@ DepthBuffer empty_buffer(const ProjectedScene& scene, const VisibilityOptions& o
           scale_of(scene, options)};
 }
 
-/// The facets that are not wholly behind what the buffer shows; of large ones, all.
+/// The facets without those wholly hidden by the buffer; large facets are always kept.
 std::vector<Facet> facets_in_front(const ProjectedScene& scene, const DepthBuffer& buffer,
                                    const std::vector<Facet>& facets) {
-  constexpr double kMostPixels = 16;  // adjustable: as many as are looked at, across and down
+  constexpr double kMostPixels = 16;  // adjustable: largest width and height of a facet that is tested
   const PixelPlaces places(buffer.grid(), scene.lattice);
   const auto hidden = [&](const Facet& f) {
     double low_u = std::numeric_limits<double>::infinity(), low_v = low_u, high_u = -low_u, high_v = -low_u;
@@ -90,7 +91,7 @@ std::vector<Facet> facets_in_front(const ProjectedScene& scene, const DepthBuffe
   return kept;
 }
 
-/// Hidden ones only where hidden strokes are wanted.
+/// Finds intersections; hidden ones only if hidden strokes are wanted.
 std::vector<Intersection> intersections_of(const ProjectedScene& scene, const DepthBuffer& buffer, const Facets& facets,
                                            double coincidence_steps, bool hidden_too) {
   if (!scene.with_intersections) return {};

@@ -1,5 +1,5 @@
 #pragma once
-/// The nearest face by pixels.
+/// The depth buffer: the nearest face at every pixel.
 ///
 /// After E. Catmull, "A subdivision algorithm for computer display of curved surfaces", 1974, in the scan-line version of
 /// the lecture among this project's sources (section 5.1). docs/methods/zbuffer.md.
@@ -14,7 +14,7 @@ class ZBufferMethod final : public Method {
   VisibilityResult compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const override;
 };
 
-/// How far on the page lines may be off: two pixels.
+/// Largest error of lines on the page, in mm: two pixels.
 double zbuffer_tolerance_mm(double page_height_mm, unsigned rows);
 
 }  // namespace ligne
