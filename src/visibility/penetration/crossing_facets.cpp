@@ -12,7 +12,7 @@
 namespace ligne {
 namespace {
 
-/// Two nodes of the tree, or one with itself.
+/// Two nodes of the tree, or one node twice.
 struct NodePair {
   std::uint32_t a, b;
 };
@@ -36,7 +36,7 @@ class CrossingSearch {
   FacetTree tree_;
 };
 
-/// The pairs into which one is divided that may meet: the larger node is.
+/// Divides the larger node of a pair, and visits the resulting pairs that may meet.
 template <class Visit>
 void CrossingSearch::visit_parts(const NodePair& pair, const Visit& visit) const {
   const FacetTree::Node &a = tree_.node(pair.a), &b = tree_.node(pair.b);
@@ -56,7 +56,7 @@ void CrossingSearch::visit_parts(const NodePair& pair, const Visit& visit) const
   }
 }
 
-/// Pairs of nodes that together stand for all.
+/// Pairs of nodes that together cover all pairs of facets.
 std::vector<NodePair> CrossingSearch::tasks() const {
   constexpr std::size_t kParts = 64, kFewest = 256;  // adjustable
   const auto& roots = tree_.roots();
@@ -100,7 +100,8 @@ void CrossingSearch::compare_leaves(const NodePair& pair, PenetrationSearch& fou
       if (!FacetTree::may_meet(a, b)) continue;
       if (!placed) placed = found.place(a.facet);
       const PlacedFacet other = found.place(b.facet);
-      // Always the nearer one first: a side in a plane that goes along the rim of its facet counts in one order only.
+      // The nearer facet always comes first: a side in a plane along the rim of the plane's facet counts in one order
+      // only.
       if (std::tie(a.z_near, a.facet) < std::tie(b.z_near, b.facet)) {
         found.test(*placed, other, every);
       } else {

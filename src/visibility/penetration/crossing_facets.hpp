@@ -1,8 +1,8 @@
 #pragma once
-/// All pairs of facets that may pass through each other, the hidden ones too.
+/// Finds all pairs of facets that may penetrate each other, hidden ones included.
 ///
-/// A tree of the facets (facet_tree.hpp) is held against itself: pairs of nodes whose boxes or slabs are apart end there,
-/// and those whose facets are all of one face.
+/// Compares a tree of the facets (facet_tree.hpp) with itself. A pair of nodes is dropped if their boxes or slabs are
+/// apart, or if all their facets are of one face.
 
 #include <vector>
 
@@ -10,7 +10,7 @@
 
 namespace ligne {
 
-/// O(n log n) and the pairs that are near each other.
+/// O(n log n) plus the number of pairs that are near each other.
 PenetrationSearch find_crossing_facets(const ProjectedScene& scene, const std::vector<Facet>& facets);
 
 }  // namespace ligne

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kBlock = 1024;
 
-/// Every third bit of a number of 20 bits.
+/// Spreads the bits of a number of 20 bits to every third bit.
 std::uint64_t spread_by_three(std::uint64_t v) {
   v = (v | (v << 32)) & 0x001f00000000ffffu;
   v = (v | (v << 16)) & 0x001f0000ff0000ffu;
@@ -23,9 +23,9 @@ std::uint64_t spread_by_three(std::uint64_t v) {
   return (v | (v << 2)) & 0x1249249249249249u;
 }
 
-/// A number of the Morton curve for the middle of a facet; depths count as far as lengths on the page do.
+/// Key of a facet's centre on the Morton curve; depths are scaled like lengths on the page.
 std::uint64_t key_of(const FacetTree::Item& f, double steps_per_mm) {
-  constexpr int kDropped = 7;  // of the 27 bits of a coordinate
+  constexpr int kDropped = 7;  // low bits dropped of the 27 bits of a coordinate
   const auto whole = [](double steps) {
     const double least = -double(kLatticeLimit), most = double(kLatticeLimit) - 1;
     return static_cast<std::uint64_t>(std::clamp(steps, least, most) - least) >> kDropped;
@@ -35,7 +35,7 @@ std::uint64_t key_of(const FacetTree::Item& f, double steps_per_mm) {
   return spread_by_three(whole(x)) | spread_by_three(whole(y)) << 1 | spread_by_three(whole(z)) << 2;
 }
 
-/// 0 for the smallest facets; four times as large, one more.
+/// Class of a facet's size: 0 for the smallest facets, and one more for each factor of four.
 std::uint32_t size_class(const FacetTree::Item& f) {
   const auto extent = static_cast<std::uint32_t>(std::max(f.right - f.left, f.bottom - f.top));
   return static_cast<std::uint32_t>(std::bit_width(extent) / 2);
@@ -49,7 +49,7 @@ Range range_of(double sx, double sy, double w, double h) {
   return {std::min(0.0, sx * w) + std::min(0.0, sy * h), std::max(0.0, sx * w) + std::max(0.0, sy * h)};
 }
 
-/// Extends a box by another.
+/// Extends the box of a node by another box.
 template <class Box>
 void include(FacetTree::Node& node, const Box& box) {
   node.left = std::min(node.left, box.left);
@@ -60,12 +60,12 @@ void include(FacetTree::Node& node, const Box& box) {
   node.z_far = std::max(node.z_far, box.z_far);
 }
 
-/// The depths between two parallel planes: their slopes, and how far they lie over a corner of the box.
+/// The depths between two parallel planes: their slopes, and their depths at the left upper corner of the box.
 struct Slab {
   double zx, zy, low, high;
 };
 
-/// Extends the slab of a node by what lies in another slab, and in its box.
+/// Extends the slab of a node by the part of another slab within its box.
 template <class Box>
 void include_slab(FacetTree::Node& node, const Box& box, const Slab& slab, double slack) {
   const auto [zx, zy, low, high] = slab;
@@ -147,7 +147,7 @@ void FacetTree::bound_leaf(Node& node) const {
   node = {one.left, one.right, one.top, one.bottom, one.z_near, one.z_far, 0, 0, 0, 0, 0, 0, first, end, 0, one.face};
   for (std::uint32_t i = node.first; i < node.end; ++i) {
     const Item& f = items_[i];
-    // Twice the area of the facet is at the most that of its box, which serves as well for a mean.
+    // The area of the box is at least twice that of the facet, and serves as well as a weight.
     const double area = (double(f.right) - f.left) * (double(f.bottom) - f.top);
     include(node, f);
     node.zx += area * f.zx;
@@ -196,7 +196,7 @@ bool FacetTree::may_meet(const Node& a, const Node& b) {
   const std::int32_t top = std::max(a.top, b.top), bottom = std::min(a.bottom, b.bottom);
   if (left > right || top > bottom || a.z_near > b.z_far || b.z_near > a.z_far) return false;
   if (a.face == b.face && a.face != kNone) return false;
-  // a's slab over b's: both are linear over the page.
+  // The slab of `a` relative to that of `b`; both are linear over the page.
   const double zx = a.zx - b.zx, zy = a.zy - b.zy;
   const double z = a.zx * (double(left) - a.left) + a.zy * (double(top) - a.top) -
                    (b.zx * (double(left) - b.left) + b.zy * (double(top) - b.top));
@@ -204,7 +204,7 @@ bool FacetTree::may_meet(const Node& a, const Node& b) {
   return z + range.low + a.low <= b.high && z + range.high + a.high >= b.low;
 }
 
-/// The planes neither cross nor touch where the boxes meet on the page, or they may.
+/// Whether the planes may cross or touch where the boxes meet on the page.
 bool FacetTree::may_meet(const Item& a, const Item& b) {
   const std::int32_t x0 = std::max(a.left, b.left), x1 = std::min(a.right, b.right);
   const std::int32_t y0 = std::max(a.top, b.top), y1 = std::min(a.bottom, b.bottom);

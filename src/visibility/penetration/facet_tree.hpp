@@ -1,8 +1,8 @@
 #pragma once
 /// Facets by place, for searches of pairs that may meet: a binary tree over the facets along a Morton curve of page and
-/// depth [Morton1966], whose nodes are bounded by a box and by a slab. The slab lies between two parallel planes, tilted as
-/// the facets of the node are on the average: facets that lie behind each other like the skins of an onion, or beside each
-/// other on a bent surface, are apart by their slabs where their boxes are not.
+/// depth [Morton1966]. A box and a slab bound each node. The slab lies between two parallel planes with the mean tilt
+/// of the node's facets. It separates facets that lie in layers behind each other, or beside each other on a bent
+/// surface, even if their boxes meet.
 
 #include <cstdint>
 #include <vector>
@@ -14,7 +14,8 @@ namespace ligne {
 
 class FacetTree {
  public:
-  /// A facet: its box on the page and in depth, and the plane of its depth, z(x, y) = zx x + zy y + z, right within `slack`.
+  /// A facet: its box on the page and in depth, and its plane z(x, y) = zx x + zy y + z, with an error of at most
+  /// `slack`.
   struct Item {
     std::int32_t left, right, top, bottom;  ///< lattice steps
     float z_near, z_far;
@@ -22,21 +23,21 @@ class FacetTree {
     std::uint32_t facet, face;
   };
 
-  /// Items first to end; the second child begins where the first ends.
+  /// A node with the items [first, end). Its second child begins where the first ends.
   struct Node {
     std::int32_t left, right, top, bottom;
     float z_near, z_far;
-    double zx, zy, low, high;  ///< the slab: low <= z - zx (x - left) - zy (y - top) <= high, slacks twice included
-    double slack;              ///< twice the largest of its facets
-    double area;               ///< of its facets' boxes on the page, square steps
+    double zx, zy, low, high;  ///< the slab: low <= z - zx (x - left) - zy (y - top) <= high, with twice the slacks
+    double slack;              ///< twice the largest slack of its facets
+    double area;               ///< total area of its facets' boxes on the page, in square steps
     std::uint32_t first, end;
-    std::uint32_t children;  ///< the number of the first; the second has the next
-    std::uint32_t face;      ///< of all its facets, or kNone
+    std::uint32_t children;  ///< number of the first child; the second follows it
+    std::uint32_t face;      ///< face of all its facets, or kNone if they differ
     std::uint32_t size() const { return end - first; }
   };
 
-  /// Facets of several sizes would make nodes large: those of each size, within a factor of four, have a tree of their own.
-  /// O(n log n).
+  /// Builds the trees, O(n log n). Facets of mixed sizes would make nodes large, so facets of about one size, within a
+  /// factor of four, get a separate tree.
   FacetTree(const ProjectedScene& scene, const std::vector<Facet>& facets);
 
   const std::vector<std::uint32_t>& roots() const { return roots_; }
@@ -44,7 +45,7 @@ class FacetTree {
   const Item& item(std::uint32_t i) const { return items_[i]; }
   bool is_leaf(const Node& node) const { return node.size() <= kLeaf; }
 
-  /// Whether a facet of the one may meet one of the other, of another face.
+  /// Whether a facet of `a` may meet a facet of `b` of another face.
   static bool may_meet(const Node& a, const Node& b);
   static bool may_meet(const Item& a, const Item& b);
 

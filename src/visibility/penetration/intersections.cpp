@@ -14,8 +14,8 @@
 #include "visibility/common/facet_functions.hpp"
 #include "visibility/penetration/crossing_facets.hpp"
 
-// Per leaf all pairs of facets that may meet in depth and on the page are tested; where hidden segments are wanted too, all
-// pairs of the scene.
+// Tests, leaf by leaf, all pairs of facets that may meet in depth and on the page; if hidden segments are wanted too,
+// all such pairs of the scene.
 
 namespace ligne {
 namespace {
@@ -29,18 +29,18 @@ bool seen_in(const PageSegment& s, const CellSquare& square, double margin, floa
   return !(s.at((*part)[0]).z > cover && s.at((*part)[1]).z > cover);
 }
 
-// Adjustable: in leaves with more facets the pairs are compared by their planes over the leaf first, and in those with many
-// more it is found out first which facets need not be compared at all.
+// Adjustable: number of facets in a leaf above which pairs are first compared by their planes over the leaf, and above
+// which facets are first sorted out that need no comparison at all.
 constexpr std::uint32_t kCrowded = 32, kManyTogether = 128;
-// Adjustable: the pairs of a leaf with more facets are dealt out to tasks, by so many facets.
+// Adjustable: number of facets in a leaf above which tasks share its pairs, and facets per task.
 constexpr std::size_t kManyItems = 1024, kItemsPerTask = 256;
 
-/// Adjustable: of so many facets it is asked whether they lie in one plane.
+/// Least number of facets in a leaf for the test whether they lie in one plane. Adjustable.
 constexpr std::size_t kSeveral = 4;
 
-/// Pairs of facets that have no segment in common, as many as there is room for: where hundreds of facets meet in one line,
-/// every pair of them comes in all the leaves along it. The table grows with what is put into it, since most scenes have few
-/// such pairs.
+/// A cache of pairs of facets without a common segment. If hundreds of facets meet in one line, every pair of them
+/// comes up in all leaves along it. The table grows with its entries, since most scenes have few such pairs; a new
+/// entry may replace an old one.
 class FruitlessPairs {
  public:
   bool holds(std::uint32_t a, std::uint32_t b) const { return !slots_.empty() && slots_[slot(key(a, b))] == key(a, b); }
@@ -52,7 +52,7 @@ class FruitlessPairs {
 
  private:
   static constexpr int kFirstBits = 10, kMostBits = 20, kGrowBits = 2;
-  /// Not 0: the two differ.
+  /// Key of a pair; never 0, as the two numbers differ.
   static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return std::uint64_t{std::max(a, b)} << 32 | std::min(a, b); }
   std::size_t slot(std::uint64_t key) const { return (key * kGoldenRatio) >> (64 - bits_); }
 
@@ -66,13 +66,13 @@ class FruitlessPairs {
   }
 
   std::vector<std::uint64_t> slots_;
-  std::size_t added_ = 0;  ///< as often as something was added: what it drove out counts too
+  std::size_t added_ = 0;  ///< number of additions, including entries that were replaced
   int bits_ = 0;
 };
 
 double least_steps(const ProjectedScene& scene) { return kLeastPartMm / scene.lattice.step_mm; }
 
-/// The data that the comparisons of one task need and find.
+/// Work space and results of one task's comparisons.
 struct Comparisons {
   Comparisons(const ProjectedScene& scene, const std::vector<Facet>& facets, const PenetrationSearch& all)
       : found(all.empty_copy()), hiders(scene, facets, least_steps(scene)) {}
@@ -81,7 +81,7 @@ struct Comparisons {
   CrowdHiders hiders;
 };
 
-/// The state of one task.
+/// Searches leaves one after the other, for one task.
 class LeafSearch {
  public:
   LeafSearch(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double margin,
@@ -118,7 +118,7 @@ class LeafSearch {
     CellBox box;
   };
 
-  /// A facet's plane over the cell: its depth at the centre, and how that changes.
+  /// A facet's plane over the cell: its depth at the centre, and its slopes.
   struct Plane {
     Plane(const FacetFunctions& f, double x, double y) : z(f.depth(x, y)), zx(f.zx), zy(f.zy), tolerance(f.slack) {}
     double z, zx, zy, tolerance;
@@ -134,7 +134,7 @@ class LeafSearch {
     const Cell& cell;
     const CellSquare& square;
     const CellFacet* list;
-    double reach;  ///< half its side, with the margin
+    double reach;  ///< half the side of the leaf, plus the margin
   };
 
   bool in_one_plane(const Cell& cell) const {
@@ -158,7 +158,7 @@ class LeafSearch {
     }
   }
 
-  /// The pairs of a crowded leaf; in one with many facets but for those of one plane and of one pencil.
+  /// Compares the pairs of a crowded leaf. With many facets, pairs in one plane and pairs of one pencil are skipped.
   void search_crowd(const Leaf& leaf) {
     const std::size_t n = items_.size();
     if (n > kManyTogether) {
@@ -179,7 +179,7 @@ class LeafSearch {
   void compare(const Leaf& leaf, std::size_t begin, std::size_t end, Comparisons& own) const {
     const auto n = static_cast<std::uint32_t>(items_.size());
     const bool many = n > kManyTogether;
-    // The farthest first: of them most is hidden, and what hides it is learnt.
+    // The farthest items come first: most of their segments are hidden, so `hiders` learns the facets that hide.
     for (auto i = static_cast<std::uint32_t>(end); i-- > begin;) {
       const auto compare_with = [&](std::uint32_t k) { return compare_in_crowd(i, k, many, leaf, own); };
       if (many && in_pencil_[i]) {
@@ -199,7 +199,7 @@ class LeafSearch {
     if (b.z_near > a.z_far) return false;
     if (!a.box.meets(b.box) || a.place.face == b.place.face) return true;
     if (planes_[i].apart(planes_[k], leaf.reach) || (many && planes_[i].group == planes_[k].group)) return true;
-    // To look a pair up takes longer than to find that the two do not overlap, unless large facets meet in leaf after leaf.
+    // A look-up takes longer than the test for an overlap, unless large facets meet in many leaves.
     if (!many && !PenetrationSearch::overlap(a.place, b.place)) return true;
     if (own.fruitless.holds(a.place.id, b.place.id)) return true;
     const auto pair_wanted = [&](const PageSegment& s) {
@@ -211,9 +211,10 @@ class LeafSearch {
     return true;
   }
 
-  /// The largest set of facets with one side in common. Their planes meet in the line of that side, which is no penetration
-  /// where it is a side of their faces too; so no two of them need be compared. (Where a face goes on behind a side, which
-  /// is then but a cut of its triangulation, another facet of the face has it too, in this leaf or in those on the side.)
+  /// Finds the pencil: the largest set of facets with a common side. Their planes meet in the line of that side, which
+  /// is no penetration if it is also a side of their faces; so no two of them need a comparison. (If the side is only a
+  /// cut of a face's triangulation, another facet of the face has the same side, in this leaf or in another leaf along
+  /// the side.)
   void find_pencil() {
     side_uses_.clear();
     for (std::uint32_t i = 0; i < items_.size(); ++i) {
@@ -239,8 +240,8 @@ class LeafSearch {
     }
   }
 
-  /// Planes whose depths over the cell are equal, in units of the tolerance, are one group. Of a thousand faces that lie in
-  /// one plane no two are compared.
+  /// Groups planes whose depths over the cell are equal, in units of the tolerance. Faces in one plane are then not
+  /// compared, even if there are a thousand.
   void group_planes(double reach) {
     keys_.clear();
     for (std::uint32_t i = 0; i < planes_.size(); ++i) {
@@ -272,11 +273,11 @@ class LeafSearch {
   double margin_;
   Comparisons own_;
   std::vector<Item> items_;
-  std::vector<Plane> planes_;  ///< of the items, in crowded leaves
+  std::vector<Plane> planes_;  ///< planes of the items, in crowded leaves
   std::vector<std::pair<std::array<double, 4>, std::uint32_t>> keys_;
   std::vector<SideUse> side_uses_;
-  std::vector<bool> in_pencil_;         ///< by item
-  std::vector<std::uint32_t> outside_;  ///< the items that are not in it
+  std::vector<bool> in_pencil_;         ///< per item: whether it belongs to the pencil
+  std::vector<std::uint32_t> outside_;  ///< the items outside the pencil
 };
 
 }  // namespace

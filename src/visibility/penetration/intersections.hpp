@@ -1,5 +1,5 @@
 #pragma once
-/// The segments in which facets penetrate each other.
+/// Finds the segments in which facets penetrate each other.
 
 #include <vector>
 
@@ -8,12 +8,12 @@
 
 namespace ligne {
 
-/// All segments of penetrating facets that are not wholly behind the covers of the cells they run through, or all of them
-/// where the grid is complete; see PenetrationSearch::finish.
+/// Finds all segments of penetrating facets that are not wholly behind the covers of their cells, or all segments if
+/// the grid is complete; see PenetrationSearch::finish.
 std::vector<Intersection> find_intersections(const ProjectedScene& scene, const std::vector<Facet>& facets,
                                              const CellGrid& grid, double margin_steps);
 
-/// Makes the grid as well. Finds all segments where hidden lines are wanted too.
+/// Makes a grid for the search, or finds all segments if `hidden_too`.
 std::vector<Intersection> find_intersections(const ProjectedScene& scene, const std::vector<Facet>& facets,
                                              double coincidence_steps, bool hidden_too);
 

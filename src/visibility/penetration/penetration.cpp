@@ -9,7 +9,7 @@
 namespace ligne {
 namespace {
 
-/// Roundings of a height over a plane: a dozen operations on products of a determinant and a depth.
+/// Relative rounding error of a height over a plane: a dozen operations on products of a determinant and a depth.
 constexpr double kHeightRounding = 0x1p-49;
 
 struct FacetCorners {
@@ -25,10 +25,11 @@ FacetCorners facet_corners(const Facet& f, const std::vector<ProjectedVertex>& v
 
 }  // namespace
 
-/// Heights of the other's corners over the plane of `plane` (positive: farther from the viewer), times its area; those
-/// within the depth tolerance are zero. `touch` is owed half to the corners of the facet and half to the point that is
-/// compared with them, for a point over the facet. Outside of it the plane is extrapolated: its depth is the sum of the
-/// corners' depths with weights w_i / area, some of them negative, so the errors of the corners count with |w_i| / area.
+/// Heights of the other facet's corners over the plane of `plane` (positive: farther from the viewer), times the area
+/// of `plane`; heights within the depth tolerance are zero. For a point over the facet, half of `touch` allows for
+/// errors of the facet's corners, and half for the error of the point. Elsewhere the plane is extrapolated: its depth
+/// is the sum of the corners' depths with weights w_i / area, some of them negative, so the corners' errors count with
+/// |w_i| / area.
 struct PenetrationSearch::Heights {
   std::array<double, 3> h;
   int above = 0, below = 0, on = 0;
@@ -46,7 +47,7 @@ PenetrationSearch::Heights PenetrationSearch::Heights::over(const FacetCorners& 
     const double w1 = orientation(plane.p[2].p, plane.p[0].p, q);
     const double a = w0 * plane.p[0].z, b = w1 * plane.p[1].z, c = w2 * plane.p[2].z, z = plane.area * other.p[i].z;
     const double h = z - (a + b + c);
-    const double weights = std::abs(w0) + std::abs(w1) + std::abs(w2);  // the area, when q lies over the facet
+    const double weights = std::abs(w0) + std::abs(w1) + std::abs(w2);  // equal to the area if q lies over the facet
     const double tolerance =
         0.5 * touch * (weights + plane.area) + kHeightRounding * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(z));
     if (std::abs(h) <= tolerance) {
@@ -62,7 +63,8 @@ PenetrationSearch::Heights PenetrationSearch::Heights::over(const FacetCorners& 
 
 namespace {
 
-/// Where the boundary of `c`, whose corners have heights h over a plane, passes from "on or above" to "below".
+/// The two points at which the boundary of `c` passes between "on or above" a plane and "below" it; `heights`: of the
+/// corners over the plane.
 std::array<PagePoint, 2> crossings(const FacetCorners& c, const std::array<double, 3>& heights) {
   std::array<PagePoint, 2> points{};
   int n = 0;
@@ -103,7 +105,7 @@ int common_corners(const PlacedFacet& a, const PlacedFacet& b) {
   return n;
 }
 
-/// Whether a side of `a` has all of `b` on its outer side or along it: the projections have no common inside.
+/// Whether all of `b` lies outside a side of `a` or along it: then the projections do not overlap.
 bool apart(const PlacedFacet& a, const PlacedFacet& b) {
   for (int i = 0; i < 3; ++i) {
     const LatticePoint s = a.p[i], e = a.p[(i + 1) % 3];
@@ -112,14 +114,14 @@ bool apart(const PlacedFacet& a, const PlacedFacet& b) {
   return false;
 }
 
-/// Drops segments no longer than `least` steps, which rounding leaves where surfaces touch, unless longer ones go on at both
-/// ends: a line of many facets may have short pieces, and is to be one line.
+/// Drops segments no longer than `least` steps, which rounding leaves where surfaces touch. A segment with longer ones
+/// at both ends stays: a line across many facets may have short pieces, and must not break.
 void drop_specks(std::vector<Intersection>& segments, double least) {
   const auto is_short = [least](const Intersection& s) {
     return std::hypot(double(s.to.p.x) - s.from.p.x, double(s.to.p.y) - s.from.p.y) <= least;
   };
   if (std::none_of(segments.begin(), segments.end(), is_short)) return;
-  // Where short ones end, and whether a longer one ends there too.
+  // The ends of short segments, and whether a longer one ends there too.
   std::vector<std::pair<LatticePoint, bool>> asked;
   for (const Intersection& s : segments) {
     if (is_short(s)) asked.insert(asked.end(), {{s.from.p, false}, {s.to.p, false}});
@@ -149,14 +151,14 @@ bool CutSides::has(std::uint32_t face, std::uint32_t v, std::uint32_t w) const {
   return std::binary_search(sides_.begin(), sides_.end(), Side{face, std::min(v, w), std::max(v, w)});
 }
 
-/// By this thread alone: while it waited for others it could take up work that asks for the same.
+/// This thread works alone: if it waited for others, it could start work that calls has() again.
 void CutSides::find() const {
   std::uint32_t faces = 0;
   for (const Facet& f : *facets_) faces = std::max(faces, f.face + 1);
-  // The facets by face.
+  // Facets sorted by face.
   std::vector<std::uint32_t> first(faces + std::size_t{1}, 0);
   for (const Facet& f : *facets_) ++first[f.face + 1];
-  if (std::ranges::all_of(first, [](std::uint32_t count) { return count < 2; })) return;  // none is cut
+  if (std::ranges::all_of(first, [](std::uint32_t count) { return count < 2; })) return;  // no face is cut
   for (std::size_t face = 0; face < faces; ++face) first[face + 1] += first[face];
   std::vector<std::uint32_t> next(first.begin(), first.end() - 1), by_face(facets_->size());
   for (std::uint32_t i = 0; i < facets_->size(); ++i) by_face[next[(*facets_)[i].face]++] = i;
@@ -219,7 +221,7 @@ void PenetrationSearch::add_side(const PlacedFacet& plane, const PlacedFacet& ot
   int off = 0;
   while (heights.h[off] == 0) ++off;
   const int from = (off + 1) % 3, to = (off + 2) % 3;
-  // Beyond the facet, or where they only touch, the side says nothing.
+  // A side beyond the facet, or one that only touches it, does not count.
   std::array<double, 3> e0{}, e1{};
   for (int i = 0; i < 3; ++i) {
     e0[i] = orientation(plane.p[i], plane.p[(i + 1) % 3], other.p[from]);
@@ -230,7 +232,7 @@ void PenetrationSearch::add_side(const PlacedFacet& plane, const PlacedFacet& ot
   sides_.push_back({plane.id, std::min(p, q), std::max(p, q), other.id, heights.h[off] > 0});
 }
 
-/// `plane_heights` are those of the plane's corners over the other's plane, `heights` the reverse.
+/// `plane_heights`: heights of the plane's corners over the other facet's plane; `heights`: the reverse.
 void PenetrationSearch::add_side_on_side(const PlacedFacet& plane, const Heights& plane_heights, const PlacedFacet& other,
                                          const Heights& heights) {
   int off_plane = 0, off = 0;
@@ -243,8 +245,8 @@ void PenetrationSearch::add_side_on_side(const PlacedFacet& plane, const Heights
       {plane.face, std::min(p, q), std::max(p, q), std::min(v, w), std::max(v, w), heights.h[off] > 0, plane.id, other.id});
 }
 
-/// A side on a side is a penetration when on the other side one facet is above the plane and another below: the lower one is
-/// cut. (Folds that touch along edges do not penetrate: there the face of the plane ends.)
+/// A side on a side is a penetration if one facet at the other's side is above the plane and another below: the lower
+/// one is cut. (Folds that touch along edges do not penetrate, as the face of the plane ends there.)
 void PenetrationSearch::match_sides_on_sides() {
   std::vector<SideOnSide>& sides = sides_on_sides_;
   std::sort(sides.begin(), sides.end(), [](const SideOnSide& a, const SideOnSide& b) {
@@ -259,8 +261,8 @@ void PenetrationSearch::match_sides_on_sides() {
   }
 }
 
-/// A side in a plane is a penetration when one facet on it is above the plane and another below; the lower one is cut, whose
-/// side counts as above.
+/// A side in a plane is a penetration if one facet at the side is above the plane and another below. The lower one is
+/// cut, as its side counts as above.
 void PenetrationSearch::match_sides() {
   std::vector<SideInPlane>& sides = sides_;
   std::sort(sides.begin(), sides.end(), [](const SideInPlane& a, const SideInPlane& b) {
@@ -314,7 +316,7 @@ std::vector<Intersection> PenetrationSearch::finish(double least_steps) {
       result[i] = {rounded(segment->from), rounded(segment->to), std::min(fa.face, fb.face), std::max(fa.face, fb.face)};
     }
   });
-  // Without a segment, or with one that is seen end on.
+  // Removes pairs without a segment, or with one seen end on.
   std::erase_if(result, [](const Intersection& i) { return i.from.p == i.to.p; });
   drop_specks(result, least_steps);
   return result;

@@ -1,8 +1,8 @@
 #pragma once
-/// Where facets pass through each other: pairs are tested wherever two facets may meet, put together, and only then cut.
+/// Penetrations of facets: pairs are tested wherever two facets may meet, then collected, and only then cut.
 ///
-/// A pair is tested by the sides of its corners: above or below the other's plane, or on it within the depth tolerance.
-/// "On" counts as above, so that a segment through a common corner of two facets is found once.
+/// The test of a pair uses the positions of the corners: above or below the other's plane, or on it within the depth
+/// tolerance. "On" counts as above, so that a segment through a common corner of two facets is found once.
 
 #include <array>
 #include <compare>
@@ -19,13 +19,13 @@
 
 namespace ligne {
 
-/// Common segment of two facets that pass through each other.
+/// Common segment of two facets that penetrate each other.
 struct Intersection {
   ProjectedVertex from, to;
   std::uint32_t face0 = kNone, face1 = kNone;  ///< faces of the scene, face0 <= face1
 };
 
-/// A place on the page, in lattice steps, with its depth.
+/// A point on the page, in lattice steps, with its depth.
 struct PagePoint {
   double x, y, z;
 };
@@ -37,8 +37,8 @@ struct PageSegment {
   }
 };
 
-/// The part of a segment in a convex region given by linear functions E_i >= 0, with their values at its two ends:
-/// parameters, or nothing.
+/// The parameters of the part of a segment inside a convex region, if any. The region is given by linear functions E_i
+/// >= 0, through their values at the ends of the segment.
 template <std::size_t N>
 std::optional<std::array<double, 2>> clip_parameters(const std::array<double, N>& e0, const std::array<double, N>& e1) {
   double from = 0, to = 1;
@@ -51,23 +51,23 @@ std::optional<std::array<double, 2>> clip_parameters(const std::array<double, N>
   return std::array<double, 2>{from, to};
 }
 
-/// The place of the lattice next to a point.
+/// The lattice point nearest to a point.
 ProjectedVertex rounded(const PagePoint& p);
 
-/// A facet's places, gathered once for many tests.
+/// A facet with its points, gathered once for many tests.
 struct PlacedFacet {
   std::uint32_t id, face;
   std::array<std::uint32_t, 3> v;
   std::array<LatticePoint, 3> p;
 };
 
-/// The sides at which faces were cut into triangles: those of two facets of one face. Found when first asked for, from any
-/// thread.
+/// The sides at which faces were cut into triangles, each shared by two facets of one face. The first call of has()
+/// finds them, on any thread.
 class CutSides {
  public:
   explicit CutSides(const std::vector<Facet>& facets) : facets_(&facets) {}
 
-  /// True where the face has a side between these vertices.
+  /// Whether the face is cut at the side between these vertices.
   bool has(std::uint32_t face, std::uint32_t v, std::uint32_t w) const;
 
  private:
@@ -79,29 +79,29 @@ class CutSides {
 
   const std::vector<Facet>* facets_;
   mutable std::once_flag found_;
-  mutable std::vector<Side> sides_;  ///< in order
+  mutable std::vector<Side> sides_;  ///< sorted
 };
 
-/// Collects pairs. Facets may be given in any order and as often as one likes; searches of several tasks are put together.
+/// Collects pairs. They may come in any order and repeatedly; searches of several tasks can be merged.
 class PenetrationSearch {
  public:
   PenetrationSearch(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices)
       : facets_(&facets), vertices_(&vertices), cut_sides_(std::make_shared<CutSides>(facets)) {}
 
-  /// A search of the same facets that has found nothing yet.
+  /// An empty search of the same facets.
   PenetrationSearch empty_copy() const { return PenetrationSearch(*facets_, *vertices_, cut_sides_); }
 
   PlacedFacet place(std::uint32_t facet) const;
 
-  /// Tests two facets of different faces. A pair whose common segment `wanted(segment)` says is not wanted is left out; a
-  /// side of one that lies in the plane of the other is always remembered. Returns whether there is such a segment.
+  /// Tests two facets of different faces. Collects the pair if it has a common segment and `wanted(segment)`; a side of
+  /// one facet in the plane of the other is always collected. Returns whether there is a common segment.
   template <class Wanted>
   bool test(const PlacedFacet& a, const PlacedFacet& b, Wanted wanted) {
     return overlap(a, b) && test_overlapping(a, b, wanted);
   }
 
-  /// Whether the two have a common inside on the page and no common side: without that nothing is found. On the lattice, and
-  /// much cheaper than the rest.
+  /// Whether the two overlap on the page and have no common side, as any penetration requires. Decided on the lattice,
+  /// and much cheaper than the rest.
   static bool overlap(const PlacedFacet& a, const PlacedFacet& b);
 
   /// The rest of test(), for facets that overlap.
@@ -112,14 +112,14 @@ class PenetrationSearch {
     return found.has_value();
   }
 
-  /// Frees the memory of what was found several times, when there is much of it: neighbouring leaves have pairs in common.
+  /// Removes repeated results if there are many: neighbouring leaves have common pairs.
   void forget_repeated();
 
   void add(PenetrationSearch&& other);
 
-  /// All segments, each once, ordered by facets. Facets that only touch, within their tolerance, give none: neither do
-  /// neighbours with a common side. Where a side of one facet lies in the plane of another there is a segment only if the
-  /// surface goes on on the other side. Segments no longer than `least_steps` that stand alone are left out.
+  /// All segments, each once, ordered by facets. Facets that only touch, within their tolerance, give none, nor do
+  /// neighbours with a common side. A side of one facet in the plane of another gives a segment only if the surface
+  /// continues across the plane. Isolated segments no longer than `least_steps` are left out.
   std::vector<Intersection> finish(double least_steps);
 
  private:
@@ -128,25 +128,25 @@ class PenetrationSearch {
       : facets_(&facets), vertices_(&vertices), cut_sides_(std::move(cut_sides)) {}
 
   struct Pair {
-    std::uint32_t a, b;  ///< facets: the plane, and the one whose boundary is cut by it
+    std::uint32_t a, b;  ///< facets: `a` gives the plane that cuts the boundary of `b`
     friend auto operator<=>(const Pair&, const Pair&) = default;
   };
   struct Found {
     Pair pair;
     PageSegment segment;
   };
-  /// A side of facet `side_of` that lies in the plane of facet `plane`, its third corner above or below.
+  /// A side of facet `side_of` in the plane of facet `plane`; the third corner is above the plane or below it.
   struct SideInPlane {
     std::uint32_t plane, v0, v1, side_of;
     bool above;
     auto key() const { return std::tie(plane, v0, v1); }
     friend auto operator<=>(const SideInPlane&, const SideInPlane&) = default;
   };
-  /// A side of facet `side_of` that lies on a side of facet `plane` at which the face was cut into triangles, and in its
-  /// plane: the common line of two faces runs there.
+  /// A side of facet `side_of` that lies in the plane of facet `plane`, on a side at which the plane's face was cut
+  /// into triangles: the common line of two faces runs there.
   struct SideOnSide {
-    std::uint32_t face, p0, p1;  ///< face of the plane, and its side
-    std::uint32_t v0, v1;        ///< the side that lies on it
+    std::uint32_t face, p0, p1;  ///< face of the plane, and the side of facet `plane`
+    std::uint32_t v0, v1;        ///< the side of facet `side_of`
     bool above;                  ///< the third corner of `side_of` is above the plane
     std::uint32_t plane, side_of;
     auto key() const { return std::tie(face, p0, p1, v0, v1); }
@@ -167,7 +167,7 @@ class PenetrationSearch {
   std::vector<Pair> pairs_;
   std::vector<SideInPlane> sides_;
   std::vector<SideOnSide> sides_on_sides_;
-  std::size_t distinct_ = 0;  ///< how many there were after the last forget_repeated()
+  std::size_t distinct_ = 0;  ///< number of results after the last forget_repeated()
 };
 
 }  // namespace ligne

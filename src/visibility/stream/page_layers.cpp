@@ -12,10 +12,10 @@ namespace {
 
 constexpr auto kRelaxed = std::memory_order_relaxed;
 
-/// A side of a facet from its lower end to its upper one: both facets of a side have the same.
+/// A side of a facet, directed from its lower point to its higher point: both facets at the side get the same one.
 struct StreamSide {
   LatticePoint from, to;
-  std::uint64_t number;  ///< added to the sum: negative where the facet has it from the upper end
+  std::uint64_t number;  ///< number added to the sum; negative if the facet runs along the side from the higher point
 
   StreamSide(const StreamFacet& f, int k) {
     const int next = k == 2 ? 0 : k + 1;
@@ -29,13 +29,13 @@ struct StreamSide {
   }
 };
 
-/// A square and what lies round it.
+/// A square with the margin round it.
 struct WideSquare {
   double left, right, top, bottom;
   WideSquare(double x, double y, double size, double margin)
       : left(x - margin), right(x + size + margin), top(y - margin), bottom(y + size + margin) {}
 
-  /// Whether the side has a point in it. The same for both facets of the side, whatever is rounded.
+  /// Whether the side has a point in the square. Rounding does not make it differ between the two facets at the side.
   bool meets(const StreamSide& s) const {
     if (std::max(s.from.x, s.to.x) < left || std::min(s.from.x, s.to.x) > right) return false;
     if (std::max(s.from.y, s.to.y) < top || std::min(s.from.y, s.to.y) > bottom) return false;
@@ -46,8 +46,8 @@ struct WideSquare {
   }
 };
 
-/// Whether the facet, which is plain, lies over the point. Of the facets round it one does, also where it lies on a side:
-/// the point counts as moved a little to the right, and much less down.
+/// Whether a plain facet lies over the point. Exactly one of the facets round the point does, even if it lies on a
+/// side: the point counts as moved slightly to the right, and much less down.
 bool is_over(const StreamFacet& f, double x, double y) {
   for (int k = 0; k < 3; ++k) {
     const LatticePoint a = f.p[k], b = f.p[k == 2 ? 0 : k + 1];
@@ -62,7 +62,8 @@ std::uint64_t slices_of(const StreamFacet& f) { return (~std::uint64_t{0} >> (63
 
 }  // namespace
 
-/// Calls visit(square, sum of the sides in it, over) for the squares that a facet meets.
+/// Calls visit(square, sum, over) for the squares that a facet meets: the sum of the numbers of its sides there, and
+/// whether it is over the square's centre.
 template <class Visit>
 void PageLayers::for_each_square(const StreamFacet& f, Visit visit) const {
   const std::int64_t left = std::min({f.p[0].x, f.p[1].x, f.p[2].x}), right = std::max({f.p[0].x, f.p[1].x, f.p[2].x});

@@ -1,5 +1,6 @@
 #pragma once
-/// The covers of the squares of the page, found from facets that come one by one and are not stored. See docs/streaming.md.
+/// Finds the covers of the squares of the page from facets that come one by one and are not stored. See
+/// docs/streaming.md.
 
 #include <array>
 #include <atomic>
@@ -13,13 +14,13 @@
 
 namespace ligne {
 
-/// All facets are added twice, in any order and from several threads: first their depths, then, after find_layers(), they
-/// themselves; after find_covers() can_be_left_out() says which of them no drawing needs.
+/// All facets are added twice, in any order and from several threads: first with add_depths(), then, after
+/// find_layers(), with add(). After find_covers(), can_be_left_out() says which facets no drawing needs.
 ///
-/// A square's facets fall into layers by their slices of depth: a layer is a run of slices in which something lies. Of the
-/// first two layers of each square a sum of signed numbers of the facets' sides is kept: zero says that the layer covers the
-/// square, or that nothing of it does, and a count of the facets over the middle which of the two. Two sides that are not
-/// one have the same number with a chance of 2^-64.
+/// A square's facets fall into layers by their slices of depth: a layer is a run of occupied slices. For the first two
+/// layers of each square a sum adds signed numbers of the facets' sides. A sum of zero means that no border of the
+/// layer passes through the square; the number of facets over its centre then tells a full layer from an empty one. Two
+/// different sides get the same number with a chance of 2^-64.
 class PageLayers {
  public:
   static constexpr std::size_t kBytesPerSquare = 41;
@@ -29,24 +30,24 @@ class PageLayers {
   void add_depths(const StreamFacet& facet);
   void find_layers();
   void add(const StreamFacet& facet);
-  /// `blanks`: whether squares may be blank; the sides of smooth layers are no lines then. `crease_cosine`: normals of
-  /// neighbours whose product is below it make a crease.
+  /// `blanks`: whether squares may be blank; then the sides in smooth layers are not lines. `crease_cosine`: two
+  /// neighbours form a crease if the product of their normals is below it.
   void find_covers(bool blanks, double crease_cosine);
   bool can_be_left_out(const StreamFacet& facet) const;
 
-  /// To be called in the end: empties this.
+  /// Moves the blank squares out of this object, which is empty afterwards.
   OccludedCells take_blank();
   std::size_t blank_count() const;
 
  private:
   static constexpr std::uint8_t kNoSlice = 0xff;
   struct Square {
-    /// First the slices in which something lies, as bits; then the last slices of the first two layers, a byte each; then
-    /// that of the cover.
+    /// First the occupied slices, as bits; after find_layers() the last slices of the first two layers, a byte each;
+    /// after find_covers() the last slice of the cover.
     std::atomic<std::uint64_t> slices{0};
-    std::array<std::atomic<std::uint64_t>, 2> sum{};   ///< of signed sides, by layer
-    std::array<std::atomic<std::uint32_t>, 2> over{};  ///< facets over the middle, by layer
-    std::atomic<std::uint64_t> looks{0};               ///< of the first layer, see StreamFacet::looks
+    std::array<std::atomic<std::uint64_t>, 2> sum{};   ///< sums of signed side numbers, by layer
+    std::array<std::atomic<std::uint32_t>, 2> over{};  ///< numbers of facets over the centre, by layer
+    std::atomic<std::uint64_t> looks{0};               ///< looks of the first layer, see StreamFacet::looks
   };
 
   template <class Visit>
@@ -56,7 +57,7 @@ class PageLayers {
   }
 
   PageSquares squares_;
-  std::int64_t margin_;  ///< steps by which squares are widened
+  std::int64_t margin_;  ///< width added round each square, in lattice steps
   std::vector<Square> of_;
   std::vector<std::uint8_t> blank_;
 };

@@ -17,17 +17,18 @@
 namespace ligne {
 namespace {
 
-/// A face that is seen at a smaller angle than this times the sine of "edge on" is odd.
+/// Factor on the sine of the "edge on" angle: a face seen at a smaller angle than that is odd.
 constexpr double kOddSines = 64;
-/// A crowd of vertices may move a corner by the coincidence tolerance: a facet whose height on the page is so many times
-/// that stays what it is, and its tolerance grows by no more than half.
+/// Least height of a plain facet on the page, in coincidence tolerances. Merging of vertices may move a corner by one
+/// tolerance; a facet of this height then keeps its kind, and its depth tolerance grows by at most half.
 constexpr double kHeightInCoincidences = 4;
+/// Factor on the depth tolerance in the padding of depths: more than it grows.
 constexpr double kToleranceGrowth = 2;
+/// Padding of depths and of the margin of squares, in coincidence tolerances.
 constexpr double kPadInCoincidences = 4;
 
-constexpr double kUnit = 127;  ///< of the bytes of looks
+constexpr double kUnit = 127;  ///< scale of the bytes of looks
 
-/// Finalizer of SplitMix64 (Steele, Lea, Flood 2014).
 Point3 triangle_normal(const Point3* p) {
   const Point3 sum = glm::cross(p[1] - p[0], p[2] - p[0]);
   const double length = glm::length(sum);
@@ -59,7 +60,7 @@ bool look_alike(std::uint64_t looks, double crease_cosine) {
   if (looks & kLooksOdd) return false;
   if (((looks & kLooksHere) != 0) == ((looks & kLooksAway) != 0)) return false;
   if (((looks & kLooksRight) != 0) == ((looks & kLooksLeft) != 0)) return false;
-  double square = 0;  // of the distance of two normals, at the most: |a - b|^2 = 2 - 2 a b
+  double square = 0;  // bound on the squared distance of two normals: |a - b|^2 = 2 - 2 a b
   for (int k = 0; k < 48; k += 16) {
     const double highest = static_cast<double>(looks >> k & 0xff) - kUnit;
     const double lowest = kUnit - static_cast<double>(looks >> (k + 8) & 0xff);
