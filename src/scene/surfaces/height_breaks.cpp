@@ -1,5 +1,6 @@
-// A jump is told from a steep slope by halving: of the two halves of an interval the one over which heights change more is
-// kept. Over a slope, however steep, what is left shrinks with the interval; over a jump it stays, and at a pole it grows.
+// Bisection distinguishes a jump from a steep slope: of the two halves of an interval, the one with the larger change
+// of height is kept. On a slope of any steepness, the remaining change shrinks with the interval. At a jump it stays,
+// and at a pole it grows.
 
 #include "scene/surfaces/height_breaks.hpp"
 
@@ -9,22 +10,23 @@
 namespace ligne {
 namespace {
 
-/// Halvings until an interval is as short as doubles tell apart.
+/// Number of halvings down to the resolution of doubles.
 constexpr int kMostHalvings = 60;
-/// Halvings after which a jump is told from a slope: that of |x|^(1/5), the steepest that is expected of a formula, has
-/// shrunk to a 256th by then, and a slope of ten million to nothing.
+/// Number of halvings that distinguish a jump from a slope.
+/// x
+/// ^(1/5), the steepest slope expected in a formula, has then shrunk to a 256th, and a slope of ten million to nothing.
 constexpr int kJumpHalvings = 40;
-/// A change is a jump where more than this part of it is left after halving its interval.
+/// Smallest part of a change that must remain after halving its interval for a jump.
 constexpr double kJumpPart = 1. / 64;
-/// A change of less than this share of the smallest visible one is a rounding, and no jump.
+/// Smallest change that can be a jump, relative to the smallest visible one; smaller ones are rounding.
 constexpr double kLeastJump = 0x1p-10;
-/// Jumps between two samples are looked for to this depth.
+/// Recursion depth of the search for jumps between two samples.
 constexpr int kMostJumps = 3;
-/// A line between two jumps is a single point, such as the 0 of sign(x), when it is shorter than this part of its span.
+/// Largest length of a line between two jumps that counts as a point, such as the 0 of sign(x), relative to the line.
 constexpr double kPointPart = 0x1p-30;
-/// Near to a border, as a part of the way from a sample to it.
+/// Distance of a point near a border, relative to the distance from a sample to the border.
 constexpr double kNear = 0x1p-20;
-/// Between two samples a pole has shown itself after so many halvings by so much growth.
+/// Number of halvings between two samples after which a pole must have grown by kPeakGrowth.
 constexpr int kPeakHalvings = 8;
 constexpr double kPeakGrowth = 4;
 
@@ -34,7 +36,7 @@ bool is_number(const Point3& p) { return std::isfinite(p.z); }
 
 }  // namespace
 
-/// From a point that counts to one that does not: the last that does, as near as doubles can tell.
+/// The last point that counts between `a`, which counts, and `b`, which does not, at the resolution of doubles.
 Point3 LineBreaks::last_that_counts(Point3 a, Point3 b) {
   const double rounding = kNear * change(a, b);
   for (int i = 0; i < kMostHalvings; ++i) {
@@ -42,13 +44,13 @@ Point3 LineBreaks::last_that_counts(Point3 a, Point3 b) {
     if ((m.x == a.x && m.y == a.y) || (m.x == b.x && m.y == b.y)) break;
     (counts(m) ? a : b) = m;
   }
-  // Where the surface leaves the window it goes on, and has the window's height there.
+  // A surface that leaves the window continues, so the border gets the height of the window's limit.
   if (change(a, b) <= rounding && b.z > window_.high) a.z = window_.high;
   if (change(a, b) <= rounding && b.z < window_.low) a.z = window_.low;
   return a;
 }
 
-/// Both ends are numbers. What is before and behind a jump, or a place without a number, between them.
+/// The two sides of a jump, or of a place without a number, between two numbers; nothing if there is none.
 std::optional<LineBreaks::Pair> LineBreaks::jump(Point3 a, Point3 b) {
   const double first = change(a, b);
   for (int i = 0; i < kJumpHalvings; ++i) {
@@ -70,7 +72,7 @@ std::optional<LineBreaks::Pair> LineBreaks::jump(Point3 a, Point3 b) {
   return Pair{a, b};
 }
 
-/// All jumps between two numbers, in the order of the line.
+/// Finds all jumps between two numbers, in the order of the line.
 void LineBreaks::find_jumps(const Point3& a, const Point3& b, double least, int most, std::vector<Pair>& found) {
   if (most == 0 || !(change(a, b) > least)) return;
   const auto pair = jump(a, b);
@@ -80,8 +82,7 @@ void LineBreaks::find_jumps(const Point3& a, const Point3& b, double least, int 
   find_jumps(pair->after, b, least, most - 1, found);
 }
 
-/// A pole between two ends of like heights, on its way up at one and down at the other: the same heights on both sides of
-/// it.
+/// Finds a pole between two ends of similar heights, where the heights on both sides of it are equal.
 std::optional<LineBreaks::Pair> LineBreaks::peak(Point3 a, Point3 b) {
   const double first = std::max({change(a, b), std::abs(a.z), std::abs(b.z)});
   Point3 m = between(a, b);
@@ -103,7 +104,7 @@ std::optional<LineBreaks::Pair> LineBreaks::peak(Point3 a, Point3 b) {
   return Pair{a, b};
 }
 
-/// From below what counts to above it, or the other way round: a point in between that counts.
+/// A point that counts between one below the window and one above it, in either order.
 std::optional<Point3> LineBreaks::crossing(Point3 a, Point3 b) {
   for (int i = 0; i < kMostHalvings; ++i) {
     const Point3 m = between(a, b);
@@ -114,17 +115,18 @@ std::optional<Point3> LineBreaks::crossing(Point3 a, Point3 b) {
   return std::nullopt;
 }
 
-/// Whether heights change without end towards the border: as much over the last millionth of the way as over all of it.
+/// Whether heights diverge towards the border: they change as much over the last millionth of the way as over all of
+/// it.
 bool LineBreaks::diverges(const Point3& border, const Point3& end) {
   const Point3 near = point({border.x + kNear * (end.x - border.x), border.y + kNear * (end.y - border.y)});
   return change(border, near) > change(near, end) / 2 && !(change(border, near) <= kNear * std::abs(end.z));
 }
 
-/// Puts points between `border` and `inner`, denser towards the border, in this order.
+/// Inserts points between `border` and `inner`, in this order, denser towards the border.
 void LineBreaks::add_between(const Point3& border, const Point3& inner, double least, bool at_border, int halvings,
                              std::vector<Point3>& out) {
   if (halvings == 0) return;
-  const double t = at_border ? 0.25 : 0.5;  // heights over the square root of the distance come at equal steps
+  const double t = at_border ? 0.25 : 0.5;  // heights that follow the square root of the distance get equal steps
   const Point3 m = point({border.x + t * (inner.x - border.x), border.y + t * (inner.y - border.y)});
   if (!counts(m) || std::abs(m.z - (border.z + t * (inner.z - border.z))) <= least) return;
   add_between(border, m, least, at_border, halvings - 1, out);
@@ -154,14 +156,14 @@ std::vector<LinePiece> LineBreaks::pieces(const Point3& a, const Point3& b, bool
   const auto is_point = [&](const Point3& from, const Point3& to) {
     return std::hypot(to.x - from.x, to.y - from.y) < kPointPart * std::hypot(b.x - a.x, b.y - a.y);
   };
-  // From an end of the line to a border; in the order of the line.
+  // Adds the piece from an end of the line to a border. Pieces are added in the order of the line.
   const auto add = [&](const Point3& end, const Point3& border, bool from_start) {
     has_pole_ = has_pole_ || diverges(border, end);
     LinePiece& piece = found.emplace_back();
     (from_start ? piece.from_start : piece.to_end) = true;
     if (!is_point(border, end)) piece.points.push_back(border);
   };
-  // Between the end that counts and the border the surface may jump too.
+  // The surface may also jump between the end that counts and the border.
   const auto add_to_border = [&](const Point3& end, const Point3& beyond, bool from_start) {
     const Point3 border = last_that_counts(end, beyond);
     const bool jumps = may_jump && change(end, border) > kLeastJump * least;

@@ -1,6 +1,6 @@
 #pragma once
-/// Where a function z = f(x, y) ends or jumps along a straight line: found by bisecting the formula, not by how steep its
-/// samples are.
+/// Finds where a function z = f(x, y) ends or jumps along a straight line, by bisecting the formula; the steepness of
+/// its samples does not decide.
 
 #include <limits>
 #include <optional>
@@ -11,41 +11,41 @@
 
 namespace ligne {
 
-/// A change that grows by more than this between samples is a pole's.
+/// Growth of a change between samples that indicates a pole.
 inline constexpr double kPoleGrowth = 0x1p20;
 
-/// Heights that count: finite, and within these.
+/// Heights that count: the finite ones within the limits.
 struct HeightWindow {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   bool holds(double z) const { return z >= low && z <= high && z - z == 0; }
 };
 
-/// A stretch of a line over which the surface goes on without a break.
+/// A part of a line on which the surface has no break.
 struct LinePiece {
-  bool from_start = false, to_end = false;  ///< it reaches the line's ends
-  std::vector<Point3> points;               ///< its own ends where it does not reach the line's, and what is between them
+  bool from_start = false, to_end = false;  ///< whether it reaches the ends of the line
+  std::vector<Point3> points;               ///< its ends where they are not those of the line, and points between
 };
 
 class LineBreaks {
  public:
   LineBreaks(HeightFunction::At& at, const HeightWindow& window) : at_(at), window_(window) {}
 
-  /// The pieces of the line from `a` to `b`, points with their heights, or NaN where there is none. `may_jump`: whether the
-  /// line is looked at for a jump. `least`: height that is nothing to see.
+  /// The pieces of the line from `a` to `b`, which are points with heights, NaN where there is none. `may_jump`:
+  /// whether to search for jumps. `least`: height that is just invisible.
   std::vector<LinePiece> pieces(const Point3& a, const Point3& b, bool may_jump, double least);
 
-  /// Puts points between the ends of such pieces that reach one end of the line, halving each so often at most; what curves
-  /// by no more than `least` between two points is left straight.
+  /// Inserts points between the ends of pieces that reach one end of the line, with at most `halvings` halvings each.
+  /// Parts that deviate from a straight line by at most `least` stay straight.
   void refine(const Point3& a, const Point3& b, double least, int halvings, std::vector<LinePiece>& pieces);
 
-  /// The last point from `a`, which counts, towards `b` before the surface breaks off; nothing when it reaches `b`.
+  /// The last point before the surface breaks off, from `a`, which counts, towards `b`; nothing if it reaches `b`.
   std::optional<Point3> last_before_break(const Point3& a, Point2 b);
 
   /// A point with its height.
   Point3 point(Point2 p) { return {p.x, p.y, at_(p.x, p.y)}; }
   bool counts(const Point3& p) const { return window_.holds(p.z); }
 
-  /// Heights grew beyond bounds where a line was bisected.
+  /// Whether heights grew without bound where a line was bisected.
   bool has_pole() const { return has_pole_; }
 
  private:

@@ -14,7 +14,7 @@
 namespace ligne {
 namespace {
 
-/// Row by row.
+/// Reads all heights, row by row.
 std::vector<double> all_heights(const HeightSource& heights) {
   const std::size_t columns = heights.x().size(), rows = heights.y().size();
   std::vector<double> z(columns * rows);
@@ -36,7 +36,7 @@ class LogHeights : public HeightSource {
   std::unique_ptr<HeightSource> heights_;
 };
 
-/// Without what is not above a level.
+/// Heights above a level; the others become holes.
 class LandHeights : public HeightSource {
  public:
   LandHeights(std::unique_ptr<HeightSource> heights, double level)
@@ -52,7 +52,7 @@ class LandHeights : public HeightSource {
   double level_;
 };
 
-/// Rows of a source over other positions.
+/// The rows of a source at other positions.
 class MovedHeights : public HeightSource {
  public:
   MovedHeights(std::unique_ptr<HeightSource> heights, std::vector<double> x, std::vector<double> y)

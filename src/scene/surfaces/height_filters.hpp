@@ -1,5 +1,5 @@
 #pragma once
-/// Height sources made of others.
+/// Height sources that change other ones.
 
 #include <limits>
 #include <memory>
@@ -11,38 +11,38 @@
 
 namespace ligne {
 
-/// All heights read once and held.
+/// Reads all heights once and keeps them in memory.
 std::unique_ptr<HeightSource> held(const HeightSource& heights);
 
-/// The heights with x and y in each other's place.
+/// Exchanges x and y.
 std::unique_ptr<HeightSource> transposed(const HeightSource& heights);
 
-/// log10 of the heights; what is not above zero is a hole.
+/// log10 of the heights; heights not above zero become holes.
 std::unique_ptr<HeightSource> log_heights(std::unique_ptr<HeightSource> heights);
 
-/// The heights above a level; the others are holes.
+/// The heights above a level; the others become holes.
 std::unique_ptr<HeightSource> land_heights(std::unique_ptr<HeightSource> heights, double level);
 
-/// log10 of the positions of the axes that are named; those not above zero are left out. Throws InputError(name, ...) when
-/// that leaves fewer than two columns or rows.
+/// log10 of the positions of the chosen axes; positions not above zero are dropped. Throws InputError(name, ...) if
+/// fewer than two columns or rows remain.
 std::unique_ptr<HeightSource> log_ground(std::unique_ptr<HeightSource> heights, bool log_x, bool log_y,
                                          const std::string& name);
 
-/// The heights over positions that are multiplied by these factors, above zero.
+/// Multiplies the positions by these factors, which must be above zero.
 std::unique_ptr<HeightSource> scaled_ground(std::unique_ptr<HeightSource> heights, double factor_x, double factor_y);
 
-/// Cells with a side along which heights change by more than `most` for a unit of the ground, row by row, one less in a row
-/// than samples. Positions times `units` are in the unit of the heights; with more than one they are degrees, and those of x
-/// shrink with the cosine of y.
+/// Cells with a side along which heights change by more than `most` per unit of the ground, row by row, one less per
+/// row than samples. Positions times `units` are in the unit of the heights. If `units` > 1, positions are degrees, and
+/// those of x shrink with the cosine of y.
 std::vector<char> steep_cells(const HeightSource& heights, double most, double units);
 
-/// A point is moved along each axis on its own: to (point - origin) * factor.
+/// Maps a point along each axis separately, to (point - origin) * factor.
 struct AxesScaling {
   Point3 origin{0, 0, 0}, factor{1, 1, 1};
 };
 
-/// The scaling of a ridgeline plot, seen from (0, -1, 1): x from 0 to 1, y from 0 to `rows_height`; heights from 0, so that
-/// the range from `low` to `high` is as large as the mean distance of neighbouring rows times `rows`.
+/// The scaling of a ridgeline plot, seen from (0, -1, 1): x from 0 to 1, y from 0 to `rows_height`. Heights start at 0
+/// and the range from `low` to `high` becomes `rows` times the mean distance of neighbouring rows.
 AxesScaling ridgeline_scaling(const HeightSource& heights, double low, double high, double rows, double rows_height);
 
 /// A scaled surface.
@@ -53,8 +53,8 @@ struct AxisWindow {
   double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();
 };
 
-/// The samples whose positions lie in the window. Throws InputError(name, ...) when that leaves fewer than two columns or
-/// rows.
+/// The samples whose positions lie in the window. Throws InputError(name, ...) if fewer than two columns or rows
+/// remain.
 std::unique_ptr<HeightSource> window_heights(std::unique_ptr<HeightSource> heights, AxisWindow x, AxisWindow y,
                                              const std::string& name);
 

@@ -19,11 +19,11 @@ namespace ligne {
 /// The unit of positions.
 enum class GroundUnit : std::uint8_t {
   unknown,
-  same,     ///< one unit in x, y and, as far as is known, z
+  same,     ///< one unit in x, y and, as far as known, z
   degrees,  ///< longitude and latitude; heights are in metres
 };
 
-/// Heights over the positions x[i], y[j], given row by row, so that a large grid need not be held as a whole.
+/// Heights at the positions x[i], y[j], given row by row, so that a large grid need not be in memory as a whole.
 class HeightSource {
  public:
   virtual ~HeightSource() = default;
@@ -32,18 +32,18 @@ class HeightSource {
   const std::vector<double>& x() const { return x_; }
   const std::vector<double>& y() const { return y_; }
 
-  /// z[i] becomes the height at (x[i], y[j]), NaN where there is none; z.size() == x().size(). Any order of rows; from
-  /// several threads at a time.
+  /// Sets z[i] to the height at (x[i], y[j]), or to NaN if there is none; z.size() == x().size(). Rows may be read in
+  /// any order and by several threads at a time.
   virtual void read_row(std::size_t j, std::span<double> z) const = 0;
 
-  /// A function that gives heights between the positions too; null for most grids.
+  /// A function that also gives heights between the positions; null for most grids.
   virtual std::shared_ptr<const HeightFunction> function() const { return nullptr; }
 
-  /// As the file says or lets see.
+  /// The unit as the file states it or as it follows from its content.
   GroundUnit unit() const { return unit_; }
   void set_unit(GroundUnit unit) { unit_ = unit; }
 
-  /// So many rows and columns of the file one sample stands for.
+  /// Number of rows, and of columns, of the file per sample.
   std::size_t thinned_by() const { return thinned_by_; }
   void set_thinned_by(std::size_t step) { thinned_by_ = step; }
 
@@ -56,14 +56,14 @@ class HeightSource {
   std::size_t thinned_by_ = 1;
 };
 
-/// Heights of a formula in x and y (also r and theta, the polar coordinates; pi, e). A place where it is not a finite number
-/// is a hole. Throws InputError that names the column of a mistake: "formula:COLUMN: cause".
+/// Heights of a formula in x and y (also r and theta, the polar coordinates; pi, e). Places where the result is not a
+/// finite number are holes. Throws InputError with the column of the mistake: "formula:COLUMN: cause".
 std::unique_ptr<HeightSource> formula_heights(const std::string& formula, std::vector<double> x, std::vector<double> y);
 
-/// Grids of more samples are thinned: a page has fewer places than this (4096 x 4096).
+/// Largest number of samples before a grid is thinned: a page resolves fewer places (4096 x 4096).
 inline constexpr std::size_t kMostGridSamples = std::size_t{1} << 24;
 
-/// How the numbers of a table are understood.
+/// Meaning of the numbers of a table.
 enum class TableLayout : std::uint8_t {
   automatic,
   matrix,   ///< all numbers are heights
@@ -74,19 +74,19 @@ enum class TableLayout : std::uint8_t {
 
 /// How files of grids and points are read.
 struct GridChoice {
-  std::optional<unsigned> columns;  ///< of the grid on which scattered points are sampled (scattered_points.hpp)
-  std::optional<unsigned> every{};  ///< rows and columns that have to stay: one of so many
-  bool may_thin = false;            ///< of more than kMostGridSamples samples some rows and columns are left out
+  std::optional<unsigned> columns;  ///< of the grid at which scattered points are sampled (scattered_points.hpp)
+  std::optional<unsigned> every{};  ///< one row and column in this many must stay when thinning
+  bool may_thin = false;            ///< whether rows and columns of a grid above kMostGridSamples samples are dropped
   TableLayout layout = TableLayout::automatic;
-  std::optional<unsigned> data_set{};        ///< of a text with several, from 0; or of the arrays of a file
+  std::optional<unsigned> data_set{};        ///< number of the data set of a text, or of the array of a file, from 0
   std::vector<std::string> using_columns{};  ///< names, or numbers from 1, of the columns of x, y and z; or of z alone
-  std::optional<unsigned> band{};  ///< of a raster, counted from 1; nothing: the first, with a warning where there are more
+  std::optional<unsigned> band{};            ///< of a raster, from 1; nothing: the first, with a warning for others
 };
 
-/// Heights of a grid file: a CSV or TSV matrix, lines of "x y z", ESRI ASCII grid, PGM or PNG of 8 or 16 bits. Told apart by
-/// content; "-" is standard input. Grids are thinned (thinned_heights.hpp) where the choice allows it. NODATA and NaN are
-/// holes; rows of pictures run from north (the largest y) to south. Throws InputError("FILE[:LINE]: cause"). Adds the file,
-/// and others that were read with it, to `opened`.
+/// Reads the heights of a grid file: a CSV or TSV matrix, lines of "x y z", ESRI ASCII grid, PGM or PNG of 8 or 16
+/// bits. The content decides the format; "-" is standard input. Grids are thinned (thinned_heights.hpp) if the choice
+/// allows it. NODATA and NaN are holes; rows of pictures run from north (the largest y) to south. Throws
+/// InputError("FILE[:LINE]: cause"). Adds the file, and others read with it, to `opened`.
 std::unique_ptr<HeightSource> read_grid(const std::filesystem::path& file, Warnings& warnings, InputFiles* opened = nullptr,
                                         const GridChoice& choice = {});
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Heights that are held in memory, in the order and of the type in which the file has them.
+/// Heights held in memory, in the order and with the type of the file.
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +15,11 @@
 
 namespace ligne {
 
-/// Where the height over x[i], y[j] stands: samples[begin + i * step_x + j * step_y].
+/// Position of the height at x[i], y[j]: samples[begin + i * step_x + j * step_y].
 struct SampleOrder {
   std::ptrdiff_t begin = 0, step_x = 1, step_y = 0;
 
-  /// Rows one behind another; the first is that of the smallest y, or of the largest.
+  /// Consecutive rows, of which the first one has the smallest y, or the largest.
   static SampleOrder first_row_lowest(std::size_t columns) { return {0, 1, static_cast<std::ptrdiff_t>(columns)}; }
   static SampleOrder first_row_highest(std::size_t columns, std::size_t rows) {
     const auto step = static_cast<std::ptrdiff_t>(columns);
@@ -50,15 +50,15 @@ class HeldHeights : public HeightSource {
   SampleOrder order_;
 };
 
-/// 0, 1, 2 ...
+/// The positions 0, 1, 2 ...
 std::vector<double> counted_positions(std::size_t n);
 
-/// Throws InputError unless there are two columns and two rows or more.
+/// Throws InputError unless there are at least two columns and two rows.
 void check_counts(std::size_t columns, std::size_t rows, const std::string& name);
 /// Throws InputError unless the positions are finite and ascend.
 void check_positions(std::span<const double> positions, const char* axis, const std::string& name);
 
-/// The heights, after these checks, and that one height is none of NaN.
+/// The heights, after these checks. Throws if all heights are NaN.
 template <typename Sample>
 std::unique_ptr<HeightSource> held_heights(std::vector<double> x, std::vector<double> y, std::vector<Sample> samples,
                                            SampleOrder order, const std::string& name) {

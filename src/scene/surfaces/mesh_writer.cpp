@@ -50,7 +50,7 @@ void append_face(std::string& out, const PolygonFaces& faces, std::size_t f, std
   out += faces.contour_count(f) > 1 ? "]}" : "}";
 }
 
-/// A name on a line of its own.
+/// Makes a name fit on its own line.
 std::string plain(std::string_view name) {
   std::string text(name);
   for (char& c : text) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes as mesh files, all numbers as the shortest that read back as the same double.
+/// Writes scenes as mesh files. Numbers have the fewest digits that read back as the same double.
 
 #include <string>
 
@@ -11,8 +11,8 @@ namespace ligne {
 /// details and lights are not written.
 std::string write_ligne_scene(const Scene& scene);
 
-/// Wavefront OBJ. Its faces have no holes, so the scene's must have none either; OBJ does not say which axis is up either, a
-/// comment does.
+/// Wavefront OBJ. Its faces have no holes, so those of the scene must have none either. OBJ does not define the up
+/// axis, so a comment states it.
 std::string write_obj(const Scene& scene);
 
 }  // namespace ligne

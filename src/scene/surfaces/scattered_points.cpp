@@ -1,5 +1,5 @@
-// Places are snapped to a lattice of 2^26 steps across the extent of the points, 25 nanometres on the longest side of A0, on
-// which all signs are exact. Heights are interpolated in the triangles of the lattice.
+// Positions are snapped to a lattice of 2^26 steps across the extent of the points, on which all signs are exact. A
+// step is 25 nanometres on the longest side of A0. Heights are interpolated in the triangles of the lattice.
 
 #include "scene/surfaces/scattered_points.hpp"
 
@@ -19,15 +19,15 @@ namespace ligne {
 namespace {
 
 constexpr std::size_t kFewestColumns = 100, kMostColumns = 500;
-/// Samples that are kept, since a picture asks for each several times.
+/// Largest number of samples kept in memory, since a picture reads each several times.
 constexpr std::size_t kMostHeld = std::size_t{1} << 22;
-/// A triangle whose side is so many times as long as it is high is a sliver.
+/// Ratio of side to height from which a triangle is a sliver.
 constexpr double kSliver = 8;
-/// Triangles that a search begins at: one for so many points.
+/// Number of points per triangle at which a search can start.
 constexpr double kPointsPerStart = 2;
 
-/// From places to lattice points: the low corner of the extent becomes -kLatticeLimit on both axes. Each axis has its own
-/// scale, since the units of x and y may differ.
+/// Maps positions to lattice points. The low corner of the extent becomes -kLatticeLimit on both axes. Each axis has
+/// its own scale, since the units of x and y may differ.
 struct PlaneLattice {
   Point2 low, step;
 
@@ -74,9 +74,9 @@ class TriangulatedFunction : public HeightFunction {
     return cell(p.y) * side_ + cell(p.x);
   }
 
-  /// The convex hull of points in a frame has few and long sides, each over a sliver of a triangle that would stand as a
-  /// wall at the rim. Triangles at the rim whose side there is long against their height are left out, and again those that
-  /// are at the rim then.
+  /// Removes slivers at the rim. The convex hull of points in a frame has few, long sides over slivers, which would
+  /// stand as walls at the rim. A rim triangle is left out if its rim side is long against its height; then its
+  /// neighbours become rim triangles and are tested too.
   void peel_rim() {
     left_out_.assign(mesh_.triangles.size(), 0);
     std::vector<std::array<std::uint32_t, 2>> rim;  // a triangle and its side
@@ -102,7 +102,8 @@ class TriangulatedFunction : public HeightFunction {
     }
   }
 
-  /// Where a search begins follows from its place alone, so that it ends in the same triangle whoever asks.
+  /// Finds start triangles. The start depends on the place alone, so that every search for a place ends in the same
+  /// triangle.
   void find_starts() {
     side_ = 1 + static_cast<std::size_t>(std::sqrt(static_cast<double>(points_.size()) / kPointsPerStart));
     starts_.assign(side_ * side_, kNone);
@@ -122,8 +123,8 @@ class TriangulatedFunction : public HeightFunction {
     return (double(to.x) - from.x) * (p.y - from.y) - (double(to.y) - from.y) * (p.x - from.x);
   }
 
-  /// From triangle to triangle, across a side that the place lies beyond; in a Delaunay triangulation no such walk comes
-  /// back. What a rounding puts beyond two triangles' common side is within both.
+  /// Walks from triangle to triangle across sides beyond which the place lies; in a Delaunay triangulation no such walk
+  /// returns. If rounding puts the place beyond the common side of two triangles from both, it counts as inside.
   double height(Point2 p) const {
     if (!(std::abs(p.x) <= kLatticeLimit && std::abs(p.y) <= kLatticeLimit)) return kNaN;
     std::uint32_t t = starts_[start_cell(p)], before = kNone;
@@ -153,18 +154,18 @@ class TriangulatedFunction : public HeightFunction {
   std::vector<LatticePoint> points_;
   std::vector<double> heights_;
   Delaunay mesh_;
-  std::vector<char> left_out_;  ///< triangles of the rim
+  std::vector<char> left_out_;  ///< per triangle: 1 if removed from the rim
   std::size_t side_ = 1;
   std::vector<std::uint32_t> starts_;
 };
 
 struct PlacedHeight {
-  std::uint64_t key;  ///< along the curve that the triangulation asks for
+  std::uint64_t key;  ///< position along the Morton curve, by which the triangulation is ordered
   LatticePoint at;
   double height;
 };
 
-/// Points that share a place become one.
+/// Merges points at the same place.
 std::size_t merge_places(std::vector<PlacedHeight>& points) {
   parallel_sort(points.begin(), points.end(), [](const PlacedHeight& a, const PlacedHeight& b) {
     return a.key != b.key ? a.key < b.key : a.height < b.height;

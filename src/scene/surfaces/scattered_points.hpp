@@ -1,5 +1,5 @@
 #pragma once
-/// Points that form no grid, as a surface.
+/// Makes a surface of points that form no grid.
 
 #include <memory>
 #include <optional>
@@ -12,11 +12,10 @@
 
 namespace ligne {
 
-/// A surface of the Delaunay triangles of points, whose heights are finite; it ends at their convex hull,
-/// less the slivers along it. Points that share
-/// a place stand for one of their mean height, with a warning. The result has a function (HeightSource::function()), and is
-/// sampled on a grid of `columns` over the extent of the points; without `columns` of as many as the root of their number,
-/// 100 to 500. Throws InputError when all points lie on a line.
+/// A surface of the Delaunay triangles of points with finite heights. It ends at their convex hull, less the slivers
+/// along it. Points at one place are replaced by one of their mean height, with a warning. The result has a function
+/// (HeightSource::function()), sampled on a grid over the extent of the points with `columns` columns; by default the
+/// square root of the number of points, clamped to 100 to 500. Throws InputError if all points lie on a line.
 std::unique_ptr<HeightSource> surface_of_points(std::vector<Point3> points, std::optional<unsigned> columns,
                                                 const std::string& name, Warnings& warnings);
 

@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 1> kCurveVariables{"t"};
 double column_at(const SurfacePoints& surface, std::size_t i) { return surface.points[i].x; }
 double row_at(const SurfacePoints& surface, std::size_t j) { return surface.points[j * surface.columns].y; }
 
-/// The cell of an axis that a place lies in; its last cell also holds its end.
+/// The cell of an axis that contains a place; the last cell includes its end.
 template <class At>
 std::optional<std::size_t> cell_of(std::size_t count, At at, double place) {
   if (count < 2 || !(at(0) <= place && place <= at(count - 1))) return std::nullopt;
@@ -42,7 +42,7 @@ std::optional<Cell> cell_at(const SurfacePoints& surface, double x, double y) {
   return Cell{*i, *j};
 }
 
-/// The fractions of the way through a cell, and the height of its triangles there; NaN in a hole.
+/// Fractions of the way through a cell in x and y.
 Point2 fractions(const SurfacePoints& surface, Cell c, double x, double y) {
   const double x0 = column_at(surface, c.i), x1 = column_at(surface, c.i + 1);
   const double y0 = row_at(surface, c.j), y1 = row_at(surface, c.j + 1);
@@ -51,14 +51,14 @@ Point2 fractions(const SurfacePoints& surface, Cell c, double x, double y) {
 
 double height_in(const SurfacePoints& surface, Cell c, double x, double y, bool upper) {
   const auto z = [&](std::size_t di, std::size_t dj) { return surface.points[(c.j + dj) * surface.columns + c.i + di].z; };
-  // A cell with a hole at one corner has no triangle.
+  // A cell with a hole at a corner has no triangles.
   if (!std::isfinite(z(0, 0) + z(1, 0) + z(0, 1) + z(1, 1))) return kNoNumber;
   const Point2 f = fractions(surface, c, x, y);
   if (!upper) return z(0, 0) + f.x * (z(1, 0) - z(0, 0)) + f.y * (z(0, 1) - z(0, 0));
   return z(1, 1) + (1 - f.x) * (z(0, 1) - z(1, 1)) + (1 - f.y) * (z(1, 0) - z(1, 1));
 }
 
-/// Adds the parts of a segment at which it reaches positions of an axis.
+/// Adds the parameters of a segment at which it reaches positions of an axis.
 template <class At>
 void add_crossings(std::size_t count, At at, double from, double to, std::vector<double>& parts) {
   if (from == to) return;
@@ -119,7 +119,7 @@ void drape(const SurfacePoints& surface, const Point3& from, const Point3& to,
     const Point2 a = at(s0), b = at(s1), middle = at((s0 + s1) / 2);
     const auto cell = s0 < s1 ? cell_at(surface, middle.x, middle.y) : std::nullopt;
     if (!cell) continue;
-    // The diagonal divides the cell where the two fractions come to 1.
+    // The diagonal divides the cell where the two fractions add to 1.
     const Point2 fa = fractions(surface, *cell, a.x, a.y), fb = fractions(surface, *cell, b.x, b.y);
     const double da = fa.x + fa.y - 1, db = fb.x + fb.y - 1;
     std::vector<Point2> way{a, b};

@@ -15,7 +15,7 @@
 namespace ligne {
 namespace {
 
-/// Products of five coordinates stay finite, as for models (scene/reader.cpp).
+/// Largest coordinate, so that products of five stay finite, as for models (scene/reader.cpp).
 constexpr double kLargestCoordinate = 0x1p200;
 
 constexpr std::uint8_t kRims[] = {SurfaceMesh::kRimBottom, SurfaceMesh::kRimRight, SurfaceMesh::kRimTop,
@@ -24,7 +24,7 @@ constexpr const char* kRimNames[] = {"wall at low y", "wall at high x", "wall at
 
 bool is_finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-/// Per sample the vertex that stands for it, kNone for a hole; moves samples that a rounding keeps apart onto one position.
+/// Per sample its vertex, kNone for a hole. Samples that only rounding separates get one position.
 std::vector<std::uint32_t> vertices_of(const SurfacePoints& surface, std::vector<Point3>& vertices) {
   std::vector<std::uint32_t> vertex(vertices.size());
   for (std::uint32_t v = 0; v < vertex.size(); ++v) vertex[v] = is_finite(vertices[v]) ? v : kNone;
@@ -42,7 +42,7 @@ std::vector<std::uint32_t> vertices_of(const SurfacePoints& surface, std::vector
   return vertex;
 }
 
-/// Puts the cells of a grid into a mesh.
+/// Adds the cells of a grid to a mesh.
 class CellCutter {
  public:
   CellCutter(const SurfacePoints& surface, const std::vector<std::uint32_t>& vertex, SurfaceMesh& mesh)
@@ -59,7 +59,7 @@ class CellCutter {
                        top = row_flags(j + 1) | rim(i + 1, j + 2, SurfaceMesh::kRimTop);
     const std::uint8_t left = column_flags(i) | rim(i, j + 1, SurfaceMesh::kRimLeft),
                        right = column_flags(i + 1) | rim(i + 2, j + 1, SurfaceMesh::kRimRight);
-    // Where a side has no length the diagonal lies on another one, and is what that is.
+    // If a side has no length, the diagonal coincides with another side and takes its flags.
     std::uint8_t diagonal = 0;
     if (a == b) diagonal |= left;
     if (a == c) diagonal |= bottom;
@@ -75,7 +75,7 @@ class CellCutter {
   std::uint8_t column_flags(std::size_t i) const {
     return is_curve_at(i, surface_.columns, surface_.x_stride) ? kCornerCurve : 0;
   }
-  /// The flag when the neighbour, numbered as for OutsideCells, is outside.
+  /// Returns the flag if the neighbour, numbered as in OutsideCells, is outside.
   std::uint8_t rim(std::size_t i, std::size_t j, std::uint8_t flag) const { return outside_(i, j) ? flag : 0; }
   void add(std::array<std::uint32_t, 3> corners, std::array<std::uint8_t, 3> flags) {
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) return;
@@ -89,7 +89,7 @@ class CellCutter {
   SurfaceMesh& mesh_;
 };
 
-/// Cuts the triangles of a mesh along the plane z = height.
+/// Clips the triangles of a mesh at the plane z = height.
 class PlaneCut {
  public:
   PlaneCut(SurfaceMesh& mesh, double height, bool keep_above) : mesh_(mesh), height_(height), keep_above_(keep_above) {}
@@ -128,7 +128,7 @@ class PlaneCut {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
       const bool goes_out = sides[next] < 0, crosses = sides[k] * sides[next] < 0;
-      // The side after a corner at which the contour leaves runs along the plane.
+      // The side after the corner where the contour leaves runs along the plane.
       if (sides[k] >= 0) corners[n++] = {t[k], sides[k] == 0 && goes_out ? std::uint8_t{0} : flags[k]};
       if (crosses) corners[n++] = {cut_vertex(t[k], t[next]), goes_out ? std::uint8_t{0} : flags[k]};
     }
@@ -141,7 +141,7 @@ class PlaneCut {
     mesh_.flags.push_back({a.flags, b.flags, last_is_inner ? std::uint8_t{0} : c.flags});
   }
 
-  /// Where the edge crosses the plane; one vertex, whichever way the edge is run through.
+  /// The vertex at which the edge crosses the plane, the same for both directions of the edge.
   std::uint32_t cut_vertex(std::uint32_t v0, std::uint32_t v1) {
     if (v0 > v1) std::swap(v0, v1);
     const auto [place, is_new] =
@@ -161,7 +161,7 @@ class PlaneCut {
   std::unordered_map<std::uint64_t, std::uint32_t> cuts_;
 };
 
-/// Puts objects into a scene, each with the vertices that its triangles use.
+/// Adds objects to a scene, each with the vertices that its triangles use.
 class ObjectMaker {
  public:
   explicit ObjectMaker(const Point3& factor) : factor_(factor) {}
@@ -226,11 +226,11 @@ void add_surface(const SurfaceMesh& mesh, ObjectMaker& maker) {
   maker.end();
 }
 
-/// The wall below one rim, its outer side counter-clockwise.
+/// Adds the wall below one rim; its outer side is counter-clockwise.
 void add_wall(const SurfaceMesh& mesh, std::size_t rim, double base, ObjectMaker& maker) {
   maker.begin(mesh.name + ", " + kRimNames[rim], mesh.from_formula);
   struct Upright {
-    std::uint32_t top, foot;  ///< one vertex where the rim comes down to the base
+    std::uint32_t top, foot;  ///< equal where the rim comes down to the base
   };
   std::unordered_map<std::uint32_t, Upright> uprights;
   const auto upright = [&](std::uint32_t v) {

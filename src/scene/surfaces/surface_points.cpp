@@ -36,7 +36,7 @@ std::unique_ptr<HeightSource> heights_of(const SurfacePoints& surface) {
 }
 
 void take_samples(std::size_t& taken, std::size_t columns, std::size_t rows, const std::string& name) {
-  // Neither count is so large that the product of two could overflow: positions are held in memory.
+  // The product of the counts can not overflow: the positions are in memory.
   const std::size_t samples = columns * rows;
   if (samples > kMostMeshSamples - taken) {
     throw InputError(name, std::to_string(columns) + " x " + std::to_string(rows) +

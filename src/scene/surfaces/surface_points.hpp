@@ -1,5 +1,5 @@
 #pragma once
-/// Points of surfaces over a grid of two parameters.
+/// Points of surfaces at a grid of two parameters.
 
 #include <array>
 #include <cstddef>
@@ -13,24 +13,24 @@
 
 namespace ligne {
 
-/// Roundings that a formula's value may carry, relative to the largest coordinate: 2^13 units of 2^-53. That is many more
-/// than the operations of any formula that is written down, and a thousandth of the step of the page's lattice.
+/// Largest rounding error of a formula's value, relative to the largest coordinate: 2^13 units of 2^-53. That exceeds
+/// the number of operations of any formula that is typed, and is a thousandth of the step of the page's lattice.
 inline constexpr double kFormulaRounding = 0x1p-40;
 
-/// Samples of one surface, row by row: that of column i and row j is points[j * columns + i]. A column is a curve of
-/// constant x (or u), a row one of constant y (or v). NaN in any coordinate is a hole.
+/// Samples of one surface, row by row; column i and row j is points[j * columns + i]. A column is a curve of constant x
+/// (or u), a row one of constant y (or v). A sample with NaN in any coordinate is a hole.
 struct SurfacePoints {
   std::string name;
   std::size_t columns = 0, rows = 0;
   std::vector<Point3> points;
-  /// Every how many samples there is a curve, as in HorizonOptions: at columns, at rows; 0 for none; the last one in any
-  /// case.
+  /// Number of samples between curves, as in HorizonOptions, along columns and along rows; 0: no curves. The last
+  /// column and row always carry a curve.
   std::size_t x_stride = 1, y_stride = 1;
-  /// Cells that are left out whatever their corners, row by row, columns - 1 in a row; may be empty.
+  /// Cells that are left out regardless of their corners, row by row, columns - 1 per row; may be empty.
   std::vector<char> left_out;
-  bool parametric = false;                         ///< points may come together: where the surface closes, and at poles
-  bool from_formula = false;                       ///< coordinates carry the roundings of a formula (kFormulaRounding)
-  std::shared_ptr<const HeightFunction> function;  ///< of z = f(x, y) as a formula
+  bool parametric = false;                         ///< points may coincide: where the surface closes, and at poles
+  bool from_formula = false;                       ///< coordinates have the error of a formula (kFormulaRounding)
+  std::shared_ptr<const HeightFunction> function;  ///< z = f(x, y), if given as a formula
   GroundUnit unit = GroundUnit::unknown;
 };
 
@@ -39,17 +39,17 @@ inline bool is_curve_at(std::size_t i, std::size_t count, std::size_t stride) {
   return stride != 0 && (i % stride == 0 || i + 1 == count);
 }
 
-/// The most samples that the meshes of one drawing may have in all: with about half a kilobyte for each from the scene to
-/// the strokes, 2 GB.
+/// Largest number of samples in the meshes of one drawing. At about half a kilobyte each, from the scene to the
+/// strokes, they take 2 GB.
 inline constexpr std::size_t kMostMeshSamples = 4'000'000;
 
-/// Throws InputError("NAME: ...") when `taken` samples and these are more than kMostMeshSamples; adds them otherwise.
+/// Adds the samples to `taken`. Throws InputError("NAME: ...") if there are more than kMostMeshSamples.
 void take_samples(std::size_t& taken, std::size_t columns, std::size_t rows, const std::string& name);
 
-/// The heights of samples over a grid, which must outlive them.
+/// The heights of samples at a grid, which must outlive the result.
 std::unique_ptr<HeightSource> heights_of(const SurfacePoints& surface);
 
-/// All samples of heights. Strides and names are left to the caller.
+/// All samples of a height source. The caller sets strides and names.
 SurfacePoints points_of(const HeightSource& heights);
 
 /// The surface of x, y and z as formulas in u and v. Throws InputError("formula of x:COLUMN: cause").

@@ -43,7 +43,7 @@ std::size_t thinning_step(std::size_t columns, std::size_t rows, const GridChoic
   std::size_t step = 1;
   while (kept_count(columns, step) > kMostGridSamples / kept_count(rows, step)) ++step;
   if (step == 1 || !choice.every) return step;
-  // The curves that are asked for stay the same rows and columns.
+  // The step divides `every`, so that the requested curves keep their rows and columns.
   while (step < *choice.every && *choice.every % step != 0) ++step;
   return step <= *choice.every ? step : 1;
 }

@@ -7,7 +7,7 @@
 namespace ligne {
 namespace {
 
-/// A part of the stroke of that number.
+/// A part of the stroke with this number.
 struct Run {
   std::int64_t number;
   double from, to;
@@ -34,8 +34,8 @@ WaterTriangles flood(SurfaceMesh& mesh, double level) {
   const std::array<double, 1> levels{level};
   cut_contours(mesh, levels);
   constexpr auto kLines = static_cast<std::uint8_t>(kCornerCurve | kCornerContour);
-  // No height rounds to the level and is still below it on one side of an edge and above it on the other: cut_contours()
-  // made a vertex wherever a triangle crosses the level by more than the rounding.
+  // No triangle has heights below and above the level, except by rounding: cut_contours() has made a vertex wherever a
+  // triangle crosses the level by more than that.
   WaterTriangles water(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     double low = level, high = level;
@@ -72,7 +72,7 @@ std::vector<std::array<Point3, 2>> hatch_water(const SurfaceMesh& mesh, const Wa
   double height = 0;
   for (std::size_t t = 0; t < water.size(); ++t) {
     if (!water[t]) continue;
-    std::array<Point2, 3> p;  // along, across in distances of strokes
+    std::array<Point2, 3> p;  // x along the strokes, y across them in spacings
     for (std::size_t k = 0; k < 3; ++k) {
       const Point3 v = mesh.vertices[mesh.triangles[t][k]] * factor;
       height = v.z;
@@ -82,7 +82,7 @@ std::vector<std::array<Point3, 2>> hatch_water(const SurfaceMesh& mesh, const Wa
     for (double n = std::ceil(low); n < high; ++n) {
       double from = INFINITY, to = -INFINITY;
       for (std::size_t k = 0; k < 3; ++k) {
-        // From the lower end upwards, so that both neighbours of an edge find the same place.
+        // From the lower end upwards, so that both triangles of an edge find the same point.
         Point2 a = p[k], b = p[(k + 1) % 3];
         if (b.y < a.y) std::swap(a, b);
         if (!(a.y <= n && n < b.y)) continue;

@@ -1,9 +1,9 @@
 #pragma once
-/// From the broken edges of a grid of samples to triangles that end on the true border.
+/// Converts the broken edges of a grid of samples to triangles that end on the true border.
 ///
-/// Round a cell run, counter-clockwise, the pieces of its four edges that the surface holds. Pieces that follow each other
-/// without a gap make an arc. From the end of an arc the border of the surface runs through the cell to the beginning of
-/// an arc: of the next one where the surface goes on between the two, else of its own.
+/// The pieces of a cell's four edges on which the surface exists run counter-clockwise around the cell. Consecutive
+/// pieces without a gap form an arc. From the end of an arc the border of the surface crosses the cell to the beginning
+/// of an arc: to the next arc if the surface connects the two, else to its own.
 ///
 ///     C ------e     s---- D
 ///     |        .    .     |      e, s: ends of pieces; the borders e . s are found by
@@ -24,7 +24,7 @@ namespace ligne {
 
 class CellContours {
  public:
-  /// Numbers of vertices that a row of cells has made itself.
+  /// Flag of the numbers of vertices that a row of cells makes itself.
   static constexpr std::uint32_t kOwn = 0x80000000u;
   struct Found {
     std::vector<Point3> points;
@@ -32,11 +32,12 @@ class CellContours {
     std::vector<std::array<std::uint8_t, 3>> flags;
   };
 
-  /// `range`: of the heights that count. `vertices` are the samples; the ends of the pieces are added to them.
+  /// `range`: the range of the heights that count. `vertices` are the samples; the ends of the pieces are added to
+  /// them.
   CellContours(const SurfacePoints& surface, const HeightWindow& window, double range, const std::vector<BrokenEdge>& broken,
                std::vector<Point3>& vertices);
 
-  /// The triangles of the cells between rows j and j + 1. From several threads at a time.
+  /// Makes the triangles of the cells between rows j and j + 1. Several threads may call it at a time.
   void cut_row(std::size_t j, Found& found) const;
 
  private:
@@ -49,7 +50,7 @@ class CellContours {
   };
   struct Piece {
     bool from_start, to_end;
-    std::vector<std::uint32_t> vertices;  ///< without the samples at the edge's ends
+    std::vector<std::uint32_t> vertices;  ///< without the samples at the ends of the edge
   };
 
   bool counts(std::size_t sample) const { return window_.holds(surface_.points[sample].z); }
@@ -63,7 +64,7 @@ class CellContours {
   HeightWindow window_;
   const std::vector<Point3>& vertices_;
   OutsideCells outside_;
-  double heights_to_cells_;  ///< the range of heights becomes half of the ground, whose cells have sides of 1
+  double heights_to_cells_;  ///< scales the range of heights to half of the ground, whose cells have sides of 1
   std::unordered_map<std::size_t, std::vector<Piece>> pieces_;
 };
 

@@ -9,19 +9,19 @@
 namespace ligne {
 namespace {
 
-/// A border is straight that comes this near to its chord, in sides of a cell: a hundredth of a millimetre on cells that are
-/// as wide as a finger.
+/// Largest distance between a border and its chord where it counts as straight, in sides of a cell: a hundredth of a
+/// millimetre for cells as wide as a finger.
 constexpr double kStraight = 0x1p-10;
 constexpr int kMostBorderHalvings = 4;
-/// Two ends of arcs that are as near as this are the two sides of one place.
+/// Largest distance of two ends of arcs that are the two sides of one point, in sides of a cell.
 constexpr double kSamePlace = 0x1p-30;
 
-/// More corners are cut in a faster way.
+/// Largest number of corners for least_area_triangles(), which takes cubic time; larger polygons use triangulate().
 constexpr std::size_t kMostForLeastArea = 64;
 
 double length(Point2 p) { return std::hypot(p.x, p.y); }
 
-/// `p` + t `d` as far as it stays in the cell, t at most 1.
+/// The point p + t d for the largest t, at most 1, that stays in the cell.
 Point2 step_within(Point2 p, Point2 d) {
   double t = 1;
   for (int k = 0; k < 2; ++k) {
@@ -89,7 +89,7 @@ std::vector<CellCut::Arc> CellCut::arcs() const {
   const Side sides[] = {
       {{a, false}, false, a, b}, {{b, true}, false, b, d}, {{c, false}, true, d, c}, {{a, true}, true, c, a}};
   std::vector<Arc> arcs;
-  bool goes_on = false;  // the last arc has reached the corner before the next side
+  bool goes_on = false;  // the last arc reached the corner before the next side
   const auto push = [&](std::uint32_t vertex, std::uint8_t side_flags) {
     Arc& arc = arcs.back();
     if (!arc.corners.empty()) arc.corners.back().flags = side_flags;
@@ -131,7 +131,7 @@ std::vector<CellCut::Arc> CellCut::arcs() const {
   return arcs;
 }
 
-/// A vertex of the arc that is not at its ends, a sample if there is one.
+/// A vertex of the arc that is not an end: a sample if there is one.
 std::uint32_t CellCut::inner_of(const Arc& arc) const {
   for (const Corner& corner : arc.corners) {
     if (corner.vertex < grid_.surface_.points.size()) return corner.vertex;
@@ -150,7 +150,7 @@ bool CellCut::connected(std::uint32_t a, std::uint32_t b) {
 void CellCut::add_polygons(const std::vector<Arc>& arcs) {
   if (arcs.empty()) return;
   if (arcs.size() == 1 && arcs[0].closed) return add_polygon(arcs[0].corners);
-  // goes_on[k]: the surface goes on from arc k to the next one, so that its border runs there.
+  // goes_on[k]: the surface connects arc k to the next one, so the border runs between them.
   const std::size_t n = arcs.size();
   std::vector<bool> goes_on(n);
   for (std::size_t k = 0; k < n; ++k) {
@@ -177,10 +177,10 @@ void CellCut::add_polygons(const std::vector<Arc>& arcs) {
   }
 }
 
-/// The flag of a border that is part of the rim: one wall goes round all of it.
+/// Flag of a border that is part of the outer rim. A single wall surrounds all of it.
 std::uint8_t CellCut::rim_flag() const { return grid_.outside_(i_ + 1, j_ + 1) ? SurfaceMesh::kRimTop : 0; }
 
-/// Appends the border from the polygon's last corner to the corner `to`, without these two. `inner` is a vertex on its left.
+/// Appends the border from the polygon's last corner to the corner `to`, without both. `inner` is a vertex to its left.
 void CellCut::append_border(Corner from, Corner to, std::uint32_t inner, std::vector<Corner>& polygon) {
   std::vector<Point3> border{point(from.vertex), point(to.vertex)};
   for (int halving = 0; halving < kMostBorderHalvings; ++halving) {
@@ -201,14 +201,14 @@ void CellCut::append_border(Corner from, Corner to, std::uint32_t inner, std::ve
   }
 }
 
-/// A point of the border across the middle of a chord, unless the border is straight there.
+/// The point of the border beside the middle of a chord; nothing if the border is straight there.
 std::optional<Point3> CellCut::border_between(const Point3& from, const Point3& to, const Point3& inner) {
   const Point2 a = in_cell(from), b = in_cell(to), chord = b - a;
   if (length(chord) < kStraight) return std::nullopt;
   const Point2 middle = (a + b) * 0.5, left{-chord.y / 2, chord.x / 2};
   const Point3 begin = breaks_.point(in_plane(step_within(middle, left)));
   if (!breaks_.counts(begin)) return std::nullopt;
-  // The place to begin with must be of the same piece of the surface.
+  // The start must be on the same piece of the surface.
   if (breaks_.last_before_break(inner, {begin.x, begin.y})) return std::nullopt;
   const auto border = breaks_.last_before_break(begin, in_plane(step_within(middle, -left)));
   if (!border) return std::nullopt;
@@ -241,7 +241,7 @@ void CellCut::add_polygon(const std::vector<Corner>& polygon) {
   }
 }
 
-/// A jump that ends in the cell: the surface is torn from its rim to the middle.
+/// Adds the triangles of a cell in which a jump ends: the surface is torn from the rim to the middle of the cell.
 void CellCut::add_torn(const std::vector<Corner>& polygon) {
   const Point3 middle = breaks_.point(in_plane({0.5, 0.5}));
   if (!breaks_.counts(middle)) return;

@@ -1,5 +1,5 @@
 #pragma once
-/// One cell of CellContours.
+/// Cuts one cell of CellContours.
 
 #include <optional>
 #include <vector>
@@ -39,7 +39,7 @@ class CellCut {
 
   Point3 point(std::uint32_t vertex) const;
   std::uint32_t sample(std::size_t di, std::size_t dj) const;
-  /// A point in the cell: from 0 to 1 on both axes.
+  /// Coordinates of a point in the cell, from 0 to 1 on both axes.
   Point2 in_cell(const Point3& p) const;
   Point2 in_plane(Point2 cell) const;
 

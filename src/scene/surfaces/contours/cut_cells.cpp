@@ -11,18 +11,19 @@
 namespace ligne {
 namespace {
 
-/// Shares of the samples of a surface with poles: left out at either end, and added to the rest on either side.
+/// Quantile of the samples of a surface with poles that is trimmed at each end; margin added at each end, relative to
+/// the remaining range.
 constexpr double kLeftOut = 0.05, kAdded = 0.5;
 
-/// Samples of so many rows and columns tell what heights are usual.
+/// Number of rows and of columns that are sampled to estimate the usual range of heights.
 constexpr std::size_t kRowsAsked = 256;
 
-/// Heights that reach so many times farther than what is left without poles may come from one.
+/// Ratio of the full range of heights to the trimmed one above which a pole is searched.
 constexpr double kFarOut = 4;
-/// Steps of a climb, from the width of a cell down to what doubles tell apart.
+/// Largest number of steps of a climb, from the width of a cell down to the resolution of doubles.
 constexpr int kMostSteps = 200;
 
-/// Whether heights grow beyond bounds near a sample, upwards or downwards, against the range of all samples.
+/// Whether heights near a sample grow without bound, upwards or downwards, compared to the range of all samples.
 bool climbs_to_pole(const HeightSource& heights, const HeightFunction& function, const Point3& sample, double up,
                     double range) {
   const std::vector<double>&grid_x = heights.x(), &grid_y = heights.y();
@@ -48,7 +49,8 @@ bool climbs_to_pole(const HeightSource& heights, const HeightFunction& function,
   return found;
 }
 
-/// A pole at a point, which no line between samples goes through, is found from the highest and the lowest sample.
+/// Searches a pole at a single point, which no line between samples meets, by climbing from the highest and the lowest
+/// sample.
 bool has_pole_at_a_point(const HeightSource& heights, const HeightFunction& function, const SampleSpan& span) {
   const HeightWindow usual = window_without_poles(heights);
   if (!(span.range() > kFarOut * (usual.high - usual.low))) return false;
@@ -56,7 +58,7 @@ bool has_pole_at_a_point(const HeightSource& heights, const HeightFunction& func
          climbs_to_pole(heights, function, {span.highest.x, span.highest.y, span.high}, 1, span.range());
 }
 
-/// Puts what the rows of cells have found into one mesh.
+/// Appends the result of a row of cells to the mesh.
 void append(CellContours::Found& found, SurfaceMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), found.points.begin(), found.points.end());
@@ -104,7 +106,7 @@ HeightWindow window_without_poles(const HeightSource& source) {
   };
   const double low = at(kLeftOut), high = at(1 - kLeftOut), more = kAdded * (high - low);
   if (!(high > low)) return window_of_samples(source);
-  // Round numbers, since they stand at the axis: multiples of 5 at the second digit, as quotients of whole numbers.
+  // Round numbers, since they stand at the axis: multiples of 5 in the second digit, computed as quotients of integers.
   const double digits = std::floor(std::log10(high - low)) - 1, unit = std::pow(10, std::abs(digits));
   const auto rounded = [&](double height, double (*round)(double)) {
     const double tens = digits < 0 ? round(height * unit / 5) * 5 / unit : round(height / unit / 5) * 5 * unit;
@@ -121,7 +123,7 @@ std::vector<char> broken_cells(const HeightSource& heights, const HeightFunction
   std::vector<char> broken(width * height, 0);
   for (const BrokenEdge& found : find_broken_edges(heights, function, {}, span_of_samples(heights, {}).range()).edges) {
     const std::size_t i = found.edge.sample % columns, j = found.edge.sample / columns;
-    // The cells on both sides, where there are any.
+    // The cells on both sides, if they exist.
     const bool up = found.edge.along_column;
     const std::size_t before = up ? (i > 0 ? i - 1 : width) : (j > 0 ? j - 1 : height), behind = up ? i : j;
     for (const std::size_t side : {before, behind}) {

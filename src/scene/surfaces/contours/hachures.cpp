@@ -1,6 +1,6 @@
-// Both kinds begin with level lines at equal distances in height. Along contours these are the strokes, of which the darker
-// a place is the more are drawn. Down the slope they are where strokes begin: along a level line darkness is summed up, and
-// where the sum reaches a whole number a stroke runs down to the next level, through one triangle after the other.
+// Both kinds start from level lines at equal height steps. Along contours, these lines are the strokes; darker places
+// get more of them. Down the slope, strokes start on them: darkness is summed along a level line, and where the sum
+// reaches a whole number a stroke runs down to the next level, from triangle to triangle.
 
 #include "scene/surfaces/contours/hachures.hpp"
 
@@ -18,18 +18,18 @@ namespace ligne {
 namespace {
 
 // Adjustable.
-constexpr double kSteepPart = 0.9;   ///< of the triangles are flatter than the slope that counts as steep
-constexpr double kSteepAs = 1.0;     ///< the tangent with which that slope is lit
-constexpr double kLeastDark = 0.12;  ///< what is lighter stays white
-constexpr double kThresholds[] = {0.12, 0.55, 0.3, 0.75};  ///< darkness from which level lines are drawn, in turn
+constexpr double kSteepPart = 0.9;                         ///< quantile of the triangles' slopes that counts as steep
+constexpr double kSteepAs = 1.0;                           ///< tangent to which that slope is scaled for lighting
+constexpr double kLeastDark = 0.12;                        ///< lighter places stay white
+constexpr double kThresholds[] = {0.12, 0.55, 0.3, 0.75};  ///< darkness from which every fourth level line is drawn
 constexpr std::size_t kMostLevels = 20'000;
-constexpr int kMostTrianglesOfStroke = 2000;  ///< that one stroke runs through
+constexpr int kMostTrianglesOfStroke = 2000;  ///< longest stroke, in triangles
 
 struct Slopes {
   std::vector<Point3> vertices;  ///< scaled
-  std::vector<Point2> gradient;  ///< of the triangles
-  std::vector<double> dark;      ///< of the vertices, 0 light to 1
-  double steep = 0;              ///< tangent
+  std::vector<Point2> gradient;  ///< per triangle
+  std::vector<double> dark;      ///< per vertex, from 0 (light) to 1
+  double steep = 0;              ///< tangent of the steep slope
   double low = 0, high = 0;
 };
 
@@ -75,14 +75,14 @@ Slopes slopes_of(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& skip,
   return slopes;
 }
 
-/// A place on an edge of the mesh, on a level.
+/// A point on an edge of the mesh at a level.
 struct Crossing {
   std::uint64_t edge;
   Point3 p;
   double dark;
 };
 
-/// Where an edge reaches a level; heights at the level count as above it.
+/// The point where an edge reaches a level; heights at the level count as above it.
 std::optional<Crossing> crossing(const Slopes& slopes, std::uint32_t v0, std::uint32_t v1, double level) {
   if (v0 > v1) std::swap(v0, v1);  // both neighbours of the edge find the same place
   const Point3 &a = slopes.vertices[v0], &b = slopes.vertices[v1];
@@ -92,7 +92,7 @@ std::optional<Crossing> crossing(const Slopes& slopes, std::uint32_t v0, std::ui
   return Crossing{edge_key(v0, v1), {p.x, p.y, level}, slopes.dark[v0] + (slopes.dark[v1] - slopes.dark[v0]) * s};
 }
 
-/// Level lines as pieces, each inside one triangle.
+/// A piece of a level line inside one triangle.
 struct LevelPiece {
   std::int64_t level;
   std::uint32_t triangle;
@@ -118,7 +118,7 @@ std::vector<LevelPiece> level_pieces(const SurfaceMesh& mesh, const std::vector<
   return pieces;
 }
 
-/// Pieces of one level in the order in which they follow each other, from a loose end where there is one.
+/// Orders the pieces of one level so that each continues the one before, starting from a loose end if there is one.
 class LevelWalk {
  public:
   explicit LevelWalk(std::span<const LevelPiece> pieces) : pieces_(pieces), walked_(pieces.size()) {
@@ -130,7 +130,7 @@ class LevelWalk {
     }
   }
 
-  /// Calls visit(piece, runs backwards, begins a line).
+  /// Calls visit(piece, runs backwards, begins a line) for each piece.
   template <class Visit>
   void run(Visit visit) {
     for (const bool rings : {false, true}) {
@@ -167,7 +167,7 @@ class LevelWalk {
   std::unordered_map<std::uint64_t, Ends> at_edge_;
 };
 
-/// Runs from places on level lines straight down.
+/// Follows the steepest descent from points on level lines.
 class Descent {
  public:
   Descent(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& skip, const Slopes& slopes)
@@ -181,14 +181,15 @@ class Descent {
     }
   }
 
-  /// Appends the way from a point of the triangle to the height `end`; it also ends in a valley, and at a rim.
+  /// Appends the path from a point of the triangle down to the height `end`. The path also ends in a valley and at a
+  /// rim.
   void run(std::uint32_t triangle, Point3 p, double end, std::vector<std::array<Point3, 2>>& lines) const {
     std::uint64_t entered = 0;
     for (int n = 0; n < kMostTrianglesOfStroke; ++n) {
       const Point2 g = slopes_.gradient[triangle], down = -g;
       const double steepness = glm::dot(g, g);
       if (!(steepness > 0) || (!skip_.empty() && skip_[triangle])) return;
-      // The first side that the way reaches, or the height before it.
+      // The first side that the path reaches, or the end height before it.
       double s = (p.z - end) / steepness;
       std::uint64_t left = 0;
       const auto& v = mesh_.triangles[triangle];
@@ -198,7 +199,7 @@ class Descent {
         const Point2 outwards{b.y - a.y, a.x - b.x};  // triangles are counter-clockwise
         const double speed = glm::dot(outwards, down);
         if (!(speed > 0)) continue;
-        if (edge == entered) return;  // both sides lead down to it: a valley
+        if (edge == entered) return;  // both triangles descend to this side: a valley
         const double reach = std::max(0.0, glm::dot(outwards, Point2{a.x - p.x, a.y - p.y}) / speed);
         if (reach < s) {
           s = reach;
@@ -227,7 +228,7 @@ class Descent {
   std::unordered_map<std::uint64_t, Sides> sides_;
 };
 
-/// The distance of levels that lie so far apart on a steep slope; more than can be counted are too many.
+/// Height step of levels at the distance `on_ground` on a steep slope, enlarged to give at most kMostLevels levels.
 double level_distance(const Slopes& slopes, double on_ground) {
   return std::max(slopes.steep * on_ground, (slopes.high - slopes.low) / kMostLevels);
 }
@@ -267,7 +268,7 @@ std::vector<std::array<Point3, 2>> slope_hachures(const SurfaceMesh& mesh, const
     LevelWalk walk({pieces.data() + first, end - first});
     double sum = 0;
     walk.run([&](const LevelPiece& piece, bool backwards, bool begins) {
-      // Strokes of neighbouring levels stand in the gaps of each other.
+      // Offsets strokes of neighbouring levels by half their distance.
       if (begins) sum = piece.level & 1 ? 0.5 : 0;
       const Crossing &a = backwards ? piece.to : piece.from, &b = backwards ? piece.from : piece.to;
       const double dark = (a.dark + b.dark) / 2;

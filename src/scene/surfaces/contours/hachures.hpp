@@ -1,6 +1,6 @@
 #pragma once
-/// Hill shading by strokes that lie on a surface z = f(x, y): along its level lines, or down its slope, the closer the
-/// darker it is. Slopes count relative to the steeper ones of the surface, so that a plain is shaded like a mountain.
+/// Hill shading by strokes on a surface z = f(x, y), along its level lines or down its slopes: denser strokes are
+/// darker. Slopes count relative to the steeper ones of the surface, so that a plain is shaded like a mountain.
 
 #include <array>
 #include <vector>
@@ -10,13 +10,13 @@
 namespace ligne {
 
 struct HachureOptions {
-  double spacing = 1;      ///< of the closest strokes on the ground, in coordinates times the factor
-  Point3 sun{-1, 1, 1.4};  ///< towards the light
-  /// Down the slope: length of strokes on steeper slopes, in spacings.
+  double spacing = 1;      ///< smallest distance of strokes on the ground, in scaled coordinates
+  Point3 sun{-1, 1, 1.4};  ///< direction towards the light
+  /// Length of strokes down steep slopes, in spacings.
   double length = 5;
 };
 
-/// Segments in coordinates times `factor`, each inside one triangle. `skip`: triangles without strokes, 1 for each; may be
+/// Segments in coordinates times `factor`, each inside one triangle. `skip`: per triangle, 1 for no strokes; may be
 /// empty.
 std::vector<std::array<Point3, 2>> contour_hachures(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& skip,
                                                     const Point3& factor, const HachureOptions& options);

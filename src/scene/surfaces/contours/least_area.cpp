@@ -13,7 +13,8 @@ std::vector<std::array<std::uint32_t, 3>> least_area_triangles(std::span<const P
   if (n < 3) return {};
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const auto flat = [&](std::size_t i) { return Point2{corners[i].x, corners[i].y}; };
-  // least[i * n + k]: area of the best triangles between the corners i and k; apex[i * n + k]: the corner of that at i, k.
+  // least[i * n + k]: smallest area of triangles between corners i and k; apex[i * n + k]: third corner of the one at i
+  // k.
   std::vector<double> least(n * n, 0);
   std::vector<std::uint32_t> apex(n * n, 0);
   for (std::size_t span = 2; span < n; ++span) {

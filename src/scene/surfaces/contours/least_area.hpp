@@ -1,5 +1,5 @@
 #pragma once
-/// Triangulation of a few corners in space over a polygon of the plane.
+/// Triangulates a few corners in space whose projection is a polygon.
 
 #include <array>
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace ligne {
 
-/// Cuts a polygon, counter-clockwise in x and y, into triangles that have the least area in space of all that are
-/// counter-clockwise too: those of a bent strip join what is level, so that it has no folds. Returns none where there is no
-/// such way. O(n^3) for n corners (Klincsek 1980).
+/// Cuts a polygon, counter-clockwise in x and y, into counter-clockwise triangles with the smallest total area in
+/// space. On a bent strip these connect corners at equal heights, so that it has no folds. Returns no triangles if
+/// there is no such triangulation. O(n^3) for n corners (Klincsek 1980).
 std::vector<std::array<std::uint32_t, 3>> least_area_triangles(std::span<const Point3> corners);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Which cells of a grid are outside of what the grid holds.
+/// Finds the cells of a grid outside its samples.
 
 #include <cstddef>
 #include <cstdint>
@@ -7,11 +7,11 @@
 
 namespace ligne {
 
-/// The cells of a grid of samples with a frame of cells round it. Outside are those of the frame, and those with a hole at a
-/// corner that are joined with it side by side.
+/// The cells of a grid of samples, with a frame of cells around it. A cell is outside if it belongs to the frame, or if
+/// it has a hole at a corner and is connected to the frame across sides of such cells.
 class OutsideCells {
  public:
-  /// `is_sample(k)`: whether there is a surface at sample k, row by row.
+  /// `is_sample(k)`: whether the surface exists at sample k, row by row.
   template <class IsSample>
   OutsideCells(std::size_t columns, std::size_t rows, IsSample is_sample)
       : width_(columns + 1), cells_(width_ * (rows + 1), kOpen) {
@@ -39,7 +39,7 @@ class OutsideCells {
     }
   }
 
-  /// True for the cell whose low corner is sample (i, j), each counted from 1; 0 is the frame.
+  /// Whether the cell with low corner (i, j) is outside. Samples count from 1; 0 is the frame.
   bool operator()(std::size_t i, std::size_t j) const { return cells_[j * width_ + i] == kOutside; }
 
  private:

@@ -1,6 +1,6 @@
-// Heights are given as ranks: 2 i at level i, 2 i - 1 between the levels i - 1 and i. A vertex has one rank for all of its
-// triangles, so that neighbours cut their common edge at the same levels. A triangle is cut from below upwards; what is left
-// above a level is the next one's convex polygon.
+// Heights are expressed as ranks: 2 i at level i, 2 i - 1 between the levels i - 1 and i. A vertex has one rank in all
+// its triangles, so that neighbours cut their common edge at the same levels. A triangle is cut from below upwards. The
+// part above a level is the convex polygon that the next level cuts.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@
 namespace ligne {
 namespace {
 
-/// Half as many again as the largest mesh has, so that memory stays within 3 GB.
+/// Largest number of triangles: three times the samples of the largest mesh, so that memory stays within 3 GB.
 constexpr std::size_t kMostTriangles = 3 * kMostMeshSamples;
 
 class ContourCut {
@@ -49,10 +49,11 @@ class ContourCut {
     std::uint32_t vertex;
     int rank;
     std::uint8_t flags;
-    std::size_t edge;  ///< of the triangle, on which the side lies; kLevel for one that runs along a level
+    std::size_t edge;  ///< the triangle's edge on which the side lies; kLevel if it runs along a level
   };
   static constexpr std::size_t kLevel = 3;
-  /// A triangle has one corner between its lowest and its highest; a slice of it has two sides along levels.
+  /// Largest number of corners of a slice: a triangle has one corner between its lowest and its highest, and a slice
+  /// has two sides along levels.
   static constexpr std::size_t kMostCorners = 5;
   struct Polygon {
     std::array<Corner, kMostCorners + 1> corners;
@@ -76,7 +77,7 @@ class ContourCut {
     return above != levels_.end() && *above <= z + rounding ? 2 * i : 2 * i - 1;
   }
 
-  /// Levels between two ranks, neither included: from the first to before the second.
+  /// Range [first, end) of the levels strictly between two ranks.
   static std::pair<int, int> between(int low, int high) { return {(low + 2) >> 1, (high + 1) >> 1}; }
   std::array<int, 3> ranks(const std::array<std::uint32_t, 3>& t) const {
     return {ranks_[t[0]], ranks_[t[1]], ranks_[t[2]]};
@@ -100,7 +101,7 @@ class ContourCut {
     const std::array<int, 3> r = ranks(t);
     Polygon rest;
     for (std::size_t k = 0; k < 3; ++k) {
-      // An edge at a level, with the face below it.
+      // The edge lies at a level, and the face lies below it.
       const bool along = r[k] % 2 == 0 && r[k] == r[(k + 1) % 3] && r[(k + 2) % 3] < r[k];
       rest.add({t[k], r[k], static_cast<std::uint8_t>(flags[k] | (along ? kCornerContour : 0)), k});
     }
@@ -144,7 +145,7 @@ class ContourCut {
     }
   }
 
-  /// Where an edge of the mesh reaches a level; one vertex, whichever of its triangles asks.
+  /// The vertex at which an edge of the mesh reaches a level; shared by the triangles of the edge.
   std::uint32_t cut_vertex(std::uint32_t low, std::uint32_t high, int rank) {
     if (ranks_[low] > ranks_[high]) std::swap(low, high);
     const auto [place, is_new] =
@@ -161,7 +162,7 @@ class ContourCut {
 
   SurfaceMesh& mesh_;
   std::vector<double> levels_;
-  std::vector<int> ranks_;  ///< of the vertices that were there before
+  std::vector<int> ranks_;  ///< of the vertices before cutting
   std::unordered_map<CutKey, std::uint32_t, Hash> cuts_;
 };
 

@@ -1,5 +1,5 @@
-// muParser evaluates; what it is given has been looked through first (scene/formula_text.hpp). Its bulk mode is not used: it
-// starts threads of its own, and the work is dealt out to threads already.
+// muParser evaluates; its input has been checked before (scene/formula_text.hpp). Its bulk mode is not used, since that
+// starts its own threads and the work is already distributed to threads.
 
 #include "scene/surfaces/formula/formula_evaluator.hpp"
 
@@ -73,7 +73,7 @@ FormulaEvaluator::FormulaEvaluator(const FormulaText& formula)
     parser_->define(formula, values_);
     parser_->parser.Eval();
   } catch (const mu::ParserError& error) {
-    // Positions count from 0, and are -1 where the parser knows of none.
+    // Positions count from 0; -1 means that the parser knows none.
     const std::size_t last = formula.columns.size() - 1;
     const std::size_t place = error.GetPos() < 0 ? last : std::min(static_cast<std::size_t>(error.GetPos()), last);
     throw formula_error(formula.language, formula.columns[place], cause_of(error));

@@ -1,5 +1,5 @@
 #pragma once
-/// A formula made ready to be evaluated at many places.
+/// Evaluates a formula at many places.
 
 #include <memory>
 #include <mutex>
@@ -10,18 +10,18 @@
 
 namespace ligne {
 
-/// One parser with the variables it reads; for one thread at a time.
+/// A parser with its variables, for one thread at a time.
 class FormulaEvaluator {
  public:
-  /// Throws InputError for what only the parser finds wrong.
+  /// Throws InputError for mistakes that only the parser finds.
   explicit FormulaEvaluator(const FormulaText& formula);
   ~FormulaEvaluator();
   FormulaEvaluator(const FormulaEvaluator&) = delete;
   FormulaEvaluator& operator=(const FormulaEvaluator&) = delete;
 
-  /// `values` are those of the language's variables, in their order. NaN where the formula is not a finite number.
+  /// `values` are those of the language's variables, in their order. Returns NaN if the result is not a finite number.
   double operator()(std::span<const double> values);
-  /// Whether the variable of that number occurs.
+  /// Whether the formula uses the variable with this number.
   bool uses(std::size_t variable) const { return uses_[variable]; }
 
  private:
@@ -37,7 +37,8 @@ class FormulaEvaluators {
   /// Throws InputError as FormulaEvaluator does.
   explicit FormulaEvaluators(FormulaText formula);
 
-  /// Calls work(evaluator) with an evaluator that nobody else uses meanwhile: as many come to be as threads work at a time.
+  /// Calls work(evaluator) with an evaluator that nobody else uses meanwhile. There are as many evaluators as threads
+  /// that work at the same time.
   template <class Work>
   void use(Work&& work) const {
     std::unique_ptr<FormulaEvaluator> evaluator = take();

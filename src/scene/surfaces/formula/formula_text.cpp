@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// An argument that is a hole makes a hole of the result, also where the comparison would pick the other one.
+// NaN in any argument (a hole) gives NaN, even where the comparison would pick another argument.
 double smallest(const double* values, int n) {
   double out = values[0];
   for (int i = 1; i < n; ++i) out = values[i] < out || std::isnan(values[i]) ? values[i] : out;
@@ -29,7 +29,7 @@ double largest(const double* values, int n) {
 double sign(double a) { return std::isnan(a) ? a : double((a > 0) - (a < 0)); }
 double choice(double condition, double a, double b) { return std::isnan(condition) ? kNaN : condition != 0 ? a : b; }
 
-/// With the sign of b, so that mod(x, 1) goes on evenly through zero.
+/// Has the sign of b, so that mod(x, 1) continues evenly through zero.
 double modulo(double a, double b) {
   const double rest = std::fmod(a, b);
   return rest != 0 && (rest < 0) != (b < 0) ? rest + b : rest;
@@ -78,7 +78,7 @@ constexpr auto kFunctions = std::to_array<FormulaFunction>({
 
 constexpr std::array kConstants{FormulaConstant{"pi", std::numbers::pi}, FormulaConstant{"e", std::numbers::e}};
 
-/// Characters of printed formulas, and what is typed for them.
+/// A character of printed formulas, and its typed replacement.
 struct Typeset {
   std::string_view utf8, ascii;
 };
@@ -96,7 +96,7 @@ constexpr auto kTypeset = std::to_array<Typeset>({{"\u00b2", "^2"},
                                                   {"\u2265", ">="},
                                                   {"\u03c0", "pi"}});
 
-// Not those of <cctype>, which ask the locale.
+// The functions of <cctype> are not used, since they depend on the locale.
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
@@ -105,7 +105,7 @@ bool has_name(const Table& table, std::string_view name) {
   return std::any_of(table.begin(), table.end(), [&](const auto& entry) { return entry.name == name; });
 }
 
-/// Goes through the formula once, token by token.
+/// Reads the formula once, token by token.
 class Preparation {
  public:
   Preparation(std::string_view formula, FormulaLanguage language) : formula_(formula) {
@@ -132,7 +132,7 @@ class Preparation {
  private:
   InputError error(const std::string& cause) const { return formula_error(out_.language, at_ + 1, cause); }
 
-  /// "x, y, pi and e".
+  /// Lists the names, such as "x, y, pi and e".
   std::string names() const {
     std::string list;
     for (const std::string_view variable : out_.language.variables) list += std::string(variable) + ", ";
@@ -155,7 +155,7 @@ class Preparation {
     at_ += length;
   }
 
-  /// A value that stands right behind a value.
+  /// Throws if a value follows a value without an operator.
   void need_operator(std::string_view token) {
     if (after_value_) throw error("an operator is missing before " + shown(token));
     after_value_ = true;
@@ -217,14 +217,14 @@ class Preparation {
     }
     if (c == ',' && open_.empty()) throw error("',' outside the arguments of a function");
     if (std::string_view("+-*/^<>?:,").find(c) == std::string_view::npos) {
-      std::size_t end = 1;  // of the character in UTF-8
+      std::size_t end = 1;  // bytes of the character in UTF-8
       while (end < rest.size() && (static_cast<unsigned char>(rest[end]) & 0xc0) == 0x80) ++end;
       throw error("character " + shown(rest.substr(0, end)) + " has no meaning in a formula");
     }
     take_operator(rest.substr(0, 1), 1);
   }
 
-  /// Puts the plain form of a typeset character into the text, at the column of the character.
+  /// Inserts the plain form of a typeset character into the text, at the column of the character.
   void take_typeset(const Typeset& typeset) {
     if (typeset.ascii == "pi") need_operator(typeset.utf8);
     const std::size_t place = at_;
@@ -240,8 +240,8 @@ class Preparation {
 
   std::string_view formula_;
   std::size_t at_ = 0;
-  bool after_value_ = false;       ///< a value has just ended
-  std::vector<std::size_t> open_;  ///< places of the parentheses that are open
+  bool after_value_ = false;       ///< the token before ended a value
+  std::vector<std::size_t> open_;  ///< positions of the open parentheses
   FormulaText out_;
 };
 

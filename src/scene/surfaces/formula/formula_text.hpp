@@ -1,6 +1,6 @@
 #pragma once
-/// A formula as typed, made ready for the parser: what the parser reports badly or reads in its own way is refused here,
-/// where the column is known.
+/// Prepares a typed formula for the parser. Text that the parser reports badly, or reads in its own way, is refused
+/// here, where the column is known.
 
 #include <array>
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace ligne {
 
-/// A function of a formula; those of `const double*` take one argument or more.
+/// A function of a formula. The functions of `const double*` take one argument or more.
 struct FormulaFunction {
   std::string_view name;
   std::variant<double (*)(double), double (*)(double, double), double (*)(double, double, double),
@@ -29,27 +29,28 @@ struct FormulaConstant {
 };
 std::span<const FormulaConstant> formula_constants();
 
-/// The variables of a formula, and what stands for it in error messages.
+/// The variables of a formula, and its name in error messages.
 struct FormulaLanguage {
   std::span<const std::string_view> variables;
   std::string name = "formula";
 };
 
-/// Variables of z = f(x, y): the place, and its polar coordinates.
+/// Variables of z = f(x, y): Cartesian and polar coordinates.
 inline constexpr std::array<std::string_view, 4> kFormulaVariables{"x", "y", "r", "theta"};
 
-/// More than anybody types, and little enough for a parser whose time grows with the square of the length.
+/// Largest length of a formula in characters: more than anybody types, and short enough for a parser whose time grows
+/// with the square of the length.
 inline constexpr std::size_t kLongestFormula = 10'000;
 
 struct FormulaText {
   std::string text;                  ///< without blanks, ** as ^
-  std::vector<std::size_t> columns;  ///< of the characters of `text`, from 1, and of the end
+  std::vector<std::size_t> columns;  ///< columns of the characters of `text`, from 1, and of the end
   std::vector<bool> uses;            ///< per variable of the language: whether it occurs
   FormulaLanguage language;
 };
 
-/// Throws InputError for unknown characters and names, numbers and names side by side, assignments, parentheses without a
-/// partner, and whatever is too long. The names of the language must outlive the result.
+/// Throws InputError for unknown characters and names, adjacent values without an operator, assignments, unmatched
+/// parentheses, and formulas that are too long. The names of the language must outlive the result.
 FormulaText prepare_formula(std::string_view formula, FormulaLanguage language = {kFormulaVariables});
 
 /// "formula:COLUMN: cause", with the name of the language in place of "formula".
