@@ -55,7 +55,7 @@ struct Layer {
   std::string material{};  ///< name of the material, if all lines belong to one material
   unsigned shade = 0;      ///< degree of darkness, 1 the darkest, if the layer is hatching of one degree; else 0
   std::string object{};    ///< name of the object, if all lines belong to one object
-  /// Of the lines, components in [0, 1]; none: the layer's style decides.
+  /// Colour of the lines, components in [0, 1]; none: the layer's style decides.
   std::optional<std::array<double, 3>> color{};
   std::optional<double> width_mm{};  ///< of the lines; none: the layer's style decides
   std::optional<double> height{};    ///< height of the contour lines, if all have the same height

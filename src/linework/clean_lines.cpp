@@ -10,8 +10,8 @@ namespace {
 
 // Lengths in pen widths or in gaps (gap_mm()). "Taste" marks values that were chosen by looking at drawings.
 constexpr double kGapInPens = 1;                              ///< a wider gap shows between the round ends of two lines
-constexpr double kWideInGaps = 3;                             ///< widest gap that is bridged if there are no outlines: taste
-constexpr double kFarInGaps = 12;                             ///< widest gap that is bridged if there are outlines: taste
+constexpr double kWideInGaps = 3;                             ///< widest gap that is bridged without outlines: taste
+constexpr double kFarInGaps = 12;                             ///< widest gap that is bridged with outlines: taste
 constexpr double kInkInPens = 0.5;                            ///< ink of a line reaches half a pen to either side
 constexpr double kShownInPens = 0.5;                          ///< least length that shows outside of other ink: taste
 constexpr double kMeetingInPens = 1;                          ///< lines this near to each other touch

@@ -2,11 +2,11 @@
 ///
 /// Few arms: all pairs that turn by at most 90 degrees, sorted by their turn, taken greedily.
 ///
-/// Many arms (the pole of a sphere, a fan): every arm is put on the circle of directions twice, once as itself and once
-/// turned by half a turn as its ghost. The turn between two arms is the distance between one and the ghost of the other,
-/// and the smallest of all turns is always that of an arm and a ghost that are neighbours on the circle: anything between
-/// them would make a smaller one. So the candidates are the neighbours only; when a pair is taken its four marks leave the
-/// circle and at most four new pairs of neighbours arise. O(d log d) for d arms.
+/// Many arms (the pole of a sphere, a fan): every arm is put on the circle of directions twice, as itself and, turned
+/// by half a turn, as its ghost. The turn between two arms is the distance between one arm and the ghost of the other.
+/// The smallest turn is always between an arm and a ghost that are neighbours on the circle, since any mark between
+/// them would make a smaller turn. So only neighbours are candidates. When a pair is taken, its four marks leave the
+/// circle, and at most four new pairs of neighbours arise. O(d log d) for d arms.
 
 #include "linework/node_pairs.hpp"
 

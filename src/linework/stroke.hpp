@@ -20,8 +20,8 @@ enum class LineClass : std::uint8_t {
   tangent,       ///< line along which recognised surfaces join smoothly (scene/patches); in clear lines only
   mesh,          ///< any other edge of the scene
   curve,         ///< curve in space that is no edge (add_lines in view/projected_scene.hpp)
-  contour,       ///< contour line of a surface, whatever its faces are (kCornerContour in scene/model/scene.hpp)
-  horizon,       ///< iso-curve of a surface, whatever its faces are (kCornerCurve)
+  contour,       ///< contour line of a surface, regardless of its faces (kCornerContour in scene/model/scene.hpp)
+  horizon,       ///< iso-curve of a surface, regardless of its faces (kCornerCurve)
   axes,          ///< line of the axes of a plot (add_lines in view/projected_scene.hpp)
   shadow,        ///< border of a shadow on a face; no edge of the scene
   suggestive,    ///< suggestive contour: where the surface almost turns into an outline

@@ -89,8 +89,8 @@ struct ObjectColor {
 enum class Quality : std::uint8_t { clear, exact };
 inline constexpr std::string_view kQualityNames[] = {"clear", "exact"};
 
-/// Which lines become profiles. `sheet`: where the empty sheet is seen beside the line; `parts`: also where another
-/// object farther back is seen.
+/// Selects the lines that become profiles. `sheet`: where the empty paper is visible beside the line; `parts`: also
+/// where another object farther back is visible.
 enum class ProfileKind : std::uint8_t { off, sheet, parts };
 inline constexpr std::string_view kProfileNames[] = {"off", "sheet", "parts"};
 

@@ -24,7 +24,6 @@ struct StageTimes : Statistics {
 
 /// Calls work() and adds its times under the name of the stage. If it runs out of memory (std::bad_alloc, or
 /// std::length_error from a size beyond the address space), throws a MemoryError that names the stage.
-/// stage.
 template <class Work>
 auto timed(StageTimes& stages, const Stage& stage, Work&& work) {
   const auto start = std::chrono::steady_clock::now();

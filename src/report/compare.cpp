@@ -27,7 +27,7 @@
 namespace ligne {
 namespace {
 
-/// Counts of methods, by the kind of operation that they count. What contains another count is not here.
+/// The operations that counts of methods stand for. Counts that include another count are not listed.
 struct KindOfCount {
   std::string_view count;
   OperationKind kind;
@@ -57,7 +57,7 @@ constexpr KindOfCount kKindsOfCounts[] = {
     {"analysis: faces looked at", OperationKind::accesses},
 };
 
-/// Words of memory by vertices and faces, [Boulle1980] 2.6, figure 2.88.
+/// Words of memory for each vertex and each face, [Boulle1980] 2.6, figure 2.88.
 struct WordsOfMemory {
   std::string_view method;
   std::uint64_t by_vertex, by_face;
@@ -81,7 +81,7 @@ std::optional<std::uint64_t> count_of(const Statistics& statistics, std::string_
   return {};
 }
 
-/// The limits that a method's drawing has by itself, or by an option of a number of lines or windows.
+/// Returns the accuracy of a method's drawing, in mm, if the method or an option (lines, windows) limits it.
 std::optional<double> resolution_of(const ComparedMethod& compared, const View& view, const Statistics& statistics) {
   const MethodTraits& traits = compared.method->traits();
   const double height = view.window.height();
@@ -91,14 +91,14 @@ std::optional<double> resolution_of(const ComparedMethod& compared, const View& 
   }
   for (const MethodParameter& p : traits.parameters) {
     const auto value = compared.settings.count(p.name);
-    if (!value) continue;  // a word in a count's place stands for no limit
+    if (!value) continue;  // a word instead of a number means no limit
     if (p.name == "resolution") return warnock_tolerance_mm(view.window, *value);
     if (p.name == "lines") return height / *value;
   }
   return {};
 }
 
-/// Ends work that takes too long, or is to end together with what it is a part of.
+/// Stops work that takes too long, or whose caller is stopped.
 class TimeLimit {
  public:
   explicit TimeLimit(double seconds) : whole_(StopScope::current()), watch_([this, seconds] { watch(seconds); }) {}
@@ -117,7 +117,7 @@ class TimeLimit {
 
  private:
   using Clock = std::chrono::steady_clock;
-  /// Adjustable: short for somebody who waits for the end, long beside what a look costs.
+  /// Interval of checks for a stop. Adjustable: short for somebody who waits, long against the time of a check.
   static constexpr std::chrono::milliseconds kLook{50};
 
   void watch(double seconds) {
@@ -129,12 +129,12 @@ class TimeLimit {
     }
   }
 
-  const std::atomic<bool>* whole_;  ///< what the caller works for
+  const std::atomic<bool>* whole_;  ///< stop flag of the calling work
   std::atomic<bool> stop_{false};
   std::mutex mutex_;
   std::condition_variable over_;
   bool done_ = false;
-  std::thread watch_;  // the last: it looks at the others
+  std::thread watch_;  // the last member: its thread uses the others
 };
 
 bool has_parameter(const Method& method, std::string_view name) {
@@ -150,7 +150,7 @@ void measure(const StrokeModel& model, MethodOutcome& outcome) {
   }
 }
 
-/// One method's drawing, and the page that it is on.
+/// Draws the scene by one method, and returns its page.
 void draw_by(const ComparedMethod& compared, const Scene& scene, const Topology& topology, PictureRequest picture,
              MethodOutcome& outcome, Page& page) {
   picture.lines.method = compared.method;
@@ -179,7 +179,7 @@ MethodOutcome outcome_of(const ComparedMethod& compared, const Scene& scene, con
     const TimeLimit limit(limit_seconds);
     run_until(limit.stop(), [&] { draw_by(compared, scene, topology, picture, outcome, page); });
   } catch (const Stopped&) {
-    check_stop();  // not by the limit, but from outside
+    check_stop();  // the caller was stopped, not this limit
     outcome.failure = "ended after " + shortest(limit_seconds) + " s";
   } catch (const std::exception& e) {
     outcome.failure = e.what();
@@ -210,7 +210,7 @@ void compare_drawings(MethodComparison& comparison) {
   }
 }
 
-/// Traits, and what auto would do, of the scene as it is prepared for every method.
+/// Finds the traits of the scene and the choice of --method auto. Prepares the scene as for every method.
 void look_at_scene(const Scene& scene, const Topology& topology, PictureRequest picture, MethodComparison& comparison) {
   picture.lines.method = nullptr;
   RunReport run;
@@ -279,7 +279,7 @@ MethodComparison compare_methods(const Scene& scene, const Topology& topology, c
   check(request.picture);
   MethodComparison comparison;
   look_at_scene(scene, topology, request.picture, comparison);
-  const double parts = static_cast<double>(request.methods.size()) + 1;  // the last: they are compared
+  const double parts = static_cast<double>(request.methods.size()) + 1;  // the last part is the comparison
   for (std::size_t i = 0; i < request.methods.size(); ++i) {
     PictureRequest picture = request.picture;
     const auto at = [&request, parts, i](double fraction) { request.progress((static_cast<double>(i) + fraction) / parts); };

@@ -1,5 +1,5 @@
 #pragma once
-/// Several methods on one scene, side by side.
+/// Compares several methods on one scene.
 
 #include <array>
 #include <cstddef>
@@ -23,7 +23,7 @@
 
 namespace ligne {
 
-/// Kinds of operations, of which every method counts some under names of its own.
+/// Kinds of operations. Every method counts operations of some of these kinds under its own names.
 enum class OperationKind : std::uint8_t { line_tests, face_tests, depths, abscissas, parts, accesses };
 inline constexpr std::size_t kOperationKinds = 6;
 struct OperationName {
@@ -39,7 +39,7 @@ inline constexpr std::array<OperationName, kOperationKinds> kOperationNames{{
     {"accesses", "list entries visited"},
 }};
 
-/// Nothing where the method counts no operations of that kind.
+/// Number of operations by kind; none if the method does not count that kind.
 using OperationCounts = std::array<std::optional<std::uint64_t>, kOperationKinds>;
 OperationCounts operations_of(const Statistics& statistics);
 
@@ -49,34 +49,34 @@ struct ComparedMethod {
   MethodSettings settings{};
 };
 
-/// "NAME,..." of methods, each once and none of them auto. Throws std::invalid_argument as the functions of parse.hpp.
+/// Parses "NAME,...", distinct methods except auto. Throws std::invalid_argument, as in parse.hpp.
 std::vector<const Method*> parse_methods(const std::string& text);
 
-/// The methods in the order of the registry (none: all that give lines), each with those of the options that it has;
-/// `parameters` are names and values of options that only some methods have. Throws RequestError for one that none of them
-/// has, or not with this value.
+/// Returns the methods in the order of the registry; all that return lines if `methods` is empty. `parameters` are
+/// names and values of options; each method gets those that it has. Throws RequestError for an option that no method
+/// has, or that does not accept the value.
 std::vector<ComparedMethod> compared_methods(std::span<const Method* const> methods,
                                              std::span<const std::pair<std::string, std::string>> parameters);
 
-/// More than anybody waits for.
+/// Largest time limit, in seconds; nobody waits longer.
 inline constexpr double kMostLimitSeconds = 1e6;
 
-/// The outcome of a method.
+/// The result of a method.
 struct MethodOutcome {
   const Method* method = nullptr;
-  std::string failure;                    ///< why it drew nothing; empty when it drew
+  std::string failure;                    ///< reason why there is no drawing; empty if there is one
   std::string unsupported_reason;         ///< why its drawing may be wrong, see VisibilityResult::unsupported_reason
-  std::optional<double> resolution_mm{};  ///< how far a line may be off, where the method or its options limit it
+  std::optional<double> resolution_mm{};  ///< largest error of a line, if the method or its options limit the accuracy
   Statistics study;                       ///< its own counts, and the times of its phases
   StageTimes stages;                      ///< of the drawing
   OperationCounts operations{};
-  std::optional<double> peak_bytes{};           ///< memory beyond what the scene takes (peak_memory.hpp)
-  std::optional<std::uint64_t> thesis_words{};  ///< of memory, as [Boulle1980] 2.6 has it
+  std::optional<double> peak_bytes{};           ///< memory in addition to that of the scene (peak_memory.hpp)
+  std::optional<std::uint64_t> thesis_words{};  ///< words of memory by the formula of [Boulle1980] 2.6
   std::size_t strokes = 0;                      ///< visible
   double visible_mm = 0, hidden_mm = 0;
   StrokeModel model{};
   Drawing drawing{};
-  StrokeDifference from_reference{};  ///< only_first: in the reference alone; only_second: in this drawing alone
+  StrokeDifference from_reference{};  ///< only_first: missing in this drawing; only_second: missing in the reference
 
   bool drawn() const { return failure.empty(); }
   bool exact() const { return !resolution_mm; }
@@ -87,23 +87,23 @@ struct MethodComparison {
   SceneTraits traits;
   Page page;
   std::vector<MethodOutcome> methods;
-  /// The first exact method that drew what is in no doubt; nothing when there is none.
+  /// The first exact method whose drawing is not in doubt; none if there is no such method.
   std::optional<std::size_t> reference;
-  /// Length on which two methods differ; nothing where one of them drew nothing.
+  /// Length of line in which two methods differ; none if one of them has no drawing.
   std::vector<std::vector<std::optional<double>>> differences_mm;
   /// The choice of --method auto, and its reason.
   std::string chosen, why_chosen;
 };
 
 struct CompareRequest {
-  PictureRequest picture;  ///< its method is not looked at
+  PictureRequest picture;  ///< its method is ignored
   std::vector<ComparedMethod> methods;
-  double limit_seconds = 60;  ///< for each method; one that takes longer is ended
+  double limit_seconds = 60;  ///< for each method; a method that takes longer is stopped
   std::function<void(double)> progress{};
 };
 
-/// Draws the scene by each of the methods. What goes wrong with one of them, or takes too long, is told in its place, and
-/// the others go on. Throws RequestError where none can begin; Stopped.
+/// Draws the scene by each of the methods. If one fails or takes too long, its outcome says so, and the others
+/// continue. Throws RequestError if the request is invalid, and Stopped.
 MethodComparison compare_methods(const Scene& scene, const Topology& topology, const CompareRequest& request);
 
 }  // namespace ligne

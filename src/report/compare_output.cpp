@@ -27,16 +27,16 @@ Json json_or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-/// Bytes of a note in the text; the JSON has all of it.
+/// Longest note in the text, in bytes; the JSON has the whole note.
 constexpr std::size_t kLongestNote = 300;
 
-/// The reference has no difference from itself; where there is no reference, nobody has.
+/// Length by which a method differs from the reference; none without a reference.
 std::optional<double> from_reference(const MethodComparison& comparison, std::size_t i) {
   if (!comparison.reference) return {};
   return comparison.differences_mm[*comparison.reference][i];
 }
 
-/// Columns of text, the first from the left and the others from the right.
+/// Arranges text in columns, the first aligned left and the others right.
 std::string in_columns(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> width;
   for (const auto& row : rows) {
@@ -53,7 +53,7 @@ std::string in_columns(const std::vector<std::vector<std::string>>& rows) {
   return text;
 }
 
-/// A note on a row beside its figures.
+/// The note on a method.
 std::string note_of(const MethodOutcome& m) {
   if (!m.drawn()) return m.failure;
   if (!m.unsupported_reason.empty())

@@ -1,5 +1,5 @@
 #pragma once
-/// A comparison of methods as a table for people, and for programs.
+/// Formats a comparison of methods as a table for people, and for programs.
 
 #include <string>
 #include <vector>
@@ -10,10 +10,11 @@ namespace ligne {
 
 std::string compare_text(const MethodComparison& comparison);
 
-/// One row for each method: the columns are the same for all.
+/// One row for each method, all with the same columns.
 std::string compare_csv(const MethodComparison& comparison);
 
-/// {"format": "ligne-compare", "version": 1, ...}, docs/compare.md. One schema for all methods: what does not apply is null.
+/// {"format": "ligne-compare", "version": 1, ...}, docs/compare.md. All methods have the same members; those that do
+/// not apply are null.
 std::string compare_json(const MethodComparison& comparison, const std::vector<std::string>& files);
 
 }  // namespace ligne

@@ -20,11 +20,11 @@
 namespace ligne {
 namespace {
 
-/// Drawings are written to a hundredth of a millimetre: they are for looking.
+/// Coordinates of drawings are rounded to a hundredth of a millimetre, which is enough to look at them.
 constexpr int kDecimals = 2;
 constexpr double kPartsPerMm = 100;
 
-/// 1234567 as "1 234 567", with narrow spaces that do not break.
+/// Formats 1234567 as "1 234 567", with narrow no-break spaces.
 std::string grouped(std::uint64_t n) {
   std::string digits = std::to_string(n);
   for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, "\u202f");
@@ -41,7 +41,7 @@ double study_seconds(const MethodOutcome& m) {
   return sum;
 }
 
-/// The text with code elements in place of pairs of backticks.
+/// Replaces pairs of backticks by code elements.
 std::string with_code(const std::string& text) {
   std::string html;
   bool inside = false;
@@ -56,7 +56,7 @@ std::string with_code(const std::string& text) {
   return html;
 }
 
-/// The lines of the layers, whose styles go by the names.
+/// The lines of the layers. Their class names select the styles.
 std::string paths_of(const Drawing& drawing) {
   std::string svg;
   for (const Layer& layer : drawing.layers) {
@@ -67,7 +67,7 @@ std::string paths_of(const Drawing& drawing) {
   return svg;
 }
 
-/// Red lines; and rings round what is too short to be found without them.
+/// The differing lines in red, with rings around those too short to be found otherwise.
 std::string differences_of(const StrokeDifference& difference) {
   constexpr double kShortMm = 2, kRingMm = 2.4;
   constexpr std::size_t kMostRings = 120;
@@ -115,7 +115,7 @@ class ComparisonPage {
     return comparison_.reference ? &comparison_.methods[*comparison_.reference] : nullptr;
   }
 
-  /// Finds the box of all drawings, with a rim.
+  /// Finds the bounding box of all drawings, with a margin.
   void find_box() {
     constexpr double kRimMm = 3;
     for (const MethodOutcome& m : comparison_.methods) {
@@ -210,7 +210,7 @@ class ComparisonPage {
     return text + "</tbody></table></div>";
   }
 
-  /// "5.5 MB".
+  /// Text such as "5.5 MB".
   static std::string memory_of(const MethodOutcome& m) {
     if (!m.peak_bytes) return "";
     std::string text = bytes_text(*m.peak_bytes);
@@ -290,7 +290,7 @@ class ComparisonPage {
     return text + "</tbody></table></div>";
   }
 
-  /// The contents of the page in the place of a method's drawing.
+  /// The page's SVG content for a method: its drawing and the differences.
   std::string content_of(std::size_t i) const {
     const MethodOutcome& m = comparison_.methods[i];
     const StrokeDifference& d = m.from_reference;
@@ -342,7 +342,7 @@ class ComparisonPage {
   const MethodComparison& comparison_;
   std::string name_;
   Rect box_;
-  std::vector<const MethodOutcome*> exact_;  ///< what must agree
+  std::vector<const MethodOutcome*> exact_;  ///< methods whose drawings must agree
 };
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 namespace ligne {
 
-/// One HTML file that needs nothing else: drawings as inline SVG, what differs from the reference in red, tables. `name`: of
-/// the model. A drawing that differs nowhere is that of the reference, which the page holds once.
+/// Returns one self-contained HTML file: drawings as inline SVG, differences from the reference in red, tables. `name`
+/// is the name of the model. A drawing without differences refers to the reference, which the page holds once.
 std::string compare_page(const MethodComparison& comparison, const std::string& name);
 
 }  // namespace ligne

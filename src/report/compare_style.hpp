@@ -1,11 +1,12 @@
 #pragma once
-/// How the page of a comparison looks.
+/// The style sheet of the page of a comparison.
 
 #include <string_view>
 
 namespace ligne {
 
-/// Ink on paper, one accent for what differs, figures in columns. Lines of drawings are in mm of the sheet.
+/// Dark lines on a light page, one accent colour for differences, figures in columns. Lines of drawings are in mm of
+/// the page.
 inline constexpr std::string_view kCompareStyle = R"css(
 :root{--ink:#1c1b19;--soft:#6f6a62;--faint:#e4dfd6;--paper:#faf8f4;--card:#fff;--red:#d0021b;--blue:#2b5c8a;--bar:#c9d6e2}
 *{box-sizing:border-box}

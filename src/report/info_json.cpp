@@ -123,7 +123,7 @@ std::string info_json(const LoadedModels& models, const SceneInfo& info) {
     json["methods"].push_back(
         Json{{"name", traits.name}, {"chosen", method == info.method}, {"meaning", meaning_for(traits)}});
   }
-  // Names come from the file as they are, UTF-8 or not.
+  // Names come from the file and may not be valid UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

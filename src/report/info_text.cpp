@@ -9,14 +9,14 @@
 namespace ligne {
 namespace {
 
-/// Objects named one by one in the text; the JSON names them all.
+/// Largest number of objects listed in the text; the JSON lists all.
 constexpr std::size_t kMostObjectLines = 20;
-/// Bytes of a name in the text; the JSON has all of it.
+/// Longest name in the text, in bytes; the JSON has the whole name.
 constexpr std::size_t kLongestName = 120;
 
 std::string point_text(const Point3& p) { return rounded(p.x) + ", " + rounded(p.y) + ", " + rounded(p.z); }
 
-/// A label in a column of its own.
+/// A line with the label in a column of its own.
 std::string line(const std::string& label, const std::string& value) {
   constexpr std::size_t width = 15;
   return "  " + label + std::string(label.size() < width ? width - label.size() : 1, ' ') + value + "\n";
@@ -30,10 +30,10 @@ std::string closedness(const ObjectFacts& object) {
          " edges of more than two faces";
 }
 
-/// Objects whose borders were sewn are named one by one up to this number.
+/// Largest number of objects with sewn borders that are listed.
 constexpr std::size_t kMostSewnLines = 5;
 
-/// The list of healed faults, with their reasons.
+/// Lists the healed faults.
 std::string healed_text(const ModelFile& file) {
   const HealReport& healed = file.healed;
   std::string text;
@@ -59,7 +59,7 @@ std::string healed_text(const ModelFile& file) {
   return text;
 }
 
-/// Groups of an OBJ are parts where parts are told apart.
+/// Lists the groups of an OBJ. Options that select objects make them objects.
 std::string groups_text(const std::vector<std::string>& groups) {
   std::string text;
   for (std::size_t i = 0; i < std::min(groups.size(), kMostObjectLines); ++i) {
@@ -86,7 +86,7 @@ std::string material_text(const MaterialFacts& material, std::size_t number) {
          color_code_of(material.color);
 }
 
-/// The colours of an object, by its materials.
+/// Lists the colours of an object, by its materials.
 std::string colors_of(const SceneFacts& scene, const ObjectFacts& object) {
   constexpr std::size_t kMostNamed = 3;
   std::string text;
@@ -97,7 +97,7 @@ std::string colors_of(const SceneFacts& scene, const ObjectFacts& object) {
   return text;
 }
 
-/// Their names are those for --pen material:NAME.
+/// Lists the materials with their names for --pen material:NAME.
 std::string materials_text(const SceneFacts& scene) {
   std::string text;
   for (std::size_t i = 0; i < std::min(scene.materials.size(), kMostObjectLines); ++i) {
@@ -111,7 +111,7 @@ std::string materials_text(const SceneFacts& scene) {
   return text;
 }
 
-/// Groups of surfaces in the text; the JSON has them all.
+/// Largest number of groups of surfaces in the text; the JSON has all.
 constexpr std::size_t kMostSurfaceLines = 10;
 
 std::string surfaces_text(const SurfaceFacts& surfaces) {
@@ -170,7 +170,7 @@ std::string info_text(const LoadedModels& models, const SceneInfo& info) {
 
   text += "view\n";
   for (std::size_t c = 0; c < kEdgeClassCount; ++c) {
-    // The lines where faces penetrate each other are not edges of the scene: a method finds them.
+    // Intersections are not edges of the scene; a method finds them.
     if (static_cast<LineClass>(c) == LineClass::intersection) continue;
     text += line(std::string(kLineClassNames[c]), std::to_string(info.view.edges[c]) + " edges");
   }

@@ -9,7 +9,7 @@
 
 namespace ligne {
 
-/// Names of what a method produces, "strokes", "regions" and so on.
+/// Names of the products of a method, such as "strokes" and "regions".
 std::vector<std::string> product_names(std::uint8_t products);
 
 /// "exact" or "resolution-limited".

@@ -1,5 +1,5 @@
 #pragma once
-/// Facts about a scene before a method has seen it.
+/// Facts about a scene that do not depend on a method.
 
 #include <array>
 #include <cstddef>
@@ -16,14 +16,14 @@ namespace ligne {
 struct ObjectFacts {
   std::string name;
   std::size_t vertices = 0, faces = 0;
-  std::vector<std::size_t> materials;  ///< of its faces, by index, ascending
-  std::size_t border_edges = 0;        ///< one face
-  std::size_t many_face_edges = 0;     ///< more than two faces
-  std::size_t unlike_wound_edges = 0;  ///< its two faces disagree on which side is outside
+  std::vector<std::size_t> materials;  ///< materials of its faces, by index, ascending
+  std::size_t border_edges = 0;        ///< edges of one face
+  std::size_t many_face_edges = 0;     ///< edges of more than two faces
+  std::size_t unlike_wound_edges = 0;  ///< edges whose two faces disagree on which side is outside
 
-  /// Closed: no border, every edge has two faces.
+  /// Whether every edge has two faces.
   bool closed() const { return faces > 0 && border_edges == 0 && many_face_edges == 0; }
-  /// Closed, and the windings agree: back faces may be culled.
+  /// Whether it is closed and the windings agree, so that back faces may be culled.
   bool solid() const { return closed() && unlike_wound_edges == 0; }
 };
 
@@ -36,8 +36,8 @@ struct MaterialFacts {
 
 struct SceneFacts {
   std::size_t vertices = 0, faces = 0, faces_with_holes = 0, triangles = 0, edges = 0;
-  std::array<Point3, 2> bounds{};  ///< least and greatest corner; both zero when there is no vertex
-  double precision = 0;            ///< largest of the objects
+  std::array<Point3, 2> bounds{};  ///< least and greatest corner; both zero if there is no vertex
+  double precision = 0;            ///< largest precision of an object
   std::vector<ObjectFacts> objects;
   std::vector<MaterialFacts> materials;
 
@@ -53,7 +53,7 @@ struct SceneFacts {
 SceneFacts scene_facts(const Scene& scene, const Topology& topology);
 
 struct ViewFacts {
-  std::array<std::size_t, kLineClassCount> edges{};  ///< candidates of each class
+  std::array<std::size_t, kLineClassCount> edges{};  ///< candidate edges of each class
   double nearest = 0, farthest = 0;                  ///< along the line of sight from the viewer or the centre, model units
 };
 

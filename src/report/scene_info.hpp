@@ -1,5 +1,5 @@
 #pragma once
-/// The contents of a scene, and their meaning for each method.
+/// The contents of a scene, and what they mean for each method.
 
 #include <optional>
 #include <string>
@@ -18,27 +18,27 @@ struct SceneInfo {
   SceneFacts scene;
   ViewFacts view;
   SceneTraits traits;
-  SurfaceFacts surfaces;            ///< behind the meshes, for clear lines
-  std::optional<BackFaces> culled;  ///< when that was asked for
+  SurfaceFacts surfaces;            ///< recognised behind the meshes, for clear lines
+  std::optional<BackFaces> culled;  ///< only if culling is requested
   Placement placement;
   Axis up_axis = Axis::z;
-  const Method* method = nullptr;  ///< that would draw it
+  const Method* method = nullptr;  ///< the method that would draw the scene
 };
 
-/// Looks at the models as at a picture of them. Throws RequestError.
+/// Analyses the models as for a picture. Throws RequestError.
 SceneInfo scene_info(const LoadedModels& models, const ViewRequest& view, const LineRequest& lines, const PageRequest& page,
                      RunReport& run);
 
-/// As a table for people.
+/// The information as a table for people.
 std::string info_text(const LoadedModels& models, const SceneInfo& info);
 
-/// As JSON: {"format": "ligne-info", "version": 1, "files", "scene", "view", "methods"}.
+/// The information as JSON: {"format": "ligne-info", "version": 1, "files", "scene", "view", "methods"}.
 std::string info_json(const LoadedModels& models, const SceneInfo& info);
 
-/// The meaning of a scene for a method, as far as its traits say.
+/// Describes which scenes a method can draw, from its traits.
 std::string meaning_for(const MethodTraits& traits);
 
-/// "#c0c0c0" of red, green and blue from 0 to 1.
+/// Colour code such as "#c0c0c0" of red, green and blue from 0 to 1.
 std::string color_code_of(const Point3& color);
 
 }  // namespace ligne

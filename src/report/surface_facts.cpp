@@ -13,10 +13,10 @@ namespace ligne {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-/// Decimals of a size at the most, as many as power_of_ten() has.
+/// Largest number of decimals of a size, the limit of power_of_ten().
 constexpr int kMostDecimals = 15;
 
-/// A surface as groups see it.
+/// A surface with the values by which it is grouped.
 struct Sized {
   SurfaceKind kind;
   bool outward, is_arc;
@@ -36,14 +36,14 @@ Sized sized(const FoundSurface& found) {
   return of;
 }
 
-/// The size with decimals that are as coarse as its error, or coarser.
+/// Rounds the size to a decimal place no finer than its error.
 double rounded_size(const Sized& surface) {
   const double digits = surface.error > 0 ? std::floor(-std::log10(surface.error)) : kMostDecimals;
   const auto power = static_cast<double>(power_of_ten(static_cast<int>(std::clamp<double>(digits, 0, kMostDecimals))));
   return std::round(surface.size * power) / power;
 }
 
-/// The group of [begin, end), by the size that is known best.
+/// Makes a group of [begin, end). Its size is that of the surface with the smallest error.
 SurfaceGroup group_of(const std::vector<Sized>& all, std::size_t begin, std::size_t end) {
   const auto best =
       std::min_element(all.begin() + static_cast<std::ptrdiff_t>(begin), all.begin() + static_cast<std::ptrdiff_t>(end),
@@ -51,7 +51,7 @@ SurfaceGroup group_of(const std::vector<Sized>& all, std::size_t begin, std::siz
   return {best->kind, best->outward, best->is_arc, rounded_size(*best), end - begin};
 }
 
-/// Sizes beside each other that read alike are one group: fits to few corners differ by more than these tell.
+/// Merges adjacent groups of equal rounded size: fits to few corners vary more than their errors say.
 void add_group(std::vector<SurfaceGroup>& groups, const SurfaceGroup& group) {
   const auto key = [](const SurfaceGroup& g) { return std::tuple(g.kind, g.is_arc, g.outward, g.size); };
   if (!groups.empty() && key(groups.back()) == key(group)) {

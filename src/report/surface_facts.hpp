@@ -1,5 +1,5 @@
 #pragma once
-/// Counts of the surfaces behind the meshes of a scene, and their radii.
+/// Counts the surfaces recognised behind the meshes of a scene, by their radii.
 
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
@@ -10,16 +10,17 @@
 
 namespace ligne {
 
-/// A cylinder whose faces cover more degrees about its axis is a boss or a bore, another one an arc: no fillet covers more.
+/// Largest angle of an arc about its axis, in degrees. A cylinder that covers more is a boss or a bore; no fillet
+/// covers more.
 inline constexpr double kMostArcDegrees = 200;
 
 /// Surfaces of one kind and one size.
 struct SurfaceGroup {
   SurfaceKind kind = SurfaceKind::cylinder;
   bool outward = true;
-  bool is_arc = false;  ///< cylinder: covers kMostArcDegrees or less
-  /// Radius, of a torus that of its tube, model units; of a cone the angle between its axis and its side, degrees. Rounded
-  /// to the precision of the fit.
+  bool is_arc = false;  ///< for a cylinder: whether it covers at most kMostArcDegrees
+  /// The radius in model units; for a torus, that of its tube. For a cone, the angle between axis and side in degrees.
+  /// Rounded to the precision of the fit.
   double size = 0;
   std::size_t count = 0;
 };
@@ -31,13 +32,13 @@ struct SurfaceFacts {
   bool any() const { return cylinders + cones + spheres + tori > 0; }
 };
 
-/// Counts the surfaces. Sizes that differ by no more than their errors are one.
+/// Counts the surfaces. Sizes that differ by at most their errors count as equal.
 SurfaceFacts surface_facts(const FoundSurfaces& found);
 
-/// "4 bores, 1 boss, 2 arcs of cylinders, 1 sphere".
+/// Text such as "4 bores, 1 boss, 2 arcs of cylinders, 1 sphere".
 std::string counts_text(const SurfaceFacts& facts);
 
-/// "4 bores, radius 2.5".
+/// Text such as "4 bores, radius 2.5".
 std::string group_text(const SurfaceGroup& group);
 
 nlohmann::ordered_json json_of(const SurfaceFacts& facts);

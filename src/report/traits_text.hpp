@@ -1,5 +1,5 @@
 #pragma once
-/// The traits of a scene for people and for programs.
+/// Formats the traits of a scene for people and for programs.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace ligne {
 
-/// Names and values, in their order.
+/// Returns names and values, in order.
 std::vector<std::pair<std::string, std::string>> lines_of(const SceneTraits& traits);
 
-/// A count that was given up is {"at_least": N}.
+/// Formats the traits as JSON. A count that was stopped is {"at_least": N}.
 nlohmann::ordered_json json_of(const SceneTraits& traits);
 
 }  // namespace ligne

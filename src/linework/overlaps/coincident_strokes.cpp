@@ -2,11 +2,10 @@
 ///
 /// Most strokes overlap no other one (overlapping_strokes.hpp) and are kept at once. The others are decided in the order of
 /// their precedence. Each is compared with the strokes kept so far:
-/// - If it overlaps a kept stroke of higher precedence, the common interval is cut out of it, and the rest is decided again.
-/// - Otherwise it is kept. Kept strokes of lower precedence lose the common interval, and their rests are decided again.
-/// This
-///   happens because precedence depends on the depth in the middle of the common interval, while the order in which strokes
-///   are decided goes by the depth in the middle of whole strokes.
+/// - If it overlaps a kept stroke of higher precedence, it loses the common interval, and the rest is decided again.
+/// - Otherwise it is kept. Kept strokes of lower precedence lose the common interval, and their rests are decided
+///   again. This happens because precedence depends on the depth in the middle of the common interval, while strokes
+///   are decided in the order of the depth in the middle of whole strokes.
 ///
 /// So kept strokes never overlap each other, and everything that is removed lies within the tolerance of the stroke that
 /// covers it. Each decision cuts away more than the tolerance or keeps a stroke for good, therefore the process ends. A

@@ -45,7 +45,6 @@ struct NumberRange {
 /// Invariants: a node's bounds contain all segments below it (they shrink only when the node is rebuilt), and `count`
 /// is the number of segments below. A node is rebuilt when one child has become too large and the node has grown by
 /// half since it was built. A node whose segments form one run, and were inserted with their order, stores this run.
-/// what stands below is one run of segments that came in with their order, the node knows that.
 class SegmentTree {
  public:
   /// Relations between the line of a query and the segments of the tree.

@@ -47,7 +47,7 @@ bool StrokeIndex::visit_leaves(std::size_t level, const CellRange& range, Lattic
   });
 }
 
-/// Whether the two points are certainly farther apart than the distance, whatever their rounding.
+/// Whether the two points are certainly farther apart than the distance, in spite of their rounding.
 inline bool is_farther(LatticePoint a, LatticePoint b, double distance) {
   const double dx = double(b.x) - a.x, dy = double(b.y) - a.y, least = std::max(0.0, distance - 1);
   return dx * dx + dy * dy > least * least;

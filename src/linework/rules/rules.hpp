@@ -40,7 +40,6 @@ struct DangleLimits {
 /// - end freely, begin at a junction of two other arcs, and are short; or
 /// - run beside another line all along, and end freely or between two such junctions that stay connected without them.
 /// An arc stays if other lines near its free end have no other path to its other end: they are one line with a gap.
-/// An arc stays if other lines near its free end have no other way to its other end: they are one line with a gap.
 std::size_t prune_dangles(LineMap& map, const BodyOf& body_of, const DangleLimits& limits);
 
 /// merge_short_runs: gives runs (Runs in line_groups.hpp) shorter than `least_mm` the class of the longest run that

@@ -7,7 +7,7 @@
 namespace ligne {
 namespace {
 
-/// x of the side at that height: the same from both sides of it, to the last bit.
+/// x of the side at that height. It is bit for bit equal for the triangles on both sides of it.
 double x_at(Point2 a, Point2 b, double y) {
   if (std::pair(b.y, b.x) < std::pair(a.y, a.x)) std::swap(a, b);
   return a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
@@ -25,7 +25,7 @@ CoverSamples::CoverSamples(const Rect& around, std::uint32_t rows) : rows_(rows)
 }
 
 void CoverSamples::add(const std::array<Point2, 3>& corners) {
-  // Points whose row r has (r + 1/2) in [low, high), and in it whose column likewise.
+  // The sample points have rows r with r + 1/2 in [low, high), and columns likewise.
   const auto first = [](double v, std::uint32_t n) {
     return static_cast<std::uint32_t>(std::clamp(std::ceil(v - 0.5), 0.0, double(n)));
   };

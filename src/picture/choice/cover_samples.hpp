@@ -1,5 +1,5 @@
 #pragma once
-/// How many triangles of a set lie over the points of a regular grid.
+/// Counts the triangles of a set over the points of a regular grid.
 
 #include <array>
 #include <cstdint>
@@ -9,16 +9,16 @@
 
 namespace ligne {
 
-/// A triangle costs its number of rows, however large it is. Of triangles with a common side each point has one.
+/// A triangle costs one step for each of its rows, whatever its size. A point on the common side of two triangles
+/// counts for one of them.
 class CoverSamples {
  public:
   struct Cover {
-    double mean = 0;         ///< over the points that have one at all
+    double mean = 0;         ///< over the points with at least one triangle
     std::uint32_t most = 0;  ///< at any point
   };
 
-  /// Points in `rows` rows over the rectangle, as many in a row as make squares, up to `rows` for each unit of its width by
-  /// its height, and no more than kMostColumns.
+  /// Sample points in `rows` rows over the rectangle. Their columns make the cells square, up to kMostColumns.
   CoverSamples(const Rect& around, std::uint32_t rows);
 
   void add(const std::array<Point2, 3>& corners);
@@ -29,8 +29,8 @@ class CoverSamples {
 
   std::uint32_t columns_, rows_;
   Point2 corner_;
-  double width_, height_;            ///< of a cell, whose centre is the point
-  std::vector<std::int32_t> steps_;  ///< by which the count changes from one point of a row to the next
+  double width_, height_;            ///< size of a cell, whose centre is the sample point
+  std::vector<std::int32_t> steps_;  ///< change of the count from one point of a row to the next
 };
 
 }  // namespace ligne

@@ -9,7 +9,7 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: pairs of facets that are looked at; some 0.1 microseconds each.
+/// Adjustable: largest number of pairs of facets that are tested, at about 0.1 microseconds each.
 constexpr std::uint64_t kMostLooks = 4'000'000;
 
 std::uint64_t pair_of(std::uint32_t a, std::uint32_t b) { return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
@@ -19,7 +19,8 @@ void keep_each_once(std::vector<std::uint64_t>& pairs) {
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
-/// Two positively turned triangles have inner points in common unless a side of one has all of the other on its outside.
+/// Whether two triangles have inner points in common. Both must be positively oriented. They have none only if one
+/// triangle is wholly outside a side of the other.
 bool overlap(const PlacedFacet& a, const PlacedFacet& b) {
   const auto divided_by_side_of = [](const PlacedFacet& of, const PlacedFacet& other) {
     for (int k = 0; k < 3; ++k) {
@@ -32,7 +33,7 @@ bool overlap(const PlacedFacet& a, const PlacedFacet& b) {
   return !divided_by_side_of(a, b) && !divided_by_side_of(b, a);
 }
 
-/// Looks at the pairs of one leaf after the other, as long as there are looks left.
+/// Tests the pairs of each leaf of the grid, until kMostLooks tests are done.
 class PairSearch {
  public:
   PairSearch(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid)
@@ -48,7 +49,8 @@ class PairSearch {
         if (looks_ == kMostLooks) return;
         ++looks_;
         if (placed_[i].face == placed_[k].face || !list[i].box.meets(list[k].box)) continue;
-        // The list is ordered by the nearest depth: of what lies wholly behind only the overlap is of interest.
+        // The list is sorted by the nearest depth. If the second facet is wholly behind the first one, they can only
+        // overlap.
         const bool may_penetrate = list[k].z_near <= facets_[list[i].facet].z_far;
         if (may_penetrate) penetrations_.test(placed_[i], placed_[k], [](const PageSegment&) { return true; });
         if (overlap(placed_[i], placed_[k])) found_.overlapping.push_back(pair_of(placed_[i].face, placed_[k].face));

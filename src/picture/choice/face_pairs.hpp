@@ -1,5 +1,5 @@
 #pragma once
-/// Pairs of faces that concern each other.
+/// Pairs of faces that overlap or penetrate each other.
 
 #include <cstdint>
 #include <vector>
@@ -8,15 +8,15 @@
 
 namespace ligne {
 
-/// Each pair as lower face << 32 | higher face; ascending, each once.
+/// Each pair is lower face << 32 | higher face. The lists are sorted and free of duplicates.
 struct FacePairs {
-  std::vector<std::uint64_t> overlapping;  ///< they have a part of the page in common
-  std::vector<std::uint64_t> penetrating;  ///< they pass through each other
-  bool complete = true;                    ///< all of them; false where there were too many to look at
+  std::vector<std::uint64_t> overlapping;  ///< pairs with a common part of the page
+  std::vector<std::uint64_t> penetrating;  ///< pairs that pass through each other
+  bool complete = true;                    ///< false if there were too many pairs to test all
 };
 
-/// Facets are those of the scene. At most some millions of pairs of facets are looked at, cell by cell of a grid over the
-/// page.
+/// Finds the pairs among the facets of the scene, cell by cell of a grid over the page. Tests a few million pairs of
+/// facets at most.
 FacePairs find_face_pairs(const ProjectedScene& scene, const std::vector<Facet>& facets, double coincidence_steps);
 
 }  // namespace ligne

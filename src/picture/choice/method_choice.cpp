@@ -10,10 +10,11 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: fewer are studied in some milliseconds by either method.
+/// Adjustable: fewest triangles for which the choice matters. With fewer, either method takes a few milliseconds.
 constexpr std::size_t kManyTriangles = 512;
-/// Adjustable: scenes of more triangles are drawn as if glass were opaque, with a warning. The method that sees through
-/// glass takes several times as long as the default one, and more memory.
+/// Adjustable: most triangles of a scene whose transparent faces are drawn as transparent. In larger scenes they count
+/// as opaque, with a warning, because the method that supports them takes several times the time of the default method,
+/// and more memory.
 constexpr std::size_t kMostGlassTriangles = 100'000;
 
 constexpr ChoiceRule kRules[] = {

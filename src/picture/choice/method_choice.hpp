@@ -1,8 +1,8 @@
 #pragma once
 /// The choice of --method auto.
 ///
-/// The rules are what the measurements of bench/auto_table.py come to, docs/compare.md: on all scenes of some size but one
-/// kind the default method is the fastest exact one, or within a few hundredths of it.
+/// The rules follow from the measurements of bench/auto_table.py, see docs/compare.md. On all scenes of some size
+/// except one kind, the default method is the fastest exact method or takes a few hundredths more.
 
 #include <span>
 #include <string>
@@ -17,9 +17,10 @@ namespace ligne {
 /// The facts that the choice depends on.
 struct ChoiceFacts {
   bool regions = false;          ///< the picture is made of areas
-  bool many_triangles = false;   ///< so many that the time of a study is noticed
-  bool may_be_one_body = false;  ///< it looks like one opaque convex body, which the method itself finds out
-  bool glass = false;            ///< some faces are transparent, and the scene is not too large for a method of areas
+  bool many_triangles = false;   ///< enough for the time of a method to be noticed
+  bool may_be_one_body = false;  ///< it may be one opaque convex body; the method itself verifies it
+  /// Some faces are transparent, and the scene is small enough for a method that returns areas.
+  bool glass = false;
 };
 
 struct ChoiceRule {
@@ -28,10 +29,10 @@ struct ChoiceRule {
   bool (*holds)(const ChoiceFacts&);
 };
 
-/// In their order: the first that holds decides. The last holds always, and its method has no scenes that it is not for.
+/// The rules in order. The first one that holds decides. The last one always holds, and its method accepts all scenes.
 std::span<const ChoiceRule> choice_rules();
 
-/// The number of the rule, from 0.
+/// Returns the number of the rule that decides, from 0.
 std::size_t choose_rule(const ChoiceFacts& facts);
 
 ChoiceFacts facts_of(const PictureRequest& request, const ProjectedScene& projected);
@@ -42,11 +43,11 @@ struct ChosenStudy {
   VisibilityResult result;
 };
 
-/// True where study_by_choice() first takes a method that gives regions.
+/// Whether study_by_choice() tries a method that returns regions first.
 bool chooses_regions(const PictureRequest& request, const ProjectedScene& projected);
 
-/// Studies by the method that the rules choose; where that finds that the scene is beyond it, by that of the last rule. So
-/// no result is beyond its method.
+/// Computes visibility by the method that the rules choose. If that method finds that it does not support the scene,
+/// uses the method of the last rule. So the result is always that of a method that supports the scene.
 ChosenStudy study_by_choice(const PictureRequest& request, const ProjectedScene& projected,
                             const VisibilityOptions& options);
 

@@ -20,7 +20,7 @@
 namespace ligne {
 namespace {
 
-/// Points of the page, and of the plan, at which faces are counted.
+/// Number of rows of sample points, on the page and on the plan, at which faces are counted.
 constexpr std::uint32_t kSampleRows = 512;
 
 Point2 at(LatticePoint p) { return {double(p.x), double(p.y)}; }
@@ -33,7 +33,7 @@ double area_of(const ProjectedScene& scene, const Triangle& t) {
   return orientation(scene.vertices[t.v[0]].p, scene.vertices[t.v[1]].p, scene.vertices[t.v[2]].p);
 }
 
-/// Boxes of faces on the page, by the face of the scene.
+/// Bounding boxes on the page of the faces of the scene.
 struct FaceBoxes {
   std::vector<std::uint32_t> faces;
   std::vector<AxisBox> boxes;
@@ -74,14 +74,15 @@ void count_faces(const ProjectedScene& scene, const std::vector<std::uint32_t>& 
   for (const Triangle& t : scene.triangles) areas[t.face] += area_of(scene, t);
   traits.faces = faces.size();
   for (const std::uint32_t f : faces) {
-    // Counter-clockwise as seen is a turn against that of the page, whose y axis points down.
+    // Counter-clockwise as seen is a negative turn on the page, whose y axis points down.
     traits.front_faces += areas[f] < 0;
     traits.transparent_faces += is_transparent(scene, f);
   }
 }
 
-/// Corners of contours above, or below, both their neighbours. Of vertices on one level the one farther left counts as the
-/// higher, so that a level side turns back once and not twice. Contours are the sides that one triangle of the face has.
+/// Counts the vertices that are above, or below, both their neighbours on a contour of a face. Of two vertices at equal
+/// height, the left one counts as higher, so that a horizontal side makes one such vertex and not two. Contours consist
+/// of the sides that belong to one triangle of the face.
 std::size_t count_turning_vertices(const ProjectedScene& scene, const std::vector<Facet>& facets) {
   struct Side {
     std::uint32_t face, from, to;
@@ -92,7 +93,7 @@ std::size_t count_turning_vertices(const ProjectedScene& scene, const std::vecto
     for (int k = 0; k < 3; ++k) sides.push_back({f.face, scene.place(f.v[k]), scene.place(f.v[(k + 1) % 3])});
   }
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.key() < b.key(); });
-  // For each vertex of a face, how many sides of contours go down from it, and how many come.
+  // For each side of a contour, whether it goes down or up from each of its ends.
   std::vector<std::array<std::uint32_t, 3>> ends;  // face, vertex, 1 for a side that goes down
   const auto above = [&](std::uint32_t a, std::uint32_t b) {
     const LatticePoint p = scene.vertices[a].p, q = scene.vertices[b].p;
@@ -115,7 +116,8 @@ std::size_t count_turning_vertices(const ProjectedScene& scene, const std::vecto
   return static_cast<std::size_t>(std::unique(turning.begin(), turning.end()) - turning.begin());
 }
 
-/// Each set of triangles that hang together by vertices, as a scene of its own.
+/// Counts the convex ones among the sets of triangles that are connected by vertices. Each set is tested as a scene of
+/// its own.
 std::size_t count_convex_objects(const ProjectedScene& scene) {
   DisjointSets sets(scene.vertices.size());
   for (const Triangle& t : scene.triangles) {
@@ -159,12 +161,13 @@ std::size_t count_convex_objects(const ProjectedScene& scene) {
   return convex;
 }
 
-/// The plan of the scene: its two axes that are not upright.
+/// The position on the plan of the scene, by its two horizontal axes.
 Point2 in_plan(const Point3& p, Axis up) {
   return up == Axis::x ? Point2{p.y, p.z} : up == Axis::y ? Point2{p.z, p.x} : Point2{p.x, p.y};
 }
 
-/// Neighbours lie on the two sides of their common line, which is exact, and no point of the plan has two triangles.
+/// Whether no vertical line meets the scene twice. Tests exactly that neighbours lie on opposite sides of their common
+/// line, and by samples that no point of the plan has two triangles.
 bool is_height_field(const Scene& scene, const Topology& topology) {
   if (topology.triangles.empty()) return false;
   struct Side {

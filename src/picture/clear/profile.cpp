@@ -1,10 +1,10 @@
 /// Profiles.
 ///
 /// 1. Beside every visible stroke, find what would be visible there without lines (profile_sides.hpp).
-/// 2. The answer can not change along an arc, a line between two junctions: where a visible area beside it ends,
-/// another line ends or crosses the arc. So on each arc a run shorter than two pen widths is noise, from concave
-/// corners and from testing at a distance from the line, and takes the value of its neighbours. The remaining changes
-/// are at junctions, or inside an arc where another line is not drawn.
+/// 2. The answer can not change along an arc, a line between two junctions: where a visible area beside it ends, another
+///    line ends or crosses the arc. So on each arc a run shorter than two pen widths is noise, from concave corners and
+///    from testing at a distance from the line, and takes the value of its neighbours. The remaining changes are at
+///    junctions, or inside an arc where another line is not drawn.
 /// 3. Cut the strokes at these changes.
 
 #include "picture/clear/profile.hpp"

@@ -1,16 +1,16 @@
 /// Smoothed directions of principal curvature:
 ///
 /// 1. Normals are smoothed, so that small bumps do not count. Each triangle gets the second fundamental form that fits
-/// the change of the normals along its sides, each node the mean over its triangles ([Rusinkiewicz2004], with forms
-/// kept as tensors in space).
+///    the change of the normals along its sides, each node the mean over its triangles ([Rusinkiewicz2004], with forms
+///    kept as tensors in space).
 /// 2. A cross at the angle a in the tangent plane is the number exp(4 i a), which quarter turns do not change. The
-/// smoothed crosses z stay near the crosses u of the curvature, the more so the higher their confidence c, and near
-/// those of their neighbours. They minimise sum area c |z - u|^2 + length^2 sum w |z_i - turn_ij z_j|^2, one linear
-/// system, solved by conjugate gradients.
+///    smoothed crosses z stay near the crosses u of the curvature, the more so the higher their confidence c, and near
+///    those of their neighbours. They minimise sum area c |z - u|^2 + length^2 sum w |z_i - turn_ij z_j|^2, one linear
+///    system, solved by conjugate gradients.
 /// 3. One of the two directions of a cross becomes the first. Neighbours agree along a spanning forest that joins the
-/// nodes of highest confidence first. In each tree the first direction is the one in which the surface bends most.
+///    nodes of highest confidence first. In each tree the first direction is the one in which the surface bends most.
 /// 4. The first directions alone, as numbers exp(2 i a) that half turns do not change, are smoothed once more: where
-/// neighbours could not agree, strokes bend.
+///    neighbours could not agree, strokes bend.
 
 #include "picture/hatching/form_field.hpp"
 

@@ -22,7 +22,7 @@ struct FormTone {
 
 struct FormStrokeOptions {
   double closest_mm = 1.4;   ///< least distance of strokes
-  double shortest_mm = 0;    ///< shorter strokes are left out, and specks
+  double shortest_mm = 0;    ///< shorter strokes are left out
   double most_points = 1e7;  ///< most points of all strokes; beyond, throws std::length_error
 };
 

@@ -11,7 +11,7 @@
 namespace ligne {
 namespace {
 
-/// A face along the axis nearest to its normal: a plane figure that keeps its shape but for a scale.
+/// A face projected along the axis nearest to its normal. The projection is affine.
 class FlatFace {
  public:
   FlatFace(const Scene& scene, std::uint32_t face) {
@@ -26,7 +26,7 @@ class FlatFace {
     }
   }
 
-  /// Calls visit(from, to) for the parts of the segment from `a` to `b` that lie on the face, 0 to 1 along it.
+  /// Calls visit(from, to) for the parts of the segment a-b that lie on the face, as fractions of the segment.
   template <class Visit>
   void parts_inside(const Point3& a, const Point3& b, Visit visit) const {
     const Point2 p = flat(a), along = flat(b) - p;

@@ -14,7 +14,7 @@ struct DetailLine {
   std::uint32_t face = 0;  ///< of the scene
 };
 
-/// The sides of all details, in their order; of each what lies on its face, and so not in a hole.
+/// Returns the sides of all details, in their order, clipped to their faces, so that holes are left out.
 std::vector<DetailLine> detail_lines(const Scene& scene);
 
 }  // namespace ligne

@@ -11,7 +11,7 @@
 namespace ligne {
 namespace {
 
-/// The part of the detail in view; nothing when there is none.
+/// Returns the part of the detail in view, or nothing.
 std::optional<ContourFace> on_page(const Detail& detail, const View& view, const Lattice& lattice) {
   std::vector<HomogeneousPoint> contour;
   for (const Point3& p : detail.contour) contour.push_back(to_homogeneous(view, p));

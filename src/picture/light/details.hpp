@@ -9,8 +9,8 @@
 
 namespace ligne {
 
-/// Cuts the regions of faces that have details along these: what lies in a detail gets its material (Region::material). Of
-/// details that overlap the last one counts. Details of which a part is not in front of the viewer are left out.
+/// Cuts the regions of faces along their details. The parts inside a detail get its material (Region::material). Where
+/// details overlap, the last one counts. Details that are partly behind the viewer are left out.
 std::vector<Region> cut_details(const Scene& scene, const View& view, std::vector<Region> regions);
 
 }  // namespace ligne

@@ -46,7 +46,8 @@ FaceBorder::FaceBorder(const Scene& scene, std::uint32_t face, const View& view,
       const Point2 a = corners[i], b = corners[i + 1 == corners.size() ? 0 : i + 1];
       area += a.x * b.y - a.y * b.x;
     }
-    const double right = (area > 0) == (c == 0) ? 1 : -1;  // the face is on the left of the outer contour, or on the right
+    // The face lies to the left of the outer contour, or to the right.
+    const double right = (area > 0) == (c == 0) ? 1 : -1;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Point2 a = corners[i], d = corners[i + 1 == corners.size() ? 0 : i + 1] - a;
       const double length = glm::length(d);
@@ -62,10 +63,10 @@ bool FaceBorder::lies_on(const Edge& edge, LatticePoint p) const {
 }
 
 void FaceBorder::move_beyond(std::vector<LatticePoint>& contour) const {
-  constexpr double kFarthest = 8;  // in near_, where directions are nearly the same
+  constexpr double kFarthest = 8;  // longest move, in near_, where directions are nearly equal
   const std::size_t n = contour.size();
   struct Place {
-    const Edge* border[2] = {nullptr, nullptr};  ///< that the contour's sides before and after the corner run along
+    const Edge* border[2] = {nullptr, nullptr};  ///< edges along which the sides before and after the corner run
   };
   std::vector<Place> places(n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -81,7 +82,7 @@ void FaceBorder::move_beyond(std::vector<LatticePoint>& contour) const {
     const Point2 p{before[i].x, before[i].y};
     Point2 way = first && last ? first->out + last->out : Point2{0, 0};
     const Edge& edge = last ? *last : *first;
-    if (!first || !last) {  // one side goes into the face: it is made longer, and keeps its direction
+    if (!first || !last) {  // one side leads into the face: extends it in its direction
       const LatticePoint inner = before[last ? (i == 0 ? n - 1 : i - 1) : (i + 1 == n ? 0 : i + 1)];
       way = p - Point2{inner.x, inner.y};
     }

@@ -1,5 +1,5 @@
 #pragma once
-/// Points of a face, carried from the page of one view to that of another.
+/// Maps points of a face from the page of one view to the page of another.
 
 #include <vector>
 
@@ -19,12 +19,13 @@ inline FacePlane plane_of(const Scene& scene, std::uint32_t face) {
   return {face_normal(scene, face), scene.vertices[scene.faces.contour(face, 0)[0]]};
 }
 
-/// On which side of the face's plane the eye is: the sign.
+/// Positive or negative, depending on the side of the face's plane on which the eye is.
 inline double side_of_eye(const Camera& camera, const FacePlane& plane) {
   return camera.perspective ? glm::dot(plane.normal, camera.eye - plane.point) : -glm::dot(plane.normal, camera.forward);
 }
 
-/// The point of the plane that is drawn at the page point. False when the sight runs along the plane.
+/// Finds the point of the plane that is drawn at the page point. Returns false if the line of sight is parallel to the
+/// plane.
 inline bool point_on_face(const View& view, Point2 page_mm, const FacePlane& plane, Point3& out) {
   const double far_depth =
       view.camera.perspective ? 0.5 * view.scale * view.camera.target_distance : 100;  // any depth but 0
@@ -35,34 +36,34 @@ inline bool point_on_face(const View& view, Point2 page_mm, const FacePlane& pla
   return true;
 }
 
-/// The corners on the page of what of a contour is in view; none when nothing is. The contour may be concave: its pieces in
-/// view are then joined along the border of the view, there and back.
+/// Returns the corners on the page of the part of a contour in view; none if nothing is in view. If the contour is
+/// concave, its pieces in view are joined along the border of the view, there and back.
 std::vector<LatticePoint> points_in_view(std::vector<HomogeneousPoint> contour, const View& view, const Lattice& lattice);
 
-/// Where a contour on the face's plane lies on another page, as far as it is in view there. False when it can not be drawn,
-/// since the sight runs along the face.
+/// Maps a contour in the face's plane to another page, clipped to the view there. Returns false if the line of sight is
+/// parallel to the face.
 bool carry(const View& from, const std::vector<Point2>& contour_mm, const FacePlane& plane, const View& to,
            const Lattice& lattice, std::vector<LatticePoint>& out);
 
-/// The border of a face on a page. What another view sees of the face ends there too, but carried over it is rounded
-/// otherwise, and slivers would be left between the two. So what runs along the border is moved beyond it, where the face
-/// has nothing that could be cut.
+/// The border of a face on a page. The parts of the face that another view sees end at this border too, but mapped to
+/// this page they are rounded differently, and slivers would remain between the two. So contours along the border move
+/// beyond it, where the face has nothing to cut.
 class FaceBorder {
  public:
-  /// A point nearer than `near_mm` lies on the border, and is moved as far beyond it.
+  /// `near_mm`: distance within which a point lies on the border, and by which it moves beyond it.
   FaceBorder(const Scene& scene, std::uint32_t face, const View& view, const Lattice& lattice, double near_mm);
 
   void move_beyond(std::vector<LatticePoint>& contour) const;
 
  private:
   struct Edge {
-    Point2 from, along;  ///< in steps
-    Point2 out;          ///< unit vector that leads out of the face
+    Point2 from, along;  ///< lattice steps
+    Point2 out;          ///< unit vector that points out of the face
   };
 
   bool lies_on(const Edge& edge, LatticePoint p) const;
 
-  double near_;  ///< in steps
+  double near_;  ///< lattice steps
   std::vector<Edge> edges_;
 };
 

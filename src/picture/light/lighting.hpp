@@ -1,5 +1,5 @@
 #pragma once
-/// Light: which lights there are, and what details and shadows make of the regions of a study.
+/// Selects the lights, and applies details and shadows to the regions of a method.
 
 #include <vector>
 
@@ -12,13 +12,12 @@ namespace ligne {
 
 struct PreparedScene;
 
-/// Lights that cast shadows: those of the request; without any, those of the scene, where the picture shows light or
-/// shadows.
+/// Returns the lights that cast shadows: those of the request; if it has none and the picture shows light or shadows,
+/// those of the scene.
 std::vector<Light> lights_of(const PictureRequest& request, const Scene& scene);
 
-/// Cuts the regions by the scene's details and by what each light reaches, and adds the borders of the shadows to the
-/// strokes where class `shadow` is drawn. Throws RequestError where regions are wanted and the method gives none, or shadows
-/// and there is no light.
+/// Cuts the regions along the scene's details and shadows. Adds the borders of the shadows to the strokes if the class
+/// `shadow` is drawn. Throws RequestError if shadows are requested without a light.
 void light_regions(const PreparedScene& prepared, VisibilityResult& result, RunReport& run);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Regions as faces of lattice contours, and back: what cuts regions further works on these.
+/// Converts regions to faces of lattice contours and back, for further cutting.
 
 #include <cmath>
 #include <vector>
@@ -18,7 +18,7 @@ inline ContourFace on_lattice(const Region& region, const Lattice& lattice) {
   return make_contour_face(contours);
 }
 
-/// A region with these contours, otherwise like the other.
+/// A region with these contours and otherwise the members of `like`.
 inline Region region_of(const ContourFace& face, const Lattice& lattice, const Region& like) {
   Region region{like.face, {}, like.level, like.lights, like.light_shares, like.material};
   for (const EdgeLoop& loop : face.contours) {

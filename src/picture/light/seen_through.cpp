@@ -21,7 +21,8 @@ double border_mm(const Region& region) {
   return length;
 }
 
-/// Regions beside each other have a border in common, which the rounding to the lattice moves by a step at the most.
+/// Whether two regions overlap. Adjacent regions share a border, which rounding to the lattice moves by at most one
+/// step.
 bool overlap(const Region& a, const Region& b, const Lattice& lattice) {
   const double border_steps = std::min(border_mm(a), border_mm(b)) / lattice.step_mm;
   const ClipResult clip = clip_contour_by_contour(on_lattice(a, lattice), on_lattice(b, lattice));
@@ -41,7 +42,7 @@ std::vector<std::vector<std::uint32_t>> seen_through(const Scene& scene, const s
   if (std::ranges::none_of(regions, [](const Region& r) { return r.level > 0; })) return {};
   const std::vector<std::uint8_t> transparent = transparent_faces(scene);
   std::vector<Rect> boxes;
-  std::vector<std::vector<std::uint32_t>> at_level;  // from left to right
+  std::vector<std::vector<std::uint32_t>> at_level;  // by level; each sorted from left to right
   for (std::uint32_t i = 0; i < regions.size(); ++i) {
     boxes.push_back(box_of(regions[i]));
     at_level.resize(std::max<std::size_t>(at_level.size(), regions[i].level + 1));

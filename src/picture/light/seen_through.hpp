@@ -10,8 +10,8 @@
 
 namespace ligne {
 
-/// For each region of a transparent face the numbers of the regions next behind it that have a part of the page in common
-/// with it; what is seen through these stands in their own lists. Empty when no region lies behind a transparent face.
+/// Returns for each region of a transparent face the numbers of the regions directly behind it that overlap it on the
+/// page. Regions behind these are in their own lists. Empty if no region lies behind a transparent face.
 std::vector<std::vector<std::uint32_t>> seen_through(const Scene& scene, const std::vector<Region>& regions,
                                                      const Lattice& lattice);
 

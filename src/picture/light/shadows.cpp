@@ -15,16 +15,17 @@
 namespace ligne {
 namespace {
 
-/// The page of a light: as large as A4, so that its lattice is as fine as that of a drawing.
+/// The page of a light. It has the size of A4, so that its lattice is as fine as that of a drawing.
 const Rect kLightPage{{0, 0}, {297, 210}};
 
-/// Lit and shadowed parts narrower than this are the rounding of contours that went from the light's page to the viewer's.
+/// Narrowest lit or shadowed part, in mm. Narrower parts come from rounding when contours are mapped from the light's
+/// page to the viewer's.
 constexpr double kNarrowestMm = 0.001;
 
-/// Numbers of the edges of what is lit begin here; those of regions are lower.
+/// Smallest source number of edges of lit areas. Edges of regions have lower numbers.
 constexpr std::uint32_t kLitSource = 0x80000000u;
 
-/// A light outside of the scene sees all of it in one picture, somewhat wider than the sphere round it.
+/// Margin around the scene's bounding sphere in the single picture of a light outside of the scene.
 constexpr double kOutside = 1.05;
 
 struct Sphere {
@@ -57,8 +58,8 @@ std::vector<CameraRequest> pictures_of(const Light& light, const Scene& scene) {
     request.fov_degrees = 2 * kDegrees * std::asin(std::min(1.0, sphere.radius / distance)) * kOutside;
     if (request.fov_degrees < 150) return {request};
   }
-  std::vector<CameraRequest> pictures;  // the six sides of a cube round the light
-  request.fov_degrees = 91;             // they overlap, so that nothing is left between them
+  std::vector<CameraRequest> pictures;  // the six sides of a cube around the light
+  request.fov_degrees = 91;             // they overlap, so that no gaps are left between them
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
       Point3 forward(0);
@@ -70,8 +71,8 @@ std::vector<CameraRequest> pictures_of(const Light& light, const Scene& scene) {
   return pictures;
 }
 
-/// The parts of a face of the scene that a light sees, on the viewer's page: [face][k] through k of the transparent faces
-/// that were counted.
+/// The parts of each face that a light reaches, on the viewer's page: [face][k] holds the parts behind k of the
+/// transparent faces that count.
 using LitFaces = std::vector<std::vector<std::vector<ContourFace>>>;
 
 double opacity_of(const Scene& scene, std::uint32_t face) {
@@ -79,7 +80,7 @@ double opacity_of(const Scene& scene, std::uint32_t face) {
   return m < scene.materials.size() ? scene.materials[m].opacity : 1;
 }
 
-/// The opacities of transparent faces, each once; 1 alone when there are none.
+/// Returns the opacities of transparent faces, each once; only 1 if there are none.
 std::vector<double> opacities_of(const Scene& scene) {
   std::vector<double> opacities;
   for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
@@ -91,7 +92,7 @@ std::vector<double> opacities_of(const Scene& scene) {
   return opacities;
 }
 
-/// A scene and its place on the page.
+/// A scene and its view.
 struct PlacedScene {
   const Scene& scene;
   const Topology& topology;
@@ -99,7 +100,7 @@ struct PlacedScene {
   const Lattice& lattice;
 };
 
-/// Adds the faces that one picture of a light shows. Among the transparent faces those of this opacity count.
+/// Adds the faces visible in one picture of a light. Only transparent faces of this opacity count.
 void add_lit(const PlacedScene& placed, const CameraRequest& request, double opacity, LitFaces& lit) {
   const auto& [scene, topology, view, lattice] = placed;
   const Camera camera = make_camera(request, scene);
@@ -124,7 +125,7 @@ void add_lit(const PlacedScene& placed, const CameraRequest& request, double opa
       std::vector<LatticePoint> points;
       drawn = drawn && carry(light_view, contour, plane, view, lattice, points);
       if (points.size() < 3) {
-        drawn = drawn && !contours.empty();  // without the outer contour there is nothing
+        drawn = drawn && !contours.empty();  // without an outer contour there is no face
         continue;
       }
       border.move_beyond(points);
@@ -144,7 +145,8 @@ bool narrow(const ContourFace& face, const Lattice& lattice) {
   return twice_area(face) * lattice.step_mm < length * kNarrowestMm;
 }
 
-/// Whether the run lies along an edge of the face. There the border of what is lit is the rounding of the face's own border.
+/// Whether the run lies along an edge of the face. There, the border of the lit area is only the rounded border of the
+/// face.
 bool along_border(const ContourEdge& run, const ContourFace& face, const Lattice& lattice) {
   const LatticeSegment& s = run.segment;
   const auto beside = [&](const LatticeSegment& border, SegmentParameter t) {
@@ -161,13 +163,13 @@ bool along_border(const ContourEdge& run, const ContourFace& face, const Lattice
   return false;
 }
 
-/// A region, cut along what one light sees of its face.
+/// Cuts a region along the parts of its face that one light reaches.
 class ShadowCut {
  public:
   ShadowCut(const Lattice& lattice, std::size_t light, std::size_t light_count, double opacity)
       : lattice_(lattice), light_(light), light_count_(light_count), opacity_(opacity) {}
 
-  /// `lit` by the number of transparent faces that the light went through.
+  /// `lit` is indexed by the number of transparent faces that the light passed through.
   void cut(const Region& piece, const std::vector<std::vector<ContourFace>>& lit, CastShadows& out) const {
     const ContourFace whole = on_lattice(piece, lattice_);
     std::vector<ContourFace> rest{whole};
@@ -178,7 +180,7 @@ class ShadowCut {
       ClipResult result = clip_contour_by_contour(rest, lit[level]);
       const Region like = lit_region(piece, level);
       if (first == out.regions.size() && !result.inside.empty() && all_narrow(result.outside)) {
-        out.regions.push_back(like);  // lit as a whole: the contours stay as they were
+        out.regions.push_back(like);  // wholly lit: the contours stay unchanged
         out.regions.back().contours = piece.contours;
         return;
       }
@@ -219,7 +221,7 @@ class ShadowCut {
   bool all_narrow(const std::vector<ContourFace>& faces) const {
     return std::all_of(faces.begin(), faces.end(), [&](const ContourFace& face) { return narrow(face, lattice_); });
   }
-  /// The borders that less light has with more.
+  /// Adds the borders between this face, which has less light, and areas with more.
   void add_borders(const ContourFace& face, const ContourFace& whole, const Region& piece, CastShadows& out) const {
     const auto snapped = [&](FinePoint p) { return lattice_.snap(to_mm(lattice_, p)); };
     for (const EdgeLoop& loop : face.contours) {
@@ -254,7 +256,7 @@ CastShadows cast_shadows(const Scene& scene, const Topology& topology, const Vie
       std::vector<CastShadows> cut(all.regions.size());
       parallel_for(cut.size(), [&](std::size_t k) {
         const Region& piece = all.regions[k];
-        // A place that is dark without transparent faces is dark whichever of them are counted.
+        // A place that is dark without transparent faces stays dark for every opacity.
         if (lit[piece.face].empty() || (opacity != opacities.front() && !(piece.lights >> i & 1u))) {
           cut[k].regions.push_back(piece);
         } else {

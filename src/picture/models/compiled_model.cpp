@@ -55,7 +55,7 @@ const Method* method_of_compiled(const std::filesystem::path& file) {
   try {
     return find_method(ByteReader(bytes.subspan(head_size(kTreeFile)), file.string()).text());
   } catch (const InputError&) {
-    return nullptr;  // what is wrong with the file is told when it is read
+    return nullptr;  // read_compiled_model() reports the fault
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Files of `ligne compile`: a model with what a method makes of it for all views.
+/// Files of `ligne compile`: a model with data that a method computes for all views.
 
 #include <cstddef>
 #include <filesystem>
@@ -22,26 +22,26 @@ struct CompiledModel {
   std::shared_ptr<const CompiledScene> compiled;
 };
 
-/// Names of the methods that compile; the first is the usual one.
+/// Names of the methods that compile; the first is the default.
 std::vector<std::string_view> compiling_methods();
 
-/// Throws RequestError for a setting that the method does not have.
+/// Compiles a model. Throws RequestError for a setting that the method does not have.
 CompiledModel compile_model(Scene scene, const Method& method, const MethodSettings& settings, RunReport& run);
 
-/// The bytes of a file, see docs/tree-format.md. The same model gives the same bytes.
+/// Returns the bytes of a file, see docs/tree-format.md. Equal models give equal bytes.
 std::string write_compiled_model(const CompiledModel& model);
 
-/// Puts the checksum of the rest into the bytes of such a file.
+/// Writes the checksum of all other bytes into the bytes of such a file.
 void sign_compiled_model(std::string& bytes);
 
-/// Whether a file begins as those of write_compiled_model() do.
+/// Whether a file begins like those of write_compiled_model().
 bool is_compiled_model(std::span<const std::byte> bytes);
-/// The method for which a file was compiled, of which no more than the beginning is read; nullptr for other files, and where
-/// there is none.
+/// Returns the method for which a file was compiled, and reads only the beginning of the file. Returns nullptr for
+/// other files, or if the file does not exist.
 const Method* method_of_compiled(const std::filesystem::path& file);
 
-/// `name` stands in error messages. Throws InputError for a file that was changed or cut off, or is of another version, or
-/// whose tree is none.
+/// Reads such a file; `name` is for error messages. Throws InputError if the file was changed or cut off, has another
+/// version, or contains no valid tree.
 CompiledModel read_compiled_model(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace ligne

@@ -7,7 +7,7 @@
 namespace ligne {
 namespace {
 
-/// The purpose of a stage, and the options that make it ask for less.
+/// Texts about a stage: its purpose, and how to make it need less memory.
 struct StageWords {
   std::string_view name, purpose, help;
 };
@@ -26,7 +26,7 @@ constexpr StageWords kStages[] = {
     {"output", "for the bytes of the file", "fewer lines take less, and for a PNG a lower --dpi"},
 };
 
-/// "not enough memory for the hatching: 12 faces".
+/// Returns text such as "not enough memory for the hatching: 12 faces".
 std::string shortage(const StageWords* words, const Stage& stage) {
   std::string text = "not enough memory " + (words ? std::string(words->purpose) : "for the stage " + stage.name);
   if (!stage.asks.empty()) text += ": " + stage.asks;

@@ -1,5 +1,5 @@
 #pragma once
-/// Memory that the work may take, and what is said where that is not enough.
+/// The limit of memory, and the error when it is exceeded.
 
 #include <array>
 #include <cstddef>
@@ -12,17 +12,16 @@
 
 namespace ligne {
 
-/// A stage of the work.
+/// A stage of a run.
 struct Stage {
-  std::string name;  ///< as the reports name it
-  std::string asks;  ///< what it has to do, "12 faces", for the message; may be empty
+  std::string name;  ///< name as in reports
+  std::string asks;  ///< amount of work for the message, such as "12 faces"; may be empty
 
   Stage(const char* stage) : name(stage) {}
   Stage(std::string stage, std::string has) : name(std::move(stage)), asks(std::move(has)) {}
 };
 
-/// There is not enough memory, or not as much as the work may have. It keeps its text in itself: there may be no memory for
-/// another.
+/// Out of memory, or above the limit. The text is stored in the object, since there may be no memory to allocate it.
 class MemoryError : public std::bad_alloc {
  public:
   explicit MemoryError(std::string_view text) noexcept;
@@ -32,18 +31,19 @@ class MemoryError : public std::bad_alloc {
   std::array<char, kLongestMessage + 1> text_{};
 };
 
-/// The error of a stage that ran out of memory: the stage, what it asks memory for, and what takes less.
+/// Returns the error of a stage that ran out of memory: the stage, its amount of work, and how to make it need less.
 MemoryError out_of_memory(const Stage& stage);
 
-/// "64M", "1.5G": bytes as people write them, in powers of 1024, with three digits.
+/// Returns a number of bytes in powers of 1024 with three digits, such as "64M" or "1.5G".
 std::string bytes_text(double bytes);
 
-/// Bytes that the work may take together. What it will need is estimated from below where counts tell it before, so that
-/// nothing that would fit is refused; the rest only the allocations themselves can tell.
+/// The most bytes that the program may take. Where counts are known beforehand, stages compare a lower bound of their
+/// needs with the limit, so that nothing that would fit is refused. Beyond that, only failing allocations stop the
+/// program.
 struct MemoryLimit {
   double bytes = std::numeric_limits<double>::infinity();
 
-  /// Throws MemoryError when the stage can not do with fewer than `least` bytes, and these are too many.
+  /// Throws MemoryError if the limit is below `least`, the fewest bytes that the stage needs.
   void require(double least, const Stage& stage) const;
 };
 

@@ -14,12 +14,12 @@
 namespace ligne {
 namespace {
 
-/// Share of the faces or border edges of a file above which a warning says what was healed.
+/// Part of the faces or border edges of a file above which a warning reports the healing.
 constexpr double kMuch = 0.1;
 
 char name_of(Axis axis) { return "xyz"[static_cast<unsigned>(axis)]; }
 
-/// Objects that a message lists.
+/// Largest number of objects that a message lists.
 constexpr std::size_t kMostListed = 12;
 
 bool any_fits(const std::vector<std::string>& patterns, const std::string& name) {
@@ -30,7 +30,7 @@ bool is_drawn(const PartRequest& parts, const std::string& name) {
   return (parts.only.empty() || any_fits(parts.only, name)) && !any_fits(parts.hide, name);
 }
 
-/// Leaves out and moves objects, which are numbered from `first_number` on.
+/// Removes and moves objects, which are numbered from `first_number`.
 void choose_parts(Scene& scene, const PartRequest& parts, std::size_t first_number, double unit_mm) {
   std::vector<std::uint8_t> keep(scene.objects.size());
   for (std::size_t i = 0; i < keep.size(); ++i) {
@@ -45,7 +45,7 @@ void choose_parts(Scene& scene, const PartRequest& parts, std::size_t first_numb
   if (std::find(keep.begin(), keep.end(), 0) != keep.end()) keep_objects(scene, keep, first_number);
 }
 
-/// `first_number`: that of the file's first object. The request must outlive the options.
+/// `first_number`: number of the file's first object. The request must outlive the options.
 ReadOptions read_options(const ModelRequest& request, std::size_t first_number) {
   ReadOptions options;
   options.pose = request.pose;
@@ -64,8 +64,8 @@ ReadOptions read_options(const ModelRequest& request, std::size_t first_number) 
   return options;
 }
 
-/// A file's scene with the objects that are drawn, healed where clear lines are wanted. `topology` is known afterwards when
-/// it had to be found for that.
+/// Returns a file's scene with the objects that are drawn, healed for clear lines. Sets `topology` if healing had to
+/// build it.
 Scene choose_and_heal(const ModelRequest& request, ModelFile& file, LoadedModels& models, Scene scene) {
   std::optional<Topology>& topology = models.topology;
   topology.reset();
@@ -199,7 +199,7 @@ void require_names(const LoadedModels& models, const std::string& option, const 
 
 namespace {
 
-/// Throws RequestError where a pen is for a material that the scene does not have.
+/// Throws RequestError if a pen is for a material that the scene does not have.
 void require_materials(const Scene& scene, const PenTable& pens) {
   for (const auto& [asked, number] : pens.pen_of_material) {
     if (std::ranges::find(scene.materials, asked, &Material::name) != scene.materials.end()) continue;

@@ -27,7 +27,7 @@ struct PartMove {
 struct PartRequest {
   std::vector<std::string> only;  ///< objects to draw; empty: all
   std::vector<std::string> hide;  ///< objects to omit
-  std::vector<PartMove> moves;    ///< all that fit an object are added
+  std::vector<PartMove> moves;    ///< an object moves by the sum of all moves that fit it
 
   bool asked() const { return !only.empty() || !hide.empty() || !moves.empty(); }
 };
@@ -36,15 +36,16 @@ struct ModelRequest {
   std::vector<std::string> files;
   PartRequest parts{};
   bool tell_parts = false;          ///< the picture distinguishes objects: groups of an OBJ may be objects
-  std::optional<double> unit_mm{};  ///< true length of a model unit in mm; nothing: that of the first file
-  /// A distance in model units. Clear lines: borders of one object within this distance are sewn; nothing: the width of
-  /// cracks is detected; 0: none are sewn. Exact lines: vertices of one object within this distance are welded;
-  /// nothing: only those at equal positions.
+  std::optional<double> unit_mm{};  ///< true length of a model unit in mm; none: as in the first file
+  /// A distance in model units. For clear lines, borders of one object within this distance are sewn; none: the width
+  /// of cracks is detected; 0: no border is sewn. For exact lines, vertices of one object within this distance are
+  /// welded; none: only vertices at equal positions.
   std::optional<double> weld_distance{};
   bool merge_coplanar = false;      ///< merge adjacent coplanar faces into polygons
   std::optional<ScenePose> pose{};  ///< the moment of an animation of glTF files
   Quality quality = Quality::clear;
-  std::optional<Subdivision> subdivision{};  ///< treat polygons as control meshes, and draw their limit surfaces
+  /// If set, polygons are control meshes, and their limit surfaces are drawn.
+  std::optional<Subdivision> subdivision{};
   bool shading = true;  ///< clear lines: read the smooth and sharp edges of the file, since creases are requested
 };
 
@@ -74,7 +75,7 @@ const std::string* compiled_file(const ModelRequest& request);
 /// if no object fits a pattern, or if none is left.
 LoadedModels load_models(const ModelRequest& request);
 
-/// Like load_models(), for a scene in memory that was not cleaned yet. `name` stands in messages.
+/// Like load_models(), for a scene in memory that was not cleaned yet. `name` is for messages.
 LoadedModels load_model(const ModelRequest& request, Scene scene, const std::string& name);
 
 /// Throws RequestError for that option if no object fits one of the patterns.

@@ -11,7 +11,7 @@
 namespace ligne {
 namespace {
 
-/// A line of /proc/self/status, "VmHWM:  1234 kB".
+/// Reads a line of /proc/self/status, such as "VmHWM:  1234 kB".
 std::optional<double> status_bytes(std::string_view name) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
@@ -26,9 +26,9 @@ std::optional<double> status_bytes(std::string_view name) {
 
 PeakMemory::PeakMemory() {
 #ifdef __GLIBC__
-  malloc_trim(0);  // what was freed before would be used again, and not be seen
+  malloc_trim(0);  // otherwise freed memory would be reused without being counted
 #endif
-  // "5" sets the peak back to what is held now (proc(5)).
+  // "5" resets the peak to the current size (proc(5)).
   std::ofstream reset("/proc/self/clear_refs");
   if (reset << '5' << std::flush) before_ = status_bytes("VmRSS:");
 }

@@ -1,12 +1,12 @@
 #pragma once
-/// How much memory a piece of work takes.
+/// Measures the peak memory of a piece of work.
 
 #include <optional>
 
 namespace ligne {
 
-/// The most memory that the process held since it was made, beyond what it held then: what the system counts as resident.
-/// Where the system does not tell (all but Linux) there is no figure. One at a time.
+/// The growth of the process's resident memory, from the construction of this object to its peak. Only Linux reports
+/// it. Only one object may exist at a time.
 class PeakMemory {
  public:
   PeakMemory();

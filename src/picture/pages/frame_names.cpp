@@ -10,15 +10,15 @@
 namespace ligne {
 namespace {
 
-/// A place for a number: from a percent sign to its letter.
+/// A placeholder for a number: from a percent sign to its letter.
 struct NumberPlace {
   std::size_t begin = 0, end = 0;
-  std::size_t width = 0;  ///< filled with zeros
+  std::size_t width = 0;  ///< width to which the number is filled with zeros
 };
 
 constexpr std::size_t kWidestNumber = 9;
 
-/// The first place at or behind `from`.
+/// Finds the first placeholder from position `from` on.
 std::optional<NumberPlace> find_place(const std::string& name, std::size_t from, char letter) {
   for (std::size_t i = name.find('%', from); i != std::string::npos; i = name.find('%', i + 1)) {
     std::size_t k = i + 1;

@@ -1,5 +1,5 @@
 #pragma once
-/// The files of a drawing, or of successive views.
+/// Names of the files of a drawing in parts, or of successive views.
 
 #include <string>
 #include <vector>
@@ -8,17 +8,17 @@
 
 namespace ligne {
 
-/// The names of `count` files: `name` itself for one; else its one place for a number, %d or %04d, holds 1, 2, ... Throws
-/// RequestError of "output" where there is no such place, or more than one.
+/// The names of `count` files. One file has `name` itself; otherwise 1, 2, ... replace its placeholder, such as %d or
+/// %04d. Throws RequestError of "output" if the name does not have exactly one placeholder.
 std::vector<std::string> numbered_names(const std::string& name, unsigned count);
 
-/// Whether a name has a place for a number: %d, or %p with the letter p.
+/// Whether a name has a placeholder: %d, or %p for the letter p.
 bool has_number_place(const std::string& name, char letter = 'd');
 
-/// The name with the number in its place; as it is where it has none.
+/// The name with the number in place of its placeholder; unchanged if it has none.
 std::string with_number(const std::string& name, unsigned number, char letter = 'd');
 
-/// The name of a part of a plot: its number for %d, its pen for %p.
+/// The name of a part of a plot: its number replaces %d, its pen %p.
 std::string name_of(const std::string& name, const PicturePart& part);
 
 }  // namespace ligne

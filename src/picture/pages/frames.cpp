@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view kDepthOfTree = "depth of the tree", kOfListBefore = "elements of the view before";
 
-/// Adds up what has the same name. Of depths of one tree the sum would mean nothing.
+/// Adds values of equal names. For the depths of one tree, takes the maximum, since their sum has no meaning.
 template <class Value>
 void add(std::vector<std::pair<std::string, Value>>& sums, const std::vector<std::pair<std::string, Value>>& values) {
   for (const auto& [name, value] : values) {
@@ -50,17 +50,17 @@ void add(RunReport& sums, const RunReport& frame) {
   }
 }
 
-/// Whether the view began with the list of the one before.
+/// Whether the view began with the list of the previous view.
 bool took_list_over(const Statistics& study) {
   return std::ranges::any_of(study.counts, [](const auto& c) { return c.first == kOfListBefore && c.second > 0; });
 }
 
-/// A place on a way, and the direction in which it goes on there.
+/// A point of a polyline and the direction of the polyline there.
 struct WayPlace {
   Point3 at, direction;
 };
 
-/// The place at that share of the length of a way of two points or more, from 0 to 1.
+/// Returns the point at that fraction of the length of a polyline, which has at least two points.
 WayPlace place_on_way(const std::vector<Point3>& way, double share) {
   double whole = 0;
   for (std::size_t i = 1; i < way.size(); ++i) whole += glm::distance(way[i - 1], way[i]);
@@ -87,14 +87,14 @@ void set_view(ViewRequest& view, const FrameRequest& frames, unsigned i) {
   if (frames.looks_ahead) view.target = place.at + place.direction;
 }
 
-/// The field of view on the plane that is looked at, at 1 mm per model unit as of projected_extent().
+/// The field of view on the plane of the target, at 1 mm per model unit as in projected_extent().
 Rect field_of_view(const Camera& camera) {
   const double half_height = std::tan(glm::radians(camera.fov_degrees / 2)) * camera.target_distance;
   const Point2 half{half_height * camera.aspect, half_height};
   return {-half, half};
 }
 
-/// The extent that the page must hold so that every frame has its place.
+/// The extent that contains the pictures of all frames.
 Rect extent_of_all(const Scene& scene, PictureRequest request, const FrameRequest& frames) {
   Rect all;
   for (unsigned i = 0; i < frames.count; ++i) {

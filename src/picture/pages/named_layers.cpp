@@ -10,7 +10,7 @@
 namespace ligne {
 namespace {
 
-/// Layers that a drawing of ours may have: a pen for one that is empty this time is no mistake.
+/// Whether a drawing of this program may have such a layer. A pen for it is then allowed, even if the layer is empty.
 bool is_layer_of_ours(const std::string& name) {
   for (std::size_t l = 0; l < kStrokeLayerCount; ++l) {
     if (stroke_layer_name(l) == name) return true;
@@ -20,7 +20,7 @@ bool is_layer_of_ours(const std::string& name) {
   return std::find(std::begin(others), std::end(others), name) != std::end(others);
 }
 
-/// Names in a message, separated by commas; a crowd of them is cut short.
+/// Names for a message, separated by commas; a long list is cut off.
 std::string listed_names(const std::set<std::string>& names) {
   constexpr std::size_t kMostListed = 20;
   std::string text;
@@ -32,7 +32,7 @@ std::string listed_names(const std::set<std::string>& names) {
   return text;
 }
 
-/// `map`: a value for each layer that an option names.
+/// `map` has an entry for each layer that an option names.
 template <typename Map>
 std::string absent_layers(const Map& map, const Drawing& drawing, std::string_view option) {
   const std::set<std::string> present = layer_names(drawing);
@@ -60,7 +60,7 @@ void check_pens(const PenTable& asked, const Drawing& drawing) {
     throw RequestError("pen", "there is no layer " + shown(layer, '"') + "; there are " + listed_names(layers) +
                                   "; and object:NAME, material:NAME, shade:N, rest");
   }
-  // Where a scene was drawn, its materials and objects were looked at before; what of them is not seen is no mistake.
+  // For a scene, require_parts() checked its materials and objects before; hidden ones are no error.
   const bool has_materials = std::ranges::any_of(drawing.layers, [](const Layer& l) { return !l.material.empty(); });
   for (const auto& [material, number] : asked.pen_of_material) {
     if (!has_materials) throw RequestError("pen", "the drawing tells no materials, so none is " + shown(material, '"'));

@@ -11,7 +11,7 @@
 namespace ligne {
 namespace {
 
-/// Looks of faces by their numbers. All pieces of a face look alike.
+/// Material and light of faces, by face number. They are equal for all pieces of a face.
 class FaceLooks {
  public:
   explicit FaceLooks(const ReadOrder& stored) : materials_(stored.materials), looks_(stored.pieces) {
@@ -31,7 +31,7 @@ class FaceLooks {
   std::vector<ReadOrder::Piece> looks_;  ///< ascending by face
 };
 
-/// Gives materials the colours that are asked for.
+/// Gives materials the requested colours.
 void recolor(ReadOrder& stored, const StoredPaint& paint, RunReport& run) {
   std::vector<std::uint8_t> is_used(stored.materials.size(), 0);
   for (const ReadOrder::Piece& piece : stored.pieces) is_used[piece.material] = 1;

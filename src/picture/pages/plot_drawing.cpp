@@ -17,7 +17,7 @@
 namespace ligne {
 namespace {
 
-/// A larger file is refused before it is read: a drawing of it would have hundreds of millions of points.
+/// Largest file that is read, in bytes. A drawing from a larger file would have hundreds of millions of points.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 28;
 
 constexpr double kPenWidthMm = 0.35;
@@ -37,7 +37,7 @@ char first_character(std::string_view text) {
 
 bool begins_json(std::string_view text) { return first_character(without_mark(text)) == '{'; }
 
-/// JSON begins with a brace, XML with an angle bracket, whatever the name says.
+/// JSON begins with a brace and XML with an angle bracket; the file name does not matter.
 ReadDrawing read_drawing(const PlotDrawingRequest& request, const DrawingText& drawing, const FillReading& fills) {
   const std::string_view content = without_mark(drawing.text);
   const char begins = first_character(content);
@@ -63,8 +63,8 @@ void transform(Drawing& drawing, double scale, Point2 shift) {
   }
 }
 
-/// Puts the drawing on the page that is asked for: its own page in the middle of that, or what it shows made to fill it.
-/// Gives the scale.
+/// Puts the drawing on the requested page: centres its own page there, or scales its lines to fill it. Returns the
+/// scale.
 double place(const PlotDrawingRequest& request, ReadDrawing& read) {
   const Page own = read.page;
   Page page = own;
@@ -130,8 +130,8 @@ void warn_of_left_out(const PlotDrawingRequest& request, const std::string& name
   if (read.drawing.layers.empty()) warn("there is no stroke in the drawing");
 }
 
-/// A pen that no line takes is an error where the name can not be that of a layer of ours (check_pens), and is warned of
-/// otherwise. A file of pens may name all layers there are; names on the command line mean this drawing.
+/// Warns of pens and widths for layers without lines. check_pens() makes it an error if no drawing of the program can
+/// have the layer. Files of pens may name all layers there are; names on the command line refer to this drawing.
 void warn_of_absent_layers(const PlotDrawingRequest& request, const Drawing& drawing, RunReport& run) {
   for (const std::string& text :
        {absent_pen_layers(request.plotter.asked_pens, drawing), absent_width_layers(request.widths_mm, drawing)}) {
@@ -139,8 +139,8 @@ void warn_of_absent_layers(const PlotDrawingRequest& request, const Drawing& dra
   }
 }
 
-/// The drawing in its place. Strokes that fill an area lie as far apart as the pen is wide on the drawing as it comes out,
-/// so its scale must be known before.
+/// Returns the drawing in its place. The distance of strokes that fill areas is the pen width on the finished drawing,
+/// so the scale must be found first.
 ReadDrawing placed_drawing(const PlotDrawingRequest& request, const DrawingText& drawing, double hatch_pen_mm,
                            RunReport& run) {
   const double pen_mm = request.pen_width_mm.value_or(kPenWidthMm);
@@ -175,20 +175,20 @@ ReadDrawing placed_drawing(const PlotDrawingRequest& request, const DrawingText&
   return read;
 }
 
-/// Width of the pen that hatches the regions of a stored drawing.
+/// Width of the pen that hatches the regions of a stored drawing, in mm.
 double hatch_pen_mm(const PlotDrawingRequest& request, const PenTable& pens) {
   const double usual = layer_style("hatch", request.pen_width_mm.value_or(kPenWidthMm), false).width_mm;
   return pens.empty() ? usual : pens.pen(pens.pen_of("hatch", "")).width_mm.value_or(usual);
 }
 
-/// Layers of an SVG without layers are named by their colours.
+/// The style of a layer. In an SVG without layers, layers are named by their colours.
 LineStyle style_of_layer(const std::string& layer, double pen_width_mm, bool hidden_solid) {
   LineStyle style = layer_style(layer, pen_width_mm, hidden_solid);
   if (!layer.starts_with('#')) return style;
   try {
     style.color = parse_color(layer);
   } catch (const std::invalid_argument&) {
-    // A layer that only looks like a colour is drawn in black.
+    // a layer whose name only looks like a colour is black
   }
   return style;
 }
@@ -197,10 +197,10 @@ LineStyle style_of_layer(const std::string& layer, double pen_width_mm, bool hid
 struct Sheet {
   const Drawing& drawing;
   const Page& page;
-  bool dashes_cut;  ///< dashes are strokes already
+  bool dashes_cut;  ///< dashes have been cut into strokes
 };
 
-/// A picture of one sheet.
+/// Writes one sheet.
 Picture write_sheet(const Sheet& sheet, const PlotDrawingRequest& request, const PlotterRequest& plotter, PdfDocument* pages,
                     RunReport& run) {
   const auto& [drawing, page, dashes_cut] = sheet;
@@ -213,7 +213,8 @@ Picture write_sheet(const Sheet& sheet, const PlotDrawingRequest& request, const
   style.dpi = request.dpi;
   style.curves = request.curves;
   style.starts_stay = plotter.by_pens();
-  // Curves rise this far over the chords that reading and simplifying made of them; a polygon of the file rises more.
+  // Distance by which curves may exceed the chords from reading and simplifying. Polygons of the file have larger
+  // angles.
   if (request.paint.kind == FillKind::none) style.curve_rise_mm = svg::kFlatnessMm + plotter.tolerances.simplify_mm;
   style.style = [&](const std::string& layer) { return style_of_layer(layer, style.pen_width_mm, style.hidden_solid); };
   return timed(run.stages, "write", [&] {
@@ -221,7 +222,7 @@ Picture write_sheet(const Sheet& sheet, const PlotDrawingRequest& request, const
   });
 }
 
-/// Layers of one name follow each other, and those that look alike are one.
+/// Keeps layers of one name together, and merges layers of equal style.
 void add_drawing(Drawing& sheet, Drawing drawing, Point2 shift) {
   for (Layer& layer : drawing.layers) {
     for (Point2& p : layer.lines.points) p += shift;
@@ -245,7 +246,8 @@ void add_drawing(Drawing& sheet, Drawing drawing, Point2 shift) {
   }
 }
 
-/// Each drawing in the middle of its cell. Those of a true scale are all made smaller alike where one is larger.
+/// Places each drawing in the middle of its cell. Drawings at true scale are all reduced by one factor if any is too
+/// large.
 ReadDrawing drawings_in_grid(std::span<const DrawingText> drawings, const PlotDrawingRequest& request, double pen_mm,
                              RunReport& run) {
   const auto [columns, rows] = *request.grid;
@@ -294,7 +296,7 @@ ReadDrawing drawings_in_grid(std::span<const DrawingText> drawings, const PlotDr
   return sheet;
 }
 
-/// The sheets of a large page, as files or as pages.
+/// Writes the sheets of a large page, as files or as pages.
 Picture write_tiles(const ReadDrawing& read, const PlotDrawingRequest& request, const PlotterRequest& plotter,
                     bool tile_files, RunReport& run) {
   PageRequest wanted;
@@ -350,7 +352,7 @@ Picture plot_drawings(std::span<const DrawingText> drawings, const PlotDrawingRe
     throw RequestError("", "several drawings go on one sheet with --grid CxR, such as 2x2");
   PlotterRequest plotter = request.plotter;
   plotter.fit_drawing = !request.scale;
-  // A drawing that is painted from an order has the lines of the study, joined already.
+  // A drawing painted from an order has the joined lines of the visibility method.
   if (!plotter.by_pens() && !plotter.optimize && request.paint.kind == FillKind::none) plotter.optimize = Optimize::join;
   const double pen_mm = hatch_pen_mm(request, plotter.pens);
   const ReadDrawing read = timed(run.stages, {"read", printable(drawings.front().name, kLongestPath)}, [&] {
@@ -359,7 +361,7 @@ Picture plot_drawings(std::span<const DrawingText> drawings, const PlotDrawingRe
   });
   check_pens(plotter.asked_pens, read.drawing);
   warn_of_absent_layers(request, read.drawing, run);
-  plotter.asked_pens = {};  // a single sheet need not have them all
+  plotter.asked_pens = {};  // not every sheet has all layers
   if (request.tile) return write_tiles(read, request, plotter, tile_files, run);
   return write_sheet({read.drawing, read.page, read.dashes_cut}, request, plotter, nullptr, run);
 }

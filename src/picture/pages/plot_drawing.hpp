@@ -1,5 +1,5 @@
 #pragma once
-/// A drawing from a file, ours or anybody's, made ready for pens.
+/// Prepares a drawing from a file, a ligne-drawing or an SVG, for pens.
 
 #include <array>
 #include <optional>
@@ -18,48 +18,48 @@ namespace ligne {
 
 /// The request for a plot of a drawing, with the defaults of the command line. Lengths are in mm.
 struct PlotDrawingRequest {
-  std::optional<PageSize> page;  ///< nothing: that of the drawing
+  std::optional<PageSize> page;  ///< none: the page of the drawing
   bool landscape = false, portrait = false;
   double margin_mm = 10;
-  std::optional<double> pen_width_mm;     ///< nothing: the widths of the drawing, and 0.35 mm where it tells none
-  LineWidths widths_mm{};                 ///< of layers by their names
-  std::optional<double> scale = 1;        ///< nothing: what is drawn fills the page
+  std::optional<double> pen_width_mm;     ///< none: the widths of the drawing, or 0.35 mm if it has none
+  LineWidths widths_mm{};                 ///< of layers, by name
+  std::optional<double> scale = 1;        ///< none: the lines are scaled to fill the page
   std::set<std::string> skip;             ///< kinds of SVG content that may be left out
   SvgReading reading;                     ///< how strictly an SVG is read, and the size of its units
-  std::optional<FillReading::How> fills;  ///< nothing: outline, or hatch where hatches are given
-  StoredPaint paint;                      ///< areas of the order of painting that a ligne-drawing keeps
-  bool occlude = false;                   ///< opaque areas hide
-  bool own_layer = false;                 ///< areas, white ones too, hide only what is in their layer
+  std::optional<FillReading::How> fills;  ///< none: outline, or hatch if hatches are given
+  StoredPaint paint;                      ///< painting of areas in the order that a ligne-drawing stores
+  bool occlude = false;                   ///< whether opaque areas hide lines
+  bool own_layer = false;                 ///< areas, white ones too, hide only lines of their layer
   FillHatches hatches;
   bool hatches_given = false;
-  std::optional<PageSize> tile;                 ///< paper of the sheets that the page is cut into; nothing: one sheet
-  double overlap_mm = 5;                        ///< what neighbouring sheets have in common
-  std::optional<std::array<unsigned, 2>> grid;  ///< columns and rows of cells, a drawing in each
+  std::optional<PageSize> tile;                 ///< paper of the sheets that the page is cut into; none: one sheet
+  double overlap_mm = 5;                        ///< width that adjacent sheets share
+  std::optional<std::array<unsigned, 2>> grid;  ///< columns and rows of cells, one drawing in each
   OutputFormat format = OutputFormat::svg;
   double dpi = 150;
-  bool curves = false;  ///< arcs where lines are tessellated ones: SVG, PDF, PNG
+  bool curves = false;  ///< fit arcs to polylines: SVG, PDF, PNG
   PlotterRequest plotter;
   MemoryLimit memory;
 };
 
-/// A drawing as it stands in a file.
+/// The text of a drawing file.
 struct DrawingText {
-  std::string name;  ///< stands in messages
+  std::string name;  ///< name for messages
   std::string text;
 };
 
-/// Reads the file, or standard input for "-"; it is added to `opened`. Throws InputError.
+/// Reads the file, or standard input for "-", and adds it to `opened`. Throws InputError.
 DrawingText read_drawing_text(const std::string& file, InputFiles& opened);
 
-/// Whether it is taken for an SVG, by its first character.
+/// Whether the first character is that of an SVG.
 bool is_svg(const DrawingText& drawing);
 
-/// Throws RequestError for a format that has no strokes.
+/// Throws RequestError if options contradict each other or the format.
 void check(const PlotDrawingRequest& request);
 
-/// The drawings, ligne-drawings or SVGs by their first characters, in their places on the page, dealt to pens and written;
-/// several in the cells of a grid. `tile_files`: sheets become files of their own, also of a PDF, which can hold them as
-/// pages. Warnings and times go to `run`. Throws RequestError, InputError, std::runtime_error.
+/// Places the drawings on the page, several in the cells of a grid, assigns their lines to pens, and writes the result.
+/// The first character distinguishes ligne-drawings from SVGs. `tile_files`: sheets become separate files even in PDF,
+/// which could hold them as pages. Warnings and times go to `run`. Throws RequestError, InputError, std::runtime_error.
 Picture plot_drawings(std::span<const DrawingText> drawings, const PlotDrawingRequest& request, bool tile_files,
                       RunReport& run);
 

@@ -11,7 +11,7 @@
 namespace ligne {
 namespace {
 
-/// Files of devices and pens are short.
+/// Largest size of a file of devices or pens, in bytes; such files are short.
 constexpr std::uintmax_t kMostTomlBytes = 1 << 20;
 
 std::string read_toml_file(const std::string& file, InputFiles& files) {
@@ -27,7 +27,7 @@ std::string known_devices(DeviceLanguage language) {
   return names;
 }
 
-/// The devices that were probably meant: all whose names begin so, or the one that is near.
+/// The devices that the user probably meant: all whose names begin with the text, or else the most similar one.
 std::string devices_like(std::string_view written) {
   std::string list;
   std::vector<std::string_view> names;
@@ -44,7 +44,7 @@ DeviceLanguage language_of(OutputFormat format) {
                                          : DeviceLanguage::svg;
 }
 
-/// The device that stands for a plotter language when none is named.
+/// The default device of each plotter language.
 constexpr std::string_view kDefaultHpgl = "cutter", kDefaultGcode = "grbl-servo";
 
 std::shared_ptr<const Device> device_of(const PlotterChoice& choice, OutputFormat format, InputFiles& files) {
@@ -72,7 +72,7 @@ std::shared_ptr<const Device> device_of(const PlotterChoice& choice, OutputForma
   return device;
 }
 
-/// Pens of the request go before those of the file.
+/// Adds pens to a table. The added ones take precedence.
 void add_pens(PenTable& pens, const PenTable& given) {
   for (const auto& [number, pen] : given.pens) {
     const auto [entry, added] = pens.pens.emplace(number, pen);

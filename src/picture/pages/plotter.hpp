@@ -1,5 +1,5 @@
 #pragma once
-/// The plotter and the pens of a picture, found by their names.
+/// Finds the plotter and the pens of a picture by their names.
 
 #include <string>
 
@@ -8,16 +8,15 @@
 
 namespace ligne {
 
-/// Pens and plotter as they are named: devices by their names, files by their paths.
+/// Pens and plotter by name: devices by their names, files by their paths.
 struct PlotterChoice {
-  PlotterRequest request;           ///< all but `device`; the pens go before those of the file
+  PlotterRequest request;           ///< everything except `device`; its pens take precedence over those of the file
   std::string device, device_file;  ///< empty: not given
   std::string pens_file;            ///< empty: none
 };
 
-/// The request with the device found and the files read, which are added to `files`. Without a name, HPGL and G-code have a
-/// standard device. Throws RequestError for what does not go with the format or with each other, std::runtime_error for a
-/// bad file.
+/// Returns the request with the device and the files read, which are added to `files`. HPGL and G-code have a default
+/// device. Throws RequestError for options that contradict the format or each other, std::runtime_error for a bad file.
 PlotterRequest plotter_request(const PlotterChoice& choice, OutputFormat format, InputFiles& files);
 
 }  // namespace ligne

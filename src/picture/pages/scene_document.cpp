@@ -16,7 +16,7 @@
 namespace ligne {
 namespace {
 
-/// The looks of regions in a file, so that they can be filled and hatched from it.
+/// The colour, light and patch of each region, so that the stored drawing can be filled and hatched.
 std::vector<RegionAppearance> looks_of(const PreparedScene& prepared, const std::vector<Region>& regions,
                                        const HatchPatches& patches) {
   const FaceLight light(prepared.scene, prepared.view().camera, prepared.lights);
@@ -32,7 +32,8 @@ std::vector<RegionAppearance> looks_of(const PreparedScene& prepared, const std:
   return looks;
 }
 
-/// The materials that pieces of an order name, and the number of that of each piece.
+/// Adds the materials of a painting order to the document, and for each piece its light, material and whether it is
+/// hidden.
 void add_piece_looks(const PreparedScene& prepared, const PaintOrder& order, DrawingDocument& document) {
   const Scene& scene = prepared.scene;
   const std::vector<double> lights = lights_of_pieces(scene, prepared.view(), order, prepared.lights);
@@ -54,7 +55,7 @@ void add_piece_looks(const PreparedScene& prepared, const PaintOrder& order, Dra
   document.materials.push_back({{}, {standard.color.x, standard.color.y, standard.color.z}, standard.opacity});
 }
 
-/// Members that each kind of surface has, as docs/drawing-format.md says.
+/// Sets the members that each kind of surface has, see docs/drawing-format.md.
 DocumentSurface document_surface(const FoundSurface& found) {
   const PatchSurface& surface = found.surface;
   DocumentSurface to;

@@ -9,7 +9,7 @@ namespace ligne {
 
 class DrawnScene;
 
-/// `drawn` can tell sources. Throws std::runtime_error.
+/// Returns the JSON. `drawn` must have the source edges of strokes. Throws std::runtime_error.
 std::string scene_json(const DrawnScene& drawn, const PlotOptions& plot);
 
 }  // namespace ligne

@@ -39,14 +39,15 @@ std::string metres(double mm) {
   return text;
 }
 
-/// The scale of a drawing that was made smaller, as text.
+/// The scale of a reduced drawing, as text.
 std::string scale_text(double scale) {
   char text[64];
   std::snprintf(text, sizeof text, "%.4f", scale);
   return text;
 }
 
-/// The speeds and times of a device are bounded so that these seconds fit (plotting/devices/device_reader.cpp).
+/// Minutes and seconds. plotting/devices/device_reader.cpp bounds the speeds and times of devices so that these seconds
+/// fit.
 std::string minutes(double seconds) {
   const auto whole = std::llround(seconds);
   char text[64];
@@ -100,7 +101,7 @@ Picture write_by_layers(const Drawing& drawing, const PlotOptions& style, const 
   return picture;
 }
 
-/// Throws RequestError for what the device does not have.
+/// Finds the device's action and place for stops. Throws RequestError for one that the device does not have.
 PlotStops stops_of(const PlotterRequest& plotter) {
   const LongPlotRequest& parts = plotter.parts;
   PlotStops stops;
@@ -126,7 +127,7 @@ PlotStops stops_of(const PlotterRequest& plotter) {
   return stops;
 }
 
-/// Throws RequestError for what needs a device, or a machine's language.
+/// Throws RequestError for options that need a device or a plotter language.
 void check_parts(const PlotterRequest& plotter) {
   const LongPlotRequest& parts = plotter.parts;
   const bool timed = parts.from_seconds > 0 || (parts.split && parts.split->by == SplitBy::time);
@@ -140,7 +141,7 @@ void check_parts(const PlotterRequest& plotter) {
   stops_of(plotter);
 }
 
-/// Throws RequestError where nothing is left behind the strokes that are left out.
+/// Throws RequestError if no stroke remains after the strokes that are left out.
 void check_first(const Plot& plot, const LongPlotRequest& request, std::size_t first) {
   const std::size_t strokes = stroke_count(plot);
   if (strokes == 0 || first < strokes) return;
@@ -149,7 +150,7 @@ void check_first(const Plot& plot, const LongPlotRequest& request, std::size_t f
   throw RequestError("from-time", whole + ", and all of them are drawn by then");
 }
 
-/// Writes the rest of the plot, in its parts.
+/// Writes the rest of the plot in its parts.
 void write_parts(Plot plot, const PlotterRequest& plotter, Point2 home, const std::function<std::string(Plot)>& bytes_of,
                  Picture& picture) {
   const LongPlotRequest& request = plotter.parts;
@@ -190,7 +191,7 @@ void write_parts(Plot plot, const PlotterRequest& plotter, Point2 home, const st
   }
 }
 
-/// Says when the page is larger than every paper of the device: it was made to fit on the largest.
+/// Warns if the page is larger than every paper of the device. The drawing is then fitted to the largest paper.
 void warn_of_paper(const Device& device, const DeviceFrame& frame, const Page& page, RunReport& run) {
   if (!frame.paper) return;
   const auto [low, high] = std::minmax(page.width_mm, page.height_mm);
@@ -247,15 +248,16 @@ Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const Pl
     }
     PlotOptions by_pen = style;
     by_pen.style = styles_of(part);
-    by_pen.curves = style.curves && style.starts_stay;  // else the way of the pen would not be the one that was planned
+    // Otherwise the curves would not follow the planned path of the pen.
+    by_pen.curves = style.curves && style.starts_stay;
     return written_as(file.format, drawing_of(part), by_pen, file.under, file.pages);
   };
   write_parts(std::move(plot), plotter, order.home, bytes_of, picture);
   return picture;
 }
 
-/// PDF leaves it to readers whether they show larger pages (PDF 1.7, annex C.2: 200 inches), and many do not.
-/// A larger unit (/UserUnit) would need an interface that Cairo does not have.
+/// Warns of a page larger than 200 inches. PDF leaves it to viewers whether they show it (PDF 1.7, annex C.2), and many
+/// do not. A larger unit (/UserUnit) would need an interface that Cairo does not have.
 void warn_of_size(const Page& page, RunReport& run) {
   constexpr double kLargestPdfMm = 200 * kMmPerInch;
   if (std::max(page.width_mm, page.height_mm) <= kLargestPdfMm) return;

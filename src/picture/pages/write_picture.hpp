@@ -1,5 +1,5 @@
 #pragma once
-/// From a drawing to the bytes of a file.
+/// Writes a drawing as the bytes of a file.
 
 #include <string>
 #include <vector>
@@ -14,32 +14,33 @@ namespace ligne {
 /// One of several files of a plot.
 struct PicturePart {
   std::string bytes;
-  unsigned number = 0;  ///< of the part or the sheet, from 1; 0: of all
-  unsigned pen = 0;     ///< 0: of all
+  unsigned number = 0;  ///< number of the part or sheet, from 1; 0: not divided into parts
+  unsigned pen = 0;     ///< number of the pen; 0: all pens
 };
 
-/// The bytes of a file, and what was asked for beside it.
+/// The bytes of a file and the additional outputs.
 struct Picture {
   std::string bytes;
-  std::string preview{};             ///< SVG of the pen's way, where PlotterRequest::preview asks for it
-  std::vector<PicturePart> parts{};  ///< instead of `bytes`, where the plot is cut into several files
-  std::string plotter_report{};      ///< table of strokes, lengths and times, where PlotterRequest::report asks for it
+  std::string preview{};             ///< SVG of the pen's path, if PlotterRequest::preview is set
+  std::vector<PicturePart> parts{};  ///< files, instead of `bytes`, if the plot is divided into several files
+  std::string plotter_report{};      ///< table of strokes, lengths and times, if PlotterRequest::report is set
 };
 
 /// The style of the lines of a picture on a page.
 PlotOptions plot_options(const PictureRequest& request, const Page& page);
 
-/// Throws RequestError for a PNG that has too many pixels, MemoryError where they take too much.
+/// Throws RequestError for a PNG with too many pixels, MemoryError if they need too much memory.
 void check_png(const Page& page, double dpi, const MemoryLimit& memory);
 
-/// The kind of file that a drawing becomes.
+/// The format of a file and its special contents.
 struct PictureFile {
   OutputFormat format;
-  const GrayPicture* under = nullptr;  ///< below the lines
-  PdfDocument* pages = nullptr;        ///< of which a PDF becomes a page; it then has no bytes of its own
+  const GrayPicture* under = nullptr;  ///< drawn below the lines
+  /// Document that receives a PDF as a page; the picture then has no bytes of its own.
+  PdfDocument* pages = nullptr;
 };
 
-/// SVG, PDF, PNG, HPGL or G-code. Adds the time of the path work to `run`.
+/// Writes SVG, PDF, PNG, HPGL or G-code. Adds the time of path optimization to `run`.
 Picture write_picture(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter,
                       const PictureFile& file, RunReport& run);
 

@@ -1,8 +1,8 @@
 #pragma once
-/// From the words of options to values: what all front ends let people write.
+/// Converts the texts of options to values, for all front ends.
 ///
-/// Every function takes the whole text of one option and throws std::invalid_argument when it has no meaning; what() is a
-/// phrase that reads well behind the option's name, such as "200 is not between 0 and 180 degrees".
+/// Every function takes the whole text of one option and throws std::invalid_argument if it is invalid. what() is a
+/// phrase to follow the option's name, such as "200 is not between 0 and 180 degrees".
 
 #include <cstddef>
 #include <filesystem>
@@ -20,13 +20,13 @@
 
 namespace ligne {
 
-/// A finite number, "12", "-0.5", "1e3", "+2"; nothing before or behind it.
+/// A finite number, such as "12", "-0.5", "1e3" or "+2", without other characters.
 double parse_number(std::string_view text);
 
 /// A finite number above zero.
 double parse_positive(std::string_view text);
 
-/// A number in the open interval (low, high); `unit` stands in the message.
+/// A number in the open interval (low, high); `unit` is for the message.
 double parse_between(std::string_view text, double low, double high, std::string_view unit);
 
 /// A number in the closed interval [low, high].
@@ -46,16 +46,16 @@ std::size_t parse_choice(std::string_view text, std::span<const std::string_view
 
 Axis parse_axis(std::string_view text);
 
-/// A comma list of class names; "feature" is all but mesh, "all" is all.
+/// A comma-separated list of class names; "feature" stands for all except mesh, "all" for all.
 LineClasses parse_edges(std::string_view text);
 
-/// "fit" gives nothing, "N:M" gives N / M.
+/// "fit" returns nothing, "N:M" returns N / M.
 std::optional<double> parse_scale(std::string_view text);
 
 /// Length of a model unit in mm: "mm", "cm", "m", "in", or a number of mm.
 double parse_unit_mm(std::string_view text);
 
-/// A comma list of names, as patterns: \ keeps the character behind it, also a comma.
+/// A comma-separated list of names, as patterns; \ keeps the next character, also a comma.
 std::vector<std::string> parse_names(std::string_view text);
 
 /// "NAME=X,Y,Z": model units, or lengths with units (mm, cm, m, in, pt).
@@ -66,7 +66,7 @@ ObjectColor parse_object_color(std::string_view text);
 
 OutputFormat parse_format(std::string_view text);
 
-/// Format by the suffix of the file, any case.
+/// The format that the suffix of the file stands for, in any case.
 OutputFormat format_of_suffix(const std::filesystem::path& file);
 
 /// The name of a file, not empty.

@@ -36,7 +36,7 @@ double parse_constant(const std::string& text) {
   throw std::invalid_argument(shown(text, '"') + " is not a finite number");
 }
 
-/// "A:B", and what stands behind the second colon.
+/// "A:B", and the text after a second colon.
 struct Ends {
   double from, to;
   std::optional<std::string> rest;

@@ -1,6 +1,6 @@
 #pragma once
-/// Words of options with a meaning of their own: pages, pens, hatching, methods, ranges. As the functions of parse.hpp,
-/// these throw std::invalid_argument.
+/// Texts of options for pages, pens, hatching, methods and ranges. The functions throw std::invalid_argument, as in
+/// parse.hpp.
 
 #include <array>
 #include <optional>
@@ -14,17 +14,17 @@
 
 namespace ligne {
 
-/// The name of a view, or "camera" or "camera:NAME", the view of a camera of the file.
+/// The name of a view, "camera" for the first camera of the file, or "camera:NAME" for a named one.
 void parse_view(const std::string& text, ViewRequest& request);
 
 PageSize parse_page_size(const std::string& text);
 
-/// A width above 0 that a pen may have, mm.
+/// The width of a pen, above 0, in mm.
 double parse_pen_width(const std::string& text);
 
-/// "CLASS=LEN,...", widths of lines by their layers.
+/// "CLASS=LEN,...", line widths by layer.
 LineWidths parse_widths(const std::string& text);
-/// Throws unless all are layers of ours.
+/// Throws std::invalid_argument if a name is not that of a layer.
 void require_layers(const LineWidths& widths);
 
 /// A length that is not negative, mm.
@@ -33,7 +33,7 @@ double parse_min_length(const std::string& text);
 double parse_crease(const std::string& text);
 HiddenLines parse_hidden(const std::string& text);
 
-/// One of these words, with ":N" behind dashed or solid: LineRequest::hidden and most_hiding.
+/// The values of LineRequest::hidden and most_hiding: "none", "dashed" or "solid", the last two optionally with ":N".
 struct HiddenChoice {
   HiddenLines lines = HiddenLines::none;
   std::optional<unsigned> most_hiding{};
@@ -42,38 +42,39 @@ HiddenChoice parse_hidden_choice(const std::string& text);
 TangentLines parse_tangent(const std::string& text);
 Quality parse_quality(const std::string& text);
 ProfileKind parse_profile(const std::string& text);
-/// "walk@1.5": a moment of an animation, by its name or number; the name may hold "@".
+/// A moment of an animation, such as "walk@1.5": a name or number, and seconds. The name may contain "@".
 ScenePose parse_pose(const std::string& text);
 /// "auto", "off" (0) or a distance.
 std::optional<double> parse_weld(const std::string& text);
 /// "SCHEME" or "SCHEME:LEVELS".
 Subdivision parse_subdivision(const std::string& text);
-/// Dots per inch that a PNG may have.
+/// A resolution of a PNG, in dots per inch.
 double parse_dpi(const std::string& text);
 
 FillKind parse_fill(const std::string& text);
 HatchKind parse_hatch(const std::string& text);
 double parse_hatch_spacing(const std::string& text);
-/// Degrees, or "face".
+/// Degrees, "face", "curvature" or "iso".
 HatchDirection parse_hatch_direction(const std::string& text);
 /// A number of degrees of darkness, or "continuous" (0).
 unsigned parse_hatch_levels(const std::string& text);
 
-/// "500M", "1.5G", "64KiB", bytes without a suffix; "none" and 0 are no limit.
+/// A size such as "500M", "1.5G" or "64KiB"; bytes without a suffix; "none" and 0 mean no limit.
 MemoryLimit parse_memory(const std::string& text);
 
-/// Names as of find_method(); nullptr for "auto".
+/// The name of a method, as for find_method(); "auto" returns nullptr.
 const Method* parse_method(const std::string& text);
 /// A value of a method's own parameter.
 ParameterValue parse_parameter(const std::string& text, const MethodParameter& parameter);
-/// Puts a value into the settings of the method. Throws RequestError for one that it does not have, or not with this value.
+/// Sets a value in the settings of the method. Throws RequestError if the method has no such parameter, or does not
+/// accept the value.
 void set_parameter(MethodSettings& settings, const Method& method, const std::string& name, const std::string& text);
 
 inline constexpr unsigned kMostCurves = 20'000;
-/// Data sets of a text that can be chosen by their number.
+/// Largest number of a data set that can be chosen in a text.
 inline constexpr unsigned kMostDataSets = 1'000'000;
 
-/// "A:B" or "A:B:N"; A and B may be formulas of numbers.
+/// "A:B" or "A:B:N". A and B may be formulas of numbers.
 CurveRange parse_range(const std::string& text);
 /// "A:B".
 std::array<double, 2> parse_heights(const std::string& text);
@@ -84,9 +85,9 @@ AspectRequest parse_aspect(const std::string& text);
 GroundChoice parse_ground(const std::string& text);
 /// "matrix", "frame", "series" or "columns".
 TableLayout parse_layout(const std::string& text);
-/// Three columns "X:Y:Z", or one: names, or numbers from 1.
+/// Three columns "X:Y:Z", or one column. A column is a name or a number from 1.
 std::vector<std::string> parse_columns(const std::string& text);
-/// A number of samples, or "auto" (nothing).
+/// A number of samples, or "auto", which returns nothing.
 std::optional<unsigned> parse_every(const std::string& text);
 
 }  // namespace ligne

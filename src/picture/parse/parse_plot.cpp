@@ -14,14 +14,14 @@
 namespace ligne {
 namespace {
 
-/// "VALUE" for all fills, "NAME=VALUE" for those of a layer or a colour.
+/// Splits "NAME=VALUE", which is for the fills of a layer or a colour. "VALUE" alone is for all fills.
 std::pair<std::string, std::string> split_name(const std::string& text) {
   const std::size_t equals = text.rfind('=');
   if (equals == std::string::npos) return {"", text};
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-/// A colour by its code, as the layers of a drawing without layers are named; another name as it stands.
+/// The code of a colour, which names its layer in a drawing without layers. Other names stay.
 std::string layer_or_color(const std::string& name) {
   try {
     return color_code(parse_color(name));
@@ -35,7 +35,7 @@ std::string layer_or_color(const std::string& name) {
 void parse_plot_fill(const std::string& text, std::optional<FillReading::How>& reading, StoredPaint& paint) {
   std::vector<std::string_view> words(std::begin(kFillReadingNames), std::end(kFillReadingNames));
   const std::size_t readings = words.size();
-  words.insert(words.end(), std::begin(kFillNames) + 1, std::end(kFillNames));  // none is what happens without it
+  words.insert(words.end(), std::begin(kFillNames) + 1, std::end(kFillNames));  // not none, which is the default
   const std::size_t choice = parse_choice(text, words);
   if (choice < readings) {
     reading = static_cast<FillReading::How>(choice);

@@ -1,5 +1,5 @@
 #pragma once
-/// Words of the options of ligne plot. As the functions of parse.hpp, these throw std::invalid_argument.
+/// Texts of the options of ligne plot. The functions throw std::invalid_argument, as in parse.hpp.
 
 #include <array>
 #include <cstddef>
@@ -13,29 +13,29 @@
 
 namespace ligne {
 
-/// --fill of plot: how the areas of an SVG are drawn, or how the order of a stored drawing is painted.
+/// --fill of plot: how to draw the areas of an SVG, or how to paint the pieces of a stored drawing.
 void parse_plot_fill(const std::string& text, std::optional<FillReading::How>& reading, StoredPaint& paint);
 
 /// NAME=COLOUR, a material and its colour.
 void parse_material(const std::string& text, StoredPaint& paint);
 
-/// "all" layers, or only their own "layer" (true): what areas hide.
+/// Which lines areas hide: those of "all" layers, or only of their own "layer" (true).
 bool parse_own_layer(const std::string& text);
 
-/// A comma list of what of an SVG may be left out, see kSkippable.
+/// A comma-separated list of parts of an SVG to leave out, see kSkippable.
 std::set<std::string> parse_skip(const std::string& text);
 
 /// "plain", or "shade" (true).
 bool parse_fill_tone(const std::string& text);
 
-/// "LEN" for all fills, "NAME=LEN" for those of a layer or a colour.
+/// "LEN" for all fills, "NAME=LEN" for the fills of a layer or a colour.
 void add_hatch_spacing(FillHatches& hatches, const std::string& text);
-/// Adds an angle in degrees.
+/// Adds an angle in degrees, in the same form.
 void add_hatch_angle(FillHatches& hatches, const std::string& text);
-/// A layer or a colour; empty: all.
+/// Adds a layer or a colour; empty: all.
 void add_hatch_cross(FillHatches& hatches, const std::string& name);
 
-/// A length above 0 in mm, cm, m, in or pt; bare is mm.
+/// A length above 0 in mm, cm, m, in or pt; mm without a unit.
 double parse_way_mm(const std::string& text);
 /// "90s", "30min", "2h", "MIN:S" or "H:MIN:S", in seconds.
 double parse_duration_s(const std::string& text);

@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kLabelNames[] = {"none", "index", "all"}, kWaterFillNames[] = {"blank", "hatch"},
                            kHachureNames[] = {"none", "contour", "slope"};
 constexpr unsigned kMostIndex = 1000, kMostBands = 1000, kMostContours = 10'000;
-constexpr double kLowestSun = 1;  ///< degrees; light along the ground shades nothing
+constexpr double kLowestSun = 1;  ///< degrees; horizontal light makes no shades
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Words of the options of maps, colours and names on surfaces. These throw std::invalid_argument.
+/// Texts of the options of maps, colours and names on surfaces. The functions throw std::invalid_argument.
 
 #include <array>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace ligne {
 
-/// "index" or "all"; empty: index.
+/// "none", "index" or "all"; empty: "index".
 ContourLabels parse_contour_labels(const std::string& text);
 /// A number of contour lines, or 0.
 unsigned parse_index_contours(const std::string& text);
@@ -20,13 +20,13 @@ HachureKind parse_hachures(const std::string& text);
 /// "AZIMUTH" or "AZIMUTH:ALTITUDE", degrees.
 void parse_sun(const std::string& text, TerrainRequest& terrain);
 
-/// Words with commas between them.
+/// Words separated by commas.
 std::vector<std::string> parse_words(const std::string& text);
 std::vector<std::array<double, 3>> parse_colors(const std::string& text);
 /// "N", "N:even", or heights "Z,Z,...". Throws std::invalid_argument.
 void parse_contours(const std::string& text, CurveRequest& curves);
 
-/// A number of bands, or two limits or more.
+/// A number of bands, or a list of at least two limits.
 BandRequest parse_bands(const std::string& text);
 
 }  // namespace ligne

@@ -30,7 +30,7 @@ Point3 read_point(ByteReader& bytes) {
   return {x, y, z};
 }
 
-/// 0 for nothing.
+/// 0 stands for no value.
 double number_of(const std::optional<double>& value) { return value.value_or(0); }
 
 std::optional<double> read_positive(ByteReader& bytes) {
@@ -52,7 +52,7 @@ Camera read_camera(ByteReader& bytes) {
   camera.perspective = perspective == 1;
   camera.eye = read_point(bytes);
   for (Point3* axis : {&camera.right, &camera.down, &camera.forward}) *axis = read_point(bytes);
-  // As far as unit vectors at right angles can be off after they were computed.
+  // Largest rounding error of a computed dot product of orthogonal unit vectors.
   constexpr double kRounding = 0x1p-40;
   const auto is = [](double value, double wanted) { return std::abs(value - wanted) <= kRounding; };
   const Point3 &r = camera.right, &d = camera.down, &f = camera.forward;

@@ -11,7 +11,7 @@
 namespace ligne {
 namespace {
 
-/// The place that a request of its own would give.
+/// The place that the request alone would have.
 ZBufferPlace place_of(const PictureRequest& request, const Scene& scene) {
   ZBufferPlace place;
   place.camera = camera_of(request.view, scene);

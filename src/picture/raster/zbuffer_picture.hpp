@@ -1,5 +1,5 @@
 #pragma once
-/// A picture by depth buffer to which objects are added: what is in the buffer is not painted again ([Lecture-nd] 5).
+/// A picture in a depth buffer to which objects are added. Earlier objects are not painted again ([Lecture-nd] 5).
 
 #include <cstddef>
 #include <memory>
@@ -19,37 +19,38 @@ namespace zbuffer {
 class KeptBuffer;
 }
 
-/// From where on what page everything in the buffer is seen: that of its first picture.
+/// The camera and page of everything in the buffer: those of its first picture.
 struct ZBufferPlace {
   Camera camera;
-  Rect extent;  ///< what the page holds, see projected_extent()
+  Rect extent;  ///< area fitted to the page, see projected_extent()
   Page page;
   std::optional<double> scale, unit_mm;  ///< see PageRequest
 };
 
 class ZBuffer {
  public:
-  /// An empty one: what is added first decides from where on what page all is seen.
+  /// An empty buffer. The first objects added decide on camera and page.
   ZBuffer() = default;
 
-  /// Adds the objects of a scene, and draws all that were added. Only the faces of this scene are painted into the buffer;
-  /// lines are drawn of all objects, since new faces may hide them. The picture is that of all objects at once, from the
-  /// same place. `request`: by the method zbuffer; later ones say nothing of view and page. Throws as draw_scene() does.
+  /// Adds the objects of a scene, and draws all objects so far. Paints only the new faces into the buffer, but draws
+  /// the lines of all objects, since new faces may hide them. The picture equals that of all objects at once. `request`
+  /// must use the method zbuffer; after the first call its view and page must be the defaults. Throws like
+  /// draw_scene().
   Picture add(Scene scene, const PictureRequest& request, RunReport& run);
 
   /// All objects, in the order in which they were added.
   const Scene& scene() const { return scene_; }
-  /// This scene with the parts of another one behind its own.
+  /// This scene with the objects of another one appended.
   Scene joined(Scene added) const;
-  /// Draws that.
+  /// Draws the result of joined().
   Picture draw(Scene joined, PictureRequest request, RunReport& run);
 
   bool empty() const { return !place_; }
 
-  /// The bytes of a file, see docs/zbuffer-format.md. Not empty.
+  /// The bytes of a file, see docs/zbuffer-format.md. The buffer must not be empty.
   std::string write() const;
-  /// `name` stands in error messages. Throws InputError for a file that was changed or cut off, is of another version, or
-  /// holds no buffer.
+  /// Reads such a file; `name` is for error messages. Throws InputError if the file was changed or cut off, has another
+  /// version, or contains no buffer.
   static ZBuffer read(std::span<const std::byte> bytes, const std::string& name);
 
  private:
@@ -58,11 +59,11 @@ class ZBuffer {
   std::shared_ptr<const zbuffer::KeptBuffer> buffer_;
 };
 
-/// Throws RequestError of that field where the request says something of the view or the page, which an earlier picture has
-/// decided.
+/// Throws RequestError with the option's name if the request sets something of the view or page, which an earlier
+/// picture has fixed.
 void require_no_place(const PictureRequest& request, const std::string& what);
 
-/// Puts the checksum of the rest into the bytes of such a file.
+/// Writes the checksum of all other bytes into the bytes of such a file.
 void sign_zbuffer(std::string& bytes);
 
 }  // namespace ligne

@@ -9,9 +9,11 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: squares for each triangle; facets are small beside their squares.
+/// Adjustable: number of squares for each triangle, so that facets are small against their squares; fewest squares.
 constexpr double kSquaresPerTriangle = 1.0 / 8, kFewestSquares = 1024;
-constexpr double kSquaresOfFacet = 8, kSquaresOfAll = 4e6;  ///< at most so many squares for each, or for all together
+/// Bounds of the squares that facets meet, of which the larger one counts: squares for each facet, and squares of all
+/// facets.
+constexpr double kSquaresOfFacet = 8, kSquaresOfAll = 4e6;
 constexpr std::size_t kSamples = 65'536;
 
 std::vector<std::uint32_t> triangles_of(std::span<const Farthest> farthest) {
@@ -24,20 +26,21 @@ std::vector<std::uint32_t> triangles_of(std::span<const Farthest> farthest) {
   return triangles;
 }
 
-/// Joins two blocks in the order of the file.
+/// Merges the result of a block. Blocks must come in the order of the file.
 void take_farthest(std::array<Farthest, 6>& all, const std::array<Farthest, 6>& block) {
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (block[k].triangle != kNone) all[k].offer(block[k].value, block[k].triangle);
   }
 }
 
-/// One for each block of the file.
+/// Returns one object for each block of the file.
 template <class Block>
 std::vector<Block> blocks_of(const TriangleFile& file) {
   return std::vector<Block>(block_count(file.triangle_count(), kStreamedBlock));
 }
 
-/// The squares that the boxes of facets meet come to about this: n + (sum of w + h) / size + (sum of w h) / size^2.
+/// Estimates the number of squares that the bounding boxes of facets meet: n + (sum of w + h) / size + (sum of w h) /
+/// size^2.
 struct BoxSums {
   double sides = 0, areas = 0, count = 0;
   double squares(double size) const { return count + sides / size + areas / (size * size); }
@@ -151,7 +154,7 @@ PageSquares choose_squares(const TriangleFile& file, const StreamFacets& facets,
   const BoxSums boxes = sample_boxes(file, facets);
   double size = std::max(std::sqrt(width * height / wanted), std::max(width, height) / wanted);
   while (boxes.squares(size) > std::max(kSquaresOfFacet * n, kSquaresOfAll)) size *= 1.25;
-  // Twice a whole number, so that a square has a middle on the lattice; and wider than its margins.
+  // The size is even, so that a square's centre is on the lattice, and larger than the margins.
   const auto half = std::max(static_cast<std::int64_t>(std::ceil(size / 2)), 4 * facets.margin());
   PageSquares squares;
   squares.x = low.x;

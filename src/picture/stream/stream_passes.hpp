@@ -1,5 +1,5 @@
 #pragma once
-/// The passes over a file of triangles by which a scene is made smaller.
+/// The passes over a file of triangles that reduce the scene.
 
 #include <array>
 #include <cstdint>
@@ -15,10 +15,10 @@
 
 namespace ligne {
 
-/// Triangles that one task reads at a time.
+/// Number of triangles that one task reads at a time.
 inline constexpr std::size_t kStreamedBlock = 16'384;
 
-/// Calls work(number of the first triangle, corners of all) for the blocks of a file, from several threads.
+/// Calls work(number of the first triangle, corners of all) for each block of a file, from several threads.
 template <class Work>
 void for_each_streamed_block(const TriangleFile& file, Work work) {
   parallel_blocks(file.triangle_count(), kStreamedBlock, [&](std::size_t begin, std::size_t end) {
@@ -30,12 +30,12 @@ void for_each_streamed_block(const TriangleFile& file, Work work) {
   });
 }
 
-/// Whether two corners are in one place: then it is no face.
+/// Whether two corners coincide, so that the triangle is no face.
 inline bool is_degenerate(const Point3* corners) {
   return corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
 }
 
-/// The triangles for which choose(number, corners) is true, ascending.
+/// Returns the triangles for which choose(number, corners) is true, ascending.
 template <class Choose>
 std::vector<std::uint32_t> find_triangles(const TriangleFile& file, Choose choose) {
   std::vector<std::vector<std::uint32_t>> found(block_count(file.triangle_count(), kStreamedBlock));
@@ -57,7 +57,7 @@ std::vector<std::uint32_t> find_triangles(const TriangleFile& file, Choose choos
   return all;
 }
 
-/// The largest of a value, and the lowest triangle that has it.
+/// The largest value offered, and the first triangle that has it.
 struct Farthest {
   double value;
   std::uint32_t triangle = kNone;
@@ -66,17 +66,17 @@ struct Farthest {
   }
 };
 
-/// Bounds of a model: the largest x, -x, y, -y, z, -z of triangles with three different corners.
+/// Bounds of a model: the largest x, -x, y, -y, z, -z over triangles with three different corners.
 struct StreamedBounds {
   std::array<Farthest, 6> farthest{};
-  std::size_t degenerate = 0;  ///< triangles with fewer
+  std::size_t degenerate = 0;  ///< number of triangles with coincident corners
   std::vector<std::uint32_t> triangles() const;
   double largest_coordinate() const;
 };
 StreamedBounds find_bounds(const TriangleFile& file);
 
-/// Bounds of its picture: the largest x, -x, y, -y on the drawing plane at 1 mm per model unit, and of the distance along
-/// the sight. `in_view`: nothing lies behind the viewer.
+/// Bounds of the picture: the largest x, -x, y, -y on the drawing plane at 1 mm per model unit, and the largest and
+/// smallest distance along the line of sight. `in_view`: nothing lies behind the viewer.
 struct StreamedExtent {
   std::array<Farthest, 6> farthest{};
   bool in_view = true;
@@ -85,17 +85,17 @@ struct StreamedExtent {
 };
 StreamedExtent find_extent(const TriangleFile& file, const Camera& camera);
 
-/// A scene of some of the triangles, each with vertices of its own.
+/// Makes a scene of some triangles, each with vertices of its own.
 Scene scene_of_triangles(const TriangleFile& file, std::span<const std::uint32_t> triangles);
 
-/// Squares for a model whose picture takes that part of the page; `most`: how many there may be.
+/// Chooses squares for a model whose picture takes that part of the page. `most`: largest number of squares.
 PageSquares choose_squares(const TriangleFile& file, const StreamFacets& facets, const Rect& picture, double most);
 
-/// Squares with their covers. Nothing where a part of the model is out of view.
+/// Finds the squares with their covers. Returns nothing if a part of the model is out of view.
 std::optional<PageLayers> find_page_layers(const TriangleFile& file, const StreamFacets& facets, const PageSquares& squares,
                                            bool blanks, double crease_cosine);
 
-/// Triangles that are needed, ascending: those that the covers do not make superfluous, and `always`.
+/// Returns the triangles that are needed, ascending: those that the covers do not hide, and those in `always`.
 std::vector<std::uint32_t> find_needed(const TriangleFile& file, const StreamFacets& facets, const PageLayers& layers,
                                        std::span<const std::uint32_t> always);
 

@@ -10,13 +10,14 @@
 namespace ligne {
 namespace {
 
-/// Two cubes of which one may take vertices from what the other gathers have all theirs within three sides of a crowd's
-/// cube, one and a half coincidences, but for steps of the lattice.
+/// Reach of a crowd's vertices, in coincidences and lattice steps. Two cubes may compete for vertices only if all their
+/// vertices are within three sides of a crowd's cube, which are one and a half coincidences, apart from rounding.
 constexpr double kReachInCoincidences = 1.5, kReachSteps = 4;
-constexpr double kSideInReaches = 8;  ///< adjustable: larger cubes are fewer, and hold more that is no crowd
+/// Adjustable: larger cubes are fewer, but contain more vertices that belong to no crowd.
+constexpr double kSideInReaches = 8;
 
 std::uint64_t cube_number(const std::array<double, 3>& cube) {
-  return place_number({cube[0], cube[1], cube[2]}) | 1;  // 0 is for none
+  return place_number({cube[0], cube[1], cube[2]}) | 1;  // 0 stands for no cube
 }
 
 }  // namespace
@@ -28,7 +29,7 @@ CrowdWatch::CrowdWatch(const StreamFacets& facets, std::span<const Point3> place
   std::vector<std::uint64_t> numbers;
   for (const Point3& place : places) {
     const std::array<double, 3> p = facets.page_place(place);
-    // A vertex near the sides of its cube has a crowd in the next one, too.
+    // A vertex near the sides of its cube may belong to a crowd in the next cube too.
     for (int k = 0; k < 8; ++k) {
       std::array<double, 3> cube;
       bool repeated = false;

@@ -1,5 +1,5 @@
 #pragma once
-/// Crowds of vertices (view/crowds.hpp) of which a part would be left out.
+/// Finds crowds of vertices (view/crowds.hpp) of which only a part would be kept.
 
 #include <atomic>
 #include <cstdint>
@@ -10,16 +10,17 @@
 
 namespace ligne {
 
-/// Cubes of the page's space round the vertices that are needed, larger than those of crowds. Where more vertices than make
-/// a crowd lie in such a cube, and not all of them are needed, what is left would not be gathered as the whole is.
+/// Cubes of page space around the needed vertices, larger than the cubes of crowds. If such a cube contains enough
+/// vertices for a crowd, and not all of them are needed, the kept vertices would be merged differently than in the
+/// whole model.
 class CrowdWatch {
  public:
-  /// `places`: of the needed vertices.
+  /// `places`: positions of the needed vertices.
   CrowdWatch(const StreamFacets& facets, std::span<const Point3> places);
 
-  /// To be told of all vertices of the file, from several threads.
+  /// Counts a vertex. To be called for all vertices of the file; several threads may call it.
   void count(const Point3& vertex, bool needed);
-  /// Whether a vertex, of the file too, lies where a crowd may be torn apart. When all are counted.
+  /// Whether a vertex of the file lies where a crowd may be torn apart. Call it after all vertices are counted.
   bool is_torn(const Point3& vertex) const;
   bool any_torn() const;
 

@@ -18,19 +18,19 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: what a triangle takes in memory while its model is read and studied.
+/// Adjustable: memory of a triangle while its model is read and drawn, in bytes.
 constexpr double kBytesPerTriangle = 160;
-/// Shares of the memory for a model that is read as a whole, and for the squares of one that is not.
+/// Parts of the available memory: for a model that is read as a whole, and for the squares of a streamed one.
 constexpr double kPartForModel = 0.5, kPartForSquares = 1.0 / 16;
 constexpr double kMostSquares = 4'000'000;
 
-/// Classes of edges and of penetrations: the others ask for surfaces as a whole, or for what is not seen.
+/// Whether all classes are those of edges and intersections. The others need whole surfaces or hidden faces.
 bool can_be_found(LineClasses classes) {
   const LineClasses known{(1u << kEdgeClassCount) - 1};
   return (classes.bits & ~known.bits) == 0;
 }
 
-/// The bounds and the view of the whole model, by the few triangles that reach farthest.
+/// The bounds and the view of the whole model, from the few triangles that reach farthest.
 struct StreamedView {
   std::vector<std::uint32_t> triangles;
   Placement placement;

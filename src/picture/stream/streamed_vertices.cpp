@@ -16,7 +16,7 @@
 namespace ligne {
 namespace {
 
-/// Places in space by number.
+/// A hash table that numbers positions in space.
 class PlaceTable {
  public:
   std::uint32_t add(const Point3& p) {
@@ -30,7 +30,7 @@ class PlaceTable {
     }
     return slot;
   }
-  /// kNone for a place that is not there.
+  /// Returns kNone for a position that is not in the table.
   std::uint32_t find(const Point3& p) const {
     const std::uint64_t number = place_number(p);
     return filter_[word(number)] & bit(number) ? slots_[find_slot(p, number)] : kNone;
@@ -40,7 +40,8 @@ class PlaceTable {
 
  private:
   static constexpr std::size_t kFewest = 1024;
-  /// Most places are not there: one small table, of eight bits for each slot, says so for nearly all of them.
+  /// Slots for each word of the filter, which has eight bits for each slot. Most searched positions are not in the
+  /// table, and the small filter finds this for nearly all of them.
   static constexpr std::size_t kSlotsPerWord = 8;
 
   std::size_t word(std::uint64_t number) const { return number >> 38 & (filter_.size() - 1); }
@@ -66,7 +67,7 @@ class PlaceTable {
   std::vector<Point3> places_;
 };
 
-/// The corners of the triangles, as numbers of places in the order in which they come up.
+/// Returns the corners of the triangles as numbers of positions, which are numbered in order of appearance.
 std::vector<std::uint32_t> take_corners(const TriangleFile& file, std::span<const std::uint32_t> triangles,
                                         PlaceTable& places) {
   std::vector<std::uint32_t> corners;
@@ -84,7 +85,7 @@ std::vector<std::uint32_t> take_corners(const TriangleFile& file, std::span<cons
   return corners;
 }
 
-/// The first vertex of the file in each place. All vertices are counted.
+/// Returns the first vertex of the file at each position, and counts all vertices in `crowds`.
 std::vector<std::uint32_t> first_vertices(const TriangleFile& file, const PlaceTable& table, std::size_t places,
                                           CrowdWatch& crowds) {
   std::vector<std::uint32_t> first(places, kNone);
@@ -106,7 +107,7 @@ std::vector<std::uint32_t> first_vertices(const TriangleFile& file, const PlaceT
   return first;
 }
 
-/// The triangles, and those with a corner where a crowd would be torn apart.
+/// Returns the given triangles, and those with a corner where a crowd would be torn apart.
 std::vector<std::uint32_t> with_torn_crowds(const TriangleFile& file, const std::vector<std::uint32_t>& triangles,
                                             const CrowdWatch& crowds) {
   return find_triangles(file, [&](std::size_t t, const Point3* corners) {
@@ -116,11 +117,11 @@ std::vector<std::uint32_t> with_torn_crowds(const TriangleFile& file, const std:
   });
 }
 
-/// The vertices that triangles need, and the corners of these by their numbers.
+/// The positions that triangles need, and the corners of the triangles as numbers of positions.
 struct NeededVertices {
   std::vector<Point3> places;  ///< in any order
   std::vector<std::uint32_t> corners;
-  std::vector<std::uint32_t> first;  ///< by place, vertex of the file
+  std::vector<std::uint32_t> first;  ///< by position: its first vertex in the file
 };
 
 /// Adds triangles until no crowd is torn apart.

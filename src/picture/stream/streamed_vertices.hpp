@@ -1,5 +1,5 @@
 #pragma once
-/// The scene that is left of a streamed model.
+/// Makes the scene of the needed part of a streamed model.
 
 #include <cstdint>
 #include <vector>
@@ -10,9 +10,9 @@
 
 namespace ligne {
 
-/// A scene of one object with some of the file's triangles, ascending, and those by which crowds of vertices stay whole.
-/// Faces and vertices have the order of those of the whole scene, as read_scene() makes it: a place has the number of the
-/// first vertex of the file there, whether a triangle that is left has it or not.
+/// Makes a scene of one object with the given triangles of the file (ascending) and those that keep crowds of vertices
+/// whole. Faces and vertices have the same order as in the whole scene of read_scene(). For that, vertices are ordered
+/// by the first vertex of the file at their position, whether or not a kept triangle uses it.
 Scene scene_of_needed(const TriangleFile& file, const StreamFacets& facets, std::vector<std::uint32_t> triangles);
 
 }  // namespace ligne
