@@ -16,8 +16,8 @@ struct Region {
   std::uint32_t level = 0;                    ///< number of transparent faces in front of it
   /// Bit i: light i reaches the region. All bits are set if no light was requested.
   std::uint32_t lights = 0xffffffffu;
-  /// Per light: the fraction, 0 to 1, that transparent faces in its way let through. Empty: 1 for all lights in
-  /// `lights`.
+  /// Per light: the fraction, 0 to 1, that transparent faces between the light and the region let through. Empty: 1 for
+  /// all lights in `lights`.
   std::vector<double> light_shares{};
   std::uint32_t material = 0xffffffffu;  ///< material, if it is a part of a detail; 0xffffffff: that of the face
 };
@@ -72,14 +72,14 @@ struct ScanPlane {
   };
   struct Run {
     double x0, x1;
-    unsigned row;           ///< of a bar: which step of the span method
-    std::uint32_t segment;  ///< index of segments; 0xffffffff: a part that was divided
+    unsigned row;           ///< of a bar: number of the step of the span method
+    std::uint32_t segment;  ///< index into `segments`; 0xffffffff: a part that was divided
   };
   double y_mm = 0;
   std::uint8_t kind = 0;          ///< index of the span method in watkins::kSpanMethodNames
-  std::vector<Segment> segments;  ///< as the span method took them
+  std::vector<Segment> segments;  ///< as given to the span method
   std::vector<Run> runs;          ///< the visible runs, left to right
-  std::vector<Run> bars;          ///< how the span method went
+  std::vector<Run> bars;          ///< steps of the span method
 };
 
 /// The visible face of each pixel. Pixels are square, and stored row by row from the top.

@@ -22,8 +22,8 @@ struct StrokeEnd {
 /// Calls visit(ends) for each point where strokes of `members` end, with all ends there in ascending order. Calls come
 /// from several threads, in no particular order. O(n).
 ///
-/// Ends are first spread over buckets by their place, so that a bucket fits into the cache; in each bucket a small hash
-/// table numbers the places, and a counting sort brings the ends of a place together.
+/// Distributes the ends over buckets by their position, so that a bucket fits into the cache. In each bucket a small
+/// hash table numbers the positions, and a counting sort groups the ends of each position.
 void for_each_node(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> members,
                    FunctionRef<void(std::span<const StrokeEnd>)> visit);
 

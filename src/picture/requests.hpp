@@ -75,7 +75,7 @@ struct PageRequest {
 
 enum class HiddenLines { none, dashed, solid };
 inline constexpr std::string_view kHiddenLinesNames[] = {"none", "dashed", "solid"};
-/// Largest LineRequest::most_hiding: strokes count up to 255 faces, which then means that many or more.
+/// Largest LineRequest::most_hiding: strokes count up to 255 faces; 255 stands for 255 or more.
 inline constexpr unsigned kMostCountedFaces = 254;
 
 /// The colour of the lines of some objects.
@@ -100,7 +100,7 @@ inline constexpr std::string_view kProfileNames[] = {"off", "sheet", "parts"};
 enum class TangentLines : std::uint8_t { automatic, borders, middles };
 inline constexpr std::string_view kTangentNames[] = {"auto", "borders", "middles"};
 
-/// Which lines are drawn, and how their visibility is computed.
+/// The lines that are drawn, and the method that computes their visibility.
 struct LineRequest {
   const Method* method = nullptr;  ///< nullptr: chosen automatically
   MethodSettings settings;         ///< values of the method's own parameters
@@ -130,7 +130,7 @@ struct LineRequest {
 };
 
 /// How visible faces are filled. `material`: in the colour of the material; `shade`: that colour, lit; `paper`: in
-/// white, so that faces only hide what lies under them; `random`: each face in a colour of its own, by chance.
+/// white, so that faces only hide what lies under them; `random`: each face in a random colour of its own.
 enum class FillKind : std::uint8_t { none, material, shade, paper, random };
 inline constexpr std::string_view kFillNames[] = {"none", "material", "shade", "paper", "random"};
 
@@ -199,7 +199,7 @@ struct PlotterRequest {
   JoinTolerances tolerances;
   bool report = false, preview = false;  ///< whether Picture gets a plotter report and a preview
   bool fit_device = false;               ///< scale the drawing to the drawable area of the device
-  bool fit_drawing = false;              ///< the drawing has no fixed scale, so it may be fitted without being asked
+  bool fit_drawing = false;              ///< the drawing has no fixed scale, so it may be fitted without a request
   double min_length_mm = 0;              ///< shorter strokes are left out
   LongPlotRequest parts;                 ///< parts, pauses and restarts of long plots
   std::shared_ptr<const Device> device;  ///< nullptr: an SVG or PDF for no particular device
@@ -231,19 +231,19 @@ struct PictureRequest {
   LineRequest lines{};
   PageRequest page{};
   FillRequest fill{};
-  bool regions = false;  ///< the visible areas of faces are themselves a wanted result
+  bool regions = false;  ///< whether the visible areas of faces are a result in themselves
   HatchRequest hatch{};
   bool gray_faces = false;  ///< grey faces, lit from the eye; needs a method that returns spans or pixels
   AxesChoice axes{};
   PlotterRequest plotter{};
   OutputRequest output{};
   std::string heading{};                       ///< title above the picture on the page, may be empty
-  std::shared_ptr<const LineGroups> groups{};  ///< lines and points with looks of their own; nullptr: none
+  std::shared_ptr<const LineGroups> groups{};  ///< lines and points with styles of their own; nullptr: none
   std::shared_ptr<const SurfaceCurves> iso{};  ///< parameter curves for HatchDirection::form; nullptr: none
   ContourLabels contour_labels = ContourLabels::none;
   bool label_decades = false;                       ///< the heights of contour lines are decimal logarithms
   std::shared_ptr<const CompiledScene> compiled{};  ///< made by this method from this scene; nullptr: made when needed
-  Keep keep = Keep::nothing;                        ///< what the method shall keep its intermediate results for
+  Keep keep = Keep::nothing;                        ///< purpose for which the method keeps intermediate results
   std::shared_ptr<const KeptVisibility> earlier{};  ///< kept by an earlier run of the same method; nullptr: nothing
   std::shared_ptr<const OccludedCells> blank{};     ///< streamed scenes (streamed_model.hpp): squares of the page that
                                                     ///< faces outside this scene hide; nullptr: none

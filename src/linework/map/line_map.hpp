@@ -2,14 +2,14 @@
 /// The line map: the visible lines of a drawing as a graph that rules read and edit.
 ///
 /// Notation
-///   piece    a straight part of one stroke; a stroke is one piece unless free ends of others lie on it
+///   piece    a straight part of one stroke; a stroke is one piece unless other lines end or cross there
 ///   end      end 2 p is the `from` of piece p, end 2 p + 1 its `to`
 ///   node     a place where pieces end; its degree is the number of their ends there
 ///   free end the only end at its node
 ///   contact  a free end that lies beside another line, and the node on that line (which is cut there)
 ///
 /// A node joins ends at exactly one lattice point. Contacts join nodes that are merely near each other, so that each rule
-/// can say how near counts (see Arcs in line_groups.hpp).
+/// can choose its own distance (see Arcs in line_groups.hpp).
 ///
 /// Invariants: an end is in the list of its node, in ascending order, if and only if its piece is alive; the degree of a
 /// node is the length of its list; the pieces of a stroke follow each other without a gap, in the order of the stroke.

@@ -54,7 +54,7 @@ class MarkedSquares {
     constexpr double limit = kLatticeLimit;
     return static_cast<std::size_t>((std::clamp(v, -limit, limit) + limit) * per_step_);
   }
-  /// Visits the squares within the margin of the stroke, and some beside them, column by column until visit returns true.
+  /// Visits the squares within the margin of the stroke, and some beside them, until visit(square) returns true.
   template <class Visit>
   bool for_each_square(const Stroke& s, const Visit& visit) const {
     const double low = std::min(s.from.y, s.to.y), high = std::max(s.from.y, s.to.y);

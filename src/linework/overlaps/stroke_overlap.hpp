@@ -11,7 +11,7 @@ namespace ligne {
 /// fraction of b is exactly 0 or 1, and vice versa.
 struct StrokeOverlap {
   double a_from, a_to;  ///< on a, a_from < a_to
-  double b_from, b_to;  ///< the fractions of b at the same places; b_from > b_to when b runs the other way
+  double b_from, b_to;  ///< the fractions of b at the same places; b_from > b_to if b runs the other way
 };
 
 /// Projects the shorter segment onto the line of the longer one. The two coincide if their common interval there is

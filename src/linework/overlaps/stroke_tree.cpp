@@ -25,7 +25,7 @@ bool StrokeTree::suits(const std::vector<Stroke>& strokes, const std::vector<std
 }
 
 bool StrokeTree::suits_runs(const std::vector<Stroke>& strokes, const std::vector<std::uint32_t>& of, double tolerance) {
-  // Samples the strokes; runs pay off where a stroke lies on kOnEach others on the average. Adjustable.
+  // Samples the strokes; runs pay off if a stroke lies on kOnEach others on average. Adjustable.
   constexpr std::size_t kFewest = 4096, kSample = 512, kAsked = 64, kOnEach = 8;
   if (of.size() < kFewest) return false;
   const auto sampled = [&](std::size_t k) -> const Stroke& { return strokes[of[k * of.size() / kSample]]; };

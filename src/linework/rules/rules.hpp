@@ -19,7 +19,6 @@ struct GapLimits {
   /// Longest bridge of long lines within 20 degrees. From three gaps on the limit is 10 degrees; up to six gaps,
   /// shorter lines within 4 degrees are joined too. The bridge must be clear of other lines.
   double wide_mm = 0;
-  ///< long, up to six gaps), are joined up to this distance if no line is within
   double clear_mm = 0;  ///< least distance of other lines from such a bridge
 };
 /// bridge_gaps: joins two free ends if each is the nearest of the ends that the other may be joined to. Adds one stroke
@@ -53,7 +52,7 @@ std::size_t merge_short_runs(LineMap& map, double least_mm);
 std::size_t remove_short_bits(LineMap& map, double least_mm);
 
 struct OverdrawLimits {
-  double longest_mm = 0;  ///< runs shorter than this may go
+  double longest_mm = 0;  ///< longest run that may be removed
   double ink_mm = 0;      ///< distance that the ink of a line reaches to either side
   double shown_mm = 0;    ///< a run stays if at least this length lies outside of the ink of other lines
 };
@@ -70,8 +69,8 @@ struct IsolatedLimits {
   double ring_width_mm = 0;  ///< a ring no wider than this is a line there and back
 };
 /// remove_isolated_chains: removes short open chains of the given classes that stand alone, and rings that are lines
-/// there and back. Chains that touch count together. A chain stays if another line ends on it, since that line passes
-/// behind it, or if more than `most_ends_on_lines` of its ends lie on lines.
+/// there and back. Chains that touch are counted together. A chain stays if another line ends on it, since that line
+/// passes behind it, or if more than `most_ends_on_lines` of its ends lie on lines.
 std::size_t remove_isolated_chains(LineMap& map, const BodyOf& body_of, const IsolatedLimits& limits);
 
 struct UndershootLimits {
