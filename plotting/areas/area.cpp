@@ -12,13 +12,15 @@
 namespace ligne::svg {
 namespace {
 
+/// Most boxes and edges that all areas of a drawing may look at together; more is endless work.
 constexpr std::size_t kMostClipWork = 1'000'000'000;
-/// A change of winding is sorted and applied, which takes the time of so many edges that are only looked at.
+/// Cost of sorting and applying one change of winding, in edges that are only looked at.
 constexpr std::size_t kChangeWork = 40;
-/// From so many edges on, rows across them are worth their time. Adjustable.
+/// Number of edges from which rows across them (WindingRows) save more time than they cost. Adjustable.
 constexpr std::size_t kManyEdges = 64;
 
-/// Tells which boxes may hold edges that meet the line of a stroke from a fraction of it on, which is at most 0.
+/// Tests whether a box may hold an edge that meets the line of a stroke at or after the fraction `from` of the stroke.
+/// `from` is at most 0: the line may begin before the stroke.
 class LineFilter {
  public:
   LineFilter(const StepSegment& stroke, double from)
@@ -46,7 +48,7 @@ class LineFilter {
   StepBox reach_;
 };
 
-/// Which of equal edges comes first, and the sum of their windings.
+/// One edge for several equal ones: the index of the first, and the sum of their windings.
 struct Merged {
   StepSegment segment;
   std::size_t first;
@@ -112,7 +114,7 @@ Windings Area::wind_along(const StepSegment& stroke, std::uint32_t number, std::
   if (steps_.empty() || !box.meets(box_of(stroke))) return at_begin;
   StepBox begin;
   begin.extend(stroke.a);
-  // Round a point outside the box no contour winds.
+  // No contour winds round a point outside the box.
   const bool may_begin_inside = box.meets(begin);
   double from = 0;
   if (may_begin_inside) {
@@ -129,7 +131,8 @@ Windings Area::wind_along(const StepSegment& stroke, std::uint32_t number, std::
   return may_begin_inside ? at_begin : Windings{};
 }
 
-/// Where windings are known on the stroke's line before its begin; nothing: infinitely far back, where they are 0.
+/// A place on the stroke's line, before its begin, where the winding is known. Without one the search goes back to
+/// infinity, where the winding is 0.
 std::optional<Anchor> Area::anchor_before(const StepSegment& stroke) const {
   if (steps_.size() < kManyEdges) return std::nullopt;
   if (!rows_) {
@@ -141,10 +144,10 @@ std::optional<Anchor> Area::anchor_before(const StepSegment& stroke) const {
   return rows_->find_before(stroke);
 }
 
-/// The side of an edge's end decides what the edge changes: whoever walks along the stroke passes the edge on the plus side
-/// where one end alone lies there, and on the minus side likewise. Where an end of the stroke lies on the edge, the passage
-/// is moved to that end; where both do, it is moved to the end near which the edge lies on that side. Passages before the
-/// fraction `from` of the stroke are left out.
+/// Adds the changes of winding where the edge crosses the plus side or the minus side of the stroke: it crosses a side
+/// if exactly one of its ends lies there. If an end of the stroke lies on the edge, the crossing is moved to that end;
+/// if both ends do, to the end near which the edge lies on that side. Crossings before the fraction `from` of the
+/// stroke are dropped.
 void Area::add_changes(std::size_t i, const StepSegment& stroke, double from, std::uint32_t number, Windings& at_begin,
                        std::vector<WindingChange>& changes) const {
   const StepSegment& edge = steps_[i];
@@ -162,7 +165,7 @@ void Area::add_changes(std::size_t i, const StepSegment& stroke, double from, st
   const std::int32_t winding = edges_[i].winding;
   for (const int side : {1, -1}) {
     if ((a == side) == (b == side)) continue;
-    // Whoever passes an edge from its right to its left is wound round once more.
+    // Crossing an edge from its right to its left adds its winding.
     Windings by;
     (side > 0 ? by.plus : by.minus) = a - b > 0 ? winding : -winding;
     Along where = at;

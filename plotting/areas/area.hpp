@@ -1,5 +1,5 @@
 #pragma once
-/// Areas of an SVG on the lattice, and what lies on the two sides of a stroke. Private to plotting.
+/// Areas of an SVG on the lattice, and their windings on the two sides of a stroke. Private to plotting.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,10 +16,11 @@ namespace ligne::svg {
 
 enum class FillRule { nonzero, even_odd };
 
-/// Boxes and edges that were looked at, by all areas of a drawing together: a small file must not ask for endless work.
+/// Number of boxes and edges that all areas of a drawing have looked at. It is limited, so that a small file cannot ask
+/// for endless work.
 using ClipWork = std::shared_ptr<std::size_t>;
 
-/// How often contours wind round the points just beside a stroke, on its plus side and on its minus side.
+/// Winding numbers of the points just beside a stroke, on its plus side and on its minus side.
 struct Windings {
   std::int32_t plus = 0, minus = 0;
 };
@@ -27,25 +28,26 @@ struct Windings {
 /// A place within a stroke where the windings of an area change.
 struct WindingChange {
   Along at;
-  std::uint32_t area = 0;  ///< the caller's number
+  std::uint32_t area = 0;  ///< the number that the caller of wind_along() gave
   Windings by{};
 };
 
-/// The inside of contours; open ones are closed.
+/// The area inside contours. Open contours are closed.
 ///
-/// The edges are whole segments of the lattice; those that lie on each other from end to end are one, with the sum of their
-/// windings. Where a stroke is asked for, vertices that lie on its line up to rounding are on neither side of it, so that an
-/// edge along the stroke separates its two sides and crosses nothing. Every function throws EndlessWork when the work of all
-/// areas becomes endless.
+/// Edges are segments between lattice points. Edges with the same two ends become one, with the sum of their windings.
+/// A vertex that lies on the line of a stroke up to rounding is on neither side of the stroke, so an edge along the
+/// stroke separates its two sides and crosses nothing. Every function throws EndlessWork when all areas together have
+/// looked at too many edges.
 class Area {
  public:
   Area(const Polylines& contours, FillRule rule, ClipWork work);
 
-  /// The windings just behind the stroke's begin; appends the changes within the stroke, in no order. Time: the edges in
-  /// whose boxes the stroke and its line backwards may lie, of many edges as far back as to an anchor.
+  /// Returns the windings just after the stroke's begin, and appends the changes within the stroke, unsorted. Time:
+  /// proportional to the edges whose boxes the stroke, or its line before the begin, may meet. With many edges the
+  /// search goes back only to an anchor.
   Windings wind_along(const StepSegment& stroke, std::uint32_t number, std::vector<WindingChange>& changes) const;
   bool is_inside(std::int32_t winding) const { return rule_ == FillRule::nonzero ? winding != 0 : winding % 2 != 0; }
-  /// The parts of the closed contours whose edges reach into the box, page mm.
+  /// The parts of the closed contours whose edges have boxes that meet `box`, page mm.
   Polylines contours_near(const Rect& box) const;
 
   const Rect& box() const { return box_; }  ///< page mm
@@ -59,7 +61,7 @@ class Area {
  private:
   struct Edge {
     Point2 a, b;           ///< page mm, in the direction of the contour
-    std::int32_t winding;  ///< of contours along the edge of the lattice
+    std::int32_t winding;  ///< sum over the contours along this lattice edge
   };
   void add_changes(std::size_t i, const StepSegment& stroke, double from, std::uint32_t number, Windings& at_begin,
                    std::vector<WindingChange>& changes) const;
@@ -67,9 +69,9 @@ class Area {
   void count(std::size_t looked_at) const;
 
   std::vector<Edge> edges_;         ///< in the order of the contours
-  std::vector<StepSegment> steps_;  ///< the same on the lattice, each from its lower end
+  std::vector<StepSegment> steps_;  ///< the lattice segments of edges_, each from its lower end
   EdgeTree tree_;
-  mutable std::shared_ptr<const WindingRows> rows_;  ///< made when they are needed first
+  mutable std::shared_ptr<const WindingRows> rows_;  ///< made on first use
   Rect box_;
   FillRule rule_;
   ClipWork work_;

@@ -10,7 +10,7 @@
 namespace ligne::svg {
 namespace {
 
-/// Visits the areas of a chain of clip paths, and those of the clip paths that cut them.
+/// Visits the areas of a chain of clip paths, and the areas of the clip paths that cut them.
 template <class Visit>
 void for_each_area(const Clip& clip, const Visit& visit) {
   for (const Clip* one = &clip; one; one = one->outer.get()) {
@@ -21,8 +21,8 @@ void for_each_area(const Clip& clip, const Visit& visit) {
   }
 }
 
-/// Edges and boxes that are looked at for each segment on the average, to find those that lie along it; of more, all of
-/// which lie in one place, none is compared. Adjustable.
+/// Limit of drawn_once(): mean number of edges and boxes looked at per segment. Above it all segments lie in one place,
+/// and repeated lines are kept. Adjustable.
 constexpr std::size_t kMostLooks = 1000;
 
 /// A part of a segment, by fractions of it.
@@ -30,9 +30,9 @@ struct Interval {
   double begin, end;
 };
 
-/// Appends the part of the segment along which the other one lies up to rounding; false where there is none.
+/// Appends the part of `segment` along which `other` lies up to rounding. Returns false if there is none.
 bool add_common_part(const StepSegment& segment, const StepSegment& other, std::vector<Interval>& parts) {
-  // The longer one says where its line runs.
+  // The longer segment defines the supporting line.
   const bool is_longer = segment.tolerance() >= other.tolerance();
   const StepSegment &longer = is_longer ? segment : other, &shorter = is_longer ? other : segment;
   if (side_of(longer, orientation(longer, shorter.a)) != 0 || side_of(longer, orientation(longer, shorter.b)) != 0)
@@ -44,7 +44,7 @@ bool add_common_part(const StepSegment& segment, const StepSegment& other, std::
   return true;
 }
 
-/// Appends the parts of a segment, unseen ones in the intervals.
+/// Appends the parts of a segment: hidden in the intervals, seen between them.
 void add_parts_between(std::vector<Interval>& hidden, std::vector<SeenPart>& parts) {
   std::sort(hidden.begin(), hidden.end(), [](const Interval& p, const Interval& q) { return p.begin < q.begin; });
   double at = 0;
@@ -79,7 +79,8 @@ Polylines clipped(const Polylines& lines, const Clip& clip, const Area* filled) 
       const bool has_own = own.plus > 0 || own.minus > 0;
       parts.push_back(
           {end.value, (shown.plus > 0 && (own.plus > 0 || !has_own)) || (shown.minus > 0 && (own.minus > 0 || !has_own))});
-      // Between two parts of the area its own ink has no border; that of a clip path there is one of clip_borders().
+      // A contour with the area on both sides is no border of it. clip_borders() adds the borders that clip paths make
+      // there.
       if (own.plus > 0 && own.minus > 0) parts.back().seen = false;
     });
   };

@@ -8,28 +8,33 @@
 
 namespace ligne::svg {
 
-/// Links that lead on to links.
+/// Longest chain of links that is followed: uses, clip paths or markers that lead on to others.
 inline constexpr int kMostLinks = 16;
 
-/// The part of the page that one or several clip paths or masks, one inside the other, leave open.
+/// The part of the page that nested clip paths and masks leave visible.
 struct Clip {
-  std::vector<Area> any_of;  ///< inside one of these
-  std::vector<char> opens;   ///< of a mask: whether an area shows or hides, the last painted decides; empty: all show
-  std::vector<std::shared_ptr<const Clip>> within;  ///< of each area: clip paths that cut it alone; empty: none has any
-  std::shared_ptr<const Clip> outer;                ///< and of this; nullptr: nothing more
+  std::vector<Area> any_of;  ///< a visible point is inside one of these
+  std::vector<char> opens;   ///< masks, per area: whether it shows or hides; the last painted one decides; empty: all
+                             ///< show
+  std::vector<std::shared_ptr<const Clip>> within;  ///< per area: clip paths that cut only this area; empty: no area
+                                                    ///< has any
+  std::shared_ptr<const Clip> outer;                ///< a further clip that must show the point; nullptr: none
 };
 
-/// The parts of the lines that show. Half of the ink of a line along a rim shows, so the line does. `filled`: the lines are
-/// contours of this area and stand for its ink: they show where the area itself shows beside them.
+/// Returns the visible parts of the lines. A line along a rim is visible, since half of its ink is. If `filled` is
+/// given, the lines are contours of this area and stand for its ink: they are visible where the area itself is visible
+/// beside them.
 Polylines clipped(const Polylines& lines, const Clip& clip, const Area* filled = nullptr);
 
-/// The parts of the contours of an area that are its borders: not those on both sides of which it lies.
+/// The parts of the contours that are borders of the area: parts with the area on both sides are left out.
 Polylines area_borders(const Polylines& contours, const Area& area);
 
-/// Where the clip paths cut the area: the parts of their contours on one side of which it shows, and not along its own.
+/// The borders where the clip paths cut the area: the parts of their contours with the visible area on exactly one
+/// side, except parts along the contours of the area itself.
 Polylines clip_borders(const Area& area, const Clip& clip);
 
-/// The lines without the parts that lie along earlier ones of them, up to rounding. Time: n log n, and what lies near.
+/// Removes the parts of lines that lie along earlier lines up to rounding. Time: O(n log n), plus the number of segment
+/// pairs with boxes that meet.
 Polylines drawn_once(const Polylines& lines);
 
 }  // namespace ligne::svg

@@ -5,7 +5,7 @@
 
 namespace ligne::svg {
 
-/// Adds an area if it lies beside the stroke; kNone if not. It counts for nothing before refresh().
+/// Adds an area if it lies beside the stroke. Returns its number, or kNone. The area has no effect before refresh().
 std::size_t Coverage::add(const StepSegment& stroke, const Area& area, std::size_t clip, std::uint32_t place) {
   const std::size_t before = changes_.size(), number = beside_.size();
   const Windings at_begin = area.wind_along(stroke, static_cast<std::uint32_t>(number), changes_);
@@ -14,7 +14,7 @@ std::size_t Coverage::add(const StepSegment& stroke, const Area& area, std::size
   return number;
 }
 
-/// Adds a clip path and those around it, with their areas beside the stroke. Returns the number of the chain.
+/// Adds a clip path and the clip paths around it, with their areas beside the stroke. Returns the number of the chain.
 std::size_t Coverage::add_chain(const StepSegment& stroke, const Clip* clip, std::size_t owner) {
   const std::size_t number = chains_.size();
   chains_.push_back({owner, {}});
@@ -45,7 +45,7 @@ void Coverage::refresh(std::size_t number) {
   }
 }
 
-/// Hands a change on to the clip path of the area, to its chain, and to the area that the chain cuts.
+/// Passes a change on to the clip path of the area, to its chain, and to the area that the chain cuts.
 void Coverage::set_counts(std::size_t number, std::size_t side, bool counts) {
   Beside& beside = beside_[number];
   if (beside.counts[side] == counts) return;

@@ -1,5 +1,5 @@
 #pragma once
-/// Which parts of a stroke have an area, as far as it shows through clip paths, on their two sides. Private to plotting.
+/// Divides a stroke by the sides on which an area, cut by clip paths, is visible. Private to plotting.
 
 #include <array>
 #include <cstddef>
@@ -11,18 +11,19 @@
 
 namespace ligne::svg {
 
-/// A part of a stroke, from where the part before it ends, with the areas beside it.
+/// A part of a stroke, from the end of the part before it, and whether its two sides are covered.
 struct CoveredPart {
   Along end;
-  bool plus = false, minus = false;  ///< covered there
+  bool plus = false, minus = false;  ///< whether the side is covered
   bool on_rim = false;               ///< the area itself, without its clip paths, lies on one side only
 };
 
-/// Finds covered parts, and keeps its memory from stroke to stroke.
+/// Finds the covered parts of strokes. Reuses its buffers from stroke to stroke.
 class Coverage {
  public:
-  /// The parts of the stroke, in order; the last one ends at kEnd, and neighbours differ. Without an area all that shows
-  /// through the clip paths is covered. Time: as Area::wind_along() of all areas, and n log n of the changes.
+  /// Returns the parts of the stroke in order. The last one ends at kEnd, and neighbouring parts differ. Without an
+  /// area, a side is covered where the clip paths show it. Time: Area::wind_along() for every area, plus O(n log n) for
+  /// n changes.
   const std::vector<CoveredPart>& find(const StepSegment& stroke, const Area* area, const Clip* clip);
 
  private:
@@ -33,15 +34,15 @@ class Coverage {
   /// An area that lies beside the stroke.
   struct Beside {
     const Area* area;
-    std::size_t clip = kNone;  ///< its place in clips_
+    std::size_t clip = kNone;  ///< index in clips_
     std::uint32_t place_in_clip = 0;
-    std::size_t chain = kNone;  ///< the clip paths that cut this area alone
+    std::size_t chain = kNone;  ///< chain of the clip paths that cut only this area
     Windings windings{};
-    std::array<bool, kSides> counts{};  ///< it covers the side, and its own clip paths show it
+    std::array<bool, kSides> counts{};  ///< whether it covers the side and its own clip paths show it
   };
   struct Side {
-    std::uint32_t inside = 0;           ///< areas that count
-    std::set<std::uint32_t> painted{};  ///< of a mask: those round the side
+    std::uint32_t inside = 0;           ///< number of areas that count on this side
+    std::set<std::uint32_t> painted{};  ///< masks: the areas that count on this side
     bool shows = false;
   };
   struct OneClip {
@@ -49,10 +50,10 @@ class Coverage {
     std::size_t chain;
     std::array<Side, kSides> sides{};
   };
-  /// Clip paths all of which must show: those of the stroke, or those that cut one area.
+  /// Clip paths that must all show: the clip paths of the stroke, or the ones that cut one area.
   struct Chain {
-    std::size_t owner;                              ///< that area in beside_; kNone: the stroke
-    std::array<std::size_t, kSides> not_showing{};  ///< number of its clip paths that do not
+    std::size_t owner;                              ///< index in beside_ of the area that it cuts; kNone: the stroke
+    std::array<std::size_t, kSides> not_showing{};  ///< number of its clip paths that do not show the side
   };
 
   std::size_t add(const StepSegment& stroke, const Area& area, std::size_t clip, std::uint32_t place);
@@ -65,7 +66,7 @@ class Coverage {
   const Area* area_ = nullptr;
   std::vector<Beside> beside_;
   std::vector<OneClip> clips_;
-  std::vector<Chain> chains_;  ///< that of the stroke first
+  std::vector<Chain> chains_;  ///< the chain of the stroke is the first
   std::vector<WindingChange> changes_;
   std::vector<CoveredPart> parts_;
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// Boxes of edges that follow each other, for finding those that a line may meet. Private to plotting.
+/// A tree of boxes over consecutive edges, to find the edges that a line may meet. Private to plotting.
 
 #include <cstddef>
 #include <cstdint>
@@ -20,16 +20,16 @@ struct StepBox {
   bool meets(const StepBox& o) const {
     return low_x <= o.high_x && high_x >= o.low_x && low_y <= o.high_y && high_y >= o.low_y;
   }
-  /// Larger by the steps on each side.
+  /// The box, grown by this many steps on each side.
   StepBox grown(double steps) const { return {low_x - steps, low_y - steps, high_x + steps, high_y + steps}; }
 };
 
 StepBox box_of(const StepSegment& s);
 
-/// Steps by which vertices that lie on a segment up to rounding may lie outside its box.
+/// Largest distance, in lattice steps, by which a vertex that lies on a segment up to rounding may lie outside its box.
 inline constexpr double kRoundingSteps = 2;
 
-/// Edges that follow each other along contours lie near each other: a balanced tree over their order is a tree of boxes.
+/// A balanced tree of bounding boxes over edges in the order of their contours: consecutive edges lie near each other.
 class EdgeTree {
  public:
   EdgeTree() = default;
@@ -37,8 +37,8 @@ class EdgeTree {
 
   const StepBox& box() const { return box_; }
 
-  /// Calls visit(i) for all edges, in order, but for those that lie in boxes for which `may_meet` is false. Gives how many
-  /// boxes and edges were looked at.
+  /// Calls visit(i) for all edges in order, except edges in boxes for which `may_meet` is false. Returns the number of
+  /// boxes and edges looked at.
   template <class MayMeet, class Visit>
   std::size_t search(MayMeet may_meet, Visit visit) const {
     std::size_t looked_at = 0;
@@ -47,7 +47,7 @@ class EdgeTree {
   }
 
  private:
-  /// Edges to a leaf, and children of a node. Adjustable.
+  /// Edges per leaf, and children per node. Adjustable.
   static constexpr std::size_t kLeaf = 4, kChildren = 4;
 
   template <class MayMeet, class Visit>

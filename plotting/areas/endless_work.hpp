@@ -1,11 +1,12 @@
 #pragma once
-/// The end of patience with a file. Private to plotting.
+/// The error for files that ask for too much work. Private to plotting.
 
 #include <stdexcept>
 
 namespace ligne::svg {
 
-/// A file asks for endless work, or for more than fits: it is refused as a whole, where other faults cost an element.
+/// A file asks for endless work, or for more memory than there is. The whole file is refused; other faults only drop an
+/// element.
 struct EndlessWork : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };

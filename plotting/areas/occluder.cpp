@@ -7,9 +7,9 @@
 namespace ligne::svg {
 namespace {
 
-/// Adjustable: most cells along a side of the grid of occluders.
+/// Most cells along a side of the grid of occluders. Adjustable.
 constexpr double kMostCells = 256;
-/// Margin of boxes, mm: beyond all rounding.
+/// Margin of bounding boxes, mm: larger than all rounding.
 constexpr double kBoxMargin = 4 / kStepsPerMm;
 
 /// Whether the second occluder, painted later, hides all that the first one hides.
@@ -18,7 +18,7 @@ bool hides_as_much(const Occluder& first, const Occluder& second) {
          (!first.rim_width || (second.rim_width && *second.rim_width >= *first.rim_width));
 }
 
-/// The line of an occluder that stands for lines of the width along it.
+/// The line that the occluder draws in place of lines of this width along its rim.
 RimLine line_of(const Occluder& occluder, double width_mm) {
   if (!occluder.rim_width || *occluder.rim_width < width_mm) return RimLine::none;
   return *occluder.rim_width > 0 ? RimLine::contours : RimLine::borders;
@@ -50,7 +50,7 @@ Occluders::Occluders(std::span<const Occluder> occluders, const FilledAreas& fil
   }
 }
 
-/// Finds areas that are painted again later, as they were.
+/// Finds areas that are painted again later without change.
 void Occluders::drop_repeated() {
   std::unordered_map<std::size_t, std::uint32_t> last;
   for (std::uint32_t i = static_cast<std::uint32_t>(occluders_.size()); i-- > 0;) {
@@ -95,7 +95,7 @@ const FilledArea* Occluders::filled_at(std::uint32_t painted) const {
   return found == filled_.end() ? nullptr : &found->second;
 }
 
-/// The parts of a segment that are seen; find_over() has found what lies over it.
+/// Appends the parts of a segment, seen or hidden. find_over() must have found the occluders over it.
 void Occluders::find_parts(const StepSegment& stroke, std::uint32_t painted, double width_mm, std::vector<SeenPart>& parts) {
   tally_.clear();
   bool at_rim = false;

@@ -17,36 +17,38 @@
 
 namespace ligne::svg {
 
-/// An opaque area, as far as it shows.
+/// The visible part of an opaque area.
 struct Occluder {
   Area area;
-  std::shared_ptr<const Clip> clip;  ///< nullptr: all of it
-  std::uint32_t painted = 0;         ///< it hides what was painted before that
-  std::uint32_t since = 0;           ///< and after that: in a translucent group nothing else is hidden
-  std::string layer{};               ///< the document's that it is in, or empty
-  /// Width in mm of the line along its contours; 0: that of the pen that draws the borders of fills; nothing: no line.
+  std::shared_ptr<const Clip> clip;  ///< nullptr: the whole area is visible
+  std::uint32_t painted = 0;         ///< place in the painting order; hides lines painted before it
+  std::uint32_t since = 0;           ///< hides only lines painted after this: the start of its translucent group
+  std::string layer{};               ///< layer of the document that contains it, or empty
+  /// Width in mm of the line along its contours; 0: the width of the pen that draws borders of fills; nothing: no line.
   std::optional<double> rim_width{};
 };
 
-/// An area whose ink the lines that were painted with it stand for.
+/// A filled area that lines represent: they were painted with it and stand for its ink.
 struct FilledArea {
   Polylines contours;
   FillRule rule = FillRule::nonzero;
   std::shared_ptr<const Clip> clip;
 };
-using FilledAreas = std::unordered_map<std::uint32_t, FilledArea>;  ///< by when they were painted
+using FilledAreas = std::unordered_map<std::uint32_t, FilledArea>;  ///< by place in the painting order
 
-/// Which occluders lie where.
+/// A grid of occluders, which removes the hidden parts of lines.
 ///
-/// A line is hidden where occluders painted later lie on both its sides: along the rim of one of them half of its ink is
-/// seen, between two that abut none. Lines that stand for the ink of an area are hidden where occluders lie on those sides
-/// on which the area lies. Along the rim of an occluder that draws a line there at least as wide, no other line is drawn.
+/// A line is hidden where occluders painted later lie on both its sides. Along the rim of a single occluder half of its
+/// ink is visible; between two occluders that abut, none is. A line that stands for the ink of an area is hidden where
+/// occluders lie on the sides on which the area lies. If an occluder draws a line along its rim, other lines there that
+/// are no wider are dropped.
 class Occluders {
  public:
-  /// `occluders` from the first painted to the last, and `filled`, must outlive it.
+  /// `occluders`, in painting order, and `filled` must outlive this object.
   Occluders(std::span<const Occluder> occluders, const FilledAreas& filled, ClipWork work);
 
-  /// The parts of the lines that are seen, and when they were painted. `width_mm`: of the lines, 0 the pen's.
+  /// Reduces the lines to their visible parts, and `painted`, their places in the painting order, with them. `width_mm`
+  /// is the width of the lines; 0: the width of the pen.
   void remove_hidden(Polylines& lines, std::vector<std::uint32_t>& painted, double width_mm);
 
  private:
@@ -59,13 +61,14 @@ class Occluders {
   std::span<const Occluder> occluders_;
   const FilledAreas& filled_;
   ClipWork work_;
-  std::unordered_set<std::uint32_t> covered_;  ///< when areas were painted that a later one covers exactly
-  std::vector<char> is_repeated_;              ///< of occluders: a later one hides all that they hide
+  std::unordered_set<std::uint32_t> covered_;  ///< places in the painting order of areas that a later area covers
+                                               ///< exactly
+  std::vector<char> is_repeated_;              ///< per occluder: 1 if a later one hides all that it hides
   Rect box_;
   std::size_t side_ = 1;                           ///< cells along each axis
-  std::vector<std::vector<std::uint32_t>> cells_;  ///< occluders that meet each, ascending
-  std::vector<std::uint32_t> over_;                ///< those over the segment at hand, the last painted first
-  std::unordered_map<std::uint32_t, Area> own_{};  ///< areas of filled_ that were needed
+  std::vector<std::vector<std::uint32_t>> cells_;  ///< per cell: occluders that meet it, ascending
+  std::vector<std::uint32_t> over_;                ///< occluders over the current segment, last painted first
+  std::unordered_map<std::uint32_t, Area> own_{};  ///< areas of filled_, made on first use
   Coverage coverage_;
   SideTally tally_;
 };

@@ -12,12 +12,12 @@ void LineCutter::take_points(std::span<const Point2> line) {
       points_.push_back(line[i]);
       steps_.push_back(at);
     } else if (i + 1 == line.size() && points_.size() > 1) {
-      points_.back() = line[i];  // a line ends where it ended
+      points_.back() = line[i];  // the line keeps its exact last point
     }
   }
 }
 
-/// Joins short parts to their neighbours; of short ones alone the longest stands for all.
+/// Merges short parts into their neighbours. If all parts are short, the longest decides for the whole segment.
 void LineCutter::drop_short_parts(double length_steps) {
   if (parts_.size() < 2) return;
   const double least = kLeastPartSteps / length_steps;

@@ -1,5 +1,5 @@
 #pragma once
-/// Lines of the parts of segments that are seen. Private to plotting.
+/// Cuts lines down to their visible parts. Private to plotting.
 
 #include <span>
 #include <vector>
@@ -9,21 +9,21 @@
 
 namespace ligne::svg {
 
-/// A part of a segment, from where the part before it ends, as a fraction of the segment.
+/// A part of a segment, from the end of the part before it, as a fraction of the segment.
 struct SeenPart {
   double end = 1;
   bool seen = true;
 };
 
-/// Parts of segments that are shorter, in steps, are the rounding of places where edges meet.
+/// Shortest part of a segment, in lattice steps: shorter ones come from rounding where edges meet.
 inline constexpr double kLeastPartSteps = 4;
 
 /// Cuts one line after the other.
 class LineCutter {
  public:
-  /// Adds the parts of the line that are seen. `find_parts(segment, parts)` appends the parts of a segment, the last one
-  /// to 1. Points that follow each other in one place of the lattice are one; a line of such alone is asked for as a segment
-  /// of one step, and is seen as a whole or not at all.
+  /// Adds the visible parts of the line to `out`. `find_parts(segment, parts)` appends the parts of a segment, the last
+  /// one ending at 1. Consecutive points with one lattice point are merged. A line with a single lattice point is
+  /// tested as a segment of one step, and is visible as a whole or not at all.
   template <class FindParts>
   void cut(std::span<const Point2> line, Polylines& out, FindParts find_parts) {
     take_points(line);

@@ -1,5 +1,5 @@
 #pragma once
-/// How many of several things lie on the two sides of a stroke, part by part. Private to plotting.
+/// Counts areas and lines on the two sides of a stroke, part by part. Private to plotting.
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace ligne::svg {
 
-/// Things of one kind are counted together, on each side.
+/// Kinds that are counted separately, on each side.
 enum class SideKind : unsigned char { covered, own, rim };
 inline constexpr std::size_t kSideKinds = 3;
 
@@ -19,10 +19,10 @@ struct SideCount {
 };
 using SideCounts = std::array<SideCount, kSideKinds>;
 
-/// Where an area draws a line of its own: nowhere, along its contours, or along all borders of what shows of it.
+/// Where an area draws a line of its own: nowhere, along its contours, or along all borders of its visible part.
 enum class RimLine : unsigned char { none, contours, borders };
 
-/// Merges lists of parts.
+/// Merges lists of covered parts into counts.
 class SideTally {
  public:
   void clear() {
@@ -30,7 +30,7 @@ class SideTally {
     changes_.clear();
   }
 
-  /// Adds one thing by its parts; its line as one of the kind rim, which lies on both sides.
+  /// Adds one area by its parts. Its own line, if any, counts as SideKind::rim on both sides.
   void add(std::span<const CoveredPart> parts, SideKind kind, RimLine line = RimLine::none) {
     Along at = kBegin;
     CoveredPart last{};
@@ -82,8 +82,8 @@ class SideTally {
   std::vector<Change> changes_;
 };
 
-/// Whether something of the ink of a line shows where `covering` hides it: half of the ink lies on each side, or, of lines
-/// that stand for the ink of an area, all of it on the sides where the area lies.
+/// Whether `covering` hides all ink of a line. Half of the ink lies on each side; if the line stands for the ink of an
+/// area (`own`), all of it lies on the sides where the area lies.
 inline bool is_hidden(SideCount covering, SideCount own) {
   const bool has_own = own.plus > 0 || own.minus > 0;
   const bool plus = !has_own || own.plus > 0, minus = !has_own || own.minus > 0;

@@ -6,7 +6,7 @@
 namespace ligne::svg {
 namespace {
 
-/// Quotients in doubles that differ by more than this differ in truth: they lie in [0, 1] and carry three roundings.
+/// Quotients in doubles that differ by more than this differ exactly too: they lie in [0, 1] and carry three roundings.
 constexpr double kQuotientRounding = 0x1p-50;
 
 /// Products of two numbers below this fit into 128 bits.

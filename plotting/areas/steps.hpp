@@ -1,9 +1,10 @@
 #pragma once
 /// The integer lattice on which areas hide and clip lines, and exact decisions on it. Private to plotting.
 ///
-/// Points are rounded to whole steps of 2^-14 mm, |x|, |y| < 2^35 (a kilometre has 2^34 steps). Differences have 36 bits and
-/// determinants 73, which 128-bit integers hold. Each point of three that are collinear in truth moves by up to half a step
-/// along each axis, which changes the determinant by at most |dx| + |dy| of the segment: up to that, a vertex lies on it.
+/// Points are rounded to whole steps of 2^-14 mm, |x|, |y| < 2^35 (a kilometre has 2^34 steps). Differences have 36
+/// bits and determinants 73, which 128-bit integers hold. Of three points that are collinear before rounding, each
+/// moves by up to half a step along each axis, which changes the determinant by at most |dx| + |dy| of the segment. Up
+/// to that value a vertex counts as lying on the segment.
 
 #include <cmath>
 #include <compare>
@@ -39,12 +40,13 @@ struct StepSegment {
   friend auto operator<=>(const StepSegment&, const StepSegment&) = default;
 };
 
-/// Twice the signed area of a, b, p; exact. Positive where p lies to the plus side of a -> b: towards +y of +x.
+/// Twice the signed area of a, b, p; exact. Positive if p lies on the plus side of a -> b: the side of +y for a segment
+/// towards +x.
 inline Int128 orientation(const StepSegment& s, StepPoint p) {
   return Int128{s.dx()} * (p.y - s.a.y) - Int128{s.dy()} * (p.x - s.a.x);
 }
 
-/// Side of the line through the segment on which a point of that orientation lies, 0 where it lies on it up to rounding.
+/// Side of the segment's supporting line for a point with this orientation; 0 if the point lies on it up to rounding.
 inline int side_of(const StepSegment& s, Int128 orientation) {
   const Int128 on = s.tolerance();
   return (orientation > on) - (orientation < -on);
@@ -53,7 +55,7 @@ inline int side_of(const StepSegment& s, Int128 orientation) {
 /// Whether the point lies on the segment up to rounding.
 bool lies_on(const StepSegment& s, StepPoint p);
 
-/// A place along a segment, num / den of it, den > 0. Exact; `value` is the quotient in doubles.
+/// A place along a segment, as the fraction num / den of it, den > 0. Exact; `value` is the quotient in doubles.
 struct Along {
   Int128 num = 0, den = 1;
   double value = 0;
@@ -63,13 +65,14 @@ inline constexpr Along kBegin{0, 1, 0}, kEnd{1, 1, 1};
 Along along(Int128 num, Int128 den);
 /// The place on the segment that is nearest to the point.
 Along nearest_to(const StepSegment& s, StepPoint p);
-/// Where the line of the segment meets that of the edge, of which `a` and `b` are the orientations of its ends: not equal.
+/// The place where the supporting lines of segment and edge cross. `a` and `b` are the orientations of the edge's ends,
+/// and differ.
 Along crossing(const StepSegment& s, const StepSegment& edge, Int128 a, Int128 b);
 
 inline bool is_before_end(const Along& t) { return t.num < t.den; }
 inline bool is_behind_begin(const Along& t) { return t.num > 0; }
 
-/// -1, 0, +1 as s comes before t, is equal to it, comes behind it; both lie strictly within the segment.
+/// -1, 0 or +1 as s comes before t, equals it, or comes after it. Both lie strictly within the segment.
 int compare(const Along& s, const Along& t);
 
 }  // namespace ligne::svg

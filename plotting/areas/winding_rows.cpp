@@ -6,11 +6,12 @@
 namespace ligne::svg {
 namespace {
 
-/// Steps that lie between an anchor and all edges: many times the rounding of vertices, which is one step.
+/// Smallest distance of an anchor from all edges, in lattice steps: many times the rounding of vertices, which is one
+/// step.
 constexpr double kClear = 16;
-/// Least distance of lines, in steps: most places between two of them are far from both.
+/// Smallest distance of neighbouring lines, in lattice steps: most places between two lines are far from both.
 constexpr double kLeastDistance = 64;
-/// Lines that are tried, going back from the begin of a stroke. Adjustable.
+/// Most lines tried, going back from the begin of a stroke. Adjustable.
 constexpr int kTries = 8;
 
 double coordinate(StepPoint p, int axis) { return static_cast<double>(axis == 0 ? p.x : p.y); }
@@ -51,7 +52,7 @@ WindingRows::Lines WindingRows::make_lines(int axis, std::span<const StepSegment
   return lines;
 }
 
-/// Adds the parts of an edge that lie nearer than kClear to lines, grown by as much.
+/// Adds, for each line, the part of the edge that lies nearer than kClear to it, grown by kClear at both ends.
 void WindingRows::add_near_parts(int axis, const Lines& lines, const StepSegment& edge, std::int32_t winding,
                                  std::vector<NearPart>& parts) {
   const double a = coordinate(edge.a, axis), b = coordinate(edge.b, axis);
@@ -65,7 +66,7 @@ void WindingRows::add_near_parts(int axis, const Lines& lines, const StepSegment
       return a == b ? to : from + (to - from) * std::clamp((beside - a) / (b - a), 0.0, 1.0);
     };
     const double p = a == b ? from : where(at - kClear), q = where(at + kClear);
-    // A walk in +x gains where it passes from the right of an edge to its left; one in +y, likewise.
+    // A walk along the line gains the winding where it crosses the edge from the right to the left of the edge.
     const bool crosses = (a < at) != (b < at), gains = (axis == 1) == (a > b);
     parts.push_back({static_cast<std::uint32_t>(i), std::min(p, q) - kClear, std::max(p, q) + kClear,
                      !crosses ? 0
@@ -74,7 +75,7 @@ void WindingRows::add_near_parts(int axis, const Lines& lines, const StepSegment
   }
 }
 
-/// The winding at the place on the line; nothing within the parts of edges.
+/// The winding at the place on the line; nothing if the place lies within a part of an edge.
 std::optional<std::int32_t> WindingRows::winding_at(const Lines& lines, std::size_t line, double place) {
   const auto range = [&](const std::vector<double>& all) {
     return std::span(all).subspan(lines.begin[line], lines.begin[line + 1] - lines.begin[line]);

@@ -8,7 +8,7 @@
 namespace ligne {
 namespace {
 
-/// A gap in a line between two parts that stay: strokes [first, last) of a list.
+/// A gap in a line between two parts that stay. Pieces [first, last) would fill it.
 struct Gap {
   std::uint32_t first = 0, last = 0;
   double length = 0;  ///< lattice steps
@@ -42,10 +42,11 @@ class GapFinder {
   std::size_t at_ = 0;  ///< in left_
 };
 
-/// Gaps of one line, whose segments are [first, last). One over the first point of a closed line is one gap.
+/// Finds the gaps of one line, whose segments are [first, last). A gap across the first point of a closed line is one
+/// gap.
 void GapFinder::find(std::uint32_t first, std::uint32_t last) {
   const auto base = static_cast<std::uint32_t>(pieces.size());
-  std::vector<std::uint32_t> cuts;  // behind which of the missing pieces something stays
+  std::vector<std::uint32_t> cuts;  // per part that stays: number of missing pieces before it
   for (std::uint32_t s = first; s < last; ++s) {
     const Stroke& segment = whole_[s];
     double t = segment.t_from;
@@ -61,7 +62,7 @@ void GapFinder::find(std::uint32_t first, std::uint32_t last) {
   }
   const auto end = static_cast<std::uint32_t>(pieces.size());
   if (cuts.empty()) {
-    pieces.resize(base);  // nothing of it stays
+    pieces.resize(base);  // no part of the line stays
     return;
   }
   std::vector<Stroke> kept;
@@ -84,7 +85,7 @@ void GapFinder::find(std::uint32_t first, std::uint32_t last) {
   pieces.insert(pieces.end(), kept.begin(), kept.end());
 }
 
-/// Points where strokes end, which of them hang together, and where an odd number meets.
+/// Points where strokes end, their connected components, and whether an odd number of strokes meets in each.
 class Nodes {
  public:
   Nodes(std::span<const Stroke> strokes, std::span<const Stroke> pieces) {
@@ -115,7 +116,7 @@ class Nodes {
     parent_[std::max(a, b)] = std::min(a, b);
     odd_ends_[std::min(a, b)] += odd_ends_[std::max(a, b)];
   }
-  /// Whether a stroke from one to the other spares a lift.
+  /// Whether a stroke between the two nodes saves a lift of the pen.
   bool spares(std::uint32_t a, std::uint32_t b) {
     if (a == b || !odd_[a] || !odd_[b]) return false;
     return set_of(a) != set_of(b) || odd_ends_[set_of(a)] > 2;
@@ -130,7 +131,7 @@ class Nodes {
   std::vector<LatticePoint> points_;
   std::vector<std::uint32_t> parent_;
   std::vector<char> odd_;
-  std::vector<std::int32_t> odd_ends_;  ///< of a set, at its first node
+  std::vector<std::int32_t> odd_ends_;  ///< number of odd nodes of a component, at its first node
 };
 
 }  // namespace

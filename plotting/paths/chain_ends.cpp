@@ -12,7 +12,7 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: of all ends near to one, so many are tried.
+/// Nearest ends that are tried for each loose end. Adjustable.
 constexpr std::size_t kCandidates = 8;
 
 struct Pair {
@@ -22,7 +22,8 @@ struct Pair {
 
 bool closed(std::span<const Point2> line) { return line.size() > 2 && line.front() == line.back(); }
 
-/// The loose ends: 2 i is the first point of line i, 2 i + 1 its last.
+/// Pairs of loose ends within the tolerance, the nearest first. End 2 i is the first point of line i, end 2 i + 1 its
+/// last.
 std::vector<Pair> near_pairs(const Polylines& lines, double tolerance_mm) {
   std::vector<std::uint32_t> ends;
   std::vector<Point2> points;

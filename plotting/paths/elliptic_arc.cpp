@@ -13,15 +13,16 @@
 namespace ligne {
 namespace {
 
-/// Newton's method for the two fits comes from a side where it is monotone; it stops where rounding stops it.
+/// Most steps of Newton's method in the two fits. It starts on a side where it is monotone, and stops when rounding
+/// ends its progress.
 constexpr int kMostSteps = 100;
 
-/// A covariance whose determinant is so small a part of its trace squared is that of a straight line.
+/// Largest determinant of a covariance, relative to the square of its trace, that counts as a straight line.
 constexpr double kStraight = 1e-14;
 
 Point2 direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// Turned as the x axis is to `axis`, or back.
+/// Rotations that take the x axis to `axis`, and back.
 Point2 turned(Point2 p, Point2 axis) { return {axis.x * p.x - axis.y * p.y, axis.y * p.x + axis.x * p.y}; }
 Point2 turned_back(Point2 p, Point2 axis) { return {axis.x * p.x + axis.y * p.y, axis.x * p.y - axis.y * p.x}; }
 
@@ -31,8 +32,8 @@ Point2 mean_of(std::span<const Point2> points) {
   return sum / static_cast<double>(points.size());
 }
 
-/// The largest root of x^3 - trace x^2 + minors x - determinant, all roots of which are real: from above, Newton's method
-/// comes down to it.
+/// The largest root of x^3 - trace x^2 + minors x - determinant, whose roots are all real. Newton's method descends to
+/// it from above.
 double largest_root(double trace, double minors, double determinant) {
   double x = 1 + std::max({std::abs(trace), std::abs(minors), std::abs(determinant)});
   for (int i = 0; i < kMostSteps; ++i) {
@@ -55,7 +56,7 @@ Point3 null_vector(const glm::dmat3& matrix) {
   return best;
 }
 
-/// The ellipse (p - centre)^T q (p - centre) = 1; false when that is none.
+/// The ellipse (p - centre)^T q (p - centre) = 1; false if this is no ellipse.
 bool ellipse_of(Point2 centre, const glm::dmat2& q, Ellipse& ellipse) {
   const double a = q[0][0], b = q[0][1], c = q[1][1];
   const double mean = (a + c) / 2, apart = std::hypot((a - c) / 2, b);
@@ -142,15 +143,15 @@ bool fit_ellipse(std::span<const Point2> points, Ellipse& ellipse) {
     yy += d.y * d.y / n;
   }
   if (!(xx * yy - xy * xy > kStraight * (xx + yy) * (xx + yy))) return false;
-  // p = mean + lower q, the covariance of q is one.
+  // p = mean + lower q, where the covariance of q is the unit matrix.
   const double l00 = std::sqrt(xx), l10 = xy / l00, l11 = std::sqrt(yy - l10 * l10);
   const auto white = [&](Point2 p) {
     const double x = (p.x - mean.x) / l00;
     return Point2{x, (p.y - mean.y - l10 * x) / l11};
   };
 
-  // Squares as far as they are no linear function of the coordinates. Here the sums of (x, y, 1) are n times the unit
-  // matrix, so that the regression of [HalirFlusser1998] (their T) is three means.
+  // Removes from the squares what is a linear function of the coordinates. The outer products of (x, y, 1) add up to n
+  // times the unit matrix here, so the regression of [HalirFlusser1998] (their T) is three means.
   glm::dmat3 linear{0};
   const auto squares = [](Point2 q) { return Point3{q.x * q.x, q.x * q.y, q.y * q.y}; };
   for (const Point2 p : points) {
@@ -167,8 +168,8 @@ bool fit_ellipse(std::span<const Point2> points, Ellipse& ellipse) {
     m += glm::outerProduct(rest, rest) / n;
   }
 
-  // M a = lambda C a with the constraint a^T C a = 4ac - b^2. C has one positive eigenvalue, so there is one lambda above
-  // zero, and it is the ellipse's.
+  // M a = lambda C a with the constraint a^T C a = 4ac - b^2. C has one positive eigenvalue, so exactly one lambda is
+  // positive, and it gives the ellipse.
   glm::dmat3 reduced{0};
   for (int column = 0; column < 3; ++column) reduced[column] = {m[column][2] / 2, -m[column][1], m[column][0] / 2};
   const glm::dmat3& r = reduced;
@@ -209,7 +210,7 @@ EllipticArc arc_between(Point2 from, Point2 to, const Ellipse& size, bool positi
 }
 
 std::vector<Point2> bezier_points(const EllipticArc& arc, double tolerance) {
-  // A quarter of a unit circle is off by 2.7e-4, and the error goes with the sixth power of the angle.
+  // One curve for a quarter of the unit circle has an error of 2.7e-4, which grows with the sixth power of the angle.
   constexpr double kQuarterError = 2.8e-4;
   const double quarters = std::abs(arc.sweep) / (std::numbers::pi / 2);
   const double wanted = quarters * std::pow(kQuarterError * arc.ellipse.radii.x / tolerance, 1.0 / 6);

@@ -10,7 +10,7 @@
 namespace ligne {
 namespace {
 
-// Adjustable: points in a leaf.
+// Most points in a leaf. Adjustable.
 constexpr std::uint32_t kLeafPoints = 8;
 
 double squared_distance_of_points(Point2 a, Point2 b) {
@@ -35,7 +35,7 @@ EndTree::EndTree(std::span<const Point2> points)
   std::iota(order_.begin(), order_.end(), 0u);
   nodes_.reserve(points.size() / 2 + 1);
   build(0, static_cast<std::uint32_t>(points.size()), 0);
-  // Ends that are searched together lie together.
+  // Points are stored in the order of the leaves, so that a search reads neighbouring memory.
   for (std::uint32_t i = 0; i < order_.size(); ++i) {
     points_[i] = points[order_[i]];
     place_of_[order_[i]] = i;
@@ -89,7 +89,7 @@ void EndTree::search(std::uint32_t index, Point2 p, const double& limit, const T
     std::swap(near, far);
     std::swap(near_distance, far_distance);
   }
-  // A box as far as the farthest found holds nothing better: so a thousand ends in one point are not all looked at.
+  // A box as far as the farthest point found holds nothing nearer. So a thousand ends in one point are not all visited.
   if (near_distance < limit) search(near, p, limit, take);
   if (far_distance < limit) search(far, p, limit, take);
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Nearest points of a set that shrinks.
+/// Search for nearest points in a set that shrinks.
 
 #include <cstdint>
 #include <span>
@@ -10,9 +10,9 @@
 
 namespace ligne {
 
-/// A k-d tree over points, which are numbered as they come. Points can be removed; a subtree without points is never
-/// entered, so that a query takes logarithmic time also when few are left. Where several points are equally near, which one
-/// is found depends on the points alone.
+/// A k-d tree over points, which keep their indices. Points can be removed. The search never enters a subtree without
+/// points, so a query takes logarithmic time even if few points are left. Which of several equally near points is found
+/// depends on the points alone.
 class EndTree {
  public:
   struct Neighbour {
@@ -37,7 +37,7 @@ class EndTree {
     std::uint32_t first, last;          ///< its points in order_
     std::uint32_t left = 0, right = 0;  ///< children; 0: a leaf
     std::uint32_t parent = 0;
-    std::uint32_t left_over = 0;  ///< points that are left
+    std::uint32_t left_over = 0;  ///< points not yet removed
   };
 
   std::uint32_t build(std::uint32_t first, std::uint32_t last, std::uint32_t parent);
@@ -46,9 +46,9 @@ class EndTree {
 
   std::vector<Point2> points_;           ///< in the order of the leaves, once the tree is built
   std::vector<std::uint32_t> order_;     ///< the numbers of the points in that order
-  std::vector<std::uint32_t> place_of_;  ///< of a number its place there
-  std::vector<std::uint32_t> leaf_of_;   ///< of a number
-  std::vector<char> there_;              ///< in the order of the leaves
+  std::vector<std::uint32_t> place_of_;  ///< per point: its place in order_
+  std::vector<std::uint32_t> leaf_of_;   ///< per point: its leaf
+  std::vector<char> there_;              ///< in the order of the leaves: 1 until the point is removed
   std::vector<Node> nodes_;
 };
 

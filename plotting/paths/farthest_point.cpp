@@ -12,11 +12,11 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: so many points are looked at one by one.
+/// Points in a block that is searched point by point. Adjustable.
 constexpr std::uint32_t kLeaf = 32;
 
-/// Share of the squared distance: a dozen roundings of it and of its bound. A block that could hold a point farther by less
-/// is left out, so that blocks of equally far points are not all looked into.
+/// Relative rounding of a squared distance and of its bound: a dozen roundings. A block that could raise the distance
+/// by less is skipped, so that blocks of equally far points are not all searched.
 constexpr double kSameDistance = 0x1p-48;
 
 }  // namespace
@@ -24,9 +24,9 @@ constexpr double kSameDistance = 0x1p-48;
 struct FarthestPoint::Question {
   std::span<const Point2> points;
   std::uint32_t from, to;
-  Point2 along;          ///< of the segment; any direction when it has no length
-  double squared_along;  ///< of that direction
-  double length;         ///< of the segment, times that of the direction
+  Point2 along;          ///< direction of the segment; any direction if it has no length
+  double squared_along;  ///< squared length of `along`
+  double length;         ///< length of the segment times the length of `along`
   Found found;
 
   void ask(std::uint32_t i) {
@@ -75,13 +75,13 @@ void FarthestPoint::add_hull(std::span<const std::uint32_t> sorted) {
   levels_.back().push_back(node);
 }
 
-/// The corner farthest in a direction, in the middle, and those beside it: they may be as far.
+/// The corner farthest in a direction, between its two neighbours, which may be as far.
 std::array<std::uint32_t, 3> FarthestPoint::extreme(const Node& node, Point2 direction) const {
   const bool below = direction.y < 0;
   const std::uint32_t first = below ? node.lower_begin : node.upper_begin;
   const std::uint32_t last = (below ? node.upper_begin : node.end) - 1;
   std::uint32_t low = first, high = last;
-  while (low < high) {  // on a chain towards the direction's side a direction is followed up to its farthest corner
+  while (low < high) {  // along this chain the distance grows up to the farthest corner
     const std::uint32_t middle = low + (high - low) / 2;
     const bool goes_on = glm::dot(points_[corners_[middle + 1]] - points_[corners_[middle]], direction) > 0;
     (goes_on ? low : high) = goes_on ? middle + 1 : middle;
@@ -89,8 +89,8 @@ std::array<std::uint32_t, 3> FarthestPoint::extreme(const Node& node, Point2 dir
   return {corners_[low > first ? low - 1 : low], corners_[low], corners_[low < last ? low + 1 : low]};
 }
 
-/// Asks for the farthest corners of the hull along the segment's normal; whether another point of it may be farther, since
-/// it lies beyond the ends of the segment.
+/// Tests the hull's farthest corners along the segment's normal. Returns whether another point of the hull may be
+/// farther because it lies beyond an end of the segment.
 bool FarthestPoint::may_hold_more(Question& question, const Node& node) const {
   const Point2 begin = points_[question.from], along = question.along, normal{-along.y, along.x};
   double beside = 0;
@@ -104,7 +104,7 @@ bool FarthestPoint::may_hold_more(Question& question, const Node& node) const {
     const double bound = (beside * beside + beyond * beyond) / question.squared_along;
     return beyond > 0 && bound > question.found.squared_distance * (1 + kSameDistance);
   };
-  // The box first, which is quick to ask.
+  // The box is tested first, since it is quick.
   const Point2 middle = (node.box.min + node.box.max) * 0.5 - begin, half = (node.box.max - node.box.min) * 0.5;
   const double at = glm::dot(middle, along), reach = glm::dot(half, glm::abs(along));
   return may_be_farther(at - reach, at + reach) && may_be_farther(glm::dot(points_[extreme(node, -along)[1]] - begin, along),

@@ -1,5 +1,5 @@
 #pragma once
-/// The point of a stretch of a line that is farthest from a segment, asked again and again.
+/// Repeated queries for the point of a part of a line that is farthest from a segment.
 
 #include <array>
 #include <cstdint>
@@ -10,12 +10,13 @@
 
 namespace ligne {
 
-/// A tree over the points in their order: each node holds the convex hull of a block of them, on which the farthest point in
-/// a direction is found by bisection (the hulls of Hershberger and Snoeyink 1992, who keep those of the paths to be cut).
-/// The point farthest from a segment is one on the hull, since the distance from a convex set is a convex function.
+/// A tree over the points in their order. Each node holds the convex hull of a block of points, on which the farthest
+/// point in a direction is found by bisection (as in Hershberger and Snoeyink 1992, who keep the hulls of the paths to
+/// be split). The point farthest from a segment lies on the hull, since the distance from a convex set is a convex
+/// function.
 ///
-/// A block that lies between the perpendiculars through the segment's ends is done with the points farthest along its
-/// normal. Of others the tree is descended into where they can still hold a farther point.
+/// A block between the perpendiculars through the segment's ends needs only its farthest points along the normal. The
+/// search descends into another block only while it may hold a farther point.
 ///
 /// O(n log n) to build for n points. A question takes O(log^2 n) while few blocks reach beyond the ends of the segment, and
 /// O(n) at worst.
@@ -28,12 +29,14 @@ class FarthestPoint {
     double squared_distance;
   };
 
-  /// The point between the two that is farthest from their segment; `from` and -1 when there is none. The first of equally
-  /// far ones, but for those on one side of a hull. Another one may be farther by kSameDistance of its squared distance.
+  /// The point between the two indices that is farthest from their segment; `from` and -1 if there is none. Of equally
+  /// far points the first is found, except among points on one side of a hull. Another point may be farther by
+  /// kSameDistance, relative to the squared distance.
   Found between(std::uint32_t from, std::uint32_t to) const;
 
  private:
-  /// Corners of a hull from its leftmost to its rightmost point, by either way; of equal x the lower y is the left one.
+  /// The lower and the upper chain of a hull, each from its leftmost to its rightmost point. At equal x the point with
+  /// the lower y is the left one.
   struct Node {
     std::uint32_t lower_begin, upper_begin, end;  ///< in corners_
     Rect box;
@@ -46,7 +49,7 @@ class FarthestPoint {
   std::array<std::uint32_t, 3> extreme(const Node& node, Point2 direction) const;
 
   std::span<const Point2> points_;
-  std::vector<std::vector<Node>> levels_;  ///< of blocks of kLeaf * 2^level points; none of level 0
+  std::vector<std::vector<Node>> levels_;  ///< hulls of blocks of kLeaf * 2^level points; level 0 has none
   std::vector<std::uint32_t> corners_;
 };
 

@@ -1,10 +1,11 @@
-/// In rounds over the corners of a line, each on what the rounds before left:
-/// 1. arcs through many corners that lie on an ellipse but for rounding,
+/// Fits curves in rounds over the corners of a line, each on the parts that earlier rounds left:
+/// 1. arcs through many corners that lie on an ellipse up to rounding,
 /// 2. arcs within the tolerance,
-/// 3. arcs through a few corners, but for rounding,
+/// 3. arcs through a few corners, up to rounding,
 /// 4. straight pieces within the tolerance.
-/// Without the first round an arc would begin on the line before it, as far as the tolerance reaches, and be bent for it.
-/// A few corners of a noisy circle lie on some ellipse by chance, so they come after the whole circle.
+///
+/// Without the first round an arc would begin on the line before it, within the tolerance, and would be bent for it. A
+/// few corners of a noisy circle lie on some ellipse by chance, so round 3 comes after the whole circle.
 ///
 /// A round goes along the line and takes the longest run from each corner on, found by doubling and bisection. Only runs
 /// that turn one way are tried, so that zigzags cost nothing.
@@ -26,42 +27,43 @@
 namespace ligne {
 namespace {
 
-/// The distance by which rounding moves a point: coordinates of single precision and of six digits on a page, and the tenth
-/// of a micrometre that files keep. What lies so near to a chord is no corner.
+/// Distance by which rounding moves a point, mm: coordinates of single precision and of six digits on a page, and the
+/// tenth of a micrometre that files keep. A point this near to a chord is no corner.
 constexpr double kRoundingMm = 0.0005;
 
-/// Least corners of an arc. Five lie on an ellipse in any case.
+/// Fewest corners of an arc in rounds 1, 2 and 3. Any five points lie on an ellipse or another conic.
 constexpr std::size_t kMany = 10, kLeastWithin = 8, kFew = 6;
 
-/// An arc found but for rounding goes on within the tolerance, if by so many corners: one may be the end of a cut chord.
+/// Fewest corners by which an arc is extended within the tolerance: a single corner may be the end of a cut chord.
 constexpr std::size_t kBeyond = 3;
 
-/// In runs of fewer than kMany corners: most that a step is longer than the one beside it. More corners are proof enough.
+/// Largest ratio of neighbouring steps in runs of fewer than kMany corners. More corners are proof enough.
 constexpr double kUneven = 1.25;
 
-/// The largest step from corner to corner, in eccentric angle: twelve to the turn are a circle, ten are a polygon. Between
-/// the two, since perspective makes steps uneven.
+/// Largest step between corners in eccentric angle, radians: twelve steps to the turn are a circle, ten are a polygon.
+/// The limit lies between, since perspective makes steps uneven.
 constexpr double kMostStep = 2 * std::numbers::pi / 11;
 
-/// Most that a chord may deviate from the tangent in the middle of its arc. On an ellipse they are parallel; points within
-/// the tolerance alone would let the curve have bumps.
+/// Largest angle between a chord and the tangent in the middle of its arc, radians. On an ellipse they are parallel.
+/// Without this limit points within the tolerance would allow bumps.
 constexpr double kMostTurn = 3 * std::numbers::pi / 180;
 
-/// The shorter radius in tolerances: what is more slender is a line there and back.
+/// Smallest shorter radius, in tolerances: a more slender ellipse is a line there and back.
 constexpr double kLeastRadius = 4;
 
-/// Larger radii are written as straight lines: an arc of a page's length rises by less than a millimetre.
+/// Largest radius of an arc, mm. With a larger radius an arc as long as a page rises by less than a millimetre; it is
+/// written as straight lines.
 constexpr double kLargestRadiusMm = 100'000;
 
-/// Arcs are written in parts of about so much, three to a turn. The centre follows from the two ends, and near half a turn
-/// any rounding of the radii would move it far.
+/// Sweep of a written arc, radians: about three arcs to a turn. A reader derives the centre from the two ends, and near
+/// half a turn any rounding of the radii would move it far.
 constexpr double kPartSweep = 2 * std::numbers::pi / 3 + 0.01;
 
-/// Sweeps of a whole turn add up to it but for rounding.
+/// Largest sum of sweeps, radians: a whole turn and its rounding.
 constexpr double kWholeTurn = 2 * std::numbers::pi + 1e-3;
 
-/// Straight pieces: most that a segment of the line deviates from the piece in direction, where it is longer than so many
-/// tolerances. What is shorter has no direction of its own.
+/// Largest angle between a straight piece and a segment that it replaces, radians, for segments longer than kShort
+/// tolerances. A shorter segment has no reliable direction.
 constexpr double kStraightTurn = std::numbers::pi / 180;
 constexpr double kShort = 10;
 
@@ -70,10 +72,10 @@ double rounded(double value) {
   return std::round(value * units) / units;
 }
 
-/// A round's limits.
+/// The limits of a round.
 struct Round {
   double tolerance;
-  std::size_t least;  ///< corners
+  std::size_t least;  ///< fewest corners of a run
 };
 
 /// The pieces of one run of corners that lies on an ellipse: where each ends, and its arc.
@@ -104,7 +106,7 @@ class CurveFit {
     return path;
   }
 
-  /// The last corner of the run that the line begins with, of one or more arcs; 0 where it begins straight. After run().
+  /// The last corner of the run of arcs with which the line begins; 0 if it begins straight. Valid after run().
   std::size_t first_run_end() const { return first_end_; }
 
  private:
@@ -153,14 +155,14 @@ class CurveFit {
         best = arcs;
         return true;
       };
-      // The whole first: noise bends a short arc more than a whole circle.
+      // The whole chain is tried first: noise bends a short arc more than a whole circle.
       const bool whole = new_chain && end + 1 >= i + round.least && fits(end);
       std::size_t last = whole ? end : longest(i, end, round.least, fits);
       if (last == i) {
         ++i;
         continue;
       }
-      // Where rounding is worse than most, the arc goes on beyond what lies on it exactly.
+      // Where rounding is worse than usual, the arc is extended to corners within the tolerance.
       tolerance = limits_.tolerance_mm;
       last = std::max(last, longest(i, end, last - i + 1 + kBeyond, fits));
       if (i == 0) first_end_ = last;
@@ -195,7 +197,7 @@ class CurveFit {
       Point2 tangent = frame.tangent_at(from + step / 2);
       if (!positive) tangent = -tangent;
       if (std::abs(cross(tangent, chord)) > std::tan(kMostTurn) * glm::dot(tangent, chord)) return false;
-      // By the longer radius all along, so that an ellipse is an arc as a whole or not at all.
+      // The longer radius is used at every step, so that an ellipse becomes an arc as a whole or not at all.
       if (ellipse.radii.x * (1 - std::cos(step / 2)) > limits_.most_rise_mm) return false;
       swept.push_back(swept.back() + std::abs(step));
       unit = next;
@@ -212,8 +214,8 @@ class CurveFit {
     return true;
   }
 
-  /// Cuts a run into arcs as they are written, and looks again whether they hold the corners: the centre of a slender one
-  /// moves with its ends.
+  /// Cuts a run into arcs with the roundings of a file, and tests the corners again: the centre of a slender arc moves
+  /// with its ends.
   bool parts(std::size_t first, const std::vector<double>& swept, const Ellipse& ellipse, bool positive, Arcs& arcs) const {
     Ellipse size = ellipse;
     size.radii = {rounded(size.radii.x), rounded(size.radii.y)};
@@ -232,7 +234,7 @@ class CurveFit {
       for (std::size_t i = from + 1; i < to; ++i) {
         if (frame.distance(frame.to_unit(corners_[first + i])) > limits_.tolerance_mm) return false;
       }
-      // Another arc than the one that was fitted: enlarged, or the rest of the ellipse.
+      // This is not the fitted arc: it was enlarged, or is the rest of the ellipse.
       if (std::abs(std::abs(arc.sweep) - (swept[to] - swept[from])) > kMostStep) return false;
       arcs.emplace_back(first + to, arc);
       from = to;
@@ -261,17 +263,19 @@ class CurveFit {
   std::vector<Point2> corners_;
   CurveLimits limits_;
   std::size_t first_end_ = 0;
-  std::vector<std::pair<std::size_t, EllipticArc>> arc_to_;  ///< from a corner: the arc's last corner, 0 for none
+  std::vector<std::pair<std::size_t, EllipticArc>> arc_to_;  ///< per corner: last corner of the arc that begins there,
+                                                             ///< 0 for none
 };
 
-/// Turns a closed line so that it begins at `corner`.
+/// Rotates a closed line so that it begins at `corner`.
 void begin_at(std::vector<Point2>& line, std::size_t corner) {
   line.pop_back();
   std::rotate(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(corner), line.end());
   line.push_back(line.front());
 }
 
-/// Where the longest segment begins: arcs have shorter ones, so this is inside none but where all is arc.
+/// Index at which the longest segment begins. Arcs have shorter segments, so it lies inside an arc only if the whole
+/// line is arcs.
 std::size_t longest_segment(const std::vector<Point2>& line) {
   std::size_t longest = 0;
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
@@ -294,7 +298,7 @@ CurvedPath fit_curves(std::span<const Point2> line, const CurveLimits& limits) {
   if (line.empty()) return {};
   std::vector<Point2> corners = corners_of(line);
   if (corners.size() == 1) {
-    // A dot, or less than rounding.
+    // A dot, or a line shorter than rounding.
     CurvedPath dot{line.front()};
     if (line.size() > 1) dot.pieces.push_back({line.back()});
     return dot;
@@ -302,12 +306,12 @@ CurvedPath fit_curves(std::span<const Point2> line, const CurveLimits& limits) {
   const bool closed = !limits.start_stays && line.size() > 3 && line.front() == line.back() && corners.size() > 3;
   if (closed) {
     begin_at(corners, longest_segment(corners));
-    corners = corners_of(corners);  // where the line began before, there may be no corner
+    corners = corners_of(corners);  // the former start may be no corner
   }
   CurveFit fit(corners, limits);
   CurvedPath path = fit.run();
   if (closed && path.pieces.front().arc && path.pieces.back().arc) {
-    // It may begin inside an arc. It does not where its first arc ends, unless all is one.
+    // The line may begin inside an arc. The end of its first arc is inside none, unless the whole line is one arc.
     begin_at(corners, fit.first_run_end() % (corners.size() - 1));
     CurvedPath other = CurveFit(std::move(corners), limits).run();
     if (other.pieces.size() < path.pieces.size()) path = std::move(other);

@@ -1,5 +1,5 @@
 #pragma once
-/// Polylines written as lines and arcs of ellipses: what a tessellated circle was before it became a mesh.
+/// Fits lines and arcs of ellipses to polylines: circles become circles again that tessellation made polygons.
 
 #include <optional>
 #include <span>
@@ -11,16 +11,16 @@
 
 namespace ligne {
 
-/// Adjustable: the points of a line may lie so far from the curve that is written for them. A tenth of the width of the
-/// thinnest pen is seen; this is a twenty-fifth of that.
+/// Largest distance of the points of a line from the curve written for them, mm. A tenth of the width of the thinnest
+/// pen is visible; this is a twenty-fifth of that width. Adjustable.
 inline constexpr double kCurveToleranceMm = 0.005;
 
 struct CurveLimits {
   double tolerance_mm = kCurveToleranceMm;
-  /// Most that a circle of the arc's longer radius rises over a step of the line. What the shape hides ends on its chords:
-  /// with the width of the pen, its ink still meets that of the arc.
+  /// Largest rise of a circle with the arc's longer radius over a step of the line, mm. Lines that the shape hides end
+  /// on its chords: up to the width of the pen their ink still meets the ink of the arc.
   double most_rise_mm = 0.35;
-  bool start_stays = false;  ///< closed lines begin where they did: the pen arrives there
+  bool start_stays = false;  ///< closed lines keep their starting point: the pen arrives there
 };
 
 /// One straight line, or one arc of less than half a turn.
@@ -36,13 +36,14 @@ struct CurvedPath {
   bool closed = false;  ///< the last piece ends at the start
 };
 
-/// The line as straight pieces and arcs that begin and end exactly at points of it, corners among them. A closed line begins
-/// where it is best for that, or where it did. Sizes and directions of the arcs are whole numbers of kArcDecimals decimals
-/// (mm and degrees), so that a file that says them so holds what was checked. Rules: docs/curves.md. Time O(n log n).
+/// The line as straight pieces and arcs that begin and end exactly at its corners. A closed line begins where that
+/// saves pieces, unless `start_stays`. Sizes and directions of the arcs are rounded to kArcDecimals decimals (mm and
+/// degrees), so that a file with these decimals holds exactly the arcs that were checked. Rules: docs/curves.md. Time
+/// O(n log n).
 CurvedPath fit_curves(std::span<const Point2> line, const CurveLimits& limits);
 inline constexpr int kArcDecimals = 4;
 
-/// Whether lines of the layer are those of shapes; letters and strokes of hatching are not.
+/// Whether the lines of the layer may become arcs: letters, hatching and debug lines may not.
 bool may_be_curved(const Layer& layer);
 
 }  // namespace ligne

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kOutside = std::numeric_limits<std::uint32_t>::max();
 
-/// By the crossings of a ray to the right: an odd number of them is inside.
+/// Counts the crossings of a ray to the right: an odd number means inside.
 bool is_inside(std::span<const Point2> loop, Point2 p) {
   bool inside = false;
   for (std::size_t i = 1; i < loop.size(); ++i) {
@@ -67,7 +67,7 @@ std::vector<std::uint32_t> inside_first(const Polylines& lines, const std::vecto
   std::vector<std::uint32_t> result;
   struct Visit {
     std::uint32_t stroke;
-    std::size_t next;  ///< of those inside it
+    std::size_t next;  ///< index of the next stroke inside it
   };
   std::vector<Visit> stack;
   for (const std::uint32_t first : order) {

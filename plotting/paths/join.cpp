@@ -1,18 +1,15 @@
-/// Strokes joined, in five steps:
+/// Joins strokes in five steps:
 ///
-/// 1. All points go onto a lattice far finer than any plotter, so that "the same point" is a question with an answer.
-/// 2. Points that a quarter of the tolerance does not need are dropped, except where lines share a point: the segments of a
-/// curve become long enough that
-///    two of them can be seen to lie on each other.
-/// 3. Segments that lie on each other are drawn once (remove_coincident_strokes of the drawing), but where that only costs
-/// lifts (bridge_cuts). Lines so small that their segments are shorter than the tolerance are compared whole before
-/// (small_doubles).
-/// 4. Ends in one lattice point are paired, the straightest first, the rest in their order. This makes chains and rings. A
-/// ring R that touches another chain C in a
-///    node is taken into it: pairs (r1, r2) and (c1, c2) become (c1, r1) and (r2, c2), which cuts both there and ties them
-///    together, whichever way they run.
-/// 5. Loose ends of chains are joined within the tolerance, nearest first, and the rest of the tolerance simplifies what
-/// came out.
+/// 1. Snaps all points to a lattice far finer than any plotter, so that the equality of points is exact.
+/// 2. Simplifies with a quarter of the tolerance, except at points that lines share. The segments of a curve become
+/// long enough to detect that two of them coincide.
+/// 3. Removes coincident segments (remove_coincident_strokes), except where that only costs lifts (bridge_cuts). Before
+/// this it compares lines as a whole if their segments are shorter than the tolerance (small_doubles).
+/// 4. Pairs ends at one lattice point, the straightest first, the rest in their order. This makes chains and rings. A
+/// ring R that touches another chain C in a node is inserted into it: the pairs (r1, r2) and (c1, c2) become (c1, r1)
+/// and (r2, c2), whichever way the two run.
+/// 5. Joins loose ends of chains within the tolerance, nearest first, and simplifies the result with the rest of the
+/// tolerance.
 
 #include "plotting/paths/join.hpp"
 #include "linework/overlaps/coincident_strokes.hpp"
@@ -35,10 +32,10 @@
 namespace ligne {
 namespace {
 
-/// Part of the tolerances of simplification that is spent before overlaps are looked for.
+/// Fraction of the tolerances of simplification that is spent before overlaps are searched.
 constexpr double kEarlyPart = 0.25;
 
-/// Polylines on the lattice without repeated points; what has no length goes to `dots`.
+/// Polylines on the lattice without repeated points. Lines without length go to `dots`.
 struct LatticeLines {
   Lattice lattice;
   std::vector<LatticePoint> points;
@@ -71,7 +68,7 @@ LatticeLines on_lattice(const Polylines& lines) {
   return out;
 }
 
-/// Without small lines that lie on others.
+/// Removes small lines that lie on others.
 void remove_small_doubles(LatticeLines& lines, double tolerance_mm) {
   std::vector<Point2> places;
   places.reserve(lines.points.size());
@@ -89,7 +86,7 @@ void remove_small_doubles(LatticeLines& lines, double tolerance_mm) {
   lines.begin = std::move(begin);
 }
 
-/// For every point whether another one lies on the same lattice point.
+/// Per point: 1 if another point lies on the same lattice point.
 std::vector<char> shared_points(const LatticeLines& lines) {
   std::vector<std::uint32_t> order(lines.points.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -101,7 +98,7 @@ std::vector<char> shared_points(const LatticeLines& lines) {
   return shared;
 }
 
-/// Segments of the lines as strokes of a model, numbered by source in their order; those of line i begin at
+/// The segments of the lines as strokes of a model, numbered by source in order. The strokes of line i begin at
 /// line_begin[i].
 StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm, double most_lost,
                         std::vector<std::uint32_t>& line_begin) {
@@ -141,8 +138,8 @@ StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm, double m
   return model;
 }
 
-/// Segments between the same two points are one, however short: what lies on each other is found only where it is longer
-/// than the tolerance.
+/// Keeps one of the segments between the same two points, however short: remove_coincident_strokes() finds only
+/// overlaps longer than the tolerance.
 void remove_equal(std::vector<Stroke>& strokes) {
   const auto key = [](const Stroke& s) {
     const auto [low, high] = s.to < s.from ? std::pair(s.to, s.from) : std::pair(s.from, s.to);
@@ -186,7 +183,7 @@ class Chains {
   const std::vector<Stroke>& strokes_;
   std::vector<std::uint32_t> partner_;
   std::vector<std::uint32_t> ends_, node_begin_;
-  std::vector<std::uint32_t> chain_of_, parent_;  ///< of a stroke its chain; union-find over chains
+  std::vector<std::uint32_t> chain_of_, parent_;  ///< per stroke: its chain; per chain: its parent in union-find
   std::vector<char> ring_;
 };
 
@@ -275,7 +272,7 @@ void Chains::take_in_rings() {
   }
 }
 
-/// A chain that ends where a ring passes goes on round the ring.
+/// Lets a chain that ends on a ring go on round the ring.
 void Chains::lengthen_by_ring(std::span<const std::uint32_t> node, std::uint32_t pass) {
   const std::uint32_t ring = set_of(chain_of_[pass / 2]);
   if (!ring_[ring]) return;

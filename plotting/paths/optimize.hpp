@@ -18,7 +18,7 @@ enum class Optimize {
 };
 inline constexpr std::string_view kOptimizeNames[] = {"off", "order", "join", "full"};
 
-/// How far a pen travels.
+/// Lengths that a pen travels.
 struct PathLengths {
   std::size_t strokes = 0;  ///< number of times the pen is lowered
   double down_mm = 0;       ///< drawn length

@@ -15,7 +15,7 @@ namespace {
 
 bool is_loop(std::span<const Point2> line) { return line.size() > 2 && line.front() == line.back(); }
 
-/// The strokes, the point of each loop at which it is entered, and the home position as the stroke behind all others.
+/// The strokes, the point at which each loop is entered, and the home position as one stroke after all others.
 class Strokes {
  public:
   Strokes(const Polylines& lines, const OrderOptions& options) : lines_(lines), options_(options), start_(lines.size(), 0) {}
@@ -40,10 +40,10 @@ class Strokes {
 
   const Polylines& lines_;
   const OrderOptions& options_;
-  std::vector<std::uint32_t> start_;  ///< of a loop the number of its first point
+  std::vector<std::uint32_t> start_;  ///< per loop: index of the point at which it is entered
 };
 
-/// Where a pen can enter: the two ends of a line, every point of a loop.
+/// Builds a tour by nearest neighbours. The pen can enter a line at its two ends, and a loop at every point.
 Tour Strokes::nearest_neighbours() {
   std::vector<Point2> points;
   std::vector<std::uint32_t> stroke_of, first_of;
@@ -97,7 +97,7 @@ double Strokes::way_up(const Tour& tour) const {
   return way;
 }
 
-/// Each loop is entered at the point that is best between its neighbours in the tour.
+/// Enters each loop at the point that is best between its neighbours in the tour.
 void Strokes::choose_starts(const Tour& tour) {
   for (std::size_t i = 1; i < tour.entries.size(); ++i) {
     const std::uint32_t stroke = tour.entries[i] / 2;
@@ -116,7 +116,7 @@ void Strokes::choose_starts(const Tour& tour) {
   }
 }
 
-/// The tours inside a closed stroke come before it.
+/// Moves the strokes inside a closed stroke before it.
 Tour Strokes::inside_before(const Tour& tour) {
   std::vector<std::uint32_t> order, entry_of(count());
   for (const std::uint32_t entry : tour.entries) {
@@ -159,7 +159,7 @@ Polylines Strokes::in_order(const Tour& tour) const {
   return out;
 }
 
-/// Improves a tour of strokes that are numbered along it, so that what is near on the page is near in memory.
+/// Improves a tour after numbering the strokes along it, so that strokes near on the page are near in memory.
 class TourImprover {
  public:
   explicit TourImprover(const Tour& tour) {
@@ -181,7 +181,7 @@ class TourImprover {
   }
 
  private:
-  std::vector<std::uint32_t> stroke_of_;  ///< by its number along the tour
+  std::vector<std::uint32_t> stroke_of_;  ///< per number along the tour: its stroke
   Tour renumbered_;
   std::vector<Point2> along_;
   std::vector<std::uint32_t> near_;
@@ -195,7 +195,7 @@ Polylines order_strokes(const Polylines& lines, const OrderOptions& options, std
   Strokes strokes(lines, options);
   const double given = strokes.way_up(strokes.as_given());
   std::uint64_t work = options.most_work;
-  // The starts of loops depend on the order, and the order on the starts: one round each, and a second.
+  // The starts of loops depend on the order, and the order on the starts. Two rounds settle both.
   const auto improved = [&](Tour tour) {
     TourImprover improver(tour);
     for (int round = 0; round < 2; ++round) {
@@ -205,7 +205,7 @@ Polylines order_strokes(const Polylines& lines, const OrderOptions& options, std
     return tour;
   };
   Tour tour = improved(strokes.nearest_neighbours());
-  // Nearest neighbours leave some strokes for the end; an order that was good before may be better than what became of that.
+  // Nearest neighbours leave some strokes for the end. If the given order is still better, it is improved instead.
   if (strokes.way_up(tour) > given) {
     work = options.most_work;
     tour = improved(strokes.as_given());

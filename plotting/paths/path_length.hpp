@@ -1,5 +1,5 @@
 #pragma once
-/// How long a path is.
+/// The length of a path.
 
 #include <cstddef>
 #include <span>

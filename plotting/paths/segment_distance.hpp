@@ -1,5 +1,5 @@
 #pragma once
-/// How far a point lies from a segment of a path.
+/// The distance of a point from a segment.
 
 #include <algorithm>
 

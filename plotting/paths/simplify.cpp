@@ -12,14 +12,14 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: a longer line is worked on in pieces of so many points, since the time for a piece can grow with the square
-/// of its points where they lie far beyond the ends of the segments that are tried.
+/// Segments in a piece. Longer lines are simplified piece by piece, since the time for a piece can grow with the square
+/// of its points where they lie far beyond the ends of the segments tried. Adjustable.
 constexpr std::uint32_t kPiecePoints = 2048;
 
-/// Adjustable: when each point of a piece has been looked at so often, as in a zigzag, a tree is built over them.
+/// Mean number of visits to each point of a piece before a tree is built over them, as for a zigzag. Adjustable.
 constexpr std::size_t kLooks = 8;
 
-/// The farthest point of a part of a piece, by looking at all or, where that is done too often, by a tree.
+/// Finds the farthest point of a part of a piece: by visiting all points, or after too many visits by a tree.
 class Farthest {
  public:
   explicit Farthest(std::span<const Point2> piece) : piece_(piece), looks_left_(kLooks * piece.size()) {}
@@ -42,7 +42,7 @@ class Farthest {
   std::optional<FarthestPoint> tree_;
 };
 
-/// Appends the points that stay of a piece but for its first one, numbered from `first` on.
+/// Appends the indices of the points that stay of a piece, except its first point, whose index is `first`.
 void simplify_piece(std::span<const Point2> piece, std::uint32_t first, double tolerance, double most_lost,
                     std::vector<std::uint32_t>& kept) {
   const auto n = static_cast<std::uint32_t>(piece.size());

@@ -1,5 +1,5 @@
 #pragma once
-/// Fewer points for the same line.
+/// Simplifies polylines.
 
 #include <cstdint>
 #include <span>
@@ -9,13 +9,13 @@
 
 namespace ligne {
 
-/// Indices of the points that stay, ascending, the first and the last among them (Douglas, Peucker 1973, with distances from
-/// the segment, not from its line): what is dropped lies within `tolerance` of the line that stays, and the line that stays
-/// within `tolerance` of the one before. A closed line keeps its first point. Zero drops only points that lie exactly on the
-/// segment between others.
+/// Returns the indices of the points that stay, ascending, with the first and the last (Douglas, Peucker 1973, with
+/// distances from the segment, not from its supporting line). The points dropped lie within `tolerance` of the new
+/// line, and the new line within `tolerance` of the old one. A closed line keeps its first point. A tolerance of zero
+/// drops only points that lie exactly on the segment between others.
 ///
-/// Each segment is at least 1 - `most_lost` as long as the part of the line that it stands for, so the whole is too: corners
-/// of small curves stay round, and a closed line, however small, does not become a point.
+/// Each new segment has at least the fraction 1 - `most_lost` of the length that it replaces, and so has the whole
+/// line. Corners of small curves stay round, and a closed line, however small, does not become a point.
 std::vector<std::uint32_t> simplified(std::span<const Point2> line, double tolerance, double most_lost = 1);
 
 }  // namespace ligne

@@ -14,13 +14,13 @@
 namespace ligne {
 namespace {
 
-/// Half the tolerance for the places that are compared, which are a tolerance apart: what lies between two of them is at
-/// most the other half farther away.
+/// Fraction of the tolerance within which sample points must lie. They are one tolerance apart, so a point between two
+/// of them is at most the other half farther away.
 constexpr double kPlacePart = 0.5;
 
 using Line = std::span<const Point2>;
 
-/// Lines whose segments are longer than this in the mean, in tolerances, are left to the search by segments.
+/// Largest mean segment length of a small line, in tolerances. Longer segments are left to the search by segments.
 constexpr double kShortSegment = 2;
 
 bool is_small(Line line, double tolerance) {
@@ -46,12 +46,12 @@ bool lies_on(Line line, Line other, double tolerance) {
   return true;
 }
 
-/// The lines by the middle of their boxes, in cells of a tolerance.
+/// Lines by the centre of their bounding boxes, in grid cells of one tolerance.
 class LinesByMiddle {
  public:
   explicit LinesByMiddle(double tolerance) : tolerance_(tolerance) {}
 
-  /// Whether one that is there lies on this one; else it is added.
+  /// Whether a stored line lies on this one. If not, this one is stored, unless too many lines were compared.
   bool known(Line line) {
     Rect box;
     for (const Point2 p : line) box.extend(p);

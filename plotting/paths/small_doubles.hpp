@@ -1,5 +1,5 @@
 #pragma once
-/// Small lines that lie on each other whole. Private to plotting/paths.
+/// Finds small lines that coincide as a whole. Private to plotting/paths.
 
 #include <cstdint>
 #include <span>
@@ -9,16 +9,18 @@
 
 namespace ligne {
 
-/// For each line, `points` from begin[i] to begin[i + 1], whether an earlier one that stays lies on it along its whole
-/// length, within the tolerance, and it on that. Where they begin and which way they run does not matter. Only lines of at
-/// most kSmallLength tolerances are looked at, of segments that are short as well: longer segments can be seen to lie on
-/// each other one by one. Time O(n log n).
+/// Per line, which has the `points` from begin[i] to begin[i + 1]: 1 if it and an earlier line that stays lie on each
+/// other along their whole lengths, within the tolerance. Starting points and directions may differ. Only lines of at
+/// most kSmallLength tolerances, with short segments, are tested: longer segments are found to coincide one by one.
+/// Time O(n log n).
 std::vector<char> small_doubles(std::span<const Point2> points, std::span<const std::uint32_t> begin, double tolerance_mm);
 
-/// Adjustable: circles of less than 25 tolerances across have segments shorter than one, by what simplification leaves
-/// (JoinTolerances::simplify_loss); this is the length of somewhat larger ones.
+/// Largest length of a small line, in tolerances. Simplification (JoinTolerances::simplify_loss) leaves segments
+/// shorter than a tolerance in circles of less than 25 tolerances across; this is the length of somewhat larger
+/// circles. Adjustable.
 inline constexpr double kSmallLength = 128;
-/// Adjustable: of lines with one middle a new one is held against so many, so that heaps take no longer.
+/// Most lines with nearly the same centre that a new line is compared with, so that heaps of lines take no longer.
+/// Adjustable.
 inline constexpr int kMostCompared = 64;
 
 }  // namespace ligne

@@ -1,13 +1,13 @@
 /// 2-opt and or-opt over lists of near ends.
 ///
-/// A gap joins the exit of one stroke to the entry of the next. For an end p with its gap partner p' and a near end c of the
-/// same kind (both exits or both entries) with its partner c', 2-opt turns round what lies between: the gaps p p' and c c'
-/// become p c and p' c'. Or-opt takes one to three strokes that begin or end with p out of the tour and puts them, one way
-/// or the other, into the gap at c that brings p beside c. Either can only pay when p c is shorter than p p' or than the gap
-/// on the other side, so that the list of near ends is left early.
+/// A gap joins the exit of one stroke to the entry of the next. Take an end p with its gap partner p', and a near end c
+/// of the same kind (both exits or both entries) with its partner c'. 2-opt reverses the strokes between the gaps: p p'
+/// and c c' become p c and p' c'. Or-opt moves one to three strokes that begin or end with p, in either direction, into
+/// the gap at c that brings p beside c. Either can gain only if p c is shorter than p p', or than the gap on the other
+/// side, so the search stops early in the list of near ends.
 ///
-/// Strokes whose surroundings changed wait in a queue; a stroke is taken from it, all its moves are tried, and the first
-/// that gains is made. All of it is one thread's work in a fixed order, and stops after a fixed amount of work, not of time.
+/// Strokes whose neighbours changed wait in a queue. For each stroke taken from it, all moves are tried, and the first
+/// that gains is made. One thread does this in a fixed order, and stops after a fixed amount of work, not of time.
 
 #include "plotting/paths/tour.hpp"
 
@@ -28,7 +28,7 @@ constexpr std::size_t kNear = 10;
 constexpr std::uint32_t kTogether = 3;
 constexpr std::uint32_t kMostShifted = 10'000;
 
-/// A gain below a picometre is rounding, and could be gained for ever.
+/// Smallest gain of a move, mm: less than a picometre is rounding, and could be gained for ever.
 constexpr double kLeastGainMm = 1e-9;
 
 class Improver {
@@ -62,9 +62,9 @@ class Improver {
   std::uint32_t exit(std::uint32_t place) const { return at_[place] ^ 1; }
   bool is_entry(std::uint32_t end) const { return at_[place_[end / 2]] == end; }
   double distance(std::uint32_t a, std::uint32_t b) const { return glm::distance(ends_[a], ends_[b]); }
-  /// The gap before the stroke at the place; behind the last stroke there is none.
+  /// Length of the gap before the stroke at the place; 0 after the last stroke.
   double gap(std::uint32_t place) const { return place < count_ ? distance(exit(place - 1), entry(place)) : 0; }
-  /// From an end to the entry at the place.
+  /// Distance from an end to the entry at the place; 0 after the last stroke.
   double to_entry(std::uint32_t end, std::uint32_t place) const { return place < count_ ? distance(end, entry(place)) : 0; }
 
   void find_near();
@@ -90,7 +90,7 @@ class Improver {
   std::vector<std::uint32_t> place_;
   std::vector<char> waits_;
   std::deque<std::uint32_t> queue_;
-  std::vector<std::uint32_t>& near_;  ///< kNear ends for every end, nearest first; its own number where there are fewer
+  std::vector<std::uint32_t>& near_;  ///< per end: its kNear nearest ends in order, filled up with the end itself
 };
 
 void Improver::find_near() {
@@ -133,7 +133,7 @@ bool Improver::try_two_opt(std::uint32_t end) {
     if (is_entry(near) != entered) continue;
     const std::uint32_t gap_near = entered ? place_[near / 2] : place_[near / 2] + 1;
     const std::uint32_t low = std::min(gap_here, gap_near), high = std::max(gap_here, gap_near);
-    // Between the two gaps lie the places [low, high - 1], which are turned round.
+    // The move reverses the places [low, high - 1], which lie between the two gaps.
     if (low == 0 || high > last_ || high == low || high - low > kMostShifted) continue;
     const double before = gap(low) + gap(high);
     const double after = distance(exit(low - 1), exit(high - 1)) + to_entry(entry(low), high);
@@ -150,7 +150,7 @@ bool Improver::try_or_opt(std::uint32_t end) {
   if (here == 0 || here >= last_) return false;
   const bool entered = is_entry(end);
   for (std::uint32_t n = 1; n <= kTogether; ++n) {
-    // Strokes that begin with this one when the pen enters here, else strokes that end with it.
+    // Strokes that begin with this one are moved if the pen enters at this end, else strokes that end with it.
     if (entered ? here + n > last_ : here < n) break;
     if (entered ? try_insert(end, here, here + n - 1) : try_insert(end, here - n + 1, here)) return true;
   }
