@@ -26,6 +26,7 @@ python3 scripts/check_docs.py || fail "the documentation names what is not there
 scripts/check_includes.sh || fail "an include climbs"
 python3 scripts/check_layout.py || fail "a folder is crowded, or headers include each other"
 python3 scripts/check_comments.py || fail "a comment hides its subject"
+python3 scripts/check_types.py || fail "two files define one type"
 python3 scripts/check_functions.py || fail "a function is longer than a screen"
 for patch in tests/planted_faults/*.patch; do
   patch --dry-run -s -p1 <"$patch" >/dev/null || fail "$patch does not apply any more"

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "picture/marks/contour_labels.hpp"
-#include "picture/marks/point_tree.hpp"
+#include "picture/marks/mark_tree.hpp"
 #include "plotting/stroke_text.hpp"
 #include "support/test.hpp"
 
@@ -77,7 +77,7 @@ TEST(PointMarks, LabelsOverlapNothingAndNoPlaceIsLeft) {
   EXPECT_EQ(next, labels.size()) << "labels come in the order of their points";
 }
 
-TEST(PointTree, AgreesWithALookAtAllPoints) {
+TEST(MarkTree, AgreesWithALookAtAllPoints) {
   std::mt19937 random(5);
   std::uniform_int_distribution<int> place(0, 40);
   for (const std::size_t count : {0, 1, 8, 9, 500}) {
@@ -86,7 +86,7 @@ TEST(PointTree, AgreesWithALookAtAllPoints) {
       const Point2 p{place(random) * 0.5, place(random) * 0.5};
       points.insert(points.end(), i % 5 == 0 ? 12 : 1, p);
     }
-    const PointTree tree(points);
+    const MarkTree tree(points);
     for (int k = 0; k < 2000; ++k) {
       const Point2 center{place(random) * 0.5, place(random) * 0.5}, half{place(random) * 0.05, place(random) * 0.05};
       const bool expected = std::any_of(points.begin(), points.end(), [&](Point2 p) {

@@ -16,8 +16,8 @@ namespace {
 // Taste: parts of the height below the picture, widths of lines in mm, colours.
 constexpr double kInsetPart = 0.52, kPlanePart = 0.6;
 constexpr double kThin = 0.13, kSegment = 0.25, kSeen = 0.7;
-constexpr double kRowMm = 4.2;     ///< largest height of a row of steps
-constexpr double kNumberedMm = 3;  ///< shortest bar or segment with a number
+constexpr double kRowMm = 4.2;            ///< largest height of a row of steps
+constexpr double kNumberedInTexts = 1.2;  ///< shortest bar or segment with a number, in heights of texts
 constexpr std::array<double, 3> kGray{0.72, 0.72, 0.72}, kInk{0.25, 0.25, 0.25}, kRed{0.8, 0.1, 0.1}, kBlue{0.1, 0.3, 0.65},
     kTint{0.82, 0.89, 0.97}, kBoxes{0.85, 0.55, 0.2};
 constexpr std::array<const char*, 4> kStepNames{
@@ -112,13 +112,15 @@ class PlaneDrawer {
     text("z", top - Point2{text_mm_, 0}, TextAcross::right);
   }
 
+  double numbered_mm() const { return kNumberedInTexts * text_mm_; }
+
   void write_number(std::size_t segment, double x0, double x1) {
-    if (x1 - x0 < kNumberedMm) return;
+    if (x1 - x0 < numbered_mm()) return;
     text(std::to_string(segment + 1), at(plane_.segments[segment], (x0 + x1) / 2), TextAcross::center);
   }
 
   /// Largest number of segments with room for their numbers.
-  std::size_t most_numbers() const { return static_cast<std::size_t>(extent_.width() / (kNumberedMm * text_mm_ / 2.5)); }
+  std::size_t most_numbers() const { return static_cast<std::size_t>(extent_.width() / numbered_mm()); }
 
   void draw_steps() {
     if (plane_.bars.empty()) return;
@@ -138,7 +140,7 @@ class PlaneDrawer {
     });
     if (is_seen) drawing_.fills.push_back({{corners}, kTint, 1, true});
     line({corners[0], corners[1], corners[2], corners[3], corners[0]}, kThin, is_seen ? kBlue : kInk);
-    if (bar.segment == kNone || bar.x1 - bar.x0 < kNumberedMm || row < 1.2 * text_mm_) return;
+    if (bar.segment == kNone || bar.x1 - bar.x0 < numbered_mm() || row < 1.2 * text_mm_) return;
     text(std::to_string(bar.segment + 1), {(bar.x0 + bar.x1) / 2, middle}, TextAcross::center);
   }
 

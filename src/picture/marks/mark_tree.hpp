@@ -9,9 +9,9 @@
 namespace ligne {
 
 /// A k-d tree [Bentley1975]. Building takes O(n log n); a query takes O(sqrt n) at most, also if points coincide.
-class PointTree {
+class MarkTree {
  public:
-  explicit PointTree(std::vector<Point2> points);
+  explicit MarkTree(std::vector<Point2> points);
 
   /// Whether a point is nearer to `center` than `half` along both axes.
   bool any_within(Point2 center, Point2 half) const { return !nodes_.empty() && any_within(0, center, half); }

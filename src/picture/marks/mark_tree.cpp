@@ -1,4 +1,4 @@
-#include "picture/marks/point_tree.hpp"
+#include "picture/marks/mark_tree.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +12,11 @@ constexpr std::size_t kMostInLeaf = 8;
 
 }  // namespace
 
-PointTree::PointTree(std::vector<Point2> points) : points_(std::move(points)) {
+MarkTree::MarkTree(std::vector<Point2> points) : points_(std::move(points)) {
   if (!points_.empty()) build();
 }
 
-void PointTree::build() {
+void MarkTree::build() {
   nodes_.push_back({0, points_.size(), 0, {}});
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     const std::size_t begin = nodes_[k].begin, end = nodes_[k].end;
@@ -34,7 +34,7 @@ void PointTree::build() {
   }
 }
 
-bool PointTree::any_within(std::size_t node, Point2 center, Point2 half) const {
+bool MarkTree::any_within(std::size_t node, Point2 center, Point2 half) const {
   const Node& n = nodes_[node];
   bool inside = true;
   for (int axis = 0; axis < 2; ++axis) {
