@@ -1,4 +1,4 @@
-/// Areas of read drawings, filled with strokes.
+/// Fills areas of read drawings with strokes.
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +12,11 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: distance of strokes that cover an area, and of those of the darkest tone, in widths of the pen.
+/// Distance of strokes, in pen widths: of strokes that cover an area, and of strokes for the darkest tone. Adjustable.
 constexpr double kCoverPens = 0.8, kTonePens = 4;
-/// Lighter areas are left white.
+/// Brightness, from 0 to 1, above which an area stays white.
 constexpr double kBrightest = 0.92;
-/// Runs of regions on the lines of hatches: a file must not ask for endless work.
+/// Most runs of regions on the lines of hatches, so that a file cannot ask for endless work.
 constexpr double kMostRuns = 2e8;
 
 }  // namespace

@@ -1,15 +1,16 @@
-/// Hatching, in the frame of the strokes:
+/// Hatches in the frame of the strokes:
 ///
-/// 1. Runs that touch are joined, line by line. What is left is the area, seen on lines that are at most a
-/// sixth of the pen apart.
-/// 2. The area is made narrower by half a pen: a point stays when a shape about it that surrounds the pen's tip stays inside
-/// on all lines that it meets. A corner that points along the
-///    lines, between two of them, can come nearer by half their distance; a slit that is narrower than that is not seen.
-/// 3. Every so many lines the line is a row, and what stayed of it are strokes.
-/// 4. Strokes of neighbouring rows are tied, where both end at the rim, along the ends of what stayed of the lines between.
+/// 1. Joins runs that touch, line by line. The result is the area, sampled on lines that are at most a sixth of the pen
+/// apart.
+/// 2. Makes the area narrower by half a pen: a point stays if a shape around it that contains the pen's tip stays
+/// inside on all lines that it meets. The stroke can come nearer to a corner that points along the lines and ends
+/// between two of them, by half their distance. A slit narrower than that goes unnoticed.
+/// 3. Takes every n-th line (SurfaceHatch::every) as a row, and the parts of it that stayed as strokes.
+/// 4. Ties strokes of neighbouring rows together where both end at the rim, along the ends of the parts that stayed on
+/// the lines between.
 ///
-/// A surface of n rows has the row k when the bits of k mod 16, read backwards, are less than n: every number of rows is
-/// spread, and contains the smaller ones.
+/// A surface with n rows has row k if the four bits of k mod 16, in reverse order, are less than n. So any number of
+/// rows is spread evenly, and contains the rows of every smaller number.
 
 #include "plotting/hatching/hatch_rim.hpp"
 
@@ -31,26 +32,26 @@
 namespace ligne {
 namespace {
 
-/// Runs nearer than this are one: the micrometre to which drawings are right.
+/// Largest distance of runs that are joined, mm: the micrometre to which drawings are right.
 constexpr double kTouchMm = 1e-3;
 
-// Adjustable: how fine the lines lie, how long a tie may be.
+// Adjustable: lines per pen width, the pen below which lines become no finer, limits of strokes and ties.
 constexpr double kLinesPerPen = 6, kFinestPenMm = 0.1;
-constexpr double kShortestPens = 1;  ///< shorter strokes are blots
-constexpr double kLongestTie = 4;    ///< how much longer than the distance of its rows
+constexpr double kShortestPens = 1;  ///< shortest stroke, in pen widths: shorter ones are blots
+constexpr double kLongestTie = 4;    ///< longest tie, in distances of its rows
 
 using Interval = HatchInterval;
 using Line = std::vector<Interval>;
 
-/// Half the width that must be free on the lines about the middle of the pen: that of its tip on the line before, so that a
-/// corner which ends between two lines is not missed.
+/// Half the width, mm, that must be free on each line, from the middle of the pen outwards. Each value is the half
+/// width of the tip one line nearer to the middle, so that a corner that ends between two lines is not missed.
 std::vector<double> pen_profile(double radius, double line_mm) {
   std::vector<double> half{radius};
   for (double y = 0; y < radius; y += line_mm) half.push_back(std::sqrt(radius * radius - y * y));
   return half;
 }
 
-/// Keeps the parts both in `kept` and, made narrower by `half` at each end, in `line`.
+/// Intersects `kept` with the intervals of `line`, each made shorter by `half` at both ends.
 void keep_within(Line& kept, const Line& line, double half, Line& scratch) {
   scratch.clear();
   std::size_t i = 0, k = 0;
@@ -69,7 +70,7 @@ struct GroupRun {
   std::uint32_t rows, layer;
 };
 
-/// The rank of a row in its cycle: it is drawn on surfaces of more rows than that.
+/// The rank of a row in its cycle: surfaces with more rows than its rank have it.
 std::uint32_t rank_of(std::int64_t row) {
   static_assert(kRowCycle == 16);
   const auto k = static_cast<std::uint32_t>((row % kRowCycle + kRowCycle) % kRowCycle);
@@ -85,7 +86,7 @@ class Hatcher {
   void rim(Polylines& out) const { trace_rim(free_, first_, frame_, line_mm_, out); }
 
  private:
-  /// A stroke that may go on.
+  /// A stroke that may be continued.
   struct Open {
     std::vector<Point2> points;  ///< frame
     std::int32_t line;
@@ -99,7 +100,7 @@ class Hatcher {
   /// The part of a line covered by surfaces of more rows than `rank`; kAll: by any.
   Line covered(std::int64_t rank, std::int32_t line, std::optional<std::uint32_t> layer = {}) const;
   Line inside(std::int64_t rank, std::int32_t line) const;
-  /// Whether a stroke that ends there ends at the rim.
+  /// Whether the end of a stroke at `u` lies at the rim.
   bool at_rim(std::int32_t line, double u) const;
   bool route(Point2 from, std::int32_t from_line, double to, std::int32_t to_line, bool at_left,
              std::vector<Point2>& way) const;
@@ -111,11 +112,11 @@ class Hatcher {
   std::int64_t every_;
   std::span<const GroupRun> runs_;
   std::int32_t first_ = 0;
-  std::vector<std::size_t> begin_;  ///< of each line, in the runs
-  std::vector<Line> free_;          ///< what stays of each line of the whole area
+  std::vector<std::size_t> begin_;  ///< per line: its first run
+  std::vector<Line> free_;          ///< per line: the parts that stay of the whole area
   std::vector<double> profile_;
-  std::int64_t longest_ = 0;  ///< lines between two rows of the surface with the fewest
-  bool layers_ = false;       ///< there are several
+  std::int64_t longest_ = 0;  ///< lines between two rows of the surface with the fewest rows
+  bool layers_ = false;       ///< whether there are several layers
 };
 
 Hatcher::Hatcher(const HatchFrame& frame, double line_mm, std::uint32_t every, double pen_mm, std::span<const GroupRun> runs)
@@ -156,7 +157,7 @@ Line Hatcher::covered(std::int64_t rank, std::int32_t line, std::optional<std::u
   return cover;
 }
 
-/// The rest of a line when the area is made narrower by half a pen.
+/// The parts of a line that stay when the area is made narrower by half a pen.
 Line Hatcher::inside(std::int64_t rank, std::int32_t line) const {
   Line kept, scratch;
   for (const Interval& run : covered(rank, line)) {
@@ -176,7 +177,7 @@ bool Hatcher::at_rim(std::int32_t line, double u) const {
   });
 }
 
-/// The way of a tie between the ends of two rows, along the rim. False when the rim leads elsewhere, or runs too flat.
+/// The way of a tie between the ends of two rows, along the rim. False if the rim leads elsewhere, or runs too flat.
 bool Hatcher::route(Point2 from, std::int32_t from_line, double to, std::int32_t to_line, bool at_left,
                     std::vector<Point2>& way) const {
   way.clear();
@@ -202,7 +203,8 @@ bool Hatcher::route(Point2 from, std::int32_t from_line, double to, std::int32_t
   return true;
 }
 
-/// Lets a stroke begin at the end of the row at which an open one ended, the nearest first. `open` is ordered by u.
+/// Continues into `span` a stroke that ended at the same end of an earlier row, the nearest first; `stroke` receives
+/// it. `open` is sorted by u. False if there is none.
 bool Hatcher::tie(Open& stroke, const Interval& span, std::int32_t line, std::vector<Open>& open) const {
   struct Candidate {
     double length;
@@ -314,7 +316,7 @@ void add_runs(std::span<const std::vector<Point2>> contours, std::uint32_t surfa
   const double first = std::ceil(box.min.y / line_mm), last = std::floor(box.max.y / line_mm);
   if (!(first <= last)) return;
   if (!(std::abs(first) < 2e9 && std::abs(last) < 2e9)) throw std::invalid_argument("a hatch has too many lines");
-  // The contours' crossings with the lines, by line.
+  // Crossings of the contours with the lines, by line.
   struct Crossing {
     std::int32_t line;
     double u;
@@ -326,7 +328,7 @@ void add_runs(std::span<const std::vector<Point2>> contours, std::uint32_t surfa
       Point2 a = contour[i], b = contour[i + 1 == contour.size() ? 0 : i + 1];
       const int turn = even_odd || a.y <= b.y ? 1 : -1;
       if (a.y > b.y || (a.y == b.y && a.x > b.x))
-        std::swap(a, b);  // an edge between two areas is crossed at the same point for both
+        std::swap(a, b);  // so that two areas get the same crossing with their common edge
       for (double line = std::ceil(a.y / line_mm); line * line_mm < b.y; ++line) {
         crossings.push_back(
             {static_cast<std::int32_t>(line), a.x + (b.x - a.x) * ((line * line_mm - a.y) / (b.y - a.y)), turn});

@@ -1,6 +1,7 @@
-/// Intervals of neighbouring lines that overlap are parts of one area. Each interval has a stroke at its left end and one at
-/// its right end, which go on to the next line where one interval goes on to one. Where an area begins or ends they are
-/// joined across the interval; where it forks, or two come together, across the gap, on the line that is inside.
+/// Overlapping intervals of neighbouring lines are parts of one area. Each interval has a stroke at its left end and
+/// one at its right end, which go on to the next line where one interval meets one. Where an area begins or ends, the
+/// two strokes are joined across the interval. Where an area forks, or two parts come together, strokes are joined
+/// across the gap, on the line that is inside.
 
 #include "plotting/hatching/hatch_rim.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 
 using Line = std::vector<HatchInterval>;
 
-/// First and last interval of the other line that overlaps each of this one; none: last < first.
+/// Per interval of a line: the first and the last interval of the other line that overlaps it; none if last < first.
 struct Range {
   std::int32_t first = 0, last = -1;
 };
@@ -50,7 +51,7 @@ class Rim {
 
   const HatchFrame& frame_;
   Polylines& out_;
-  std::vector<Stroke> left_, right_;  ///< of each interval of the line before
+  std::vector<Stroke> left_, right_;  ///< per interval of the line before
 };
 
 void Rim::step(const Line& before, double v_before, const Line& line, double v) {

@@ -9,13 +9,14 @@
 
 namespace ligne {
 
-/// A part of a line, u.
+/// An interval of u on a line, mm.
 struct HatchInterval {
   double from, to;
 };
 
-/// Strokes round the intervals of neighbouring lines, which lie at v = (first + i) x line_mm; ascending on each. They stay
-/// on the intervals and on the straight ways between their ends. Strokes that continue each other end in the same point.
+/// Draws strokes round the intervals of neighbouring lines. Line i lies at v = (first + i) x line_mm, and its intervals
+/// are ascending. The strokes stay on the intervals and on the straight ways between their ends. Strokes that continue
+/// each other end in the same point.
 void trace_rim(std::span<const std::vector<HatchInterval>> lines, std::int32_t first, const HatchFrame& frame,
                double line_mm, Polylines& out);
 

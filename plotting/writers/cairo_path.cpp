@@ -13,7 +13,8 @@
 namespace ligne {
 namespace {
 
-/// Arcs go into Cairo as Bezier curves: so near to them, a small part of the tolerance that found the arcs.
+/// Largest distance of Cairo's Bezier curves from the arcs they replace, as a fraction of the tolerance that found the
+/// arcs.
 constexpr double kBezierPart = 0.1;
 
 Point2 in_parts(Point2 p, double parts_per_mm) {
@@ -108,7 +109,7 @@ void stroke_polylines(cairo_t* cairo, const Polylines& lines, const LineStyle& s
 std::size_t end_of_area(const std::vector<Fill>& fills, std::size_t first) {
   const Fill& fill = fills[first];
   std::size_t last = first + 1;
-  // Areas that may lie on each other one by one: where two do, that would be an even number.
+  // Areas that may overlap are painted one by one: as one path the even-odd rule would leave their overlap white.
   if (fill.opacity < 1 || fill.overlaps) return last;
   while (last < fills.size() && fills[last].color == fill.color && fills[last].opacity == fill.opacity) ++last;
   return last;

@@ -1,6 +1,5 @@
 #pragma once
-/// The one way in which lines and areas come onto any surface of Cairo, and how Cairo's objects are held. Private to
-/// plotting.
+/// Draws lines and areas on any surface of Cairo, and owns Cairo's objects. Private to plotting.
 
 #include <cstddef>
 #include <memory>
@@ -22,20 +21,20 @@ struct CairoFree {
 using CairoContext = std::unique_ptr<cairo_t, CairoFree>;
 using CairoSurface = std::unique_ptr<cairo_surface_t, CairoFree>;
 
-/// Throws std::runtime_error with Cairo's own words when `status` is an error, std::bad_alloc when it is no memory.
+/// Throws std::runtime_error with Cairo's own words if `status` is an error, std::bad_alloc if memory ran out.
 void check_cairo(cairo_status_t status);
 
-/// Cairo keeps path coordinates as 24.8 fixed point of the device unit: below 2^23 units, to 1/256 of a unit.
+/// Largest path coordinate in Cairo, device units: it keeps them as 24.8 fixed point, to 1/256 of a unit.
 inline constexpr double kCairoLimit = 1 << 23;
 
 /// Largest distance from zero of any coordinate of the points, or of the drawing and its page, in mm.
 double largest_coordinate(std::span<const Point2> points);
 double largest_coordinate(const Drawing& drawing, const Page& page);
 
-/// How coordinates and curves come into a path.
+/// How coordinates and curves are written to a path.
 struct PathForm {
   double units_per_mm = 1;              ///< device units
-  double parts_per_mm = 0;              ///< coordinates become whole numbers of parts; 0: they stay
+  double parts_per_mm = 0;              ///< coordinates are rounded to whole parts; 0: they are not rounded
   std::optional<CurveLimits> curves{};  ///< nothing: polylines
 };
 
@@ -43,15 +42,15 @@ struct PathForm {
 /// of strokes.
 void stroke_polylines(cairo_t* cairo, const Polylines& lines, const LineStyle& style, const PathForm& form);
 
-/// End of the areas from `first` on that are painted as one path: opaque ones of one colour. Between two paths the paper
-/// would shine through.
+/// End of the areas from `first` on that are painted as one path: opaque areas of one colour. Between two paths the
+/// paper would shine through.
 std::size_t end_of_area(const std::vector<Fill>& fills, std::size_t first);
 
-/// Fills the areas in their order; those of one colour that follow each other as one path, since Cairo's vector surfaces
-/// take time with the square of the number of calls. Opaque ones get a rim (fill_rim.hpp).
+/// Fills the areas in their order. Consecutive areas of one colour become one path, since Cairo's vector surfaces take
+/// time with the square of the number of calls. Opaque areas get a rim (fill_rim.hpp).
 void paint_fills(cairo_t* cairo, const std::vector<Fill>& fills, double units_per_mm);
 
-/// Keeps what Cairo writes in a string.
+/// Appends the bytes that Cairo writes to a std::string.
 cairo_status_t append_to_string(void* string, const unsigned char* bytes, unsigned int count);
 
 }  // namespace ligne

@@ -20,8 +20,8 @@ namespace {
 
 using Attributes = std::map<std::string_view, std::string_view>;
 
-/// The attributes of an element, all of which must be known. Cairo 1.16 puts what paths and rectangles look like into one,
-/// "style", with a semicolon behind each property.
+/// The attributes of an element; an unknown one is an error. Cairo 1.16 puts the look of paths and rectangles into one
+/// attribute, "style", with a semicolon behind each property.
 Attributes attributes_of(const pugi::xml_node& node, std::initializer_list<std::string_view> known) {
   Attributes all;
   const auto add = [&](std::string_view name, std::string_view value) {
@@ -50,7 +50,7 @@ std::optional<std::string> color(std::string_view text) {
   return svg::paint(text);
 }
 
-/// The pen is not read: whoever drew knows it.
+/// The width and the ends of a stroke are not read: the caller set them.
 CairoSvgPart path_of(const pugi::xml_node& node) {
   Attributes a =
       attributes_of(node, {"d", "transform", "fill", "fill-rule", "fill-opacity", "stroke", "stroke-width", "stroke-opacity",
@@ -84,15 +84,16 @@ void add_parts(const pugi::xml_node& group, const pugi::xml_node& definitions, s
       attributes_of(node, {"id"});
       add_parts(node, definitions, parts);
     } else if (name != "defs") {
-      // Definitions say nothing by themselves. References to them are unknown attributes here, except those to images.
+      // Definitions draw nothing by themselves. References to them are unknown attributes here, except references to
+      // images.
       fail(name);
     }
   }
 }
 
-/// Reads a number as Cairo prints it: a sign or none, digits, decimals or none.
+/// Reads a number as Cairo prints it: an optional sign, digits, optional decimals.
 double printed_number(const char*& text, const char* end) {
-  constexpr std::ptrdiff_t kExactDigits = 15;  // so many, and powers of ten up to so many, are doubles without rounding
+  constexpr std::ptrdiff_t kExactDigits = 15;  // integers and powers of ten with up to 15 digits are exact as doubles
   const char *const start = text, *point = nullptr;
   if (text != end && *text == '-') ++text;
   const char* const first = text;
@@ -123,7 +124,7 @@ std::vector<CairoSvgPart> cairo_svg_parts(std::string& document, double size) tr
   pugi::xml_document xml;
   if (!xml.load_buffer_inplace(document.data(), document.size(), pugi::parse_minimal)) fail("it is no XML");
   const pugi::xml_node root = xml.child("svg");
-  // Lengths are in the unit of the viewBox, whatever that of the width.
+  // Lengths are in units of the viewBox, whatever the unit of the width.
   if (svg::numbers(root.attribute("viewBox").value()) != std::vector<double>{0, 0, size, size}) fail("its viewBox");
   std::vector<CairoSvgPart> parts;
   add_parts(root, root.child("defs"), parts);

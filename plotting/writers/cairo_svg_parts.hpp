@@ -2,7 +2,8 @@
 /// Takes an SVG document of Cairo apart: its paths and images, without its groups, definitions and transforms. Private to
 /// plotting.
 ///
-/// The forms of Cairo 1.16 and 1.18 are known. Any other is a std::runtime_error "cairo: ...", and never a wrong picture.
+/// Knows the forms of Cairo 1.16 and 1.18. Any other throws std::runtime_error "cairo: ...", and never gives a wrong
+/// picture.
 
 #include <optional>
 #include <string>
@@ -14,17 +15,18 @@
 
 namespace ligne {
 
-/// A path or an image of a document, in the text of which `data` and `image` lie.
+/// A path or an image of a document. `data` and `image` point into the text of the document.
 struct CairoSvgPart {
   svg::Matrix to_document{};                    ///< from the numbers of the part to the unit of the document
-  std::string_view data{};                      ///< of a path: its commands
-  std::optional<std::string> fill{}, stroke{};  ///< of a path: "#rrggbb", or nothing
+  std::string_view data{};                      ///< commands of a path
+  std::optional<std::string> fill{}, stroke{};  ///< path: "#rrggbb", or nothing
   double fill_opacity = 1;
-  std::string_view image{};  ///< of an image: its address; it covers (0, 0) to `pixels`
+  std::string_view image{};  ///< address of an image, which covers (0, 0) to `pixels`
   Point2 pixels{0, 0};
 };
 
-/// The parts in the order in which they are painted. The text, of a document of `size` by `size` units, is written into.
+/// Returns the parts in the order in which they are painted. The document has `size` by `size` units. Its text is
+/// overwritten.
 std::vector<CairoSvgPart> cairo_svg_parts(std::string& document, double size);
 
 /// Calls `take` with each command of a path and its points in the unit of the document: M and L have one, C has three, Z

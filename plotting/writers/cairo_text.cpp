@@ -9,7 +9,7 @@
 namespace ligne {
 namespace {
 
-/// Paints the halo of a text that begins at the current point, which stays.
+/// Paints the halo of a text that begins at the current point, and keeps that point.
 void stroke_halo(cairo_t* cairo, const std::string& text, double halo_mm) {
   double x = 0, y = 0;
   cairo_get_current_point(cairo, &x, &y);
@@ -27,7 +27,7 @@ void stroke_halo(cairo_t* cairo, const std::string& text, double halo_mm) {
 
 void write_texts(cairo_t* cairo, std::span<const TextItem> texts) {
   if (texts.empty()) return;
-  // Letters stand where they belong, not on whole pixels.
+  // Without hints letters stand exactly in their places, not on whole pixels.
   const std::unique_ptr<cairo_font_options_t, void (*)(cairo_font_options_t*)> exact(cairo_font_options_create(),
                                                                                      cairo_font_options_destroy);
   cairo_font_options_set_hint_style(exact.get(), CAIRO_HINT_STYLE_NONE);

@@ -9,9 +9,9 @@
 
 namespace ligne {
 
-/// The typeface: the first choice, and what an SVG names besides. Cairo takes the nearest that the machine has.
+/// The typeface of texts, and the first of the list that an SVG names. Cairo takes the nearest that the machine has.
 inline constexpr const char* kTypeface = "DejaVu Sans";
-/// Height of its capitals by size of the font.
+/// Height of its capitals, as a fraction of the font size.
 inline constexpr double kCapitalsOfSize = 1493.0 / 2048;
 
 /// Writes the texts; the context's user space is page mm.

@@ -13,7 +13,7 @@ namespace ligne {
 void put_pixels(cairo_surface_t* surface, const GrayPicture& picture) {
   cairo_surface_flush(surface);
   unsigned char* const data = cairo_image_surface_get_data(surface);
-  if (!data) return;  // the surface is in error, which is told later
+  if (!data) return;  // the surface has an error, which check_cairo() reports later
   const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface));
   for (std::uint32_t y = 0; y < picture.height; ++y) {
     const std::uint8_t* const row = picture.gray.data() + std::size_t{y} * picture.width;
@@ -25,7 +25,7 @@ void put_pixels(cairo_surface_t* surface, const GrayPicture& picture) {
   cairo_surface_mark_dirty(surface);
 }
 
-/// Gives a surface the bytes that an SVG is to hold: Cairo would write gray as three colours.
+/// Attaches to a surface the PNG that an SVG shall contain: Cairo itself would write gray as three colours.
 static void attach_png(cairo_surface_t* surface, const GrayPicture& picture) {
   const auto width = static_cast<int>(picture.width), height = static_cast<int>(picture.height);
   const CairoSurface gray(cairo_image_surface_create(CAIRO_FORMAT_A8, width, height));  // which Cairo writes as gray

@@ -7,7 +7,7 @@
 
 namespace ligne {
 
-/// Puts the pixels of the picture onto an image surface of four bytes a pixel, which has at least as many.
+/// Copies the pixels of the picture to an image surface of four bytes a pixel, which must be at least as large.
 void put_pixels(cairo_surface_t* surface, const GrayPicture& picture);
 
 /// Paints the picture where it lies on the page. Its pixels stay sharp.

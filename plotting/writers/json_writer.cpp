@@ -23,10 +23,10 @@ namespace {
 constexpr std::size_t kChunkStrokes = 4096;
 constexpr std::size_t kBatchChunks = 64;
 
-/// Decimals of page points, at the least: a nanometre.
+/// Fewest decimals of page points, mm: a nanometre.
 constexpr int kPageDecimals = 6;
 constexpr int kMostPageDecimals = 12;
-/// Decimals of angles in degrees: more than coordinates tell.
+/// Decimals of angles in degrees: finer than the coordinates justify.
 constexpr int kTurnDecimals = 6;
 
 std::string json_string(std::string_view text) {
@@ -63,7 +63,7 @@ void append_numbers(std::string& out, std::span<const double> numbers) {
   append_list(out, numbers, [&](double number) { append_shortest(out, number); });
 }
 
-/// The number of a face or of a surface.
+/// The number of a face or of a surface, or null.
 void append_face(std::string& out, std::uint32_t face) {
   if (face == kNone) {
     out += "null";
@@ -74,7 +74,7 @@ void append_face(std::string& out, std::uint32_t face) {
 
 void append_coordinates(std::string& out, const Point3& p) { append_numbers(out, std::array{p.x, p.y, p.z}); }
 
-/// Enough decimals to tell neighbouring lattice points apart: half a step and less.
+/// Decimals that tell neighbouring lattice points apart: at most half a step.
 int lattice_decimals(const Lattice& lattice) {
   return std::clamp(static_cast<int>(std::ceil(-std::log10(lattice.step_mm / 2))), kPageDecimals, kMostPageDecimals);
 }
@@ -179,7 +179,7 @@ void append_contour(std::string& out, const std::vector<Point2>& contour) {
   append_list(out, contour, [&](Point2 p) { append_point(out, p, kPageDecimals); });
 }
 
-/// Every corner as it is, so that what is painted from the file is what is painted without it.
+/// Writes every corner without rounding, so that painting from the file gives the same picture as painting directly.
 void append_exact_contour(std::string& out, const std::vector<Point2>& contour) {
   append_list(out, contour, [&](Point2 p) { append_numbers(out, std::array{p.x, p.y}); });
 }
@@ -273,7 +273,7 @@ void append_line_of_spans(std::string& out, const SpanModel& model, std::size_t 
 }
 
 void append_spans(std::string& out, const SpanModel& model) {
-  std::vector<std::size_t> first;  // of each line that has any
+  std::vector<std::size_t> first;  // per line with spans: its first span
   for (std::size_t i = 0; i < model.spans.size(); ++i) {
     if (i == 0 || model.spans[i].line != model.spans[i - 1].line) first.push_back(i);
   }

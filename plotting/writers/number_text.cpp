@@ -16,7 +16,7 @@ constexpr auto kPowers = [] {
   return powers;
 }();
 
-/// Beyond this a number is written in full: as an integer of so many decimals it would not fit.
+/// Largest scaled value that is written as an integer. A larger one would not fit into 64 bits, and is written in full.
 constexpr double kLargestInteger = 9e18;
 
 }  // namespace
@@ -62,7 +62,8 @@ std::string decimal_text(double value, int decimals) {
   return text;
 }
 
-/// The largest double has 309 digits before the point; fixed() is asked for some twenty decimals at the most.
+/// Buffer size of fixed(), bytes: the largest double has 309 digits before the point, and callers ask for some twenty
+/// decimals at most.
 constexpr std::size_t kLongestFixed = 352;
 
 std::string fixed(double value, int decimals) {

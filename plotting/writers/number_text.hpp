@@ -6,7 +6,7 @@
 
 namespace ligne {
 
-/// Most bytes that append_fixed and append_shortest write.
+/// Most bytes that write_fixed and append_shortest write.
 inline constexpr std::size_t kNumberBytes = 32;
 
 /// 10^n, 0 <= n <= 15.
@@ -16,13 +16,13 @@ std::int64_t power_of_ten(int n);
 /// `bare_point`: "-.5" instead of "-0.5".
 char* write_fixed(char* out, std::int64_t value, int decimals, bool bare_point);
 
-/// Appends the shortest decimal number that reads back as the same double; "null" for what is not finite.
+/// Appends the shortest decimal number that reads back as the same double; "null" for infinities and NaN.
 void append_shortest(std::string& out, double value);
 
-/// The number with exactly so many decimals.
+/// The number with exactly this many decimals.
 std::string fixed(double value, int decimals);
 
-/// The number rounded to so many decimals, without trailing zeros but with the leading one.
+/// The number rounded to this many decimals, without trailing zeros but with the leading one.
 void append_rounded(std::string& out, double value, int decimals);
 std::string decimal_text(double value, int decimals);
 

@@ -1,11 +1,11 @@
 /// PDF, through Cairo's PDF surface.
 ///
-/// That surface keeps coordinates as 24.8 fixed point of its unit, which is the point: 1.4 micrometres. So the drawing is
-/// made on a recording surface of a finer unit and painted with a scale; Cairo then writes it as a form with a content
-/// stream in that unit, placed by one matrix. Areas go straight onto the PDF surface, whose rounding moves them by no more
-/// than 0.7 micrometres: of recordings with hundreds of areas over each other Cairo 1.16 makes a bitmap, of another size at
-/// that, and takes a minute. They lie on white paper that is painted first, since each would otherwise join its extents to a
-/// region of all before it.
+/// The PDF surface keeps coordinates as 24.8 fixed point of its unit, the point: steps of 1.4 micrometres. So lines are
+/// drawn on a recording surface with a finer unit, which is painted with a scale. Cairo writes it as a form with a
+/// content stream in that unit, placed by one matrix. Areas are painted directly on the PDF surface, whose rounding
+/// moves them by at most 0.7 micrometres: Cairo 1.16 turns a recording with hundreds of overlapping areas into a
+/// bitmap, of another size, and takes a minute. White paper is painted under the areas, since Cairo would otherwise
+/// join the extents of each to a region of all before it.
 
 #include <cmath>
 
@@ -21,11 +21,12 @@ namespace {
 
 constexpr double kPointsPerMm = 72 / kMmPerInch;
 
-/// Units to a point: a power of ten, since Cairo writes matrices as decimal numbers. Cairo 1.16 aborts on recording surfaces
-/// that are painted smaller than about 1:500, so no finer than this.
+/// Most units per point: a power of ten, since Cairo writes matrices as decimal numbers. Cairo 1.16 aborts on recording
+/// surfaces that are painted smaller than about 1:500, so the unit is no finer.
 constexpr double kMostUnitsPerPoint = 100;
 
-/// Coordinates are rounded to this part of a unit: 0.44 micrometres. Cairo's own 256ths would only make longer numbers.
+/// Parts of a unit to which coordinates are rounded: 0.44 micrometres. Cairo's own 256ths would only make longer
+/// numbers.
 constexpr double kPartsOfUnit = 8;
 
 double units_per_point(double largest_mm) {

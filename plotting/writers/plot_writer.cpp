@@ -1,5 +1,5 @@
-/// HPGL and G-code: the same walk over the pens and their strokes, with the commands of the device. Coordinates are rounded
-/// to the device's units once, and points that fall into one unit are one point.
+/// Writes HPGL and G-code by one walk over the pens and their strokes, with the commands of the device. Coordinates are
+/// rounded once, to the device's units. Consecutive points in one unit become one point.
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ struct Unit {
 
 using Replacement = std::pair<std::string_view, std::string_view>;
 
-/// The text with {name} replaced; the reader of devices has refused other names.
+/// The text with every {name} replaced. The reader of devices has refused unknown names.
 std::string filled(std::string_view text, std::initializer_list<Replacement> replacements) {
   std::string out;
   while (!text.empty()) {
@@ -42,7 +42,7 @@ std::string filled(std::string_view text, std::initializer_list<Replacement> rep
   return out;
 }
 
-/// The text of a comment of G-code must not end it.
+/// The text of a G-code comment, without the characters that would end it.
 std::string comment(const std::string& name) {
   std::string text;
   for (const char c : name) {

@@ -7,14 +7,15 @@
 
 namespace ligne {
 
-/// The actions of a machine beside drawing: at the strokes of PenLines::actions, and where it goes when pens are changed.
+/// Actions of a machine besides drawing: `action` before the strokes of PenLines::actions, and `park`, where it goes
+/// when pens are changed.
 struct PlotStops {
   const DeviceAction* action = nullptr;
   const DevicePlace* park = nullptr;
 };
 
-/// HPGL or G-code, by the device's language, with the commands that the device's description tells. Throws
-/// std::runtime_error when a pen has a number that the device does not hold. Pens that are to be skipped are left out.
+/// Writes HPGL or G-code, by the device's language, with the commands of the device's description. Throws
+/// std::runtime_error if the device does not hold a pen of the plot. Pens to be skipped are left out.
 std::string write_plot(const Plot& plot, const Device& device, const DeviceFrame& frame, const PlotStops& stops = {});
 
 /// The plot as a drawing with a layer for every pen, named as layer_label names it, and the style of these layers for

@@ -13,19 +13,19 @@
 namespace ligne {
 namespace {
 
-/// Cairo's image surfaces go up to this side; the number of pixels is that of A0 at 600 dpi, 2.2 GB.
+/// Largest side of Cairo's image surfaces, and most pixels: A0 at 600 dpi, 2.2 GB.
 constexpr double kLargestSide = 32767;
 constexpr double kMostPixels = 560e6;
 
-/// Bytes of an edge of an outline while Cairo fills it: 28 in a polygon that grows by doubling, and up to 100 in its scan
-/// conversion.
+/// Memory of an edge of an outline while Cairo fills it, bytes: 28 in a polygon that grows by doubling, and up to 100
+/// in its scan conversion.
 constexpr double kEdgeBytes = 200;
-/// Memory that is not in proportion: spans of rows, glyphs of texts.
+/// Memory that does not grow with the edges, bytes: spans of rows, glyphs of texts.
 constexpr double kPaintBytes = 4 << 20;
-/// How far Cairo's circles may be off, in pixels.
+/// Largest error of Cairo's circles, in pixels.
 constexpr double kTolerancePixels = 0.1;
 
-/// Edges of the outline of lines as a round pen draws them.
+/// Number of edges in the outline of lines drawn with a round pen.
 double outline_edges(const Polylines& lines, const LineStyle& style, double pixels_per_mm) {
   const double radius = std::max(style.width_mm * pixels_per_mm / 2, kTolerancePixels);
   const double per_radian = 1 / std::acos(1 - kTolerancePixels / radius);
@@ -34,7 +34,7 @@ double outline_edges(const Polylines& lines, const LineStyle& style, double pixe
   double edges = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto line = lines[i];
-    double turns = 2 * std::numbers::pi, length = 0;  // at its ends it turns round
+    double turns = 2 * std::numbers::pi, length = 0;  // the pen turns round at both ends
     for (std::size_t k = 1; k < line.size(); ++k) {
       const Point2 along = line[k] - line[k - 1];
       length += std::hypot(along.x, along.y);
@@ -48,15 +48,14 @@ double outline_edges(const Polylines& lines, const LineStyle& style, double pixe
   return edges;
 }
 
-/// Throws std::bad_alloc when there is no memory to paint the drawing: Cairo 1.16 does not survive a want of it in its scan
-/// conversion.
+/// Throws std::bad_alloc if there is too little memory to paint the drawing: Cairo 1.16 crashes if memory runs out in
+/// its scan conversion.
 void check_room_to_paint(const Drawing& drawing, const PlotOptions& options, double pixels_per_mm) {
   double edges = 0;
   for (const Layer& layer : drawing.layers) {
     edges = std::max(edges, outline_edges(layer.lines, options.style_of(layer), pixels_per_mm));
   }
-  // Those of one colour that follow each other are one path, with rims that are narrow: of both sides, and round each
-  // corner.
+  // Consecutive fills of one colour are one path. Their narrow rims have edges on both sides, and round each corner.
   constexpr double kCornerEdges = 16;
   double corners = 0;
   for (std::size_t i = 0; i < drawing.fills.size(); ++i) {
@@ -65,7 +64,7 @@ void check_room_to_paint(const Drawing& drawing, const PlotOptions& options, dou
     for (const auto& contour : fill.contours) corners += static_cast<double>(contour.size());
     edges = std::max(edges, kCornerEdges * corners);
   }
-  // Called by their names the two are not left out as a pair.
+  // Called by name, so that the compiler does not remove the two as a pair.
   ::operator delete(::operator new(static_cast<std::size_t>(kPaintBytes + kEdgeBytes * edges)));
 }
 

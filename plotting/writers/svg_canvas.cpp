@@ -18,11 +18,11 @@
 namespace ligne {
 namespace {
 
-/// Millimetres of the unit in which Cairo is asked to draw. It writes six decimals, and their last is ours; so each number
-/// is as short as can be, and most of Cairo's time is that of numbers.
+/// Unit in which Cairo draws, mm. Cairo writes six decimals, and the last is the last of kSvgDecimals. So each number
+/// is as short as can be; numbers take most of Cairo's time.
 constexpr double kCairoUnitMm = 100;
 
-/// Lengths in attributes.
+/// Decimals of lengths in attributes.
 constexpr int kAttributeDecimals = 6;
 
 /// A point in units of 10^-kSvgDecimals mm.
@@ -32,24 +32,24 @@ struct UnitPoint {
 };
 
 UnitPoint in_units(Point2 mm) {
-  // As std::llround, which is a call.
+  // As std::llround, without its call.
   const auto nearest = [](double value) { return static_cast<std::int64_t>(value < 0 ? value - 0.5 : value + 0.5); };
   return {nearest(mm.x * kSvgUnitsPerMm), nearest(mm.y * kSvgUnitsPerMm)};
 }
 
-/// A curve whose first handle goes on from the last one of the curve before, within so many units, is written without it:
-/// each of the three points that the handle follows from was rounded.
+/// Largest deviation, in units of 10^-kSvgDecimals mm, of a curve's first handle from the continuation of the handle
+/// before. Up to it the handle is left out ("S"): each of the three points involved was rounded.
 constexpr std::int64_t kSmoothUnits = 2;
 
 /// Writes the lines of a path, each in the shorter of the two ways: with absolute points, or relative ones. The relative
 /// moves are differences of the rounded absolute points, so that no rounding adds up.
 class PathWriter {
  public:
-  /// `before` and `behind` stand about each line.
+  /// `before` and `behind` are written around each line.
   PathWriter(const SvgCanvas& canvas, std::string_view before, std::string_view behind, std::string& out)
       : canvas_(canvas), before_(before), behind_(behind), out_(out) {}
 
-  /// A command of Cairo.
+  /// Takes the next command of Cairo.
   void take(char command, const Point2* device) {
     if (command == 'M' || command == 'Z') end(command == 'Z');
     if (command == 'Z') return;
@@ -65,7 +65,7 @@ class PathWriter {
     }
   }
 
-  /// A line of no length is a dot.
+  /// Writes the line that ends here. A line of no length is a dot.
   void end(bool closed = false) {
     if (closed && pieces_.size() > 1 && points_.front() == points_.back() && pieces_.back() == 'L') {
       points_.pop_back();
@@ -97,8 +97,8 @@ class PathWriter {
            std::abs(handle.y - 2 * at.y + before.y) <= kSmoothUnits;
   }
 
-  /// The line as text in `buffer`, or a beginning of it that is longer than `limit`. The buffer only grows: to clear it for
-  /// every line would take longer than to write it.
+  /// The line as text in `buffer`, or a beginning of it that is longer than `limit`. The buffer only grows, since
+  /// clearing it for every line would take longer than writing.
   std::string_view write(std::vector<char>& buffer, bool relative, std::ptrdiff_t limit) {
     buffer.resize(std::max(buffer.size(), points_.size() * 2 * kNumberBytes));
     char* p = buffer.data();
@@ -117,7 +117,7 @@ class PathWriter {
       if (first) *p++ = static_cast<char>(relative ? piece - 'A' + 'a' : piece);
       for (int k = piece == 'L' ? 1 : piece == 'S' ? 2 : 3; k > 0; --k, ++next, first = false) {
         const UnitPoint v{next->x - origin.x, next->y - origin.y};
-        // Curves have so many numbers that a sign does for a blank.
+        // Curves have many numbers, so a minus sign replaces the blank.
         number(v.x, !first && (piece == 'L' || v.x >= 0));
         number(v.y, piece == 'L' || v.y >= 0);
       }

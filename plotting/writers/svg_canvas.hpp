@@ -1,5 +1,5 @@
 #pragma once
-/// Cairo's SVG surface as a page in millimetres, and what it wrote as paths. Private to plotting.
+/// Cairo's SVG surface as a page in millimetres, whose content is returned as paths. Private to plotting.
 
 #include <string>
 
@@ -14,7 +14,7 @@ namespace ligne {
 inline constexpr int kSvgDecimals = 4;
 inline constexpr double kSvgUnitsPerMm = 10000;
 
-/// Lengths in attributes.
+/// A length as text for an attribute.
 std::string svg_number(double value);
 
 /// "#abc" for "#aabbcc".
@@ -23,7 +23,7 @@ std::string short_color(const std::string& code);
 /// Every call makes a surface of its own, so that threads can share a canvas.
 class SvgCanvas {
  public:
-  /// Nothing that is drawn may lie farther from the corner of the page, on either axis.
+  /// `largest_mm` is the largest distance, on either axis, of anything drawn from the corner of the page.
   explicit SvgCanvas(double largest_mm);
 
   /// Gives `draw` a context and the number of its units to a millimetre, and returns the SVG of all that it paints: one path

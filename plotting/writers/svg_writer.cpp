@@ -24,12 +24,12 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: points to a chunk. A call of an area counts as so many: Cairo takes time with the square of the number of
-/// calls on a surface.
+/// Points per chunk, and points that a call for an area counts as: Cairo takes time with the square of the number of
+/// calls on a surface. Adjustable.
 constexpr std::size_t kChunkPoints = 2048, kCallPoints = 16;
 
-/// Appends what text_of(first, last) gives for all of [0, count), in chunks that are worked on in parallel. `skip` moves an
-/// index over what stays together, and returns how many points that has.
+/// Appends text_of(first, last) for all of [0, count), in chunks computed in parallel. `skip` moves an index past the
+/// items that must stay together, and returns their number of points.
 template <typename Skip, typename TextOf>
 void append_chunks(std::string& svg, std::size_t count, Skip skip, TextOf text_of) {
   std::vector<std::size_t> ends{0};
@@ -118,7 +118,7 @@ std::string layer_start(const Layer& layer, const LineStyle& style) {
   return text + (dashed ? "\">\n" : ">\n");
 }
 
-/// Ids of groups of objects: what is no letter, digit or one of -_. is an underscore, and every id is there once.
+/// Makes ids for groups of objects: unique, with underscores for characters other than letters, digits and -_.
 class ObjectIds {
  public:
   explicit ObjectIds(const Drawing& drawing) {
@@ -162,7 +162,7 @@ std::string text_layer(std::span<const TextItem> items) {
     if (item.across == TextAcross::right) text += " text-anchor=\"end\"";
     if (item.rotation_degrees != 0)
       text += " transform=\"rotate(" + svg_number(-item.rotation_degrees) + " " + x + " " + y + ")\"";
-    if (item.halo_mm > 0)  // one element, below whose letters its rim is painted: a pen plots it once
+    if (item.halo_mm > 0)  // one element that paints its rim below its letters, so that a pen plots it once
       text += " stroke=\"#fff\" stroke-width=\"" + svg_number(2 * item.halo_mm) +
               "\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
     text += ">" + xml_text(clean_utf8(item.text)) + "</text>\n";
@@ -200,7 +200,7 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options, const 
       return first.name == second.name && (is_part(first) || is_part(second));
     };
     const bool begins = l == 0 || !continues(l - 1, l), ends = !continues(l, l + 1);
-    // The look of a part that is alone in its layer is that of the layer.
+    // A part that is alone in its layer gives the layer its look.
     const bool alone = layer.object.empty() && begins && ends;
     const LineStyle style = options.style_of(layer);
     if (begins) svg += layer_start(layer, alone ? style : options.style_of(layer.name));

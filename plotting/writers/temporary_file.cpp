@@ -1,6 +1,6 @@
-// The names of all temporary files stand in a list that a signal handler can walk: entries are added and used again, never
-// freed, and what says whether one is in use is atomic. An entry comes before its file and stays until that has gone, so
-// that no signal comes in between; names have so much chance in them that an entry never names the file of somebody else.
+// A signal handler can walk the list of all temporary files: entries are added and reused, never freed, and the flags
+// that say whether one is in use are atomic. An entry is made before its file and stays until the file is gone, so that
+// no signal comes in between. Names are random enough that an entry never names the file of another program.
 
 #include "plotting/writers/temporary_file.hpp"
 
@@ -29,7 +29,7 @@ struct TemporaryFileEntry {
 
   static std::atomic<Entry*> first;
 
-  /// Calls unlink on every file: all that is done here may be done in a signal handler.
+  /// Unlinks every file. It calls only functions that a signal handler may call.
   static void remove_all() {
     for (const Entry* entry = first; entry; entry = entry->next) {
       if (entry->named) ::unlink(entry->name.data());
@@ -63,7 +63,8 @@ constexpr std::array kSignals{SIGHUP, SIGINT, SIGTERM};
 extern "C" void remove_files_and_end(int signal) {
   TemporaryFileEntry::remove_all();
   std::signal(signal, SIG_DFL);
-  // It is held back while its handler runs; this ends the program here, before anything goes on without its files.
+  // The signal is blocked while its handler runs. Unblocked, it ends the program here, before anything goes on without
+  // its files.
   sigset_t self;
   sigemptyset(&self);
   sigaddset(&self, signal);
@@ -71,7 +72,8 @@ extern "C" void remove_files_and_end(int signal) {
   ::raise(signal);
 }
 
-/// Handlers stand while there are temporary files, and only where the program that this is part of has none of its own.
+/// Installs signal handlers while there are temporary files, and only for signals that the program itself does not
+/// handle.
 class Handlers {
  public:
   void need() {
@@ -88,7 +90,7 @@ class Handlers {
     if (--users_ > 0) return;
     for (std::size_t i = 0; i < kSignals.size(); ++i) {
       struct sigaction now {};
-      // Somebody else's, who came meanwhile, stays.
+      // A handler that the program has installed meanwhile stays.
       if (installed_[i] && ::sigaction(kSignals[i], nullptr, &now) == 0 && now.sa_handler == remove_files_and_end)
         std::signal(kSignals[i], SIG_DFL);
     }
@@ -105,7 +107,7 @@ Handlers& handlers() {
   return instance;
 }
 
-/// ".ligne-PID-" and 64 bits of chance.
+/// ".ligne-PID-" and 64 random bits.
 std::string temporary_name() {
   std::random_device chance;
   std::string name = ".ligne-" + std::to_string(::getpid()) + "-";

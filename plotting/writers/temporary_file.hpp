@@ -1,5 +1,5 @@
 #pragma once
-/// Files that do not outlive a run which ends before its time. Private to plotting.
+/// Temporary files, removed even when a signal ends the program. Private to plotting.
 
 #include <filesystem>
 #include <string_view>
@@ -10,8 +10,8 @@ namespace ligne {
 
 struct TemporaryFileEntry;
 
-/// A new file in a folder, removed when this object goes, or when a signal that nobody handles (SIGHUP, SIGINT, SIGTERM)
-/// ends the program. Such a signal still ends it, so that whoever started it sees by which.
+/// A new file in a folder. It is removed with this object, or when a signal that nobody handles (SIGHUP, SIGINT,
+/// SIGTERM) ends the program. The program still ends by that signal, so that its parent sees which.
 class TemporaryFile {
  public:
   /// Makes the file. Throws std::system_error.
@@ -25,7 +25,7 @@ class TemporaryFile {
 
   /// Closes the file. Throws std::system_error when the bytes did not all arrive.
   void close();
-  /// Gives the closed file another name, of which it takes the place. Throws std::system_error.
+  /// Renames the closed file; a file of the new name is replaced. Throws std::system_error.
   void rename_to(const std::filesystem::path& target);
 
  private:
