@@ -7,7 +7,7 @@
 
 namespace ligne {
 
-/// Red, green and blue as 0xrrggbb of a name of CSS in small letters; nothing where it is none.
+/// The colour of a CSS name in lower case, as 0xrrggbb; nothing if there is no such name.
 std::optional<std::uint32_t> color_named(std::string_view name);
 
 }  // namespace ligne

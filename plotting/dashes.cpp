@@ -12,7 +12,7 @@
 namespace ligne {
 namespace {
 
-/// Walks a line and takes the parts that are marks of the pattern: marks and gaps in turn, from `offset` on.
+/// Adds the dashes of a line. The pattern is dashes and gaps in turn, and begins at `offset`.
 void cut_line(Polylines& out, std::span<const Point2> line, std::span<const double> pattern, double offset) {
   std::size_t part = 0;
   double left = pattern[0];
@@ -82,7 +82,7 @@ Polylines cut_dashes(const Polylines& lines, std::span<const double> dashes_mm, 
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto line = lines[i];
     if (line.empty()) continue;
-    // As many whole patterns, and one dash more, as come nearest to the length of the line.
+    // The number of whole patterns that, with one more dash, come nearest to the length of the line.
     const double wanted = path_length(line);
     const double patterns = std::round((wanted - drawn[0]) / period);
     if (patterns < 1) {

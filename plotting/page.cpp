@@ -31,7 +31,7 @@ constexpr double kGap = 3;
 
 struct LayerPen {
   std::string_view layer;
-  double width;  ///< of the pen width
+  double width;  ///< factor of the pen width
 };
 constexpr LayerPen kLayerPens[] = {{"profile", 1.4},    {"intersection", 0.7},  {"crease", 0.7},       {"tangent", 0.5},
                                    {"mesh", 0.5},       {"contour-index", 1.7}, {"curve", 2},          {"points", 1.4},
@@ -85,7 +85,7 @@ Page parse_page(std::string_view text) {
   try {
     const auto [width, width_unit] = split_unit(std::string_view(name).substr(0, cross));
     const auto [height, height_unit] = split_unit(std::string_view(name).substr(cross + 1));
-    // "8x10in" means inches both.
+    // "8x10in" means inches for both.
     page.width_mm = in_mm(width, width_unit.empty() ? height_unit : width_unit, name);
     page.height_mm = in_mm(height, height_unit, name);
   } catch (const std::invalid_argument& error) {

@@ -32,7 +32,7 @@ bool empty(const Polylines& lines) {
   return std::all_of(lines.begin.begin(), lines.begin.end(), [](std::uint32_t b) { return b == 0; });
 }
 
-/// Deals layers to pens.
+/// Assigns layers to pens.
 class PenAssigner {
  public:
   PenAssigner(const Drawing& drawing, const PlotRequest& request) : request_(request) {
@@ -62,7 +62,7 @@ class PenAssigner {
   }
 
  private:
-  /// Parts of one layer have one pen.
+  /// The next free number of a pen; parts of one layer get the same number.
   unsigned next_number(const std::string& layer) {
     const auto [entry, added] = number_of_.emplace(layer, 0);
     if (!added) return entry->second;
@@ -76,7 +76,7 @@ class PenAssigner {
   unsigned next_ = 1;
 };
 
-/// Whether lines of the two may be drawn in turn, as by one pen.
+/// Whether both are one pen with the same settings, so that their lines may be drawn in any order.
 bool one_pen(const Pen& a, const Pen& b) {
   return std::tie(a.number, a.label, a.skip, a.pause, a.speed, a.height, a.delay_ms) ==
          std::tie(b.number, b.label, b.skip, b.pause, b.speed, b.height, b.delay_ms);
@@ -100,7 +100,7 @@ std::vector<PenWork> work_of(const Drawing& given, const PlotRequest& request) {
     }
     const double width = pen.width_mm.value_or(style.width_mm);
     entry->width_mm = std::max(entry->width_mm, width);
-    // Dashes are told in widths of the pen that draws them.
+    // Dash lengths are proportional to the width of the pen that draws them.
     std::vector<double> dashes = style.dashes_mm;
     for (double& dash : dashes) dash *= width / style.width_mm;
     const StrokeLook look = keeps_look ? StrokeLook{style.color, width} : StrokeLook{};
@@ -132,7 +132,7 @@ void drop_short(PenLines& pen, double min_length_mm) {
   pen.look_of.resize(kept.size());
 }
 
-/// The lines of a pen as they are, or with those of each style joined.
+/// The lines of a pen unchanged, or, if `join` is given, joined within each style.
 PenLines lines_of(const PenWork& work, const JoinTolerances* join) {
   PenLines pen{work.pen, {}};
   std::vector<StrokeLook>& looks = pen.looks;
@@ -159,8 +159,8 @@ void put_in_order(PenLines& pen, const OrderOptions& options) {
   pen.look_of = std::move(look_of);
 }
 
-/// Joined and ordered, and never so that the plot takes longer than in the order of the drawing: then without leaving out
-/// what is there twice, then without joining.
+/// Joins and orders the lines. If the plot would then take longer than in the order of the drawing, coincident lines
+/// are kept; if it still does, lines are not joined.
 PenLines optimized(const PenWork& work, const PathOptions& paths) {
   PenLines before = lines_of(work, nullptr);
   drop_short(before, paths.min_length_mm);
@@ -168,7 +168,8 @@ PenLines optimized(const PenWork& work, const PathOptions& paths) {
   const auto seconds = [&](const PenLines& pen) {
     return paths.pace.seconds(measure(pen.lines, paths.order.home, paths.order.returns));
   };
-  // The loss where strokes are joined is smaller: a piece of a long line is long.
+  // With a minimum length times are not compared: it drops fewer strokes after joining, since a piece of a long line is
+  // long.
   const double allowed =
       paths.min_length_mm > 0 || paths.order.inside_first ? std::numeric_limits<double>::infinity() : seconds(before);
   const bool orders = paths.optimize != Optimize::join;

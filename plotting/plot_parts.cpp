@@ -13,12 +13,12 @@
 namespace ligne {
 namespace {
 
-/// Puts strokes of one plot together to another.
+/// Builds a plot from strokes of another.
 class PlotBuilder {
  public:
   explicit PlotBuilder(const Plot& from) : from_(from), plot_{from.page, {}} {}
 
-  /// The lines of the pen that strokes of pen `p` go to.
+  /// The pen of the new plot that gets strokes of pen `p`.
   PenLines& lines_of(std::size_t p) {
     if (plot_.pens.empty() || last_ != p) {
       plot_.pens.push_back({from_.pens[p].pen, {}, from_.pens[p].looks});
@@ -51,7 +51,7 @@ void for_each_stroke(const Plot& plot, const std::function<void(std::size_t, std
   }
 }
 
-/// Seconds of each stroke, with the way to it, as measure() reckons them: every pen begins at the home position.
+/// Time of each stroke with the way to it, seconds, as measure() computes it: every pen begins at the home position.
 class Clock {
  public:
   Clock(const Plot& plot, const Device& device, Point2 home)
@@ -110,7 +110,7 @@ std::size_t strokes_within(const Plot& plot, const Device& device, Point2 home, 
 
 Plot with_actions(const Plot& plot, double every_mm) {
   PlotBuilder whole(plot);
-  double left = 0;  // of what the pen holds, mm
+  double left = 0;  // length that the pen can still draw before the next action, mm
   for_each_stroke(plot, [&](std::size_t p, std::size_t i, std::span<const Point2> line) {
     if (plot.pens[p].pen.skip || line.empty()) return whole.add(p, i, line);
     const auto act = [&] {

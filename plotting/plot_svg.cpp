@@ -1,4 +1,4 @@
-/// Plots as SVG: one layer for every pen, and the picture of the pens' way.
+/// Writes plots as SVG: one layer for every pen, and a preview of the way of the pens.
 
 #include <algorithm>
 #include <array>
@@ -10,11 +10,11 @@
 namespace ligne {
 namespace {
 
-/// Strokes of the preview come in so many colours.
+/// Number of colours for the strokes of the preview.
 constexpr std::size_t kOrderColors = 24;
 constexpr double kTravelWidthMm = 0.12;
 
-/// From blue over green and yellow to red: t from 0 to 1.
+/// The colour at t, 0 to 1: from blue over green and yellow to red.
 std::array<double, 3> order_color(double t) {
   constexpr std::array<std::array<double, 3>, 5> stops{
       {{0.1, 0.2, 0.8}, {0.0, 0.6, 0.7}, {0.1, 0.65, 0.2}, {0.85, 0.65, 0.0}, {0.85, 0.1, 0.1}}};
@@ -36,7 +36,7 @@ Drawing drawing_of(const Plot& plot) {
       drawing.layers.push_back({label, pen.lines});
       continue;
     }
-    // Strokes stay in their order: those that look alike are together only where they follow each other.
+    // Strokes keep their order, so only consecutive strokes of one look are put together.
     for (std::size_t i = 0; i < pen.lines.size(); ++i) {
       if (i == 0 || pen.look_of[i] != pen.look_of[i - 1]) {
         const StrokeLook& look = pen.looks[pen.look_of[i]];

@@ -10,7 +10,7 @@
 namespace ligne {
 namespace {
 
-/// Stands for what the font lacks. A typeface gives ideographs, the widest of such characters, an em.
+/// Box for characters that the font lacks. Its width in a typeface is an em, as for ideographs, the widest of them.
 constexpr SimplexGlyph kBox{0, 180, 1372, "30 0 30 210 150 210 150 0 30 0"};
 
 const SimplexGlyph& glyph_of(char32_t code) {

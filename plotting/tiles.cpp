@@ -29,7 +29,7 @@ std::optional<std::array<double, 2>> inside(Point2 a, Point2 b, const Rect& box)
   return from <= to ? std::optional(std::array{from, to}) : std::nullopt;
 }
 
-/// The point of the segment; what division rounds stays inside the box.
+/// The point of the segment at `t`, kept inside the box against rounding.
 Point2 at(Point2 a, Point2 b, double t, const Rect& box) {
   if (t == 0) return a;
   if (t == 1) return b;
@@ -37,7 +37,7 @@ Point2 at(Point2 a, Point2 b, double t, const Rect& box) {
   return {std::clamp(p.x, box.min.x, box.max.x), std::clamp(p.y, box.min.y, box.max.y)};
 }
 
-/// Sheets along one side, of which the first begins at 0.
+/// Number of sheets along one side; the first begins at 0.
 std::size_t sheets_along(double length, double usable, double overlap) {
   return length <= usable ? 1 : static_cast<std::size_t>(std::ceil((length - overlap) / (usable - overlap)));
 }

@@ -11,10 +11,10 @@
 namespace ligne {
 namespace {
 
-/// Sizes of papers agree within this: letter in whole tenths of a millimetre, trimmed sheets.
+/// Largest difference of sides of the same paper, mm: letter in whole tenths of a millimetre, trimmed sheets.
 constexpr double kSameSizeMm = 1;
 
-/// Share of a unit; 300 mm by 0.025 mm are 12,000 units, whatever the division rounds.
+/// Slack for rounding, in units: 300 mm / 0.025 mm must give 12,000 units, however the division rounds.
 constexpr double kUnitSlack = 1e-3;
 
 bool same(double a, double b) { return std::abs(a - b) <= kSameSizeMm; }
@@ -42,7 +42,7 @@ const DevicePaper* paper_for(const Device& device, const Page& page, bool fit) {
                            mm(page.height_mm) + "; there are " + names + "; --fit-device makes the drawing smaller");
 }
 
-/// The frame turned by so many right angles counter-clockwise, about the device's origin.
+/// Turns the frame by this number of right angles counter-clockwise, about the device's origin.
 void turn(DeviceFrame& frame, int quarters) {
   for (int i = 0; i < quarters; ++i) {
     for (Point2* v : {&frame.origin, &frame.x_axis, &frame.y_axis}) *v = {-v->y, v->x};
@@ -60,7 +60,7 @@ Rect bounds_on_device(const DeviceFrame& frame, const Rect& ink) {
   return bounds;
 }
 
-/// In whole units, as a writer rounds.
+/// The box in whole units, rounded as a writer rounds.
 Rect in_units(const Rect& mm, double step) {
   return {{std::round(mm.min.x / step), std::round(mm.min.y / step)},
           {std::round(mm.max.x / step), std::round(mm.max.y / step)}};
@@ -81,7 +81,7 @@ void refuse_excess(const Device& device, const Rect& units, const DeviceFrame& f
                            ": the drawing leaves the limits: " + text + "; a wider --margin or --fit-device helps");
 }
 
-/// Smaller if need be, then shifted as little as possible.
+/// Makes the drawing smaller if need be, then shifts it as little as possible.
 void fit_into_limits(DeviceFrame& frame, const Rect& ink, const Rect& limits_mm) {
   const DeviceFrame unfitted = frame;
   const Rect before = bounds_on_device(frame, ink);

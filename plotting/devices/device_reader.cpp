@@ -38,7 +38,7 @@ Rect read_limits(const TomlTable& table) {
 
 bool is_within(Point2 p, double most) { return std::abs(p.x) <= most && std::abs(p.y) <= most; }
 
-/// Placeholders in braces are replaced: an unknown one would reach the machine as it is.
+/// Fails at unknown placeholders in braces, which would reach the machine as they are.
 void check_placeholders(const TomlTable& table, std::string_view key, std::string_view command,
                         std::span<const std::string_view> known) {
   for (std::size_t at = command.find('{'); at != command.npos; at = command.find('{', at + 1)) {
@@ -98,7 +98,8 @@ DeviceAction read_action(const TomlTable& table, const Device& device) {
   return action;
 }
 
-/// A command of a device file, one line or several, and what may stand in braces in it; plot_writer.cpp replaces it.
+/// A command of a device file, of one line or several, and the placeholders that it may have; plot_writer.cpp replaces
+/// them.
 struct DeviceCommand {
   std::string_view key;
   std::string Device::*line;

@@ -1,5 +1,6 @@
 #pragma once
-/// The files plotting/devices/*.toml as they were when the program was built: so it finds them wherever it is put.
+/// The files plotting/devices/*.toml, embedded when the program is built, so that it finds them wherever it is
+/// installed.
 
 #include <span>
 #include <string_view>
@@ -7,7 +8,7 @@
 namespace ligne {
 
 struct EmbeddedDevice {
-  std::string_view name;  ///< of the file
+  std::string_view name;  ///< name of the file
   std::string_view toml;
 };
 

@@ -8,14 +8,15 @@ namespace ligne {
 struct SimplexGlyph {
   char32_t code;
   short width;           ///< tenths of a Hershey unit, of which capitals have kSimplexCapital
-  short typeface_width;  ///< what a sans serif typeface gives the character: thousandths of the height of its capitals
+  short typeface_width;  ///< width in a sans serif typeface, thousandths of the height of its capitals
   /// Polylines "x y x y ...;x y ...": tenths of a Hershey unit from the left edge and the base line, y upwards.
   const char* lines;
 };
 
+/// Height of capitals, tenths of a Hershey unit.
 inline constexpr double kSimplexCapital = 210;
 
-/// By ascending code.
+/// The glyphs by ascending code.
 std::span<const SimplexGlyph> simplex_glyphs();
 
 }  // namespace ligne

@@ -69,7 +69,7 @@ struct HatchOptions {
   bool even_odd = true;  ///< see add_runs
   bool cross = false;    ///< also strokes at right angles
   bool rim = false;      ///< also a stroke round the area: with rows at most a pen width apart nothing stays white
-  Point2 origin{0, 0};   ///< lies on the line of a stroke: areas with the same origin have hatches that continue each other
+  Point2 origin{0, 0};   ///< on the line of a stroke: hatches of areas with the same origin continue each other
 };
 
 /// Distance of the lines of an area's runs, mm: finer with a rim, so that nothing stays white.

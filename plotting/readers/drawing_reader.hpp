@@ -1,5 +1,5 @@
 #pragma once
-/// Drawings read back from files: ours as JSON, anybody's as SVG.
+/// Reads drawings from files: ligne-drawings in JSON, and SVG of any program.
 
 #include <array>
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace ligne {
 struct ReadRegion {
   std::vector<std::vector<Point2>> contours;  ///< page mm
   std::uint32_t patch = 0;                    ///< regions of one patch are hatched as one area
-  std::optional<double> light;                ///< 0 dark to 1; nothing: the file does not tell
+  std::optional<double> light;                ///< 0 dark to 1; nothing: not in the file
   std::array<double, 3> color{0, 0, 0};
   std::string material;  ///< its name, or empty
 };
@@ -35,29 +35,29 @@ struct ReadOrder {
   };
   PaintOrder order;           ///< without the pieces that the file says are hidden
   std::vector<Piece> pieces;  ///< per piece of the order
-  bool tells_hidden = false;  ///< whether the file says so of any
+  bool tells_hidden = false;  ///< whether the file marks any piece as hidden
   std::vector<DocumentMaterial> materials;
   StrokeModel strokes;  ///< without sources and parameters
 };
 
 struct ReadDrawing {
   Drawing drawing;                              ///< page mm, true to scale
-  std::vector<ReadRegion> regions;              ///< of a ligne-drawing that has them
-  std::optional<ReadOrder> order{};             ///< where it was asked for
-  Page page;                                    ///< margin 0 where the file tells none
+  std::vector<ReadRegion> regions;              ///< regions of a ligne-drawing, if it has any
+  std::optional<ReadOrder> order{};             ///< only if the caller asked for it
+  Page page;                                    ///< margin 0 if the file has none
   bool dashes_cut = false;                      ///< dashes are strokes already
-  std::map<std::string, std::size_t> left_out;  ///< what was skipped because the caller allowed it, with counts
+  std::map<std::string, std::size_t> left_out;  ///< parts skipped because the caller allowed it, with counts
   std::size_t outlined = 0;                     ///< filled areas that were drawn by their contours only
   std::size_t simplified_paints = 0;            ///< gradients and patterns drawn in one colour
   std::size_t boxes = 0;                        ///< characters that the font lacks, drawn as boxes
-  bool size_assumed = false;                    ///< the file tells no size of the page
-  Omissions omitted;                            ///< what of an SVG could not be drawn, by kind
-  std::size_t first_omitted_line = 0;           ///< where the first of these stands; 0: nowhere, or not known
+  bool size_assumed = false;                    ///< the file gives no size of the page
+  Omissions omitted;                            ///< parts of an SVG that could not be drawn, by kind
+  std::size_t first_omitted_line = 0;           ///< line of the first of these; 0: none, or not known
   std::string paper_of_view_box;  ///< paper that a page without a size would be at another resolution, or empty
   double paper_dpi = 0;           ///< that resolution
 };
 
-/// No coordinate of a drawing is farther from the corner of its page, in mm.
+/// Largest distance of a coordinate from the corner of the page, mm.
 inline constexpr double kFarthestMm = 1e6;
 
 /// A ligne-drawing (docs/drawing-format.md): strokes become lines of two points in layers by class. Throws
@@ -66,14 +66,13 @@ ReadDrawing read_json_drawing(std::string_view json, const std::string& file, bo
 
 /// How areas are filled with strokes.
 struct FillHatch {
-  std::optional<double> spacing_mm;  ///< nothing: so close that the area is covered, or by the tone
+  std::optional<double> spacing_mm;  ///< nothing: close enough to cover the area, or set by the tone
   double angle_degrees = 45;         ///< counter-clockwise as seen
-  bool cross = false;                ///< a second family at right angles
-  bool tone = false;                 ///< the lighter the fill, the farther apart
+  bool cross = false;                ///< also strokes at right angles
+  bool tone = false;                 ///< lighter fills get a wider spacing
 };
 
-/// Hatches of layers and colours that differ from the others, by their names; what is not named is as in `all`. A layer goes
-/// before a colour.
+/// Hatches by the names of layers and colours; all others are as in `all`. A layer takes precedence over a colour.
 struct FillHatches {
   FillHatch all{};
   std::map<std::string, double, std::less<>> spacing_mm_of{}, degrees_of{};
@@ -85,26 +84,26 @@ struct FillHatches {
 /// The treatment of filled areas of an SVG. White ones are paper: they are not drawn, and hide what lies under them.
 struct FillReading {
   enum class How { refuse, outline, hatch };
-  How how = How::outline;      ///< or they are refused, or contours are drawn and strokes inside
-  double pen_width_mm = 0.35;  ///< of the pen that hatches
+  How how = How::outline;      ///< outline: only contours; hatch: contours, and strokes inside; refuse: an error
+  double pen_width_mm = 0.35;  ///< width of the pen that hatches
   bool occlude = false;        ///< opaque areas of every colour hide what lies under them
   bool own_layer = false;      ///< areas hide only what is in their layer
   FillHatches hatches{};
 };
 inline constexpr std::string_view kFillReadingNames[] = {"refuse", "outline", "hatch"};
 
-/// Hatches the regions of a drawing: layers "hatch", by materials. Regions of one patch are one area. By their tone, darker
-/// ones are hatched more closely. Throws std::runtime_error where the drawing has no regions.
+/// Hatches the regions of a drawing into layers "hatch", one per material. Regions of one patch are one area. With
+/// FillHatch::tone, darker regions are hatched more closely. Throws std::runtime_error if the drawing has no regions.
 void hatch_regions(ReadDrawing& drawing, const FillReading& fills);
 
 struct SvgReading {
-  bool strict = false;      ///< whatever can not be drawn is an error
+  bool strict = false;      ///< anything that can not be drawn is an error
   double px_per_inch = 96;  ///< size of a unit of the page: 96 to the inch for CSS, 72 or 90 for some programs
 };
 
-/// The strokes of an SVG; docs/plotting.md says what of SVG is known. Whatever else shows on the page is left out and
-/// counted, or with `strict` refused by its name, unless that is in `skip`. Reads nothing but the text: no other file.
-/// Throws InputError, "FILE:LINE: what is wrong", for what is no SVG, and for what asks for endless work.
+/// Reads the strokes of an SVG; docs/plotting.md lists the parts of SVG that are known. Other visible parts are left
+/// out and counted, or with `strict` refused by their name, unless it is in `skip`. No other file is read. Throws
+/// InputError, "FILE:LINE: what is wrong", if the text is no SVG, or asks for endless work.
 ReadDrawing read_svg_drawing(std::string_view svg, const std::string& file, const std::set<std::string>& skip,
                              const FillReading& fills = {}, const SvgReading& reading = {});
 

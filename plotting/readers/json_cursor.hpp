@@ -1,6 +1,6 @@
 #pragma once
-/// A cursor over the text of a JSON value: for long lists of numbers, which a tree of values would hold in many times their
-/// size and read in many times their time.
+/// A cursor over the text of a JSON value, for long lists of numbers: a tree of values would take many times their
+/// memory and their time.
 
 #include <cstddef>
 #include <stdexcept>
@@ -8,7 +8,7 @@
 
 namespace ligne {
 
-/// Thrown where the text is not as it is asked for; `at` counts bytes of it.
+/// Thrown if the text does not have the requested form; `at` is the position in bytes.
 struct JsonSyntaxError : std::runtime_error {
   explicit JsonSyntaxError(std::size_t place) : std::runtime_error("is not JSON that can be read"), at(place) {}
   std::size_t at;
@@ -23,7 +23,7 @@ class JsonCursor {
     skip_blanks();
     return at_;
   }
-  /// Passes over the character if it comes next.
+  /// Skips the character if it comes next, and returns whether it did.
   bool take(char c) {
     skip_blanks();
     if (at_ >= text_.size() || text_[at_] != c) return false;
@@ -41,10 +41,10 @@ class JsonCursor {
   /// The characters between the quotes of a string, with its escapes as they stand.
   std::string_view string();
   double number();
-  /// Passes over a value of any kind, whatever is inside, and gives its text. Brackets need not match their kinds.
+  /// Skips a value of any kind and returns its text. Brackets need not match their kinds.
   std::string_view value();
 
-  /// Calls member(name) at the value of each member of an object, which it must pass over.
+  /// Calls member(name) at the value of each member of an object. The call must skip the value.
   template <class Member>
   void for_each_member(Member member) {
     expect('{');
@@ -56,7 +56,7 @@ class JsonCursor {
     } while (take(','));
     expect('}');
   }
-  /// Calls item() at each item of an array, which it must pass over.
+  /// Calls item() at each item of an array. The call must skip the item.
   template <class Item>
   void for_each_item(Item item) {
     expect('[');

@@ -14,8 +14,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Strokes by layer; they are taken out of the JSON tree as they come, so that a large drawing does not stand in memory
-/// twice.
+/// Collects strokes by layer. It takes them out of the JSON tree as they are parsed, so that a large drawing is not in
+/// memory twice.
 class DrawingReader {
  public:
   DrawingReader(std::string file, bool with_order) : file_(std::move(file)), with_order_(with_order) {}
@@ -36,7 +36,7 @@ class DrawingReader {
       fail("is not JSON that can be read");
     }
     if (!root.is_object() || root.value("format", json()) != "ligne-drawing") fail("is not a ligne-drawing");
-    // Strokes are the same in both.
+    // Strokes have the same form in both versions.
     const json version = root.value("version", json());
     if (version != 1 && version != 2) fail("the version of the ligne-drawing is neither 1 nor 2");
     if (!has_strokes_) fail("there are no strokes in the drawing");
@@ -66,7 +66,7 @@ class DrawingReader {
       has_order_ = has_order_ || in_order_;
       return true;
     }
-    if (in_order_ && depth >= 2) return false;  // pieces are read apart (order_reader.hpp)
+    if (in_order_ && depth >= 2) return false;  // pieces are read by order_reader.hpp
     if (in_regions_) {
       if (event == json::parse_event_t::object_start && depth > 2) fail_region("has an object inside");
       if (event != json::parse_event_t::object_end || depth != 2) return true;
@@ -83,7 +83,7 @@ class DrawingReader {
     return true;
   }
 
-  /// `fail_with` throws an error that tells where the point stands.
+  /// `fail_with` throws an error that names the place of the point.
   static Point2 point_of(const json& p, FunctionRef<void(const std::string&)> fail_with) {
     if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number()) fail_with("a point is not two numbers");
     const Point2 point{p[0].get<double>(), p[1].get<double>()};
@@ -109,7 +109,7 @@ class DrawingReader {
     ++count_;
   }
 
-  /// The stroke that was added last, for the lattice.
+  /// Keeps the ends of the stroke that was added last, to be put on the lattice.
   void keep_ends(const Polylines& lines, bool visible, std::uint64_t level) {
     if (lines[lines.size() - 1].size() != 2) fail_stroke("is no straight piece");
     Stroke s;
@@ -142,7 +142,7 @@ class DrawingReader {
     return contours;
   }
 
-  /// The members that are not in the pieces themselves.
+  /// Reads the materials and the lattice, which are not in the pieces, and returns the order.
   ReadOrder order_of(const json& root, std::string_view pieces) {
     if (!has_order_) fail("has no order of painting; ligne draw --method newell -o FILE.json stores one");
     if (!pieces.empty()) read_pieces(pieces, file_, painted_);
@@ -184,7 +184,7 @@ class DrawingReader {
     if (level != value.end() && level->is_number() && level->get<double>() > 0) return;
     ReadRegion region;
     region.contours = contours_of(value, [&](const std::string& cause) { fail_region(cause); });
-    // Files of earlier versions tell neither: each region is an area of its own.
+    // Files of earlier versions have neither patch nor light: each region is an area of its own.
     const auto patch = value.find("patch"), light = value.find("light"), color = value.find("color"),
                material = value.find("material_name");
     region.patch = patch != value.end() && patch->is_number_unsigned() ? patch->get<std::uint32_t>()
@@ -229,10 +229,10 @@ class DrawingReader {
   bool with_order_ = false, in_order_ = false, has_order_ = false, is_kept_ = false;
   std::vector<ReadRegion> regions_;
   ReadOrder painted_;
-  std::vector<std::array<Point2, 2>> ends_;  ///< of its strokes
+  std::vector<std::array<Point2, 2>> ends_;  ///< ends of the strokes in painted_
   LineClass last_class_ = LineClass::mesh;
   std::size_t count_ = 0;
-  /// In the order of painting.
+  /// The layers in the order of painting.
   std::array<Layer, kStrokeLayerCount> layers_ = [] {
     std::array<Layer, kStrokeLayerCount> layers;
     for (std::size_t l = 0; l < kStrokeLayerCount; ++l) layers[l].name = stroke_layer_name(l);

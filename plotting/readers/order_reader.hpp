@@ -1,5 +1,6 @@
 #pragma once
-/// The order of painting of a ligne-drawing, which is most of a large file: its pieces are read without a tree of values.
+/// Reads the order of painting of a ligne-drawing. It is most of a large file, so its pieces are read without a tree of
+/// values.
 
 #include <string>
 #include <string_view>
@@ -8,13 +9,14 @@
 
 namespace ligne {
 
-/// A ligne-drawing whose order and regions are empty lists, and the text of its order; empty where it has none.
+/// The text of a ligne-drawing with empty lists as order and regions, and the text of its order, empty if there is
+/// none.
 struct SplitDrawing {
   std::string rest;
-  std::string_view order;  ///< a part of the text that was given
+  std::string_view order;  ///< a part of the given text
 };
 
-/// Throws InputError("FILE: ...") for what is no object.
+/// Throws InputError("FILE: ...") if the text is no object.
 SplitDrawing split_drawing(std::string_view json, const std::string& file);
 
 /// Appends the pieces to ReadOrder::order and ReadOrder::pieces. Throws InputError.

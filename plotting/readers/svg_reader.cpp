@@ -1,7 +1,7 @@
-/// SVG as strokes. The tree is walked once; an element is drawn, walked into, left out because it never shows, or left out
-/// and counted because it can not be drawn. Links (use) are followed inside the file only, to a fixed depth, and with a
-/// fixed number of elements in all, so that a small file can not ask for endless work. The same holds for entities, clip
-/// paths and style sheets.
+/// Reads SVG as strokes. The tree is walked once; an element is drawn, walked into, left out because it is never
+/// visible, or left out and counted because it can not be drawn. Links (use) are followed inside the file only, to a
+/// fixed depth, and with a fixed number of elements in all, so that a small file can not ask for endless work. The same
+/// holds for entities, clip paths and style sheets.
 
 #include <algorithm>
 #include <new>
@@ -18,8 +18,9 @@ namespace ligne {
 namespace svg {
 namespace {
 
+/// Deepest nesting of elements that are drawn.
 constexpr int kDeepest = 200;
-/// Elements that are shown by links, in all.
+/// Most elements that links show, in all.
 constexpr std::size_t kMostLinked = 1'000'000;
 /// Elements that show nothing where they stand.
 constexpr std::string_view kUnseen[] = {
@@ -27,11 +28,11 @@ constexpr std::string_view kUnseen[] = {
     "radialGradient", "pattern", "clipPath",  "mask",          "filter", "marker", "symbol",
     "view",           "font",    "font-face", "color-profile", "cursor", "hatch",  "altGlyphDef"};
 
-/// Elements of which a <switch> shows one.
+/// Elements that a <switch> can choose.
 constexpr std::string_view kDrawn[] = {"g",    "a",    "use",  "switch",  "svg",     "text",     "image",
                                        "line", "path", "rect", "polygon", "ellipse", "polyline", "circle"};
 
-/// Whether an element asks for nothing that a reader may lack, and for no other language than English.
+/// Whether an element requires no extension, and no language other than English.
 bool is_for_everybody(const pugi::xml_node& node) {
   for (const pugi::xml_attribute& attribute : node.attributes()) {
     const std::string_view name = attribute.name();
@@ -61,7 +62,7 @@ void SvgReader::read_sheet(const pugi::xml_node& node) {
 }
 
 void SvgReader::for_each_element(const pugi::xml_node& root, const std::function<void(const pugi::xml_node&)>& visit) {
-  // Without recursion: the file may be nested as deep as it likes.
+  // Without recursion, since a file may be nested to any depth.
   for (pugi::xml_node node = root; node;) {
     if (node.type() == pugi::node_element) visit(node);
     if (node.first_child()) {
@@ -81,7 +82,7 @@ void SvgReader::survey(const pugi::xml_node& root) {
   });
 }
 
-/// The root of the document, with its entities and its namespaces resolved.
+/// Parses the document and returns its root, with its entities and its namespaces resolved.
 pugi::xml_node SvgReader::parse(pugi::xml_document& document) {
   std::size_t external = 0;
   try {
@@ -137,7 +138,7 @@ ReadDrawing SvgReader::read() {
   return std::move(result_);
 }
 
-/// The lines of one look in a layer. `width_mm` 0: that of the pen.
+/// The lines of one colour and width in a layer. `width_mm` 0: the width of the pen.
 PaintedLines& SvgReader::layer_of(const std::string& name, const std::string& color, double width_mm) {
   const auto [number, is_new] = layer_numbers_.emplace(name, layers_.size());
   if (is_new) layers_.emplace_back();
@@ -148,7 +149,7 @@ PaintedLines& SvgReader::layer_of(const std::string& name, const std::string& co
     try {
       layer.color = parse_color(color);
     } catch (const std::invalid_argument&) {
-      // A name of a colour that is not known is drawn in black.
+      // An unknown name of a colour is drawn in black.
     }
     if (width_mm > 0) layer.width_mm = width_mm;
   }
@@ -179,7 +180,7 @@ Matrix SvgReader::placing_of(const pugi::xml_node& node, const Context& context)
   }
 }
 
-/// Takes over the style, the transform and the clip path of an element. False when it does not show.
+/// Applies the style, the transform and the clip path of an element to the context. False if it is not displayed.
 bool SvgReader::enter(const pugi::xml_node& node, Context& context) {
   bool displayed = true;
   context.style = styled(node, context.style, context.port, displayed);
@@ -243,11 +244,11 @@ void SvgReader::walk_element(std::string_view name, const pugi::xml_node& node, 
   if (name == "svg") return walk_viewport(node, context, node);
   if (name == "use") return follow_use(node, context);
   if (name == "text") return context.style.visible ? draw_text(node, context) : void();
-  // No viewer shows what SVG does not know, nor what is in it: notes of editors and of plotters' software.
+  // Viewers show neither unknown elements nor their children: notes of editors and of plotter software.
   if (!draw_shape(name, node, context)) leave_out("<" + printable(name) + "> elements", node);
 }
 
-/// The first of the alternatives that is meant for everybody and can be drawn.
+/// Walks the first alternative that is meant for everybody and can be drawn.
 void SvgReader::walk_switch(const pugi::xml_node& node, const Context& context) {
   Context inside = context;
   ++inside.depth;
@@ -270,7 +271,7 @@ ClipPointer SvgReader::frame_clip(double width, double height, const Context& co
   return clip;
 }
 
-/// A nested svg, or a symbol whose size its <use> gives.
+/// Walks a nested svg, or a symbol whose size its <use> gives.
 void SvgReader::walk_viewport(const pugi::xml_node& node, Context context, const pugi::xml_node& size) {
   if (local_name(node) == "svg") {
     context.to_mm = context.to_mm * Matrix{1, 0, 0, 1, attributes(context).x(node, "x"), attributes(context).y(node, "y")};
@@ -281,7 +282,7 @@ void SvgReader::walk_viewport(const pugi::xml_node& node, Context context, const
                height = given.y(size, "height", own ? given.y(node, "height", context.port.height) : context.port.height);
   if (!(width > 0 && height > 0)) return;
   const Matrix inside = view_box_to(node, given, width, height, context.port);
-  // SVG 2, 5.5: the point that lies where the <use> stands; where none is told, it is the corner of the frame.
+  // SVG 2, 5.5: the reference point lies where the <use> stands; without one it is the corner of the frame.
   const auto shift = [&](const char* name) { return node.attribute(name) && local_name(node) == "symbol"; };
   const Point2 reference = inside({given.x(node, "refX"), given.y(node, "refY")});
   context.to_mm = context.to_mm * Matrix{1, 0, 0, 1, shift("refX") ? -reference.x : 0, shift("refY") ? -reference.y : 0};
@@ -290,7 +291,7 @@ void SvgReader::walk_viewport(const pugi::xml_node& node, Context context, const
   walk_children(node, context);
 }
 
-/// The element that a <use> shows; nothing when there is none with that id, as viewers do.
+/// The element that a <use> shows; nothing if no element has that id, as in viewers.
 pugi::xml_node SvgReader::target_of(const pugi::xml_node& use) {
   std::string_view target = use.attribute("href").value();
   if (target.empty()) target = use.attribute("xlink:href").value();

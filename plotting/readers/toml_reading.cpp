@@ -3,7 +3,7 @@
 namespace ligne {
 namespace {
 
-/// The library's own words, which quote the file.
+/// Most characters of the library's message, which quotes the file.
 constexpr std::size_t kLongestReason = 200;
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-/// Text from outside, made safe.
+/// Makes text from outside safe.
 
 #include <string>
 #include <string_view>
@@ -13,7 +13,7 @@ std::u32string decode_utf8(std::string_view text);
 /// The text as well-formed UTF-8.
 std::string clean_utf8(std::string_view text);
 
-/// Text as it can stand in XML: escaped; what is not an XML character becomes U+FFFD.
+/// Text escaped for XML. Characters that XML does not have become U+FFFD.
 std::string xml_text(std::string_view text);
 
 }  // namespace ligne

@@ -1,4 +1,4 @@
-/// Clip paths and masks of an SVG, as areas on the page.
+/// Reads clip paths and masks of an SVG, as areas on the page.
 
 #include <algorithm>
 #include <stdexcept>
@@ -9,11 +9,12 @@
 namespace ligne::svg {
 namespace {
 
-/// Elements whose boxes are looked for, in all, and how deep they lie.
+/// Most elements visited for bounding boxes in a drawing, and the deepest nesting of such elements.
 constexpr std::size_t kMostBoxed = 10'000'000;
 constexpr int kDeepestBox = 200;
 
-/// Cuts the shapes of a clip path, from number `first` on, by a clip path of their own; inner ones may cut them already.
+/// Cuts the shapes of a clip path, from number `first` on, by a clip path of their own. Inner clip paths may cut them
+/// already.
 void cut_clip_shapes(const ClipPointer& within, std::size_t first, Clip& clip) {
   if (!within) return;
   clip.within.resize(clip.any_of.size());
@@ -22,7 +23,7 @@ void cut_clip_shapes(const ClipPointer& within, std::size_t first, Clip& clip) {
       clip.within[i] = within;
       continue;
     }
-    // The innermost of the chain goes on with this one; chains are shared, so it is copied.
+    // The chain goes on with this clip path at its outer end. Chains are shared, so it is copied.
     auto both = std::make_shared<Clip>(*clip.within[i]);
     Clip* last = both.get();
     while (last->outer) {
@@ -37,7 +38,7 @@ void cut_clip_shapes(const ClipPointer& within, std::size_t first, Clip& clip) {
 
 }  // namespace
 
-/// Adds the box of an element and of what is in it, whether it shows or not, but for what is not displayed.
+/// Extends the box by an element and its children, visible or not, except children with display: none.
 void SvgReader::extend_box(const pugi::xml_node& node, const Context& context, const Matrix& to_box, Rect& box) {
   if (++boxed_ > kMostBoxed) throw EndlessWork("has boxes of more than ten million elements");
   if (context.depth > kDeepestBox) return;
@@ -71,7 +72,7 @@ void SvgReader::extend_box(const pugi::xml_node& node, const Context& context, c
   }
 }
 
-/// The box of an element in its own units, as a matrix from the unit square; nothing where it holds no shapes.
+/// The box of an element in its own units, as a matrix from the unit square; nothing if it has no shapes.
 std::optional<Matrix> SvgReader::box_of(const pugi::xml_node& node, const Context& context) {
   Rect box;
   extend_box(node, context, Matrix{}, box);
@@ -91,7 +92,7 @@ Style SvgReader::style_around(const pugi::xml_node& node, const Viewport& port) 
   return style;
 }
 
-/// The clip path of an element, with those around it. An id of nothing clips nothing, as in viewers.
+/// The clip path of an element, inside the clip of the context. An id that the file lacks clips nothing, as in viewers.
 ClipPointer SvgReader::clip_of(const std::string& id, const pugi::xml_node& node, const Context& context) {
   const auto found = ids_.find(id);
   if (found == ids_.end() || local_name(found->second) != "clipPath") return context.clip;
@@ -105,7 +106,7 @@ ClipPointer SvgReader::clip_of(const std::string& id, const pugi::xml_node& node
   Context inside = context;
   bool displayed = true;
   inside.style = styled(path, style_around(path, context.port), context.port, displayed);
-  // Its transform is of the units around it, also where its shapes are in those of a box.
+  // Its transform is in the units around it, even if its shapes are in units of a box.
   Matrix m = context.to_mm * placing_of(path, inside);
   if (std::string_view(path.attribute("clipPathUnits").value()) == "objectBoundingBox") {
     const std::optional<Matrix> box = box_of(node, context);
@@ -115,7 +116,7 @@ ClipPointer SvgReader::clip_of(const std::string& id, const pugi::xml_node& node
     }
     m = m * *box;
   }
-  // Clip paths of the clip path lie in its own units, their boxes are those of the element.
+  // A clip path of the clip path lies in the units of the latter, but its box is the box of the element.
   Context around = context;
   around.to_mm = context.to_mm * placing_of(path, inside);
   if (!inside.style.clip.empty()) around.clip = clip_of(inside.style.clip, node, around);
@@ -133,8 +134,8 @@ ClipPointer SvgReader::clip_of(const std::string& id, const pugi::xml_node& node
   return clip;
 }
 
-/// The region of a mask (SVG 1.1, 14.4), inside the clip of the context. Where the mask tells none, nothing of the element
-/// lies outside. The box of a straight line has no area to be measured in.
+/// The region of a mask (SVG 1.1, 14.4), inside the clip of the context. A mask that gives no region cuts nothing off.
+/// Neither does a region in units of a box without area, as of a straight line.
 ClipPointer SvgReader::region_of(const pugi::xml_node& mask, const pugi::xml_node& node, const Context& context) {
   constexpr const char* kSides[] = {"x", "y", "width", "height"};
   if (std::ranges::none_of(kSides, [&](const char* side) { return Attributes::has(mask, side); })) return context.clip;
@@ -154,7 +155,7 @@ ClipPointer SvgReader::region_of(const pugi::xml_node& mask, const pugi::xml_nod
   return frame_clip(std::max(width, 0.0), std::max(height, 0.0), inside);
 }
 
-/// A mask of shapes: what lies under light ones is seen, what lies under dark ones is not, and the last one painted decides.
+/// A mask of shapes: light shapes show what lies under them, dark ones hide it, and the last one painted decides.
 ClipPointer SvgReader::mask_of(const std::string& id, const pugi::xml_node& node, const Context& context) {
   const auto found = ids_.find(id);
   if (found == ids_.end() || local_name(found->second) != "mask") return context.clip;
@@ -200,13 +201,13 @@ ClipPointer SvgReader::mask_of(const std::string& id, const pugi::xml_node& node
   return clip;
 }
 
-/// One of the shapes that make a clip path or a mask. False for what can not be drawn as an area: it has been refused.
+/// Adds one of the shapes of a clip path or a mask. False if it can not be drawn as an area: it has been refused.
 bool SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, Clip& clip, int links,
                                bool is_mask) {
   const std::string_view name = local_name(node);
   bool displayed = true;
   const Style style = styled(node, context.style, context.port, displayed);
-  // A clip path is an outline: its opacity says nothing (CSS Masking 1, 6.1).
+  // A clip path is an outline: its opacity has no effect (CSS Masking 1, 6.1).
   if (!(is_mask ? displayed : style.displayed) || !style.visible) return true;
   if (links > kMostLinks || name == "text") {
     refuse("clip-path", node);
@@ -231,7 +232,7 @@ bool SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const C
   }
   Polylines lines;
   Outline outline(lines, to_mm);
-  // Groups and all others are none of its children (CSS Masking 1, 6.1): viewers leave them out too.
+  // Groups and other elements may not stand in it (CSS Masking 1, 6.1): viewers leave them out too.
   if (!outline_shape(name, node, attributes(context), outline)) return true;
   clip_points_ += lines.points.size() + 1;
   if (clip_points_ > kMostPoints) throw EndlessWork("has clip paths of more than fifty million points");

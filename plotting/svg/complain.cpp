@@ -1,4 +1,4 @@
-/// Complaints of a reader of SVG: what it leaves out, counted or refused.
+/// Complaints of the SVG reader about the parts that it leaves out: they are counted or refused.
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 namespace ligne::svg {
 namespace {
 
-/// Nouns for what can be skipped by its name, as they are counted.
+/// Nouns under which parts that can be skipped by name are counted.
 std::string noun_of(std::string_view name, const pugi::xml_node& node) {
   if (name == "text") return "<" + printable(node.name()) + "> elements in texts";
   if (name == "image") return "images";
@@ -71,7 +71,7 @@ void SvgReader::refuse(std::string_view name, const pugi::xml_node& node) {
   const std::string cause = "<" + printable(local_name(node)) + "> has " + std::string(name) +
                             ", which can not be drawn as strokes; " + what + "--skip " + std::string(name) +
                             " leaves it out";
-  // Fills are refused where the user asks for that.
+  // Fills come here only if the user asked to refuse them.
   if (name == "fill") fail(node, cause);
   omit(noun_of(name, node), node, cause);
 }

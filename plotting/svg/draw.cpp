@@ -1,4 +1,4 @@
-/// Drawing of an SVG's shapes, fills and text.
+/// Draws the shapes and fills of an SVG.
 
 #include <algorithm>
 #include <cmath>
@@ -17,23 +17,24 @@
 namespace ligne::svg {
 namespace {
 
-/// Gradients that take their colours from others.
+/// Longest chain of gradients that take their colours from others.
 constexpr int kMostPaintLinks = 16;
 constexpr std::string_view kWhite = "#ffffff";
-/// Adjustable: distance of the strokes that fill an area, in widths of the pen.
+/// Distance of the strokes that fill an area, in widths of the pen. Adjustable.
 constexpr double kFillSpacing = 0.8;
-/// Crossings of contours with the lines of hatches, in all.
+/// Most crossings of contours with the lines of hatches, in all.
 constexpr double kMostFillWork = 5e7;
 
-/// Adjustable: work on contours that cross each other, in steps of about 10 ns; those beyond it are drawn whole.
+/// Most work on contours that cross each other, in steps of about 10 ns. Contours beyond it are drawn whole.
+/// Adjustable.
 constexpr double kMostBorderWork = 1e8;
 
-/// Adjustable: what is not darker than that is left white.
+/// Darkness, from 0 to 1, below which an area is left white. Adjustable.
 constexpr double kLightest = 0.05;
 
 bool is_white(const std::string& color) { return color == kWhite || color == "white"; }
 
-/// The id that a gradient takes what it lacks from; empty: none.
+/// The id of the gradient from which this one takes missing parts; empty: none.
 std::string_view link_of(const pugi::xml_node& server) {
   std::string_view link = server.attribute("href").value();
   if (link.empty()) link = server.attribute("xlink:href").value();
@@ -52,7 +53,7 @@ bool has_area(const Polylines& lines) {
   return false;
 }
 
-/// Without round or square ends a line of no length does not show.
+/// Removes lines of no length, which are invisible without round or square ends.
 Polylines without_dots(const Polylines& lines) {
   Polylines kept;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -62,7 +63,7 @@ Polylines without_dots(const Polylines& lines) {
   return kept;
 }
 
-/// Cuts dashes; a few bytes must not ask for billions.
+/// Cuts dashes. Throws EndlessWork if a few bytes ask for too many.
 Polylines cut_some(const Polylines& lines, const std::vector<double>& dashes, double offset) {
   double length = 0, period = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) length += path_length(lines[i]);
@@ -73,8 +74,8 @@ Polylines cut_some(const Polylines& lines, const std::vector<double>& dashes, do
   return cut_pattern(lines, dashes, offset);
 }
 
-/// Dashes of lines on the page. Where a transform stretches them in one direction more than in the other, they are cut in
-/// the element's units, so large that the page has no larger ones.
+/// Cuts lines on the page into dashes. If the transform stretches one direction more than another, the lines are cut in
+/// the element's units, scaled by the largest stretch.
 Polylines dashed(Polylines lines, const Style& style, const Matrix& to_mm, double mm_per_px) {
   std::vector<double> dashes = style.dashes;
   const double scale = style.non_scaling ? mm_per_px : to_mm.stretch();
@@ -82,7 +83,8 @@ Polylines dashed(Polylines lines, const Style& style, const Matrix& to_mm, doubl
   const double offset = style.dash_offset * scale;
   const bool mirrored = to_mm.b == 0 && to_mm.c == 0 && to_mm.a == -to_mm.d;
   std::optional<Matrix> back = to_mm.inverse();
-  // A transform that flattens more than that makes lines of areas: their dashes can not be told apart.
+  // Largest ratio of the stretches of a transform. A flatter one makes lines of areas: their dashes can not be told
+  // apart.
   constexpr double kFlattest = 1000;
   if (!back || back->stretch() * scale > kFlattest || style.non_scaling || to_mm.is_similarity() || mirrored)
     return cut_some(lines, dashes, offset);
@@ -95,7 +97,7 @@ Polylines dashed(Polylines lines, const Style& style, const Matrix& to_mm, doubl
 
 }  // namespace
 
-/// Whether a paint shows: a gradient or pattern that the file lacks does not, unless a colour stands behind it.
+/// Whether a paint is visible: a gradient or pattern that the file lacks is not, unless it has a fallback colour.
 bool SvgReader::has_paint(const std::optional<Paint>& paint, const pugi::xml_node& node) {
   if (!paint) return false;
   if (is_server(paint->server)) return kind_of_server(paint->server) != ServerKind::empty;
@@ -130,14 +132,14 @@ SvgReader::ServerKind SvgReader::kind_of_server(const std::string& id) const {
   return ServerKind::empty;  // a gradient without colours paints nothing (SVG 1.1, 13.2.4)
 }
 
-/// Whether nothing is seen through the fill of a shape, but for groups that are translucent as a whole.
+/// Whether the fill of a shape is opaque, apart from groups that are translucent as a whole.
 bool SvgReader::is_opaque_fill(const Context& context) const {
   const Style& style = context.style;
   return style.fill_opacity == 1 && style.opacity == 1 && style.fill->opacity == 1 && !style.blended &&
          (!is_server(style.fill->server) || kind_of_server(style.fill->server) == ServerKind::opaque);
 }
 
-/// The colour of a paint; of a gradient its first one that shows on paper, since a pen has one.
+/// The colour of a paint. A gradient gets its first colour that is visible on paper, since a pen has only one.
 std::string SvgReader::color_of(const Paint& paint, const pugi::xml_node& node) {
   if (paint.server.empty() || !is_server(paint.server)) return paint.color;
   if (skip_.contains("paint")) refuse("paint", node);
@@ -156,7 +158,7 @@ std::string SvgReader::color_of(const Paint& paint, const pugi::xml_node& node) 
   return paint.color.empty() || is_white(paint.color) ? "#000000" : paint.color;
 }
 
-/// Lines in the layer, or in that of their colour, as far as they show.
+/// Adds the visible parts of lines to their layer, or to the layer of their colour.
 void SvgReader::add_lines(const Polylines& given, const Context& context, const std::string& color, double width_mm) {
   const Polylines shown = context.clip ? clipped(given, *context.clip) : Polylines{};
   const Polylines& lines = context.clip ? shown : given;
@@ -174,7 +176,7 @@ FillRule SvgReader::fill_rule(const Context& context) {
   return context.style.fill_even_odd ? FillRule::even_odd : FillRule::nonzero;
 }
 
-/// Lines painted before the area are not seen under it. Layers that are not plotted hide nothing.
+/// Lets the area hide the lines painted before it. Layers that are not plotted hide nothing.
 void SvgReader::hide(const Polylines& contours, const Context& context, std::optional<double> rim_width) {
   if ((!drawn_ && !fills_.occlude) || parse_layer_label(context.layer).skip) return;
   clip_points_ += contours.points.size();
@@ -185,7 +187,7 @@ void SvgReader::hide(const Polylines& contours, const Context& context, std::opt
 
 void SvgReader::remove_hidden() {
   if (occluders_.empty()) return;
-  std::map<std::string, std::vector<Occluder>> by_layer;  // all in one where they hide across layers
+  std::map<std::string, std::vector<Occluder>> by_layer;  // a single entry if areas hide across layers
   for (Occluder& occluder : occluders_) by_layer[fills_.own_layer ? occluder.layer : ""].push_back(std::move(occluder));
   for (const auto& [layer, areas] : by_layer) {
     Occluders occluders(areas, filled_, clip_work_);
@@ -198,12 +200,12 @@ void SvgReader::remove_hidden() {
   }
 }
 
-/// The lines that stand for an area without a stroke: its contours, and where clip paths cut it.
+/// Draws the lines that stand for an area without a stroke: its contours, and its borders where clip paths cut it.
 void SvgReader::draw_rim(const Polylines& contours, const Context& context, const std::string& color) {
   filled_.try_emplace(painted_, FilledArea{contours, fill_rule(context), context.clip});
   Context cut = context;
   cut.clip = nullptr;
-  // Cutting n edges takes n walks over the boxes of some sqrt(n) of them.
+  // Cutting n edges takes n searches, each over the boxes of about sqrt(n) edges.
   const double edges = static_cast<double>(contours.points.size()), work = edges * std::sqrt(edges);
   if (!context.clip && border_work_ + work > kMostBorderWork) return add_lines(contours, context, color, 0);
   const Area area(contours, fill_rule(context), clip_work_);
@@ -234,7 +236,7 @@ void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, co
   for (std::size_t i = 0; i + 1 < contours.begin.size(); ++i) {
     const auto line = lines[i];
     if (line.front() == line.back()) continue;
-    // A fill closes what is open.
+    // A fill closes open contours.
     contours.points.insert(contours.points.begin() + contours.begin[i + 1], line.front());
     for (std::size_t k = i + 1; k < contours.begin.size(); ++k) ++contours.begin[k];
   }
@@ -263,14 +265,14 @@ void SvgReader::hatch_fill(const Polylines& contours, const Context& context, co
   if (how.tone) {
     const double dark = (1 - brightness(color)) * style.fill_opacity * context.opacity;
     if (dark < kLightest) return;
-    // So much of the paper is covered; of two families each half.
+    // The strokes cover the fraction `dark` of the paper; each of two families covers half of it.
     const double families = how.cross ? 2 : 1;
     options.spacing_mm = std::max(options.spacing_mm, families * options.pen_width_mm / dark);
   }
   options.even_odd = style.fill_even_odd;
-  // Beside a rim that runs along the rows, and in corners, rows leave white.
+  // Rows leave white in corners, and along a rim that is parallel to them.
   options.rim = options.spacing_mm <= options.pen_width_mm;
-  // The work of the engine grows with how often the contours cross its lines.
+  // The work grows with the number of crossings of contours and lines.
   const double line_mm = hatch_line_mm(options);
   for (std::size_t i = 0; i < contours.size(); ++i) {
     for (std::size_t k = 1; k < contours[i].size(); ++k)
@@ -305,7 +307,7 @@ bool SvgReader::draw_shape(std::string_view name, const pugi::xml_node& node, co
   return true;
 }
 
-/// Units of the element to one of its own measure of length, `pathLength` (SVG 2, 9.6.1).
+/// Length of one unit of `pathLength`, the element's own measure, in units of the element (SVG 2, 9.6.1).
 double SvgReader::units_of_path_length(const pugi::xml_node& node, Polylines lines, const Context& context) {
   const double told = Attributes::has(node, "pathLength") ? attributes(context).along(node, "pathLength") : 0;
   const std::optional<Matrix> back = context.to_mm.inverse();

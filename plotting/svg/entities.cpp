@@ -9,12 +9,12 @@
 namespace ligne::svg {
 namespace {
 
-/// Entities that contain entities.
+/// Deepest nesting of entities.
 constexpr int kDeepestEntity = 20;
-/// Bytes that references may add: so many, and so many times the document. Style entities of Illustrator are a dozen times
-/// as long as their names.
+/// Bytes that references may add: kMostAdded, and kMostTimes the size of the document. Style entities of Illustrator
+/// are a dozen times as long as their names.
 constexpr std::size_t kMostAdded = std::size_t{1} << 24, kMostTimes = 16;
-/// References, which may add nothing and take time all the same.
+/// Most references: they take time even if they add nothing.
 constexpr std::size_t kMostReferences = 4'000'000;
 
 struct EntityValue {
@@ -28,7 +28,7 @@ bool entity_name_character(char c) {
          c == ':' || static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// The place behind `end`, from `from` on; that of the text where there is none.
+/// The position behind the first `end` from `from` on; the end of the text if there is none.
 std::size_t behind(std::string_view text, std::string_view end, std::size_t from) {
   const std::size_t found = text.find(end, from);
   return found == std::string_view::npos ? text.size() : found + end.size();
@@ -59,7 +59,8 @@ std::string with_characters(std::string_view value) {
   return text;
 }
 
-/// Reads the declaration that begins at `at`, behind "<!ENTITY". Entities of declarations ("%") are none of documents.
+/// Reads the declaration that begins at `at`, behind "<!ENTITY". Parameter entities ("%") are left out: they stand only
+/// in declarations.
 void read_declaration(std::string_view text, std::size_t at, EntityValues& entities) {
   const auto skip_blanks = [&] { at = std::min(text.find_first_not_of(kBlanks, at), text.size()); };
   skip_blanks();
@@ -79,7 +80,7 @@ void read_declaration(std::string_view text, std::size_t at, EntityValues& entit
   entities.emplace(std::move(name), EntityValue{with_characters(text.substr(at + 1, end - at - 1)), false});
 }
 
-/// Reads the declarations between "[" and "]" of a document type. Gives the place of the "]".
+/// Reads the declarations between "[" and "]" of a document type. Returns the position of the "]".
 std::size_t read_declarations(std::string_view text, std::size_t at, EntityValues& entities) {
   constexpr std::string_view kEntity = "<!ENTITY";
   while (at < text.size() && text[at] != ']') {
@@ -101,7 +102,7 @@ std::size_t read_declarations(std::string_view text, std::size_t at, EntityValue
   return at;
 }
 
-/// Where the document type ends; 0 where the document has none.
+/// The position at which the document type ends; 0 if the document has none.
 std::size_t read_document_type(std::string_view xml, EntityValues& entities) {
   std::size_t at = xml.starts_with("\xef\xbb\xbf") ? 3 : 0;
   while (true) {
@@ -130,7 +131,7 @@ class EntityExpansion {
   EntityExpansion(const EntityValues& entities, std::size_t size)
       : entities_(entities), most_(size + kMostAdded + kMostTimes * size) {}
 
-  /// Elements, and what lies between them.
+  /// Adds elements and the text between them.
   void add_content(std::string_view text, int depth) {
     for (std::size_t i = 0; i < text.size();) {
       const std::string_view rest = text.substr(i);
@@ -158,7 +159,7 @@ class EntityExpansion {
   ExpandedDocument result;
 
  private:
-  /// Lines keep their numbers: line ends of entities become blanks.
+  /// Line ends of entities become blanks, so that lines keep their numbers.
   void add(std::string_view text, int depth) {
     if (result.text.size() + text.size() > most_)
       throw std::invalid_argument("has entities that make it many times as large");
@@ -167,7 +168,7 @@ class EntityExpansion {
     if (depth > 0) std::replace(result.text.begin() + static_cast<std::ptrdiff_t>(begin), result.text.end(), '\n', ' ');
   }
 
-  /// From "<" to ">", with the values of attributes expanded. Gives the length in the text.
+  /// Adds a tag from "<" to ">", with the values of attributes expanded. Returns its length in the text.
   std::size_t add_tag(std::string_view text, int depth) {
     char quote = '\0';
     std::size_t i = 0;
@@ -189,7 +190,7 @@ class EntityExpansion {
     return i;
   }
 
-  /// The text of an entity inside the value of an attribute: signs that would end it are escaped.
+  /// Adds the text of an entity inside the value of an attribute. Characters that would end the value are escaped.
   void add_value(std::string_view text, int depth) {
     for (std::size_t i = 0; i < text.size();) {
       const char c = text[i];
@@ -206,7 +207,7 @@ class EntityExpansion {
     }
   }
 
-  /// At a "&". Gives the length of the reference.
+  /// Adds the reference that begins with the "&" of the text. Returns its length.
   std::size_t add_reference(std::string_view text, int depth, bool in_value) {
     std::size_t n = 1;
     while (n < text.size() && entity_name_character(text[n])) ++n;

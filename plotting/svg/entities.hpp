@@ -1,5 +1,5 @@
 #pragma once
-/// Internal entities of an XML document, which the parser at hand does not expand. Private to plotting.
+/// Expands internal entities of an XML document, which the parser does not. Private to plotting.
 
 #include <cstddef>
 #include <optional>
@@ -9,13 +9,13 @@
 namespace ligne::svg {
 
 struct ExpandedDocument {
-  std::string text;          ///< as many lines as the document has
-  std::size_t external = 0;  ///< references to entities that stand in other files: left out
+  std::string text;          ///< has as many lines as the document
+  std::size_t external = 0;  ///< references to entities of other files, which are left out
 };
 
-/// The document with the texts of its internal entities in place of their names (XML 1.0, 4.4); nothing where it declares
-/// none. Names without a declaration stay. Throws std::invalid_argument where entities contain themselves, or where a
-/// small document would become a large one.
+/// The document with the texts of its internal entities in place of their names (XML 1.0, 4.4); nothing if it declares
+/// none. Names without a declaration stay. Throws std::invalid_argument if entities contain themselves, or if a small
+/// document would become a large one.
 std::optional<ExpandedDocument> expand_entities(std::string_view xml);
 
 }  // namespace ligne::svg

@@ -10,7 +10,7 @@
 namespace ligne::svg {
 namespace {
 
-/// Width and height of a marker that tells none.
+/// Width and height of a marker that gives none.
 constexpr double kUsualSide = 3;
 
 Point2 unit(Point2 v) {
@@ -18,7 +18,7 @@ Point2 unit(Point2 v) {
   return length > 0 ? v / length : Point2{0, 0};
 }
 
-/// The direction at a vertex, radians: half way between those of both sides.
+/// Direction at a vertex, radians: halfway between the directions on both sides.
 double angle_at(const PathVertex& vertex) {
   const Point2 in = unit(vertex.in), out = unit(vertex.out);
   // At a turning point the direction is across; SVG leaves open to which side.
@@ -46,7 +46,7 @@ void SvgReader::draw_markers(const pugi::xml_node& node, const std::vector<PathV
   draw(2, vertices.back());
 }
 
-/// A marker has the style of where it is written, not of what it marks.
+/// Draws a marker. It inherits the style of the place where it is defined, not of the shape that it marks.
 void SvgReader::draw_marker(const pugi::xml_node& marker, const pugi::xml_node& node, const PathVertex& vertex, bool start,
                             const Context& around) {
   if (!marker.first_child()) return;
@@ -61,7 +61,7 @@ void SvgReader::draw_marker(const pugi::xml_node& marker, const pugi::xml_node& 
   context.style = style_around(marker, context.port);
   context.style.context_fill = around.style.fill;
   context.style.context_stroke = around.style.stroke;
-  context.style = styled(marker, context.style, context.port, displayed);  // display says nothing of markers
+  context.style = styled(marker, context.style, context.port, displayed);  // display has no effect on markers
   context.port.em = context.style.font_size;
   const double width = attributes(context).x(marker, "markerWidth", kUsualSide),
                height = attributes(context).y(marker, "markerHeight", kUsualSide);

@@ -9,10 +9,10 @@ namespace ligne::svg {
 namespace {
 
 constexpr std::string_view kSvgNamespace = "http://www.w3.org/2000/svg";
-/// Prefix of elements that have none and yet are not of SVG.
+/// Prefix for elements without one that are not of SVG.
 constexpr char kForeign[] = "foreign:";
 
-/// Namespaces whose attributes are read, with the prefixes under which they are.
+/// Namespaces whose attributes are read, and the prefixes that they get.
 constexpr std::pair<std::string_view, std::string_view> kAttributeNamespaces[] = {
     {"http://www.w3.org/1999/xlink", "xlink"}, {"http://www.inkscape.org/namespaces/inkscape", "inkscape"}};
 
@@ -84,7 +84,7 @@ class PlainNames {
 void use_plain_names(pugi::xml_node root) {
   PlainNames names(root);
   std::size_t depth = 0;
-  // Without recursion: the file may be nested as deep as it likes.
+  // Without recursion, since a file may be nested to any depth.
   for (pugi::xml_node node = root; node;) {
     if (node.type() == pugi::node_element) names.enter(node, depth);
     if (node.first_child()) {

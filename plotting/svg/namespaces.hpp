@@ -1,5 +1,5 @@
 #pragma once
-/// Names of XML elements whatever prefixes a file gives them. Private to plotting.
+/// Names of XML elements, independent of a file's prefixes. Private to plotting.
 
 #include <string_view>
 
@@ -7,8 +7,9 @@
 
 namespace ligne::svg {
 
-/// Names the elements of SVG without a prefix ("ns0:path" becomes "path"), those of other namespaces with one, and the
-/// attributes of XLink and Inkscape as "xlink:href" and "inkscape:label". What the root belongs to counts as SVG.
+/// Removes the prefixes of elements of SVG ("ns0:path" becomes "path"), gives one to elements of other namespaces, and
+/// renames attributes of XLink and Inkscape to "xlink:href" and "inkscape:label". The namespace of the root counts as
+/// SVG.
 void use_plain_names(pugi::xml_node root);
 
 /// The name of an element of SVG after use_plain_names(); empty for elements of other namespaces.

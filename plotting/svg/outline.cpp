@@ -12,16 +12,18 @@
 namespace ligne::svg {
 namespace {
 
+/// Most chords of a curve.
 constexpr double kMostPieces = 100'000;
 
-/// A chord of an arc that turns by a is shorter than it by a^2 / 24 of it.
+/// Largest turn of an arc over one chord, radians: the chord of an arc that turns by a is shorter by the fraction a^2 /
+/// 24.
 const double kMostTurn = std::sqrt(24 * kLengthLoss);
 
-/// Angle between two directions; zero where one is none.
+/// Angle between two directions; zero if one of them has no length.
 double turn_of(Point2 u, Point2 v) { return std::abs(std::atan2(cross(u, v), glm::dot(u, v))); }
 
-/// Pieces of a curve of the degree whose second differences are at most `bend` mm and whose control polygon turns by
-/// `turn`, which the curve does not exceed. n^2 = degree (degree - 1) / 8 bend / flatness.
+/// Number of chords for a curve of this degree. Its second differences are at most `bend` mm, and its control polygon
+/// turns by `turn`, which the curve does not exceed. n^2 = degree (degree - 1) / 8 bend / flatness.
 int pieces(double degree, double bend, double turn) {
   const double flat = std::sqrt(degree * (degree - 1) / 8 * bend / kFlatnessMm);
   return static_cast<int>(std::clamp(std::ceil(std::max(flat, turn / kMostTurn)), 1.0, kMostPieces));
@@ -95,7 +97,7 @@ void Outline::cubic_to(Point2 control1, Point2 control2, Point2 p) {
 void Outline::arc(Point2 center, double rx, double ry, double rotation, double from, double sweep) {
   const double radius = std::max(rx, ry) * to_mm_.stretch();
   const double step = radius > kFlatnessMm ? std::min(kMostTurn, 2 * std::acos(1 - kFlatnessMm / radius)) : kMostTurn;
-  // Where the radius is beyond all proportion to the flatness, the step is nothing.
+  // With a radius far beyond the flatness the step rounds to zero.
   const double wanted = step > 0 ? std::ceil(std::abs(sweep) / step) : kMostPieces;
   const int n = static_cast<int>(std::clamp(wanted, 4.0, kMostPieces));
   const double c = std::cos(rotation), s = std::sin(rotation);
@@ -119,7 +121,7 @@ void Outline::arc_to(double rx, double ry, double rotation_degrees, bool large, 
   Point2 u{(c * half.x + s * half.y) / rx, (-s * half.x + c * half.y) / ry};
   const double squared = glm::dot(u, u);
   if (!std::isfinite(squared)) throw OutOfReach("an arc is beyond all numbers");
-  if (squared > 1) {  // radii too small: enlarged until the arc is a half one
+  if (squared > 1) {  // radii that are too small grow until the arc is half an ellipse
     rx *= std::sqrt(squared);
     ry *= std::sqrt(squared);
     u /= std::sqrt(squared);
@@ -132,7 +134,7 @@ void Outline::arc_to(double rx, double ry, double rotation_degrees, bool large, 
   if (!sweep && turn > 0) turn -= 2 * std::numbers::pi;
   const Point2 center{middle.x + c * rx * center_unit.x - s * ry * center_unit.y,
                       middle.y + s * rx * center_unit.x + c * ry * center_unit.y};
-  // Radii beyond all numbers: the arc is straight.
+  // The radii overflow: the arc is straight.
   if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(turn)) return line_to(p);
   const auto tangent = [&](Point2 unit) {
     const Point2 along = Point2{-rx * unit.y, ry * unit.x} * (turn < 0 ? -1.0 : 1.0);
@@ -232,7 +234,7 @@ class PathData {
     return origin_ + Point2{x, number()};
   }
 
-  /// The control point of the last curve of the kind, mirrored; where the last part was none, the place itself.
+  /// The control point of the last part, mirrored, if that was a curve of this kind; else the current point.
   Point2 smooth_control(char kind, char smooth_kind) const {
     const char last = upper(before_);
     return last == kind || last == smooth_kind ? outline_.at() * 2.0 - control_ : outline_.at();
@@ -283,8 +285,8 @@ class PathData {
   Outline& outline_;
   Scanner scanner_;
   char command_ = '\0', before_ = '\0';
-  Point2 origin_{0, 0};   ///< of a relative command, the place before it
-  Point2 control_{0, 0};  ///< of the last curve, for S and T
+  Point2 origin_{0, 0};   ///< relative commands: the point before; else (0, 0)
+  Point2 control_{0, 0};  ///< control point of the last curve, for S and T
 };
 
 }  // namespace

@@ -9,13 +9,13 @@
 namespace ligne::svg {
 namespace {
 
-/// Sides of a page of which nothing is told.
+/// Sides of a page without any size, px.
 constexpr double kAssumedPx = 1000;
 
 /// Papers that drawings have, and resolutions in which programs write them: PostScript, old Inkscape, CSS, scans.
 constexpr const char* kPapers[] = {"A4", "A3", "A2", "A1", "A0", "A5", "A6", "letter", "legal", "tabloid"};
 constexpr double kResolutions[] = {72, 90, 96, 300};
-/// Sides of a paper are often written in whole units, rounded up or down.
+/// Largest difference between a side and a paper's, in units: sides are often rounded up or down to whole units.
 constexpr double kPaperUnits = 1;
 
 /// Whether the paper has these sides, lying or standing, at the resolution.
@@ -27,7 +27,8 @@ bool is_paper(const Page& paper, double width, double height, double dpi) {
 
 }  // namespace
 
-/// Says which paper a page without a size would be at another resolution, if it is none as it is read.
+/// Notes which paper a page without a size would have at another resolution, unless it has the size of a paper as it
+/// is.
 void SvgReader::note_paper(double width, double height) {
   for (const char* name : kPapers) {
     if (is_paper(parse_page(name), width, height, reading_.px_per_inch)) return;
@@ -41,8 +42,8 @@ void SvgReader::note_paper(double width, double height) {
   }
 }
 
-/// Size of the page and where its units lie on it. Of a page that tells one side the viewBox tells the other. A file that
-/// tells none has that which vpype gives it.
+/// Sets the size of the page and the transform from its units. If a page gives one side, the viewBox gives the other. A
+/// file that gives no size gets the one that vpype assumes.
 Context SvgReader::place_page(const pugi::xml_node& root) {
   Context context;
   context.port.px_per_inch = reading_.px_per_inch;

@@ -26,19 +26,19 @@ namespace ligne::svg {
 
 using ClipPointer = std::shared_ptr<const Clip>;
 
-/// The surroundings that an element finds where it stands.
+/// State that an element inherits from the elements around it.
 struct Context {
   Style style;
   Matrix to_mm;
   std::string layer;
   Viewport port;
   ClipPointer clip;         ///< nullptr: everything shows
-  double opacity = 1;       ///< of the groups around
+  double opacity = 1;       ///< product of the opacities of the element and the groups around it
   std::uint32_t since = 0;  ///< shapes painted before the translucent group around; 0: there is none
   int depth = 0, links = 0;
 };
 
-/// Marks an element as one whose children are being drawn. What is marked already leads back to itself.
+/// Marks an element while its children are drawn. An element that is marked already leads back to itself.
 class OpenElement {
  public:
   OpenElement(std::unordered_set<const void*>& open, const pugi::xml_node& node)
@@ -56,11 +56,11 @@ class OpenElement {
   bool is_new_;
 };
 
-/// Lines of one look in a layer, and when each was painted.
+/// Lines of one colour and width in a layer, and their places in the painting order.
 struct PaintedLines {
   Layer layer;
   std::vector<std::uint32_t> painted;
-  std::string in_layer{};  ///< of the document, or empty
+  std::string in_layer{};  ///< layer of the document, or empty
 };
 
 class SvgReader {
@@ -73,11 +73,11 @@ class SvgReader {
  private:
   std::size_t line_of(const pugi::xml_node& node) const;
   [[noreturn]] void fail(const pugi::xml_node& node, const std::string& cause) const;
-  /// Something that can be skipped by this name.
+  /// Leaves out and counts a part that can be skipped by this name, or fails.
   void refuse(std::string_view name, const pugi::xml_node& node);
-  /// Counts something of an element that is not drawn, once for each element; `kind` is a noun in the plural.
+  /// Counts a part that is not drawn, once for each element; `kind` is a noun in the plural.
   void leave_out(const std::string& kind, const pugi::xml_node& node);
-  /// Leaves an element out likewise, or fails with this cause where reading is strict.
+  /// Leaves a part out likewise, or fails with `cause` if reading is strict.
   void omit(const std::string& kind, const pugi::xml_node& node, const std::string& cause);
   pugi::xml_node parse(pugi::xml_document& document);
   static void for_each_element(const pugi::xml_node& root, const std::function<void(const pugi::xml_node&)>& visit);
@@ -101,7 +101,7 @@ class SvgReader {
   pugi::xml_node target_of(const pugi::xml_node& use);
   /// The clip of the frame at (0, 0) inside the clip of the context.
   ClipPointer frame_clip(double width, double height, const Context& context) const;
-  /// The style in which an element stands where it is written; for those that are used elsewhere.
+  /// The style that an element inherits where it is defined, for elements that are used elsewhere.
   Style style_around(const pugi::xml_node& node, const Viewport& port);
   ClipPointer clip_of(const std::string& id, const pugi::xml_node& node, const Context& context);
   ClipPointer mask_of(const std::string& id, const pugi::xml_node& node, const Context& context);
@@ -119,20 +119,20 @@ class SvgReader {
   double units_of_path_length(const pugi::xml_node& node, Polylines lines, const Context& context);
   static FillRule fill_rule(const Context& context);
   void draw_rim(const Polylines& contours, const Context& context, const std::string& color);
-  /// `stroked`: a stroke is painted along it, `stroke_follows`: later.
+  /// `stroked`: a stroke is painted along the fill; `stroke_follows`: after it.
   void draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked,
                  bool stroke_follows);
   void hatch_fill(const Polylines& contours, const Context& context, const std::string& color);
   void add_lines(const Polylines& lines, const Context& context, const std::string& color, double width_mm);
   void draw_text(const pugi::xml_node& node, const Context& context);
   bool has_paint(const std::optional<Paint>& paint, const pugi::xml_node& node);
-  /// The facts about a gradient or pattern, with the links that it follows.
+  /// Kinds of a gradient or pattern, with the links that it follows.
   enum class ServerKind { opaque, translucent, empty };
   ServerKind kind_of_server(const std::string& id) const;
   bool is_opaque_fill(const Context& context) const;
   bool is_server(const std::string& id) const;
   std::string color_of(const Paint& paint, const pugi::xml_node& node);
-  /// `rim_width`: of the line that is drawn along the contours, mm, 0 the pen's; nothing: none.
+  /// `rim_width`: width of the line drawn along the contours, mm; 0: the width of the pen; nothing: no line.
   void hide(const Polylines& contours, const Context& context, std::optional<double> rim_width);
   void remove_hidden();
   PaintedLines& layer_of(const std::string& name, const std::string& color, double width_mm);
@@ -146,25 +146,25 @@ class SvgReader {
   FillReading fills_;
   SvgReading reading_;
   Complaints complaints_;
-  std::string expanded_;  ///< the document with its entities, where it has some
+  std::string expanded_;  ///< the document with its entities expanded, if it has any
   ReadDrawing result_;
   std::set<std::pair<const void*, std::string>> omitted_;  ///< elements and kinds that have been counted
   std::unordered_set<const void*> open_;                   ///< elements whose children are being drawn
   std::vector<std::vector<PaintedLines>> layers_;          ///< by name, each by colours and widths
   std::unordered_map<std::string, std::size_t> layer_numbers_;
-  std::map<std::tuple<std::size_t, std::string, double>, std::size_t> parts_;  ///< of layers_[first]
+  std::map<std::tuple<std::size_t, std::string, double>, std::size_t> parts_;  ///< index in layers_[first]
   std::unordered_map<std::string, pugi::xml_node> ids_;
   StyleSheet sheet_;
   std::unordered_map<const void*, Style> styles_around_;  ///< by the parents of clip paths, masks and markers
   std::unordered_set<const void*> open_clips_;            ///< clip paths and masks that are being made
   std::size_t linked_ = 0, clip_points_ = 0, boxed_ = 0;
-  double border_work_ = 0;  ///< of contours that were cut down to borders
+  double border_work_ = 0;  ///< work on contours cut down to borders
   ClipWork clip_work_ = std::make_shared<std::size_t>(0);
   std::vector<Occluder> occluders_;
   FilledAreas filled_;
-  std::uint32_t painted_ = 0;  ///< shapes and texts so far
+  std::uint32_t painted_ = 0;  ///< number of fills, strokes, markers and texts so far
   double fill_work_ = 0;
-  std::string last_clip_;  ///< the clip path that was made last, as its id and where it lies
+  std::string last_clip_;  ///< id and matrix of the clip path that was made last
   ClipPointer last_made_;
   bool drawn_ = false;
 };

@@ -44,7 +44,7 @@ void outline_rect(const pugi::xml_node& node, const Attributes& attributes, Outl
   outline.close();
 }
 
-/// Pairs of coordinates, up to the first one that is none (SVG 1.1, 9.6).
+/// Adds pairs of coordinates, up to the first error (SVG 1.1, 9.6).
 void outline_points(const pugi::xml_node& node, const Attributes& attributes, Outline& outline) {
   Scanner scanner(node.attribute("points").value());
   bool first = true;

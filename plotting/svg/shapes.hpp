@@ -12,12 +12,12 @@
 
 namespace ligne::svg {
 
-/// Attributes of elements. One without a meaning is complained of, and is as if it were not there.
+/// Reads attributes of elements. An invalid one is reported and ignored.
 class Attributes {
  public:
   Attributes(const Viewport& port, const Complaints& complaints) : port_(port), complaints_(complaints) {}
 
-  /// As lengths in user units; percentages are of the width, of the height, or of neither.
+  /// Lengths in user units. Percentages refer to the width, the height or the diagonal of the viewport.
   double x(const pugi::xml_node& node, const char* name, double otherwise = 0) const {
     return length(node, name, port_.width, otherwise);
   }
@@ -27,7 +27,7 @@ class Attributes {
   double along(const pugi::xml_node& node, const char* name, double otherwise = 0) const {
     return length(node, name, port_.diagonal(), otherwise);
   }
-  /// Whether it says something else than "auto".
+  /// Whether the attribute exists and is not "auto".
   static bool has(const pugi::xml_node& node, const char* name);
 
   /// "x y width height"; nothing where there is none.
@@ -42,11 +42,11 @@ class Attributes {
   const Complaints& complaints_;
 };
 
-/// From the units inside an element with `viewBox` and `preserveAspectRatio` to those of a frame of this size at (0, 0).
-/// Without a viewBox they are the same.
+/// Matrix from the units inside an element with `viewBox` and `preserveAspectRatio` to those of a frame of this size at
+/// (0, 0). Without a viewBox they are the same. `inside` receives the size of the frame in the units inside.
 Matrix view_box_to(const pugi::xml_node& node, const Attributes& attributes, double width, double height, Viewport& inside);
 
-/// Adds a shape to the outline, up to where its data is wrong. False when the element is none.
+/// Adds a shape to the outline, up to the first error in its data. False if the element is no shape.
 bool outline_shape(std::string_view name, const pugi::xml_node& node, const Attributes& attributes, Outline& outline);
 
 }  // namespace ligne::svg

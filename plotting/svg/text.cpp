@@ -1,7 +1,7 @@
-/// The text of an SVG, in letters of single strokes.
+/// Draws the text of an SVG in letters of single strokes.
 ///
-/// Characters are gathered with what the elements around them say; those that begin with a place of their own begin a
-/// chunk, which the anchor shifts as a whole (SVG 1.1, 10.5).
+/// Characters are collected with the properties of the elements around them. A character with a position of its own
+/// begins a chunk, which the anchor shifts as a whole (SVG 1.1, 10.5).
 
 #include <cmath>
 #include <optional>
@@ -45,9 +45,9 @@ class TextReader {
   TextReader(const Viewport& port, const Complaints& complaints, Styled styled)
       : port_(port), complaints_(complaints), styled_(std::move(styled)) {}
 
-  /// Gathers what is inside the element, whose style is given.
+  /// Collects the characters inside the element, whose style is given.
   void gather(const pugi::xml_node& node, const Style& style, int depth);
-  /// Without blanks at the end, which no viewer shows.
+  /// Drops blanks at the end, which no viewer shows.
   void trim() {
     while (!characters.empty() && characters.back().blank() && !characters.back().style.keep_blanks) characters.pop_back();
   }
@@ -60,7 +60,7 @@ class TextReader {
   void place(const pugi::xml_node& node, const Style& style, std::size_t first);
   void stretch(const pugi::xml_node& node, const Style& style, std::size_t first);
 
-  /// The value of an attribute by `value_of(viewport)`; what is wrong is complained of, and is an empty one.
+  /// The value of an attribute by `value_of(viewport)`. An invalid one is reported and gives an empty value.
   template <class ValueOf>
   auto read(const pugi::xml_node& node, const char* name, const Style& style, ValueOf&& value_of)
       -> decltype(value_of(std::declval<Viewport>())) {
@@ -98,7 +98,7 @@ void TextReader::add(std::string_view text, const Style& style) {
   }
 }
 
-/// x, y, dx, dy and rotate of an element, as far as those inside it say nothing.
+/// Applies x, y and rotate of an element where the elements inside it give none; dx and dy add up.
 void TextReader::place(const pugi::xml_node& node, const Style& style, std::size_t first) {
   const auto each = [&](const char* name, double whole, auto&& set) {
     std::vector<double> values =
@@ -123,7 +123,7 @@ void TextReader::place(const pugi::xml_node& node, const Style& style, std::size
   }
 }
 
-/// `textLength`: blanks between the letters, or the letters themselves, take up the difference.
+/// Applies `textLength`: blanks between the letters, or the letters themselves, take up the difference.
 void TextReader::stretch(const pugi::xml_node& node, const Style& style, std::size_t first) {
   if (!node.attribute("textLength") || first >= characters.size()) return;
   const double wanted = read(node, "textLength", style, [&](const Viewport& port) {

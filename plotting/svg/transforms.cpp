@@ -32,7 +32,7 @@ Matrix turn(double degrees) {
   return {c, s, -s, c, 0, 0};
 }
 
-/// Nothing where there is no such transform, or not of so many numbers.
+/// The transform of this name; nothing if there is none with this number of arguments.
 std::optional<Matrix> transform_of(std::string_view name, const std::vector<double>& v) {
   const std::size_t n = v.size();
   if (name == "matrix" && n == 6) return Matrix{v[0], v[1], v[2], v[3], v[4], v[5]};
@@ -45,7 +45,7 @@ std::optional<Matrix> transform_of(std::string_view name, const std::vector<doub
   return {};
 }
 
-/// Those that only CSS has (CSS Transforms 1, 12).
+/// Transforms that only CSS has (CSS Transforms 1, 12).
 std::optional<Matrix> css_transform_of(std::string_view name, const std::vector<double>& v) {
   const std::size_t n = v.size();
   if (name == "translateX" && n == 1) return Matrix{1, 0, 0, 1, v[0], 0};

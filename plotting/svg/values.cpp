@@ -121,7 +121,7 @@ std::vector<double> numbers(std::string_view text) {
 }
 
 double length_px(std::string_view text, const Viewport& port, double whole) {
-  // As CSS has them where a font does not tell.
+  // Values of CSS for a font that does not give them.
   constexpr double kExOfEm = 0.5, kChOfEm = 0.5, kIcOfEm = 1, kLineOfEm = 1.2;
   const double inch = port.px_per_inch, vw = port.page_width / 100, vh = port.page_height / 100;
   const std::pair<std::string_view, double> units[] = {

@@ -20,16 +20,16 @@ struct Matrix {
   double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
 
   Point2 operator()(Point2 p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
-  /// First `other`, then this.
+  /// Applies `other` first, then this.
   Matrix operator*(const Matrix& other) const;
   /// Largest factor by which it stretches.
   double stretch() const;
-  /// By how much a line's width grows, over all directions.
+  /// Factor by which the width of a line grows, as a mean over all directions.
   double mean_stretch() const;
   /// Turns and scales alike in all directions, without a mirror.
   bool is_similarity() const;
   bool finite() const;
-  /// Nothing for one that flattens, or whose inverse is beyond all numbers.
+  /// Nothing if the matrix flattens, or if its inverse overflows.
   std::optional<Matrix> inverse() const;
 };
 
@@ -68,12 +68,12 @@ std::vector<double> numbers(std::string_view text);
 
 /// Lengths to which relative ones refer, in user units.
 struct Viewport {
-  double width = 0, height = 0;            ///< of percentages
+  double width = 0, height = 0;            ///< lengths of 100%
   double em = 16, rem = 16;                ///< sizes of the fonts of the element and of the root
-  double page_width = 0, page_height = 0;  ///< hundred vw and vh
+  double page_width = 0, page_height = 0;  ///< lengths of 100vw and 100vh
   double px_per_inch = 96;
 
-  /// Length to which percentages refer that are neither across nor down (SVG 2, 8.9).
+  /// Length of 100% for percentages that are neither across nor down (SVG 2, 8.9).
   double diagonal() const { return std::hypot(width, height) / std::numbers::sqrt2; }
 };
 
@@ -86,17 +86,17 @@ Matrix transform(std::string_view text, const Viewport* port = nullptr);
 /// "90", "90deg", "1.5rad", "100grad", "0.25turn" in degrees; nothing for what is none of these.
 std::optional<double> angle_degrees(std::string_view text);
 
-/// The point about which a transform is taken: "left 10px", "50% 50%", "center". Percentages are of a box, given from the
-/// unit square.
+/// The point about which a transform is taken: "left 10px", "50% 50%", "center". Percentages refer to a box, given as a
+/// matrix from the unit square.
 Point2 transform_origin(std::string_view text, const Viewport& port, const Matrix& box);
 
 /// A paint: nothing for "none" and "transparent", else the colour as "#rrggbb"; "currentColor" as it is written.
 std::optional<std::string> paint(std::string_view text);
 
-/// The opacity that stands in a colour, "#rrggbbaa" or "rgb(1 2 3 / 50%)", 0 to 1; 1 where none is told.
+/// The opacity in a colour, "#rrggbbaa" or "rgb(1 2 3 / 50%)", from 0 to 1; 1 if it has none.
 double color_opacity(std::string_view text);
 
-/// The brightness of a colour as paint() gives it, 0 black to 1 white. A colour that is only a name is black.
+/// The brightness of a colour as paint() gives it, 0 black to 1 white. An unknown name counts as black.
 double brightness(const std::string& color);
 
 }  // namespace ligne::svg

@@ -64,13 +64,13 @@ std::optional<std::string> paint(std::string_view text) {
   const std::string_view clean = trimmed(text);
   if (clean == "none" || clean == "transparent") return std::nullopt;
   if (clean == "currentColor" || clean == "currentcolor") return "currentColor";
-  // Paper is light.
+  // Paper is light, so the first of the two colours holds.
   constexpr std::string_view kLightDark = "light-dark(";
   if (clean.starts_with(kLightDark)) {
     const std::string_view inside = clean.substr(kLightDark.size());
     return paint(inside.substr(0, find_outside(inside, ",)")));
   }
-  // With an opacity behind the colour.
+  // A code with an opacity behind the colour.
   if (clean.starts_with('#') && (clean.size() == 5 || clean.size() == 9)) {
     const std::size_t digits = clean.size() == 5 ? 1 : 2;
     const bool clear = clean.substr(clean.size() - digits).find_first_not_of('0') == std::string_view::npos;
@@ -79,9 +79,9 @@ std::optional<std::string> paint(std::string_view text) {
   if (clean.starts_with("hsl(") || clean.starts_with("hsla(")) return hsl(clean);
   if ((clean.starts_with("rgb(") || clean.starts_with("rgba(")) && clean.ends_with(")")) return rgb(clean);
   try {
-    return color_code(parse_color(lower_case(clean)));  // SVG does not tell large letters of names from small ones
+    return color_code(parse_color(lower_case(clean)));  // names of colours in SVG do not depend on case
   } catch (const std::invalid_argument&) {
-    // Other names of colours are names of layers as they stand.
+    // Other names of colours stay: they name layers.
     if (!clean.empty() &&
         std::all_of(clean.begin(), clean.end(), [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }))
       return std::string(clean);

@@ -33,7 +33,7 @@ void append_utf8(std::string& text, unsigned long code) {
   }
 }
 
-/// The place behind the string that begins at `at`. A line end ends it too (CSS Syntax 3, 4.3.5).
+/// The position behind the string that begins at `at`. A line end ends the string too (CSS Syntax 3, 4.3.5).
 std::size_t behind_string(std::string_view text, std::size_t at) {
   const char quote = text[at];
   for (++at; at < text.size() && text[at] != quote && text[at] != '\n'; ++at) {

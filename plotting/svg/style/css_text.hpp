@@ -1,5 +1,5 @@
 #pragma once
-/// The signs of CSS: comments, strings, brackets, names and declarations. Private to plotting.
+/// The syntax of CSS: comments, strings, brackets, names and declarations. Private to plotting.
 
 #include <cstddef>
 #include <string>
@@ -10,14 +10,15 @@ namespace ligne::svg {
 
 std::string without_comments(std::string_view css);
 
-/// The first of these characters that stands outside strings and brackets of any kind; npos where there is none. One that
-/// opens a bracket is found where it opens it.
+/// Position of the first of these characters outside strings and brackets; npos if there is none. An opening bracket
+/// counts as outside.
 std::size_t find_outside(std::string_view text, std::string_view wanted);
 
-/// Takes what comes before the bracket that closes this text, and the bracket itself; all where there is none.
+/// Removes the text up to its closing bracket with the bracket, or all of it if there is none. Returns the text before
+/// it.
 std::string_view take_block(std::string_view& text, char closing);
 
-/// Takes a name from the beginning, with its escapes ("\31 0") resolved; empty where there is none.
+/// Removes a name from the beginning and returns it with its escapes ("\31 0") resolved; empty if there is none.
 std::string take_css_name(std::string_view& text);
 
 struct Declaration {

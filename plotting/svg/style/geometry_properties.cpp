@@ -9,7 +9,7 @@ namespace {
 
 struct GeometryProperty {
   std::string_view name;
-  std::string_view elements;  ///< to which it applies, each behind a blank
+  std::string_view elements;  ///< elements to which it applies, each between blanks
 };
 
 constexpr std::string_view kFrames = " svg rect image foreignObject use ";
@@ -31,7 +31,7 @@ const GeometryProperty* geometry_property(std::string_view name) {
   return nullptr;
 }
 
-/// Whether it is measured by something around the page, which paper does not have.
+/// Whether a length of the root depends on a window around the page, which paper does not have.
 bool depends_on_window(std::string_view length) {
   return length == "auto" || length.ends_with('%') || length.ends_with("vw") || length.ends_with("vh");
 }
@@ -46,7 +46,7 @@ std::string_view path_in(std::string_view value) {
 
 }  // namespace
 
-/// Writes a property as the attribute that it stands above. One without a meaning is as if it were not there.
+/// Writes a property to the attribute that it overrides. An invalid one is reported and ignored.
 void SvgReader::apply_geometry(pugi::xml_node node, const Declaration& declaration) {
   const GeometryProperty* property = geometry_property(declaration.name);
   const std::string element = " " + std::string(local_name(node)) + " ";
@@ -66,7 +66,7 @@ void SvgReader::apply_geometry(pugi::xml_node node, const Declaration& declarati
   }
 }
 
-/// Applies style attributes and style sheets to all elements below the root, which are as survey() left them.
+/// Applies the geometry in style attributes and style sheets to all elements. survey() must have read the sheets.
 void SvgReader::apply_geometry_properties(const pugi::xml_node& root) {
   const bool in_sheet = std::ranges::any_of(kGeometry, [&](const GeometryProperty& p) { return sheet_.sets(p.name); });
   for_each_element(root, [&](const pugi::xml_node& node) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Properties that place an element, and those that change it in ways that are not drawn. Private to plotting.
+/// Properties that place an element, and properties that change it in ways that are not drawn. Private to plotting.
 
 #include <optional>
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace ligne::svg {
 
-/// The transform of an element, and those that CSS tells one by one (CSS Transforms 2, 5).
+/// The transform of an element, and the transforms that CSS gives one by one (CSS Transforms 2, 5).
 struct Placing {
   std::optional<Matrix> translate{}, rotate{}, scale{}, transform{};
 };
@@ -17,7 +17,7 @@ struct Placing {
 /// plane.
 void set_placing(Placing& placing, std::string_view name, std::string_view value, const Viewport& port);
 
-/// All of them, the transform first; nothing where there is none.
+/// The product of all, which applies `transform` first; nothing if there is none.
 std::optional<Matrix> together(const Placing& placing);
 
 /// Whether the property has a value that changes lines or letters in a way that is not drawn.

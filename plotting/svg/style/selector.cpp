@@ -13,8 +13,9 @@
 namespace ligne::svg {
 namespace {
 
+/// Specificity of an id, a class and an element.
 constexpr std::uint32_t kIdWeight = 1'000'000, kClassWeight = 1'000, kElementWeight = 1;
-/// Selectors inside selectors.
+/// Deepest nesting of selectors.
 constexpr int kDeepestSelector = 8;
 
 [[noreturn]] void fail_selector() { throw UnknownStyle("rules of style with selectors that are not known"); }
@@ -177,7 +178,7 @@ Compound take_compound(std::string_view& text, Selector& selector, int depth) {
 }
 
 Selector take_nested(std::string_view& text, int depth) {
-  // Whatever becomes of it, the next one begins behind the comma.
+  // Even if this selector fails, the next one begins behind the comma.
   const std::size_t comma = std::min(find_outside(text, ","), text.size());
   std::string_view own = trimmed(text.substr(0, comma));
   text.remove_prefix(std::min(comma + 1, text.size()));
@@ -230,7 +231,7 @@ pugi::xml_node element_before(pugi::xml_node node) {
   return node;
 }
 
-/// Numbers all children of the element's parent.
+/// The place of an element. On first use it numbers all children of the element's parent.
 SiblingPlace place_of(const pugi::xml_node& node, StyleWork& work) {
   const auto known = work.places.find(node.internal_object());
   if (known != work.places.end()) return known->second;

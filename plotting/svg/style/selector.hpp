@@ -24,7 +24,7 @@ struct Selector;
 /// "[name]", "[name=value]", "[name~=value]" and so on.
 struct AttributeTest {
   std::string name, value;
-  char how = '\0';  ///< the sign before "=", '=' itself where there is none, '\0' where any value will do
+  char how = '\0';  ///< the sign before "="; '=' if there is none; '\0' if any value fits
 };
 
 /// ":nth-child(an+b)" and those like it.
@@ -47,7 +47,7 @@ struct Compound {
   std::vector<PlaceTest> places;
   std::vector<GroupTest> groups;
   bool is_root = false, is_empty = false;
-  char combinator = ' ';  ///< what joins it to the compound before it: ' ', '>', '+' or '~'
+  char combinator = ' ';  ///< its relation to the compound before: ' ', '>', '+' or '~'
 };
 
 struct Selector {
@@ -59,21 +59,23 @@ struct Selector {
 /// Takes one selector, up to a comma or the end. Throws UnknownStyle.
 Selector take_selector(std::string_view& text);
 
-/// Numbers of an element among its siblings, from 1: from the front and from the end, of all and of those of its name.
+/// Numbers of an element among its siblings, from 1, counted from the front and from the end: among all siblings, and
+/// among those of its name.
 struct SiblingPlace {
   std::array<long, 2> of_all{0, 0}, of_type{0, 0};
 };
 
-/// Cost of the selectors of a drawing, and places in it that they ask for again and again.
+/// Work on the selectors of a drawing, and the places that they have needed.
 struct StyleWork {
   std::size_t comparisons = 0;
-  std::unordered_map<const void*, SiblingPlace> places;  ///< of elements that were asked for, with their siblings
+  std::unordered_map<const void*, SiblingPlace> places;  ///< places of elements, and of their siblings, made on first
+                                                         ///< use
 };
 
-/// Whether it holds for an element. Throws EndlessWork when all together asked for it.
+/// Whether the selector holds for an element. Throws EndlessWork if all calls together take more than kMostStyleWork.
 bool holds(const Selector& selector, const pugi::xml_node& node, StyleWork& work);
 
-/// Comparisons of elements with parts of selectors, in all.
+/// Most comparisons of elements with parts of selectors, in all.
 inline constexpr std::size_t kMostStyleWork = 200'000'000;
 
 }  // namespace ligne::svg

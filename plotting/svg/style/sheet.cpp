@@ -11,9 +11,9 @@ namespace ligne::svg {
 namespace {
 
 constexpr std::size_t kMostRules = 10'000;
-/// Work that a declaration is when it is applied, in comparisons of an element with a part of a selector.
+/// Work of applying a declaration, in comparisons of an element with a part of a selector.
 constexpr std::size_t kDeclarationWork = 20;
-/// @media rules inside each other.
+/// Deepest nesting of @media rules.
 constexpr int kDeepestRules = 8;
 
 /// Whether a list of media queries holds for paper: one of them is for all media or for print, and asks for nothing else.

@@ -1,5 +1,5 @@
 #pragma once
-/// Style sheets of an SVG: what their rules say of an element. Private to plotting.
+/// Style sheets of an SVG: the declarations that hold for an element. Private to plotting.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,28 +16,28 @@
 
 namespace ligne::svg {
 
-/// Rules of style. Selectors of what a pointer does (:hover ...) never hold on paper; @font-face, @charset and @namespace
-/// say nothing of lines. Media are all and print, since a plotter draws on paper: rules for a screen do not hold.
+/// Rules of style. Selectors of pointer states (:hover ...) never hold on paper; @font-face, @charset and @namespace do
+/// not affect lines. Rules hold for the media all and print, not for a screen, since a plotter draws on paper.
 class StyleSheet {
  public:
-  /// Told of each part that is not known, as a noun in the plural: "@import rules".
+  /// Called for each unknown part, with a noun in the plural: "@import rules".
   using Unknown = std::function<void(const std::string& kind)>;
 
-  /// `media`: that of the <style> element; empty: all. Throws EndlessWork for more than 10,000 rules.
+  /// `media`: media of the <style> element; empty: all. Throws EndlessWork for more than 10,000 rules.
   void add(std::string_view css, std::string_view media, const Unknown& unknown);
 
-  /// Declarations that hold for an element, from the weakest to the strongest. Throws EndlessWork when all elements together
-  /// asked for it.
+  /// Declarations that hold for an element, from the weakest to the strongest. Throws EndlessWork if all elements
+  /// together take too many comparisons.
   std::vector<const Declaration*> of(const pugi::xml_node& node) const;
 
   bool empty() const { return rules_.empty(); }
-  /// Whether any rule says something of the property.
+  /// Whether any rule sets the property.
   bool sets(std::string_view property) const;
 
  private:
   struct Rule {
     Selector selector;
-    std::uint32_t said = 0;  ///< in said_: the selectors of a list have their declarations together
+    std::uint32_t said = 0;  ///< index in said_, shared by the selectors of a list
   };
 
   void add_statements(std::string_view text, int depth, const Unknown& unknown);

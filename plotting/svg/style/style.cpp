@@ -10,7 +10,7 @@
 namespace ligne::svg {
 namespace {
 
-/// From 0 to 1; what has no meaning says nothing.
+/// An opacity from 0 to 1; 1 if the text is invalid.
 double opacity_of(std::string_view text) {
   Scanner scanner(text);
   if (!scanner.at_number()) return 1;
@@ -18,7 +18,8 @@ double opacity_of(std::string_view text) {
   return std::clamp(scanner.peek() == '%' ? value / 100 : value, 0.0, 1.0);
 }
 
-/// Properties that say something of lines, whose values may be var(). Others have texts, or nothing to do with lines.
+/// Whether var() is resolved in values of the property: in those that affect lines. Others have texts, or do not affect
+/// lines.
 bool takes_variables(std::string_view name) {
   constexpr std::string_view kBeginnings[] = {"fill",    "stroke",     "stop-",     "color",     "opacity",
                                               "display", "visibility", "font-size", "transform", "letter-spacing"};
@@ -35,7 +36,7 @@ class StyleReader {
         displayed_(displayed),
         complaints_(complaints) {}
 
-  /// Sets a property, if it is known; one whose value has no meaning is as if it were not there.
+  /// Sets a property if it is known. An invalid value is reported and ignored.
   void set(std::string_view name, std::string_view value, bool is_attribute) {
     try {
       if (value.find("var(") == std::string_view::npos || !takes_variables(name))
@@ -47,7 +48,7 @@ class StyleReader {
       complaints_.bad_value(name, node_, e.what());
     }
   }
-  /// Puts together what only all properties together say.
+  /// Combines the properties that place the element, after all have been set.
   void finish() { style_.placing = together(placing_); }
 
  private:
@@ -98,7 +99,7 @@ class StyleReader {
       return false;
     return true;
   }
-  /// Paint and lines. False for other names; so for the next.
+  /// Sets properties of paint and lines. Like the next function, it returns false for other names.
   bool set_of_paint(std::string_view name, std::string_view value) {
     if (name == "stroke")
       set_paint(style_.stroke, value);
@@ -166,7 +167,7 @@ class StyleReader {
       if (name == "marker" || name == kNames[i]) style_.markers[i] = id;
     }
   }
-  /// A colour, or "url(#id)" with a colour behind it for those that do not find it.
+  /// Sets a colour, or "url(#id)" with a fallback colour behind it.
   void set_paint(std::optional<Paint>& target, std::string_view value) {
     if (value == "context-fill" || value == "context-stroke") {
       target = value == "context-fill" ? style_.context_fill : style_.context_stroke;
@@ -176,7 +177,7 @@ class StyleReader {
       target = (&target == &style_.fill ? Style{}.fill : std::nullopt);
       return;
     }
-    // The colour for a press stands behind the one for screens (SVG 1.1, 11.2).
+    // icc-color(), for a press, stands behind the colour for screens (SVG 1.1, 11.2).
     value = trimmed(value.substr(0, value.find("icc-color(")));
     std::string server;
     if (value.starts_with("url(")) {
@@ -186,12 +187,12 @@ class StyleReader {
     }
     std::optional<std::string> color;
     if (!value.empty()) color = paint(value);
-    // Resolved where it is written, as CSS has it, but after `color` of the same element: see style_of.
+    // currentColor is resolved where it is written, as in CSS, but after `color` of the same element: see style_of.
     if (color == "currentColor") color = style_.color;
     target.reset();
     if (color || !server.empty()) target = Paint{color.value_or(""), server, color_opacity(value)};
   }
-  /// Parts that are not named come behind, in the usual order (SVG 2, 13.8).
+  /// Parts that are not named follow in the usual order (SVG 2, 13.8).
   void set_paint_order(std::string_view value) {
     constexpr std::pair<std::string_view, PaintPart> kParts[] = {
         {"fill", PaintPart::fill}, {"stroke", PaintPart::stroke}, {"markers", PaintPart::markers}};
@@ -218,14 +219,15 @@ class StyleReader {
     style_.fill_seen = opacity > 0;
     style_.fill_opacity = opacity;
   }
-  /// In the size of its own font.
+  /// A length in user units, where em is the size of the element's own font.
   double length(std::string_view value, double whole) const {
     Viewport port = port_;
     port.em = style_.font_size;
     return length_px(value, port, whole);
   }
   double spacing(std::string_view value) const { return value == "normal" ? 0 : length(value, style_.font_size); }
-  /// Base lines as CSS names them, from those of the letters at hand: capitals, the lower case, and descenders.
+  /// Sets a baseline that CSS names, from the single-stroke letters: the heights of capitals and of lower case, and the
+  /// depth of descenders, em.
   void set_baseline(std::string_view value) {
     constexpr double kCapitals = 0.73, kLowerCase = 0.52, kBelow = 0.21;
     if (value == "middle")
@@ -314,7 +316,7 @@ class StyleReader {
 
   bool none_ = false, clear_ = false;
   Placing placing_;
-  std::optional<bool> overflow_around_;  ///< of the parent
+  std::optional<bool> overflow_around_;  ///< overflow of the parent
   const pugi::xml_node& node_;
   Style& style_;
   const Viewport& port_;
@@ -371,7 +373,7 @@ Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSh
     if (said.name.starts_with("--") && !said.is_attribute) variables.insert_or_assign(std::string(said.name), said.value);
   }
   if (!variables.empty()) style.variables = with_variables(style.variables, std::move(variables));
-  // The colour and the size of the font are settled first, since currentColor and em stand for them.
+  // The colour and the size of the font are set first, since currentColor and em refer to them.
   const auto is_first = [](const Said& said) { return said.name == "color" || said.name.starts_with("font"); };
   for (const Said& said : all) {
     if (is_first(said)) reader.set(said.name, said.value, said.is_attribute);

@@ -9,10 +9,11 @@
 namespace ligne::svg {
 namespace {
 
+/// Most bytes of a value with its var() resolved.
 constexpr std::size_t kLongestValue = std::size_t{1} << 16;
-/// Bytes of the properties of one element: a few names could ask for many long values.
+/// Most bytes of the properties of one element: a few names could ask for many long values.
 constexpr std::size_t kLongestValues = std::size_t{1} << 20;
-/// var() in the second place of var(), and properties that are made of properties.
+/// Deepest nesting of var(), in fallbacks of var() and through properties that refer to properties.
 constexpr int kDeepestVariable = 32;
 
 using VariableValues = std::map<std::string, std::string, std::less<>>;
@@ -61,7 +62,7 @@ class VariableResolver {
       return {};
     }
     const auto [known, is_new] = done_.emplace(name, std::nullopt);
-    // One that is being resolved is nothing: it leads back to itself.
+    // A property that is being resolved has no value: it leads back to itself.
     if (!is_new) return known->second;
     std::optional<std::string> value = total_ <= kLongestValues ? resolve(own->second, depth + 1) : std::nullopt;
     if (value) total_ += value->size();
@@ -71,7 +72,7 @@ class VariableResolver {
   const VariablesPointer& outer_;
   VariableValues defined_;
   std::map<std::string, std::optional<std::string>, std::less<>> done_;
-  std::size_t total_ = 0;  ///< bytes of their values
+  std::size_t total_ = 0;  ///< bytes of the resolved values
 };
 
 }  // namespace

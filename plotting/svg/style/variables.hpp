@@ -10,20 +10,20 @@
 namespace ligne::svg {
 
 struct Variables;
-/// Those that hold for an element; nullptr: none.
+/// Custom properties that hold for an element; nullptr: none.
 using VariablesPointer = std::shared_ptr<const Variables>;
 
 struct Variables {
   std::map<std::string, std::string, std::less<>> values{};
-  VariablesPointer outer{};  ///< of the elements around
+  VariablesPointer outer{};  ///< properties of the elements around
 };
 
-/// Adds those that an element defines, with the var() in their values resolved. Those that lead back to themselves, or to
-/// none, are as if they were not there.
+/// Adds the properties that an element defines, with var() in their values resolved. A property that leads back to
+/// itself, or to a missing one, is left out.
 VariablesPointer with_variables(VariablesPointer outer, std::map<std::string, std::string, std::less<>> defined);
 
-/// The value with all var(--name, otherwise) replaced; nothing where one has neither a value nor another in its place, and
-/// where the value would become longer than 64 KiB.
+/// The value with all var(--name, fallback) replaced; nothing if one has neither a value nor a fallback, or if the
+/// value would become longer than 64 KiB.
 std::optional<std::string> resolved(std::string_view value, const VariablesPointer& variables);
 
 }  // namespace ligne::svg
