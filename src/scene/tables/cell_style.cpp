@@ -1,6 +1,6 @@
-// For every separator the cells of the first lines are counted. The separator with the largest share of numbers wins; among
-// equal ones the order of kSeparators, since a comma can be a decimal comma where semicolons separate, and tabs can stand
-// among the blanks of a table that is set by hand.
+// For every separator the cells of the first lines are counted. The separator with the largest share of numbers wins.
+// Ties are decided by the order of kSeparators, since a comma can be a decimal comma where semicolons separate, and
+// tabs can occur among the blanks of a table set by hand.
 
 #include "scene/tables/cell_style.hpp"
 
@@ -15,17 +15,17 @@ namespace ligne {
 namespace {
 
 constexpr std::array<char, 5> kSeparators{';', ',', '\t', '|', ' '};
-/// So many lines, and so many cells of them, are looked at.
+/// Largest number of lines, and of their cells, that are examined.
 constexpr std::size_t kLines = 500, kCells = 50'000;
-/// A longer cell is no number in front of a comment.
+/// Length of a cell above which it can not be a number before a comment.
 constexpr std::size_t kLongestCell = 100;
-/// Scores that differ by less are equal.
+/// Largest difference of equal scores.
 constexpr double kSameScore = 1e-9;
 
 bool is_quote(char c) { return c == '"' || c == '\''; }
 
-/// The place behind the quote that closes the one at the beginning, and behind the blanks that follow: there the cell ends.
-/// npos where it is not closed.
+/// Position after the quote that closes the first one and after the blanks that follow, where the cell ends; npos if
+/// the quote is not closed.
 std::size_t end_of_quoted(std::string_view line, char separator) {
   const char quote = line.front();
   for (std::size_t i = 1; i < line.size(); ++i) {
@@ -42,13 +42,14 @@ std::size_t end_of_quoted(std::string_view line, char separator) {
   return std::string_view::npos;
 }
 
-/// Blanks that do not separate cells.
+/// Removes leading blanks that do not separate cells.
 std::string_view without_blanks(std::string_view line, char separator) {
   while (!line.empty() && is_blank(line.front()) && line.front() != separator) line.remove_prefix(1);
   return line;
 }
 
-/// Digits with blanks or apostrophes between them: the separator of thousands; 0 for others. `bare` has the text without.
+/// The separator of thousands in digits with blanks or apostrophes between them; 0 for others. `bare` gets the text
+/// without it.
 char grouped_by(std::string_view cell, std::string& bare) {
   if (cell.find_first_not_of("+-0123456789,. '") != std::string_view::npos) return '\0';
   for (const char separator : {' ', '\''}) {
@@ -66,7 +67,7 @@ char grouped_by(std::string_view cell, std::string& bare) {
 
 struct Evidence {
   std::size_t cells = 0, numbers = 0;
-  std::map<std::size_t, std::size_t> counts;  ///< lines by their number of cells
+  std::map<std::size_t, std::size_t> counts;  ///< number of lines per number of cells
   std::size_t lines = 0;
   CommaEvidence commas;
   char grouped = '\0';
@@ -129,7 +130,7 @@ void decide_numbers(const Evidence& found, CellStyle& style) {
     numbers.decimal_comma = commas.decimal;
     if (commas.thousands) numbers.thousands = ',';
   } else if (commas.either && !commas.decimal) {
-    // Nothing but groups of three digits behind a comma.
+    // All commas precede groups of three digits.
     const bool is_thousands = style.separator == ',' || commas.point;
     numbers.decimal_comma = !is_thousands;
     if (is_thousands) numbers.thousands = ',';
@@ -175,8 +176,8 @@ std::string_view without_comment(std::string_view line, char separator) {
   if (is_comment_line(line)) return {};
   std::string_view row = line;
   if (line.find('#') != std::string_view::npos) {
-    std::size_t begin = 0;  // of the cell
-    bool at_begin = true;   // nothing but blanks in the cell so far
+    std::size_t begin = 0;  // start of the cell
+    bool at_begin = true;   // only blanks so far in the cell
     for (std::size_t i = 0; i < line.size(); ++i) {
       if (at_begin && is_quote(line[i])) {
         const std::size_t end = end_of_quoted(line.substr(i), separator);

@@ -11,7 +11,8 @@ namespace ligne {
 namespace {
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-/// Longer cells hold no number that anybody wrote; the bound keeps the work for a cell small.
+/// Length of a cell above which it is no number: nobody writes one so long, and the bound keeps the work per cell
+/// small.
 constexpr std::size_t kLongestNumber = 400;
 constexpr std::string_view kMinusSign = "\u2212";
 constexpr std::array<std::string_view, 3> kSpaces{"\u00A0", "\u2009", "\u202F"};
@@ -33,7 +34,7 @@ void replace_all(std::string& text, std::string_view what, std::string_view by) 
     text.replace(at, what.size(), by);
 }
 
-/// Digits in groups of three behind a first of one to three: "1,234,567". The first group is not 0 alone.
+/// Whether digits are grouped by three after a first group of one to three: "1,234,567". The first group must not be 0.
 bool is_grouped(std::string_view digits, char separator) {
   std::size_t group = 0, groups = 0;
   if (digits.empty() || digits.front() == '0') return false;
@@ -50,7 +51,7 @@ bool is_grouped(std::string_view digits, char separator) {
   return groups > 0 && group == 3;
 }
 
-/// Takes the separators of thousands out of a number; false where they stand in wrong places.
+/// Removes the separators of thousands from a number; false if they are in wrong places.
 bool drop_thousands(std::string& text, char separator, char decimal) {
   std::string_view digits = without_sign(text);
   digits = digits.substr(0, digits.find(decimal));
@@ -68,7 +69,7 @@ std::optional<double> written_number(std::string_view cell, NumberStyle style) {
     for (const std::string_view space : kSpaces) replace_all(text, space, " ");
   }
   if (style.thousands != '\0' && !drop_thousands(text, style.thousands, decimal)) {
-    // "1.5" among numbers with decimal commas and points between thousands is a mistake, not 1.5 nor 15.
+    // "1.5" among numbers with decimal commas and points between thousands is a mistake, neither 1.5 nor 15.
     return {};
   }
   if (style.decimal_comma) {

@@ -41,7 +41,7 @@ bool is_monotone(const std::vector<double>& at) {
   return true;
 }
 
-/// The number at the end of a name, and where it begins.
+/// Position at which the number at the end of a name begins.
 std::size_t begin_of_digits(std::string_view name) {
   std::size_t begin = name.size();
   while (begin > 0 && name[begin - 1] >= '0' && name[begin - 1] <= '9') --begin;

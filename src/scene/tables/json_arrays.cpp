@@ -1,5 +1,5 @@
-// The arrays of a JSON document: rows of numbers; an object whose members are arrays, as a trace of plotly; columns; or
-// records. An object with "data" is a figure, or a table of pandas.
+// The arrays of a JSON document: rows of numbers; an object whose members are arrays, such as a trace of plotly;
+// columns; or records. An object with "data" is a figure, or a table of pandas.
 
 #include <algorithm>
 #include <cmath>
@@ -19,10 +19,10 @@ namespace {
 using Json = nlohmann::json;
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
-/// Records may lack members, but a column for each member of the first record takes at most this many times their memory.
+/// Largest number of cells per member of a list of records: records may lack members, but memory must stay bounded.
 constexpr std::size_t kMostCellsPerMember = 100;
 
-/// Python writes NaN and Infinity, which JSON does not know.
+/// Replaces NaN and Infinity, which Python writes and JSON does not know, by null.
 std::string with_nulls(std::string_view text) {
   std::string out;
   out.reserve(text.size());
@@ -46,7 +46,7 @@ std::string with_nulls(std::string_view text) {
   return out;
 }
 
-/// A number, a missing one, or nothing for words.
+/// A number, NaN for a missing one, or nothing for words.
 std::optional<double> number_of(const Json& value) {
   if (value.is_number()) {
     const auto number = value.get<double>();
@@ -82,7 +82,7 @@ class JsonArrays {
     return document.is_object() && document.contains("features") && document.contains("type");
   }
 
-  /// A trace of a figure, or the object itself; tables of pandas are taken at once.
+  /// The trace of a figure, or the object itself. Tables of pandas are added at once.
   const Json* data_of(const Json& root) {
     const Json& data = root["data"];
     if (root.contains("columns") && root["columns"].is_array() && data.is_array()) {
@@ -121,7 +121,7 @@ class JsonArrays {
     take_records(list);
   }
 
-  /// [{"x": 1, "y": 2, "z": 3}, ...]
+  /// Adds a list of records: [{"x": 1, "y": 2, "z": 3}, ...]
   void take_records(const Json& list) {
     std::vector<std::string> keys;
     for (const auto& [key, value] : list[0].items()) keys.push_back(key);
@@ -140,7 +140,7 @@ class JsonArrays {
     }
   }
 
-  /// Rows of cells beneath names.
+  /// Adds rows of cells with the names of their columns.
   void take_rows(const Json& rows, const Json& names) {
     for (std::size_t k = 0; k < names.size(); ++k) {
       std::vector<Json> cells;
@@ -153,7 +153,7 @@ class JsonArrays {
     }
   }
 
-  /// Numbers, or words where one cell is none.
+  /// Adds a column of numbers, or of words if a cell is one.
   void add_column(const std::string& key, const std::vector<Json>& cells) {
     DataArray column{key, {cells.size()}, {}};
     for (const Json& cell : cells) {
@@ -174,9 +174,9 @@ class JsonArrays {
     texts_->push_back(std::move(column));
   }
 
-  /// {"0": 1.5, "1": 2.5}, as pandas writes columns.
+  /// Adds a column as pandas writes it: {"0": 1.5, "1": 2.5}
   void add_column_of_object(const std::string& key, const Json& object) {
-    // The members are ordered by their text: "10" comes before "2".
+    // The members are sorted as text: "10" comes before "2".
     std::vector<std::pair<double, const Json*>> rows;
     for (const auto& [row, cell] : object.items()) {
       const std::optional<double> number = number_in(row);
@@ -190,7 +190,7 @@ class JsonArrays {
     if (!cells.empty()) add_column(key, cells);
   }
 
-  /// False for what is no list of numbers and no list of lists of equally many.
+  /// Adds an array. False unless the list holds numbers or lists of equally many numbers.
   bool add_array(const std::string& key, const Json& list) {
     DataArray array{key, {list.size()}, {}};
     if (list.empty()) return false;

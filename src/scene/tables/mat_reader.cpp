@@ -1,4 +1,4 @@
-// Elements of a type, a length and data, those of matrices with elements within:
+// Elements consist of a type, a length and data; those of matrices contain further elements:
 // https://www.mathworks.com/help/pdf_doc/matlab/matfile_format.pdf
 
 #include <algorithm>
@@ -48,7 +48,7 @@ double mat_value(const std::byte* at, std::uint32_t type, std::endian order) {
   }
 }
 
-/// 0 for types that hold no numbers.
+/// Size of a number of the type in bytes; 0 for types without numbers.
 std::size_t bytes_of_mat_type(std::uint32_t type) {
   constexpr std::array<std::size_t, 14> kBytes{0, 1, 1, 2, 2, 4, 4, 4, 0, 8, 0, 0, 8, 8};
   return type < kBytes.size() ? kBytes[type] : 0;
@@ -77,7 +77,7 @@ class MatReader {
     return load_bytes<std::uint32_t>(bytes.data() + at, order_);
   }
 
-  /// Takes an element; a short one has type and length in four bytes, and data in the next four.
+  /// Reads an element. A short one has type and length in four bytes, and data in the next four.
   MatElement take(std::span<const std::byte>& bytes) const {
     if (bytes.size() < kTag) throw error("ends within an element");
     MatElement element;
@@ -139,7 +139,8 @@ class MatReader {
     arrays_.push_back(std::move(array));
   }
 
-  /// The first two indices of MATLAB vary fastest, the others count pages: pages first then, and in each rows of columns.
+  /// MATLAB's first two indices vary fastest and the others count pages. Reorders to pages first, and rows of columns
+  /// in each.
   static void turn(DataArray& array) {
     if (array.shape.size() < 2) return;
     const std::array<std::size_t, 2> page{array.shape[0], array.shape[1]};

@@ -26,7 +26,7 @@ class HeaderReader {
     constexpr std::size_t kMark = 4;
     version_ = std::to_integer<unsigned>(bytes_[kMark - 1]);
     at_ = kMark;
-    take_count();  // of records: the bytes behind the header say how many there are
+    take_count();  // number of records, which follows from the bytes after the header
     read_dimensions();
     header_.attributes = take_attributes();
     read_variables();
@@ -51,7 +51,7 @@ class HeaderReader {
   std::uint64_t take_count() { return is_64_bit() ? take<std::uint64_t>() : take<std::uint32_t>(); }
   std::uint64_t take_offset() { return version_ == 1 ? take<std::uint32_t>() : take<std::uint64_t>(); }
 
-  /// The number of elements of a list, each of which takes four bytes or more.
+  /// The number of elements of a list, each of which takes at least four bytes.
   std::size_t take_list(std::uint32_t tag) {
     const auto found = take<std::uint32_t>();
     const std::uint64_t count = take_count();
@@ -124,14 +124,14 @@ class HeaderReader {
       variable.is_record = axes > 0 && header_.dimensions[variable.dimensions[0]].is_record;
       variable.attributes = take_attributes();
       variable.type = take_type();
-      take_count();  // bytes of it, which follow from the dimensions
+      take_count();  // size in bytes, which follows from the dimensions
       variable.begin = take_offset();
       if (variable.begin > bytes_.size())
         throw error("variable " + shown(variable.name) + " begins behind the end of the file");
     }
   }
 
-  /// Bytes of a variable's record, or of all of it; throws InputError where they are more than the file has.
+  /// Size in bytes of one record of a variable, or of all of it. Throws InputError if the file is smaller.
   std::size_t part_bytes(const NetcdfVariable& variable) const {
     std::size_t bytes = bytes_of(variable.type);
     for (std::size_t i = variable.is_record ? 1 : 0; i < variable.dimensions.size(); ++i) {
@@ -152,7 +152,7 @@ class HeaderReader {
       header_.record_bytes += padded(last);
       ++variables;
     }
-    if (variables == 1) header_.record_bytes = last;  // is not padded
+    if (variables == 1) header_.record_bytes = last;  // a single record variable is not padded
     const std::size_t records =
         header_.record_bytes == 0 ? 0 : (bytes_.size() - begin + kPadding - 1) / header_.record_bytes;
     for (NetcdfDimension& dimension : header_.dimensions) {

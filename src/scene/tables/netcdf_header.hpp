@@ -28,15 +28,15 @@ std::size_t bytes_of(NetcdfType type);
 double netcdf_value(const std::byte* at, NetcdfType type);
 
 struct NetcdfAttribute {
-  std::string text;             ///< of characters
-  std::vector<double> numbers;  ///< of all others
+  std::string text;             ///< text of a character attribute
+  std::vector<double> numbers;  ///< values of a numeric attribute
 };
 using NetcdfAttributes = std::map<std::string, NetcdfAttribute>;
 
 struct NetcdfDimension {
   std::string name;
   std::size_t size = 0;
-  bool is_record = false;  ///< grows with the file
+  bool is_record = false;  ///< its size grows with the file
 };
 
 struct NetcdfVariable {
@@ -52,10 +52,10 @@ struct NetcdfHeader {
   std::vector<NetcdfDimension> dimensions;
   NetcdfAttributes attributes;
   std::vector<NetcdfVariable> variables;
-  std::size_t record_bytes = 0;  ///< from one record to the next
+  std::size_t record_bytes = 0;  ///< distance between records
 };
 
-/// Throws InputError. Counts are believed only as far as the bytes can hold them.
+/// Throws InputError. Rejects counts that do not fit into the bytes.
 NetcdfHeader read_netcdf_header(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace ligne

@@ -1,4 +1,4 @@
-// Values are those of the file times scale_factor plus add_offset; those that are the fill value are missing.
+// A value is the number in the file times scale_factor plus add_offset; numbers equal to the fill value are missing.
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,8 @@
 namespace ligne {
 namespace {
 
-/// The library writes this into floats and doubles where nobody wrote a value; no quantity is as large.
+/// Numbers from here on are missing: the netCDF library fills unwritten floats and doubles with them, and no quantity
+/// is as large.
 constexpr double kDefaultFill = 9.96e36;
 
 double number_of(const NetcdfAttributes& attributes, const char* name, double otherwise) {
@@ -19,7 +20,7 @@ double number_of(const NetcdfAttributes& attributes, const char* name, double ot
   return found == attributes.end() || found->second.numbers.empty() ? otherwise : found->second.numbers.front();
 }
 
-/// From the numbers of a file to values.
+/// Converts the numbers of a file to values.
 struct ValueScale {
   double factor = 1, offset = 0;
   std::vector<double> missing;
@@ -41,7 +42,7 @@ struct ValueScale {
   }
 };
 
-/// One layer of a variable: its last two dimensions, or all where there are no more.
+/// One layer of a variable: its last two dimensions, or all if there are no more.
 DataArray layer_of(const NetcdfHeader& header, const NetcdfVariable& variable, std::span<const std::byte> bytes,
                    std::size_t layer, const std::string& name) {
   DataArray array;
@@ -62,7 +63,7 @@ DataArray layer_of(const NetcdfHeader& header, const NetcdfVariable& variable, s
   const std::size_t each = bytes_of(variable.type);
   const std::size_t count = element_count(array.shape, each, bytes.size(), name);
   if (layer >= array.layers || count == 0) return array;
-  // Records lie apart from each other, with those of other variables between them.
+  // Records of one variable are not adjacent: those of other variables lie between them.
   const std::size_t first = layer * count;
   std::size_t per_record = 1;
   for (std::size_t k = 1; k < axes; ++k) per_record *= header.dimensions[variable.dimensions[k]].size;
@@ -79,7 +80,7 @@ DataArray layer_of(const NetcdfHeader& header, const NetcdfVariable& variable, s
   return array;
 }
 
-/// Grids of GMT before version 4: x_range, y_range and spacing, and z as one row, north first.
+/// Reads grids of GMT before version 4: x_range, y_range and spacing, and z as one row, north first.
 void restore_old_gmt(const NetcdfHeader& header, std::vector<DataArray>& arrays, const std::string& name) {
   const auto find = [&](const char* wanted) -> DataArray* {
     const auto found = std::find_if(arrays.begin(), arrays.end(), [&](const DataArray& a) { return a.name == wanted; });
@@ -122,7 +123,7 @@ std::vector<DataArray> read_netcdf(std::span<const std::byte> bytes, const std::
   for (const NetcdfVariable& variable : header.variables) {
     if (variable.type == NetcdfType::character || variable.dimensions.empty()) continue;
     arrays.push_back(layer_of(header, variable, bytes, variable.dimensions.size() > 2 ? layer : 0, name));
-    // In a forged file variables may lie on each other.
+    // In a forged file, variables may overlap.
     taken += arrays.back().values.size() * bytes_of(variable.type);
     if (taken > bytes.size()) throw InputError(name, "holds variables that are longer than the file together");
   }

@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view kNpyMark = "\x93NUMPY";
 constexpr std::size_t kMostDimensions = 32;
 
-/// The text behind a key of the header, up to its end.
+/// The text after a key of the header, to its end.
 std::string_view value_behind(std::string_view header, std::string_view key) {
   for (const char quote : {'\'', '"'}) {
     const std::size_t at = header.find(quote + std::string(key) + quote);

@@ -1,5 +1,5 @@
-// Lines are split by the style of the text (text_style.hpp). Rows before the first number are the head: the last of them
-// that has a cell for every column names the columns.
+// Lines are split by the style of the text (cell_style.hpp). Rows before the first number are the head; its last row
+// with a cell for every column names the columns.
 
 #include "scene/tables/table.hpp"
 
@@ -12,7 +12,7 @@
 namespace ligne {
 namespace {
 
-/// Rows whose numbers of cells decide how many a row has.
+/// Number of rows that are counted to find the usual number of cells.
 constexpr std::size_t kRowsCounted = 500;
 
 bool is_in_quotes(std::string_view cell) { return cell.size() >= 2 && cell.front() == '"' && cell.back() == '"'; }
@@ -41,7 +41,7 @@ class TableReader {
   struct Line {
     std::string_view text;
     std::size_t number = 0;
-    std::size_t blanks_before = 0;  ///< blank lines since the row before
+    std::size_t blanks_before = 0;  ///< number of blank lines since the previous row
   };
 
   InputError no_row() const {
@@ -61,7 +61,7 @@ class TableReader {
     for (std::string_view line; reader.next(line);) {
       const std::string_view row = without_comment(line, separator());
       if (row.empty()) {
-        // GMT separates its segments by lines with ">".
+        // GMT separates segments by lines with ">".
         if (trimmed(line).empty()) ++blanks;
         if (lines_.empty() && is_comment_line(line)) comment_ = trimmed(line).substr(1);
         continue;
@@ -95,7 +95,7 @@ class TableReader {
     return value_of(take_cell(row, separator(), ended)).kind == CellKind::word;
   }
 
-  /// The number of cells that most rows have.
+  /// The most common number of cells in a row.
   std::size_t usual_count() const {
     std::vector<std::size_t> counts;
     for (std::size_t k = 0; k < std::min(lines_.size(), kRowsCounted); ++k)
@@ -109,14 +109,14 @@ class TableReader {
     return best;
   }
 
-  /// The first row of numbers; those before it become the head.
+  /// Finds the first row of numbers; rows before it become the head.
   std::size_t find_body() {
     const std::size_t usual = usual_count();
     std::size_t k = 0, heads = 0;
     for (; k < lines_.size(); ++k) {
       const std::string_view row = lines_[k].text;
       const std::size_t count = cells_of(row, separator()).size();
-      // A line of prose begins with a word, and has another number of cells than the rows.
+      // A line of prose begins with a word and has a different number of cells than the rows.
       const bool is_prose = count != usual && count + 1 != usual && begins_with_word(row);
       if (!is_prose && (has_number(row) || !has_word(row))) break;
       if (!is_prose && count + 1 >= usual) head_ = row;
@@ -164,7 +164,7 @@ class TableReader {
   }
 
   void name_columns() {
-    // As most rows have it: blanks within a name at the end of a row make more cells of it.
+    // The number of cells of most rows counts: blanks within a name at the end of a row add cells.
     const std::size_t usual = usual_count(), columns = usual > 0 ? usual : table_.row(0).size();
     const bool from_comment = head_.empty() && !comment_.empty();
     if (head_.empty() && !from_comment) return;
@@ -175,7 +175,7 @@ class TableReader {
       names.push_back(cell_text(cell));
       all_quoted = all_quoted && (cell.empty() || is_in_quotes(cell));
     }
-    // A separator at the end of the rows, or of the head.
+    // A separator ends the rows, or the head.
     if (names.size() == columns + 1 && names.back().empty()) names.pop_back();
     table_.has_unnamed_first_ = !from_comment && names.size() + 1 == columns && names.size() > 1;
     if (table_.has_unnamed_first_) names.insert(names.begin(), "");

@@ -1,5 +1,5 @@
 #pragma once
-/// A text as a table: rows of cells in columns with names, blocks of rows between blank lines.
+/// Reads a text as a table: rows of cells in named columns, and blocks of rows between blank lines.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace ligne {
 
-/// Kinds of cells in a column.
+/// Number of cells of each kind in a column.
 struct TableColumn {
   std::size_t numbers = 0, missing = 0, words = 0;
   std::size_t first_word_row = 0;
@@ -21,33 +21,34 @@ struct TableColumn {
   bool is_text() const { return words > 0 && numbers == 0; }
 };
 
-/// Rows of a table, first and one past the last.
+/// A range of rows of a table: first, and one past the last.
 struct RowRange {
   std::size_t begin = 0, end = 0;
   std::size_t size() const { return end - begin; }
 };
 
-/// Numbers of a text, and its words where they are asked for. Refers to the text, which must outlive it.
+/// The numbers of a text; words are read on demand. Refers to the text, which must outlive the table.
 class Table {
  public:
   std::size_t rows() const { return lines_.size(); }
-  /// The most cells of a row.
+  /// Largest number of cells in a row.
   std::size_t columns() const { return columns_.size(); }
-  /// NaN for missing values and words.
+  /// The numbers of a row; NaN for missing values and words.
   std::span<const double> row(std::size_t row) const {
     return std::span(values_).subspan(row_begins_[row], row_begins_[row + 1] - row_begins_[row]);
   }
   std::size_t line(std::size_t row) const { return lines_[row]; }
   const TableColumn& column(std::size_t column) const { return columns_[column]; }
-  /// Names of the columns, without their units; empty where the text names none.
+  /// Names of the columns, without their units; empty if the text has none.
   const std::vector<std::string>& names() const { return names_; }
   bool has_quoted_names() const { return has_quoted_names_; }
-  /// The names stand in a comment above the first row.
+  /// Whether the names are in a comment above the first row.
   bool names_from_comment() const { return names_from_comment_; }
-  /// Rows have a cell more than there are names: the first column holds the names of rows, as R writes them.
+  /// Whether rows have one cell more than there are names: the first column then holds the names of rows, as R writes
+  /// them.
   bool has_unnamed_first() const { return has_unnamed_first_; }
 
-  /// Blocks have one blank line or more between them, data sets two or more, as gnuplot has them.
+  /// As in gnuplot, at least one blank line separates blocks, and at least two separate data sets.
   const std::vector<RowRange>& blocks() const { return blocks_; }
   const std::vector<RowRange>& data_sets() const { return data_sets_; }
 
@@ -64,18 +65,18 @@ class Table {
   std::vector<double> values_;
   std::vector<std::size_t> row_begins_{0};
   std::vector<std::size_t> lines_;
-  std::vector<std::string_view> texts_;  ///< of the rows
+  std::vector<std::string_view> texts_;  ///< text of each row
   std::vector<RowRange> blocks_, data_sets_;
 };
 
-/// Reads a text of any layout: a word where others have numbers is no mistake yet. Rows that are not used are counted in
-/// `warnings`. Throws InputError when there is no row with a number.
+/// Reads a text of any layout, including words where other rows have numbers. Counts unused rows in `warnings`. Throws
+/// InputError if no row has a number.
 Table read_table(std::string_view text, const std::string& name, Warnings& warnings);
 
-/// Throws InputError when the rows have different numbers of cells.
+/// Throws InputError if the rows have different numbers of cells.
 void check_even(const Table& table, RowRange rows, const std::string& name);
 
-/// The InputError for a word where a number must stand.
+/// The InputError for a word where a number is required.
 InputError word_error(const Table& table, std::size_t column, const std::string& name);
 
 }  // namespace ligne

@@ -85,13 +85,13 @@ std::vector<std::byte> inflate_all(std::span<const std::byte> bytes, std::size_t
     out.resize(out.size() - stream.avail_out);
     if (out.size() > kMostUnpacked) throw fail("unpacks to more than " + std::to_string(kMostUnpacked) + " bytes");
     if (state == Z_STREAM_END) {
-      // A gzip file may have several members, one behind another.
+      // A gzip file may have several consecutive members.
       const bool more = stream.avail_in > 0 || used < bytes.size();
       if (!more || window == kWindowBits || inflateReset(&stream) != Z_OK) break;
       continue;
     }
     if (state != Z_OK && state != Z_BUF_ERROR) {
-      // Zeros or other bytes behind the last member are no part of it.
+      // Zeros or other bytes after the last member do not belong to it.
       if (!out.empty() && stream.total_out == 0) break;
       throw fail("is a damaged archive");
     }

@@ -10,7 +10,7 @@
 namespace ligne {
 namespace {
 
-/// Length of the beginning that is searched for bytes that no text has, and for the keys of models.
+/// Number of bytes at the beginning that are searched for bytes that no text has, and for the keys of models.
 constexpr std::size_t kLookedAt = 65536;
 
 #ifdef LIGNE_HAVE_GDAL
@@ -68,7 +68,7 @@ std::optional<std::vector<DataArray>> read_arrays(std::span<const std::byte> byt
   if (is_classic_netcdf(chars)) return read_netcdf(bytes, name, layer);
   if (is_matlab(chars)) return read_matlab(bytes, name, warnings);
   if (!may_be_json(chars)) return {};
-  // Models in JSON have a key of their own.
+  // Models in JSON have keys of their own.
   const std::string_view beginning = chars.substr(0, kLookedAt);
   for (const std::string_view key : {"\"asset\"", "\"format\""}) {
     if (beginning.find(key) != std::string_view::npos) refuse_models(bytes, name, wanted);

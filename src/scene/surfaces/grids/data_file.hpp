@@ -1,5 +1,5 @@
 #pragma once
-/// The kind of a file of data, by its content.
+/// Recognises the kind of a data file by its content.
 
 #include <cstddef>
 #include <optional>
@@ -13,23 +13,24 @@
 
 namespace ligne {
 
-/// The digit of a Netpbm picture, which begins with 'P', a digit and white space; 0 for other files.
+/// The digit of a Netpbm picture, which begins with 'P', the digit and white space; 0 for other files.
 char netpbm_kind(std::string_view chars);
 
-/// A TIFF in either byte order and size, or HDF5 where GDAL is in the build; elsewhere data_stranger() names HDF5.
+/// Whether the bytes are a TIFF of either byte order and size, or HDF5 if GDAL is in the build; otherwise
+/// data_stranger() reports HDF5.
 bool is_for_gdal(std::string_view chars);
 
-/// "a PNG picture", "a grid of Surfer": the name of a file that holds a grid of heights and no points; nothing for others.
+/// The kind of a file that holds a grid of heights and no points, such as "a PNG picture"; nothing for others.
 std::optional<std::string> raster_name(std::string_view chars, const std::string& name);
 
-/// False for bytes that no text has, in the first 64 KiB.
+/// False if the first 64 KiB hold bytes that no text has.
 bool may_be_text(std::string_view chars);
 
-/// Throws InputError when the bytes are a model, or a file of another known kind. `wanted` is a noun: "a grid of heights".
+/// Throws InputError if the bytes are a model or another known kind of file. `wanted` is a noun: "a grid of heights".
 void refuse_models(std::span<const std::byte> bytes, const std::string& name, const std::string& wanted);
 
-/// The arrays of .npy, netCDF (at index `layer` of the dimensions before the last two), MATLAB and JSON; nothing for other
-/// bytes. Columns of texts go to `texts` where JSON has them, or are left out where that is null. Throws InputError.
+/// The arrays of .npy, netCDF (at index `layer` of the dimensions before the last two), MATLAB and JSON; nothing for
+/// other bytes. Text columns of JSON go to `texts`, or are left out if that is null. Throws InputError.
 std::optional<std::vector<DataArray>> read_arrays(std::span<const std::byte> bytes, const std::string& name,
                                                   std::size_t layer, const std::string& wanted, Warnings& warnings,
                                                   std::vector<TextColumn>* texts = nullptr);

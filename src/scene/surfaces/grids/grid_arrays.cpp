@@ -1,4 +1,4 @@
-// Arrays as surfaces: one of two dimensions over its positions, or three of one dimension as points.
+// Makes surfaces of arrays: of a two-dimensional one at its positions, or of three one-dimensional ones as points.
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +12,10 @@
 namespace ligne {
 namespace {
 
-/// Positions that a mesh grid repeats differ by no more than this part of the largest, from single precision.
+/// Largest difference of repeated positions in a mesh grid, relative to the largest position; allows single precision.
 constexpr double kSameInMeshgrid = 0x1p-20;
 
-/// Turns the array about its diagonal: what ran along columns runs along rows.
+/// Transposes the array.
 void transpose(DataArray& array) {
   const std::size_t rows = array.shape[0], columns = array.shape[1];
   std::vector<double> turned(array.values.size());
@@ -25,7 +25,7 @@ void transpose(DataArray& array) {
   if (array.dimensions.size() == 2) std::swap(array.dimensions[0], array.dimensions[1]);
 }
 
-/// Longitudes that ascend past 180 or 360 degrees and go on from the other end, without that step.
+/// Continues longitudes that ascend past 180 or 360 degrees and jump to the other end, without the jump.
 std::vector<double> unwrapped_longitudes(std::vector<double> degrees) {
   if (std::is_sorted(degrees.begin(), degrees.end()) || std::is_sorted(degrees.rbegin(), degrees.rend())) return degrees;
   for (std::size_t k = 1; k < degrees.size(); ++k) {
@@ -47,7 +47,7 @@ class ArraySurface {
   GridSurface read() {
     const DataArray* z = heights();
     if (!z) return points();
-    // numpy's arrays of points have a row for each.
+    // An array of points in numpy has one row per point.
     if (arrays_.size() == 1 && z->name.empty() && z->shape[1] == 3 && choice_.layout != TableLayout::matrix) {
       if (std::optional<GridSurface> found = rows_of_points(*z)) return std::move(*found);
     }
@@ -70,7 +70,7 @@ class ArraySurface {
  private:
   static std::string shown_name(const DataArray& array) { return array.name.empty() ? "its array" : printable(array.name); }
 
-  /// Leaves the last two of several dimensions, at one index of the others.
+  /// Reduces an array to its last two dimensions, at one index of the others.
   void take_layer(DataArray& array) {
     if (array.values.empty()) return;
     while (array.shape.size() > 2 && (array.shape.back() == 1)) array.shape.pop_back();
@@ -104,7 +104,7 @@ class ArraySurface {
     return array.shape.size() == 2 && array.shape[0] >= 2 && array.shape[1] >= 2;
   }
 
-  /// The array of two dimensions that is meant by an option, or by its name, or is the only one; null where there is none.
+  /// The two-dimensional array chosen by an option or by its name, or the only one; null if there is none.
   const DataArray* heights() {
     const std::vector<std::string>& names = choice_.using_columns;
     const DataArray* z = names.empty() ? nullptr : &chosen(names.back());
@@ -136,12 +136,12 @@ class ArraySurface {
     return z;
   }
 
-  /// Ends of the cells of an axis, in netCDF.
+  /// Whether an array holds the ends of the cells of an axis, in netCDF.
   static bool is_bounds(const DataArray& array) {
     return array.shape[1] == 2 && (array.name.ends_with("_bnds") || array.name.ends_with("_bounds"));
   }
 
-  /// Whether x goes with the first index: the axes' names say so, or the positions fit only so.
+  /// Whether x belongs to the first index: the names of the axes say so, or the positions only fit so.
   bool has_columns_along_x(const DataArray& z) const {
     const auto fits = [&](const DataArray* array, std::size_t dimension) {
       return array && array->shape.size() == 1 && array->shape[0] == z.shape[dimension];
@@ -163,7 +163,7 @@ class ArraySurface {
     return z.shape[0] != z.shape[1] && fits(x, 0) && fits(y, 1);
   }
 
-  /// The array of positions along a dimension: that of an option, the coordinate variable of netCDF, or one named for it.
+  /// The positions along a dimension: from an option, from netCDF's coordinate variable, or from an array named for it.
   const DataArray* positions(const DataArray& z, std::size_t dimension) const {
     const auto fits = [&](const DataArray& array) {
       return &array != &z && !array.values.empty() &&
@@ -192,12 +192,12 @@ class ArraySurface {
     }
   }
 
-  /// "degrees_east" or "degree_east", as the conventions of netCDF have it.
+  /// Whether the unit is "degrees_east" or "degree_east", with the given direction, as in netCDF's conventions.
   static bool is_degrees(const DataArray* array, std::string_view direction) {
     return array && array->unit.starts_with("degree") && array->unit.ends_with(direction);
   }
 
-  /// Whether all rows are alike, or all columns.
+  /// Whether all rows are equal, or all columns.
   static bool is_meshgrid(const DataArray& array, bool rows_alike) {
     const std::size_t columns = array.shape[1];
     double most = 0;
@@ -244,7 +244,7 @@ class ArraySurface {
     return {surface_of_rows(rows, choice_, name_, warnings_), {}};
   }
 
-  /// Three columns of one array.
+  /// Makes a surface of the three columns of one array.
   std::optional<GridSurface> rows_of_points(const DataArray& array) {
     std::array<std::vector<double>, 3> columns;
     PointRows rows;
@@ -258,7 +258,7 @@ class ArraySurface {
     return surface_of({&columns[0], &columns[1], &columns[2]});
   }
 
-  /// An array alone, whose first column is positions; null for others.
+  /// A surface of a single array whose first column holds positions; null for others.
   std::unique_ptr<HeightSource> series_of(const DataArray& array) {
     const std::size_t columns = array.shape[1];
     const bool is_chosen = choice_.layout == TableLayout::series;
@@ -273,7 +273,7 @@ class ArraySurface {
     return series;
   }
 
-  /// Arrays of one dimension and of one length.
+  /// Makes a surface of one-dimensional arrays of equal length.
   GridSurface points() {
     std::vector<std::string> names;
     for (const DataArray& array : arrays_) names.push_back(array.shape.size() == 1 ? array.name : std::string());

@@ -1,5 +1,5 @@
-// How the rows of a data set become a surface. The names of its columns decide first, then blank lines, then the numbers
-// themselves; each step is told in docs/data-formats.md.
+// Makes a surface from the rows of a data set. The names of its columns decide first, then blank lines, then the
+// numbers. docs/data-formats.md describes each step.
 
 #include <algorithm>
 #include <array>
@@ -44,14 +44,14 @@ class RowSurface {
   std::string column_name(std::size_t k) const { return k < table_.names().size() ? table_.names()[k] : std::string(); }
   bool has_numbers(std::size_t k) const { return table_.column(k).numbers > 0; }
 
-  /// The columns of x, y and z that an option, or their names say.
+  /// The columns of x, y and z chosen by an option or by their names.
   std::optional<PointColumns> chosen_columns() const {
     std::vector<std::size_t> chosen;
     for (const std::string& word : choice_.using_columns) chosen.push_back(column_of(table_, word, name_));
     if (chosen.size() == 3) return PointColumns{chosen[0], chosen[1], chosen[2]};
     std::vector<std::string> names = table_.names();
     for (std::size_t k = 0; k < names.size(); ++k) {
-      if (table_.column(k).is_text()) names[k].clear();  // a column of words is no position and no height
+      if (table_.column(k).is_text()) names[k].clear();  // a column of words holds neither positions nor heights
     }
     NamedColumns named = named_columns(names);
     if (!chosen.empty()) named.z = chosen[0];
@@ -84,13 +84,13 @@ class RowSurface {
     return columns.size() > kMost ? list + " ..." : list;
   }
 
-  /// Names the columns that are not used.
+  /// Warns of unused columns, by name.
   void leave_out(const std::vector<std::size_t>& columns) {
     if (columns.empty()) return;
     warnings_.leave_out((columns.size() == 1 ? "column (" : "columns (") + list_of_columns(columns) + ")", columns.size());
   }
 
-  /// Columns of numbers, in their order; throws InputError where one has words among them. Others are left out.
+  /// The columns of numbers, in their order; columns of words are left out. Throws InputError if a column mixes both.
   std::vector<std::size_t> all_numbers() const {
     std::vector<std::size_t> numbers;
     for (std::size_t k = 0; k < columns_; ++k) {
@@ -98,14 +98,14 @@ class RowSurface {
       if (column.numbers > 0 && column.words > 0) throw word_error(table_, k, name_);
       if (column.words == 0) numbers.push_back(k);
     }
-    // A separator at the end of every row makes a column of nothing.
+    // A separator at the end of every row makes an empty last column.
     const TableColumn& last = table_.column(columns_ - 1);
     const bool empty = last.numbers == 0 && last.words == 0 && ends_empty();
     if (numbers.size() > 1 && empty) numbers.pop_back();
     return numbers;
   }
 
-  /// Whether the first row has nothing behind its last separator, rather than a sign for no value.
+  /// Whether nothing follows the last separator of the first row, as opposed to a sign for a missing value.
   bool ends_empty() const { return table_.cells(rows_.begin).back().empty(); }
 
   std::unique_ptr<HeightSource> whole_frame() {
@@ -121,14 +121,14 @@ class RowSurface {
     if (table_.names().size() < 3 || table_.names().size() != columns_) return {};
     const std::vector<std::string> names(table_.names().begin() + 1, table_.names().end());
     std::optional<std::vector<double>> at = positions_in_names(names);
-    // X1, X2 ... are the names that R gives to columns without any.
+    // R names columns without names X1, X2 ...
     if (at && are_numbered(names) && !number_in(names.front()) && at->front() == 1 &&
         at->back() == static_cast<double>(at->size()))
       return {};
     return at;
   }
 
-  /// Neither an option nor the names say what the columns are.
+  /// Makes a surface if neither an option nor the names say what the columns are.
   GridSurface unnamed() {
     if (block_begins_.size() > 1) return blocks();
     if (has_corner()) {
@@ -154,7 +154,7 @@ class RowSurface {
     return {matrix(numbers), {}};
   }
 
-  /// The numbers of columns, row by row.
+  /// The numbers of some columns, row by row.
   std::vector<double> values_of(const std::vector<std::size_t>& columns) const {
     std::vector<double> values;
     values.reserve(rows_.size() * columns.size());
@@ -171,7 +171,7 @@ class RowSurface {
     throw InputError(name_, "has no positions in its first column: they neither ascend nor descend throughout");
   }
 
-  /// "wavelength,s1,s2,s3", or an index that is not the number of the row.
+  /// Whether the names are those of a series: "wavelength,s1,s2,s3", or an index that does not number the rows.
   bool names_say_series(const std::vector<std::size_t>& numbers) const {
     if (!is_named()) return false;
     if (is_index_name(column_name(numbers[0]))) return true;
@@ -187,7 +187,7 @@ class RowSurface {
     return series;
   }
 
-  /// The first of columns whose names say nothing may hold positions. Null for others; the warning says what was assumed.
+  /// A surface whose unnamed first column may hold positions, with a warning of that assumption; null for others.
   std::unique_ptr<HeightSource> likely_series(const std::vector<std::size_t>& numbers) {
     if (numbers.size() < 3) return nullptr;
     const FirstColumn first = kind_of_first_column(values_of(numbers), numbers.size());
@@ -200,8 +200,8 @@ class RowSurface {
     return nullptr;
   }
 
-  /// The first cell of all is no number, and those behind it are: the corner of a frame. Below names of the columns it is
-  /// the name of a row.
+  /// Whether the first cell is the corner of a frame: no number, followed by numbers. Below names of columns it is the
+  /// name of a row instead.
   bool has_corner() const {
     const std::vector<std::string>& names = table_.names();
     if (is_named() && std::any_of(names.begin() + 1, names.end(), [](const std::string& n) { return !n.empty(); }))
@@ -211,14 +211,14 @@ class RowSurface {
     return std::all_of(head.begin() + 1, head.end(), [](double v) { return std::isfinite(v); });
   }
 
-  /// Whether a column without a name of its own has even steps, and does not only count the rows.
+  /// Whether a column without a name of its own has even steps and does not just count the rows.
   bool is_axis(std::size_t column) const {
     const std::vector<double> values = values_of({column});
     const bool counts = values.size() > 1 && (values[0] == 0 || values[0] == 1) && values[1] == values[0] + 1;
     return !counts && has_even_steps(values, 1, 0);
   }
 
-  /// Columns of numbers but for those that number or name the rows, and for texts.
+  /// The columns of numbers, without those that number or name the rows.
   std::vector<std::size_t> numbers_without_index() {
     std::vector<std::size_t> numbers = all_numbers(), left_out;
     const bool has_index = is_named() && !numbers.empty() && numbers.front() == 0 && columns_ > 2 &&
@@ -236,7 +236,7 @@ class RowSurface {
     return numbers;
   }
 
-  /// Three columns of which the first two are places; of more only those whose first two form a grid.
+  /// Takes the first three columns as x, y and z. If there are more, x and y must form a grid.
   std::optional<GridSurface> points_in_order(const std::vector<std::size_t>& numbers) {
     if (names_are_a_series(numbers)) return {};
     const PointColumns columns{numbers[0], numbers[1], numbers[2]};
@@ -259,10 +259,11 @@ class RowSurface {
     return are_numbered(names) || positions_in_names(names);
   }
 
-  /// Columns of a matrix are numbered, or named in quotes, or their rows are: other names are those of different things.
+  /// Requires names that fit a matrix: numbered, in quotes, or beside named rows. Other names mean columns of different
+  /// things.
   void check_names(const std::vector<std::size_t>& numbers) {
     const bool has_row_names = is_index_name(table_.names().front());
-    bool has_texts = false;  // beside names of rows: facts about things, such as a species
+    bool has_texts = false;  // texts beside row names describe things, such as a species
     for (std::size_t k = 1; k < columns_; ++k) has_texts = has_texts || table_.column(k).is_text();
     const bool has_named_rows = has_row_names || table_.column(0).is_text();
     const bool may_be_matrix = !has_texts && (numbers.size() > 2 || has_named_rows);
@@ -290,14 +291,14 @@ class RowSurface {
     return rows;
   }
 
-  /// Blocks between blank lines: x, y and z, and what else stands behind them.
+  /// Makes a surface of blocks between blank lines: x, y, z, and further columns.
   GridSurface blocks() {
     const std::vector<std::size_t> numbers = all_numbers();
     if (numbers.size() < 3) {
       throw error("blank lines divide rows of " + std::to_string(columns_) + " columns; blocks of x y z have three");
     }
     PointRows rows = point_rows({numbers[0], numbers[1], numbers[2]});
-    // A matrix may have blank lines among its rows. Blocks of four columns are a mesh with a colour, as gnuplot has them.
+    // A matrix may have blank lines between rows. In gnuplot, blocks of four columns are a mesh with a colour.
     const bool are_blocks =
         numbers.size() == 3 || (are_even_blocks(rows) && (numbers.size() == 4 || is_grid_of_blocks(rows, name_)));
     if (!are_blocks) {
@@ -326,7 +327,7 @@ class RowSurface {
     return surface_without_blocks(std::move(rows));
   }
 
-  /// Rows without blank lines are no mesh: where places repeat, their heights are averaged.
+  /// Makes a surface of rows without blank lines, which are no mesh: heights at repeated places are averaged.
   GridSurface surface_without_blocks(PointRows rows) {
     rows.block_begins = {0};
     if (find_blocks(rows) && is_grid_of_blocks(rows, name_)) return {grid_of_points(std::move(rows), name_), {}};
@@ -334,7 +335,7 @@ class RowSurface {
     return {surface_of_rows(rows, choice_, name_, warnings_), {}};
   }
 
-  /// By rising doubt: a grid by blocks, a mesh, a grid with holes, scattered points.
+  /// Tries, from certain to doubtful: a grid of blocks, a mesh, a grid with holes, scattered points.
   GridSurface surface_of(PointRows rows) {
     const std::vector<std::size_t>& begins = rows.block_begins;
     if (begins.size() < 2) return {surface_of_rows(rows, choice_, name_, warnings_), {}};
@@ -361,7 +362,7 @@ class RowSurface {
   const GridChoice& choice_;
   Warnings& warnings_;
   std::size_t columns_ = 0;
-  std::vector<std::size_t> block_begins_;  ///< from the first row of the data set
+  std::vector<std::size_t> block_begins_;  ///< counted from the first row of the data set
 };
 
 }  // namespace

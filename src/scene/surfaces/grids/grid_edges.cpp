@@ -9,15 +9,15 @@
 namespace ligne {
 namespace {
 
-/// Steps between samples are out of step, and the formula is asked, when they differ from those beside them by more than
-/// this part of the larger one ...
+/// Largest difference between a step of samples and the steps beside it, relative to the larger of these; beyond it the
+/// formula is examined ...
 constexpr double kOutOfStep = 0.25;
-/// ... and by more than this part of the range of heights: less is no stroke on any page.
+/// ... if the difference also exceeds this part of the range of heights, below which no stroke would show on any page.
 constexpr double kLeastStep = 0x1p-20;
 
-/// Pieces of broken edges are halved so often at most, and less often where so many edges are broken that a block of
-/// rows would get more points than these for each sample: where there is a pole between all samples, what is drawn is
-/// chance.
+/// Largest number of halvings of the pieces of broken edges, and largest number of their points per sample in a block
+/// of rows. If so many edges are broken that the points would exceed this, pieces are halved less often: with a pole
+/// between all samples, the drawing is arbitrary anyway.
 constexpr int kMostPieceHalvings = 6;
 constexpr std::size_t kPointsForSample = 4;
 
@@ -27,7 +27,7 @@ int halvings_of(std::size_t broken, std::size_t samples) {
   return halvings;
 }
 
-/// Six samples in a row, of which the middle two are the edge's ends; NaN where there is none that counts.
+/// Six consecutive samples, the middle two being the ends of the edge; NaN where no sample counts.
 using Neighbours = std::array<double, 6>;
 
 bool is_out_of_step(const Neighbours& z, double least) {
@@ -40,24 +40,24 @@ bool is_out_of_step(const Neighbours& z, double least) {
   if (std::isnan(before)) return true;
   const double larger = std::max(std::abs(before), std::abs(behind));
   if (std::abs(here - (before + behind) / 2) > kOutOfStep * larger + least) return true;
-  // Up and down again, more steeply than farther out: a pole may stand between the samples.
+  // Heights rise and fall more steeply than farther out, so a pole may lie between the samples.
   if (!((before > 0) != (behind > 0)) || std::isnan(step[0]) || std::isnan(step[4])) return false;
   return std::abs(before - behind) > std::abs(step[0]) + std::abs(step[4]) + least;
 }
 
-/// A quick look at many edges: true for all that is_out_of_step() is true for, and for few others. `step` are the steps of
-/// an edge and of those beside it.
+/// A quick test of many edges: true wherever is_out_of_step() is true, and for few others. `step` holds the steps of an
+/// edge and of those beside it.
 inline bool may_be_out_of_step(const std::array<double, 5>& step, double least) {
   const double larger = std::max(std::abs(step[1]), std::abs(step[3]));
   const double off = std::abs(2 * step[2] - step[1] - step[3]) - 2 * kOutOfStep * larger;
   const double peak = std::abs(step[1] - step[3]) - std::abs(step[0]) - std::abs(step[4]);
-  return !(off <= least && peak <= least);  // also where one of them is no number
+  return !(off <= least && peak <= least);  // also true if one of them is not a number
 }
 
-/// Rows that are read at a time, and those before and behind them that tell whether their edges are in step.
+/// Number of rows read at a time, and of rows before and behind them that are needed to judge their edges.
 constexpr std::size_t kRowsAtATime = 32, kRowsBefore = 2, kRowsBehind = 3;
 
-/// The edges that begin in a block of rows.
+/// Finds the broken edges that begin in a block of rows.
 class EdgeFinder {
  public:
   EdgeFinder(const HeightSource& heights, const HeightWindow& window, double range, bool may_jump, std::size_t begin,
@@ -147,8 +147,8 @@ class EdgeFinder {
   double range_;
   std::size_t columns_, rows_, begin_, end_, first_;
   std::vector<double> raw_;      ///< from row `first_` on
-  std::vector<double> counted_;  ///< NaN in place of those that do not count; empty when all do
-  const double* z_ = nullptr;    ///< counted_, or raw_ where all count
+  std::vector<double> counted_;  ///< NaN for samples that do not count; empty if all do
+  const double* z_ = nullptr;    ///< counted_, or raw_ if all count
   std::vector<double> up_;       ///< steps of z_ to the next row
 };
 

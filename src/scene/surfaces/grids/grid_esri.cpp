@@ -1,4 +1,4 @@
-// Lines "key value", then the heights from the north-west on, row by row. Rows may be broken into lines anywhere.
+// Lines "key value", then the heights row by row, starting in the north-west. Rows may be broken into lines anywhere.
 
 #include <cmath>
 #include <limits>
@@ -10,14 +10,14 @@
 namespace ligne {
 namespace {
 
-/// The value that stands for no height in files that do not say.
+/// The value for a missing height in files that do not define one.
 constexpr double kNoDataByDefault = -9999;
 
-/// No height is as large: writers print the largest number of single precision, which stands for none, with more or with
+/// Larger values are missing heights: some writers print the largest number of single precision for them, with more or
 /// fewer digits than NODATA_value has.
 constexpr double kBeyondEsriHeights = 1e30;
 
-/// Equal as doubles, or as the single precision that most writers hold heights in.
+/// Whether a value equals NODATA as a double, or in single precision, in which most writers hold heights.
 bool is_no_data(double value, double no_data) {
   if (value == no_data) return true;
   if (std::abs(no_data) >= kBeyondEsriHeights) return std::abs(value) >= kBeyondEsriHeights && (value > 0) == (no_data > 0);
@@ -63,7 +63,7 @@ class EsriReader {
  private:
   InputError error(const std::string& cause) const { return error_at_line(name_, lines_.number(), cause); }
 
-  /// False when the line is one of heights.
+  /// Returns false if the line holds heights.
   bool read_header_line(std::string_view line) {
     const std::string_view key = take_word(line);
     if (key.empty()) return true;
@@ -100,7 +100,7 @@ class EsriReader {
   std::int64_t count_in(std::string_view key, std::string_view word) const {
     const std::optional<std::int64_t> value = parse_integer(word);
     if (!value || *value < 1) throw error(printable(key) + " " + shown(word) + " is not a number of cells");
-    // Every height takes a character and a separator.
+    // Every height takes at least a character and a separator.
     const std::size_t most = text_size_ / 2 + 1;
     if (static_cast<std::uint64_t>(*value) > most) {
       throw error(printable(key) + " " + shown(word) + " is more than a file of " + std::to_string(text_size_) +
@@ -139,7 +139,7 @@ class EsriReader {
     columns_ = static_cast<std::size_t>(*header_.columns);
     rows_ = static_cast<std::size_t>(*header_.rows);
     check_counts(columns_, rows_, name_);
-    // Both counts are below the size of the file, so their product does not overflow.
+    // Both counts are below the size of the file, so their product can not overflow.
     wanted_ = columns_ * rows_;
     if (wanted_ > text_size_ / 2 + 1) {
       throw InputError(name_, "header speaks of " + std::to_string(wanted_) + " heights, more than a file of " +
@@ -165,7 +165,7 @@ class EsriReader {
     }
   }
 
-  /// Positions of the middles of the cells; a corner is half a cell before the first.
+  /// Positions of the centres of the cells; a corner lies half a cell before the first centre.
   static std::vector<double> positions(std::optional<double> corner, std::optional<double> center, double step,
                                        std::size_t n) {
     std::vector<double> out(n);
@@ -182,7 +182,7 @@ class EsriReader {
   Header header_;
   std::size_t columns_ = 0, rows_ = 0, wanted_ = 0;
   std::vector<double> heights_;  ///< from north to south
-  std::string uneven_row_;       ///< where the first line is that is no whole row, for error lines
+  std::string uneven_row_;       ///< place of the first line that is not a whole row, for error messages
 };
 
 }  // namespace

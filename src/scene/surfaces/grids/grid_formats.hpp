@@ -21,18 +21,18 @@
 
 namespace ligne {
 
-/// The value of a grid where it has no height.
+/// The value for a missing height.
 inline constexpr double kNoHeight = std::numeric_limits<double>::quiet_NaN();
 
-/// Lines of x, y and z as they stand in the file.
+/// Lines of x, y and z in the order of the file.
 struct PointRows {
-  std::vector<double> values;             ///< x, y, z of every line
-  std::vector<std::size_t> lines;         ///< their numbers
-  std::vector<std::size_t> block_begins;  ///< the first row of every block of lines; blank lines stand between the blocks
+  std::vector<double> values;             ///< x, y, z of each line
+  std::vector<std::size_t> lines;         ///< line numbers
+  std::vector<std::size_t> block_begins;  ///< first row of each block; blank lines separate blocks
 };
 
-/// Tells the format by content and reads. `name` stands in error messages. What only GDAL reads needs the file itself and is
-/// refused when `file` is empty; files beside it that were read too are added to `opened`.
+/// Recognises the format by content and reads the file. `name` is used in error messages. Formats that only GDAL reads
+/// need the path `file`, and are refused if it is empty. Further files that were read are added to `opened`.
 std::vector<GridSurface> read_surfaces(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
                                        const std::filesystem::path& file = {}, InputFiles* opened = nullptr,
                                        const GridChoice& choice = {});
@@ -49,59 +49,61 @@ std::vector<GridSurface> read_text_surfaces(std::span<const std::byte> bytes, co
 GridSurface surface_of_data_set(const Table& table, RowRange rows, const std::string& name, const GridChoice& choice,
                                 Warnings& warnings);
 
-/// Rows of a table as heights, by number from 0; `columns` are used, all in order where it is empty.
+/// Makes heights of rows of a table, numbered from 0. Uses `columns`, or all in their order if it is empty.
 std::unique_ptr<HeightSource> matrix_of_rows(const Table& table, RowRange rows, const std::vector<std::size_t>& columns,
                                              const std::string& name, Warnings& warnings);
 
-/// Rows of a table whose first row and first column, or the names of whose columns, are positions; null where these neither
-/// ascend nor descend.
+/// Makes heights of rows whose positions are in the first row and the first column, or in the names of the columns and
+/// the first column; null if the positions neither ascend nor descend.
 std::unique_ptr<HeightSource> frame_of_rows(const Table& table, RowRange rows, const std::string& name, Warnings& warnings);
 std::unique_ptr<HeightSource> frame_of_names(const Table& table, RowRange rows, const std::vector<double>& positions,
                                              const std::string& name, Warnings& warnings);
-/// gnuplot's "nonuniform matrix": the corner holds the number of the other columns.
+/// Whether the rows are gnuplot's "nonuniform matrix", whose corner holds the number of the other columns.
 bool is_counted_frame(const Table& table, RowRange rows);
 
-/// How the first column of a matrix can be understood.
+/// Possible meanings of the first column of a matrix.
 enum class FirstColumn : std::uint8_t {
   heights,
-  positions,  ///< it alone has even steps, and it differs from its neighbour far more than the others do from theirs
-  doubtful,   ///< it alone has even steps, and may be positions or heights
+  positions,  ///< only it has even steps, and it differs from its neighbour much more than the others from theirs
+  doubtful,   ///< only it has even steps; it may hold positions or heights
 };
 
 /// `values` are rows of `columns` numbers.
 FirstColumn kind_of_first_column(std::span<const double> values, std::size_t columns);
-/// Whether the numbers of a column, eight or more, ascend or descend by equal steps, up to the rounding of their digits.
+/// Whether the numbers of a column, at least eight, ascend or descend by equal steps, within the rounding of their
+/// digits.
 bool has_even_steps(std::span<const double> values, std::size_t columns, std::size_t column);
-/// Rows of `columns` numbers, of which the first is y and the others are heights over x = 0, 1, 2 ...; null where the first
-/// ones neither ascend nor descend.
+/// Makes heights of rows of `columns` numbers: y, then heights at x = 0, 1, 2 ...; null if y neither ascends nor
+/// descends.
 std::unique_ptr<HeightSource> series_of_rows(std::span<const double> values, std::size_t columns, const std::string& name,
                                              Warnings& warnings);
 
-/// Heights row by row over positions that ascend or descend. Throws InputError for others.
+/// Makes heights given row by row at ascending or descending positions. Throws InputError for other positions.
 std::unique_ptr<HeightSource> heights_over(std::vector<double> x, std::vector<double> y, std::vector<double> z,
                                            const std::string& name);
 
-/// Named arrays: one of two dimensions with its positions, or three of one. See docs/data-formats.md.
+/// Makes a surface of named arrays: of a two-dimensional one with its positions, or of three one-dimensional ones. See
+/// docs/data-formats.md.
 GridSurface surface_of_arrays(std::vector<DataArray> arrays, const std::string& name, const GridChoice& choice,
                               Warnings& warnings);
 
-/// Grids of Surfer, as text and in two binary forms.
+/// Grids of Surfer, as text and in two binary formats.
 bool is_surfer_grid(std::string_view bytes);
 std::unique_ptr<HeightSource> read_surfer_grid(std::span<const std::byte> bytes, const std::string& name,
                                                Warnings& warnings);
 
-/// The scan lines of a mesh: blocks of equally many points.
+/// Makes a mesh of scan lines, which are blocks of equally many points.
 SurfacePoints mesh_of_blocks(const PointRows& rows, const std::string& name);
-/// Blocks are the corners of polygons of a solid, whose corners stand in several of them.
+/// Whether the blocks are polygons of a solid, whose corners occur in several blocks.
 bool are_polygons(const PointRows& rows);
-/// Blocks of equally many points, two or more.
+/// Whether all blocks have equally many points, at least two.
 bool are_even_blocks(const PointRows& rows);
 
-/// A text that begins with a key of the header of an ESRI ASCII grid.
+/// Whether a text begins with a key of the header of an ESRI ASCII grid.
 bool is_esri_grid(std::string_view text);
 std::unique_ptr<HeightSource> read_esri_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
 
-/// Netpbm's grey maps, P2 and P5. Those of pictures that are thinned are so while they are read.
+/// Netpbm's grey maps, P2 and P5. Thinned pictures are thinned while they are read.
 std::unique_ptr<HeightSource> read_pgm_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
                                             const GridChoice& choice);
 
@@ -109,18 +111,18 @@ std::unique_ptr<HeightSource> read_pgm_grid(std::span<const std::byte> bytes, co
 std::unique_ptr<HeightSource> read_png_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
                                             const GridChoice& choice);
 
-/// A tile of SRTM heights, "N47E008.hgt", which its name alone tells from other bytes.
+/// A tile of SRTM heights, recognised only by its name, such as "N47E008.hgt".
 bool is_hgt_name(std::string_view name);
 std::unique_ptr<HeightSource> read_hgt_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
 
-/// A TIFF whose numbers or packing libtiff does not read.
+/// A TIFF whose number type or compression libtiff does not read.
 class UnreadTiff : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// One band of a TIFF or GeoTIFF, by libtiff. A world file beside `file` is read where the TIFF says no positions, and is
-/// added to `opened`. Throws UnreadTiff for what GDAL may read.
+/// Reads one band of a TIFF or GeoTIFF with libtiff. If the TIFF has no positions, a world file beside `file` is read,
+/// and is added to `opened`. Throws UnreadTiff for files that GDAL may read.
 std::unique_ptr<HeightSource> read_tiff_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
                                              const GridChoice& choice = {}, const std::filesystem::path& file = {},
                                              InputFiles* opened = nullptr);
@@ -128,34 +130,35 @@ std::unique_ptr<HeightSource> read_tiff_grid(std::span<const std::byte> bytes, c
 bool reads_tiff();
 bool reads_by_gdal();
 
-/// One band of what GDAL reads (GeoTIFF and many more). Without GDAL in the build an InputError says that it is needed. Adds
-/// what GDAL reads beside the file to `opened`.
+/// Reads one band of a file with GDAL (GeoTIFF and many more). Throws an InputError if the build is without GDAL. Adds
+/// the files that GDAL reads beside it to `opened`.
 std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, const std::string& name, Warnings& warnings,
                                              const GridChoice& choice, InputFiles& opened);
 
-/// The likely unit of the positions of a grid of terrain whose file does not say it.
+/// The likely unit of the positions of a terrain grid whose file does not define it.
 GroundUnit likely_unit(const HeightSource& heights);
 
-/// Heights over the positions of the file. Blocks are of one x or of one y each.
+/// Makes heights at the positions of the file. All points of a block have the same x, or the same y.
 std::unique_ptr<HeightSource> grid_of_points(PointRows rows, const std::string& name);
-/// Whether it takes the blocks, or throws InputError.
+/// Whether grid_of_points() accepts the blocks; it throws InputError for others.
 bool is_grid_of_blocks(const PointRows& rows, const std::string& name);
-/// Makes blocks where no blank line does: true, and `rows` has them, when each x or y comes with the same positions of the
-/// other.
+/// Finds the blocks of rows without blank lines. Returns true and sets the blocks of `rows` if every x or every y has
+/// the same positions of the other coordinate.
 bool find_blocks(PointRows& rows);
 
-/// Files without a header that names it say -9999, -32768 or -99999 where there is no height. Of each `step` values the last
-/// one is a height; those that are such a number, and far below all others, become NaN.
+/// Turns signs for missing heights (-9999, -32768 or -99999) into NaN, in files without a header that defines them. In
+/// each group of `step` values the last one is a height. A sign counts only if it is far below all other heights.
 void leave_out_signs_of_nothing(std::vector<double>& values, std::size_t step, Warnings& warnings);
 
-/// Points in any order: a grid with holes where they are enough of one, else scattered points (scattered_points.hpp).
+/// Makes a surface of points in any order: a grid with holes if they fill enough of one, else scattered points
+/// (scattered_points.hpp).
 std::unique_ptr<HeightSource> surface_of_rows(const PointRows& rows, const GridChoice& choice, const std::string& name,
                                               Warnings& warnings);
-/// Whether most of the places of x and y are different, as those of points are and heights in three columns need not be.
+/// Whether most pairs of x and y are different, as for points, but not necessarily for three columns of heights.
 bool are_places(const PointRows& rows);
 
-/// The height that a word of a text stands for: a number, or NaN for a sign of no value (is_missing); nothing for other
-/// words.
+/// The height that a word of a text means: a number, or NaN for a sign of a missing value (is_missing); nothing for
+/// other words.
 std::optional<double> height_in(std::string_view word);
 
 }  // namespace ligne

@@ -1,4 +1,4 @@
-// Matrices, and matrices whose rows and columns have positions.
+// Makes heights of matrices, and of matrices whose rows and columns have positions.
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace ligne {
 namespace {
 
-/// 1 when the numbers ascend, -1 when they descend, 0 for others.
+/// 1 if the numbers ascend, -1 if they descend, 0 otherwise.
 int direction_of(const std::vector<double>& at) {
   if (at.size() < 2 || at[0] == at[1]) return 0;
   const bool up = at[0] < at[1];
@@ -21,7 +21,7 @@ int direction_of(const std::vector<double>& at) {
   return up ? 1 : -1;
 }
 
-/// Numbers, or those of months.
+/// The numbers of the first column, or the numbers of its months.
 std::vector<double> first_column(const Table& table, RowRange rows) {
   std::vector<double> at;
   for (std::size_t row = rows.begin; row < rows.end; ++row) at.push_back(table.row(row)[0]);
@@ -31,7 +31,7 @@ std::vector<double> first_column(const Table& table, RowRange rows) {
   return at;
 }
 
-/// Heights behind the first column.
+/// The heights after the first column.
 std::vector<double> heights_behind(const Table& table, RowRange rows, Warnings& warnings) {
   std::vector<double> z;
   z.reserve(rows.size() * (table.row(rows.begin).size() - 1));
@@ -80,7 +80,7 @@ std::unique_ptr<HeightSource> frame_of_rows(const Table& table, RowRange rows, c
   if (head.size() < 3 || rows.size() < 3) return nullptr;
   const RowRange body{rows.begin + 1, rows.end};
   std::vector<double> x(head.begin() + 1, head.end()), y = first_column(table, body);
-  // Behind a word the first row holds no heights, whatever it holds.
+  // If a word begins the first row, the row holds no heights.
   const bool has_word = table.column(0).words > 0 && table.column(0).first_word_row == rows.begin;
   const bool names_columns = direction_of(x) == 0, names_rows = direction_of(y) == 0;
   if ((names_columns || names_rows) && !has_word) return nullptr;

@@ -19,7 +19,7 @@
 namespace ligne {
 namespace {
 
-/// More columns or rows than anybody draws: beyond it a header lies.
+/// Largest number of columns or rows: more than anybody draws, so a larger number means a wrong header.
 constexpr int kMostPerSide = 1 << 24;
 
 struct CloseDataset {
@@ -27,7 +27,7 @@ struct CloseDataset {
 };
 using Dataset = std::unique_ptr<void, CloseDataset>;
 
-/// GDAL's own messages stay off standard error while one of these lives; it says what the last one was.
+/// Keeps GDAL's messages off standard error during its lifetime, and gives the last one.
 class QuietErrors {
  public:
   QuietErrors() {
@@ -45,10 +45,10 @@ class QuietErrors {
   }
 };
 
-/// How the values of a band become heights.
+/// Conversion of the values of a band to heights.
 struct Meaning {
   std::optional<double> no_data;
-  bool is_float32 = false;  ///< NODATA may have more digits, or fewer, than the values
+  bool is_float32 = false;  ///< NODATA may have more or fewer digits than the values
   GDALRasterBandH mask = nullptr;
   double scale = 1, offset = 0;
 
@@ -60,7 +60,7 @@ struct Meaning {
   }
 };
 
-/// Reads row by row from the file; a data set is for one thread at a time.
+/// Reads rows from the file. A data set is for one thread at a time.
 class GdalHeights : public HeightSource {
  public:
   GdalHeights(RasterPlacement placement, Dataset dataset, GDALRasterBandH band, Meaning meaning, std::string name)
@@ -147,7 +147,7 @@ GDALRasterBandH chosen_band(GDALDatasetH dataset, const GridChoice& choice, cons
   return band;
 }
 
-/// GDAL reads rows as they stand, so the ground may be mirrored but not turned by a right angle.
+/// GDAL reads rows in the order of the file, so the raster may be mirrored, but not turned by a right angle.
 RasterPlacement placed_rows(GDALDatasetH dataset, std::size_t columns, std::size_t rows, const std::string& name,
                             Warnings& warnings) {
   std::array<double, 6> t{};

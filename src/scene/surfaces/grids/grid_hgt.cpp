@@ -1,5 +1,6 @@
-// Tiles of the Shuttle Radar Topography Mission: a square of big-endian 16-bit heights in metres and nothing else, from
-// north to south, over one degree of latitude and longitude, both of whose ends are samples. The name says where it lies.
+// Tiles of the Shuttle Radar Topography Mission: a square of big-endian 16-bit heights in metres, from north to south,
+// over one degree of latitude and longitude, with samples on both ends. There is no header; the name gives the
+// position.
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-// Blocks of points of which x, y and z all vary: scan lines of a mesh, as gnuplot draws them, or polygons.
+// Blocks of points in which x, y and z all vary: scan lines of a mesh, as gnuplot draws them, or polygons.
 
 #include <algorithm>
 #include <array>
@@ -9,10 +9,10 @@
 namespace ligne {
 namespace {
 
-/// Blocks of more points are no polygons of a solid.
+/// Largest number of points in a block that can be a polygon of a solid.
 constexpr std::size_t kMostCorners = 16;
-/// Each corner of a solid stands in three polygons or more, so different places are at most this part of all points. The
-/// points of a mesh stand there once, but for seams and poles.
+/// Largest number of distinct places among the points of polygons, relative to all points: each corner of a solid
+/// belongs to at least three polygons. Points of a mesh occur once, except at seams and poles.
 constexpr double kPlacesOfPolygons = 0.45;
 constexpr std::size_t kFewestPolygons = 4;
 

@@ -1,5 +1,5 @@
-// "P2" or "P5", then width, height and the largest value as text with comments among it; then the values, as text, or as one
-// byte or two (high byte first) each.
+// "P2" or "P5", then width, height and the largest value as text with comments; then the values, as text or as one or
+// two bytes each (high byte first).
 
 #include <algorithm>
 
@@ -22,14 +22,14 @@ class PgmReader {
   std::unique_ptr<HeightSource> read(Warnings& warnings, const GridChoice& choice) {
     const bool is_text = chars_[1] == '2';
     at_ = 2;
-    // No more values than bytes.
+    // There can not be more values than bytes.
     const auto most = static_cast<std::int64_t>(chars_.size());
     const auto columns = static_cast<std::size_t>(take_number("width", 1, most));
     const auto rows = static_cast<std::size_t>(take_number("height", 1, most));
     largest_ = take_number("largest value", 1, kLargestValue);
     check_counts(columns, rows, name_);
     const std::size_t bytes_each = is_text ? 2 : largest_ < 256 ? 1 : 2;
-    if (!is_text) ++at_;  // the one white space behind the header
+    if (!is_text) ++at_;  // skips the single white space after the header
     const std::size_t left = chars_.size() - std::min(at_, chars_.size());
     // The last value of a text needs no separator.
     if (rows > (left + (is_text ? 1 : 0)) / bytes_each / columns) {

@@ -17,7 +17,7 @@
 namespace ligne {
 namespace {
 
-/// Deflate makes at most this many bytes of one.
+/// Largest ratio by which Deflate expands data.
 constexpr std::uint64_t kMostDeflated = 1032;
 
 class PngFile {
@@ -38,7 +38,7 @@ class PngFile {
   void read_header() {
     if (!try_header()) throw_error();
   }
-  /// Prepares for rows of a byte a sample, or of two in the machine's order; returns the number of passes.
+  /// Prepares reading rows with one byte per sample, or two in the machine's order. Returns the number of passes.
   int begin_rows() {
     if (!try_begin_rows()) throw_error();
     return passes_;
@@ -51,7 +51,7 @@ class PngFile {
   std::size_t rows() const { return png_get_image_height(png_, info_); }
   int bit_depth() const { return png_get_bit_depth(png_, info_); }
   int color_type() const { return png_get_color_type(png_, info_); }
-  /// The value that stands for transparent.
+  /// The value that means transparent.
   std::optional<unsigned> transparent() const {
     png_color_16p color = nullptr;
     if (png_get_tRNS(png_, info_, nullptr, nullptr, &color) == 0 || color == nullptr) return {};
@@ -105,7 +105,7 @@ class PngFile {
   std::array<char, 128> cause_{};
 };
 
-/// Columns and rows that stay, the lowest first.
+/// The columns and rows that are kept, lowest first.
 struct KeptPlaces {
   std::vector<std::size_t> x, y;
 };
@@ -120,7 +120,7 @@ std::vector<Sample> read_interlaced(PngFile& png, int passes) {
   return samples;
 }
 
-/// The samples that stay, from the first row of the picture, which is the highest.
+/// The kept samples, from the first row of the picture, which is the highest.
 template <typename Sample>
 std::vector<Sample> read_samples(PngFile& png, const KeptPlaces& kept) {
   const int passes = png.begin_rows();
@@ -133,7 +133,7 @@ std::vector<Sample> read_samples(PngFile& png, const KeptPlaces& kept) {
     if (*next != rows - 1 - row) continue;
     ++next;
     const Sample* const from = passes == 1 ? line.data() : all.data() + row * columns;
-    // The heights take room as they come: the size in the header may be a lie.
+    // Memory grows as heights are read, since the size in the header may be wrong.
     for (const std::size_t i : kept.x) samples.push_back(from[i]);
   }
   return samples;
@@ -147,14 +147,14 @@ std::unique_ptr<HeightSource> read_heights(PngFile& png, const KeptPlaces& kept,
   const std::vector<double> x(kept.x.begin(), kept.x.end()), y(kept.y.begin(), kept.y.end());
   if (!transparent) return held_heights(x, y, std::move(samples), order, name);
 
-  std::vector<float> heights(samples.size());  // holds every value of 16 bits, and NaN
+  std::vector<float> heights(samples.size());  // float holds every 16-bit value, and NaN
   std::transform(samples.begin(), samples.end(), heights.begin(), [&](Sample value) {
     return value == *transparent ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(value);
   });
   return held_heights(x, y, std::move(heights), order, name);
 }
 
-/// Throws InputError when a file can not hold the values that its header speaks of.
+/// Throws InputError if the file is too small for the number of values in its header.
 void check_size(std::size_t columns, std::size_t rows, unsigned bits, std::size_t bytes, const std::string& name) {
   const std::uint64_t most = bytes * kMostDeflated * 8 / bits;
   if (rows > most / columns) {
@@ -163,8 +163,8 @@ void check_size(std::size_t columns, std::size_t rows, unsigned bits, std::size_
   }
 }
 
-/// Colours that are heights in the Terrarium encoding, R 256 + G + B / 256 - 32768 metres, which puts the earth's own from
-/// its deepest to its highest place into a narrow band of red. Other pictures have colours outside of it.
+/// Reads colours that are heights in the Terrarium encoding, R 256 + G + B / 256 - 32768 metres. It maps the earth from
+/// its deepest to its highest place to a narrow band of red; other pictures have colours outside that band.
 std::unique_ptr<HeightSource> read_terrarium(PngFile& png, std::size_t bytes, const std::string& name, Warnings& warnings) {
   constexpr double kZero = 32768, kDeepest = -11'500, kHighest = 9'000;
   const std::size_t columns = png.columns(), rows = png.rows();

@@ -1,5 +1,5 @@
-// Blocks of lines "x y z", as gnuplot has them: within a block one of x and y stays the same and the other goes through the
-// same positions as in every block.
+// Blocks of lines "x y z", as in gnuplot: within a block, x or y is constant and the other has the same positions as in
+// every block.
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@
 namespace ligne {
 namespace {
 
-/// Positions that are meant to be the same differ by no more than this part of the narrowest step, from rounding when they
-/// were written. On a page it is 10 nanometres where a step is a centimetre.
+/// Largest difference of positions that count as equal, relative to the narrowest step: rounding when they were
+/// written. On a page it is 10 nanometres for a step of a centimetre.
 constexpr double kPositionSlack = 0x1p-20;
 
 const char* axis_name(std::size_t axis) { return axis == 0 ? "x" : "y"; }
@@ -29,7 +29,7 @@ class PointGrid {
     return finish();
   }
 
-  /// Throws InputError where the points form no grid.
+  /// Throws InputError if the points form no grid.
   void check() {
     check_blocks();
     find_axes();
@@ -68,14 +68,15 @@ class PointGrid {
     }
   }
 
-  /// The axis that changes less over the first block is that which stays the same within blocks.
+  /// The axis that changes less over the first block is constant within blocks.
   void find_axes() {
     const double dx = std::abs(position(rows_, block_size_ - 1, 0) - position(rows_, 0, 0));
     const double dy = std::abs(position(rows_, block_size_ - 1, 1) - position(rows_, 0, 1));
     outer_axis_ = dx < dy ? 0 : 1;
   }
 
-  /// Throws InputError unless the positions, `stride` rows apart, ascend or descend throughout.
+  /// Returns the narrowest step. Throws InputError unless the positions, `stride` rows apart, ascend or descend
+  /// throughout.
   double narrowest_step(const std::vector<double>& positions, std::size_t stride, std::size_t axis) const {
     double narrowest = INFINITY;
     for (std::size_t i = 1; i < positions.size(); ++i) {
@@ -127,8 +128,8 @@ class PointGrid {
   const std::string& name_;
   std::size_t count_;
   std::size_t block_size_ = 0;
-  std::vector<double> inner_, outer_;  ///< positions within blocks, and of the blocks
-  std::size_t outer_axis_ = 0;         ///< 0 when a block is of one x, 1 when it is of one y
+  std::vector<double> inner_, outer_;  ///< positions within a block, and of the blocks
+  std::size_t outer_axis_ = 0;         ///< 0 if each block has one x, 1 if it has one y
 };
 
 }  // namespace

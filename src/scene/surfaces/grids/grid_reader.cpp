@@ -1,5 +1,5 @@
-// The order of the questions: files with a mark of their own (PNG, PGM, TIFF and others for GDAL), models that are no grids,
-// and then text.
+// Formats are recognised in this order: files with a magic number (PNG, PGM, TIFF and others for GDAL), models, which
+// are no grids, and then text.
 
 #include <algorithm>
 #include <array>
@@ -18,10 +18,10 @@
 namespace ligne {
 namespace {
 
-/// The kind of file that errors say other files are not.
+/// The kind of file that error messages name as wanted.
 constexpr char kWanted[] = "a grid of heights";
 
-/// Positions as far apart as degrees of a grid of the earth are, and no more of them than there are on it.
+/// Largest step of positions that count as degrees of a grid of the earth, and largest longitude and latitude.
 constexpr double kWidestStepOfDegrees = 0.25, kMostLongitude = 360, kMostLatitude = 90;
 
 std::unique_ptr<HeightSource> with_unit(std::unique_ptr<HeightSource> heights, GroundUnit unit) {
@@ -41,14 +41,14 @@ std::unique_ptr<HeightSource> read_raster(std::span<const std::byte> bytes, cons
   }
 }
 
-/// A model as ZIP archive is no archive of a grid.
+/// Unpacks an archive with a grid. A model that is a ZIP archive is refused.
 std::optional<UnpackedFile> unpacked_grid(std::span<const std::byte> bytes, const std::string& name) {
   const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (chars.starts_with("PK\x03\x04")) refuse_models(bytes, name, kWanted);
   return unpacked(bytes, name);
 }
 
-/// Pictures and grids with a mark of their own; null for other bytes.
+/// Reads pictures and grids that have a magic number; null for other bytes.
 std::unique_ptr<HeightSource> read_picture(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
                                            const std::filesystem::path& file, InputFiles* opened, const GridChoice& choice) {
   const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -67,7 +67,7 @@ std::unique_ptr<HeightSource> read_picture(std::span<const std::byte> bytes, con
   return nullptr;
 }
 
-/// The one surface of most formats.
+/// Wraps the single surface that most formats have.
 std::vector<GridSurface> alone(std::unique_ptr<HeightSource> heights) {
   std::vector<GridSurface> surfaces;
   surfaces.push_back({std::move(heights), {}});

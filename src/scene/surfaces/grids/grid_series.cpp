@@ -1,4 +1,4 @@
-// Rows that begin with their position, such as a wavelength beside the intensities of several spectra.
+// Rows that begin with their position, such as a wavelength before the intensities of several spectra.
 
 #include <algorithm>
 #include <cmath>
@@ -9,15 +9,15 @@
 namespace ligne {
 namespace {
 
-/// Fewer rows than this may have even steps by chance.
+/// Smallest number of rows that have even steps not just by chance.
 constexpr std::size_t kFewestEvenRows = 8;
-/// Largest distance of a position from its place in an even series, in steps: positions are written with few digits.
+/// Largest deviation of a position from an even series, in steps: positions are written with few digits.
 constexpr double kEvenStep = 0.02;
-/// Positions differ from the column beside them by at least this multiple of the differences between columns of heights.
-/// Measured: 13,000 for spectra of 400 wavelengths, 0.4 and 0.6 for two grids of terrain.
+/// Smallest difference between positions and the column beside them, relative to the differences between columns of
+/// heights. Measured: 13,000 for spectra of 400 wavelengths, 0.4 and 0.6 for two grids of terrain.
 constexpr double kApart = 4;
 
-/// Mean difference between a column and the next, over the rows in which both have a number.
+/// Mean difference between a column and the next one, over the rows with a number in both.
 double difference_from_next(std::span<const double> values, std::size_t columns, std::size_t column) {
   double sum = 0;
   std::size_t count = 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// All surfaces of a file: a file of text may hold several data sets, and meshes whose x, y and z all vary.
+/// Reads all surfaces of a file. A text may hold several data sets, and meshes whose x, y and z all vary.
 
 #include <filesystem>
 #include <memory>
@@ -12,13 +12,13 @@
 
 namespace ligne {
 
-/// Heights over a grid, or a mesh.
+/// Heights at a grid, or a mesh.
 struct GridSurface {
   std::unique_ptr<HeightSource> heights;  ///< null for a mesh
   std::optional<SurfacePoints> mesh;      ///< parametric; rows are the blocks of the file
 };
 
-/// The surfaces of a file, in its order, one or more. See read_grid().
+/// The surfaces of a file in its order, at least one. See read_grid().
 std::vector<GridSurface> read_surfaces(const std::filesystem::path& file, Warnings& warnings, InputFiles* opened = nullptr,
                                        const GridChoice& choice = {});
 

@@ -1,4 +1,5 @@
-// Grids of Golden Software's Surfer: DSAA as text, DSBB of version 6, DSRB of version 7. Rows run from the lowest y up.
+// Grids of Golden Software's Surfer: DSAA as text, DSBB of version 6, DSRB of version 7. Rows run upwards from the
+// lowest y.
 
 #include <bit>
 #include <cmath>
@@ -30,7 +31,7 @@ std::unique_ptr<HeightSource> surfer_heights(std::vector<double> x, std::vector<
   return held_heights(std::move(x), std::move(y), std::move(z), order, name);
 }
 
-/// Numbers of a file one behind another.
+/// Reads consecutive numbers of a file.
 class SurferBytes {
  public:
   SurferBytes(std::span<const std::byte> bytes, const std::string& name) : bytes_(bytes), name_(name) {}
@@ -42,7 +43,7 @@ class SurferBytes {
     bytes_ = bytes_.subspan(sizeof(Number));
     return value;
   }
-  /// The count of columns or rows.
+  /// Reads the number of columns or of rows.
   template <typename Number>
   std::size_t take_count() {
     const auto count = take<Number>();
@@ -77,10 +78,10 @@ std::unique_ptr<HeightSource> read_dsbb(SurferBytes bytes, const std::string& na
   return surfer_heights(from_to(range[0], range[1], columns), from_to(range[2], range[3], rows), std::move(z), name);
 }
 
-/// Sections of a tag, a length and data; the grid is described before its heights.
+/// Reads sections of a tag, a length and data. The section that describes the grid precedes the heights.
 std::unique_ptr<HeightSource> read_dsrb(SurferBytes bytes, const std::string& name, Warnings& warnings) {
   constexpr std::uint32_t kGridTag = 0x44495247, kDataTag = 0x41544144, kFaultTag = 0x49544c46;
-  bytes.skip(bytes.take<std::uint32_t>());  // of the header: the version
+  bytes.skip(bytes.take<std::uint32_t>());  // the header's data: the version
   std::size_t columns = 0, rows = 0;
   double low_x = 0, low_y = 0, step_x = 0, step_y = 0, blank = kSurferBlank;
   std::vector<double> z;
@@ -133,7 +134,7 @@ std::unique_ptr<HeightSource> read_dsaa(std::string_view text, const std::string
       }
       head.push_back(*value);
       if (head.size() != 2) continue;
-      // Every height takes a character and a separator.
+      // Every height takes at least a character and a separator.
       for (const double count : head) {
         if (!(count >= 1 && count == std::floor(count) && count <= static_cast<double>(text.size())))
           throw error_at_line(name, lines.number(),

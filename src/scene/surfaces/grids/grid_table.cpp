@@ -1,4 +1,4 @@
-// Points in any order.
+// Makes surfaces of points in any order.
 
 #include <algorithm>
 #include <array>
@@ -15,24 +15,24 @@
 namespace ligne {
 namespace {
 
-/// Positions that are meant to be the same differ by no more than this part of the extent, from rounding when they were
-/// written: grids have fewer positions on an axis than a thousandth of its inverse.
+/// Largest difference of positions that count as equal, relative to the extent: rounding when they were written. Grids
+/// have far fewer positions on an axis than its inverse.
 constexpr double kSamePosition = 0x1p-24;
-/// Points are those of a grid when there is one for so many of its places, or when at least one cell for so many of them has
-/// all four corners.
+/// Limits for points that form a grid: at most so many grid places per point, or at most so many points per cell that
+/// has all four corners.
 constexpr double kPlacesPerPoint = 2, kPointsPerCell = 2;
-/// So many rows tell whether columns hold places.
+/// Number of rows that are sampled to tell whether columns hold places.
 constexpr std::size_t kRowsLookedAt = 65536;
-/// Columns and rows that a grid with holes may have, for each of its points.
+/// Largest number of places (columns times rows) of a grid with holes, per point.
 constexpr double kMostPlaces = 8;
 
-/// No height is as large. Surfer writes 1.70141e38 for none, others the largest number of single precision.
+/// Larger values are missing heights. Surfer writes 1.70141e38 for them, others the largest number of single precision.
 constexpr double kBeyondHeights = 1e30;
 
-/// A number such as -9999 stands for no height where no other height is lower than this part of it.
+/// A number such as -9999 means a missing height only if no other height is below this part of it.
 constexpr double kFarFromSign = 0.1;
 
-/// The different positions of an axis, ascending.
+/// The distinct positions of an axis, ascending.
 std::vector<double> positions_of(const std::vector<double>& at) {
   std::vector<double> sorted = at;
   std::sort(sorted.begin(), sorted.end());
@@ -44,7 +44,7 @@ std::vector<double> positions_of(const std::vector<double>& at) {
   return positions;
 }
 
-/// Some of the points, which are as good as all to see that they form no grid: a grid has no fewer positions than they do.
+/// Whether points may form a grid, judged from a sample of them: a grid has at least as many positions as the sample.
 bool can_be_grid(const std::vector<Point3>& points) {
   const std::size_t step =
       std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(static_cast<double>(points.size())) / 8));
@@ -57,12 +57,12 @@ bool can_be_grid(const std::vector<Point3>& points) {
   return places <= kMostPlaces * static_cast<double>(points.size());
 }
 
-/// The number of the position at or just before `at`.
+/// The index of the position at or just before `at`.
 std::size_t number_of(const std::vector<double>& positions, double at) {
   return static_cast<std::size_t>(std::upper_bound(positions.begin(), positions.end(), at) - positions.begin()) - 1;
 }
 
-/// Points as a grid with holes; nothing when they are too few of one.
+/// Makes a grid with holes of points; null if they fill too little of one.
 std::unique_ptr<HeightSource> grid_with_holes(const std::vector<Point3>& points, const std::string& name,
                                               Warnings& warnings) {
   if (!can_be_grid(points)) return nullptr;

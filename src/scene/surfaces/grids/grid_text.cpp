@@ -1,4 +1,4 @@
-// The data sets of a text as surfaces.
+// Makes surfaces of the data sets of a text.
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ std::string numbered_sets(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " data set, number 0" : " data sets, numbered from 0");
 }
 
-/// The number of a data set's blocks.
+/// Number of blocks in a data set.
 std::size_t block_count(const Table& table, RowRange set) {
   const auto begins_before = [](const RowRange& range, std::size_t row) { return range.begin < row; };
   const std::vector<RowRange>& blocks = table.blocks();
@@ -20,8 +20,8 @@ std::size_t block_count(const Table& table, RowRange set) {
                                   std::lower_bound(blocks.begin(), blocks.end(), set.begin, begins_before));
 }
 
-/// Data sets that are surfaces by themselves; empty when one is none. All are of several blocks, or all of one: some writers
-/// leave two lines between blocks too.
+/// The surfaces of the data sets; empty if one of them is none by itself. Either all must have several blocks, or all
+/// one, since some writers put two lines between blocks too.
 std::vector<GridSurface> separate_surfaces(const Table& table, const std::string& name, const GridChoice& choice,
                                            Warnings& warnings) {
   Warnings unasked;

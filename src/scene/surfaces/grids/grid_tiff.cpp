@@ -1,5 +1,5 @@
-// TIFF by libtiff: strips and tiles, integers and floats, whatever libtiff unpacks (deflate, LZW, PackBits, ZSTD, LERC, with
-// predictors), classic and BigTIFF. One band is read; a mask inside the file makes holes.
+// Reads TIFF with libtiff: strips and tiles, integers and floats, every compression of libtiff (deflate, LZW, PackBits,
+// ZSTD, LERC, with predictors), classic and BigTIFF. One band is read; a mask in the file makes holes.
 
 #include "scene/surfaces/grids/grid_formats.hpp"
 
@@ -17,20 +17,21 @@
 namespace ligne {
 namespace {
 
-/// The tightest packing that libtiff unpacks: a code of LZW for 3840 bytes.
+/// Largest ratio by which libtiff expands data: one LZW code for 3840 bytes.
 constexpr std::uint64_t kMostUnpacked = 4096;
-/// Masks and overviews of a grid are far fewer; a damaged chain of directories may be as long as the file.
+/// Largest number of directories that are read. Grids have far fewer masks and overviews, but a damaged chain of
+/// directories may be as long as the file.
 constexpr int kMostDirectories = 1000;
-/// Floats beyond this are ESRI's sign for no height where the file does not say one: -3.4e38, the lowest float.
+/// Floats below this are ESRI's sign for a missing height, -3.4e38, in files that do not define one.
 constexpr double kLowestHeight = -1e38;
-/// The smallest of the signs for no height (leave_out_signs_of_nothing).
+/// The sign for a missing height closest to zero (leave_out_signs_of_nothing).
 constexpr double kFirstSign = -9999;
 
-/// Size and samples of one directory.
+/// Size and sample format of one directory.
 struct TiffShape {
   std::size_t columns = 0, rows = 0;
   unsigned bits = 1, channels = 1, format = SAMPLEFORMAT_UINT, photometric = PHOTOMETRIC_MINISBLACK;
-  bool planes = false;  ///< each band by itself
+  bool planes = false;  ///< each band is stored separately
 
   explicit TiffShape(const TiffTags& tags)
       : columns(tags.long_number(TIFFTAG_IMAGEWIDTH)),
@@ -41,7 +42,7 @@ struct TiffShape {
         photometric(tags.number(TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK)),
         planes(tags.number(TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG) != PLANARCONFIG_CONTIG) {}
 
-  /// Bits from one sample of a band to the next.
+  /// Distance between consecutive samples of a band, in bits.
   std::size_t step_bits() const { return std::size_t{bits} * (planes ? 1 : channels); }
   std::size_t row_bytes(std::size_t count) const { return (count * step_bits() + 7) / 8; }
 };
@@ -53,8 +54,8 @@ double number_at(const std::byte* at) {
   return static_cast<double>(number);
 }
 
-/// Takes one band of the current directory, block by block: take(first sample, column, row, count). Blocks that a sparse
-/// file leaves out have a null pointer in place of samples.
+/// Reads one band of the current directory, block by block: take(first sample, column, row, count). The pointer to the
+/// samples is null for blocks that a sparse file leaves out.
 class TiffBlocks {
  public:
   TiffBlocks(const TiffTags& tags, const TiffShape& shape, unsigned band)
@@ -143,7 +144,7 @@ class TiffFile {
   }
 
  private:
-  /// libtiff has no answer to it; GDAL may have one.
+  /// The error for a file that libtiff does not read, but GDAL may.
   UnreadTiff not_read(const std::string& what) const {
     return UnreadTiff(tags_.name(), "is a TIFF file with " + what +
                                         ", which is not read; gdal_translate -ot Float32 -co COMPRESS=DEFLATE makes one "
@@ -172,7 +173,7 @@ class TiffFile {
       throw InputError(tags_.name(), "has " + std::to_string(shape_.channels) + (shape_.channels == 1 ? " band" : " bands") +
                                          ", and none is --band " + std::to_string(band_ + 1));
     }
-    if (!no_data_) alpha_ = tags_.alpha_band(shape_.channels);  // NODATA goes before, as in GDAL
+    if (!no_data_) alpha_ = tags_.alpha_band(shape_.channels);  // NODATA has priority over transparency, as in GDAL
     if (!choice.band) {
       warnings_.leave_out("bands after the first, which --band N chooses",
                           shape_.channels - (alpha_.value_or(0) > 0 ? 2 : 1));
@@ -193,14 +194,14 @@ class TiffFile {
     return is_signed ? number_at<std::int64_t>(at) : number_at<std::uint64_t>(at);
   }
 
-  /// NODATA is written with fewer digits than a float has, or with more.
+  /// Whether a value is NODATA, which may be written with fewer or more digits than a float has.
   bool is_no_data(double z) const {
     if (!no_data_) return false;
     const bool is_float32 = shape_.format == SAMPLEFORMAT_IEEEFP && shape_.bits == 32;
     return z == *no_data_ || (is_float32 && static_cast<float>(z) == static_cast<float>(*no_data_));
   }
 
-  /// The numbers of the band as they stand, row by row from the first one.
+  /// The numbers of the band, row by row from the first one.
   template <class Height>
   std::vector<Height> read_band() const {
     std::vector<Height> heights;
@@ -232,7 +233,7 @@ class TiffFile {
         });
   }
 
-  /// Numbers that stand for no height in a file that does not say so.
+  /// Turns the usual signs for missing heights into holes, in a file that defines none.
   template <class Height>
   void leave_out_signs(std::vector<Height>& heights) const {
     std::size_t lowest = 0;
@@ -253,7 +254,7 @@ class TiffFile {
     }
   }
 
-  /// Makes holes where the file's mask says so, and counts pages that are not drawn.
+  /// Makes holes where the file's mask has them, and counts pages that are not drawn.
   template <class Height>
   void read_other_directories(std::vector<Height>& heights) {
     bool masked = false;
@@ -307,7 +308,7 @@ class TiffFile {
 
   TiffTags tags_;
   TiffShape shape_;
-  unsigned band_;  ///< counted from 0
+  unsigned band_;  ///< from 0
   Warnings& warnings_;
   BandScale scale_;
   std::optional<double> no_data_;

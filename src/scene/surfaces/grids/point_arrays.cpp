@@ -10,7 +10,7 @@
 namespace ligne {
 namespace {
 
-/// Numbers of one column, which stand `step` apart.
+/// The numbers of one column, `step` elements apart.
 struct NumberColumn {
   const DataArray* array = nullptr;
   std::size_t begin = 0, step = 1;
@@ -49,7 +49,7 @@ class ArrayPoints {
  private:
   bool is_column(std::size_t k) const { return shapes_[k].size() == 1 && arrays_[k].values.size() == shapes_[k][0]; }
 
-  /// x, y and z by the names of arrays of one dimension; false where no names say x and y.
+  /// Finds x, y and z by the names of one-dimensional arrays; false if no names say x and y.
   bool find_columns() {
     std::vector<std::string> names;
     for (std::size_t k = 0; k < arrays_.size(); ++k) names.push_back(is_column(k) ? arrays_[k].name : std::string());
@@ -66,7 +66,7 @@ class ArrayPoints {
     return true;
   }
 
-  /// One array with a row for each point.
+  /// Takes the points from a single array with one row per point.
   void take_rows_of_points() {
     const std::size_t matrices = static_cast<std::size_t>(
         std::count_if(shapes_.begin(), shapes_.end(), [](const auto& shape) { return shape.size() == 2; }));
@@ -93,7 +93,7 @@ class ArrayPoints {
                        (list.empty() ? "none of numbers" : list)};
   }
 
-  /// A column with the name of a label, or the first of words.
+  /// Finds the label: the column with the name of a label, or the first one of words.
   void find_label() {
     std::vector<std::string> names;
     for (const TextColumn& text : texts_) names.push_back(text.cells.size() == count_ ? text.name : std::string());

@@ -1,5 +1,5 @@
 #pragma once
-/// Points in files of arrays.
+/// Reads points from files of arrays.
 
 #include <optional>
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace ligne {
 
-/// The columns x, y, perhaps z and a label, by their names; or the rows of one array of two or three columns. Nothing for
-/// rows without a position, which are counted. Throws InputError("NAME: cause").
+/// Points from the columns x, y, optional z and label, found by name, or from the rows of one array of two or three
+/// columns. A row without a position gives nothing and is counted. Throws InputError("NAME: cause").
 std::vector<std::optional<LabelledPoint>> points_of_arrays(const std::vector<DataArray>& arrays,
                                                            const std::vector<TextColumn>& texts, const std::string& name,
                                                            Warnings& warnings);

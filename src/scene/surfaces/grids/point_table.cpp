@@ -17,13 +17,13 @@
 namespace ligne {
 namespace {
 
-/// A page has no room for the points of a larger file.
+/// Largest size of a file of points in bytes: a page has no room for more points.
 constexpr std::uintmax_t kMostBytes = 1u << 26;
 
-/// No column.
+/// Index that means no column.
 constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
 
-/// The rows of a table as points.
+/// Reads the rows of a table as points.
 class PointColumnsReader {
  public:
   PointColumnsReader(const Table& table, const std::string& name, Warnings& warnings)
@@ -36,7 +36,8 @@ class PointColumnsReader {
       take_order();
   }
 
-  /// Nothing for a row without a position, which is counted. Throws InputError for a word in place of a position.
+  /// The point of a row; nothing for a row without a position, which is counted. Throws InputError for a word as
+  /// position.
   std::optional<LabelledPoint> point(std::size_t row) {
     const std::span<const double> values = table_.row(row);
     LabelledPoint point{{number(values, x_), number(values, y_), kNoHeight}, {}};
@@ -49,7 +50,7 @@ class PointColumnsReader {
     if (by_names_) {
       if (z_ != kNoColumn) point.at.z = number(values, z_);
       if (label_ < cells.size()) point.label = label_at(cells);
-      // Rows without z may be a cell shorter.
+      // Rows without z may have one cell less.
       const bool is_short = std::isnan(point.at.z) && z_ < cells.size() && point.label.empty();
       if (is_short && cell_value(cells[z_], table_.style().numbers).kind == CellKind::word) point.label = cells[z_];
     } else {
@@ -64,7 +65,7 @@ class PointColumnsReader {
     return column < values.size() ? values[column] : kNoHeight;
   }
 
-  /// Blanks that separate cells also stand within a label at the end of the row.
+  /// The label of a row. If blanks separate cells, they also occur within a label at the end of the row.
   std::string label_at(const std::vector<std::string>& cells) const {
     std::string label = cells[label_];
     const bool is_last = label_ + 1 == table_.names().size();
@@ -93,7 +94,7 @@ class PointColumnsReader {
     if (count > 0) warnings_.leave_out((count == 1 ? "column (" : "columns (") + others + ")", count);
   }
 
-  /// The first two columns of numbers; a column of words before them is the label.
+  /// Takes the first two columns of numbers as x and y, and a column of words before them as the label.
   void take_order() {
     std::vector<std::size_t> numbers;
     for (std::size_t k = 0; k < table_.columns() && numbers.size() < 2; ++k) {
@@ -118,7 +119,7 @@ class PointColumnsReader {
     }
   }
 
-  /// Behind y: perhaps z, and the label.
+  /// Takes the cells after y: an optional z, and the label.
   void take_rest(std::span<const double> values, const std::vector<std::string>& cells, LabelledPoint& point) const {
     std::size_t next = y_ + 1;
     if (std::isfinite(number(values, next))) point.at.z = values[next];
@@ -138,7 +139,7 @@ class PointColumnsReader {
   std::size_t x_ = 0, y_ = 0, z_ = kNoColumn, label_ = kNoColumn;
 };
 
-/// Points of a file, in its order: nothing for a row without a position. Lines end with the blocks.
+/// The points of a file, in its order; nothing for a row without a position. Lines end with the blocks.
 struct PointFile {
   std::vector<std::optional<LabelledPoint>> rows;
   std::vector<RowRange> blocks;
@@ -152,7 +153,7 @@ PointFile points_of_table(std::span<const std::byte> bytes, const std::string& n
   return points;
 }
 
-/// Tells the format by content, as read_surfaces() does.
+/// Recognises the format by content, as read_surfaces() does.
 PointFile read_point_file(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings) {
   constexpr char kWanted[] = "a file of points";
   const std::string_view chars = as_characters(bytes);

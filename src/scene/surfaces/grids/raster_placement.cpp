@@ -14,18 +14,18 @@
 namespace ligne {
 namespace {
 
-/// Directions that leave an axis by less than this part of their length run along it: a millionth of a pixel over a raster
-/// of a thousand.
+/// Largest deviation of a direction that counts as parallel to an axis, relative to its length: a millionth of a pixel
+/// in a raster of a thousand pixels.
 constexpr double kAlongAxis = 1e-9;
 
-/// Six numbers of 24 characters, and as much for blanks and comments.
+/// Largest size of a world file in bytes: six numbers of 24 characters, with ample room for blanks and comments.
 constexpr std::uintmax_t kLargestWorldFile = 4096;
 
 bool runs_along(Point2 direction, int axis) {
   return std::abs(direction[1 - axis]) <= kAlongAxis * std::abs(direction[axis]);
 }
 
-/// n positions from `first` on, ascending; reversed where the step is negative.
+/// n ascending positions. If the step is negative, they are in reverse order.
 std::vector<double> steps(double place, double pixel, double sample_at, double step, std::size_t n) {
   std::vector<double> at(n);
   for (std::size_t i = 0; i < n; ++i) at[i] = place + (static_cast<double>(i) + sample_at - pixel) * step;
@@ -33,7 +33,7 @@ std::vector<double> steps(double place, double pixel, double sample_at, double s
   return at;
 }
 
-/// Where a sample stands in a file: `stride` apart, the last one first where positions ascend against the file.
+/// Sets the order of samples on an axis of the file: `stride` apart, reversed if positions descend in the file.
 void order_axis(double step, std::size_t n, std::ptrdiff_t stride, std::ptrdiff_t& begin, std::ptrdiff_t& along) {
   along = step < 0 ? -stride : stride;
   if (step < 0) begin += (static_cast<std::ptrdiff_t>(n) - 1) * stride;
@@ -62,7 +62,7 @@ std::optional<RasterPlacement> place_raster(const RasterTransform& transform, st
   const Point2 right = transform.per_column, down = transform.per_row;
   const double across = right.x * down.y - right.y * down.x, lengths = glm::length(right) * glm::length(down);
   if (!transform.is_finite() || !(std::abs(across) > kAlongAxis * lengths)) return std::nullopt;
-  // The axis along which columns follow each other, and that of rows.
+  // The axis along which columns advance, and the axis of the rows.
   const int column_axis = std::abs(right.x) * std::abs(down.y) >= std::abs(right.y) * std::abs(down.x) ? 0 : 1;
   const int row_axis = 1 - column_axis;
   RasterPlacement placed;

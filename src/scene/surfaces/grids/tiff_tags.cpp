@@ -1,5 +1,5 @@
-// The tags of GeoTIFF (OGC 19-008r4) that are read: the matrix, or the scale and the tie point, and the kinds of coordinates
-// and of pixels; and those of GDAL: NODATA, and scale and offset of bands. The projection is not needed.
+// The tags of GeoTIFF (OGC 19-008r4) that are read: the matrix, or the scale and the tie point, and the types of
+// coordinates and of pixels; and those of GDAL: NODATA, and scale and offset of bands. The projection is not needed.
 
 #include "scene/surfaces/grids/tiff_tags.hpp"
 
@@ -75,7 +75,7 @@ std::uint32_t TiffTags::long_number(std::uint32_t tag) const {
   return TIFFGetFieldDefaulted(file(), tag, &found) == 1 ? found : 0;
 }
 
-/// Tags that libtiff does not know have a count and a block of values.
+/// The values of a tag unknown to libtiff, which gives a count and a block of values.
 template <class Number>
 std::vector<Number> TiffTags::values(std::uint32_t tag, TIFFDataType type) const {
   const TIFFField* const field = TIFFFindField(file(), tag, TIFF_ANY);
@@ -107,7 +107,7 @@ std::string TiffTags::text(std::uint32_t tag) const {
   return {all.begin(), std::find(all.begin(), all.end(), '\0')};
 }
 
-/// The short value of a key of the GeoTIFF directory, 0 where there is none.
+/// The short value of a key of the GeoTIFF directory, or 0.
 std::uint16_t TiffTags::geo_key(std::uint16_t key) const {
   const std::vector<std::uint16_t> keys = values<std::uint16_t>(kGeoKeysTag, TIFF_SHORT);
   for (std::size_t k = 4; k + 3 < keys.size(); k += 4) {
@@ -142,10 +142,10 @@ std::optional<RasterTransform> TiffTags::transform() const {
     transform.pixel = {tie[0], tie[1]};
     transform.at = {tie[3], tie[4]};
     transform.per_column = {scale[0], 0};
-    transform.per_row = {0, -std::abs(scale[1])};  // as GDAL has it: rows run south, whatever the sign
+    transform.per_row = {0, -std::abs(scale[1])};  // as in GDAL, rows run south whatever the sign
     return transform;
   }
-  constexpr std::size_t kMatrixSize = 16;  // four rows, of which the first two are those of x and y
+  constexpr std::size_t kMatrixSize = 16;  // four rows; the first two are those of x and y
   if (matrix.size() < kMatrixSize) return std::nullopt;
   transform.at = {matrix[3], matrix[7]};
   transform.per_column = {matrix[0], matrix[4]};

@@ -19,16 +19,16 @@
 
 namespace ligne {
 
-/// How the numbers of a band become heights: number * scale + offset.
+/// Conversion of the numbers of a band to heights: number * scale + offset.
 struct BandScale {
   double scale = 1, offset = 0;
   bool is_given() const { return scale != 1 || offset != 0; }
 };
 
-/// No strip or tile of a grid that fits into memory takes more.
+/// Largest size of a strip or tile in bytes; no grid that fits into memory needs more.
 inline constexpr tmsize_t kLargestTiffBlock = tmsize_t{1} << 30;
 
-/// Reads tags of the current directory of a TIFF file in memory. What libtiff reports stays off standard error.
+/// Reads tags of the current directory of a TIFF file in memory. Keeps libtiff's messages off standard error.
 class TiffTags {
  public:
   /// Throws InputError.
@@ -47,17 +47,17 @@ class TiffTags {
   std::optional<double> no_data() const;
   /// SCALE and OFFSET of a band, counted from 0, in GDAL's metadata.
   BandScale scale_of(unsigned band) const;
-  /// The georeference, by a matrix or by a tie point and a scale.
+  /// The georeference, from a matrix or from a tie point and a scale.
   std::optional<RasterTransform> transform() const;
-  /// Number of tie points without a scale, which only a warp could follow.
+  /// Number of tie points if there is no scale; using them would need a warp.
   std::size_t control_points() const;
-  /// The band, counted from 0, that is 0 where the picture is transparent.
+  /// The band (from 0) that is 0 where the picture is transparent.
   std::optional<unsigned> alpha_band(unsigned channels) const;
-  /// Positions are longitude and latitude.
+  /// Whether positions are longitude and latitude.
   bool is_geographic() const;
 
  private:
-  /// The bytes of a file, as libtiff asks for them.
+  /// The bytes of a file, as libtiff's callbacks read them.
   struct Source {
     std::span<const std::byte> bytes;
     std::uint64_t at = 0;
