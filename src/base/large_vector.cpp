@@ -5,9 +5,9 @@
 namespace ligne {
 namespace {
 
-/// A page of the system, or a part of one: a write to it brings the page in.
+/// Size of a page in bytes, or less than it: a write to each such block brings its page in.
 constexpr std::size_t kPage = 4096;
-/// Adjustable: pages for one task. Two tasks of them are the least that is worth another thread.
+/// Number of pages per task. A further thread is worth while from two tasks on. Adjustable.
 constexpr std::size_t kPagesPerTask = 512;
 
 }  // namespace

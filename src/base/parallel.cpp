@@ -14,10 +14,10 @@
 namespace ligne {
 namespace {
 
-/// Calls work(i) for all i; every task looks whether it is to end.
+/// Calls work(i) for all i. Every task first checks whether the work was cancelled.
 template <class Partitioner>
 void loop(std::size_t count, FunctionRef<void(std::size_t)> work, const Partitioner& partitioner) {
-  // No thread is woken for what one does alone: in the study of a small scene they would only look for work.
+  // A single call wakes no other threads: in the study of a small scene they would only look for work.
   if (count == 0) return;
   if (count == 1) {
     const StopScope scope(StopScope::current());
@@ -46,7 +46,7 @@ std::size_t thread_count() { return static_cast<std::size_t>(tbb::this_task_aren
 std::size_t thread_index() { return static_cast<std::size_t>(std::max(0, tbb::this_task_arena::current_thread_index())); }
 
 void start_threads() {
-  // Adjustable: longer than a busy machine takes to start threads, and short for somebody who waits.
+  // Longest time to wait: longer than a busy machine takes to start threads, but not noticeable. Adjustable.
   constexpr std::chrono::milliseconds kPatience{200};
   const std::size_t count = thread_count();
   const auto until = std::chrono::steady_clock::now() + kPatience;
@@ -59,7 +59,7 @@ void start_threads() {
 
 void run_with_threads(unsigned threads, FunctionRef<void()> work) {
   if (threads == 0) {
-    // An arena of its own for every thread that asks for work would stay until the last worker has left it.
+    // If each calling thread had an arena of its own, the arena would stay until the last worker has left it.
     static tbb::task_arena shared;
     return shared.execute([work] { work(); });
   }

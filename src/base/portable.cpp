@@ -23,7 +23,7 @@ const char* after_digits(const char* p, const char* last) {
   return p;
 }
 
-/// End of the word, whatever the case of its letters; `first` where it does not stand there.
+/// End of the word in any case of letters; `first` if the text does not begin with it.
 const char* after_word(const char* first, const char* last, std::string_view word) {
   const char* p = first;
   for (const char expected : word) {
@@ -33,7 +33,7 @@ const char* after_word(const char* first, const char* last, std::string_view wor
   return p;
 }
 
-/// End of "inf", "infinity", "nan" or "nan(...)"; `first` for anything else.
+/// End of "inf", "infinity", "nan" or "nan(...)"; `first` if the text begins with none.
 const char* after_special(const char* first, const char* last) {
   if (const char* const infinity = after_word(first, last, "infinity"); infinity != first) return infinity;
   if (const char* const inf = after_word(first, last, "inf"); inf != first) return inf;
@@ -44,7 +44,7 @@ const char* after_special(const char* first, const char* last) {
   return p != last && *p == ')' ? p + 1 : nan;
 }
 
-/// End of digits with at most one point among them; `first` for none.
+/// End of digits with at most one point among them; `first` if there are none.
 const char* after_mantissa(const char* first, const char* last) {
   const char* const whole = after_digits(first, last);
   if (whole == last || *whole != '.') return whole;
@@ -52,7 +52,7 @@ const char* after_mantissa(const char* first, const char* last) {
   return fraction == first + 1 ? first : fraction;
 }
 
-/// End of "e5", "e+5" or "e-5"; `first` for anything else.
+/// End of "e5", "e+5" or "e-5"; `first` if the text does not begin so.
 const char* after_exponent(const char* first, const char* last) {
   if (first == last || (*first | 0x20) != 'e') return first;
   const char* p = first + 1;

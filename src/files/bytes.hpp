@@ -1,5 +1,5 @@
 #pragma once
-/// Binary files of ours: numbers in little-endian order, lists with their length before them.
+/// Our binary files: numbers in little-endian order, lists preceded by their length.
 
 #include <bit>
 #include <cstddef>
@@ -28,7 +28,7 @@ class ByteWriter {
     number(static_cast<std::uint64_t>(text.size()));
     append(text.data(), text.size());
   }
-  /// Numbers, or structures of numbers without gaps.
+  /// Writes numbers, or structures of numbers without padding.
   template <class T>
   void list(std::span<const T> values) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -45,10 +45,10 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Reads what a ByteWriter wrote. No length is believed that the bytes do not hold. Every function throws InputError.
+/// Reads the output of a ByteWriter. Rejects lengths that exceed the remaining bytes. Every function throws InputError.
 class ByteReader {
  public:
-  /// `name` stands in error messages.
+  /// `name` is used in error messages.
   ByteReader(std::span<const std::byte> bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {}
 
   template <class T>
@@ -70,7 +70,7 @@ class ByteReader {
     return values;
   }
 
-  /// Throws InputError with the cause unless it holds.
+  /// Throws InputError with the cause unless `holds` is true.
   void need(bool holds, const char* cause) const {
     if (!holds) throw InputError(name_, "byte " + std::to_string(place_) + ": " + cause);
   }

@@ -10,9 +10,9 @@ std::string_view without_dashes(std::string_view name) {
   return name.substr(std::min(name.find_first_not_of('-'), name.size()));
 }
 
-/// The number of slips that make one word of the other.
+/// Number of typing slips that turn one word into the other.
 std::size_t slips_between(std::string_view a, std::string_view b) {
-  // Rows of the table of the distances of all beginnings; neighbours exchanged reach two rows back.
+  // Rows of the table of distances of all prefixes. Exchanged neighbours need the row before the last.
   std::vector<std::size_t> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -28,9 +28,9 @@ std::size_t slips_between(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-/// The longest that the word begins with, or else the first that begins with the word.
+/// The longest name with which the word begins; otherwise the first name that begins with the word.
 std::optional<std::string_view> longer_or_shorter(std::string_view written, std::span<const std::string_view> names) {
-  constexpr std::size_t kLeast = 3;  // letters: fewer begin too many words
+  constexpr std::size_t kLeast = 3;  // letters; fewer begin too many words
   std::optional<std::string_view> closest;
   for (const std::string_view name : names) {
     const std::string_view bare = without_dashes(name);
@@ -47,7 +47,7 @@ std::optional<std::string_view> longer_or_shorter(std::string_view written, std:
 
 std::optional<std::string_view> closest_name(std::string_view word, std::span<const std::string_view> names) {
   const std::string_view written = without_dashes(word.substr(0, word.find('=')));
-  constexpr std::size_t kLongest = 64;  // no name is as long
+  constexpr std::size_t kLongest = 64;  // no name is this long
   if (written.empty() || written.size() > kLongest) return std::nullopt;
   std::size_t most = written.size() <= 2 ? 0 : written.size() <= 5 ? 1 : 2;
   std::optional<std::string_view> closest;

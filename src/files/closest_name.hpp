@@ -1,5 +1,5 @@
 #pragma once
-/// The name that somebody meant who wrote it wrong.
+/// Finds the name meant by a misspelt word.
 
 #include <optional>
 #include <span>
@@ -8,14 +8,14 @@
 
 namespace ligne {
 
-/// The one of `names` that differs least from `word`, as far as slips of the keys go: letters left out, added, replaced, or
-/// exchanged with their neighbours; none in up to two letters, one in up to five, two in more. How many dashes lead does
-/// not count, nor does what follows a "=". Of several the longest, as letters are left out more often than added, and of
-/// those the first. Where none is so near: the longest that the word begins with, or else the first that begins with the
-/// word, of three letters at least. Nothing where there is none either.
+/// The name that differs least from `word` by typing slips: letters left out, added, replaced, or exchanged with their
+/// neighbours. None are allowed in up to two letters, one in up to five, two in more. Leading dashes and text after a
+/// "=" are ignored. Of equally near names the longest wins, since letters are left out more often than added, and then
+/// the first. If none is so near: the longest name with which the word begins, or else the first that begins with the
+/// word, with at least three letters. Nothing if there is none either.
 std::optional<std::string_view> closest_name(std::string_view word, std::span<const std::string_view> names);
 
-/// " (NAME?)" for messages, behind a word that is not known; empty where no name is near.
+/// " (NAME?)", to follow an unknown word in a message; empty if no name is near.
 std::string suggestion(std::string_view word, std::span<const std::string_view> names);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Errors of files that the system does not give.
+/// Errors of files that the system can not open or read.
 
 #include <string>
 
@@ -7,13 +7,13 @@
 
 namespace ligne {
 
-/// The system does not give the file.
+/// Thrown if the system can not open or read the file.
 class FileError : public InputError {
  public:
   FileError(const std::string& file, const std::string& cause, int error)
       : InputError(file, cause), file_(file), error_(error) {}
   const std::string& file() const { return file_; }
-  int error() const { return error_; }  ///< as errno has it
+  int error() const { return error_; }  ///< number as in errno
 
  private:
   std::string file_;

@@ -16,7 +16,7 @@
 namespace ligne {
 namespace {
 
-/// So long a pipe may be without anybody who writes to it: the two ends of a named one are opened by two programs.
+/// Time to wait for a writer of a pipe: the two ends of a named pipe are opened by two programs.
 constexpr int kWaitForWriterMs = 1000;
 
 std::string cause_of(int error) { return std::generic_category().message(error); }
@@ -32,7 +32,7 @@ std::string size_text(std::uintmax_t bytes) {
 class OpenInput {
  public:
   OpenInput(const std::filesystem::path& file, const std::string& name) : name_(name) {
-    // Looked at before it is opened: to open a device can do something.
+    // The type is checked before opening, since opening a device can have effects.
     struct stat status {};
     if (::stat(file.c_str(), &status) != 0) {
       const bool absent = errno == ENOENT || errno == ENOTDIR;
@@ -41,7 +41,7 @@ class OpenInput {
     if (S_ISDIR(status.st_mode)) throw FileError(name_, "is a directory, not a file", EISDIR);
     if (!S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode))
       throw InputError(name_, "is a device or a socket, not a file");
-    // A pipe without a writer would hold up the opening.
+    // Without O_NONBLOCK, opening a pipe that has no writer would block.
     descriptor_ = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
     if (descriptor_ < 0) throw FileError(name_, "can not be opened for reading", errno);
     is_pipe_ = S_ISFIFO(status.st_mode);
@@ -53,15 +53,15 @@ class OpenInput {
   OpenInput(const OpenInput&) = delete;
   OpenInput& operator=(const OpenInput&) = delete;
 
-  /// As the file system says; 0 where it has none.
+  /// Size reported by the file system; 0 if it has none.
   std::uintmax_t size() const { return size_; }
 
-  /// Fills the front of `to`; the number of bytes, 0 at the end of the file.
+  /// Fills the front of `to`. Returns the number of bytes, 0 at the end of the file.
   std::size_t read(std::span<std::byte> to) {
     for (;;) {
       const ssize_t n = ::read(descriptor_, to.data(), to.size());
       if (n < 0 && errno == EAGAIN) {
-        wait(kForEver);  // somebody has it open for writing, and may take time
+        wait(kForEver);  // a writer has it open, and may take time
       } else if (n < 0 && errno != EINTR) {
         throw FileError(name_, "can not be read to its end: " + cause_of(errno), errno);
       } else if (n == 0 && is_pipe_ && !had_writer_) {
@@ -75,7 +75,7 @@ class OpenInput {
  private:
   static constexpr int kForEver = -1;
 
-  /// Waits until there is something to read, or the last writer is gone; false when the time is up.
+  /// Waits until there are bytes to read or the last writer is gone; false if the time is up.
   bool wait(int milliseconds) {
     pollfd end{descriptor_, POLLIN, 0};
     const int ready = ::poll(&end, 1, milliseconds);
@@ -89,7 +89,7 @@ class OpenInput {
   bool is_pipe_ = false, had_writer_ = false;
 };
 
-/// Whether the bytes are the pointer that Git LFS leaves in place of a file until it is fetched.
+/// Whether the bytes are the pointer that Git LFS leaves in place of a file that is not fetched yet.
 bool is_lfs_pointer(std::span<const std::byte> bytes) {
   return as_characters(bytes).starts_with("version https://git-lfs.github.com/spec/");
 }
@@ -104,7 +104,7 @@ std::vector<std::byte> read_input(const std::filesystem::path& file, const std::
   if (in.size() > most) throw InputError(name, "is larger than " + size_text(most));
   std::vector<std::byte> bytes;
   bytes.reserve(static_cast<std::size_t>(in.size()) + 1);
-  // Read in pieces: what stands in /proc or comes through a pipe has no size.
+  // Reads in pieces: files in /proc and pipes have no size.
   constexpr std::size_t kPiece = std::size_t{1} << 20;
   for (std::size_t read = 1; read > 0;) {
     const std::size_t begin = bytes.size();

@@ -11,7 +11,7 @@ namespace ligne {
 
 std::optional<MappedFile> MappedFile::open(const std::filesystem::path& file) {
   struct stat status {};
-  // Looked at before it is opened: to open a device can do something.
+  // The type is checked before opening, since opening a device can have effects.
   if (::stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_size <= 0) return std::nullopt;
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
   if (descriptor < 0) return std::nullopt;
@@ -37,7 +37,7 @@ void MappedFile::forget(std::size_t begin, std::size_t end) const {
   begin = (begin + page - 1) / page * page;
   end = end >= bytes_.size() ? bytes_.size() : end / page * page;
   if (begin >= end) return;
-  // Where the system does not, it does so when it needs the memory.
+  // If the system does not, it reclaims the memory when it needs it.
   static_cast<void>(::madvise(const_cast<std::byte*>(bytes_.data()) + begin, end - begin, MADV_DONTNEED));
 }
 

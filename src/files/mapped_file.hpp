@@ -1,5 +1,5 @@
 #pragma once
-/// A file whose bytes are looked at where they stand on the disk, and not read as a whole.
+/// A file that is read in place on the disk, not loaded as a whole.
 
 #include <cstddef>
 #include <filesystem>
@@ -10,11 +10,12 @@
 
 namespace ligne {
 
-/// Pages that were looked at stay in memory only as long as there is room, and after forget() not even that. A file must not
-/// become shorter while it is mapped: the system ends a program that looks at what is no longer there.
+/// Pages that were read stay in memory only while there is room, and are released by forget(). The file must not become
+/// shorter while it is mapped: the system ends a program that reads beyond its end.
 class MappedFile {
  public:
-  /// Nothing for what is no file, is empty, or can not be opened or mapped: reading it says why.
+  /// Returns nothing if the path is no regular file, or the file is empty or can not be opened or mapped. Reading it
+  /// normally reports the cause.
   static std::optional<MappedFile> open(const std::filesystem::path& file);
   MappedFile(MappedFile&& other) noexcept;
   MappedFile& operator=(MappedFile&&) = delete;
@@ -22,7 +23,7 @@ class MappedFile {
 
   std::span<const std::byte> bytes() const { return bytes_; }
 
-  /// Gives back the memory of the pages that lie wholly in [begin, end); they can be looked at again.
+  /// Releases the memory of the pages that lie entirely in [begin, end); they can be read again.
   void forget(std::size_t begin, std::size_t end) const;
 
  private:

@@ -11,15 +11,15 @@ namespace {
 
 constexpr std::string_view kCut = "...", kMiddleCut = " ... ";
 
-/// Whether a character beyond ASCII shows, and only itself: not the second row of controls, the line and paragraph
-/// separators, the marks that turn the direction of the text, nor what has no width.
+/// Whether a character beyond ASCII is visible and affects no other. Excludes the second row of controls, line and
+/// paragraph separators, marks of text direction, and characters of no width.
 bool shows(std::uint32_t code) {
   const auto within = [code](std::uint32_t low, std::uint32_t high) { return code >= low && code <= high; };
   return !within(0x80, 0x9f) && !within(0x200b, 0x200f) && !within(0x2028, 0x202e) && !within(0x2060, 0x206f) &&
          code != 0xfeff;
 }
 
-/// Bytes of the character in front when it can stand in a line as it is, else 0. `text` is not empty.
+/// Number of bytes of the first character if it can stand in a line unescaped, else 0. `text` is not empty.
 std::size_t plain_character(std::string_view text) {
   const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(0);
@@ -31,7 +31,7 @@ std::size_t plain_character(std::string_view text) {
     if ((byte(i) & 0xc0) != 0x80) return 0;
     code = code << 6 | (byte(i) & 0x3fu);
   }
-  // Written longer than need be, a half of a UTF-16 pair, or beyond Unicode.
+  // Overlong encoding, half of a UTF-16 pair, or beyond Unicode.
   if ((length == 3 && code < 0x800) || (length == 4 && (code < 0x10000 || code > 0x10ffff))) return 0;
   if (code >= 0xd800 && code <= 0xdfff) return 0;
   return shows(code) ? length : 0;
@@ -46,7 +46,7 @@ std::string escaped(char c) {
   return {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 15u]};
 }
 
-/// Calls put(piece) for one character after the other until it returns false.
+/// Calls put(piece) for each character in turn until it returns false.
 template <class Put>
 void for_each_character(std::string_view text, const Put& put) {
   while (!text.empty()) {
@@ -56,7 +56,7 @@ void for_each_character(std::string_view text, const Put& put) {
   }
 }
 
-/// As many whole characters from the end of a printable text as `most` bytes hold.
+/// The whole characters at the end of a printable text that fit into `most` bytes.
 std::string_view end_of(std::string_view text, std::size_t most) {
   std::string_view end = text.substr(text.size() - most);
   while (!end.empty() && (static_cast<unsigned char>(end.front()) & 0xc0) == 0x80) end.remove_prefix(1);

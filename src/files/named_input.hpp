@@ -1,11 +1,11 @@
 #pragma once
-/// Inputs as the command line names them: files, and "-".
+/// Inputs named on the command line: files, and "-".
 
 #include "files/input_file.hpp"
 
 namespace ligne {
 
-/// The name of a file in messages: "-" is standard input.
+/// The name of a file for messages; "-" is standard input.
 std::string shown_input(const std::filesystem::path& file);
 
 /// The bytes of a file, or of standard input for "-".

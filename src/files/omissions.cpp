@@ -7,9 +7,9 @@
 namespace ligne {
 namespace {
 
-/// Kinds told apart: files of unknown words can have a million.
+/// Largest number of kinds that are counted separately: files of unknown words can have a million.
 constexpr std::size_t kMostKinds = 16;
-/// Bytes that are shown of a kind: a line has room for most of them.
+/// Largest length of a kind in bytes: a line has room for most of them.
 constexpr std::size_t kLongestKind = 60;
 constexpr char kOtherKinds[] = "things of other kinds";
 

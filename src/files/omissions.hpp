@@ -1,5 +1,5 @@
 #pragma once
-/// Collects what a reader leaves out of its file, for one line: "left out: 3 primitives with EXT_foo, 2 textures".
+/// Collects what a reader omits from its file, for one line: "left out: 3 primitives with EXT_foo, 2 textures".
 
 #include <cstddef>
 #include <string>
@@ -11,17 +11,18 @@ namespace ligne {
 
 class Omissions {
  public:
-  /// `what` is a noun in the plural, with the name that the file uses: "primitives with EXT_foo". It is made printable here.
+  /// Counts `n` items of a kind. `what` is a plural noun with the name that the file uses: "primitives with EXT_foo".
+  /// It is made printable.
   void count(std::string_view what, std::size_t n = 1);
 
   bool empty() const { return counts_.empty(); }
-  /// Kinds in the order in which they were met, each with its number. Kinds beyond the first 16 are counted together.
+  /// Kinds with their counts, in the order of their first occurrence. Kinds beyond the first 16 are counted together.
   const std::vector<std::pair<std::string, std::size_t>>& counts() const { return counts_; }
-  /// Number of a kind, 0 where nothing of it was left out.
+  /// Count of a kind; 0 if nothing of it was left out.
   std::size_t of(std::string_view what) const;
-  /// "3 primitives with EXT_foo, 2 textures"; empty where nothing was left out.
+  /// "3 primitives with EXT_foo, 2 textures"; empty if nothing was left out.
   std::string list() const;
-  /// "left out: " and the list; empty where nothing was left out.
+  /// "left out: " and the list; empty if nothing was left out.
   std::string text() const;
 
  private:

@@ -9,7 +9,7 @@
 namespace ligne {
 namespace {
 
-/// Tells a file that was damaged, not one that was forged.
+/// Checksum that detects damaged files, not forged ones.
 std::uint64_t checksum(std::span<const std::byte> bytes) {
   std::uint64_t sum = bytes.size();
   for (std::size_t i = 0; i < bytes.size(); i += sizeof sum) {
@@ -25,7 +25,7 @@ std::uint64_t checksum(std::span<const std::byte> bytes) {
 std::string signed_bytes(const SignedKind& kind, std::string_view rest) {
   ByteWriter head;
   head.number(kind.version);
-  head.number(std::uint64_t{0});  // the checksum comes when all is there
+  head.number(std::uint64_t{0});  // the checksum is set at the end
   std::string bytes;
   bytes.reserve(head_size(kind) + rest.size());
   bytes.append(kind.mark).append(head.bytes()).append(rest);

@@ -1,5 +1,5 @@
 #pragma once
-/// Binary files of ours as a whole: a mark, a version, a checksum of the rest, the rest.
+/// Our binary files as a whole: a mark, a version, a checksum of the contents, the contents.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,26 +12,26 @@
 namespace ligne {
 
 struct SignedKind {
-  std::string_view mark;   ///< with a line end, which is lost where a file is copied as text
-  std::uint32_t version;   ///< that is read and written
-  std::string_view what;   ///< in messages: "a compiled model"
-  std::string_view again;  ///< what to do with another version: "compile the model again"
+  std::string_view mark;   ///< contains a line end, which changes if a file is copied as text
+  std::uint32_t version;   ///< the version that is written, and the only one read
+  std::string_view what;   ///< name in messages: "a compiled model"
+  std::string_view again;  ///< advice for another version: "compile the model again"
 };
 
-/// The file with `rest` in it. The same bytes give the same file.
+/// Makes a file with the contents `rest`. Equal contents give equal files.
 std::string signed_bytes(const SignedKind& kind, std::string_view rest);
 
-/// Puts the checksum of the rest into the bytes of such a file.
+/// Writes the checksum of the contents into the bytes of such a file.
 void sign(const SignedKind& kind, std::string& bytes);
 
 /// Whether a file begins with the mark.
 bool has_mark(const SignedKind& kind, std::span<const std::byte> bytes);
 
-/// A reader of the rest. `name` stands in error messages. Throws InputError for what is no such file, is of another version,
-/// or has another checksum.
+/// Returns a reader of the contents. `name` is used in error messages. Throws InputError if the bytes are no such file,
+/// of another version, or damaged.
 ByteReader open_signed(const SignedKind& kind, std::span<const std::byte> bytes, const std::string& name);
 
-/// How many bytes stand before the rest.
+/// Number of bytes before the contents.
 constexpr std::size_t head_size(const SignedKind& kind) {
   return kind.mark.size() + sizeof(std::uint32_t) + sizeof(std::uint64_t);
 }

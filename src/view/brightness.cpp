@@ -25,7 +25,7 @@ std::vector<double> face_brightness(const Scene& scene, const Camera& camera) {
       const double square = glm::dot(sight, sight);
       if (!(square > 0) || glm::dot(sight, camera.forward) <= 0) continue;
       const double cosine = glm::dot(normal, sight);
-      result[f] = cosine * cosine / (square * square);  // the sight is not of unit length
+      result[f] = cosine * cosine / (square * square);  // `sight` is not of unit length
     }
     largest = std::max(largest, result[f]);
   }

@@ -6,7 +6,7 @@
 namespace ligne {
 namespace {
 
-/// A point that rounds to the border of the window lies on it.
+/// Margin of lines in lattice steps: a point that is rounded onto the border of the window lies on it.
 constexpr double kLineMarginSteps = 0.5;
 
 ClipVolume widened(const View& view, double margin_mm) {
@@ -37,7 +37,7 @@ void clip_contour(std::vector<HomogeneousPoint>& contour, const ClipVolume& volu
       const double da = volume.distance(plane, a), db = volume.distance(plane, b);
       if (da >= 0) kept.push_back(a);
       if ((da >= 0) == (db >= 0)) continue;
-      // Both faces on an edge must cut it at the same point to the last bit, whichever way round they run through it.
+      // Both faces of an edge must cut it at the same point to the last bit, in either direction of the edge.
       const bool forward = std::tie(a.x, a.y, a.z, a.w) < std::tie(b.x, b.y, b.z, b.w);
       kept.push_back(forward ? interpolate(a, b, da / (da - db)) : interpolate(b, a, db / (db - da)));
     }

@@ -18,10 +18,10 @@
 namespace ligne {
 namespace {
 
-constexpr std::size_t kFew = 8;  ///< so many things are compared in pairs, more are sorted
+constexpr std::size_t kFew = 8;  ///< largest number of items that are compared in pairs; more are sorted
 
-/// Calls found(first, other) for the things of `items` that are equal; first is the first of its equals in the order
-/// `less`, in which equals may differ.
+/// Calls found(first, other) for equal items; `first` is the first of its equals in the order `less`, which may
+/// distinguish equal items.
 template <class Item, class Equal, class Less, class Found>
 void for_each_equal(std::span<Item> items, Equal equal, Less less, Found found) {
   if (items.size() <= kFew) {
@@ -39,7 +39,7 @@ void for_each_equal(std::span<Item> items, Equal equal, Less less, Found found) 
   }
 }
 
-/// Per vertex the lowest vertex of its place and depth; empty when no two share them.
+/// Per vertex, the lowest vertex with its position and depth; empty if no two vertices share them.
 std::vector<std::uint32_t> find_first_at_place(const std::vector<ProjectedVertex>& vertices) {
   std::vector<std::uint32_t> first(vertices.size());
   std::iota(first.begin(), first.end(), 0u);
@@ -48,7 +48,7 @@ std::vector<std::uint32_t> find_first_at_place(const std::vector<ProjectedVertex
   for_each_run(
       vertices.size(), [&](std::size_t i) { return page_square(vertices[i].p); },
       [&](std::size_t begin, std::size_t end) {
-        // In numbers of their own: `first` of the run changes meanwhile.
+        // Uses numbers within the run, since `first` of the run changes meanwhile.
         thread_local std::vector<std::uint32_t> run;
         run.resize(end - begin);
         std::iota(run.begin(), run.end(), static_cast<std::uint32_t>(begin));
@@ -64,7 +64,7 @@ std::vector<std::uint32_t> find_first_at_place(const std::vector<ProjectedVertex
   return first;
 }
 
-/// A triangle by its places on the page.
+/// A triangle by the places of its vertices on the page.
 struct PlacedTriangle {
   std::array<std::uint32_t, 3> v;  ///< ascending
   std::uint32_t face, number;
@@ -82,14 +82,14 @@ PlacedTriangle placed(const ProjectedScene& scene, std::uint32_t number) {
   return p;
 }
 
-/// Triangles that lie on each other: `number` lies on `first`, the one of the lowest face.
+/// A coincident triangle: `number` coincides with `first`, which has the lowest face.
 struct Repeated {
   std::uint32_t face, first, number;
   friend auto operator<=>(const Repeated&, const Repeated&) = default;
 };
 
-/// The triangles by their lowest place. They come by their lowest vertex, which is the same where no two vertices share a
-/// place: then the order is empty and means that of the scene.
+/// The triangles ordered by their lowest place. They are already sorted by their lowest vertex. If no two vertices
+/// share a place that is the same order, and the result is empty.
 std::vector<std::uint32_t> order_by_place(const ProjectedScene& scene) {
   if (scene.first_at_place.empty()) return {};
   struct Numbered {
@@ -104,7 +104,7 @@ std::vector<std::uint32_t> order_by_place(const ProjectedScene& scene) {
   return order;
 }
 
-/// Whether some of the triangles in [begin, end) may have the same places: then these have the same sum.
+/// Whether triangles in [begin, end) may have equal places: such triangles have equal sums.
 template <class Number>
 bool may_repeat(const ProjectedScene& scene, std::size_t begin, std::size_t end, const Number& number) {
   if (end - begin > kFew) return true;
@@ -118,7 +118,7 @@ bool may_repeat(const ProjectedScene& scene, std::size_t begin, std::size_t end,
   return false;
 }
 
-/// The triangles of places that more than one triangle has, ordered by face.
+/// The triangles whose places several triangles share, ordered by face.
 std::vector<Repeated> repeated_triangles(const ProjectedScene& scene) {
   const std::size_t n = scene.triangles.size();
   const std::vector<std::uint32_t> order = order_by_place(scene);
@@ -148,7 +148,7 @@ std::vector<Repeated> repeated_triangles(const ProjectedScene& scene) {
   return all;
 }
 
-/// Per face of `repeated` the face that stands for it: pairs (face, lower face), ascending.
+/// Per face of `repeated`, the face that replaces it: pairs (face, lower face), ascending.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> repeated_faces(const ProjectedScene& scene,
                                                                     const std::vector<Repeated>& repeated) {
   std::vector<std::uint32_t> triangles_of_face;
@@ -156,7 +156,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> repeated_faces(const Projec
     if (t.face >= triangles_of_face.size()) triangles_of_face.resize(t.face + std::size_t{1}, 0);
     ++triangles_of_face[t.face];
   }
-  /// A face all of whose triangles lie on others: repeated[begin, end).
+  /// A face all of whose triangles coincide with others: repeated[begin, end).
   struct Face {
     std::uint32_t face;
     std::size_t begin, end;
@@ -203,7 +203,7 @@ void merge_faces(ProjectedScene& scene) {
   }
 }
 
-/// A candidate edge by its places.
+/// A candidate edge by the places of its ends.
 struct PlacedEdge {
   std::array<std::uint32_t, 2> v;  ///< ascending
   std::uint32_t number;
@@ -246,7 +246,7 @@ void merge_edges(ProjectedScene& scene) {
 }  // namespace
 
 void merge_coincident(ProjectedScene& scene) {
-  const double side_mm = coincidence_mm(scene) / 2;  // a vertex moves by two sides in each direction at the most
+  const double side_mm = coincidence_mm(scene) / 2;  // a vertex moves by at most two sides in each direction
   gather_crowds(scene.vertices, std::max(side_mm / scene.lattice.step_mm, 1.0), side_mm);
   scene.first_at_place = find_first_at_place(scene.vertices);
   merge_faces(scene);

@@ -16,12 +16,12 @@
 namespace ligne {
 namespace {
 
-/// A crowd may lie where squares of the page meet; in one of four it still has more than this.
+/// A crowd may span up to four squares of the page; one of these then holds more vertices of it than this.
 constexpr std::size_t kPartOfCrowd = kCrowdOfVertices / 4;
 
 using Cube = std::array<double, 3>;
 
-/// The side of a cube, in x and y and in depth.
+/// Side of a cube, on the page and in depth.
 struct Side {
   double steps, mm;
   Cube cube(const ProjectedVertex& v) const {
@@ -29,7 +29,7 @@ struct Side {
   }
 };
 
-/// Vertices in cubes of the page's space.
+/// Vertices sorted into cubes of the page's space.
 struct Cubes {
   struct Member {
     Cube cube;
@@ -40,7 +40,7 @@ struct Cubes {
   struct Group {
     std::size_t begin, end;
   };
-  std::vector<Member> members;  ///< by cube, then by place
+  std::vector<Member> members;  ///< sorted by cube, then by place
   std::vector<Group> groups;    ///< of equal cubes, ascending
   std::vector<std::uint8_t> taken;
 
@@ -49,7 +49,7 @@ struct Cubes {
     std::sort(members.begin(), members.end(), [](const Member& a, const Member& b) { return a.order() < b.order(); });
     for (std::size_t i = 0; i < members.size();) {
       const std::size_t first = i;
-      // A cube that is not a number, of a place beyond all, equals nothing.
+      // A cube of NaN, from a place out of range, equals nothing.
       do ++i;
       while (i < members.size() && members[i].cube == members[first].cube);
       groups.push_back({first, i});
@@ -57,7 +57,7 @@ struct Cubes {
     taken.assign(groups.size(), 0);
   }
 
-  /// The groups of more than `least` vertices, largest first.
+  /// The groups of more than `least` vertices, the largest first.
   std::vector<std::size_t> larger_than(std::size_t least) const {
     const auto size = [&](std::size_t g) { return groups[g].end - groups[g].begin; };
     std::vector<std::size_t> result;
@@ -68,7 +68,7 @@ struct Cubes {
     return result;
   }
 
-  /// The group of the cube; groups.size() where it is empty.
+  /// The group of the cube; groups.size() if it is empty.
   std::size_t find(const Cube& cube) const {
     const auto found = std::lower_bound(groups.begin(), groups.end(), cube,
                                         [&](const Group& g, const Cube& c) { return members[g.begin].cube < c; });
@@ -76,7 +76,7 @@ struct Cubes {
     return there ? static_cast<std::size_t>(found - groups.begin()) : groups.size();
   }
 
-  /// Calls visit(vertex) for the vertices in the cube of the group and in the 26 around it that are not taken yet.
+  /// Calls visit(vertex) for the vertices in the cube of the group and in the 26 around it that were not taken before.
   template <class Visit>
   void take_around(std::size_t group, Visit visit) {
     const Cube centre = members[groups[group].begin].cube;
@@ -89,7 +89,7 @@ struct Cubes {
   }
 };
 
-/// Whether more than `least` vertices of [begin, end) may lie in one cube: by a number of the cube that few cubes share.
+/// Whether more than `least` vertices of [begin, end) may be in one cube, judged by hashes of their cubes.
 bool may_crowd(const std::vector<ProjectedVertex>& vertices, std::size_t begin, std::size_t end, Side side,
                std::size_t least) {
   if (end - begin <= least) return false;
@@ -108,7 +108,7 @@ bool may_crowd(const std::vector<ProjectedVertex>& vertices, std::size_t begin, 
   return false;
 }
 
-/// Whether a crowd round the vertex may reach into another square of the page.
+/// Whether a crowd around the vertex may reach into another square of the page.
 bool near_border(const ProjectedVertex& v, double reach) {
   const auto near = [&](std::int32_t c) {
     const auto offset = static_cast<double>((c + kLatticeLimit) % kPageSquareSteps);
@@ -117,7 +117,7 @@ bool near_border(const ProjectedVertex& v, double reach) {
   return near(v.p.x) || near(v.p.y);
 }
 
-/// The vertices among which all crowds are: those of the squares that may hold one, and all near the borders of squares.
+/// Vertices that include all crowds: those in squares that may hold one, and all near the borders of squares.
 std::vector<std::uint32_t> candidates(const std::vector<ProjectedVertex>& vertices, Side side) {
   std::vector<std::vector<std::uint32_t>> inside(block_count(vertices.size(), kRunBlock));
   const auto square = [&](std::size_t i) { return page_square(vertices[i].p); };

@@ -13,19 +13,19 @@
 namespace ligne {
 namespace {
 
-/// A sum of n triple products is wrong by less than (n + kRoundingsOfProduct) times this part of the sum of their sizes. The
-/// error of the differences that go into the products is one of the coordinates, and counted there.
+/// Half a unit in the last place: a sum of n triple products is wrong by less than (n + kRoundingsOfProduct) times this
+/// part of the sum of their sizes. The error of the differences in the products counts as an error of the coordinates.
 constexpr double kHalfUlp = 0x1p-53;
 constexpr double kRoundingsOfProduct = 12;
 
-/// Six times the volume within a shell, by the divergence theorem, with what decides its sign.
+/// Six times the volume of a shell, by the divergence theorem, and the bounds that decide its sign.
 struct Volume {
   double six_times = 0;
-  double terms_size = 0;  ///< sum of the sizes of the terms before they cancel
+  double terms_size = 0;  ///< sum of the sizes of the terms, without cancellation
   double area = 0;        ///< twice the surface
   std::size_t terms = 0;
 
-  /// +1, -1, or 0 when rounding or the coordinates' own error (`precision`, model units) could turn it.
+  /// +1, -1, or 0 if rounding or the error of the coordinates (`precision`, model units) could reverse the sign.
   int sign(double precision) const {
     const double rounding = kHalfUlp * (kRoundingsOfProduct + static_cast<double>(terms)) * terms_size;
     const double moved = 3 * precision * area;  // every point of the surface moved along its normal
@@ -34,7 +34,7 @@ struct Volume {
   }
 };
 
-/// Half the diagonal of the near plane's window, and its distance: nothing farther from the eye is cut open in view.
+/// Distance from the eye to the corners of the near plane's window: the near plane cuts nothing farther away.
 double reach_of_near_plane(const View& view) {
   const double half_height = std::tan(view.camera.fov_degrees * 3.14159265358979323846 / 360);
   return view.near_distance * glm::length(Point3{half_height * view.camera.aspect, half_height, 1});
@@ -90,8 +90,8 @@ class Finder {
     return glm::length(eye - glm::clamp(eye, low, high)) > reach_of_near_plane(view_);
   }
 
-  /// Closed and consistently wound; finds its shells. Edges come in the order of their first vertices, so those of an object
-  /// follow each other.
+  /// Whether the object is closed and consistently wound; finds its shells. Edges are sorted by their first vertices,
+  /// so those of an object are consecutive.
   bool solid(const Object& object) {
     const auto& edges = topology_.edges;
     const auto before = [](const Edge& edge, std::uint32_t vertex) { return edge.v0 < vertex; };
@@ -104,7 +104,7 @@ class Finder {
     return true;
   }
 
-  /// Measures the volumes of the object's shells, and numbers them; false when the sign of one is not certain.
+  /// Measures the volumes of the object's shells and numbers them; false if the sign of one is uncertain.
   bool orient(const Object& object) {
     const Point3 origin = scene_.vertices[object.vertex_begin];
     volumes_.assign(object.face_end - object.face_begin, {});
@@ -136,7 +136,7 @@ class Finder {
     return true;
   }
 
-  /// Marks the shells one sees through, or that touch or penetrate themselves.
+  /// Marks the shells that are transparent, or touch or penetrate themselves.
   void keep_shells_that_show_more() {
     const std::vector<std::uint8_t> transparent = transparent_faces(scene_);
     for (std::size_t f = 0; f < transparent.size(); ++f) {
@@ -153,20 +153,20 @@ class Finder {
     for (std::size_t s = 0; s < shells_.size(); ++s) shells_[s].kept = shells_[s].kept || contacts[s];
   }
 
-  /// The shell of a solid.
+  /// A shell of a solid.
   struct Shell {
-    int outward;        ///< -1 when its faces are wound inwards
-    bool kept = false;  ///< with its back faces
+    int outward;        ///< -1 if its faces are wound inwards
+    bool kept = false;  ///< whether it keeps its back faces
   };
 
   const Scene& scene_;
   const Topology& topology_;
   const View& view_;
   std::vector<std::int8_t> facings_;
-  DisjointSets sets_;                         ///< faces that hang together
-  std::vector<Volume> volumes_;               ///< of the object at hand, at the place of the shell's lowest face
+  DisjointSets sets_;                         ///< connected faces
+  std::vector<Volume> volumes_;               ///< of the current object, at the index of the shell's lowest face
   std::vector<Shell> shells_;                 ///< of all solids
-  std::vector<std::uint32_t> shell_of_face_;  ///< kNone: of no solid
+  std::vector<std::uint32_t> shell_of_face_;  ///< kNone: not on a solid
 };
 
 }  // namespace

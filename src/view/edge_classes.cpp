@@ -18,20 +18,21 @@
 namespace ligne {
 namespace {
 
-/// Float32 coordinates turn the normals of small faces by about this much; an edge at the crease angle itself is no crease.
+/// Largest angle by which float32 coordinates turn the normals of small faces; an edge at exactly the crease angle is
+/// no crease.
 constexpr double kCreaseSlackDegrees = 0.01;
 
-/// The mark of a face without area, until it is mended.
+/// Mark of a face without area, until mend_flat_faces().
 constexpr std::int8_t kFlat = 2;
 
-/// How the faces lie.
+/// Orientation of the faces.
 struct FaceSides {
   std::vector<std::int8_t> facing;  ///< 1 towards the eye, -1 away from it, 0 seen edge on
-  std::vector<glm::vec3> normal;    ///< unit length, zero for a face without area; empty where nobody asks
+  std::vector<glm::vec3> normal;    ///< unit length; zero for a face without area; empty if not needed
   bool any_flat = false;
 };
 
-/// `sight`: a line of sight to the face, of the given length.
+/// `sight`: a line of sight to the face, with the given length.
 std::int8_t facing_of(const Point3& normal, const Point3& sight, double length) {
   const double d = glm::dot(normal, sight);
   if (std::abs(d) <= kEdgeOnSine * length) return 0;
@@ -73,12 +74,12 @@ FaceSides face_sides(const Scene& scene, const Camera& camera, bool with_normals
   return sides;
 }
 
-/// Gives faces without area the side of the face across their longest edge.
+/// Gives faces without area the side of their neighbour across their longest edge.
 void mend_flat_faces(const Scene& scene, const Topology& topology, FaceSides& sides) {
   if (!sides.any_flat) return;
   std::vector<std::uint8_t> flat(sides.facing.size());
   std::transform(sides.facing.begin(), sides.facing.end(), flat.begin(), [](std::int8_t f) { return f == kFlat; });
-  // None of the neighbours is flat itself, so their order does not matter.
+  // None of these neighbours is flat, so their order does not matter.
   for (const auto& [face, neighbour] : longest_neighbours(scene, topology, flat, FlatNeighbours::passed_over)) {
     const int turn = neighbour.turned ? -1 : 1;
     sides.facing[face] = static_cast<std::int8_t>(turn * sides.facing[neighbour.face]);
@@ -118,7 +119,7 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
       } else if (edge.face1 == kNone) {
         result = LineClass::border;
       } else if (flags & kEdgeManyFaces) {
-        // Two of its faces are known, and they depend on the order of the file: no outline can be told from them.
+        // Only two of its faces are stored, and which ones depends on the file, so they can not decide on an outline.
         result = !creases || (*creases)[e] == kCreaseLine ? LineClass::crease : LineClass::mesh;
       } else {
         const int turn = flags & kEdgeUnlikeWound ? -1 : 1;

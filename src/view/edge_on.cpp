@@ -13,13 +13,14 @@
 namespace ligne {
 namespace {
 
-/// An eye on a face, and a line of sight along it, are themselves the result of a handful of double operations on
-/// coordinates as large as the largest.
+/// Relative rounding of the eye and the line of sight: they result from a few double operations on coordinates as large
+/// as the largest one.
 constexpr double kSightRounding = 0x1p-50;
-/// Roundings of the mixed product: three differences, two products and a difference, and a sum of three products.
+/// Relative rounding of the mixed product: three differences, two products and a difference, and a sum of three
+/// products.
 constexpr double kMixedProductRounding = 0x1p-50;
 
-/// The roundings of the bound below, and more.
+/// Factor that exceeds the rounding of the bound below.
 constexpr double kBoundRounding = 1 + 0x1p-40;
 
 double sum_of_sizes(const Point3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
@@ -30,9 +31,9 @@ double product_sizes(const Point3& a, const Point3& b, const Point3& c) {
   return (p.y * q.z + p.z * q.y) * s.x + (p.z * q.x + p.x * q.z) * s.y + (p.x * q.y + p.y * q.x) * s.z;
 }
 
-/// Whether a triangle with the sides pq and pr is certainly not seen edge on along the given sight, as nearly all: sums of
-/// sizes bound every term of the test, those of the products by the product of theirs, and the third side by the two others.
-/// `mixed`: size of the mixed product.
+/// Whether a triangle with the sides pq and pr is certainly not seen edge on along the given sight, which holds for
+/// nearly all. Sums of sizes bound every term of the test: a product's terms are bounded by the product of the sums,
+/// and the third side by the two others. `mixed`: size of the mixed product.
 bool is_surely_broad(const Point3& pq, const Point3& pr, double mixed, double sight_sizes, double rounding) {
   const double a = sum_of_sizes(pq), b = sum_of_sizes(pr);
   return mixed > kBoundRounding * sight_sizes * (kMixedProductRounding * a * b + 2 * rounding * (a + b));

@@ -17,7 +17,7 @@ void for_each_run(std::size_t n, Key key, Visit visit) {
   parallel_blocks(n, kRunBlock, [&](std::size_t first, std::size_t last) {
     std::size_t begin = first;
     auto of_run = key(begin);
-    if (begin > 0 && key(begin - 1) == of_run) {  // the run of the block before
+    if (begin > 0 && key(begin - 1) == of_run) {  // the run belongs to the previous block
       while (begin < last && key(begin) == of_run) ++begin;
       if (begin < last) of_run = key(begin);
     }

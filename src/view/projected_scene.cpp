@@ -21,7 +21,7 @@
 namespace ligne {
 namespace {
 
-/// Roundings of the projection itself: a handful of double operations on coordinates as large as the largest.
+/// Relative rounding of the projection: a few double operations on coordinates as large as the largest one.
 constexpr double kProjectionRounding = 0x1p-50;
 
 double input_error_mm(const Scene& scene, const View& view) {
@@ -34,7 +34,7 @@ ProjectedVertex to_vertex(const HomogeneousPoint& p, const Lattice& lattice) {
   return {lattice.snap({p.x / p.w, p.y / p.w}), p.z / p.w};
 }
 
-/// The volumes in which lines and faces are kept; the first lies inside the second.
+/// The volumes to which lines and faces are clipped; that of lines is inside the other.
 struct Volumes {
   ClipVolume lines, faces;
 };
@@ -43,8 +43,8 @@ Volumes volumes_of(const ProjectedScene& scene) {
   return {line_volume(scene.view, scene.lattice), face_volume(scene.view, scene.lattice)};
 }
 
-/// Projects the vertices that corners of faces or ends of lines can stay; returns whether all can stay both. Those that can
-/// not are left for the clipping.
+/// Projects the vertices that need no clipping, as corners of faces or as ends of lines. Returns whether all vertices
+/// need none. The others are left for the clipping.
 bool project_vertices(const Scene& scene, const View& view, const Volumes& volumes, ProjectedScene& out) {
   std::atomic<bool> all_inside{true};
   out.vertices = large_vector<ProjectedVertex>(scene.vertices.size());
@@ -61,7 +61,7 @@ bool project_vertices(const Scene& scene, const View& view, const Volumes& volum
   return all_inside;
 }
 
-/// Clips triangles and candidate edges that leave the view volume.
+/// Clips triangles and candidate edges that cross the border of the view volume.
 class Clipper {
  public:
   Clipper(const Scene& scene, const View& view, const Volumes& volumes, ProjectedScene& out)
@@ -124,8 +124,9 @@ class Clipper {
   };
   static Coordinates coordinates(const HomogeneousPoint& p) { return {p.x, p.y, p.z, p.w}; }
 
-  /// The vertex of a corner of the clipped triangle: its own where that is left, else one that the neighbours of the same
-  /// object have too, since a common edge is cut at the same point to the last bit. So neighbours stay neighbours.
+  /// The vertex of a corner of the clipped triangle: an original vertex if it remains, else a vertex shared with the
+  /// neighbours of the same object, since a common edge is cut at the same point to the last bit. So neighbours stay
+  /// neighbours.
   std::uint32_t corner(const HomogeneousPoint& p, const Triangle& t) {
     for (const std::uint32_t v : t.v) {
       if (inside_[v] && coordinates(to_homogeneous(view_, scene_.vertices[v])) == coordinates(p)) return v;
@@ -144,8 +145,8 @@ class Clipper {
   const View& view_;
   const Volumes& volumes_;
   ProjectedScene& out_;
-  std::vector<std::uint8_t> inside_;                                   ///< the volume of faces
-  std::unordered_map<Coordinates, std::uint32_t, Hash> cut_vertices_;  ///< of the object at hand
+  std::vector<std::uint8_t> inside_;                                   ///< per vertex: inside the volume of faces
+  std::unordered_map<Coordinates, std::uint32_t, Hash> cut_vertices_;  ///< of the current object
 };
 
 void select_edges(const Scene& scene, const Topology& topology, const Camera& camera, const EdgeSelection& selection,

@@ -92,8 +92,8 @@ void place_on_page(const Scene& scene, const Topology& topology, ProjectedScene&
 /// Calls select_candidates() and place_on_page().
 ProjectedScene project(const Scene& scene, const Topology& topology, const View& view, const EdgeSelection& selection);
 
-/// ProjectedScene::input_error_mm for coordinates of that precision (Object::precision), the largest absolute value of
-/// which is `largest`; both in model units.
+/// ProjectedScene::input_error_mm for coordinates of this precision (Object::precision) and with the largest absolute
+/// value `largest`, both in model units.
 double projected_error_mm(const View& view, double precision, double largest);
 
 /// Per face of the scene: 1 if its material is transparent, else 0. Empty if there is no such material.

@@ -21,11 +21,11 @@ std::uint32_t spread_bits(std::uint32_t v) {
   return (v | (v << 1)) & 0x55555555u;
 }
 
-/// The stable order of things by their keys, all below key_count: order[k] is the k-th. A task owns a range of keys and goes
-/// through all things.
+/// The stable order of items by their keys, all below key_count: order[k] is the k-th item. Each task owns a range of
+/// keys and reads all items.
 std::vector<std::uint32_t> stable_order(const std::vector<std::uint32_t>& keys, std::size_t key_count) {
   const std::size_t n = keys.size();
-  // Few things are sorted sooner than the keys are counted.
+  // A few items are sorted faster than the keys are counted.
   constexpr std::size_t kKeysPerThing = 16;  // adjustable
   if (n * kKeysPerThing < key_count) {
     std::vector<std::uint32_t> order(n);

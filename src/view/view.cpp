@@ -14,12 +14,12 @@
 namespace ligne {
 namespace {
 
-/// Two directions whose sine is below this count as parallel: their cross product would be rounding noise of float input.
+/// Sine below which two directions count as parallel: their cross product would be rounding noise of float input.
 constexpr double kParallelSine = 0x1p-22;
-/// The near plane stands at this part of the target distance: nearer things are behind the drawing, not on it.
+/// Distance of the near plane, relative to the target distance. Nearer objects are not drawn.
 constexpr double kNearPart = 1e-3;
 
-/// The model's own frame: x to the right in the front view, back into the page, up.
+/// The frame of the model: x to the right in the front view, back into the page, up.
 struct ModelFrame {
   Point3 right, back, up;
 };
@@ -52,7 +52,7 @@ Sight named_sight(std::string_view name, const ModelFrame& m) {
   if (name == "iso") return along(-1, 1, -1);
   // Foreshortened 1 : 1/2 : 1 (ISO 5456-3): squares of the direction cosines 1/9, 7/9, 1/9.
   if (name == "dimetric") return along(-1, std::sqrt(7.0), -1);
-  // 35 degrees round, 25 degrees from above: three different foreshortenings.
+  // 35 degrees around, 25 degrees from above: three different foreshortenings.
   constexpr double kRound = 35 * 3.14159265358979323846 / 180, kAbove = 25 * 3.14159265358979323846 / 180;
   if (name == "trimetric") {
     return along(-std::sin(kRound) * std::cos(kAbove), std::cos(kRound) * std::cos(kAbove), -std::sin(kAbove));
@@ -107,8 +107,8 @@ Camera make_camera(const CameraRequest& request, const Scene& scene) {
   if (!finite(sight.up) || glm::length(sight.up) == 0) throw std::invalid_argument("the up vector has no length");
   camera.forward = glm::normalize(sight.forward);
   if (parallel(camera.forward, sight.up)) sight.up = frame.up;
-  // Looking straight down the back of the model is up on the page, looking straight up its front is, as in the views top
-  // and bottom.
+  // Looking straight down, the back of the model is up on the page; looking straight up, its front is, as in the views
+  // top and bottom.
   if (parallel(camera.forward, sight.up)) sight.up = glm::dot(camera.forward, frame.up) < 0 ? frame.back : -frame.back;
   camera.right = glm::normalize(glm::cross(camera.forward, sight.up));
   camera.down = glm::cross(camera.forward, camera.right);
@@ -183,7 +183,7 @@ View make_view(Rect extent, const Camera& camera, const Frame& frame, const Rect
   view.camera = camera;
   view.window = window;
   if (extent.empty()) extent = {{0, 0}, {0, 0}};
-  // A drawing without extent in one direction is scaled by the other; a point is drawn at 1:1.
+  // A drawing without extent in one direction is scaled by the other one; a point is drawn at 1:1.
   double fit = 1e300;
   if (extent.width() > 0) fit = std::min(fit, frame.area.width() / extent.width());
   if (extent.height() > 0) fit = std::min(fit, frame.area.height() / extent.height());

@@ -1,5 +1,5 @@
 #pragma once
-/// The box around what is plotted, as the viewer sees it.
+/// The box around the plotted objects, as the viewer sees it.
 
 #include <array>
 #include <cstddef>
@@ -11,12 +11,12 @@
 
 namespace ligne {
 
-/// A straight line in model space, to be drawn where nothing hides it.
+/// A straight line in model space, drawn where nothing hides it.
 struct AxisLine {
   Point3 a, b;
 };
 
-/// A box along the axes of the model; low <= high in each of them.
+/// A box along the axes of the model; low <= high on each axis.
 struct AxesBox {
   Point3 low{0, 0, 0}, high{0, 0, 0};
 
@@ -24,7 +24,7 @@ struct AxesBox {
   Point3 corner(unsigned i) const { return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z}; }
 };
 
-/// The edge along axis `axis` from corner `from`, whose bit `axis` is not set, to that where it is.
+/// The edge along axis `axis` from corner `from`, whose bit `axis` is 0, to the corner where it is 1.
 struct BoxEdge {
   unsigned axis = 0, from = 0;
   unsigned to() const { return from | 1u << axis; }
@@ -33,17 +33,17 @@ struct BoxEdge {
 inline constexpr std::size_t kBoxEdges = 12;
 std::array<BoxEdge, kBoxEdges> box_edges();
 
-/// sides[k][0] and [k][1] are the low and the high side across axis k.
+/// Marks of sides: [k][0] and [k][1] are the low and the high side across axis k.
 using BoxSides = std::array<std::array<bool, 2>, 3>;
 
-/// The sides that are seen from within, behind what the box holds. In parallel projection one of each pair: where both are
-/// seen edge on, the low one. In perspective both of a pair when the eye is between them.
+/// The sides seen from inside, behind the contents of the box. In parallel projection these are one of each pair; if
+/// both are seen edge on, the low one. In perspective they are both of a pair if the eye is between them.
 BoxSides back_sides(const AxesBox& box, const Camera& camera);
 
-/// The edge is one of a back side.
+/// Whether the edge belongs to a back side.
 bool is_back(const BoxEdge& edge, const BoxSides& back);
 
-/// The box as a scene of triangles, to place the camera and the page with.
+/// The box as a scene of triangles, for placing the camera and the page.
 Scene box_scene(const AxesBox& box);
 
 }  // namespace ligne

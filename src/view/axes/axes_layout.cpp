@@ -17,20 +17,20 @@
 namespace ligne {
 namespace {
 
-// Adjustable: lengths in heights of the text.
+// Lengths in text heights. Adjustable.
 constexpr double kTick = 0.7;
 constexpr double kGap = 0.5;      ///< from tick to number
 constexpr double kNameGap = 0.9;  ///< from numbers to name
 constexpr double kBetweenNumbers = 1.2;
 constexpr double kBetweenAxes = 0.4;  ///< between texts of different axes, and their ticks
-constexpr double kWideName = 4;       ///< a wider name is turned along its axis
+constexpr double kWideName = 4;       ///< wider names are turned along their axis
 constexpr double kTitleGap = 1.2;
 constexpr double kStepOutwards = 0.5;
 constexpr int kMostStepsOutwards = 100;
-constexpr double kGridFromEdge = 0.6;  ///< a line nearer to the box's edge would only thicken it
+constexpr double kGridFromEdge = 0.6;  ///< a grid line nearer to an edge of the box would only thicken it
 constexpr std::size_t kMostTicks = 11;
 
-/// Ticks lean as the other axes do, but no flatter against their axis than this (sine).
+/// Smallest sine of the angle between a tick and its axis; otherwise ticks are parallel to the other axes.
 constexpr double kFlattestTick = 0.57;
 
 bool holds(const Rect& rect, Point2 p) {
@@ -40,7 +40,7 @@ bool holds(const Rect& rect, Point2 p) {
 /// A tick on the page with its number.
 struct PlacedTick {
   Point2 at, direction;
-  double reach = 0;  ///< from `at` to the number's center
+  double reach = 0;  ///< distance from `at` to the centre of the number
   TextItem item;
   TextBox box;
 };
@@ -92,7 +92,7 @@ class Layout {
     return {(mark[0] + mark[1]) * 0.5, {glm::length(d) / 2, 0}, -std::atan2(d.y, d.x) * 180 / std::numbers::pi};
   }
 
-  /// Where ticks point at a place of the axis: as the other axis of the ground runs there, or straight outwards.
+  /// Direction of ticks at a point of the axis: that of the other ground axis at this point, or straight outwards.
   Point2 tick_direction(const AxisEdge& edge, const Point3& at) const {
     if (edge.axis == 2) return edge.outward;
     const unsigned other = 1 - edge.axis;
@@ -132,7 +132,7 @@ class Layout {
     return placed;
   }
 
-  /// Numbers, or names: of these all, or one of so many that there are no more than `most`.
+  /// Ticks with numbers, or with names; every n-th name, so that there are at most `most`.
   static std::vector<Tick> ticks_of(const AxisRequest& axis, std::size_t most) {
     if (axis.categories.empty()) return round_ticks(axis.scale, axis.from, axis.to, most);
     std::vector<Tick> ticks;
@@ -144,7 +144,7 @@ class Layout {
     return ticks;
   }
 
-  /// The most ticks whose numbers keep apart.
+  /// The largest number of ticks whose numbers do not touch.
   std::vector<PlacedTick> fitting_ticks(const AxisEdge& edge) {
     const AxisRequest& axis = request_.axes[edge.axis];
     for (std::size_t most = kMostTicks; most > 0;) {
@@ -166,7 +166,7 @@ class Layout {
     return {};
   }
 
-  /// The place on the axis is not too near to its ends.
+  /// Whether the point on the axis is far enough from its ends for a grid line.
   bool is_off_edges(const AxisEdge& edge, double coordinate) const {
     const Point2 p = page_point(view_, model_point(edge, coordinate));
     for (const unsigned corner : {edge.corner, edge.corner | 1u << edge.axis}) {
@@ -175,7 +175,7 @@ class Layout {
     return true;
   }
 
-  /// No text, and no tick of another axis, is too near.
+  /// Whether no text, and no tick of another axis, is too near.
   bool is_free(const TextBox& box, unsigned axis) const {
     const auto near = [&](const TextBox& other) { return overlap(box, other, kBetweenAxes * h_); };
     return std::none_of(texts_.begin(), texts_.end(), [&](const Placed& p) { return near(p.box); }) &&
@@ -188,10 +188,10 @@ class Layout {
     picture_.boxes.push_back(box);
   }
 
-  /// Angle of a name along an axis: readable from below or from the right.
+  /// Angle of a name along an axis, in degrees: readable from below or from the right.
   static double angle_along(const AxisEdge& edge) {
     double angle = -std::atan2(edge.b.y - edge.a.y, edge.b.x - edge.a.x) * 180 / std::numbers::pi;
-    // Nearly upright axes are all read upwards: a hair's breadth of tilt does not turn a name round.
+    // Nearly vertical axes are always read upwards, so that a tiny tilt does not reverse a name.
     constexpr double kUpright = 1;
     if (angle > 90 + kUpright) angle -= 180;
     if (angle <= -90 + kUpright) angle += 180;
@@ -220,8 +220,8 @@ class Layout {
     }
   }
 
-  /// The point of the edge whose picture is nearest to the middle of what is seen of it; in perspective that is not its
-  /// own middle.
+  /// The point of the edge whose image is nearest to the middle of its visible part; in perspective that is not its
+  /// midpoint.
   Point3 to_model_point_on(const AxisEdge& edge, Point2 page) const {
     const HomogeneousPoint a = to_homogeneous(view_, box_.corner(edge.corner));
     const HomogeneousPoint b = to_homogeneous(view_, box_.corner(edge.corner | 1u << edge.axis));
@@ -274,7 +274,7 @@ class Layout {
   AxesBox box_;
   double h_;
   AxesPicture picture_;
-  std::array<std::vector<double>, 3> grid_;  ///< model coordinates of its lines; an axis without a scale has none
+  std::array<std::vector<double>, 3> grid_;  ///< model coordinates of grid lines; none for an axis without a scale
   std::vector<Placed> texts_, marks_;
 };
 

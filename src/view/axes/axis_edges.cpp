@@ -11,18 +11,19 @@
 namespace ligne {
 namespace {
 
-/// A corner counts as lying on an edge's line within the accuracy of the drawing.
+/// Largest distance of a corner from the line of an edge on which it counts as lying, in mm: the accuracy of the
+/// drawing.
 constexpr double kOnLineMm = 1e-3;
 
-// Adjustable: the shortest axis, and how near two of them are in one line, in heights of the text.
+// Shortest axis, and largest distance of two axes that count as collinear, in text heights. Adjustable.
 constexpr double kShortest = 2;
 constexpr double kSameLine = 3;
-constexpr double kSameDirection = 0.35;  ///< sine of the angle between them
+constexpr double kSameDirection = 0.35;  ///< sine of the largest angle between collinear axes
 
-// Adjustable: costs of a choice, in diagonals of the picture.
-constexpr double kInEachOthersWay = 10;  ///< two scales along the same line
-constexpr double kInOneLine = 0.5;       ///< the scale of the heights goes on where another ends: hard to read
-constexpr double kSecondary = 1e-3;      ///< decides between edges as low, or as far left, as each other
+// Costs of a choice, in diagonals of the picture. Adjustable.
+constexpr double kInEachOthersWay = 10;  ///< two scales on one line
+constexpr double kInOneLine = 0.5;       ///< the scale of heights continues another one: hard to read
+constexpr double kSecondary = 1e-3;      ///< decides between edges that are equally low, or equally far left
 
 struct Corners {
   std::array<Point2, 8> at;
@@ -41,7 +42,7 @@ Corners corners_of(const AxesBox& box, const View& view) {
   return corners;
 }
 
-/// The edge as a place for a scale, when it is one of the outline and long enough in view.
+/// The edge as a place for a scale, if it belongs to the outline and its visible part is long enough.
 std::optional<AxisEdge> candidate(const BoxEdge& edge, const AxesBox& box, const View& view, const Corners& corners,
                                   double shortest) {
   const Point2 p = corners.at[edge.from], q = corners.at[edge.to()];
@@ -56,7 +57,7 @@ std::optional<AxisEdge> candidate(const BoxEdge& edge, const AxesBox& box, const
   }
   if (low < -kOnLineMm && high > kOnLineMm) return std::nullopt;
   AxisEdge found{edge.axis, edge.from, p, q, high > -low ? -normal : normal};
-  // All in one line: outwards is down, or to the left.
+  // If all corners are collinear, outwards is down, or else to the left.
   if (low >= -kOnLineMm && high <= kOnLineMm && (normal.y < 0 || (normal.y == 0 && normal.x > 0))) found.outward = -normal;
 
   const HomogeneousPoint a = to_homogeneous(view, box.corner(edge.from)), b = to_homogeneous(view, box.corner(edge.to()));
@@ -116,7 +117,7 @@ AxisEdges choose_axis_edges(const AxesBox& box, const View& view, double text_he
             if (choice[i] && choice[k]) sum += cost(*choice[i], *choice[k], text_height_mm);
           }
         }
-        // Equal but for rounding: the first stays, so that the same picture always has the same choice.
+        // If costs are equal within rounding the first choice stays, so that equal pictures get equal choices.
         if (sum < least - kOnLineMm / std::max(diagonal, kOnLineMm)) {
           least = sum;
           best = choice;

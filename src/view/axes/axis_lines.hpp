@@ -1,5 +1,5 @@
 #pragma once
-/// From lines in model space to lines on the page.
+/// Draws lines in model space on the page.
 
 #include <functional>
 #include <span>
@@ -15,12 +15,11 @@ struct VisibleInterval {
   double from = 0, to = 1;
 };
 
-/// For every line its parts that nothing hides, ascending and disjoint.
+/// Finds the visible parts of every line, ascending and disjoint.
 using LineVisibility = std::function<std::vector<std::vector<VisibleInterval>>(std::span<const AxisLine>)>;
 
-/// The visible parts of the lines, clipped to the view's window, as polylines in page mm. Where lines lie on each other
-/// within `coincidence_mm` one is drawn; those that continue each other are joined. Without a `visibility` nothing is
-/// hidden.
+/// The visible parts of the lines, clipped to the view's window, as polylines in page mm. Of lines that coincide within
+/// `coincidence_mm` one is drawn; lines that continue each other are joined. Without a `visibility` nothing is hidden.
 Polylines axis_lines(std::span<const AxisLine> lines, const View& view, const LineVisibility& visibility,
                      double coincidence_mm);
 
