@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kMany = 96;      ///< adjustable: from sets larger than this only a large convex set is peeled
 constexpr std::size_t kSample = 256;   ///< adjustable: pieces in the sample that estimates its share
-constexpr std::size_t kLeastPart = 8;  ///< adjustable: least share of a large convex set is one over this
+constexpr std::size_t kLeastPart = 8;  ///< adjustable: one over the least share of a large convex set
 
 /// Finds the pieces of a set whose planes have all other pieces on one side.
 class HullSearch {

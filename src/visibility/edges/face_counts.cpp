@@ -40,7 +40,7 @@ std::vector<CountedPart> FaceCounter::count(const PageLine& line, bool with_face
     events_.push_back({hidden.from, facet.face, left, right});
     events_.push_back({hidden.to, facet.face, -left, -right});
   });
-  // At one place beginnings come before ends: a face that goes on in its next facet is counted once too often there,
+  // At one place beginnings come before ends: a face that continues in its next facet is counted once too often there,
   // never once too few.
   std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
     if (a.t != b.t) return a.t < b.t;

@@ -21,7 +21,7 @@ namespace ligne {
 enum class Propagation : std::uint8_t {
   count,   ///< the number of faces [Appel1967], in rings about the start
   nature,  ///< the set of faces [GalimbertiMontanari1969]; it changes at every side of a face
-  path,    ///< the number of faces, depth first from the nearest vertex: a path goes on at the end of each edge
+  path,    ///< the number of faces, depth first from the nearest vertex: a path continues at the end of each edge
            ///< [Loutrel1970]
 };
 

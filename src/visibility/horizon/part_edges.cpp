@@ -10,8 +10,8 @@
 namespace ligne::horizon {
 namespace {
 
-/// Samples that all threads read at a time, and limits on the number of rows with so many samples: enough rows for
-/// every thread.
+/// Samples that all threads read at a time, and limits on the number of rows that hold them: enough rows for every
+/// thread.
 constexpr std::size_t kSamplesAtATime = std::size_t{1} << 13, kFewestRows = 8, kMostRows = 256;
 /// Rows of the previous block that the first strip of a block needs.
 constexpr std::size_t kCarried = 2;

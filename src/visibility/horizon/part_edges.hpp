@@ -9,8 +9,8 @@
 ///     |      |
 ///     n ---- p      before         columns c - 1, c
 ///
-/// Its diagonal runs p - q ("anti") or n - f ("main"): the diagonal of HiddenBy::surface, seen in the part's
-/// directions. `first` is the triangle at the side n - p, `second` the triangle at the side q - f.
+/// Its diagonal runs p - q ("anti") or n - f ("main"): the diagonal of HiddenBy::surface, in the part's directions.
+/// `first` is the triangle at the side n - p, `second` the triangle at the side q - f.
 ///
 /// Invariant: when an edge comes, everything in front of it on any line of sight has come, and nothing behind it has.
 ///

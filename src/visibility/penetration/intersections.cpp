@@ -175,7 +175,7 @@ class LeafSearch {
     for (std::optional<Comparisons>& part : made) own_.found.add(std::move(part->found));
   }
 
-  /// Compares the items [begin, end) of a crowded leaf with those behind them.
+  /// Compares the items [begin, end) of a crowded leaf with the items after them in the list.
   void compare(const Leaf& leaf, std::size_t begin, std::size_t end, Comparisons& own) const {
     const auto n = static_cast<std::uint32_t>(items_.size());
     const bool many = n > kManyTogether;

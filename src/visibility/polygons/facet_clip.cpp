@@ -151,8 +151,8 @@ bool FacetClip::find_inner_point(const Window& window, double& x, double& y) con
 }
 
 /// Starts at a clip face over some point of the subject and visits its neighbours, across the sides that pass over the
-/// subject. If none of these sides is a rim, the patch covers the whole subject, as it covers the point. Other surfaces
-/// do not matter, even if the list contains some of their clip faces without neighbours.
+/// subject. If none of these sides is a rim, the patch covers the whole subject in the window, as it covers the point.
+/// Other surfaces do not matter, even if the list contains some of their clip faces without neighbours.
 bool FacetClip::covers(std::span<const Number> list, const Window& window) {
   double x = 0, y = 0;
   if (!find_inner_point(window, x, y)) return false;

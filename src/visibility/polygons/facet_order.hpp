@@ -14,7 +14,7 @@ namespace ligne {
 struct FacetOrder {
   DepthOrder order = DepthOrder::apart;
   bool touching = false;  ///< somewhere over the overlap they are within the sum of their tolerances
-  bool tie = false;       ///< the same everywhere: they coincide, and the face of the lower number counts as in front
+  bool tie = false;       ///< they coincide all over the overlap, and the face of the lower number counts as in front
   LatticeSegment cut{};   ///< two lattice points on the common line
 };
 
