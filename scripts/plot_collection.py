@@ -4,7 +4,7 @@ whether the plot takes less time than in the order of the file.
 
     scripts/plot_collection.py FOLDER [--ligne build/release/src/cli/ligne] [--keep DIR] [--device NAME]
 
-To be run by hand, with public collections of drawings; docs/plotting.md has the figures. Needs rsvg-convert, numpy and
+To be run by hand, with public collections of drawings; docs/notes/plotting.md has the figures. Needs rsvg-convert, numpy and
 Pillow.
 
 What is compared: a picture of the lines that should be drawn, black, with round ends, of the widths in the file, made from

@@ -4,7 +4,7 @@ suite of resvg.
 
     scripts/plot_reference.py FOLDER [--ligne build/release/src/cli/ligne] [--sheet DIR]
 
-To be run by hand; docs/plotting.md has the figures. Needs numpy, scipy and Pillow.
+To be run by hand; docs/notes/plotting.md has the figures. Needs numpy, scipy and Pillow.
 
 Fills are plotted as outlines, strokes as lines of their width, and --occlude hides what lies under opaque areas, as in the
 picture. So two things are measured, both in pixels of the reference, with a tolerance of TOLERANCE_PX:
