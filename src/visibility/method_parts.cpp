@@ -96,7 +96,7 @@ constexpr PartsOfMethod kPartsOfMethods[] = {
     {"zbuffer",
      {"`ProjectedScene`: triangles of faces with holes on the page lattice, with depth; candidate lines. Faces "
       "may penetrate, coincide, and be skew. Transparent faces are left out: they hide nothing",
-      "triangles by face, faces by bands of 64 rows, sides of a face by their first row; all by counting but "
+      "triangles by face, faces by bands of 16 rows, sides of a face by their first row; all by counting but "
       "the last",
       "depth against depth at a pixel; a point of a line against four hiding depths",
       "face after face within a band of rows; bands in parallel",

@@ -58,7 +58,6 @@ class StreamFacets {
   std::uint8_t slice(double z) const;
 
   ProjectedScene page_;  ///< only its view, lattice and tolerances; it has no faces
-  struct Volume;
   double precision_, sight_rounding_, near_, per_mm_, pad_mm_, least_height_;
   std::int64_t margin_;
 };
