@@ -168,8 +168,8 @@ PenLines optimized(const PenWork& work, const PathOptions& paths) {
   const auto seconds = [&](const PenLines& pen) {
     return paths.pace.seconds(measure(pen.lines, paths.order.home, paths.order.returns));
   };
-  // With a minimum length times are not compared: it drops fewer strokes after joining, since a piece of a long line is
-  // long.
+  // With a minimum length or inside_first the times are not compared. Joining then keeps more strokes of minimum
+  // length, since a piece of a long line is long.
   const double allowed =
       paths.min_length_mm > 0 || paths.order.inside_first ? std::numeric_limits<double>::infinity() : seconds(before);
   const bool orders = paths.optimize != Optimize::join;

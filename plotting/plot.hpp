@@ -33,8 +33,8 @@ struct PenLines {
   std::vector<std::uint32_t> pauses{};   ///< strokes before which the machine waits, ascending
 };
 
-/// Pens in the order of use, which is that of their numbers. A pen appears more than once if layers give it different
-/// settings or, in pictures, different names.
+/// Pens in the order of use, ascending by number. A pen appears more than once if layers give it different settings or,
+/// in pictures, different names.
 struct Plot {
   Page page;
   std::vector<PenLines> pens;
@@ -53,9 +53,8 @@ struct PlotRequest {
 Plot deal_to_pens(const Drawing& drawing, const PlotRequest& request);
 
 /// Divides the layers among their pens, then joins and orders the lines of every pen as `request.paths` says. Dashed
-/// lines are joined before they are cut into dashes. If joining
-/// would make the plot of a pen slower, its lines are only ordered, except with a minimum length or
-/// OrderOptions::inside_first.
+/// lines are joined before they are cut into dashes. If joining would make the plot of a pen slower, its lines are only
+/// ordered, except with a minimum length or OrderOptions::inside_first.
 Plot make_plot(const Drawing& drawing, const PlotRequest& request);
 
 /// Joins and orders the lines of every layer as the options say. Texts and line styles do not change.

@@ -55,7 +55,7 @@ class Area {
   bool empty() const { return steps_.empty(); }
   /// Whether the lattice edges, their windings and the rule are the same.
   bool is_same(const Area& other) const;
-  /// Equal for areas that are the same.
+  /// Hash value, equal for areas that are the same.
   std::size_t hash() const;
 
  private:

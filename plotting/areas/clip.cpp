@@ -25,7 +25,7 @@ void for_each_area(const Clip& clip, const Visit& visit) {
 /// and repeated lines are kept. Adjustable.
 constexpr std::size_t kMostLooks = 1000;
 
-/// A part of a segment, by fractions of it.
+/// A part of a segment, as fractions of its length.
 struct Interval {
   double begin, end;
 };

@@ -28,7 +28,7 @@ class Coverage {
 
  private:
   static constexpr std::size_t kNone = ~std::size_t{0};
-  /// Sides of a stroke.
+  /// Indices of the sides of a stroke.
   static constexpr std::size_t kPlus = 0, kMinus = 1, kSides = 2;
 
   /// An area that lies beside the stroke.

@@ -1,5 +1,5 @@
 #pragma once
-/// Areas that hide what was painted before them. Private to plotting.
+/// Areas that hide the lines painted before them. Private to plotting.
 
 #include <cstdint>
 #include <memory>

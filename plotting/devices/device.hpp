@@ -15,7 +15,7 @@ namespace ligne {
 enum class DeviceLanguage { hpgl, gcode, svg };
 inline constexpr std::string_view kDeviceLanguageNames[] = {"hpgl", "gcode", "svg"};
 
-/// A sheet as it lies on a device, x to the right and y away from it as the device counts them.
+/// A sheet as it lies on a device: its width along the device's x axis, its height along the y axis.
 struct DevicePaper {
   std::string name;
   double width_mm = 0, height_mm = 0;

@@ -47,7 +47,7 @@ struct PenTable {
   std::map<unsigned, Pen> pens;
   std::map<std::string, unsigned, std::less<>> pen_of_layer;
   std::map<std::string, unsigned, std::less<>> pen_of_material;
-  std::vector<std::pair<std::string, unsigned>> pen_of_object;  ///< by patterns of names; the last that fits applies
+  std::vector<std::pair<std::string, unsigned>> pen_of_object;  ///< by patterns of names; the last match applies
   std::map<unsigned, unsigned> pen_of_shade;                    ///< of hatching, by darkness; 1 is the darkest
   unsigned rest = 1;
   bool names_rest = false;  ///< the user set `rest`: numbers in layer names are then ignored
@@ -64,7 +64,7 @@ struct PenTable {
   Pen pen(unsigned number) const;
 };
 
-/// Parses a colour: "#rgb", "#rrggbb" or one of the sixteen names of CSS 1. Throws std::invalid_argument.
+/// Parses a colour: "#rgb", "#rrggbb" or a name of CSS in lower case. Throws std::invalid_argument.
 std::array<double, 3> parse_color(std::string_view text);
 /// The code of a colour, "#rrggbb".
 std::string color_code(const std::array<double, 3>& color);

@@ -7,7 +7,7 @@ namespace ligne {
 
 struct SimplexGlyph {
   char32_t code;
-  short width;           ///< tenths of a Hershey unit, of which capitals have kSimplexCapital
+  short width;           ///< tenths of a Hershey unit
   short typeface_width;  ///< width in a sans serif typeface, thousandths of the height of its capitals
   /// Polylines "x y x y ...;x y ...": tenths of a Hershey unit from the left edge and the base line, y upwards.
   const char* lines;

@@ -97,7 +97,7 @@ class Hatcher {
 
   static constexpr std::int64_t kAll = -1;
   std::size_t index(std::int32_t line) const { return static_cast<std::size_t>(std::int64_t{line} - first_); }
-  /// The part of a line covered by surfaces of more rows than `rank`; kAll: by any.
+  /// The parts of a line covered by surfaces with more rows than `rank`; kAll: by any surface.
   Line covered(std::int64_t rank, std::int32_t line, std::optional<std::uint32_t> layer = {}) const;
   Line inside(std::int64_t rank, std::int32_t line) const;
   /// Whether the end of a stroke at `u` lies at the rim.

@@ -28,7 +28,7 @@ class HatchFrame {
 /// A part of a line on which a surface is seen. Line i lies at v = i x line_mm.
 struct SurfaceRun {
   std::int32_t line = 0;
-  double from = 0, to = 0;  ///< u
+  double from = 0, to = 0;  ///< u, mm
   std::uint32_t surface = 0;
 };
 

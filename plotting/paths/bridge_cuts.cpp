@@ -39,7 +39,7 @@ class GapFinder {
   }
 
   std::span<const Stroke> whole_, left_;
-  std::size_t at_ = 0;  ///< in left_
+  std::size_t at_ = 0;  ///< next stroke in left_
 };
 
 /// Finds the gaps of one line, whose segments are [first, last). A gap across the first point of a closed line is one

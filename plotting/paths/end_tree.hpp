@@ -22,13 +22,13 @@ class EndTree {
 
   explicit EndTree(std::span<const Point2> points);
 
-  /// A point is removed once.
+  /// Removes a point, which must not have been removed before.
   void remove(std::uint32_t point);
 
-  /// The nearest of the points that are left; kNone when there is none.
+  /// The nearest of the remaining points; kNone if there is none.
   std::uint32_t nearest(Point2 p) const;
 
-  /// The `count` nearest to p of the points that are left, by distance and number, into `found`.
+  /// Finds the `count` remaining points nearest to p, sorted by distance and index.
   void nearest(Point2 p, std::size_t count, std::vector<Neighbour>& found) const;
 
  private:

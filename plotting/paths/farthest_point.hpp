@@ -18,8 +18,8 @@ namespace ligne {
 /// A block between the perpendiculars through the segment's ends needs only its farthest points along the normal. The
 /// search descends into another block only while it may hold a farther point.
 ///
-/// O(n log n) to build for n points. A question takes O(log^2 n) while few blocks reach beyond the ends of the segment, and
-/// O(n) at worst.
+/// Building takes O(n log n) for n points. A query takes O(log^2 n) while few blocks reach beyond the ends of the
+/// segment, and O(n) at worst.
 class FarthestPoint {
  public:
   explicit FarthestPoint(std::span<const Point2> points);

@@ -110,8 +110,8 @@ class CurveFit {
   std::size_t first_run_end() const { return first_end_; }
 
  private:
-  /// The last corner up to `end` of the longest run from `first` that is accepted, among runs of at least `least` corners;
-  /// `first` when the shortest is not.
+  /// Finds the longest accepted run of at least `least` corners from `first` to at most `end`. Returns its last corner,
+  /// or `first` if the shortest of these runs is not accepted.
   std::size_t longest(std::size_t first, std::size_t end, std::size_t least, FunctionRef<bool(std::size_t)> accepted) const {
     std::size_t good = first, bad = end + 1;
     for (std::size_t count = least; first + count - 1 < bad; count *= 2) {

@@ -31,7 +31,7 @@ struct PathLengths {
 /// end.
 PathLengths measure(const Polylines& lines, Point2 home, bool returns);
 
-/// Speeds of a plotter. The defaults hold if no device is named: those of a small plotter with a servo. Adjustable.
+/// Speeds of a plotter. The defaults are for a small plotter with a servo, and hold if no device is named. Adjustable.
 struct PathPace {
   /// Speeds of the lowered and of the raised pen; time to lift the pen and to lower it again.
   double down_mm_s = 40, up_mm_s = 80, lift_s = 0.25;

@@ -80,7 +80,7 @@ Tour Strokes::nearest_neighbours() {
   return tour;
 }
 
-/// The order of the drawing, every loop from its first point.
+/// The tour in the order of the drawing, with every loop entered at its first point.
 Tour Strokes::as_given() {
   std::fill(start_.begin(), start_.end(), 0);
   Tour tour;

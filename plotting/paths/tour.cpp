@@ -1,4 +1,4 @@
-/// 2-opt and or-opt over lists of near ends.
+/// Improves tours by 2-opt and or-opt over lists of near ends.
 ///
 /// A gap joins the exit of one stroke to the entry of the next. Take an end p with its gap partner p', and a near end c
 /// of the same kind (both exits or both entries) with its partner c'. 2-opt reverses the strokes between the gaps: p p'

@@ -18,7 +18,7 @@
 
 namespace ligne {
 
-/// A visible part of a face as a ligne-drawing keeps it.
+/// A visible part of a face, as stored in a ligne-drawing.
 struct ReadRegion {
   std::vector<std::vector<Point2>> contours;  ///< page mm
   std::uint32_t patch = 0;                    ///< regions of one patch are hatched as one area
@@ -27,13 +27,13 @@ struct ReadRegion {
   std::string material;  ///< its name, or empty
 };
 
-/// The order of painting that a ligne-drawing keeps, and its strokes on their lattice.
+/// The order of painting stored in a ligne-drawing, and its strokes on their lattice.
 struct ReadOrder {
   struct Piece {
     std::uint32_t face = 0, material = 0;  ///< `material` is an index into `materials`
     double light = 1;                      ///< 0 dark to 1
   };
-  PaintOrder order;           ///< without the pieces that the file says are hidden
+  PaintOrder order;           ///< without the pieces that the file marks as hidden
   std::vector<Piece> pieces;  ///< per piece of the order
   bool tells_hidden = false;  ///< whether the file marks any piece as hidden
   std::vector<DocumentMaterial> materials;
@@ -60,8 +60,9 @@ struct ReadDrawing {
 /// Largest distance of a coordinate from the corner of the page, mm.
 inline constexpr double kFarthestMm = 1e6;
 
-/// A ligne-drawing (docs/drawing-format.md): strokes become lines of two points in layers by class. Throws
-/// InputError, "FILE: what is wrong and where". `with_order`: also the order of painting, which the file must have.
+/// Reads a ligne-drawing (docs/drawing-format.md): strokes become lines of two points in layers by class. Throws
+/// InputError, "FILE: what is wrong and where". `with_order`: also reads the order of painting, which the file must
+/// have.
 ReadDrawing read_json_drawing(std::string_view json, const std::string& file, bool with_order = false);
 
 /// How areas are filled with strokes.
@@ -81,13 +82,13 @@ struct FillHatches {
   FillHatch of(std::string_view layer, std::string_view color) const;
 };
 
-/// The treatment of filled areas of an SVG. White ones are paper: they are not drawn, and hide what lies under them.
+/// The treatment of filled areas of an SVG. White areas are paper: they are not drawn, and hide the lines under them.
 struct FillReading {
   enum class How { refuse, outline, hatch };
   How how = How::outline;      ///< outline: only contours; hatch: contours, and strokes inside; refuse: an error
   double pen_width_mm = 0.35;  ///< width of the pen that hatches
-  bool occlude = false;        ///< opaque areas of every colour hide what lies under them
-  bool own_layer = false;      ///< areas hide only what is in their layer
+  bool occlude = false;        ///< opaque areas of every colour hide the lines under them
+  bool own_layer = false;      ///< areas hide only lines of their own layer
   FillHatches hatches{};
 };
 inline constexpr std::string_view kFillReadingNames[] = {"refuse", "outline", "hatch"};

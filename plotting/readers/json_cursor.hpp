@@ -38,7 +38,7 @@ class JsonCursor {
     return at_ == text_.size();
   }
 
-  /// The characters between the quotes of a string, with its escapes as they stand.
+  /// The characters between the quotes of a string, without resolving its escapes.
   std::string_view string();
   double number();
   /// Skips a value of any kind and returns its text. Brackets need not match their kinds.

@@ -1,4 +1,4 @@
-/// Markers: drawings at the vertices of paths.
+/// Draws markers at the vertices of paths.
 
 #include <cmath>
 #include <numbers>

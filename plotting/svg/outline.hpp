@@ -43,12 +43,12 @@ class Outline {
   void line_to(Point2 p);
   void quadratic_to(Point2 control, Point2 p);
   void cubic_to(Point2 control1, Point2 control2, Point2 p);
-  /// An arc as the path data of SVG give it (SVG 1.1, F.6).
+  /// Adds an arc by the parameters of SVG's path data (SVG 1.1, F.6).
   void arc_to(double rx, double ry, double rotation_degrees, bool large, bool sweep, Point2 p);
   /// Adds an arc of an ellipse about a centre, from the angle `from` over `sweep` radians. It begins at the current
   /// point.
   void arc(Point2 center, double rx, double ry, double rotation, double from, double sweep);
-  /// A whole ellipse; its vertices are at the ends of its axes (SVG 2, 10.3).
+  /// Adds a whole ellipse; its vertices are at the ends of its axes (SVG 2, 10.3).
   void ellipse(Point2 center, double rx, double ry);
   void close();
   void end();

@@ -13,8 +13,8 @@
 namespace ligne::svg {
 namespace {
 
-/// The radii of a rectangle's corners or of an ellipse: one that is lacking, "auto" or negative is as long as the other one
-/// (SVG 2, 7.4).
+/// The radii of a rectangle's corners or of an ellipse. A radius that is missing, "auto" or negative equals the other
+/// one (SVG 2, 7.4).
 std::pair<double, double> radii(const pugi::xml_node& node, const Attributes& attributes) {
   const double rx = attributes.x(node, "rx"), ry = attributes.y(node, "ry");
   const bool has_rx = Attributes::has(node, "rx") && rx >= 0, has_ry = Attributes::has(node, "ry") && ry >= 0;

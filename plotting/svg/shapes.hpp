@@ -30,7 +30,7 @@ class Attributes {
   /// Whether the attribute exists and is not "auto".
   static bool has(const pugi::xml_node& node, const char* name);
 
-  /// "x y width height"; nothing where there is none.
+  /// The viewBox, "x y width height"; nothing if there is none.
   std::optional<std::array<double, 4>> view_box(const pugi::xml_node& node) const;
 
   const Complaints& complaints() const { return complaints_; }

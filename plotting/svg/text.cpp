@@ -26,7 +26,7 @@ struct Character {
 
 bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
 
-/// "12 3em 4%": lengths of a list.
+/// The lengths of a list such as "12 3em 4%".
 std::vector<double> lengths(std::string_view list, const Viewport& port, double whole) {
   std::vector<double> values;
   while (!list.empty()) {

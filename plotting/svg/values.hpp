@@ -1,7 +1,7 @@
 #pragma once
 /// The values of SVG attributes: numbers, lengths, transforms. Private to plotting.
 ///
-/// Every reader throws std::invalid_argument with a phrase when the text has no meaning.
+/// Every reader throws std::invalid_argument with a phrase if the text is invalid.
 
 #include <cmath>
 #include <numbers>
@@ -26,7 +26,7 @@ struct Matrix {
   double stretch() const;
   /// Factor by which the width of a line grows, as a mean over all directions.
   double mean_stretch() const;
-  /// Turns and scales alike in all directions, without a mirror.
+  /// Whether it turns and scales equally in all directions, without a mirror.
   bool is_similarity() const;
   bool finite() const;
   /// Nothing if the matrix flattens, or if its inverse overflows.
@@ -44,7 +44,7 @@ class Scanner {
   bool done();
   char peek() const { return text_.empty() ? '\0' : text_.front(); }
   char take();
-  /// A number in the grammar of SVG: "1.5.5" are two, "1-2" too.
+  /// A number in the grammar of SVG: "1.5.5" and "1-2" are two numbers each.
   double number();
   bool at_number() const;
   /// A single 0 or 1, which need no separator.
@@ -66,7 +66,7 @@ std::string_view trimmed(std::string_view text);
 /// All numbers of a list with blanks or commas.
 std::vector<double> numbers(std::string_view text);
 
-/// Lengths to which relative ones refer, in user units.
+/// Lengths to which relative lengths refer, in user units.
 struct Viewport {
   double width = 0, height = 0;            ///< lengths of 100%
   double em = 16, rem = 16;                ///< sizes of the fonts of the element and of the root
@@ -83,7 +83,7 @@ double length_px(std::string_view text, const Viewport& port, double whole);
 /// A list of transforms, as an attribute, or with a viewport as a property of CSS, whose numbers have units.
 Matrix transform(std::string_view text, const Viewport* port = nullptr);
 
-/// "90", "90deg", "1.5rad", "100grad", "0.25turn" in degrees; nothing for what is none of these.
+/// Degrees of an angle "90", "90deg", "1.5rad", "100grad" or "0.25turn"; nothing for any other text.
 std::optional<double> angle_degrees(std::string_view text);
 
 /// The point about which a transform is taken: "left 10px", "50% 50%", "center". Percentages refer to a box, given as a

@@ -184,7 +184,7 @@ void append_exact_contour(std::string& out, const std::vector<Point2>& contour) 
   append_list(out, contour, [&](Point2 p) { append_numbers(out, std::array{p.x, p.y}); });
 }
 
-/// A face and an area of it.
+/// Appends a face and one of its areas.
 void append_area(std::string& out, std::uint32_t face, std::span<const std::vector<Point2>> contours,
                  void (*append)(std::string&, const std::vector<Point2>&)) {
   out += "\"face\":";

@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers as text, fast and the same on every machine.
+/// Writes numbers as text, fast and the same on every machine.
 
 #include <cstdint>
 #include <string>

@@ -67,7 +67,7 @@ class PdfDocument {
  public:
   PdfDocument();
   ~PdfDocument();
-  /// Adds a page. The title of the first page becomes that of the document.
+  /// Adds a page. The title of the first page becomes the title of the document.
   void add_page(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);
   /// Returns the bytes of the document. No page can be added afterwards.
   std::string finish();
@@ -139,7 +139,7 @@ struct DrawingDocument {
   std::vector<std::vector<std::uint32_t>> seen_through{};
   const PaintOrder* order = nullptr;
   std::vector<PieceAppearance> piece_looks{};  ///< per piece of the order, or empty
-  std::vector<DocumentMaterial> materials{};   ///< that the pieces name
+  std::vector<DocumentMaterial> materials{};   ///< materials that the pieces name
   const SpanModel* spans = nullptr;
   const ScanPlane* plane = nullptr;
   const std::vector<std::vector<Point2>>* debug = nullptr;  ///< polylines (page mm) that show how the method worked

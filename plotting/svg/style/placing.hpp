@@ -13,8 +13,8 @@ struct Placing {
   std::optional<Matrix> translate{}, rotate{}, scale{}, transform{};
 };
 
-/// "translate: 3px 4px", "rotate: 30deg", "scale: 2"; throws std::invalid_argument for others, and where they leave the
-/// plane.
+/// Sets one of "translate: 3px 4px", "rotate: 30deg" and "scale: 2". Throws std::invalid_argument for other values, and
+/// for transforms that leave the plane.
 void set_placing(Placing& placing, std::string_view name, std::string_view value, const Viewport& port);
 
 /// The product of all, which applies `transform` first; nothing if there is none.

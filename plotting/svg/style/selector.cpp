@@ -93,7 +93,7 @@ GroupTest group_test(std::string_view inside, int depth, std::uint32_t& weight) 
   return test;
 }
 
-/// ":first-child" and those like it, which are ":nth-child" of a place.
+/// Tests for ":first-child" and similar names, which are ":nth-child" of a fixed place.
 std::optional<std::vector<PlaceTest>> named_places(std::string_view name) {
   const bool of_type = name.ends_with("-of-type");
   const PlaceTest first{0, 1, false, of_type}, last{0, 1, true, of_type};

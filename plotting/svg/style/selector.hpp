@@ -1,5 +1,5 @@
 #pragma once
-/// Selectors of style sheets (Selectors 4): which elements a rule is about. Private to plotting.
+/// Selectors of style sheets (Selectors 4): the elements to which a rule applies. Private to plotting.
 
 #include <array>
 #include <cstddef>
@@ -27,7 +27,7 @@ struct AttributeTest {
   char how = '\0';  ///< the sign before "="; '=' if there is none; '\0' if any value fits
 };
 
-/// ":nth-child(an+b)" and those like it.
+/// ":nth-child(an+b)" and similar.
 struct PlaceTest {
   long step = 0, offset = 1;
   bool from_end = false, of_type = false;

@@ -16,7 +16,7 @@ constexpr std::size_t kDeclarationWork = 20;
 /// Deepest nesting of @media rules.
 constexpr int kDeepestRules = 8;
 
-/// Whether a list of media queries holds for paper: one of them is for all media or for print, and asks for nothing else.
+/// Whether a list of media queries holds for paper: one of them names all media or print, without further conditions.
 bool is_for_print(std::string_view media) {
   if (trimmed(media).empty()) return true;
   while (!media.empty()) {

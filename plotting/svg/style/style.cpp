@@ -263,7 +263,7 @@ class StyleReader {
     style_.dashes = sum > 0 ? std::move(dashes) : std::vector<double>();
   }
   void set_font_size(std::string_view value) {
-    // CSS Fonts 3, in px.
+    // Sizes of CSS Fonts 3, px.
     constexpr std::pair<std::string_view, double> kSizes[] = {
         {"xx-small", 9}, {"x-small", 10}, {"small", 13}, {"medium", 16}, {"large", 18}, {"x-large", 24}, {"xx-large", 32}};
     constexpr double kLarger = 1.2;
@@ -279,7 +279,7 @@ class StyleReader {
     }
   }
 
-  /// "italic 10px serif": the size is the first word that begins with a number, up to a slash.
+  /// Reads "italic 10px serif": the size is the first word that begins with a number, up to a slash.
   void set_font(std::string_view value) {
     while (!value.empty()) {
       value = trimmed(value);
