@@ -11,8 +11,8 @@
 
 namespace ligne {
 
-/// Largest distance of the points of a line from the curve written for them, mm. A tenth of the width of the thinnest
-/// pen is visible; this is a twenty-fifth of that width. Adjustable.
+/// Largest distance of the points of a line from the curve written for them, mm. A deviation of a tenth of a pen is
+/// visible; this is a fiftieth of a pen of 0.25 mm. Adjustable.
 inline constexpr double kCurveToleranceMm = 0.005;
 
 struct CurveLimits {
