@@ -15,22 +15,24 @@
 namespace ligne {
 namespace {
 
-/// A line that turns by less, in radians, runs straight on: float32 coordinates turn short edges by about this much.
+/// Smallest turn of a polyline that counts as a corner, in radians. Rounding to float32 turns short edges by about this
+/// much.
 constexpr double kStraightTurn = 5e-3;
 
-/// Adjustable: a mesh is coarse where its contours lie so many widths of the pen beside it; where they have no more than so
-/// many nodes, already where its sag is that large.
+/// Adjustable. Mean distance of the contours from the mesh above which the mesh is coarse, in pen widths. In groups of
+/// at most kFewNodes nodes, the mean sag is compared instead.
 constexpr double kCoarseInPens = 2;
 constexpr std::size_t kFewNodes = 8;
-/// Adjustable: contours of which a larger share strays from the outline of the mesh are those of another shape.
+/// Adjustable. Largest fraction of the contours' length that may stray from the outline of the mesh. With more, the
+/// contours belong to another shape.
 constexpr double kMostAstray = 0.25;
 
-/// A group of lines that hang together.
+/// A connected group of contours and outline edges, by their indices.
 struct Group {
   std::vector<std::uint32_t> chains, sides;
 };
 
-/// The places at which a polyline turns.
+/// Counts the corners of a polyline.
 std::size_t turns(const std::vector<Point2>& line) {
   std::size_t count = 0;
   Point2 last{0, 0};
@@ -81,7 +83,7 @@ class Chooser {
     return groups;
   }
 
-  /// The mesh's outline is a simple path from end to end of the only contour, straight or with one corner.
+  /// Whether the mesh's outline is a simple path between the ends of the group's only contour, with at most one corner.
   bool outline_is_clean(const Group& group) const {
     if (group.chains.size() != 1 || group.sides.empty()) return false;
     const ContourChain& chain = chains_[group.chains[0]];
@@ -98,7 +100,7 @@ class Chooser {
     return {scene_, view_, patch_, chains, sides, pen_width_mm};
   }
 
-  /// A triangle at the group's edges is seen edge on, and its neighbours are not all round a contour.
+  /// Whether a triangle at the group's edges is seen edge on. Groups whose contours are all closed are excepted.
   bool stands_edge_on(const Group& group) const {
     const bool closed = !group.chains.empty() && std::all_of(group.chains.begin(), group.chains.end(),
                                                              [&](std::uint32_t c) { return chains_[c].closed; });
@@ -111,7 +113,7 @@ class Chooser {
  private:
   std::uint32_t vertex(std::uint32_t corner) const { return patch_.triangles[corner / 3].v[corner % 3]; }
 
-  /// The edges of the group as one path between two vertices; empty when they are not.
+  /// The edges of the group as one path between two vertices; empty if they do not form one.
   std::vector<Point2> simple_path(const Group& group, std::uint32_t from, std::uint32_t to) const {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> arms;  // each edge from both of its ends
     for (const std::uint32_t i : group.sides) {
@@ -149,7 +151,7 @@ class Chooser {
 
 std::vector<OutlineSide> outline_sides(const Topology& topology, const SmoothPatch& patch,
                                        std::span<const std::uint32_t> outline_edges) {
-  // Where the edges from each vertex to higher ones begin.
+  // Per vertex: index of the first edge that has it as its lower vertex.
   std::vector<std::uint32_t> begin;
   for (std::uint32_t i = 0; i < outline_edges.size(); ++i) {
     begin.resize(std::max<std::size_t>(begin.size(), topology.edges[outline_edges[i]].v0 + 1), i);

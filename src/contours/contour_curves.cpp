@@ -15,10 +15,10 @@
 namespace ligne {
 namespace {
 
-/// A chord and the tangent at one of its ends differ by less than the angle of this cosine (40 degrees); where they do not,
-/// as near a cusp, the chord is drawn.
+/// Least absolute cosine between a chord and the tangent at one of its ends (40 degrees). At a larger angle, as near a
+/// cusp, the curve takes the direction of the chord.
 constexpr double kLeastTangentCosine = 0.766;
-/// A piece is cut into so many at the most.
+/// Largest number of straight pieces between two nodes of a curve.
 constexpr int kMostPieces = 16;
 
 struct Place {
@@ -31,14 +31,14 @@ Place place_of(const View& view, const Point3& p) {
   return {{h.x / h.w, h.y / h.w}, h.z / h.w, h.w};
 }
 
-/// The direction of the chord, or of the tangent where that is near it.
+/// The tangent, directed like the chord; the chord itself if the angle between them is too large (kLeastTangentCosine).
 Point2 direction(Point2 chord, Point2 tangent) {
   const double cosine = glm::dot(chord, tangent);
   if (std::abs(cosine) < kLeastTangentCosine) return chord;
   return cosine < 0 ? -tangent : tangent;
 }
 
-/// Highest distance of the cubic from its chord of length 1, from above: t (1 - t)^2 is 4/27 at the most.
+/// Upper bound of the distance between the cubic and its chord of length 1: t (1 - t)^2 is at most 4/27.
 double rise(Point2 turn0, Point2 turn1) { return (glm::length(turn0) + glm::length(turn1)) * (4.0 / 27); }
 
 CurvePoint between(const CurvePoint& a, const CurvePoint& b, double t) {
@@ -90,7 +90,7 @@ void unfold(std::vector<CurvePoint>& line, double longest_mm) {
 
 namespace {
 
-/// Pieces of a Bezier curve on the page that are straight to `flatness_mm`.
+/// Number of pieces of a Bezier curve that each deviate from a straight line on the page by at most `flatness_mm`.
 int pieces_of(const View& view, const ContourCubic& cubic, double flatness_mm) {
   std::array<Point2, 4> p;
   for (std::size_t i = 0; i < 4; ++i) p[i] = place_of(view, cubic.controls[i]).mm;
@@ -98,7 +98,7 @@ int pieces_of(const View& view, const ContourCubic& cubic, double flatness_mm) {
   return std::clamp(static_cast<int>(std::ceil(std::sqrt(bend / (8 * flatness_mm)))), 1, kMostPieces);
 }
 
-/// Highest distance on the page of a Bezier curve from the chord of its ends, from above.
+/// Upper bound of the distance on the page between a Bezier curve and the chord of its ends.
 double rise_of(const View& view, const ContourCubic& cubic) {
   std::array<Point2, 4> p;
   for (std::size_t i = 0; i < 4; ++i) p[i] = place_of(view, cubic.controls[i]).mm;
@@ -108,16 +108,16 @@ double rise_of(const View& view, const ContourCubic& cubic) {
   return 0.75 * std::max(away(p[1]), away(p[2]));
 }
 
-/// Places that a curve goes through, with its tangents there, unit vectors or zero.
+/// The places that a curve passes, and its tangents there: unit vectors, or zero if unknown.
 struct Waypoints {
   const std::vector<Place>& places;
   const std::vector<Point2>& tangents;
   bool closed;  ///< the last place is the first
 };
 
-/// The curve through places, in pieces that are straight to `flatness_mm`.
-/// `cubic_of(i)`: the curve in space from place i to the next, where that is known. `most_of(i)`: largest distance on the
-/// page between the curve and its chord there, mm.
+/// Makes the curve through the places, as segments that deviate from it by at most `flatness_mm`. `cubic_of(i)`: the
+/// curve in space from place i to the next, if it is known. `most_of(i)`: largest distance on the page that this part
+/// of the curve may have from its chord, mm.
 template <class CubicOf, class MostOf>
 ContourCurve curve_through(const View& view, const Waypoints& along, double flatness_mm, CubicOf cubic_of, MostOf most_of) {
   const auto& [places, tangents, closed] = along;
@@ -143,7 +143,7 @@ ContourCurve curve_through(const View& view, const Waypoints& along, double flat
     const Point2 d = b.mm - a.mm;
     const double length = glm::length(d);
     int pieces = 1;
-    Point2 turn0{0, 0}, turn1{0, 0};  // end directions less that of the chord
+    Point2 turn0{0, 0}, turn1{0, 0};  // end directions minus the direction of the chord
     if (length > 0) {
       const Point2 chord = d / length;
       turn0 = direction(chord, tangents[i]) - chord;

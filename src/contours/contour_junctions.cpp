@@ -10,17 +10,17 @@ namespace ligne {
 namespace {
 
 constexpr double kCellMm = 2;
-/// Adjustable: visible ends are moved back by so many times the reach, where they are no farther beside the line that hides
-/// them.
+/// Adjustable. Longest move that shortens a visible part, in reaches. If it is longer than one reach, the end must lie
+/// within one reach beside the line that hides it.
 constexpr double kMostOblique = 4;
-/// Segments of a chain over which the length of those of its mesh is averaged, before and behind a place.
+/// Number of segments before and behind a place over which the length of the chain's segments is averaged.
 constexpr int kSizeWindow = 3;
 
-/// Segments are listed in pieces of at most so many cells.
+/// Length of the pieces in which SegmentFinder lists a segment, in sides of a grid cell.
 constexpr double kPieceInCells = 4;
 
-/// Cuts the parameters [begin, end] of a segment down to what lies in the box (Liang and Barsky). False where nothing does,
-/// or a coordinate is not finite.
+/// Narrows the parameters [begin, end] of a segment to its part inside the box (Liang and Barsky). Returns false if no
+/// part is inside, or if a coordinate is not finite.
 bool clip_to_box(Point2 from, Point2 to, Point2 low, Point2 high, double& begin, double& end) {
   for (int axis = 0; axis < 2; ++axis) {
     const double d = to[axis] - from[axis];
@@ -42,7 +42,7 @@ bool may_hide(const Stroke& s) {
           s.line_class == LineClass::intersection);
 }
 
-/// How far along the curve an end at `at` may be moved.
+/// Largest distance by which an end at `at` may be moved along the curve, mm.
 double reach_at(const ContourCurve& curve, double at, double reach_mm) {
   const double from = std::max(0.0, at - kSizeWindow), to = std::min(curve.points.back().at, at + kSizeWindow);
   const double length = curve.point_at(to).length - curve.point_at(from).length;
@@ -65,11 +65,12 @@ void for_visible_pieces(const SeenContour& contour, std::uint32_t c, Visit visit
 /// A change of state within a curve, and the part of the curve to which it may be moved.
 struct Change {
   std::uint32_t contour;
-  std::size_t run;  ///< that ends there
+  std::size_t run;  ///< index of the run that ends there
   double length, reach;
-  double from, to;  ///< lengths
+  double from, to;  ///< arc lengths
 
-  /// A crossing there may be what ends the visible run: within reach along the curve, or beside the line that crosses.
+  /// Whether a crossing at the arc length `at` may be the true end of the run: it lies within reach along the curve, or
+  /// the present end lies within reach beside the crossing line.
   bool may_move_to(double at, const Point2& direction, const OutlineSegment& line) const {
     const double shift = std::abs(at - length);
     if (shift <= reach) return true;
@@ -94,7 +95,7 @@ std::vector<Change> changes_of(const std::vector<SeenContour>& contours, double 
   return changes;
 }
 
-/// The nearest place along the curve at which a line in front crosses it.
+/// Arc length of the crossing with a line in front that is nearest to the change.
 std::optional<double> nearest_crossing(const Change& change, const ContourCurve& curve, const SegmentFinder& finder) {
   std::optional<double> best;
   const std::vector<CurvePoint> points =
@@ -102,7 +103,7 @@ std::optional<double> nearest_crossing(const Change& change, const ContourCurve&
   for (std::size_t i = 1; i < points.size(); ++i) {
     const CurvePoint &a = points[i - 1], &b = points[i];
     finder.near(a.mm, b.mm, [&](const OutlineSegment& s) {
-      // The curve lies on itself where it is searched, and does not hide itself there.
+      // The finder also returns the searched part of the curve, which does not hide itself.
       if (s.chain == change.contour && s.length_to > change.from - change.reach &&
           s.length_from < change.to + change.reach) {
         return;
@@ -118,7 +119,8 @@ std::optional<double> nearest_crossing(const Change& change, const ContourCurve&
   return best;
 }
 
-/// Most of the run lies on the other side than what is before it: it is the hidden part between two cusps.
+/// Whether the sights of at least half of the run lie on the other side than the sight before it. Such a run is the
+/// hidden part between two cusps.
 bool is_beyond_cusp(const SeenContour& contour, const ContourRun& run) {
   const std::vector<int>& sides = contour.sides;
   const auto before = static_cast<std::size_t>(std::max(run.from - 1, 0.0));
@@ -129,7 +131,7 @@ bool is_beyond_cusp(const SeenContour& contour, const ContourRun& run) {
   return 2 * turned >= last - first;
 }
 
-/// Closes the hidden runs between two changes that no crossing explains.
+/// Makes short hidden runs visible if no crossing explains either of their ends and they do not lie between two cusps.
 void close_gaps(const std::vector<Change>& changes, const std::vector<std::optional<double>>& moved,
                 std::vector<SeenContour>& contours) {
   for (std::size_t i = 1; i < changes.size(); ++i) {
@@ -165,7 +167,7 @@ void SegmentFinder::add(const OutlineSegment& segment) {
   if (!clip_to_box(segment.from, segment.to, low_ - margin, high_ + margin, begin, end)) return;
   const Point2 d = segment.to - segment.from;
   const auto at = [&](double t) { return segment.from + t * d; };
-  // In pieces: the rectangle round a long slanted segment has far more cells than the segment passes.
+  // Listed in pieces: the bounding box of a long slanted segment has far more cells than the segment passes.
   const auto pieces =
       static_cast<int>(std::ceil(std::max(1.0, (end - begin) * glm::length(d) / (kPieceInCells * cell_mm_))));
   const auto number = static_cast<std::uint32_t>(segments_.size());
@@ -225,7 +227,7 @@ void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel
 
 namespace {
 
-/// An end of a visible stroke, and the crossing to which it goes.
+/// An end of a visible stroke, and the crossing to which it moves.
 struct MovedEnd {
   std::size_t stroke;
   bool first;
@@ -233,9 +235,9 @@ struct MovedEnd {
   LatticePoint from, to;
 };
 
-/// Looks for the nearest contour in front that crosses the stroke near its end, or would if its source edge went on. A line
-/// that runs at an angle into the strip between the contour and the mesh ends farther behind the crossing than the strip is
-/// wide.
+/// Finds the nearest crossing with a contour in front near an end of a stroke, or beyond the end on its source edge. A
+/// line that runs obliquely into the strip between the contour and the mesh ends farther behind the crossing than the
+/// strip is wide.
 std::optional<MovedEnd> moved_end(const StrokeModel& model, std::size_t i, bool first, const SegmentFinder& finder,
                                   double reach_mm) {
   const Stroke& s = model.strokes[i];
@@ -295,7 +297,7 @@ void move_ends_of_strokes(StrokeModel& others, const std::vector<SeenContour>& c
       if (const auto end = moved_end(others, i, first, finder, reach_mm)) moved.push_back(*end);
     }
   }
-  // An end at which another stroke goes on stays.
+  // An end at which another stroke continues stays in place.
   std::vector<LatticePoint> places;
   places.reserve(moved.size());
   for (const MovedEnd& m : moved) places.push_back(m.from);

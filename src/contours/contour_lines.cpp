@@ -18,18 +18,18 @@ namespace ligne {
 namespace {
 
 constexpr std::size_t kChainsPerTask = 8;
-/// The lines that are studied lie so many steps of the lattice beyond the mesh: more than two roundings, and the depth
-/// tolerance of a facet, move it by.
+/// Distance of sights and probes beyond the mesh, in lattice steps. It exceeds two roundings plus the depth tolerance
+/// of a facet.
 constexpr double kSlackSteps = 8;
 
 bool has_lines_of_its_own(const Scene& scene) {
   constexpr unsigned kLines = kCornerCurve | kCornerCrossing | kCornerContour;
-  // All are looked at: many at once, without a question after each.
+  // There is no early exit, so that the loop can be vectorized.
   const auto all = std::accumulate(scene.corner_flags.begin(), scene.corner_flags.end(), std::uint8_t{0}, std::bit_or<>{});
   return (all & kLines) != 0;
 }
 
-/// Takes the outlines with these sources out, which are edges of the topology.
+/// Removes the outlines with these sources, which are edges of the topology, from the candidates.
 void remove_outlines(ProjectedScene& projected, const Topology& topology, const std::vector<std::uint32_t>& sources) {
   std::vector<std::uint8_t> is_removed(topology.edges.size(), 0);
   for (const std::uint32_t e : sources) is_removed[e] = 1;
@@ -45,12 +45,12 @@ void remove_outlines(ProjectedScene& projected, const Topology& topology, const 
   if (!projected.edge_parts.empty()) projected.edge_parts.resize(kept);
 }
 
-/// Diagonals of the boxes round the objects that faces belong to.
+/// Diagonals of the bounding boxes of objects, by a face of the object.
 class ObjectSizes {
  public:
   explicit ObjectSizes(const Scene& scene) : scene_(scene), sizes_(scene.objects.size(), -1) {}
 
-  /// To be called for a face of each object that is asked about.
+  /// Measures the object of a face. Must precede any query for that object.
   void measure(std::uint32_t face) {
     const std::size_t number = object_of(face);
     if (sizes_[number] >= 0) return;
@@ -145,7 +145,7 @@ OutlineReplacement replacement_of(const Scene& scene, const Topology& topology, 
       const std::uint32_t side = sides[choice.sides[k]].side;
       const Edge& edge = topology.edges[sides[choice.sides[k]].edge];
       const auto end = [&](std::uint32_t corner) { return scene.vertices[patch.triangles[corner / 3].v[corner % 3]]; };
-      // In the direction of the probe, so that both have the same parameters.
+      // The edge gets the direction of its probe, so that both have the same parameters.
       contours.replaced[k] = {{end(side), end(next_corner(side))}, {edge.face0, edge.face1}, false};
       contours.replaced_size_mm[k] = size_on_page(scene, view, patch, side);
       contours.bulges[k] = bulges(scene, patch, side);

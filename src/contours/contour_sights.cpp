@@ -12,11 +12,13 @@ namespace ligne {
 namespace {
 
 // Adjustable parameters.
-/// Slopes are averaged over so many segments before and behind: single triangles of a noisy mesh do not make a cusp.
+/// Number of segments before and behind over which slopes are averaged, so that single triangles of a noisy mesh make
+/// no cusp.
 constexpr std::size_t kSlopeWindow = 3;
-/// Edges of the outline are followed so far from a segment's own triangles, in edges.
+/// Number of edges by which a search follows the outline away from the triangles at a segment.
 constexpr int kOutlineSteps = 3;
-/// A normal that should lie across the sight does so at least to this share; otherwise it has gone astray.
+/// Least cosine on the page between a normal and the direction across its segment. Below it the normal is wrong, or a
+/// cusp is near.
 constexpr double kLeastAcross = 0.5;
 
 class Sights {
@@ -81,7 +83,7 @@ class Sights {
     return side;
   }
 
-  /// Averages change a few segments beside the cusp that a fitted surface has.
+  /// Moves changes of side to a cusp of the fitted surface nearby: averages change a few segments beside it.
   void move_to_cusps(std::vector<int>& side) const {
     const std::size_t n = side.size();
     const std::vector<int> averaged = side;
@@ -106,7 +108,7 @@ class Sights {
     const double size = glm::length(mean);
     if (!(size > 0)) return {a.on_mesh, b.on_mesh, side};
     const Protrusion beyond = protrusion(i, mean / size);
-    // Along its own normal, far enough across the segment.
+    // Moves a node along its own normal, far enough across the segment.
     const auto moved = [&](const ContourNode& node, Point2 on_page) {
       const double unit_mm = glm::length(page_direction(view_, node.on_mesh, view_.camera.right));
       const double across_mm = double(side) * glm::dot(on_page, beyond.across);
@@ -134,7 +136,7 @@ class Sights {
       along = {-out.y, out.x};
     }
     double highest = 0;
-    const auto rise = [&](Point2 p, Point2 q) {  // of the part of an edge that lies beside the segment
+    const auto rise = [&](Point2 p, Point2 q) {  // raises `highest` to the part of an edge beside the segment
       double sp = glm::dot(p - q0, along), sq = glm::dot(q - q0, along);
       double hp = glm::dot(p - q0, across), hq = glm::dot(q - q0, across);
       if (sp > sq) std::swap(sp, sq), std::swap(hp, hq);

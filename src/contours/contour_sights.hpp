@@ -1,5 +1,5 @@
 #pragma once
-/// The lines whose visibility is computed in place of that of a contour: its sights.
+/// Sights: the lines on which the visibility of a contour is computed.
 ///
 /// About half of a contour lies on back faces, or behind a bulge between two vertices. There the nearest triangles of
 /// the same surface hide it by a hair. On the page a fold lies entirely on one side of its contour. So the visibility

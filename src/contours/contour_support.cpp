@@ -15,21 +15,21 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: outlines are looked for so far from a contour, in widths of the pen, or twice the largest distance that is
-/// right.
+/// Adjustable. Radius of the search for outlines around a contour: the larger of kSearchInPens pen widths and
+/// kSearchTimes the largest permitted distance.
 constexpr double kSearchInPens = 6;
 constexpr double kSearchTimes = 2;
-/// Adjustable: on uneven triangles a surface lies farther from the mesh than their sag says, by up to this factor. Contours
-/// whose normals come from a fitted surface may do so; means of normals on coarse meshes go astray by as much.
+/// Adjustable. Factor by which the distance of a surface from uneven triangles may exceed their sag. It applies only to
+/// nodes with normals of a fitted surface: on coarse meshes, means of normals are wrong by as much.
 constexpr double kFittedSag = 1.6;
 constexpr double kSupportCellMm = 2;
-/// Where the sag on the page is larger, as beside the eye, nothing is said of contours, mm.
+/// Largest sag on the page at which a node is compared with the outline, mm. Larger ones occur close to the eye.
 constexpr double kLargestSagMm = 10;
 
-/// The parts of a chain between segments that are left out.
+/// The parts of a chain between the segments that are not kept.
 std::vector<ContourChain> parts_of(const ContourChain& chain, const std::vector<std::uint8_t>& keeps) {
   const std::size_t n = chain.size();
-  // A closed chain begins at a segment that is left out.
+  // A closed chain begins at a segment that is not kept.
   std::size_t first = 0;
   if (chain.closed) first = static_cast<std::size_t>(std::ranges::find(keeps, std::uint8_t{0}) - keeps.begin()) % n;
   std::vector<ContourChain> parts;
@@ -87,7 +87,7 @@ ContourSupport::ContourSupport(const Scene& scene, const View& view, const Smoot
   }
   const auto measure = [&](Place& place) {
     if (!place.counts) return;
-    // Most places have an outline as near as is right: the wide search is for the others.
+    // Most places have an outline within the permitted distance; the wide search is for the others.
     for (const double radius : {most_away(place), reach(place)}) {
       place.away = radius;
       finder.near(place.mm - Point2(radius), place.mm + Point2(radius), [&](const OutlineSegment& s) {

@@ -1,8 +1,8 @@
 #pragma once
 /// Keeps contours close to the outline of the mesh.
 ///
-/// The distance of the smooth surface from the mesh is at most the sag, so on the page its outline is no farther from
-/// that of the mesh. A contour that is farther away results from wrong normals.
+/// The distance between the smooth surface and the mesh is at most the sag, and so is the distance between their
+/// outlines on the page. A contour that is farther away results from wrong normals.
 
 #include <span>
 #include <vector>

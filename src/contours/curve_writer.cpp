@@ -70,7 +70,8 @@ void CurveWriter::add_stroke(LineClass line_class, const CurvePoint& from, const
   model_.strokes.push_back(s);
 }
 
-/// The faces before the line are those before the curve that takes its place.
+/// Gives a hidden stroke the count and the faces of the line that stood for it: the faces in front of the line hide the
+/// curve too.
 void CurveWriter::carry_count(Stroke& s, std::uint32_t line) {
   const HiddenPart* found = hidden_part_at(model_, line, (s.t_from + s.t_to) / 2);
   if (!found) return;

@@ -10,17 +10,17 @@
 namespace ligne {
 namespace {
 
-// Adjustable. Curvatures are those of the object made 1 large (shape_fields.hpp).
-/// A suggestive contour is strong where the radial curvature grows by so much.
+// Adjustable. Curvatures are multiplied by the size of the object (shape_fields.hpp).
+/// Derivative of the radial curvature towards the viewer at which a suggestive contour is strong.
 constexpr double kStrongGrowth = 25;
-/// A ridge or valley is strong where it is bent so much, and where the curvature falls so fast to both sides, as a part of
-/// itself.
+/// A ridge or valley is strong if its curvature reaches kStrongBend, and if the negative second derivative of the
+/// curvature across it, divided by the curvature, reaches kStrongFall.
 constexpr double kStrongBend = 12, kStrongFall = 60;
-/// A line goes on where it has this part of what makes it strong.
+/// Least strength at which a line continues; 1 is strong.
 constexpr double kWeak = 0.6;
-/// Strength is a mean over so many segments before and behind.
+/// Number of segments before and behind over which the strength is averaged.
 constexpr std::size_t kWindow = 4;
-/// Lines are at least so many widths of the pen long, of which so many are strong; shorter gaps are none.
+/// Least length of a line, least length of its strong parts, and least length of a gap that stays open, in pen widths.
 constexpr double kShortestInPens = 28, kStrongInPens = 10, kGapInPens = 10;
 
 /// A chain with its strength: 1 is strong.
@@ -52,8 +52,8 @@ void add_suggestive(const ShapeFields& fields, const Camera& camera, std::vector
   }
 }
 
-/// +1 where the side of the surface that counts is that of its normal, else -1; 0 where that is not certain. Of a closed
-/// body it is the outer one, of a sheet the one that is seen.
+/// +1 if the normal points to the relevant side of the surface, -1 if it points to the other, 0 if the nodes disagree.
+/// The relevant side of a closed body is the outer one, and of a sheet the visible one.
 int side_of(const ShapeFields& fields, const Camera& camera, const std::array<std::size_t, 3>& nodes) {
   if (const int outward = fields.outward[nodes[0]]; outward != 0) return outward;
   int sum = 0;
@@ -61,7 +61,7 @@ int side_of(const ShapeFields& fields, const Camera& camera, const std::array<st
   return sum == 3 ? 1 : sum == -3 ? -1 : 0;
 }
 
-/// How strong an extremum is over a triangle.
+/// Strength of an extremum over a triangle; 1 is strong.
 double strength_of(const ShapeFields& fields, const ExtremumField& field, std::uint32_t t) {
   const auto nodes = corners_of(fields.mesh, t);
   const double bend = mean_at(field.curvature, nodes);
@@ -93,7 +93,7 @@ void add_extrema(const ShapeFields& fields, const Camera& camera, LineClasses cl
   }
 }
 
-/// Means over the segments round each, by their lengths.
+/// Strength of each segment, averaged over its neighbours with their lengths as weights.
 std::vector<double> evened_strength(const RatedChain& line) {
   const std::size_t n = line.chain.size();
   std::vector<double> result(n);
@@ -119,7 +119,7 @@ std::vector<double> evened_strength(const RatedChain& line) {
   return result;
 }
 
-/// Cuts chains to what is drawn of them: hysteresis.
+/// Cuts chains to the parts that are drawn, by two thresholds (hysteresis).
 class Cutter {
  public:
   Cutter(const FormMesh& mesh, const View& view, double pen_mm) : mesh_(mesh), view_(view), pen_mm_(pen_mm) {}
@@ -135,7 +135,7 @@ class Cutter {
       weak_[i] = strength[i] >= kWeak && lengths_[i] >= 0;
       strong_[i] = strength[i] >= 1;
     }
-    // A closed chain is begun where it is not drawn.
+    // A closed chain starts at a segment that is not drawn.
     std::size_t start = 0;
     if (line.chain.closed) start = static_cast<std::size_t>(std::ranges::find(weak_, std::uint8_t{0}) - weak_.begin());
     if (start == n) return add(line, 0, n, lines);
@@ -149,7 +149,7 @@ class Cutter {
   }
 
  private:
-  /// Below zero where one end is not in view.
+  /// Length of a segment on the page, mm; negative if one end is not in view.
   double page_length(const Point3& a, const Point3& b) const {
     const HomogeneousPoint p = to_homogeneous(view_, a), q = to_homogeneous(view_, b);
     const double least = view_.camera.perspective ? view_.near_distance : 0;
@@ -177,7 +177,7 @@ class Cutter {
 
   void add(const RatedChain& line, std::size_t from, std::size_t to, std::vector<ShapeLine>& lines) const {
     const std::size_t n = line.chain.size();
-    if (to - from < n) {  // at its ends a line turns aside, and would have a hook
+    if (to - from < n) {  // weak ends are dropped: a line turns aside there, and would end in a hook
       while (from < to && line.strength[from % n] < kWeak) ++from;
       while (from < to && line.strength[(to - 1) % n] < kWeak) --to;
       if (from == to) return;

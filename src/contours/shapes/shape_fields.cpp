@@ -13,21 +13,22 @@ namespace ligne {
 namespace {
 
 // Adjustable.
-/// Curvature is evened out over this part of the object's size, but over no less than so many edges.
+/// Curvature is smoothed over this fraction of the object's size, but over at least kEvenedEdges median edge lengths.
 constexpr double kEvenedPart = 1.0 / 100, kEvenedEdges = 1.0;
-/// Normals are evened out before over this part of that length.
+/// Normals are smoothed first, over this fraction of that length.
 constexpr double kNormalPart = 0.5;
-/// Sine of the least angle between the sight and the normal: nearer to it the radial direction is none.
+/// Least sine of the angle between the view vector and the normal. At smaller angles the radial direction is too
+/// uncertain.
 constexpr double kLeastSine = 0.3;
 
-/// The facts known of an object at its nodes.
+/// The properties of an object that all its nodes share.
 struct ObjectShape {
-  double size = 0;    ///< diagonal of the box round it
-  double length = 0;  ///< over which its curvature is evened out
+  double size = 0;    ///< diagonal of its bounding box
+  double length = 0;  ///< length over which its curvature is smoothed
   int outward = 0;    ///< see ShapeFields
 };
 
-/// +1 or -1 for a closed body that is wound alike, by the sign of its volume; else 0.
+/// The sign of the volume of a closed and consistently wound body; 0 for other objects.
 int outward_of(const Scene& scene, const Topology& topology, const Object& object) {
   const auto first = std::ranges::lower_bound(topology.edges, object.vertex_begin, {}, &Edge::v0);
   for (auto edge = first; edge != topology.edges.end() && edge->v0 < object.vertex_end; ++edge) {
@@ -122,7 +123,7 @@ ShapeFields shape_fields(const Scene& scene, const Topology& topology, const Reg
   }
   fields.frames = tangent_frames(mesh);
   std::vector<FormLink> links = form_links(mesh, fields.frames);
-  // Each object over its own length.
+  // Each object is smoothed over its own length.
   for (FormLink& link : links) link.weight *= shapes[objects[link.i]].length * shapes[objects[link.i]].length;
   fields.normals = evened_normals(mesh, links, kNormalPart);
   const std::vector<SecondForm> forms = second_forms(mesh, fields.frames, fields.normals);
@@ -132,7 +133,7 @@ ShapeFields shape_fields(const Scene& scene, const Topology& topology, const Reg
     mean[n] = fields.size[n] * (e + g) / 2;
     difference[n] = fields.size[n] * Complex{(e - g) / 2, f};
   }
-  // Twice: once leaves a peak where a single node stands out.
+  // Smoothed twice: one pass leaves a peak where a single node stands out.
   for (int round = 0; round < 2; ++round) {
     mean = evened(mesh.areas, mean, links, 1, 0);
     difference = evened(mesh.areas, difference, links, 1, 2);

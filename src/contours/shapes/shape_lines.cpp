@@ -10,14 +10,14 @@ namespace ligne {
 namespace {
 
 // Adjustable.
-/// Visible parts of tangent lines are left out where they are shorter, in widths of the pen.
+/// Shortest visible part of a tangent line that is drawn, in pen widths.
 constexpr double kShortestTangentInPens = 3;
-/// Points of a line are moved towards their neighbours so many times: it was cut from triangles, and zigzags.
+/// Number of smoothing passes over the points of a line, which zigzags because it crosses triangles.
 constexpr int kEvenings = 8;
-/// Shorter changes of what is seen are none, and shorter visible parts are left out, in widths of the pen.
+/// Shortest run of one visibility that counts, and shortest visible part that is drawn, in pen widths.
 constexpr double kShortestChangeInPens = 2, kShortestSeenInPens = 14;
 
-/// The points, each moved to the mean of itself and its neighbours. The ends of an open line stay.
+/// The points, each repeatedly moved to a weighted mean of itself and its neighbours. The ends of an open line stay.
 std::vector<Point3> evened_points(const ShapeLine& line) {
   std::vector<Point3> points = line.points, before;
   const std::size_t n = points.size();
@@ -33,7 +33,7 @@ double length_of(const ContourRun& run, const ContourCurve& curve) {
   return curve.point_at(run.to).length - curve.point_at(run.from).length;
 }
 
-/// Hides visible runs that are too short to tell anything. Of a closed line the last run goes on in the first.
+/// Hides visible runs shorter than `shortest_mm`. In a closed line the last run continues in the first.
 void hide_short_runs(std::vector<ContourRun>& runs, const ContourCurve& curve, double shortest_mm) {
   const bool round = curve.closed && runs.size() > 1 && runs.front().state == runs.back().state;
   const double seam = round ? length_of(runs.front(), curve) + length_of(runs.back(), curve) : 0;

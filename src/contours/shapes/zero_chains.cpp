@@ -19,7 +19,7 @@ class ZeroTracer {
   std::vector<ZeroChain> trace() {
     std::vector<ZeroChain> chains;
     const auto n = static_cast<std::uint32_t>(mesh_.triangles.size());
-    for (std::uint32_t t = 0; t < n; ++t) {  // from their loose ends
+    for (std::uint32_t t = 0; t < n; ++t) {  // open chains, from their ends
       if (done_[t] || !is_crossed(t)) continue;
       for (const int side : crossed_sides(t)) {
         if (!done_[t] && beyond(t, side) == kNone) chains.push_back(walk(t, side, false));
@@ -34,7 +34,7 @@ class ZeroTracer {
  private:
   using Ends = std::array<std::uint32_t, 2>;
 
-  /// The nodes of a side, the lower first, so that both its triangles see the same.
+  /// The nodes of a side, the lower first, so that both of its triangles get the same pair.
   Ends ends_of(std::uint32_t t, int side) const {
     const auto& node = mesh_.triangles[t].node;
     const std::uint32_t a = node[static_cast<std::size_t>(side)], b = node[static_cast<std::size_t>((side + 1) % 3)];

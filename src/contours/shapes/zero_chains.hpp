@@ -18,10 +18,10 @@ struct ZeroChain {
   std::size_t size() const { return triangles.size(); }
 };
 
-/// The function is linear over a triangle, and zero at a node counts as positive, so chains never branch. If `way` is
-/// given, the values are derivatives along its directions, whose signs are arbitrary. Then the signs of directions (and
-/// values) are made to agree before two values are compared. Triangles whose three directions can not be made to agree
-/// have no segment, and chains end there.
+/// Traces the zero set of a function that is linear over each triangle. Zero at a node counts as positive, so chains
+/// never branch. If `way` is given, the values are derivatives along its directions, whose signs are arbitrary. Then
+/// the signs of directions (and values) are made to agree before two values are compared. Triangles whose three
+/// directions can not be made to agree have no segment, and chains end there.
 std::vector<ZeroChain> trace_zero_set(const FormMesh& mesh, const std::vector<double>& value,
                                       const std::vector<Point3>& way = {});
 
