@@ -8,9 +8,9 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: surfaces whose normals differ by more than the angle of this cosine (10 degrees) do not run into each other.
+/// Adjustable. Least cosine between the normals of two surfaces that join smoothly (10 degrees).
 constexpr double kTangentCosine = 0.985;
-/// A share of a segment is found to 2^-30: a millionth of a millimetre of a metre.
+/// Number of bisection steps for a fraction of a segment: 2^-30 of one metre is a millionth of a millimetre.
 constexpr int kBisections = 30;
 
 }  // namespace
@@ -29,7 +29,7 @@ Point3 facing_normal(const Patch& surface, const Point3& p) {
 NormalTurn facing_turn(const Patch& surface, const Point3& p) {
   const PatchSurface& s = surface.surface;
   const Point3 normal = s.normal(p);
-  // A sphere bends alike in all directions, so those of any axis will do for it.
+  // A sphere bends equally in all directions, so any axis serves.
   const Point3 round = glm::cross(s.axis, normal);
   const double length = glm::length(round);
   const auto frame = frame_of(normal);

@@ -14,17 +14,19 @@ namespace ligne {
 namespace {
 
 constexpr double kEvidenceCellMm = 2;
-/// Contours are asked about at steps of this length, mm.
+/// Step at which contours are compared with the outlines, mm.
 constexpr double kEvidenceStepMm = 1;
-/// Edges farther away than this say nothing, mm: where the sag on the page is larger, the eye is right before the mesh.
+/// Largest distance of an edge that is evidence, mm. The sag on the page is larger only where the eye is right before
+/// the mesh.
 constexpr double kMostReachMm = 10;
-/// A segment of a contour is asked about at so many places at the most: longer ones lie before the eye.
+/// Largest number of steps on one segment of a contour. Only segments right before the eye are longer.
 constexpr double kMostSteps = 1000;
 
-/// Visibility of the outline beside a contour, the weakest testimony first. An outline in a hollow is hidden by a hair.
+/// Visibility of the outline beside a contour, the weakest evidence first. `hollow`: hidden at a concave edge, where
+/// the mesh hides its own outline by a hair.
 enum class Evidence : std::uint8_t { none, hollow, hidden, seen };
 
-/// Lines on the page, each with what it says.
+/// Lines on the page, each with its evidence.
 class PagePieces {
  public:
   PagePieces() : finder_(kEvidenceCellMm) {}
@@ -33,7 +35,7 @@ class PagePieces {
   void add(Point2 from, Point2 to, Evidence evidence) {
     finder_.add({from, to, 0, 0, static_cast<std::uint32_t>(evidence)});
   }
-  /// The strongest within reach.
+  /// The strongest evidence within `reach` of p.
   Evidence at(Point2 p, double reach) const {
     auto strongest = static_cast<std::uint32_t>(Evidence::none);
     finder_.near(p - Point2(reach), p + Point2(reach), [&](const OutlineSegment& s) {
@@ -45,10 +47,10 @@ class PagePieces {
   }
 
  private:
-  SegmentFinder finder_;  ///< OutlineSegment::chain: the evidence
+  SegmentFinder finder_;  ///< OutlineSegment::chain stores the evidence
 };
 
-/// A part of a run, and where it is asked about.
+/// A part of a run, and the place at which it is compared with the outlines.
 struct Part {
   double from, to;  ///< as CurvePoint::at
   Point2 middle;
@@ -74,7 +76,8 @@ std::vector<Part> parts_of_run(const ContourRun& run, const ContourCurve& curve,
   return parts;
 }
 
-/// The maximal rows of parts that the predicate holds for, longer than `shortest_mm`, with the state.
+/// The longest possible sequences of parts that satisfy the predicate, if longer than `shortest_mm`, as runs of the
+/// given state.
 template <class Predicate>
 std::vector<ContourRun> rows(std::span<const Part> parts, double shortest_mm, int state, const Predicate& holds) {
   std::vector<ContourRun> found;
@@ -101,8 +104,9 @@ std::vector<ContourRun> rows(std::span<const Part> parts, double shortest_mm, in
   return found;
 }
 
-/// The parts of a visible run that are hidden: longer than `shortest_mm`, or than `clear_mm` where no outline is seen within
-/// so much more of the contour either.
+/// The parts of a visible run that the outlines show to be hidden: parts longer than `shortest_mm` beside hidden
+/// outlines. If there are none: parts longer than `clear_mm` that have an outline within reach, and no visible one
+/// within `clear_mm` more.
 std::vector<ContourRun> hidden_parts(std::span<const Part> parts, const PagePieces& outlines, double shortest_mm,
                                      double clear_mm) {
   double all = 0, unseen = 0;
@@ -113,7 +117,7 @@ std::vector<ContourRun> hidden_parts(std::span<const Part> parts, const PagePiec
     all += part.length;
     if (evidence == Evidence::hollow || evidence == Evidence::hidden) unseen += part.length;
   }
-  // Where nothing of the outline is seen all along, hollows hide it too.
+  // If no outline beside the run is visible, hidden concave edges count too.
   if (!any_seen && 2 * unseen > all) return {{parts.front().from, parts.back().to, kHiddenState}};
   std::vector<ContourRun> found = rows(parts, shortest_mm, kHiddenState, [&](const Part& part) {
     return outlines.at(part.middle, part.reach) == Evidence::hidden;
@@ -125,7 +129,7 @@ std::vector<ContourRun> hidden_parts(std::span<const Part> parts, const PagePiec
   });
 }
 
-/// By contour and run, the parts of its runs that are seen, or that are hidden.
+/// Per contour and run: the parts of the run. It holds either the visible runs or the hidden ones.
 using PartsOfRuns = std::vector<std::vector<std::vector<Part>>>;
 
 PartsOfRuns parts_of_runs(const std::vector<SeenContour>& seen, const SmoothContours& contours, bool visible) {
@@ -139,7 +143,7 @@ PartsOfRuns parts_of_runs(const std::vector<SeenContour>& seen, const SmoothCont
   return parts;
 }
 
-/// Lets find(parts of a run) say what becomes of them.
+/// Overwrites parts of runs with the runs that find(parts of a run) returns.
 template <class Find>
 void change_runs(std::vector<SeenContour>& seen, const PartsOfRuns& parts, const Find& find) {
   parallel_tasks(seen.size(), [&](std::size_t c) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Corrects the visibility of contours by that of the mesh's own outline.
+/// Corrects the visibility of contours by the visibility of the mesh's own outline.
 ///
 /// The visibility of a contour is computed on lines beside the mesh (contour_sights.hpp). An occluder of the mesh may
 /// miss these lines, and something else may hide them. So the visibility of the replaced edges is computed too, and
@@ -12,8 +12,8 @@
 
 namespace ligne {
 
-/// Lengths on the page, mm. Parts of up to the shortest one do not change, except visible ones longer than the clear one
-/// that have no visible edge within that length of them.
+/// Lengths on the page, mm. Parts up to `shortest_mm` long do not change, except visible parts longer than `clear_mm`
+/// without a visible edge within ContourNode::most_mm plus `clear_mm`.
 struct EvidenceSizes {
   double shortest_mm, clear_mm;
 };

@@ -16,35 +16,35 @@ namespace ligne {
 namespace {
 
 // Adjustable parameters.
-/// A probe lies so much of the size of its object behind its edge, but not less than so many lengths of the edge: folds of
-/// a mesh go back by a triangle or two, and beyond a cusp a surface is steep for some more.
+/// Distance of a probe behind its edge: kPushedBack of the object's size, but at least kPushedBackEdges lengths of the
+/// edge. Folds of a mesh go back by a triangle or two, and beyond a cusp a surface stays steep for a few more.
 constexpr double kPushedBack = 0.25;
 constexpr double kPushedBackEdges = 10;
-/// And so much of its length on the page beside it.
+/// Distance of a probe beside its edge on the page, as a fraction of the edge's length there.
 constexpr double kMovedOff = 0.05;
-/// A contour stands for an edge when it runs within so much of the size of the triangles there, or half a pen: contours
-/// rise above chords by less than an eighth of them.
+/// Largest distance of a contour from an edge that it replaces, as a fraction of the size of the triangles there; at
+/// least half a pen width is allowed. Contours rise above chords by less than an eighth of their length.
 constexpr double kNearEdge = 0.2;
 constexpr double kProbeCellMm = 1;
-/// Where two contours end before they meet, each may run near a half of the edge between them. So an edge is looked at in
-/// so many parts, and contours that run across it (cosine of 45 degrees) do not count.
+/// Number of parts of an edge that are compared with contours separately: two contours that end before they meet may
+/// each run near half of the edge between them. Only contours along the edge count (least cosine, 45 degrees).
 constexpr int kParts = 4;
 constexpr double kAlongCosine = 0.70710678;
-/// The end of a contour is its last part, so many times as long as the reach: it may turn inwards before it ends.
+/// Length of the tail that counts as the end of a contour, in reaches: a contour may turn inwards before it ends.
 constexpr double kTailInReaches = 2;
 
 double distance(Point2 p, const OutlineSegment& s) {
   return glm::length(s.from + nearest_on_segment(p, s.from, s.to) * (s.to - s.from) - p);
 }
 
-/// The visible pieces of contours, for questions about places.
+/// Finds visible pieces of contours near a place.
 class NearContours {
  public:
   NearContours(const std::vector<SeenContour>& seen, double reach_mm)
       : seen_(seen), reach_mm_(reach_mm), finder_(kProbeCellMm), tails_(kProbeCellMm) {}
 
   void expect(Point2 p, double reach) { finder_.expect(p - Point2(reach), p + Point2(reach)); }
-  /// An end of a part of an edge, of which tails are asked.
+  /// Announces a query any_tail() at an end of a part of an edge.
   void expect_tail(Point2 p) { tails_.expect(p - Point2(reach_mm_), p + Point2(reach_mm_)); }
   void prepare() {
     for (const SeenContour& contour : seen_) {
@@ -85,7 +85,8 @@ class NearContours {
     finder_.near(p - Point2(reach), p + Point2(reach), [&](const OutlineSegment& s) { any |= distance(p, s) <= reach; });
     return any;
   }
-  /// A piece runs past the place, in that direction and within the reach; `slack_mm` beyond its ends at the most.
+  /// Whether a piece passes the place within the reach and roughly in that direction. The place may lie up to
+  /// `slack_mm` beyond the ends of the piece.
   bool any_past(Point2 p, Point2 direction, double reach, double slack_mm) const {
     bool any = false;
     finder_.near(p - Point2(reach), p + Point2(reach), [&](const OutlineSegment& s) {
@@ -117,9 +118,9 @@ class NearContours {
   SegmentFinder finder_, tails_;
 };
 
-/// A part of an edge whose probe is seen.
+/// A part of an edge whose probe is visible.
 struct Candidate {
-  Stroke stroke;  ///< on the edge itself
+  Stroke stroke;  ///< its stroke on the edge itself
   std::uint32_t edge;
   Point2 middle;
   double near_mm;
@@ -147,7 +148,7 @@ Candidate candidate(const Stroke& probe, std::uint32_t edge, const SmoothContour
   return c;
 }
 
-/// An outline that no contour stands for.
+/// Outlines that no contour replaces: whole candidates, and parts of candidates.
 struct Missing {
   std::vector<Candidate> whole, parts;
 };
@@ -177,7 +178,7 @@ void look_at(const Candidate& c, const NearContours& near, const ProbePage& page
   }
 }
 
-/// The ends of candidates, in order.
+/// The ends of candidates with the indices of these, sorted.
 std::vector<std::pair<LatticePoint, std::uint32_t>> ends_of(const std::vector<Candidate>& candidates) {
   std::vector<std::pair<LatticePoint, std::uint32_t>> ends;
   for (std::uint32_t i = 0; i < candidates.size(); ++i) {
@@ -196,8 +197,8 @@ DisjointSets connected(const std::vector<std::pair<LatticePoint, std::uint32_t>>
   return runs;
 }
 
-/// Leaves runs of candidates that are longer than the reach and than what counts as near: less is what moved ends at
-/// crossings leave.
+/// Drops connected runs of candidates that are shorter than the reach or than Candidate::near_mm: ends moved to
+/// crossings leave such remnants.
 void drop_short(std::vector<Candidate>& candidates, const Lattice& lattice, double reach_mm) {
   DisjointSets runs = connected(ends_of(candidates), candidates.size());
   std::vector<double> length(candidates.size(), 0), least(candidates.size(), reach_mm);
@@ -213,7 +214,7 @@ void drop_short(std::vector<Candidate>& candidates, const Lattice& lattice, doub
   candidates = std::move(kept);
 }
 
-/// The visible outlines of the mesh, for questions about places at parts of edges.
+/// Finds visible outlines of the mesh near parts of edges.
 class NearOutlines {
  public:
   NearOutlines(const StrokeModel& model, const std::vector<Candidate>& parts, double ink_mm)
@@ -229,7 +230,7 @@ class NearOutlines {
         finder_.add({model.lattice.to_mm(s.from), model.lattice.to_mm(s.to), 0, 0});
     }
   }
-  /// A line that ends there meets one.
+  /// Whether a line that ends at p touches an outline.
   bool meet(Point2 p) const { return any_within(p, ink_mm_); }
   bool beside(const Candidate& part) const { return any_within(part.middle, part.near_mm); }
 
@@ -244,8 +245,8 @@ class NearOutlines {
   double ink_mm_;
 };
 
-/// Leaves runs that lead from the end of a contour to that of another one, to an end of `others`, or to a visible outline of
-/// the mesh that does not run beside them.
+/// Keeps the runs whose two ends both meet an end of a contour, an end of `others`, or a visible outline of the mesh.
+/// Outlines do not count if they run beside the whole run.
 void keep_between_ends(std::vector<Candidate>& parts, const std::vector<Candidate>& others, const NearContours& near,
                        const StrokeModel& model, double pen_width_mm) {
   const NearOutlines outlines(model, parts, pen_width_mm / 2);

@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t kSectorsPerTask = 512;
 constexpr int kRings = 2;
 
-/// The corners of each sector, its place, the ways that its faces look, and the sectors at the other corners of its
-/// triangles.
+/// Per sector: its corners, its position, the directions that its faces face, and the sectors at the other corners of
+/// its triangles.
 class Sectors {
  public:
   Sectors(const Scene& scene, const SmoothPatch& patch)
@@ -39,13 +39,13 @@ class Sectors {
     return {others_.data() + begin_[sector], others_.data() + begin_[sector + 1]};
   }
   const Point3& place(std::uint32_t sector) const { return places_[sector]; }
-  /// Some faces of the sector look to the side of the viewer, or to the other one.
+  /// Whether any face of the sector faces the viewer (`towards`), or faces away.
   bool any_faces(std::uint32_t sector, bool towards) const { return (ways_[sector] & way(towards)) != 0; }
 
  private:
   static std::uint8_t way(bool towards) { return towards ? 1 : 2; }
 
-  /// Takes up the sectors of a run; those of others are not looked at.
+  /// Adds the sectors of a run. It does not touch the sectors of other runs, so threads can add runs in parallel.
   void add(const Scene& scene, const SmoothPatch& patch, const SmoothPatch::Run& run) {
     const std::uint32_t first = 3 * run.triangle, last = 3 * run.triangle_end;
     for (std::uint32_t c = first; c < last; ++c) ++begin_[patch.sector[c] + 1];
@@ -79,8 +79,8 @@ class PatchFits {
     patch_.fit.assign(patch_.normals.size(), kNone);
   }
 
-  /// First the sectors whose faces do not all look one way: only these may change their labels. Then the other ends of the
-  /// sides that are crossed.
+  /// Fits first the sectors whose faces face both ways, since only these may change their labels; then the other ends
+  /// of the sides that the zero set of g crosses.
   void fit_all() {
     std::vector<std::uint32_t> first, then;
     std::vector<std::uint8_t> taken(patch_.normals.size(), 0);
@@ -107,7 +107,7 @@ class PatchFits {
     const auto first_turn = static_cast<std::uint32_t>(patch_.turns.size());
     patch_.turns.resize(first_turn + sectors.size());
     parallel_blocks(sectors.size(), kSectorsPerTask, [&](std::size_t begin, std::size_t end) {
-      // Each sector is fitted once: what a thread has marked for others never counts.
+      // Each sector is fitted once, so marks that a thread left for other sectors never match.
       std::vector<std::uint32_t>& reached_from = reached_from_[thread_index()];
       reached_from.resize(patch_.normals.size(), kNone);
       std::vector<std::uint32_t> reached;
@@ -140,8 +140,9 @@ class PatchFits {
     });
   }
 
-  /// Takes the normal of the surfaces that were found behind the faces of a sector. True where there is one surface, which
-  /// tells how the normal turns: where several meet, their common normal is where a fit begins.
+  /// Takes the normal of the surfaces recognised behind the faces of a sector. Returns true if all faces have one
+  /// surface, which also gives the derivative of the normal. Where several surfaces meet, their common normal is the
+  /// starting value of a fit.
   bool take_known(std::uint32_t s, std::uint32_t turn) {
     if (!patch_.surfaces) return false;
     const auto known = known_normal(scene_, patch_, sectors_.corners(s));
@@ -156,7 +157,8 @@ class PatchFits {
     return true;
   }
 
-  /// `turn`: the place of the surface's turn.
+  /// Stores a fit, unless no face of the sector faces the same way. `turn`: index of its derivative in
+  /// SmoothPatch::turns.
   void take(std::uint32_t s, std::uint32_t turn, const SurfaceFit& fit) {
     const double g = glm::dot(fit.normal, to_eye(camera_, sectors_.place(s)));
     if (!sectors_.any_faces(s, g >= 0)) return;
@@ -166,7 +168,8 @@ class PatchFits {
     patch_.fit[s] = turn;
   }
 
-  /// The sector, and those within two rings of triangles. `reached_from`: per sector, from which one it was reached last.
+  /// Lists the sector and the sectors within kRings rings of triangles. `reached_from`: per sector, the start of the
+  /// search that reached it last.
   void reach_rings(std::uint32_t sector, std::vector<std::uint32_t>& reached,
                    std::vector<std::uint32_t>& reached_from) const {
     reached.assign(1, sector);
@@ -187,7 +190,7 @@ class PatchFits {
   const Camera& camera_;
   SmoothPatch& patch_;
   Sectors sectors_;
-  std::vector<std::vector<std::uint32_t>> reached_from_;  ///< by thread; by sector: from which one it was reached last
+  std::vector<std::vector<std::uint32_t>> reached_from_;  ///< per thread and sector: see reach_rings()
 };
 
 }  // namespace

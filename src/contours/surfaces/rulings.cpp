@@ -16,21 +16,21 @@ namespace ligne {
 namespace {
 
 // Adjustable parameters.
-/// Least ratio of the length of a ruling and of what lies beyond its end; of the widths of a flat side and of a rounding.
-/// As for chord errors (scene/contacts).
+/// Least ratio of the length of a ruling to the extent of the faces beyond its end, and of the width of a flat side to
+/// the width of a rounding beside it. Chord errors use the same value (scene/contacts).
 constexpr double kRulingRatio = 4;
 /// Least sine of the angle between two rulings that span a flat side: 10 degrees.
 constexpr double kLeastSpanSine = 0.17;
-/// Two triangles of one rectangle or flat side differ by less, as half of the sine of their angle: float32 coordinates turn
-/// small triangles so far. An edge lies in the plane of a face up to that, too.
+/// Largest sine of half the angle between two triangles of one rectangle or flat side: float32 coordinates turn small
+/// triangles by about this much. Also the largest sine between an edge and the plane of a face that contains it.
 constexpr double kInPlaneSine = 2e-4;
-/// Largest number of pairs of edges that are compared at one vertex, the longest edges first. So a fan of many triangles
-/// costs no more than its length; rulings of fewer than 50 triangles are all looked at.
+/// Largest number of pairs of edges that are compared at one vertex, the longest edges first. So the cost of a fan is
+/// linear in the number of its triangles. Sectors of up to 50 triangles are compared completely.
 constexpr std::size_t kMostPairs = 10'000;
 /// Least cosine of the angle by which rulings may turn a mean normal: 45 degrees.
 constexpr double kLeastKeptCosine = 0.707;
 
-/// The corners of a patch by their sectors.
+/// Per sector: its corners in the patch.
 class CornersOfSectors {
  public:
   explicit CornersOfSectors(const SmoothPatch& patch) : begin_(patch.normals.size() + 1, 0), corners_(patch.sector.size()) {
@@ -61,8 +61,8 @@ class RulingFinder {
 
   const Point3& point(std::uint32_t corner) const { return scene_.vertices[patch_.triangles[corner / 3].v[corner % 3]]; }
 
-  /// The normal nearest to the mean one that is square to the rulings of the sector with these corners; nothing where there
-  /// are none.
+  /// The normal nearest to `mean` that is perpendicular to the rulings of the sector with these corners. Returns
+  /// nothing if there are no rulings, or if it differs too much from `mean`.
   std::optional<Point3> normal(std::span<const std::uint32_t> corners, const Point3& mean) const {
     const std::vector<Ruling> rulings = find(corners);
     if (rulings.empty()) return std::nullopt;
@@ -76,7 +76,7 @@ class RulingFinder {
 
  private:
   struct Ruling {
-    double ratio;  ///< of its length to what lies beyond its end
+    double ratio;  ///< its length divided by the extent of the faces beyond its end
     Point3 direction;
 
     bool operator<(const Ruling& o) const {
@@ -89,7 +89,7 @@ class RulingFinder {
   struct Candidate {
     double length;
     Point3 direction;
-    std::uint32_t corner;  ///< of a triangle at the edge
+    std::uint32_t corner;  ///< at the vertex, in a triangle at the edge
   };
 
   /// Whether the triangle is half of a rectangle, or part of a flat side.
@@ -101,7 +101,7 @@ class RulingFinder {
     return false;
   }
 
-  /// Whether any edge is so long among the others that it may be a ruling: few sectors have one.
+  /// Whether the longest edge is long enough to be a ruling. A quick test: few sectors have such an edge.
   bool has_long_edge(std::span<const std::uint32_t> corners) const {
     double shortest = std::numeric_limits<double>::infinity(), longest = 0;
     for (const std::uint32_t c : corners) {
@@ -115,7 +115,7 @@ class RulingFinder {
     return longest > kRulingRatio * kRulingRatio * shortest;
   }
 
-  /// Those of the sector, in an order that does not depend on that of its corners: the clearest first.
+  /// Finds the rulings of the sector, the largest ratio first. Their order does not depend on the order of the corners.
   std::vector<Ruling> find(std::span<const std::uint32_t> corners) const {
     if (!has_long_edge(corners)) return {};
     std::vector<Candidate> candidates;
@@ -146,14 +146,15 @@ class RulingFinder {
     return rulings;
   }
 
-  /// Unit length, unless it differs too much from the mean normal: then the edges are no rulings of one surface.
+  /// Scales `to` to unit length. Returns nothing if it differs too much from the mean normal: then the edges are no
+  /// rulings of one surface.
   static std::optional<Point3> turned(const Point3& to, const Point3& mean) {
     const double size = glm::length(to);
     if (!(size > 0) || glm::dot(to, mean) < kLeastKeptCosine * size) return std::nullopt;
     return to / size;
   }
 
-  /// How far the faces of the sector that bend away from the triangle of corner c reach against the direction of its edge.
+  /// Extent, against the direction of an edge, of the faces of the sector that bend away from the triangle of corner c.
   double reach_beyond(std::span<const std::uint32_t> corners, std::uint32_t c, const Point3& direction) const {
     double reach = 0;
     for (const std::uint32_t other : corners) {

@@ -14,13 +14,13 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: an island is shallow when it turns across the sight by less everywhere.
+/// Adjustable. An island is shallow if its surface is everywhere inclined to the line of sight by less than this angle.
 constexpr double kShallowDegrees = 4;
 
-/// Sectors that hang together and have one sign.
+/// A connected set of sectors with one sign of g.
 struct Island {
-  double most = 0;    ///< sine of the angle by which it turns across the sight
-  bool whole = true;  ///< all round it g has the other sign, and all of it lies on a scan
+  double most = 0;    ///< largest sine of the angle between its surface and the line of sight
+  bool whole = true;  ///< g has the other sign all around it, and it lies entirely on a scan
 };
 
 bool is_of_scan(std::span<const ScanObject> scans, std::uint32_t face) {

@@ -21,12 +21,13 @@ namespace {
 /// As for classes of edges: float32 coordinates turn the normals of small faces by about this much.
 constexpr double kCreaseSlackDegrees = 0.01;
 
-/// Adjustable: no mean of normals means much across an edge of so many crease angles, whatever is said of the edge.
+/// Adjustable. Angle, in crease angles, above which an edge is a border whatever its class: a mean of normals across it
+/// is meaningless.
 constexpr double kSharp = 2;
 
 const Point3 kNoNormal{0, 0, 0};
 
-/// Marks of vertices.
+/// A set of vertices.
 class VertexSet {
  public:
   explicit VertexSet(std::size_t n) : marked_(n, 0) {}
@@ -38,7 +39,7 @@ class VertexSet {
   std::vector<std::uint8_t> marked_;
 };
 
-/// The triangles that have a vertex of the set, in their order.
+/// The triangles that have a vertex in the set, ascending.
 std::vector<std::uint32_t> touching(const std::vector<Triangle>& triangles, const VertexSet& set) {
   return indices_where(triangles.size(), [&](std::size_t i) { return set.touches(triangles[i]); });
 }
@@ -72,14 +73,14 @@ class VertexNumbers {
   std::vector<std::uint32_t> number_, vertices_;
 };
 
-/// The class of edges, for edges that are asked about in ascending order.
+/// Tells which edges are creases. Edges must be queried in ascending order.
 class CreaseMarks {
  public:
   CreaseMarks(const std::vector<Edge>& edges, const std::vector<std::uint8_t>* creases) : edges_(edges), creases_(creases) {}
 
   bool given() const { return creases_ != nullptr; }
   bool has(std::uint32_t low, std::uint32_t high) {
-    // In growing steps from the edge asked about last.
+    // Exponential search from the edge of the last query.
     std::size_t step = 1, last = at_;
     while (last < edges_.size() && before(edges_[last], low, high)) {
       at_ = last;
@@ -101,14 +102,14 @@ class CreaseMarks {
   std::size_t at_ = 0;
 };
 
-/// Cosine of an angle of so many crease angles.
+/// Cosine of `times` the crease angle.
 double cosine(const RegionBorders& borders, double times) {
   constexpr double kDegree = 3.14159265358979323846 / 180;
   return std::cos(std::min(180.0, times * borders.crease_degrees + kCreaseSlackDegrees) * kDegree);
 }
 
-/// Whether a region certainly ends at an edge. Where the angle decides, faces of more than three corners are not asked.
-/// `least_cosine`: of the angle between two faces of one region.
+/// Whether a region certainly ends at an edge. The angle decides only between two triangles. `least_cosine`: least
+/// cosine of the angle between two faces of one region.
 bool is_border(const Scene& scene, const Topology& topology, const RegionBorders& borders, double least_cosine,
                std::uint32_t e) {
   if (borders.creases && (*borders.creases)[e] == kCreaseLine) return true;
@@ -122,7 +123,7 @@ bool is_border(const Scene& scene, const Topology& topology, const RegionBorders
   return a != kNoNormal && b != kNoNormal && glm::dot(a, b) < least_cosine;
 }
 
-/// Objects share no vertices; small ones are taken together.
+/// Ranges of triangles of whole objects, since objects share no vertices. Small objects are combined.
 std::vector<SmoothPatch::Run> runs_of(const Scene& scene, const std::vector<Triangle>& triangles) {
   constexpr std::uint32_t kLeastTriangles = 4096;
   std::vector<SmoothPatch::Run> runs;
@@ -170,8 +171,9 @@ class PatchBuilder {
     });
   }
 
-  /// The share of a corner in the normal of its vertex: the weights of N. Max (Weights for computing vertex normals from
-  /// facet normals, 1999), for which the normals of a mesh with its vertices on a sphere are exact, however uneven.
+  /// Computes the contribution of each corner to the normal of its vertex. The weights are those of N. Max (Weights for
+  /// computing vertex normals from facet normals, 1999): if the vertices lie on a sphere, the normals are exact,
+  /// however uneven the mesh is.
   void measure(std::uint32_t t) {
     const Point3 &a = vertex(3 * t), &b = vertex(3 * t + 1), &c = vertex(3 * t + 2);
     const Point3 ab = b - a, bc = c - b, ca = a - c, area = glm::cross(ab, -ca);
@@ -216,8 +218,8 @@ class PatchBuilder {
     });
   }
 
-  /// Two sides on one edge: wound alike, and no crease by their angle. A triangle without area has no direction that could
-  /// differ.
+  /// Whether two sides on one edge are wound consistently and their angle makes no crease. A triangle without area has
+  /// no normal that could differ.
   bool are_smooth(std::uint32_t s, std::uint32_t r) const {
     if (patch_.triangles[s / 3].v[s % 3] == patch_.triangles[r / 3].v[r % 3]) return false;
     const Point3 &a = face_normals_[s / 3], &b = face_normals_[r / 3];
@@ -228,7 +230,7 @@ class PatchBuilder {
   void make_sectors() {
     std::vector<SmoothPatch::Run>& runs = patch_.runs;
     patch_.sector.assign(3 * patch_.triangles.size(), kNone);
-    std::vector<std::vector<std::uint32_t>> first(runs.size());  // by run, the corner of each sector
+    std::vector<std::vector<std::uint32_t>> first(runs.size());  // per run: the first corner of each sector
     parallel_tasks(runs.size(), [&](std::size_t r) {
       for (std::uint32_t c = 3 * runs[r].triangle; c < 3 * runs[r].triangle_end; ++c) {
         if (patch_.sector[c] != kNone) continue;
@@ -246,7 +248,8 @@ class PatchBuilder {
     parallel_tasks(runs.size(), [&](std::size_t r) { sum_normals(runs[r], first[r]); });
   }
 
-  /// Sums the normals over the sectors of a run, which are numbered from 0 on before. `first`: the corner of each.
+  /// Sums the normals of the sectors of a run, and turns the numbers of the sectors, which start at 0, into numbers of
+  /// the patch. `first`: the first corner of each sector.
   void sum_normals(const SmoothPatch::Run& run, const std::vector<std::uint32_t>& first) {
     for (std::uint32_t c = 3 * run.triangle; c < 3 * run.triangle_end; ++c) {
       patch_.sector[c] += run.sector;
@@ -260,7 +263,7 @@ class PatchBuilder {
     }
   }
 
-  /// Gives a number to the corners that hang together round the vertex of corner c: a ring, or a row between two borders.
+  /// Numbers the connected corners around the vertex of corner c: a full ring, or a fan between two borders.
   void number_sector(std::uint32_t c, std::uint32_t number) {
     std::uint32_t at = c;
     do {
@@ -269,7 +272,7 @@ class PatchBuilder {
       if (r == kNone) break;
       at = next_corner(r);
     } while (patch_.sector[at] == kNone);
-    if (at == c && patch_.across[c] != kNone) return;  // all round
+    if (at == c && patch_.across[c] != kNone) return;  // a full ring
     for (at = c;;) {
       const std::uint32_t r = patch_.across[last_corner(at)];
       if (r == kNone) return;
@@ -278,7 +281,8 @@ class PatchBuilder {
     }
   }
 
-  /// Makes borders of all sides at vertices whose faces differ too much from their normal; whether there are any.
+  /// Turns all sides at vertices whose normal differs too much from a face into borders. Returns whether there are such
+  /// vertices.
   bool cut_at_sharp_vertices() {
     std::vector<std::uint8_t> any(patch_.runs.size(), 0);
     parallel_tasks(patch_.runs.size(), [&](std::size_t r) { any[r] = cut_at_sharp_vertices(patch_.runs[r]); });
@@ -322,7 +326,7 @@ std::vector<std::uint32_t> outlines_inside_regions(const Scene& scene, const Top
                                                    const RegionBorders& borders) {
   const double least_cosine = cosine(borders, borders.creases ? kSharp : 1);
   std::vector<std::uint32_t> inside =
-      indices_where(outline_edges.size(), [&](std::size_t i) {  // beside a border what lies on either side looks one way
+      indices_where(outline_edges.size(), [&](std::size_t i) {  // an edge on a border lies inside no region
         return !is_border(scene, topology, borders, least_cosine, outline_edges[i]);
       });
   for (std::uint32_t& e : inside) e = outline_edges[e];

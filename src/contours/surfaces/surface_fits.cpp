@@ -10,30 +10,31 @@
 namespace ligne {
 namespace {
 
-/// Terms x y, xx xy yy, xxx xxy xyy yyy: the surface passes through the point itself.
+/// Number of terms: x y, xx xy yy, xxx xxy xyy yyy. There is no constant term, since the surface passes through the
+/// point itself.
 constexpr std::size_t kCubic = 9, kQuadratic = 5;
-/// Points beyond the number of terms, so that what is left over says how well the surface fits.
+/// Least number of points beyond the number of terms, so that the residuals show how well the surface fits.
 constexpr std::size_t kSpare = 3;
 
-// Adjustable parameters. The squares of what is left over are weighed by the inverse sixth power of the distance: what a
-// cubic does not know of a surface grows with the fourth power of it, and the eighth would leave some terms to two or three
-// points.
-/// A term that the others determine but for so much of its square is not known.
+// Adjustable parameters. The squares of residuals are weighted by the inverse sixth power of the distance. The error of
+// a cubic grows with the fourth power of the distance, but the inverse eighth power would let two or three points
+// determine some terms.
+/// Least part of a term's square that the other terms do not determine; with less, the term is unknown.
 constexpr double kIndependent = 1e-4;
-/// A surface leaves at most this share of the points' heights over the tangent plane unexplained: other points
-/// are noise, or lie beyond a place where the curvature changes at once.
+/// Largest fraction of the points' heights over the tangent plane that a surface may leave unexplained. With more, the
+/// points are noise, or lie beyond a sudden change of the curvature.
 constexpr double kLeftOver = 0.1;
-/// A mesh is coarse where its points rise from the tangent plane by more than this angle (11 degrees) on the average: a
-/// polynomial of degree three has waves there.
+/// Largest root mean square angle, in radians (11 degrees), by which the points rise from the tangent plane. On coarser
+/// meshes a polynomial of degree three oscillates.
 constexpr double kMostBent = 0.2;
 
-/// A number of each of two fits: what is done with it is one instruction for both, and the same as for one alone.
+/// One number for each of two fits. One instruction handles both, with the same result as for one alone.
 using Two = double __attribute__((vector_size(2 * sizeof(double))));
 constexpr std::size_t kFits = 2;
 constexpr Two kBoth = {1, 1};
 
-/// Products of terms are terms of a higher degree, up to six. Of degree d: x^d, x^(d-1) y, ..., y^d. So the normal equations
-/// are made of 27 sums, and not of 45.
+/// The monomials up to degree six; those of degree d are x^d, x^(d-1) y, ..., y^d. Every product of two terms is one of
+/// them, so the normal equations need 27 sums, and not 45.
 constexpr std::size_t kMonomials = 27;
 using Monomials = std::array<Two, kMonomials>;
 
@@ -46,7 +47,7 @@ Monomials monomials_of(Two x, Two y) {
           x5, x4y, x3yy, xxy3, xy4, y5, x5 * x, x5 * y, x4 * yy, x3 * y3, xx * y4, x * y5, y5 * y};
 }
 
-/// Where those of a degree begin.
+/// Index of the first monomial of a degree.
 constexpr std::size_t first_of(std::size_t degree) { return degree * (degree + 1) / 2 - 1; }
 
 using Terms = std::array<Two, kCubic>;
@@ -56,7 +57,7 @@ Terms terms_of(Two x, Two y) {
   return {x, y, xx, x * y, yy, xx * x, xx * y, x * yy, yy * y};
 }
 
-/// Which monomials the products of two terms are.
+/// Per pair of terms: the index of the monomial that is their product.
 constexpr auto kProducts = [] {
   const auto degree = [](std::size_t k) { return k < first_of(2) ? 1 : k < first_of(3) ? 2 : 3; };
   std::array<std::array<std::uint8_t, kCubic>, kCubic> which{};
@@ -71,11 +72,11 @@ constexpr auto kProducts = [] {
 
 using Which = std::array<bool, kFits>;
 
-/// Solves the first N normal equations by elimination, of the fits that are asked for. Those stay in `which` all of whose
-/// terms are known.
+/// Solves the first N normal equations by elimination, for the fits in `which`. Removes the fits from `which` that have
+/// an unknown term (kIndependent).
 template <std::size_t N>
 void solve(const Monomials& sums, Terms right, Which& which, Terms& solution) {
-  std::array<std::array<Two, N>, N> m;  // the upper half counts
+  std::array<std::array<Two, N>, N> m;  // only the upper triangle is used
   for (std::size_t i = 0; i < N; ++i) {
     for (std::size_t j = i; j < N; ++j) m[i][j] = sums[kProducts[i][j]];
   }
@@ -102,7 +103,7 @@ void solve(const Monomials& sums, Terms right, Which& which, Terms& solution) {
   }
 }
 
-/// Directions in the plane across a normal.
+/// Two unit vectors perpendicular to a normal and to each other.
 struct Frame {
   Point3 x, y;
 
@@ -116,7 +117,7 @@ struct Frame {
   }
 };
 
-/// The places of the points of two fits, in units of their mean distance.
+/// The points of two fits, in units of their mean distance from the fitted place.
 class Places {
  public:
   struct Place {
@@ -133,7 +134,8 @@ class Places {
   double mean(std::size_t fit) const { return means_[fit]; }
 
  private:
-  /// Whether the points have a mean distance. Where the other fit has more of them, points without weight fill up.
+  /// Adds the points of fit f. Returns false if their mean distance is not positive. Points of weight zero pad the fit
+  /// with fewer points.
   bool add(const PointsRound& round, std::size_t f) {
     double sum = 0;
     for (const Point3& p : round.points) sum += glm::distance(p, round.at);
@@ -161,14 +163,14 @@ class Places {
   std::array<double, kFits> means_{};
 };
 
-/// The normal and how it turns, of the surface whose height over the frame has these terms.
+/// The normal, and its derivative, of the surface whose height over the frame has these terms.
 SurfaceFit surface_of(const Point3& normal, const Frame& frame, double mean, const std::array<double, kQuadratic>& s) {
   const auto& [x, y] = frame;
   SurfaceFit fit;
-  // The height is h(x, y), the normal (-hx, -hy, 1) less its length.
+  // The height is h(x, y), and the normal is (-hx, -hy, 1) divided by its length.
   const double length = std::sqrt(1 + s[0] * s[0] + s[1] * s[1]);
   fit.normal = (normal - s[0] * x - s[1] * y) / length;
-  // By the way in the plane of the frame; then in the tangent plane.
+  // The derivative along the plane of the frame, and then along the tangent plane.
   const double hxx = 2 * s[2] / mean, hxy = s[3] / mean, hyy = 2 * s[4] / mean;
   const Point3 tx = x - glm::dot(x, fit.normal) * fit.normal, ty = y - glm::dot(y, fit.normal) * fit.normal;
   const double xx = -hxx / length, xy = -hxy / length, yy = -hyy / length;
@@ -208,7 +210,7 @@ std::array<std::optional<SurfaceFit>, 2> fit_two_surfaces(const std::array<Point
   if (cubic[0] || cubic[1]) solve<kCubic>(sums, right, cubic, s);
   for (std::size_t f = 0; f < kFits; ++f) quadratic[f] = which[f] && !cubic[f];
   if (quadratic[0] || quadratic[1]) solve<kQuadratic>(sums, right, quadratic, s);
-  // As angles, so that points count alike at any distance.
+  // Residuals are compared as angles, so that points at all distances count equally.
   Two left{}, bent{};
   for (const auto& [x, y, height, square, one] : places.all()) {
     const Terms terms = terms_of(x, y);
