@@ -37,7 +37,7 @@ struct ContourChoice {
 /// - The contours lie more than two pen widths beside the mesh on average, or they have few nodes and the sag is that
 ///   large. The mesh is coarse and is drawn as it is.
 /// - More than a quarter of the contours' length on the page is farther from the mesh's outline than the sag plus half
-///   a pen width. The mesh's outline stays, since the contours are those of another shape.
+///   a pen width. The mesh's outline stays, since the contours belong to another shape.
 /// - Otherwise the contours are drawn. Nodes that are too far from the outline are moved to within that distance; a
 ///   contour ends where no outline of the mesh is near.
 ContourChoice choose_contours(const Scene& scene, const View& view, const SmoothPatch& patch,

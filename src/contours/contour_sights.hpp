@@ -65,7 +65,7 @@ class ReachedSectors {
 /// The line in model space whose visibility is computed for a segment.
 struct ContourSight {
   Point3 from, to;
-  int side = 1;  ///< side of the contour on which it lies: +1 that of the normals, -1 the other
+  int side = 1;  ///< side of the contour on which it lies: +1 is the side of the normals, -1 the other
 };
 
 /// The scene, view and mesh of all chains of a drawing.

@@ -3,7 +3,7 @@
 ///
 /// The visibility of a contour is computed on lines beside the mesh (contour_sights.hpp). An occluder of the mesh may
 /// miss these lines, and something else may hide them. So the visibility of the replaced edges is computed too, and
-/// overrules that of the contour beside them.
+/// overrules the visibility of the contour beside them.
 
 #include <vector>
 

@@ -5,10 +5,10 @@
 /// The label of a vertex is the sign of g there. A *sector* is a set of triangles around a vertex that no border of a
 /// region separates; a vertex has one normal and one label in each of its sectors.
 ///
-/// A normal is a mean of face normals with non-negative weights, or that of a surface fitted to the vertices
-/// (patch_fits.hpp). For both holds: if all faces around a vertex face the same way, the vertex has the label of its
-/// faces. So zero sets of g run only through triangles that touch the outline of the mesh, and a patch of two rings of
-/// triangles around that outline suffices.
+/// A normal is a mean of face normals with non-negative weights, or the normal of a surface fitted to the vertices
+/// (patch_fits.hpp). Both have this property: if all faces around a vertex face the same way, the vertex has the label
+/// of its faces. So zero sets of g run only through triangles that touch the outline of the mesh, and a patch of two
+/// rings of triangles around that outline suffices.
 
 #include <array>
 #include <cstdint>
@@ -73,8 +73,8 @@ std::vector<std::uint32_t> outlines_inside_regions(const Scene& scene, const Top
                                                    const RegionBorders& borders);
 
 /// The patch around edges inside regions. Borders of regions are: creases; edges that do not have exactly two
-/// triangles; edges across which the windings disagree; and all edges at a vertex whose normal differs from that of a
-/// face around it by more than the crease angle (the tip of a cone).
+/// triangles; edges across which the windings disagree; and all edges at a vertex whose normal differs by more than the
+/// crease angle from the normal of a face around it (the tip of a cone).
 SmoothPatch smooth_patch(const Scene& scene, const Topology& topology, const Camera& camera,
                          std::span<const std::uint32_t> outline_edges, const RegionBorders& borders);
 

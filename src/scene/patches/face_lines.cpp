@@ -90,7 +90,7 @@ class Chainer {
 
   std::vector<FaceLine> run() {
     std::vector<FaceLine> lines;
-    // Open lines from their ends first; what is left is closed.
+    // Open lines come first, from their ends; the remaining lines are closed.
     for (const bool open : {true, false}) {
       for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
         for (int end = 0; end < 2; ++end) {

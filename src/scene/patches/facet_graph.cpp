@@ -14,12 +14,13 @@
 namespace ligne {
 namespace {
 
-/// Bends below are looked at as possibly none; larger ones are bends for any precision. Cosine of 2.6 degrees.
+/// Least cosine between the normals of faces that may lie in one plane (2.6 degrees). Beyond it they do not, whatever
+/// the precision.
 constexpr double kFlatCosine = 0.999;
-/// A facet of a strip has four corners at the most; with more, all of them lie on two rulings, and are no more than these.
+/// Largest number of corners of a facet that may be curved; and the same if all corners lie on two rulings.
 constexpr std::size_t kStripCorners = 4, kMostRulingCorners = 16;
 
-/// Twice the area, along the normal.
+/// The normal of a face, with twice its area as length.
 Point3 double_area(const Scene& scene, std::uint32_t f) {
   Point3 sum(0, 0, 0);
   for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
@@ -131,8 +132,8 @@ class GraphBuilder {
     for (const std::uint32_t f : order) graph_.faces.values[next[graph_.facet_of[f]]++] = first + f;
   }
 
-  /// Faces, counted from the first one of the object, by their three lowest vertices: in that order facets are numbered, so
-  /// that the order of faces in the file has no say.
+  /// The faces of the object, numbered from 0, sorted by their three lowest vertices. Facets are numbered in this
+  /// order, so that the order of faces in the file does not matter.
   std::vector<std::uint32_t> faces_by_vertices() const {
     const std::uint32_t first = object_.face_begin, count = object_.face_end - first;
     std::vector<std::array<std::uint32_t, 4>> keys(count);
@@ -226,7 +227,7 @@ class GraphBuilder {
   const Object& object_;
   std::span<const glm::vec3> normals_;
   FacetGraph graph_;
-  std::vector<std::uint32_t> corners_;  ///< of the facet that is added
+  std::vector<std::uint32_t> corners_;  ///< corners of the facet that add_facet() adds
 };
 
 }  // namespace

@@ -15,12 +15,13 @@ namespace ligne {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-/// Adjustable: a strip that turns farther is no fillet but a rod or a bead, in radians.
+/// Adjustable. Largest turn of a fillet, in radians. A strip that turns farther is a rod or a bead.
 constexpr double kMostTurn = 200.0 / 360 * kTurn;
-/// Adjustable: tangent borders on one side of a fillet have at least this part of their length on the other.
+/// Adjustable. Least ratio between the lengths of the tangent borders on both sides of a fillet, the shorter to the
+/// longer.
 constexpr double kBothSides = 0.5;
 
-/// Faces and triangles by patch.
+/// Per patch: its triangles.
 struct PatchTriangles {
   std::vector<std::uint32_t> begin, triangles;
   std::span<const std::uint32_t> of(std::size_t patch) const {
@@ -44,7 +45,7 @@ PatchTriangles triangles_of_patches(const Topology& topology, const Patches& pat
   return found;
 }
 
-/// Difference of two angles, in (-pi, pi].
+/// Reduces a difference of two angles to [-pi, pi].
 double turned(double angle) { return std::remainder(angle, kTurn); }
 
 /// The angle across a strip: about the axis of a cylinder, about the middle circle of a torus.
@@ -55,7 +56,7 @@ double angle_across(const PatchSurface& s, const Point3& p) {
   return std::atan2(glm::dot(place.out, v), glm::dot(place.out, u));
 }
 
-/// The arc across a patch, by its corners.
+/// The arc across a patch that its corners span.
 struct Arc {
   double middle = 0, turn = kTurn;  ///< radians
 };
@@ -110,7 +111,7 @@ class FilletFinder {
     return {angles[after] + (kTurn - gap) / 2, kTurn - gap};
   }
 
-  /// Narrow patches that have tangent borders on both sides.
+  /// Finds the narrow patches that have tangent borders on both sides.
   void find_strips() {
     std::vector<std::uint8_t> is_narrow(strips_.size(), 0);
     for (std::uint32_t p = 0; p < strips_.size(); ++p) {
@@ -140,9 +141,9 @@ class FilletFinder {
     }
   }
 
-  /// Small spheres beside strips.
+  /// Adds the small spheres at the ends of strips.
   void add_corners(FilletMiddles& found) const {
-    // Where strips of cylinders end at spheres: by sphere and strip.
+    // The borders at which strips of cylinders end at spheres, by sphere and strip.
     struct End {
       Point3 sum{0, 0, 0};
       double length = 0;
@@ -166,7 +167,8 @@ class FilletFinder {
       const PatchSurface& ball = patches_.list[sphere].surface;
       if (ball.radius * std::numbers::pi / 2 > widest_) continue;
       found.is_fillet[sphere] = 1;
-      // The plane through the axis of the strip and its middle, from its end to the middle of the corner.
+      // The line lies in the plane through the axis and the middle of the strip. It runs from the end of the strip to
+      // the middle of the corner.
       const PatchSurface& s = patches_.list[strip].surface;
       const auto [u, v] = frame_of(s.axis);
       const double angle = arcs_[strip].middle;

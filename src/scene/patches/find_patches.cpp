@@ -12,7 +12,7 @@
 namespace ligne {
 namespace {
 
-/// An object with its own numbers of patches.
+/// The patches of one object, numbered from 0.
 struct ObjectPatches {
   std::vector<Patch> patches;
   std::vector<std::uint32_t> patch_of;    ///< per face of the object
@@ -62,7 +62,7 @@ Patches find_patches(const Scene& scene, const Topology& topology, std::span<con
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const auto first = static_cast<std::uint32_t>(found.list.size());
     const std::uint32_t begin = scene.objects[i].face_begin;
-    // Edges are in the order of their objects.
+    // Edges are in the order of their objects, so the borders stay sorted.
     const auto first_chain = static_cast<std::uint32_t>(found.borders.size());
     for (FreeformBorder& border : parts[i].borders) border.chain += first_chain;
     found.borders.insert(found.borders.end(), parts[i].borders.begin(), parts[i].borders.end());

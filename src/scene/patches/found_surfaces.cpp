@@ -13,13 +13,14 @@ namespace ligne {
 namespace {
 
 constexpr double kWholeTurn = 2 * std::numbers::pi;
-/// Gaps between facets, in radians, that are roundings of the angles of one corner.
+/// Largest gap between facets, in radians, that may come from rounding the angles of one corner.
 constexpr double kAngleRounding = 1e-9;
-/// Smaller components of an axis are roundings of a unit vector.
+/// Components of an axis below this are rounding errors of a unit vector.
 constexpr double kUnitRounding = 1e-15;
 /// A corner nearer to the axis than this part of its face's largest distance is the tip of a cone and has no angle.
 constexpr double kTipPart = 1e-3;
-/// Least rise of an arc over its chord, in radii, by which an uncertainty is divided: arcs of two degrees tell no radius.
+/// Least rise of an arc over its chord, in radii, by which an uncertainty is divided: arcs of two degrees determine no
+/// radius.
 constexpr double kLeastRise = 1e-4;
 
 struct AngleSpan {
@@ -82,7 +83,7 @@ class PatchMeasure {
     for (int c = 0; c < 3; ++c) {
       if (std::abs(surface_.axis[c]) <= 0.5) continue;
       if (surface_.axis[c] < 0) {
-        surface_.axis = Point3(0, 0, 0) - surface_.axis;  // no zero becomes a negative one
+        surface_.axis = Point3(0, 0, 0) - surface_.axis;  // unlike a negation, this leaves zeros positive
         surface_.slope = -surface_.slope;
       }
       return;
@@ -99,7 +100,7 @@ class PatchMeasure {
       is_first = false;
     });
     surface_.at += first * surface_.axis;
-    // At the tip of a cone a rounding may be left.
+    // At the tip of a cone, rounding may leave a negative radius.
     surface_.radius = std::max(0.0, surface_.radius + first * surface_.slope);
     found_.along = {0, last - first};
     found_.turn = std::min(360.0, arc(false) / kWholeTurn * 360);
@@ -141,7 +142,7 @@ class PatchMeasure {
     return *middle;
   }
 
-  /// Rise over its chord, in radii, of the arc or the cap that tells the radius; 1 is half a turn.
+  /// Rise over its chord, in radii, of the arc or the cap that determines the radius; 1 for half a turn.
   double rise() const {
     if (surface_.kind != SurfaceKind::sphere) return rise_of_arc(arc(surface_.kind == SurfaceKind::torus));
     Point3 sum(0, 0, 0);

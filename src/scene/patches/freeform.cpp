@@ -11,18 +11,18 @@ namespace ligne {
 namespace {
 
 // Adjustable.
-/// Edges of a row are parallel up to this sine; bends and widths in it differ by no more than this part.
+/// Largest sine of the angle between edges of a row, and largest relative difference of its bends and widths.
 constexpr double kParallelSine = 0.01, kEqualPart = 0.02;
-/// Smaller bends are no row but one plane, as a sine: half a degree.
+/// Least sine of a bend in a row (half a degree). Facets that bend less form one plane.
 constexpr double kLeastRowSine = 0.01;
-/// Arcs of a facet that are compared with each other, at the most.
+/// Largest number of arcs of a facet in a row. The search compares all pairs of them.
 constexpr std::size_t kMostRowArcs = 16;
-/// Facets of fewer corners are never planes by their depth: free forms have triangles of any shape.
+/// Least number of corners of a facet that may be a plane by its depth: free forms have triangles of any shape.
 constexpr std::size_t kPlaneCorners = 4;
 
-/// A facet between two parallel edges that bend alike.
+/// A facet between two parallel edges with equal bends.
 struct RowFacet {
-  double sine = 0, width = 0;  ///< of the bend, positive where the body bulges; 0: the facet is none
+  double sine = 0, width = 0;  ///< sine of the bend, positive where the body bulges, 0 if the facet is in no row; width
 };
 
 class RowFinder {
@@ -82,7 +82,7 @@ class RowFinder {
   const std::vector<std::uint32_t>& patch_of_;
 };
 
-/// How far a facet reaches away from the line of an edge.
+/// Largest distance of a facet's corners from the line of an edge.
 double depth_behind(const Scene& scene, const FacetGraph& graph, std::uint32_t f, const Edge& edge) {
   const Point3& from = scene.vertices[edge.v0];
   const Point3 along = glm::normalize(scene.vertices[edge.v1] - from);

@@ -18,27 +18,30 @@ namespace ligne {
 namespace {
 
 // Adjustable.
-/// Facets are looked at over so many arcs, and no more than so many; those beyond the first one's neighbours up to so many
-/// of its depths behind the edge.
+/// The normal at an edge is extrapolated from the first facet behind it and from facets near that one. They are at most
+/// kMostRings arcs away, at most kMostFacets in all, and, except for direct neighbours, at most kLookInDepths depths of
+/// the first facet behind the edge.
 constexpr double kLookInDepths = 2.2;
 constexpr int kMostRings = 3;
 constexpr std::size_t kMostFacets = 24;
-/// Largest angle, in degrees, at which a free form may run into what lies on its far side: facets of less than half of a
-/// crease bend.
+/// Largest angle, in degrees, between a facet of a free form and a surface on its far side that continues it: half of
+/// the default crease angle.
 constexpr double kBeyondDegrees = 15;
-/// Middles of facets that differ by less than this part of the depth of the first one say nothing of how the form turns.
+/// Least spread of the facets' middles behind the edge, as a fraction of the first facet's depth. With less, they do
+/// not show how the form turns.
 constexpr double kLeastSpread = 0.25;
-/// Corners of a plane that are looked at for its depth, at the most, evenly spread: thousands of edges may lie beside it.
+/// Largest number of corners of a plane that are tested for its depth, evenly spread: thousands of edges may lie beside
+/// it.
 constexpr std::size_t kMostPlaneCorners = 64;
-/// Edges of a chain that may be a flaw of a smooth mesh, at the most.
+/// Largest number of edges of a chain that may be a flaw of a smooth mesh.
 constexpr std::uint32_t kFleckEdges = 2;
 /// Least cosine between the edges of a chain: 45 degrees.
 constexpr double kChainCosine = 0.7;
 
-/// A free form has another curvature than a surface where they differ by this part of the larger one: less may be the error
-/// of the first facets of a free form that the surface is a part of.
+/// Least difference between the curvatures of a free form and a surface that counts, as a fraction of the larger one. A
+/// smaller one may be an error of the first facets of a free form that the surface is a part of.
 constexpr double kUnlikeCurvature = 0.5;
-/// A larger turn over the first facet, in radians, tells no curvature.
+/// Largest turn over the first facet, in radians, that gives a usable curvature.
 constexpr double kLargestTurn = 1;
 
 constexpr double kUnknownTurn = 2 * std::numbers::pi;
@@ -72,8 +75,8 @@ class BorderFinder {
 
  private:
   struct Found : FreeformBorder {
-    std::uint32_t facet = 0;   ///< of the free form
-    std::uint32_t beyond = 0;  ///< the facet, or the number of facets and the patch
+    std::uint32_t facet = 0;   ///< the first facet of the free form
+    std::uint32_t beyond = 0;  ///< see number_beyond()
   };
 
   /// How far the corners of a facet lie behind an edge.
@@ -102,7 +105,7 @@ class BorderFinder {
     return false;
   }
 
-  /// The free-form facets near f: f first, then its neighbours.
+  /// Lists the free-form facets near f in facets_: f first, then its neighbours.
   void reach(std::uint32_t f, std::uint32_t edge) {
     facets_.assign(1, f);
     reached_by_[f] = edge;
@@ -120,15 +123,15 @@ class BorderFinder {
     }
   }
 
-  /// Unit normal at an edge, and how it changes per unit of the way behind it.
+  /// Unit normal at an edge, and its change per unit of distance behind the edge.
   struct Continued {
     Point3 normal, slope{0, 0, 0};
   };
 
-  /// Least squares of the normals of the facets near f, each of which is that of the surface at the middle of its depths,
-  /// and of those of other surfaces where the form runs into them on its far side: it may be one facet deep. A facet alone
-  /// is flat; where neighbours do not tell how the form turns, it may turn by anything. `opposite`: what lies beyond the
-  /// edge, by number_beyond().
+  /// Extrapolates the normal of the free form to an edge, by least squares. The data are the normals of the facets near
+  /// f, each at the middle of its depths, and the normals of other surfaces that continue the form on its far side,
+  /// since it may be only one facet deep. A facet alone counts as flat. If its neighbours do not show how the form
+  /// turns, the turn is kUnknownTurn. `opposite`: number_beyond() of the facet on the other side of the edge.
   Continued continued(std::uint32_t f, std::uint32_t edge, std::uint32_t opposite, const Point3& from, const Point3& inwards,
                       double first) {
     reach(f, edge);
@@ -175,7 +178,7 @@ class BorderFinder {
     });
   }
 
-  /// A number of the plane or surface of a facet.
+  /// Numbers the plane or surface of a facet: planes by their facets, and then patches.
   std::uint32_t number_beyond(std::uint32_t facet) const {
     const std::uint32_t patch = patch_of_[facet];
     return patch == kNone ? facet : static_cast<std::uint32_t>(graph_.size()) + patch;
@@ -263,8 +266,8 @@ class BorderFinder {
   std::span<const PatchOutline> outlines_;
   std::span<const std::uint8_t> is_freeform_;
   std::vector<std::uint32_t> reached_by_;  ///< per facet: the edge from which it was reached last
-  std::vector<std::uint32_t> facets_;      ///< of reach()
-  std::size_t near_ = 0;                   ///< so many of them are f and its neighbours
+  std::vector<std::uint32_t> facets_;      ///< result of reach()
+  std::size_t near_ = 0;                   ///< number of facets_ that are f and its neighbours
   std::vector<Found> found_;
   const double beyond_cosine_ = sine_cosine_degrees(kBeyondDegrees).cosine;
   const double edge_cosine_ = sine_cosine_degrees(kSurfaceCreaseDegrees).cosine;

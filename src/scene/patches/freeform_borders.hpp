@@ -1,5 +1,5 @@
 #pragma once
-/// Edges between a free form and a plane or a recognised surface, with what decides whether the two join smoothly or
+/// Edges between a free form and a plane or a recognised surface, with the evidence whether the two join smoothly or
 /// meet at an angle.
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct FreeformBorder {
   std::uint32_t chain = 0;  ///< number of its chain: consecutive edges between one free form and one facet or surface
   double length = 0;        ///< of the edge, model units
   /// Angle between the normals of both sides, in radians; 0 if the normal of the other side lies between the
-  /// extrapolated one and that of the first facet, as where a fillet begins with continuous curvature.
+  /// extrapolated one and the normal of the first facet, as where a fillet begins with continuous curvature.
   double angle = 0;
   /// Angle by which the normal of the free form turns across its first facet, radians: how uncertain `angle` is.
   double turn = 0;

@@ -10,11 +10,11 @@
 namespace ligne {
 namespace {
 
-/// Least ratio of two eigenvalues that tell directions apart: normals of facets that turn by less than about 2 degrees say
-/// nothing of an axis.
+/// Least ratio of two eigenvalues that distinguishes directions: normals that turn by less than about 2 milliradians
+/// determine no axis.
 constexpr double kFlatTurn = 1e-6;
-/// Least square of the cosine between the normals of a cone and the plane across its axis. The tangent of the angle is then
-/// a million at most: such a cone is a plane, and is refused by its slope.
+/// Least square of the cosine between the normals of a cone and the plane across its axis. The tangent of the angle is
+/// then a million at most. Such a cone is a plane, and is_plausible() rejects its slope.
 constexpr double kLeastSquaredCosine = 1e-12;
 
 struct PageCircle {
@@ -83,7 +83,8 @@ bool guess_cone(std::span<const FacetFrame> facets, std::span<const Point3> poin
   s.axis = e.vectors[0];
   const auto apex = solve(planes, right);
   if (!apex) return false;
-  // Rulings are square to the normals, so the radius grows by the tangent of the normals' angle to the plane across.
+  // Rulings are perpendicular to the normals, so the slope is the tangent of the normals' angle to the plane across the
+  // axis.
   const double sine = glm::dot(mean, s.axis) / glm::length(mean);
   const double tangent = std::abs(sine) / std::sqrt(std::max(kLeastSquaredCosine, 1 - sine * sine));
   const double along = -glm::dot(*apex, s.axis);
