@@ -12,10 +12,11 @@ namespace ligne {
 namespace {
 
 // Adjustable.
-/// Bands of one torus have one axis: the sine between two, and their distance by the larger radius, are no more than these.
-/// The axis of a band of few facets is known no better.
+/// Largest sine of the angle between the axes of two bands of one torus, and largest distance of the axes divided by
+/// the larger radius. The axis of a band of few facets is not known more precisely.
 constexpr double kAxisSine = 0.03, kAxisDistance = 0.03;
-/// Pieces of the tube of a torus have one radius up to this part of it, and axes that turn by angles between these sines.
+/// For adjacent pieces of the tube of a torus: largest relative difference of their radii, and least and largest sine
+/// of the angle between their axes.
 constexpr double kTubePart = 0.1, kLeastPieceSine = 0.02, kMostPieceSine = 0.52;
 
 bool has_axis(const PatchSurface& s) { return s.kind == SurfaceKind::cylinder || s.kind == SurfaceKind::cone; }
@@ -35,7 +36,7 @@ bool are_pieces(const PatchSurface& s, const PatchSurface& other) {
   return sine >= kLeastPieceSine && sine <= kMostPieceSine;
 }
 
-/// Starting values of a torus from two pieces of its tube, and the middles of these.
+/// Computes starting values of a torus from two pieces of its tube and the middles of these pieces.
 bool guess_from_pieces(const PatchSurface& s, const Point3& middle, const PatchSurface& other, const Point3& other_middle,
                        PatchSurface& torus) {
   const Point3 here = s.at + glm::dot(middle - s.at, s.axis) * s.axis;
@@ -54,8 +55,8 @@ bool guess_from_pieces(const PatchSurface& s, const Point3& middle, const PatchS
 
 }  // namespace
 
-/// Bands that lie on cones, cylinders and spheres become one torus where each of them lies on it with all of its facets, and
-/// so do pieces of its tube that lie on cylinders.
+/// Joins bands on cones, cylinders and spheres to one torus if all facets of each band lie on it. Also joins pieces of
+/// a tube on cylinders.
 void PatchFinder::join_bands(std::vector<Patch>& patches) {
   std::vector<std::vector<std::uint32_t>> facets(patches.size());
   for (std::uint32_t f = 0; f < graph_.size(); ++f) {
@@ -93,7 +94,8 @@ void PatchFinder::join_bands(std::vector<Patch>& patches) {
   }
 }
 
-/// The torus through two bands or pieces and others that lie on it; without facets where there is none.
+/// The torus through two bands or pieces, with the other patches that lie on it. It has no facets if there is no such
+/// torus.
 PatchCandidate PatchFinder::torus_through(const std::vector<Patch>& patches,
                                           const std::vector<std::vector<std::uint32_t>>& facets, std::uint32_t p,
                                           std::uint32_t q) {

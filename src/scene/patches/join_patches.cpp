@@ -8,25 +8,27 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: sags by which corners of a facet that joins a patch late may lie beside its surface. Where bodies of facets
-/// were cut by each other, corners lie on the chords, up to the largest sag, which is 1.5 times the median one of triangles.
+/// Adjustable. Largest distance, in sags, between the surface of a patch and the corners of a facet that joins it late.
+/// Where faceted bodies were cut by each other, corners lie on chords, as far away as the largest sag, which for
+/// triangles is 1.5 times the median one.
 constexpr double kJoinedSags = 1.6;
 /// Least cosine between the normals of a triangle and of the surface on which its corners lie exactly.
 constexpr double kSlantingCosine = 0.5;
-/// Sags by which corners of a patch may lie beside the surface of another one that it becomes part of.
+/// Largest distance, in sags, between the corners of a patch and the surface of a larger patch into which it is merged.
 constexpr double kMergedSags = 0.2;
 
 }  // namespace
 
-/// Facets without a surface beside a patch join it.
+/// Lets facets without a surface join the patches beside them.
 void PatchFinder::join_borders(const std::vector<Patch>& patches) {
   // Rows of a torus that is coarse round its axis and fine round its tube are tilted far from its normals.
   join_facets(patches, true);
   join_facets(patches, false);
 }
 
-/// `slanting`: triangles whose corners lie on the surface as exactly as the coordinates tell, in nearly any direction; else
-/// facets near it in its direction.
+/// Joins facets to the patches beside them. `slanting`: only triangles whose corners lie on the surface within the
+/// precision of the coordinates, with nearly any normal (kSlantingCosine); otherwise facets near the surface with
+/// nearly its normal.
 void PatchFinder::join_facets(const std::vector<Patch>& patches, bool slanting) {
   std::vector<std::uint32_t> reached;
   for (std::uint32_t f = 0; f < graph_.size(); ++f) {
@@ -58,8 +60,8 @@ void PatchFinder::join_facets(const std::vector<Patch>& patches, bool slanting) 
   grow_over_arcs();
 }
 
-/// Patches that touch become one where the facets of the smaller one that it was found by lie on the surface of the larger.
-/// `found_by`: the patch per facet before join_borders(). Returns whether any did.
+/// Merges adjacent patches if the facets by which the smaller one was found lie on the surface of the larger one.
+/// `found_by`: per facet, its patch before join_borders(). Returns whether any patches were merged.
 bool PatchFinder::merge_patches(const std::vector<Patch>& patches, const std::vector<std::uint32_t>& found_by) {
   std::vector<std::vector<std::uint32_t>> facets(patches.size()), core(patches.size());
   for (std::uint32_t f = 0; f < graph_.size(); ++f) {

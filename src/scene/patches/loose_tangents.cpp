@@ -8,14 +8,15 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: chains of no more tangent edges beside planes that end where no other line begins are flecks,
+/// Adjustable. Largest number of edges of a chain of tangent edges that is dropped if no other line begins at its end.
+/// Chains with the side of a strip of a cylinder are kept.
 constexpr std::size_t kMostLooseEdges = 3;
-/// unless one of them is the side of a strip of a cylinder: parallel to its axis up to this sine (1 degree), and so many
-/// times as long as the face beside it is wide.
+/// Adjustable. For the side of a strip of a cylinder: largest sine of its angle to the axis (1 degree), and least ratio
+/// of its length to the width of the face beside it.
 constexpr double kStripSine = 0.0175, kStripLength = 4;
 
-/// A vertex at which tangent edges end: how many do, the exclusive or of their numbers, which is that of the last one left,
-/// and whether another line ends there.
+/// A vertex at which tangent edges end: their number, the exclusive or of their indices (the index itself if one edge
+/// is left), and whether another line ends there too.
 struct TangentNode {
   std::uint32_t vertex = 0, count = 0, numbers = 0;
   bool is_held = false;
@@ -46,7 +47,7 @@ class TangentChains {
 
   bool empty() const { return nodes_.empty(); }
 
-  /// Other lines hold the tangent edges that end at them.
+  /// Marks the vertices at which other lines end. These lines hold the tangent edges there.
   void hold(const std::vector<std::uint8_t>& is_line) {
     for (std::uint32_t e = 0; e < edges_.size(); ++e) {
       if (!is_line[e] && topology_.edges[e].face1 != kNone && !(topology_.edge_flags[e] & kEdgeManyFaces)) continue;
@@ -56,7 +57,7 @@ class TangentChains {
     }
   }
 
-  /// Takes loose edges out that lie between two curved surfaces, and those that are loose without them.
+  /// Drops loose edges between two curved surfaces, and then the edges that become loose without them.
   void drop_between_curved() {
     const auto is_curved = [&](std::uint32_t f) { return patches_.patch_of[f] != kNone || patches_.is_freeform[f]; };
     for (TangentNode& first : nodes_) {
@@ -74,7 +75,7 @@ class TangentChains {
     }
   }
 
-  /// Takes loose chains of up to kMostLooseEdges out.
+  /// Drops loose chains of up to kMostLooseEdges edges, except sides of strips.
   void drop_flecks() {
     std::vector<std::uint32_t> chain;
     for (const TangentNode& first : nodes_) {
@@ -94,7 +95,8 @@ class TangentChains {
  private:
   std::array<std::uint32_t, 2> ends_of(std::uint32_t e) const { return {topology_.edges[e].v0, topology_.edges[e].v1}; }
 
-  /// Whether an edge is a side of a strip of a cylinder. Where the file shades it smooth, rules for meshes see the strip.
+  /// Whether an edge is a side of a strip of a cylinder. If the file shades the edge smooth, the rules for meshes
+  /// decide.
   bool is_of_strip(std::uint32_t e) const {
     if (topology_.edge_flags[e] & kEdgeSmooth) return false;
     const Edge& edge = topology_.edges[e];
@@ -105,7 +107,7 @@ class TangentChains {
       if (p == kNone || patches_.list[p].surface.kind != SurfaceKind::cylinder) return false;
       const double sine = glm::length(glm::cross(along, patches_.list[p].surface.axis));
       if (sine * sine > kStripSine * kStripSine * squared) return false;
-      // A corner at the width of the face spans a parallelogram with the edge.
+      // The length of the cross product is the edge's length times the distance of the corner from its line.
       return std::ranges::all_of(scene_.faces.contour(face, 0), [&](std::uint32_t v) {
         return kStripLength * glm::length(glm::cross(along, scene_.vertices[v] - from)) <= squared;
       });
@@ -127,7 +129,7 @@ class TangentChains {
   const Topology& topology_;
   const Patches& patches_;
   std::vector<PatchEdge>& edges_;
-  std::vector<TangentNode> nodes_;  ///< by vertices
+  std::vector<TangentNode> nodes_;  ///< sorted by vertex
 };
 
 }  // namespace

@@ -9,11 +9,12 @@ namespace ligne {
 namespace {
 
 // Adjustable parameters.
-/// Largest ratio of a facet's sag to the median: tessellators keep to one sag, and a flat side between roundings does not.
+/// Largest ratio of a facet's sag to the median. Tessellators keep to one sag; a flat side between roundings exceeds
+/// it.
 constexpr double kMostSags = 4;
-/// Points of a patch to which a surface is fitted, at the most.
+/// Largest number of points of a patch to which a surface is fitted.
 constexpr std::size_t kMostPoints = 96;
-/// Fewer vertices are sorted by comparing them, which costs no more than their bits.
+/// Least number of vertices that are sorted by bits. For fewer, sorting by comparisons costs no more.
 constexpr std::size_t kFewVertices = 64;
 
 }  // namespace
@@ -37,8 +38,8 @@ void PatchFinder::fetch_points(std::span<const std::uint32_t> facets) {
   for (std::size_t i = 0; i < vertices_.size(); i += step) points_.push_back(scene_.vertices[vertices_[i]]);
 }
 
-/// Sorts vertices_, and leaves each once, by one bit for each vertex of the object. `low` and `high`: the least and the
-/// largest of them, counted from the first vertex of the object.
+/// Sorts vertices_ and removes duplicates, with one bit per vertex of the object. `low` and `high`: the least and the
+/// largest of vertices_, counted from the first vertex of the object.
 void PatchFinder::sort_by_bits(std::uint32_t low, std::uint32_t high) {
   for (const std::uint32_t v : vertices_) {
     const std::uint32_t i = v - object_.vertex_begin;
@@ -65,13 +66,13 @@ double PatchFinder::sag_of(const PatchSurface& surface, std::span<const std::uin
   return *middle;
 }
 
-/// To be called before lies_on() is asked about another surface or tolerance.
+/// Forgets the results of look_at(). Must precede calls of lies_on() with another surface or tolerance.
 void PatchFinder::forget_looks() {
   ++look_round_;
   looks_.clear();
 }
 
-/// How a vertex lies to a surface: about six facets ask it of each.
+/// Tells whether a vertex lies on a surface. The result is kept, since about six facets share a vertex.
 const PatchFinder::VertexLook& PatchFinder::look_at(const Patch& patch, std::uint32_t vertex, double tolerance) {
   auto& [round, number] = look_of_[vertex - object_.vertex_begin];
   if (round != look_round_) {
@@ -84,8 +85,8 @@ const PatchFinder::VertexLook& PatchFinder::look_at(const Patch& patch, std::uin
   return looks_[number];
 }
 
-/// Whether the corners of a facet lie on the surface, and its plane lies beside it as those of the patch do. `least_cosine`:
-/// between its normal and those of the surface at its corners.
+/// Whether the corners of a facet lie on the surface, and its middle is at most kMostSags sags away. `least_cosine`:
+/// least cosine between its normal and the normals of the surface at its corners.
 bool PatchFinder::lies_on(const Patch& patch, std::uint32_t f, double tolerance, double least_cosine) {
   const bool has_normal = !graph_.is_sliver[f];
   const FacetFrame& frame = graph_.frames[f];

@@ -7,16 +7,17 @@ namespace ligne {
 namespace {
 
 // Adjustable parameters.
-/// Facets of a strip at the most.
+/// Number of facets at which a strip stops growing.
 constexpr std::size_t kMostStrip = 24;
-/// Facets of a strip are so many times as long as they are wide, or more: the square of their length by twice their area.
+/// Least ratio of length to width of the facet from which a strip grows: the square of its length divided by twice its
+/// area.
 constexpr double kLongFacet = 3;
-/// The edges between the facets of a strip have at least this part of the length of the first facet.
+/// Least length of the edges between facets of a strip, as a fraction of the first facet's length.
 constexpr double kRulingPart = 0.5;
 
 }  // namespace
 
-/// The seed and facets that may be curved, within so many arcs of it.
+/// The seed, and facets within `rings` arcs of it that may be curved, at most `most` facets in all.
 std::vector<std::uint32_t> PatchFinder::around(std::uint32_t seed, int rings, std::size_t most) {
   std::vector<std::uint32_t> facets{seed};
   ++round_;
@@ -35,8 +36,8 @@ std::vector<std::uint32_t> PatchFinder::around(std::uint32_t seed, int rings, st
   return facets;
 }
 
-/// The facets of a strip of triangles or quadrilaterals on both sides of a seed: over edges about as long as the seed, to
-/// facets that are not much larger, as the planes beside a fillet are.
+/// The facets of a strip of triangles or quadrilaterals on both sides of a seed. The strip crosses edges about as long
+/// as the seed, and avoids much larger facets, such as the planes beside a fillet.
 std::vector<std::uint32_t> PatchFinder::strip_of(std::uint32_t seed) {
   double longest = 0;
   for (const std::uint32_t v : graph_.vertices[seed]) {

@@ -14,17 +14,21 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: surfaces that meet at the very angle make no edge, whatever the rounding.
+/// Adjustable. Added to the angle of sharp edges, in degrees: despite rounding, surfaces that meet at exactly that
+/// angle make no edge.
 constexpr double kSlackDegrees = 0.01;
-/// Adjustable, radians: a free form that turns by less over its first facet is as flat as what it runs into. One runs into a
-/// surface when their normals differ by no more than the slack (1 degree) and this part of that turn.
+/// Adjustable, radians. A free form that turns by less than kLeastTurn over its first facet counts as flat, and has no
+/// tangent line. A free form joins a surface smoothly if their normals differ by at most kTangentSlack (1 degree) plus
+/// the fraction kTangentPart of that turn.
 constexpr double kLeastTurn = 0.01, kTangentSlack = 0.0175, kTangentPart = 0.4;
-/// Adjustable: normals that differ by more than the slack and this part of the turn over the first facet speak against a
-/// tangent edge. Less than that is the error of a coarse facet.
+/// Adjustable. Normals that differ by more than kTangentSlack plus this fraction of the turn over the first facet are
+/// evidence against a tangent edge. A smaller difference may be the error of a coarse facet.
 constexpr double kApartPart = 1.2;
-/// Facets that bend by less, in degrees, are no creases of meshes: half of the default angle, at which creases continue.
+/// Least bend between facets that may be a crease by the rules for meshes, in degrees: half of the default angle, at
+/// which creases continue.
 constexpr double kMeshBend = 15;
-/// Adjustable: parts of a chain that say so for all of it to be of one kind, and that may speak against it.
+/// Adjustable. Least fraction of a chain's length with evidence for a kind that makes the whole chain that kind, and
+/// largest fraction with evidence against it.
 constexpr double kMostOfChain = 0.6, kLittleOfChain = 0.1;
 
 class EdgeClassifier {
@@ -75,7 +79,7 @@ class EdgeClassifier {
     return bend_alike(edge, n0) ? PatchEdge::inside : PatchEdge::tangent;
   }
 
-  /// The evidence of an edge that is of the given kind by itself.
+  /// The evidence of an edge. `kind`: the class that operator() gives it.
   BorderEvidence evidence(std::size_t e, PatchEdge kind) const {
     const Edge& edge = topology_.edges[e];
     if (edge.face1 == kNone || (topology_.edge_flags[e] & kSpoken)) return BorderEvidence::none;
@@ -98,7 +102,8 @@ class EdgeClassifier {
   static constexpr std::uint16_t kSpoken =
       kEdgeManyFaces | kEdgeUnlikeWound | kEdgeSharp | kEdgeCrossing | kEdgeFileHidden | kEdgeInner;
 
-  /// Lengths of a chain of borders of a free form: all, of each kind, and `apart` of those that can not be tangent.
+  /// Lengths of a chain of borders of a free form: in all, of each kind, and `apart`, of the borders that can not be
+  /// tangent.
   struct Chain {
     double length = 0, sharp = 0, tangent = 0, apart = 0;
   };
@@ -108,7 +113,7 @@ class EdgeClassifier {
     if (border.angle > kTangentSlack + kTangentPart * border.turn) {
       return !border.is_beside_band && border.angle >= std::acos(sharp_) ? PatchEdge::sharp : PatchEdge::unknown;
     }
-    // A limit surface, and any other that the file shades smooth, has no lines where patches of it bend differently.
+    // Surfaces that the file shades smooth, such as limit surfaces, have no lines where their patches bend differently.
     const bool is_smooth = topology_.edge_flags[border.edge] & kEdgeSmooth;
     const bool has_line = border.is_beside_plane || (border.bends_otherwise && !is_smooth);
     return border.turn >= kLeastTurn && has_line ? PatchEdge::tangent : PatchEdge::unknown;
@@ -120,7 +125,7 @@ class EdgeClassifier {
     const Chain& chain = chains_[border->chain];
     const double most = kMostOfChain * chain.length, little = kLittleOfChain * chain.length;
     if (chain.tangent >= most && chain.apart <= little) {
-      // Beside surfaces the rules for meshes decide where facets bend by half of their angle.
+      // Beside recognised surfaces, the rules for meshes decide if the facets bend by at least kMeshBend.
       const Edge& edge = topology_.edges[e];
       const bool is_bent = glm::dot(Point3(normals_[edge.face0]), Point3(normals_[edge.face1])) < mesh_bent_;
       return is_bent && !border->is_beside_plane ? PatchEdge::unknown : PatchEdge::tangent;

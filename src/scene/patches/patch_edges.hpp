@@ -38,9 +38,10 @@ std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& 
 void mark_bands(const Topology& topology, std::span<const glm::vec3> normals, std::span<const PatchEdge> edges,
                 Patches& patches);
 
-/// Turns dangling tangent edges into PatchEdge::inside: those between two curved surfaces with an end at which no other line
-/// begins, and then those that dangle without them, since there the surfaces pass into a free form; and short chains of
-/// others, which are flecks. `is_line`: per edge, 1 if it is another line. O(n log n).
+/// Turns dangling tangent edges into PatchEdge::inside. An edge between two curved surfaces dangles if no other line
+/// begins at one of its ends: there the surfaces pass into a free form. Edges that dangle after its removal follow.
+/// Elsewhere only short dangling chains are removed, as flecks. `is_line`: per edge, 1 if it is another line. O(n log
+/// n).
 void drop_loose_tangents(const Scene& scene, const Topology& topology, const Patches& patches,
                          const std::vector<std::uint8_t>& is_line, std::vector<PatchEdge>& edges);
 

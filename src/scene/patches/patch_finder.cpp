@@ -12,36 +12,41 @@ namespace ligne {
 namespace {
 
 // Adjustable parameters.
-/// Distance by which corners may lie beside a surface: precisions of the coordinates, or a part of the sag, since surfaces
-/// between free forms are approximated. Spheres are not. A long strip bears more, since many corners are evidence all the
-/// same: programs approximate the curves at which fillets end to a thousandth of a millimetre or worse.
+/// Largest distance of corners from a surface: the larger of kPrecisions precisions of the coordinates and a fraction
+/// of the sag. The sag counts because surfaces between free forms are approximated; spheres are not, so their fraction
+/// is small. The fraction for long strips is larger, since many corners are evidence all the same: programs approximate
+/// the curves at which fillets end to a thousandth of a millimetre or worse.
 constexpr double kPrecisions = 8, kSagPart = 0.03, kSphereSagPart = 0.002, kStripSagPart = 0.25;
-/// Largest chance that the corners lie on the surface by accident, where each one beyond the number of the surface's
-/// parameters does so with a chance of twice the largest distance by the sag.
+/// Largest probability that the corners lie on the surface by accident. Each corner beyond the number of the surface's
+/// parameters does so with a probability of twice the largest distance divided by the sag.
 constexpr double kLargestChance = 1e-7;
-/// Largest such chance for a cylinder into which its neighbours on both sides run.
+/// Largest such probability for a cylinder that its neighbours on both sides continue smoothly.
 constexpr double kLikelyChance = 1e-3;
-/// Starting values are given up where they miss a corner by more than so many sags.
+/// Largest distance, in sags, of a corner from the surface of the starting values. If one is farther away, the values
+/// are rejected.
 constexpr double kWildGuess = 1.5;
-/// Facets of a band by which a sphere is found, at the most.
+/// Largest number of facets of a band from which a sphere is fitted.
 constexpr std::size_t kMostBand = 24;
-/// A strip that is tried by itself has so many facets: fewer say nothing where corners lie beside the surface by as much as
-/// kStripSagPart of the sag.
+/// Least number of facets of a strip that is tried by itself. Fewer prove nothing at a tolerance of kStripSagPart.
 constexpr std::size_t kFewestStrip = 8;
-/// A surface is taken in place of another one when its area is larger by such a factor; a sphere or a torus in place of a
-/// band of a cylinder or a cone by more, since each band lies on spheres and tori too, and often one beside it by accident.
+/// Factors by which the area of a surface must exceed the largest one so far: of a cylinder or a cone, and of a sphere
+/// or a torus. The second is larger, since each band of a cylinder or a cone lies on spheres and tori too, on which a
+/// band beside it often lies by accident.
 constexpr double kSimilarArea = 1.05, kRoundArea = 1.3;
-/// So many seeds, spread evenly over all, are tried first. An object is given up when fewer of them get a surface.
+/// About this many seeds, spread evenly over all, are tried first. If fewer than kFewestSuccesses of them get a
+/// surface, the object gets none at all.
 constexpr std::size_t kSamples = 64;
 constexpr std::ptrdiff_t kFewestSuccesses = 4;
-/// Nor has an object surfaces if those of the samples together have less than this share (one in so many) of its facets: in
-/// a free form of a million facets some rows of ten lie on cylinders.
+/// The object also gets none if the surfaces of the samples together have fewer facets than one per kLeastShare seeds:
+/// in a free form of a million facets, some rows of ten lie on cylinders.
 constexpr std::size_t kLeastShare = 2000;
-/// Slopes of cones. Over ten times its radius a cone of the least one differs from a cylinder by a thousandth of the radius,
-/// an eighth of the sag of 24 facets a turn; one of the largest differs from a plane by half a degree.
+/// Range of the slopes of cones. Over a length of ten radii, a cone of the least slope differs from a cylinder by a
+/// thousandth of the radius, an eighth of the sag at 24 facets per turn. A cone of the largest slope differs from a
+/// plane by half a degree.
 constexpr double kLeastSlope = 1e-4, kLargestSlope = 100;
-/// Ratios of the middle circle of a torus to its tube. Beyond them it differs from a sphere by less than a fiftieth of the
-/// tube's radius, and over ten times that radius bends away from a cylinder by less than a fifteenth of it.
+/// Range of the ratio between the radii of the middle circle of a torus and of its tube. Below it, the torus differs
+/// from a sphere by less than a fiftieth of the tube's radius. Above it, the torus bends away from a cylinder by less
+/// than a fifteenth of the tube's radius over ten times that radius.
 constexpr double kLeastRing = 0.02, kLargestRing = 200;
 
 }  // namespace
@@ -88,7 +93,7 @@ std::vector<std::uint32_t> PatchFinder::run(std::vector<Patch>& patches) {
   join_bands(patches);
   const std::vector<std::uint32_t> found_by = patch_of_;
   join_borders(patches);
-  // Patches that become one have facets beside them that lie on the larger one's surface only.
+  // Facets beside merged patches may lie only on the surface of the larger one.
   if (merge_patches(patches, found_by)) join_borders(patches);
   return std::move(patch_of_);
 }
@@ -99,7 +104,7 @@ std::vector<std::uint32_t> PatchFinder::seeds() const {
   for (std::uint32_t f = 0; f < graph_.size(); ++f) {
     if (may_curve(f) && !graph_.arcs_of(f).empty()) order.push_back(f);
   }
-  // Lengths that do not depend on the order in which corners are added up.
+  // The length is a maximum, not a sum, so it does not depend on the order of the corners.
   std::vector<double> lengths(graph_.size(), 0);
   for (const std::uint32_t f : order) {
     for (const std::uint32_t v : graph_.vertices[f]) {
@@ -112,7 +117,7 @@ std::vector<std::uint32_t> PatchFinder::seeds() const {
   return order;
 }
 
-/// Makes patches from seeds. Neighbours about as large as a seed in vain are none.
+/// Makes patches from seeds. If a seed fails, its neighbours are not tried as seeds, except for much smaller ones.
 void PatchFinder::search(std::span<const std::uint32_t> seeds, std::vector<Patch>& patches) {
   std::vector<std::uint8_t> failed(graph_.size(), 0);
   for (const std::uint32_t seed : seeds) {
@@ -139,7 +144,7 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
   std::vector<std::uint32_t> near = around(seed, 1, 8);
   near.erase(near.begin());
   if (near.empty()) return best;
-  // Three facets of a strip tell a cylinder or a cone exactly. Triangles between three others are no strip.
+  // Three facets of a strip determine a cylinder or a cone exactly. A triangle between three others is in no strip.
   std::vector<std::vector<std::uint32_t>> sets;
   if (near.size() == 1) sets.push_back({seed, near[0]});
   const bool is_strip = graph_.vertices[seed].size() > 3 || near.size() <= 2;
@@ -147,14 +152,14 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
   for (std::size_t i = 0; i < near.size(); ++i) {
     for (std::size_t j = i + 1; j < near.size() && sets.size() < 3; ++j) sets.push_back({seed, near[i], near[j]});
   }
-  // A strip that nothing curved goes on from needs no comparison with other surfaces.
+  // A strip without curved facets beside it needs no comparison with other surfaces.
   const auto is_settled = [&] { return !best.facets.empty() && !goes_on(best); };
   for (const auto& set : sets) consider(SurfaceKind::cylinder, set, kSimilarArea);
   for (std::size_t i = 0; i < std::min<std::size_t>(near.size(), 2) && best.facets.empty(); ++i) {
     consider(SurfaceKind::cylinder, std::array{seed, near[i]}, kSimilarArea);
   }
   if (is_settled()) return best;
-  // Triangles between two curves have no corners in common rulings, and more of them are needed.
+  // The corners of triangles between two curves share no rulings, so more triangles are needed.
   const std::vector<std::uint32_t> strip = strip_of(seed);
   if (strip.size() >= kFewestStrip && best.facets.size() < strip.size()) {
     sag_part_ = kStripSagPart;
@@ -162,7 +167,7 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
     sag_part_ = kSagPart;
     if (is_settled()) return best;
   }
-  // More facets tell it where they are no strips.
+  // Where facets form no strips, more of them are needed.
   const std::vector<std::uint32_t> ring = around(seed, 2, 24), wide = around(seed, 10, 28);
   consider(SurfaceKind::cylinder, ring, kSimilarArea);
   consider(SurfaceKind::cylinder, wide, kSimilarArea);
@@ -171,7 +176,7 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
   consider(SurfaceKind::cone, ring, kSimilarArea);
   consider(SurfaceKind::cone, wide, kSimilarArea);
   if (is_settled()) return best;
-  // A band of a sphere lies on a cylinder or a cone as well, and says which sphere.
+  // A band of a sphere also lies on a cylinder or a cone, and determines the sphere.
   std::vector<std::uint32_t> band = best.facets;
   band.resize(std::min(band.size(), kMostBand));
   if (!band.empty()) consider(SurfaceKind::sphere, band, kRoundArea);
@@ -181,7 +186,7 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
   return best;
 }
 
-/// Fits a surface to a few facets, and lets it grow from the seed; without facets where it is none.
+/// Fits a surface to a few facets, and lets it grow from the seed. The result has no facets if this fails.
 PatchCandidate PatchFinder::try_surface(SurfaceKind kind, std::uint32_t seed, std::span<const std::uint32_t> facets) {
   PatchCandidate c;
   PatchSurface& surface = c.patch.surface;
@@ -215,7 +220,7 @@ PatchCandidate PatchFinder::try_surface(SurfaceKind kind, std::uint32_t seed, st
   return c;
 }
 
-/// The facets on the surface that hang together with the seed; those of other patches only if `over_patches`.
+/// The facets on the surface that are connected to the seed; facets of other patches only if `over_patches`.
 std::vector<std::uint32_t> PatchFinder::grow(const Patch& patch, std::uint32_t seed, bool over_patches) {
   const double tolerance = tolerance_for(patch.surface.kind, patch.sag);
   std::vector<std::uint32_t> facets;
@@ -247,8 +252,8 @@ bool PatchFinder::is_certain(const PatchCandidate& c) {
   const double chance = std::min(1.0, std::max(c.residual * 2, kPrecisions * object_.precision) / c.patch.sag);
   const double all = spare >= 2 ? std::pow(chance, spare) : 1;
   const bool no_accident = all <= kLargestChance;
-  // Symmetry is no accident either: a flat side between two equal chamfers lies on a cylinder. Four facets in a row are a
-  // surface, and fewer when what follows on both sides goes on in its direction.
+  // Symmetry must be ruled out too: a flat side between two equal chamfers lies on a cylinder. Four facets in a row are
+  // a surface, and fewer are if their neighbours on both sides continue in its direction.
   switch (surface.kind) {
     case SurfaceKind::cylinder: {
       const std::size_t n = angles_of(surface, false);
@@ -288,8 +293,8 @@ std::size_t PatchFinder::angles_of(const PatchSurface& surface, bool about_circl
   return count;
 }
 
-/// Whether the neighbours of a strip with so many rows of inner edges go on in the direction of its surface, over nearly
-/// twice the length of such a row.
+/// Whether the neighbours of a strip continue in the direction of its surface, along kSidesToInner times the length of
+/// a row of inner edges. `rows`: the number of these rows.
 bool PatchFinder::is_tangent(const PatchCandidate& c, std::size_t rows) {
   constexpr double kSidesToInner = 1.6, kTangentPart = 0.15, kLeastTurn = 0.01;
   ++round_;
@@ -312,7 +317,7 @@ bool PatchFinder::is_tangent(const PatchCandidate& c, std::size_t rows) {
   return tangent * static_cast<double>(rows) >= kSidesToInner * inner;
 }
 
-/// Whether facets that may be curved follow on those of a candidate.
+/// Whether facets that may be curved lie beside the facets of a candidate.
 bool PatchFinder::goes_on(const PatchCandidate& c) {
   ++round_;
   for (const std::uint32_t f : c.facets) stamp_[f] = round_;

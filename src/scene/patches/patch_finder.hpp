@@ -20,7 +20,8 @@ struct PatchCandidate {
   double residual = 0;  ///< largest distance of a corner of the facets from the surface, model units
 };
 
-/// Tori of other proportions are spheres or cylinders within any tolerance, and cones of other slopes cylinders or planes.
+/// Whether the proportions of a torus, or the slope of a cone, are in the usual range. Other tori are spheres or
+/// cylinders within any tolerance, and other cones are cylinders or planes.
 bool is_plausible(const PatchSurface& s);
 
 class PatchFinder {
@@ -36,8 +37,8 @@ class PatchFinder {
   /// smaller ones may belong to a fillet beside a plane. A neighbour of less than this part of a facet's area is not in one
   /// strip with it.
   static constexpr double kLikeArea = 0.25;
-  /// Adjustable. Least cosine between the normals of a facet and of its surface at its corners: half of the diagonal of a
-  /// square facet of which twelve go round.
+  /// Adjustable. Least cosine between the normals of a facet and of its surface at its corners. It admits half of the
+  /// diagonal of a square facet on a surface with twelve facets per turn.
   static constexpr double kNormalCosine = 0.92;
 
   /// Whether a vertex lies on the surface that is tried, remembered because several facets share it.
@@ -91,7 +92,7 @@ class PatchFinder {
   std::vector<Point3> points_;             ///< result of fetch_points(): their positions
   std::vector<FacetFrame> frames_;
   std::vector<double> numbers_;
-  double sag_part_;  ///< corners lie beside the surface by this part of the sag, at the most
+  double sag_part_;  ///< largest distance of corners from the surface, as a fraction of the sag
 };
 
 }  // namespace ligne

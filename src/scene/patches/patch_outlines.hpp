@@ -38,7 +38,8 @@ struct PatchOutline {
   // Adjustable.
   static constexpr std::size_t kMostSpeckFacets = 24;  ///< largest number of facets of a speck
   static constexpr double kMostOfOutline = 0.5;        ///< "most" of an outline: larger fractions of its length
-  /// Least part of the outline of a fillet at a plane; it has four sides, of which those at its ends may be longer.
+  /// Least fraction of the outline of a fillet at a plane. A fillet has four sides, and the two at its ends may be the
+  /// longer ones.
   static constexpr double kTangentPartOfOutline = 0.15;
 };
 

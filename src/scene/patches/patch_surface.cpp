@@ -61,8 +61,8 @@ Point3 PatchSurface::normal(const Point3& p) const {
 
 namespace {
 
-/// On the axis itself the curvature round it has no bound: that of this radius stands for it, which times any length is
-/// still a normal number.
+/// Least distance from the axis for which the curvature around the axis is computed, since it is unbounded on the axis
+/// itself. That curvature times any length of a model is still a finite number.
 constexpr double kLeastRadius = 1e-300;
 
 /// Principal curvatures: round the axis, and along the profile.

@@ -17,7 +17,7 @@ enum class SurfaceKind : std::uint8_t { cylinder, cone, sphere, torus };
 /// - cylinder: `at` is a point of the axis, `radius` its radius.
 /// - cone: `at` is a point of the axis, `radius` the radius there, which grows by `slope` per unit along the axis.
 /// - sphere: `at` is the centre, `radius` its radius.
-/// - torus: `at` is the centre, `radius` that of the middle circle of the tube, `tube` the radius of the tube.
+/// - torus: `at` is the centre, `radius` the radius of the tube's middle circle, `tube` the radius of the tube.
 struct PatchSurface {
   SurfaceKind kind = SurfaceKind::cylinder;
   Point3 at{0, 0, 0};

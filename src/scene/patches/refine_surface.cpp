@@ -10,15 +10,16 @@
 namespace ligne {
 namespace {
 
-constexpr int kMostSteps = 12;    ///< of Newton's kind; fits that succeed take three to six
-constexpr int kMostAttempts = 3;  ///< at one step, each with more damping by kDampingStep
+constexpr int kMostSteps = 12;    ///< Newton steps at most; fits that succeed take three to six
+constexpr int kMostAttempts = 3;  ///< attempts at one step; each multiplies the damping by kDampingStep
 constexpr double kDampingStep = 10;
-/// Adjustable: damping as a part of the diagonal, at first, at the least, and at the least after a failed attempt. Sums over
-/// a hundred corners are rounded by a hundredth of the least one: less damping does little.
+/// Adjustable. Damping as a fraction of the diagonal: first, least, and least after a failed attempt. Rounding errors
+/// of sums over a hundred corners are a hundredth of the least damping, so less has little effect.
 constexpr double kFirstDamping = 1e-6, kLeastDamping = 1e-12, kFailedDamping = 1e-9;
-constexpr double kSettled = 0.5;  ///< a step that leaves more of the sum of squares is the last one
+constexpr double kSettled = 0.5;  ///< a step that leaves more than this fraction of the sum of squares is the last one
 
-/// Change of the signed distance of p with each parameter. A motion of the surface changes it by -n . (motion of p).
+/// Derivatives of the signed distance of p with respect to each parameter. A motion of the surface changes it by -n .
+/// (motion of p).
 ParameterRow derivatives(const PatchSurface& s, const Point3& p, const std::array<Point3, 2>& frame) {
   const AxisPlace place = s.kind == SurfaceKind::sphere ? AxisPlace{} : axis_place(s, p);
   const Point3 n = normal_at(s, p, place);
@@ -58,7 +59,7 @@ PatchSurface moved(PatchSurface s, const ParameterRow& by, const std::array<Poin
   return s;
 }
 
-/// Sets `distances` to those of the points. Returns the sum of their squares.
+/// Sets `distances` to the distances of the points from the surface. Returns the sum of their squares.
 double measure(const PatchSurface& s, std::span<const Point3> points, std::vector<double>& distances) {
   distances.clear();
   double sum = 0;

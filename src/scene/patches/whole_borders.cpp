@@ -13,13 +13,14 @@ namespace ligne {
 namespace {
 
 // Adjustable.
-/// A patch may be a band where more than this part of its border has evidence. One of the two long sides of a strip is less
-/// than half of its border; both are more than this part unless the strip is two thirds as wide as long.
+/// A patch may be a band if more than this fraction of its border has evidence. One long side of a strip is less than
+/// half of its border. Both sides exceed this fraction, unless the strip is two thirds as wide as it is long.
 constexpr double kMostCurved = 0.6;
-/// A patch is no band if it meets one other patch along this part of the border that has evidence, as the cone at the tip of
-/// a shaft does: it has one side.
+/// A patch is no band if it meets one other patch along this fraction of the border that has evidence. The cone at the
+/// tip of a shaft does, since it has only one side.
 constexpr double kOneSide = 0.8;
-/// Parts of a chain that make all of it tangent, and that may speak against it.
+/// Least tangent fraction of a chain's length that makes the whole chain tangent, and largest fraction with evidence
+/// against it.
 constexpr double kMostTangent = 0.6, kMostAgainst = 0.1;
 /// Least cosine between consecutive edges of a chain: 45 degrees.
 constexpr double kStraightCosine = 0.7;
@@ -48,7 +49,7 @@ class WholeBorders {
   void decide_angled() {
     if (std::ranges::find(evidence_, BorderEvidence::angled) == evidence_.end()) return;
     struct Border {
-      double length = 0, curved = 0;  ///< all of it; the edges that have evidence
+      double length = 0, curved = 0;  ///< of all edges; of the edges that have evidence
     };
     std::vector<Border> borders(patches_.list.size());
     std::map<std::array<std::uint32_t, 2>, double> shared;  // by two patches, the lower number first
@@ -106,14 +107,14 @@ class WholeBorders {
     }
     for (std::uint32_t i = 0; i < sides.size(); ++i) {
       const std::uint32_t e = sides[i].edge;
-      // Rules for meshes see what the file shades smooth.
+      // The rules for meshes decide edges that the file shades smooth.
       if (edges_[e] != PatchEdge::unknown || (topology_.edge_flags[e] & kEdgeSmooth)) continue;
       const Lengths& sum = lengths[chains.find(i)];
       if (sum.tangent >= kMostTangent * sum.all && sum.against <= kMostAgainst * sum.all) edges_[e] = PatchEdge::tangent;
     }
   }
 
-  /// Joins sides of one patch that go straight on at a vertex where two of its sides end. `sides`: sorted.
+  /// Joins sides of one patch that continue each other at a vertex where exactly two of its sides end. `sides`: sorted.
   DisjointSets chains_of(std::span<const Side> sides) const {
     struct End {
       std::uint32_t patch, vertex, side;

@@ -1,5 +1,5 @@
 #pragma once
-/// Decides edges that their own two sides leave open by the whole border of a patch that they are part of.
+/// Decides edges that their own two sides leave open: the whole border of a patch decides them.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
