@@ -1,5 +1,5 @@
-// The format has no written standard; what is read here is what 3D Studio R2 to R4 write. Every line stands for itself, and
-// the headings say what the lines below them are:
+// The format has no written standard; this reader follows the output of 3D Studio R2 to R4. Each line is complete in
+// itself, and headings tell the meaning of the lines below them:
 //
 //   Named object: "Box"                      then one of:
 //     Tri-mesh, Vertices: 8 Faces: 12        mesh
@@ -8,7 +8,7 @@
 //     Direct light                           Position: X:1 Y:2 Z:3
 //     Camera (50mm)                          Position: / Target: / Bank angle:
 //
-// Blank lines and "Page n" come anywhere.
+// Blank lines and "Page n" can occur anywhere.
 
 #include "scene/readers/asc_reader.hpp"
 
@@ -29,7 +29,7 @@
 namespace ligne {
 namespace {
 
-/// Takes `key` off the front of a line, whatever blanks stand before it; false when something else stands there.
+/// Takes `key` off the front of a line, after any blanks; false if the line does not begin with it.
 bool take_key(std::string_view& line, std::string_view key) {
   const std::string_view text = trimmed(line);
   if (!starts_with_ignoring_case(text, key)) return false;
@@ -37,7 +37,7 @@ bool take_key(std::string_view& line, std::string_view key) {
   return true;
 }
 
-/// The text between the first two quotes, or all of it, trimmed, when there are no two.
+/// The text between the first quote and the last, or the trimmed text if there are not two.
 std::string unquoted(std::string_view text) {
   const std::size_t first = text.find('"'), last = text.rfind('"');
   if (first == std::string_view::npos || first == last) return std::string(trimmed(text));
@@ -62,10 +62,10 @@ class AscReader {
     std::array<std::uint32_t, 3> corners{};
     std::array<std::uint8_t, 3> flags{};
     std::string material;
-    std::uint32_t smoothing = 0;  ///< a bit for each group
+    std::uint32_t smoothing = 0;  ///< one bit per group
   };
 
-  /// "1, 2, 17": 32 groups at the most. What is no number of one is passed over.
+  /// Parses "1, 2, 17": at most 32 groups. Other words are skipped.
   static std::uint32_t smoothing_groups(std::string_view line) {
     std::uint32_t groups = 0;
     while (!line.empty()) {
@@ -127,7 +127,7 @@ class AscReader {
     if (part_ != Part::mesh) throw error("mesh data outside a tri-mesh");
   }
 
-  /// Takes "KEY number" off the front of a line, the number as a word.
+  /// Takes "KEY number" off the front of a line; returns the number as a word.
   std::string_view take_field(std::string_view& line, std::string_view key) const {
     if (!take_key(line, key)) throw error("expected '" + std::string(key) + "', found " + shown(trimmed(line)));
     return take_word(line);
@@ -165,7 +165,7 @@ class AscReader {
     precision_ = {};
   }
 
-  /// "0: X: 1 Y: 2 Z: 3"; the number is the vertex's own. What follows (U: V:) is left out.
+  /// Reads "0: X: 1 Y: 2 Z: 3"; the number is that of the vertex. Further fields (U: V:) are ignored.
   void add_vertex(std::string_view line) {
     need_mesh();
     check_number(line, vertices_, vertex_count_, "vertex");
@@ -173,7 +173,7 @@ class AscReader {
     ++vertices_;
   }
 
-  /// "0: A:0 B:1 C:2 AB:1 BC:1 CA:0"; the flags may be absent.
+  /// Reads "0: A:0 B:1 C:2 AB:1 BC:1 CA:0"; the flags may be absent.
   void add_face(std::string_view line) {
     need_mesh();
     check_number(line, static_cast<std::uint32_t>(faces_.size()), face_count_, "face");
@@ -202,7 +202,7 @@ class AscReader {
     line.remove_prefix(colon + 1);
   }
 
-  /// "(50mm)": the focal length, for a film 36 mm wide and 24 high.
+  /// Reads "(50mm)": the focal length, for a film 36 mm wide and 24 mm high.
   void begin_camera(std::string_view line) {
     end_object();
     part_ = Part::camera;
@@ -224,13 +224,13 @@ class AscReader {
     part_ = Part::none;
   }
 
-  /// Turns the camera that was read last about its line of sight.
+  /// Turns the camera read last about its line of sight.
   void bank(std::string_view line) {
     const std::optional<double> degrees = number_in(take_word(line));
     if (!degrees || *degrees == 0 || builder_.scene().cameras.empty()) return;
     SceneCamera& camera = builder_.scene().cameras.back();
     const Point3 forward = glm::normalize(camera.forward), right = glm::cross(forward, Point3{0, 0, 1});
-    if (glm::length(right) == 0) return;  // straight down there is nothing to be turned from
+    if (glm::length(right) == 0) return;  // looking straight down, there is no reference direction
     const double angle = *degrees * std::numbers::pi / 180;
     camera.up = glm::cross(glm::normalize(right), forward) * std::cos(angle) + glm::normalize(right) * std::sin(angle);
   }
@@ -276,13 +276,13 @@ class AscReader {
   ReadReport& report_;
   Warnings& warnings_;
   SceneBuilder builder_;
-  FileShading* shading_;  ///< or nullptr
+  FileShading* shading_;  ///< may be null
   Part part_ = Part::none;
-  SceneCamera camera_;  ///< that is being read
+  SceneCamera camera_;  ///< the camera being read
   std::string object_name_;
-  std::uint32_t vertex_count_ = 0, face_count_ = 0;  ///< as the mesh's heading says
+  std::uint32_t vertex_count_ = 0, face_count_ = 0;  ///< from the heading of the mesh
   std::uint32_t vertices_ = 0;                       ///< read so far
-  std::vector<Face> faces_;                          ///< read so far; materials follow their face
+  std::vector<Face> faces_;                          ///< read so far; a material line follows its face
   DecimalPrecision precision_;
 };
 

@@ -1,5 +1,5 @@
-// The order of the questions: files with a mark of their own (GLB, PLY, JSON, images and archives); binary STL, whose size
-// must agree with its count; text by what its first lines say; and last the suffix.
+// Formats are recognised in this order: files with a magic number (GLB, PLY, JSON, images and archives); binary STL,
+// whose size must match its count; text by its first lines; and last the suffix.
 
 #include <algorithm>
 #include <optional>
@@ -15,14 +15,14 @@
 namespace ligne {
 namespace {
 
-/// As much of a text as is looked at: enough to get past long comments at the head.
+/// Number of bytes of a text that are examined: enough to get past long comments at the head.
 constexpr std::size_t kLookedAt = 65536;
 
 std::string_view as_chars(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// The format of a ZIP archive; throws InputError for those that are none.
+/// The format of a ZIP archive. Throws InputError if it is no model.
 ModelFormat zip_format(std::span<const std::byte> bytes, const std::string& name) {
   const ZipArchive archive(bytes, name);
   if (is_three_mf(archive)) return ModelFormat::three_mf;
@@ -42,14 +42,14 @@ ModelFormat zip_format(std::span<const std::byte> bytes, const std::string& name
   throw InputError(name, "is a ZIP archive, not a model");
 }
 
-/// The text from its first character that is neither white space nor part of a byte order mark.
+/// The text from the first character that is neither white space nor part of a byte order mark.
 std::string_view without_leading_space(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   const std::size_t begin = text.find_first_not_of(" \t\v\f\r\n");
   return begin == std::string_view::npos ? std::string_view{} : text.substr(begin);
 }
 
-/// True when the outermost JSON object has the key.
+/// Whether the outermost JSON object has the key.
 bool has_top_level_key(std::string_view json, std::string_view key) {
   int depth = 0;
   std::size_t string_begin = 0;
@@ -72,13 +72,13 @@ bool is_esri_grid(std::string_view text) {
   return (equal_ignoring_case(word, "ncols") || equal_ignoring_case(word, "nrows")) && parse_integer(take_word(rest));
 }
 
-/// "OFF BINARY", a line of text before numbers that are none.
+/// Whether the text is "OFF BINARY", a line of text before binary numbers.
 bool begins_binary_off(std::string_view text) {
   std::string_view line = text.substr(0, text.find_first_of("\r\n"));
   return is_off_word(take_word(line)) && starts_with_ignoring_case(trimmed(line), "BINARY");
 }
 
-/// Three numbers or more at the beginning: points, or heights.
+/// Whether the text begins with at least three numbers: points, or heights.
 bool begins_with_numbers(std::string_view text) {
   std::string_view line = text.substr(0, text.find_first_of("\r\n"));
   for (int k = 0; k < 3; ++k) {
@@ -87,7 +87,7 @@ bool begins_with_numbers(std::string_view text) {
   return true;
 }
 
-/// A statement that only OBJ has: "v 1 2 3", or "f 1/1 2/2 3/3", or mtllib.
+/// Whether a statement exists only in OBJ: "v 1 2 3", "f 1/1 2/2 3/3", or mtllib.
 bool is_obj_statement(std::string_view line) {
   const std::string_view keyword = take_word(line);
   if (keyword == "mtllib") return true;

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Takes everything, and keeps the place of the error that ends it.
+/// Accepts everything, and records the place of the error that ends parsing.
 struct PlaceOfError : nlohmann::json_sax<json> {
   std::size_t byte = 0;
 

@@ -20,14 +20,14 @@ namespace {
 
 using nlohmann::json;
 
-/// Deeper than any scene: objects[] faces[] details[] contour[] [] is nine levels.
+/// Largest nesting depth: more than any scene, since objects[] faces[] details[] contour[] [] is nine levels.
 constexpr int kDeepestNesting = 32;
-/// The library's own words, which quote the file.
+/// Largest length of the library's own error text, which quotes the file.
 constexpr std::size_t kLongestReason = 200;
 
-/// Parses JSON; refuses deep nesting and keys that an object has twice (of which the parser would keep the last in silence).
+/// Parses JSON. Refuses deep nesting and repeated keys of an object, of which the parser would silently keep the last.
 json parse_json(std::string_view text, const std::string& name) {
-  std::vector<std::set<std::string>> keys;  // of the objects that are open
+  std::vector<std::set<std::string>> keys;  // keys of the open objects
   const auto watch = [&](int depth, json::parse_event_t event, json& value) {
     if (depth > kDeepestNesting)
       throw InputError(name, "JSON nested deeper than " + std::to_string(kDeepestNesting) + " levels");
@@ -41,7 +41,8 @@ json parse_json(std::string_view text, const std::string& name) {
   try {
     return json::parse(text, watch);
   } catch (const json::parse_error& e) {
-    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while ...": what follows the column.
+    // The library's text is "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while ...".
+    // Uses the part after the column.
     const std::string_view what = e.what();
     const std::size_t column = what.find(": ");
     throw error_at_line(name, line_of_byte(text, e.byte),
@@ -51,7 +52,7 @@ json parse_json(std::string_view text, const std::string& name) {
   }
 }
 
-/// A JSON value and the path to it, for errors.
+/// A JSON value with its path, for errors.
 class Node {
  public:
   Node(const json& value, std::string path, const std::string& name) : value_(value), path_(std::move(path)), name_(name) {}
@@ -60,7 +61,7 @@ class Node {
     return InputError(name_, path_.empty() ? cause : path_ + ": " + cause);
   }
 
-  /// Throws unless this is an object whose keys are all among those given.
+  /// Throws unless this is an object with no other keys than those given.
   void expect_object(std::initializer_list<std::string_view> known) const {
     if (!value_.is_object()) throw error("is not an object");
     for (const auto& [key, unused] : value_.items()) {
@@ -83,7 +84,7 @@ class Node {
   }
   Node operator[](std::size_t i) const { return Node(value_[i], path_ + "[" + std::to_string(i) + "]", name_); }
 
-  /// Calls f with every item of the array `key`, which may be absent.
+  /// Calls f for every item of the array `key`, which may be absent.
   template <typename F>
   void for_each(const char* key, F f) const {
     const std::optional<Node> array = find(key);
@@ -111,7 +112,7 @@ class Node {
     if (array_size() != 3) throw error("is not an array of three numbers");
     return {(*this)[0].number(), (*this)[1].number(), (*this)[2].number()};
   }
-  /// A whole number below n; `what` names the thing that it counts.
+  /// A whole number below n; `what` names the counted item.
   std::uint32_t index_below(std::size_t n, const char* what) const {
     if (!value_.is_number_integer()) throw error("is not a whole number");
     if (!value_.is_number_unsigned() || value_.get<std::uint64_t>() >= n) {
@@ -137,7 +138,7 @@ class SceneReader {
       throw root_.at("format").error(shown(format) + " is not 'ligne-scene'");
     }
     if (root_.at("version").number() != 1) throw root_.at("version").error("only version 1 is known");
-    if (const auto about = root_.find("about")) about->text();  // for people: checked, not kept
+    if (const auto about = root_.find("about")) about->text();  // for people: checked, not stored
     const Axis up = read_up();
     root_.for_each("materials", [&](const Node& node) { read_material(node); });
     root_.at("objects").array_size();
@@ -245,7 +246,7 @@ class SceneReader {
   Node root_;
   ReadReport& report_;
   SceneBuilder builder_;
-  std::size_t vertex_count_ = 0;  ///< of the object being read
+  std::size_t vertex_count_ = 0;  ///< number of vertices of the object being read
   std::vector<std::uint32_t> contour_;
 };
 

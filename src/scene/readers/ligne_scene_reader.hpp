@@ -12,7 +12,7 @@
 namespace ligne {
 
 /// Reads a JSON scene of `"format": "ligne-scene", "version": 1`; not cleaned yet. Unknown keys are errors. Throws
-/// InputError that names the place: "objects[2].faces[5].outer[1]: vertex 99 of 8".
+/// InputError with the place: "objects[2].faces[5].outer[1]: vertex 99 of 8".
 Scene read_ligne_scene(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers out of binary files.
+/// Reads numbers from binary data.
 
 #include <algorithm>
 #include <array>

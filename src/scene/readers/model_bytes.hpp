@@ -10,7 +10,7 @@ namespace ligne {
 
 struct ModelBytes {
   std::span<const std::byte> bytes;
-  std::string name;  ///< in error messages
+  std::string name;  ///< for error messages
   std::filesystem::path folder =
       {};  ///< where files that the model names are looked up, and nowhere else; empty: there are none
 };

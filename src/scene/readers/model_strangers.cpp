@@ -11,7 +11,7 @@
 namespace ligne {
 namespace {
 
-/// How far into a text is looked.
+/// Number of bytes of a text that are searched.
 constexpr std::size_t kSearched = 4096;
 
 constexpr char kWithAssimp[] = "convert it, for example with: assimp export IN OUT.glb";
@@ -59,7 +59,7 @@ constexpr std::array kBeginnings{
     Stranger{{"U3D\0", 4}, "a U3D file", kWithBlender},
 };
 
-/// Roots of XML documents, searched for in its beginning.
+/// Root elements of XML documents, searched for at their beginning.
 constexpr std::array kRoots{
     Stranger{"<COLLADA", "a COLLADA file", kWithAssimp},
     Stranger{"<X3D", "an X3D file", kWithAssimp},
@@ -72,7 +72,7 @@ std::string message(const Stranger& stranger) {
   return "is " + std::string(stranger.what) + ", which is not read: " + std::string(stranger.advice);
 }
 
-/// 3D Studio's binary chunks: the first, 0x4d4d, is as long as the file.
+/// Whether the file has 3D Studio's binary chunks: the first one, 0x4d4d, has the length of the file.
 bool is_3ds(std::span<const std::byte> bytes) {
   constexpr std::uint16_t kMain = 0x4d4d;
   constexpr std::size_t kHeader = 6;
@@ -80,14 +80,14 @@ bool is_3ds(std::span<const std::byte> bytes) {
          load_bytes<std::uint32_t>(bytes.data() + 2, std::endian::little) == bytes.size();
 }
 
-/// Lines of 80 characters, of which the 73rd names the section; the first is S.
+/// Whether the text has lines of 80 characters whose 73rd names the section, S in the first line.
 bool is_iges(std::string_view text) {
   constexpr std::size_t kSection = 72;
   const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
   return line.size() == kSection + 8 && line[kSection] == 'S' && trimmed(line.substr(kSection + 1)) == "1";
 }
 
-/// Pairs of lines, a code and a value: the first are 0 and SECTION, or 999 and a comment.
+/// Whether the text is pairs of lines, a code and a value, beginning with 0 and SECTION or 999 and a comment.
 bool is_dxf(std::string_view text) {
   LineReader lines(text);
   std::string_view code, value;

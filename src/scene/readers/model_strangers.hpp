@@ -1,5 +1,5 @@
 #pragma once
-/// Files of models, and others, that people have and that are not read here.
+/// Recognises files of models and others that people have, but that are not read.
 
 #include <cstddef>
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace ligne {
 
-/// The message of a file that is known by its first bytes and is not read: what it is, and how to convert it. Nothing when
-/// it is not known.
+/// A message for a file that is known by its first bytes but not read: its kind, and how to convert it. Nothing for
+/// unknown files.
 std::optional<std::string> known_stranger(std::span<const std::byte> bytes);
 
 }  // namespace ligne

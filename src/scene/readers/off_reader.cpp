@@ -1,5 +1,5 @@
-// Source: Geomview Manual, "OFF Files". The word is [ST][C][N][4][n]OFF; the counts of vertices, faces and edges may follow
-// on its line; vertices and faces have a line each.
+// Source: Geomview Manual, "OFF Files". The format's word is [ST][C][N][4][n]OFF; the counts of vertices, faces and
+// edges may follow on its line. Vertices and faces have one line each.
 
 #include "scene/readers/off_reader.hpp"
 
@@ -38,7 +38,7 @@ class OffReader {
     return error_at_line(name_, std::max<std::size_t>(lines_.number(), 1), cause);
   }
 
-  /// Goes to the next line that holds something beside a comment.
+  /// Reads the next line that is not blank and not just a comment.
   bool next_line(bool needed) {
     std::string_view line;
     while (lines_.next(line)) {
@@ -99,7 +99,8 @@ class OffReader {
       }
       corners_.push_back(static_cast<std::uint32_t>(vertex));
     }
-    // A face of several lines ends at the end of one: else a corner is missing above, and this is the next face.
+    // A face of several lines must end at a line end. Otherwise a corner is missing above, and this line is the next
+    // face.
     if (lines_.number() != first_line && !trimmed(line_).empty())
       throw error("face from line " + std::to_string(first_line) + " on ends within this line");
     if (n < 3) return warnings_.leave_out(n == 2 ? "faces of two corners" : "faces of less than two corners");
@@ -107,7 +108,7 @@ class OffReader {
     builder_.add_face(corners_);
   }
 
-  /// Three or four numbers behind the corners: whole ones up to 255, or others up to 1.
+  /// Reads three or four numbers after the corners: whole ones up to 255, or others up to 1.
   void use_color() {
     std::array<double, 4> color{0, 0, 0, -1};
     bool whole = true;

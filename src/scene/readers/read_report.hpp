@@ -1,5 +1,5 @@
 #pragma once
-/// The report of a reader on its file, beside the scene.
+/// A reader's report on its file, in addition to the scene.
 
 #include <cstddef>
 #include <string>
@@ -13,7 +13,7 @@ namespace ligne {
 
 enum class ModelFormat { gltf, glb, obj, stl_ascii, stl_binary, ply, asc_3d_studio, off, three_mf, ligne_scene, ligne_tree };
 
-/// Name as shown to people, "glTF binary" and the like.
+/// Name as shown to people, such as "glTF binary".
 std::string_view to_string(ModelFormat format);
 
 /// The contents of the file before cleaning.
@@ -23,8 +23,8 @@ struct ReadReport {
   std::size_t triangles = 0;        ///< after fan triangulation of every face as stored
   std::size_t vertices = 0;         ///< vertices as stored, before welding
   std::vector<std::string> groups;  ///< OBJ without objects: names of its groups
-  SubdivisionReport subdivision{};  ///< what was made of the control meshes, where that was asked for
-  InputFiles files;                 ///< opened or named: the model itself, and the buffers of a glTF
+  SubdivisionReport subdivision{};  ///< the subdivision of control meshes, if requested
+  InputFiles files;                 ///< opened or referred to: the model itself, and the buffers of a glTF
 };
 
 /// A moment of an animation of a file.

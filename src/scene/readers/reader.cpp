@@ -26,8 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Throws InputError when a coordinate is too large to compute with, or not finite: readers refuse what the file says, but
-/// the transforms of a glTF may lead there too.
+/// Throws InputError if a coordinate is too large to compute with, or not finite. Readers check the values in the file,
+/// but the transforms of a glTF can produce such coordinates too.
 void check_size(const Scene& scene, const std::string& name) {
   for (std::size_t v = 0; v < scene.vertices.size(); ++v) {
     const Point3& p = scene.vertices[v];
@@ -50,7 +50,7 @@ void weld_and_finish(Scene& scene, const ReadOptions& options, CreaseTags tags, 
   if (options.merge_coplanar) merge_coplanar_faces(scene);
 }
 
-/// The places for what a file says beside its faces; nullptr where nobody asks.
+/// Receivers of the data in a file beside its faces; null if not requested.
 struct FileMarks {
   FileShading* shading;
   CreaseTags* tags;
@@ -88,7 +88,7 @@ Scene read_raw(const ModelBytes& file, ModelFormat format, const ReadOptions& op
   return read_ligne_scene(bytes, name, report, warnings);
 }
 
-/// Puts `extra` behind `values`, each plus `offset`. An empty list stands for as many zeros as its size says.
+/// Appends `extra` to `values`, each plus `offset`. An empty list represents as many zeros as its size argument says.
 template <typename T>
 void append_zeros_left_out(std::vector<T>& values, std::size_t size, const std::vector<T>& extra, std::size_t extra_size,
                            T offset) {
@@ -151,7 +151,7 @@ void append_scene(Scene& a, Scene&& b) {
     throw InputError("the models together hold more than 4294967294 vertices or corners");
   }
   const auto vertices = static_cast<std::uint32_t>(a.vertices.size()), faces = static_cast<std::uint32_t>(faces_a);
-  // Faces without a material name of their own have material 0, which must be there when another scene's follow.
+  // Faces without a material of their own have material 0, which must exist before another scene is appended.
   if (a.materials.empty()) a.materials.emplace_back();
   if (b.materials.empty()) b.materials.emplace_back();
   const auto materials = static_cast<std::uint32_t>(a.materials.size());

@@ -1,5 +1,5 @@
 #pragma once
-/// Reading of model files. The format is decided by content first, by suffix only where content does not decide.
+/// Reads model files. The content decides the format; the suffix decides only if the content does not.
 
 #include <cstddef>
 #include <filesystem>
@@ -17,24 +17,25 @@
 
 namespace ligne {
 
-/// Products of five coordinates stay finite, which is more than any computation here multiplies; float32 files reach 3.4e38.
+/// Largest absolute coordinate: products of five coordinates stay finite, more than any computation multiplies. float32
+/// files reach 3.4e38.
 inline constexpr double kLargestCoordinate = 0x1p200;
 
 struct ReadOptions {
-  double weld_distance = 0;         ///< vertices so near to each other become one (model units); 0: those at one position
-  bool merge_coplanar = false;      ///< put coplanar neighbouring faces together into polygons with holes
+  double weld_distance = 0;         ///< vertices this close are merged, model units; 0: only those at one position
+  bool merge_coplanar = false;      ///< merge coplanar neighbouring faces into polygons with holes
   bool groups = false;              ///< OBJ without objects: its groups are objects
   bool shading = false;             ///< mark the edges that the file calls smooth or sharp (creases/file_shading.hpp)
-  std::optional<ScenePose> pose{};  ///< glTF: the moment of an animation; without it, the model as it stands
-  std::optional<Subdivision> subdivision{};  ///< polygons are control meshes: their limit surfaces take their place
-  std::function<bool(const Object&, std::size_t)> is_subdivided{};  ///< by object and number; none: all objects are
+  std::optional<ScenePose> pose{};  ///< glTF: the moment of an animation; nothing: the model as stored
+  std::optional<Subdivision> subdivision{};  ///< replace polygons, as control meshes, by their limit surfaces
+  std::function<bool(const Object&, std::size_t)> is_subdivided{};  ///< by object and its number; empty: all objects
 };
 
-/// Format of the bytes, by content; `suffix` (".obj", any case, may be empty) decides between formats without a mark of
-/// their own. Throws InputError("...: not a model file that is known ...").
+/// The format of the bytes. Content decides first; `suffix` (".obj", any case, may be empty) decides between formats
+/// without a magic number. Throws InputError("...: not a model file that is known ...").
 ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suffix, const std::string& name);
 
-/// Reads and cleans a file, or for "-" standard input. Throws InputError; adds to `warnings` what was mended.
+/// Reads and cleans a file, or standard input for "-". Throws InputError; adds repairs to `warnings`.
 Scene read_scene(const std::filesystem::path& file, const ReadOptions& options, Warnings& warnings,
                  ReadReport* report = nullptr);
 
@@ -42,12 +43,12 @@ Scene read_scene(const std::filesystem::path& file, const ReadOptions& options, 
 Scene read_scene(const ModelBytes& file, ModelFormat format, const ReadOptions& options, Warnings& warnings,
                  ReadReport* report = nullptr);
 
-/// Finishes a scene as it stands in its file: checks its coordinates, welds and cleans it. `name` stands in
-/// error messages. Throws InputError. Adds to the report what was subdivided.
+/// Finishes a scene that was read: checks its coordinates, welds and cleans it. `name` is used in error messages.
+/// Throws InputError. Adds subdivisions to the report.
 void clean_read_scene(Scene& scene, const std::string& name, const ReadOptions& options, Warnings& warnings,
                       ReadReport& report);
 
-/// Puts scene `b` behind scene `a` (several models on one command line).
+/// Appends scene `b` to scene `a` (several models on one command line).
 void append_scene(Scene& a, Scene&& b);
 
 }  // namespace ligne

@@ -77,7 +77,7 @@ void SceneBuilder::add_hole(std::span<const std::uint32_t> hole) {
   checked_index(scene_.faces.corners().size() + hole.size(), name_);
   scene_.faces.add_hole(hole);
   if (!scene_.corner_flags.empty()) scene_.corner_flags.resize(scene_.faces.corners().size(), 0);
-  report_.triangles += hole.size() + 2;  // a hole adds its corners and the two ends of its bridge once more
+  report_.triangles += hole.size() + 2;  // triangulation repeats the two ends of the hole's bridge
 }
 
 void SceneBuilder::set_corner_flags(std::span<const std::uint8_t> flags) {

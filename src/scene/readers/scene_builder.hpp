@@ -1,5 +1,5 @@
 #pragma once
-/// Puts a scene together object by object, for the readers.
+/// Builds a scene object by object, for the readers.
 
 #include <map>
 #include <span>
@@ -13,39 +13,39 @@
 
 namespace ligne {
 
-/// Why a file without faces can not be drawn, with what it has in their place.
+/// The message for a file without faces, with the items that it has instead.
 std::string no_faces(const Omissions& left_out);
 
 class SceneBuilder {
  public:
-  /// `name` stands in error messages. Counts what is stored in `report`.
+  /// `name` is used in error messages. Counts the stored items in `report`.
   SceneBuilder(const std::string& name, ReadReport& report) : name_(name), report_(report) {}
 
   void begin_object(std::string name);
-  /// Ends the object; one without faces is forgotten together with its vertices.
+  /// Ends the object. An object without faces is dropped with its vertices.
   void end_object(double precision);
-  /// Index within the scene of a new vertex. Throws InputError beyond what indices can hold.
+  /// Adds a vertex and returns its index in the scene. Throws InputError if indices can not hold it.
   std::uint32_t add_vertex(Point3 position);
-  /// Adds a face of the object; corners are indices within the scene. Returns its index.
+  /// Adds a face to the object; corners are indices in the scene. Returns the index of the face.
   std::uint32_t add_face(std::span<const std::uint32_t> outer);
-  /// Adds triangles of the object: three corners for each.
+  /// Adds triangles to the object, three corners each.
   void add_triangles(std::vector<std::uint32_t> corners);
   void add_hole(std::span<const std::uint32_t> hole);
-  /// Flags of the corners of the face added last.
+  /// Sets the flags of the corners of the face added last.
   void set_corner_flags(std::span<const std::uint8_t> flags);
-  /// Material of the faces that follow; entries are made as names come up.
+  /// Sets the material of the following faces; a new name makes a new entry.
   void use_material(const std::string& name);
   void use_material(std::uint32_t index) { material_ = index; }
 
-  /// Vertices of the object so far begin here.
+  /// Index of the first vertex of the current object.
   std::uint32_t object_vertex_begin() const { return object_.vertex_begin; }
   Scene& scene() { return scene_; }
   const Scene& scene() const { return scene_; }
-  /// The scene, not cleaned. Throws InputError when it has no faces, with what was left out.
+  /// The scene, not cleaned. Throws InputError with the omissions if it has no faces.
   Scene finish(Axis up_axis, const Omissions& left_out);
 
  private:
-  /// Gives the faces that were added last their material; the list is empty while all have one.
+  /// Gives the faces added last their material. The list stays empty while all faces have one material.
   void give_material(std::size_t count);
 
   const std::string& name_;
@@ -53,8 +53,8 @@ class SceneBuilder {
   Scene scene_;
   Object object_;
   std::map<std::string, std::uint32_t> material_index_;
-  std::uint32_t material_ = kNone;        ///< kNone until one is named: the material of faces that name none
-  std::uint32_t first_material_ = kNone;  ///< that of the first face, and of all while the list is empty
+  std::uint32_t material_ = kNone;        ///< kNone until one is named: material of faces without a name
+  std::uint32_t first_material_ = kNone;  ///< material of the first face, and of all while the list is empty
 };
 
 }  // namespace ligne

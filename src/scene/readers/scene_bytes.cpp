@@ -24,7 +24,7 @@ Point3 read_point(ByteReader& bytes) {
 
 void write_points(ByteWriter& bytes, const std::vector<Point3>& points) { bytes.list(std::span(points)); }
 
-/// No more than the readers of models let through.
+/// Reads points; refuses coordinates that readers of models refuse.
 std::vector<Point3> read_points(ByteReader& bytes) {
   std::vector<Point3> points = bytes.list<Point3>();
   for (const Point3& p : points) {
@@ -35,7 +35,7 @@ std::vector<Point3> read_points(ByteReader& bytes) {
   return points;
 }
 
-/// Corners in all, then of each face the sizes of its contours; none where all faces are triangles.
+/// Writes all corners, then the sizes of the contours per face; no sizes if all faces are triangles.
 void write_faces(ByteWriter& bytes, const PolygonFaces& faces) {
   bytes.list(faces.corners());
   std::vector<std::uint32_t> contours, sizes;
@@ -83,7 +83,7 @@ void write_object(ByteWriter& bytes, const Object& object) {
   bytes.number(object.precision);
 }
 
-/// Objects own ranges that follow each other, and each face has vertices of its own object.
+/// Reads objects. Checks that they own consecutive ranges, and that each face uses vertices of its own object.
 void read_objects(ByteReader& bytes, Scene& scene) {
   const auto count = bytes.number<std::uint64_t>();
   std::uint32_t vertex = 0, face = 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// A finished scene in the binary form of files of ours.
+/// A finished scene in our binary format.
 
 #include "files/bytes.hpp"
 #include "scene/model/scene.hpp"
@@ -8,7 +8,7 @@ namespace ligne {
 
 void write_scene(ByteWriter& bytes, const Scene& scene);
 
-/// Throws InputError for what write_scene() does not write: indices that lead nowhere, coordinates that are no numbers.
+/// Throws InputError for data that write_scene() never writes: indices out of range, coordinates that are no numbers.
 Scene read_scene(ByteReader& bytes);
 
 }  // namespace ligne

@@ -1,6 +1,7 @@
-// Our own: the libraries of Debian 12 were tried and none fits. assimp 5.2.5 stores coordinates as float32, accepts nan and
-// text without its end, names no lines, and lengthens the start of every run by 2.6 ms. CGAL's reader (LGPL) gives one soup
-// for all solids and no line. admesh is GPL. draco reads binary STL only, as float32. libigl is not packaged.
+// Our own reader: the libraries of Debian 12 were tried and none fits. assimp 5.2.5 stores coordinates as float32,
+// accepts nan and text without its end, gives no line numbers, and adds 2.6 ms to the start of every run. CGAL's reader
+// (LGPL) merges all solids into one soup and gives no line numbers. admesh is GPL. draco reads binary STL only, as
+// float32. libigl is not packaged.
 
 #include "scene/readers/stl_reader.hpp"
 
@@ -19,7 +20,7 @@ namespace {
 
 constexpr std::size_t kHeaderBytes = 80, kPreambleBytes = 84, kTriangleBytes = 50, kNormalBytes = 12;
 
-/// The text as words; line ends are white space, except that names run to the end of their line.
+/// Splits a text into words. Line ends are white space, except that a name extends to the end of its line.
 class Words {
  public:
   Words(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
@@ -66,7 +67,7 @@ Point3 take_vertex(Words& words, DecimalPrecision& precision) {
   return p;
 }
 
-/// Whether a word between facets is a keyword of somebody's own, such as a colour: letters, and none of STL's words.
+/// Whether a word between facets is a foreign keyword, such as a colour: letters, and none of STL's words.
 bool is_foreign(std::string_view word) {
   for (const std::string_view own : {"solid", "outer", "loop", "vertex", "endloop", "endfacet", "normal"}) {
     if (equal_ignoring_case(word, own)) return false;
@@ -76,8 +77,8 @@ bool is_foreign(std::string_view word) {
 
 /// Reads a facet after its first word.
 void read_facet(Words& words, SceneBuilder& builder, DecimalPrecision& precision) {
-  // The normal follows from the vertices, and files are careless with it ("nan", missing): whatever stands before
-  // "outer" is left out, a few words at most.
+  // The normal follows from the vertices, and files are careless with it ("nan", missing). So up to kMostNormalWords
+  // words before "outer" are skipped.
   constexpr int kMostNormalWords = 4;
   std::string_view word = words.take();
   for (int n = 0; n < kMostNormalWords && !word.empty() && !equal_ignoring_case(word, "outer"); ++n) word = words.take();

@@ -12,7 +12,7 @@ namespace {
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-/// from_chars knows no plus sign.
+/// Removes a plus sign, which from_chars does not accept.
 std::string_view without_plus(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   return word;
@@ -78,7 +78,7 @@ std::optional<double> number_in(std::string_view word) {
   const auto [end, error] = from_chars(word.data(), word.data() + word.size(), value);
   if (word.empty() || end != word.data() + word.size()) return {};
   if (error == std::errc::result_out_of_range) {
-    // Out of range upwards needs a positive exponent or hundreds of digits before the point.
+    // A number too large for a double has a positive exponent, or hundreds of digits before the point.
     const std::size_t e = word.find_first_of("eE");
     const bool tiny = e != std::string_view::npos
                           ? word.substr(e + 1).starts_with('-')

@@ -17,10 +17,10 @@ namespace ligne {
 namespace {
 
 constexpr std::size_t kStlHead = 84, kStlRecord = 50, kStlNormal = 12, kStlCorner = 12;
-/// Records that one task looks at.
+/// Number of records that one task checks.
 constexpr std::size_t kCheckedBlock = 65'536;
 
-/// The lowest number that a block found wrong, and the largest coordinate.
+/// The lowest index of a bad record in a block, and the largest coordinate.
 struct Checked {
   std::size_t wrong = SIZE_MAX;
   double largest = 0;
@@ -199,7 +199,7 @@ bool TriangleFile::check_faces() const {
     forget_triangles(begin, end);
     return block;
   });
-  if (found.largest > 0) return false;  // the records have other sizes, and none of the numbers is what it seems
+  if (found.largest > 0) return false;  // the records have other sizes, so none of these numbers is valid
   if (found.wrong == SIZE_MAX) return true;
   std::size_t k = 0;
   while (corner(found.wrong, k) < vertices_.count) ++k;
@@ -212,7 +212,7 @@ void TriangleFile::read_triangles(std::size_t begin, std::size_t end, Point3* co
   for (std::size_t t = begin; t < end; ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t v = corner(t, k);
-      // The file may have been changed since it was checked.
+      // The file may have changed since check().
       if (v >= vertices_.count) throw InputError(name_, "changes while it is read");
       *corners++ = vertex(v);
     }
@@ -225,7 +225,7 @@ void TriangleFile::read_vertices(std::size_t begin, std::size_t end, Point3* pos
 
 void TriangleFile::forget_triangles(std::size_t begin, std::size_t end) const {
   file_.forget(triangles_.begin + triangles_.size * begin, triangles_.begin + triangles_.size * end);
-  // Neighbouring faces of a PLY have their vertices in common: those are forgotten now and then.
+  // Neighbouring faces of a PLY share vertices, so these are forgotten only from time to time.
   constexpr std::size_t kOften = std::size_t{1} << 20;
   if (format_ == ModelFormat::ply && begin / kOften != end / kOften) file_.forget(vertices_.begin, vertices_.end());
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// A model file of which every triangle can be found by its number: binary STL, and binary PLY of triangles alone.
+/// A model file in which every triangle is found by its number: binary STL, and binary PLY of triangles only.
 
 #include <bit>
 #include <cstddef>
@@ -16,12 +16,12 @@
 
 namespace ligne {
 
-/// Reads triangles of the file again and again, from several threads, without storing them. The triangles and vertices have
-/// the numbers that read_scene() gives them before it cleans the scene.
+/// Reads triangles of the file repeatedly, from several threads, without storing them. Triangles and vertices have the
+/// numbers that read_scene() gives them before it cleans the scene.
 class TriangleFile {
  public:
-  /// nullptr, and in `why` the reason as a phrase, where the file is none of these; what is wrong with it, if that is the
-  /// cause, reading it tells.
+  /// Returns null for other files, with the reason as a phrase in `why`. If the file is faulty, read_scene() reports
+  /// the fault.
   static std::unique_ptr<TriangleFile> open(const std::filesystem::path& file, std::string& why);
 
   std::size_t triangle_count() const { return triangles_.count; }
@@ -29,8 +29,8 @@ class TriangleFile {
   const std::string& name() const { return name_; }
   ReadReport report() const;
 
-  /// Looks at all numbers: every triangle names vertices that are there, every coordinate is finite. Throws InputError, as
-  /// read_scene() does. False where a face is no triangle.
+  /// Checks all numbers: every triangle refers to existing vertices, every coordinate is finite. Throws InputError, as
+  /// read_scene() does. Returns false if a face is not a triangle.
   bool check();
   /// Object::precision; known after check().
   double precision() const { return precision_; }
@@ -39,24 +39,24 @@ class TriangleFile {
   void read_triangles(std::size_t begin, std::size_t end, Point3* corners) const;
   /// The vertices [begin, end).
   void read_vertices(std::size_t begin, std::size_t end, Point3* positions) const;
-  /// Gives back the memory in which they were looked at.
+  /// Releases the memory of the pages that were read.
   void forget_triangles(std::size_t begin, std::size_t end) const;
   void forget_vertices(std::size_t begin, std::size_t end) const;
 
  private:
-  /// Records of one size.
+  /// Records of equal size.
   struct Records {
     std::size_t begin = 0, size = 0, count = 0;
     std::size_t end() const { return begin + size * count; }
   };
   struct Coordinate {
     PlyType type = PlyType::float32;
-    std::size_t offset = 0;  ///< in the vertex
+    std::size_t offset = 0;  ///< offset within the vertex
   };
 
   TriangleFile(MappedFile file, std::string name) : file_(std::move(file)), name_(std::move(name)) {}
   bool find_stl();
-  /// An empty phrase, or why not.
+  /// Returns an empty phrase, or the reason why the file is not usable.
   std::string find_ply();
   std::string take_vertices(const PlyElement& element, std::size_t begin);
   std::string take_faces(const PlyElement& element, std::size_t begin);
@@ -71,9 +71,9 @@ class TriangleFile {
   std::endian order_ = std::endian::little;
   Records triangles_, vertices_;
   Coordinate coordinates_[3];             ///< PLY
-  PlyType count_type_ = PlyType::uint8;   ///< PLY: of the number of a face's corners
+  PlyType count_type_ = PlyType::uint8;   ///< PLY: type of a face's number of corners
   PlyType index_type_ = PlyType::uint32;  ///< PLY
-  std::size_t list_ = 0;                  ///< PLY: offset in the face of the number of its corners
+  std::size_t list_ = 0;                  ///< PLY: offset of the number of corners within a face
   bool is_float32_ = true;
   double precision_ = 0;
 };

@@ -18,9 +18,9 @@ constexpr std::uint32_t kLocalMark = 0x04034b50, kDirectoryMark = 0x02014b50, kE
                         kLocator64Mark = 0x07064b50;
 constexpr std::uint64_t kLocalBytes = 30, kDirectoryBytes = 46, kEndBytes = 22, kEnd64Bytes = 56, kLocator64Bytes = 20;
 constexpr std::uint64_t kLongestComment = 65535;
-constexpr std::uint64_t kNo32 = 0xffffffff, kNo16 = 0xffff;  ///< "see the field of 64 bits"
+constexpr std::uint64_t kNo32 = 0xffffffff, kNo16 = 0xffff;  ///< values that refer to the 64-bit field
 constexpr std::uint16_t kStored = 0, kDeflated = 8, kExtra64 = 1;
-/// Deflate makes at most 258 bytes of two bits.
+/// Largest ratio by which Deflate expands data: 258 bytes from two bits.
 constexpr std::uint64_t kMostGrowth = 1032;
 
 }  // namespace
@@ -40,7 +40,7 @@ std::uint64_t ZipArchive::number(std::uint64_t at, int bytes) const {
 }
 
 void ZipArchive::read_directory() {
-  // The end of the directory stands before a comment of any length.
+  // The end record of the directory precedes a comment of any length.
   std::uint64_t end = bytes_.size();
   const std::uint64_t first = end - std::min(end, kEndBytes + kLongestComment);
   bool found = false;
@@ -115,7 +115,7 @@ std::vector<std::byte> ZipArchive::read(const ZipEntry& entry) const {
   }
   std::vector<std::byte> out(entry.size);
   z_stream stream{};
-  // Negative: raw, without a header of zlib's own.
+  // Negative: raw, without zlib's header.
   if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) throw std::bad_alloc();
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(packed.data()));
   stream.avail_in = static_cast<uInt>(std::min<std::uint64_t>(packed.size(), std::numeric_limits<uInt>::max()));

@@ -1,5 +1,5 @@
 #pragma once
-/// Entries of a ZIP archive that is in memory: stored or deflated, with or without the fields of ZIP64.
+/// Entries of a ZIP archive in memory: stored or deflated, with or without the fields of ZIP64.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,19 +14,20 @@ namespace ligne {
 struct ZipEntry {
   std::string name;  ///< with / between folders
   std::uint16_t method = 0;
-  std::uint64_t packed = 0, size = 0, header = 0;  ///< bytes in the archive, bytes of the entry, place of its own header
+  std::uint64_t packed = 0, size = 0, header = 0;  ///< size in the archive, size of the entry, offset of its own header
   bool is_encrypted = false;
 };
 
 class ZipArchive {
  public:
-  /// Reads the directory at the archive's end. `bytes` must outlive this object. Throws InputError; `name` stands in it.
+  /// Reads the directory at the archive's end. `bytes` must outlive this object. Throws InputError with `name`.
   ZipArchive(std::span<const std::byte> bytes, std::string name);
 
   const std::vector<ZipEntry>& entries() const { return entries_; }
-  /// The entry of that name, whatever the case of its letters; nullptr when there is none.
+  /// The entry with this name in any case of letters; null if there is none.
   const ZipEntry* find(std::string_view name) const;
-  /// Its bytes. Never asks for more memory than the entry's bytes in the archive can stand for. Throws InputError.
+  /// The contents of an entry. Never allocates more memory than its bytes in the archive can expand to. Throws
+  /// InputError.
   std::vector<std::byte> read(const ZipEntry& entry) const;
 
  private:

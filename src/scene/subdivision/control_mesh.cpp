@@ -30,7 +30,7 @@ class MeshBuilder {
   }
 
  private:
-  /// The contours of a face, corners by the vertices that stand for theirs; false where it is left out.
+  /// Reads the contours of a face, with welded vertices; false if the face is left out.
   bool read_face(std::uint32_t f) {
     face_ = {};
     sharpness_.clear();
@@ -58,7 +58,7 @@ class MeshBuilder {
     return true;
   }
 
-  /// False when a vertex is not finite. Of equal corners in a row the last one stays.
+  /// Reads a contour; false if a vertex is not finite. In a run of equal corners the last one stays.
   bool read_contour(std::uint32_t f, std::size_t c) {
     const std::span<const std::uint32_t> contour = std::as_const(scene_.faces).contour(f, c);
     const std::size_t corner = scene_.faces.corner_index(f, c);
@@ -98,7 +98,8 @@ class MeshBuilder {
     }
   }
 
-  /// Has every contour begin at its lowest vertex, so that how it is cut does not depend on where the file begins.
+  /// Makes every contour begin at its lowest vertex, so that triangulation does not depend on the first corner in the
+  /// file.
   void begin_at_lowest() {
     std::size_t begin = 0;
     for (const std::uint32_t end : face_.contour_end) {
@@ -113,8 +114,8 @@ class MeshBuilder {
     }
   }
 
-  /// Triangles from one corner of the outer contour. Quads of control meshes may be so bent that no projection shows their
-  /// shape; a quad is cut along its shorter diagonal.
+  /// Triangles from one corner of the outer contour. Quads of control meshes may be bent so much that no projection
+  /// shows their shape, so a quad is cut along its shorter diagonal.
   std::vector<CutTriangle> fan() const {
     const std::uint32_t n = face_.contour_end[0];
     const auto corner = [&](std::uint32_t k) { return face_.corners[k % n]; };
@@ -135,7 +136,7 @@ class MeshBuilder {
 
   using Ends = std::pair<std::uint32_t, std::uint32_t>;
 
-  /// The sharp sides of the face that was read, by their vertices.
+  /// Collects the sharp sides of the face that was read, sorted by their vertices.
   void sort_sides() {
     sharp_sides_.clear();
     std::size_t begin = 0;
@@ -168,7 +169,7 @@ class MeshBuilder {
     made_.face_source.push_back(f);
   }
 
-  /// Puts the numbers of the mesh in the place of those of the scene, in the same order.
+  /// Replaces scene vertices by mesh vertices, in the same order.
   void number_vertices() {
     SubdivisionMesh& mesh = made_.mesh;
     const std::uint32_t begin = object_.vertex_begin;
@@ -183,7 +184,8 @@ class MeshBuilder {
     for (std::uint32_t& v : mesh.corners) v = number[v - begin];
   }
 
-  /// A vertex of a single face is the corner of a sheet: it stays where it is. Triangles cut of one polygon are one face.
+  /// Makes every vertex of a single face sharp: as the corner of a sheet, it stays in place. Triangles cut from one
+  /// polygon are one face.
   void sharpen_ends_of_faces() {
     SubdivisionMesh& mesh = made_.mesh;
     std::vector<std::uint32_t> face_at(mesh.points.size(), kNone);
@@ -205,9 +207,9 @@ class MeshBuilder {
   bool triangles_;
   ControlMesh made_;
   SideTags sides_;
-  LooseFace face_;                                   ///< the face that was read
-  std::vector<float> sharpness_;                     ///< of its sides
-  std::vector<std::pair<Ends, float>> sharp_sides_;  ///< those that are sharp, sorted
+  LooseFace face_;                                   ///< the face read last
+  std::vector<float> sharpness_;                     ///< of the sides of face_
+  std::vector<std::pair<Ends, float>> sharp_sides_;  ///< the sharp sides of face_, sorted
   std::vector<float> vertex_tags_;                   ///< sharpness per vertex of the object
 };
 

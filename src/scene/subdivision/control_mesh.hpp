@@ -1,5 +1,5 @@
 #pragma once
-/// The control mesh of an object.
+/// Makes the control mesh of an object.
 
 #include <span>
 #include <vector>
@@ -11,25 +11,27 @@
 
 namespace ligne {
 
-/// One diagonal of a quad is shorter than the other when it is so by more than rounding: others are alike in all positions.
+/// Largest ratio of a diagonal of a quad to the other one at which it counts as shorter. A smaller difference is
+/// rounding, and the choice must not depend on the position of the quad.
 inline constexpr double kShorterDiagonal = 1 - 1e-9;
 
-/// Faces that are left out.
+/// Numbers of faces that are left out.
 struct LeftOutFaces {
   std::size_t degenerate = 0, not_finite = 0;
 };
 
 struct ControlMesh {
   SubdivisionMesh mesh;                    ///< connected
-  std::vector<std::uint32_t> face_source;  ///< per face, that of the scene
-  std::size_t tagged = 0;                  ///< edges that a crease tag names
+  std::vector<std::uint32_t> face_source;  ///< per face: face of the scene
+  std::size_t tagged = 0;                  ///< number of edges with a crease tag
   LeftOutFaces left_out;
 };
 
-/// The faces of an object of a scene that is not cleaned yet, with the vertices `first[v]` (kNone: not finite) in the place
-/// of its vertices. Faces with holes are cut into triangles, and with `triangles` all other polygons too; faces with fewer
-/// than three distinct vertices, or not finite ones, are left out. Edges that the file calls sharp (kCornerSharp) are always
-/// sharp, others are by their tags; so are vertices of a single face. Tags are sorted.
+/// Makes the control mesh of an object's faces, in a scene that is not cleaned yet. Vertices v are replaced by
+/// `first[v]` (kNone: not finite). Faces with holes are cut into triangles, and so are all other polygons if
+/// `triangles` is set. Faces with fewer than three distinct vertices, or with vertices that are not finite, are left
+/// out. Edges that the file calls sharp (kCornerSharp) are always sharp, and so are vertices of a single face; others
+/// follow the tags, which must be sorted.
 ControlMesh make_control_mesh(const Scene& scene, const Object& object, std::span<const std::uint32_t> first,
                               const CreaseTags& tags, bool triangles);
 

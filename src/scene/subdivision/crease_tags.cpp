@@ -7,7 +7,7 @@
 namespace ligne {
 
 void CreaseTags::sort() {
-  // The sharpest comes first, and the others are dropped behind it.
+  // The sharpest of equal edges comes first, and the others are dropped.
   std::ranges::sort(edges, {}, [](const Edge& e) { return std::tuple(e.v0, e.v1, -e.sharpness); });
   const auto same_edge = [](const Edge& a, const Edge& b) { return a.v0 == b.v0 && a.v1 == b.v1; };
   edges.erase(std::unique(edges.begin(), edges.end(), same_edge), edges.end());

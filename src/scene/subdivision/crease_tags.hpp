@@ -1,5 +1,5 @@
 #pragma once
-/// Semi-sharp creases and corners that a file names for a control mesh.
+/// Semi-sharp creases and corners that a file defines for a control mesh.
 
 #include <cstdint>
 #include <vector>
@@ -18,12 +18,12 @@ struct CreaseTags {
   };
   std::vector<Edge> edges;                 ///< after sort(): ascending by vertices, each pair once
   std::vector<Corner> corners;             ///< after sort(): ascending, each vertex once
-  std::vector<std::uint32_t> file_vertex;  ///< per vertex of the scene, that of the file; empty: they are the same
+  std::vector<std::uint32_t> file_vertex;  ///< per vertex of the scene: vertex of the file; empty: they are equal
 
   bool empty() const { return edges.empty() && corners.empty(); }
-  /// Puts the tags in order. Where several name the same thing, the sharpest counts.
+  /// Sorts the tags. Of several tags for one edge or vertex, the sharpest counts.
   void sort();
-  /// Sharpness of the edge between two vertices of the scene, and of a vertex; 0 where no tag names them. After sort().
+  /// Sharpness of the edge between two vertices of the scene, and of a vertex; 0 without a tag. Call sort() first.
   float of_edge(std::uint32_t a, std::uint32_t b) const;
   float of_vertex(std::uint32_t v) const;
 

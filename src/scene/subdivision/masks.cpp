@@ -1,6 +1,6 @@
-// Masks: smooth vertices of Catmull and Clark's scheme by [CatmullClark1978], their limits by [HalsteadEtAl1993]; those of
-// Loop's scheme by [Loop1987]; creases, corners and semi-sharp creases of both by [DeRoseEtAl1998], as cubic B-splines. All
-// masks are sums whose weights add up to 1, so a moved mesh gives the moved surface.
+// Masks: smooth vertices of the Catmull-Clark scheme by [CatmullClark1978], their limits by [HalsteadEtAl1993]; those
+// of Loop's scheme by [Loop1987]; creases, corners and semi-sharp creases of both by [DeRoseEtAl1998], as cubic
+// B-splines. The weights of every mask add up to 1, so moving the mesh moves the surface with it.
 
 #include "scene/subdivision/masks.hpp"
 
@@ -24,7 +24,7 @@ void for_each_index(std::size_t n, const Work& work) {
 
 Point3 between(const Point3& a, const Point3& b, double part_of_b) { return a * (1 - part_of_b) + b * part_of_b; }
 
-/// Sum of the vertices joined to that of the corners by edges: each edge is a side of two of their faces.
+/// Twice the sum of the neighbours of the vertex of the corners, since each edge is a side of two faces.
 Point3 sum_of_neighbours(const SubdivisionMesh& mesh, std::span<const std::uint32_t> star) {
   Point3 sum{0, 0, 0};
   for (const std::uint32_t k : star) {
@@ -39,16 +39,16 @@ double loop_weight(double n) {
   return (5.0 / 8 - inner * inner) / n;
 }
 
-/// A vertex on sharp edges, or sharp itself.
+/// A vertex on sharp edges, or a sharp vertex.
 class SharpVertex {
  public:
   SharpVertex(const SubdivisionMesh& mesh, std::uint32_t vertex,
               std::span<const std::pair<std::uint32_t, std::uint32_t>> edges)
       : mesh_(mesh), vertex_(vertex), edges_(edges) {}
 
-  /// Where the vertex goes, given where it goes when it is smooth, and the weight of the vertex itself on a crease. A vertex
-  /// whose rule changes because edges are no longer sharp at the next level lies between both rules, by what is left of the
-  /// sharpness of these edges.
+  /// New position of the vertex, given its position under the smooth rule, and the weight of the vertex itself on a
+  /// crease. If its rule changes because edges are no longer sharp at the next level, it is interpolated between both
+  /// rules by the remaining sharpness of these edges.
   Point3 place(const Point3& smooth, double crease_weight) const {
     const Point3 now = by_rule(0, smooth, crease_weight);
     double left = 0;
@@ -66,7 +66,7 @@ class SharpVertex {
   }
 
  private:
-  /// The rule by what is sharper than `least`.
+  /// The rule that follows from sharpness above `least`.
   Point3 by_rule(float least, const Point3& smooth, double crease_weight) const {
     const Point3& p = mesh_.points[vertex_];
     if (mesh_.vertex_sharpness[vertex_] > least) return p;
@@ -87,9 +87,9 @@ class SharpVertex {
   std::span<const std::pair<std::uint32_t, std::uint32_t>> edges_;
 };
 
-/// Corrects the places of the vertices that are not smooth.
+/// Corrects the positions of the vertices that are not smooth.
 void place_sharp_vertices(const SubdivisionMesh& mesh, double crease_weight, std::vector<Point3>& placed) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;  // a vertex and a sharp edge there, or kNone
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;  // a vertex, and a sharp edge at it or kNone
   for (std::uint32_t e = 0; e < mesh.edges.size(); ++e) {
     if (mesh.edge_sharpness[e] == 0) continue;
     for (const std::uint32_t v : mesh.edges[e].ends) ends.emplace_back(v, e);

@@ -1,5 +1,5 @@
 #pragma once
-/// Where the vertices of a subdivided mesh lie: at the next level, and on the limit surface.
+/// Positions of the vertices of a subdivided mesh: at the next level, and on the limit surface.
 
 #include <vector>
 
@@ -10,8 +10,8 @@ namespace ligne {
 /// Points of the next level, in the order of refine().
 std::vector<Point3> refined_points(const SubdivisionMesh& mesh, SubdivisionScheme scheme);
 
-/// The point of the limit surface to which each vertex tends. The faces are quads (Catmull and Clark) or triangles (Loop),
-/// as those of every level but the first. Sharpness that is left counts as if it decayed at the next level.
+/// The limit of each vertex. The faces must be quads (Catmull-Clark) or triangles (Loop), as on every level after the
+/// first. Remaining sharpness counts as if it decayed at the next level.
 std::vector<Point3> limit_points(const SubdivisionMesh& mesh, SubdivisionScheme scheme);
 
 }  // namespace ligne

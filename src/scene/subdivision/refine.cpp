@@ -1,4 +1,4 @@
-// Every number of the next level follows from those of the mesh, so nothing is searched for and all loops run in parallel.
+// Every index of the next level follows from those of the mesh, so nothing is searched and all loops run in parallel.
 //
 //   Catmull and Clark: the quad at corner k         Loop: the triangles of triangle f
 //
@@ -58,7 +58,7 @@ class Refiner {
   std::uint32_t inner(std::uint32_t corner) const { return 2 * edge_count_ + corner; }
   std::uint32_t half(std::uint32_t e, std::uint32_t v) const { return 2 * e + (mesh_.edges[e].ends[0] == v ? 0 : 1); }
 
-  /// The corner where the half at vertex v of a side begins in its face of the next level.
+  /// The corner at which the half of a side at vertex v begins, in its face of the next level.
   std::uint32_t half_side(std::uint32_t side, std::uint32_t v) const {
     const bool begins = mesh_.corners[side] == v;
     if (!loop_) return begins ? 4 * side : 4 * mesh_.next(side) + 3;

@@ -16,10 +16,10 @@
 namespace ligne {
 namespace {
 
-/// Without asked levels the edges of the surface are at most this part of the scene's size: 2 to 3 mm where it fills a sheet
-/// of A4, as fine as contours need to look round. Taste.
+/// Largest edge length of the surface if no levels are requested, relative to the size of the scene: 2 to 3 mm on a
+/// sheet of A4, fine enough for contours to look round. Taste.
 constexpr double kEdgePart = 0.01;
-/// Most triangles where nobody asks for levels: they take the program about a second.
+/// Largest number of triangles if no levels are requested; they take about a second.
 constexpr std::size_t kMostUnasked = 1'000'000;
 
 /// An object and its surface.
@@ -28,7 +28,7 @@ struct Surface {
   std::vector<Point3> points;
   std::vector<std::uint32_t> corners;  ///< three per triangle
   std::vector<std::uint8_t> flags;     ///< CornerFlag per corner
-  std::size_t per_face = 0;            ///< triangles made of a face (Loop), or of a corner, of the control mesh
+  std::size_t per_face = 0;            ///< triangles per face (Loop), or per corner, of the control mesh
 };
 
 std::size_t triangle_count(const ControlMesh& control, SubdivisionScheme scheme, unsigned levels) {
@@ -42,7 +42,7 @@ std::size_t triangle_count(const std::vector<Surface>& surfaces, SubdivisionSche
   return sum;
 }
 
-/// Mean length of the edges of all meshes, weighted by length, as a part of the size of what they hold together.
+/// Mean length of the edges of all meshes, weighted by length, relative to the size of their common bounding box.
 double edge_part(const std::vector<Surface>& surfaces) {
   Point3 low(HUGE_VAL), high(-HUGE_VAL);
   double sum = 0, squares = 0;
@@ -112,7 +112,7 @@ void make_surface(Surface& made, SubdivisionScheme scheme, unsigned levels, bool
   for (unsigned level = 1; level <= levels; ++level) {
     SubdivisionMesh next = refine(mesh, scheme, level == levels);
     next.points = refined_points(mesh, scheme);
-    // The first level alone is needed later: which corners are of which face.
+    // Only the faces of the first level's corners are needed later.
     if (level == 1) {
       made.control.mesh = {};
       made.control.mesh.corner_face = std::move(mesh.corner_face);
@@ -129,7 +129,7 @@ void make_surface(Surface& made, SubdivisionScheme scheme, unsigned levels, bool
   }
 }
 
-/// Writes a scene anew, object by object.
+/// Rewrites a scene, object by object.
 class SceneWriter {
  public:
   SceneWriter(Scene& scene, bool loop) : old_(scene), loop_(loop), first_new_(scene.faces.size() + 1, 0) {}
@@ -202,7 +202,7 @@ class SceneWriter {
     object.face_end = static_cast<std::uint32_t>(faces_.size());
   }
 
-  /// Flags of the corners added last; they come into being with the first corner that has one.
+  /// Adds flags of the last corners. The list of flags stays empty until a corner has one.
   void add_flags(std::span<const std::uint8_t> flags) {
     if (flags_.empty() && std::ranges::all_of(flags, [](std::uint8_t f) { return f == 0; })) return;
     flags_.resize(faces_.corners().size() - flags.size(), 0);

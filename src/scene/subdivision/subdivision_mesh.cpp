@@ -11,10 +11,10 @@
 namespace ligne {
 namespace {
 
-/// Flags that an edge has only where all of its sides have them.
+/// Flags that an edge has only if all its sides have them.
 constexpr std::uint8_t kAllMustSay = kCornerFileHidden | kCornerInner;
 
-/// A side of a face, by the vertices at its ends.
+/// A side of a face, by its end vertices.
 struct FiledSide {
   std::uint64_t ends;  ///< the lower vertex in the upper half
   std::uint32_t corner;
@@ -36,12 +36,12 @@ std::vector<FiledSide> file_sides(const SubdivisionMesh& mesh) {
   return filed;
 }
 
-/// The corner at vertex v of a side that ends there.
+/// The corner at vertex v of a side that has v as an end.
 std::uint32_t corner_at(const SubdivisionMesh& mesh, std::uint32_t side, std::uint32_t v) {
   return mesh.corners[side] == v ? side : mesh.next(side);
 }
 
-/// Vertices where several fans of faces meet stay where they are.
+/// Makes vertices sharp where several fans of faces meet, so that they stay in place.
 void sharpen_where_fans_meet(SubdivisionMesh& mesh, DisjointSets& fans) {
   std::vector<std::uint32_t> fans_at(mesh.points.size(), 0);
   for (std::uint32_t k = 0; k < mesh.corners.size(); ++k) fans_at[mesh.corners[k]] += fans.find(k) == k;
@@ -53,7 +53,7 @@ void sharpen_where_fans_meet(SubdivisionMesh& mesh, DisjointSets& fans) {
 }  // namespace
 
 VertexStars::VertexStars(const SubdivisionMesh& mesh) : begin_(mesh.points.size() + 2, 0), corners_(mesh.corners.size()) {
-  // Counts stand two places further on at first, so that filling moves each begin to where it belongs.
+  // Counts are stored two places further at first, so that filling advances each begin to its final value.
   for (const std::uint32_t v : mesh.corners) ++begin_[v + 2];
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
   for (std::uint32_t k = 0; k < mesh.corners.size(); ++k) corners_[begin_[mesh.corners[k] + 1]++] = k;

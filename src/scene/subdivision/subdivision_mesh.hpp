@@ -20,20 +20,20 @@ inline constexpr float kAlwaysSharp = std::numeric_limits<float>::infinity();
 
 struct SubdivisionEdge {
   std::array<std::uint32_t, 2> ends{kNone, kNone};   ///< vertices
-  std::array<std::uint32_t, 2> sides{kNone, kNone};  ///< the corners where it begins in its first two faces
+  std::array<std::uint32_t, 2> sides{kNone, kNone};  ///< corners where it begins in its first two faces
 };
 
-/// The faces are cyclic lists of corners, one face after the other. A side of a face is named by the corner where it begins.
+/// Faces are cyclic lists of corners, one face after the other. A side of a face is identified by its first corner.
 struct SubdivisionMesh {
   std::vector<Point3> points;           ///< per vertex
   std::vector<float> vertex_sharpness;  ///< per vertex, 0: smooth
-  std::uint32_t face_size = 0;          ///< corners of each face; 0: the faces have sizes of their own
+  std::uint32_t face_size = 0;          ///< corners per face; 0: faces have different sizes
   std::vector<std::uint32_t> face_begin,
       corner_face;                         ///< sizes of their own: first corner per face and the end; face per corner
   std::vector<std::uint32_t> corners;      ///< vertex per corner
   std::vector<std::uint32_t> corner_edge;  ///< the edge of each side
   std::vector<SubdivisionEdge> edges;
-  std::vector<float> edge_sharpness;     ///< per edge, 0: smooth; kAlwaysSharp on borders and where more than two faces meet
+  std::vector<float> edge_sharpness;     ///< per edge, 0: smooth; kAlwaysSharp on borders and at more than two faces
   std::vector<std::uint8_t> edge_flags;  ///< CornerFlag per edge
 
   std::size_t face_count() const { return face_size ? corners.size() / face_size : face_begin.size() - 1; }
@@ -62,23 +62,23 @@ class VertexStars {
   std::vector<std::uint32_t> begin_, corners_;
 };
 
-/// Sharpness and other marks of the sides of faces of a control mesh, per corner.
+/// Sharpness and flags of the sides of a control mesh, per corner.
 struct SideTags {
   std::vector<float> sharpness;
   std::vector<std::uint8_t> flags;  ///< CornerFlag
 };
 
-/// Finds the edges of a mesh whose faces and vertices are there: fills corner_edge, edges, edge_sharpness and edge_flags.
-/// An edge is as sharp as its sharpest side and has the flags of its sides (kCornerFileHidden and kCornerInner where all
-/// have them). Borders and edges of more than two faces are always sharp; so are vertices where fans of faces meet in
-/// nothing but the vertex. Edges are in ascending order of their vertices. O(n log n).
+/// Finds the edges of a mesh with given faces and vertices: fills corner_edge, edges, edge_sharpness and edge_flags. An
+/// edge is as sharp as its sharpest side and has the flags of its sides (kCornerFileHidden and kCornerInner only if all
+/// sides have them). Borders and edges of more than two faces are always sharp; so are vertices at which fans of faces
+/// share only the vertex. Edges are in ascending order of their vertices. O(n log n).
 void connect_edges(SubdivisionMesh& mesh, const SideTags& sides);
 
-/// The next level of a connected mesh: everything but the points. With Catmull and Clark's scheme the vertices are those of
-/// the mesh, then one per edge, then one per face, and face k is the quad at corner k of the mesh, from its vertex over the
-/// middle of its side. With Loop's scheme (triangles) they are those of the mesh, then one per edge, and the faces of
-/// triangle f are those at its three corners and the one in its middle. Edges 2 e and 2 e + 1 are the halves of edge e;
-/// those inside of the faces follow, except where `last` leaves them out: no level is made of it.
+/// The next level of a connected mesh, without the points. In the Catmull-Clark scheme, vertices are those of the mesh,
+/// then one per edge, then one per face; face k is the quad at corner k of the mesh, from its vertex past the middle of
+/// its side. In Loop's scheme (triangles), vertices are those of the mesh, then one per edge; triangle f gives the
+/// faces at its three corners and the one in its middle. Edges 2 e and 2 e + 1 are the halves of edge e. The edges
+/// inside faces follow, unless `last` omits them because no further level is made.
 SubdivisionMesh refine(const SubdivisionMesh& mesh, SubdivisionScheme scheme, bool last);
 
 }  // namespace ligne

@@ -15,7 +15,7 @@
 namespace ligne {
 namespace {
 
-/// Elements that one task converts.
+/// Value for the index of the first bad element if all are good.
 constexpr std::size_t kAllGood = std::numeric_limits<std::size_t>::max();
 
 std::size_t component_size(int type) {
@@ -36,11 +36,11 @@ bool is_index_type(int type) {
          type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
 }
 
-/// How elements lie in a buffer view.
+/// Layout of elements in a buffer view.
 struct ElementLayout {
   std::size_t count, element_size;  ///< the size in bytes
   int component_type;
-  bool may_stride = false;  ///< the view's stride holds; else they follow each other without gaps
+  bool may_stride = false;  ///< the view's stride applies; otherwise elements are adjacent
 };
 
 GltfElements in_view(GltfDocument& document, const std::string& place, int view_index, std::size_t offset,
@@ -56,7 +56,7 @@ GltfElements in_view(GltfDocument& document, const std::string& place, int view_
                              " of " + std::to_string(view.byteLength) + " bytes");
   }
   const std::span<const std::byte> bytes = document.view_bytes(static_cast<std::size_t>(view_index));
-  // Without elements the offset may lie anywhere.
+  // An accessor without elements may have any offset.
   const std::byte* data = count == 0 ? bytes.data() : bytes.data() + offset;
   return {data, count, stride, component_type};
 }
@@ -72,7 +72,7 @@ GltfAccessor open_accessor(GltfDocument& document, std::size_t index, std::size_
     accessor.elements = in_view(document, accessor.place, from.bufferView, from.byteOffset,
                                 {from.count, element_size, from.componentType, true});
   } else {
-    // Zeros cost no bytes of the file, so their number is believed only as far as the file is long.
+    // Zeros take no bytes in the file, so their count is accepted only up to the length of the file.
     if (from.count > document.bytes_read()) {
       document.fail(accessor.place, "claims " + std::to_string(from.count) + " elements, but has no bufferView");
     }
@@ -118,7 +118,7 @@ auto with_type(int component_type, const Work& work) {
   }
 }
 
-/// As above, for indices, is_index_type().
+/// Calls work as with_type() does, for the types of indices (is_index_type()).
 template <class Work>
 auto with_index_type(int component_type, const Work& work) {
   switch (component_type) {
@@ -136,7 +136,7 @@ std::uint32_t load_index(const GltfElements& from, std::size_t i) {
                          [&](auto type) -> std::uint32_t { return load<decltype(type)>(from.data + i * from.stride); });
 }
 
-/// Number k of an element; integers that are normalized stand for -1 to 1.
+/// Number k of element i; normalized integers are scaled to -1 to 1.
 double load_component(const GltfElements& from, std::size_t i, std::size_t k, bool normalized) {
   return with_type(from.component_type, [&](auto type) -> double {
     using T = decltype(type);
@@ -146,22 +146,22 @@ double load_component(const GltfElements& from, std::size_t i, std::size_t k, bo
   });
 }
 
-/// The result of reading: the largest value without sign, and the first element that can not be.
+/// Result of reading: the largest absolute value, and the first invalid element.
 struct Met {
   double largest = 0;
   std::size_t bad = kAllGood;
   friend Met operator+(const Met& a, const Met& b) { return {std::max(a.largest, b.largest), std::min(a.bad, b.bad)}; }
 };
 
-/// Whether a transform leaves every point where it is.
+/// Whether a transform leaves every point unchanged.
 bool is_identity(const glm::dmat4& m) { return m == glm::dmat4(1); }
 
-/// Reads elements and hands position number i to put(i, position).
+/// Reads elements and calls put(i, position) for each.
 template <class T, class Put>
 Met read_as(const GltfElements& from, double scale, const Put& put) {
   return parallel_reduce(from.count, kShortWorkBlock, Met{}, [&](std::size_t begin, std::size_t end) {
     Met met;
-    T largest = 0;  // of floats; the integers are always good
+    T largest = 0;  // of floats; integers are always valid
     for (std::size_t i = begin; i != end; ++i) {
       const std::byte* at = from.data + i * from.stride;
       const T x = load<T>(at), y = load<T>(at + sizeof(T)), z = load<T>(at + 2 * sizeof(T));
@@ -174,7 +174,7 @@ Met read_as(const GltfElements& from, double scale, const Put& put) {
         largest = std::max(largest, most);
         put(i, Point3(x, y, z));
       } else {
-        // The most negative of normalized integers stands for -1 too.
+        // The most negative normalized integer also means -1.
         const Point3 p = glm::max(Point3(x, y, z) * scale, scale == 1 ? -std::numeric_limits<double>::infinity() : -1.0);
         met.largest = std::max({met.largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
         put(i, p);
@@ -199,7 +199,7 @@ Met read_elements(const GltfElements& from, bool normalized, const Put& put) {
   });
 }
 
-/// Writes positions through `move`; sparse ones replace others.
+/// Writes positions transformed by `move`; sparse ones replace others.
 template <class Move>
 double read_moved(const GltfDocument& document, const GltfAccessor& accessor, std::span<Point3> out, const Move& move) {
   const auto check = [&](const Met& met, const char* what) {
@@ -217,7 +217,7 @@ double read_moved(const GltfDocument& document, const GltfAccessor& accessor, st
                     "sparse index " + std::to_string(at) + " of " + std::to_string(accessor.count()) + " elements");
     }
   }
-  // One after the other, so that of two values for one element the last one stands, whatever the number of threads.
+  // Sequential, so that the last of two values for one element counts at any number of threads.
   std::vector<Point3> values(indices.count);
   const Met met = read_elements(accessor.sparse_values, accessor.normalized,
                                 [&](std::size_t i, const Point3& p) { values[i] = move(p); });
@@ -304,7 +304,7 @@ void read_indices(const GltfDocument& document, const GltfAccessor& accessor, st
       return parallel_reduce(from.count, kShortWorkBlock, kAllGood, read,
                              [](std::size_t a, std::size_t b) { return std::min(a, b); });
     });
-    // The block of the first bad index is known; an index that a sparse one replaces is bad nevertheless.
+    // Only the block of the first bad index is known. An index is bad even if a sparse one replaces it.
     for (std::size_t i = bad; i < from.count; ++i) check(i, load_index(from, i));
   }
   for (std::size_t i = 0; i < accessor.sparse_indices.count; ++i) {

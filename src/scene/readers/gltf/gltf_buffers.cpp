@@ -30,7 +30,7 @@ int hex_digit(char c) {
   return -1;
 }
 
-/// RFC 3986 percent decoding; a '%' that is no escape stands for itself.
+/// RFC 3986 percent decoding; a '%' that begins no escape stays.
 std::string percent_decode(std::string_view uri) {
   std::string out;
   for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -58,7 +58,7 @@ std::optional<std::vector<std::byte>> decode_base64(std::string_view text) {
     if (six == kNotBase64) return std::nullopt;
     bits = bits << 6 | six;
     if (i % 4 == 0) continue;
-    // After the second, third and fourth letter of four the next eight bits are complete.
+    // The second, third and fourth letter of four each complete another eight bits.
     out.push_back(static_cast<std::byte>(bits >> (6 - 2 * (i % 4)) & 0xff));
   }
   return out;
@@ -126,7 +126,7 @@ std::vector<std::byte> GltfBuffers::read_file(std::size_t buffer) const {
   if (folder_.empty()) fail(buffer, "uri " + shown(entry.uri, '"') + " can not be read: the model has no folder");
   const std::filesystem::path file = folder_ / path;
   std::error_code error;
-  // A pipe or a device would not end.
+  // Reading a pipe or a device might never end.
   if (!std::filesystem::is_regular_file(file, error)) fail(buffer, "there is no file " + shown(entry.uri, '"'));
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) fail(buffer, "file " + shown(entry.uri, '"') + " can not be read");

@@ -14,23 +14,23 @@
 
 namespace ligne {
 
-/// Bytes that a base64 text stands for, or nothing when it is not base64.
+/// The bytes of a base64 text, or nothing if it is not base64.
 std::optional<std::vector<std::byte>> decode_base64(std::string_view text);
 
-/// Buffers are fetched when they are first asked for, so that a missing file that only images use does no harm.
+/// Buffers are fetched when first requested, so that a missing file used only by images does no harm.
 class GltfBuffers {
  public:
-  /// `chunk` is the binary chunk of a GLB; it must outlive this object, nothing is copied.
+  /// `chunk` is the binary chunk of a GLB. It is not copied and must outlive this object.
   GltfBuffers(std::vector<GltfBufferEntry> entries, std::span<const std::byte> chunk, std::filesystem::path folder,
               std::string name);
 
   /// All byteLength bytes of a buffer. Throws InputError.
   std::span<const std::byte> get(std::size_t buffer);
 
-  /// The files that buffers name, whether they are fetched or not.
+  /// The files that buffers refer to, fetched or not.
   InputFiles files() const;
 
-  /// Size of the buffers fetched so far that stand in files of their own or in data uris.
+  /// Total size of the fetched buffers that come from files of their own or from data URIs.
   std::size_t bytes_read() const;
 
  private:

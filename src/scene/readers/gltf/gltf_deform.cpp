@@ -19,7 +19,7 @@ GltfDeformation read_deformation(GltfDocument& document, const tinygltf::Primiti
                                  const DracoMesh* draco) {
   GltfDeformation out;
   out.targets = primitive.targets;
-  // Values of an attribute for every vertex, or nothing where the primitive does not have it.
+  // Values of an attribute for every vertex; empty if the primitive does not have it.
   const auto values_of = [&](const std::string& key) {
     if (draco) return draco->joints.contains(key) ? draco->joints.at(key) : std::vector<double>();
     const auto accessor = primitive.attributes.find(key);
@@ -105,7 +105,7 @@ glm::dmat4 GltfDeformer::transform(std::size_t vertex) const {
     sum += weight * joints_[static_cast<std::size_t>(deformation_.joints[k])];
     total += weight;
   }
-  // Weights are to sum to one, but quantised ones do so only nearly; without any, the first joint has all.
+  // Weights should sum to one, but quantised ones do so only nearly. If all are zero, the first joint gets all.
   return total > 0 ? sum / total : joints_[static_cast<std::size_t>(deformation_.joints[first])];
 }
 
@@ -124,7 +124,7 @@ void GltfDeformer::turn_normals(std::span<Point3> normals) {
   add_targets("NORMAL", normals);
   for (std::size_t v = 0; v < normals.size(); ++v) {
     const glm::dmat3 linear(transform(v));
-    // The cofactors turn normals as the inverse of the transposed matrix does, for flat transforms too.
+    // The matrix of cofactors turns normals like the transposed inverse, but also exists for flat transforms.
     const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                                glm::cross(linear[0], linear[1]));
     normals[v] = cofactors * normals[v];

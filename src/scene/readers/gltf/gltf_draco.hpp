@@ -12,16 +12,16 @@
 
 namespace ligne {
 
-/// The positions and triangles of a compressed primitive; every corner is below positions.size().
+/// Positions and triangles of a compressed primitive; every corner is below positions.size().
 struct DracoMesh {
   std::vector<Point3> positions;
   std::vector<std::uint32_t> corners;                 ///< three per triangle
-  double largest = 0;                                 ///< largest coordinate, without sign
+  double largest = 0;                                 ///< largest absolute coordinate
   std::map<std::string, std::vector<double>> joints;  ///< JOINTS_0, WEIGHTS_0 and so on, four numbers per position
 };
 
-/// Decodes a mesh with its attributes POSITION, JOINTS_n and WEIGHTS_n, given by their unique ids. Throws InputError(name,
-/// place + cause); always does when the program was built without libdraco.
+/// Decodes a mesh with its attributes POSITION, JOINTS_n and WEIGHTS_n, given by their unique ids. Throws
+/// InputError(name, place + cause); always does if the program was built without libdraco.
 DracoMesh decode_draco(std::span<const std::byte> bytes, const std::map<std::string, int>& ids, const std::string& name,
                        const std::string& place);
 

@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 7> kRead{"KHR_mesh_quantization", kDracoE
                                                 kInstancingExtension,    kVisibilityExtension, kTransmissionExtension,
                                                 kGlossinessExtension};
 
-/// Families and names that change how a surface shines, its textures, animations or notes, but no line.
+/// Prefixes of extensions that change the shine of a surface, textures, animations or notes, but no line.
 constexpr std::array<std::string_view, 16> kHarmlessPrefixes{"KHR_materials_",
                                                              "KHR_texture_",
                                                              "EXT_texture_",
@@ -35,7 +35,7 @@ constexpr std::array<std::string_view, 16> kHarmlessPrefixes{"KHR_materials_",
                                                              "KHR_node_hoverability",
                                                              "KHR_interactivity",
                                                              "AGI_"};
-/// Lights are not read, but geometry does not need them.
+/// Prefixes of light extensions. Lights are not read, but geometry does not need them.
 constexpr std::array<std::string_view, 2> kLightPrefixes{"KHR_lights_", "EXT_lights_"};
 
 template <class Prefixes>
@@ -48,10 +48,10 @@ bool is_read(std::string_view extension) { return std::ranges::find(kRead, exten
 
 constexpr char kWholeFile[] = "files";
 
-/// Uses of extensions by name, and by the kind of thing that has them.
+/// Number of uses per extension and per kind of object that uses it.
 using Uses = std::map<std::string, std::map<std::string, std::size_t>>;
 
-/// Depth is bounded by check_depth() of gltf_json.cpp.
+/// Collects uses. check_depth() in gltf_json.cpp bounds the depth.
 void collect(const json& value, const std::string& kind, Uses& uses) {
   if (value.is_array()) {
     for (const json& item : value) collect(item, kind, uses);
@@ -87,7 +87,7 @@ void count_extensions(const json& root, Omissions& left_out) {
   for (const auto& [extension, kinds] : uses) {
     if (is_read(extension) || begins_with_one(extension, kHarmlessPrefixes)) continue;
     for (const auto& [kind, n] : kinds) {
-      // The file as a whole holds what others use.
+      // The file as a whole only lists the extensions that other objects use.
       if (kind != kWholeFile || kinds.size() == 1) left_out.count(kind + " with " + extension, n);
     }
   }

@@ -1,5 +1,5 @@
 #pragma once
-/// The extensions of glTF: those that are read, those that change nothing that a drawing shows, and all others.
+/// Classifies the extensions of glTF: those that are read, those that affect no drawing, and all others.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -15,10 +15,10 @@ inline constexpr char kVisibilityExtension[] = "KHR_node_visibility";
 inline constexpr char kTransmissionExtension[] = "KHR_materials_transmission";
 inline constexpr char kGlossinessExtension[] = "KHR_materials_pbrSpecularGlossiness";
 
-/// Throws InputError naming the extension when the geometry can not be understood without it.
+/// Throws InputError with the name of the extension if the geometry can not be read without it.
 void check_required_extension(const std::string& extension, const std::string& name);
 
-/// Counts what uses extensions that are not read here, and that a drawing might show: "nodes with EXT_foo".
+/// Counts objects with extensions that are not read, but that a drawing might show: "nodes with EXT_foo".
 void count_extensions(const nlohmann::json& root, Omissions& left_out);
 
 }  // namespace ligne

@@ -7,8 +7,9 @@
 
 namespace ligne {
 
-/// Puts, for every node with the extension, its instances in the place of the one: each transform of an instance is applied
-/// before that of the node. Throws InputError when the attributes disagree, or there are more than `most` in all.
+/// Replaces the instance of every node with the extension by the instances of the extension. Their transforms are
+/// applied before that of the node. Throws InputError if the attributes disagree, or if there are more than `most` in
+/// all.
 void add_gpu_instances(GltfDocument& document, std::size_t most, std::vector<GltfInstance>& instances);
 
 }  // namespace ligne

@@ -1,6 +1,6 @@
 #pragma once
-/// A JSON object of a glTF file, read field by field: every reading checks, and an error names the array, the index and the
-/// field that is wrong.
+/// Reads a JSON object of a glTF file field by field. Every access checks, and errors name the array, the index and the
+/// field.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace ligne {
 
-/// One object of the file and what it is called in errors.
+/// One object of the file, and its name in errors.
 class GltfItem {
  public:
   using Json = nlohmann::json;
@@ -60,7 +60,7 @@ class GltfItem {
     if (!v) fail(std::string(key) + " is missing");
     return *v;
   }
-  /// An index into an array of `size` things.
+  /// An index into an array of `size` items.
   std::optional<std::size_t> index(const char* key, std::size_t size) const {
     const std::optional<std::size_t> v = whole(key);
     if (v) check_index(*v, key, size);
@@ -82,7 +82,7 @@ class GltfItem {
     }
     return out;
   }
-  /// `size` numbers, or nothing when the key is absent.
+  /// `size` numbers, or nothing if the key is absent.
   Json numbers(const char* key, std::size_t size) const {
     const Json* list = array(key);
     if (!list) return nullptr;
@@ -92,7 +92,7 @@ class GltfItem {
     }
     return *list;
   }
-  /// Numbers, however many; nothing when the key is absent.
+  /// Any number of numbers; nothing if the key is absent.
   Json numbers(const char* key) const {
     const Json* list = array(key);
     return list ? numbers(key, list->size()) : Json();
@@ -102,12 +102,12 @@ class GltfItem {
   const Json& value() const { return value_; }
 
  private:
-  /// Beyond it a double does not hold every whole number.
+  /// Largest number up to which a double holds every whole number.
   static constexpr double kMaxWhole = 9007199254740992.0;
 
   std::size_t whole(const Json& v, const char* key) const {
     if (v.is_number_unsigned()) return v.get<std::size_t>();
-    // Some exporters write 3.0.
+    // Some exporters write whole numbers as 3.0.
     if (v.is_number_float() && v.get<double>() >= 0 && v.get<double>() <= kMaxWhole &&
         std::floor(v.get<double>()) == v.get<double>()) {
       return static_cast<std::size_t>(v.get<double>());

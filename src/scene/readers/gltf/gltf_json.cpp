@@ -1,6 +1,6 @@
-// tinygltf trusts the types and indices of the JSON that it is given, and keeps images, extras and buffers that no drawing
-// needs. So the file is parsed here first, what a drawing needs of it is checked field by field, and only that, written
-// anew, goes to tinygltf. An error names the array and the index of the thing that is wrong.
+// tinygltf trusts the types and indices of its JSON, and keeps images, extras and buffers that no drawing needs. So the
+// file is parsed here first, the parts that a drawing needs are checked field by field, and only these are written to
+// new JSON for tinygltf. Errors name the array and the index of the item.
 
 #include "scene/readers/gltf/gltf_json.hpp"
 
@@ -24,9 +24,9 @@ namespace {
 
 using nlohmann::json;
 
-/// Deepest nesting of a file: a glTF needs about ten levels, but its extras may hold anything.
+/// Largest nesting depth of a file: glTF needs about ten levels, but extras may hold anything.
 constexpr int kMaxJsonDepth = 256;
-/// tinygltf keeps offsets of sparse accessors as int.
+/// Largest offset of a sparse accessor, which tinygltf stores as int.
 constexpr std::size_t kMaxSparseOffset = std::numeric_limits<int>::max();
 void check_depth(std::string_view text, const std::string& name) {
   int depth = 0;
@@ -90,7 +90,7 @@ class Checker {
       return json{{"nodes", item.indices("nodes", counts_.nodes)}};
     });
     text["skins"] = each("skins", "skin ", [&](const GltfItem& item) { return checked_skin(item, counts_); });
-    // How a model moves is no reason to refuse it as it stands.
+    // Broken animations are no reason to refuse a model.
     try {
       text["animations"] = each("animations", "animation ", [&](const GltfItem& item) {
         return checked_animation(item, counts_, out.animation_left_out);
@@ -136,7 +136,7 @@ class Checker {
     return {item.required_whole("byteLength"), uri != nullptr, item.text("uri")};
   }
 
-  /// A range of bytes in a buffer.
+  /// Reads a range of bytes in a buffer.
   GltfRange range(const GltfItem& item, const std::vector<GltfBufferEntry>& buffers) const {
     const std::size_t buffer = item.required_index("buffer", buffers_);
     const std::size_t offset = item.whole("byteOffset").value_or(0), length = item.required_whole("byteLength");
@@ -246,7 +246,7 @@ class Checker {
     return out;
   }
 
-  /// A texture is counted, and never a reason to refuse a file.
+  /// Counts a texture. A broken texture is no reason to refuse a file.
   void add_texture(const GltfItem& texture) {
     const json* const index = texture.find("index");
     textures_.insert(index && index->is_number_unsigned() ? index->get<std::size_t>() : 0);
@@ -274,7 +274,7 @@ class Checker {
     json out{{"attributes", json::object()}, {"mode", item.whole("mode").value_or(4)}};
     if (out["mode"] > 6) item.fail("mode " + out["mode"].dump() + " is not known");
     if (const auto position = attributes.index("POSITION", counts_.accessors)) out["attributes"]["POSITION"] = *position;
-    // How a surface is shaded is no reason to refuse it: normals that are broken are left out.
+    // Broken normals are left out: shading is no reason to refuse a model.
     const json* normals = attributes.find("NORMAL");
     if (normals && normals->is_number_unsigned() && *normals < counts_.accessors) out["attributes"]["NORMAL"] = *normals;
     if (const auto indices = item.index("indices", counts_.accessors)) out["attributes"][kGltfIndices] = *indices;
@@ -286,7 +286,7 @@ class Checker {
       const std::size_t view = draco->required_index("bufferView", views_);
       const GltfItem ids = draco->required_object("attributes");
       json checked{{"POSITION", ids.required_index("POSITION", std::numeric_limits<int>::max())}};
-      // Joints and weights stand in the compressed mesh, or nowhere.
+      // Joints and weights are in the compressed mesh, or nowhere.
       const GltfCounts any{.accessors = std::numeric_limits<int>::max()};
       add_skin_attributes(ids, any, checked);
       out["extensions"][kDracoExtension] = {{"bufferView", view}, {"attributes", std::move(checked)}};
@@ -294,7 +294,7 @@ class Checker {
     return out;
   }
 
-  /// One that is broken has an angle of 0: how a model could be looked at is no reason to refuse it.
+  /// Lists the cameras. A broken one gets an angle of 0, since it is no reason to refuse a model.
   json list_cameras() const {
     json out = json::array();
     const json* const list = root_.find("cameras");
@@ -348,10 +348,10 @@ class Checker {
   GltfItem root_;
   GltfCounts counts_;
   std::size_t scenes_ = 0, meshes_ = 0, materials_ = 0, views_ = 0, buffers_ = 0;
-  std::set<std::size_t> textures_;  ///< of base colours
+  std::set<std::size_t> textures_;  ///< textures of base colours
 };
 
-/// glTF 1.0 keeps its things in objects by name, and its version may be missing.
+/// Recognises glTF 1.0, which keeps its items in objects by name, and whose version may be missing.
 void check_not_gltf_1(const json& root, const std::string& name) {
   if (!root.is_object()) return;
   const auto part = [&](const json& object, const char* key) {

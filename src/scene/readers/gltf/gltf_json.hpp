@@ -30,22 +30,23 @@ struct GltfCompressed {
   MeshoptView view;
 };
 
-/// The parts of a glTF file that a drawing needs: every index is in range, every type is right.
+/// The parts of a glTF file that a drawing needs. Every index is in range and every type is right.
 struct CheckedGltf {
-  /// JSON with the geometry and its materials alone, without buffers, for tinygltf. The index accessor of a primitive stands
+  /// JSON for tinygltf with only the geometry and its materials, without buffers. The index accessor of a primitive is
   /// among its attributes as kGltfIndices.
   std::string text;
   std::vector<GltfBufferEntry> buffers;
   std::vector<std::optional<GltfCompressed>> compressed;  ///< by bufferView
   Omissions left_out;
-  Omissions animation_left_out;  ///< matters where a pose is asked for
-  std::string animation_error;   ///< the same: the error line of animations that are broken
+  Omissions animation_left_out;  ///< reported only if a pose is requested
+  std::string animation_error;   ///< error line of broken animations; likewise
 };
 
-/// Says of a glTF 1.0 that it is not read, and what to do.
+/// Message for glTF 1.0: it is not read, and how to convert it.
 inline constexpr char kGltf1[] = "is glTF 1.0, which is not read: convert it with gltf-pipeline -i OLD -o NEW.glb";
 
-/// tinygltf refuses index accessors without bufferView, which Draco and sparse accessors need, but takes such attributes.
+/// Attribute for index accessors. tinygltf refuses them without a bufferView, as Draco and sparse accessors have them,
+/// but accepts such attributes.
 inline constexpr char kGltfIndices[] = "_LIGNE_INDICES";
 
 /// Parses and checks. Throws InputError(name, "accessor 3: ...").

@@ -9,7 +9,7 @@
 namespace ligne {
 namespace {
 
-/// Sets of four joints for a vertex that are read: more than any exporter writes.
+/// Largest number of sets of four joints per vertex that are read: more than any exporter writes.
 constexpr int kMostJointSets = 8;
 
 bool is_interpolation(std::string_view word) { return word == "LINEAR" || word == "STEP" || word == "CUBICSPLINE"; }

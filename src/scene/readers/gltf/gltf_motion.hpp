@@ -1,5 +1,5 @@
 #pragma once
-/// The parts of a glTF file that move vertices, checked: morph targets, skins, animations and instances.
+/// Checks the parts of a glTF file that move vertices: morph targets, skins, animations and instances.
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -9,17 +9,17 @@
 
 namespace ligne {
 
-/// Lengths of the arrays that such parts name things of.
+/// Lengths of the arrays to which these parts refer.
 struct GltfCounts {
   std::size_t nodes = 0, accessors = 0, skins = 0;
 };
 
 /// The targets of a primitive, with their positions and normals.
 nlohmann::json checked_targets(const GltfItem& primitive, const GltfCounts& counts);
-/// JOINTS_0, WEIGHTS_0 and so on, added to the attributes in `to`.
+/// Adds JOINTS_0, WEIGHTS_0 and so on to the attributes in `to`.
 void add_skin_attributes(const GltfItem& attributes, const GltfCounts& counts, nlohmann::json& to);
 nlohmann::json checked_skin(const GltfItem& skin, const GltfCounts& counts);
-/// Channels that turn nodes, or change weights of morph targets; others are counted as left out.
+/// The channels that move nodes or change weights of morph targets; others are counted as left out.
 nlohmann::json checked_animation(const GltfItem& animation, const GltfCounts& counts, Omissions& left_out);
 /// The attributes of EXT_mesh_gpu_instancing.
 nlohmann::json checked_instancing(const GltfItem& extension, const GltfCounts& counts);

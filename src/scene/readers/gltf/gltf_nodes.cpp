@@ -14,7 +14,7 @@ namespace {
 
 std::string place_of(std::size_t node) { return "node " + std::to_string(node); }
 
-/// Linear part of a unit quaternion (x, y, z, w); one that is not quite of unit length is brought to it.
+/// Linear part of a quaternion (x, y, z, w), which is normalized first.
 glm::dmat3 rotation_matrix(const std::vector<double>& q) {
   double x = q[0], y = q[1], z = q[2], w = q[3];
   const double length = std::sqrt(x * x + y * y + z * z + w * w);
@@ -32,7 +32,7 @@ glm::dmat4 local_matrix(const tinygltf::Node& node) {
   return m;
 }
 
-/// World matrices of all nodes, also of those that no scene names.
+/// World matrices of all nodes, including those outside all scenes.
 std::vector<glm::dmat4> world_matrices(const std::vector<tinygltf::Node>& nodes, const std::vector<std::uint32_t>& parent) {
   std::vector<glm::dmat4> to_world(nodes.size());
   std::vector<std::size_t> stack;
@@ -49,7 +49,7 @@ std::vector<glm::dmat4> world_matrices(const std::vector<tinygltf::Node>& nodes,
   return to_world;
 }
 
-/// Parent of each node, kNone for roots; every node has one at most, and none is its own ancestor.
+/// Parent of each node, kNone for roots. Checks that every node has at most one and none is its own ancestor.
 std::vector<std::uint32_t> find_parents(const GltfDocument& document) {
   const std::vector<tinygltf::Node>& nodes = document.model.nodes;
   std::vector<std::uint32_t> parent(nodes.size(), kNone);
@@ -64,7 +64,7 @@ std::vector<std::uint32_t> find_parents(const GltfDocument& document) {
       of_child = n;
     }
   }
-  // Climbs from each node until a node that is known to have a root above it.
+  // Climbs from each node to a node that is known to be below a root.
   std::vector<std::uint32_t> climbed_from(nodes.size(), kNone);
   for (std::uint32_t n = 0; n < nodes.size(); ++n) {
     for (std::uint32_t at = n; at != kNone && climbed_from[at] == kNone; at = parent[at]) {
@@ -112,7 +112,7 @@ GltfNodes list_nodes(const GltfDocument& document) {
   while (!stack.empty()) {
     const Visit visit = stack.back();
     stack.pop_back();
-    // Parents are unique, so only a scene that names a node twice, or a node and an ancestor of it, comes here again.
+    // Parents are unique, so only a scene that lists a node twice, or a node and its ancestor, gets here again.
     if (visited[visit.node]) document.fail(place_of(visit.node), "is in the scene twice");
     visited[visit.node] = 1;
     const tinygltf::Node& node = model.nodes[visit.node];

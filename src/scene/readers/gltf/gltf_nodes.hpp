@@ -9,14 +9,14 @@
 
 namespace ligne {
 
-/// A mesh as it stands in the world.
+/// A mesh placed in the world.
 struct GltfInstance {
   std::size_t node = 0;
   std::size_t mesh = 0;
   glm::dmat4 to_world{1};
 };
 
-/// A camera as it stands in the world.
+/// A camera placed in the world.
 struct GltfCamera {
   std::size_t node = 0;
   std::size_t camera = 0;
@@ -26,17 +26,17 @@ struct GltfCamera {
 struct GltfNodes {
   std::vector<GltfInstance> instances;
   std::vector<GltfCamera> cameras;
-  std::vector<glm::dmat4> to_world;  ///< of every node of the file
+  std::vector<glm::dmat4> to_world;  ///< per node of the file
 };
 
-/// The transform of a translation, a rotation (quaternion x, y, z, w) and a scale, applied from the last to the first. Lists
-/// that are empty change nothing.
+/// The transform that applies a scale, then a rotation (quaternion x, y, z, w), then a translation. Empty lists change
+/// nothing.
 glm::dmat4 matrix_of(const std::vector<double>& translation, const std::vector<double>& rotation,
                      const std::vector<double>& scale);
 
-/// The nodes with a mesh or a camera of the default scene, or below all root nodes when the file names no scene, parents
-/// before children. Meshes of nodes that KHR_node_visibility hides, and of those below them, are not among them. Throws
-/// InputError when the nodes are not a strict tree.
+/// The nodes with a mesh or a camera of the default scene, or of all root nodes if the file has no scene, parents
+/// before children. Omits meshes of nodes hidden by KHR_node_visibility and of their descendants. Throws InputError
+/// unless the nodes are a strict tree.
 GltfNodes list_nodes(const GltfDocument& document);
 
 /// Largest stretch of a direction by the linear part of a transform: its largest singular value.

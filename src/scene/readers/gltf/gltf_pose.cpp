@@ -12,7 +12,7 @@
 namespace ligne {
 namespace {
 
-/// The animation of that name, or else of that number, from 0.
+/// The animation with the requested name, or else with that number, from 0.
 const tinygltf::Animation& find_animation(const GltfDocument& document, const std::string& asked) {
   const std::vector<tinygltf::Animation>& all = document.model.animations;
   const auto named = std::ranges::find(all, asked, &tinygltf::Animation::name);
@@ -30,8 +30,8 @@ const tinygltf::Animation& find_animation(const GltfDocument& document, const st
                                       (all.size() > kMostListed ? " and more" : ""));
 }
 
-/// The keys of a channel, `width` numbers each: with cubic splines these are three times as many, since every key has a
-/// tangent before and after it.
+/// The keys of a channel with `width` numbers each. With cubic splines there are three times as many, since every key
+/// has a tangent before and after it.
 struct Keys {
   std::vector<double> times, values;
   std::size_t width = 0;
@@ -46,11 +46,11 @@ struct Keys {
   }
 };
 
-/// Sine of the angle of two quaternions below which the straight way between them is the one on the sphere: their weights
+/// Sine of the angle of two quaternions below which linear interpolation equals the one on the sphere: their weights
 /// differ by less than a sixth of its square, which is below the last place of a double.
 constexpr double kStraightSine = 1e-9;
 
-/// Rotations that lie between two: along the shorter way on the sphere (appendix C.4).
+/// Interpolates two rotations along the shorter way on the sphere (appendix C.4).
 std::vector<double> between_rotations(std::span<const double> a, std::span<const double> b, double t) {
   double cosine = 0;
   for (std::size_t k = 0; k < 4; ++k) cosine += a[k] * b[k];
@@ -86,7 +86,7 @@ std::vector<double> value_at(const Keys& keys, double time, bool is_rotation) {
   return out;
 }
 
-/// Morph targets of the mesh of a node.
+/// Number of morph targets of a node's mesh.
 std::size_t target_count(const tinygltf::Model& model, const tinygltf::Node& node) {
   std::size_t n = 0;
   if (node.mesh < 0) return n;
@@ -125,7 +125,7 @@ void apply_pose(GltfDocument& document, const ScenePose& pose) {
     tinygltf::Node& node = model.nodes[static_cast<std::size_t>(channel.target_node)];
     const bool is_rotation = channel.target_path == "rotation", is_weights = channel.target_path == "weights";
     const std::size_t width = is_rotation ? 4 : is_weights ? target_count(model, node) : 3;
-    if (width == 0) continue;  // weights of nothing
+    if (width == 0) continue;  // there are no weights
     const std::string place =
         "animation " + std::to_string(&animation - model.animations.data()) + ", channel " + std::to_string(c);
     const Keys keys =
@@ -135,7 +135,7 @@ void apply_pose(GltfDocument& document, const ScenePose& pose) {
       node.weights = std::move(value);
       continue;
     }
-    // A node that moves has no matrix of its own (section 3.5.3).
+    // An animated node must not have a matrix (section 3.5.3).
     if (!node.matrix.empty()) document.fail(place, "moves a node that has a matrix");
     (is_rotation ? node.rotation : channel.target_path == "scale" ? node.scale : node.translation) = std::move(value);
   }

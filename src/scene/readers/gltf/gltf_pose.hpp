@@ -1,5 +1,5 @@
 #pragma once
-/// A moment of an animation of a glTF file.
+/// Applies a moment of an animation of a glTF file.
 
 #include <string>
 
@@ -8,8 +8,8 @@
 
 namespace ligne {
 
-/// Gives the nodes the translations, rotations, scales and weights that they have then. Before the first key of a channel
-/// its first value holds, after the last key its last. Throws InputError when the file has no such animation.
+/// Sets the translations, rotations, scales and weights of the nodes at that time. Before the first key of a channel
+/// its first value applies, after the last key its last value. Throws InputError if the file has no such animation.
 /// Source: Khronos glTF 2.0, section 3.11 and appendix C.
 void apply_pose(GltfDocument& document, const ScenePose& pose);
 

@@ -1,6 +1,6 @@
-// The order of work: the document is opened and checked; the node tree gives the instances of meshes; a first pass over
-// them opens their accessors and counts, so that what the scene will need is known, and refused, before it is
-// allocated; a second pass converts positions and indices straight into the scene.
+// Order of work: the document is opened and checked; the node tree gives the instances of meshes. A first pass over
+// them opens their accessors and counts, so that the size of the scene is known, and can be refused, before memory is
+// allocated. A second pass converts positions and indices straight into the scene.
 
 #include "scene/readers/gltf/gltf_reader.hpp"
 
@@ -30,22 +30,22 @@ namespace {
 /// "The units for all linear distances are meters": glTF 2.0, 3.4.
 constexpr double kMetreMm = 1000;
 
-/// Triangles, and vertices, to which a small file may grow by using its meshes many times: above that a file has no more
-/// than it has bytes.
+/// Largest number of triangles, and of vertices, that a small file may make by repeating its meshes; a larger file may
+/// make as many as it has bytes.
 constexpr std::size_t kMaxInstanced = std::size_t{1} << 25;
-/// Bits of a float32 significand, the hidden one counted.
+/// Number of bits of a float32 significand, including the hidden one.
 constexpr int kFloatDigits = std::numeric_limits<float>::digits;
-/// Roundings of a coordinate in a 4 x 4 transform: products and sums, once per level of a node tree that is not deep.
+/// Number of roundings of a coordinate in a 4 x 4 transform: products and sums, once per level of a shallow node tree.
 constexpr double kTransformRoundings = 4;
-/// Opacity of glass that lets all light through: its lines are still those of a thing.
+/// Smallest opacity of glass: even if it transmits all light, its lines belong to an object.
 constexpr double kClearGlass = 0.1;
 
-/// A primitive whose data are known to be there.
+/// A primitive whose data were checked to exist.
 struct Primitive {
   std::size_t position_accessor = 0;
   GltfAccessor positions;               ///< unused with Draco
-  std::optional<GltfAccessor> indices;  ///< without: the positions in their order
-  std::optional<GltfAccessor> normals;  ///< one for each position, where they are wanted
+  std::optional<GltfAccessor> indices;  ///< without: the positions in order
+  std::optional<GltfAccessor> normals;  ///< one per position, if requested
   const DracoMesh* draco = nullptr;
   GltfDeformation deformation;
   int mode = TINYGLTF_MODE_TRIANGLES;
@@ -87,8 +87,8 @@ class Reader {
   }
 
  private:
-  /// It looks along -z of its node, with y up. One whose numbers mean nothing is left out; one without a name gets its
-  /// number, so that it can be asked for.
+  /// Adds a camera, which looks along -z of its node with y up. A camera with meaningless numbers is left out; one
+  /// without a name is named by its number, so that it can be selected.
   void add_camera(const GltfCamera& from) {
     const tinygltf::Camera& camera = model_.cameras[from.camera];
     const tinygltf::Node& node = model_.nodes[from.node];
@@ -129,7 +129,8 @@ class Reader {
     if (vertices_ >= kNone || triangles_ >= kNone / 3) document_.fail("scene", "too many vertices or triangles");
   }
 
-  /// Primitives in a row often share their positions. `last_positions` is the accessor of those before, kNone at first.
+  /// Whether a primitive has its own vertices. Consecutive primitives often share their positions: `last_positions` is
+  /// the previous accessor, kNone at first.
   static bool has_own_vertices(const Primitive& p, std::size_t& last_positions) {
     const bool alone = p.draco || p.deformation.any();
     const bool own = alone || p.position_accessor != last_positions;
@@ -177,7 +178,7 @@ class Reader {
     return p;
   }
 
-  /// Nothing where they are broken: how a surface is shaded is no reason to refuse it.
+  /// Returns nothing for broken normals: shading is no reason to refuse a model.
   std::optional<GltfAccessor> open_normals(int accessor, std::size_t count) {
     if (accessor < 0 || static_cast<std::size_t>(accessor) >= model_.accessors.size()) return std::nullopt;
     try {
@@ -234,7 +235,7 @@ class Reader {
     scene_.objects.push_back(std::move(object));
   }
 
-  /// Matrices of the node's skin, or none.
+  /// Joint matrices of the node's skin; empty without one.
   const std::vector<glm::dmat4>& joints_of(const GltfInstance& instance) {
     static const std::vector<glm::dmat4> kNoJoints;
     const int skin = model_.nodes[instance.node].skin;
@@ -244,7 +245,7 @@ class Reader {
     return joints;
   }
 
-  /// Weights of the morph targets: the node's own stand before those of its mesh.
+  /// Weights of the morph targets: those of the node if it has any, else those of its mesh.
   std::span<const double> weights_of(const GltfInstance& instance) const {
     const std::vector<double>& own = model_.nodes[instance.node].weights;
     return own.empty() ? model_.meshes[instance.mesh].weights : own;
@@ -276,7 +277,8 @@ class Reader {
       write_corners(p, first_vertex, run);
       const bool strip = p.mode == TINYGLTF_MODE_TRIANGLE_STRIP;
       for (std::size_t i = 0; i < n; ++i) {
-        // glTF 2.0, section 3.7.2.1: every second triangle of a strip is turned round; a fan turns about its first corner.
+        // glTF 2.0, section 3.7.2.1: every second triangle of a strip is reversed; all triangles of a fan share its
+        // first corner.
         corners[3 * i] = strip ? run[i] : run[i + 1];
         corners[3 * i + 1] = strip ? run[i + 1 + i % 2] : run[i + 2];
         corners[3 * i + 2] = strip ? run[i + 2 - i % 2] : run[0];
@@ -286,7 +288,7 @@ class Reader {
     for (std::size_t i = 0; i < n; ++i) std::swap(corners[3 * i + 1], corners[3 * i + 2]);
   }
 
-  /// Normals of the triangles added last. They turn with the inverse of the transposed matrix.
+  /// Adds the normals of the triangles added last, transformed by the transposed inverse matrix.
   void add_normals(const Primitive& p, std::uint32_t first_vertex, const glm::dmat4& m,
                    std::optional<GltfDeformer>& deformer) {
     auto& out = shading_->corner_normals;
@@ -301,7 +303,7 @@ class Reader {
       const glm::dmat4 turn = deformer ? glm::dmat4(1) : glm::dmat4(glm::transpose(glm::inverse(linear)));
       read_positions(document_, *p.normals, turn, normals);
       if (deformer) deformer->turn_normals(normals);
-    } catch (const InputError&) {  // one that is not finite: those before it stand
+    } catch (const InputError&) {  // a normal is not finite: the ones before it stay
     }
     std::vector<std::uint32_t> packed(normals.size());
     std::transform(normals.begin(), normals.end(), packed.begin(), packed_direction);
@@ -319,8 +321,8 @@ class Reader {
     }
   }
 
-  /// Half a unit in the last place of the largest float32, carried through the transform, and what the transform itself
-  /// rounds. Integers are exact before it.
+  /// Half a unit in the last place of the largest float32, carried through the transform, plus the rounding of the
+  /// transform. Integers are exact before it.
   double precision(const Object& object, const glm::dmat4& m, std::span<const glm::dmat4> joints,
                    double largest_float) const {
     const double stored = largest_float > 0 ? std::ldexp(1.0, std::ilogb(largest_float) - kFloatDigits) : 0;
@@ -369,10 +371,10 @@ class Reader {
   GltfDocument& document_;
   const tinygltf::Model& model_;
   Warnings& warnings_;
-  FileShading* shading_;  ///< or nullptr
+  FileShading* shading_;  ///< may be null
   Scene scene_;
   GltfNodes nodes_;
-  std::vector<std::vector<glm::dmat4>> joints_;  ///< by skin; empty until asked for
+  std::vector<std::vector<glm::dmat4>> joints_;  ///< by skin; empty until requested
   std::vector<std::optional<std::vector<Primitive>>> meshes_;
   std::map<std::pair<int, int>, DracoMesh> draco_;      ///< by bufferView and id of the positions
   std::vector<std::pair<int, std::size_t>> materials_;  ///< material (-1: none) and number of faces, in order

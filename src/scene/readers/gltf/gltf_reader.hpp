@@ -15,12 +15,12 @@
 
 namespace ligne {
 
-/// Reads a glTF 2.0 file (`binary`: GLB). Every node with a mesh of the default scene (of all root nodes, when the file
-/// names none) becomes one object, in world coordinates, y up; the scene is not cleaned yet. Morph targets have their
-/// default weights, skins their bind pose, or all of them the moment of an animation that `pose` names. What is left out is
-/// counted by name. Images are never looked at. Normals go to `shading`, where there is one. Throws InputError. Source:
-/// Khronos glTF 2.0 specification (ISO/IEC 12113:2022), KHR_mesh_quantization, KHR_draco_mesh_compression,
-/// EXT_meshopt_compression, EXT_mesh_gpu_instancing, KHR_node_visibility.
+/// Reads a glTF 2.0 file (`binary`: GLB). Every node with a mesh in the default scene (below all root nodes if the file
+/// has no scene) becomes one object, in world coordinates, y up; the scene is not cleaned yet. Morph targets have their
+/// default weights and skins their bind pose, unless `pose` gives a moment of an animation. Omissions are counted by
+/// name. Images are never read. Normals go to `shading` unless it is null. Throws InputError. Source: Khronos glTF 2.0
+/// specification (ISO/IEC 12113:2022), KHR_mesh_quantization, KHR_draco_mesh_compression, EXT_meshopt_compression,
+/// EXT_mesh_gpu_instancing, KHR_node_visibility.
 Scene read_gltf(const ModelBytes& file, bool binary, ReadReport& report, Warnings& warnings, FileShading* shading = nullptr,
                 const std::optional<ScenePose>& pose = {});
 

@@ -8,13 +8,13 @@ namespace ligne {
 namespace {
 
 constexpr std::uint8_t kAttributesHeader = 0xa0, kTrianglesHeader = 0xe1, kIndicesHeader = 0xd1;
-constexpr std::size_t kGroup = 16;  ///< elements whose deltas of one byte stand together
+constexpr std::size_t kGroup = 16;  ///< elements whose deltas of one byte are stored together
 constexpr std::size_t kMostBlock = 256, kMostBlockBytes = 8192;
 constexpr std::size_t kLeastAttributesTail = 32, kTrianglesTail = 16, kIndicesTail = 4;
-/// A group of 16 equal bytes takes two bits: no stream stands for more bytes than so many times its own.
+/// Largest ratio by which a stream grows: a group of 16 equal bytes takes two bits.
 constexpr std::size_t kMostGrowth = 64;
 
-/// Goes through a stream; beyond its end there are zeros, and `broken` says so.
+/// Reads a stream. Beyond its end it returns zeros and sets `broken`.
 class Source {
  public:
   explicit Source(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -36,7 +36,7 @@ class Source {
     at_ += n;
     return bytes_.subspan(at_ - n, n);
   }
-  /// Seven bits a byte, the lowest first; the last byte has no highest bit.
+  /// Reads a number with seven bits per byte, lowest first; the highest bit of a byte says whether another one follows.
   std::uint32_t number() {
     std::uint32_t value = 0;
     for (unsigned shift = 0; shift < 35; shift += 7) {
@@ -54,13 +54,14 @@ class Source {
   std::size_t at_ = 0;
 };
 
-/// Signs stand in the lowest bit.
+/// Decodes a number whose sign is in the lowest bit.
 template <class T>
 T unzigzag(T v) {
   return static_cast<T>((v & 1) != 0 ? ~(v >> 1) : v >> 1);
 }
 
-/// The deltas of one byte of 16 elements, each in `bits` bits; one whose bits are all set follows as a whole byte.
+/// Reads one byte of the deltas of 16 elements, with `bits` bits each. A delta with all bits set follows as a whole
+/// byte.
 void read_deltas(Source& source, unsigned bits, std::array<std::uint8_t, kGroup>& deltas) {
   const unsigned escape = (1u << bits) - 1, per_byte = 8 / bits;
   const std::span<const std::byte> packed = source.bytes(2 * bits);
@@ -81,7 +82,8 @@ void read_group(Source& source, unsigned mode, std::array<std::uint8_t, kGroup>&
   if (!source.broken) std::memcpy(deltas.data(), whole.data(), kGroup);
 }
 
-/// Byte `k` of the elements of a block. `value` is that of the element before, and becomes that of the last one.
+/// Reads byte `k` of the elements of a block. `value` is this byte of the previous element, and becomes that of the
+/// last one.
 void read_byte_of_block(Source& source, std::size_t k, std::size_t stride, std::span<std::byte> block, std::uint8_t& value) {
   const std::size_t elements = block.size() / stride, groups = (elements + kGroup - 1) / kGroup;
   const std::span<const std::byte> modes = source.bytes((groups + 3) / 4);
@@ -103,7 +105,7 @@ void decode_attributes(std::span<const std::byte> stream, const MeshoptView& vie
     cause = "shorter than its ends";
     return;
   }
-  // The element before the first stands at the end.
+  // The element that precedes the first is stored at the end.
   std::vector<std::uint8_t> last(view.stride);
   std::memcpy(last.data(), stream.data() + stream.size() - view.stride, view.stride);
   Source source(stream.subspan(1, stream.size() - 1 - tail));
@@ -119,7 +121,7 @@ void store_index(std::span<std::byte> out, std::size_t i, std::size_t stride, st
   for (std::size_t k = 0; k < stride; ++k) out[i * stride + k] = static_cast<std::byte>(index >> (8 * k) & 0xff);
 }
 
-/// The state that codes of triangles change.
+/// Decodes triangles; holds the state that their codes change.
 class TriangleDecoder {
  public:
   TriangleDecoder(Source& data, std::span<const std::byte> table) : data_(data), table_(table) {}
@@ -132,7 +134,8 @@ class TriangleDecoder {
   }
 
  private:
-  /// A recent edge and a vertex: the next one, a recent one, one beside the last that was written out, or one written out.
+  /// A triangle of a recent edge and a vertex: the next one, a recent one, one adjacent to the last explicit one, or an
+  /// explicit one.
   Triangle of_edge(unsigned edge, unsigned low) {
     const auto [a, b] = edges_[(edge_end_ - 1 - edge) & 15];
     std::uint32_t c = 0;
@@ -163,7 +166,7 @@ class TriangleDecoder {
     return of_codes(a, code >> 4, code & 15, true);
   }
 
-  /// `may_be_written`: code 15 stands for a vertex that is written out; the table has none.
+  /// `may_be_written`: code 15 means an explicit vertex; the table has none.
   Triangle of_codes(std::uint32_t a, unsigned z, unsigned w, bool may_be_written) {
     const auto vertex = [&](unsigned code) {
       return code == 0 ? next_++ : code == 15 && may_be_written ? written() : recent(code - 1);

@@ -1,5 +1,5 @@
-// Appendix B of EXT_meshopt_compression. Streams may hold what no encoder writes: every quotient and every rounding is kept
-// in range, so that such values are merely wrong.
+// Appendix B of EXT_meshopt_compression. Streams may contain values that no encoder writes. Every quotient and every
+// rounding is kept in range, so that such values are merely wrong.
 
 #include <algorithm>
 #include <array>

@@ -10,7 +10,7 @@
 namespace ligne {
 namespace {
 
-/// Words that change how a material shines, which no line shows.
+/// Words that change the shine of a material, which no line shows.
 constexpr std::array<std::string_view, 18> kShine{"Ka", "Ks",  "Ke", "Ns", "Ni",    "Tf",     "illum", "sharpness", "Pr",
                                                   "Pm", "Pcr", "Pc", "Ps", "aniso", "anisor", "Pn",    "Km",        "Tm"};
 
@@ -48,7 +48,7 @@ class MtlReader {
       current_->opacity = number(word);
       has_d_ = true;
     } else if (keyword == "Tr") {
-      // Some writers give both, and not all mean the same by Tr: d decides.
+      // Some writers give both d and Tr, with different meanings of Tr, so d takes precedence.
       const double transparency = number(take_word(rest));
       if (!has_d_) current_->opacity = 1 - transparency;
     } else if (keyword.starts_with("map_") || keyword == "bump" || keyword == "disp" || keyword == "decal" ||
@@ -63,7 +63,7 @@ class MtlReader {
     std::string_view word = take_word(rest);
     if (word == "spectral" || word == "xyz") return warnings_.leave_out("colours (Kd " + std::string(word) + ")");
     Point3 color(number(word));
-    // One number stands for all three.
+    // A single number applies to all three.
     for (int k = 1; k < 3; ++k) {
       word = take_word(rest);
       if (!word.empty()) color[k] = number(word);
@@ -85,8 +85,8 @@ class MtlReader {
   bool has_d_ = false;
 };
 
-/// The file that a library's name means: files written under Windows may have backslashes in it. Nothing when it is not a
-/// file in the folder.
+/// The file of a library; names written under Windows may contain backslashes. Nothing if it is not a file in the
+/// folder.
 std::optional<std::filesystem::path> library_file(std::string library, const std::filesystem::path& folder) {
   std::ranges::replace(library, '\\', '/');
   if (library.starts_with("./")) library.erase(0, 2);
@@ -96,7 +96,7 @@ std::optional<std::filesystem::path> library_file(std::string library, const std
   return std::filesystem::is_regular_file(file, error) ? std::optional(file) : std::nullopt;
 }
 
-/// The libraries of one statement: their names are separated by blanks, but a name may also hold blanks.
+/// The libraries of one statement. Blanks separate their names, but a name may also contain blanks.
 std::vector<std::string> names_of(const std::string& statement, const std::filesystem::path& folder) {
   if (library_file(statement, folder)) return {statement};
   std::vector<std::string> names;

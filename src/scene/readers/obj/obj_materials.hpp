@@ -13,14 +13,14 @@
 
 namespace ligne {
 
-/// Reads the materials of a library into `materials`, by name: `Kd` is their colour, `d` or `Tr` their opacity. Textures and
-/// words that are not known are left out and counted; what only changes how a material shines is passed over. Throws
-/// InputError, with the line, where a number is none.
+/// Reads the materials of a library into `materials`, by name: `Kd` is their colour, `d` or `Tr` their opacity.
+/// Textures and unknown words are left out and counted; words that only change the shine are skipped. Throws InputError
+/// with the line for a word where a number is required.
 void read_mtl(std::string_view text, const std::string& name, std::map<std::string, Material>& materials,
               Warnings& warnings);
 
-/// Gives materials what the libraries, as `mtllib` names them, say of their names. A library that is not in the folder is
-/// counted as left out. Adds the files to `opened`.
+/// Gives materials the properties that the libraries named by `mtllib` define for them. A library that is not in the
+/// folder is counted as left out. Adds the files to `opened`.
 void apply_libraries(const std::vector<std::string>& libraries, const std::filesystem::path& folder,
                      std::vector<Material>& materials, InputFiles& opened, Warnings& warnings);
 

@@ -1,9 +1,10 @@
-// tinyobjloader takes the statements apart, through its callbacks, which hand over polygons as they stand. It says nothing
-// about words where numbers should be (they become 0), faces of two corners, indices that no vertex has (or that overflow),
-// and unfinished continuation lines, and gives no line numbers. So it is fed from a stream that delivers one statement at a
-// time: the stream joins continued lines, checks the statement's words, and knows the line when a callback comes. Vertex
-// positions are read there too: the library's own number parser adds up rounded decimal digits; of random numbers of six
-// decimals it gets 48 in a hundred wrong, by up to four units in the last place of a double (2.0.0-rc10, measured).
+// tinyobjloader parses the statements and passes polygons on unchanged through its callbacks. It does not report words
+// in place of numbers (they become 0), faces of two corners, indices of missing vertices (or overflowing ones), or
+// unfinished continuation lines, and it gives no line numbers. So it reads from a stream that delivers one statement at
+// a time: the stream joins continued lines, checks the statement's words, and knows the line during a callback. The
+// stream also reads vertex positions. The library's own number parser adds rounded decimal digits: of random numbers
+// with six decimals it gets 48 in a hundred wrong, by up to four units in the last place of a double (2.0.0-rc10,
+// measured).
 
 #include "scene/readers/obj/obj_reader.hpp"
 
@@ -25,7 +26,7 @@
 namespace ligne {
 namespace {
 
-/// Makes objects from the library's callbacks. Objects own their vertices: one that several use is stored in each.
+/// Makes objects from the library's callbacks. Objects own their vertices: a vertex used by several is stored in each.
 class ObjScene {
  public:
   ObjScene(const std::string& name, ReadReport& report, ObjStatements& stream, FileShading* shading, CreaseTags* tags)
@@ -55,7 +56,7 @@ class ObjScene {
     builder_.begin_object(name);
   }
 
-  /// Triangles of a free-form patch; those that a pole makes of two corners are left away.
+  /// Adds the triangles of a free-form patch, except those that a pole reduces to two corners.
   void add_patch(const ObjPatch& patch) {
     std::vector<ObjControlPoint> control;
     for (const std::size_t index : patch.control) {
@@ -121,11 +122,11 @@ class ObjScene {
     return known;
   }
 
-  /// `file_vertex`: its number in the file, from 0, or kNone.
+  /// `file_vertex`: index of the vertex in the file, from 0, or kNone.
   std::uint32_t add_vertex(const Point3& position, std::uint32_t file_vertex) {
     const std::uint32_t vertex = builder_.add_vertex(position);
     if (tags_) {
-      tags_->file_vertex.resize(vertex, kNone);  // an object without faces has taken its vertices with it
+      tags_->file_vertex.resize(vertex, kNone);  // an object without faces was dropped with its vertices
       tags_->file_vertex.push_back(file_vertex);
     }
     return vertex;
@@ -140,11 +141,11 @@ class ObjScene {
 
   SceneBuilder builder_;
   ObjStatements& stream_;
-  FileShading* shading_;  ///< or nullptr
-  CreaseTags* tags_;      ///< or nullptr
+  FileShading* shading_;  ///< may be null
+  CreaseTags* tags_;      ///< may be null
   std::vector<std::uint32_t> face_;
   std::vector<std::uint32_t> scene_index_;  ///< per vertex of the file: its copy in the object, or kNone
-  std::vector<std::size_t> used_;           ///< vertices of the file that the object has a copy of
+  std::vector<std::size_t> used_;           ///< vertices of the file with a copy in the object
   DecimalPrecision precision_;
 };
 
@@ -158,7 +159,7 @@ Scene read_obj(const ModelBytes& file, ReadReport& report, Warnings& warnings, F
   statements.tags = tags;
   statements.on_patch = [&](const ObjPatch& patch) { scene.add_patch(patch); };
   std::istream stream(&statements);
-  stream.exceptions(std::ios::badbit);  // no memory for a statement is no end of the file
+  stream.exceptions(std::ios::badbit);  // running out of memory must not look like the end of the file
 
   tinyobj::callback_t callback;
   callback.index_cb = [](void* user, tinyobj::index_t* corners, int n) {

@@ -12,18 +12,18 @@
 namespace ligne {
 namespace {
 
-/// Statements that say how a surface is shaded or shown, or stand beside the faces: nothing is lost without them.
+/// Statements about shading and display, or beside the faces, which can be skipped without loss.
 constexpr std::array<std::string_view, 15> kPassedOver{"vt",    "vn",     "vp",       "s",          "mg",
                                                        "lod",   "bevel",  "c_interp", "d_interp",   "ctech",
                                                        "stech", "usemap", "maplib",   "shadow_obj", "trace_obj"};
 
-/// "nan", "-inf" and the like, which programs write for colours that they do not know.
+/// Whether a word is "nan", "-inf" or the like, which some programs write for unknown colours.
 bool is_no_finite_number(std::string_view word) {
   if (word.starts_with('-') || word.starts_with('+')) word.remove_prefix(1);
   return starts_with_ignoring_case(word, "nan") || starts_with_ignoring_case(word, "inf");
 }
 
-/// Zero when they are none: normals only say how a surface is shaded.
+/// Three numbers, or zero if they are not: normals only affect shading.
 Point3 three_numbers(std::string_view rest) {
   Point3 numbers(0);
   for (int k = 0; k < 3; ++k) {
@@ -59,7 +59,8 @@ ObjStatements::int_type ObjStatements::underflow() {
   return traits_type::eof();
 }
 
-/// A backslash at the end continues a line, but not where it ends a name, as that of a folder of Windows, or a comment.
+/// Whether a backslash at the end continues the line. It does not in comments and at the end of a name, such as a
+/// Windows folder.
 bool ObjStatements::continues(std::string_view line) {
   if (line.empty() || line.back() != '\\') return false;
   std::string_view rest = trimmed(line);
@@ -110,7 +111,7 @@ bool ObjStatements::delivered() {
     group_ = group && *group > 0 && *group < kNone ? static_cast<std::uint32_t>(*group) : 0;
     return false;
   }
-  if (keyword == "f" || keyword == "fo") {  // fo: faces of files before version 2
+  if (keyword == "f" || keyword == "fo") {  // fo: faces in files before version 2
     write_face(rest);
     return true;
   }
@@ -141,7 +142,7 @@ bool ObjStatements::take_name(std::string_view keyword, std::string_view rest) {
     return groups_as_objects_ && !has_objects_;
   }
   has_objects_ = has_objects_ || keyword == "o";
-  // A tab after the keyword, or no name at all, would hide it from the library.
+  // A tab after the keyword, or a missing name, would hide the statement from the library.
   statement_.assign(keyword).append(1, ' ').append(trimmed(rest));
   return true;
 }
@@ -155,14 +156,14 @@ void ObjStatements::leave_out(std::string_view keyword) {
 }
 
 void ObjStatements::add_vertex(std::string_view rest) {
-  constexpr int kMostNumbers = 8;  // x y z, a weight or not, a colour with opacity or not
+  constexpr int kMostNumbers = 8;  // x y z, an optional weight, an optional colour with optional opacity
   ObjVertex vertex;
   std::optional<double> weight;
   int n = 0;
   for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
     if (word[0] == '#') break;
     const std::optional<double> value = number_in(word);
-    // Behind four numbers stands a colour, of which nothing is drawn.
+    // A fifth number begins a colour, which is not drawn.
     const bool is_color = n > 3 || (n == 3 && !trimmed(rest).empty());
     if (!value && !(is_color && is_no_finite_number(word))) return fail(shown(word) + " is not a coordinate of a vertex");
     if (n < 3) {

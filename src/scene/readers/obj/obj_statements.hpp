@@ -1,5 +1,5 @@
 #pragma once
-/// The statements of an OBJ file, one at a time, for the library that takes them apart.
+/// Delivers the statements of an OBJ file one at a time to the library that parses them.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,10 +18,10 @@
 namespace ligne {
 
 struct ObjVertex : ObjControlPoint {
-  int digits = 0;  ///< the most significant digits that a coordinate is written with
+  int digits = 0;  ///< largest number of significant digits of a coordinate
 };
 
-/// Delivers the statements for the library, one line each, and keeps the vertices to itself.
+/// Delivers the statements to the library, one line each, and keeps the vertices itself.
 class ObjStatements : public std::streambuf {
  public:
   ObjStatements(std::string_view text, const std::string& name, bool with_shading, bool groups_as_objects,
@@ -33,21 +33,21 @@ class ObjStatements : public std::streambuf {
         warnings_(warnings),
         surfaces_(warnings) {}
 
-  /// Is given every free-form patch, between the statements that the library sees.
+  /// Called for every free-form patch, between the library's statements.
   std::function<void(const ObjPatch&)> on_patch = {};
-  /// Is given the tags of subdivision; nullptr: they are left out.
+  /// Receives the tags of subdivision; null: they are left out.
   CreaseTags* tags = nullptr;
 
-  /// Distinct names of groups, in their order; none where the file has objects.
+  /// Distinct names of groups in order; empty if the file has objects.
   std::vector<std::string> groups() const { return has_objects_ ? std::vector<std::string>() : group_names_; }
   /// The words of the mtllib statements.
   const std::vector<std::string>& libraries() const { return libraries_; }
 
   const std::vector<std::uint32_t>& normals() const { return normals_; }  ///< packed_direction()
-  std::uint32_t smoothing_group() const { return group_; }                ///< of the faces that follow; 0: none
+  std::uint32_t smoothing_group() const { return group_; }                ///< of the following faces; 0: none
 
   const std::vector<ObjVertex>& vertices() const { return vertices_; }
-  /// The first error, if any: streams swallow exceptions.
+  /// The first error, if any. It is stored because streams swallow exceptions.
   const std::optional<InputError>& error() const { return error_; }
   void fail(const std::string& cause) {
     if (!error_) error_ = error_at_line(name_, line_, cause);
@@ -57,15 +57,15 @@ class ObjStatements : public std::streambuf {
   int_type underflow() override;
 
  private:
-  /// Joins a line and those that continue it.
+  /// Joins a line with its continuations.
   bool take_statement();
   bool continues(std::string_view line);
-  /// Checks the statement; true when the library is to see it.
+  /// Checks the statement; true if it is to be passed to the library.
   bool delivered();
   bool take_name(std::string_view keyword, std::string_view rest);
   void leave_out(std::string_view keyword);
   void add_vertex(std::string_view rest);
-  /// Checks that every word is v, v/vt, v//vn or v/vt/vn and writes them with single blanks, a comment left off.
+  /// Checks that every word is v, v/vt, v//vn or v/vt/vn, and writes them with single blanks and without a comment.
   void write_face(std::string_view words);
 
   LineReader lines_;
@@ -78,7 +78,7 @@ class ObjStatements : public std::streambuf {
   std::string_view whole_;
   std::string joined_;
   std::string statement_;
-  std::size_t line_ = 0;  ///< on which the statement delivered last begins
+  std::size_t line_ = 0;  ///< first line of the statement delivered last
   std::vector<ObjVertex> vertices_;
   std::vector<std::uint32_t> normals_;
   std::uint32_t group_ = 0;

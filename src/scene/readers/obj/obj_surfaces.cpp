@@ -1,4 +1,4 @@
-// Bezier patches are B-splines whose knots are as many times there as the degree says, so one evaluation serves both: the
+// A Bezier patch is a B-spline whose end knots are repeated as its degree requires, so one evaluation serves both: the
 // basis functions by the recursion of Cox and de Boor (C. de Boor, "A Practical Guide to Splines", 1978, chapter X).
 
 #include "scene/readers/obj/obj_surfaces.hpp"
@@ -13,9 +13,9 @@
 namespace ligne {
 namespace {
 
-/// Pieces of a knot span of a curved direction: a quarter turn is then cut every 7.5 degrees.
+/// Number of pieces of a knot span in a curved direction: a quarter turn is then cut every 7.5 degrees.
 constexpr std::size_t kSpanPieces = 12;
-/// Highest degree that is read: files use 3, seldom more than 7.
+/// Largest degree that is read: files use 3, and rarely more than 7.
 constexpr std::size_t kMostDegree = 24;
 
 std::optional<std::vector<double>> patch_numbers(std::string_view words) {
@@ -28,7 +28,8 @@ std::optional<std::vector<double>> patch_numbers(std::string_view words) {
   return numbers;
 }
 
-/// Parameters at which the patch is sampled: the ends of its part, the knots between, and what cuts their spans.
+/// Parameters at which the patch is sampled: the ends of its drawn part, the knots between, and points within their
+/// spans.
 std::vector<double> patch_parameters(const ObjPatch& patch, std::size_t axis) {
   const std::vector<double>& knots = patch.knots[axis];
   const std::size_t degree = patch.degree[axis];
@@ -50,14 +51,14 @@ std::vector<double> patch_parameters(const ObjPatch& patch, std::size_t axis) {
   return at;
 }
 
-/// The basis functions that are not zero at a parameter, and the number of the first of them.
+/// The basis functions that are not zero at a parameter, and the index of the first one.
 struct BasisValues {
   std::size_t first = 0;
   std::array<double, kMostDegree + 1> values{};
 };
 
 BasisValues basis_at(const std::vector<double>& knots, std::size_t degree, double t) {
-  // The last span that begins at or before t, and is not empty.
+  // The last non-empty span that begins at or before t.
   const auto begin = knots.begin() + static_cast<std::ptrdiff_t>(degree),
              end = knots.end() - 1 - static_cast<std::ptrdiff_t>(degree);
   auto after = std::upper_bound(begin, end, t);
@@ -190,7 +191,7 @@ PatchGrid sample_patch(const ObjPatch& patch, const std::vector<ObjControlPoint>
   PatchGrid grid{us.size(), vs.size(), {}};
   for (const double v : vs) {
     const BasisValues along = basis_at(patch.knots[1], patch.degree[1], v);
-    // The control points of the curve of this v first, then the points of that.
+    // First the control points of the curve at this v, then the points of that curve.
     std::vector<Point3> row(columns, Point3(0));
     std::vector<double> weights(columns, 0);
     for (std::size_t i = 0; i < columns; ++i) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Free-form surfaces of OBJ files: Bezier and B-spline patches, also rational ones.
+/// Free-form surfaces of OBJ files: Bezier and B-spline patches, including rational ones.
 
 #include <array>
 #include <cstddef>
@@ -20,7 +20,7 @@ struct ObjControlPoint {
   double weight = 1;
 };
 
-/// A patch as the file gives it: control points, u running fastest, and knots of both directions.
+/// A patch as in the file: control points, with u varying fastest, and the knots of both directions.
 struct ObjPatch {
   std::array<std::size_t, 2> degree{};
   std::array<std::vector<double>, 2> knots;
@@ -36,11 +36,11 @@ class ObjSurfaces {
  public:
   explicit ObjSurfaces(Warnings& warnings) : warnings_(warnings) {}
 
-  /// Takes a statement that belongs to free-form geometry; false when it does not. `vertex_count` is the number of vertices
-  /// so far. A phrase in `cause` says what is wrong with it.
+  /// Reads a statement of free-form geometry; false for others. `vertex_count` is the number of vertices so far. Sets
+  /// `cause` to a phrase if the statement is wrong.
   bool take(std::string_view keyword, std::string_view rest, std::size_t vertex_count, std::string& cause);
 
-  /// The patch that the last `end` closed, once.
+  /// Returns the patch that the last `end` closed, only once.
   std::optional<ObjPatch> closed();
 
  private:
@@ -57,8 +57,8 @@ class ObjSurfaces {
   std::optional<ObjPatch> closed_;
 };
 
-/// Points on a patch with its control points, u running fastest: every knot span of a curved direction is cut into 12
-/// pieces, of a straight one into none.
+/// Points on a patch with its control points, u varying fastest. Every knot span is cut into 12 pieces in a curved
+/// direction, and not cut in a straight one.
 struct PatchGrid {
   std::size_t columns = 0, rows = 0;
   std::vector<Point3> points;

@@ -13,10 +13,10 @@
 namespace ligne {
 namespace {
 
-/// From here on OpenSubdiv, whose tags these are, takes an edge as sharp at every level.
+/// Sharpness from which an edge is sharp at every level, as in OpenSubdiv, which defines these tags.
 constexpr double kSharpest = 10;
 
-/// "2/1/0": numbers of integers, of values and of texts.
+/// Reads "2/1/0": numbers of integers, of values and of texts.
 std::optional<std::array<std::size_t, 3>> tag_counts(std::string_view word) {
   std::array<std::size_t, 3> counts{};
   for (std::size_t k = 0; k < 3; ++k) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Tags of OBJ files that speak of subdivision.
+/// Reads the subdivision tags of OBJ files.
 
 #include <string>
 #include <string_view>
@@ -9,10 +9,10 @@
 
 namespace ligne {
 
-/// Takes the words behind a `t`, the tags of OpenSubdiv's examples: `crease I/F/S v0 v1 ... sharpness ...` and
-/// `corner I/F/S v ... sharpness ...` with I vertices, numbered from 0, and F values of sharpness, one for all or one each.
-/// A sharpness of 10 or more is that of an edge that stays sharp. Other tags are counted as left out. `cause` says what is
-/// wrong, or stays empty.
+/// Reads the words after a `t`, the tags of OpenSubdiv's examples: `crease I/F/S v0 v1 ... sharpness ...` and `corner
+/// I/F/S v ... sharpness ...` with I vertices, numbered from 0, and F values of sharpness, one for all or one each. An
+/// edge with a sharpness of 10 or more stays sharp. Other tags are counted as left out. Sets `cause` to a phrase if the
+/// words are wrong; it stays empty otherwise.
 void take_tag(std::string_view words, CreaseTags& tags, Warnings& warnings, std::string& cause);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// The data of a PLY file, read item by item and value by value, from text or from bytes.
+/// The data of a PLY file, read item by item and value by value from text or binary data.
 
 #include <bit>
 #include <cmath>
@@ -27,7 +27,7 @@ inline std::string of_element(const PlyElement& element, std::uint64_t item) {
   return printable(element.name) + " " + std::to_string(item) + " of " + std::to_string(element.count);
 }
 
-/// The data of a text file: an item is a line.
+/// The data of a text file: one line per item.
 class PlyTextData {
  public:
   PlyTextData(std::string_view text, std::size_t header_lines, const std::string& name, Warnings& warnings)
@@ -47,11 +47,11 @@ class PlyTextData {
     }
     return {*value, significant_digits(word)};
   }
-  /// Nothing is to be believed about lengths but that every value takes a word.
+  /// Claimed lengths are not trusted: every skipped value must have a word.
   void pass_over(PlyType type, std::uint64_t n) {
     for (; n > 0; --n) take(type);
   }
-  /// MeshLab writes values that the header does not name.
+  /// Skips further values, which MeshLab writes without naming them in the header.
   void end_item() {
     std::size_t n = 0;
     while (!take_word(line_).empty()) ++n;

@@ -29,7 +29,7 @@ std::optional<PlyType> type_named(std::string_view word) {
 class HeaderReader {
  public:
   HeaderReader(std::string_view text, const std::string& name) : text_(text), name_(name) {
-    // Files that went through an editor may have a byte order mark and blank lines in front.
+    // Edited files may begin with a byte order mark and blank lines.
     if (text.starts_with("\xEF\xBB\xBF")) at_ = 3;
     const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n", at_), text.size());
     header_.lines =
@@ -70,7 +70,7 @@ class HeaderReader {
     const std::size_t end = std::min(line_end_.empty() ? text_.size() : text_.find(line_end_, at_), text_.size());
     std::string_view line = text_.substr(at_, end - at_);
     at_ = std::min(end + line_end_.size(), text_.size());
-    if (line.ends_with('\r')) line.remove_suffix(1);  // a header of which some lines end in \r\n
+    if (line.ends_with('\r')) line.remove_suffix(1);  // some lines of the header may end in \r\n
     return trimmed(line);
   }
 

@@ -19,14 +19,14 @@ enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, f
 std::size_t byte_size(PlyType type);
 constexpr bool is_float(PlyType type) { return type >= PlyType::float32; }
 
-/// The number of that type stored at p.
+/// The number of this type stored at p.
 double load_ply_number(const std::byte* p, PlyType type, std::endian order);
 
 struct PlyProperty {
   std::string name;
   PlyType type = PlyType::float32;
   bool is_list = false;
-  PlyType count_type = PlyType::uint8;  ///< of a list's length
+  PlyType count_type = PlyType::uint8;  ///< type of a list's length
 };
 
 struct PlyElement {
@@ -34,7 +34,7 @@ struct PlyElement {
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
 
-  /// Index of the first property of one of the names, or properties.size().
+  /// Index of the first property with one of the names, or properties.size().
   std::size_t find(std::initializer_list<const char*> names) const;
 };
 
@@ -42,12 +42,12 @@ struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::ascii;
   std::vector<PlyElement> elements;
   std::vector<std::string> remarks;  ///< first words of lines before the first element that are no statements
-  std::size_t bytes = 0;             ///< where the data begin
-  std::size_t lines = 0;             ///< lines of the header, so that the first line of data is lines + 1
+  std::size_t bytes = 0;             ///< start of the data
+  std::size_t lines = 0;             ///< number of lines of the header; the first line of data is lines + 1
 };
 
-/// Throws InputError, with the line. Lines end as the line 'ply' does. Some writers put a remark behind the format without
-/// the word "comment"; after the first element any other line may be a mistyped statement, and is refused.
+/// Throws InputError with the line. Lines end like the line 'ply'. Some writers put a remark after the format without
+/// the word "comment". After the first element any other line may be a mistyped statement, and is refused.
 PlyHeader read_ply_header(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace ligne

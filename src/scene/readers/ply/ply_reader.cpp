@@ -1,11 +1,11 @@
-// Our own: the libraries of Debian 12 were tried and none fits. assimp 5.2.5 stores coordinates as float32 also from double
-// files, accepts an index of no vertex and a text that ends early, and lengthens the start of every run by 2.6 ms. CGAL's
-// reader (LGPL) hands out indices that no vertex has, and names no lines. draco triangulates and stores float32. libigl is
-// not packaged.
+// Our own reader: the libraries of Debian 12 were tried and none fits. assimp 5.2.5 stores coordinates as float32 even
+// from double files, accepts indices of missing vertices and text that ends early, and adds 2.6 ms to the start of
+// every run. CGAL's reader (LGPL) returns indices of missing vertices, and no line numbers. draco triangulates and
+// stores float32. libigl is not packaged.
 //
-// Every element is read through one interface, item by item and value by value, from text lines or from bytes; the counts
-// of the header are believed only as far as the data go. Vertices and triangles of binary files are read in blocks
-// (ply_records.hpp), unless there is anything amiss in them, which the other way then finds.
+// Every element is read through one interface, item by item and value by value, from text or binary data. Counts in the
+// header are trusted only as far as the data go. Vertices and triangles of binary files are read in blocks
+// (ply_records.hpp), unless they contain a fault, which the slower way then locates.
 
 #include "scene/readers/ply/ply_reader.hpp"
 
@@ -93,7 +93,7 @@ class PlyReader {
     if (!any) throw InputError(name_, no_faces(others()));
   }
 
-  /// Elements that are no part of a surface, by the header.
+  /// Elements of the header that do not belong to a surface.
   Omissions others() const {
     Omissions others;
     for (const PlyElement& element : header_.elements) {
@@ -157,7 +157,7 @@ class PlyReader {
     }
   }
 
-  /// Reads a binary element without lists; false when that can not be, and nothing has been read.
+  /// Reads a binary element without lists; false, with nothing read, if that is impossible.
   bool read_vertex_records(const PlyElement& element, const std::array<std::size_t, 3>& axes) {
     const std::optional<PlyTriples> triples = ply_triples(data_.rest(), byte_order(), element, axes);
     std::vector<Point3>& vertices = builder_.scene().vertices;
@@ -190,7 +190,7 @@ class PlyReader {
     }
   }
 
-  /// Reads a binary element of triangles; false when that can not be, and nothing has been read.
+  /// Reads a binary element of triangles; false, with nothing read, if that is impossible.
   bool read_triangle_records(const PlyElement& element, std::size_t indices) {
     const std::optional<PlyTriangles> triangles = ply_triangles(data_.rest(), byte_order(), element, indices);
     if (!triangles || triangles->records.count >= kNone / 3) return false;
@@ -218,7 +218,8 @@ class PlyReader {
     return static_cast<std::uint32_t>(index);
   }
 
-  /// Strips of triangles, one after the other in a list; -1 begins the next. Every second triangle is turned round.
+  /// Reads strips of triangles, which follow each other in a list; -1 begins the next. Every second triangle is
+  /// reversed.
   void read_strips(const PlyElement& element) {
     const std::size_t indices = element.find({"vertex_indices", "vertex_index"});
     for (std::uint64_t i = 0; i < element.count; ++i) {
@@ -243,7 +244,7 @@ class PlyReader {
         continue;
       }
       last = {last[1], last[2], take_index(index)};
-      // Strips are joined by triangles of two corners.
+      // Degenerate triangles join the strips.
       if (++length < 3 || last[0] == last[1] || last[1] == last[2] || last[0] == last[2]) continue;
       face_ = {last[0], last[1], last[2]};
       if (length % 2 == 0) std::swap(face_[0], face_[1]);
@@ -251,7 +252,7 @@ class PlyReader {
     }
   }
 
-  /// Faces may stand before the vertices that they name.
+  /// Checked at the end, since faces may precede their vertices.
   void check_indices() const {
     const Scene& scene = builder_.scene();
     const std::size_t n = scene.vertices.size();
@@ -282,8 +283,8 @@ class PlyReader {
   ReadReport& report_;
   Warnings& warnings_;
   SceneBuilder builder_;
-  FileShading* shading_;                ///< or nullptr
-  std::vector<std::uint32_t> normals_;  ///< of the vertices, packed; empty where there are none
+  FileShading* shading_;                ///< may be null
+  std::vector<std::uint32_t> normals_;  ///< of the vertices, packed; empty if there are none
   bool is_float32_ = false;
   double largest_ = 0;
   DecimalPrecision decimals_;

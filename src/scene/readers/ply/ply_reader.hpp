@@ -12,10 +12,9 @@
 
 namespace ligne {
 
-/// Reads the elements `vertex` (x, y, z of any type) and `face` (list vertex_indices or vertex_index) as one object; faces
-/// may have any number of corners, other elements and properties are passed over. z up; not cleaned yet. Throws
-/// InputError, with the line for text.
-/// Normals (nx, ny, nz) go to `shading`, where there is one.
+/// Reads the elements `vertex` (x, y, z of any type) and `face` (list vertex_indices or vertex_index) as one object.
+/// Faces may have any number of corners; other elements and properties are skipped. z up; not cleaned yet. Throws
+/// InputError, with the line for text. Normals (nx, ny, nz) go to `shading` unless it is null.
 Scene read_ply(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings,
                FileShading* shading = nullptr);
 

@@ -8,7 +8,7 @@
 namespace ligne {
 namespace {
 
-/// Elements that a drawing has no need of, or that are read where they stand.
+/// Elements that no drawing needs, or that are read elsewhere.
 constexpr std::array<std::string_view, 9> kPassedOver{"metadata", "metadatagroup", "resources", "build",        "object",
                                                       "mesh",     "components",    "base",      "basematerials"};
 
@@ -18,7 +18,7 @@ int hex_of(char c) {
   return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-/// "#rrggbb" or "#rrggbbaa".
+/// Reads "#rrggbb" or "#rrggbbaa".
 bool read_color(std::string_view text, Material& material) {
   if ((text.size() != 7 && text.size() != 9) || text[0] != '#') return false;
   std::array<double, 4> parts{0, 0, 0, 1};
@@ -63,7 +63,7 @@ std::string_view attribute_of(const pugi::xml_node& node, std::string_view name)
 std::optional<glm::dmat4> transform_of(std::string_view text) {
   glm::dmat4 m(1);
   if (text.empty()) return m;
-  // The file multiplies rows with its matrix: its rows are the columns here.
+  // The file multiplies row vectors by its matrix, so its rows are columns here.
   for (int i = 0; i < 12; ++i) {
     const std::optional<double> value = number_in(take_word(text));
     if (!value) return std::nullopt;

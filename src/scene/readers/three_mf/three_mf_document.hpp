@@ -1,5 +1,5 @@
 #pragma once
-/// The parts of a 3MF archive, taken apart.
+/// Access to the parts of a 3MF archive.
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
@@ -20,9 +20,9 @@ namespace ligne {
 /// A group of materials of one resource: base materials, or colours.
 using ThreeMfMaterials = std::vector<Material>;
 
-/// A model part: its elements by their ids.
+/// A model part, with its elements by their ids.
 struct ThreeMfPart {
-  std::string path;  ///< in the archive
+  std::string path;  ///< path in the archive
   pugi::xml_document xml;
   pugi::xml_node model;
   std::map<std::string, pugi::xml_node> objects;
@@ -34,9 +34,9 @@ class ThreeMfDocument {
   ThreeMfDocument(const ZipArchive& archive, const std::string& name, Warnings& warnings)
       : archive_(archive), name_(name), warnings_(warnings) {}
 
-  /// The part that the archive's relations name as its model.
+  /// The part that the archive's relations declare as its model.
   ThreeMfPart& root();
-  /// A part by its path; read when first asked for. Throws InputError.
+  /// A part by its path, read on first use. Throws InputError.
   ThreeMfPart& part(const std::string& path);
 
  private:
@@ -51,11 +51,11 @@ class ThreeMfDocument {
 
 /// The name of an element or attribute without its prefix.
 std::string_view local_name(const char* name);
-/// An attribute by its local name, whatever its prefix; empty when there is none.
+/// An attribute by its local name, with any prefix; empty if there is none.
 std::string_view attribute_of(const pugi::xml_node& node, std::string_view name);
-/// Twelve numbers, row by row, as a matrix that columns are multiplied with; nothing when they are not.
+/// Twelve numbers, row by row, as a matrix for column vectors; nothing if the text is not that.
 std::optional<glm::dmat4> transform_of(std::string_view text);
-/// Path of the model that the archive names; empty when it is no 3MF.
+/// Path of the model that the archive declares; empty if it is no 3MF.
 std::string model_path(const ZipArchive& archive);
 
 }  // namespace ligne

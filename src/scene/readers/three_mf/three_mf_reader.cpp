@@ -21,21 +21,21 @@
 namespace ligne {
 namespace {
 
-/// Objects within objects: files have two or three levels.
+/// Largest nesting depth of objects; files have two or three levels.
 constexpr int kMostLevels = 64;
-/// Objects within objects, and triangles, to which a small file may grow by using its meshes many times.
+/// Largest number of nested objects, and of triangles, that a small file may make by repeating its meshes.
 constexpr std::size_t kMostReferences = std::size_t{1} << 18, kMostTriangles = std::size_t{1} << 25;
-/// Roundings of a coordinate in a transform.
+/// Number of roundings of a coordinate in a transform.
 constexpr double kRoundings = 4;
 
 constexpr std::array<std::pair<std::string_view, double>, 6> kUnits{
     {{"micron", 0.001}, {"millimeter", 1}, {"centimeter", 10}, {"inch", 25.4}, {"foot", 304.8}, {"meter", 1000}}};
 
-/// A mesh as the file has it.
+/// A mesh as stored in the file.
 struct ThreeMfMesh {
   std::vector<Point3> vertices;
   std::vector<std::uint32_t> corners;
-  std::vector<std::uint32_t> materials;  ///< of the triangles, in the scene; kNone: none
+  std::vector<std::uint32_t> materials;  ///< per triangle, index in the scene; kNone: none
   double precision = 0;
 };
 
@@ -68,7 +68,7 @@ class ThreeMfReader {
     return known->second;
   }
 
-  /// An item of the build, or a component of an object: an object with a transform, of this part or of another.
+  /// Adds an item of the build, or a component of an object: a transformed object of this part or of another one.
   void add_reference(ThreeMfPart& part, const pugi::xml_node& reference, const glm::dmat4& to_build, int level) {
     const std::string id(attribute_of(reference, "objectid"));
     std::string path(attribute_of(reference, "path"));
@@ -158,7 +158,7 @@ class ThreeMfReader {
     }
   }
 
-  /// The scene's number of a material of the file. A triangle whose corners differ has that of the first.
+  /// The scene's index of a material of the file. A triangle whose corners differ gets the material of the first.
   std::uint32_t material_of(const ThreeMfPart& part, const std::string& group, std::string_view index) {
     const auto materials = part.materials.find(group);
     const std::optional<std::int64_t> number = parse_integer(index);
