@@ -41,7 +41,7 @@ struct ClipVolume {
 };
 
 /// The volume in which lines are drawn: the window and all points that the lattice rounds onto its border. So a line
-/// along the border, or a vertex on it, is in view whatever the rounding of its projection.
+/// along the border, or a vertex on it, is in view however its projection is rounded.
 ClipVolume line_volume(const View& view, const Lattice& lattice);
 
 /// The volume to which faces are clipped: larger than the window by kWindowMarginSteps, so that the faces on both sides

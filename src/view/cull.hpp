@@ -15,7 +15,7 @@ namespace ligne {
 /// sets of faces that are connected by edges. The sign of the volume of a shell says which side is outside, so solids
 /// with inward windings and cavities are oriented correctly. A ray from outside a shell that does not penetrate itself
 /// meets a front face before any back face. If that front face is opaque, back faces hide nothing and are not visible,
-/// whatever else is in front of the shell or inside it. Faces seen edge on stay.
+/// regardless of objects in front of the shell or inside it. Faces seen edge on stay.
 ///
 /// All faces are kept of
 /// - objects that are no solids; objects with a shell whose volume is within the error of its coordinates; and objects

@@ -74,7 +74,7 @@ class Linker {
   bool closed_;
   std::vector<Run> short_runs_;        ///< runs that end where they begin, by place; only if they are to be kept
   std::vector<Run> runs_;              ///< by begin
-  std::vector<std::uint32_t> corner_;  ///< per run: the first run that begins where it ends; the corner's number
+  std::vector<std::uint32_t> corner_;  ///< per run: the first run that begins at its end, which is the corner's number
   std::vector<std::uint8_t> used_;
   std::vector<std::uint32_t> place_;  ///< per corner: its index on the current path
   std::vector<std::uint32_t> path_;

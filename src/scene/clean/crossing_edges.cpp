@@ -32,7 +32,7 @@ struct Side {
   auto key() const { return std::tie(v0, v1); }
 };
 
-/// The direction in which a triangle leaves the edge, as an angle round it.
+/// The direction in which a triangle leaves the edge, as an angle around it.
 struct Direction {
   double angle;      ///< radians, in [-pi, pi]
   double tolerance;  ///< angle by which the error of the positions can turn it, in radians

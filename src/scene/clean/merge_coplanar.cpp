@@ -1,12 +1,12 @@
 // Phases, per object:
 //   1. Each edge of exactly two faces that traverse it in opposite directions pairs their corners.
-//   2. Regions grow over such edges from the largest face to smaller ones, over faces of one material that have the same
-//      orientation and whose corners lie in the plane of the first face (planarity_tolerance()). Since distances are
-//      always measured from the first face, a gently curved surface is not flattened step by step.
+//   2. Regions grow over such edges from the largest face to smaller ones, over faces of one material that have the
+//      same orientation and whose corners lie in the plane of the first face (planarity_tolerance()). Since distances
+//      are always measured from the first face, a gently curved surface is not flattened step by step.
 //   3. Edges with both sides in one region cancel; the others are walked into contours (merge_contours.hpp).
 //   4. Vertices in the middle of straight runs are removed (straighten.cpp).
-// A region of one face keeps it unchanged. If faces outside the plane stand on an edge inside a region, the region loses
-// that edge too, and only they keep it.
+// A region of one face keeps it unchanged. If faces outside the plane stand on an edge inside a region, the region
+// loses that edge too, and only they keep it.
 
 #include <algorithm>
 #include <cmath>

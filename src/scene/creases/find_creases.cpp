@@ -25,13 +25,13 @@ namespace ligne {
 namespace {
 
 /// Adjustable. Parts are relative to the size of the object where nothing else is named.
-constexpr double kLowPart = 0.5;          ///< of the crease angle: least at which a crease continues, or a sharp edge is one
-constexpr double kFirmDegrees = 20;       ///< above the crease angle: such an edge stays even if isolated
-constexpr double kSurelySharp = 60;       ///< edges from this angle on are creases, even if the file says smooth
-constexpr double kRoundPart = 1.0 / 256;  ///< smaller radii are drawn as the edge that they round
-constexpr double kNarrowPart = 1.0 / 96;  ///< as are narrower roundings between wide sides
-constexpr double kShortPart = 1.0 / 16;   ///< shorter chains are dropped
-constexpr double kSpurPart = 1.0 / 64;    ///< longer edges are no spurs
+constexpr double kLowPart = 0.5;            ///< of the crease angle: smallest to continue a crease or at a sharp edge
+constexpr double kFirmDegrees = 20;         ///< above the crease angle: such an edge stays even if isolated
+constexpr double kSurelySharp = 60;         ///< edges from this angle on are creases, even if the file says smooth
+constexpr double kRoundPart = 1.0 / 256;    ///< smaller radii are drawn as the edge that they round
+constexpr double kNarrowPart = 1.0 / 96;    ///< as are narrower roundings between wide sides
+constexpr double kShortPart = 1.0 / 16;     ///< shorter chains are dropped
+constexpr double kSpurPart = 1.0 / 64;      ///< longer edges are no spurs
 constexpr double kTurnCosine = 0.70710678;  ///< cosine of 45 degrees: largest turn of a continued crease
 
 /// Allowance for the error of float32 normals of small faces: an edge at exactly the crease angle is no crease.

@@ -323,8 +323,7 @@ class Tracer {
     return static_cast<double>(on_ridge) >= kRidgePart * count && static_cast<double>(turns) <= kZigzagPart * count;
   }
 
-  /// Whether the line is short, and the surface goes on bending beside it: then it is one of many ways along a
-  /// rounding.
+  /// Whether the line is short and the surface goes on bending beside it: then many lines along a rounding would do.
   bool is_short_rounding(const Line& line) const {
     double length = 0, wide = 0, far = 0;
     for (const std::uint32_t k : line.edges) length += glm::length(along(candidates_[k]));
@@ -349,7 +348,7 @@ class Tracer {
   std::vector<std::uint32_t> round_;                    ///< scratch memory for wide_bend()
   std::vector<std::uint8_t> on_line_, firm_, refused_;  ///< per candidate
   std::vector<VertexState> state_of_vertex_;            ///< per vertex of the object
-  std::vector<std::uint8_t> on_ridge_;                  ///< per vertex of the object: 1 at an edge above the crease angle
+  std::vector<std::uint8_t> on_ridge_;                  ///< faces_at_: only at vertices of candidates' faces
   AtVertices edges_at_, faces_at_;                      ///< faces_at_: only at vertices of candidates' faces
 };
 

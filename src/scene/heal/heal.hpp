@@ -35,7 +35,7 @@ struct HealReport {
   std::size_t edges_split = 0;     ///< splits of border edges on which a vertex of another one lies (T-junctions)
   std::size_t faces_turned = 0;    ///< faces reversed so that windings agree
   std::size_t border_edges = 0;    ///< border edges of the scene as stored, without duplicates
-  std::vector<SewnBorders> sewn;   ///< the objects of which a border was sewn
+  std::vector<SewnBorders> sewn;   ///< the objects whose borders were sewn
 
   std::size_t edges_sewn() const {
     std::size_t n = 0;

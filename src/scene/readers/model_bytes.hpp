@@ -12,7 +12,7 @@ struct ModelBytes {
   std::span<const std::byte> bytes;
   std::string name;  ///< for error messages
   std::filesystem::path folder =
-      {};  ///< where files that the model names are looked up, and nowhere else; empty: there are none
+      {};  ///< the only folder in which files that the model refers to are looked up; empty: there are none
 };
 
 }  // namespace ligne

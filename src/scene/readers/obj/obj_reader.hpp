@@ -15,12 +15,12 @@
 
 namespace ligne {
 
-/// Reads the polygons of an OBJ file: faces of any number of corners, relative indices, continued lines. Each `o` begins an
-/// object; groups do not, since their faces share vertices, unless `groups_as_objects` asks for it and the file has no `o`.
-/// A file without `o` is else one object. The names given by usemtl become materials, with what the material libraries in
-/// the file's folder say of them (obj_materials.hpp). Bezier and B-spline patches become
-/// triangles. y up; not cleaned yet. Throws InputError, with the line. Normals and smoothing groups go to `shading`, and
-/// tags of subdivision to `tags`, where there is one.
+/// Reads the polygons of an OBJ file: faces of any number of corners, relative indices, continued lines. Each `o`
+/// begins an object; a file without `o` is one object. Groups begin objects only if `groups_as_objects` is set and the
+/// file has no `o`, since their faces share vertices. The names given by usemtl become materials, with the properties
+/// that the material libraries in the file's folder define for them (obj_materials.hpp). Bezier and B-spline patches
+/// become triangles. y up; not cleaned yet. Throws InputError with the line. Normals and smoothing groups go to
+/// `shading`, and tags of subdivision to `tags`, unless these are null.
 Scene read_obj(const ModelBytes& file, ReadReport& report, Warnings& warnings, FileShading* shading = nullptr,
                bool groups_as_objects = false, CreaseTags* tags = nullptr);
 

@@ -18,8 +18,8 @@ namespace {
 /// Largest difference of positions that count as equal, relative to the extent: rounding when they were written. Grids
 /// have far fewer positions on an axis than its inverse.
 constexpr double kSamePosition = 0x1p-24;
-/// Limits for points that form a grid: at most so many grid places per point, or at most so many points per cell that
-/// has all four corners.
+/// Limits for points that form a grid: largest number of grid places per point, or largest number of points per cell
+/// that has all four corners.
 constexpr double kPlacesPerPoint = 2, kPointsPerCell = 2;
 /// Number of rows that are sampled to tell whether columns hold places.
 constexpr std::size_t kRowsLookedAt = 65536;

@@ -20,8 +20,8 @@ std::size_t block_count(const Table& table, RowRange set) {
                                   std::lower_bound(blocks.begin(), blocks.end(), set.begin, begins_before));
 }
 
-/// The surfaces of the data sets; empty if one of them is none by itself. Either all must have several blocks, or all
-/// one, since some writers put two lines between blocks too.
+/// The surfaces of the data sets; empty if a data set makes no surface by itself. Either all must have several blocks,
+/// or all one, since some writers put two lines between blocks too.
 std::vector<GridSurface> separate_surfaces(const Table& table, const std::string& name, const GridChoice& choice,
                                            Warnings& warnings) {
   Warnings unasked;
