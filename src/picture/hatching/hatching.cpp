@@ -372,6 +372,8 @@ std::vector<Layer> hatch_regions(const HatchScene& hatch, const std::vector<Regi
 std::vector<Layer> hatch_spans(const HatchScene& hatch, RunReport& run) {
   const PreparedScene& prepared = hatch.prepared;
   if (!hatch.request().asked() || hatches_regions(prepared.request, prepared.method)) return {};
+  const auto glass = std::ranges::count_if(prepared.projected.face_is_transparent, [](std::uint8_t t) { return t != 0; });
+  if (glass > 0) run.warn("the hatching leaves out " + std::to_string(glass) + " transparent faces");
   return timed(run.stages, "hatch", [&] {
     Hatching hatching(hatch);
     std::vector<FaceHatch> faces;

@@ -7,7 +7,7 @@
 
 namespace ligne {
 
-std::optional<OpaqueScene> without_transparent_faces(const ProjectedScene& scene) {
+std::optional<OpaqueScene> without_transparent_faces(const ProjectedScene& scene, TransparentEdges edges) {
   const auto transparent = [&](std::uint32_t face) {
     return face < scene.face_is_transparent.size() && scene.face_is_transparent[face] != 0;
   };
@@ -27,7 +27,7 @@ std::optional<OpaqueScene> without_transparent_faces(const ProjectedScene& scene
     if (transparent(edge.face0)) edge.face0 = kNone;
     if (transparent(edge.face1)) edge.face1 = kNone;
     if (edge.face0 == kNone) std::swap(edge.face0, edge.face1);
-    if (has_face && edge.face0 == kNone) continue;
+    if (has_face && edge.face0 == kNone && edges == TransparentEdges::left_out) continue;
     opaque.scene.edges.push_back(edge);
     if (!scene.edge_parts.empty()) opaque.scene.edge_parts.push_back(scene.edge_parts[i]);
   }

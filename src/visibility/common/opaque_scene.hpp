@@ -2,6 +2,7 @@
 /// [Boulle1980] 2.2.2.6: transparent faces are taken out of the description model before the study.
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -16,8 +17,12 @@ struct OpaqueScene {
   std::string left_out() const { return std::to_string(faces_left_out) + " transparent faces"; }
 };
 
-/// The scene without its transparent faces and without the edges that have only such faces. An edge that also has an
-/// opaque face keeps its class. Nothing if all faces in view are opaque.
-std::optional<OpaqueScene> without_transparent_faces(const ProjectedScene& scene);
+/// Edges that only transparent faces have: left out, or kept as lines that no face bounds.
+enum class TransparentEdges : std::uint8_t { left_out, kept };
+
+/// The scene without its transparent faces and, unless they are kept, without the edges that have only such faces. An edge
+/// that also has an opaque face keeps its class. Nothing if all faces in view are opaque.
+std::optional<OpaqueScene> without_transparent_faces(const ProjectedScene& scene,
+                                                     TransparentEdges edges = TransparentEdges::left_out);
 
 }  // namespace ligne

@@ -388,16 +388,16 @@ const MethodTraits& WatkinsMethod::traits() const {
       kParameters,
       {},
       false,
-      TransparencyMode::left_out};
+      TransparencyMode::hides_nothing};
   return traits;
 }
 
 VisibilityResult WatkinsMethod::compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const {
-  const std::optional<OpaqueScene> opaque = without_transparent_faces(scene);
+  const std::optional<OpaqueScene> opaque = without_transparent_faces(scene, TransparentEdges::kept);
   if (!opaque) return WatkinsStudy(scene, options).run();
   VisibilityResult result = WatkinsStudy(opaque->scene, options).run();
-  result.statistics.count("transparent faces, left out", opaque->faces_left_out);
-  result.left_out = opaque->left_out();
+  result.statistics.count("transparent faces, that hide nothing", opaque->faces_left_out);
+  if (result.spans) result.left_out = opaque->left_out() + " from the areas";
   return result;
 }
 
