@@ -13,7 +13,8 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// Smallest number of positions that are searched by blocks; fewer are tested one by one. Adjustable.
+/// Smallest number of positions in a block. The positions between near ends, at most as many, are tested one by one.
+/// Adjustable.
 constexpr std::size_t kLeastBlock = 64;
 
 /// Relative tolerance of the height of a line at a given x, far above its rounding error of a few units in the last

@@ -17,7 +17,7 @@ namespace {
 constexpr double kEvenPart = 3.0 / 4;    ///< smallest part of the edges between half and twice the median length
 constexpr double kEvenLength = 1.0 / 2;  ///< and of their total length; few long edges mean a constructed shape
 constexpr double kBentPart = 1.0 / 8;    ///< largest part of the edges that bend by more than the crease angle
-constexpr double kFlatPart = 1.0 / 4;    ///< largest part that bends by less than kFlatDegrees; planes are constructed
+constexpr double kFlatPart = 1.0 / 4;    ///< largest part below kFlatDegrees; planes mean a constructed shape
 constexpr double kFlatDegrees = 1;
 /// Largest part of the edges that may have more than two faces, or faces with opposite windings. Scanners leave stray
 /// triangles, which spoil their neighbourhood but not the whole scan.

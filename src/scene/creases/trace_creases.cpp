@@ -348,7 +348,7 @@ class Tracer {
   std::vector<std::uint32_t> round_;                    ///< scratch memory for wide_bend()
   std::vector<std::uint8_t> on_line_, firm_, refused_;  ///< per candidate
   std::vector<VertexState> state_of_vertex_;            ///< per vertex of the object
-  std::vector<std::uint8_t> on_ridge_;                  ///< faces_at_: only at vertices of candidates' faces
+  std::vector<std::uint8_t> on_ridge_;                  ///< per vertex of the object: 1 if an edge exceeds the angle
   AtVertices edges_at_, faces_at_;                      ///< faces_at_: only at vertices of candidates' faces
 };
 
