@@ -25,9 +25,9 @@ namespace {
 using Index = std::uint32_t;
 using Triple = std::array<Index, 3>;
 
-/// Largest number of corners tested: in all at least, and per corner of the loops. Loops that do not cross need far
-/// fewer. Without a bound the work on a scribble would grow with the square of its corners. Adjustable: a few tenths of
-/// a second.
+/// Largest number of corners tested: the first number, or the second per corner of the loops if that is more. Loops
+/// that do not cross need far fewer. Without a bound the work on a scribble would grow with the square of its corners.
+/// Adjustable: a few tenths of a second.
 constexpr std::size_t kLooksAtLeast = std::size_t{1} << 24, kLooksOfCorner = 512;
 /// Number of corners tested between two calls of check_stop().
 constexpr std::size_t kLooksUnasked = std::size_t{1} << 16;

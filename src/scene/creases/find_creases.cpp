@@ -25,7 +25,7 @@ namespace ligne {
 namespace {
 
 /// Adjustable. Parts are relative to the size of the object where nothing else is named.
-constexpr double kLowPart = 0.5;            ///< of the crease angle: smallest to continue a crease or at a sharp edge
+constexpr double kLowPart = 0.5;            ///< of the crease angle: least angle of continued creases and sharp edges
 constexpr double kFirmDegrees = 20;         ///< above the crease angle: such an edge stays even if isolated
 constexpr double kSurelySharp = 60;         ///< edges from this angle on are creases, even if the file says smooth
 constexpr double kRoundPart = 1.0 / 256;    ///< smaller radii are drawn as the edge that they round

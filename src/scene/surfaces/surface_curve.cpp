@@ -49,6 +49,7 @@ Point2 fractions(const SurfacePoints& surface, Cell c, double x, double y) {
   return {(x - x0) / (x1 - x0), (y - y0) / (y1 - y0)};
 }
 
+/// Height of the triangles of a cell at a place; NaN in a hole.
 double height_in(const SurfacePoints& surface, Cell c, double x, double y, bool upper) {
   const auto z = [&](std::size_t di, std::size_t dj) { return surface.points[(c.j + dj) * surface.columns + c.i + di].z; };
   // A cell with a hole at a corner has no triangles.

@@ -163,7 +163,7 @@ void ObjStatements::add_vertex(std::string_view rest) {
   for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
     if (word[0] == '#') break;
     const std::optional<double> value = number_in(word);
-    // A fifth number begins a colour, which is not drawn.
+    // With more than four numbers, those after the third include a colour, which is not drawn.
     const bool is_color = n > 3 || (n == 3 && !trimmed(rest).empty());
     if (!value && !(is_color && is_no_finite_number(word))) return fail(shown(word) + " is not a coordinate of a vertex");
     if (n < 3) {
