@@ -12,7 +12,7 @@ namespace ligne {
 /// that touch and part again, or coincide on one side, do not cross.
 ///
 /// Vertices of different objects count as equal if they lie within `distance` (model units) of each other; directions
-/// are equal if moving vertices that far makes them coincide. Requires finished objects (scene/clean.hpp) of triangles
+/// are equal if moving vertices that far makes them coincide. Requires finished objects (scene/clean/clean.hpp) of triangles
 /// only. Edges that overlap only in part are not found.
 void mark_crossing_edges(Scene& scene, double distance);
 

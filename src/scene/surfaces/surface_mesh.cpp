@@ -15,7 +15,7 @@
 namespace ligne {
 namespace {
 
-/// Largest coordinate, so that products of five stay finite, as for models (scene/reader.cpp).
+/// Largest coordinate, so that products of five stay finite, as for models (scene/readers/reader.cpp).
 constexpr double kLargestCoordinate = 0x1p200;
 
 constexpr std::uint8_t kRims[] = {SurfaceMesh::kRimBottom, SurfaceMesh::kRimRight, SurfaceMesh::kRimTop,

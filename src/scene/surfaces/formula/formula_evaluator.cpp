@@ -1,5 +1,5 @@
-// muParser evaluates; its input has been checked before (scene/formula_text.hpp). Its bulk mode is not used, since that
-// starts its own threads and the work is already distributed to threads.
+// muParser evaluates; its input has been checked before (scene/surfaces/formula/formula_text.hpp). Its bulk mode is not
+// used, since that starts its own threads and the work is already distributed to threads.
 
 #include "scene/surfaces/formula/formula_evaluator.hpp"
 
