@@ -21,6 +21,9 @@ namespace {
 constexpr double kHighestRise = 0.07;
 /// A curve rises over its edge by at most this many sags: the sag of uneven triangles falls short of the surface's rise.
 constexpr double kHighestRiseInSags = 2;
+/// Segments of a contour that are shorter, in sags, have no direction: nodes of float32 coordinates are off by less where
+/// 240 facets go round a circle.
+constexpr double kNoLengthInSags = 0.01;
 /// A fraction of an edge is found to 2^-20: a micrometre of a metre.
 constexpr int kHalvings = 20;
 /// Tangents of a contour and the chord between its nodes differ by less than the angle of this cosine (60 degrees);
@@ -158,20 +161,38 @@ class ContourTracer {
   void mark_cusps_between_surfaces(ContourChain& chain) const {
     std::size_t last = kNone;  // the last segment that has a length
     for (std::size_t i = 0; i < chain.size(); ++i) {
-      if (chain.nodes[i + 1].on_surface == chain.nodes[i].on_surface) continue;
+      const ContourNode &from = chain.nodes[i], &to = chain.nodes[i + 1];
+      // Where the outline passes through a vertex, roundings set the nodes of its sides apart.
+      if (glm::distance(from.on_surface, to.on_surface) <= kNoLengthInSags * std::max(from.sag, to.sag)) continue;
       if (last != kNone && surface_at(patch_, chain.triangles[last]) != surface_at(patch_, chain.triangles[i])) {
-        const Point3 eye = to_eye(camera_, chain.nodes[i].on_surface);
-        const auto on_page = [&](std::size_t k) {
-          return glm::cross(chain.nodes[k + 1].on_surface - chain.nodes[k].on_surface, eye);
-        };
         ContourNode& corner = chain.nodes[last + 1];
-        if (glm::dot(on_page(last), on_page(i)) < 0 && corner.meets == kNone) {
+        if (corner.meets == kNone && turns_back(chain, last, i)) {
           corner.tangent = glm::normalize(chain.nodes[last + 1].on_surface - chain.nodes[last].on_surface);
           corner.radial = 0;
+          corner.corner = {vertex_at(corner.side), vertex_at(next_corner(corner.side))};
         }
       }
       last = i;
     }
+  }
+
+  /// Whether the contour turns back on the page between two segments on different surfaces. It does where the surfaces bend
+  /// to different sides along the sight; where one of them is not known, the chords between nodes tell.
+  bool turns_back(const ContourChain& chain, std::size_t before, std::size_t after) const {
+    const Point3& at = chain.nodes[before + 1].on_surface;
+    const Point3 eye = to_eye(camera_, at);
+    const Patch *first = surface_at(patch_, chain.triangles[before]), *second = surface_at(patch_, chain.triangles[after]);
+    if (first && second) {
+      const auto bend = [&](const Patch& patch) {
+        const double k = patch.surface.curvature(at, glm::normalize(eye));
+        return patch.outward ? k : -k;
+      };
+      return bend(*first) * bend(*second) < 0;
+    }
+    const auto on_page = [&](std::size_t k) {
+      return glm::cross(chain.nodes[k + 1].on_surface - chain.nodes[k].on_surface, eye);
+    };
+    return glm::dot(on_page(before), on_page(after)) < 0;
   }
 
   /// The node at which a contour runs along the sight.
@@ -199,7 +220,8 @@ class ContourTracer {
     return cusp;
   }
 
-  const Point3& vertex(std::uint32_t corner) const { return scene_.vertices[patch_.triangles[corner / 3].v[corner % 3]]; }
+  std::uint32_t vertex_at(std::uint32_t corner) const { return patch_.triangles[corner / 3].v[corner % 3]; }
+  const Point3& vertex(std::uint32_t corner) const { return scene_.vertices[vertex_at(corner)]; }
 
   ContourNode node(std::uint32_t side, double sag) const {
     ContourNode out;

@@ -57,7 +57,9 @@ void for_visible_pieces(const SeenContour& contour, std::uint32_t c, Visit visit
     const std::vector<CurvePoint> points = contour.curve.part(run.from, run.to);
     for (std::size_t i = 1; i < points.size(); ++i) {
       const CurvePoint &a = points[i - 1], &b = points[i];
-      visit(OutlineSegment{a.mm, b.mm, a.depth, b.depth, c, a.length, b.length});
+      const auto segment = static_cast<std::size_t>(a.at);
+      const double beside_mm = segment < contour.beside_mm.size() ? contour.beside_mm[segment] : 0;
+      visit(OutlineSegment{a.mm, b.mm, a.depth, b.depth, c, a.length, b.length, beside_mm});
     }
   }
 }
@@ -249,14 +251,18 @@ std::optional<MovedEnd> moved_end(const StrokeModel& model, std::size_t i, bool 
   const double back = std::min(kMostOblique * reach_mm, length), on = std::clamp(rest, 0.0, reach_mm);
   const Point2 from = end - back * along, to = end + on * along;
   const double z_end = first ? s.z_from : s.z_to, slope = (first ? s.z_from - s.z_to : s.z_to - s.z_from) / length;
+  // A tangent line runs behind a contour on one of its own surfaces, both of which are curved between the two.
+  const bool is_tangent = s.line_class == LineClass::tangent;
+  const double slack = is_tangent ? back : 0;
   std::optional<double> best;
   finder.near(from, to, [&](const OutlineSegment& piece) {
     double fraction = 0, depth = 0;
     if (!crossing(from, to, piece, fraction, depth)) return;
     const double shift = fraction * (back + on) - back;
-    if (depth > z_end + shift * slope || shift <= -length || (best && std::abs(*best) <= std::abs(shift))) return;
+    if (depth > z_end + shift * slope + slack || shift <= -length || (best && std::abs(*best) <= std::abs(shift))) return;
     const Point2 contour = piece.to - piece.from;
-    if (std::abs(shift * cross(along, contour)) > reach_mm * glm::length(contour)) return;
+    const double reach = is_tangent ? std::max(reach_mm, piece.beside_mm) : reach_mm;
+    if (std::abs(shift * cross(along, contour)) > reach * glm::length(contour)) return;
     best = shift;
   });
   if (!best) return std::nullopt;

@@ -20,6 +20,7 @@ struct OutlineSegment {
   double z_from = 0, z_to = 0;
   std::uint32_t chain = kNone;            ///< index of its contour; kNone if it is another line
   double length_from = 0, length_to = 0;  ///< arc lengths along the contour, page mm
+  double beside_mm = 0;                   ///< largest distance of the mesh's outline from the contour there
 };
 
 /// Finds segments near a query segment, by a hash grid that has cells only near the queries announced beforehand.
@@ -69,7 +70,8 @@ bool crossing(Point2 from, Point2 to, const OutlineSegment& segment, double& fra
 struct SeenContour {
   ContourCurve curve;
   std::vector<ContourRun> runs;
-  std::vector<int> sides;  ///< per segment: see ContourSight::side
+  std::vector<int> sides;         ///< per segment: see ContourSight::side
+  std::vector<double> beside_mm;  ///< per segment: largest distance of the mesh's outline; empty: 0
 };
 
 /// Moves the ends of the visible runs of contours onto visible lines in front that cross them. The reach of a move is

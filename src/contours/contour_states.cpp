@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -93,20 +94,22 @@ void drop_short_runs(std::vector<ContourRun>& runs, const ContourCurve& curve, d
 }
 
 void end_runs_at_cusps(std::vector<ContourRun>& runs, const std::vector<ContourRun>& found, const ContourCurve& curve,
-                       const std::vector<std::uint32_t>& cusps, double reach_mm) {
+                       const std::vector<Cusp>& cusps, double reach_mm) {
   std::vector<double> lengths;
   lengths.reserve(cusps.size());
-  for (const std::uint32_t node : cusps) lengths.push_back(curve.point_at(node).length);
+  for (const Cusp& cusp : cusps) lengths.push_back(curve.point_at(cusp.node).length);
   for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
     if ((runs[i].state >= 0) == (runs[i + 1].state >= 0) || runs[i].to != found[i].to) continue;
     const double from = curve.point_at(runs[i].from).length, at = curve.point_at(runs[i].to).length,
                  to = curve.point_at(runs[i + 1].to).length;
-    double best = reach_mm;
+    double best = std::numeric_limits<double>::infinity();
     double place = runs[i].to;
     for (std::size_t k = 0; k < cusps.size(); ++k) {
-      if (lengths[k] <= from || lengths[k] >= to || std::abs(lengths[k] - at) > best) continue;
-      best = std::abs(lengths[k] - at);
-      place = cusps[k];
+      const double shift = std::abs(lengths[k] - at);
+      const bool is_beside = cusps[k].is_corner && std::abs(runs[i].to - cusps[k].node) <= 1;
+      if (lengths[k] <= from || lengths[k] >= to || shift > best || (shift > reach_mm && !is_beside)) continue;
+      best = shift;
+      place = cusps[k].node;
     }
     runs[i].to = runs[i + 1].from = place;
   }

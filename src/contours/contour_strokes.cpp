@@ -5,6 +5,7 @@
 #include "contours/contour_junctions.hpp"
 #include "contours/surfaces/outline_evidence.hpp"
 #include "contours/surfaces/outline_probes.hpp"
+#include "contours/tangent_corners.hpp"
 
 namespace ligne {
 namespace {
@@ -16,10 +17,10 @@ constexpr double kReachInPens = 2;
 /// as long. On rough meshes less is hidden by a hair.
 constexpr double kTestifiedInReaches = 8;
 
-std::vector<std::uint32_t> cusps_of(const ContourChain& chain) {
-  std::vector<std::uint32_t> cusps;
+std::vector<Cusp> cusps_of(const ContourChain& chain) {
+  std::vector<Cusp> cusps;
   for (std::uint32_t i = 1; i < chain.size(); ++i) {
-    if (chain.nodes[i].is_cusp()) cusps.push_back(i);
+    if (chain.nodes[i].is_cusp()) cusps.push_back({i, chain.nodes[i].is_corner()});
   }
   return cusps;
 }
@@ -42,6 +43,10 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
       seen[c].curve = contour_curve(scene, view, contours.chains[c], kCurveFlatnessMm);
       seen[c].runs = runs_of(strokes, contours.first_source[c], contours.chains[c].size(), hidden_too);
       seen[c].sides = contours.sides[c];
+      for (std::size_t i = 0; i < contours.chains[c].size(); ++i) {
+        const std::vector<ContourNode>& nodes = contours.chains[c].nodes;
+        seen[c].beside_mm.push_back(std::max(nodes[i].most_mm, nodes[i + 1].most_mm));
+      }
       drop_short_runs(seen[c].runs, seen[c].curve, options.pen_width_mm);
     }
   });
@@ -56,6 +61,7 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
   for (SeenContour& contour : seen) drop_short_runs(contour.runs, contour.curve, options.pen_width_mm);
   add_missing_outlines(model, view, contours, probes, seen, {options.pen_width_mm, reach_mm});
   move_ends_of_strokes(model, seen, reach_mm);
+  join_tangents_at_corners(model, scene, view, contours, seen);
   CurveWriter writer(model, view, hidden_too, reach_mm);
   for (std::size_t c = 0; c < n; ++c) {
     const ContourChain& chain = contours.chains[c];

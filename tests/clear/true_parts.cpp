@@ -234,31 +234,66 @@ class Lines {
     return found;
   }
 
+  /// The two outlines of the surface that a piece of a profile turns into.
   void add_outlines(const Profile& profile, std::size_t i) {
     const double across = std::hypot(to_viewer_.x, to_viewer_.y), towards = std::atan2(to_viewer_.y, to_viewer_.x);
+    // Cosine of the angle between the outline and the direction towards the viewer, about z. The normal is (d.y, -d.x) in
+    // r and z, and at a right angle to the line of sight.
+    const auto cosine = [&](double t) {
+      const Point2 d = direction_at(profile, i, t);
+      return d.x * to_viewer_.z / (d.y * across);
+    };
+    const auto has_outline = [&](double t) { return std::abs(cosine(t)) <= 1 && point_at(profile, i, t).x > kNothing; };
     constexpr int kSteps = 4000;
     for (const double side : {-1.0, 1.0}) {
-      std::optional<Point3> last;
-      Point3 since(0, 0, 0);
+      std::vector<Point3> line;
+      const auto add_at = [&](double t) {
+        line.push_back(turned(point_at(profile, i, t), towards + side * std::acos(std::clamp(cosine(t), -1.0, 1.0))));
+      };
+      const auto end_line = [&] {
+        add_line(TrueLine::outline, line, profile, i);
+        line.clear();
+      };
       for (int k = 0; k <= kSteps; ++k) {
-        const double t = double(k) / kSteps;
-        const Point2 p = point_at(profile, i, t), d = direction_at(profile, i, t);
-        // The normal is (d.y, -d.x) in r and z, and at a right angle to the line of sight.
-        const double cosine = d.x * to_viewer_.z / (d.y * across);
-        if (!(std::abs(cosine) <= 1) || p.x <= kNothing) {
-          last.reset();
-          continue;
-        }
-        const Point3 at = turned(p, towards + side * std::acos(cosine));
-        if (!last) since = at;
-        if (last && glm::distance(since, at) >= step_) {
-          points_.push_back({TrueLine::outline, 0.5 * (since + at), at - since, std::max(p.x, radius_of(profile, i))});
-          since = at;
-        }
-        last = at;
+        const double t = double(k) / kSteps, before = std::max(0.0, t - 1.0 / kSteps);
+        const bool here = has_outline(t), there = has_outline(before);
+        // Both outlines meet where the cosine is 1, and run there fast.
+        if (here != there) add_at(end_between(has_outline, here ? t : before, here ? before : t));
+        if (here) add_at(t);
+        if (!here && there) end_line();
       }
+      end_line();
     }
   }
+
+  /// The last place at which `holds` is true on the way from `yes`, where it is, to `no`.
+  template <class Holds>
+  static double end_between(const Holds& holds, double yes, double no) {
+    for (int halving = 0; halving < 40; ++halving) {
+      const double middle = (yes + no) / 2;
+      (holds(middle) ? yes : no) = middle;
+    }
+    return yes;
+  }
+
+  /// Adds samples of a polyline over a piece of a profile.
+  void add_line(TrueLine kind, const std::vector<Point3>& line, const Profile& profile, std::size_t i) {
+    for (std::size_t k = 1, since = 0; k < line.size(); ++k) {
+      const double length = glm::distance(line[since], line[k]);
+      if (length < step_ && k + 1 < line.size()) continue;
+      const int steps = std::max(1, static_cast<int>(std::ceil(length / step_)));
+      const Point3 along = (line[k] - line[since]) / double(steps);
+      for (int n = 0; n < steps && length > 0; ++n) {
+        const Point3 at = line[since] + (n + 0.5) * along;
+        const bool turns = since > 0 && n == 0 && glm::dot(on_page(points_.back().along), on_page(along)) < 0;
+        points_.push_back({kind, at, along, std::hypot(at.x, at.y) + radius_of(profile, i), turns});
+      }
+      since = k;
+    }
+  }
+
+  /// The part of a vector that is seen in its length.
+  Point3 on_page(const Point3& p) const { return p - glm::dot(p, to_viewer_) * to_viewer_; }
 
   Point3 to_viewer_;
   double step_;

@@ -51,7 +51,8 @@ struct TruePoint {
   TrueLine kind = TrueLine::sharp;
   Point3 at{0, 0, 0};
   Point3 along{0, 0, 0};  ///< the length of the line that it stands for, in its direction
-  double radius = 0;      ///< the largest radius of the curves there that meshes have chords of; 0 without any
+  double radius = 0;      ///< sum of the radii of the curves there that meshes have chords of, whose sags add up
+  bool is_cusp = false;   ///< an outline turns back there on the page, and ends in the air if what is before is seen
 };
 
 /// The edges of the part and, for a direction towards the viewer, the outlines of its curved surfaces: all of them, whatever

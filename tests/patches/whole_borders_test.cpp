@@ -1,6 +1,6 @@
 /// Edges that are decided by the whole border of a patch.
 
-#include "scene/patches/whole_borders.hpp"
+#include "scene/patches/borders/whole_borders.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include "base/parallel.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/patches/facet_graph.hpp"
-#include "scene/patches/whole_borders.hpp"
+#include "scene/patches/borders/whole_borders.hpp"
 
 namespace ligne {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/patches/whole_borders.hpp"
+#include "scene/patches/borders/whole_borders.hpp"
 
 #include <algorithm>
 #include <array>
