@@ -8,8 +8,8 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "geometry/degrees.hpp"
-#include "scene/patches/facet_graph.hpp"
 #include "scene/patches/borders/whole_borders.hpp"
+#include "scene/patches/facet_graph.hpp"
 
 namespace ligne {
 namespace {
