@@ -31,7 +31,8 @@ void expect_found(const std::vector<Stroke>& strokes, std::uint32_t seed) {
   const std::vector<OverlapState> expected = by_all_pairs(strokes), found = find_overlapping_strokes(strokes, kTolerance);
   ASSERT_EQ(found.size(), expected.size());
   std::size_t wrong = 0;
-  for (std::size_t i = 0; i < found.size(); ++i) wrong += (found[i] == OverlapState::overlapping) != (expected[i] == OverlapState::overlapping);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    wrong += (found[i] == OverlapState::overlapping) != (expected[i] == OverlapState::overlapping);
   EXPECT_EQ(wrong, 0u) << "seed " << seed;
 }
 

@@ -130,9 +130,7 @@ inline std::size_t height_count(const SurfaceRequest& request) {
 }
 
 /// Whether it asks for any surface.
-inline bool has_surfaces(const SurfaceRequest& request) {
-  return height_count(request) > 0 || !request.parametric.empty();
-}
+inline bool has_surfaces(const SurfaceRequest& request) { return height_count(request) > 0 || !request.parametric.empty(); }
 
 /// Throws RequestError if parts of the request contradict each other, such as sources, ranges and curves.
 void check(const SurfaceRequest& request);
