@@ -342,7 +342,7 @@ def draw(
     """
     options = arguments(locals(), "model", "view", "quality", "progress", *VIEW_OPTIONS, *_OF_SURFACES)
     options.update(seen_from(view, {name: value for name, value in locals().items() if name in VIEW_OPTIONS}))
-    of_surfaces = dict(x=x, y=y, samples=samples, every=every, z_scale=z_scale, z_range=z_range, u=u, v=v)
+    of_surfaces: Dict[str, Any] = dict(x=x, y=y, samples=samples, every=every, z_scale=z_scale, z_range=z_range, u=u, v=v)
     of_surfaces["parametric"] = [tuple(str(formula) for formula in three) for three in parametric]
     surfaces = _surfaces(surface, grid, of_surfaces)
     scene = _scene_for(model, quality, options)

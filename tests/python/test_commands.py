@@ -326,8 +326,8 @@ def test_frames(name, options, given, tmp_path, cube):
     ({"surface": ["x/9+1", "1-y/9"], "x": (-60, 60, 20), "y": "-60:60:30", "samples": 99, "z_scale": 2, "z_range": (-1, 9)},
      ["--surface", "x/9+1", "--surface", "1-y/9", "-x", "-60:60:20", "-y", "-60:60:30", "--samples", "99", "--z-scale", "2",
       "--z-range=-1:9"]),
-    ({"parametric": [("9*u", "9*v", "u*v")], "u": (0, 1, 9), "v": "0:1:9"},
-     ["--parametric", "9*u", "9*v", "u*v", "-u", "0:1:9", "-v", "0:1:9"]),
+    ({"parametric": [("60*u", "60*v", "u*v+1")], "u": (0, 1, 9), "v": "0:1:9"},
+     ["--parametric", "60*u", "60*v", "u*v+1", "-u", "0:1:9", "-v", "0:1:9"]),
 ], ids=["one", "two", "parametric"])  # fmt: skip
 def test_surfaces_among_models(options, given, command):
     drawing = ligne.draw(CUBES, **options)
