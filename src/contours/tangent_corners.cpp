@@ -89,11 +89,14 @@ class TangentJoiner {
     return end.first ? s.from : s.to;
   }
 
-  bool is_free(LatticePoint p) const { return std::ranges::equal_range(ends_, p).size() == 1; }
+  bool is_free(LatticePoint p) const {
+    const auto [first, last] = std::equal_range(ends_.begin(), ends_.end(), p);
+    return last - first == 1;
+  }
 
   /// The free end on the edge of the corner that is nearest to it.
   std::optional<StrokeEnd> nearest_end(const Corner& corner) const {
-    const auto& [a, b] = corner.edge;
+    const Point2 a = corner.edge[0], b = corner.edge[1];
     const auto is_on_edge = [&](Point2 p) {
       const Point2 along = b - a;
       const double square = glm::dot(along, along);
