@@ -8,11 +8,11 @@
 #include <utility>
 
 #include <glm/gtc/type_ptr.hpp>
-#include <nlohmann/json.hpp>
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "drawing/hidden_parts.hpp"
+#include "plotting/writers/json_values.hpp"
 #include "plotting/writers/number_text.hpp"
 #include "plotting/writers/writers.hpp"
 
@@ -28,51 +28,6 @@ constexpr int kPageDecimals = 6;
 constexpr int kMostPageDecimals = 12;
 /// Decimals of angles in degrees: finer than the coordinates justify.
 constexpr int kTurnDecimals = 6;
-
-std::string json_string(std::string_view text) {
-  using nlohmann::json;
-  return json(std::string(text)).dump(-1, ' ', false, json::error_handler_t::replace);
-}
-
-void append_integer(std::string& out, std::uint64_t value) {
-  char text[kNumberBytes];
-  out.append(text, write_fixed(text, static_cast<std::int64_t>(value), 0, false));
-}
-
-void append_point(std::string& out, Point2 p, int decimals) {
-  out += '[';
-  append_rounded(out, p.x, decimals);
-  out += ',';
-  append_rounded(out, p.y, decimals);
-  out += ']';
-}
-
-/// Appends "[item,item,...]": append_item(item) for each item.
-template <class Items, class AppendItem>
-void append_list(std::string& out, const Items& items, const AppendItem& append_item) {
-  out += '[';
-  bool is_first = true;
-  for (const auto& item : items) {
-    if (!std::exchange(is_first, false)) out += ',';
-    append_item(item);
-  }
-  out += ']';
-}
-
-void append_numbers(std::string& out, std::span<const double> numbers) {
-  append_list(out, numbers, [&](double number) { append_shortest(out, number); });
-}
-
-/// The number of a face or of a surface, or null.
-void append_face(std::string& out, std::uint32_t face) {
-  if (face == kNone) {
-    out += "null";
-  } else {
-    append_integer(out, face);
-  }
-}
-
-void append_coordinates(std::string& out, const Point3& p) { append_numbers(out, std::array{p.x, p.y, p.z}); }
 
 /// Decimals that tell neighbouring lattice points apart: at most half a step.
 int lattice_decimals(const Lattice& lattice) {
