@@ -1,6 +1,6 @@
 /// Free forms between planes.
 
-#include "scene/patches/freeform_borders.hpp"
+#include "scene/patches/borders/freeform_borders.hpp"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 
 #include "scene/clean/clean.hpp"
 #include "scene/creases/face_normals.hpp"
-#include "scene/patches/patch_edges.hpp"
+#include "scene/patches/borders/patch_edges.hpp"
 
 namespace ligne::test {
 

@@ -19,7 +19,7 @@
 #include "scene/creases/face_normals.hpp"
 #include "scene/creases/trace_creases.hpp"
 #include "scene/model/bounds.hpp"
-#include "scene/patches/patch_edges.hpp"
+#include "scene/patches/borders/patch_edges.hpp"
 
 namespace ligne {
 namespace {

@@ -10,7 +10,7 @@
 #include "scene/creases/trace_creases.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
-#include "scene/patches/patch_edges.hpp"
+#include "scene/patches/borders/patch_edges.hpp"
 
 namespace ligne {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "scene/patches/find_patches.hpp"
-#include "scene/patches/patch_edges.hpp"
+#include "scene/patches/borders/patch_edges.hpp"
 
 namespace ligne {
 

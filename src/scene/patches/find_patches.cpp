@@ -7,7 +7,7 @@
 #include "scene/patches/facet_graph.hpp"
 #include "scene/patches/freeform.hpp"
 #include "scene/patches/patch_finder.hpp"
-#include "scene/patches/patch_outlines.hpp"
+#include "scene/patches/borders/patch_outlines.hpp"
 
 namespace ligne {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
-#include "scene/patches/freeform_borders.hpp"
+#include "scene/patches/borders/freeform_borders.hpp"
 #include "scene/patches/patch_surface.hpp"
 
 namespace ligne {

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <compare>
 #include <glm/geometric.hpp>
 #include <map>
 
-#include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
+#include "scene/patches/borders/edge_chains.hpp"
 
 namespace ligne {
 namespace {
@@ -22,8 +21,6 @@ constexpr double kOneSide = 0.8;
 /// Least tangent fraction of a chain's length that makes the whole chain tangent, and largest fraction with evidence
 /// against it.
 constexpr double kMostTangent = 0.6, kMostAgainst = 0.1;
-/// Least cosine between consecutive edges of a chain: 45 degrees.
-constexpr double kStraightCosine = 0.7;
 
 class WholeBorders {
  public:
@@ -77,22 +74,15 @@ class WholeBorders {
     }
   }
 
-  /// One side of an edge: the patch there.
-  struct Side {
-    std::uint32_t patch, edge;
-    auto operator<=>(const Side&) const = default;
-  };
-
   void decide_chains() {
-    std::vector<Side> sides;
+    std::vector<BorderEdge> sides;  // one for each patch at an edge
     for (std::uint32_t e = 0; e < edges_.size(); ++e) {
       if (evidence_[e] == BorderEvidence::none) continue;
       for (const std::uint32_t patch : patches_at(e)) {
-        if (patch != kNone) sides.push_back({patch, e});
+        if (patch != kNone) sides.push_back({e, patch});
       }
     }
-    std::ranges::sort(sides);
-    DisjointSets chains = chains_of(sides);
+    DisjointSets chains = edge_chains(scene_, topology_, sides);
     struct Lengths {
       double all = 0, tangent = 0, against = 0;
     };
@@ -112,37 +102,6 @@ class WholeBorders {
       const Lengths& sum = lengths[chains.find(i)];
       if (sum.tangent >= kMostTangent * sum.all && sum.against <= kMostAgainst * sum.all) edges_[e] = PatchEdge::tangent;
     }
-  }
-
-  /// Joins sides of one patch that continue each other at a vertex where exactly two of its sides end. `sides`: sorted.
-  DisjointSets chains_of(std::span<const Side> sides) const {
-    struct End {
-      std::uint32_t patch, vertex, side;
-      auto operator<=>(const End&) const = default;
-    };
-    std::vector<End> ends;
-    for (std::uint32_t i = 0; i < sides.size(); ++i) {
-      const Edge& edge = topology_.edges[sides[i].edge];
-      for (const std::uint32_t v : {edge.v0, edge.v1}) ends.push_back({sides[i].patch, v, i});
-    }
-    std::ranges::sort(ends);
-    DisjointSets chains(sides.size());
-    for (std::size_t i = 0, last = 0; i < ends.size(); i = last) {
-      const auto& [patch, vertex, side] = ends[i];
-      while (last < ends.size() && ends[last].patch == patch && ends[last].vertex == vertex) ++last;
-      if (last - i == 2 && goes_straight_on(vertex, sides[side].edge, sides[ends[i + 1].side].edge)) {
-        chains.join(side, ends[i + 1].side);
-      }
-    }
-    return chains;
-  }
-
-  bool goes_straight_on(std::uint32_t vertex, std::uint32_t first, std::uint32_t second) const {
-    const auto away = [&](std::uint32_t e) {
-      const Edge& edge = topology_.edges[e];
-      return glm::normalize(scene_.vertices[edge.v0 == vertex ? edge.v1 : edge.v0] - scene_.vertices[vertex]);
-    };
-    return glm::dot(away(first), away(second)) <= -kStraightCosine;
   }
 
   const Scene& scene_;

@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/no_index.hpp"
-#include "scene/patches/patch_edges.hpp"
+#include "scene/patches/borders/patch_edges.hpp"
 
 namespace ligne {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/patches/patch_outlines.hpp"
+#include "scene/patches/borders/patch_outlines.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>

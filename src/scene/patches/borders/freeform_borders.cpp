@@ -1,4 +1,4 @@
-#include "scene/patches/freeform_borders.hpp"
+#include "scene/patches/borders/freeform_borders.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,13 +6,13 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/patches/find_patches.hpp"
 #include "scene/patches/freeform.hpp"
-#include "scene/patches/patch_edges.hpp"
-#include "scene/patches/patch_outlines.hpp"
+#include "scene/patches/borders/edge_chains.hpp"
+#include "scene/patches/borders/patch_edges.hpp"
+#include "scene/patches/borders/patch_outlines.hpp"
 
 namespace ligne {
 namespace {
@@ -35,8 +35,6 @@ constexpr double kLeastSpread = 0.25;
 constexpr std::size_t kMostPlaneCorners = 64;
 /// Largest number of edges of a chain that may be a flaw of a smooth mesh.
 constexpr std::uint32_t kFleckEdges = 2;
-/// Least cosine between the edges of a chain: 45 degrees.
-constexpr double kChainCosine = 0.7;
 
 /// Least difference between the curvatures of a free form and a surface that counts, as a fraction of the larger one. A
 /// smaller one may be an error of the first facets of a free form that the surface is a part of.
@@ -226,36 +224,15 @@ class BorderFinder {
   }
 
   void number_chains() {
-    struct End {
-      std::uint32_t vertex, beyond, border;
-      auto operator<=>(const End&) const = default;
-    };
-    std::vector<End> ends;
-    for (std::uint32_t i = 0; i < found_.size(); ++i) {
-      const Edge& edge = topology_.edges[found_[i].edge];
-      for (const std::uint32_t v : {edge.v0, edge.v1}) ends.push_back({v, found_[i].beyond, i});
-    }
-    std::ranges::sort(ends);
-    DisjointSets sets(found_.size());
-    for (std::size_t i = 0, last = 0; i < ends.size(); i = last) {
-      while (last < ends.size() && ends[last].vertex == ends[i].vertex && ends[last].beyond == ends[i].beyond) ++last;
-      if (last - i == 2 && goes_straight_on(ends[i].vertex, ends[i].border, ends[i + 1].border)) {
-        sets.join(ends[i].border, ends[i + 1].border);
-      }
-    }
+    std::vector<BorderEdge> borders;
+    borders.reserve(found_.size());
+    for (const Found& border : found_) borders.push_back({border.edge, border.beyond});
+    DisjointSets sets = edge_chains(scene_, topology_, borders);
     std::vector<std::uint32_t> sizes(found_.size(), 0);
     for (std::uint32_t i = 0; i < found_.size(); ++i) ++sizes[found_[i].chain = sets.find(i)];
     for (Found& border : found_) {
       border.is_fleck = border.turn == 0 && sizes[border.chain] <= kFleckEdges && !stands_alone(border.facet);
     }
-  }
-
-  bool goes_straight_on(std::uint32_t vertex, std::uint32_t a, std::uint32_t b) const {
-    const auto away = [&](std::uint32_t border) {
-      const Edge& edge = topology_.edges[found_[border].edge];
-      return glm::normalize(scene_.vertices[edge.v0 == vertex ? edge.v1 : edge.v0] - scene_.vertices[vertex]);
-    };
-    return glm::dot(away(a), away(b)) <= -kChainCosine;
   }
 
   const Scene& scene_;

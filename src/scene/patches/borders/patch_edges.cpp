@@ -1,4 +1,4 @@
-#include "scene/patches/patch_edges.hpp"
+#include "scene/patches/borders/patch_edges.hpp"
 
 #include <algorithm>
 #include <array>
