@@ -37,32 +37,37 @@ inline std::vector<Corners> bored_plate(double left_radius, double right_radius)
   return polygons;
 }
 
+/// A closed body of revolution about z: rings of facets between circles, each of a radius and a height, with flat ends.
+inline std::vector<Corners> turned_body(int facets, const std::vector<Point2>& circles) {
+  std::vector<Corners> polygons;
+  const auto at = [&](int u, int v) {
+    const Point2 circle = circles[static_cast<std::size_t>(v)];
+    return on_circle(circle.x, 2 * kPi * (u % facets) / facets, circle.y);
+  };
+  const int rows = static_cast<int>(circles.size()) - 1;
+  add_grid(polygons, facets, rows, false, at);
+  Corners bottom, top;
+  for (int u = 0; u < facets; ++u) {
+    bottom.push_back(at(facets - u, 0));
+    top.push_back(at(u, rows));
+  }
+  polygons.push_back(bottom);
+  polygons.push_back(top);
+  return polygons;
+}
+
 /// A part turned about the z axis: a shaft of radius 6 from z = 0 to 5, a fillet of radius 2 into a flange at z = 7, whose
 /// cone goes from radius 12 at z = 7 to 9 at z = 13. Closed by two caps.
 inline std::vector<Corners> turned_part() {
   constexpr int kSteps = 6;
-  std::vector<std::array<double, 2>> profile{{6, 0}};  // radius, z
+  std::vector<Point2> profile{{6, 0}};  // radius, z
   for (int i = 0; i <= kSteps; ++i) {
     const double angle = kPi - kPi / 2 * i / kSteps;
     profile.push_back({8 + 2 * std::cos(angle), 5 + 2 * std::sin(angle)});
   }
   profile.push_back({12, 7});
   profile.push_back({9, 13});
-  const auto point = [&](int u, int v) {
-    const auto& [radius, z] = profile[static_cast<std::size_t>(v)];
-    return on_circle(radius, 2 * kPi * (u % kTurnedFacets) / kTurnedFacets, z);
-  };
-  const int top = static_cast<int>(profile.size()) - 1;
-  std::vector<Corners> polygons;
-  add_grid(polygons, kTurnedFacets, top, false, point);
-  Corners bottom_cap, top_cap;
-  for (int i = 0; i < kTurnedFacets; ++i) {
-    bottom_cap.push_back(point(kTurnedFacets - i, 0));
-    top_cap.push_back(point(i, top));
-  }
-  polygons.push_back(bottom_cap);
-  polygons.push_back(top_cap);
-  return polygons;
+  return turned_body(kTurnedFacets, profile);
 }
 
 /// A ball of radius 4 about (1, 2, 3), whose poles are on a line along z.

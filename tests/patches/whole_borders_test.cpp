@@ -4,31 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "patches/part_scenes.hpp"
 #include "patches/patch_scenes.hpp"
 
 namespace ligne {
 namespace {
 
 using namespace test;
-
-/// A closed body of revolution about z: rings of facets between circles, each of a radius and a height, with flat ends.
-std::vector<Corners> turned_body(int facets, const std::vector<Point2>& circles) {
-  std::vector<Corners> polygons;
-  const auto at = [&](int u, int v) {
-    const Point2 circle = circles[static_cast<std::size_t>(v)];
-    return on_circle(circle.x, 2 * kPi * (u % facets) / facets, circle.y);
-  };
-  const int rows = static_cast<int>(circles.size()) - 1;
-  add_grid(polygons, facets, rows, false, at);
-  Corners bottom, top;
-  for (int u = 0; u < facets; ++u) {
-    bottom.push_back(at(facets - u, 0));
-    top.push_back(at(u, rows));
-  }
-  polygons.push_back(bottom);
-  polygons.push_back(top);
-  return polygons;
-}
 
 /// A cylinder of radius 10 that becomes a cone at z = 0.
 std::vector<Corners> pointed_shaft(int facets, double degrees) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "cli/options/options.hpp"
+#include "cli/options/parametric_options.hpp"
 #include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"
 
@@ -21,23 +22,10 @@ void add_mixed_scene_options(CLI::App& draw, SurfaceRequest& request) {
   group.add_repeatable(
       "--grid", "FILE", [&request](const std::string& file) { request.grids.push_back(file); },
       "the same with heights from a file: see ligne surface (repeatable)");
-  group.add_repeatable_tuple(
-      "--parametric", "X Y Z", 3,
-      [&request](const std::vector<std::string>& xyz) {
-        request.parametric.push_back({xyz[0], xyz[1], xyz[2]});
-      },
-      "the same as three formulas in u and v (repeatable)");
+  add_parametric(group, request, "the same as three formulas in u and v (repeatable)");
   group.add("-x", "A:B[:N]", request.x, parse_range, "range of x and number of curves (default: the extent of the models)");
   group.add("-y", "A:B[:N]", request.y, parse_range, "the same of y");
-  group
-      .add_repeatable(
-          "-u", "A:B[:N]", [&request](const std::string& text) { request.u.push_back(parse_range(text)); },
-          "the same of u, of a parametric surface (repeatable: of the next one)")
-      .standard("0:2*pi:40");
-  group
-      .add_repeatable(
-          "-v", "A:B[:N]", [&request](const std::string& text) { request.v.push_back(parse_range(text)); }, "the same of v")
-      .standard("0:2*pi:40");
+  add_parameter_ranges(group, request);
   group
       .add(
           "--samples", "N", request.samples, [](const std::string& t) { return parse_count(t, 2, kMostSamplesOfCurve); },

@@ -11,6 +11,7 @@
 #include "cli/options/method_options.hpp"
 #include "cli/options/options.hpp"
 #include "cli/options/page_options.hpp"
+#include "cli/options/parametric_options.hpp"
 #include "cli/options/view_options.hpp"
 #include "files/closest_name.hpp"
 #include "files/message_text.hpp"
@@ -93,24 +94,11 @@ void add_source_options(CLI::App& surface, SurfaceRequest& request) {
       "--grid", "FILE", [&request](const std::string& file) { request.grids.push_back(file); },
       "heights from a file, - for standard input: CSV or TSV matrix, table, lines of x y z, ESRI ASCII grid, PGM, PNG, "
       "GeoTIFF (repeatable)");
-  group.add_repeatable_tuple(
-      "--parametric", "X Y Z", 3,
-      [&request](const std::vector<std::string>& xyz) {
-        request.parametric.push_back({xyz[0], xyz[1], xyz[2]});
-      },
-      "a surface as three formulas in u and v (repeatable)");
+  add_parametric(group, request, "a surface as three formulas in u and v (repeatable)");
   group.add("-x", "A:B[:N]", request.x, parse_range, "range of x and number of curves of constant x; with --grid a window")
       .standard("-5:5:40");
   group.add("-y", "A:B[:N]", request.y, parse_range, "the same of y").standard("-5:5:40");
-  group
-      .add_repeatable(
-          "-u", "A:B[:N]", [&request](const std::string& text) { request.u.push_back(parse_range(text)); },
-          "the same of u, of a parametric surface (repeatable: of the next one)")
-      .standard("0:2*pi:40");
-  group
-      .add_repeatable(
-          "-v", "A:B[:N]", [&request](const std::string& text) { request.v.push_back(parse_range(text)); }, "the same of v")
-      .standard("0:2*pi:40");
+  add_parameter_ranges(group, request);
   group
       .add(
           "--samples", "N", request.samples, [](const std::string& t) { return parse_count(t, 2, kMostSamples); },

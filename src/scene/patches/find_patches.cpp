@@ -4,10 +4,10 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "scene/patches/borders/patch_outlines.hpp"
 #include "scene/patches/facet_graph.hpp"
 #include "scene/patches/freeform.hpp"
 #include "scene/patches/patch_finder.hpp"
-#include "scene/patches/borders/patch_outlines.hpp"
 
 namespace ligne {
 namespace {

@@ -8,11 +8,11 @@
 
 #include "base/no_index.hpp"
 #include "geometry/degrees.hpp"
-#include "scene/patches/find_patches.hpp"
-#include "scene/patches/freeform.hpp"
 #include "scene/patches/borders/edge_chains.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
 #include "scene/patches/borders/patch_outlines.hpp"
+#include "scene/patches/find_patches.hpp"
+#include "scene/patches/freeform.hpp"
 
 namespace ligne {
 namespace {

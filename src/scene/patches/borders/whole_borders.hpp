@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "scene/patches/find_patches.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
+#include "scene/patches/find_patches.hpp"
 
 namespace ligne {
 
