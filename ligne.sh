@@ -5,11 +5,21 @@ set -euo pipefail
 root=$(cd -P "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
 folder=$root/build/release
 program=$folder/src/cli/ligne
-stamp=$folder/.ligne-built
-sources=("$root/src" "$root/plotting" "$root/cmake" "$root/CMakeLists.txt" "$root/scripts/setup.sh")
+# The experiments are a program of their own, built when they are first asked for.
+target=ligne
+if [[ ${1-} == study ]]; then target=ligne-study; fi
+sources=("$root/src" "$root/plotting" "$root/cmake" "$root/CMakeLists.txt" "$root/scripts/setup.sh" "$root/studies")
 
-# Nothing that the build reads is newer than the last build. A folder is newer when a file in it came or went.
-is_built() { [[ -x $program && -e $stamp && -z $(find "${sources[@]}" -newer "$stamp" -print -quit) ]]; }
+# Nothing that the build reads is newer than the last build of the target, or of all of them. A folder is newer when a file in it
+# came or went.
+is_built() {
+  [[ -x $program && -x ${program%/*}/$target ]] || return 1
+  local stamp
+  for stamp in "$folder/.built-$target" "$folder/.built-all"; do
+    [[ -e $stamp && -z $(find "${sources[@]}" -newer "$stamp" -print -quit) ]] && return 0
+  done
+  return 1
+}
 
 cannot_build() {
   echo "ligne.sh: $folder: can not be written, and the program in it is $1; build it as somebody who may, or in a copy" >&2

@@ -13,6 +13,7 @@
 #include "picture/surface/surface_request.hpp"
 #include "plotting/devices/device.hpp"
 #include "plotting/paths/optimize.hpp"
+#include "studies/command.hpp"
 #include "view/view.hpp"
 #include "visibility/registry.hpp"
 
@@ -123,6 +124,13 @@ std::vector<CommandEntry> command_table() {
   setup_commands(app, commands);
   std::vector<CommandEntry> table{table_of(app, "")};
   for (const CLI::App* command : app.get_subcommands({})) table.push_back(table_of(*command, command->get_name()));
+  // The study is a program of its own, which knows its options.
+  CLI::App study_app("", "ligne");
+  StudyCommandOptions study;
+  setup_study(study_app, study);
+  for (CommandEntry& entry : table) {
+    if (entry.name == "study") entry = table_of(*study_app.get_subcommand("study"), "study");
+  }
   return table;
 }
 

@@ -38,7 +38,7 @@ git rev-parse --verify -q "$base^{commit}" >/dev/null ||
 
 # The compile commands are those of a release without tests. Headers precompiled by one compiler are of no use to another.
 build=build/check
-mapfile -t changed < <(git diff --name-only --diff-filter=d "$base" -- 'src/*.cpp' 'plotting/*.cpp')
+mapfile -t changed < <(git diff --name-only --diff-filter=d "$base" -- 'src/*.cpp' 'plotting/*.cpp' 'studies/*.cpp')
 echo "check: clang-tidy on ${#changed[@]} sources changed since $(git rev-parse --short "$base")"
 if ((${#changed[@]} > 0)); then
   install_packages "$build_packages"

@@ -4,7 +4,7 @@ import re
 import subprocess
 import sys
 
-FOLDERS = "src", "plotting", "python", "bench", "scripts", "tests"
+FOLDERS = "src", "plotting", "studies", "python", "bench", "scripts", "tests"
 COMMENT = re.compile(r"(?://+<?|^\s*#)\s*(What|Of|That of|The same|Whether what)\b")
 
 

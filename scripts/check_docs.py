@@ -15,7 +15,7 @@ import sys
 from pathlib import Path
 
 MAX_COLUMNS = 100
-PATH = re.compile(r"^(?:src|tests|docs|plotting|scripts|bench|examples|cmake|python)/[\w./-]*$")
+PATH = re.compile(r"^(?:src|studies|tests|docs|plotting|scripts|bench|examples|cmake|python)/[\w./-]*$")
 PLACEHOLDER = re.compile(r"NAME|FORMAT|FOLDER")
 KEY = re.compile(r"\[([A-Z][A-Za-z]*(?:\d{4}[a-z]?|-nd))\](?!\()")
 DEFINITION = re.compile(r"\*\*\[([^\]]+)\]\*\*")

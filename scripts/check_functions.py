@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Names the functions of src/ and plotting/ that are longer than a screen, and those with too many parameters. Reads the layout that
+"""Names the functions of src/, plotting/ and studies/ that are longer than a screen, and those with too many parameters. Reads the layout that
 clang-format gives."""
 import re
 import subprocess
@@ -57,7 +57,7 @@ def crowded_functions(text):
 
 
 def main():
-    names = subprocess.run(["git", "ls-files", "src/*.[ch]pp", "plotting/*.[ch]pp"], capture_output=True, text=True, check=True)
+    names = subprocess.run(["git", "ls-files", "src/*.[ch]pp", "plotting/*.[ch]pp", "studies/*.[ch]pp"], capture_output=True, text=True, check=True)
     failed = False
     for name in names.stdout.split():
         with open(name, encoding="utf-8") as file:

@@ -35,7 +35,7 @@ for method in "${methods[@]}"; do
     [[ $other == "$method" ]] || forbid "src/visibility/$other" "visibility/$method/"
   done
 done
-for folder in src plotting tests bench; do
+for folder in src plotting studies tests bench; do
   forbid "$folder" '(oneapi/)?tbb/' 'src/base/parallel\.cpp'
   forbid "$folder" 'CLI/' 'src/cli/(options/options\.cpp|command_line\.cpp|help\.hpp)'
 done

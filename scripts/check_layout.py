@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Names what of src/ and plotting/ a newcomer could not find their way in: folders of more files than are taken in at a glance, and
+"""Names what of src/, plotting/ and studies/ a newcomer could not find their way in: folders of more files than are taken in at a glance, and
 headers that include each other in a circle. A header X.hpp and its second half X.inl.hpp may."""
 import collections
 import os
@@ -12,14 +12,14 @@ MOST_FILES = 30  # in a folder
 
 def crowded_folders():
     """(folder, number of files) of those that hold too many."""
-    names = subprocess.run(["git", "ls-files", "src", "plotting"], capture_output=True, text=True, check=True)
+    names = subprocess.run(["git", "ls-files", "src", "plotting", "studies"], capture_output=True, text=True, check=True)
     counts = collections.Counter(os.path.dirname(name) for name in names.stdout.split())
     return sorted((folder, count) for folder, count in counts.items() if count > MOST_FILES)
 
 
 def includes_of_headers():
     """By header, as an include names it: the headers that it includes."""
-    names = subprocess.run(["git", "ls-files", "src/*.hpp", "plotting/*.hpp"], capture_output=True, text=True, check=True)
+    names = subprocess.run(["git", "ls-files", "src/*.hpp", "plotting/*.hpp", "studies/*.hpp"], capture_output=True, text=True, check=True)
     found = {}
     for name in names.stdout.split():
         if os.path.exists(name):

@@ -7,7 +7,7 @@ import re
 import subprocess
 import sys
 
-FOLDERS = "src", "plotting", "python"
+FOLDERS = "src", "plotting", "studies", "python"
 COMMENT_OR_TEXT = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.S)
 SCOPE = re.compile(r"namespace\s*([\w:]*)\s*\{|\b(?:class|struct|union|enum(?:\s+class)?)\s+([A-Z]\w*)\s*(?:final\s*)?(?::(?!:)[^;{()]*)?\{|\{|\}")
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compares the lines of src/ and plotting/ that the first tier of the tests runs with those that --all runs.
+"""Compares the lines of src/, plotting/ and studies/ that the first tier of the tests runs with those that --all runs.
 
     scripts/coverage.py               builds with gcov, runs both tiers, prints a table
     scripts/coverage.py --part X      the tests of ctest alone whose names match X
@@ -32,8 +32,8 @@ def build(jobs):
 
 
 def objects():
-    """The notes of the compiler for the objects of src/ and plotting/."""
-    return [p for folder in ("src", "plotting") for p in (BUILD / folder).rglob("*.gcno")]
+    """The notes of the compiler for the objects of src/, plotting/ and studies/."""
+    return [p for folder in ("src", "plotting", "studies") for p in (BUILD / folder).rglob("*.gcno")]
 
 
 def run(tier, jobs, part):
@@ -62,7 +62,7 @@ def add_lines(result, known, ran):
     for file in result["files"]:
         path = pathlib.Path(os.path.normpath(os.path.join(result["current_working_directory"], file["file"])))
         path = path.resolve()
-        if not any(path.is_relative_to(ROOT / folder) for folder in ("src", "plotting")):
+        if not any(path.is_relative_to(ROOT / folder) for folder in ("src", "plotting", "studies")):
             continue
         name = str(path.relative_to(ROOT))
         for line in file["lines"]:

@@ -128,13 +128,13 @@ forget_moved_folder() {
 }
 
 # build FOLDER TARGET CMAKE-ARGUMENT...: configures and builds; the log is shown only when that fails. Afterwards the file
-# .ligne-built in the folder is as old as the beginning of the build: sources edited while it ran are newer.
+# .built-TARGET in the folder is as old as the beginning of the build: sources edited while it ran are newer.
 build() {
   local folder=$1 target=$2 log=$1/build.log options
   shift 2
   mkdir -p "$folder"
   tell "building ligne"
-  touch "$folder/.ligne-started"
+  touch "$folder/.build-started"
   mapfile -t options < <(build_options)
   # Headers compiled in advance, and the macros of dates that nobody uses, keep nothing from the cache.
   export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
@@ -143,5 +143,5 @@ build() {
     echo "ligne: the build failed; its log is $log" >&2
     return 1
   fi
-  mv "$folder/.ligne-started" "$folder/.ligne-built"
+  mv "$folder/.build-started" "$folder/.built-$target"
 }

@@ -6,7 +6,7 @@
 #include "picture/errors.hpp"
 #include "picture/parse/parse.hpp"
 #include "plotting/writers/output_file.hpp"
-#include "study/run_experiments.hpp"
+#include "studies/run_experiments.hpp"
 
 #include <pybind11/stl.h>
 

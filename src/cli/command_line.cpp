@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -17,6 +18,7 @@
 #include "cli/help.hpp"
 #include "cli/messages.hpp"
 #include "cli/options/options.hpp"
+#include "cli/study_program.hpp"
 #include "files/closest_name.hpp"
 #include "files/message_text.hpp"
 #include "picture/errors.hpp"
@@ -141,6 +143,52 @@ std::vector<std::string> arguments_for(CLI::App& app, int argc, char** argv) {
   return arguments;
 }
 
+/// Parses the arguments behind the program's name; false if they ask for help or the version, which it prints. Throws
+/// UsageError.
+bool parse_arguments(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(arguments_for(app, argc, argv));
+    return true;
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() != 0) throw UsageError(complaint(e, app));
+    std::ostringstream text;
+    app.exit(e, text, text);
+    write_output("-", text.str());
+    return false;
+  }
+}
+
+/// Runs the work and returns the exit status that it returns; reports what it throws on standard error.
+int report_errors(const std::function<int()>& work) {
+  try {
+    return work();
+  } catch (const UsageError& e) {
+    say(e.what());
+    return kUsage;
+  } catch (const RequestError& e) {
+    say((e.field().empty() ? "" : "--") + std::string(e.what()));
+    return kUsage;
+  } catch (const MemoryError& e) {
+    say(e.what());
+  } catch (const std::bad_alloc&) {
+    say("not enough memory");
+  } catch (const std::exception& e) {
+    say(e.what());
+  } catch (...) {
+    say("the work failed for an unknown reason");
+  }
+  return kFailed;
+}
+
+/// The arguments for `ligne-study`, if the command is `study`.
+std::optional<std::vector<std::string>> study_arguments(const CLI::App& app, int argc, char** argv) {
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  take_help(arguments, app);
+  if (arguments.empty() || arguments.front() != "study") return std::nullopt;
+  arguments.erase(arguments.begin());
+  return arguments;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Draws 3D polygon scenes as clean lines, hidden parts removed.", "ligne");
   app.set_version_flag("--version", "ligne " LIGNE_VERSION);
@@ -149,16 +197,8 @@ int run(int argc, char** argv) {
 
   Commands commands;
   setup_commands(app, commands);
-
-  try {
-    app.parse(arguments_for(app, argc, argv));
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() != 0) throw UsageError(complaint(e, app));
-    std::ostringstream text;
-    app.exit(e, text, text);
-    write_output("-", text.str());
-    return kDone;
-  }
+  if (const auto arguments = study_arguments(app, argc, argv)) return run_study_program(*arguments);
+  if (!parse_arguments(app, argc, argv)) return kDone;
 
   commands.draw.run.given = given_options(*app.get_subcommand("draw"));
   commands.surface.run.given = given_options(*app.get_subcommand("surface"));
@@ -179,8 +219,6 @@ int run(int argc, char** argv) {
     run_plot(commands.plot);
   } else if (app.got_subcommand("devices")) {
     run_devices(commands.devices);
-  } else if (app.got_subcommand("study")) {
-    run_study(commands.study);
   } else {
     throw UsageError(
         "there is no command: draw, surface, plot, compile, info, compare, methods, devices or study; see ligne --help");
@@ -191,24 +229,19 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const UsageError& e) {
-    say(e.what());
-    return kUsage;
-  } catch (const RequestError& e) {
-    say((e.field().empty() ? "" : "--") + std::string(e.what()));
-    return kUsage;
-  } catch (const MemoryError& e) {
-    say(e.what());
-  } catch (const std::bad_alloc&) {
-    say("not enough memory");
-  } catch (const std::exception& e) {
-    say(e.what());
-  } catch (...) {
-    say("the work failed for an unknown reason");
-  }
-  return kFailed;
+  return report_errors([argc, argv] { return run(argc, argv); });
+}
+
+int run_command_program(const CommandProgram& program, int argc, char** argv) {
+  return report_errors([&program, argc, argv] {
+    CLI::App app("", "ligne");
+    program.add(app);
+    std::string name = program.name;
+    std::vector<char*> arguments(argv, argv + argc);
+    arguments.insert(arguments.begin() + std::min(argc, 1), name.data());
+    if (parse_arguments(app, static_cast<int>(arguments.size()), arguments.data())) program.run();
+    return kDone;
+  });
 }
 
 }  // namespace ligne

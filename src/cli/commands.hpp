@@ -8,8 +8,8 @@
 #include "cli/commands/info.hpp"
 #include "cli/commands/methods.hpp"
 #include "cli/commands/plot.hpp"
-#include "cli/commands/study.hpp"
 #include "cli/commands/surface.hpp"
+#include "cli/study_program.hpp"
 
 namespace CLI {
 class App;
@@ -25,7 +25,6 @@ struct Commands {
   MethodsOptions methods;
   DevicesOptions devices;
   PlotCommandOptions plot;
-  StudyCommandOptions study;
   SurfaceOptions surface;
 };
 
@@ -39,7 +38,7 @@ inline void setup_commands(CLI::App& app, Commands& commands) {
   setup_compare(app, commands.compare);
   setup_methods(app, commands.methods);
   setup_devices(app, commands.devices);
-  setup_study(app, commands.study);
+  add_study_command(app);
 }
 
 }  // namespace ligne

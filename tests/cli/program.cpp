@@ -106,6 +106,16 @@ class Redirection {
   int place_, before_;
 };
 
+/// The folder of the built program is searched for others, such as that of the experiments.
+void search_beside_program() {
+  static const bool done = [] {
+    const std::string folder = std::filesystem::path(LIGNE_PROGRAM).parent_path().string();
+    const char* before = getenv("PATH");
+    return setenv("PATH", (folder + (before ? ":" + std::string(before) : "")).c_str(), 1) == 0;
+  }();
+  ASSERT_TRUE(done);
+}
+
 void flush_all() {
   std::cout.flush();
   std::cerr.flush();
@@ -133,6 +143,7 @@ Words& Words::operator+=(const Words& more) {
 
 Outcome run_ligne(const std::filesystem::path& folder, const Words& arguments) {
   const NamelessFile out("out"), err("err");
+  search_beside_program();
   std::vector<char*> argv = argument_list(arguments);
   Outcome outcome;
   flush_all();

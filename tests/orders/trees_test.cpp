@@ -2,7 +2,7 @@
 
 #include "main/tier.hpp"
 #include "order_check.hpp"
-#include "study/generators.hpp"
+#include "studies/generators.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/test.hpp"

@@ -1,7 +1,7 @@
 // Every experiment at small size: its form, and counts that are known. Times are never looked at.
 
 #include "base/parallel.hpp"
-#include "study/result_text.hpp"
+#include "studies/results/result_text.hpp"
 #include "support/test.hpp"
 
 namespace ligne::studies {

@@ -1,13 +1,13 @@
 // The elementary operations of [Boulle1980] 3 against exact arithmetic.
 
 #include "geometry/polygons/clip_contour_by_contour.hpp"
-#include "study/operations/contour_clipping.hpp"
-#include "study/operations/point_in_contour.hpp"
-#include "study/operations/segment_clipping.hpp"
-#include "study/operations/segment_sweep.hpp"
-#include "study/operations/segment_tests.hpp"
-#include "study/operations/sorts.hpp"
-#include "study/operations/thesis_spans.hpp"
+#include "studies/operations/contour_clipping.hpp"
+#include "studies/operations/point_in_contour.hpp"
+#include "studies/operations/segment_clipping.hpp"
+#include "studies/operations/segment_sweep.hpp"
+#include "studies/operations/segment_tests.hpp"
+#include "studies/operations/sorts.hpp"
+#include "studies/operations/thesis_spans.hpp"
 #include "support/test.hpp"
 
 namespace ligne::studies {

@@ -1,6 +1,6 @@
 // The plates: their figures, what is on them, and one file.
 
-#include "study/plates/plates.hpp"
+#include "studies/plates/plates.hpp"
 #include "support/test.hpp"
 
 namespace ligne::studies {

@@ -1,0 +1,30 @@
+#pragma once
+/// The command line of the experiments.
+
+#include <string>
+#include <vector>
+
+#include "cli/options/run_options.hpp"
+#include "studies/experiments.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace ligne {
+
+struct StudyCommandOptions {
+  std::vector<std::string> words;  ///< the experiment's name, and files of models
+  bool list = false;
+  std::string json, csv, svg, plates;  ///< files, or empty
+  studies::StudySize size = studies::StudySize::full;
+  RunOptions run;
+};
+
+/// Adds the command `study` with its options; `options` must outlive the parse.
+void setup_study(CLI::App& app, StudyCommandOptions& options);
+
+/// Runs `ligne-study`. Exit status: 0 done, 1 the input or the work failed, 2 the command line is wrong. Throws nothing.
+int run_study_command_line(int argc, char** argv);
+
+}  // namespace ligne

@@ -1,0 +1,29 @@
+#pragma once
+/// Results as text for people, as CSV and as JSON.
+
+#include <span>
+#include <string>
+
+#include "studies/experiments.hpp"
+
+namespace ligne::studies {
+
+struct Outcome {
+  const Experiment* experiment = nullptr;
+  Result result;
+};
+
+/// Markdown: a heading, the tables and the sentence.
+std::string text_of(const Outcome& outcome);
+
+/// One line for each cell but labels: experiment, table, row, column, kind, value. The label of a row is made of its cells
+/// of kind label.
+std::string csv_of(std::span<const Outcome> outcomes);
+
+/// {"format": "ligne-study", "version": 1, "size", "experiments": [...]}; docs/study.md has the schema.
+std::string json_of(std::span<const Outcome> outcomes, StudySize size);
+
+/// All experiments: name, section and title.
+std::string list_of_experiments();
+
+}  // namespace ligne::studies
