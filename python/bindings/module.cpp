@@ -9,6 +9,7 @@
 #include "files/closest_name.hpp"
 #include "report/listing.hpp"
 #include "view/view.hpp"
+#include "visibility/registry.hpp"
 
 namespace py = pybind11;
 
@@ -52,7 +53,7 @@ PYBIND11_MODULE(_core, module) {
         return ligne::suggestion(word, std::vector<std::string_view>(names.begin(), names.end()));
       },
       py::arg("word"), py::arg("names"));
-  module.def("methods", &ligne::methods_json);
+  module.def("methods", [] { return ligne::methods_json(ligne::all_methods()); });
   module.def("devices", &ligne::devices_json);
   module.def("camera_frame", &camera_frame, py::arg("named"), py::arg("direction"), py::arg("up"), py::arg("up_axis"));
   std::vector<std::string> views(std::begin(ligne::kNamedViews), std::end(ligne::kNamedViews));

@@ -25,6 +25,7 @@
 #include "picture/models/memory.hpp"
 #include "picture/parse/parse.hpp"
 #include "plotting/writers/output_file.hpp"
+#include "visibility/registry.hpp"
 
 namespace ligne {
 namespace {
@@ -84,6 +85,11 @@ std::string complaint_about_extras(const CLI::App& app) {
   }
   std::string text;
   for (const std::string& extra : extras) {
+    const MethodParameter* parameter = extra.starts_with("--") ? find_parameter(extra.substr(2)) : nullptr;
+    if (parameter && parameter->is_experiment) {
+      text += ' ' + extra + " (--set " + extra.substr(2) + "=VALUE?)";
+      continue;
+    }
     text += ' ' + extra + (is_option(extra) ? suggestion(extra, options) : suggestion(extra, names_of_commands(command)));
   }
   return "not known:" + text + "; see " + (chosen.empty() ? "ligne" : "ligne " + command.get_name()) + " --help";
@@ -164,6 +170,10 @@ int report_errors(const std::function<int()>& work) {
     return work();
   } catch (const UsageError& e) {
     say(e.what());
+    return kUsage;
+  } catch (const SettingError& e) {
+    const MethodParameter* parameter = find_parameter(e.field());
+    say((parameter && parameter->is_experiment ? "--set " : "--") + std::string(e.what()));
     return kUsage;
   } catch (const RequestError& e) {
     say((e.field().empty() ? "" : "--") + std::string(e.what()));

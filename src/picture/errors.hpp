@@ -19,4 +19,10 @@ class RequestError : public std::runtime_error {
   std::string field_;
 };
 
+/// A parameter of methods that the method does not have, or whose value it does not accept. The field is its name.
+class SettingError : public RequestError {
+ public:
+  using RequestError::RequestError;
+};
+
 }  // namespace ligne

@@ -252,7 +252,7 @@ std::vector<ComparedMethod> compared_methods(std::span<const Method* const> meth
       set_parameter(c.settings, *c.method, name, text);
       known = true;
     }
-    if (!known) throw RequestError(name, "none of the methods has such an option");
+    if (!known) throw SettingError(name, "none of the methods has such an option");
   }
   return compared;
 }

@@ -2,6 +2,7 @@
 /// Listings of the methods and plotters to choose from, as tables for people and as JSON.
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,10 @@ std::vector<std::string> product_names(std::uint8_t products);
 /// "exact" or "resolution-limited".
 std::string precision_name(const MethodTraits& traits);
 
-std::string methods_text();
+/// A paragraph for each method: the options that people need, and with `settings` also those for experiments.
+std::string methods_text(std::span<const Method* const> methods, bool settings);
 /// {"format": "ligne-methods", "version": 1, "methods"}.
-std::string methods_json();
+std::string methods_json(std::span<const Method* const> methods);
 
 std::string devices_text();
 /// {"format": "ligne-devices", "version": 1, "devices"}.

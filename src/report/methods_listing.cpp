@@ -21,6 +21,20 @@ std::string_view glass_words(TransparencyMode glass) {
   return kWords[static_cast<std::size_t>(glass)];
 }
 
+/// The options, or the settings for experiments, one a line.
+std::string parameters_text(const MethodTraits& traits, std::string head, bool experiments) {
+  std::string text;
+  for (const MethodParameter& p : traits.parameters) {
+    if (p.is_experiment != experiments) continue;
+    text +=
+        head + (experiments ? "--set " + std::string(p.name) + "=" : "--" + std::string(p.name) + " ") + std::string(p.kind);
+    if (!p.standard.empty()) text += " [" + std::string(p.standard) + "]";
+    text += ": " + std::string(p.meaning) + "\n";
+    head.assign(head.size(), ' ');
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> product_names(std::uint8_t products) {
@@ -35,10 +49,10 @@ std::vector<std::string> product_names(std::uint8_t products) {
 
 std::string precision_name(const MethodTraits& traits) { return traits.exact ? "exact" : "resolution-limited"; }
 
-std::string methods_text() {
+std::string methods_text(std::span<const Method* const> methods, bool settings) {
   const Method* default_method = find_method("auto");
   std::string text;
-  for (const Method* method : all_methods()) {
+  for (const Method* method : methods) {
     const MethodTraits& traits = method->traits();
     text +=
         std::string(traits.name) + (method == default_method ? " (auto)" : "") + ": " + std::string(traits.summary) + "\n";
@@ -48,21 +62,16 @@ std::string methods_text() {
     text += "  glass        " + std::string(glass_words(traits.glass)) + "\n";
     if (!traits.only_for.empty()) text += "  only for     " + std::string(traits.only_for) + "\n";
     text += "  paper        " + std::string(traits.paper) + "\n";
-    const char* head = "  options      ";
-    for (const MethodParameter& p : traits.parameters) {
-      text += head + ("--" + std::string(p.name) + " " + std::string(p.kind));
-      if (!p.standard.empty()) text += " [" + std::string(p.standard) + "]";
-      text += ": " + std::string(p.meaning) + "\n";
-      head = "               ";
-    }
+    text += parameters_text(traits, "  options      ", false);
+    if (settings) text += parameters_text(traits, "  settings     ", true);
   }
   return text;
 }
 
-std::string methods_json() {
+std::string methods_json(std::span<const Method* const> methods) {
   const Method* default_method = find_method("auto");
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const Method* method : all_methods()) {
+  for (const Method* method : methods) {
     const MethodTraits& traits = method->traits();
     nlohmann::ordered_json entry;
     entry["name"] = traits.name;
@@ -83,8 +92,11 @@ std::string methods_json() {
     }
     entry["options"] = nlohmann::ordered_json::array();
     for (const MethodParameter& p : traits.parameters) {
-      entry["options"].push_back(
-          {{"name", "--" + std::string(p.name)}, {"value", p.kind}, {"default", p.standard}, {"meaning", p.meaning}});
+      entry["options"].push_back({{"name", p.name},
+                                  {"value", p.kind},
+                                  {"default", p.standard},
+                                  {"meaning", p.meaning},
+                                  {"experiment", p.is_experiment}});
     }
     list.push_back(std::move(entry));
   }

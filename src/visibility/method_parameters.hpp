@@ -1,6 +1,6 @@
 #pragma once
-/// Options that only some methods have, such as `--resolution N`. The traits of a method describe them, the command
-/// line checks their values, and VisibilityOptions::settings passes these to the method.
+/// Parameters that only some methods have, such as `--lines N` or `--set resolution=N`. The traits of a method describe
+/// them, the command line checks their values, and VisibilityOptions::settings passes these to the method.
 
 #include <cassert>
 #include <cstddef>
@@ -18,14 +18,21 @@ namespace ligne {
 /// `high` is above 0, both are accepted. A word NAME=X is written as NAME, or as NAME= with a number. Parameters of several
 /// methods with the same name mean the same, and are one option of the command line.
 struct MethodParameter {
-  std::string_view name;      ///< "resolution" is the option --resolution
+  std::string_view name;      ///< "lines" is the option --lines
   std::string_view kind;      ///< placeholder for the value in a help text, such as "N"
   std::string_view meaning;   ///< description in a few words, for the help text
   std::string_view standard;  ///< default as shown in a help text; may be empty
   std::span<const std::string_view> words{};
   unsigned low = 0, high = 0;
-  bool of_compile = false;  ///< whether Method::compile() reads it
+  bool of_compile = false;     ///< whether Method::compile() reads it
+  bool is_experiment = false;  ///< serves experiments: `--set NAME=VALUE`, no option of the command line by itself
 };
+
+/// The parameter as one that serves experiments.
+constexpr MethodParameter experiment(MethodParameter parameter) {
+  parameter.is_experiment = true;
+  return parameter;
+}
 
 /// One of the words of a parameter, by its index in MethodParameter::words.
 struct ParameterWord {

@@ -33,7 +33,7 @@ constexpr PartsOfMethod kPartsOfMethods[] = {
       "order of two facets where they overlap (`facet_order.cpp`); clip of a face by faces (`edge_overlay.hpp`, "
       "`facet_clip.cpp`, `link_edges.cpp`)",
       "every facet is the subject once; the facets of its cells clip it, nearest first, up to where the subject "
-      "ends in depth. Or, `--study polygons`, the classical study",
+      "ends in depth. Or, `--set study=polygons`, the classical study",
       "crossings along an edge, exactly; edges of a border by where they begin",
       "contours as runs on source segments (`contour_face.hpp`); windows with the clip faces that meet them",
       "regions (`Region`) with level, lights and material; strokes (`StrokeModel`)"}},

@@ -50,6 +50,15 @@ const Method& region_method() {
   return default_method();
 }
 
+const MethodParameter* find_parameter(std::string_view name) {
+  for (const Method* method : all_methods()) {
+    for (const MethodParameter& parameter : method->traits().parameters) {
+      if (parameter.name == name) return &parameter;
+    }
+  }
+  return nullptr;
+}
+
 std::string methods_with(std::uint8_t products) {
   std::string names;
   for (const Method* method : all_methods()) {

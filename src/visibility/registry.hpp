@@ -22,6 +22,10 @@ const Method* find_method(std::string_view name);
 /// The first method that produces regions. It draws fills, hatching and shadows if the request names no method.
 const Method& region_method();
 
+/// The parameter of that name of the first method that has it, or nullptr. Its kind, meaning and values may differ in
+/// another.
+const MethodParameter* find_parameter(std::string_view name);
+
 /// The names of the methods that produce at least one of the products, as "a, b".
 std::string methods_with(std::uint8_t products);
 

@@ -34,8 +34,8 @@ TEST_F(DrawTest, GlassAndLightGiveTheSameBytesForAnyNumberOfThreads) {
       for (const Words more : {"--format json", "--format svg --fill shade", "--format svg --fill material --hatch shade"}) {
         if (!is_chosen("threads, " + model, turn++, 9)) continue;
         const auto bytes = [&](const char* threads) {
-          return run(Words{"draw", model, "-q", "-o", "-", "--study", study, "--light=1,1,-2", "--light=-1,2,-2",
-                           "--threads", threads} +
+          return run(Words{"draw", model, "-q", "-o", "-", "--set", std::string("study=") + study, "--light=1,1,-2",
+                           "--light=-1,2,-2", "--threads", threads} +
                      more)
               .out;
         };
@@ -75,7 +75,7 @@ TEST_F(DrawTest, ScanLines) {
   const std::string exact = bytes({}, "svg");
   EXPECT_GT(exact.size(), 10000u);
   for (const char* kind : chosen("span methods", 2, {"merge", "stack", "box", "point"}))
-    EXPECT_EQ(bytes({"--span-method", kind}, "svg"), exact) << kind;
+    EXPECT_EQ(bytes({"--set", std::string("span-method=") + kind}, "svg"), exact) << kind;
   EXPECT_EQ(bytes("--lines exact", "svg"), exact);
   for (const char* threads : chosen("scan lines", 3, {"1", "2", "7"})) {
     EXPECT_EQ(bytes({"--threads", threads}, "svg"), exact);
@@ -155,8 +155,8 @@ TEST_F(HatchTest, IsTheSameByEveryMethodBesideWallsSeenEdgeOn) {
   const std::string cells = LIGNE_SOURCE_DIR "/tests/cli/scenes/voronoi_cells.json";
   const double wanted = hatched_mm(cells, "shade --view top --hatch-angle face --method atherton-weiler");
   for (const char* spans : {"stack", "merge", "box", "point"}) {
-    EXPECT_NEAR(hatched_mm(cells, {"shade", "--view", "top", "--hatch-angle", "face", "--method", "watkins", "--span-method",
-                                   spans}),
+    EXPECT_NEAR(hatched_mm(cells, {"shade", "--view", "top", "--hatch-angle", "face", "--method", "watkins", "--set",
+                                   std::string("span-method=") + spans}),
                 wanted, 0.1)
         << spans;
   }

@@ -129,13 +129,14 @@ TEST_F(DrawTest, HiddenLinesBehindFewFaces) {
     return length;
   };
   const Words scene{"behind.obj", "--view", "dimetric", "--quality", "exact", "--method", "appel"};
-  const std::map<unsigned, double> all = hidden(drawn(scene + "--hidden dashed --propagate test"));
+  const std::map<unsigned, double> all = hidden(drawn(scene + "--hidden dashed --set propagate=test"));
   ASSERT_EQ(all.size(), 3u) << "seen, behind one face, behind two";
   for (const char* how : {"test", "count", "nature", "path"}) {
     for (const unsigned most : {1u, 2u, 3u}) {
       std::map<unsigned, double> few = all;
       std::erase_if(few, [&](const auto& entry) { return entry.first > most; });
-      const auto found = hidden(drawn(scene + Words{"--hidden", "dashed:" + std::to_string(most), "--propagate", how}));
+      const auto found = hidden(
+          drawn(scene + Words{"--hidden", "dashed:" + std::to_string(most), "--set", std::string("propagate=") + how}));
       ASSERT_EQ(found.size(), few.size()) << how;
       for (const auto& [faces, length] : few) EXPECT_NEAR(found.at(faces), length, kMicrometre) << how << ", " << faces;
     }
@@ -146,7 +147,7 @@ TEST_F(DrawTest, HiddenLinesBehindFewFaces) {
 
 /// The faces before each hidden stroke stand in the file, as many as it is hidden by.
 TEST_F(DrawTest, HidingFacesOfStrokes) {
-  const json drawing = drawn("cube.obj square.obj --view dimetric --hidden dashed --method appel --propagate nature");
+  const json drawing = drawn("cube.obj square.obj --view dimetric --hidden dashed --method appel --set propagate=nature");
   std::size_t hidden = 0;
   for (const json& s : drawing["strokes"]) {
     EXPECT_EQ(s.contains("hiding_faces"), !s["visible"].get<bool>());
@@ -169,7 +170,7 @@ TEST_F(DrawTest, EveryMethodByName) {
 }
 
 TEST_F(DrawTest, WarnockShowsItsWindowsAndAreas) {
-  const Words warnock = "draw cube.obj --method warnock --resolution 64";
+  const Words warnock = "draw cube.obj --method warnock --set resolution=64";
   const auto with = [&](const Words& more) { return run(warnock + more).status; };
   ASSERT_EQ(with("--show windows -o shown.svg"), 0);
   ASSERT_EQ(with("-o plain.svg"), 0);

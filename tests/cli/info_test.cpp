@@ -139,7 +139,7 @@ TEST_F(ProgramTest, CompareAsJsonHasOneSchemaForAllMethods) {
 }
 
 TEST_F(ProgramTest, CompareOfSomeMethodsAsCsv) {
-  const Outcome outcome = run_well("compare cube.obj --methods newell,warnock --resolution 64 --csv");
+  const Outcome outcome = run_well("compare cube.obj --methods newell,warnock --set resolution=64 --csv");
   std::vector<std::string> lines;
   std::istringstream text(outcome.out);
   for (std::string line; std::getline(text, line);) lines.push_back(line);
@@ -171,7 +171,7 @@ TEST_F(ProgramTest, CompareRefusesWhatMakesNoSense) {
   refused("--methods appel,appel", "--methods: \"appel\" is there twice");
   refused("--methods auto", "--methods: auto is one of the others");
   refused("--hidden dashed:1", "--hidden: a number of faces is counted by one method");
-  refused("--methods appel --resolution 64", "--resolution: none of the methods has such an option");
+  refused("--methods appel --set resolution=64", "--set resolution: none of the methods has such an option");
   refused("--json --csv", "--");
   EXPECT_EQ(new_files(), Words{});
 }
@@ -271,7 +271,7 @@ TEST_F(CompileTest, IsDoneOnce) {
 TEST_F(CompileTest, TheSameModelGivesTheSameBytes) {
   const std::string model = (kScenes / "house.json").string();
   EXPECT_EQ(compiled(model, "--threads 1"), compiled(model, "--threads 3"));
-  EXPECT_NE(compiled(model), compiled(model, "--partition faces --candidates 9"));
+  EXPECT_NE(compiled(model), compiled(model, "--set partition=faces --set candidates=9"));
 }
 
 TEST_F(CompileTest, WhatItWasCompiledWithStays) {
@@ -279,7 +279,7 @@ TEST_F(CompileTest, WhatItWasCompiledWithStays) {
   const std::string again = "model.tree is compiled: give it to ligne compile\n";
   EXPECT_EQ(refusal("draw model.tree --weld 1 -o a.svg"), "ligne: --weld: " + again);
   EXPECT_EQ(refusal("draw model.tree --only x -o a.svg"), "ligne: --only: " + again);
-  EXPECT_EQ(refusal("draw model.tree --candidates 3 -o a.svg"), "ligne: --candidates: " + again);
+  EXPECT_EQ(refusal("draw model.tree --set candidates=3 -o a.svg"), "ligne: --set candidates: " + again);
   EXPECT_EQ(refusal("draw model.tree cube.obj -o a.svg"), "ligne: model.tree is compiled: it is drawn alone\n");
   EXPECT_EQ(refusal("compile model.tree -o b.tree"), "ligne: model.tree is compiled already\n");
   EXPECT_EQ(refusal("compile cube.obj --method appel -o b.tree"),

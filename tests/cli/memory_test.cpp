@@ -197,7 +197,7 @@ INSTANTIATE_TEST_SUITE_P(
         absurd_draw("Page", "--page 1e9x1e9", "--page: "), absurd_draw("Dpi", "--format png --dpi 1e6", "--dpi: "),
         absurd_draw("Pixels", "--format png --dpi 9600", "--dpi: a PNG of 79370 x 112252 pixels is too large\n"),
         absurd_draw("PixelsOfPage", "--format png --page 99999x99999", "--dpi: a PNG of "),
-        absurd_draw("Resolution", "--method warnock --resolution 1000000000", "--resolution: "),
+        absurd_draw("Resolution", "--method warnock --set resolution=1000000000", "--set resolution: "),
         absurd_draw("Lines", "--method watkins --lines 1000000000", "--lines: "),
         absurd_draw("HatchSpacing", "--hatch plain --hatch-spacing 1e-9", "--hatch-spacing: the strokes are too close"),
         absurd_draw("HatchUnderPen", "--hatch plain --hatch-spacing 0.001",

@@ -54,8 +54,10 @@ TEST_F(MistakesOfNewcomers, HelpIsACommandToo) {
   for (const std::string_view option : {"--edges ", "--output ", "--hidden "}) {
     EXPECT_NE(common.out.find(option), std::string::npos) << option;
   }
-  EXPECT_EQ(common.out.find("--depth-bits "), std::string::npos);
-  EXPECT_NE(every.out.find("--depth-bits "), std::string::npos);
+  EXPECT_EQ(common.out.find("--zbuffer-save "), std::string::npos);
+  EXPECT_NE(every.out.find("--zbuffer-save "), std::string::npos);
+  EXPECT_EQ(every.out.find("depth-bits"), std::string::npos) << "settings for experiments stand in the lists of methods";
+  EXPECT_NE(output_of("methods zbuffer").find("--set depth-bits=N"), std::string::npos);
   EXPECT_NE(common.out.find("more options: ligne help draw all\n"), std::string::npos);
   EXPECT_EQ(run("help drwa").err.rfind("ligne: help: there is no command \"drwa\" (draw?); there are draw, ", 0), 0u);
   says("help draw plot", "help: one command at a time: ligne help COMMAND");
@@ -63,6 +65,10 @@ TEST_F(MistakesOfNewcomers, HelpIsACommandToo) {
 
 TEST_F(MistakesOfNewcomers, OptionsThatAreNearlyRight) {
   says("draw --hlep", "not known: --hlep (--help?); see ligne draw --help");
+  says("draw --depth-bits 4", "not known: --depth-bits (--set depth-bits=VALUE?); see ligne draw --help");
+  expect_outcome("draw cube.obj --set depthbits=4 -o a.svg", kUsage,
+                 {"--set: \"depthbits\" is not one of propagate, ", "candidates, partition, filling, ", "(depth-bits?)"});
+  says("draw cube.obj --set depth-bits -o a.svg", "--set: \"depth-bits\" is not NAME=VALUE");
   says("info --jsno", "not known: --jsno (--json?); see ligne info --help");
   says(
       "draw cube.obj --view isometric -o a.svg",

@@ -64,7 +64,7 @@ class ZBufferFileTest : public DrawTest {
 
 TEST_F(ZBufferFileTest, AddedObjectsGiveThePictureOfAll) {
   for (const Words view :
-       {"--view iso", "--eye 20,14,25 --target 5,3,5 --fov 30", "--view top --filling fixed --edges all"}) {
+       {"--view iso", "--eye 20,14,25 --target 5,3,5 --fov 30", "--view top --set filling=fixed --edges all"}) {
     for (const std::string output : {"a.svg", "a.json", "a.pdf"}) {
       bytes_of(view + "plate.obj --lines 300 --zbuffer-save plate.zbuf", output);
       Words more;

@@ -142,7 +142,7 @@ def test_every_device(command, tmp_path):
     ({"eye": (9, 6, 14), "scale": "1:2", "unit": "cm", "page": "A3"},
      ["--eye", "9,6,14", "--scale", "1:2", "--unit", "cm", "--page", "A3"]),
     ({"quality": "exact", "method": "bsp", "candidates": 3},
-     ["--quality", "exact", "--method", "bsp", "--candidates", "3"]),
+     ["--quality", "exact", "--method", "bsp", "--set", "candidates=3"]),
 ], ids=lambda value: "")  # fmt: skip
 def test_info(options, given, command):
     assert ligne.info(CUBES, **options) == json.loads(command("info", CUBES, "--json", *given))
@@ -171,7 +171,7 @@ def without_measures(comparison):
      ["--view", "top", "--methods", "appel,painter,watkins", "--lines", "256", "--hidden", "dashed", "--cull"]),
     ({"eye": (9, 6, 14), "methods": "bsp,zbuffer,convex-tree", "candidates": 3, "edges": "all", "quality": "exact",
       "page": "A5", "margin": "2cm", "width": {"crease": 0.2}, "time_limit": 20},
-     ["--eye", "9,6,14", "--methods", "bsp,zbuffer,convex-tree", "--candidates", "3", "--edges", "all", "--quality",
+     ["--eye", "9,6,14", "--methods", "bsp,zbuffer,convex-tree", "--set", "candidates=3", "--edges", "all", "--quality",
       "exact", "--page", "A5", "--margin", "2cm", "--width", "crease=0.2", "--time-limit", "20"]),
 ], ids=["all", "some", "parameters"])  # fmt: skip
 def test_compare(options, given, command):
@@ -184,7 +184,7 @@ def test_compare_of_a_compiled_model(command, tmp_path):
     tree = tmp_path / "a.tree"
     ligne.compile(CUBES, tree)
     options = {"methods": "appel,bsp", "candidates": 2}
-    expected = json.loads(command("compare", tree, "--json", "--methods", "appel,bsp", "--candidates", "2"))
+    expected = json.loads(command("compare", tree, "--json", "--methods", "appel,bsp", "--set", "candidates=2"))
     assert without_measures(ligne.compare(tree, **options)) == without_measures(expected)
 
 
@@ -289,7 +289,7 @@ def test_wrong_studies(words, options, option, tmp_path, monkeypatch):
 def test_compile(method, command, tmp_path, cube):
     tree = tmp_path / "by_module.tree"
     ligne.compile(CUBES, tree, method=method, candidates=4)
-    assert tree.read_bytes() == command("compile", CUBES, "--method", method, "--candidates", "4", suffix=".tree")
+    assert tree.read_bytes() == command("compile", CUBES, "--method", method, "--set", "candidates=4", suffix=".tree")
     assert ligne.draw(tree, "front").to_bytes("json") == command("draw", tree, "--view", "front")
     with pytest.raises(ligne.RequestError, match="^candidates"):
         ligne.draw(tree, candidates=3)

@@ -27,6 +27,7 @@ REASONS = {
     "help": "help(ligne.draw)",
     "output": "the argument `file` of save(), plot(), compile() and draw_frames(), or to_bytes(); a dictionary of others",
     "quiet": "nothing is written to a terminal: Drawing.warnings, Scene.warnings, Plotted.warnings",
+    "set": "each setting of a method is a keyword of its own: draw(..., method='warnock', understanding='two')",
     "zbuffer-save": "files between runs of the command, for which the library has `ZBuffer` (C++)",
     "zbuffer-add": "files between runs of the command, for which the library has `ZBuffer` (C++)",
     "stream": "the file of the command is read in parts; a Scene of the module is in memory",
@@ -43,7 +44,7 @@ REASONS = {
     ("format", "info"): "info() gives a dictionary",
     ("grid", "surface"): "a pathlib.Path among the surfaces",
 }
-OF_METHODS = {option["name"][2:] for method in ligne.methods() for option in method["options"]}
+OF_METHODS = {option["name"] for method in ligne.methods() for option in method["options"]}
 
 
 def reason_for(option, command):

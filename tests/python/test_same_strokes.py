@@ -62,7 +62,7 @@ def test_files(suffix, command, tmp_path):
         ({"fill": "shade", "width": {"profile": 0.7, "crease": 0.25}}, ["--fill", "shade", "--width", "profile=0.7,crease=0.25"]),
         ({"edges": "outline,suggestive,ridge,valley"}, ["--edges", "outline,suggestive,ridge,valley"]),
         ({"profile": "parts", "min_length": 0.2}, ["--profile", "parts", "--min-length", "0.2"]),
-        ({"method": "warnock", "resolution": 64}, ["--method", "warnock", "--resolution", "64"]),
+        ({"method": "warnock", "resolution": 64}, ["--method", "warnock", "--set", "resolution=64"]),
         ({"pen": {"outline": "1,black,0.5", "rest": "2,blue"}}, ["--pen", "outline=1,black,0.5", "--pen", "rest=2,blue"]),
         ({"group": "object", "color": {"*": "red"}}, ["--group", "object", "--color", "*=red"]),
     ],

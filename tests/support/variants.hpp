@@ -13,7 +13,7 @@ struct Variant {
   MethodSettings settings;
   bool is_default;
   bool is_show;      ///< draws a debug layer beside the lines, which stay as they are (orders/show_test.cpp)
-  std::string name;  ///< as on the command line, "watkins --span-method box"
+  std::string name;  ///< as on the command line, "watkins --set span-method=box"
 };
 
 /// The exact methods as they are by default, and with every other word of every parameter that is a choice of words, one at
@@ -28,7 +28,11 @@ inline std::vector<Variant> variants() {
       if (p.high > 0) continue;  // a number, or a word in its place
       for (unsigned i = 0; i < p.words.size(); ++i) {
         if (p.words[i] == p.standard) continue;
-        Variant v{method, {}, false, p.name == "show", name + " --" + std::string(p.name) + " " + std::string(p.words[i])};
+        Variant v{method,
+                  {},
+                  false,
+                  p.name == "show",
+                  name + (p.is_experiment ? " --set " : " --") + std::string(p.name) + "=" + std::string(p.words[i])};
         v.settings.set(p.name, ParameterWord{i});
         list.push_back(std::move(v));
       }

@@ -8,7 +8,7 @@
 namespace ligne::test {
 namespace {
 
-/// Places of the words of --propagate.
+/// Places of the words of --set propagate.
 enum Word : unsigned { kTest = 1, kCount, kNature, kPath };
 
 VisibilityResult carried(const ProjectedScene& projected, Word word) {

@@ -1,6 +1,9 @@
 #pragma once
 /// ligne methods: what visibility methods there are.
 
+#include <string>
+#include <vector>
+
 namespace CLI {
 class App;
 }
@@ -8,10 +11,12 @@ class App;
 namespace ligne {
 
 struct MethodsOptions {
+  std::vector<std::string> names;  ///< empty: all methods
   bool json = false;
 };
 
 void setup_methods(CLI::App& app, MethodsOptions& options);
+/// Throws UsageError, OutputError.
 void run_methods(const MethodsOptions& options);
 
 }  // namespace ligne

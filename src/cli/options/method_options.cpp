@@ -1,11 +1,13 @@
 #include "cli/options/method_options.hpp"
 
 #include <algorithm>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "cli/options/options.hpp"
+#include "files/message_text.hpp"
 #include "picture/models/compiled_model.hpp"
 #include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"
@@ -14,28 +16,61 @@
 namespace ligne {
 namespace {
 
-/// One option for each name, whatever the number of methods that have it.
-void add_parameters(CLI::App& app, MethodChoice& choice, bool of_compile = false) {
-  OptionGroup group(app, "Methods");
-  std::vector<std::string_view> names;
-  for (const Method* owner : all_methods()) {
-    for (const MethodParameter& parameter : owner->traits().parameters) {
-      if (of_compile && !parameter.of_compile) continue;
-      if (std::find(names.begin(), names.end(), parameter.name) != names.end()) continue;
-      names.push_back(parameter.name);
-      std::string owners;
-      for (const Method* method : all_methods()) {
-        for (const MethodParameter& p : method->traits().parameters) {
-          if (p.name == parameter.name) owners += (owners.empty() ? "" : ", ") + std::string(method->traits().name);
-        }
-      }
-      const auto note = [&choice, &parameter](const std::string& text) { choice.parameters.emplace_back(&parameter, text); };
-      group
-          .add_text("--" + std::string(parameter.name), std::string(parameter.kind), note,
-                    owners + ": " + std::string(parameter.meaning))
-          .standard(std::string(parameter.standard));
+/// Names of the methods that have the parameter, as "bsp, convex-tree".
+std::string owners_of(std::string_view parameter) {
+  std::string owners;
+  for (const Method* method : all_methods()) {
+    for (const MethodParameter& own : method->traits().parameters) {
+      if (own.name == parameter) owners += (owners.empty() ? "" : ", ") + std::string(method->traits().name);
     }
   }
+  return owners;
+}
+
+/// The parameters of all methods, one for each name.
+std::vector<const MethodParameter*> distinct_parameters() {
+  std::vector<const MethodParameter*> parameters;
+  for (const Method* method : all_methods()) {
+    for (const MethodParameter& parameter : method->traits().parameters) {
+      const auto has_name = [&parameter](const MethodParameter* known) { return known->name == parameter.name; };
+      if (std::ranges::none_of(parameters, has_name)) parameters.push_back(&parameter);
+    }
+  }
+  return parameters;
+}
+
+/// Notes a "NAME=VALUE" of --set. The value is checked when the method is known.
+void note_setting(const std::string& text, std::span<const MethodParameter* const> known, MethodChoice& choice) {
+  const std::size_t sign = text.find('=');
+  if (sign == std::string::npos) throw std::invalid_argument(shown(text, '"') + " is not NAME=VALUE");
+  std::vector<std::string_view> names;
+  for (const MethodParameter* parameter : known) names.push_back(parameter->name);
+  const MethodParameter& parameter = *known[parse_choice(text.substr(0, sign), names)];
+  for (const auto& [earlier, value] : choice.parameters) {
+    if (earlier->name == parameter.name) throw std::invalid_argument(std::string(parameter.name) + ": given more than once");
+  }
+  choice.parameters.emplace_back(&parameter, text.substr(sign + 1));
+}
+
+/// An option for each parameter that people need, and --set for those that serve experiments.
+void add_parameters(CLI::App& app, MethodChoice& choice, bool of_compile = false) {
+  OptionGroup group(app, "Methods");
+  std::vector<const MethodParameter*> settings;
+  for (const MethodParameter* parameter : distinct_parameters()) {
+    if (of_compile && !parameter->of_compile) continue;
+    if (parameter->is_experiment) {
+      settings.push_back(parameter);
+      continue;
+    }
+    const auto note = [&choice, parameter](const std::string& text) { choice.parameters.emplace_back(parameter, text); };
+    group
+        .add_text("--" + std::string(parameter->name), std::string(parameter->kind), note,
+                  owners_of(parameter->name) + ": " + std::string(parameter->meaning))
+        .standard(std::string(parameter->standard));
+  }
+  const auto note = [&choice, settings](const std::string& text) { note_setting(text, settings, choice); };
+  group.add_repeatable("--set", "NAME=VALUE", note,
+                       "a setting of the method, for experiments; ligne methods METHOD lists them");
 }
 
 }  // namespace

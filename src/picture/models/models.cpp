@@ -224,7 +224,7 @@ void require_parts(const LoadedModels& models, const PictureRequest& picture) {
 void require_no_parameters(const LoadedModels& models, const std::vector<std::string>& names) {
   for (const MethodParameter& parameter : models.compiled_for->traits().parameters) {
     if (!parameter.of_compile || std::ranges::find(names, parameter.name) == names.end()) continue;
-    throw RequestError(std::string(parameter.name),
+    throw SettingError(std::string(parameter.name),
                        printable(models.files.front().name, kLongestPath) + " is compiled: give it to ligne compile");
   }
 }

@@ -296,11 +296,11 @@ MemoryLimit parse_memory(const std::string& text) {
 void set_parameter(MethodSettings& settings, const Method& method, const std::string& name, const std::string& text) {
   const auto own = method.traits().parameters;
   const auto found = std::find_if(own.begin(), own.end(), [&](const MethodParameter& p) { return p.name == name; });
-  if (found == own.end()) throw RequestError(name, "method " + std::string(method.traits().name) + " has no such option");
+  if (found == own.end()) throw SettingError(name, "method " + std::string(method.traits().name) + " has no such option");
   try {
     settings.set(found->name, parse_parameter(text, *found));
   } catch (const std::invalid_argument& e) {
-    throw RequestError(name, e.what());
+    throw SettingError(name, e.what());
   }
 }
 

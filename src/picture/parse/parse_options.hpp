@@ -66,7 +66,7 @@ MemoryLimit parse_memory(const std::string& text);
 const Method* parse_method(const std::string& text);
 /// A value of a method's own parameter.
 ParameterValue parse_parameter(const std::string& text, const MethodParameter& parameter);
-/// Sets a value in the settings of the method. Throws RequestError if the method has no such parameter, or does not
+/// Sets a value in the settings of the method. Throws SettingError if the method has no such parameter, or does not
 /// accept the value.
 void set_parameter(MethodSettings& settings, const Method& method, const std::string& name, const std::string& text);
 

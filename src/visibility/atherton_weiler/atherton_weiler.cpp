@@ -43,9 +43,10 @@ enum class Study : std::uint8_t { faces, polygons, silhouettes };
 constexpr std::string_view kStudies[] = {"faces", "polygons", "silhouettes"};
 constexpr std::string_view kShowNames[] = {"clips"};
 constexpr MethodParameter kParameters[] = {
-    {"study", "HOW",
-     "every face by itself, or the classical study of polygons nearest first, convex bodies by faces or by silhouettes",
-     "faces", kStudies},
+    experiment(
+        {"study", "HOW",
+         "every face by itself, or the classical study of polygons nearest first, convex bodies by faces or by silhouettes",
+         "faces", kStudies}),
     {"show", "clips", "as layer debug: the polygons that the clipping leaves of the faces", "", kShowNames}};
 
 std::vector<std::vector<Point2>> contours_of(const std::vector<Region>& regions) {

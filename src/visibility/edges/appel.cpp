@@ -9,10 +9,11 @@ namespace {
 enum class Carried : std::uint8_t { off, test, count, nature, path };
 constexpr std::string_view kCarriedNames[] = {"off", "test", "count", "nature", "path"};
 constexpr MethodParameter kParameters[] = {
-    {"propagate", "off|test|count|nature|path",
-     "count the faces before every part of an edge: by a test of each edge, or carried from vertex to vertex as their number, "
-     "as the set of them, or along a path of edges",
-     "off", kCarriedNames},
+    experiment(
+        {"propagate", "off|test|count|nature|path",
+         "count the faces before every part of an edge: by a test of each edge, or carried from vertex to vertex as their number, "
+         "as the set of them, or along a path of edges",
+         "off", kCarriedNames}),
 };
 
 }  // namespace

@@ -25,8 +25,9 @@ constexpr unsigned kRows = 2048;
 constexpr std::string_view kSortNames[] = {"mean", "farthest", "resolved"};
 constexpr std::string_view kShowNames[] = {"order"};
 constexpr MethodParameter kParameters[] = {
-    {"depth-sort", "HOW", "by the mean or the farthest depth of each face, or that with pairs resolved where planes tell",
-     "resolved", kSortNames},
+    experiment({"depth-sort", "HOW",
+                "by the mean or the farthest depth of each face, or that with pairs resolved where planes tell", "resolved",
+                kSortNames}),
     {"show", "order", "as layer debug: the order of painting as numbers", "", kShowNames},
 };
 

@@ -32,29 +32,30 @@ constexpr unsigned kFinestPrecision = 1, kRoughestPrecision = 1000;
 constexpr double kPrecisionUnit = 0.01;  ///< of the smallest window
 
 constexpr MethodParameter kParameters[] = {
-    {"warnock-window", "screen|bounding|principal",
-     "first window: the sheet, the square round the scene, or the smallest rectangle of any direction", "bounding",
-     kWindowNames},
-    {"warnock-split", "centre|vertex|side",
-     "where windows are divided: in the middle, at a vertex, or along sides that run as their borders do", "centre",
-     kSplitNames},
-    {"understanding", "nothing|two|four|all", "how many cases of a window are understood, and drawn without a division",
-     "all", kKnowledgeNames},
-    {"warnock-precision",
-     "N",
-     "with --resolution: what lies within N hundredths of the smallest window of a border is not looked at when a window is "
-     "understood",
-     "",
-     {},
-     kFinestPrecision,
-     kRoughestPrecision},
-    {"resolution",
-     "N",
-     "classical limit: no window smaller than the sheet's longer side by N (default: none, exact)",
-     "",
-     {},
-     kLowestResolution,
-     kHighestResolution},
+    experiment({"warnock-window", "screen|bounding|principal",
+                "first window: the sheet, the square round the scene, or the smallest rectangle of any direction",
+                "bounding", kWindowNames}),
+    experiment({"warnock-split", "centre|vertex|side",
+                "where windows are divided: in the middle, at a vertex, or along sides that run as their borders do",
+                "centre", kSplitNames}),
+    experiment({"understanding", "nothing|two|four|all",
+                "how many cases of a window are understood, and drawn without a division", "all", kKnowledgeNames}),
+    experiment(
+        {"warnock-precision",
+         "N",
+         "with --set resolution: what lies within N hundredths of the smallest window of a border is not looked at when a window is "
+         "understood",
+         "",
+         {},
+         kFinestPrecision,
+         kRoughestPrecision}),
+    experiment({"resolution",
+                "N",
+                "classical limit: no window smaller than the sheet's longer side by N (default: none, exact)",
+                "",
+                {},
+                kLowestResolution,
+                kHighestResolution}),
     {"show", "windows", "the subdivision as layer debug", "", kShowNames},
 };
 
@@ -212,7 +213,7 @@ double warnock_tolerance_mm(const Rect& sheet, unsigned resolution) {
 const MethodTraits& WarnockMethod::traits() const {
   static const MethodTraits traits{
       "warnock",
-      "subdivision of the picture into windows that are plain enough; edges and areas, exact or with --resolution limited",
+      "subdivision of the picture into windows that are plain enough; edges and areas, exact or with --set resolution limited",
       kStrokes | kRegions,
       true,
       true,

@@ -14,8 +14,8 @@ class WarnockMethod final : public Method {
   VisibilityResult compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const override;
 };
 
-/// How far on the page lines may be off when `--resolution` limits the study: windows are no larger than the longer side of
-/// the sheet divided by it, and everything is decided within one window.
+/// How far on the page lines may be off when `--set resolution` limits the study: windows are no larger than the longer side
+/// of the sheet divided by it, and everything is decided within one window.
 double warnock_tolerance_mm(const Rect& sheet, unsigned resolution);
 
 }  // namespace ligne

@@ -39,8 +39,8 @@ constexpr double kShownStepMm = 0.01;   ///< the line through the middle is one 
 constexpr double kTickOfSpacing = 0.3;  ///< adjustable: height of the ends of spans, of the distance of two lines
 
 constexpr MethodParameter kParameters[] = {
-    {"span-method", "NAME", "how the nearest face along a scan line is found: merge, stack, box or point", "stack",
-     kSpanMethodNames, 0, 0},
+    experiment({"span-method", "NAME", "how the nearest face along a scan line is found: merge, stack, box or point",
+                "stack", kSpanMethodNames, 0, 0}),
     {"lines", "N|exact", "scan lines over the height of the page, or a stop at every event", "exact", kExactWord, 1,
      kMostLines},
     {"show", "spans|plane=Y",

@@ -27,8 +27,8 @@ constexpr std::string_view kFillingNames[] = {"table", "fixed"};
 
 constexpr MethodParameter kParameters[] = {
     {"lines", "N", "rows of pixels over the height of the page", "2048", {}, 1, kMostRows},
-    {"filling", "table|fixed", "by tables of active edges, or triangles in fixed point", "table", kFillingNames},
-    {"depth-bits", "N", "whole depths of so many bits (default: real ones)", "", {}, kFewestBits, kMostBits},
+    experiment({"filling", "table|fixed", "by tables of active edges, or triangles in fixed point", "table", kFillingNames}),
+    experiment({"depth-bits", "N", "whole depths of so many bits (default: real ones)", "", {}, kFewestBits, kMostBits}),
 };
 
 /// Shortest part of a line that is drawn, in pixels: a part within two squares of pixels is below the resolution.
