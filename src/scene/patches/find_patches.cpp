@@ -1,6 +1,7 @@
 #include "scene/patches/find_patches.hpp"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
@@ -8,28 +9,33 @@
 #include "scene/patches/facet_graph.hpp"
 #include "scene/patches/freeform.hpp"
 #include "scene/patches/patch_finder.hpp"
+#include "scene/patches/repeated_objects.hpp"
 
 namespace ligne {
 namespace {
 
 /// The patches of one object, numbered from 0.
 struct ObjectPatches {
+  std::uint32_t edge_begin = 0;  ///< first edge of the object
   std::vector<Patch> patches;
   std::vector<std::uint32_t> patch_of;    ///< per face of the object
   std::vector<std::uint8_t> is_freeform;  ///< per face of the object
   std::vector<FreeformBorder> borders;
 };
 
+/// Index of the first edge whose smaller vertex is at least `vertex`.
+std::uint32_t edge_at(const Topology& topology, std::uint32_t vertex) {
+  const auto at = std::ranges::lower_bound(topology.edges, vertex, {}, &Edge::v0);
+  return static_cast<std::uint32_t>(at - topology.edges.begin());
+}
+
 ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Object& object,
                          std::span<const glm::vec3> normals) {
-  const auto edge_at = [&](std::uint32_t vertex) {
-    const auto at = std::ranges::lower_bound(topology.edges, vertex, {}, &Edge::v0);
-    return static_cast<std::uint32_t>(at - topology.edges.begin());
-  };
-  const std::uint32_t edge_begin = edge_at(object.vertex_begin), edge_end = edge_at(object.vertex_end);
+  const std::uint32_t edge_begin = edge_at(topology, object.vertex_begin), edge_end = edge_at(topology, object.vertex_end);
   const FacetGraph graph = facet_graph(scene, topology, object, edge_begin, edge_end, normals);
   const std::span edges(topology.edges.data() + edge_begin, topology.edges.data() + edge_end);
   ObjectPatches found;
+  found.edge_begin = edge_begin;
   const std::vector<std::uint32_t> of_facet = PatchFinder(scene, topology, object, graph).run(found.patches);
   std::vector<std::uint8_t> freeform = freeform_facets(scene, topology, graph, of_facet);
   const std::vector<PatchOutline> outlines =
@@ -45,6 +51,24 @@ ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Obj
   return found;
 }
 
+/// The patches of an object that repeats another one.
+ObjectPatches moved(ObjectPatches patches, const Similarity& motion, std::uint32_t edge_begin) {
+  for (Patch& patch : patches.patches) {
+    PatchSurface& surface = patch.surface;
+    surface.at = motion(surface.at);
+    surface.axis = glm::normalize(motion.turned(surface.axis));
+    surface.radius *= motion.scale;
+    surface.tube *= motion.scale;
+    patch.sag *= motion.scale;
+  }
+  for (FreeformBorder& border : patches.borders) {
+    border.edge += edge_begin - patches.edge_begin;
+    border.length *= motion.scale;
+  }
+  patches.edge_begin = edge_begin;
+  return patches;
+}
+
 }  // namespace
 
 Point3 Patches::normal(std::uint32_t face, const Point3& p, const Point3& face_normal) const {
@@ -55,7 +79,15 @@ Point3 Patches::normal(std::uint32_t face, const Point3& p, const Point3& face_n
 
 Patches find_patches(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals) {
   std::vector<ObjectPatches> parts(scene.objects.size());
-  parallel_tasks(parts.size(), [&](std::size_t i) { parts[i] = patches_of(scene, topology, scene.objects[i], normals); });
+  const std::vector<Repetition> repetitions = find_repetitions(scene, topology);
+  parallel_tasks(parts.size(), [&](std::size_t i) {
+    if (repetitions[i].original == i) parts[i] = patches_of(scene, topology, scene.objects[i], normals);
+  });
+  parallel_tasks(parts.size(), [&](std::size_t i) {
+    const auto& [original, motion] = repetitions[i];
+    if (original == i) return;
+    parts[i] = moved(parts[original], motion, edge_at(topology, scene.objects[i].vertex_begin));
+  });
   Patches found;
   found.patch_of.assign(scene.faces.size(), kNone);
   found.is_freeform.assign(scene.faces.size(), 0);
