@@ -234,6 +234,8 @@ ModelRequest model_request(const py::dict& keywords) {
       request.weld_distance = parse_weld(distance == "0" ? "off" : distance);
     } else if (name == "pose") {
       request.pose = parse_pose(text_of(name, value));
+    } else if (name == "assume") {
+      request.assumed = parse_facts(text_of(name, value));
     } else if (name == "subdivide") {
       request.subdivision = parse_subdivision(text_of(name, value));
     } else if (name == "merge-coplanar") {

@@ -328,7 +328,7 @@ def draw(
     """Draws a model with its hidden lines removed.
 
     model: a Scene, a file, or an object of trimesh, pyvista or meshio. With a file, options of read() (only, hide, move,
-        weld, merge_coplanar, subdivide) may stand among the others.
+        weld, merge_coplanar, subdivide, assume) may stand among the others.
     view: a name, or a View; direction, or eye with target and fov, are others.
     regions: visible faces as areas, too (Drawing.regions).
     surface: among the models: formulas in x and y, or arrays as surface() takes them; grid: files of heights; parametric:
@@ -349,7 +349,7 @@ def draw(
     return Drawing.of_scene(scene, surfaces, options, progress)
 
 
-_OF_READING = ("only", "hide", "move", "weld", "merge_coplanar", "subdivide", "pose")
+_OF_READING = ("only", "hide", "move", "weld", "merge_coplanar", "subdivide", "assume", "pose")
 _OF_SURFACES = ("surface", "grid", "parametric", "x", "y", "u", "v", "samples", "every", "z_scale", "z_range")
 
 

@@ -86,6 +86,7 @@ def read(
     weld: Union[str, float] = "auto",
     merge_coplanar: bool = False,
     subdivide: Optional[str] = None,
+    assume: Optional[str] = None,
     only: Union[str, Sequence[str], None] = None,
     hide: Union[str, Sequence[str], None] = None,
     move: Union[Dict[str, Sequence[float]], Sequence[str], None] = None,
@@ -97,6 +98,7 @@ def read(
     """Reads glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio ASCII or ligne-scene files; several make one scene.
 
     `subdivide`: "catmull-clark" or "loop", with ":N" for N levels: the polygons are control meshes.
+    `assume`: facts that spare tests, "no-penetration" and "convex", separated by commas.
     `groups`: the groups of an OBJ without objects are objects, which draw(group=..., color=...) tell apart. The others are
     the command's. Raises InputError.
     """
@@ -133,6 +135,7 @@ class Mesh(Scene):
         weld: Union[str, float] = "auto",
         merge_coplanar: bool = False,
         subdivide: Optional[str] = None,
+        assume: Optional[str] = None,
         unit: Union[str, float, None] = None,
         threads: int = 0,
     ) -> None:
@@ -141,6 +144,8 @@ class Mesh(Scene):
         object_of, object_names = labels("objects", objects, count)
         material_of, material_names = labels("materials", materials, count)
         options = dict(quality=quality, weld=weld, merge_coplanar=merge_coplanar, subdivide=subdivide, unit=unit)
+        if assume is not None:
+            options["assume"] = assume
         if precision is not None and not (np.isfinite(precision) and precision >= 0):
             raise _core.InputError("precision: is not a length of 0 or more")
         super().__init__(

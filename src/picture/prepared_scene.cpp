@@ -8,11 +8,13 @@
 #include "base/parallel.hpp"
 #include "picture/clear/clear_creases.hpp"
 #include "picture/culling.hpp"
+#include "picture/errors.hpp"
 #include "picture/light/lighting.hpp"
 #include "picture/line_groups.hpp"
 #include "picture/marks/point_marks.hpp"
 #include "picture/marks/scan_plane_inset.hpp"
 #include "picture/products.hpp"
+#include "scene/clean/check_facts.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/registry.hpp"
 
@@ -156,6 +158,11 @@ PreparedScene prepare(const Scene& scene, PictureRequest asked, const std::optio
   request.memory.require(least_bytes(scene), {"project", faces});
   prepared.topology =
       timed(run.stages, {"topology", faces}, [&] { return topology ? std::move(*topology) : build_topology(scene); });
+  if (scene.stated.any()) {
+    const std::string why =
+        timed(run.stages, {"check facts", faces}, [&] { return find_false_fact(scene, prepared.topology); });
+    if (!why.empty()) throw RequestError("", why);
+  }
   timed(run.stages, {"project", faces}, [&] {
     prepared.around =
         place_with_axes(box, scene, camera_of(request.view, scene), request.page, request.axes, request.heading);

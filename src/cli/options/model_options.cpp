@@ -27,6 +27,11 @@ void add_model_options(CLI::App& app, ModelRequest& request) {
            "(default N: until edges are shorter than a hundredth of the model)")
       .standard("off");
   group.add_flag("--merge-coplanar", request.merge_coplanar, "merge coplanar neighbouring faces into polygons");
+  group
+      .add("--assume", "FACT,...", request.assumed, parse_facts,
+           "facts about the scene that spare tests: no-penetration, no faces pass through each other; convex, every object "
+           "is one closed convex body")
+      .standard("those of the file");
   OptionGroup parts(app, "Parts");
   const auto add_names = [](std::vector<std::string>& target) {
     return [&target](const std::string& text) {

@@ -40,7 +40,9 @@ void choose_parts(Scene& scene, const PartRequest& parts, std::size_t first_numb
     for (const PartMove& move : parts.moves) {
       if (name_fits(move.pattern, name)) by += move.units + move.mm / unit_mm;
     }
-    if (by != Point3{0, 0, 0}) move_object(scene, i, by);
+    if (by == Point3{0, 0, 0}) continue;
+    move_object(scene, i, by);
+    scene.stated.forget_relations();
   }
   if (std::find(keep.begin(), keep.end(), 0) != keep.end()) keep_objects(scene, keep, first_number);
 }
@@ -73,6 +75,7 @@ Scene choose_and_heal(const ModelRequest& request, ModelFile& file, LoadedModels
   for (const Object& object : scene.objects) models.object_names.push_back(object_name(object, models.object_names.size()));
   const double scene_unit_mm = models.files.size() > 1 ? models.scene.unit_mm : scene.unit_mm;
   choose_parts(scene, request.parts, first, request.unit_mm.value_or(scene_unit_mm));
+  if (request.subdivision) scene.stated = {};  // the limit surface is another shape
   if (request.quality == Quality::exact || scene.objects.empty()) return scene;
   topology.emplace();
   file.healed = heal(scene, *topology, {request.weld_distance});
@@ -109,7 +112,7 @@ const std::string* compiled_file(const ModelRequest& request) {
 
 namespace {
 
-LoadedModels load_compiled(const std::string& name) {
+LoadedModels load_compiled(const std::string& name, const StatedFacts& assumed) {
   LoadedModels models;
   ModelFile& file = models.files.emplace_back();
   file.name = name;
@@ -126,6 +129,7 @@ LoadedModels load_compiled(const std::string& name) {
     models.object_names.push_back(object_name(object, models.object_names.size()));
   }
   models.scene = std::move(model.scene);
+  models.scene.stated.bits |= assumed.bits;
   models.compiled = std::move(model.compiled);
   models.compiled_for = model.method;
   return models;
@@ -134,7 +138,7 @@ LoadedModels load_compiled(const std::string& name) {
 }  // namespace
 
 LoadedModels load_models(const ModelRequest& request) {
-  if (const std::string* name = compiled_file(request)) return load_compiled(*name);
+  if (const std::string* name = compiled_file(request)) return load_compiled(*name, request.assumed);
   LoadedModels models;
   for (const std::string& name : request.files) {
     ModelFile& file = models.files.emplace_back();
@@ -161,6 +165,7 @@ LoadedModels load_models(const ModelRequest& request) {
     models.scene.unit_mm = unit_mm;
   }
   check_parts(models, request.parts);
+  models.scene.stated.bits |= request.assumed.bits;
   return models;
 }
 
@@ -173,6 +178,7 @@ LoadedModels load_model(const ModelRequest& request, Scene scene, const std::str
   clean_read_scene(scene, name, read_options(request, 0), file.warnings, file.report);
   models.scene = choose_and_heal(request, file, models, std::move(scene));
   check_parts(models, request.parts);
+  models.scene.stated.bits |= request.assumed.bits;
   return models;
 }
 

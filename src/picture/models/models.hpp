@@ -46,7 +46,8 @@ struct ModelRequest {
   Quality quality = Quality::clear;
   /// If set, polygons are control meshes, and their limit surfaces are drawn.
   std::optional<Subdivision> subdivision{};
-  bool shading = true;  ///< clear lines: read the smooth and sharp edges of the file, since creases are requested
+  StatedFacts assumed{};  ///< facts that the user states beside those of the files; without planes
+  bool shading = true;    ///< clear lines: read the smooth and sharp edges of the file, since creases are requested
 };
 
 /// A report on one of the files: its contents, and the repairs.

@@ -144,6 +144,14 @@ std::optional<double> parse_weld(const std::string& text) {
   return text == "off" ? 0 : parse_positive(text);
 }
 
+StatedFacts parse_facts(const std::string& text) {
+  StatedFacts facts;
+  for (const std::string& name : parse_names(text)) {
+    facts.state(static_cast<StatedFact>(parse_choice(name, kStatedFactNames)));
+  }
+  return facts;
+}
+
 Subdivision parse_subdivision(const std::string& text) {
   constexpr std::string_view kSchemeNames[] = {"catmull-clark", "loop"};
   const std::size_t colon = text.find(':');

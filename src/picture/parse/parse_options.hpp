@@ -46,6 +46,8 @@ ProfileKind parse_profile(const std::string& text);
 ScenePose parse_pose(const std::string& text);
 /// "auto", "off" (0) or a distance.
 std::optional<double> parse_weld(const std::string& text);
+/// Names of facts, separated by commas.
+StatedFacts parse_facts(const std::string& text);
 /// "SCHEME" or "SCHEME:LEVELS".
 Subdivision parse_subdivision(const std::string& text);
 /// A resolution of a PNG, in dots per inch.

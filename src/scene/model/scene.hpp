@@ -8,6 +8,7 @@
 
 #include "geometry/point.hpp"
 #include "scene/model/polygon_faces.hpp"
+#include "scene/model/stated_facts.hpp"
 
 namespace ligne {
 
@@ -83,6 +84,7 @@ struct Scene {
   std::vector<Detail> details;
   Axis up_axis = Axis::z;
   double unit_mm = 1;  ///< true length of one model unit in mm, if the format defines it: 1000 in glTF (metres)
+  StatedFacts stated{};  ///< facts that spare tests; find_false_fact() checks them
 };
 
 }  // namespace ligne

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -133,7 +134,8 @@ class SceneReader {
       : root_(std::move(root)), report_(report), builder_(name, report) {}
 
   Scene read() {
-    root_.expect_object({"format", "version", "about", "up", "materials", "objects", "lights"});
+    root_.expect_object(
+        {"format", "version", "about", "up", "materials", "objects", "lights", "facts", "separating_planes"});
     if (const std::string format = root_.at("format").text(); format != "ligne-scene") {
       throw root_.at("format").error(shown(format) + " is not 'ligne-scene'");
     }
@@ -144,6 +146,8 @@ class SceneReader {
     root_.at("objects").array_size();
     root_.for_each("objects", [&](const Node& node) { read_object(node); });
     root_.for_each("lights", [&](const Node& node) { read_light(node); });
+    root_.for_each("facts", [&](const Node& node) { read_fact(node); });
+    root_.for_each("separating_planes", [&](const Node& node) { read_plane(node); });
     return builder_.finish(up, {});
   }
 
@@ -241,6 +245,24 @@ class SceneReader {
     const Node vector = node.at(parallel ? "direction" : "position");
     if (parallel && vector.point() == Point3(0)) throw vector.error("is no direction");
     builder_.scene().lights.push_back({parallel ? Light::Kind::parallel : Light::Kind::point, vector.point()});
+  }
+
+  void read_fact(const Node& node) {
+    const std::string name = node.text();
+    const auto known = std::ranges::find(kStatedFactNames, name);
+    if (known == kStatedFactNames.end()) throw node.error(shown(name) + " is not 'no-penetration' or 'convex'");
+    builder_.scene().stated.state(static_cast<StatedFact>(known - kStatedFactNames.begin()));
+  }
+
+  void read_plane(const Node& node) {
+    node.expect_object({"point", "normal"});
+    std::vector<SeparatingPlane>& planes = builder_.scene().stated.planes;
+    if (planes.size() == kMostSeparatingPlanes)
+      throw node.error("there may be " + std::to_string(planes.size()) + " planes");
+    const Point3 normal = node.at("normal").point();
+    const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+    if (largest == 0) throw node.at("normal").error("is no direction");
+    planes.push_back({node.at("point").point(), glm::normalize(normal / largest)});
   }
 
   Node root_;

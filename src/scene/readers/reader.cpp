@@ -184,6 +184,8 @@ void append_scene(Scene& a, Scene&& b) {
     a.details.push_back(std::move(detail));
   }
   std::move(b.materials.begin(), b.materials.end(), std::back_inserter(a.materials));
+  a.stated.bits &= b.stated.bits;
+  a.stated.forget_relations();
   a.lights.insert(a.lights.end(), b.lights.begin(), b.lights.end());
   std::move(b.cameras.begin(), b.cameras.end(), std::back_inserter(a.cameras));
 }

@@ -37,7 +37,12 @@ ConvexBodies::ConvexBodies(const Scene& scene, const ModelPieces& pieces, const 
     begin = end;
     const bool one_face = std::all_of(shell.begin(), shell.end(),
                                       [&](std::uint32_t t) { return triangles[t].face == triangles[shell[0]].face; });
-    if (one_face || !lies_on_one_side(shell, pieces, viewpoint)) continue;
+    if (one_face) continue;
+    if (scene.stated.has(StatedFact::convex)) {
+      find_fronts(shell, pieces, viewpoint);
+    } else if (!lies_on_one_side(shell, pieces, viewpoint)) {
+      continue;
+    }
     for (const std::uint32_t t : shell) {
       if (body_[triangles[t].face] == kNone) ++faces_;
       body_[triangles[t].face] = count_;
@@ -46,16 +51,34 @@ ConvexBodies::ConvexBodies(const Scene& scene, const ModelPieces& pieces, const 
   }
 }
 
-/// Whether all of the set lies on one side of each of its planes; sets is_front_. A face that is not planar may have
-/// triangles of which the viewer sees different sides: then nothing is known of the set.
-bool ConvexBodies::lies_on_one_side(const std::vector<std::uint32_t>& shell, const ModelPieces& pieces,
-                                    const Viewpoint& viewpoint) {
+void ConvexBodies::collect_vertices(const std::vector<std::uint32_t>& shell, const ModelPieces& pieces) {
   vertices_.clear();
   for (const std::uint32_t t : shell) {
     for (const std::uint32_t v : pieces.triangles()[t].v) vertices_.push_back(v);
   }
   std::sort(vertices_.begin(), vertices_.end());
   vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+}
+
+/// Sets is_front_ of the faces of a convex body: the viewer is on the side of a plane where the middle of the body is not.
+void ConvexBodies::find_fronts(const std::vector<std::uint32_t>& shell, const ModelPieces& pieces,
+                               const Viewpoint& viewpoint) {
+  collect_vertices(shell, pieces);
+  Point3 middle{0, 0, 0};
+  for (const std::uint32_t v : vertices_) middle += pieces.point(v) / double(vertices_.size());
+  for (const std::uint32_t t : shell) {
+    const ModelPlane plane = pieces.plane_of_triangle(t);
+    if (plane.normal == Point3(0)) continue;
+    ++heights_;
+    is_front_[pieces.triangles()[t].face] = viewpoint.in_front_of(plane) != (plane.height(middle) > 0);
+  }
+}
+
+/// Whether all of the set lies on one side of each of its planes; sets is_front_. A face that is not planar may have
+/// triangles of which the viewer sees different sides: then nothing is known of the set.
+bool ConvexBodies::lies_on_one_side(const std::vector<std::uint32_t>& shell, const ModelPieces& pieces,
+                                    const Viewpoint& viewpoint) {
+  collect_vertices(shell, pieces);
   if (vertices_.size() * shell.size() > kMostHeights) return false;
   std::uint32_t last = kNone;
   for (const std::uint32_t t : shell) {
@@ -63,6 +86,7 @@ bool ConvexBodies::lies_on_one_side(const std::vector<std::uint32_t>& shell, con
     if (plane.normal == Point3(0)) continue;
     bool before = false, behind = false;
     for (const std::uint32_t v : vertices_) {
+      ++heights_;
       const double height = plane.height(pieces.point(v));
       before |= height > pieces.tolerance();
       behind |= height < -pieces.tolerance();

@@ -17,23 +17,31 @@ namespace ligne::newell {
 
 class ConvexBodies {
  public:
-  /// Bodies are sets of faces that hang together by vertices. `pieces` are those of the scene.
+  /// Bodies are sets of faces that hang together by vertices. `pieces` are those of the scene. Where the scene states that
+  /// all its objects are convex bodies, one height for each triangle is enough.
   ConvexBodies(const Scene& scene, const ModelPieces& pieces, const Viewpoint& viewpoint);
 
   /// That the first of two faces does not hide the second is known without a comparison.
   bool never_hides(std::uint32_t face, std::uint32_t other) const {
     return body_[face] == body_[other] && body_[face] != kNone && !(is_front_[face] && !is_front_[other]);
   }
-  std::uint32_t count() const { return count_; }  ///< of bodies
-  std::uint64_t faces() const { return faces_; }  ///< in them
+  /// The body of a face, or kNone.
+  std::uint32_t body(std::uint32_t face) const { return body_[face]; }
+  bool is_front(std::uint32_t face) const { return is_front_[face] != 0; }  ///< of a face of a body
+  std::uint32_t count() const { return count_; }                            ///< of bodies
+  std::uint64_t faces() const { return faces_; }                            ///< in them
+  /// Heights of vertices over planes that were computed to find them.
+  std::uint64_t heights() const { return heights_; }
 
  private:
+  void find_fronts(const std::vector<std::uint32_t>& shell, const ModelPieces& pieces, const Viewpoint& viewpoint);
+  void collect_vertices(const std::vector<std::uint32_t>& shell, const ModelPieces& pieces);
   bool lies_on_one_side(const std::vector<std::uint32_t>& shell, const ModelPieces& pieces, const Viewpoint& viewpoint);
 
   std::vector<std::uint32_t> body_;  ///< of every face, or kNone
   std::vector<std::uint8_t> is_front_;
   std::uint32_t count_ = 0;
-  std::uint64_t faces_ = 0;
+  std::uint64_t faces_ = 0, heights_ = 0;
   std::vector<std::uint32_t> vertices_;  ///< while a body is looked at
 };
 

@@ -22,11 +22,15 @@ using namespace newell;
 
 enum class Show : std::uint8_t { splits, order, zones, slabs };
 constexpr std::string_view kShowNames[] = {"splits", "order", "zones", "slabs"};
+enum class ListedAs : std::uint8_t { faces, bodies };
+constexpr std::string_view kElementNames[] = {"faces", "bodies"};
 constexpr MethodParameter kParameters[] = {
     {"show", "splits|order|zones|slabs",
      "as layer debug: the pieces of faces that were cut, the order of painting as numbers, or the sets that were found apart "
      "on the page or in depth",
      "", kShowNames},
+    experiment({"newell-elements", "faces|bodies", "what stands in the list: faces, or each convex body as one silhouette",
+                "faces", kElementNames}),
 };
 
 /// The sets as rectangles. Slabs, which lie over each other on the page, are numbered in the order of painting.
@@ -107,9 +111,10 @@ VisibilityResult NewellMethod::compute_visibility(const ProjectedScene& scene, c
   Clock clock;
   const auto* kept = dynamic_cast<const KeptList*>(options.earlier);
   const bool takes_over = kept && kept->serves(scene.view.camera);
-  PaintElements elements(scene, takes_over ? &kept->elements() : nullptr);
+  const bool whole_bodies = options.settings.choice("newell-elements", ListedAs::faces) == ListedAs::bodies;
+  PaintElements elements(scene, takes_over ? &kept->elements() : nullptr, whole_bodies);
   const double seconds_of_elements = clock.lap();
-  const std::size_t faces = elements.size();
+  const std::size_t listed = elements.size();
   const bool shows = options.settings.has("show");
   const Show show = options.settings.choice("show", Show::splits);
   PriorityList list(elements, shows && show >= Show::zones);
@@ -143,9 +148,19 @@ VisibilityResult NewellMethod::compute_visibility(const ProjectedScene& scene, c
   Statistics& statistics = result.statistics;
   statistics.seconds.insert(statistics.seconds.begin(), {{"elements", seconds_of_elements}, {"list", seconds_of_list}});
   statistics.count("elements of the view before", elements.in_order());
-  statistics.count("faces in the list", faces);
+  statistics.count("faces in the list", elements.face_count());
+  if (whole_bodies) {
+    statistics.count("elements in the list", listed);
+    statistics.count("bodies as one element", elements.whole_bodies());
+    statistics.count("bodies opened", list.counts().opened);
+  }
   statistics.count("convex bodies", elements.bodies().count());
   statistics.count("faces of convex bodies", elements.bodies().faces());
+  statistics.count("heights to find them", elements.bodies().heights());
+  if (scene.model->stated.any()) {
+    statistics.count("pairs across separating planes, not compared", list.counts().separated);
+    statistics.count("pairs not compared the other way round", list.counts().one_way);
+  }
   statistics.count("elements in the end", farthest_first.size());
   report(list.counts(), statistics);
   return result;

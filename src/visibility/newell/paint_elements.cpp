@@ -7,6 +7,8 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/stop.hpp"
+#include "scene/model/face_shape.hpp"
+#include "visibility/newell/separated_cells.hpp"
 #include "visibility/order/paint_pieces.hpp"
 
 namespace ligne::newell {
@@ -48,11 +50,12 @@ void CommonPart::clip_by_side(Point2 from, Point2 to) {
   corners.swap(spare);
 }
 
-PaintElements::PaintElements(const ProjectedScene& scene, const EarlierElements* earlier)
+PaintElements::PaintElements(const ProjectedScene& scene, const EarlierElements* earlier, bool whole_bodies)
     : view_(scene.view),
       scene_(scene),
       pieces_(earlier ? earlier->pieces : ModelPieces(*scene.model)),
       bodies_(*scene.model, pieces_, viewpoint_of(scene.view.camera)),
+      cells_(separated_cells(*scene.model, viewpoint_of(scene.view.camera))),
       volume_(face_volume(scene.view, scene.lattice)),
       viewpoint_(viewpoint_of(scene.view.camera)),
       page_planes_(scene.view),
@@ -80,6 +83,62 @@ PaintElements::PaintElements(const ProjectedScene& scene, const EarlierElements*
     add(pieces_.face(others[i]), parts);
     parts.clear();
   }
+  face_count_ = elements_.size();
+  if (scene.model->stated.has(StatedFact::no_penetration)) find_convex_faces();
+  if (whole_bodies && !earlier) make_whole_bodies();
+}
+
+void PaintElements::find_convex_faces() {
+  const Scene& scene = *scene_.model;
+  is_convex_.resize(scene.faces.size());
+  for (std::uint32_t f = 0; f < is_convex_.size(); ++f) is_convex_[f] = is_convex_face(scene, f, 0);
+}
+
+/// Puts each body of two faces or more in the place of its faces.
+void PaintElements::make_whole_bodies() {
+  std::vector<std::vector<std::uint32_t>> members(bodies_.count());
+  for (std::uint32_t e = 0; e < elements_.size(); ++e) {
+    const std::uint32_t body = bodies_.body(elements_[e].face);
+    if (body != kNone) members[body].push_back(e);
+  }
+  std::vector<std::uint8_t> is_made(bodies_.count(), 0);
+  std::vector<Element> faces;
+  faces.swap(elements_);
+  element_corners_.clear();
+  for (std::uint32_t e = 0; e < faces.size(); ++e) {
+    const std::uint32_t number = bodies_.body(faces[e].face);
+    const std::size_t size = number == kNone ? 1 : members[number].size();
+    if (size == 1) append(faces[e]);
+    if (size == 1) continue;
+    if (is_made[number]) continue;
+    is_made[number] = 1;
+    std::ranges::stable_partition(members[number], [&](std::uint32_t m) { return !bodies_.is_front(faces[m].face); });
+    Element body{faces[e].face, {}, {}, {}, {}};
+    BodyElement whole;
+    std::vector<Point2> points;
+    for (const std::uint32_t m : members[number]) {
+      whole.back_count += !bodies_.is_front(faces[m].face);
+      body.extents.extend(faces[m].extents);
+      body.parts.insert(body.parts.end(), faces[m].parts.begin(), faces[m].parts.end());
+      for (const std::uint32_t part : faces[m].parts) {
+        points.insert(points.end(), contour(part).begin(), contour(part).end());
+      }
+      whole.members.push_back(faces[m]);
+    }
+    whole.silhouette = convex_hull(std::move(points));
+    body.body = static_cast<std::uint32_t>(whole_.size());
+    whole_.push_back(std::move(whole));
+    append(std::move(body));
+  }
+}
+
+std::vector<std::uint32_t> PaintElements::open(std::uint32_t body) {
+  std::vector<std::uint32_t> numbers;
+  for (const Element& member : whole_[elements_[body].body].members) {
+    numbers.push_back(static_cast<std::uint32_t>(elements_.size()));
+    append(member);
+  }
+  return numbers;
 }
 
 /// An element of these pieces of a face, so far as they are in view.
@@ -101,8 +160,19 @@ void PaintElements::add(std::uint32_t face, std::span<const std::uint32_t> parts
 
 void PaintElements::append(Element element) {
   element.corner_begin = element_corners_.size();
-  for (const std::uint32_t part : element.parts) {
-    for (const std::uint32_t corner : pieces_.corners(part)) element_corners_.push_back(pieces_.point(corner));
+  if (element.body == kNone) {
+    for (const std::uint32_t part : element.parts) {
+      for (const std::uint32_t corner : pieces_.corners(part)) element_corners_.push_back(pieces_.point(corner));
+    }
+  } else {
+    // The corners of a body, each once: many of its pieces have them in common.
+    std::vector<std::uint32_t> corners;
+    for (const std::uint32_t part : element.parts) {
+      corners.insert(corners.end(), pieces_.corners(part).begin(), pieces_.corners(part).end());
+    }
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    for (const std::uint32_t corner : corners) element_corners_.push_back(pieces_.point(corner));
   }
   element.corner_end = element_corners_.size();
   elements_.push_back(std::move(element));
@@ -135,9 +205,10 @@ Extents PaintElements::project(std::uint32_t piece) {
   return extents;
 }
 
-PlaneSide PaintElements::side(std::uint32_t element, std::uint32_t of) const {
+PlaneSide PaintElements::side(std::uint32_t element, std::uint32_t of) const { return side(element, elements_[of].plane); }
+
+PlaneSide PaintElements::side(std::uint32_t element, const ModelPlane& plane) const {
   const Element& e = elements_[element];
-  const ModelPlane& plane = elements_[of].plane;
   double low = 0, high = 0;
   for (std::size_t i = e.corner_begin; i < e.corner_end; ++i) {
     const double h = plane.height(element_corners_[i]);
@@ -147,33 +218,70 @@ PlaneSide PaintElements::side(std::uint32_t element, std::uint32_t of) const {
   return pieces_.side_of_heights(low, high);
 }
 
-bool PaintElements::disjoint_pieces(std::uint32_t p, std::uint32_t q) const {
-  const Extents &e = piece_extents_[p], &f = piece_extents_[q];
+// A body lies wholly before the plane of each of its back faces and behind that of each of its front faces.
+bool PaintElements::lies_behind(std::uint32_t element, std::uint32_t of) const {
+  const auto is_behind = [&](const Element& face) {
+    const PlaneSide s = side(element, face.plane);
+    return s == PlaneSide::back || s == PlaneSide::on;
+  };
+  const Element& e = elements_[of];
+  return e.body == kNone ? is_behind(e) : std::ranges::any_of(faces_of(e).first(whole_[e.body].back_count), is_behind);
+}
+
+bool PaintElements::lies_before(std::uint32_t element, std::uint32_t of) const {
+  const auto is_before = [&](const Element& face) {
+    const PlaneSide s = side(element, face.plane);
+    return s == PlaneSide::front || s == PlaneSide::on;
+  };
+  const Element& e = elements_[of];
+  return e.body == kNone ? is_before(e) : std::ranges::any_of(faces_of(e).subspan(whole_[e.body].back_count), is_before);
+}
+
+PaintElements::Outline PaintElements::outline(const Element& element, std::size_t part) const {
+  if (element.body != kNone) return {&element.extents, whole_[element.body].silhouette};
+  return {&piece_extents_[element.parts[part]], contour(element.parts[part])};
+}
+
+bool PaintElements::disjoint_outlines(const Outline& p, const Outline& q) const {
+  const Extents &e = *p.extents, &f = *q.extents;
   if (!e.overlap(f, 0) || !e.overlap(f, 1)) return true;
   const double step = scene_.lattice.step_mm, margin = kStripRounding * step;
   if (std::min(e.longest_side(), f.longest_side()) < step) return true;
-  return has_side_between(contour(p), contour(q), margin) || has_side_between(contour(q), contour(p), margin);
+  return has_side_between(p.contour, q.contour, margin) || has_side_between(q.contour, p.contour, margin);
 }
 
 bool PaintElements::disjoint(std::uint32_t a, std::uint32_t b) const {
-  for (const std::uint32_t p : elements_[a].parts) {
-    for (const std::uint32_t q : elements_[b].parts) {
-      if (!disjoint_pieces(p, q)) return false;
+  const Element &e = elements_[a], &f = elements_[b];
+  for (std::size_t i = 0; i < outline_count(e); ++i) {
+    for (std::size_t k = 0; k < outline_count(f); ++k) {
+      if (!disjoint_outlines(outline(e, i), outline(f, k))) return false;
     }
   }
   return true;
 }
 
 Hiding PaintElements::hiding(std::uint32_t a, std::uint32_t b, CommonPart& work) const {
-  const std::array<double, 3>&p = elements_[a].page_plane, &q = elements_[b].page_plane;
+  Hiding result;
+  for (const Element& face : faces_of(elements_[a])) {
+    for (const Element& other : faces_of(elements_[b])) {
+      compare_depths(face, other, work, result);
+      if (result.first && result.second) return result;
+    }
+  }
+  return result;
+}
+
+/// Adds what two faces show.
+void PaintElements::compare_depths(const Element& a, const Element& b, CommonPart& work, Hiding& result) const {
+  const std::array<double, 3>&p = a.page_plane, &q = b.page_plane;
   const std::array<double, 3> d{p[0] - q[0], p[1] - q[1], p[2] - q[2]};
   const double slope = std::min(std::abs(p[0]) + std::abs(p[1]), std::abs(q[0]) + std::abs(q[1]));
-  Hiding result;
-  for (const std::uint32_t i : elements_[a].parts) {
-    for (const std::uint32_t k : elements_[b].parts) {
-      if (disjoint_pieces(i, k)) continue;
-      work.corners.assign(contour(i).begin(), contour(i).end());
-      const auto clip = contour(k);
+  for (std::size_t i = 0; i < a.parts.size(); ++i) {
+    for (std::size_t k = 0; k < b.parts.size(); ++k) {
+      const Outline of_a = outline(a, i), of_b = outline(b, k);
+      if (disjoint_outlines(of_a, of_b)) continue;
+      work.corners.assign(of_a.contour.begin(), of_a.contour.end());
+      const auto clip = of_b.contour;
       for (std::size_t s = 0; s < clip.size(); ++s) work.clip_by_side(clip[s], clip[s + 1 == clip.size() ? 0 : s + 1]);
       for (const Point2 c : work.corners) {
         const double difference = d[0] * c.x + d[1] * c.y + d[2];
@@ -187,7 +295,6 @@ Hiding PaintElements::hiding(std::uint32_t a, std::uint32_t b, CommonPart& work)
       }
     }
   }
-  return result;
 }
 
 /// Sets of parts that hang together by sides.

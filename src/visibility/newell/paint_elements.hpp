@@ -1,7 +1,6 @@
 #pragma once
 /// The elements of the priority list: faces, and pieces of faces that were cut, with what the tests ask of them.
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -9,31 +8,13 @@
 
 #include "view/clip.hpp"
 #include "view/projected_scene.hpp"
+#include "visibility/newell/body_elements.hpp"
 #include "visibility/newell/convex_bodies.hpp"
+#include "visibility/newell/element.hpp"
 #include "visibility/order/model_pieces.hpp"
 #include "visibility/order/paint_pieces.hpp"
 
 namespace ligne::newell {
-
-/// Extents on the page and in depth: [low, high] along x, y, z.
-struct Extents {
-  std::array<double, 3> low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-
-  void extend(const Extents& o);
-  double longest_side() const { return std::max(high[0] - low[0], high[1] - low[1]); }  ///< on the page
-  /// Whether they have more than a border in common along the axis.
-  bool overlap(const Extents& o, int axis) const { return low[axis] < o.high[axis] && o.low[axis] < high[axis]; }
-};
-
-/// A connected part of a face. Its parts are convex pieces of the face's triangles.
-struct Element {
-  std::uint32_t face = 0;
-  std::vector<std::uint32_t> parts;  ///< numbers of pieces
-  Extents extents;
-  ModelPlane plane;                              ///< its normal points to the viewer's side
-  std::array<double, 3> page_plane{};            ///< see PagePlanes
-  std::size_t corner_begin = 0, corner_end = 0;  ///< of its parts in the model, see PaintElements
-};
 
 /// The result of a comparison of depths over a common part of the page.
 struct Hiding {
@@ -63,10 +44,13 @@ class PaintElements {
  public:
   /// The faces that the projected scene shows. With those of an earlier view they begin with the pieces of its list, in its
   /// order; what that did not show comes behind.
-  explicit PaintElements(const ProjectedScene& scene, const EarlierElements* earlier = nullptr);
+  /// `whole_bodies`: each convex body is one element until it is opened; without an earlier view only.
+  explicit PaintElements(const ProjectedScene& scene, const EarlierElements* earlier = nullptr, bool whole_bodies = false);
   std::size_t in_order() const { return in_order_; }  ///< so many come from the earlier list
 
   std::size_t size() const { return elements_.size(); }
+  std::size_t face_count() const { return face_count_; }  ///< faces in view at the beginning
+  std::size_t whole_bodies() const { return whole_.size(); }
   const Element& operator[](std::uint32_t i) const { return elements_[i]; }
   const ModelPieces& pieces() const { return pieces_; }
 
@@ -75,8 +59,28 @@ class PaintElements {
   /// plane, or of one convex body.
   bool never_hides(std::uint32_t a, std::uint32_t b) const {
     const std::uint32_t f = elements_[a].face, g = elements_[b].face;
-    return f == g || bodies_.never_hides(f, g);
+    return f == g || bodies_.never_hides(f, g) || separated(f, g);
   }
+  /// Whether the first face lies behind the second by a separating plane of the scene.
+  bool separated(std::uint32_t face, std::uint32_t other) const { return !cells_.empty() && cells_[face] < cells_[other]; }
+  /// The place of an element in the order that separating planes give: lower numbers are painted first.
+  std::uint32_t cell(std::uint32_t element) const { return cells_.empty() ? 0 : cells_[elements_[element].face]; }
+
+  /// Whether it is known that not each of the two hides the other: parts of convex faces that do not penetrate.
+  bool hide_one_way(std::uint32_t a, std::uint32_t b) const {
+    if (is_convex_.empty() || is_body(a) || is_body(b)) return false;  // a body may be inside another
+    return is_convex_[elements_[a].face] && is_convex_[elements_[b].face];
+  }
+
+  /// Whether an element is a convex body that was not opened.
+  bool is_body(std::uint32_t element) const { return elements_[element].body != kNone; }
+  /// Puts the faces of a body in its place. Returns their numbers, the back faces first.
+  std::vector<std::uint32_t> open(std::uint32_t body);
+
+  /// Whether the plane of `of` shows that the element lies wholly behind it. A body has a plane for each back face.
+  bool lies_behind(std::uint32_t element, std::uint32_t of) const;
+  /// Whether the plane of `of` shows that the element lies wholly before it. A body has a plane for each front face.
+  bool lies_before(std::uint32_t element, std::uint32_t of) const;
 
   /// On which side of the plane of `of` the element lies: front is the viewer's.
   PlaneSide side(std::uint32_t element, std::uint32_t of) const;
@@ -101,17 +105,36 @@ class PaintElements {
  private:
   void add(std::uint32_t face, std::span<const std::uint32_t> parts);
   void append(Element element);
+  void make_whole_bodies();
+  void find_convex_faces();
+  PlaneSide side(std::uint32_t element, const ModelPlane& plane) const;
+  void compare_depths(const Element& a, const Element& b, CommonPart& work, Hiding& result) const;
+  /// The faces of a body, or the element itself.
+  std::span<const Element> faces_of(const Element& element) const {
+    return element.body == kNone ? std::span(&element, 1) : std::span(whole_[element.body].members);
+  }
   Extents project(std::uint32_t piece);
   std::vector<std::vector<std::uint32_t>> connected(const std::vector<std::uint32_t>& parts) const;
   std::span<const Point2> contour(std::uint32_t piece) const {
     return std::span(points_).subspan(contours_[piece][0], contours_[piece][1] - contours_[piece][0]);
   }
-  bool disjoint_pieces(std::uint32_t p, std::uint32_t q) const;
+  struct Outline {
+    const Extents* extents;
+    std::span<const Point2> contour;  ///< convex
+  };
+  /// The contour of a piece; of a body its only one, the silhouette.
+  Outline outline(const Element& element, std::size_t part) const;
+  std::size_t outline_count(const Element& element) const { return element.body == kNone ? element.parts.size() : 1; }
+  bool disjoint_outlines(const Outline& p, const Outline& q) const;
 
   const View& view_;
   const ProjectedScene& scene_;
   ModelPieces pieces_;
   ConvexBodies bodies_;
+  std::vector<std::uint32_t> cells_;     ///< per face, or empty
+  std::vector<std::uint8_t> is_convex_;  ///< per face, or empty where faces may penetrate
+  std::vector<BodyElement> whole_;
+  std::size_t face_count_ = 0;
   ClipVolume volume_;
   Viewpoint viewpoint_;
   PagePlanes page_planes_;

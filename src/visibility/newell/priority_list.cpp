@@ -36,6 +36,7 @@ Extents extents_of_all(const PaintElements& elements) {
 
 void ListCounts::add(const ListCounts& o) {
   one_body += o.one_body;
+  separated += o.separated;
   compared += o.compared;
   apart_in_x += o.apart_in_x;
   apart_in_y += o.apart_in_y;
@@ -81,10 +82,7 @@ PriorityList::Key PriorityList::key(double reach, std::uint32_t element) {
 
 std::vector<std::uint32_t> PriorityList::sort() {
   state_.assign(elements_.size(), State::waiting);
-  std::vector<OpenSet> waiting(1);
-  waiting[0].set.resize(elements_.size());
-  std::iota(waiting[0].set.begin(), waiting[0].set.end(), 0u);
-  waiting[0].node = add_node(waiting[0].set, 0);
+  std::vector<OpenSet> waiting = cells();
   while (!waiting.empty()) {
     check_stop();
     const OpenSet open = std::move(waiting.back());
@@ -96,7 +94,42 @@ std::vector<std::uint32_t> PriorityList::sort() {
       sort_list(open.set);
     }
   }
-  return std::move(order_);
+  return with_faces_of_bodies();
+}
+
+/// The whole set, or its cells by separating planes, the farthest last.
+std::vector<PriorityList::OpenSet> PriorityList::cells() {
+  std::vector<OpenSet> sets(1);
+  Set& all = sets[0].set;
+  all.resize(elements_.size());
+  std::iota(all.begin(), all.end(), 0u);
+  sets[0].node = add_node(all, 0);
+  std::stable_sort(all.begin(), all.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return elements_.cell(a) > elements_.cell(b); });
+  if (all.empty() || elements_.cell(all.front()) == elements_.cell(all.back())) return sets;
+  set_division(sets[0], Division::depth);
+  std::vector<OpenSet> parts;
+  for (const std::uint32_t e : all) {
+    if (parts.empty() || elements_.cell(parts.back().set.front()) != elements_.cell(e)) parts.emplace_back();
+    parts.back().set.push_back(e);
+  }
+  for (OpenSet& part : parts) part.node = add_node(part.set, sets[0].node);
+  return parts;
+}
+
+/// The order, in which faces stand for the bodies that were not opened.
+std::vector<std::uint32_t> PriorityList::with_faces_of_bodies() {
+  if (elements_.whole_bodies() == 0) return std::move(order_);
+  std::vector<std::uint32_t> faces;
+  for (const std::uint32_t e : order_) {
+    if (!elements_.is_body(e)) {
+      faces.push_back(e);
+      continue;
+    }
+    const std::vector<std::uint32_t> members = elements_.open(e);
+    faces.insert(faces.end(), members.begin(), members.end());
+  }
+  return faces;
 }
 
 /// The node of a set, where sets are kept.
@@ -304,13 +337,19 @@ bool PriorityList::work_off(std::uint32_t p, Keys& set) {
 bool PriorityList::resolve(std::uint32_t p, std::uint32_t q) {
   if (!may_hide(p, q)) return true;
   if (state_[q] != State::marked) {
-    if (may_hide(q, p)) return !replace(p, elements_[q].plane, counts_.plane_cuts);
+    if (elements_.hide_one_way(p, q)) {
+      ++counts_.one_way;
+    } else if (may_hide(q, p)) {
+      if (open_body(p, q)) return false;
+      return !replace(p, elements_[q].plane, counts_.plane_cuts);
+    }
     inserted_.erase(keys_[q]);
     state_[q] = State::marked;
     moved_.push_back(q);
     ++counts_.moved;
     return false;
   }
+  if (open_body(p, q)) return false;
   if (elements_.side(q, p) == PlaneSide::both) return !replace(q, elements_[p].plane, counts_.plane_cuts);
   if (elements_.side(p, q) == PlaneSide::both) return !replace(p, elements_[q].plane, counts_.plane_cuts);
   // P is in front of Q, and Q of others that are in front of P. Halving P alone need not end: where P hides Q and is itself
@@ -324,19 +363,35 @@ bool PriorityList::replace(std::uint32_t element, const ModelPlane& plane, std::
   const auto pieces = elements_.cut(element, plane);
   if (pieces.empty()) return false;
   ++count;
+  put_in_place(element, pieces);
+  return true;
+}
+
+/// Puts the parts of an element into the list in its place.
+void PriorityList::put_in_place(std::uint32_t element, const std::vector<std::uint32_t>& parts) {
   const Comparison whole = std::move(comparisons_[element]);
   remove(element);
-  for (const std::uint32_t piece : pieces) {
-    insert(piece);
-    comparisons_.emplace(piece, inherited(whole, piece));
+  for (const std::uint32_t part : parts) {
+    insert(part);
+    comparisons_.emplace(part, inherited(whole, part));
   }
+}
+
+/// Opens one of two elements that have no order: a body, the one of more faces first. False when neither is a body.
+bool PriorityList::open_body(std::uint32_t p, std::uint32_t q) {
+  const auto size = [&](std::uint32_t e) { return elements_.is_body(e) ? elements_[e].parts.size() : 0; };
+  const std::uint32_t body = size(q) > size(p) ? q : p;
+  if (!elements_.is_body(body)) return false;
+  ++counts_.opened;
+  put_in_place(body, elements_.open(body));
   return true;
 }
 
 /// Tests of rising cost, each of which may show that P does not hide Q.
 bool PriorityList::may_hide(std::uint32_t p, std::uint32_t q, ListCounts& counts, CommonPart& work) const {
   if (elements_.never_hides(p, q)) {
-    if (elements_[p].face != elements_[q].face) ++counts.one_body;
+    const std::uint32_t f = elements_[p].face, g = elements_[q].face;
+    if (f != g) ++(elements_.bodies().never_hides(f, g) ? counts.one_body : counts.separated);
     return false;
   }
   ++counts.compared;
@@ -345,9 +400,9 @@ bool PriorityList::may_hide(std::uint32_t p, std::uint32_t q, ListCounts& counts
     ++counts.apart_in_x;
   } else if (!e.overlap(f, 1)) {
     ++counts.apart_in_y;
-  } else if (const PlaneSide s = elements_.side(p, q); s == PlaneSide::back || s == PlaneSide::on) {
+  } else if (elements_.lies_behind(p, q)) {
     ++counts.behind_plane;
-  } else if (const PlaneSide t = elements_.side(q, p); t == PlaneSide::front || t == PlaneSide::on) {
+  } else if (elements_.lies_before(q, p)) {
     ++counts.before_plane;
   } else {
     ++counts.projections;

@@ -21,6 +21,9 @@ struct ListCounts {
   std::uint64_t lists = 0;       ///< sets that could not be decomposed and were sorted
   std::uint64_t ahead = 0;       ///< elements that were compared with their sets before they were the head
   std::uint64_t one_body = 0;    ///< pairs of one convex body that were not compared
+  std::uint64_t separated = 0;   ///< pairs of two sides of a separating plane that were not compared
+  std::uint64_t one_way = 0;     ///< pairs not compared the other way round, since convex faces do not penetrate
+  std::uint64_t opened = 0;      ///< bodies whose faces took their place
   std::uint64_t compared = 0;    ///< pairs of an element and one of its set Q_p
   std::uint64_t apart_in_x = 0;  ///< of them, by the test that gave the answer
   std::uint64_t apart_in_y = 0;
@@ -97,6 +100,10 @@ class PriorityList {
   bool resolve(std::uint32_t p, std::uint32_t q);
   bool may_hide(std::uint32_t p, std::uint32_t q) { return may_hide(p, q, counts_, common_); }
   bool may_hide(std::uint32_t p, std::uint32_t q, ListCounts& counts, CommonPart& work) const;
+  void put_in_place(std::uint32_t whole, const std::vector<std::uint32_t>& parts);
+  bool open_body(std::uint32_t p, std::uint32_t q);
+  std::vector<OpenSet> cells();
+  std::vector<std::uint32_t> with_faces_of_bodies();
   bool replace(std::uint32_t element, const ModelPlane& plane, std::uint64_t& count);
   void remove(std::uint32_t element);
   void insert(std::uint32_t element);

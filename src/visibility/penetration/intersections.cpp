@@ -280,10 +280,16 @@ class LeafSearch {
   std::vector<std::uint32_t> outside_;  ///< the items outside the pencil
 };
 
+/// Whether it is stated that no faces penetrate each other.
+bool nothing_penetrates(const ProjectedScene& scene) {
+  return scene.model && scene.model->stated.has(StatedFact::no_penetration);
+}
+
 }  // namespace
 
 std::vector<Intersection> find_intersections(const ProjectedScene& scene, const std::vector<Facet>& facets,
                                              const CellGrid& grid, double margin_steps) {
+  if (nothing_penetrates(scene)) return {};
   if (grid.complete()) return find_crossing_facets(scene, facets).finish(least_steps(scene));
   constexpr std::size_t kCellsPerTask = 256;
   const std::size_t n = grid.top_cell_count(), tasks = (n + kCellsPerTask - 1) / kCellsPerTask;
@@ -302,6 +308,7 @@ std::vector<Intersection> find_intersections(const ProjectedScene& scene, const 
 
 std::vector<Intersection> find_intersections(const ProjectedScene& scene, const std::vector<Facet>& facets,
                                              double coincidence_steps, bool hidden_too) {
+  if (nothing_penetrates(scene)) return {};
   if (hidden_too) return find_crossing_facets(scene, facets).finish(least_steps(scene));
   CellGrid::Options options;
   options.margin_steps = coincidence_steps + 1;

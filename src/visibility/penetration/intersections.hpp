@@ -1,5 +1,5 @@
 #pragma once
-/// Finds the segments in which facets penetrate each other.
+/// Finds the segments in which facets penetrate each other. There are none where the scene states so.
 
 #include <vector>
 

@@ -1,0 +1,256 @@
+// Locally convex closed surfaces that cover the directions of their normals once are convex: edges that bend outwards show
+// the first, one highest place in a direction shows the second for that direction (a surface that winds twice round an axis
+// has two in directions across it). Six directions and 16 faces stand for all.
+
+#include "scene/clean/check_facts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
+#include "files/message_text.hpp"
+#include "scene/clean/named_objects.hpp"
+
+namespace ligne {
+namespace {
+
+/// Pairs of triangles that are looked at: about four milliseconds.
+constexpr std::size_t kMostPairs = std::size_t{1} << 20;
+/// Rounding of a height over a plane, as a part of the largest coordinate.
+constexpr double kHeightRounding = 0x1p-44;
+/// Faces of a body that are compared with all its vertices.
+constexpr std::size_t kComparedFaces = 16;
+
+struct PaddedBox {
+  Point3 low, high;
+  bool meets(const PaddedBox& o) const {
+    for (int k = 0; k < 3; ++k) {
+      if (!(low[k] < o.high[k] && o.low[k] < high[k])) return false;
+    }
+    return true;
+  }
+};
+
+double largest_coordinate(const Scene& scene) {
+  double largest = 0;
+  for (const Point3& p : scene.vertices) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return largest;
+}
+
+std::string name_of(const Scene& scene, std::size_t object) {
+  return shown(object_name(scene.objects[object], object), '"');
+}
+
+// Separating planes.
+
+std::string find_cut_object(const Scene& scene, double rounding) {
+  for (std::size_t k = 0; k < scene.stated.planes.size(); ++k) {
+    const SeparatingPlane& plane = scene.stated.planes[k];
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+      const Object& object = scene.objects[i];
+      const double tolerance = 8 * object.precision + rounding;
+      bool before = false, behind = false;
+      for (std::uint32_t v = object.vertex_begin; v < object.vertex_end; ++v) {
+        const double height = glm::dot(plane.normal, scene.vertices[v] - plane.point);
+        before = before || height > tolerance;
+        behind = behind || height < -tolerance;
+      }
+      if (before && behind) return "separating_planes[" + std::to_string(k) + "] cuts object " + name_of(scene, i);
+    }
+  }
+  return {};
+}
+
+// Convex bodies.
+
+/// The plane of a face, turned outwards, and the mean of its corners.
+struct FacePlane {
+  Point3 normal{0, 0, 0}, point{0, 0, 0}, middle{0, 0, 0};
+  double height(const Point3& p) const { return glm::dot(normal, p - point); }
+};
+
+/// Why an object is not one closed convex body; empty if nothing shows that it is not.
+class ConvexCheck {
+ public:
+  ConvexCheck(const Scene& scene, const Topology& topology, const Object& object, double rounding)
+      : scene_(scene), object_(object), tolerance_(8 * object.precision + rounding) {
+    const auto begins = [](std::uint32_t vertex) { return [vertex](const Edge& e) { return e.v0 < vertex; }; };
+    const auto& edges = topology.edges;
+    first_edge_ = static_cast<std::size_t>(std::partition_point(edges.begin(), edges.end(), begins(object.vertex_begin)) -
+                                           edges.begin());
+    end_edge_ = static_cast<std::size_t>(std::partition_point(edges.begin(), edges.end(), begins(object.vertex_end)) -
+                                         edges.begin());
+    edges_ = &topology;
+  }
+
+  std::string why_not() {
+    for (std::size_t e = first_edge_; e < end_edge_; ++e) {
+      if (edges_->edges[e].face1 == kNone) return "has a border edge";
+      if (edges_->edge_flags[e] & kEdgeManyFaces) return "has an edge of more than two faces";
+    }
+    if (!is_one_part()) return "has several parts";
+    find_planes();
+    for (std::size_t e = first_edge_; e < end_edge_; ++e) {
+      const FacePlane &a = plane(edges_->edges[e].face0), &b = plane(edges_->edges[e].face1);
+      if (a.height(b.middle) > tolerance_ || b.height(a.middle) > tolerance_) return "bends inwards at an edge";
+    }
+    if (!has_one_top_each()) return "has several highest places";
+    const std::size_t step = std::max<std::size_t>(planes_.size() / kComparedFaces, 1);
+    for (std::size_t f = 0; f < planes_.size(); f += step) {
+      for (std::uint32_t v = object_.vertex_begin; v < object_.vertex_end; ++v) {
+        if (planes_[f].height(scene_.vertices[v]) > tolerance_) return "reaches through the plane of a face";
+      }
+    }
+    return {};
+  }
+
+ private:
+  FacePlane& plane(std::uint32_t face) { return planes_[face - object_.face_begin]; }
+  std::uint32_t vertex_count() const { return object_.vertex_end - object_.vertex_begin; }
+
+  bool is_one_part() const {
+    DisjointSets sets(vertex_count());
+    for (std::size_t e = first_edge_; e < end_edge_; ++e) {
+      sets.join(edges_->edges[e].v0 - object_.vertex_begin, edges_->edges[e].v1 - object_.vertex_begin);
+    }
+    for (std::uint32_t v = 1; v < vertex_count(); ++v) {
+      if (sets.find(v) != sets.find(0)) return false;
+    }
+    return true;
+  }
+
+  void find_planes() {
+    Point3 inside{0, 0, 0};
+    for (std::uint32_t v = object_.vertex_begin; v < object_.vertex_end; ++v)
+      inside += scene_.vertices[v] / double(vertex_count());
+    planes_.resize(object_.face_end - object_.face_begin);
+    for (std::uint32_t f = object_.face_begin; f < object_.face_end; ++f) {
+      FacePlane& p = plane(f);
+      const auto corners = scene_.faces.contour(f, 0);
+      for (const std::uint32_t v : corners) p.middle += scene_.vertices[v] / double(corners.size());
+      p.normal = face_normal(scene_, f);
+      p.point = p.middle;
+      if (p.height(inside) > 0) p.normal = -p.normal;
+    }
+  }
+
+  /// Whether in each direction one vertex only is higher than its neighbours.
+  bool has_one_top_each() const {
+    // Directions that no plane of a drawn part is square to.
+    for (const Point3& d : {Point3{1, 0.137, 0.271}, Point3{-0.119, 1, 0.313}, Point3{0.173, -0.211, 1}}) {
+      std::vector<std::uint8_t> has_higher(vertex_count(), 0), has_lower(vertex_count(), 0);
+      for (std::size_t e = first_edge_; e < end_edge_; ++e) {
+        std::uint32_t low = edges_->edges[e].v0, high = edges_->edges[e].v1;
+        if (glm::dot(d, scene_.vertices[low]) > glm::dot(d, scene_.vertices[high])) std::swap(low, high);
+        has_higher[low - object_.vertex_begin] = 1;
+        has_lower[high - object_.vertex_begin] = 1;
+      }
+      if (std::ranges::count(has_higher, 0) != 1 || std::ranges::count(has_lower, 0) != 1) return false;
+    }
+    return true;
+  }
+
+  const Scene& scene_;
+  const Topology* edges_ = nullptr;
+  const Object& object_;
+  double tolerance_;
+  std::size_t first_edge_ = 0, end_edge_ = 0;
+  std::vector<FacePlane> planes_;
+};
+
+std::string find_dented_object(const Scene& scene, const Topology& topology, double rounding) {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const std::string why = ConvexCheck(scene, topology, scene.objects[i], rounding).why_not();
+    if (!why.empty()) return "object " + name_of(scene, i) + " is not one closed convex body: it " + why;
+  }
+  return {};
+}
+
+// Penetrations.
+
+using Triangle3 = std::array<Point3, 3>;
+
+/// Whether the segment passes through the triangle, at a distance of more than `tolerance` from its sides and with both ends
+/// that far from its plane.
+bool pierces(const Point3& p, const Point3& q, const Triangle3& t, double tolerance) {
+  const Point3 across = glm::cross(t[1] - t[0], t[2] - t[0]);
+  const double length = glm::length(across);
+  if (!(length > 0)) return false;
+  const Point3 normal = across / length;
+  const double hp = glm::dot(normal, p - t[0]), hq = glm::dot(normal, q - t[0]);
+  if (std::min(hp, hq) >= -tolerance || std::max(hp, hq) <= tolerance) return false;
+  const Point3 x = p + (q - p) * (hp / (hp - hq));
+  for (int k = 0; k < 3; ++k) {
+    const Point3 side = t[(k + 1) % 3] - t[k];
+    if (glm::dot(glm::cross(normal, side), x - t[k]) <= tolerance * glm::length(side)) return false;
+  }
+  return true;
+}
+
+bool penetrate(const Triangle3& t, const Triangle3& u, double tolerance) {
+  for (int k = 0; k < 3; ++k) {
+    if (pierces(t[k], t[(k + 1) % 3], u, tolerance) || pierces(u[k], u[(k + 1) % 3], t, tolerance)) return true;
+  }
+  return false;
+}
+
+std::string find_penetration(const Scene& scene, const Topology& topology, double rounding) {
+  const std::size_t n = topology.triangles.size();
+  if (n == 0) return {};
+  double tolerance = rounding;
+  for (const Object& object : scene.objects) tolerance = std::max(tolerance, 8 * object.precision + rounding);
+  const auto corners = [&](std::size_t t) {
+    const auto& v = topology.triangles[t].v;
+    return Triangle3{scene.vertices[v[0]], scene.vertices[v[1]], scene.vertices[v[2]]};
+  };
+  std::vector<PaddedBox> boxes;
+  boxes.reserve(n);
+  for (std::size_t t = 0; t < n; ++t) {
+    const Triangle3 c = corners(t);
+    boxes.push_back({glm::min(glm::min(c[0], c[1]), c[2]), glm::max(glm::max(c[0], c[1]), c[2])});
+    // Boxes without a depth would not meet strictly.
+    boxes.back().low -= Point3(tolerance);
+    boxes.back().high += Point3(tolerance);
+  }
+  const std::size_t samples = std::min(n, std::max<std::size_t>(kMostPairs / n, 1));
+  const ObjectOfFace object_of(scene);
+  for (std::size_t i = 0; i < samples; ++i) {
+    const std::size_t t = i * n / samples;
+    const Triangle3 c = corners(t);
+    for (std::size_t u = samples == n ? t + 1 : 0; u < n; ++u) {
+      if (!boxes[t].meets(boxes[u]) || topology.triangles[t].face == topology.triangles[u].face) continue;
+      if (!penetrate(c, corners(u), tolerance)) continue;
+      const std::size_t a = object_of(topology.triangles[t].face), b = object_of(topology.triangles[u].face);
+      return a == b ? "object " + name_of(scene, a) + " has faces that pass through each other"
+                    : "objects " + name_of(scene, a) + " and " + name_of(scene, b) + " pass through each other";
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string find_false_fact(const Scene& scene, const Topology& topology) {
+  const StatedFacts& stated = scene.stated;
+  if (!stated.any()) return {};
+  const double rounding = kHeightRounding * largest_coordinate(scene);
+  std::string why = find_cut_object(scene, rounding);
+  const auto said = [](StatedFact fact) {
+    return "the fact '" + std::string(kStatedFactNames[static_cast<std::size_t>(fact)]) + "' is false: ";
+  };
+  if (why.empty() && stated.has(StatedFact::convex)) {
+    why = find_dented_object(scene, topology, rounding);
+    if (!why.empty()) return said(StatedFact::convex) + why;
+  }
+  if (why.empty() && stated.has(StatedFact::no_penetration)) {
+    why = find_penetration(scene, topology, rounding);
+    if (!why.empty()) return said(StatedFact::no_penetration) + why;
+  }
+  return why;
+}
+
+}  // namespace ligne

@@ -1,0 +1,233 @@
+// Facts that a scene states: checked, and what they spare in the list of newell. Convex bodies as elements of it.
+
+#include <random>
+
+#include "newell_sorted.hpp"
+#include "scene/clean/check_facts.hpp"
+#include "scene/clean/clean.hpp"
+#include "support/scenes.hpp"
+#include "support/test.hpp"
+#include "visibility/registry.hpp"
+
+namespace ligne::test {
+namespace {
+
+Scene finished(Scene scene) {
+  Warnings warnings;
+  finish_scene(scene, warnings);
+  return scene;
+}
+
+std::string false_fact(const Scene& scene) { return find_false_fact(scene, build_topology(scene)); }
+
+/// Two boxes on the sides of the plane x = 3, and one beyond y = 3.
+Scene three_boxes() {
+  Scene scene;
+  add_box(scene, {0, 0, 0}, {2, 2, 2});
+  add_box(scene, {4, 0, 0}, {2, 2, 2});
+  add_box(scene, {0, 4, 0}, {6, 2, 2});
+  return finished(scene);
+}
+
+TEST(StatedFacts, TrueOnesAreAccepted) {
+  Scene scene = three_boxes();
+  scene.stated.state(StatedFact::no_penetration);
+  scene.stated.state(StatedFact::convex);
+  scene.stated.planes = {{{0, 3, 0}, {0, 1, 0}}, {{7, 0, 0}, {1, 0, 0}}};
+  EXPECT_EQ(false_fact(scene), "");
+}
+
+TEST(StatedFacts, FalseOnesNameTheObject) {
+  Scene scene = three_boxes();
+  for (std::size_t i = 0; i < 3; ++i) scene.objects[i].name = std::string("box ") + "abc"[i];
+  scene.stated.planes = {{{3, 0, 0}, {1, 0, 0}}};
+  EXPECT_EQ(false_fact(scene), "separating_planes[0] cuts object \"box c\"");
+
+  Scene open;
+  add_face(open, {{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}});
+  open.stated.state(StatedFact::convex);
+  EXPECT_EQ(false_fact(finished(open)),
+            "the fact 'convex' is false: object \"object\" is not one closed convex body: it has a border edge");
+
+  Scene through;
+  add_box(through, {0, 0, 0}, {2, 2, 2});
+  add_box(through, {-1, 0.5, 0.5}, {4, 1, 1});
+  through = finished(through);
+  through.stated.state(StatedFact::convex);
+  EXPECT_EQ(false_fact(through), "");
+  through.stated.state(StatedFact::no_penetration);
+  EXPECT_EQ(false_fact(through), "the fact 'no-penetration' is false: objects \"box\" and \"box\" pass through each other");
+}
+
+// Bodies that touch along faces, edges and corners do not pass through each other.
+TEST(StatedFacts, TouchingIsNoPenetration) {
+  Scene scene;
+  for (const Point3& corner : {Point3{0, 0, 0}, {1, 0, 0}, {0, 1, 1}, {1, 1, 0}, {0.5, 0.25, -1}})
+    add_box(scene, corner, {1, 1, 1}, rotation(0.3, 0.4, 0.5));
+  scene = finished(scene);
+  scene.stated.state(StatedFact::no_penetration);
+  EXPECT_EQ(false_fact(scene), "");
+}
+
+// A pyramid on a pentagram and one below it: every edge bends outwards, but the surface winds round the axis twice.
+TEST(StatedFacts, ASurfaceThatWindsTwiceIsNotConvex) {
+  Scene scene;
+  begin_object(scene, "star");
+  for (int i = 0; i < 5; ++i) {
+    const double a = 4 * std::acos(-1.0) * i / 5;
+    scene.vertices.push_back({std::cos(a), std::sin(a), 0});
+  }
+  scene.vertices.push_back({0, 0, 1});
+  scene.vertices.push_back({0, 0, -1});
+  for (std::uint32_t i = 0; i < 5; ++i) {
+    scene.faces.add_triangle(i, (i + 1) % 5, 5);
+    scene.faces.add_triangle((i + 1) % 5, i, 6);
+  }
+  end_object(scene);
+  scene.stated.state(StatedFact::convex);
+  EXPECT_NE(false_fact(scene), "");
+}
+
+// Each of the two boxes in front is compared with the one behind, unless a plane between them is known.
+TEST(StatedFacts, SeparatingPlanesSpareComparisons) {
+  // The depths of the boxes overlap as they are seen.
+  const Point3 aslant{0.5, 1, -0.4};
+  Scene scene = three_boxes();
+  const Sorted without = sorted(scene, along(aslant));
+  scene.stated.planes = {{{0, 3, 0}, {0, -1, 0}}, {{3, 0, 0}, {1, 0, 0}}};
+  EXPECT_NE(false_fact(scene), "") << "the third box reaches through x = 3";
+  scene.stated.planes.pop_back();
+  EXPECT_EQ(false_fact(scene), "");
+  const Sorted with = sorted(scene, along(aslant));
+  EXPECT_LT(with.counts.compared + with.counts.one_body, without.counts.compared + without.counts.one_body);
+  ASSERT_EQ(with.faces.size(), 18u);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_GE(with.faces[i], 12u) << "the box behind is painted first";
+}
+
+// Figure 2.81 a with the fact: the pair is not compared the other way round, and the order is the same.
+TEST(StatedFacts, ConvexFacesThatDoNotPenetrateHideOneWay) {
+  Scene scene = plates({{0, 10, 0, 10, 9, 1}, {7, 9, 3, 6, 6, 6}});
+  const Sorted without = sorted(scene);
+  scene.stated.state(StatedFact::no_penetration);
+  const Sorted with = sorted(scene);
+  EXPECT_EQ(with.faces, without.faces);
+  EXPECT_EQ(with.counts.one_way, 1u);
+  EXPECT_EQ(with.counts.compared + 1, without.counts.compared);
+}
+
+// One height for each of the twelve triangles of a box, in place of eight for each.
+TEST(StatedFacts, ConvexBodiesTakeOneHeightATriangle) {
+  Scene scene = three_boxes();
+  const auto heights = [](const Scene& s) {
+    const Picture picture = draw(s, {along({0.5, 1, -0.4}), "all", false, 1, "appel"});
+    const newell::PaintElements elements(picture.projected);
+    EXPECT_EQ(elements.bodies().count(), 3u);
+    return elements.bodies().heights();
+  };
+  EXPECT_EQ(heights(scene), 3u * 12 * 8);
+  scene.stated.state(StatedFact::convex);
+  EXPECT_EQ(heights(scene), 3u * 12);
+}
+
+Scene crowd_of_boxes(int n, double apart) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> u(0, 1);
+  Scene scene;
+  for (int i = 0; i < n; ++i) {
+    add_box(scene, Point3{u(random), u(random), u(random)} * apart, {2, 2, 2},
+            rotation(u(random) * 3, u(random), u(random)));
+  }
+  return finished(scene);
+}
+
+VisibilityResult painted(const ProjectedScene& projected, bool bodies) {
+  VisibilityOptions options;
+  if (bodies) options.settings.set("newell-elements", ParameterWord{1});
+  return find_method("newell")->compute_visibility(projected, options);
+}
+
+std::uint64_t count(const VisibilityResult& result, std::string_view name) {
+  const auto& counts = result.statistics.counts;
+  return std::ranges::find(counts, name, &std::pair<std::string, std::uint64_t>::first)->second;
+}
+
+/// Per face the area of its regions, mm^2.
+std::vector<double> visible_areas(const VisibilityResult& result, const Scene& scene) {
+  std::vector<double> areas(scene.faces.size(), 0);
+  for (const Region& region : *result.regions) {
+    for (const std::vector<Point2>& c : region.contours) {
+      double twice = 0;
+      for (std::size_t i = 2; i < c.size(); ++i) twice += cross(c[i - 1] - c[0], c[i] - c[0]);
+      areas[region.face] += (&c == &region.contours.front() ? 0.5 : -0.5) * std::abs(twice);
+    }
+  }
+  return areas;
+}
+
+/// Whether a point lies inside the contours of a piece, by the parity of their sides beyond it.
+bool contains(const PaintPiece& piece, Point2 p) {
+  bool inside = false;
+  for (const std::vector<Point2>& c : piece.contours) {
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      const Point2 a = c[i], b = c[i + 1 == c.size() ? 0 : i + 1];
+      if ((a.x <= p.x) != (b.x <= p.x)) inside ^= a.y + (b.y - a.y) * (p.x - a.x) / (b.x - a.x) > p.y;
+    }
+  }
+  return inside;
+}
+
+/// The face that is painted last at a point, or kNone.
+std::uint32_t last_at(const PaintOrder& order, Point2 p) {
+  std::uint32_t face = kNone;
+  for (const PaintPiece& piece : order.pieces) {
+    if (contains(piece, p)) face = piece.face;
+  }
+  return face;
+}
+
+// [Boulle1980] 1.2.2.3 c, 2.5.2.7: bodies as elements. The same is seen at every point, the regions have the same areas, and
+// less is compared where most bodies are apart; where they pass through each other they are opened, which spares nothing.
+TEST(NewellBodies, PaintTheSame) {
+  for (const double apart : {20.0, 4.0}) {
+    const Scene scene = crowd_of_boxes(40, apart);
+    const Picture picture = draw(scene, {along({0.3, 1, -0.4}), "all", false, 0, "appel"});
+    const VisibilityResult faces = painted(picture.projected, false), bodies = painted(picture.projected, true);
+    EXPECT_EQ(count(bodies, "elements in the list"), 40u);
+    if (apart > 10) {
+      EXPECT_LT(count(bodies, "bodies opened"), 10u);
+      EXPECT_LT(count(bodies, "pairs compared"), count(faces, "pairs compared"));
+    } else {
+      EXPECT_GT(count(bodies, "bodies opened"), 0u);
+    }
+    const std::vector<double> a = visible_areas(bodies, scene), b = visible_areas(faces, scene);
+    for (std::size_t f = 0; f < a.size(); ++f) EXPECT_NEAR(a[f], b[f], 1e-6) << f;
+    EXPECT_EQ(bodies.strokes->strokes.size(), faces.strokes->strokes.size());
+    std::mt19937 random(3);
+    const Rect window = picture.projected.view.window;
+    std::uniform_real_distribution<double> x(window.min.x, window.max.x), y(window.min.y, window.max.y);
+    int seen = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const Point2 p{x(random), y(random)};
+      const std::uint32_t face = last_at(*faces.order, p);
+      EXPECT_EQ(last_at(*bodies.order, p), face) << p.x << ", " << p.y;
+      seen += face != kNone;
+    }
+    EXPECT_GT(seen, 100);
+  }
+}
+
+// A body inside another has no place beside it as a whole.
+TEST(NewellBodies, NestedBodiesAreOpened) {
+  Scene scene;
+  add_box(scene, {0, 0, 0}, {6, 6, 6});
+  add_box(scene, {2, 2, 2}, {2, 2, 2});
+  scene = finished(scene);
+  const Picture picture = draw(scene, {along({0.3, 1, -0.4}), "all", false, 1, "appel"});
+  const VisibilityResult bodies = painted(picture.projected, true), faces = painted(picture.projected, false);
+  EXPECT_EQ(count(bodies, "bodies as one element"), 2u);
+  EXPECT_GE(count(bodies, "bodies opened"), 1u);
+  EXPECT_EQ(bodies.regions->size(), faces.regions->size());
+}
+
+}  // namespace
+}  // namespace ligne::test
