@@ -23,7 +23,7 @@ constexpr const char* kStudyExamples = R"(Examples:
   ligne study all --size small
   ligne study --plates plates.pdf)";
 
-/// Checks the parts of the command line that have to be right before the work begins.
+/// The chosen experiments. Throws UsageError before any work begins if the name is missing or unknown.
 std::vector<const Experiment*> chosen(const StudyCommandOptions& options) {
   if (options.words.empty()) throw UsageError("there is no experiment: ligne study NAME, or all; see ligne study --list");
   const std::string& name = options.words.front();
@@ -60,7 +60,7 @@ void study_chosen(const StudyCommandOptions& options) {
     files.write(options.svg, charts_svg(charts));
   }
   files.commit();
-  // Output asked for on standard output stands there alone.
+  // The table goes to standard output only if no other output does.
   if (options.json != "-" && options.csv != "-" && options.svg != "-") write_output("-", text);
 }
 

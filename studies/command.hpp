@@ -14,9 +14,9 @@ class App;
 namespace ligne {
 
 struct StudyCommandOptions {
-  std::vector<std::string> words;  ///< the experiment's name, and files of models
+  std::vector<std::string> words;  ///< name of the experiment, then model files
   bool list = false;
-  std::string json, csv, svg, plates;  ///< files, or empty
+  std::string json, csv, svg, plates;  ///< file names; empty: not written
   studies::StudySize size = studies::StudySize::full;
   RunOptions run;
 };

@@ -1,4 +1,4 @@
-// Contours: points in them, contours clipped by them, [Boulle1980] 3.2.2 and 3.2.3; and sorts, 3.3.
+// Experiments on contours: point in contour and clipping, [Boulle1980] 3.2.2 and 3.2.3; and sorts, 3.3.
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// A contour of n corners round the origin; a convex one on a circle, else a star.
+/// A contour of n corners round the origin: on a circle if `convex`, else a star with random radii.
 std::vector<LatticePoint> round_contour(int n, double radius, bool convex, double begin = 0.1) {
   Chance chance(31);
   std::vector<LatticePoint> contour;
@@ -72,13 +72,13 @@ std::vector<int> list_of(int n, int kind) {
   } else if (kind == 2) {
     std::reverse(list.begin(), list.end());
   } else if (kind == 3) {
-    // As from one scan line to the next: one pair of neighbours in a hundred has changed places.
+    // Adjacent transpositions, one per hundred elements: the change of order from one scan line to the next.
     for (std::size_t i = 50; i + 1 < list.size(); i += 100) std::swap(list[i], list[i + 1]);
   }
   return list;
 }
 
-/// Both are kept by reference.
+/// The tests of a point against the contour. They keep both arguments by reference.
 std::vector<Way> ways_to_ask(const std::vector<LatticePoint>& contour, const Sectors& sectors) {
   return {
       {"crossings", "O(n), special cases", true,
@@ -108,7 +108,7 @@ std::vector<LatticePoint> points_to_ask(const std::vector<LatticePoint>& contour
   std::vector<LatticePoint> points;
   for (int i = 0; i < n; ++i) {
     points.push_back({chance.whole(-reach, reach), chance.whole(-reach, reach)});
-    // One in four is a corner, or the middle of a side where that is a point of the lattice.
+    // One point in four lies on the contour: a corner, or the midpoint of a side if that is a lattice point.
     const std::size_t k = std::size_t(chance.whole(0, int(contour.size()) - 1));
     const LatticePoint a = contour[k], b = contour[(k + 1) % contour.size()];
     if (i % 4 == 0)
@@ -120,8 +120,8 @@ std::vector<LatticePoint> points_to_ask(const std::vector<LatticePoint>& contour
 
 struct Answers {
   ContourCounts counts;
-  std::uint64_t wrong = 0, on_contour = 0;  ///< against the exact ones: of points beside the contour, and on it
-  double seconds = 0;                       ///< of one
+  std::uint64_t wrong = 0, on_contour = 0;  ///< wrong answers for points beside the contour; for points on it
+  double seconds = 0;                       ///< per point
 };
 
 Answers ask_all(const Way& way, const std::vector<LatticePoint>& contour, const std::vector<LatticePoint>& points) {
@@ -160,7 +160,7 @@ Result study_point_in_contour(const StudyRequest& request) {
        {"ns", ColumnKind::time}}};
   Chart chart{"A point against a convex contour", "corners", "ns"};
   chart.logarithmic = true;
-  // So large that rounding to the lattice leaves a contour of a thousand corners convex.
+  // This radius keeps a contour of a thousand corners convex after rounding to the lattice.
   constexpr int kRadius = 1 << 22, kReach = kRadius + kRadius / 10;
   const int points = request.pick(400, 4000);
   bool logarithmic = true, exact = true;
@@ -244,7 +244,7 @@ Result study_contour_clipping(const StudyRequest& request) {
         row("sectors (Shamos)", "the sum of the sides", by_sectors, 1, twice_area_of(sectors),
             seconds_each([&] { return clip_convex(s, c, unused).size(); }), 1);
       }
-      // The tests that the clip of the program takes: each side against each.
+      // The program's clip tests each side of one contour against each side of the other.
       ContourClipCounts all{std::uint64_t(subject.size()) * clip.size(), 0};
       row("any against any (Weiler, Atherton), the program's", "the product of the sides, which is optimal", all,
           truth.inside.size(), area, seconds_each([&] { return clip_contour_by_contour(fs, fc).inside.size(); }), 2);

@@ -1,9 +1,9 @@
 #pragma once
-/// Numbers that count what is done with them, for algorithms that are templates over the number type.
+/// Number types that count the operations done with them, for algorithms that are templates over the number type.
 ///
-/// A number carries the tally into which it counts; a result counts where its left operand does. What is counted: sums,
-/// products, quotients, comparisons, and assignments to a variable that is there already. A copy into a new variable or a
-/// parameter is none. Accesses to tables are counted by CountedTable.
+/// A number points to the tally in which it counts; a result uses the tally of its left operand. Sums, products, quotients,
+/// comparisons and assignments to an existing variable are counted; copies into new variables or parameters are not.
+/// CountedTable counts accesses to tables.
 
 #include <compare>
 #include <cstdint>
@@ -64,7 +64,7 @@ class Counted {
   friend bool operator==(const Counted& a, const Counted& b) { return a.tested(a.value_ == b.value_); }
   friend bool operator!=(const Counted& a, const Counted& b) { return a.tested(a.value_ != b.value_); }
 
-  /// A constant, beside a number that counts.
+  /// A constant that counts in this number's tally.
   Counted constant(T value) const { return {value, tally_}; }
 
  private:
@@ -81,7 +81,7 @@ class Counted {
   Operations* tally_ = nullptr;
 };
 
-/// Constants and logical connectives for plain numbers and counted ones alike.
+/// Constants and logical connectives that work for plain and for counted numbers.
 template <class T>
 T constant_like(const T&, double value) {
   return static_cast<T>(value);
@@ -97,7 +97,7 @@ void count_test(const Counted<T>& like) {
   if (like.tally()) ++like.tally()->tests;
 }
 
-/// A table each of whose accesses counts.
+/// A table that counts its accesses.
 template <class T>
 class CountedTable {
  public:

@@ -1,5 +1,5 @@
 #pragma once
-/// The experiments of the sources, made again. docs/study.md tells what comes out.
+/// Experiments that repeat those of the sources. docs/study.md gives the results.
 
 #include <cstdint>
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace ligne::studies {
 
-/// `small` is for tests: the same tables in fewer rows or with smaller scenes, in well under a second.
+/// `small` is for tests: the tables have fewer rows or smaller scenes and take well under a second.
 enum class StudySize : std::uint8_t { small, full };
 inline constexpr std::string_view kStudySizeNames[] = {"small", "full"};
 
@@ -25,7 +25,7 @@ struct NamedScene {
 
 struct StudyRequest {
   StudySize size = StudySize::full;
-  std::span<const NamedScene> models{};  ///< studied beside the generated scenes, by the experiments that go over scenes
+  std::span<const NamedScene> models{};  ///< scenes from files, added to the generated ones in experiments over scenes
 
   bool full() const { return size == StudySize::full; }
   template <class T>
@@ -35,13 +35,13 @@ struct StudyRequest {
 };
 
 struct Experiment {
-  std::string_view name;     ///< as on the command line
-  std::string_view section;  ///< of the source
-  std::string_view title;    ///< a phrase
+  std::string_view name;     ///< name on the command line
+  std::string_view section;  ///< section of the source
+  std::string_view title;    ///< noun phrase
   Result (*run)(const StudyRequest& request);
 };
 
-/// All of them, in the order of the sources.
+/// All experiments, in the order of the sources.
 std::span<const Experiment> experiments();
 
 /// The experiment of that name, or nullptr.

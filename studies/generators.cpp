@@ -70,7 +70,7 @@ Scene nested(int n, int r) {
   Scene scene;
   const double width = 4.0 * r + 2;
   for (int k = 0; k < n; ++k) {
-    // The back, from z = -4 k to one below; teeth hang from it, over the back of the next comb.
+    // Comb k has its back at z in [-4 k - 1, -4 k]; its teeth hang over the back of comb k + 1.
     const double y = k, top = -4.0 * k, bottom = top - 1, tip = top - 5.5;
     std::vector<Point3> corners{{0, y, top}, {width, y, top}, {width, y, bottom}};
     for (int t = r - 2; t >= 0; --t) {
@@ -90,7 +90,7 @@ Scene ring(int n) {
     const double a = 2 * pi * i / n;
     return Point2{radius * std::cos(a), radius * std::sin(a)};
   };
-  // Neighbours cross within a bar's length for any number of bars: the radius grows with it.
+  // The radius grows with n so that adjacent bars still cross within their length.
   const double radius = n <= 6 ? 10 : 10.0 * n / 6;
   for (int i = 0; i < n; ++i) {
     const Point2 a = corner(i, radius), b = corner(i + 1, radius), d = glm::normalize(b - a), side = Point2{-d.y, d.x} * 0.5;
@@ -112,7 +112,7 @@ Scene combs_through_plate(int n, int teeth) {
   const double height = 4.0 * teeth;
   add_plate(scene, {-1, 11}, {-1, 1.0 * height * n + 1}, {0, 12});
   for (int i = 0; i < n; ++i) {
-    // In planes of their own: one cut of the plate is not to serve for all.
+    // Each face has a plane of its own, so that one cut of the plate can not serve several faces.
     const double z0 = height * i, lean = 0.8 - 0.3 * i / n;
     const auto at = [&](double x, double z) { return Point3{x, 9 - lean * x, z0 + z}; };
     std::vector<Point3> corners{at(0, 0)};
@@ -216,7 +216,7 @@ Scene leaning_faces(int n, std::uint32_t seed) {
 }
 
 std::uint64_t Chance::next() {
-  // SplitMix64 (Steele, Lea, Flood 2014).
+  // Generator SplitMix64 (Steele, Lea, Flood 2014).
   return mix_bits(state_ += kGoldenRatio);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
-/// Scenes of the experiments: those of the figures of [Boulle1980], as far as the text tells them, and families that grow.
+/// Scenes of the experiments: figures of [Boulle1980], as far as the text describes them, and families of growing size.
 ///
-/// Scenes are seen by the named view "front", along +y, unless the generator says otherwise: x to the right, z up, what has
-/// the larger y is farther.
+/// Scenes are viewed in the named view "front" unless the generator says otherwise: along +y, with x to the right and z up;
+/// larger y is farther.
 
 #include <cmath>
 #include <cstdint>
@@ -19,32 +19,32 @@ struct Limits {
   double low, high;
 };
 
-/// A rectangle on the page, over x and z, whose left side is at the depth y.low and whose right side at y.high.
+/// A rectangle on the page, over x and z. Its left side has depth y.low, its right side y.high.
 void add_plate(Scene& scene, Limits x, Limits z, Limits y);
 
-/// A comb in the plane y = depth: a back x 0..2 and teeth from there to x = 10, 2 wide and 2 apart. It has 4 teeth corners.
+/// A comb in the plane y = depth: a back in x 0..2 and teeth to x = 10, each 2 wide, 2 apart. It has 4 * teeth corners.
 void add_comb(Scene& scene, int teeth, double depth);
 
-/// Figures 2.20 to 2.23: a square of side 50 turned by 40 degrees, before a triangle that it hides, moved by the shift.
+/// Figures 2.20 to 2.23: a square of side 50, rotated by 40 degrees, hides a triangle. The shift moves the square.
 Scene square_before_triangle(double shift_x, double shift_z);
 
-/// Figure 2.66: slab 1 of four faces, of which the nearest cuts the others, and before it the screen face of slab 2.
+/// Figure 2.66: slab 1 of four faces, of which the nearest cuts the others, and in front of it the screen face of slab 2.
 Scene screen_before_slab(bool with_screen);
 
-/// Figure 2.67: n combs in a stair, each before the next: a comb's r - 1 teeth cut the back of the next one, of which r
-/// parts are seen. r >= 2.
+/// Figure 2.67: n combs in a stair, each in front of the next. The r - 1 teeth of a comb cut the back of the next into r
+/// visible parts. Requires r >= 2.
 Scene nested(int n, int r);
 
-/// Figures 2.81 e and 2.82: n bars round a centre, each over the next.
+/// Figures 2.81 e and 2.82: n bars in a ring; each overlaps the next.
 Scene ring(int n);
 
-/// Figure 2.83: n plates whose depths are apart.
+/// Figure 2.83: n plates with disjoint depth ranges.
 Scene apart_in_depth(int n);
 
-/// Figure 2.84: a leaning plate, and n faces of c = 4 teeth corners that stand in it with their teeth.
+/// Figure 2.84: a leaning plate and n faces of 4 * teeth corners whose teeth penetrate it.
 Scene combs_through_plate(int n, int teeth);
 
-/// Figure 2.88: zones of slabs of zones, each of one face in the end.
+/// Figure 2.88: zones of slabs of zones, down to single faces.
 Scene zones_of_slabs();
 
 /// [Huet1994] 3.1: the faces of a stair of n steps.
@@ -53,20 +53,20 @@ Scene stair(int n);
 /// A ball of 2 n (n - 1) triangles.
 Scene ball(int n);
 
-/// n x n boxes on a square grid, of sizes and heights by chance, none of which touches another.
+/// n x n boxes on a square grid, with random sizes and heights. No two touch.
 Scene city(int n);
 
-/// Figure 2.52 in space: n square columns along a diagonal, turned about the vertical by the angle.
+/// Figure 2.52 in space: n square columns along a diagonal, rotated about the vertical.
 Scene columns(int n, double degrees);
 
-/// n boxes by chance that pass through each other.
+/// n random boxes that penetrate each other.
 Scene penetrating_boxes(int n);
 
-/// n faces by chance with 3 to 6 corners, all of which lean alike: none passes through another, and which of two is in front
-/// their nearest points do not tell.
+/// n random faces with 3 to 6 corners and similar slopes. No two penetrate. The nearest points of two faces do not decide
+/// which is in front.
 Scene leaning_faces(int n, std::uint32_t seed);
 
-/// Fixed seed, the same on all machines.
+/// Random numbers from a fixed seed, equal on all machines.
 class Chance {
  public:
   explicit Chance(std::uint64_t seed) : state_(seed) {}
@@ -78,8 +78,9 @@ class Chance {
   std::uint64_t state_;
 };
 
-/// Figure 2.52: n squares of side 2 along a diagonal in the scan plane, turned, and moved along the line by `shift`. Sides
-/// along the sight are no segments. `steps` of the line to a unit; whole numbers of them when X is whole.
+/// Figure 2.52: n rotated squares of side 2 along a diagonal in the scan plane, moved along the line by `shift`. Sides
+/// parallel to the view direction make no segments. `steps`: scan line steps per unit. With integer X coordinates are
+/// rounded.
 template <class X>
 std::vector<watkins::ScanSegment<X>> squares(int n, double degrees, double steps, double shift = 0) {
   constexpr double kPi = 3.14159265358979323846;
@@ -100,11 +101,11 @@ std::vector<watkins::ScanSegment<X>> squares(int n, double degrees, double steps
   return segments;
 }
 
-/// Welds and checks, as a reader does.
+/// Welds and checks the scene, as a reader does.
 void finish(Scene& scene);
 
-/// The scene on a sheet of 297 x 210 mm with a margin of 10, or at the scale on one of 100 x 100, with these classes of
-/// edges.
+/// The projected scene: on a sheet of 297 x 210 mm with a margin of 10 mm, with all edges or the default classes; or at
+/// scale on a sheet of 100 x 100 mm.
 ProjectedScene on_sheet(const Scene& scene, std::string_view view = "front", bool all_edges = true);
 ProjectedScene on_square_sheet(const Scene& scene);
 

@@ -1,5 +1,5 @@
-// The faces before an edge, tested edge by edge and carried from vertex to vertex: [Boulle1980] 1.1, of
-// [Appel1967], [GalimbertiMontanari1969] and [Loutrel1970].
+// Faces in front of an edge, found edge by edge or propagated from vertex to vertex: [Boulle1980] 1.1, after [Appel1967],
+// [GalimbertiMontanari1969] and [Loutrel1970].
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-// Scans by lines, [Boulle1980] 2.3.4 to 2.3.7: resolution, coherence, planes, groups.
+// Experiments on scan lines, [Boulle1980] 2.3.4 to 2.3.7: resolution, coherence, planes, groups.
 
 #include <algorithm>
 #include <array>
@@ -26,7 +26,7 @@ constexpr ScanOptions kVisibleChanges{SpanMethodKind::stack, true, true, true};
 
 using Intervals = std::map<std::uint32_t, std::vector<std::pair<double, double>>>;
 
-/// Visible parts of the scene's own edges.
+/// Visible parts of the scene's own edges, by edge.
 Intervals visible_parts(const VisibilityResult& result) {
   Intervals parts;
   for (const Stroke& s : result.strokes->strokes) {
@@ -49,7 +49,7 @@ double common_length(const std::vector<std::pair<double, double>>& a, const std:
   return sum;
 }
 
-/// Length on the page on which the two differ, mm. In parallel projection a parameter is a share of the length.
+/// Length on the page over which the two differ, mm. In parallel projection the parameter is proportional to the length.
 double wrong_mm(const ProjectedScene& scene, const Intervals& exact, const Intervals& found) {
   std::map<std::uint32_t, double> length;
   for (const ProjectedEdge& e : scene.edges) {
@@ -66,15 +66,16 @@ double wrong_mm(const ProjectedScene& scene, const Intervals& exact, const Inter
   return sum;
 }
 
-/// Dangling and terminal vertices (figure 2.60): those at which both sides of a contour of some face go down, or both go up;
-/// and horizontal sides between two such ones.
+/// Dangling and terminal vertices (figure 2.60), where both adjacent sides of a face's contour go down or both go up, and
+/// horizontal sides between two such vertices.
 struct Extremes {
   std::uint64_t vertices = 0, horizontal = 0;
 };
 
 Extremes extremes_of(const ProjectedScene& scene) {
   constexpr std::uint8_t kDown = 1, kUp = 2;
-  // Sides of contours: those that one triangle of the face alone has. By place: faces that touch share their vertices.
+  // Contour sides belong to one triangle of the face only. Vertices are compared by place, so that touching faces share
+  // them.
   std::map<std::array<std::uint32_t, 3>, int> sides;
   for (const Triangle& t : scene.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {

@@ -1,4 +1,4 @@
-// The priority list, [Boulle1980] 2.5.2.7.
+// Experiments on the priority list, [Boulle1980] 2.5.2.7.
 
 #include <algorithm>
 
@@ -100,7 +100,7 @@ Table rings(const StudyRequest& request, Chart& chart) {
   return table;
 }
 
-/// "zones side by side" and the like, for the node of a set.
+/// The division of a set in words, such as "zones, from the left".
 std::string division_words(const newell::PriorityList::SetNode& node) {
   using Division = newell::PriorityList::Division;
   switch (node.division) {
@@ -118,7 +118,7 @@ std::string division_words(const newell::PriorityList::SetNode& node) {
   return "one face";
 }
 
-/// The tree of figure 2.88, a row for each set: "2.1" is the first part of the second part of the whole.
+/// The tree of figure 2.88, one row per set. "2.1" is the first part of the second part of the scene.
 Table decomposition_of(const NamedScene& named, bool& without_list) {
   Table table{"Decomposition of " + named.name,
               {{"set", ColumnKind::label},

@@ -1,5 +1,5 @@
 #pragma once
-/// Times and growth.
+/// Time measurement and growth rates.
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,7 @@
 
 namespace ligne::studies {
 
-/// Seconds of the processor, which other work on the machine does not lengthen: the least of `times` runs. The work runs in
-/// one thread.
+/// Processor seconds of one run, least of `times` runs. Other processes do not lengthen them. The work runs in one thread.
 template <class Work>
 double least_seconds(int times, const Work& work) {
   double best = 1e300;
@@ -20,8 +19,8 @@ double least_seconds(int times, const Work& work) {
   return best;
 }
 
-/// Measures work that is shorter than the clock's step: it is repeated until it takes two thousandths of a second, or
-/// very often. What it returns is looked at, so that no compiler leaves it out.
+/// Seconds of work shorter than the clock's step. Repeats it until it takes two milliseconds, at most kMostRepeats times.
+/// The results are summed into a volatile variable so that the compiler can not drop the work.
 template <class Work>
 double seconds_each(const Work& work) {
   constexpr int kMostRepeats = 1 << 20;
@@ -36,14 +35,14 @@ double seconds_each(const Work& work) {
   }
 }
 
-/// How many times as long one time is as the other; a time that the clock shows as none counts as one of its steps.
+/// Ratio of two times. A time that the clock shows as zero counts as one clock step.
 inline double times_as_long(double seconds, double of) {
   constexpr double kStep = 1.0 / CLOCKS_PER_SEC;
   const auto seen = [](double time) { return time > 0 ? time : kStep; };
   return seen(seconds) / seen(of);
 }
 
-/// e where y grows as x^e from one point to the other.
+/// The exponent e of y ~ x^e through the two points.
 inline double growth(double x0, double y0, double x1, double y1) { return std::log(y1 / y0) / std::log(x1 / x0); }
 
 }  // namespace ligne::studies

@@ -1,4 +1,4 @@
-// Four methods by nine properties, [Boulle1980] 2.6, figure 2.88.
+// Four methods compared by nine properties, [Boulle1980] 2.6, figure 2.88.
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* kMethods[] = {"warnock", "watkins", "atherton-weiler", "newell"};
 
-/// Figure 2.88, by method; memory and behaviour have tables of their own.
+/// Rows of figure 2.88, one entry per method. Memory and behaviour have tables of their own.
 struct Property {
   const char* name;
   std::array<const char*, 4> thesis;
@@ -50,7 +50,7 @@ constexpr Property kProperties[] = {
 constexpr std::array<const char*, 4> kThesisFilling{"middling: many contours", "good: as television scans",
                                                     "good: the fewest contours", "bad: many contours"};
 constexpr std::array<const char*, 4> kThesisBehaviour{"bad", "good, stack better than box", "middling", "middling"};
-/// Words of memory: a by vertex, b by face.
+/// Words of memory in the thesis: per vertex and per face.
 constexpr std::array<std::array<std::uint64_t, 2>, 4> kThesisWords{{{3, 37}, {3, 33}, {5, 40}, {3, 40}}};
 
 VisibilityResult run(std::size_t method, const ProjectedScene& scene, std::uint8_t wanted) {
@@ -75,7 +75,7 @@ std::uint64_t bytes(const std::vector<T>& v) {
   return v.size() * sizeof(T);
 }
 
-/// Bytes of the description model as the method has it before it begins.
+/// Bytes of the description model that the method has before it begins.
 std::uint64_t description_bytes(std::size_t method, const ProjectedScene& scene) {
   const double step = scene.lattice.step_mm, coincidence = coincidence_mm(scene) / step;
   const Facets facets = make_facets(scene, coincidence);
@@ -112,8 +112,7 @@ std::uint64_t description_bytes(std::size_t method, const ProjectedScene& scene)
   return sum;
 }
 
-/// The largest memory of the process while the method studied, beyond the projected scene; nothing where the system does not
-/// tell.
+/// Peak memory of the method in words of 4 bytes, beyond the projected scene; empty if the system does not report it.
 Cell words_at_peak(std::size_t method, const ProjectedScene& scene) {
   const PeakMemory memory;
   run(method, scene, kStrokes);

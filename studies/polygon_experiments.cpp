@@ -1,4 +1,4 @@
-// Faces that clip faces, [Boulle1980] 2.4.2.4 and 2.4.2.6.
+// Experiments on faces that clip faces, [Boulle1980] 2.4.2.4 and 2.4.2.6.
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ PolygonRun study_polygons(Scene scene) {
   return run;
 }
 
-/// Keys of the sort of faces, after figure 2.68; the smaller key comes first, and is taken to be in front.
+/// A key for sorting faces by depth, after figure 2.68. The face with the smaller key is assumed to be in front.
 struct SortKey {
   const char *name, *thesis;
   double (*of)(const std::vector<double>& depths);
@@ -59,7 +59,7 @@ struct Wrong {
   std::array<std::uint64_t, std::size(kKeys)> wrong{};
 };
 
-/// Pairs of which one hides the other, and those that a key puts the wrong way round.
+/// Counts the pairs in which one face hides the other, and those that each key orders wrongly.
 Wrong wrong_pairs(Scene scene) {
   finish(scene);
   const ProjectedScene projected = on_sheet(scene);
@@ -96,7 +96,7 @@ Result study_slab_order(const StudyRequest&) {
                {"clips", ColumnKind::count},
                {"regions made on the way", ColumnKind::count},
                {"regions seen", ColumnKind::count}}};
-  // From the far end the slab is studied by itself, and each of its regions is clipped by the screen afterwards.
+  // In far-first order the slab is studied alone, and the screen face clips each of its regions afterwards.
   table.rows.push_back({"far slab first", "four faces compared, three made, all for nothing",
                         slab.counts.clips + slab.regions, slab.regions, all.regions});
   table.rows.push_back(
@@ -126,7 +126,7 @@ Result study_sort_keys(const StudyRequest& request) {
   const int n = request.pick(20, 200);
   Family families[] = {
       {"figure 2.68", {}}, {"faces that lean alike", leaning_faces(n, 5)}, {"boxes of a city", city(request.pick(3, 8))}};
-  // P begins nearest, and is behind Q and R where they overlap.
+  // P has the nearest point, but lies behind Q and R where they overlap.
   add_plate(families[0].scene, {0, 14}, {0, 6}, {0, 7});
   add_plate(families[0].scene, {8, 10}, {1, 8}, {2, 2});
   add_plate(families[0].scene, {10, 13}, {-1, 4}, {3, 3});

@@ -1,5 +1,5 @@
 #pragma once
-/// Experiments from their names, with models from files beside their own scenes.
+/// Runs experiments by name, with models from files beside their own scenes.
 
 #include <functional>
 #include <span>
@@ -12,18 +12,18 @@
 
 namespace ligne::studies {
 
-/// The experiment of that name, or all of them for "all"; none for any other name.
+/// The experiment of that name, or all of them for "all"; empty for an unknown name.
 std::vector<const Experiment*> experiments_of(std::string_view name);
 
-/// One model of each file, under the file's name without folder and suffix; `opened` gets all files that were read. Throws
+/// One model per file, named by the file name without folder and extension; adds all files read to `opened`. Throws
 /// InputError.
 std::vector<NamedScene> read_models(std::span<const std::string> files, InputFiles& opened);
 
-/// Runs them one after the other; `progress`, which may be empty, is called with the fraction of them that is done.
+/// Runs the experiments in order. `progress`, if set, is called with the completed fraction.
 std::vector<Outcome> run_experiments(std::span<const Experiment* const> list, const StudyRequest& request,
                                      const std::function<void(double)>& progress);
 
-/// The plots of all of them; many have none.
+/// The charts of all outcomes. Many outcomes have none.
 std::vector<Chart> charts_of(std::span<const Outcome> outcomes);
 
 }  // namespace ligne::studies

@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes as a scan by lines takes them, and what a scan costs.
+/// Scenes as input of a scan by lines, and the cost of a scan.
 
 #include <cstdint>
 #include <string>
@@ -10,8 +10,7 @@
 
 namespace ligne::studies {
 
-/// A scene on A4, with its lines of intersection: without them a scan would not know where faces come
-/// out of each other.
+/// A scene on A4 with its lines of intersection, which tell the scan where faces penetrate each other.
 struct ScanInput {
   std::string name;
   ProjectedScene scene;
@@ -21,16 +20,16 @@ struct ScanInput {
 
 ScanInput make_scan_input(const NamedScene& named);
 
-/// The cost of a scan of the whole page by one group of lines; no seam breaks the coherence.
+/// The cost of scanning the whole page with one group of lines, so no seam breaks the coherence.
 struct ScanCost {
-  double seconds = 0;  ///< of the scan alone, the least of some
+  double seconds = 0;  ///< time of the scan alone, least of several runs
   watkins::ScanCounts scan;
   watkins::SpanCounts spans;
 };
 
 ScanCost scan_cost(const ScanInput& input, std::uint32_t lines, bool whole, const watkins::ScanOptions& options, int times);
 
-/// The scenes over which the experiments on scan lines go: squares, a city, a ball, boxes that penetrate, and the models.
+/// The scenes of the scan line experiments: squares, a city, a ball, penetrating boxes, and the models.
 std::vector<NamedScene> scan_scenes(const StudyRequest& request);
 
 }  // namespace ligne::studies

@@ -1,4 +1,4 @@
-// Segments: against each other, many at once, and clipped, [Boulle1980] 3.2.1 and 3.2.3.1.
+// Experiments on segments: pairs, many at once, and clipping, [Boulle1980] 3.2.1 and 3.2.3.1.
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,8 @@ struct Pair {
   LatticePoint a, b, c, d;
 };
 
-/// Pairs of segments of the lattice: in general position, with ends on each other, and with ends within a step of the other
-/// segment.
+/// Pairs of segments on the lattice: in general position, with ends on each other, and with ends within one step of the
+/// other segment.
 std::vector<Pair> pairs_of_segments(int n) {
   Chance chance(3);
   constexpr int kLimit = kLatticeLimit;
@@ -36,7 +36,7 @@ std::vector<Pair> pairs_of_segments(int n) {
     const int kind = i % 4;
     if (kind == 1) p.c = chance.whole(0, 1) ? p.a : p.b;
     if (kind >= 2) {
-      // Near a point of AB, or at its very end.
+      // An end near a point of AB, or near its end B.
       const double t = kind == 2 ? chance.uniform(0, 1) : 1;
       p.c = {static_cast<std::int32_t>(std::lround(p.a.x + t * (double(p.b.x) - p.a.x))),
              static_cast<std::int32_t>(std::lround(p.a.y + t * (double(p.b.y) - p.a.y)))};
@@ -51,13 +51,13 @@ std::vector<Pair> pairs_of_segments(int n) {
 
 int sign(double v) { return (v > 0) - (v < 0); }
 
-/// The program's own way: signs of exact determinants.
+/// The program's own test: signs of exact determinants.
 bool cross_truly(const Pair& p) {
   return sign(orientation(p.a, p.b, p.c)) * sign(orientation(p.a, p.b, p.d)) < 0 &&
          sign(orientation(p.c, p.d, p.a)) * sign(orientation(p.c, p.d, p.b)) < 0;
 }
 
-/// Closed segments that are not parallel.
+/// True if the closed segments meet and are not parallel.
 bool meet_truly(const Pair& p) {
   if (cross(LatticeSegment{p.a, p.b}, LatticeSegment{p.c, p.d}) == 0) return false;
   return sign(orientation(p.a, p.b, p.c)) * sign(orientation(p.a, p.b, p.d)) <= 0 &&
@@ -78,7 +78,7 @@ struct Method {
   SegmentTest<Real> counted;
   SegmentTest<double> plain;
   SegmentTest<Int128> whole;
-  bool closed;  ///< a common end counts
+  bool closed;  ///< true if a common end counts as crossing
 };
 constexpr Method kSegmentMethods[] = {
     {"analytic", "14 / 14 / 3 / 0", cross_analytic<Real>, cross_analytic<double>, cross_analytic<Int128>, false},
@@ -141,7 +141,7 @@ Result study_segment_tests(const StudyRequest& request) {
     for (const Pair& p : pairs) crossing += cross_truly(p);
     return crossing;
   });
-  // Four determinants of five sums and two products, two products of signs.
+  // Four determinants of five sums and two products each, and two products of signs.
   table.rows.push_back({"four exact determinants, the program's", std::string(kNoFigure), std::uint64_t{20},
                         std::uint64_t{10}, std::uint64_t{0}, std::uint64_t{3}, std::uint64_t{0}, wrong, wrong,
                         1e9 * seconds / double(pairs.size())});
@@ -214,7 +214,7 @@ constexpr ClipRectangle kScreenPart{256, 767, 256, 767};
 
 using ScreenSegment = std::pair<Point2, Point2>;
 
-/// Segments by how many of their ends are inside, with the bounds of the thesis.
+/// Segments grouped by the number of their ends inside, with the bounds of the thesis.
 struct SegmentKind {
   const char *name, *codes, *middles;
   ClipCounts most_by_halving, most_by_codes;
@@ -240,7 +240,7 @@ std::vector<ScreenSegment> screen_segments(int n) {
   return segments;
 }
 
-/// How far apart the ends are that the two ways find, in steps.
+/// Largest distance between the ends that the two methods find, in steps.
 double clip_both_ways(const std::vector<ScreenSegment>& segments, std::span<SegmentKind, 3> kinds) {
   const ClipRectangle& r = kScreenPart;
   double farthest = 0;
@@ -274,7 +274,7 @@ double clip_seconds(const std::vector<ScreenSegment>& segments, bool halving) {
          double(segments.size());
 }
 
-/// Codes of n bits: segments clipped by convex contours in the screen.
+/// Segments clipped by convex contours on the screen, with outcodes of n bits.
 Table clipped_by_contours(const std::vector<ScreenSegment>& segments) {
   Table table{"A segment clipped by codes of n bits, by a convex contour of n sides",
               {{"n", ColumnKind::label},

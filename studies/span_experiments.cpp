@@ -1,4 +1,4 @@
-// The span methods, [Boulle1980] 2.3.3.1 to 2.3.3.3.
+// Experiments on the span methods, [Boulle1980] 2.3.3.1 to 2.3.3.3.
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@ using namespace watkins;
 constexpr std::uint32_t kLines = 512;
 constexpr SpanMethodKind kSpanMethods[] = {SpanMethodKind::merge, SpanMethodKind::stack, SpanMethodKind::box};
 
-/// Figure 2.45: three segments, drawn after what the text says of them: 1 and 2 overlap, and 3 lies before both.
+/// Figure 2.45: three segments, reconstructed from the text: 1 and 2 overlap, and 3 lies in front of both.
 std::vector<ScanSegment<double>> three_segments() {
   return {{0, 300, 100, 100, 0}, {100, 400, 200, 200, 1}, {50, 350, 50, 50, 2}};
 }
@@ -31,7 +31,7 @@ std::uint64_t program_operations(SpanMethodKind kind, std::vector<ScanSegment<do
   return method->counts().total();
 }
 
-/// The least of several times of a study. `windows`: where the number of windows studied goes.
+/// Least time of several studies, s. `windows` receives the number of windows studied.
 double method_seconds(const ProjectedScene& scene, const char* name, const MethodSettings& settings, int times,
                       std::uint64_t* windows = nullptr) {
   VisibilityOptions options;
@@ -76,7 +76,7 @@ Result study_merge_orders(const StudyRequest&) {
   result.tables.push_back(std::move(table));
   const double named = double(count_in(result.tables[0], 2, "merge from the head, operations")) /
                        double(count_in(result.tables[0], 0, "merge from the head, operations"));
-  // The source has a ratio of two orders, which the arrangement was chosen by, and a spread of all six.
+  // The source gives the ratio of two orders, by which the arrangement was chosen, and the spread of all six.
   constexpr double kNamed = 1.35, kSpread = 1.3, kNear = 0.1;
   const double spread = double(most) / double(least);
   const bool named_holds = std::abs(named - kNamed) < kNear, spread_holds = std::abs(spread - kSpread) < kNear;

@@ -1,4 +1,4 @@
-// n squares on the scan plane, [Boulle1980] 2.3.3.4: stack against box, and two zones that move along the line.
+// Experiments with n squares on the scan plane, [Boulle1980] 2.3.3.4: stack and box; and two zones moved along the line.
 
 #include <algorithm>
 #include <array>
@@ -14,8 +14,7 @@ namespace {
 
 using namespace watkins;
 
-constexpr double kSteps =
-    512.0 / 400 * 1024;  ///< of the line to a unit: the width of 100 squares is 512 columns of 1024 steps
+constexpr double kSteps = 512.0 / 400 * 1024;  ///< scan line steps per unit: 100 squares span 512 columns of 1024 steps
 
 std::vector<ScanSegment<double>> sorted_squares(int n, double degrees, double steps = kSteps, double shift = 0) {
   auto segments = squares<double>(n, degrees, steps, shift);
@@ -127,7 +126,7 @@ Result study_squares(const StudyRequest& request) {
       for (std::size_t k = 0; k < 5; ++k) chart.curves[k].points.emplace_back(n, values[k]);
       for (std::size_t k = 0; k < 4; ++k) totals[k].push_back(values[k]);
     }
-    // From 50 to 100, or from 2 to 4.
+    // Growth from 50 to 100 squares, or from 2 to 4 at small size.
     const std::size_t half = request.full() ? 9 : 1, whole = request.full() ? 14 : 3;
     std::vector<Cell> row{std::to_string(int(angle)), thesis_growth(angle)};
     for (const auto& of : totals) row.emplace_back(growth(numbers[half], of[half], numbers[whole], of[whole]));
@@ -144,7 +143,7 @@ Result study_squares(const StudyRequest& request) {
 }
 
 Result study_translation(const StudyRequest& request) {
-  constexpr double kLine = 512, kColumnsByUnit = 8;  // two squares are 40 columns wide, with a gap of 8 between them
+  constexpr double kLine = 512, kColumnsByUnit = 8;  // two squares are 40 columns wide, with a gap of 8
   Table table{"Figure 2.56: two squares on a line of 512 columns, moved along it; operations",
               {{"moved by, columns", ColumnKind::label},
                {"thesis", ColumnKind::source},

@@ -1,4 +1,4 @@
-// The experiments of the other sources: depth by increments (the lecture, 5.1) and complexity of display trees (Huet, 3.1).
+// Experiments of the other sources: incremental depths (the lecture, 5.1) and complexity of display trees (Huet, 3.1).
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ struct Patch {
 struct Filling {
   Operations operations;
   std::uint64_t pixels = 0;
-  double sum = 0, worst = 0;  ///< of depths; and how far one is from the plane's
+  double sum = 0, worst = 0;  ///< sum of the depths; largest error of one
 };
 
 /// Calls pixel(x, y) for the pixels of the triangle (0, 0), (size, 0), (0, size), and row(y) before each row.
@@ -54,7 +54,7 @@ Filling by_equation(const Patch& patch) {
   return f;
 }
 
-/// The lecture: dz = -(a / c) dx along a row, -(b / c) dy from row to row.
+/// The lecture: dz = -(a / c) dx along a row, and -(b / c) dy from row to row.
 Filling by_increments(const Patch& patch) {
   Filling f;
   const Real a{patch.a, &f.operations}, b{patch.b, &f.operations}, c{patch.c, &f.operations}, zero{0, &f.operations};
@@ -75,7 +75,7 @@ Filling by_increments(const Patch& patch) {
   return f;
 }
 
-/// The lecture, for faces that are not plane: interpolated along two sides, then along the row between them.
+/// The lecture, for non-planar faces: interpolates along two sides, then along the row between them.
 Filling by_interpolation(const Patch& patch) {
   Filling f;
   const double n = patch.size;
@@ -157,7 +157,7 @@ Result study_tree_complexity(const StudyRequest& request) {
   struct Row {
     std::string name, source;
     Scene scene;
-    bool zero = false;  ///< the source says so
+    bool zero = false;  ///< true if the source states zero
   };
   const int steps = request.pick(10, 100), rows = request.pick(8, 40), blocks = request.pick(2, 10),
             boxes = request.pick(3, 30);
@@ -169,7 +169,7 @@ Result study_tree_complexity(const StudyRequest& request) {
   bool zero = true;
   for (Row& row : list) {
     finish(row.scene);
-    // As Huet compiles: planes of faces alone.
+    // Compiles as Huet does, with planes of faces only.
     const ConvexTree::Counts counts = ConvexTree(row.scene, {5, false}).counts();
     const BspTree bsp(row.scene, {});
     if (row.zero) zero = zero && counts.planes == 0;

@@ -1,5 +1,5 @@
-// Successive views, the subject that [Boulle1980] names in its conclusion, with 1.2.2.3 b (front and back faces) and 3.4
-// (the sort of a list that is nearly sorted): counts of what each view takes by itself, and from the view before.
+// Experiments on successive views, named in the conclusion of [Boulle1980], with 1.2.2.3 b (front and back faces) and 3.4
+// (sorting a nearly sorted list): the work of each view alone, and its work starting from the preceding view.
 
 #include <algorithm>
 #include <cmath>
@@ -20,13 +20,13 @@
 namespace ligne::studies {
 namespace {
 
-/// The cameras of a movement.
+/// The cameras of a camera path.
 struct Movement {
   std::string name;
   std::vector<Camera> cameras;
 };
 
-/// The model turns before the viewer by some degrees from frame to frame.
+/// The model rotates in front of the viewer by `degrees` per frame.
 Movement turning(const Scene& scene, int frames, double degrees) {
   CameraRequest request;
   const Camera first = make_camera(request, scene);
@@ -36,7 +36,7 @@ Movement turning(const Scene& scene, int frames, double degrees) {
   return movement;
 }
 
-/// The eye moves past the model on a straight line, and looks at its centre.
+/// The eye moves past the model on a straight line and looks at its centre.
 Movement walking(const Scene& scene, int frames) {
   Rect ground;
   double height = 0;
@@ -60,8 +60,7 @@ ProjectedScene seen_by(const Scene& scene, const Topology& topology, const Camer
   return project(scene, topology, view, {LineClasses::features(), 30});
 }
 
-/// A count of what all views take by themselves, and of what they take where each begins with what is known of the one
-/// before.
+/// Operations summed over all views: each alone, and each starting from the results of the preceding one.
 struct Gain {
   std::uint64_t alone = 0, following = 0;
 };
@@ -95,10 +94,10 @@ Gain list_gain(const Scene& scene, const Topology& topology, const Movement& mov
   return gain;
 }
 
-/// A tree of model space is built once.
+/// The tree lies in model space and is built once.
 Gain tree_gain(std::uint64_t pieces, const Movement& movement) { return {pieces * movement.cameras.size(), pieces}; }
 
-/// Comparisons of the initial sort by depth: the quick sort anew, or the bubble sort of the order of the view before (3.4).
+/// Comparisons of the initial depth sort: a new quick sort, or a bubble sort starting from the preceding order (3.4).
 Gain sort_gain(const Scene& scene, const Movement& movement) {
   struct Key {
     double depth;
@@ -134,24 +133,24 @@ Gain sort_gain(const Scene& scene, const Movement& movement) {
   return gain;
 }
 
-/// Faces whose side is looked up, and edges of which it is asked whether they are outlines.
+/// Faces whose side is computed, and edges tested for being an outline.
 struct FacingGain {
   Gain faces, edges;
-  std::uint64_t wrong = 0;  ///< faces that the view before answers otherwise than the view itself
+  std::uint64_t wrong = 0;  ///< faces for which the preceding view gives a wrong side
 };
 
-/// Height of the eye over the plane of a face, or sine of the angle between line of sight and plane: its sign is the side.
+/// Height of the eye over the face's plane, or sine of the angle between view direction and plane. Its sign is the side.
 double side_of(const Camera& camera, const Point3& point, const Point3& normal) {
   return camera.perspective ? glm::dot(normal, camera.eye - point) : -glm::dot(normal, camera.forward);
 }
 
-/// How far two cameras are apart, in the measure of side_of(): no side changes by more. A chord is shorter than its arc.
+/// Distance of two cameras in the unit of side_of(): no face's side_of() changes by more. A chord is shorter than its arc.
 double way_between(const Camera& a, const Camera& b) {
   return a.perspective ? glm::distance(a.eye, b.eye) : glm::distance(a.forward, b.forward);
 }
 
-/// A face keeps its side until the viewer has moved as far as it was from the plane (1.2.2.3 b), and an edge between two
-/// such faces stays what it is.
+/// A face keeps its side until the viewer has moved by the distance from the face's plane (1.2.2.3 b), and an edge between
+/// two such faces keeps its class.
 FacingGain facing_gain(const Scene& scene, const Topology& topology, const Movement& movement) {
   const std::size_t n = scene.faces.size();
   std::vector<Point3> normals(n), points(n);
@@ -166,7 +165,7 @@ FacingGain facing_gain(const Scene& scene, const Topology& topology, const Movem
     points[f] = scene.vertices[contour[0]];
   }
   FacingGain gain;
-  std::vector<double> certain_until(n, -1);  // way of the viewer up to which the side is known
+  std::vector<double> certain_until(n, -1);  // distance travelled up to which the side is certain
   std::vector<std::uint8_t> front(n, 0), asked(n, 0);
   double way = 0;
   for (std::size_t i = 0; i < movement.cameras.size(); ++i) {

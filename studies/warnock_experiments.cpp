@@ -16,20 +16,20 @@ namespace {
 
 using namespace warnock;
 
-constexpr unsigned kScreen = 1024;  ///< windows to the longer side of the sheet at the limit of resolution
+constexpr unsigned kScreen = 1024;  ///< smallest windows along the longer side of the sheet
 
-/// The varied parts of a study.
+/// The varied settings of a study.
 struct Variant {
   WindowChoice window = WindowChoice::bounding;
   SplitChoice split = SplitChoice::centre;
-  unsigned resolution = kScreen;  ///< 0: none, windows of few edges are solved exactly
+  unsigned resolution = kScreen;  ///< 0: no limit; windows of few edges are solved exactly
   Knowledge knowledge = Knowledge::all;
   bool remember_sides = true;
 };
 
 struct WindowRun {
   Counts counts;
-  double seconds = 0;  ///< in one thread, by the clock that the modules are timed with
+  double seconds = 0;  ///< in one thread, by the clock that also times the modules
 };
 
 WindowRun study(const ProjectedScene& scene, const Variant& v) {
@@ -71,12 +71,12 @@ std::vector<NamedScene> window_scenes(const StudyRequest& request) {
   return scenes;
 }
 
-/// Figure 2.11: a face of 13 sides whose last one passes through three children of a window; the others lie outside.
+/// Figure 2.11: a face of 13 sides; its last side passes through three children of a window, the others lie outside.
 ProjectedScene thirteen_sides() {
   constexpr int kSides = 13;
   ProjectedScene scene;
   scene.lattice.step_mm = 0x1p-17;
-  // From (1500, 2100) round the lower right to (-2100, -1500); the line between these ends is y = x + 600.
+  // From (1500, 2100) round the lower right to (-2100, -1500). The line between these ends is y = x + 600.
   const double from = std::atan2(2100, 1500), to = std::atan2(-1500, -2100), radius = std::hypot(1500, 2100);
   for (int i = 0; i < kSides; ++i) {
     const double a = from + (to - from) * i / (kSides - 1);
@@ -107,7 +107,7 @@ Table figure_2_11() {
     AnalysisCounts with;
     std::uint32_t side = met;
     relation_to(table, face, children[k], side, with);
-    // From the side behind the remembered one on: the order in which it comes last.
+    // Starts behind the remembered side, so that the remembered side comes last.
     const auto sides = table.sides_of(face);
     std::uint64_t without = 0;
     for (std::size_t i = 1; i <= sides.size(); ++i) {

@@ -1,5 +1,5 @@
-// The costs of Warnock's functions, [Boulle1980] 2.2.3.2 and 2.2.3.4: the classical modules, whose tests are counted window
-// by window against the bounds of the source.
+// Costs of Warnock's functions, [Boulle1980] 2.2.3.2 and 2.2.3.4: the classical modules, with tests counted window by window
+// and compared with the bounds of the source.
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace warnock;
 
-/// Counts over all windows, and the bounds of the source for the same windows.
+/// Counts over all windows, and the bounds of the source for these windows.
 struct WindowCosts {
   std::uint64_t windows = 0;
   std::uint64_t side_tests = 0, side_least = 0, side_most = 0;  ///< POS
@@ -26,11 +26,11 @@ struct WindowCosts {
   std::uint64_t depths_most = 0;
 };
 
-/// Warnock's method as the source describes it: points where a face is before the plane of another are not looked for, and a
-/// window is divided unless everything lies behind a cover, or nothing is there.
+/// Warnock's method as the source describes it. It does not search for points where a face is in front of another's plane.
+/// It divides a window unless the window is empty or everything lies behind a cover.
 class ClassicalWindows {
  public:
-  /// `apart`: it is known that no faces penetrate, so that one depth of each decides.
+  /// `apart`: no faces penetrate, so one depth of each decides.
   ClassicalWindows(const FaceTable& table, double limit, bool apart) : table_(table), limit_(limit), apart_(apart) {}
 
   WindowCosts study(const Window& window) {
@@ -61,7 +61,7 @@ class ClassicalWindows {
     return turns != 0 ? Place::surrounder : Place::disjoint;
   }
 
-  /// Depths at the corners of a window, or at one of them.
+  /// Depths at the four corners of a window, or at one corner if no faces penetrate.
   std::vector<double> depths_of(const Face& face, const Window& w, std::uint64_t& count) const {
     if (apart_) {
       ++count;
@@ -75,7 +75,7 @@ class ClassicalWindows {
     return std::ranges::equal(a, b, std::less_equal{});
   }
 
-  /// The surrounder before all others; nothing where two cross.
+  /// The surrounder in front of all others; none if two cross.
   std::optional<std::uint32_t> cover_of(const std::vector<std::uint32_t>& surrounders, const Window& window) {
     std::optional<std::uint32_t> cover;
     std::vector<double> nearest;
@@ -89,7 +89,7 @@ class ClassicalWindows {
     return cover;
   }
 
-  /// Whether an intersector lies behind the cover over the window round it (figure 2.17).
+  /// True if an intersector lies behind the cover over the common part of window and bounding box (figure 2.17).
   bool is_behind(const Face& face, const Face& cover, const Window& window) {
     const Window common = window.common(face.box);
     return nowhere_behind(depths_of(cover, common, costs_.depths), depths_of(face, common, costs_.depths));

@@ -8,27 +8,26 @@ namespace {
 double side_of(Point2 a, Point2 b, Point2 p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
 double dot(Point2 u, Point2 v) { return u.x * v.x + u.y * v.y; }
 
-/// Rays from an inner point of a convex contour through its corners: n sectors, one for each side.
+/// Rays from an inner point of a convex contour through its corners. They bound n sectors, one per side.
 class SectorFan {
  public:
-  /// `weight` of the first corner against two others: inner points of different places.
+  /// The inner point is the weighted mean of three corners. Different weights of the first give different points.
   SectorFan(const Contour& contour, int weight) : contour_(contour), scale_(weight + 2) {
     const std::size_t n = contour.size();
     std::size_t i = n / 3, k = 2 * n / 3;
-    if (side_of(contour[0], contour[i], contour[k]) == 0) {  // three corners of one straight run
+    if (side_of(contour[0], contour[i], contour[k]) == 0) {  // three collinear corners
       i = 1;
       for (k = 2; k + 1 < n && side_of(contour[0], contour[i], contour[k]) == 0;) ++k;
     }
     centre_ = contour[0] * double(weight) + contour[i] + contour[k];
   }
 
-  /// From the inner point to p, in units that keep whole coordinates whole.
+  /// Vector from the inner point to p, scaled so that integer coordinates stay integers.
   Point2 ray(Point2 p) const { return p * double(scale_) - centre_; }
   Point2 corner(std::size_t i) const { return contour_[i % contour_.size()]; }
   std::size_t size() const { return contour_.size(); }
 
-  /// Number of the sector that a direction lies in, by halving; on the ray through a corner it is that of the side behind
-  /// it.
+  /// Index of the sector of a direction, by binary search. The ray through a corner belongs to the side that begins there.
   std::size_t sector_of(Point2 d, ContourClipCounts& counts) const {
     const Point2 first = ray(contour_[0]);
     const auto beyond_half = [&](Point2 v) {
@@ -53,17 +52,17 @@ class SectorFan {
   Point2 centre_;
 };
 
-/// A place on a walk round the inner point of B: corners of a chain of A, corners of B, and crossings.
+/// A point met on the walk round the inner point of B: a corner of a chain of A, a corner of B, or a crossing.
 struct Met {
   enum class Kind : std::uint8_t { of_a, of_b, crossing } kind;
   Point2 point;
-  int nearer;  ///< on the ray through it: +1 when the chain is nearer than B, -1 when B is, 0 when they meet there
+  int nearer;  ///< order along the ray through the point: +1 chain nearer than B, -1 B nearer, 0 they meet
 };
 
-/// Walks a chain of A, whose corners follow each other by their angle about the inner point of B, and the sides of B
-/// together: at each ray one side of either is at hand. Each corner takes one sign against the side of the other contour in
-/// its sector. Two sides cross in a sector when what is nearer at its begin is not at its end. The corners of B strictly
-/// between the ends of the chain are met, or all of them when the chain is closed.
+/// Walks a chain of A and the sides of B together. The corners of the chain are sorted by angle about the inner point of B,
+/// so each ray meets one side of either. Each corner takes one sign test against the side of the other contour in its
+/// sector. Two sides cross in a sector where their order changes between its ends. An open chain meets the corners of B
+/// strictly between its ends, a closed one all of them.
 std::vector<Met> walk(const Contour& chain, bool closed, const SectorFan& b, ContourClipCounts& counts) {
   std::vector<Met> met;
   std::size_t sector = b.sector_of(b.ray(chain.front()), counts);
@@ -90,7 +89,7 @@ std::vector<Met> walk(const Contour& chain, bool closed, const SectorFan& b, Con
     for (; left > 0; --left) {
       const Point2 b_from = b.corner(sector), b_to = b.corner(sector + 1), ray = b.ray(b_to);
       counts.signs += 2;
-      const double turn = cross(ray, end);  // zero for opposite rays too, where the inner point is on the side of A
+      const double turn = cross(ray, end);  // also zero for opposite rays, where the inner point lies on the side of A
       const bool before = (turn > 0 || (turn == 0 && dot(ray, end) < 0)) && cross(b.ray(from), ray) >= 0;
       if (!before && !(closed && last)) break;
       meet(Met::Kind::of_b, b_to, -sign_at(from, to, b_to), from, to, b_from, b_to);
@@ -99,7 +98,7 @@ std::vector<Met> walk(const Contour& chain, bool closed, const SectorFan& b, Con
     const Point2 b_from = b.corner(sector), b_to = b.corner(sector + 1);
     meet(Met::Kind::of_a, to, sign_at(b_from, b_to, to), from, to, b_from, b_to);
   }
-  if (closed) met.pop_back();  // the first corner again
+  if (closed) met.pop_back();  // the first corner, repeated
   return met;
 }
 
@@ -107,7 +106,7 @@ void add_corner(Contour& contour, Point2 p) {
   if (contour.empty() || contour.back() != p) contour.push_back(p);
 }
 
-/// Shamos for an inner point of B that A contains: what is nearer of the two, all round.
+/// Shamos, inner point of B inside A: keeps the nearer of the two contours all round.
 Contour clip_round_common_point(const Contour& a, const SectorFan& b, ContourClipCounts& counts) {
   Contour out;
   for (const Met& m : walk(a, true, b, counts)) {
@@ -117,8 +116,8 @@ Contour clip_round_common_point(const Contour& a, const SectorFan& b, ContourCli
   return out;
 }
 
-/// Shamos for an inner point of B outside of A (figure 3.21): A is two chains, far and near from there. What both contours
-/// contain ends at the nearer of B and the far chain, and begins at the near chain.
+/// Shamos, inner point of B outside A (figure 3.21): seen from the point, A has a far and a near chain. The intersection
+/// ends at the nearer of B and the far chain, and begins at the near chain.
 Contour clip_from_outside(const Contour& a, const std::vector<bool>& is_near, const SectorFan& b,
                           ContourClipCounts& counts) {
   const std::size_t n = a.size();
@@ -175,7 +174,7 @@ Contour clip_side_by_side(const Contour& subject, const Contour& clip, ContourCl
 
 Contour clip_convex(const Contour& a, const Contour& b, ContourClipCounts& counts) {
   if (a.size() < 3 || b.size() < 3) return {};
-  // An inner point of B that is no corner of A: of the points on a line at most a few are.
+  // An inner point of B that is no corner of A. Few weights fail: A has few corners on the line through these points.
   int weight = 1;
   const auto is_corner_of_a = [&](const SectorFan& fan) {
     return std::any_of(a.begin(), a.end(), [&](Point2 p) { return fan.ray(p) == Point2{0, 0}; });

@@ -12,7 +12,7 @@ double sign_of(LatticePoint a, LatticePoint b, LatticePoint p, ContourCounts& co
   return orientation(a, b, p);
 }
 
-/// For p on the line ab: on the side, on one of its ends, or beyond them.
+/// Place of a point p on the line ab: on the side, on one of its ends, or outside.
 Place on_line(LatticePoint a, LatticePoint b, LatticePoint p, ContourCounts& counts) {
   counts.comparisons += 4;
   if (p == a || p == b) return Place::on_corner;
@@ -82,7 +82,7 @@ Place by_unoriented_half_planes(std::span<const LatticePoint> contour, LatticePo
     ++counts.sides;
     const double sign = sign_of(a, b, p, counts);
     if (sign == 0) return on_line(a, b, p, counts);
-    double inner = 0;  // corners in a line with the side say nothing
+    double inner = 0;  // corners collinear with the side do not decide
     for (std::size_t k = i + 2; inner == 0 && k < i + contour.size(); ++k)
       inner = sign_of(a, b, contour[k % contour.size()], counts);
     if ((sign > 0) != (inner > 0)) return Place::outside;
@@ -91,7 +91,7 @@ Place by_unoriented_half_planes(std::span<const LatticePoint> contour, LatticePo
 }
 
 Place by_triangles(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts) {
-  // Triangles (0, i, i + 1): the diagonal from 0 to i + 1 is asked once for both of its triangles.
+  // Triangles (0, i, i + 1): the diagonal from 0 to i + 1 is tested once for its two triangles.
   const LatticePoint o = contour[0];
   counts.sides += 1;
   double before = sign_of(o, contour[1], p, counts);
@@ -105,7 +105,7 @@ Place by_triangles(std::span<const LatticePoint> contour, LatticePoint p, Contou
       if (place != Place::outside) return place;
     }
     if (before >= 0 && outer > 0 && after <= 0) {
-      // On the last diagonal it is on the contour, else between two triangles.
+      // On the last diagonal the point is on the contour; otherwise it is inside.
       if (after == 0 && i + 2 == contour.size()) return on_line(o, contour[i + 1], p, counts);
       return Place::inside;
     }
@@ -139,7 +139,7 @@ Place Sectors::by_angle(LatticePoint p, ContourCounts& counts) const {
       high = middle;
     }
   }
-  // Below the first angle it is in the last sector.
+  // A direction below the first angle lies in the last sector.
   const std::size_t i = low == 0 ? angles_.size() - 1 : low - 1;
   ++counts.sides;
   const LatticePoint a = contour_[i], b = next(contour_, i);
@@ -155,7 +155,7 @@ Place Sectors::by_signs(LatticePoint p, ContourCounts& counts) const {
   if (first < 0 || last > 0) return Place::outside;
   if (first == 0) return on_line(o, contour_[1], p, counts);
   if (last == 0) return on_line(o, contour_[n - 1], p, counts);
-  // Before the diagonal to `high`, not before that to `low`.
+  // Invariant: the point lies before the diagonal to `high`, and not before the diagonal to `low`.
   std::size_t low = 1, high = n - 1;
   while (high - low > 1) {
     const std::size_t middle = (low + high) / 2;
@@ -172,7 +172,7 @@ Place Sectors::by_signs(LatticePoint p, ContourCounts& counts) const {
 }
 
 Place by_codes(std::span<const LatticePoint> contour, LatticePoint p, bool mend, ContourCounts& counts) {
-  // Domains by the signs of the two differences, numbered round the point from +x towards +y.
+  // Octants round the point by the signs of the two differences, counted from +x towards +y; 8 is the point itself.
   const auto code = [&](LatticePoint c) {
     constexpr int kCodes[3][3] = {{5, 4, 3}, {6, 8, 2}, {7, 0, 1}};
     counts.comparisons += 4;

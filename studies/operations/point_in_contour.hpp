@@ -1,8 +1,8 @@
 #pragma once
-/// Point against contour, C_C^P of [Boulle1980] 3.2.2: five ways, over lattice points, with what each of them does counted.
+/// Point in contour, C_C^P of [Boulle1980] 3.2.2: five methods over lattice points that count their operations.
 ///
-/// Contours have no two equal corners one after the other; those of the methods for convex ones turn positively
-/// (orientation() > 0). The signs are exact on the lattice, but where a method adds angles, which says so.
+/// No two successive corners are equal. Contours of methods for convex ones turn positively (orientation() > 0). Signs are
+/// exact on the lattice; methods that add angles in doubles say so.
 
 #include <cstdint>
 #include <span>
@@ -16,56 +16,55 @@ enum class Place : std::uint8_t { outside, inside, on_side, on_corner };
 
 /// Counts of the operations of the methods.
 struct ContourCounts {
-  std::uint64_t sides = 0;        ///< sides looked at
-  std::uint64_t signs = 0;        ///< on which side of a line a point lies
-  std::uint64_t comparisons = 0;  ///< of coordinates
-  std::uint64_t angles = 0;       ///< arc tangents
+  std::uint64_t sides = 0;        ///< sides visited
+  std::uint64_t signs = 0;        ///< tests of a point against a line
+  std::uint64_t comparisons = 0;  ///< comparisons of coordinates
+  std::uint64_t angles = 0;       ///< computed arc tangents
 };
 
-/// Which contours a method may be given. `convex`: it ends as soon as the answer is known of a convex one.
+/// Contours that a method accepts. `convex`: the method stops as soon as the answer is certain for a convex contour.
 enum class ContourKind : std::uint8_t { any, convex };
 
-/// 3.2.2.1: crossings of a ray with the sides, by parity. Corners on the ray belong to what lies above it, so there are no
-/// special cases. A line crosses a convex contour twice at the most: the second crossing that is no corner ends the search.
+/// 3.2.2.1: parity of the crossings of a ray with the sides. Corners on the ray count as above it, so there are no special
+/// cases. A line crosses a convex contour at most twice: the second crossing that is no corner ends the search.
 Place by_crossings(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts,
                    ContourKind kind = ContourKind::any);
 
-/// 3.2.2.2: the angles under which the sides are seen add up to nothing outside. Any contour; in doubles, and what lies on
-/// the contour is not told. The sum is monotonous where a convex contour holds the point: an angle of the other sign ends
-/// the search.
+/// 3.2.2.2: the angles subtended by the sides sum to zero outside. Any contour. Computed in doubles; does not detect points
+/// on the contour. In a convex contour round the point all angles have one sign: an angle of the other sign ends the search.
 Place by_angles(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts,
                 ContourKind kind = ContourKind::any);
 
-/// 3.2.2.3, Dahan and Le Tuan: on one side of all sides. Convex contours.
+/// 3.2.2.3, Dahan and Le Tuan: the point is on the inner side of all sides. Convex contours.
 Place by_half_planes(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts);
 
-/// 3.2.2.3, the same without an orientation: the point is on the side of Q_i on which the corner behind it lies,
-/// Q_i(x) Q_i(x_i+2) > 0. Two signs a side.
+/// 3.2.2.3 for contours of unknown orientation: the point must lie on the side of Q_i on which the next corner lies, Q_i(x)
+/// Q_i(x_i+2) > 0. Takes two signs per side.
 Place by_unoriented_half_planes(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts);
 
-/// Decides by triangles: 3 to 2 n - 3 lines.
+/// Finds the triangle (0, i, i + 1) that contains the point; tests 3 to 2 n - 3 lines.
 Place by_triangles(std::span<const LatticePoint> contour, LatticePoint p, ContourCounts& counts);
 
-/// 3.2.2.4, Shamos: the sector of an inner point in which it lies, then one side. Convex contours; prepared once for many
-/// points.
+/// 3.2.2.4, Shamos: finds the sector of an inner point in which the point lies, then tests one side. Convex contours;
+/// prepared once for many points.
 class Sectors {
  public:
   explicit Sectors(std::span<const LatticePoint> contour);
 
-  /// By polar angles, as described; in doubles: beside the border of two sectors, and beside the contour, it may err.
+  /// By polar angles, as described, in doubles: may err near a sector boundary and near the contour.
   Place by_angle(LatticePoint p, ContourCounts& counts) const;
-  /// Decides by signs alone, exact: the first corner stands for the inner point.
+  /// By signs alone, exact. The first corner serves as the inner point.
   Place by_signs(LatticePoint p, ContourCounts& counts) const;
 
  private:
   std::vector<LatticePoint> contour_;
   double x_ = 0, y_ = 0;        ///< the inner point
-  std::vector<double> angles_;  ///< of the corners about it, rising
-  std::size_t first_ = 0;       ///< corner of the least angle
+  std::vector<double> angles_;  ///< of the corners about the inner point, ascending
+  std::size_t first_ = 0;       ///< corner of the smallest angle
 };
 
-/// 3.2.2.5: eight domains round the point, and how many borders of domains the sides pass. `mend`: a side that passes four
-/// is looked at for the side on which it passes the point; without it, as in the source, it is turned round.
+/// 3.2.2.5: counts the octants round the point that the sides pass. A side that passes four octants is ambiguous: with
+/// `mend` a sign test decides on which side it passes the point; without it the direction follows the source.
 Place by_codes(std::span<const LatticePoint> contour, LatticePoint p, bool mend, ContourCounts& counts);
 
 }  // namespace ligne::studies

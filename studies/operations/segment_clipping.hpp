@@ -1,6 +1,6 @@
 #pragma once
-/// A segment against a rectangle with sides along the axes, [Boulle1980] 3.2.3.1: by codes (Cohen and Sutherland), and by
-/// halving (Sproull and Sutherland).
+/// Clipping of a segment by an axis-parallel rectangle, [Boulle1980] 3.2.3.1: by outcodes (Cohen and Sutherland) and by
+/// bisection (Sproull and Sutherland).
 
 #include <algorithm>
 #include <bit>
@@ -17,20 +17,20 @@ namespace ligne::studies {
 struct ClipRectangle {
   double left, right, low, high;
 
-  /// Figure 3.15: a bit for each side beyond which the point lies.
+  /// Outcode of figure 3.15: one bit for each side beyond which the point lies.
   unsigned code(Point2 p) const { return (p.x < left) | (p.x > right) << 1 | (p.y < low) << 2 | (p.y > high) << 3; }
 };
 
 struct ClipCounts {
-  std::uint64_t codes = 0;      ///< points against the rectangle
-  std::uint64_t crossings = 0;  ///< computed with a side
+  std::uint64_t codes = 0;      ///< computed outcodes
+  std::uint64_t crossings = 0;  ///< computed crossings with a side
   std::uint64_t middles = 0;
 };
 
 using ClippedSegment = std::optional<std::pair<Point2, Point2>>;
 
-/// The part within the rectangle, or nothing. At the most four crossings are computed. What is cut off is right to a
-/// rounding; a segment that passes a corner of the rectangle nearer than that may be found on the wrong side of it.
+/// The part within the rectangle, or nothing. Computes at most four crossings. The ends are exact up to rounding; a segment
+/// that passes a corner of the rectangle closer than that may be classified wrongly.
 inline ClippedSegment clip_by_codes(Point2 p, Point2 q, const ClipRectangle& r, ClipCounts& counts) {
   counts.codes += 2;
   unsigned of_p = r.code(p), of_q = r.code(q);
@@ -56,27 +56,27 @@ inline ClippedSegment clip_by_codes(Point2 p, Point2 q, const ClipRectangle& r, 
   }
 }
 
-/// A convex contour of at most 64 sides with what a point is coded by, 3.2.3.1: a bit for each side beyond which it lies.
+/// A convex contour of at most 64 sides, with outcodes of one bit for each side beyond which a point lies, 3.2.3.1.
 struct ClipContour {
-  std::vector<Point2> corners;  ///< positively turned
+  std::vector<Point2> corners;  ///< in positive orientation
 
   std::uint64_t code(Point2 p) const {
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) bits |= std::uint64_t{height(i, p) < 0} << i;
     return bits;
   }
-  /// Height over side i, times its length.
+  /// Signed distance from side i, times the length of the side.
   double height(std::size_t i, Point2 p) const {
     const Point2 a = corners[i], b = corners[i + 1 == corners.size() ? 0 : i + 1];
     return cross(b - a, p - a);
   }
 };
 
-/// The part within the contour, or nothing, by codes of n bits. At the most n crossings are computed, one a side.
+/// The part within the contour, or nothing, by outcodes of n bits. Computes at most n crossings, one per side.
 inline ClippedSegment clip_by_codes(Point2 p, Point2 q, const ClipContour& contour, ClipCounts& counts) {
   counts.codes += 2;
   std::uint64_t of_p = contour.code(p), of_q = contour.code(q);
-  std::uint64_t done = 0;  // an end that was put on a side may be a rounding beyond it
+  std::uint64_t done = 0;  // sides already clipped: rounding may leave a computed end slightly outside
   for (;;) {
     if ((of_p & of_q) != 0) return std::nullopt;
     if ((of_p | of_q) == 0) return std::pair(p, q);
@@ -94,14 +94,14 @@ inline ClippedSegment clip_by_codes(Point2 p, Point2 q, const ClipContour& conto
   }
 }
 
-/// Clips on whole coordinates: from each end the farthest point of the segment within the rectangle, by halving. Right to
-/// a step. With 2^k the larger side of the screen an end takes k halvings at the most.
+/// Clips on integer coordinates: bisection finds the farthest point of the segment within the rectangle from each end. Exact
+/// to one step. On a screen of 2^k steps each end takes at most k bisections.
 inline ClippedSegment clip_by_halving(Point2 p, Point2 q, const ClipRectangle& r, ClipCounts& counts) {
   counts.codes += 2;
   const unsigned of_p = r.code(p), of_q = r.code(q);
   if ((of_p | of_q) == 0) return std::pair(p, q);
   if ((of_p & of_q) != 0) return std::nullopt;
-  /// The farthest point from `from` that is inside; `to` is not. Nothing when there is none.
+  /// The farthest inside point from `from`; `to` is outside. Empty if there is none.
   const auto farthest = [&](Point2 from, unsigned of_from, Point2 to, unsigned of_to) -> std::optional<Point2> {
     std::optional<Point2> best;
     if (of_from == 0) best = from;
@@ -111,7 +111,7 @@ inline ClippedSegment clip_by_halving(Point2 p, Point2 q, const ClipRectangle& r
       ++counts.codes;
       const unsigned of_middle = r.code(middle);
       if (of_middle == 0) best = middle;
-      // Beyond the middle there is nothing: both of its ends are on one outer side.
+      // The half beyond the midpoint is outside: both of its ends lie beyond one side.
       if ((of_middle & of_to) != 0) {
         to = middle;
         of_to = of_middle;

@@ -16,16 +16,16 @@ MeetingPoint point_of(LatticePoint p) { return {p.x, p.y, 1}; }
 
 bool left_of(LatticePoint p, LatticePoint q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
 
-/// From left to right, upright ones from below.
+/// The segment directed from left to right; a vertical one upwards.
 LatticeSegment directed(LatticeSegment s) { return left_of(s.b, s.a) ? LatticeSegment{s.b, s.a} : s; }
 
-/// On which side of the line of the segment the point lies: +1 above it.
+/// Side of the segment's line on which the point lies: +1 above it.
 int side_of(const LatticeSegment& s, const MeetingPoint& p) {
   const Int128 dx = s.b.x - s.a.x, dy = s.b.y - s.a.y;
   return sign(dx * (Int128(p.y) - Int128(s.a.y) * p.w) - dy * (Int128(p.x) - Int128(s.a.x) * p.w));
 }
 
-/// Sign of the turn from the direction of s to that of t: +1 when t rises more.
+/// Sign of the turn from the direction of s to that of t: +1 if t is steeper.
 int turn_of(const LatticeSegment& s, const LatticeSegment& t) {
   return sign(Int128(s.b.x - s.a.x) * (t.b.y - t.a.y) - Int128(s.b.y - s.a.y) * (t.b.x - t.a.x));
 }
@@ -37,7 +37,7 @@ bool in_box(const LatticeSegment& s, const MeetingPoint& p) {
   return between(p.x, s.a.x, s.b.x) && between(p.y, s.a.y, s.b.y);
 }
 
-/// Calls visit(point) for what two segments have in common: a point, or the ends of a common run.
+/// Calls visit(point) for the common points of two segments: one point, or the ends of an overlap.
 template <class Visit>
 void for_common(const LatticeSegment& s, const LatticeSegment& t, const Visit& visit) {
   const std::int64_t ux = s.b.x - s.a.x, uy = s.b.y - s.a.y, vx = t.b.x - t.a.x, vy = t.b.y - t.a.y;
@@ -52,7 +52,7 @@ void for_common(const LatticeSegment& s, const LatticeSegment& t, const Visit& v
     }
     return;
   }
-  // s.a + u (num / det), with 0 <= num / det <= 1 and the same on t.
+  // s.a + u (num / det) with 0 <= num / det <= 1, and likewise on t.
   std::int64_t num = ex * vy - ey * vx, other = ex * uy - ey * ux, w = det;
   if (w < 0) {
     w = -w;
@@ -87,7 +87,7 @@ class Sweep {
   }
 
  private:
-  /// Where segments cross the sweep line just behind the point at which it stands; through that point, by their directions.
+  /// Order of the segments along the sweep line just behind the current stop. Directions order those through the stop.
   struct Order {
     using is_transparent = void;
     Sweep* sweep;
@@ -103,7 +103,7 @@ class Sweep {
     if (a == b) return false;
     ++work_.comparisons;
     const LatticeSegment &s = segments_[a], &t = segments_[b];
-    // One of the two goes through the stop: others are compared only with such as are put in or looked for.
+    // One of the two passes through the stop: the tree compares other segments only with inserted or sought ones.
     const int of_s = side_of(s, at_), of_t = side_of(t, at_);
     if (of_s != of_t) return of_s > of_t;  // the stop is above s: s is below it
     if (of_s == 0) {
@@ -121,14 +121,14 @@ class Sweep {
   }
 
   void stop(const std::vector<std::uint32_t>& beginning) {
-    // The segments through the stop lie side by side in the tree: from the first that is not wholly below it on.
+    // The segments through the stop are adjacent in the tree; the first is the first one not wholly below the stop.
     const auto first = lower_bound_at_stop();
     auto last = first;
     while (last != tree_.end() && (++work_.comparisons, side_of(segments_[*last], at_) == 0)) ++last;
     std::vector<std::uint32_t> through(first, last);
     if (through.size() + beginning.size() > 1) found_.push_back(at_);
     tree_.erase(first, last);
-    // Those that go on, and those that begin, in the order behind the stop.
+    // Segments that continue and segments that begin are inserted in the order behind the stop.
     std::vector<std::uint32_t> going = beginning;
     for (const std::uint32_t i : through) {
       if (point_of(segments_[i].b) != at_) going.push_back(i);
@@ -143,10 +143,10 @@ class Sweep {
     const auto lowest = lower_bound_at_stop();
     if (lowest != tree_.begin()) test(*std::prev(lowest), *lowest);
     if (has_above) test(*std::prev(above), *above);
-    // The ends of the common run of segments that lie on each other are stops anyway.
+    // The ends of overlaps of collinear segments are stops already.
   }
 
-  /// The first segment that is not below the stop, and the first that is above it.
+  /// The first segment not below the stop, and the first one above it.
   Tree::iterator lower_bound_at_stop() {
     return partition([&](std::uint32_t i) { return side_of(segments_[i], at_) > 0; });
   }
@@ -169,7 +169,7 @@ class Sweep {
 
   SweepWork& work_;
   std::vector<LatticeSegment> segments_;
-  std::map<MeetingPoint, std::vector<std::uint32_t>> queue_;  ///< stops, with the segments that begin there
+  std::map<MeetingPoint, std::vector<std::uint32_t>> queue_;  ///< stops, with the segments that begin at each
   MeetingPoint at_;
   Tree tree_;
   std::vector<MeetingPoint> found_;

@@ -1,5 +1,5 @@
 #pragma once
-/// All points in which segments meet, [Boulle1980] 3.2.1.2: by a sweep (Bentley and Ottmann), and by all pairs. Both exact.
+/// All points where segments meet, [Boulle1980] 3.2.1.2: by a sweep (Bentley and Ottmann), and by all pairs. Both are exact.
 
 #include <compare>
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace ligne::studies {
 
-/// Largest coordinate with which the sweep's products stay below 2^127.
+/// Largest coordinate for which the products of the sweep stay below 2^127.
 inline constexpr std::int32_t kSweepLimit = 1 << 14;
 
-/// A point with rational coordinates x / w and y / w, in lowest terms, w > 0; by x, then by y.
+/// A point with rational coordinates x / w and y / w in lowest terms, w > 0. Ordered by x, then by y.
 struct MeetingPoint {
   std::int64_t x = 0, y = 0, w = 1;
   friend bool operator==(const MeetingPoint&, const MeetingPoint&) = default;
@@ -20,15 +20,14 @@ struct MeetingPoint {
 };
 
 struct SweepWork {
-  std::uint64_t events = 0;       ///< points at which the sweep stopped
-  std::uint64_t comparisons = 0;  ///< of segments with points, and of segments with each other, in the tree
+  std::uint64_t events = 0;       ///< stops of the sweep
+  std::uint64_t comparisons = 0;  ///< comparisons in the tree, of segments with points and with each other
   std::uint64_t pairs = 0;        ///< pairs of segments tested
 };
 
-/// The points in which two or more of the segments meet, in order, each once. Segments have two different ends with
-/// |coordinates| <= kSweepLimit, in any position: upright, meeting in one point, lying on each other (of two that do, the
-/// ends of what they have in common are given). Invariant of the sweep: at every stop the tree holds the segments that meet
-/// the sweep line there, in the order in which they cross it just behind the stop.
+/// The points where two or more segments meet, sorted, each once. The two ends of a segment differ, with |coordinates| <=
+/// kSweepLimit. Segments may be vertical, meet in one point, or overlap (the ends of the overlap are given). Invariant: at
+/// every stop the tree holds the segments that meet the sweep line, in their order just behind the stop.
 std::vector<MeetingPoint> meetings_by_sweep(const std::vector<LatticeSegment>& segments, SweepWork& work);
 std::vector<MeetingPoint> meetings_by_pairs(const std::vector<LatticeSegment>& segments, SweepWork& work);
 

@@ -1,12 +1,12 @@
 #pragma once
-/// Segment against segment, C_S^S of [Boulle1980] 3.2.1.1: four ways to tell whether two segments cross.
+/// Segment against segment, C_S^S of [Boulle1980] 3.2.1.1: four tests of whether two segments cross.
 ///
-/// N is a number: double, a whole one of 128 bits, or one of these that counts (counting.hpp). With whole numbers all four
-/// are exact for |coordinates| <= 2^25, the lattice of the page; with doubles the first three are, there, too, since no
-/// quotient of theirs decides but on whole numbers below 2^53, and min-max is not: it rounds the crossing.
+/// N is double, a 128-bit integer, or the counting form of either (counting.hpp). With integers all four are exact for
+/// |coordinates| <= 2^25, the lattice of the page. With doubles the first three are exact there too, since their
+/// signs and quotients are formed from integers below 2^53; min-max rounds the crossing.
 ///
-/// The first three say whether the segments cross in one inner point of both. min-max says whether they have a point in
-/// common and are not parallel. Identities: the answer is the same with the segments exchanged, and with the ends of either.
+/// The first three test whether the segments cross in an inner point of both. min-max tests whether they share a point and
+/// are not parallel. Exchanging the segments, or the ends of either, does not change the answer.
 
 #include <type_traits>
 
@@ -23,11 +23,11 @@ template <class N>
 struct DividesImpl : std::bool_constant<std::is_floating_point_v<N>> {};
 template <class T>
 struct DividesImpl<Counted<T>> : DividesImpl<T> {};
-/// Whether quotients of N are numbers again.
+/// True if N is a floating point type, counted or not, so that quotients keep their fraction.
 template <class N>
 inline constexpr bool kDivides = DividesImpl<N>::value;
 
-/// A and B lie on two sides of the line CD, and C and D on two sides of the line AB: signs of a x + b y + c.
+/// A and B lie on opposite sides of line CD, and C and D on opposite sides of line AB, by signs of a x + b y + c.
 template <class N>
 bool cross_analytic(const PlanePoint<N>& a, const PlanePoint<N>& b, const PlanePoint<N>& c, const PlanePoint<N>& d) {
   const N zero = constant_like(a.x, 0);
@@ -62,7 +62,7 @@ bool cross_vector(const PlanePoint<N>& a, const PlanePoint<N>& b, const PlanePoi
   return first && second;
 }
 
-/// The parameters of the crossing on both segments lie between 0 and 1.
+/// The parameters of the crossing on both segments lie strictly between 0 and 1.
 template <class N>
 bool cross_parametric(const PlanePoint<N>& a, const PlanePoint<N>& b, const PlanePoint<N>& c, const PlanePoint<N>& d) {
   const N zero = constant_like(a.x, 0), one = constant_like(a.x, 1);
@@ -93,7 +93,7 @@ const N& greater(const N& p, const N& q) {
   return p < q ? q : p;
 }
 
-/// [Giloi1978]: the crossing of the two lines lies in the rectangles of both segments.
+/// [Giloi1978]: the crossing of the two lines lies in the bounding boxes of both segments.
 template <class N>
 bool meet_min_max(const PlanePoint<N>& a, const PlanePoint<N>& b, const PlanePoint<N>& c, const PlanePoint<N>& d) {
   const N zero = constant_like(a.x, 0);
@@ -102,7 +102,7 @@ bool meet_min_max(const PlanePoint<N>& a, const PlanePoint<N>& b, const PlanePoi
   N det;
   det = a1 * b2 - a2 * b1;
   if (det == zero) return false;
-  /// Whether v, over det, lies between p and q, and between r and s.
+  /// True if v / det lies between p and q, and between r and s.
   const auto within = [&](const N& v, const N& p, const N& q, const N& r, const N& s) {
     const N &low = greater(lesser(p, q), lesser(r, s)), &high = lesser(greater(p, q), greater(r, s));
     if constexpr (kDivides<N>) {

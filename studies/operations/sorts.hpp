@@ -1,6 +1,6 @@
 #pragma once
-/// The four sorts of [Boulle1980] 3.3 over any values, with their comparisons and moves counted: quick, bubble, tree, Shell.
-/// The first two after the pseudo-code there (its slips mended: the inner loops move i and j), the others after
+/// The four sorts of [Boulle1980] 3.3 over any values, with counts of comparisons and moves: quick, bubble, tree, Shell. The
+/// first two follow the pseudo-code there, with its slips corrected (the inner loops move i and j); the others follow
 /// [Knuth1973].
 
 #include <cstdint>
@@ -11,8 +11,8 @@ namespace ligne::studies {
 
 struct SortCounts {
   std::uint64_t comparisons = 0;
-  std::uint64_t moves = 0;    ///< of elements; an exchange is three
-  std::uint64_t deepest = 0;  ///< of the stack of the quick sort
+  std::uint64_t moves = 0;    ///< moved elements; an exchange counts three
+  std::uint64_t deepest = 0;  ///< largest depth of the quick sort's stack
 };
 
 template <class T>
@@ -38,7 +38,7 @@ void quick_sort(std::vector<T>& list, SortCounts& counts) {
           --j;
         }
       }
-      // The larger part waits, so that the stack stays below log2 n.
+      // The larger part is stacked and the smaller one sorted first, so the stack stays below log2 n.
       if (j - l < r - i) {
         if (i < r) open.emplace_back(i, r);
         r = j;
@@ -65,7 +65,7 @@ void bubble_sort(std::vector<T>& list, SortCounts& counts) {
   }
 }
 
-/// The list as a tree whose every node is larger than those below it (heap sort).
+/// Heap sort: in the tree every node is larger than its children.
 template <class T>
 void tree_sort(std::vector<T>& list, SortCounts& counts) {
   const auto sift = [&](std::size_t node, std::size_t end) {
@@ -87,7 +87,7 @@ void tree_sort(std::vector<T>& list, SortCounts& counts) {
   }
 }
 
-/// Steps 1, 3, 7, 15, ..., for which O(n^(3/2)) is known.
+/// Steps 1, 3, 7, 15, ..., which give O(n^(3/2)).
 template <class T>
 void shell_sort(std::vector<T>& list, SortCounts& counts) {
   std::size_t step = 1;

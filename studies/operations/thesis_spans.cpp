@@ -4,7 +4,7 @@ namespace ligne::studies {
 
 SpanRun ThesisSpans::merge() {
   const std::vector<PlaneSegment> s = counted();
-  // Pieces of the visible list, joined end to end.
+  // A piece of the visible list; adjacent pieces share an end.
   struct Piece {
     double x0, x1;
     std::uint32_t id;
@@ -18,7 +18,7 @@ SpanRun ThesisSpans::merge() {
   for (std::uint32_t id = 0; id < s.size(); ++id) {
     std::size_t i = 0;
     ++run_.operations.accesses;
-    while (real(list[i].x1) <= s[id].x0) {  // from the head
+    while (real(list[i].x1) <= s[id].x0) {  // search from the head
       ++i;
       ++run_.operations.accesses;
     }
@@ -27,7 +27,7 @@ SpanRun ThesisSpans::merge() {
       const Piece piece = list[i];
       const Real from = real(piece.x0) < s[id].x0 ? s[id].x0 : real(piece.x0);
       const Real to = real(piece.x1) > s[id].x1 ? s[id].x1 : real(piece.x1);
-      // PRO: two depth tests, and where they differ the point of intersection.
+      // PRO: two depth tests, and the point of intersection if they differ.
       std::vector<Piece> common{{from.value(), to.value(), id}};
       if (test(piece.id != kBackground)) {
         const PlaneSegment& other = s[piece.id];
@@ -46,7 +46,7 @@ SpanRun ThesisSpans::merge() {
       if (real(piece.x0) < from) parts.push_back({piece.x0, from.value(), piece.id});
       parts.insert(parts.end(), common.begin(), common.end());
       if (to < real(piece.x1)) parts.push_back({to.value(), piece.x1, piece.id});
-      // Each piece that is linked in: its two links and those of its neighbours.
+      // Each inserted piece sets its two links and those of its neighbours.
       run_.operations.assignments += 4 * parts.size();
       run_.operations.accesses += parts.size();
       list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
@@ -73,7 +73,7 @@ std::uint32_t ThesisSpans::next_of(std::vector<std::uint32_t>& pile, const std::
   return next;
 }
 
-/// Left ends stand before right ones at the same place: case 3 of figure 2.47 wants to meet them.
+/// Left ends precede right ends at equal places: case 3 of figure 2.47 requires it.
 std::vector<ThesisSpans::End> ThesisSpans::sorted_ends() const {
   std::vector<End> ends;
   for (std::uint32_t i = 0; i < source_.size(); ++i) {
@@ -125,7 +125,7 @@ SpanRun ThesisSpans::stack() {
       ++run_.operations.assignments;
       continue;
     }
-    // Case 1: it begins with the current one, and the sort has put what is nearer first. Case 2: the depths decide.
+    // Case 1: both begin at one place, and the sort has put the nearer one first. Case 2: the depths decide.
     const bool begins_alike = fresh.x0 == old.x0;
     if (!begins_alike) ++actions.depths;
     const bool nearer = !begins_alike && fresh.z0 < old.z(fresh.x0);
@@ -178,7 +178,7 @@ ThesisSpans::Box ThesisSpans::analyse(const std::vector<PlaneSegment>& s, const 
     if (n.x1 <= from || n.x0 >= to) continue;  // CONT
     inside.push_back(id);
     run_.operations.accesses += 1;
-    // IS: the part of it in the span, and an end that may be where the span is divided.
+    // IS: the part of the segment in the span, and an end where the span may be divided.
     const bool begins = n.x0 > from, ends = n.x1 < to;
     const Real a = begins ? n.x0 : from, b = ends ? n.x1 : to;
     if (begins || ends) {
@@ -194,7 +194,7 @@ ThesisSpans::Box ThesisSpans::analyse(const std::vector<PlaneSegment>& s, const 
     if (test(count == 1)) {
       const PlaneSegment& o = s[only];
       run_.operations.accesses += 1;
-      if (a <= x0 && b >= x1 && n.z(x0) <= o.z(x0) && n.z(x1) <= o.z(x1)) {  // before the box
+      if (a <= x0 && b >= x1 && n.z(x0) <= o.z(x0) && n.z(x1) <= o.z(x1)) {  // in front of the box
         box.fit(id, a, b, za, zb);
         ++run_.operations.assignments;
         continue;
@@ -239,10 +239,10 @@ void ThesisSpans::study_box(const std::vector<PlaneSegment>& s, const std::vecto
     show(from.value(), cut.value(), first ? box.only : box.other);
     return show(cut.value(), to.value(), first ? box.other : box.only);
   }
-  // Control. At a column's width the first of the list is shown, which the sort has put in front.
+  // Control. At the width of a column the first segment of the list is shown; the sort has put the nearest first.
   if (to - from <= real(1)) return show(from.value(), to.value(), box.only);
   if (!at_ends || !box.have_cut) cut = real(std::floor((from.value() + to.value()) / 2));
-  // On a line with places that are no columns, as crossings are, a rounded place may lie beside the part.
+  // If the ends of the part are not whole columns, as at crossings, a rounded cut may lie outside it.
   if (!(from.value() < cut.value() && cut.value() < to.value())) cut = real((from.value() + to.value()) / 2);
   study_box(s, box.inside, from, cut, at_ends);
   study_box(s, box.inside, cut, to, at_ends);

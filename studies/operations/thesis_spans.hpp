@@ -1,8 +1,8 @@
 #pragma once
-/// The span methods as [Boulle1980] 2.3.3 has them, over numbers that count: merge from the head of the visible list, stack
-/// with its pseudo-code, box with its three modules. For the experiments alone: the program uses those of
-/// visibility/watkins/, which are right where these are not. The stack here is ordered by depth only as far as the sort
-/// goes, and neither it nor the merge is told of faces that touch.
+/// The span methods of [Boulle1980] 2.3.3 over counting numbers: merge from the head of the visible list, stack with its
+/// pseudo-code, box with its three modules. Only the experiments use them: the program's own in visibility/watkins/ are
+/// correct where these are not. The stack here is ordered by depth only as far as the sort goes, and neither it nor the
+/// merge handles touching faces.
 
 #include <algorithm>
 #include <cmath>
@@ -16,26 +16,26 @@ namespace ligne::studies {
 
 using Real = Counted<double>;
 
-/// A segment of the scan plane. Its slope is computed once for the face, and not counted.
+/// A segment of the scan plane. Its slope is computed once per face and not counted.
 struct PlaneSegment {
   Real x0, z0, x1, z1, slope;
 
   Real z(const Real& x) const { return z0 + slope * (x - x0); }
 };
 
-/// The actions of the stack by which [Boulle1980] 2.3.3.2 evaluates it: C1 to C5 are their costs.
+/// The actions of the stack with which [Boulle1980] 2.3.3.2 evaluates it; C1 to C5 are their costs.
 struct StackActions {
-  std::uint64_t searches = 0;          ///< C1: of the next end of a segment
-  std::uint64_t shown = 0;             ///< C2: segments or background, up to an end that is not where the one before was
+  std::uint64_t searches = 0;          ///< C1: searches for the next end of a segment
+  std::uint64_t shown = 0;             ///< C2: spans shown up to an end that differs from the preceding end
   std::uint64_t depths = 0;            ///< C3: depth tests at left ends
   std::uint64_t pushes = 0, pops = 0;  ///< C4 and C5
-  std::uint64_t equal_ends = 0;        ///< ends where the one before was
+  std::uint64_t equal_ends = 0;        ///< ends equal to the preceding end
 };
 
 struct SpanRun {
   std::vector<watkins::VisibleSpan> spans;
   Operations operations;
-  std::uint64_t boxes = 0;  ///< parts of the line studied (box)
+  std::uint64_t boxes = 0;  ///< studied parts of the line (box)
   StackActions actions;     ///< of the stack
 };
 
@@ -43,14 +43,14 @@ class ThesisSpans {
  public:
   explicit ThesisSpans(std::vector<watkins::ScanSegment<double>> segments) : source_(std::move(segments)) {}
 
-  /// In the order in which the segments were given.
+  /// Merges the segments in the given order.
   SpanRun merge();
 
-  /// The segments sorted by the full key.
+  /// Sorts the segments by the full key first.
   SpanRun stack();
 
-  /// `at_ends`: parts are divided at an end of a segment where there is one, else in the middle of the part. The first part
-  /// is the line from 0 to `length`, or from the first end to the last where that is 0.
+  /// `at_ends`: a part is divided at an end of a segment if it contains one, else in the middle. The first part is the line
+  /// from 0 to `length`, or from the first end to the last if `length` is 0.
   SpanRun box(bool at_ends, double length = 0);
 
  private:
@@ -84,12 +84,12 @@ class ThesisSpans {
   };
   std::vector<End> sorted_ends() const;
 
-  /// The newest segment of the pile that goes on, none of them the background; those that ended leave the pile.
+  /// Pops ended segments off the pile and returns the newest one that continues, or kBackground.
   std::uint32_t next_of(std::vector<std::uint32_t>& pile, const std::vector<bool>& ended);
-  /// The box round what was met in a part of the line, how much that is, and whether it is two segments that cross.
+  /// The bounding box of the segments met in a part of the line, their number, and whether they are two that cross.
   struct Box {
     Real x0, x1, z0, z1;
-    Real cut;  ///< where the part may be divided
+    Real cut;  ///< place where the part may be divided
     bool have_cut = false, crossing = false;
     std::uint32_t count = 0, only = kBackground, other = kBackground;
     std::vector<std::uint32_t> inside;
@@ -104,7 +104,7 @@ class ThesisSpans {
   SpanRun run_;
 };
 
-/// Length on which the two show different segments.
+/// Total length over which the two show different segments.
 double difference_of(const std::vector<watkins::VisibleSpan>& a, const std::vector<watkins::VisibleSpan>& b);
 
 }  // namespace ligne::studies

@@ -1,12 +1,12 @@
 #pragma once
-/// Scenes of the plates that the generators do not make, as ligne-scene JSON. The pictures of [Boulle1980] are not at hand:
-/// the scenes are made after what the text says of them.
+/// Scenes of the plates that no generator makes, as ligne-scene JSON. The pictures of [Boulle1980] are not available: the
+/// scenes follow the text.
 
 #include <string_view>
 
 namespace ligne::studies {
 
-/// Figure 2.2: a stepped block before a wedge.
+/// Figure 2.2: a stepped block in front of a wedge.
 inline constexpr std::string_view kSteppedBlock = R"({"format": "ligne-scene", "version": 1, "objects": [
 {"name": "stepped block", "vertices": [[0,3,5], [3,3,5], [3,3,2], [6,3,2], [6,3,0], [0,3,0], [0,0,0], [6,0,0], [6,0,2],
 [3,0,2], [3,0,5], [0,0,5]], "faces": [{"outer": [0,1,2,3,4,5]}, {"outer": [6,7,8,9,10,11]}, {"outer": [5,4,7,6]},
@@ -33,7 +33,7 @@ inline constexpr std::string_view kDetailedFace = R"({"format": "ligne-scene", "
 "holes": [[6,7,8], [9,10,11]], "material": 0, "details": [{"material": 1, "contour": [[7,0,1], [13,0,1], [13,0,4],
 [10,0,2.5], [7,0,4]]}, {"material": 2, "contour": [[1.5,0,6], [3.5,0,6.5], [2,0,8]]}]}]}]})";
 
-/// Figure 2.71: a face F with details, before it a pane of glass and a plate that hides a part of it and throws a shadow.
+/// Figure 2.71: a face F with details, and in front of it a glass pane and a plate that hides part of F and casts a shadow.
 inline constexpr std::string_view kDetailsAndShadow = R"({"format": "ligne-scene", "version": 1, "materials": [
 {"name": "face", "color": [0.9, 0.9, 0.86]}, {"name": "red", "color": [0.85, 0.35, 0.3]},
 {"name": "glass", "color": [0.5, 0.7, 0.9], "opacity": 0.35}, {"name": "plate", "color": [0.75, 0.7, 0.5]}], "objects": [

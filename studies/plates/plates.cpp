@@ -18,7 +18,7 @@
 namespace ligne::studies {
 namespace {
 
-// Lengths on the page, mm.
+// Lengths on the page, mm. Taste.
 constexpr double kPlateWidth = 210, kPlateHeight = 297, kMargin = 18;
 constexpr double kTitleHeight = 4, kNameHeight = 2.6, kSmallHeight = 2.2, kLineFactor = 1.9;
 constexpr double kPlatePen = 0.35;
@@ -31,11 +31,11 @@ Scene scene_of(std::string_view json) {
   return scene;
 }
 
-/// A part of the page, and how its drawing is made.
+/// A cell of the page: its area, caption and margin.
 struct PlateCell {
   Rect area;
-  std::string name;      ///< below the drawing
-  double margin_mm = 3;  ///< within the area
+  std::string name;      ///< caption below the drawing
+  double margin_mm = 3;  ///< inside the area
 };
 
 /// Puts drawings and texts on a page.
@@ -54,7 +54,7 @@ class PlateMaker {
     plate_.drawing.texts.push_back({words, at, height, across, TextUp::base});
   }
 
-  /// The block of counts that stands beside the drawings of the source.
+  /// A block of counts, as beside the drawings of the source.
   void counts(Point2 at, std::span<const std::pair<std::string, std::uint64_t>> rows) {
     for (const auto& [name, n] : rows) {
       text(name, at, kSmallHeight);
@@ -63,7 +63,7 @@ class PlateMaker {
     }
   }
 
-  /// The drawing of a scene in a cell; gives the counts of the study.
+  /// Draws a scene in a cell and returns the counts of the study.
   Statistics draw(const Scene& scene, PictureRequest request, const PlateCell& cell) {
     request.page.size.page = {cell.area.width(), cell.area.height(), 0};
     request.page.size.explicit_size = true;
@@ -116,7 +116,7 @@ class PlateMaker {
   Plate plate_;
 };
 
-/// Column and row of a grid of cells between the title and the caption.
+/// Area of the cell at a column and row of a grid between title and caption.
 Rect cell_at(unsigned column, unsigned row, unsigned columns, unsigned rows) {
   constexpr double kTop = kMargin + 16, kBottom = kPlateHeight - kMargin - 8, kGap = 8;
   const double width = (kPlateWidth - 2 * kMargin - (columns - 1) * kGap) / columns;
@@ -145,11 +145,11 @@ std::uint64_t count_named(const Statistics& statistics, std::string_view name) {
   return 0;
 }
 
-/// Front, side and top with their names, the block of counts, the subdivision, the result.
+/// Figure 2.2: front, side and top views with captions, the block of counts, the subdivision and the result.
 Plate three_views() {
   PlateMaker plate("2.2", "A scene treated by Warnock's algorithm: a) three views, b) subdivision, c) front view treated",
                    "The scene of the figure is not known; ours is a stepped block before a wedge.");
-  constexpr double kSquareMargin = 12;  // the first window is a square, as wide as the drawing
+  constexpr double kSquareMargin = 12;  // The first window is a square as wide as the drawing.
   const Scene scene = scene_of(kSteppedBlock);
   const std::pair<const char*, const char*> views[] = {{"front", "FRONT VIEW"}, {"left", "SIDE VIEW"}, {"top", "TOP VIEW"}};
   for (unsigned i = 0; i < 3; ++i) {
@@ -169,7 +169,7 @@ Plate three_views() {
   return plate.take();
 }
 
-/// Four levels of hatching.
+/// Figure 2.30: brightness as four levels of hatching.
 Plate hatched_views() {
   PlateMaker plate("2.30", "Different views of one object, by watkins: brightness as one to four levels of hatching",
                    "The object of the figure is not known; ours is a house.");
@@ -187,9 +187,8 @@ Plate hatched_views() {
   return plate.take();
 }
 
-/// The strokes that the tracking of 2.3.4 draws: on every scan line it is known whether an edge is seen; the stroke goes
-/// from the first line of a run on which it is to the last, at the whole columns that are nearest. Edges along the lines
-/// have length nought on them and are not drawn.
+/// Strokes as the tracking of 2.3.4 draws them. Each scan line knows whether an edge is visible. A stroke spans the first to
+/// the last line of a visible run, rounded to whole columns. Edges parallel to the lines have length zero and are not drawn.
 std::vector<std::vector<Point2>> tracked_strokes(const StrokeModel& model, double spacing) {
   std::vector<std::vector<Point2>> strokes;
   const auto column = [&](double x) { return std::round(x / spacing) * spacing; };
@@ -284,7 +283,7 @@ Plate priority_lists() {
   return plate.take();
 }
 
-/// Draws the tree of sets below each other, each set over the middle of its children.
+/// Draws the tree of sets top down, each set centred over its children.
 class TreeDrawer {
  public:
   TreeDrawer(PlateMaker& plate, const newell::PaintElements& elements,

@@ -1,5 +1,5 @@
 #pragma once
-/// The plates of [Boulle1980] made again: pages with drawings, their names and their counts.
+/// The plates of [Boulle1980] redrawn: pages of captioned drawings with their counts.
 
 #include <span>
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace ligne::studies {
 
-/// One page, A4, upright.
+/// One A4 page in portrait format.
 struct Plate {
-  std::string figure;   ///< of the source, "2.2"
-  std::string title;    ///< what it shows
-  std::string caption;  ///< where our scene or drawing differs from the source
-  Drawing drawing{};    ///< page mm, with all texts
+  std::string figure;   ///< number in the source, such as "2.2"
+  std::string title;    ///< subject
+  std::string caption;  ///< differences from the source in scene or drawing
+  Drawing drawing{};    ///< page mm, all texts included
 };
 
 /// All plates, in the order of the source.

@@ -12,12 +12,12 @@
 namespace ligne::studies {
 namespace {
 
-// Adjustable, mm.
+// Lengths of the chart, mm. Taste.
 constexpr double kWidth = 180, kHeight = 105, kLeft = 24, kTop = 13, kBottom = 19;
 constexpr double kPen = 0.45, kText = 2.3, kTitle = 2.8, kTick = 1.2, kMarker = 0.9, kSample = 11, kLegendLine = 5.2;
 constexpr std::size_t kMostTicks = 8;
 
-/// Colours of Okabe and Ito: told apart by people who see colours otherwise, and on gray paper by their marks and dashes.
+/// Colours of Okabe and Ito, distinct for colour-blind readers. On grey paper marks and dashes distinguish the curves.
 constexpr std::array<std::array<double, 3>, 8> kColors{{{0, 0, 0},
                                                         {0, 0.447, 0.698},
                                                         {0.835, 0.369, 0},
@@ -30,7 +30,7 @@ const std::array<std::vector<double>, 4> kDashes{{{}, {2.4, 1.2}, {0.5, 1.1}, {3
 constexpr int kMarkShapes = 4;
 
 struct Axis {
-  double from = 0, to = 1;  ///< values, or their logarithms
+  double from = 0, to = 1;  ///< range of values or of their logarithms
   bool logarithmic = false;
   std::vector<Tick> ticks{};
 
@@ -42,7 +42,7 @@ Axis axis_for(const std::vector<double>& values, bool logarithmic) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   Axis axis{0, *high > 0 ? *high : 1, logarithmic};
   if (logarithmic) {
-    // A little room at both ends, and never less than half a decade.
+    // Adds a margin at both ends; the axis spans at least half a decade.
     const double from = std::log10(*low), to = std::log10(*high), room = std::max((to - from) / 20, (0.5 - (to - from)) / 2);
     axis.from = from - room;
     axis.to = to + room;
@@ -56,7 +56,7 @@ Axis axis_for(const std::vector<double>& values, bool logarithmic) {
   return axis;
 }
 
-/// Draws charts into one drawing; a layer for each kind of line.
+/// Draws charts into one drawing, one layer per kind of line.
 class ChartDrawer {
  public:
   explicit ChartDrawer(Drawing& drawing) : drawing_(drawing) {}
@@ -116,7 +116,7 @@ class ChartDrawer {
   }
 
   void draw_curves(const Chart& chart) {
-    // The legend has the curves in the order in which they end.
+    // The legend lists the curves by their last values, highest first.
     std::vector<std::size_t> order(chart.curves.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::erase_if(order, [&](std::size_t i) { return chart.curves[i].points.empty(); });
@@ -137,7 +137,7 @@ class ChartDrawer {
     }
   }
 
-  /// A square, a diamond, or a triangle on its side or on its tip.
+  /// Marks: a square, a diamond, and a triangle pointing down or up.
   void mark(const std::string& layer, std::size_t curve, Point2 at) {
     constexpr double r = kMarker;
     const std::array<std::vector<Point2>, kMarkShapes> shapes{

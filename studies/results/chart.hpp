@@ -1,5 +1,5 @@
 #pragma once
-/// Line charts as SVG, drawn as any picture is: ticks, texts, layers and the writer are the program's own.
+/// Line charts as SVG. Ticks, texts, layers and the writer are those of any picture.
 
 #include <span>
 #include <string>
@@ -13,14 +13,14 @@ struct Curve {
   std::vector<std::pair<double, double>> points;
 };
 
-/// With linear axes both begin at zero; with `logarithmic` ones all values are positive.
+/// Linear axes begin at zero. With `logarithmic` all values must be positive.
 struct Chart {
   std::string title, x_label, y_label;
   std::vector<Curve> curves{};
   bool logarithmic = false;
 };
 
-/// One SVG file with the charts below each other.
+/// One SVG file with the charts one below the other.
 std::string charts_svg(std::span<const Chart> charts);
 
 }  // namespace ligne::studies

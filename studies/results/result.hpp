@@ -1,5 +1,5 @@
 #pragma once
-/// The findings of an experiment: tables in which the figure of the source stands beside ours, plots, and a sentence.
+/// The result of an experiment: tables that compare the source's figures with ours, charts, and a sentence.
 
 #include <cstdint>
 #include <string>
@@ -11,20 +11,19 @@
 
 namespace ligne::studies {
 
-/// The contents of a column. Counts are the same on every machine, and so are measures, which are made of counts alone;
-/// times are not.
+/// The contents of a column. Counts, and measures computed from counts, are equal on every machine; times are not.
 enum class ColumnKind : std::uint8_t { label, source, words, count, measure, time };
 inline constexpr std::string_view kColumnKindNames[] = {"label", "source", "words", "count", "measure", "time"};
 
-/// Nothing, words, a count, or a number.
+/// Empty, words, a count, or a number.
 using Cell = std::variant<std::monostate, std::string, std::uint64_t, double>;
 
 struct Column {
-  std::string name;  ///< with its unit, where it has one
+  std::string name;  ///< with its unit, if any
   ColumnKind kind = ColumnKind::label;
 };
 
-/// Every table has one column of kind source: what the source says of the row, or kNoFigure.
+/// Every table has one column of kind `source`: the statement of the source about the row, or kNoFigure.
 struct Table {
   std::string title;
   std::vector<Column> columns;
@@ -32,7 +31,7 @@ struct Table {
 };
 inline constexpr std::string_view kNoFigure = "no figure";
 
-/// The outcome of an experiment against its source.
+/// The outcome of an experiment compared with its source.
 enum class Finding : std::uint8_t { holds, in_part, no_longer };
 inline constexpr std::string_view kFindingNames[] = {"holds", "holds in part", "no longer holds"};
 
@@ -40,10 +39,10 @@ struct Result {
   std::vector<Table> tables;
   std::vector<Chart> charts;
   Finding finding = Finding::holds;
-  std::string sentence;  ///< on the finding
+  std::string sentence;  ///< statement of the finding
 };
 
-/// Column by its name, which must be there.
+/// Index of the column with that name, which must exist.
 inline std::size_t column_of(const Table& table, std::string_view name) {
   std::size_t i = 0;
   while (table.columns.at(i).name != name) ++i;

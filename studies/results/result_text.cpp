@@ -6,7 +6,7 @@
 namespace ligne::studies {
 namespace {
 
-/// Three digits say all that a measurement knows.
+/// Three significant digits: measurements are no more precise.
 std::string shown(double v) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.3g", v);

@@ -1,5 +1,5 @@
 #pragma once
-/// Results as text for people, as CSV and as JSON.
+/// Results as Markdown, CSV and JSON.
 
 #include <span>
 #include <string>
@@ -16,8 +16,7 @@ struct Outcome {
 /// Markdown: a heading, the tables and the sentence.
 std::string text_of(const Outcome& outcome);
 
-/// One line for each cell but labels: experiment, table, row, column, kind, value. The label of a row is made of its cells
-/// of kind label.
+/// One line per cell that is no label: experiment, table, row, column, kind, value. The row is named by its label cells.
 std::string csv_of(std::span<const Outcome> outcomes);
 
 /// {"format": "ligne-study", "version": 1, "size", "experiments": [...]}; docs/study.md has the schema.
