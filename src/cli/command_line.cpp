@@ -65,7 +65,7 @@ std::vector<std::string_view> names_of_commands(const CLI::App& app) {
   return names;
 }
 
-/// Names the words of the command line that no option takes, and suggests what was probably meant.
+/// Lists the words of the command line that no option accepts, and suggests similar options.
 std::string complaint_about_extras(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
   const CLI::App& command = chosen.empty() ? app : *chosen.front();
@@ -95,10 +95,10 @@ std::string complaint_about_extras(const CLI::App& app) {
   return "not known:" + text + "; see " + (chosen.empty() ? "ligne" : "ligne " + command.get_name()) + " --help";
 }
 
-/// CLI11's own complaint in our words.
+/// The text of CLI11's error in the program's words.
 std::string complaint(const CLI::ParseError& e, const CLI::App& app) {
   if (dynamic_cast<const CLI::ExtrasError*>(&e)) return complaint_about_extras(app);
-  // An option that is written wrong is the cause more often than what is missing then.
+  // A misspelled option is more often the cause than a missing argument.
   if (dynamic_cast<const CLI::RequiredError*>(&e) && std::ranges::any_of(app.remaining(true), is_option)) {
     return complaint_about_extras(app);
   }
@@ -112,7 +112,7 @@ std::string complaint(const CLI::ParseError& e, const CLI::App& app) {
   return text;
 }
 
-/// Takes the "all" behind --help away; true if there was one.
+/// Removes the "all" behind --help; true if it was there.
 bool take_all(std::vector<std::string>& arguments) {
   const auto is_help = [](const std::string& word) { return word == "--help" || word == "-h"; };
   const auto help = std::ranges::find_if(arguments, is_help);
@@ -121,7 +121,7 @@ bool take_all(std::vector<std::string>& arguments) {
   return true;
 }
 
-/// "help COMMAND" becomes "COMMAND --help", and "help COMMAND all" becomes "COMMAND --help all".
+/// Replaces "help COMMAND" by "COMMAND --help", and "help COMMAND all" by "COMMAND --help all".
 void take_help(std::vector<std::string>& arguments, const CLI::App& app) {
   if (arguments.empty() || arguments.front() != "help") return;
   const std::vector<std::string_view> names = names_of_commands(app);
@@ -137,7 +137,7 @@ void take_help(std::vector<std::string>& arguments, const CLI::App& app) {
   if (all) arguments.emplace_back("all");
 }
 
-/// The arguments behind the program's name, last first as CLI11 takes them.
+/// The arguments behind the program's name in reverse order, as CLI11 expects them.
 std::vector<std::string> arguments_for(CLI::App& app, int argc, char** argv) {
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
   take_help(arguments, app);
@@ -149,7 +149,7 @@ std::vector<std::string> arguments_for(CLI::App& app, int argc, char** argv) {
   return arguments;
 }
 
-/// Parses the arguments behind the program's name; false if they ask for help or the version, which it prints. Throws
+/// Parses the arguments behind the program's name. Prints help or version and returns false if they request it. Throws
 /// UsageError.
 bool parse_arguments(CLI::App& app, int argc, char** argv) {
   try {
@@ -164,7 +164,7 @@ bool parse_arguments(CLI::App& app, int argc, char** argv) {
   }
 }
 
-/// Runs the work and returns the exit status that it returns; reports what it throws on standard error.
+/// Runs the work and returns its exit status; reports exceptions on standard error.
 int report_errors(const std::function<int()>& work) {
   try {
     return work();

@@ -9,18 +9,18 @@ class App;
 
 namespace ligne {
 
-/// Exit status: 0 done, 1 the input or the work failed, 2 the command line is wrong. Throws nothing, and leaves no limit and
-/// no handler behind, so that a program may call it many times.
+/// Exit status: 0 done, 1 the input or the work failed, 2 the command line is wrong. Throws nothing. Restores limits and
+/// handlers, so that a program may call it repeatedly.
 int run_command_line(int argc, char** argv);
 
-/// A command of `ligne` that is a program of its own.
+/// A command of `ligne` that is a separate program.
 struct CommandProgram {
-  const char* name;                    ///< of the command
+  const char* name;                    ///< name of the command
   std::function<void(CLI::App&)> add;  ///< adds the command, with its options, to the program
-  std::function<void()> run;           ///< runs it after the arguments were parsed
+  std::function<void()> run;           ///< runs the command after parsing
 };
 
-/// Parses the arguments of such a program and runs it. Exit status as above; throws nothing.
+/// Parses the arguments of such a program and runs it. Exit status as for run_command_line(); throws nothing.
 int run_command_program(const CommandProgram& program, int argc, char** argv);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// All commands of the program, with their options.
+/// All commands of the program and their options.
 
 #include "cli/commands/compare.hpp"
 #include "cli/commands/compile.hpp"

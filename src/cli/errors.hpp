@@ -6,7 +6,7 @@
 
 namespace ligne {
 
-/// The command line is wrong: one line on standard error, exit status 2.
+/// A mistake on the command line: reported in one line on standard error, exit status 2.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -1,5 +1,5 @@
 #pragma once
-/// The layout of help texts.
+/// Layout of help texts.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace ligne {
 
-/// Options that most users of a command need. The help of a command that is named here lists these alone.
+/// The common options of a command. Its short help lists only these.
 struct CommonOptions {
   std::string_view command;
   std::vector<std::string_view> names;
@@ -30,11 +30,11 @@ inline const CommonOptions kCommonOptions[] = {
               "landscape", "margin", "scale",    "tile",    "output", "dpi",           "device",      "pens",
               "format",    "pen",    "optimize", "report",  "split",  "preview",       "quiet",       "pen-width"}}};
 
-/// "--fov DEG [35]   meaning": the default in brackets. Combinations that exclude each other are left to the errors. Texts
-/// are broken at kWidth columns.
+/// Formats "--fov DEG [35]   meaning", with the default in brackets. Exclusions between options are left to the error
+/// messages. Wraps text at kWidth columns.
 class HelpFormatter : public CLI::Formatter {
  public:
-  /// `all`: every option of a command, not only the common ones.
+  /// `all`: lists every option of a command, not only the common ones.
   explicit HelpFormatter(bool all) : all_(all) { column_width(kColumn); }
 
   std::string make_option_opts(const CLI::Option* option) const override {
@@ -74,7 +74,7 @@ class HelpFormatter : public CLI::Formatter {
       std::erase_if(options, [&](const CLI::Option* option) { return is_left_out(option); });
       if (options.empty()) return {};
     }
-    // One empty line between groups, not two.
+    // Leaves one blank line between groups, not two.
     const bool follows_a_group = !is_positional && group != "Options";
     const std::string text = CLI::Formatter::make_group(std::move(group), is_positional, std::move(options));
     return follows_a_group && text.starts_with('\n') ? text.substr(1) : text;
@@ -92,7 +92,7 @@ class HelpFormatter : public CLI::Formatter {
     const auto* const common = std::ranges::find(kCommonOptions, app->get_name(), &CommonOptions::command);
     common_ = all_ || common == std::end(kCommonOptions) ? nullptr : common;
     std::string text = CLI::Formatter::make_help(app, std::move(name), mode);
-    // Groups that are left out leave their empty lines.
+    // Removes the blank lines of omitted groups.
     for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != std::string::npos;) text.erase(at, 1);
     return text;
   }
@@ -106,7 +106,7 @@ class HelpFormatter : public CLI::Formatter {
   }
 
   bool all_;
-  mutable const CommonOptions* common_ = nullptr;  ///< of the command whose help is being made; null: all are listed
+  mutable const CommonOptions* common_ = nullptr;  ///< common options of the current command; null: lists all
 };
 
 }  // namespace ligne

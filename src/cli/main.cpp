@@ -5,7 +5,7 @@
 #include "cli/command_line.hpp"
 
 int main(int argc, char** argv) {
-  // A reader that goes away early is an error of the write, not a signal.
+  // A closed pipe is reported as a write error, not as a signal.
   std::signal(SIGPIPE, SIG_IGN);
   return ligne::run_command_line(argc, argv);
 }

@@ -1,11 +1,9 @@
-// The kernel keeps the limit: what a process may map for itself alone and write to is bounded (RLIMIT_DATA), so that the
-// allocation that goes past it fails, in whatever stage, thread or library, and becomes a std::bad_alloc or that library's
-// own error. Counting by an operator new of ours would not see the libraries, and looking at the memory in use now and then
-// would come too late.
+// The kernel enforces the limit: RLIMIT_DATA bounds the private writable memory of the process. The allocation that exceeds
+// it fails in whatever stage, thread or library, and becomes a std::bad_alloc or an error of that library. Counting in an
+// operator new of our own would miss the libraries, and polling the memory in use would react too late.
 //
-// - Threads are started before: their stacks count, and oneTBB can not go on where a thread can not be started.
-// - The first failure gives back some of what is withheld: destructors and handlers on the way out need a little memory, and
-//   tasks in other threads come to their end.
+// - Threads start before the limit is set: their stacks count, and oneTBB can not continue if a thread can not be started.
+// - The first failures release a reserve: destructors, handlers and tasks in other threads need some memory to finish.
 
 #include "cli/memory_limit.hpp"
 
@@ -30,28 +28,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Adjustable.
-constexpr double kUsualPart = 0.75;  ///< of the machine
-/// The reserve given back when memory runs out, and how often: a stage may try again with less, and only then fail.
+// Settings.
+constexpr double kUsualPart = 0.75;  ///< part of the machine's memory
+/// The reserve added to the limit when memory runs out: a part of the limit, plus bytes; and how often it is added. A stage
+/// may retry with less memory before the command fails.
 constexpr double kReservePart = 1.0 / 8;
 constexpr rlim_t kReserve = rlim_t{16} << 20;
 constexpr int kReserves = 2;
 
 constexpr double kKilo = 1024;
 
-/// The state that the handlers know; written before they stand.
+/// State of the handlers; set before they are installed.
 struct Shortage {
   std::atomic<int> reserves_left = 0;
   std::atomic<bool> happened = false;
   rlim_t reserve = 0;
-  std::array<char, kLongestMessage> line{};  ///< for an end without a way out
+  std::array<char, kLongestMessage> line{};  ///< message printed if the exception can not propagate
 };
 Shortage& shortage() {
   static Shortage instance;
   return instance;
 }
 
-/// As std::new_handler: throws.
+/// The std::new_handler. It throws.
 void on_no_memory() {
   Shortage& state = shortage();
   state.happened = true;
@@ -75,7 +74,7 @@ bool for_want_of_memory() {
   }
 }
 
-/// As std::terminate_handler: an exception that could not come through, as from a destructor.
+/// The std::terminate_handler, for an exception that can not propagate, as from a destructor.
 [[noreturn]] void on_no_way_out() {
   if (!for_want_of_memory()) std::abort();
   static std::atomic_flag ending;
@@ -86,7 +85,7 @@ bool for_want_of_memory() {
   ::_exit(EXIT_FAILURE);
 }
 
-/// Bytes that count for RLIMIT_DATA now; nothing where the system does not tell.
+/// Bytes that currently count for RLIMIT_DATA; empty if the system does not report them.
 std::optional<std::uint64_t> data_in_use() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
@@ -100,7 +99,7 @@ std::string with_limit(const char* text, const MemoryLimit& limit) {
   return std::isfinite(limit.bytes) ? text + (" (--max-memory is " + bytes_text(limit.bytes)) + ")" : text;
 }
 
-/// While it lives, allocations past the limit fail.
+/// Enforces the limit during its lifetime: allocations beyond it fail.
 class LimitInForce {
  public:
   explicit LimitInForce(const MemoryLimit& limit);
@@ -141,14 +140,14 @@ LimitInForce::~LimitInForce() {
   std::set_terminate(terminate_handler_);
 }
 
-/// The number in a file of a control group; "max" is none.
+/// The number in a file of a control group; empty for "max", which means no limit.
 std::optional<std::uint64_t> number_in(const fs::path& file) {
   std::ifstream in(file);
   std::uint64_t number = 0;
   return in >> number ? std::optional(number) : std::nullopt;
 }
 
-/// A group may not take more than those that it is part of.
+/// Lowers `least` to the limits of the group and of all groups that contain it.
 void lower_to_groups(std::optional<std::uint64_t>& least, const fs::path& base, fs::path group, const char* name) {
   for (group = group.relative_path();; group = group.parent_path()) {
     const std::optional<std::uint64_t> most = number_in(base / group / name);
@@ -203,7 +202,7 @@ void run_within(const MemoryLimit& limit, unsigned threads, FunctionRef<void()> 
     } catch (const std::length_error&) {
       throw MemoryError(with_limit("not enough memory", limit));
     } catch (const std::exception& error) {
-      // The message of a part of the program that made do without the memory.
+      // The error of a library that failed for lack of memory.
       if (!shortage().happened) throw;
       throw MemoryError(with_limit((std::string("not enough memory: ") + error.what()).c_str(), limit));
     }

@@ -1,5 +1,5 @@
 #pragma once
-/// How much memory a command may take, and how that is kept.
+/// The memory limit of a command and its enforcement.
 
 #include <cstdint>
 #include <filesystem>
@@ -11,21 +11,19 @@
 
 namespace ligne {
 
-/// The memory that the control groups of this process, of version 1 or 2, may take; nothing where they are not limited.
-/// `root` stands in front of /proc and /sys.
+/// The memory limit of this process's control groups, version 1 or 2; empty if there is none. `root` is prepended to /proc
+/// and /sys.
 std::optional<std::uint64_t> group_memory(const std::filesystem::path& root = "/");
 
-/// Three quarters of what the machine and the control group of this process have.
+/// Three quarters of the memory of the machine and of this process's control group.
 MemoryLimit usual_memory_limit();
 
-/// Calls work() with so many threads at the most (0: as many as there are processors) that may not take more memory than
-/// the limit. Where that is not enough a MemoryError says so, with the limit; and where it can not come through, as out of
-/// the destructor of a library, the program ends at once with one line and exit status 1. To be called once, and by a
-/// program only: the limit and the handlers are those of the process, and they stay.
+/// Calls work() with at most `threads` threads (0: one per processor) and at most `limit` of memory. Throws MemoryError with
+/// the limit if the memory does not suffice. If the exception can not propagate, as from a destructor in a library, the
+/// program ends with one line and exit status 1. Calls must not overlap: limit and handlers belong to the process.
 void run_within(const MemoryLimit& limit, unsigned threads, FunctionRef<void()> work);
 
-/// Throws MemoryError when memory ran out at any time, though the work went on: a library may have made do without what it
-/// asked for, and left something out.
+/// Throws MemoryError if memory ran out at any time, even if the work continued: a library may have omitted something.
 void check_memory_sufficed();
 
 }  // namespace ligne

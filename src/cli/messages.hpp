@@ -1,5 +1,5 @@
 #pragma once
-/// Lines for people on standard error.
+/// Messages on standard error.
 
 #include <string>
 #include <string_view>
@@ -8,13 +8,13 @@
 
 namespace ligne {
 
-/// Writes "ligne: TEXT" and a line end: one line of bounded length, whatever the text holds.
+/// Writes "ligne: TEXT" as one line of bounded length, whatever the text contains.
 void say(std::string_view text);
 
 /// Writes "ligne: PLACE: warning: TEXT".
 void warn(const std::string& place, const std::string& text);
 
-/// Warns of faults mended while reading: one line for each kind, with its count.
+/// Warns of faults repaired while reading, one line per kind with its count.
 void warn(const std::string& place, const Warnings& warnings);
 
 }  // namespace ligne

@@ -8,8 +8,8 @@
 
 namespace ligne {
 
-/// Draws "[#####     ] 50%" over itself and wipes it when it goes. `automatic` shows it on a terminal only, and only when
-/// the work takes longer than half a second.
+/// Draws "[#####     ] 50%" in place and erases it at the end. `automatic` shows it only on a terminal, and only if the work
+/// takes longer than half a second.
 class ProgressBar {
  public:
   explicit ProgressBar(const RunOptions& options);
@@ -17,8 +17,8 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// A callback that shows the fraction done, in [0, 1], and wipes the bar at 1; to be called from one thread at a time.
-  /// Empty where there is nobody to show it to.
+  /// A callback that shows the completed fraction in [0, 1] and erases the bar at 1. One thread at a time may call it. Empty
+  /// if the bar is not shown.
   std::function<void(double)> callback();
 
  private:

@@ -15,7 +15,7 @@ bool are_one_file(const fs::path& a, const fs::path& b) {
   return fs::equivalent(a, b, absent) && !absent;
 }
 
-/// Files that need not be there yet.
+/// True if two paths, which need not exist yet, lead to one file.
 bool will_be_one_file(const fs::path& a, const fs::path& b) {
   if (a == b || are_one_file(a, b)) return true;
   if (a == "-" || b == "-") return false;

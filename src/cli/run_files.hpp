@@ -1,5 +1,5 @@
 #pragma once
-/// The files of a run.
+/// The files that a run reads and writes.
 
 #include <filesystem>
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace ligne {
 
-/// Knows what a run reads and what it writes: no file that was read is written over, and all that is written comes into its
-/// place together, when the work is done. Files are compared by what they are, whatever names lead to them.
+/// The files that a run reads and writes. No file that was read is overwritten, and all written files are moved into place
+/// together at the end. Files are compared by identity, not by name.
 class RunFiles {
  public:
-  /// The option names a file that will be written; empty: none. Throws UsageError when another option names it too, or when
-  /// it was read.
+  /// Registers the output file of an option; empty: none. Throws UsageError if another option names the file too, or if it
+  /// was read.
   void will_write(const std::string& option, const std::filesystem::path& file);
-  /// Files that were read, or belong to what was read. Throws UsageError when one of them is to be written.
+  /// Registers files that were read or belong to them. Throws UsageError if one of them is an output file.
   void were_read(const InputFiles& files);
-  /// Bytes of a file of will_write.
+  /// Stores the contents of a file registered with will_write().
   void write(const std::filesystem::path& file, std::string bytes) { outputs_.add(file, std::move(bytes)); }
-  /// Puts everything in its place.
+  /// Moves all files into place.
   void commit() { outputs_.commit(); }
 
  private:

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kProgram = "ligne-study";
 
-/// A path where the program lies beside this one, or its bare name, which is searched in PATH.
+/// The path of the program beside this one, or its bare name, which is searched in PATH.
 std::string place_of_program() {
   std::error_code error;
   const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", error);

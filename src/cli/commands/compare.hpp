@@ -15,11 +15,11 @@ struct CompareOptions {
   ViewRequest view;
   LineRequest lines;
   MethodChoice method;
-  std::vector<const Method*> methods;  ///< empty: all that give lines
+  std::vector<const Method*> methods;  ///< empty: all methods that produce lines
   double limit_seconds = 60;
   PageRequest page;
   std::string output = "-";
-  std::string html;  ///< file, or empty
+  std::string html;  ///< file name, or empty
   bool json = false, csv = false;
   RunOptions run;
 };

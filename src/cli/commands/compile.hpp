@@ -1,5 +1,5 @@
 #pragma once
-/// ligne compile: a model with what a method makes of it for all views, as a file that ligne draw reads.
+/// ligne compile: writes a model with the view-independent data of a method to a file that ligne draw reads.
 
 #include <optional>
 #include <string>

@@ -7,7 +7,7 @@
 namespace ligne {
 namespace {
 
-/// One of the words, in their order.
+/// A parser that accepts one of the words, which name the values of Enum in order.
 template <class Enum, std::size_t N>
 auto parse_word(const std::string_view (&words)[N]) {
   return [&words](const std::string& text) { return static_cast<Enum>(parse_choice(text, words)); };

@@ -1,5 +1,5 @@
 #pragma once
-/// Options of ligne surface that say which lines are drawn beside plain curves, and what hides.
+/// Options of ligne surface for lines in addition to the curves, and for what hides them.
 
 #include "picture/surface/surface_request.hpp"
 

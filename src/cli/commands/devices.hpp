@@ -1,5 +1,5 @@
 #pragma once
-/// ligne devices: the plotters that the program knows.
+/// ligne devices: lists the known plotters.
 
 namespace CLI {
 class App;

@@ -74,7 +74,7 @@ void add_frame_options(CLI::App& app, DrawOptions& options) {
       .excludes({to, turn});
 }
 
-/// The way of the eye, where it moves.
+/// The path of the eye, if it moves.
 void add_way(const DrawOptions& options, FrameRequest& frames, RunReport& run) {
   const std::optional<Point3>& eye = options.picture.view.eye;
   if (options.last_eye) {
@@ -102,7 +102,7 @@ void add_zbuffer_options(CLI::App& app, DrawOptions& options) {
             "zbuffer: keep buffer, models, view and page, so that models can be added");
 }
 
-/// Depth buffers are of one method, and of one view.
+/// Refuses depth buffers with other methods, several views, or surfaces.
 void check_zbuffer(const DrawOptions& options, PictureRequest& request) {
   const char* const field = !options.zbuffer_add.empty() ? "zbuffer-add" : "zbuffer-save";
   if (options.zbuffer_add.empty() && options.zbuffer_save.empty()) return;
@@ -113,7 +113,7 @@ void check_zbuffer(const DrawOptions& options, PictureRequest& request) {
   if (has_surfaces(options.surfaces)) throw RequestError(field, "is of models, not of surfaces");
 }
 
-/// The request that the options come to. A wrong one is refused before anything is read.
+/// The request that the options make. Throws before any file is read if it is wrong.
 PictureRequest request_of(const DrawOptions& options, const MemoryLimit& memory) {
   PictureRequest request = options.picture;
   request.memory = memory;
@@ -140,7 +140,7 @@ ZBuffer read_zbuffer(const std::string& file, InputFiles& opened) {
   return ZBuffer::read(read_input(file, file, opened), file);
 }
 
-/// The models stand behind those of the buffer.
+/// Puts the models behind those of the buffer.
 void put_behind(const ZBuffer& buffer, LoadedModels& models) {
   const std::vector<std::string> names = object_names(buffer.scene());
   models.object_names.insert(models.object_names.begin(), names.begin(), names.end());
@@ -148,7 +148,7 @@ void put_behind(const ZBuffer& buffer, LoadedModels& models) {
   models.topology.reset();
 }
 
-/// The part of the model that is drawn, where it is to be streamed; `request` is then told what else is needed.
+/// The drawn part of the model if it is to be streamed. Updates `request` with what else must be computed.
 std::optional<LoadedModels> stream(const DrawOptions& options, const ModelRequest& model, PictureRequest& request,
                                    RunReport& run, RunFiles& files) {
   const bool one_picture = options.frames.count == 1 && options.zbuffer_add.empty() && options.zbuffer_save.empty() &&
@@ -178,7 +178,7 @@ LoadedModels load(const DrawOptions& options, const ModelRequest& model, Picture
   return timed(run.stages, reading_of(options.model), [&] { return load_models(model, options.run.quiet, files); });
 }
 
-/// Once the picture is made: an error comes alone.
+/// Warns after the picture is made, so that an error message stands alone.
 void warn_of_use(const DrawOptions& options, const PictureRequest& request) {
   if (options.run.quiet) return;
   warn_of_suffix(options.output);

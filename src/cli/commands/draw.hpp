@@ -18,12 +18,12 @@ namespace ligne {
 
 struct DrawOptions {
   ModelRequest model;
-  SurfaceRequest surfaces;  ///< among the models
+  SurfaceRequest surfaces;  ///< drawn among the models
   PictureRequest picture;
   MethodChoice method;
   FrameRequest frames;
-  std::optional<Point3> last_eye;         ///< the eye moves from that of the view to this one
-  std::string path;                       ///< file of the places of the eye; empty: none
+  std::optional<Point3> last_eye;         ///< end of a straight path of the eye that begins at the view's eye
+  std::string path;                       ///< file of eye positions; empty: none
   std::string zbuffer_add, zbuffer_save;  ///< files of depth buffers; empty: none
   OutputOptions output;
   PlotterOptions plotter;

@@ -1,5 +1,5 @@
 #pragma once
-/// ligne info: what a scene contains, and what that means for each method.
+/// ligne info: describes a scene and what it means for each method.
 
 #include "cli/options/method_options.hpp"
 #include "cli/options/model_options.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// ligne methods: what visibility methods there are.
+/// ligne methods: lists the visibility methods.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-/// ligne plot: drawings from files, made ready for pens.
+/// ligne plot: prepares drawings from files for pen plotters.
 
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@ namespace ligne {
 struct PlotCommandOptions {
   std::vector<std::string> drawings;  ///< files
   PlotDrawingRequest request;
-  std::string occlude;  ///< as written: empty, "true" for the flag alone
+  std::string occlude;  ///< text of the option; empty: not given, "true": the flag alone
   OutputOptions output;
   std::optional<bool> curves;
   PlotterOptions plotter;

@@ -48,7 +48,7 @@ bool is_formula(const std::string& text, FormulaLanguage language) {
   }
 }
 
-/// An option whose value follows it.
+/// True for an option whose value is the next argument.
 bool awaits_value(const std::string& argument) {
   return argument.size() > 1 && argument[0] == '-' && (argument[1] < '0' || argument[1] > '9') &&
          argument.find('=') == std::string::npos && argument != "--axes" && argument != "--stats" && argument != "--skirt" &&
@@ -60,7 +60,7 @@ bool awaits_value(const std::string& argument) {
 void protect_formulas(std::vector<std::string>& arguments) {
   constexpr std::array<std::string_view, 2> kParameters{"u", "v"};
   constexpr std::array<std::string_view, 1> kCurveParameter{"t"};
-  std::size_t parametric = 0;  // formulas of --parametric or --curve that are still to come
+  std::size_t parametric = 0;  // formulas of --parametric or --curve still expected
   bool curve = false;
   for (std::size_t k = 1; k < arguments.size(); ++k) {
     std::string& argument = arguments[k];

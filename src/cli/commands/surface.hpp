@@ -1,5 +1,5 @@
 #pragma once
-/// ligne surface: a surface z = f(x, y) as iso-curves, hidden parts removed.
+/// ligne surface: draws a surface z = f(x, y) as iso-curves with hidden lines removed.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@ namespace ligne {
 
 void setup_surface(CLI::App& app, SurfaceOptions& options);
 
-/// Puts formulas that begin with a minus into parentheses, since they would be taken for options: "-x^2" becomes "(-x^2)".
+/// Puts formulas with a leading minus in parentheses, because CLI11 would take them for options: "-x^2" becomes "(-x^2)".
 void protect_formulas(std::vector<std::string>& arguments);
 
 /// Throws UsageError, RequestError, InputError, std::runtime_error.

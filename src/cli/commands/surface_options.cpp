@@ -34,7 +34,7 @@ constexpr const char* kSurfaceExamples = R"help(Examples:
   ligne surface "x^2+y^2" "8-x^2-y^2" --z-range 0:8 --hidden dashed -o bowls.svg
   ligne surface --parametric "(3+cos(v))*cos(u)" "(3+cos(v))*sin(u)" "sin(v)" -o torus.svg)help";
 
-/// Refuses requests that only the horizon draws together with those that only meshes can draw.
+/// Refuses requests that combine what only the horizon can draw with what only meshes can draw.
 void check_engines(const SurfaceOptions& options, const SurfaceRequest& request) {
   const PictureRequest& picture = request.picture;
   const std::string reason = options.as_mesh ? "--as-mesh" : needs_mesh(request);
@@ -61,7 +61,7 @@ void check_engines(const SurfaceOptions& options, const SurfaceRequest& request)
   }
 }
 
-/// How files of grids and tables are understood.
+/// Adds the options for reading files of grids and tables.
 void add_grid_options(OptionGroup& group, SurfaceRequest& request) {
   group.add(
       "--gridded", "N", request.gridded, [](const std::string& t) { return parse_count(t, 2, kMostCurves); },
@@ -125,7 +125,7 @@ void add_source_options(CLI::App& surface, SurfaceRequest& request) {
       "walls from the rim down to the height Z (default: 5 % of the range of heights below the lowest)");
 }
 
-/// --method and --hidden.
+/// Adds --method and --hidden.
 void add_method_choice(CLI::App& surface, SurfaceOptions& options) {
   OptionGroup group(surface, "Lines");
   const auto take_method = [&options](const std::string& text) {

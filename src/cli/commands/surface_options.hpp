@@ -18,11 +18,11 @@ namespace ligne {
 
 struct SurfaceOptions {
   SurfaceRequest request;
-  bool horizon_given = false;  ///< the method horizon is asked for
+  bool horizon_given = false;  ///< true if the method horizon is requested
   bool as_mesh = false;
   bool pixels = false;
   std::optional<unsigned> resolution;
-  std::string axes_style;  ///< as written: empty for no axes, "true" for the flag alone
+  std::string axes_style;  ///< text of the option; empty: no axes, "true": the flag alone
   OutputOptions output;
   PlotterOptions plotter;
   RunOptions run;
@@ -31,10 +31,10 @@ struct SurfaceOptions {
 /// Adds the command with its options.
 CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options);
 
-/// The request that the options come to. Throws UsageError, RequestError for options that do not go together.
+/// The request that the options make. Throws UsageError and RequestError for options that exclude each other.
 SurfaceRequest checked_request(const SurfaceOptions& options, const MemoryLimit& memory);
 
-/// With --as-mesh: by the suffix. Throws UsageError.
+/// Mesh format of --as-mesh, from the file suffix. Throws UsageError.
 MeshFormat mesh_format_of(const OutputOptions& options);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// The options of ligne surface that say how long its axes are.
+/// Options of ligne surface for the lengths of its axes.
 
 #include "picture/surface/surface_request.hpp"
 

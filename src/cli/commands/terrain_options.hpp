@@ -1,5 +1,5 @@
 #pragma once
-/// Options of maps: labels of contours, water, hachures, scale bar, arrow to the north; curves, points, colours and names.
+/// Options for maps: contour labels, water, hachures, scale bar, north arrow; curves, points, colours and names.
 
 #include "picture/surface/surface_request.hpp"
 

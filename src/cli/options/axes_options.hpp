@@ -1,5 +1,5 @@
 #pragma once
-/// Options of axes and texts round a plot.
+/// Options for axes and texts round a plot.
 
 #include <string>
 
@@ -11,10 +11,10 @@ class App;
 
 namespace ligne {
 
-/// `style`: what stands behind --axes as written; empty: not given, "true": the flag alone.
+/// `style`: text behind --axes; empty: not given, "true": the flag alone.
 void add_axes_options(CLI::App& app, AxesChoice& choice, std::string& style);
 
-/// Puts the style into the choice. Throws UsageError for one that there is not, and for names without axes.
+/// Puts the style into the choice. Throws UsageError for an unknown style, and for axis names without axes.
 void check_axes(AxesChoice& choice, const std::string& style);
 
 }  // namespace ligne

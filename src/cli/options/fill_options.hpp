@@ -1,5 +1,5 @@
 #pragma once
-/// Options that say how faces are filled, and where light comes from.
+/// Options for filled faces and light sources.
 
 #include "picture/requests.hpp"
 

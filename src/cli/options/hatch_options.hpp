@@ -1,5 +1,5 @@
 #pragma once
-/// Options that say how faces are hatched.
+/// Options for hatched faces.
 
 #include "picture/requests.hpp"
 

@@ -9,23 +9,23 @@
 namespace ligne {
 namespace {
 
-/// Sets of output formats.
+/// Sets of output formats, as bits.
 constexpr unsigned bit(OutputFormat format) { return 1u << static_cast<unsigned>(format); }
 constexpr unsigned kSvg = bit(OutputFormat::svg), kPng = bit(OutputFormat::png), kJson = bit(OutputFormat::json),
                    kPaper = kSvg | bit(OutputFormat::pdf) | kPng,
                    kPlotted = bit(OutputFormat::hpgl) | bit(OutputFormat::gcode), kDrawn = kPaper | kPlotted,
                    kAll = kDrawn | kJson;
 
-/// Words among those that an option needs, beside names of options.
+/// Words in OptionUse::needs beside names of options.
 constexpr std::string_view kPens = "pens", kNoPens = "no-pens", kSvgInput = "svg";
 
-/// When an option does something. Other combinations do nothing, and are warned of.
+/// The conditions under which an option has an effect. Other combinations get a warning.
 struct OptionUse {
   std::string_view commands;  ///< separated by blanks
   std::string_view option;
   unsigned formats = kAll;
-  std::string_view needs{};   ///< one of these options, or one of the words above; empty: nothing
-  unsigned needed_in = kAll;  ///< formats in which it needs them
+  std::string_view needs{};   ///< one of these options or of the words above, separated by blanks; empty: none
+  unsigned needed_in = kAll;  ///< formats in which the option needs them
 };
 
 constexpr OptionUse kUses[] = {
@@ -80,7 +80,7 @@ bool holds(std::string_view need, const CommandUse& use) {
   return std::ranges::find(use.given, need) != use.given.end();
 }
 
-/// A need as it stands in a message.
+/// The words for a need in a message.
 std::string_view phrase_of(std::string_view need) {
   if (need == kPens) return "pens or a --device";
   if (need == kNoPens) return "a drawing without pens";

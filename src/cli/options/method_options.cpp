@@ -16,7 +16,7 @@
 namespace ligne {
 namespace {
 
-/// Names of the methods that have the parameter, as "bsp, convex-tree".
+/// Names of the methods with that parameter, such as "bsp, convex-tree".
 std::string owners_of(std::string_view parameter) {
   std::string owners;
   for (const Method* method : all_methods()) {
@@ -27,7 +27,7 @@ std::string owners_of(std::string_view parameter) {
   return owners;
 }
 
-/// The parameters of all methods, one for each name.
+/// The parameters of all methods, each name once.
 std::vector<const MethodParameter*> distinct_parameters() {
   std::vector<const MethodParameter*> parameters;
   for (const Method* method : all_methods()) {
@@ -39,7 +39,7 @@ std::vector<const MethodParameter*> distinct_parameters() {
   return parameters;
 }
 
-/// Notes a "NAME=VALUE" of --set. The value is checked when the method is known.
+/// Records a "NAME=VALUE" of --set. The value is checked once the method is known.
 void note_setting(const std::string& text, std::span<const MethodParameter* const> known, MethodChoice& choice) {
   const std::size_t sign = text.find('=');
   if (sign == std::string::npos) throw std::invalid_argument(shown(text, '"') + " is not NAME=VALUE");
@@ -52,7 +52,7 @@ void note_setting(const std::string& text, std::span<const MethodParameter* cons
   choice.parameters.emplace_back(&parameter, text.substr(sign + 1));
 }
 
-/// An option for each parameter that people need, and --set for those that serve experiments.
+/// Adds an option for each user parameter, and --set for the parameters of experiments.
 void add_parameters(CLI::App& app, MethodChoice& choice, bool of_compile = false) {
   OptionGroup group(app, "Methods");
   std::vector<const MethodParameter*> settings;

@@ -1,5 +1,5 @@
 #pragma once
-/// Options that say which lines are drawn and how they are found.
+/// Options for the drawn lines and the visibility method.
 
 #include <string>
 #include <utility>
@@ -14,25 +14,26 @@ class App;
 
 namespace ligne {
 
-/// The options of lines and methods on the command line, beside the request.
+/// Options of lines and methods that the request does not hold.
 struct MethodChoice {
   bool edges_given = false;
-  std::vector<std::pair<const MethodParameter*, std::string>> parameters;  ///< options that only some methods have
+  std::vector<std::pair<const MethodParameter*, std::string>> parameters;  ///< given options that only some methods have
 };
 
-/// `one_method`: with --method.
+/// `one_method`: adds --method.
 void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice, bool one_method = true);
 
-/// Adds --method for those that compile, and the parameters of that.
+/// Adds --method for methods that compile, and the parameters of compiling.
 void add_compile_options(CLI::App& app, const Method*& method, MethodChoice& choice);
 
-/// The methods' own options that were given: name and value.
+/// The given options of the methods themselves: name and value.
 std::vector<std::pair<std::string, std::string>> named(const MethodChoice& choice);
 
-/// Their names.
+/// The names of these options.
 std::vector<std::string> names_of(const MethodChoice& choice);
 
-/// The values for the method's own parameters. Throws RequestError for one that it does not have, or not with this value.
+/// The values of the method's own parameters. Throws RequestError for a parameter that the method does not have, or a wrong
+/// value.
 MethodSettings settings_of(const MethodChoice& choice, const Method& method);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// The models of a command line.
+/// Options for the models of a command line.
 
 #include "cli/run_files.hpp"
 #include "picture/models/memory.hpp"
@@ -13,13 +13,13 @@ namespace ligne {
 
 void add_model_options(CLI::App& app, ModelRequest& request);
 
-/// How parts are told apart in the picture.
+/// Adds the options that distinguish parts in the picture.
 void add_part_drawing_options(CLI::App& app, OutputRequest& request);
 
-/// Reading them, as a stage.
+/// The stage of reading the models.
 Stage reading_of(const ModelRequest& request);
 
-/// Reads all files, and notes them in `files`. Unless `quiet`, writes a line for each kind of warning. Throws InputError,
+/// Reads all files and records them in `files`. Writes one line per kind of warning unless `quiet`. Throws InputError,
 /// UsageError.
 LoadedModels load_models(const ModelRequest& request, bool quiet, RunFiles& files);
 

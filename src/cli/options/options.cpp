@@ -5,10 +5,10 @@
 namespace ligne {
 namespace {
 
-/// The name that stands in messages: the last of "-o,--output".
+/// The name used in messages: the last of "-o,--output".
 std::string shown_name(const std::string& names) { return names.substr(names.rfind(',') + 1); }
 
-/// Calls work(); a std::invalid_argument becomes a UsageError of the option.
+/// Calls work() and turns a std::invalid_argument into a UsageError of the option.
 template <class Work>
 void check_as(const std::string& option, Work work) {
   try {
@@ -85,12 +85,12 @@ Option OptionGroup::add_flag_or_value(const std::string& names, const std::strin
 
 Option OptionGroup::add_repeatable_flag_or_value(const std::string& names, const std::string& kind,
                                                  std::function<void(const std::string&)> take, const std::string& help) {
-  static constexpr std::string_view kAlone = "true";  // what CLI11 gives for a flag without a value
+  static constexpr std::string_view kAlone = "true";  // the text that CLI11 gives for a flag without a value
   const auto each = [take = std::move(take), name = shown_name(names)](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) check_as(name, [&] { take(text == kAlone ? std::string() : text); });
   };
   CLI::Option* option = command_.add_option_function<std::vector<std::string>>(names, each, help);
-  // Without a value of its own behind "=": what stands next is the next argument, such as a file.
+  // Takes a value only behind "=": the next word is an argument, such as a file.
   option->expected(0)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   option->type_name("[=" + kind + "]")->group(name_);
   return Option(option);

@@ -1,7 +1,7 @@
 #pragma once
-/// Options of a command, in groups of its help text. Their texts are read by functions of ours, so that every mistake gives
-/// one line of ours. The library that takes the command line apart (CLI11) is known to options.cpp and main.cpp alone: its
-/// headers take seconds to compile.
+/// Options of a command, in the groups of its help text. Functions of the program parse their texts, so that every mistake
+/// gives a one-line message. In src, only options.cpp, help.hpp and command_line.cpp include CLI11: its headers take seconds
+/// to compile.
 
 #include <functional>
 #include <initializer_list>
@@ -24,47 +24,47 @@ class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
 
-  /// The default, for the help text.
+  /// Sets the default shown in the help text.
   Option standard(const std::string& text) const;
-  /// It can not be given together with any of the others.
+  /// Forbids the option together with any of the others.
   Option excludes(std::initializer_list<Option> others) const;
-  /// It can only be given together with the other one.
+  /// Requires the other option.
   Option needs(Option other) const;
 
  private:
   CLI::Option* option_;
 };
 
-/// A group of options of one command. What an option writes to must outlive the parse.
+/// A group of options of one command. The targets of options must outlive the parse.
 class OptionGroup {
  public:
   OptionGroup(CLI::App& command, std::string name) : command_(command), name_(std::move(name)) {}
 
-  /// An option "NAMES KIND" whose text becomes the value of `target` through `parser`; a std::invalid_argument of the parser
-  /// becomes a UsageError that begins with the option's name.
+  /// An option "NAMES KIND" that stores the result of `parser` in `target`. A std::invalid_argument of the parser becomes a
+  /// UsageError that begins with the option's name.
   template <class Target, class Parser>
   Option add(const std::string& names, const std::string& kind, Target& target, Parser parser, const std::string& help) {
     return add_text(
         names, kind, [&target, parser = std::move(parser)](const std::string& text) { target = parser(text); }, help);
   }
-  /// An option whose text goes to `take`, as it is.
+  /// An option that passes its text to `take`.
   Option add_text(const std::string& names, const std::string& kind, std::function<void(const std::string&)> take,
                   const std::string& help);
   /// An option without a value.
   Option add_flag(const std::string& names, bool& target, const std::string& help);
-  /// An option that may be given several times, each with one value.
+  /// A repeatable option with one value each time.
   Option add_repeatable(const std::string& names, const std::string& kind, std::function<void(const std::string&)> take,
                         const std::string& help);
-  /// As above, with `count` values each time.
+  /// A repeatable option with `count` values each time.
   Option add_repeatable_tuple(const std::string& names, const std::string& kind, int count,
                               std::function<void(const std::vector<std::string>&)> take, const std::string& help);
-  /// An option that may stand alone, for which `take` is given an empty text, or with a value.
+  /// An option with an optional value; `take` receives an empty text if there is none.
   Option add_flag_or_value(const std::string& names, const std::string& kind, std::function<void(const std::string&)> take,
                            const std::string& help);
-  /// As above, with a value behind "=" alone, so that a file may stand next; each use of it adds one.
+  /// A repeatable option with an optional value behind "=", so that a file may follow it.
   Option add_repeatable_flag_or_value(const std::string& names, const std::string& kind,
                                       std::function<void(const std::string&)> take, const std::string& help);
-  /// A flag that may be given a value behind "=", "--axes=grid"; alone it is "true".
+  /// A flag with an optional value behind "=", such as "--axes=grid"; the flag alone gives "true".
   Option add_flag_with_text(const std::string& names, std::string& target, const std::string& help);
 
  private:
@@ -72,13 +72,13 @@ class OptionGroup {
   std::string name_;
 };
 
-/// Adds a command; `help` is one line.
+/// Adds a command. `help` is one line.
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& help, const std::string& footer);
 
-/// Names of the options of a command that its line gives, such as "--dpi" and "-x".
+/// Names of the options given on the command's line, such as "--dpi" and "-x".
 std::vector<std::string> given_options(const CLI::App& command);
 
-/// Adds what stands behind the command without an option's name.
+/// Adds positional arguments.
 void add_argument(CLI::App& command, const std::string& name, std::string& target, const std::string& help);
 void add_arguments(CLI::App& command, const std::string& name, std::vector<std::string>& target, bool required,
                    const std::string& help);

@@ -41,7 +41,7 @@ void warn_of_suffix(const OutputOptions& options) {
     warn(printable(*options.file, kLongestPath),
          "is written as " + name(*options.format) + " (--format), though its name is that of " + name(named));
   } catch (const std::invalid_argument&) {
-    // A name that says nothing is right for all formats.
+    // A name without a known suffix suits all formats.
   }
 }
 

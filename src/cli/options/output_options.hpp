@@ -1,5 +1,5 @@
 #pragma once
-/// Options that say where the result goes.
+/// Options for the output file and its format.
 
 #include <optional>
 #include <string>
@@ -17,23 +17,23 @@ struct OutputOptions {
   std::optional<OutputFormat> format;
 };
 
-/// Adds -o and --format. `formats` is the help text of the latter: what there is, and the default.
+/// Adds -o and --format. `formats` is the help text of --format: the choices and the default.
 void add_output_options(CLI::App& app, OutputOptions& options,
                         const std::string& formats = "svg pdf png json hpgl gcode (default: by the suffix)");
 
 /// Adds --dpi.
 void add_dpi_option(CLI::App& app, double& dpi);
 
-/// Adds --curves. `standard` is the help text of the default.
+/// Adds --curves. `standard` is the default shown in the help text.
 void add_curves_option(CLI::App& app, std::optional<bool>& curves, const std::string& standard);
 
 /// Adds --title.
 void add_title_option(CLI::App& app, std::string& title, const std::string& help);
 
-/// Warns where the file is written in another format than its name says.
+/// Warns if the suffix of the file names another format than --format.
 void warn_of_suffix(const OutputOptions& options);
 
-/// The format: as given, else by the suffix of the file. Throws UsageError when it can not be known.
+/// The format: --format, or else from the suffix of the file. Throws UsageError if neither determines it.
 OutputFormat format_of(const OutputOptions& options);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Options that say where on which page the picture lies.
+/// Options for the page and the position of the picture on it.
 
 #include "picture/requests.hpp"
 
@@ -11,7 +11,7 @@ namespace ligne {
 
 void add_page_options(CLI::App& app, PageRequest& request);
 
-/// "--width": the names of layers; `own_layers`: only of ours.
+/// Adds --width with the names of layers. `own_layers`: allows only the program's own layers.
 void add_width_option(CLI::App& app, LineWidths& widths, bool own_layers);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Surfaces as three formulas in u and v, of ligne surface and among the models of ligne draw.
+/// Options for surfaces given by three formulas in u and v, of ligne surface and ligne draw.
 
 #include <string>
 
@@ -8,10 +8,10 @@
 
 namespace ligne {
 
-/// --parametric X Y Z, repeatable.
+/// Adds --parametric X Y Z, repeatable.
 void add_parametric(OptionGroup& group, SurfaceRequest& request, const std::string& help);
 
-/// -u and -v, repeatable: the ranges of one surface after the other.
+/// Adds -u and -v, repeatable: one range per surface, in order.
 void add_parameter_ranges(OptionGroup& group, SurfaceRequest& request);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Options of pens and plotters.
+/// Options for pens and plotters.
 
 #include <string>
 
@@ -13,7 +13,7 @@ namespace ligne {
 
 struct PlotterOptions {
   PlotterChoice choice;
-  std::string preview;  ///< file; empty: none
+  std::string preview;  ///< file name; empty: none
 };
 
 void add_plotter_options(CLI::App& app, PlotterOptions& options);

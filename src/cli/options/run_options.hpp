@@ -1,5 +1,5 @@
 #pragma once
-/// Options that say how the program behaves while it works.
+/// Options for the run: threads, memory, reports, progress.
 
 #include <optional>
 #include <string>
@@ -24,30 +24,30 @@ struct RunOptions {
   unsigned threads = 0;  ///< 0: all cores
   std::optional<MemoryLimit> max_memory;
   bool stats = false;
-  std::string stats_json;  ///< file, or empty
+  std::string stats_json;  ///< file name, or empty
   ShowProgress progress = ShowProgress::automatic;
   bool quiet = false;
-  std::vector<std::string> given{};  ///< names of all options that the command line gives
+  std::vector<std::string> given{};  ///< names of all options given on the command line
 
   MemoryLimit memory() const { return max_memory ? *max_memory : usual_memory_limit(); }
 };
 
 void add_run_options(CLI::App& app, RunOptions& options);
 
-/// Writes the warnings, but not those of a quiet run. `place` stands at the head of warnings that name no file.
+/// Writes the warnings unless the run is quiet. `place` precedes warnings that name no file.
 void report_warnings(const RunReport& report, const std::string& place, const RunOptions& options);
 
-/// The files of a picture as the command line names them.
+/// The files of a picture as named on the command line.
 struct PictureNames {
   std::string output;
   std::string preview;  ///< may be empty
-  std::string place;    ///< at the head of warnings, as above
+  std::string place;    ///< precedes warnings that name no file
 };
 
-/// Hands over a picture: its file, the preview beside it, and what was asked for on standard error.
+/// Writes a picture, its preview, and the requested reports on standard error.
 void deliver(Picture picture, const PictureNames& names, const RunOptions& options, RunReport& report, RunFiles& files);
 
-/// The end of a run: writes its counts and times where the options want them, and puts all files in their places.
+/// Ends a run: writes its counts and times as the options require, and moves all files into place.
 void finish(const RunOptions& options, const RunReport& report, RunFiles& files);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Options that say from where the scene is seen.
+/// Options for the view of the scene.
 
 #include <string>
 
@@ -11,7 +11,7 @@ class App;
 
 namespace ligne {
 
-/// `standard`: what holds when no view is named, for the help text.
+/// `standard`: the default view shown in the help text.
 void add_view_options(CLI::App& app, ViewRequest& request, const std::string& standard = "iso");
 
 }  // namespace ligne
