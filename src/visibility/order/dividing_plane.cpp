@@ -9,14 +9,14 @@
 namespace ligne {
 namespace {
 
-constexpr std::size_t kMany = 96;     ///< adjustable: larger sets are halved rather than divided with fewest cuts
-constexpr std::size_t kSample = 512;  ///< adjustable: candidates are judged by so many pieces of a set at the most
+constexpr std::size_t kMany = 96;     ///< largest set for which the fewest cuts are sought; larger sets are halved. Tuned
+constexpr std::size_t kSample = 512;  ///< most pieces of a set on which a candidate is judged. Tuned
 
 struct Division {
   std::size_t front = 0, back = 0, cut = 0;
 
-  /// The larger the worse. Of few pieces those that are cut count, then the larger side; of many the larger side with what
-  /// is cut: that is what makes the tree n log n.
+  /// The cost of a division; smaller is better. Few pieces: first the number of cuts, then the larger side. Many pieces: the
+  /// larger side plus twice the cuts, which keeps the size of the tree O(n log n).
   std::array<std::size_t, 2> cost(bool many) const {
     const std::size_t larger = std::max(front, back) + cut;
     return many ? std::array{larger + cut, cut} : std::array{cut, larger};
@@ -34,7 +34,7 @@ Division divide(const ModelPieces& pieces, std::span<const std::uint32_t> set, s
   return result;
 }
 
-/// Across axis `k`, through the median of corners: where corners are, faces often end.
+/// The plane across axis `k` through the median of the pieces' first corners: faces often end where corners are.
 ModelPlane median_plane(const ModelPieces& pieces, std::span<const std::uint32_t> set, std::size_t stride, int k) {
   std::vector<double> places;
   for (std::size_t i = 0; i < set.size(); i += stride) places.push_back(pieces.point(pieces.corners(set[i])[0])[k]);
@@ -59,7 +59,7 @@ DividingPlane choose_plane(const ModelPieces& pieces, std::span<const std::uint3
   bool any = false;
   const auto consider = [&](const DividingPlane& candidate) {
     const Division division = divide(pieces, set, stride, candidate.plane);
-    // A plane of no face that leaves all on one side divides nothing.
+    // A plane that belongs to no face must leave pieces on both sides.
     const bool divides = division.front + division.cut < set.size() && division.back + division.cut < set.size();
     if (candidate.face == kNone && (!divides || std::min(division.front, division.back) == 0)) return;
     const auto cost = division.cost(many);

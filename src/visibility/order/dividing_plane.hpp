@@ -1,5 +1,5 @@
 #pragma once
-/// The choice of a plane that divides a set of pieces: of some candidates the one that cuts the fewest.
+/// Choice of a plane that divides a set of pieces: the best of some candidates.
 
 #include <cstdint>
 #include <span>
@@ -12,21 +12,21 @@ namespace ligne {
 
 struct DividingPlane {
   ModelPlane plane;
-  std::uint32_t face = kNone;  ///< whose plane it is; kNone: a plane of no face
+  std::uint32_t face = kNone;  ///< face in this plane; kNone: none
 };
 
 struct PlaneChoice {
-  unsigned candidates = 5;  ///< faces that are tried, at random
-  /// Sets of many pieces may be divided by planes of no face too. With planes of faces alone the bsp tree of a convex body
-  /// of n faces has depth n.
+  unsigned candidates = 5;  ///< faces tried, chosen at random
+  /// Sets of many pieces may also be divided by planes of no face. With face planes alone the BSP tree of a convex body of n
+  /// faces has depth n.
   bool free_planes = true;
 };
 
-/// Divides a set that is not empty. With the same seed the choice is the same.
+/// Divides a non-empty set. Equal seeds give equal choices.
 DividingPlane choose_plane(const ModelPieces& pieces, std::span<const std::uint32_t> set, const PlaneChoice& choice,
                            std::uint64_t seed);
 
-/// A number that looks like chance, from another one.
+/// A pseudo-random number from another number.
 inline std::uint64_t scramble(std::uint64_t x) { return mix_bits(x + kGoldenRatio); }
 
 }  // namespace ligne

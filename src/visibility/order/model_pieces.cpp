@@ -11,11 +11,11 @@
 namespace ligne {
 namespace {
 
-/// Part of the largest coordinate: three differences, their products with a unit vector that is itself rounded, two sums;
-/// and the same for the corner of a cut, and for that of a cut of what was cut.
+/// Rounding error of a height, relative to the largest coordinate: three differences, their products with a rounded unit
+/// vector, and two sums; likewise for the corner of a cut, and for a cut of a cut.
 constexpr double kModelHeightRounding = 0x1p-48;
 
-/// a b - c d with a relative error of two roundings, whatever cancels (Kahan's difference of products).
+/// a b - c d with a relative error of two roundings despite cancellation (Kahan's difference of products).
 double difference_of_products(double a, double b, double c, double d) {
   const double cd = c * d;
   const double error = std::fma(-c, d, cd);
@@ -28,7 +28,7 @@ double largest_part(const Point3& p) { return std::max({std::abs(p.x), std::abs(
 
 ModelPlane plane_through(const Point3& a, const Point3& b, const Point3& c) {
   Point3 u = b - a, v = c - a;
-  // Both are made about 1 long: products of tiny triangles would vanish.
+  // Both vectors are scaled to about unit length: products of tiny triangles would underflow.
   const double size_u = largest_part(u), size_v = largest_part(v);
   if (size_u == 0 || size_v == 0) return {Point3(0), a};
   u /= size_u;
@@ -53,7 +53,7 @@ ModelPieces::ModelPieces(const Scene& scene)
   }
 }
 
-/// Finds the planes of the triangles, and how far rounding moves points in them.
+/// Finds the planes of the triangles, and the tolerance of heights over them.
 void ModelPieces::find_planes() {
   double largest = 0;
   for (const Point3& p : points_) largest = std::max(largest, largest_part(p));
@@ -70,7 +70,7 @@ ModelPieces::ModelPieces(ByteReader& bytes, const Scene& scene)
     for (const std::uint32_t v : t.v) bytes.need(v < points_.size(), "a triangle has a vertex that is not there");
   }
   find_planes();
-  // Corners of cuts lie between vertices: the tolerance is that of the vertices.
+  // Corners of cuts lie between vertices, so the tolerance from the vertices holds for them.
   for (const Point3& p : bytes.list<Point3>()) {
     bytes.need(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "the corner of a cut is not a point");
     points_.push_back(p);

@@ -7,7 +7,7 @@
 namespace ligne {
 namespace {
 
-constexpr int kCells = 64;  ///< adjustable: columns and rows of the grid in which pieces are looked up
+constexpr int kCells = 64;  ///< columns and rows of the grid for searching pieces. Tuned
 
 bool covers(const PaintPiece& piece, Point2 p) {
   bool in = false;
@@ -20,7 +20,7 @@ bool covers(const PaintPiece& piece, Point2 p) {
   return in;
 }
 
-/// The pieces over each cell of the page, in the order of painting.
+/// The pieces over each cell of the page, in painting order.
 class PieceGrid {
  public:
   explicit PieceGrid(const PaintOrder& order) : pieces_(order.pieces), cells_(kCells * kCells) {
@@ -36,7 +36,7 @@ class PieceGrid {
     }
   }
 
-  /// Whether the piece is the last one that covers the point.
+  /// True if the piece is the last that covers the point.
   bool is_seen(std::uint32_t piece, Point2 p) const {
     const std::vector<std::uint32_t>& cell = cells_[row(p.y) * kCells + column(p.x)];
     for (auto later = cell.rbegin(); later != cell.rend() && *later >= piece; ++later) {
@@ -57,7 +57,7 @@ class PieceGrid {
   std::vector<std::vector<std::uint32_t>> cells_;
 };
 
-/// The middle of a contour's corners, and points from there towards its corners and the middles of its sides.
+/// The centre of a contour's corners, and points between it and the corners and midpoints of sides.
 std::vector<Point2> points_to_try(const std::vector<Point2>& contour) {
   constexpr double kParts[] = {0.5, 0.8, 0.95};  // adjustable
   const Point2 middle = std::accumulate(contour.begin(), contour.end(), Point2{0, 0}) / double(contour.size());

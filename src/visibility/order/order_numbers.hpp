@@ -1,5 +1,5 @@
 #pragma once
-/// An order of painting shown as numbers.
+/// A painting order shown as numbers on the page.
 
 #include <cstdint>
 #include <span>
@@ -9,12 +9,11 @@
 
 namespace ligne {
 
-/// A number for each group of pieces of which something is seen, at a point of it that no later piece covers. `group_of`:
-/// per piece of the order the number of its group. Points are tried, so a piece of which only a corner is seen may go
-/// without.
+/// One number for each visible group of pieces, at a point of the group that no later piece covers. `group_of`: group number
+/// per piece of the order. Only sampled points are tried, so a group with a small visible part may get no number.
 std::vector<PageNumber> order_numbers(const PaintOrder& order, std::span<const std::uint32_t> group_of);
 
-/// Pieces of one face that follow each other are one group: 1 is painted first.
+/// Successive pieces of one face form a group. Number 1 is painted first.
 std::vector<PageNumber> order_numbers(const PaintOrder& order);
 
 }  // namespace ligne

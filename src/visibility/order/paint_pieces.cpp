@@ -10,15 +10,15 @@
 namespace ligne {
 namespace {
 
-/// A side of a piece, as it turns. Corners that cuts made are equal where neighbours were cut on their common side.
+/// A directed side of a piece. Cuts through a common side of two pieces give both the same corner.
 struct DirectedSide {
   Point3 from, to;
   std::array<double, 6> key() const { return {from.x, from.y, from.z, to.x, to.y, to.z}; }
   std::array<double, 6> opposite() const { return {to.x, to.y, to.z, from.x, from.y, from.z}; }
 };
 
-/// The sides that no two pieces of one turn have in common, joined into contours. Which of several contours through one
-/// corner goes on there is of no account to an area that is filled by parity.
+/// The sides that no two equally oriented pieces share, joined into contours. Where several contours pass through one
+/// corner, any continuation gives the same area under parity filling.
 std::vector<std::vector<Point3>> outer_contours(const ModelPieces& pieces, std::span<const std::uint32_t> parts) {
   std::vector<DirectedSide> sides;
   for (const std::uint32_t part : parts) {
@@ -91,7 +91,7 @@ bool PaintPieces::project(std::span<const Point3> contour) {
   return corners_.size() >= 3;
 }
 
-/// Puts what is seen of the piece into corners_; returns whether there is anything.
+/// Stores the visible part of the piece in corners_; returns false if there is none.
 bool PaintPieces::project(std::uint32_t piece) {
   corners_.clear();
   if (!is_seen_[pieces_.face(piece)]) return false;

@@ -1,5 +1,5 @@
 #pragma once
-/// Pieces of faces in model space as they are painted on the page.
+/// Pieces of faces in model space, projected for painting on the page.
 
 #include <array>
 #include <span>
@@ -12,37 +12,36 @@
 
 namespace ligne {
 
-/// From where the projected scene is seen.
+/// The viewpoint of a camera.
 Viewpoint viewpoint_of(const Camera& camera);
 
-/// Per face of the scene 1 when the projected scene has a triangle of it that is not seen edge on.
+/// Per face of the scene: 1 if the projected scene has a triangle of it that is not edge-on.
 std::vector<std::uint8_t> shown_faces(const ProjectedScene& scene);
 
-/// Planes in model space as depths over the page: z = p[0] x + p[1] y + p[2] at the page point (x, y) mm, not finite for
-/// planes that are seen edge on.
+/// Maps planes in model space to depths over the page: z = p[0] x + p[1] y + p[2] at the page point (x, y) mm. Not finite
+/// for edge-on planes.
 class PagePlanes {
  public:
   explicit PagePlanes(const View& view);
   std::array<double, 3> operator()(const ModelPlane& plane) const;
 
  private:
-  glm::dmat4 to_page_;  ///< for the coefficients of planes
+  glm::dmat4 to_page_;  ///< maps plane coefficients
 };
 
-/// Projects pieces and clips them to what the study sees. Pieces of faces that the projected scene does not have, or that
-/// are seen edge on, are left out.
+/// Projects pieces and clips them to the view volume. Omits pieces of faces that are edge-on or not in the projected scene.
 class PaintPieces {
  public:
   PaintPieces(const ProjectedScene& scene, const ModelPieces& pieces);
 
-  /// Puts the piece behind all that were added.
+  /// Appends the piece to the order.
   void add(std::uint32_t piece, PaintOrder& order);
 
-  /// Puts a part of a face that consists of these pieces, with that plane on the page, behind all that were added: as one
-  /// area with holes. Sides that two of the pieces have in common are inside it, so it has no seams.
+  /// Appends one part of a face, made of these pieces and with that plane on the page, as one area with holes. Common sides
+  /// of the pieces are interior, so the area has no seams.
   void add_whole(std::span<const std::uint32_t> pieces, const std::array<double, 3>& plane, PaintOrder& order);
 
-  /// The outlines on the page, hidden or not, of all pieces of triangles that were cut.
+  /// Outlines on the page, hidden or not, of all pieces of triangles that were cut.
   std::vector<std::vector<Point2>> outlines_of_cut();
 
  private:

@@ -14,7 +14,7 @@ namespace {
 
 using Polygon = std::vector<Point3>;
 
-/// Leaves of a convex polygon what is in front of the plane, or behind it.
+/// Clips a convex polygon to the front or the back of the plane.
 void keep_side(Polygon& polygon, const ModelPlane& plane, bool front) {
   const auto inside = [&](const Point3& p) { return front ? plane.height(p) : -plane.height(p); };
   Polygon kept;
@@ -40,7 +40,7 @@ Box box_of(const Scene& scene) {
   return box;
 }
 
-/// The part of the plane in the box.
+/// The intersection of the plane with the box.
 Polygon section(const ModelPlane& plane, const Box& box) {
   const Point3 middle = (box.low + box.high) * 0.5, foot = middle - plane.normal * plane.height(middle);
   const double reach = glm::length(box.high - box.low);

@@ -1,5 +1,5 @@
 #pragma once
-/// The planes of a tree over space, as lines on the page.
+/// The planes of a spatial tree as lines on the page.
 
 #include <cstdint>
 #include <span>
@@ -12,16 +12,16 @@
 
 namespace ligne {
 
-/// A node of a tree, behind its parent in the list of nodes.
+/// A node of a tree. Nodes follow their parents in the list.
 struct PartitionNode {
   ModelPlane plane;
-  bool divides = true;  ///< what is below it is divided by its plane
+  bool divides = true;  ///< true if the plane divides what lies below the node
   std::uint32_t parent = 0xffffffffu;
   bool in_front = false;  ///< in front of its parent's plane
 };
 
-/// The nodes of a tree, with their parents instead of their children. A node has `plane`, `front` and `back`; a child that
-/// is not there has the number kNone. `divides(node)`: whether its plane divides what is below it.
+/// The nodes of a tree with links to parents instead of children. Node needs `plane`, `front` and `back`; a missing child is
+/// kNone. `divides(node)`: true if its plane divides what lies below it.
 template <typename Node, typename Divides>
 std::vector<PartitionNode> partition_nodes(const std::vector<Node>& nodes, Divides&& divides) {
   std::vector<PartitionNode> partition(nodes.size());
@@ -38,14 +38,14 @@ std::vector<PartitionNode> partition_nodes(const std::vector<Node>& nodes, Divid
   return partition;
 }
 
-/// Planes of a tree on the page.
+/// The planes of a tree projected to the page.
 struct PartitionLines {
-  std::vector<std::vector<Point2>> outlines;  ///< closed, page mm; those seen edge on are lines there and back
-  std::vector<PageNumber> numbers;            ///< in the middle of each outline: of its node among those that divide, from 1
+  std::vector<std::vector<Point2>> outlines;  ///< closed, page mm; an edge-on plane gives a line there and back
+  std::vector<PageNumber> numbers;            ///< at the centre of each outline: index among the dividing nodes, from 1
 };
 
-/// Per dividing node the part of its plane that divides: inside the box round the scene, and on its own side of the planes
-/// of the nodes above it. Parents have lower numbers.
+/// Per dividing node: the part of its plane inside the scene's bounding box and on its own side of its ancestors' planes.
+/// Parents have lower numbers.
 PartitionLines partition_lines(const ProjectedScene& scene, std::span<const PartitionNode> nodes);
 
 }  // namespace ligne

@@ -1,6 +1,5 @@
 #pragma once
-/// From a tree that gives the pieces of a scene from the front to the back for any viewpoint to strokes and an order of
-/// painting.
+/// Strokes and a painting order from a tree that lists the pieces of a scene front to back for any viewpoint.
 
 #include <memory>
 #include <utility>
@@ -45,8 +44,8 @@ inline PlaneChoice plane_choice(const MethodSettings& settings) {
   return choice;
 }
 
-/// `Tree` has pieces(), partition() and front_to_back(viewpoint, visit(piece, rank)), where pieces of one rank do not hide
-/// each other.
+/// `Tree` has pieces(), partition() and front_to_back(viewpoint, visit(piece, rank)). Pieces of one rank do not hide each
+/// other.
 template <class Tree>
 VisibilityResult tree_visibility(const Tree& tree, const ProjectedScene& scene, const VisibilityOptions& options) {
   Clock clock;
@@ -81,11 +80,11 @@ VisibilityResult tree_visibility(const Tree& tree, const ProjectedScene& scene, 
   return result;
 }
 
-/// A method that compiles a tree from a scene's model, once for any view of it.
+/// A method that compiles a tree from a scene's model once, for all views.
 template <class Tree>
 class TreeMethod : public Method {
  public:
-  /// Studies by the tree that is there, or compiles one and puts the time of that before those of the study.
+  /// Uses the compiled tree if there is one; otherwise compiles it and reports the time before those of the study.
   VisibilityResult compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const final {
     if (options.compiled) return compute_visibility(dynamic_cast<const Tree&>(*options.compiled), scene, options);
     Clock clock;
@@ -103,7 +102,7 @@ class TreeMethod : public Method {
     return std::make_shared<Tree>(bytes, scene);
   }
 
-  /// Takes a tree that was built from the scene's model before, for this view or another one.
+  /// Uses a tree built earlier from the scene's model, for this or another view.
   VisibilityResult compute_visibility(const Tree& tree, const ProjectedScene& scene,
                                       const VisibilityOptions& options) const {
     VisibilityResult result = tree_visibility(tree, scene, options);
@@ -115,7 +114,7 @@ class TreeMethod : public Method {
   }
 
  private:
-  /// Reports the counts that only this kind of tree has.
+  /// Reports the counts specific to this kind of tree.
   virtual void count(const typename Tree::Counts& counts, Statistics& statistics) const = 0;
 };
 
