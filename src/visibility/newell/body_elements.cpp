@@ -10,14 +10,14 @@ std::vector<Point2> convex_hull(std::vector<Point2> points) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   std::vector<Point2> hull;
-  // The lower chain from left to right, then the upper one back.
+  // The lower chain from left to right, then the upper chain from right to left.
   for (const bool upper : {false, true}) {
     const std::size_t begin = hull.size();
     for (const Point2 p : points) {
       while (hull.size() >= begin + 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) hull.pop_back();
       hull.push_back(p);
     }
-    hull.pop_back();  // the other chain begins with it
+    hull.pop_back();  // the other chain begins with this point
     if (!upper) std::reverse(points.begin(), points.end());
   }
   return hull;

@@ -8,7 +8,7 @@
 namespace ligne::newell {
 namespace {
 
-/// Adjustable: of larger sets it is not asked whether they are convex, since that takes the square of their size.
+/// Most products of vertices and triangles for which a set is tested for convexity: the test is quadratic. Tuned.
 constexpr std::size_t kMostHeights = std::size_t{1} << 22;
 
 }  // namespace
@@ -20,7 +20,7 @@ ConvexBodies::ConvexBodies(const Scene& scene, const ModelPieces& pieces, const 
     sets.join(t.v[0], t.v[1]);
     sets.join(t.v[0], t.v[2]);
   }
-  // Triangles by their sets; in a set as they come.
+  // Groups the triangles by set, in their order.
   const std::vector<Triangle>& triangles = pieces.triangles();
   const auto root = [&](std::uint32_t t) { return sets.find(triangles[t].v[0]); };
   std::vector<std::uint32_t> next(scene.vertices.size() + 1, 0);
@@ -60,7 +60,7 @@ void ConvexBodies::collect_vertices(const std::vector<std::uint32_t>& shell, con
   vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
 }
 
-/// Sets is_front_ of the faces of a convex body: the viewer is on the side of a plane where the middle of the body is not.
+/// Sets is_front_ for the faces of a convex body: the viewer and the body's centre lie on opposite sides of the plane.
 void ConvexBodies::find_fronts(const std::vector<std::uint32_t>& shell, const ModelPieces& pieces,
                                const Viewpoint& viewpoint) {
   collect_vertices(shell, pieces);
@@ -74,8 +74,8 @@ void ConvexBodies::find_fronts(const std::vector<std::uint32_t>& shell, const Mo
   }
 }
 
-/// Whether all of the set lies on one side of each of its planes; sets is_front_. A face that is not planar may have
-/// triangles of which the viewer sees different sides: then nothing is known of the set.
+/// True if all vertices of the set lie on one side of each of its planes; then sets is_front_. A non-planar face whose
+/// triangles face the viewer differently makes the result false.
 bool ConvexBodies::lies_on_one_side(const std::vector<std::uint32_t>& shell, const ModelPieces& pieces,
                                     const Viewpoint& viewpoint) {
   collect_vertices(shell, pieces);

@@ -1,5 +1,5 @@
 #pragma once
-/// An element of the priority list, with its extents.
+/// An element of the priority list and its extents.
 
 #include <algorithm>
 #include <array>
@@ -17,19 +17,19 @@ struct Extents {
 
   void extend(const Extents& o);
   double longest_side() const { return std::max(high[0] - low[0], high[1] - low[1]); }  ///< on the page
-  /// Whether they have more than a border in common along the axis.
+  /// True if they overlap along the axis by more than a border.
   bool overlap(const Extents& o, int axis) const { return low[axis] < o.high[axis] && o.low[axis] < high[axis]; }
 };
 
-/// A connected part of a face, or a convex body (body_elements.hpp). Its parts are convex pieces of the triangles.
+/// A connected part of a face, or a convex body (body_elements.hpp). `parts` are convex pieces of triangles.
 struct Element {
-  std::uint32_t face = 0;            ///< of a body: one of its faces
+  std::uint32_t face = 0;            ///< for a body: one of its faces
   std::vector<std::uint32_t> parts;  ///< numbers of pieces
   Extents extents;
-  ModelPlane plane;                              ///< its normal points to the viewer's side; a body has none
+  ModelPlane plane;                              ///< its normal points to the viewer's side; unset for a body
   std::array<double, 3> page_plane{};            ///< see PagePlanes
-  std::size_t corner_begin = 0, corner_end = 0;  ///< of its parts in the model, see PaintElements
-  std::uint32_t body = kNone;                    ///< number of the body, or kNone
+  std::size_t corner_begin = 0, corner_end = 0;  ///< range of corners of its parts in the model, see PaintElements
+  std::uint32_t body = kNone;                    ///< body number, or kNone
 };
 
 }  // namespace ligne::newell

@@ -12,8 +12,8 @@
 #include "visibility/order/order_numbers.hpp"
 #include "visibility/order/paint_pieces.hpp"
 
-// Phases: (1) elements: faces with their extents and planes, (2) the priority list, (3) every edge against the faces that
-// have pieces before its own. See docs/methods/newell.md.
+// Phases: (1) elements: faces with their extents and planes, (2) the priority list, (3) every edge against the faces with
+// pieces before the edge's own. See docs/methods/newell.md.
 
 namespace ligne {
 namespace {
@@ -33,7 +33,7 @@ constexpr MethodParameter kParameters[] = {
                 "faces", kElementNames}),
 };
 
-/// The sets as rectangles. Slabs, which lie over each other on the page, are numbered in the order of painting.
+/// Shows the sets as rectangles. Slabs overlap on the page and are numbered in painting order.
 void show_sets(const std::vector<PriorityList::FoundSet>& sets, bool numbers, VisibilityResult& result) {
   for (const PriorityList::FoundSet& set : sets) {
     const Point2 a(set.extents.low[0], set.extents.low[1]), b(set.extents.high[0], set.extents.high[1]);
@@ -42,10 +42,10 @@ void show_sets(const std::vector<PriorityList::FoundSet>& sets, bool numbers, Vi
   }
 }
 
-/// The list of a view, for one that is similar.
+/// The list of a view, reused for a similar view.
 class KeptList final : public KeptVisibility {
  public:
-  /// `before`: the one that was taken over, or nullptr.
+  /// `before`: the list that this one was made from, or nullptr.
   KeptList(const PaintElements& elements, const std::vector<std::uint32_t>& farthest_first, const Camera& camera,
            const KeptList* before)
       : elements_{{}, elements.pieces()},
@@ -54,8 +54,8 @@ class KeptList final : public KeptVisibility {
     for (const std::uint32_t e : farthest_first) elements_.list.push_back({elements[e].face, elements[e].parts});
   }
 
-  /// Adjustable: a list is taken over where the model was turned by no more, and where cuts of many views have not made it
-  /// longer by more than a third than the first was.
+  /// A list is reused if the model was rotated by at most kMostDegrees, and if cuts have not made it longer than
+  /// kMostElements times the first list. Tuned.
   static constexpr double kMostDegrees = 10, kMostElements = 4.0 / 3;
   bool serves(const Camera& camera) const {
     return glm::dot(forward_, camera.forward) >= std::cos(glm::radians(kMostDegrees)) &&
@@ -66,7 +66,7 @@ class KeptList final : public KeptVisibility {
  private:
   EarlierElements elements_;
   Point3 forward_;
-  std::size_t first_size_;  ///< of the list that was not taken over, from which it comes
+  std::size_t first_size_;  ///< length of the first list, made without an earlier one
 };
 
 void report(const ListCounts& counts, Statistics& statistics) {
@@ -131,7 +131,7 @@ VisibilityResult NewellMethod::compute_visibility(const ProjectedScene& scene, c
     ranks.add(element.face, static_cast<std::uint32_t>(farthest_first.size() - i));
     if (options.wanted & kOrder) pieces.add_whole(element.parts, element.page_plane, order);
     if (!numbers) continue;
-    for (const std::uint32_t part : element.parts) pieces.add(part, numbered);  // convex, so a number finds its place
+    for (const std::uint32_t part : element.parts) pieces.add(part, numbered);  // parts are convex, so a number fits inside
     number_of_piece.resize(numbered.pieces.size(), static_cast<std::uint32_t>(i + 1));
   }
   std::vector<std::vector<Point2>> cut;

@@ -1,5 +1,6 @@
 #pragma once
-/// The priority list: faces sorted by depth, the sort checked and mended pair by pair, and cut where there is no order.
+/// The priority list: faces are sorted by depth, the sort is checked and corrected pair by pair, and faces without an order
+/// are cut.
 ///
 /// After M. E. Newell, R. G. Newell, T. L. Sancha, "A solution to the hidden surface problem", ACM National Conference 1972.
 /// docs/methods/newell.md.

@@ -14,12 +14,12 @@
 namespace ligne::newell {
 namespace {
 
-/// Part of the sizes that are added to a depth: two products, the coefficients of a plane through two matrices.
+/// Rounding error of a depth, relative to the summed magnitudes: two products, and plane coefficients through two matrices.
 constexpr double kDepthRounding = 0x1p-44;
-/// Part of a step of the lattice: strips that are narrower may come of rounding, which is far less.
+/// Width of strips that may result from rounding, in lattice steps. Rounding itself is far smaller.
 constexpr double kStripRounding = 0x1p-10;
 
-/// Whether a side of `a` has all of `b` outside, or less than `margin` inside.
+/// True if all of `b` lies outside one side of `a`, or less than `margin` inside it.
 bool has_side_between(std::span<const Point2> a, std::span<const Point2> b, double margin) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Point2 side = a[i + 1 == a.size() ? 0 : i + 1] - a[i];
@@ -69,7 +69,7 @@ PaintElements::PaintElements(const ProjectedScene& scene, const EarlierElements*
     }
     in_order_ = elements_.size();
   }
-  // Those of a face that was cut need not lie together.
+  // The pieces of a cut face need not be adjacent.
   std::vector<std::uint32_t> others, parts;
   for (std::uint32_t piece = 0; piece < count; ++piece) {
     if (!added[piece]) others.push_back(piece);
@@ -94,7 +94,7 @@ void PaintElements::find_convex_faces() {
   for (std::uint32_t f = 0; f < is_convex_.size(); ++f) is_convex_[f] = is_convex_face(scene, f, 0);
 }
 
-/// Puts each body of two faces or more in the place of its faces.
+/// Replaces the faces of each body of two or more faces by one element.
 void PaintElements::make_whole_bodies() {
   std::vector<std::vector<std::uint32_t>> members(bodies_.count());
   for (std::uint32_t e = 0; e < elements_.size(); ++e) {
@@ -141,7 +141,7 @@ std::vector<std::uint32_t> PaintElements::open(std::uint32_t body) {
   return numbers;
 }
 
-/// An element of these pieces of a face, so far as they are in view.
+/// Adds an element of the visible ones among these pieces of a face.
 void PaintElements::add(std::uint32_t face, std::span<const std::uint32_t> parts) {
   if (!shown_[face]) return;
   Element element{face, {}, {}, pieces_.plane_of(parts[0])};
@@ -165,7 +165,7 @@ void PaintElements::append(Element element) {
       for (const std::uint32_t corner : pieces_.corners(part)) element_corners_.push_back(pieces_.point(corner));
     }
   } else {
-    // The corners of a body, each once: many of its pieces have them in common.
+    // Stores each corner of a body once: its pieces share corners.
     std::vector<std::uint32_t> corners;
     for (const std::uint32_t part : element.parts) {
       corners.insert(corners.end(), pieces_.corners(part).begin(), pieces_.corners(part).end());
@@ -178,7 +178,7 @@ void PaintElements::append(Element element) {
   elements_.push_back(std::move(element));
 }
 
-/// Puts what is seen of the piece into its contour.
+/// Stores the visible contour of the piece and returns its extents.
 Extents PaintElements::project(std::uint32_t piece) {
   corners_.clear();
   for (const std::uint32_t corner : pieces_.corners(piece)) corners_.push_back(to_homogeneous(view_, pieces_.point(corner)));
@@ -218,7 +218,7 @@ PlaneSide PaintElements::side(std::uint32_t element, const ModelPlane& plane) co
   return pieces_.side_of_heights(low, high);
 }
 
-// A body lies wholly before the plane of each of its back faces and behind that of each of its front faces.
+// A body lies in front of the plane of each of its back faces and behind the plane of each of its front faces.
 bool PaintElements::lies_behind(std::uint32_t element, std::uint32_t of) const {
   const auto is_behind = [&](const Element& face) {
     const PlaneSide s = side(element, face.plane);
@@ -271,7 +271,7 @@ Hiding PaintElements::hiding(std::uint32_t a, std::uint32_t b, CommonPart& work)
   return result;
 }
 
-/// Adds what two faces show.
+/// Adds the result for two faces.
 void PaintElements::compare_depths(const Element& a, const Element& b, CommonPart& work, Hiding& result) const {
   const std::array<double, 3>&p = a.page_plane, &q = b.page_plane;
   const std::array<double, 3> d{p[0] - q[0], p[1] - q[1], p[2] - q[2]};
@@ -297,7 +297,7 @@ void PaintElements::compare_depths(const Element& a, const Element& b, CommonPar
   }
 }
 
-/// Sets of parts that hang together by sides.
+/// Groups of parts connected by common sides.
 std::vector<std::vector<std::uint32_t>> PaintElements::connected(const std::vector<std::uint32_t>& parts) const {
   if (parts.size() <= 1) return {parts};
   using Corner = std::tuple<double, double, double>;
@@ -359,7 +359,7 @@ std::vector<std::uint32_t> PaintElements::cut(std::uint32_t element, ModelPlane 
     for (std::vector<std::uint32_t>& parts : connected(half)) {
       Element piece{elements_[element].face, std::move(parts), {}, elements_[element].plane, elements_[element].page_plane};
       for (const std::uint32_t p : piece.parts) piece.extents.extend(piece_extents_[p]);
-      if (piece.extents.low[0] > piece.extents.high[0]) continue;  // nothing of it is in view
+      if (piece.extents.low[0] > piece.extents.high[0]) continue;  // outside the view
       numbers.push_back(static_cast<std::uint32_t>(elements_.size()));
       append(std::move(piece));
     }
@@ -371,7 +371,7 @@ ModelPlane PaintElements::halving_plane(std::uint32_t element) const {
   const Extents& e = elements_[element].extents;
   const int axis = e.high[1] - e.low[1] > e.high[0] - e.low[0] ? 1 : 0;
   const double middle = (e.low[axis] + e.high[axis]) / 2;
-  // In homogeneous page coordinates (X, Y, Z, W): X - middle W = 0, or Y.
+  // In homogeneous page coordinates (X, Y, Z, W) the plane is X - middle W = 0, or with Y.
   const glm::dmat4& m = view_.model_to_page;
   const auto coefficient = [&](int column) { return m[column][axis] - middle * m[column][3]; };
   const Point3 normal{coefficient(0), coefficient(1), coefficient(2)};

@@ -1,5 +1,5 @@
 #pragma once
-/// The elements of the priority list: faces, and pieces of faces that were cut, with what the tests ask of them.
+/// The elements of the priority list: faces, pieces of cut faces and convex bodies, with the tests on them.
 
 #include <array>
 #include <cstdint>
@@ -16,12 +16,12 @@
 
 namespace ligne::newell {
 
-/// The result of a comparison of depths over a common part of the page.
+/// The result of comparing two elements in depth over their common part of the page.
 struct Hiding {
-  bool first = false, second = false;  ///< somewhere it is in front of the other
+  bool first = false, second = false;  ///< the first (second) is in front of the other somewhere
 };
 
-/// Elements for another view: faces and their pieces, the farthest first, and all pieces of the scene.
+/// The list of an earlier view: faces with their pieces, farthest first, and all pieces of the scene.
 struct EarlierElements {
   struct Part {
     std::uint32_t face = 0;
@@ -31,75 +31,73 @@ struct EarlierElements {
   ModelPieces pieces;
 };
 
-/// Working memory of a comparison: the common part of two projections.
+/// Scratch memory of a comparison: the common part of two projections.
 struct CommonPart {
   std::vector<Point2> corners, spare;
 
-  /// Leaves what is inside the side of a positively turned contour.
+  /// Clips to the inside of one side of a positively oriented contour.
   void clip_by_side(Point2 from, Point2 to);
 };
 
-/// All elements that there ever were, by number: one that is cut keeps its number and is no longer used.
+/// All elements ever made, by number. A cut element keeps its number but is no longer used.
 class PaintElements {
  public:
-  /// The faces that the projected scene shows. With those of an earlier view they begin with the pieces of its list, in its
-  /// order; what that did not show comes behind.
-  /// `whole_bodies`: each convex body is one element until it is opened; without an earlier view only.
+  /// The faces visible in the projected scene. With `earlier`, the elements begin with the pieces of its list, in its order;
+  /// the other faces follow. `whole_bodies`: each convex body is one element until it is opened; only without `earlier`.
   explicit PaintElements(const ProjectedScene& scene, const EarlierElements* earlier = nullptr, bool whole_bodies = false);
-  std::size_t in_order() const { return in_order_; }  ///< so many come from the earlier list
+  std::size_t in_order() const { return in_order_; }  ///< number of elements from the earlier list
 
   std::size_t size() const { return elements_.size(); }
-  std::size_t face_count() const { return face_count_; }  ///< faces in view at the beginning
+  std::size_t face_count() const { return face_count_; }  ///< visible faces at the beginning
   std::size_t whole_bodies() const { return whole_.size(); }
   const Element& operator[](std::uint32_t i) const { return elements_[i]; }
   const ModelPieces& pieces() const { return pieces_; }
 
   const ConvexBodies& bodies() const { return bodies_; }
-  /// That the first does not hide the second is known without a comparison: they are of one face, whose pieces lie in one
-  /// plane, or of one convex body.
+  /// True if it is known without comparison that `a` does not hide `b`: both are of one face, whose pieces are coplanar, or
+  /// of one convex body, or a separating plane orders them.
   bool never_hides(std::uint32_t a, std::uint32_t b) const {
     const std::uint32_t f = elements_[a].face, g = elements_[b].face;
     return f == g || bodies_.never_hides(f, g) || separated(f, g);
   }
-  /// Whether the first face lies behind the second by a separating plane of the scene.
+  /// True if `face` lies behind `other` by a separating plane of the scene.
   bool separated(std::uint32_t face, std::uint32_t other) const { return !cells_.empty() && cells_[face] < cells_[other]; }
-  /// The place of an element in the order that separating planes give: lower numbers are painted first.
+  /// Cell of an element by the separating planes: lower numbers are painted first.
   std::uint32_t cell(std::uint32_t element) const { return cells_.empty() ? 0 : cells_[elements_[element].face]; }
 
-  /// Whether it is known that not each of the two hides the other: parts of convex faces that do not penetrate.
+  /// True if at most one of the two can hide the other: parts of convex faces that do not penetrate.
   bool hide_one_way(std::uint32_t a, std::uint32_t b) const {
-    if (is_convex_.empty() || is_body(a) || is_body(b)) return false;  // a body may be inside another
+    if (is_convex_.empty() || is_body(a) || is_body(b)) return false;  // one body may lie inside another
     return is_convex_[elements_[a].face] && is_convex_[elements_[b].face];
   }
 
-  /// Whether an element is a convex body that was not opened.
+  /// True if the element is a convex body that is not opened.
   bool is_body(std::uint32_t element) const { return elements_[element].body != kNone; }
-  /// Puts the faces of a body in its place. Returns their numbers, the back faces first.
+  /// Replaces a body by its faces. Returns their numbers, back faces first.
   std::vector<std::uint32_t> open(std::uint32_t body);
 
-  /// Whether the plane of `of` shows that the element lies wholly behind it. A body has a plane for each back face.
+  /// True if a plane of `of` proves that the element lies wholly behind it. A body has one plane per back face.
   bool lies_behind(std::uint32_t element, std::uint32_t of) const;
-  /// Whether the plane of `of` shows that the element lies wholly before it. A body has a plane for each front face.
+  /// True if a plane of `of` proves that the element lies wholly in front. A body has one plane per front face.
   bool lies_before(std::uint32_t element, std::uint32_t of) const;
 
-  /// On which side of the plane of `of` the element lies: front is the viewer's.
+  /// The side of the plane of `of` on which the element lies; front is the viewer's side.
   PlaneSide side(std::uint32_t element, std::uint32_t of) const;
 
-  /// Whether the projections have no inner point in common, compared edge by edge. Pieces smaller than a step of the
-  /// lattice, of which nothing can be seen, have none. A long strip has, however narrow: a line that lies in it is hidden
-  /// with it.
+  /// True if the projections share no inner point, compared edge by edge. Pieces smaller than a lattice step are invisible
+  /// and always disjoint. A long strip is not, however narrow, because it hides a line inside it.
   bool disjoint(std::uint32_t a, std::uint32_t b) const;
 
-  /// Which of two elements that are not disjoint is in front, over all that their projections have in common. What differs
-  /// less in depth than the error of the input explains touches. That is less than the depth tolerance within which a facet
-  /// hides no line, which has room for the lattice too: so the order never leaves out what hides.
+  /// Compares the depths of two non-disjoint elements over the whole common part of their projections. Depth differences
+  /// within the input error count as touching. That error is below the depth tolerance within which a facet hides no line,
+  /// so the order never omits an occluder.
   Hiding hiding(std::uint32_t a, std::uint32_t b, CommonPart& work) const;
 
-  /// Cuts the element by a plane into connected elements, whose numbers are returned: none when nothing was cut. An element
-  /// of c corners falls into c / 2 + 1 at the most, into two when it is convex.
+  /// Cuts the element by a plane and returns the connected new elements; empty if the plane does not cut it. An element of c
+  /// corners gives at most c / 2 + 1 elements, a convex one two.
   std::vector<std::uint32_t> cut(std::uint32_t element, ModelPlane plane);
 
-  /// The plane through the eye that halves the element on the page: across the axis along which it is longer.
+  /// The plane through the eye that halves the element on the page, across its longer axis.
   ModelPlane halving_plane(std::uint32_t element) const;
 
  private:
@@ -122,7 +120,7 @@ class PaintElements {
     const Extents* extents;
     std::span<const Point2> contour;  ///< convex
   };
-  /// The contour of a piece; of a body its only one, the silhouette.
+  /// The contour of a piece, or the silhouette of a body.
   Outline outline(const Element& element, std::size_t part) const;
   std::size_t outline_count(const Element& element) const { return element.body == kNone ? element.parts.size() : 1; }
   bool disjoint_outlines(const Outline& p, const Outline& q) const;
@@ -132,7 +130,7 @@ class PaintElements {
   ModelPieces pieces_;
   ConvexBodies bodies_;
   std::vector<std::uint32_t> cells_;     ///< per face, or empty
-  std::vector<std::uint8_t> is_convex_;  ///< per face, or empty where faces may penetrate
+  std::vector<std::uint8_t> is_convex_;  ///< per face; empty if faces may penetrate
   std::vector<BodyElement> whole_;
   std::size_t face_count_ = 0;
   ClipVolume volume_;
@@ -140,12 +138,12 @@ class PaintElements {
   PagePlanes page_planes_;
   std::vector<std::uint8_t> shown_;
   std::vector<Element> elements_;
-  std::vector<Point3> element_corners_;  ///< of all elements: nothing is asked for as often
+  std::vector<Point3> element_corners_;  ///< corners of all elements in one array, since the tests read them most
   std::size_t in_order_ = 0;
   std::vector<Extents> piece_extents_;
-  std::vector<std::array<std::size_t, 2>> contours_;  ///< per piece: of points_
-  std::vector<Point2> points_;                        ///< page mm, positively turned
-  std::vector<HomogeneousPoint> corners_;             ///< while a piece is projected
+  std::vector<std::array<std::size_t, 2>> contours_;  ///< per piece: range in points_
+  std::vector<Point2> points_;                        ///< page mm, in positive orientation
+  std::vector<HomogeneousPoint> corners_;             ///< scratch: corners of a piece under projection
 };
 
 }  // namespace ligne::newell

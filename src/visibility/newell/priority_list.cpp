@@ -11,16 +11,16 @@
 #include "base/parallel.hpp"
 #include "base/stop.hpp"
 
-// [Boulle1980] 2.5.2.4. P, the head of the list, is compared with those that reach farther than it begins. If it may hide
-// none of them it is done: it is painted. If it may hide Q, Q is marked and becomes the head. Where Q was marked before
-// there is no order, or may be none; and where either may hide the other there is none: one of the two is cut.
+// [Boulle1980] 2.5.2.4. P, the head of the list, is compared with the elements whose farthest depth lies behind P's nearest
+// depth. If P can hide none of them, it is painted. If P may hide Q, Q is marked and becomes the head. If Q is already
+// marked, or if each may hide the other, there may be no order, and one of the two is cut.
 //
-// The findings about a pair do not depend on the list. So the elements that will be the head soon are compared with their
-// sets ahead, by all threads, up to the first that each may hide; what the list has lost meanwhile was compared for nothing.
+// Results for a pair do not depend on the list. All threads therefore compare the next elements ahead with their sets, each
+// up to the first element that it may hide. Comparisons with elements that leave the list meanwhile are wasted.
 //
-// It ends. Marks stay, so between two cuts an element is moved once at the most. A cut by the plane of a face leaves pieces
-// that the same plane does not cut again, so each face is cut by the plane of each other one into finitely many pieces; and
-// pieces smaller than a step of the lattice overlap nothing, which ends the halving on the page.
+// The algorithm terminates. Marks stay, so an element moves at most once between two cuts. A cut by a face's plane leaves
+// pieces that this plane does not cut again, so the planes cut each face into finitely many pieces. Pieces smaller than a
+// lattice step overlap nothing, which ends the halving on the page.
 
 namespace ligne::newell {
 
@@ -59,7 +59,7 @@ PriorityList::PriorityList(PaintElements& elements, bool keep_sets)
     levels_.add(i, elements[i].extents);
   }
   for (std::uint32_t i = 0; i < elements.size(); ++i) note(i);
-  // An earlier list keeps its order: none of it counts as farther than what stands before it.
+  // Elements of an earlier list keep its order: their key is the smallest depth up to their place.
   double reach = std::numeric_limits<double>::infinity();
   for (std::uint32_t i = 0; i < elements.in_order(); ++i) {
     reach = std::min(reach, farthest(i));
@@ -73,7 +73,7 @@ void PriorityList::note(std::uint32_t element) {
   element % kBlock == 0 ? blocks_.push_back(boxes_.back()) : blocks_.back().extend(boxes_.back());
 }
 
-/// A float as a whole number that rises with it.
+/// A float as an unsigned integer with equal order.
 PriorityList::Key PriorityList::key(double reach, std::uint32_t element) {
   const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(0 - reach));
   const std::uint32_t rising = bits >> 31 ? ~bits : bits | 0x80000000u;
@@ -97,7 +97,7 @@ std::vector<std::uint32_t> PriorityList::sort() {
   return with_faces_of_bodies();
 }
 
-/// The whole set, or its cells by separating planes, the farthest last.
+/// The whole set, or its cells by separating planes, farthest last.
 std::vector<PriorityList::OpenSet> PriorityList::cells() {
   std::vector<OpenSet> sets(1);
   Set& all = sets[0].set;
@@ -117,7 +117,7 @@ std::vector<PriorityList::OpenSet> PriorityList::cells() {
   return parts;
 }
 
-/// The order, in which faces stand for the bodies that were not opened.
+/// The order, with each body that was not opened replaced by its faces.
 std::vector<std::uint32_t> PriorityList::with_faces_of_bodies() {
   if (elements_.whole_bodies() == 0) return std::move(order_);
   std::vector<std::uint32_t> faces;
@@ -132,7 +132,7 @@ std::vector<std::uint32_t> PriorityList::with_faces_of_bodies() {
   return faces;
 }
 
-/// The node of a set, where sets are kept.
+/// Adds a tree node for a set, if sets are kept.
 std::uint32_t PriorityList::add_node(const Set& set, std::uint32_t parent) {
   if (!keep_sets_) return 0;
   tree_.push_back({parent, Division::list, set});
@@ -143,8 +143,8 @@ void PriorityList::set_division(const OpenSet& open, Division division) {
   if (keep_sets_) tree_[open.node].division = division;
 }
 
-/// Zones and slabs: sets whose extents are apart along one axis need no comparison. In depth the farthest is put last into
-/// `waiting`, since it is painted first.
+/// Finds zones and slabs: sets with disjoint extents along one axis need no comparison. In depth the farthest set comes last
+/// in `waiting`, because it is painted first.
 bool PriorityList::decompose(const OpenSet& open, std::vector<OpenSet>& waiting) {
   for (const int axis : {2, 0, 1}) {
     check_stop();
@@ -175,7 +175,7 @@ bool PriorityList::decompose(const OpenSet& open, std::vector<OpenSet>& waiting)
   return false;
 }
 
-/// Parts come the nearest first, or from the left, or from the top.
+/// Keeps the parts of a division, ordered from the nearest, from the left, or from the top.
 void PriorityList::keep(const std::vector<Set>& parts, bool slabs) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     FoundSet found{{}, static_cast<std::uint32_t>(slabs ? parts.size() - i : i + 1)};
@@ -225,7 +225,7 @@ void PriorityList::insert(std::uint32_t element) {
   levels_.add(element, elements_[element].extents);
 }
 
-/// The set Q_p, but for the rounding of boxes: what waits, reaches farther than P begins, and overlaps it in x and y.
+/// The set Q_p, up to rounding of boxes: waiting elements that overlap P in x and y and reach behind P's nearest depth.
 PriorityList::Comparison& PriorityList::comparison_of(std::uint32_t p) {
   const auto [place, is_new] = comparisons_.try_emplace(p);
   Comparison& result = place->second;
@@ -242,8 +242,7 @@ PriorityList::Comparison& PriorityList::comparison_of(std::uint32_t p) {
   return result;
 }
 
-/// The comparison of an element, kept for a piece that was cut from it: faces that the whole does not hide, the piece
-/// does not hide.
+/// The comparison of an element for a piece cut from it: the piece does not hide faces that the whole does not hide.
 PriorityList::Comparison PriorityList::inherited(const Comparison& whole, std::uint32_t piece) const {
   Comparison result{{}, {}, whole.known};
   const auto is_left = [&](Key k) {
@@ -255,7 +254,7 @@ PriorityList::Comparison PriorityList::inherited(const Comparison& whole, std::u
   return result;
 }
 
-/// Compares the next elements of the list with their sets.
+/// Compares the next elements of the list with their sets, in parallel.
 void PriorityList::look_ahead() {
   constexpr std::size_t kAhead = 4096, kTask = 64;  // adjustable
   levels_.forget([&](std::uint32_t e) { return state_[e] == State::gone; });
@@ -273,12 +272,12 @@ void PriorityList::look_ahead() {
       compared[i] = compared_ahead(next[i], work);
     }
   });
-  for (const AheadWork& work : works) counts_.add(work.counts);  // sums of whole numbers, whichever thread counted
+  for (const AheadWork& work : works) counts_.add(work.counts);  // the sums do not depend on the threads
   counts_.ahead += next.size();
   for (std::size_t i = 0; i < next.size(); ++i) comparisons_.emplace(next[i], std::move(compared[i]));
 }
 
-/// The comparison of an element with what stands behind it in the list, up to the first that it may hide.
+/// Compares an element with the elements behind it in the list, up to the first that it may hide.
 PriorityList::Comparison PriorityList::compared_ahead(std::uint32_t p, AheadWork& work) const {
   Comparison result;
   result.known = static_cast<std::uint32_t>(elements_.size());
@@ -294,12 +293,12 @@ PriorityList::Comparison PriorityList::compared_ahead(std::uint32_t p, AheadWork
   return result;
 }
 
-/// Compares the head of the list with its set Q_p. False when the list has changed.
+/// Compares the head of the list with its set Q_p. Returns false if the list has changed.
 bool PriorityList::settle(std::uint32_t p) {
   Comparison& comparison = comparison_of(p);
   if (!work_off(p, comparison.others)) return false;
   if (!comparison.before.empty()) {
-    // Nothing waits before an element that was not moved to the head.
+    // Elements wait before P only if some element was moved to the head.
     if (!moved_.empty()) {
       std::erase_if(comparison.before, [&](Key k) { return state_[element_of(k)] == State::gone; });
       std::sort(comparison.before.begin(), comparison.before.end(), std::greater<>());
@@ -324,7 +323,7 @@ bool PriorityList::settle(std::uint32_t p) {
   return true;
 }
 
-/// Compares P with the elements of a set from behind, and takes them away. False when the list has changed.
+/// Compares P with the elements of a set from the back and removes them. Returns false if the list has changed.
 bool PriorityList::work_off(std::uint32_t p, Keys& set) {
   for (; !set.empty(); set.pop_back()) {
     const std::uint32_t q = element_of(set.back());
@@ -333,7 +332,7 @@ bool PriorityList::work_off(std::uint32_t p, Keys& set) {
   return true;
 }
 
-/// True when P does not hide Q. Otherwise the list is changed so that this pair does not come again.
+/// Returns true if P does not hide Q. Otherwise changes the list so that this pair does not recur.
 bool PriorityList::resolve(std::uint32_t p, std::uint32_t q) {
   if (!may_hide(p, q)) return true;
   if (state_[q] != State::marked) {
@@ -352,13 +351,13 @@ bool PriorityList::resolve(std::uint32_t p, std::uint32_t q) {
   if (open_body(p, q)) return false;
   if (elements_.side(q, p) == PlaneSide::both) return !replace(q, elements_[p].plane, counts_.plane_cuts);
   if (elements_.side(p, q) == PlaneSide::both) return !replace(p, elements_[q].plane, counts_.plane_cuts);
-  // P is in front of Q, and Q of others that are in front of P. Halving P alone need not end: where P hides Q and is itself
-  // hidden, its halves do and are the same.
+  // Both planes fail. The larger element is halved. Halving only P need not end: if P hides Q and is itself hidden, so are
+  // its halves.
   const std::uint32_t larger = elements_[q].extents.longest_side() > elements_[p].extents.longest_side() ? q : p;
   return !replace(larger, elements_.halving_plane(larger), counts_.page_cuts);
 }
 
-/// Cuts the element and puts its pieces into the list. False when the plane does not cut it.
+/// Cuts the element and inserts its pieces into the list. Returns false if the plane does not cut it.
 bool PriorityList::replace(std::uint32_t element, const ModelPlane& plane, std::uint64_t& count) {
   const auto pieces = elements_.cut(element, plane);
   if (pieces.empty()) return false;
@@ -367,7 +366,7 @@ bool PriorityList::replace(std::uint32_t element, const ModelPlane& plane, std::
   return true;
 }
 
-/// Puts the parts of an element into the list in its place.
+/// Replaces an element of the list by its parts.
 void PriorityList::put_in_place(std::uint32_t element, const std::vector<std::uint32_t>& parts) {
   const Comparison whole = std::move(comparisons_[element]);
   remove(element);
@@ -377,7 +376,7 @@ void PriorityList::put_in_place(std::uint32_t element, const std::vector<std::ui
   }
 }
 
-/// Opens one of two elements that have no order: a body, the one of more faces first. False when neither is a body.
+/// Opens a body among two elements without an order, the one with more faces first. Returns false if neither is a body.
 bool PriorityList::open_body(std::uint32_t p, std::uint32_t q) {
   const auto size = [&](std::uint32_t e) { return elements_.is_body(e) ? elements_[e].parts.size() : 0; };
   const std::uint32_t body = size(q) > size(p) ? q : p;
@@ -387,7 +386,7 @@ bool PriorityList::open_body(std::uint32_t p, std::uint32_t q) {
   return true;
 }
 
-/// Tests of rising cost, each of which may show that P does not hide Q.
+/// Tests in order of cost; each may prove that P does not hide Q.
 bool PriorityList::may_hide(std::uint32_t p, std::uint32_t q, ListCounts& counts, CommonPart& work) const {
   if (elements_.never_hides(p, q)) {
     const std::uint32_t f = elements_[p].face, g = elements_[q].face;

@@ -4,7 +4,7 @@
 
 namespace ligne::newell {
 
-// The first plane parts the scene, the second each of the two sides, and so on: its bit is the highest.
+// The first plane divides the scene, the second divides both sides, and so on: the first plane sets the highest bit.
 std::vector<std::uint32_t> separated_cells(const Scene& scene, const Viewpoint& viewpoint) {
   const std::vector<SeparatingPlane>& planes = scene.stated.planes;
   if (planes.empty()) return {};
