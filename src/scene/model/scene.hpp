@@ -83,7 +83,7 @@ struct Scene {
   std::vector<SceneCamera> cameras;
   std::vector<Detail> details;
   Axis up_axis = Axis::z;
-  double unit_mm = 1;  ///< true length of one model unit in mm, if the format defines it: 1000 in glTF (metres)
+  double unit_mm = 1;    ///< true length of one model unit in mm, if the format defines it: 1000 in glTF (metres)
   StatedFacts stated{};  ///< facts that spare tests; find_false_fact() checks them
 };
 
