@@ -25,7 +25,7 @@ inline constexpr OptionRow kDrawRows[] = {
     {"--pose", "turn@1", "", kEveryFormat, kOfTheScene},
     {"--subdivide", "catmull-clark:1"},
     {"--merge-coplanar", "", "--quality exact --edges mesh", kDrawnFormats, "joins faces whose edge is not drawn"},
-    {"--assume", "no-penetration", "", kEveryFormat, "spares tests"},
+    {"--assume", "no-penetration"},  // false of this scene, and refused
     {"--profile", "parts"},
     {"--method", "warnock", "", kDrawnFormats, kSameLines},
     {"--edges", "all"},
@@ -53,7 +53,7 @@ inline constexpr OptionRow kDrawRows[] = {
     {"--path", "way.csv", "--eye 90,90,90 --frames 2"},
     {"--set", "study=polygons", "--method atherton-weiler --stats"},
     {"--show", "clips", "--method atherton-weiler"},
-    {"--set", "newell-elements=bodies", "--method newell --stats", kDrawnFormats, kSameLines},
+    {"--set", "newell-elements=bodies", "--method newell --stats"},
     {"--set", "propagate=count", "--method appel --stats", kPlotters, kSameLines},
     {"--set", "warnock-window=screen", "--method warnock --show windows"},
     {"--set", "warnock-split=vertex", "--method warnock --show windows"},
