@@ -24,12 +24,12 @@ struct Extents {
 /// A connected part of a face, or a convex body (body_elements.hpp). `parts` are convex pieces of triangles.
 struct Element {
   std::uint32_t face = 0;            ///< for a body: one of its faces
+  std::uint32_t body = kNone;        ///< body number, or kNone
   std::vector<std::uint32_t> parts;  ///< numbers of pieces
   Extents extents;
   ModelPlane plane;                              ///< its normal points to the viewer's side; unset for a body
   std::array<double, 3> page_plane{};            ///< see PagePlanes
   std::size_t corner_begin = 0, corner_end = 0;  ///< range of corners of its parts in the model, see PaintElements
-  std::uint32_t body = kNone;                    ///< body number, or kNone
 };
 
 }  // namespace ligne::newell

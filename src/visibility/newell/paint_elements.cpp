@@ -113,7 +113,7 @@ void PaintElements::make_whole_bodies() {
     if (is_made[number]) continue;
     is_made[number] = 1;
     std::ranges::stable_partition(members[number], [&](std::uint32_t m) { return !bodies_.is_front(faces[m].face); });
-    Element body{faces[e].face, {}, {}, {}, {}};
+    Element body{faces[e].face, kNone, {}, {}, {}};
     BodyElement whole;
     std::vector<Point2> points;
     for (const std::uint32_t m : members[number]) {
@@ -144,7 +144,7 @@ std::vector<std::uint32_t> PaintElements::open(std::uint32_t body) {
 /// Adds an element of the visible ones among these pieces of a face.
 void PaintElements::add(std::uint32_t face, std::span<const std::uint32_t> parts) {
   if (!shown_[face]) return;
-  Element element{face, {}, {}, pieces_.plane_of(parts[0])};
+  Element element{face, kNone, {}, {}, pieces_.plane_of(parts[0])};
   for (const std::uint32_t piece : parts) {
     const Extents extents = project(piece);
     if (extents.low[0] > extents.high[0]) continue;
@@ -205,63 +205,63 @@ Extents PaintElements::project(std::uint32_t piece) {
   return extents;
 }
 
-PlaneSide PaintElements::side(std::uint32_t element, std::uint32_t of) const { return side(element, elements_[of].plane); }
-
-PlaneSide PaintElements::side(std::uint32_t element, const ModelPlane& plane) const {
-  const Element& e = elements_[element];
-  double low = 0, high = 0;
-  for (std::size_t i = e.corner_begin; i < e.corner_end; ++i) {
-    const double h = plane.height(element_corners_[i]);
-    low = std::min(low, h);
-    high = std::max(high, h);
-  }
-  return pieces_.side_of_heights(low, high);
+PlaneSide PaintElements::side(std::uint32_t element, std::uint32_t of) const {
+  return side(elements_[element], elements_[of].plane);
 }
 
 // A body lies in front of the plane of each of its back faces and behind the plane of each of its front faces.
-bool PaintElements::lies_behind(std::uint32_t element, std::uint32_t of) const {
-  const auto is_behind = [&](const Element& face) {
-    const PlaneSide s = side(element, face.plane);
-    return s == PlaneSide::back || s == PlaneSide::on;
-  };
-  const Element& e = elements_[of];
-  return e.body == kNone ? is_behind(e) : std::ranges::any_of(faces_of(e).first(whole_[e.body].back_count), is_behind);
+bool PaintElements::lies_behind_body(std::uint32_t element, const BodyElement& body) const {
+  return std::ranges::any_of(std::span(body.members).first(body.back_count),
+                             [&](const Element& face) { return is_back(side(elements_[element], face.plane)); });
 }
 
-bool PaintElements::lies_before(std::uint32_t element, std::uint32_t of) const {
-  const auto is_before = [&](const Element& face) {
-    const PlaneSide s = side(element, face.plane);
-    return s == PlaneSide::front || s == PlaneSide::on;
-  };
-  const Element& e = elements_[of];
-  return e.body == kNone ? is_before(e) : std::ranges::any_of(faces_of(e).subspan(whole_[e.body].back_count), is_before);
+bool PaintElements::lies_before_body(std::uint32_t element, const BodyElement& body) const {
+  return std::ranges::any_of(std::span(body.members).subspan(body.back_count),
+                             [&](const Element& face) { return is_front(side(elements_[element], face.plane)); });
 }
 
-PaintElements::Outline PaintElements::outline(const Element& element, std::size_t part) const {
-  if (element.body != kNone) return {&element.extents, whole_[element.body].silhouette};
-  return {&piece_extents_[element.parts[part]], contour(element.parts[part])};
-}
-
-bool PaintElements::disjoint_outlines(const Outline& p, const Outline& q) const {
-  const Extents &e = *p.extents, &f = *q.extents;
-  if (!e.overlap(f, 0) || !e.overlap(f, 1)) return true;
+/// Whether two convex outlines, whose extents overlap, have no inner point in common.
+bool PaintElements::disjoint_outlines(const Extents& e, std::span<const Point2> p, const Extents& f,
+                                      std::span<const Point2> q) const {
   const double step = scene_.lattice.step_mm, margin = kStripRounding * step;
   if (std::min(e.longest_side(), f.longest_side()) < step) return true;
-  return has_side_between(p.contour, q.contour, margin) || has_side_between(q.contour, p.contour, margin);
+  return has_side_between(p, q, margin) || has_side_between(q, p, margin);
+}
+
+bool PaintElements::disjoint_pieces(std::uint32_t p, std::uint32_t q) const {
+  const Extents &e = piece_extents_[p], &f = piece_extents_[q];
+  if (!e.overlap(f, 0) || !e.overlap(f, 1)) return true;  // decides most pairs
+  return disjoint_outlines(e, contour(p), f, contour(q));
 }
 
 bool PaintElements::disjoint(std::uint32_t a, std::uint32_t b) const {
   const Element &e = elements_[a], &f = elements_[b];
-  for (std::size_t i = 0; i < outline_count(e); ++i) {
-    for (std::size_t k = 0; k < outline_count(f); ++k) {
-      if (!disjoint_outlines(outline(e, i), outline(f, k))) return false;
+  if (e.body != kNone || f.body != kNone) return disjoint_silhouettes(e, f);
+  for (const std::uint32_t p : e.parts) {
+    for (const std::uint32_t q : f.parts) {
+      if (!disjoint_pieces(p, q)) return false;
     }
   }
   return true;
 }
 
+/// As disjoint(), where one of the two is a body at least: its silhouette stands for its pieces.
+bool PaintElements::disjoint_silhouettes(const Element& e, const Element& f) const {
+  if (e.body == kNone) return disjoint_silhouettes(f, e);
+  const auto apart = [&](const Extents& extents, std::span<const Point2> outline) {
+    return !e.extents.overlap(extents, 0) || !e.extents.overlap(extents, 1) ||
+           disjoint_outlines(e.extents, whole_[e.body].silhouette, extents, outline);
+  };
+  if (f.body != kNone) return apart(f.extents, whole_[f.body].silhouette);
+  return std::ranges::all_of(f.parts, [&](std::uint32_t p) { return apart(piece_extents_[p], contour(p)); });
+}
+
 Hiding PaintElements::hiding(std::uint32_t a, std::uint32_t b, CommonPart& work) const {
   Hiding result;
+  if (!is_body(a) && !is_body(b)) {
+    compare_depths(elements_[a], elements_[b], work, result);
+    return result;
+  }
   for (const Element& face : faces_of(elements_[a])) {
     for (const Element& other : faces_of(elements_[b])) {
       compare_depths(face, other, work, result);
@@ -276,12 +276,11 @@ void PaintElements::compare_depths(const Element& a, const Element& b, CommonPar
   const std::array<double, 3>&p = a.page_plane, &q = b.page_plane;
   const std::array<double, 3> d{p[0] - q[0], p[1] - q[1], p[2] - q[2]};
   const double slope = std::min(std::abs(p[0]) + std::abs(p[1]), std::abs(q[0]) + std::abs(q[1]));
-  for (std::size_t i = 0; i < a.parts.size(); ++i) {
-    for (std::size_t k = 0; k < b.parts.size(); ++k) {
-      const Outline of_a = outline(a, i), of_b = outline(b, k);
-      if (disjoint_outlines(of_a, of_b)) continue;
-      work.corners.assign(of_a.contour.begin(), of_a.contour.end());
-      const auto clip = of_b.contour;
+  for (const std::uint32_t i : a.parts) {
+    for (const std::uint32_t k : b.parts) {
+      if (disjoint_pieces(i, k)) continue;
+      work.corners.assign(contour(i).begin(), contour(i).end());
+      const auto clip = contour(k);
       for (std::size_t s = 0; s < clip.size(); ++s) work.clip_by_side(clip[s], clip[s + 1 == clip.size() ? 0 : s + 1]);
       for (const Point2 c : work.corners) {
         const double difference = d[0] * c.x + d[1] * c.y + d[2];
@@ -357,7 +356,8 @@ std::vector<std::uint32_t> PaintElements::cut(std::uint32_t element, ModelPlane 
   std::vector<std::uint32_t> numbers;
   for (const auto& half : {front, back}) {
     for (std::vector<std::uint32_t>& parts : connected(half)) {
-      Element piece{elements_[element].face, std::move(parts), {}, elements_[element].plane, elements_[element].page_plane};
+      Element piece{elements_[element].face,      kNone, std::move(parts), {}, elements_[element].plane,
+                    elements_[element].page_plane};
       for (const std::uint32_t p : piece.parts) piece.extents.extend(piece_extents_[p]);
       if (piece.extents.low[0] > piece.extents.high[0]) continue;  // outside the view
       numbers.push_back(static_cast<std::uint32_t>(elements_.size()));

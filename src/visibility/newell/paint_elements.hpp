@@ -1,6 +1,7 @@
 #pragma once
 /// The elements of the priority list: faces, pieces of cut faces and convex bodies, with the tests on them.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -77,9 +78,15 @@ class PaintElements {
   std::vector<std::uint32_t> open(std::uint32_t body);
 
   /// True if a plane of `of` proves that the element lies wholly behind it. A body has one plane per back face.
-  bool lies_behind(std::uint32_t element, std::uint32_t of) const;
+  bool lies_behind(std::uint32_t element, std::uint32_t of) const {
+    const Element& e = elements_[of];
+    return e.body == kNone ? is_back(side(elements_[element], e.plane)) : lies_behind_body(element, whole_[e.body]);
+  }
   /// True if a plane of `of` proves that the element lies wholly in front. A body has one plane per front face.
-  bool lies_before(std::uint32_t element, std::uint32_t of) const;
+  bool lies_before(std::uint32_t element, std::uint32_t of) const {
+    const Element& e = elements_[of];
+    return e.body == kNone ? is_front(side(elements_[element], e.plane)) : lies_before_body(element, whole_[e.body]);
+  }
 
   /// The side of the plane of `of` on which the element lies; front is the viewer's side.
   PlaneSide side(std::uint32_t element, std::uint32_t of) const;
@@ -105,7 +112,19 @@ class PaintElements {
   void append(Element element);
   void make_whole_bodies();
   void find_convex_faces();
-  PlaneSide side(std::uint32_t element, const ModelPlane& plane) const;
+  static bool is_back(PlaneSide s) { return s == PlaneSide::back || s == PlaneSide::on; }
+  static bool is_front(PlaneSide s) { return s == PlaneSide::front || s == PlaneSide::on; }
+  PlaneSide side(const Element& e, const ModelPlane& plane) const {
+    double low = 0, high = 0;
+    for (std::size_t i = e.corner_begin; i < e.corner_end; ++i) {
+      const double h = plane.height(element_corners_[i]);
+      low = std::min(low, h);
+      high = std::max(high, h);
+    }
+    return pieces_.side_of_heights(low, high);
+  }
+  bool lies_behind_body(std::uint32_t element, const BodyElement& body) const;
+  bool lies_before_body(std::uint32_t element, const BodyElement& body) const;
   void compare_depths(const Element& a, const Element& b, CommonPart& work, Hiding& result) const;
   /// The faces of a body, or the element itself.
   std::span<const Element> faces_of(const Element& element) const {
@@ -116,14 +135,9 @@ class PaintElements {
   std::span<const Point2> contour(std::uint32_t piece) const {
     return std::span(points_).subspan(contours_[piece][0], contours_[piece][1] - contours_[piece][0]);
   }
-  struct Outline {
-    const Extents* extents;
-    std::span<const Point2> contour;  ///< convex
-  };
-  /// The contour of a piece, or the silhouette of a body.
-  Outline outline(const Element& element, std::size_t part) const;
-  std::size_t outline_count(const Element& element) const { return element.body == kNone ? element.parts.size() : 1; }
-  bool disjoint_outlines(const Outline& p, const Outline& q) const;
+  bool disjoint_pieces(std::uint32_t p, std::uint32_t q) const;
+  bool disjoint_silhouettes(const Element& e, const Element& f) const;
+  bool disjoint_outlines(const Extents& e, std::span<const Point2> p, const Extents& f, std::span<const Point2> q) const;
 
   const View& view_;
   const ProjectedScene& scene_;
