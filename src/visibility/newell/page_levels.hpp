@@ -1,7 +1,7 @@
 #pragma once
-/// Elements by where they lie on the page: grids of rising cell size, each element in the grid whose cells are as large as
-/// it is, and so in four cells at the most. In a cell they lie by how far they reach. The list is worked off from the back
-/// to the front, so what is asked for, and what is forgotten, lies at the end.
+/// A hierarchy of grids for elements on the page, with cell sizes that double. An element lies in the grid whose cells are
+/// at least its size, so in at most four cells. Each cell is sorted by farthest depth. The list is processed from the back
+/// to the front, so searched and removed elements lie at the end of a cell.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace ligne::newell {
 
-/// The extents of an element, rounded outwards: most comparisons end with them, so they lie close together.
+/// The extents of an element, rounded outwards to floats. Most comparisons end with them, so they are kept compact.
 struct Box {
   float x0, y0, z0, x1, y1, z1;
 
@@ -34,7 +34,7 @@ struct Box {
     z1 = std::max(z1, o.z1);
   }
 
-  /// Whether they overlap on the page, and the other reaches farther than this one begins.
+  /// True if they overlap on the page and the other's farthest depth lies behind this one's nearest depth.
   bool meets(const Box& o) const { return x0 < o.x1 && o.x0 < x1 && y0 < o.y1 && o.y0 < y1 && z0 < o.z1; }
 };
 
@@ -44,18 +44,18 @@ class PageLevels {
     std::uint32_t element;
   };
 
-  /// The first of a cell that reaches farther than z.
+  /// The first entry of a cell whose farthest depth exceeds z.
   template <class Cell>
   static auto first_reached(Cell& cell, float z) {
     return std::upper_bound(cell.begin(), cell.end(), z, [](float v, const Entry& entry) { return v < entry.box.z1; });
   }
 
  public:
-  /// `page` holds all elements that will be added; about `count` of them. It may be empty (high < low).
+  /// `page` contains all elements that will be added, about `count` of them. It may be empty (high < low).
   PageLevels(const Extents& page, std::size_t count) : x_(page.low[0]), y_(page.low[1]) {
     const double width = std::max(page.high[0] - x_, 0.0), height = std::max(page.high[1] - y_, 0.0);
     const double longer = std::max(width, height), shorter = std::min(width, height);
-    // As many cells in the finest level as there are elements, in a strip no more than along it.
+    // The finest level has about one cell per element, and at most one per element along the longer side.
     const double n = static_cast<double>(std::max<std::size_t>(count, 1));
     double size = longer > 0 ? std::max(std::sqrt(longer * shorter / n), longer / n) : 1;
     for (;; size *= 2) {
@@ -75,7 +75,7 @@ class PageLevels {
     });
   }
 
-  /// Calls visit(element) for the elements that the extents meet, see Box, some several times, and forgets those for which
+  /// Calls visit(element) for the elements that the extents meet (Box::meets), some repeatedly, and removes those for which
   /// it returns false.
   template <class Visit>
   void visit(const Extents& e, Visit visit) {
@@ -88,7 +88,7 @@ class PageLevels {
     }
   }
 
-  /// As above, but nothing is forgotten: several threads may ask at once.
+  /// Calls visit without removing elements. Several threads may call it at once.
   template <class Visit>
   void look(const Extents& e, Visit visit) const {
     const Box box(e);
@@ -101,7 +101,7 @@ class PageLevels {
     }
   }
 
-  /// Forgets the elements for which gone(element) holds.
+  /// Removes the elements for which gone(element) is true.
   template <class Gone>
   void forget(Gone gone) {
     for (Level& level : levels_) {
