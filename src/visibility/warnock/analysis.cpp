@@ -34,7 +34,7 @@ Relation relation_to(const FaceTable& table, const Face& face, const Window& win
     side = i;
     return Relation::intersector;
   }
-  // No side meets the window: any point of it decides.
+  // No side meets the window, so any point of the window decides.
   const FramePoint corner{window.u0, window.v0};
   int turns = 0;
   for (const Side& s : sides) turns += winding(table.at(s.v0), table.at(s.v1), corner);
@@ -66,7 +66,7 @@ void Analysis::add(Element element, const Window& larger, Lists& lists, Analysis
     lists.occluder_depth = std::min(lists.occluder_depth, round_up(depths.far + face.slack));
 }
 
-/// Leaves out elements that were listed before their cover was found.
+/// Removes elements that were listed before their cover was found.
 void Analysis::finish(Lists& lists) const {
   if (drop_hidden_) std::erase_if(lists.elements, [&](const Element& e) { return e.near > lists.occluder_depth; });
 }
@@ -106,7 +106,7 @@ std::array<Lists, 4> Analysis::children(const Lists& parent, const std::array<Wi
     const Element& element = parent.elements[i];
     for (std::size_t k = 0; k < 4; ++k) {
       if (!open[k]) continue;
-      // The list is in the order of the faces' own z_near, of which element.near is at least as far.
+      // The list is sorted by the faces' own z_near, and element.near >= z_near.
       if (drop_hidden_ && element.near > lists[k].occluder_depth &&
           table_.faces[element.face].z_near > lists[k].occluder_depth) {
         counts.not_studied += parent.elements.size() - i;

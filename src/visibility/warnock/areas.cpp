@@ -14,7 +14,7 @@ Boundary boundary(FramePoint a, FramePoint b) {
   return swapped ? Boundary{b, a} : Boundary{a, b};
 }
 
-/// Boundaries no farther apart than this part of their v are one: roundings of Boundary::v().
+/// Boundaries closer than this, relative to their v, coincide: a bound on the rounding of Boundary::v().
 constexpr double kSamePlace = 0x1p-40;
 
 bool same_place(double a, double b) { return std::abs(a - b) <= kSamePlace * (1 + std::abs(a) + std::abs(b)); }
@@ -50,7 +50,7 @@ std::uint32_t AreaSearch::front_at(const Lists& lists, double u, double v) const
     }
     const double z = face.z(u, v);
     if (front) {
-      // Faces that touch are alike in depth: the first of the scene stands for all.
+      // Touching faces have equal depths within the tolerance: the one with the lowest number wins.
       const double tolerance = std::max(front->slack, face.slack);
       if (z > front_z + tolerance || (z >= front_z - tolerance && face.face > front->face)) continue;
     }
@@ -66,8 +66,8 @@ void AreaSearch::add_segment(FramePoint a, FramePoint b, const Window& w) {
   double u0 = std::max(s.p.u, w.u0), u1 = std::min(s.q.u, w.u1);
   events_.push_back(u0);
   events_.push_back(u1);
-  if (s.p.u == s.q.u) return;  // upright: an end of slabs, no more
-  // Where it passes the borders below and above.
+  if (s.p.u == s.q.u) return;  // vertical: ends slabs, but bounds no trapezoid
+  // Crossings with the lower and the upper border of the window.
   for (const double border : {w.v0, w.v1}) {
     if ((s.p.v < border) == (s.q.v < border)) continue;
     const double u = s.p.u + (border - s.p.v) * ((s.q.u - s.p.u) / (s.q.v - s.p.v));
@@ -106,7 +106,7 @@ void AreaSearch::collect(const Lists& lists, const Window& w, std::span<const Pi
     const PageLine& line = lines_[piece.line];
     add_segment(table_.frame(line.p0), table_.frame(line.p1), w);
   }
-  // An edge is a side of both of its faces.
+  // Adjacent faces list their common edge twice.
   std::sort(segments_.begin(), segments_.end(), [](const Segment& a, const Segment& b) {
     return std::tie(a.p.u, a.p.v, a.q.u, a.q.v) < std::tie(b.p.u, b.p.v, b.q.u, b.q.v);
   });
@@ -129,7 +129,7 @@ void AreaSearch::find(const Lists& lists, const Window& w, std::span<const Piece
     double v;
   };
   std::vector<Crossed> crossed;
-  std::vector<AreaPiece> open, next;  // those that end at the slab's first u, and at its last
+  std::vector<AreaPiece> open, next;  // pieces that end at the slab's first u; pieces that end at its last u
   for (std::size_t i = 0; i + 1 < events_.size(); ++i) {
     const double u0 = events_[i], u1 = events_[i + 1], middle = u0 + (u1 - u0) / 2;
     crossed.clear();
@@ -158,7 +158,7 @@ void AreaSearch::find(const Lists& lists, const Window& w, std::span<const Piece
       v = c.v;
     }
     if (begun) next.push_back(piece);
-    // Those that only go on are one.
+    // Merges pieces that continue with the same bounds.
     for (AreaPiece& p : next) {
       const auto before = std::find_if(open.begin(), open.end(), [&](const AreaPiece& o) {
         return o.face == p.face && o.low == p.low && o.high == p.high;

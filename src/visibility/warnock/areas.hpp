@@ -1,10 +1,9 @@
 #pragma once
-/// The visible areas of a window: it is cut into trapezoids along the sides of its faces, and of each the face in front is
-/// known.
+/// The visible areas of a window: trapezoids between the sides of its faces, each with the face in front.
 ///
-/// A trapezoid lies between two lines of constant u; it is bounded below and above (towards -v and +v) by a side of a face,
-/// a line of intersection, or a border of the window. All that meet at a line of constant u compute the places of their
-/// corners from the same numbers, to the last bit.
+/// A trapezoid lies between two lines of constant u. A side of a face, a line of intersection, or a border of the window
+/// bounds it below and above (towards -v and +v). All trapezoids that meet at a line of constant u compute their corners
+/// there from the same numbers, so the corners are bitwise equal.
 
 #include <span>
 #include <vector>
@@ -14,41 +13,40 @@
 
 namespace ligne::warnock {
 
-/// A straight line on the page, ends in ascending order of u: what bounds trapezoids. Horizontal lines of the window have
-/// the same v at both ends.
+/// A straight line on the page that bounds trapezoids. Its ends are sorted by u. Horizontal borders of the window have equal
+/// v at both ends.
 struct Boundary {
   FramePoint p, q;
 
-  /// v at u, the same for all who ask.
+  /// v at u; bitwise equal for equal arguments.
   double v(double u) const;
   friend bool operator==(const Boundary& a, const Boundary& b) {
     return a.p.u == b.p.u && a.p.v == b.p.v && a.q.u == b.q.u && a.q.v == b.q.v;
   }
 };
 
-/// A trapezoid, u0 < u1, low.v <= high.v over it (but for rounding).
+/// A trapezoid with u0 < u1; low.v <= high.v over it up to rounding.
 struct AreaPiece {
   double u0 = 0, u1 = 0;
   Boundary low, high;
-  std::uint32_t face = kNone;  ///< of the scene, kNone where nothing is seen
+  std::uint32_t face = kNone;  ///< face of the scene, kNone where nothing is visible
 };
 
-/// Working memory for many windows.
+/// Finds areas; keeps scratch memory for many windows.
 class AreaSearch {
  public:
   AreaSearch(const FaceTable& table, const std::vector<PageLine>& lines) : table_(table), lines_(lines) {}
 
-  /// Appends the trapezoids of the window on which a face is seen. `intersections`: pieces of lines in which faces
-  /// penetrate.
+  /// Appends the trapezoids of the window with a visible face. `intersections`: pieces of lines along which faces penetrate.
   void find(const Lists& lists, const Window& window, std::span<const Piece> intersections, std::vector<AreaPiece>& out);
 
-  /// The whole window, with the face that is in front at its centre.
+  /// Appends the whole window, with the face in front at its centre.
   void take_front(const Lists& lists, const Window& window, std::vector<AreaPiece>& out) const;
 
  private:
   struct Segment {
-    FramePoint p, q;  ///< as of a Boundary
-    double u0, u1;    ///< its part in the window
+    FramePoint p, q;  ///< ends sorted by u, as in Boundary
+    double u0, u1;    ///< the part within the window
   };
   void collect(const Lists& lists, const Window& window, std::span<const Piece> intersections);
   void add_segment(FramePoint p, FramePoint q, const Window& window);

@@ -10,19 +10,19 @@
 namespace ligne::warnock {
 namespace {
 
-// Adjustable parameters.
-constexpr std::size_t kFewFaces = 24;        ///< a window with so few is solved
-constexpr double kLittleWork = 600;          ///< or one with so few tests to make
-constexpr double kSmallestSteps = 64;        ///< windows below are solved, whatever they hold
-constexpr int kMostStalls = 4;               ///< so are windows whose lists did not become shorter in so many divisions
-constexpr double kStall = 0.7;               ///< shorter: less than this part of the parent's
-constexpr int kDeepest = 100;                ///< divisions at vertices may be uneven
-constexpr std::size_t kParallelLoad = 2048;  ///< elements and pieces from which on the children are tasks of their own
-constexpr double kSlender = 4;               ///< windows longer by this are not cut along
+// Tuned parameters.
+constexpr std::size_t kFewFaces = 24;        ///< most faces of a window that is solved
+constexpr double kLittleWork = 600;          ///< most tests of a window that is solved
+constexpr double kSmallestSteps = 64;        ///< side in lattice steps below which a window is solved
+constexpr int kMostStalls = 4;               ///< successive divisions without shorter lists after which a window is solved
+constexpr double kStall = 0.7;               ///< a list is shorter if below this part of the parent's
+constexpr int kDeepest = 100;                ///< most divisions; divisions at vertices may be uneven
+constexpr std::size_t kParallelLoad = 2048;  ///< elements and pieces from which the children become parallel tasks
+constexpr double kSlender = 4;               ///< aspect ratio from which a window is cut across only
 constexpr std::size_t kTriedElements = 8;    ///< nearest intersectors whose vertices may be cut points
-constexpr std::size_t kMostElements = 64;    ///< a window with more is divided without a closer look
-constexpr std::size_t kMostOfExact = 24;     ///< the same where windows with few edges are solved anyway
-constexpr int kProgressDepth = 4;            ///< windows of this depth report
+constexpr std::size_t kMostElements = 64;    ///< elements above which a window is divided without trying to understand it
+constexpr std::size_t kMostOfExact = 24;     ///< this limit for a study without limit of resolution
+constexpr int kProgressDepth = 4;            ///< depth of the windows that report progress
 
 constexpr Window kNoWindow{0, -1, 0, -1};
 
@@ -35,7 +35,7 @@ FramePoint middle_in(FramePoint p, FramePoint q, const Window& w) {
 
 bool strictly_inside(const Window& w, FramePoint p) { return w.u0 < p.u && p.u < w.u1 && w.v0 < p.v && p.v < w.v1; }
 
-/// The vertex, or point of a side, that stands in the way of understanding; the centre when there is none.
+/// The vertex, or point of a side, nearest to the centre that prevents understanding; the centre if there is none.
 FramePoint point_of_failure(const FaceTable& table, const Lists& lists, const Window& w, FramePoint centre) {
   FramePoint best = centre;
   double best_distance = std::numeric_limits<double>::infinity();
@@ -60,7 +60,7 @@ FramePoint point_of_failure(const FaceTable& table, const Lists& lists, const Wi
   return middle_in(table.at(s.v0), table.at(s.v1), w);
 }
 
-/// Sides of the nearest intersectors that run through the window as its borders do: where they are, across and down.
+/// Places of sides of the nearest intersectors that cross the window parallel to its borders: at u, at v.
 struct CutsAlongSides {
   double u = kNowhere, v = kNowhere;
   static constexpr double kNowhere = std::numeric_limits<double>::infinity();
@@ -130,7 +130,7 @@ Division divide(const FaceTable& table, const Lists& lists, const Window& w, con
   return d;
 }
 
-/// The work of one thread for a while.
+/// Working state of one thread.
 struct Control::Task {
   Task(const Control& control, Progress& p)
       : progress(p),
@@ -172,7 +172,7 @@ Outcome Control::study(const Window& window, const std::vector<Piece>& pieces,
                        const std::function<void(double)>& report) const {
   Progress progress(report);
   Task task(*this, progress);
-  if (window.empty()) return std::move(task.outcome);  // a scene without vertices
+  if (window.empty()) return std::move(task.outcome);  // scene without vertices
   Clock clock;
   const Lists lists = analysis_.begin(window, task.outcome.counts.analysis);
   task.outcome.counts.analysis_seconds += clock.lap();
@@ -191,8 +191,7 @@ bool Control::few_edges(const Lists& lists, const std::vector<Piece>& pieces) co
   return m * n + (rules_.find_pairs || rules_.areas ? n * n / 2 : 0) <= kLittleWork;
 }
 
-/// The part of a window that the module of understanding looks at. The precision of its tests leaves at least a third of the
-/// window.
+/// The part of a window examined by the module of understanding. The precision leaves at least a third of the window.
 Window Control::inner(const Window& window) const {
   const double most = std::floor(std::min(window.width(), window.height()) / 3);
   return window.grown(-std::max(margin_, std::min(rules_.precision, most)));
@@ -267,10 +266,10 @@ void Control::split(const Window& window, const Division& division, const Lists&
   std::array<Lists, 4> child_lists = analysis_.children(lists, windows, task.outcome.counts.analysis);
   task.outcome.counts.analysis_seconds += clock.lap();
   const auto study_child = [&](std::size_t k, Task& own) {
-    // Freed as soon as the window is studied.
+    // Moved here so that they are freed once the window is studied.
     const Lists own_lists = std::move(child_lists[k]);
     std::vector<Piece> own_pieces = std::move(parts[k]);
-    // Pieces behind the cover are hidden.
+    // Drops pieces behind the cover: they are hidden.
     std::erase_if(own_pieces, [&](const Piece& p) {
       return lines_[p.line].z(p.from) > own_lists.occluder_depth && lines_[p.line].z(p.to) > own_lists.occluder_depth;
     });
@@ -323,7 +322,7 @@ void Control::draw(const Window& window, const Lists& lists, const std::vector<P
   out.counts.area_seconds += clock.lap();
 }
 
-/// A piece shows the edge of the face that is nearest in its middle, or nothing.
+/// Each piece is visible or hidden as its midpoint is.
 void Control::draw_at_limit(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Task& task) const {
   Clock clock;
   task.solution.load(lists, window);

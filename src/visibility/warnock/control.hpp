@@ -1,12 +1,12 @@
 #pragma once
-/// Module of control: which windows are studied, and what becomes of each.
+/// Module of control: decides which windows are studied, and how.
 ///
-/// A window is either understood and drawn; or, when it holds few enough edges, solved exactly; or divided. With a limit of
-/// resolution no window is solved: at the limit each piece of an edge is shown or not, as is right for its middle.
+/// A window is drawn if it is understood, solved exactly if it has few edges, and otherwise divided. With a limit of
+/// resolution no window is solved: at the limit each piece of an edge is visible or hidden as its midpoint is.
 ///
-/// Invariants: the children of a window cover it, and share nothing but borders. A piece of a line belongs to one window;
-/// pieces of neighbouring windows share the parameter at which they meet to the last bit, for it is computed from the whole
-/// line and the border alone. What is found comes in the order of the children, whatever the threads.
+/// Invariants: the children of a window cover it and share only borders. A piece of a line belongs to one window. Pieces of
+/// adjacent windows share the parameter of their common end bitwise, because it depends only on the whole line and the
+/// border. Results come in the order of the children, for any number of threads.
 
 #include <algorithm>
 #include <array>
@@ -22,30 +22,30 @@ enum class SplitChoice : std::uint8_t { centre, vertex, side };
 
 struct Rules {
   SplitChoice split = SplitChoice::centre;
-  double limit = 0;  ///< frame units: a window whose sides are no longer is not divided; 0: none, windows are solved exactly
-  double margin_steps = 0;  ///< what can lie on a line of the window lies within it
+  double limit = 0;  ///< frame units: windows with sides up to this are not divided; 0: no limit, windows are solved exactly
+  double margin_steps = 0;  ///< largest distance, in lattice steps, of objects that count as on a border of the window
   double coincidence_steps = 0;
-  double precision = 0;  ///< frame units: what lies so near to the border of a window does not count when it is understood
-  bool find_pairs = false;    ///< penetrating faces are looked for
-  bool drop_hidden = true;    ///< what covers hide is not looked at
-  bool areas = false;         ///< visible areas are wanted
-  bool show_windows = false;  ///< the cuts are kept
+  double precision = 0;       ///< frame units: understanding ignores a strip this wide along the border of a window
+  bool find_pairs = false;    ///< searches for penetrating faces
+  bool drop_hidden = true;    ///< skips what covers hide
+  bool areas = false;         ///< computes visible areas
+  bool show_windows = false;  ///< records the cuts
   Knowledge knowledge = Knowledge::all;
-  bool remember_sides = true;  ///< the side that made a face an intersector is tried first in the children
+  bool remember_sides = true;  ///< children first test the side that made a face an intersector
 };
 
 struct Counts {
-  std::uint64_t windows = 0;  ///< studied
+  std::uint64_t windows = 0;  ///< studied windows
   std::uint64_t divided = 0;
-  std::uint64_t empty = 0;  ///< nothing to draw in them
+  std::uint64_t empty = 0;  ///< windows with nothing to draw
   std::array<std::uint64_t, kUnderstoodCount> understood{};
-  std::uint64_t solved = 0;  ///< exactly, for few edges
-  std::uint64_t limit = 0;   ///< at the limit of resolution
+  std::uint64_t solved = 0;  ///< solved exactly, because of few edges
+  std::uint64_t limit = 0;   ///< windows at the limit of resolution
   AnalysisCounts analysis;
   DepthCounts depth;
   SolutionCounts solution;
   double analysis_seconds = 0, understanding_seconds = 0, solution_seconds = 0,
-         area_seconds = 0;  ///< of all threads together
+         area_seconds = 0;  ///< summed over all threads
   void operator+=(const Counts& o);
 };
 
@@ -64,27 +64,27 @@ struct Outcome {
   void add(Outcome&& o);
 };
 
-/// Where a window is divided.
+/// The point at which a window is divided.
 struct Division {
-  double u = 0, v = 0;                ///< strictly inside the window where the flag is set
+  double u = 0, v = 0;                ///< strictly inside the window if the flag is set
   bool across = false, down = false;  ///< cut at u, cut at v
 };
 
-/// `split` centre: the middle. vertex: of the vertices of the nearest intersectors that lie in the window the one nearest to
-/// its centre; where there is none, the middle of an intersecting side. side: along the sides of these intersectors that run
-/// as the borders of the window do, and of each direction the nearest to its centre; where there is none, as vertex. A
-/// window is not cut across its shorter side when it is more than four times as long.
+/// `split` centre: at the centre. vertex: at the vertex of the nearest intersectors, inside the window, that is nearest to
+/// the centre; without one, at the midpoint of an intersecting side. side: along sides of these intersectors that are
+/// parallel to the borders, in each direction the one nearest to the centre; without one, as vertex. A window more than four
+/// times as long as wide is only cut across.
 Division divide(const FaceTable& table, const Lists& lists, const Window& window, const Rules& rules);
 
-/// The part of a piece in each child: index 0..3 = (u >= cut) + 2 (v >= cut). Calls visit(child, piece), from the piece's
-/// start to its end.
+/// The part of a piece in each child, with index (u >= cut) + 2 (v >= cut). Calls visit(child, piece) from the piece's start
+/// to its end.
 template <class Visit>
 void cut_piece(const PageLine& line, const Piece& piece, const WindowFrame& frame, const Division& division,
                const Visit& visit) {
-  // Along one axis the line is on the low side before the cut and on the high side behind it, or the other way round.
+  // Along one axis the line changes at the cut from the low to the high side, or the other way round.
   struct Axis {
-    double t;            ///< where it passes the cut
-    bool before, after;  ///< on the high side
+    double t;            ///< parameter of the crossing with the cut
+    bool before, after;  ///< true on the high side
   };
   const auto axis = [](bool cut, double from, double to, double at) {
     if (!cut) return Axis{0, false, false};
@@ -108,15 +108,15 @@ class Control {
  public:
   Control(const FaceTable& table, const std::vector<PageLine>& lines, const Rules& rules);
 
-  /// Studies the window with these pieces of lines. `progress` may be empty; it is called with the studied part of the
-  /// window, from one thread at a time.
+  /// Studies the window with these pieces of lines. `progress`, if set, is called with the studied fraction of the window,
+  /// from one thread at a time.
   Outcome study(const Window& window, const std::vector<Piece>& pieces, const std::function<void(double)>& progress) const;
 
  private:
   struct Task;
   class Progress;
 
-  /// How often the page was divided for a window, and how many of the last divisions made its lists no shorter.
+  /// Number of divisions down to a window, and of the latest divisions without shorter lists.
   struct Divisions {
     int depth = 0, stalled = 0;
   };
@@ -126,7 +126,7 @@ class Control {
              Divisions divisions, Task& task) const;
   void draw(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Understood understood,
             Task& task) const;
-  /// In a loaded window.
+  /// Requires a loaded window.
   void find_pairs(const Window& window, const Lists& lists, Task& task) const;
   void draw_at_limit(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Task& task) const;
   bool few_edges(const Lists& lists, const std::vector<Piece>& pieces) const;

@@ -6,7 +6,7 @@
 namespace ligne::warnock {
 namespace {
 
-/// Smallest and largest difference of two planes over what is added.
+/// Smallest and largest depth difference of two planes over the added points.
 class Gap {
  public:
   Gap(const Face& face, const Face& cover, DepthCounts& counts)
@@ -44,13 +44,13 @@ class Gap {
   double lowest_ = std::numeric_limits<double>::infinity(), highest_ = -lowest_;
 };
 
-/// A triangle cut by a window: at most seven corners.
+/// A triangle clipped by a window; it has at most seven corners.
 struct Clipped {
   std::array<FramePoint, 8> p{};
   int n = 0;
 };
 
-/// Sutherland and Hodgman: cuts away where f < 0.
+/// Sutherland and Hodgman: removes the part where f < 0.
 template <class F>
 Clipped cut(const Clipped& polygon, F f) {
   Clipped result;

@@ -1,29 +1,29 @@
 #pragma once
 /// Tests of depth over a window.
 ///
-/// [Boulle1980] compares the planes of two faces at the four corners of the window, and concludes that they penetrate when
-/// they change places there (its case 3). That is wrong where a face ends before the planes cross; it then took the window
-/// round the intersector instead. Here a face is compared where it is: first over the common part of the window and of the
-/// box round the face, which decides most pairs, then at the corners of its contour cut by the window, where the difference
-/// of two planes has its extremes.
+/// [Boulle1980] compares the planes of two faces at the four corners of the window, and concludes that the faces penetrate
+/// if their order differs there (its case 3). That is wrong where a face ends before the planes cross; the source then uses
+/// the window round the intersector instead. Here a face is compared only where it lies: first over the common part of the
+/// window and the face's bounding box, which decides most pairs; then at the corners of its contour clipped by the window,
+/// where the difference of two planes has its extremes.
 
 #include "visibility/common/depth_order.hpp"
 #include "visibility/warnock/analysis.hpp"
 
 namespace ligne::warnock {
 
-/// Whether it is behind by more than the tolerance all over; what touches anywhere is not.
+/// The result of comparing a face with another.
 struct DepthComparison {
-  /// One face, the first, to another. `first`: nowhere behind it by more than the tolerance, somewhere before it by more;
-  /// `second`: the other way round; `apart`: it has no part in the window.
+  /// `first`: the face is nowhere behind by more than the tolerance, and somewhere in front by more; `second`: the opposite;
+  /// `apart`: the face has no part in the window.
   DepthOrder order = DepthOrder::apart;
-  bool clear = false;  ///< nowhere within the tolerance
+  bool clear = false;  ///< the depths differ everywhere by more than the tolerance
 };
 
 struct DepthCounts {
-  std::uint64_t depths = 0;       ///< depths computed
-  std::uint64_t comparisons = 0;  ///< pairs of faces
-  std::uint64_t clipped = 0;      ///< of them those that needed the exact contour
+  std::uint64_t depths = 0;       ///< computed depths
+  std::uint64_t comparisons = 0;  ///< compared pairs of faces
+  std::uint64_t clipped = 0;      ///< of these, pairs that needed the exact contour
   void operator+=(const DepthCounts& o) {
     depths += o.depths;
     comparisons += o.comparisons;
@@ -31,7 +31,7 @@ struct DepthCounts {
   }
 };
 
-/// `face` (an element of the window) to the plane of `cover`, over what `face` has of the window.
+/// Compares `face` (an element of the window) with the plane of `cover`, over the part of `face` in the window.
 DepthComparison compare_depth(const FaceTable& table, const Element& face, const Face& cover, const Window& window,
                               DepthCounts& counts);
 

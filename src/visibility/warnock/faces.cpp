@@ -11,8 +11,8 @@
 namespace ligne::warnock {
 namespace {
 
-/// A side with the places of its ends in ascending order. Sides of one face that lie on each other in opposite directions
-/// are cuts: they are found by place, since clipping may give one place two vertices.
+/// A side with the places of its ends sorted. Sides of one face that coincide in opposite directions are cuts. They are
+/// found by place, because clipping may create two vertices at one place.
 struct PlacedSide {
   LatticePoint low, high;
   bool ascending;
@@ -51,7 +51,7 @@ void append_contours(const FaceTable& table, std::span<const std::uint32_t> face
   }
 }
 
-/// Plane of the face's largest facet; what the other corners are off it goes into the slack.
+/// Sets the plane of the face's largest facet. `slack` includes the distances of the other corners from it.
 void set_plane(const FaceTable& table, Face& face) {
   const auto& vertices = *table.vertices;
   const Facet* largest = nullptr;
@@ -80,7 +80,7 @@ void set_plane(const FaceTable& table, Face& face) {
   const FramePoint p0 = table.at(largest->v[0]), p1 = table.at(largest->v[1]), p2 = table.at(largest->v[2]);
   const double z0 = vertices[largest->v[0]].z;
   const double dz1 = vertices[largest->v[1]].z - z0, dz2 = vertices[largest->v[2]].z - z0;
-  // The determinant in frame units, which a rotation and a scaling by |(a, b)| makes of the lattice's.
+  // The determinant in frame units: the frame rotates the lattice and scales it by |(a, b)|.
   const double area = largest_area * (table.frame.a * table.frame.a + table.frame.b * table.frame.b);
   face.base = p0;
   face.base_z = z0;
@@ -110,7 +110,7 @@ FaceTable make_faces(const ProjectedScene& scene, const std::vector<Facet>& face
   table.facets = &facets;
   table.vertices = &scene.vertices;
   table.frame = frame;
-  // Faces in the order of their first facets; facets face by face, each face's in their order.
+  // Faces are in the order of their first facets. Facets are grouped by face and keep their order in each.
   std::uint32_t face_count = 0;
   for (const Facet& f : facets) face_count = std::max(face_count, f.face + 1);
   std::vector<std::uint32_t> index(face_count, kNone);
@@ -119,7 +119,7 @@ FaceTable make_faces(const ProjectedScene& scene, const std::vector<Facet>& face
       index[f.face] = static_cast<std::uint32_t>(table.faces.size());
       table.faces.emplace_back().face = f.face;
     }
-    ++table.faces[index[f.face]].facet_end;  // a count, for now
+    ++table.faces[index[f.face]].facet_end;  // a count until the ranges are set
   }
   std::uint32_t begin = 0;
   for (Face& face : table.faces) {
@@ -149,7 +149,7 @@ FaceTable make_faces(const ProjectedScene& scene, const std::vector<Facet>& face
     }
     table.sides.insert(table.sides.end(), sides[block].begin(), sides[block].end());
   }
-  using Key = std::tuple<float, std::uint32_t, std::uint32_t>;  // z_near, number, index
+  using Key = std::tuple<float, std::uint32_t, std::uint32_t>;  // z_near, face number, index
   std::vector<Key> order(n);
   for (std::uint32_t i = 0; i < n; ++i) order[i] = {table.faces[i].z_near, table.faces[i].face, i};
   parallel_sort(order.begin(), order.end());

@@ -1,5 +1,5 @@
 #pragma once
-/// The faces of a study: contours, planes and depths, and their order from near to far (the initial sort of the method).
+/// The faces of a study: contours, planes, depths, and their order from near to far (the initial sort of the method).
 
 #include <cstdint>
 #include <span>
@@ -15,32 +15,32 @@ struct Side {
   std::uint32_t v0 = 0, v1 = 0;
 };
 
-/// Depths between two bounds.
+/// A range of depths.
 struct DepthRange {
   double near = 0, far = 0;
 };
 
-/// A plane face on the page. Its contours are the sides that only one of its facets has, so that a face with holes, or one
-/// that was cut into triangles, has its true contours and no cuts.
+/// A planar face on the page. Its contours are the sides of exactly one of its facets, so a triangulated face, with or
+/// without holes, has its true contours without cuts.
 struct Face {
-  std::uint32_t face = 0;                        ///< of the scene
-  std::uint32_t facet_begin = 0, facet_end = 0;  ///< in FaceTable::facet_order
-  std::uint32_t side_begin = 0, side_end = 0;    ///< in FaceTable::sides
-  float z_near = 0, z_far = 0;                   ///< of all its corners
-  float slack = 0;                               ///< depth tolerance, and how far its facets are off its plane
-  FramePoint base;                               ///< a point of the plane, its depth there, and the gradient by frame unit
+  std::uint32_t face = 0;                        ///< number in the scene
+  std::uint32_t facet_begin = 0, facet_end = 0;  ///< range in FaceTable::facet_order
+  std::uint32_t side_begin = 0, side_end = 0;    ///< range in FaceTable::sides
+  float z_near = 0, z_far = 0;                   ///< depth range of all corners
+  float slack = 0;                               ///< depth tolerance plus the largest distance of a facet from the plane
+  FramePoint base;                               ///< a point of the plane; below: its depth, and the gradient per frame unit
   double base_z = 0, gu = 0, gv = 0;
-  Window box;  ///< of its projection
+  Window box;  ///< bounding box of the projection
 
   double z(double u, double v) const { return base_z + gu * (u - base.u) + gv * (v - base.v); }
-  /// Bounds of the depth of the face where it lies over the window.
+  /// Bounds of the face's depth where it lies over the window.
   DepthRange depths_over(const Window& window) const;
 };
 
 struct FaceTable {
-  std::vector<Face> faces;              ///< in the order of their first facets: neighbours on the page are neighbours here
-  std::vector<std::uint32_t> by_depth;  ///< indices of faces by z_near, then by number of the face
-  std::vector<std::uint32_t> facet_order;  ///< facets, those of a face in one range
+  std::vector<Face> faces;  ///< in the order of their first facets: faces adjacent on the page lie close together
+  std::vector<std::uint32_t> by_depth;     ///< indices of faces, sorted by z_near, then by face number
+  std::vector<std::uint32_t> facet_order;  ///< facets grouped by face
   std::vector<Side> sides;
   const std::vector<Facet>* facets = nullptr;
   const std::vector<ProjectedVertex>* vertices = nullptr;

@@ -8,7 +8,7 @@
 namespace ligne::warnock {
 namespace {
 
-/// Monotone chain (Andrew 1979): corners of the hull, those in a side left out.
+/// Monotone chain (Andrew 1979): corners of the convex hull without collinear ones.
 std::vector<LatticePoint> hull_of(const std::vector<ProjectedVertex>& vertices) {
   std::vector<LatticePoint> points;
   points.reserve(vertices.size());

@@ -1,5 +1,5 @@
 #pragma once
-/// The first window, and the axes of all.
+/// The first window, and the axes of all windows.
 
 #include "view/projected_scene.hpp"
 #include "visibility/warnock/window.hpp"
@@ -7,9 +7,9 @@
 namespace ligne::warnock {
 
 enum class WindowChoice : std::uint8_t {
-  screen,     ///< the sheet, as far as the study sees it
-  bounding,   ///< the smallest upright square round the scene
-  principal,  ///< the smallest rectangle of any direction round the scene; all windows are turned with it
+  screen,     ///< the visible part of the sheet
+  bounding,   ///< the smallest axis-parallel square round the scene
+  principal,  ///< the smallest rectangle of any direction round the scene; all windows share its axes
 };
 
 struct InitialWindow {
@@ -17,11 +17,11 @@ struct InitialWindow {
   Window window;
 };
 
-/// Holds all vertices of the scene. A scene without vertices has an empty window.
+/// Contains all vertices of the scene. Empty for a scene without vertices.
 InitialWindow initial_window(const ProjectedScene& scene, WindowChoice choice);
 
-/// Direction of a side of the smallest rectangle round the points, which touches a side of their convex hull (Freeman and
-/// Shapira 1975): |a|, |b| <= 2^25, turned into the first quadrant. (1, 0) when the points lie in one place.
+/// Direction of a side of the smallest rectangle round the points; one side of it lies on a side of their convex hull
+/// (Freeman and Shapira 1975). |a|, |b| <= 2^25, rotated into the first quadrant. (1, 0) if all points coincide.
 WindowFrame principal_frame(const std::vector<ProjectedVertex>& vertices);
 
 }  // namespace ligne::warnock

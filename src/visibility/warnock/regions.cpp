@@ -9,20 +9,20 @@
 namespace ligne::warnock {
 namespace {
 
-/// A directed piece of a contour; the region lies on its positive side.
+/// A directed piece of a contour. The region lies on its positive side.
 struct DirectedEdge {
   FramePoint from, to;
   std::uint32_t piece = 0;
 };
 
-/// An interval on a line of constant u (or v), of a trapezoid on its low or its high side.
+/// An interval on a line of constant u or v, on the low or high side of which its trapezoid lies.
 struct Interval {
   double line, from, to;
   bool high_side;
   std::uint32_t piece;
 };
 
-/// The rest of the intervals when those of one face on both sides of a line have cancelled each other.
+/// The intervals that remain after those of one face on both sides of a line have cancelled, and joins their groups.
 std::vector<Interval> cancel(std::vector<Interval> all, const std::vector<AreaPiece>& pieces, DisjointSets& groups) {
   std::erase_if(all, [](const Interval& i) { return !(i.from < i.to); });
   const auto face = [&](const Interval& i) { return pieces[i.piece].face; };
@@ -37,7 +37,7 @@ std::vector<Interval> cancel(std::vector<Interval> all, const std::vector<AreaPi
     while (middle < all.size() && together(all[middle]) && !all[middle].high_side) ++middle;
     end = middle;
     while (end < all.size() && together(all[end])) ++end;
-    // Both runs in order; the heads a and b lose what they have in common.
+    // Both runs are sorted; their first intervals a and b lose their overlap.
     std::size_t a = i, b = middle;
     while (a < middle && b < end) {
       Interval &l = all[a], &h = all[b];
@@ -72,10 +72,10 @@ std::vector<DirectedEdge> contour_edges(const std::vector<AreaPiece>& pieces, Di
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     const AreaPiece& p = pieces[i];
     const double low0 = p.low.v(p.u0), low1 = p.low.v(p.u1), high0 = p.high.v(p.u0), high1 = p.high.v(p.u1);
-    // The piece is on the low side of the line at its u1, on the high side of that at its u0.
+    // The piece is on the low side of the line at u1, and on the high side of the line at u0.
     upright.push_back({p.u1, low1, high1, false, i});
     upright.push_back({p.u0, low0, high0, true, i});
-    // Rounding may have put the corners the wrong way round: then the border runs backwards there.
+    // If rounding has swapped the corners, the border runs backwards there.
     if (low1 > high1) edges.push_back({{p.u1, low1}, {p.u1, high1}, i});
     if (low0 > high0) edges.push_back({{p.u0, high0}, {p.u0, low0}, i});
     if (level(p.low)) {
@@ -106,8 +106,8 @@ std::vector<DirectedEdge> contour_edges(const std::vector<AreaPiece>& pieces, Di
   return edges;
 }
 
-/// Angle from the direction back along `in` to `out`, against the turn from +u towards +v: the smallest one stays with the
-/// region.
+/// Angle from the reversed direction of `in` to `out`, measured against the turn from +u towards +v. The smallest one
+/// follows the region.
 double turn_back(const DirectedEdge& in, const DirectedEdge& out) {
   const double back_u = in.from.u - in.to.u, back_v = in.from.v - in.to.v, u = out.to.u - out.from.u,
                v = out.to.v - out.from.v;
@@ -126,10 +126,11 @@ double area_of(const Contour& c) {
   return sum / 2;
 }
 
-/// A point that is no farther off a straight side, in steps, is one of its: more than the roundings of Boundary::v().
+/// Largest distance of a point from a straight side, in lattice steps, at which it counts as on the side. It exceeds the
+/// rounding of Boundary::v().
 constexpr double kStraightSteps = 0x1p-10;
 
-/// Drops points that are no corners: nearer than half a step to the one before, or on the line through their neighbours.
+/// Drops points closer than half a step to their predecessor, and points on the line through their neighbours.
 Contour simplified(const Contour& c, double unit) {
   const double near = unit / 2, straight = kStraightSteps * unit;
   Contour result;
@@ -152,7 +153,7 @@ Contour simplified(const Contour& c, double unit) {
   return corners.size() < 3 ? result : corners;
 }
 
-/// The contours of the edges [begin, end), which are those of one region, ordered by their first points.
+/// The contours of the edges [begin, end) of one region. The edges are sorted by their first points.
 std::vector<Contour> trace(const std::vector<DirectedEdge>& edges, std::size_t begin, std::size_t end) {
   std::vector<Contour> contours;
   std::vector<std::uint8_t> used(end - begin, 0);
@@ -166,7 +167,7 @@ std::vector<Contour> trace(const std::vector<DirectedEdge>& edges, std::size_t b
     while (!used[e - begin]) {
       used[e - begin] = 1;
       contour.push_back(edges[e].from);
-      // The way on that turns most to the side of the region.
+      // Continues with the edge that turns most towards the region.
       std::size_t next = e;
       double best = 0;
       for (auto o = std::lower_bound(first_edge, last_edge, edges[e].to, less); o != last_edge && o->from == edges[e].to;
@@ -209,8 +210,8 @@ std::vector<Region> make_regions(const std::vector<AreaPiece>& pieces, const Win
       Contour corners = simplified(c, unit);
       if (corners.size() >= 3 && std::abs(area) > least * least) kept.emplace_back(area, std::move(corners));
     }
-    // The outer contour is the largest: only it turns the positive way, but for what rounding left at points where it
-    // touches itself.
+    // The outer contour has the largest area. Only it has positive orientation, except for slivers that rounding leaves
+    // where it touches itself.
     std::stable_sort(kept.begin(), kept.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     if (total > least * least && !kept.empty()) {
       Region region;

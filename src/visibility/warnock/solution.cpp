@@ -30,7 +30,7 @@ void Solution::load(const Lists& lists, const Window& window) {
             [](const Item& a, const Item& b) { return a.z_near != b.z_near ? a.z_near < b.z_near : a.facet < b.facet; });
 }
 
-/// The operation is made over the whole line, and its result cut to the piece: what is hidden does not depend on the
+/// The operation uses the whole line and its result is clipped to the piece, so that visibility does not depend on the
 /// windows.
 template <class Visit>
 bool Solution::visit_hidden(const Piece& piece, bool& near_side, Visit visit) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Drawing of a window: exact visible parts of its lines, and the faces that penetrate each other in it.
+/// Exact solution of a window: the visible parts of its lines, and the pairs of faces that penetrate in it.
 
 #include <span>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace ligne::warnock {
 
-/// The part of a line that lies in a window. Neighbouring windows share its ends to the last bit.
+/// The part of a line in a window. Pieces of adjacent windows share their ends bitwise.
 struct Piece {
   std::uint32_t line = 0;
   double from = 0, to = 1;
@@ -19,7 +19,7 @@ struct Piece {
 /// A visible part of a line.
 struct FoundPart {
   std::uint32_t line = 0;
-  bool near_side = false;  ///< a side of a facet lies along the line, see hidden_interval()
+  bool near_side = false;  ///< a side of a facet lies along the line; see hidden_interval()
   LinePart part;
 };
 
@@ -32,22 +32,22 @@ struct SolutionCounts {
   }
 };
 
-/// Working memory that is kept from window to window.
+/// Solves windows; keeps scratch memory between them.
 class Solution {
  public:
   Solution(const FaceTable& table, const std::vector<PageLine>& lines, double coincidence_steps, double margin_steps)
       : table_(table), lines_(lines), coincidence_steps_(coincidence_steps), margin_steps_(margin_steps) {}
 
-  /// Takes the facets of the elements that come near the window, by depth.
+  /// Loads the facets of the elements near the window, sorted by depth.
   void load(const Lists& lists, const Window& window);
 
   /// Appends the visible parts of the pieces.
   void draw_lines(std::span<const Piece> pieces, std::vector<FoundPart>& out);
 
-  /// Decides for the middle of each piece: it is visible as a whole or not at all.
+  /// Appends each piece if its midpoint is visible.
   void draw_by_middle(std::span<const Piece> pieces, std::vector<FoundPart>& out);
 
-  /// Tests all pairs of facets of different faces; those wholly behind `cover` in the window are not wanted.
+  /// Tests all pairs of facets of different faces. Skips facets that lie wholly behind `cover` in the window.
   void find_pairs(const Window& window, float cover, PenetrationSearch& found);
 
   const SolutionCounts& counts() const { return counts_; }
@@ -56,10 +56,10 @@ class Solution {
   struct Item {
     std::uint32_t facet;
     float z_near, z_far;
-    std::int32_t x0, x1, y0, y1;  ///< of its projection, margin included
+    std::int32_t x0, x1, y0, y1;  ///< bounding box of the projection, with the margin
   };
 
-  /// Calls visit(interval) for all that hides a part of the piece, until it returns true; true when it did.
+  /// Calls visit(interval) for all hidden intervals of the piece until it returns true; returns true if it did.
   template <class Visit>
   bool visit_hidden(const Piece& piece, bool& near_side, Visit visit);
 

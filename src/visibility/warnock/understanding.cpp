@@ -5,11 +5,11 @@
 namespace ligne::warnock {
 namespace {
 
-// Adjustable parameters.
-constexpr std::size_t kMostSeen = 12;    ///< so many seen intersectors are never understood
-constexpr std::size_t kMostFacets = 16;  ///< of an intersector that is compared with another on the page
+// Tuned parameters.
+constexpr std::size_t kMostSeen = 12;    ///< most visible intersectors of an understood window
+constexpr std::size_t kMostFacets = 16;  ///< most facets of an intersector that is compared with another on the page
 
-/// Calls visit(p, q) for the sides of the face that meet the inner window, until it returns false; false when it did.
+/// Calls visit(p, q) for the sides of the face that meet the inner window until it returns false; returns false if it did.
 template <class Visit>
 bool all_sides(const Situation& s, const Placed& placed, Visit visit) {
   for (const Side& side : s.table.sides_of(*placed.face)) {
@@ -19,7 +19,7 @@ bool all_sides(const Situation& s, const Placed& placed, Visit visit) {
   return true;
 }
 
-/// Whether a side of the triangle has all of the other on its outer side or along it.
+/// True if the other triangle lies outside one side of this triangle, or along it.
 bool side_separates(const FramePoint (&t)[3], const FramePoint (&o)[3]) {
   for (int i = 0; i < 3; ++i) {
     const FramePoint p = t[i], q = t[(i + 1) % 3];
@@ -128,7 +128,7 @@ bool penetrating_surrounders_before_everything(const Situation& s, const Covers&
 bool seen_edges_in_one_line(const Situation& s, std::span<const Placed* const> seen) {
   bool first = true;
   FramePoint from, to;
-  // Bit 1: the face lies to the left of the line, bit 2: to the right.
+  // Bit 1: the face lies to the left of the line; bit 2: to the right.
   std::vector<int> sides(seen.size(), 0);
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const bool in_line = all_sides(s, *seen[i], [&](FramePoint p, FramePoint q) {
@@ -155,7 +155,7 @@ bool single_intersector(std::span<const Placed* const> seen) { return seen.size(
 
 bool seen_edges_meet_in_one_vertex(const Situation& s, std::span<const Placed* const> seen) {
   bool first = true;
-  FramePoint a, b;  // the candidates: both ends of the first side, as long as they serve
+  FramePoint a, b;  // candidates: both ends of the first side, while they remain possible
   bool a_serves = false, b_serves = false;
   for (const Placed* p : seen) {
     const bool together = all_sides(s, *p, [&](FramePoint from, FramePoint to) {

@@ -1,9 +1,9 @@
 #pragma once
-/// Module of understanding: is what a window shows plain enough to be drawn at once?
+/// Module of understanding: decides whether a window is simple enough to be drawn at once.
 ///
-/// All functions look at the inner window, which is smaller than the window by the margin: a face whose rim runs along the
-/// border of the window within the margin surrounds it. Nothing is lost by that: lines are cut exactly afterwards, against
-/// all faces of the lists.
+/// All functions examine the inner window, which is smaller than the window by the margin. A face whose border runs within
+/// the margin along the window's border therefore counts as a surrounder. This loses nothing: lines are clipped exactly
+/// afterwards, against all faces of the lists.
 
 #include <optional>
 #include <span>
@@ -12,19 +12,19 @@
 
 namespace ligne::warnock {
 
-/// The shape that was recognised.
+/// The recognised configuration. Numbers are the cases of [Boulle1980].
 enum class Understood : std::uint8_t {
   no,
-  surrounder,               ///< 1: a surrounder before everything
-  penetrating_surrounders,  ///< 2: two penetrating surrounders before everything
-  one_line,                 ///< 3: intersectors before a cover, their seen edges in one line
-  single_intersector,       ///< 4: one intersector, before a cover or alone
-  one_vertex,               ///< figure 2.14d: the seen edges meet in one vertex
-  apart,                    ///< figure 2.14d: intersectors side by side, none over another
+  surrounder,               ///< 1: a surrounder in front of everything
+  penetrating_surrounders,  ///< 2: two penetrating surrounders in front of everything
+  one_line,                 ///< 3: intersectors in front of a cover, their visible edges in one line
+  single_intersector,       ///< 4: one intersector, with or without a cover behind it
+  one_vertex,               ///< figure 2.14d: all visible edges meet in one vertex
+  apart,                    ///< figure 2.14d: intersectors side by side without overlap
 };
 inline constexpr std::size_t kUnderstoodCount = 7;
 
-/// How much the module knows: the choices of [Boulle1980] 2.2.3.2, and all that there is.
+/// The cases that the module recognises: the choices of [Boulle1980] 2.2.3.2, and all cases.
 enum class Knowledge : std::uint8_t {
   nothing,     ///< every window is divided
   two_cases,   ///< 1 and 4
@@ -32,31 +32,31 @@ enum class Knowledge : std::uint8_t {
   all,
 };
 
-/// An element and how it lies to the inner window.
+/// An element and its relation to the inner window.
 struct Placed {
-  Element element;  ///< with the relation to the inner window
+  Element element;  ///< its relation is to the inner window
   const Face* face = nullptr;
 };
 
-/// Outcome of the study of the surrounders: the one before all others, or two that penetrate each other before all others,
-/// or nothing.
+/// The result of comparing the surrounders: one in front of all others, two penetrating ones in front of all others, or
+/// none.
 struct Covers {
   const Placed* front = nullptr;
-  const Placed* other = nullptr;  ///< penetrates the front one
-  bool failed = false;            ///< more than two penetrate
+  const Placed* other = nullptr;  ///< penetrates `front`
+  bool failed = false;            ///< more than two surrounders penetrate
 };
 
-/// A window as the functions see it.
+/// The input of the functions: a window with its elements.
 class Situation {
  public:
-  /// `inner` is the window less its margin. With more than `most` elements it is crowded.
+  /// `inner` is the window less its margin. With more than `most` elements the window is crowded.
   Situation(const FaceTable& table, const Lists& lists, const Window& inner, std::size_t most, AnalysisCounts& analysis,
             DepthCounts& depth);
 
   const FaceTable& table;
   Window inner;
-  std::vector<Placed> placed;  ///< elements that have a part in the inner window, from near to far
-  bool crowded = false;        ///< too many to be understood; `placed` is empty
+  std::vector<Placed> placed;  ///< elements with a part in the inner window, from near to far
+  bool crowded = false;        ///< too many elements to be understood; `placed` is empty
   DepthCounts& depth;
 
   DepthComparison compare(const Placed& face, const Placed& cover) const {
@@ -64,27 +64,26 @@ class Situation {
   }
 };
 
-/// The surrounders, compared with each other one after the other.
+/// Compares the surrounders one after the other.
 Covers study_surrounders(const Situation& s);
 
-/// The intersectors that are not wholly behind the cover (all of them when it is null); nothing when one crosses it.
+/// The intersectors not wholly behind the cover (all if it is null); empty optional if one penetrates it.
 std::optional<std::vector<const Placed*>> seen_intersectors(const Situation& s, const Placed* cover);
 
 /// 1. Everything but the cover lies clearly behind it.
 bool surrounder_before_everything(const Situation& s, const Covers& covers);
 /// 2. Two covers cross, and everything else lies clearly behind one of them.
 bool penetrating_surrounders_before_everything(const Situation& s, const Covers& covers);
-/// 3. All sides of the seen intersectors lie in one line of the page, and those on one side of it do not cross.
+/// 3. All sides of the visible intersectors lie on one line of the page, and those on one side of it do not cross.
 bool seen_edges_in_one_line(const Situation& s, std::span<const Placed* const> seen);
-/// 4. One intersector is seen.
+/// 4. Exactly one intersector is visible.
 bool single_intersector(std::span<const Placed* const> seen);
-/// 2.14d. All sides of the seen intersectors end in one point of the window.
+/// 2.14d. All sides of the visible intersectors end in one point of the window.
 bool seen_edges_meet_in_one_vertex(const Situation& s, std::span<const Placed* const> seen);
-/// 2.14d. No seen intersector lies over another.
+/// 2.14d. No visible intersector overlaps another.
 bool seen_intersectors_apart(const Situation& s, std::span<const Placed* const> seen);
 
-/// Tries all of them that are known. A window in which nothing is seen but a cover that something touches, or nothing at
-/// all, counts as one line.
+/// Tries all cases in `knowledge`. A window in which only a touched cover is visible, or nothing, counts as one line.
 Understood understand(const Situation& s, Knowledge knowledge = Knowledge::all);
 
 }  // namespace ligne::warnock

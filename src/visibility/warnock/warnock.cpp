@@ -15,8 +15,8 @@
 #include "visibility/warnock/regions.hpp"
 
 // Phases: (1) facets and faces, sorted by depth; (2) windows with the candidate edges: visible parts, penetrating pairs; (3)
-// windows with the intersections that were found: their visible parts, and areas; (4) parts put together into strokes, areas
-// into regions. See docs/methods/warnock.md.
+// windows with the found intersections: their visible parts, and areas; (4) parts joined into strokes, areas into regions.
+// See docs/methods/warnock.md.
 
 namespace ligne {
 namespace {
@@ -29,7 +29,7 @@ constexpr std::string_view kKnowledgeNames[] = {"nothing", "two", "four", "all"}
 constexpr std::string_view kShowNames[] = {"windows"};
 constexpr unsigned kLowestResolution = 1, kHighestResolution = 1 << 20;
 constexpr unsigned kFinestPrecision = 1, kRoughestPrecision = 1000;
-constexpr double kPrecisionUnit = 0.01;  ///< of the smallest window
+constexpr double kPrecisionUnit = 0.01;  ///< unit of --set precision, as a part of the smallest window
 
 constexpr MethodParameter kParameters[] = {
     experiment({"warnock-window", "screen|bounding|principal",
@@ -71,7 +71,7 @@ double longer_side_mm(const ProjectedScene& scene) {
   return std::max(scene.view.window.width(), scene.view.window.height());
 }
 
-/// The visible parts of each line, in order; first[i] is where those of line i begin.
+/// The visible parts of the lines, sorted; first[i] is the index of the first part of line i.
 struct PartsByLine {
   std::vector<std::size_t> first;
   std::vector<FoundPart> parts;
@@ -88,7 +88,7 @@ PartsByLine by_line(const std::vector<FoundPart>& found, std::size_t lines) {
   return result;
 }
 
-/// Puts the parts together that windows found of each line.
+/// Joins the parts of each line that the windows found.
 LineVisibility parts_of_lines(const PartsByLine& sorted) {
   return
       [&sorted, of_line = std::vector<FoundPart>()](std::size_t i, const PageLine&, std::vector<LinePart>& parts) mutable {
@@ -134,7 +134,7 @@ void report(const Counts& c, Statistics& s) {
   s.count("drawing: facet-facet tests", c.solution.pair_tests);
 }
 
-/// Times in the modules, summed over the threads.
+/// Times of the modules, summed over the threads.
 void report_times(const Counts& c, Statistics& s) {
   s.time("analysis, all threads", c.analysis_seconds);
   s.time("understanding, all threads", c.understanding_seconds);
@@ -142,7 +142,7 @@ void report_times(const Counts& c, Statistics& s) {
   s.time("areas, all threads", c.area_seconds);
 }
 
-/// How windows are studied.
+/// The rules of the study.
 Rules rules_of(const ProjectedScene& scene, const VisibilityOptions& options, const InitialWindow& first) {
   const double step = scene.lattice.step_mm;
   const auto resolution = options.settings.count("resolution");
@@ -160,7 +160,7 @@ Rules rules_of(const ProjectedScene& scene, const VisibilityOptions& options, co
   return rules;
 }
 
-/// The progress of a part of the study, as one of the whole.
+/// Maps the progress of a phase to the interval [from, to] of the whole.
 std::function<void(double)> part_of_progress(const VisibilityOptions& options, double from, double to) {
   if (!options.progress) return {};
   return [&options, from, to](double part) { options.progress(from + part * (to - from)); };
@@ -196,7 +196,7 @@ void report(const OpaqueScene& opaque, VisibilityResult& result) {
   result.left_out = opaque.left_out();
 }
 
-/// The rules of the windows that are studied once the intersections are known, without looking for them again.
+/// The rules of the second pass, in which the intersections are known.
 Rules second_rules(const Rules& first, bool regions) {
   Rules second = first;
   second.find_pairs = second.show_windows = false;

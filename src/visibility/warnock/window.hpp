@@ -1,9 +1,9 @@
 #pragma once
 /// Windows, and exact tests of segments and points against them.
 ///
-/// Notation: the axes of all windows of a study are given by a frame (a, b), a vector of whole numbers on the page lattice:
-/// u = a x + b y, v = a y - b x. (1, 0) is the page itself. With |a|, |b| <= 2^25 both are whole numbers below 2^52, exact
-/// in doubles; signs of determinants are decided in doubles where their error allows, and in 128-bit integers elsewhere.
+/// Notation: a frame (a, b), an integer vector on the page lattice, gives the axes of all windows of a study: u = a x + b y,
+/// v = a y - b x. (1, 0) is the page itself. With |a|, |b| <= 2^25 both are integers below 2^52, exact in doubles. Signs of
+/// determinants are decided in doubles where the error bound allows, and in 128-bit integers otherwise.
 
 #include <cmath>
 
@@ -12,7 +12,7 @@
 namespace ligne::warnock {
 
 struct FramePoint {
-  double u = 0, v = 0;  ///< whole numbers
+  double u = 0, v = 0;  ///< integers
   friend bool operator==(FramePoint, FramePoint) = default;
 };
 
@@ -22,7 +22,7 @@ struct WindowFrame {
   FramePoint operator()(LatticePoint p) const { return {a * p.x + b * p.y, a * p.y - b * p.x}; }
   double u(LatticePoint p) const { return a * p.x + b * p.y; }
   double v(LatticePoint p) const { return a * p.y - b * p.x; }
-  /// WindowFrame units by lattice step.
+  /// Frame units per lattice step.
   double unit() const { return std::sqrt(a * a + b * b); }
   /// Page point in lattice steps.
   Point2 to_page(double u, double v) const {
@@ -31,7 +31,7 @@ struct WindowFrame {
   }
 };
 
-/// A closed rectangle with whole corners.
+/// A closed rectangle with integer corners.
 struct Window {
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
 
@@ -39,7 +39,7 @@ struct Window {
   double height() const { return v1 - v0; }
   double longer_side() const { return width() > height() ? width() : height(); }
   bool empty() const { return !(u0 <= u1 && v0 <= v1); }
-  /// Larger by a whole number of units on all sides; smaller when it is negative.
+  /// Enlarged by an integer number of units on all sides; reduced if negative.
   Window grown(double units) const { return {u0 - units, u1 + units, v0 - units, v1 + units}; }
   bool meets(const Window& o) const { return u0 <= o.u1 && o.u0 <= u1 && v0 <= o.v1 && o.v0 <= v1; }
   bool holds(FramePoint p) const { return u0 <= p.u && p.u <= u1 && v0 <= p.v && p.v <= v1; }
@@ -48,15 +48,15 @@ struct Window {
   }
 };
 
-/// Sign of (q - p) x (r - p): positive when p -> q -> r turns from +u towards +v. Exact. Identities: turn(p,q,r) ==
+/// Sign of (q - p) x (r - p): positive if p -> q -> r turns from +u towards +v. Exact. Identities: turn(p,q,r) ==
 /// turn(q,r,p) == -turn(q,p,r).
 int turn(FramePoint p, FramePoint q, FramePoint r);
 
-/// Whether the closed segment has a point in the closed window. Exact. meets(p,q,w) == meets(q,p,w).
+/// True if the closed segment has a point in the closed window. Exact. meets(p,q,w) == meets(q,p,w).
 bool meets(FramePoint p, FramePoint q, const Window& window);
 
-/// How often the directed side p -> q goes round the point: +1 where it crosses the ray from r towards +u upwards (towards
-/// +v), -1 downwards, else 0. Summed over a contour that does not pass r: its winding number there. Exact.
+/// Contribution of the directed side p -> q to the winding number of r: +1 if it crosses the ray from r towards +u upwards
+/// (towards +v), -1 downwards, else 0. The sum over a contour that does not pass r is the winding number. Exact.
 int winding(FramePoint p, FramePoint q, FramePoint r);
 
 }  // namespace ligne::warnock
