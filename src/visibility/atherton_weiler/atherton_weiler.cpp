@@ -13,7 +13,7 @@
 #include "visibility/penetration/intersections.hpp"
 #include "visibility/polygons/visible_faces.hpp"
 
-// Phases: (1) facets and the grid of their cells, (2) visible faces, (3) their borders led back to edges, and the lines that
+// Phases: (1) facets and the grid of their cells, (2) visible faces, (3) their borders matched to edges, and the lines that
 // borders do not give. See docs/methods/atherton-weiler.md.
 
 namespace ligne {
@@ -21,7 +21,7 @@ namespace {
 
 using namespace atherton_weiler;
 
-/// Finds the visible parts of lines; one for each task.
+/// Finds the visible parts of lines. Each task has its own.
 class LineSearch {
  public:
   LineSearch(const ProjectedScene& scene, const Facets& facets, const CellGrid& grid, double coincidence_steps)
@@ -79,7 +79,7 @@ void report(const PolygonCounts& counts, Statistics& statistics) {
   statistics.count("deepest recursion", counts.deepest);
 }
 
-/// Searches the parts of lines that the borders of regions do not tell.
+/// Makes the search for lines whose visible parts the borders of regions do not give.
 using MakeSearch = std::function<std::shared_ptr<LineSearch>()>;
 
 LineVisibility parts_of_edges(const BorderLines& borders, const MakeSearch& make_search) {

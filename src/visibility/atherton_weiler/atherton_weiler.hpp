@@ -1,5 +1,5 @@
 #pragma once
-/// Faces clip faces: what is seen is polygons, with holes.
+/// Faces clip faces: the result is visible polygons with holes.
 ///
 /// After K. Weiler and P. Atherton, "Hidden surface removal using polygon area sorting", SIGGRAPH 1977, and P. Atherton, K.
 /// Weiler and D. Greenberg, "Polygon shadow generation", SIGGRAPH 1978. docs/methods/atherton-weiler.md.

@@ -14,7 +14,7 @@ struct EdgeKey {
   friend auto operator<=>(const EdgeKey&, const EdgeKey&) = default;
 };
 
-/// Candidate edges by their vertices.
+/// Finds candidate edges by their vertices.
 class EdgeFinder {
  public:
   explicit EdgeFinder(const ProjectedScene& scene) {
@@ -45,7 +45,7 @@ struct EdgePart {
   LinePart part;
 };
 
-/// Appends a part of an edge to those from `first` on; one that begins within the last one continues it.
+/// Appends a part of an edge to the parts from `first` on, or extends the last part if they overlap.
 void unite(std::vector<LinePart>& parts, std::size_t first, const LinePart& part) {
   if (parts.size() > first && part.from <= parts.back().to) {
     parts.back().to = std::max(parts.back().to, part.to);
@@ -54,7 +54,7 @@ void unite(std::vector<LinePart>& parts, std::size_t first, const LinePart& part
   }
 }
 
-/// Puts parts of a higher level between those that are there, where there is room. Both are in order and disjoint.
+/// Inserts parts of a higher level into the gaps between the parts from `first` on. Both lists are sorted and disjoint.
 void fill_gaps(std::vector<LinePart>& parts, std::size_t first, const std::vector<LinePart>& higher) {
   std::vector<LinePart> all(parts.begin() + static_cast<std::ptrdiff_t>(first), parts.end());
   const std::size_t n = all.size();
@@ -81,7 +81,7 @@ BorderLines::BorderLines(const ProjectedScene& scene, const Facets& facets, cons
     const Facet& f = facets.facets[side / 3];
     return std::pair(f.v[side % 3], f.v[(side % 3 + 1) % 3]);
   };
-  // An edge is known from borders when each of its faces has a facet on it that touches nothing.
+  // Borders give an edge completely if each of its faces has a facet on it that touches no other face.
   needs_study_.assign(scene.edges.size(), 1);
   for (std::uint32_t f = 0; f < facets.facets.size(); ++f) {
     for (unsigned k = 0; k < 3; ++k) {

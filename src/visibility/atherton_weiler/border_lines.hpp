@@ -1,5 +1,5 @@
 #pragma once
-/// From the borders of regions back to the edges of the scene.
+/// Matches the borders of regions to the edges of the scene.
 
 #include <cstdint>
 #include <span>
@@ -12,16 +12,16 @@ namespace ligne::atherton_weiler {
 
 class BorderLines {
  public:
-  /// Leads every border part back to its candidate edge, if it has one.
+  /// Assigns every border part to its candidate edge, if it has one.
   BorderLines(const ProjectedScene& scene, const Facets& facets, const VisibleFaces& visible);
 
-  /// The visible parts of a candidate edge: where regions border on it, each at the lowest level that one of them has there:
-  /// what is farther is seen through more. In order and disjoint.
+  /// The visible parts of a candidate edge, sorted and disjoint, where regions border on it. Each part has the lowest level
+  /// of these regions: farther regions are seen through more transparent faces.
   std::span<const LinePart> parts(std::size_t edge) const {
     return std::span(parts_).subspan(begin_[edge], begin_[edge + 1] - begin_[edge]);
   }
-  /// Whether borders do not give all of the edge: a face of it has no area on the page, or touches another face somewhere,
-  /// which takes what lies on it, but does not hide its lines.
+  /// True if borders do not give the whole edge: a face of it has no area on the page, or touches another face, which may
+  /// take its region but does not hide its lines.
   bool needs_study(std::size_t edge) const { return needs_study_[edge] != 0; }
 
  private:

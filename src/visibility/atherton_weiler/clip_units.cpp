@@ -11,7 +11,7 @@
 namespace ligne::atherton_weiler {
 namespace {
 
-/// All that the faces cover, each place once.
+/// The union of the faces.
 std::vector<ContourFace> united(const std::vector<ContourFace>& faces) {
   return faces.size() == 1 ? faces : clip_contour_by_contour(faces, {}).outside;
 }
@@ -53,7 +53,7 @@ class UnitMaker {
 
 enum class Side : std::uint8_t { front, back, neither };
 
-/// On which side of the facet's plane the vertices are: behind it (a front face), before it, or some on either side.
+/// The side of the facet's plane that has the vertices: behind it (a front face), in front of it, or both.
 Side side_of(const ProjectedScene& scene, const Facet& f, const std::vector<std::uint32_t>& vertices) {
   const ProjectedVertex &a = scene.vertices[f.v[0]], &b = scene.vertices[f.v[1]], &c = scene.vertices[f.v[2]];
   const double area = orientation(a.p, b.p, c.p);
@@ -68,7 +68,7 @@ Side side_of(const ProjectedScene& scene, const Facet& f, const std::vector<std:
   return before && behind ? Side::neither : before ? Side::back : Side::front;
 }
 
-/// Bodies of the scene: sets of triangles that hang together, closed, of opaque faces. For each its vertices and facets.
+/// A closed body of opaque faces, connected by vertices: its vertices and facets.
 struct Body {
   std::vector<std::uint32_t> vertices, facets;
 };
@@ -85,7 +85,7 @@ std::vector<Body> closed_bodies(const ProjectedScene& scene, const std::vector<F
     }
   }
   std::sort(sides.begin(), sides.end());
-  std::vector<std::uint32_t> number(scene.vertices.size(), 0);  // of the group's body, by the vertex that stands for it
+  std::vector<std::uint32_t> number(scene.vertices.size(), 0);  // of its body, at the root of each group
   for (std::size_t i = 0; i < sides.size();) {
     std::size_t end = i + 1;
     while (end < sides.size() && sides[end] == sides[i]) ++end;
@@ -116,7 +116,7 @@ std::vector<Body> closed_bodies(const ProjectedScene& scene, const std::vector<F
 
 double area_of(const std::vector<ContourFace>& faces) { return twice_area(faces); }
 
-/// The facets of a list by face, in the order of their first facets.
+/// The facets of a list grouped by face.
 std::vector<UnitFace> by_face(const std::vector<Facet>& facets, const std::vector<std::uint32_t>& list,
                               const UnitMaker& maker) {
   std::vector<std::uint32_t> sorted = list;
@@ -131,7 +131,7 @@ std::vector<UnitFace> by_face(const std::vector<Facet>& facets, const std::vecto
   return faces;
 }
 
-/// The body as one unit, when it is convex on the page too.
+/// The body as one unit, if it is also convex on the page.
 std::optional<ClipUnit> silhouette(const ProjectedScene& scene, const std::vector<Facet>& facets, const Body& body,
                                    const UnitMaker& maker) {
   std::vector<std::uint32_t> front, back;
@@ -177,7 +177,7 @@ PageBox box_of(const Facet& facet, const std::vector<ProjectedVertex>& vertices)
 
 std::vector<ClipUnit> clip_units(const ProjectedScene& scene, const std::vector<Facet>& facets, bool silhouettes) {
   const UnitMaker maker(scene, facets);
-  std::vector<std::pair<std::uint32_t, ClipUnit>> units;  // with their lowest facets
+  std::vector<std::pair<std::uint32_t, ClipUnit>> units;  // each with its lowest facet
   std::vector<std::uint8_t> taken(facets.size(), 0);
   if (silhouettes) {
     for (const Body& body : closed_bodies(scene, facets)) {

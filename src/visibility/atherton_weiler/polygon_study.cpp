@@ -9,18 +9,18 @@
 #include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "visibility/atherton_weiler/unit_order.hpp"
 
-// Per zone, with its polygons nearest first: (1) the first polygon is the clip face. Every other one is clipped by it. (2)
-// Pieces inside and behind it are not seen, or seen through it. (3) Where a piece inside proves to be nearer, the sort was
-// wrong: the clip is begun again, with this piece as clip face, on what is inside; (4) otherwise all of the clip face is
-// seen. (5) The same with what is outside.
+// Per zone, with its polygons sorted by nearest depth: (1) The first polygon is the clip face and clips all others. (2)
+// Pieces inside it and behind it are hidden, or seen through it. (3) If a piece inside is nearer, the sort was wrong: the
+// clip restarts on the inside with this piece as clip face. (4) Otherwise the whole clip face is visible. (5) The outside is
+// treated likewise.
 //
-// It ends: a clip face that is done leaves its list, so lists become shorter from call to call, but where a wrong sort is
-// found. There the chain of clip faces becomes longer, and a polygon that is in the chain is not taken for nearer again.
+// The study terminates: a finished clip face leaves its list, so lists shrink from call to call except after a wrong sort.
+// There the chain of clip faces grows, and a polygon in the chain is not taken for nearer again.
 
 namespace ligne::atherton_weiler {
 namespace {
 
-/// The part of a unit that is still to be seen.
+/// The part of a unit whose visibility is undecided.
 struct Polygon {
   std::uint32_t unit = 0;
   std::uint32_t slab = 0;
@@ -29,13 +29,13 @@ struct Polygon {
   PageBox box;
 };
 
-/// The visible part of a face in one place.
+/// A visible part of a face.
 struct Piece {
   std::uint32_t face = 0, level = 0;
   std::vector<ContourFace> parts;
 };
 
-/// Units that hang together by their boxes, by the lowest one.
+/// Units connected by overlapping boxes, sorted by their lowest unit.
 std::vector<std::vector<std::uint32_t>> zones_of(const std::vector<ClipUnit>& units) {
   std::vector<AxisBox> boxes;
   for (const ClipUnit& unit : units) boxes.push_back({unit.box.x0, unit.box.y0, unit.box.x1, unit.box.y1});
@@ -76,8 +76,7 @@ class ZoneStudy {
   PolygonCounts counts;
 
  private:
-  /// `chain`: the clip faces for which the first polygon of the list proved to be nearer; empty when it was just sorted
-  /// first.
+  /// `chain`: the clip faces to which the first polygon of the list proved nearer; empty if the sort put it first.
   void study(std::vector<Polygon>& list, std::vector<std::uint32_t> chain, std::uint64_t depth);
   void show(const Polygon& polygon);
 
@@ -142,7 +141,7 @@ void ZoneStudy::study(std::vector<Polygon>& list, std::vector<std::uint32_t> cha
   }
 }
 
-/// A body's faces are details of its silhouette, clipped to what is seen of it.
+/// The faces of a body are details of its silhouette, clipped to the visible part of it.
 void ZoneStudy::show(const Polygon& polygon) {
   for (const UnitFace& face : units_[polygon.unit].faces) {
     Piece piece{face.face, polygon.level, {}};
@@ -152,7 +151,7 @@ void ZoneStudy::show(const Polygon& polygon) {
   }
 }
 
-/// The pieces of a face and level put together. What two of them have in common may lie on different segments of one line.
+/// Joins the pieces of each face and level. A common border of two pieces may lie on different segments of one line.
 void add_all(const Lattice& lattice, const std::vector<Facet>& facets, std::vector<Piece>& pieces, VisibleFaces& out) {
   std::stable_sort(pieces.begin(), pieces.end(),
                    [](const Piece& a, const Piece& b) { return std::pair(a.face, a.level) < std::pair(b.face, b.level); });
@@ -169,8 +168,8 @@ void add_all(const Lattice& lattice, const std::vector<Facet>& facets, std::vect
     }
     const auto known = static_cast<std::ptrdiff_t>(out.borders.size());
     add_regions(lattice, pieces[first].face, pieces[first].level, edges, false, out);
-    // A border on a side of another face says nothing of that side: the face that clipped here may have been clipped later,
-    // by one whose side lies on it. Where a side is seen its own face is seen beside it.
+    // Borders on sides of other faces are dropped: another face may have clipped later along such a side. If the side is
+    // visible, its own face is visible beside it and gives the border.
     const auto foreign = [&](const BorderPart& b) { return facets[b.side / 3].face != pieces[first].face; };
     out.borders.erase(std::remove_if(out.borders.begin() + known, out.borders.end(), foreign), out.borders.end());
   }
@@ -202,7 +201,7 @@ VisibleFaces study_polygons(const ProjectedScene& scene, const std::vector<Facet
   std::mutex mutex;
   std::size_t done = 0;
   parallel_for(zones.size(), [&](std::size_t z) {
-    // Facets of different zones are never compared: each task marks its own.
+    // Facets of different zones are never compared, so each task marks only its own.
     const std::size_t size = zones[z].size();
     ZoneStudy study(units, UnitOrders(scene, facets, units, result.facet_touches));
     study.study(std::move(zones[z]));

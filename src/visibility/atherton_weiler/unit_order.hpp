@@ -1,5 +1,5 @@
 #pragma once
-/// Which of two units is in front, found when it is asked for and remembered.
+/// The depth order of two units, computed on demand and cached.
 
 #include <unordered_map>
 
@@ -8,19 +8,18 @@
 
 namespace ligne::atherton_weiler {
 
-/// For one task.
+/// One per task: not thread-safe.
 class UnitOrders {
  public:
-  /// Facets that touch others are marked in `touches`; see VisibleFaces::facet_touches.
+  /// Marks facets that touch others in `touches`; see VisibleFaces::facet_touches.
   UnitOrders(const ProjectedScene& scene, const std::vector<Facet>& facets, const std::vector<ClipUnit>& units,
              std::vector<std::uint8_t>& touches)
       : scene_(scene), facets_(facets), units_(units), touches_(touches) {}
 
-  /// The order of two units that have a place of the page in common.
+  /// The order of two units that overlap on the page.
   DepthOrder order(std::uint32_t a, std::uint32_t b);
 
-  /// Where they have mixed order, because they pass through each other or one is no plane: the parts of b that are in front
-  /// of a, those that meet the rectangle.
+  /// For units of mixed order, which penetrate or are not planar: the parts of b in front of a that meet the rectangle.
   std::vector<ContourFace> front_parts(std::uint32_t a, std::uint32_t b, const PageBox& within) const;
 
  private:
@@ -31,7 +30,7 @@ class UnitOrders {
   const std::vector<Facet>& facets_;
   const std::vector<ClipUnit>& units_;
   std::vector<std::uint8_t>& touches_;
-  std::unordered_map<std::uint64_t, DepthOrder> known_;  ///< by the numbers of two units, the lower first
+  std::unordered_map<std::uint64_t, DepthOrder> known_;  ///< by the numbers of two units, lower first
 };
 
 }  // namespace ligne::atherton_weiler
