@@ -43,7 +43,7 @@ void EdgeTracker::for_each_span(const LineScan& scan, double low, double high, V
   for (; s != spans.end() && s->u0 <= high; ++s) visit(*s);
 }
 
-/// Reads from the spans of a line the state of an edge.
+/// Reads the state of an edge from the spans of a scan line.
 void EdgeTracker::look(const LineScan& scan, std::uint32_t slot, std::uint32_t line) {
   const ActiveEdge& a = scan.active(slot);
   const ScanEdge& edge = scan.scene().edges[a.edge];
@@ -60,7 +60,7 @@ void EdgeTracker::look(const LineScan& scan, std::uint32_t slot, std::uint32_t l
     Track& track = tracks.of_line[i];
     const SweepLine& l = lines_[lines[i]];
     if (track.state == State::unknown) track.t = -1;
-    // The place of the line on the edge, counted from l.from.
+    // The parameter of the scan line on the edge's line, counted from l.from.
     const double down_share = (line - edge.v_top) / (edge.v_bottom - edge.v_top);
     const double t = std::clamp(comes_before(l.from.p, l.to.p) ? down_share : 1 - down_share, 0.0, 1.0);
     bool left = false, right = false;
@@ -72,13 +72,14 @@ void EdgeTracker::look(const LineScan& scan, std::uint32_t slot, std::uint32_t l
     const State now = left && right ? State::hidden : State::visible;
     if (now != track.state && track.state != State::unknown)
       ++(now == State::visible ? counts_.became_visible : counts_.became_hidden);
-    // Hidden on two lines that it crosses steeply: what might be seen between them is below the resolution of the lines.
+    // The edge is hidden on two successive scan lines that it crosses steeply. A visible part between them is below the
+    // resolution.
     if (now == State::hidden && std::abs(a.track.du) <= 1) {
       if (track.state == State::unknown && edge.v_top > line - 1.0)
-        track.t = comes_before(l.from.p, l.to.p) ? 0 : 1;  // from its top on
+        track.t = comes_before(l.from.p, l.to.p) ? 0 : 1;  // from the top of the edge on
       if (track.state != State::visible && track.t >= 0)
         track.hidden.push_back({std::min(track.t, t), std::max(track.t, t), HiddenSides::both});
-      if (edge.v_bottom <= line + 1.0) {  // and to its bottom
+      if (edge.v_bottom <= line + 1.0) {  // and down to its bottom
         const double end = comes_before(l.from.p, l.to.p) ? 1 : 0;
         track.hidden.push_back({std::min(t, end), std::max(t, end), HiddenSides::both});
       }
@@ -88,8 +89,8 @@ void EdgeTracker::look(const LineScan& scan, std::uint32_t slot, std::uint32_t l
   }
 }
 
-/// Parts of edges between this line and the one before, or the one after, that the other of the two does not meet: whole
-/// edges that lie between two lines, and what lies beyond the first and the last line of the others.
+/// Parts of edges between this scan line and the preceding or following one, if that one does not meet them: whole edges
+/// between two scan lines, and the parts of other edges beyond their first and last scan line.
 void EdgeTracker::between_lines(const LineScan& scan, std::uint32_t line) {
   const ScanScene& scene = scan.scene();
   for (std::uint32_t e = scene.first_of_line[line]; e < scene.first_of_line[line + 2]; ++e) {

@@ -1,14 +1,15 @@
 #pragma once
 /// Visible edges tracked from line to line ([Boulle1980] 2.3.4, after Archuleta 1972).
 ///
-/// On every studied line the spans say for each candidate line where it stands: visible on this line (state 2), visible on
-/// the line before (1), invisible (0). [Boulle1980] draws from the line on which state 2 began to the last one on which it
-/// held, so a stroke ends at a line. Here the face that a span shows in front of an edge is kept, and what it hides of the
-/// edge is computed by the exact operation (common/hidden_interval.hpp): strokes begin and end where they truly do, and the
-/// lines limit only which faces are found.
+/// On every studied scan line the spans give the state of each candidate line: visible on this scan line (2), visible on the
+/// preceding one (1), invisible (0). [Boulle1980] draws from the scan line on which state 2 began to the last one on which
+/// it held, so strokes end at scan lines. Here the tracker keeps the face that a span shows in front of an edge, and the
+/// exact operation (common/hidden_interval.hpp) computes the part of the edge that it hides. Strokes therefore have exact
+/// ends; the scan lines only limit which faces are found.
 ///
-/// An edge is compared with the faces of all spans that it may pass on its way from the line before to the line after: a
-/// flat edge passes many. An edge that no line meets, horizontal or between two lines, is compared with the spans of both.
+/// An edge is compared with the faces of all spans that it may pass between the preceding and the following scan line; a
+/// flat edge passes many. An edge that no scan line meets, horizontal or between two scan lines, is compared with the spans
+/// of both.
 
 #include <cstdint>
 #include <span>
@@ -21,7 +22,7 @@
 namespace ligne::watkins {
 
 struct TrackCounts {
-  std::uint64_t positions = 0;                          ///< edges looked at on studied lines
+  std::uint64_t positions = 0;                          ///< edges examined on studied lines
   std::uint64_t became_visible = 0, became_hidden = 0;  ///< changes of state
   std::uint64_t facet_tests = 0;
   void operator+=(const TrackCounts& o);
@@ -50,9 +51,9 @@ class EdgeTracker final : public LineListener {
     std::vector<std::uint32_t> tested;  ///< faces
     std::vector<HiddenInterval> hidden;
     State state = State::unknown;
-    double t = 0;  ///< where it was last looked at
+    double t = 0;  ///< parameter at the last examined scan line
   };
-  /// Tracks of the lines of one active edge.
+  /// The tracks of the lines of one active edge.
   struct Tracks {
     std::vector<Track> of_line;
     std::size_t used = 0;

@@ -1,8 +1,8 @@
 #pragma once
-/// The crossings that the exact scan still has to come to, in its order.
+/// The future crossings of the exact scan, in scan order.
 ///
-/// Most crossings lie far below the scan when they are found, and many are no longer to come when it gets there. So they are
-/// put into buckets by their place, and only the bucket at hand is a heap: a small one, of crossings that are still good.
+/// Most crossings lie far below the scan when they are found, and many become invalid before the scan reaches them. They are
+/// therefore stored in buckets by place, and only the current bucket is a heap: a small one of valid crossings.
 
 #include <algorithm>
 #include <cstdint>
@@ -21,16 +21,17 @@ struct Crossing {
   bool before(double other_y, double other_x) const { return y != other_y ? y < other_y : x < other_x; }
 };
 
-/// Invariant: every crossing before the first fence not yet passed is in the heap; behind the last fence nothing is kept.
+/// Invariant: the heap contains every crossing before the next fence. Crossings behind the last fence are dropped.
 class CrossingQueue {
  public:
-  /// Fences ascend in scan order. `open_end`: what lies behind the last one is kept too.
+  /// Fences ascend in scan order. `open_end`: keeps crossings behind the last fence too.
   void reset(std::vector<LatticePoint> fences, bool open_end);
   void put(const Crossing& crossing);
-  /// The next one before the place, taken out.
+  /// Removes and returns the next crossing before the place.
   std::optional<Crossing> take_before(double y, double x);
 
-  /// When all crossings before the next fence have been taken: those that are good(crossing) of the bucket behind it.
+  /// Moves to the next bucket and keeps its crossings for which good(crossing) is true. Requires that all crossings before
+  /// the fence have been taken.
   template <class Good>
   void pass_fence(Good good) {
     ++bucket_;
@@ -41,7 +42,7 @@ class CrossingQueue {
   }
 
  private:
-  /// No two are equal but for copies: ties are broken by the nodes.
+  /// Ties are broken by the nodes, so only copies compare equal.
   struct Later {
     bool operator()(const Crossing& a, const Crossing& b) const {
       if (a.y != b.y) return a.y > b.y;

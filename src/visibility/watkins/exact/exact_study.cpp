@@ -19,7 +19,7 @@ void ExactCounts::operator+=(const ExactCounts& o) {
 
 ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& all_facets,
                           std::span<const SweepLine> lines, const ExactOptions& options) {
-  // Penetrations may be anywhere; otherwise what is not near a line is no concern of the scan.
+  // Penetrations may be anywhere; without them only facets near a line matter.
   const std::vector<Facet> near =
       options.penetrations ? std::vector<Facet>{} : facets_near(lines, all_facets, vertices, options.coincidence_steps + 1);
   const std::vector<Facet>& facets = options.penetrations ? all_facets : near;
@@ -33,7 +33,7 @@ ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const st
   std::vector<BandResult> results(bands.size());
   ExactResult result;
   if (options.penetrations) result.penetrations.assign(bands.size(), PenetrationSearch(facets, vertices));
-  std::atomic<bool> gave_up = false;  // one of the bands, so that all is in vain
+  std::atomic<bool> gave_up = false;  // set when a band has given up, which makes the whole study void
   std::mutex progress_mutex;
   std::size_t done = 0;
   parallel_tasks(bands.size(), [&](std::size_t b) {

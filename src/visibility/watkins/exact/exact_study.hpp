@@ -13,8 +13,8 @@ namespace ligne::watkins {
 struct ExactOptions {
   SpanMethodKind kind = SpanMethodKind::stack;
   double coincidence_steps = 0;
-  bool penetrations = false;             ///< look for pairs of facets that penetrate
-  const OccluderGrid* covers = nullptr;  ///< of what lies behind them, no penetrations
+  bool penetrations = false;             ///< searches for penetrating pairs of facets
+  const OccluderGrid* covers = nullptr;  ///< no penetrations are searched behind these
   std::function<void(double)> progress{};
 };
 
@@ -26,8 +26,8 @@ struct ExactCounts {
   void operator+=(const ExactCounts& o);
 };
 
-/// The hidden intervals of every line, from the findings of several bands. A line that runs through several bands has those
-/// of all; what bands have in common is the same interval to the last bit, so a seam leaves no trace.
+/// The hidden intervals of every line, merged from the bands. The part of a line in several bands gets bitwise equal
+/// intervals from each, so seams leave no trace.
 class FoundIntervals {
  public:
   FoundIntervals() = default;
@@ -37,19 +37,19 @@ class FoundIntervals {
   const std::vector<LinePart>& visible_parts(std::size_t line, OpenParts& open) const;
 
  private:
-  std::vector<std::uint32_t> first_;  ///< intervals [first_[i], first_[i + 1]) are of line i
+  std::vector<std::uint32_t> first_;  ///< line i has the intervals [first_[i], first_[i + 1])
   std::vector<HiddenInterval> intervals_;
 };
 
 struct ExactResult {
-  bool gave_up = false;  ///< see ScanEffort; then nothing is found
+  bool gave_up = false;  ///< see ScanEffort; the result is then empty
   FoundIntervals found;
-  std::vector<std::uint8_t> near;               ///< by line: another one may lie on it
-  std::vector<PenetrationSearch> penetrations;  ///< one by band, when asked for
+  std::vector<std::uint8_t> near;               ///< by line: 1 if another line may coincide with it
+  std::vector<PenetrationSearch> penetrations;  ///< one per band, if requested
   ExactCounts counts;
 };
 
-/// The intersections that all bands have found together. Takes them out of the result.
+/// The intersections found by all bands. Moves them out of the result.
 std::vector<Intersection> take_intersections(ExactResult& result, const std::vector<ProjectedVertex>& vertices,
                                              const std::vector<Facet>& facets, double least_steps);
 

@@ -8,10 +8,10 @@
 namespace ligne::watkins {
 namespace {
 
-/// Crossings are kept in buckets of so many points: the heap holds those of one bucket alone. Adjustable.
+/// Points per bucket of crossings; the heap contains the crossings of one bucket. Tuned.
 constexpr std::uint32_t kPointsPerBucket = 64;
 
-/// Abscissa of an edge at a height that it reaches; of a horizontal edge, at x.
+/// x of an edge at a height within its range; for a horizontal edge the given x.
 double abscissa(LatticePoint top, LatticePoint bottom, double y, double x) {
   if (top.y == bottom.y) return x;
   return top.x + (double(bottom.x) - top.x) * ((y - top.y) / (double(bottom.y) - top.y));
@@ -50,7 +50,8 @@ std::uint32_t ExactSweep::local_of(std::uint32_t e) const {
   return static_cast<std::uint32_t>(std::lower_bound(active_->begin(), active_->end(), e) - active_->begin());
 }
 
-/// The edges from above, in the order in which they cross the top of the band. Ties and roundings are mended as everywhere.
+/// Inserts the edges from above in the order in which they cross the top of the band. Ties and rounding errors are corrected
+/// as elsewhere.
 void ExactSweep::begin(const SweepBand& band) {
   active_ = &band.active;
   first_edge_ = scene_.first_start[band.first];
@@ -122,7 +123,7 @@ void ExactSweep::toggle_node(std::uint32_t node, Cover& cover) {
   }
 }
 
-/// All crossings before (y, x).
+/// Processes all crossings before (y, x).
 void ExactSweep::at_crossings(double y, double x) {
   while (const std::optional<Crossing> next = queue_.take_before(y, x)) {
     const Crossing& c = *next;
@@ -162,14 +163,14 @@ void ExactSweep::open(std::uint32_t node, double x, double y) {
   status_.node(node).y = y;
 }
 
-/// Whether the two neighbours must still be exchanged, and where. The end of the one that ends first lies on one side of the
-/// other: that is the order in which they part. Neighbours on one line become one node.
+/// Tests whether two neighbours must be exchanged, and where. The edge that ends first decides: its end lies on one side of
+/// the other edge. Collinear neighbours become one node.
 void ExactSweep::check_pair(std::uint32_t left_slot) {
   const std::uint32_t right_slot = status_.next(left_slot);
   if (left_slot == SweepStatus::kLeftEnd || right_slot == SweepStatus::kLeftEnd) return;
   const std::uint32_t a = status_.node_at(left_slot), b = status_.node_at(right_slot);
   const SweepNode &p = status_.node(a), &q = status_.node(b);
-  // o0, o1: the place of the shorter-lived one's ends beside the other, positive where it is in order.
+  // o0, o1: sides of the other edge on which the ends of the shorter-lived edge lie; positive in correct order.
   const bool p_ends_first = p.bottom_point <= q.bottom_point;
   const SweepNode &ending = p_ends_first ? p : q, &staying = p_ends_first ? q : p;
   const double sign = p_ends_first ? 1 : -1;
@@ -202,7 +203,7 @@ bool ExactSweep::still_to_come(const Crossing& c) const {
   return p.generation == c.left_generation && q.generation == c.right_generation && status_.next(p.slot) == q.slot;
 }
 
-/// Two neighbours on one line.
+/// Joins two collinear neighbours.
 void ExactSweep::join(std::uint32_t left_slot) {
   const std::uint32_t right_slot = status_.next(left_slot), before = status_.previous(left_slot);
   close(left_slot, x_, y_);
@@ -222,7 +223,7 @@ void ExactSweep::join(std::uint32_t left_slot) {
   check_pair(left_slot);
 }
 
-/// The stretch of the slot's lines up to here is studied.
+/// Studies the stretches of the slot's lines up to here.
 void ExactSweep::close(std::uint32_t slot, double x, double y) {
   const SweepNode& node = status_.node(status_.node_at(slot));
   if (!node.has_lines) return;
@@ -250,8 +251,8 @@ void ExactSweep::close(std::uint32_t slot, double x, double y) {
   }
 }
 
-/// Whether the neighbour to the left or to the right lies along the slot's stretch within the coincidence tolerance, as far
-/// as both have come.
+/// True if the left or right neighbour lies within the coincidence tolerance along the part of the slot's stretch that both
+/// have reached.
 bool ExactSweep::neighbour_along(std::uint32_t slot, double x, double y) const {
   const SweepNode& node = status_.node(status_.node_at(slot));
   const auto distance = [](const SweepNode& n, double px, double py) {
@@ -268,7 +269,7 @@ bool ExactSweep::neighbour_along(std::uint32_t slot, double x, double y) const {
   return false;
 }
 
-/// Hands out the findings about the lines of an edge.
+/// Stores the findings about the lines of an edge.
 void ExactSweep::end_edge(std::uint32_t local) {
   --active_count_;
   if (state_of_[local] == kNone) return;
@@ -282,7 +283,7 @@ void ExactSweep::end_edge(std::uint32_t local) {
   state_of_[local] = kNone;
 }
 
-/// The band ends here; the next one goes on.
+/// Ends the band; the next one continues.
 void ExactSweep::finish(double y, double x) {
   for (std::uint32_t s = status_.next(SweepStatus::kLeftEnd); s != SweepStatus::kLeftEnd; s = status_.next(s)) {
     const SweepNode& node = status_.node(status_.node_at(s));
@@ -291,7 +292,7 @@ void ExactSweep::finish(double y, double x) {
   }
 }
 
-/// The facets with a side in the node, into `facets`.
+/// Collects the facets with a side in the node in `facets`.
 void ExactSweep::facets_of(std::uint32_t node, std::vector<std::uint32_t>& facets) const {
   facets.clear();
   for (std::uint32_t e = status_.node(node).first; e != kNone; e = next_in_node_[e]) {

@@ -1,14 +1,13 @@
 #pragma once
-/// The exact scan of one band of the page: it stops at every vertex and at every crossing of edges, and nowhere else.
+/// The exact scan of one band of the page. It stops only at vertices and at crossings of edges.
 ///
-/// Invariant: between two stops the active list is ordered as the edges lie on the scan line, and the cover of every gap is
-/// the set of facets over it. A stop changes the list and the covers only there where it is. A line is studied from one of
-/// its own stops to the next (StretchStudy); what happens elsewhere, and what hidden edges do among each other, costs it
-/// nothing.
+/// Invariant: between two stops the active list has the edges in their order on the scan line, and the cover of every gap is
+/// the set of facets over it. A stop changes list and covers only at its place. A line is studied from one of its own stops
+/// to the next (StretchStudy); stops elsewhere, and crossings between hidden edges, cost it nothing.
 ///
-/// Crossings are computed in doubles, so two stops closer than rounding may come in the wrong order. That is harmless: each
-/// pair of neighbours is asked by exact determinants which of the two is left where the first of them ends, and exchanged at
-/// most once, so the list mends itself, and what was misjudged on the way is shorter than a thousandth of a lattice step.
+/// Crossings are computed in doubles, so two stops closer than the rounding error may come in the wrong order. This is
+/// harmless. Exact determinants decide which of two neighbours is left where the first of them ends, and a pair is exchanged
+/// at most once. So the list corrects itself, and the wrong part is shorter than a thousandth of a lattice step.
 
 #include <cstdint>
 #include <span>
@@ -26,13 +25,13 @@ struct SweepCounts {
   std::uint64_t points = 0;     ///< stops at ends of edges
   std::uint64_t crossings = 0;  ///< stops where edges cross
   std::uint64_t hidden_crossings =
-      0;  ///< of them: of edges that bound nothing seen and are no lines: only the list changes (figure 2.59)
-  std::uint64_t searches = 0;     ///< points that had to be looked for, because no edge ends there (dangling vertices)
-  std::uint64_t most_active = 0;  ///< longest active list
+      0;                          ///< of these, between hidden edges that are no lines: only the list changes (figure 2.59)
+  std::uint64_t searches = 0;     ///< points that needed a search, because no edge ends there (dangling vertices)
+  std::uint64_t most_active = 0;  ///< largest length of the active list
   void operator+=(const SweepCounts& o);
 };
 
-/// The part of a line that a facet hides.
+/// The part of a line hidden by a facet.
 struct Finding {
   std::uint32_t line;
   HiddenInterval interval;
@@ -40,20 +39,20 @@ struct Finding {
 
 class ExactSweep {
  public:
-  /// `pairs` is called where facets begin to overlap; it may be null. Edges no farther apart than `near_steps` may lie on
-  /// each other.
+  /// `pairs`, which may be null, is called where facets begin to overlap. Edges within `near_steps` of each other may
+  /// coincide.
   ExactSweep(const SweepScene& scene, StretchStudy& study, double near_steps, PairFinder* pairs, ScanEffort& effort)
       : scene_(scene), study_(study), near_steps_(near_steps), pairs_(pairs), effort_(effort) {}
 
-  /// Until the effort is spent: then what is found is not all.
+  /// Scans the band, or stops when the effort is spent; the findings are then incomplete.
   void scan(const SweepBand& band);
 
   const std::vector<Finding>& findings() const { return findings_; }
-  const std::vector<std::uint32_t>& near_lines() const { return near_lines_; }  ///< lines with another one along them
+  const std::vector<std::uint32_t>& near_lines() const { return near_lines_; }  ///< lines along which another line lies
   const SweepCounts& counts() const { return counts_; }
 
  private:
-  /// States of the lines of one edge.
+  /// The states of the lines of one edge.
   struct EdgeState {
     std::vector<LineState> lines;
   };
@@ -100,11 +99,11 @@ class ExactSweep {
   std::vector<std::uint32_t> node_of_, next_in_node_, state_of_;  ///< by local edge
   std::vector<EdgeState> states_;
   std::vector<std::uint32_t> free_states_;
-  double x_ = 0, y_ = 0;  ///< where the scan stands
+  double x_ = 0, y_ = 0;  ///< current place of the scan
   std::uint64_t active_count_ = 0;
 
-  std::vector<std::uint32_t> going_on_, touched_, old_nodes_;  ///< working memory of at_point()
-  std::vector<std::uint32_t> left_facets_, right_facets_;      ///< and of exchange()
+  std::vector<std::uint32_t> going_on_, touched_, old_nodes_;  ///< scratch of at_point()
+  std::vector<std::uint32_t> left_facets_, right_facets_;      ///< scratch of exchange()
   std::vector<Finding> findings_;
   std::vector<std::uint32_t> near_lines_;
   SweepCounts counts_;

@@ -37,7 +37,7 @@ void FaceOrders::extents_of(std::uint32_t face, std::vector<Extent>& extents) co
             [](const Extent& p, const Extent& q) { return p.x0 != q.x0 ? p.x0 < q.x0 : p.facet < q.facet; });
 }
 
-/// All facets of the one against those of the other that lie beside them, from left to right; a < b.
+/// Compares all facets of one face with the overlapping facets of the other, from left to right. Requires a < b.
 DepthOrder FaceOrders::decide(std::uint32_t a, std::uint32_t b) {
   extents_of(a, extents_a_);
   extents_of(b, extents_b_);
@@ -46,7 +46,7 @@ DepthOrder FaceOrders::decide(std::uint32_t a, std::uint32_t b) {
   std::size_t next = 0;
   for (const Extent& e : extents_a_) {
     while (next < extents_b_.size() && extents_b_[next].x0 < e.x1) open_.push_back(extents_b_[next++]);
-    // An extent that ends left of this one ends left of all that follow.
+    // Drops extents that end left of this one: later ones begin no farther left.
     std::erase_if(open_, [&](const Extent& o) { return o.x1 <= e.x0; });
     for (const Extent& o : open_) {
       if (o.x0 >= e.x1 || o.y1 <= e.y0 || o.y0 >= e.y1) continue;

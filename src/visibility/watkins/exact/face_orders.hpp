@@ -1,12 +1,11 @@
 #pragma once
-/// Which of two faces is in front where they touch: decided once for a pair, from all of its overlap on the page, and
-/// remembered.
+/// The depth order of two touching faces: decided once per pair, from their whole overlap on the page, and cached.
 ///
-/// Depths of faces that touch are equal but for roundings, and on every scan line for other ones. Were they compared line by
-/// line, the two would change places from line to line, and each time look as if they penetrated. So where the depths on a
-/// line are within the depth tolerance (docs/numerics.md) the pair is asked instead: if the two touch all over, the face
-/// of the lower number is in front everywhere; if one is in front somewhere and behind nowhere, it is in front also where
-/// they touch. Only faces that pass through each other by more than the tolerance are left to their depths.
+/// Depths of touching faces differ only by rounding, and differently on every scan line. Compared line by line, the two
+/// would change order from line to line and seem to penetrate each time. So where their depths on a line agree within the
+/// depth tolerance (docs/numerics.md), this order decides. If the two touch everywhere, the face with the lower number is in
+/// front everywhere. If one is in front somewhere and behind nowhere, it is in front also where they touch. Only faces that
+/// penetrate by more than the tolerance are compared by their depths.
 
 #include <cstdint>
 #include <span>
@@ -33,10 +32,10 @@ class FaceOrders {
   FaceOrders(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, const FacetsOfFaces& of_faces)
       : vertices_(vertices), facets_(facets), of_faces_(of_faces) {}
 
-  /// The answer depends on the two faces alone: of(b, a) is of(a, b) with the roles exchanged.
+  /// The result depends only on the two faces: of(b, a) is of(a, b) with exchanged roles.
   DepthOrder of(std::uint32_t a, std::uint32_t b);
 
-  std::size_t pairs() const { return known_.size(); }  ///< that were asked for
+  std::size_t pairs() const { return known_.size(); }  ///< number of pairs decided
 
  private:
   struct Extent {
@@ -50,8 +49,8 @@ class FaceOrders {
   const std::vector<ProjectedVertex>& vertices_;
   const std::vector<Facet>& facets_;
   const FacetsOfFaces& of_faces_;
-  std::unordered_map<std::uint64_t, DepthOrder> known_;  ///< by the lower number and the higher one; looked up only
-  std::vector<Extent> extents_a_, extents_b_, open_;     ///< working memory of decide()
+  std::unordered_map<std::uint64_t, DepthOrder> known_;  ///< by the lower, then the higher number; only looked up
+  std::vector<Extent> extents_a_, extents_b_, open_;     ///< scratch of decide()
 };
 
 }  // namespace ligne::watkins

@@ -7,15 +7,15 @@
 namespace ligne::watkins {
 namespace {
 
-/// Cells along each side of the page. Adjustable.
+/// Grid cells along each side of the page. Tuned.
 constexpr std::uint32_t kCells = 512;
 
-/// Cells of the lattice through which a line runs.
+/// The lattice cells that a line crosses.
 class CellMarks {
  public:
   explicit CellMarks(double margin) : margin_(margin), marked_(std::size_t{kCells} * kCells, 0) {}
 
-  /// Row by row, with the margin on all sides.
+  /// Marks the cells row by row, with the margin on all sides.
   void mark(const SweepLine& line) {
     LatticePoint a = line.from.p, b = line.to.p;
     if (b.y < a.y) std::swap(a, b);

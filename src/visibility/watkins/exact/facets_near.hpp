@@ -1,5 +1,5 @@
 #pragma once
-/// The facets that a scan for a few lines has to meet.
+/// The facets that matter to a scan for a few lines.
 
 #include <span>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace ligne::watkins {
 
-/// Those facets, in order, that come near any of the lines on the page: all that can hide one, and those along it.
+/// The facets near any of the lines on the page, in order: all that can hide a line or lie along it.
 std::vector<Facet> facets_near(std::span<const SweepLine> lines, const std::vector<Facet>& facets,
                                const std::vector<ProjectedVertex>& vertices, double margin_steps);
 

@@ -7,7 +7,7 @@
 namespace ligne::watkins {
 namespace {
 
-/// Spans of every line, for output, and the tracker behind them.
+/// Collects the spans of every line, and passes the lines to the trackers.
 class Collector final : public LineListener {
  public:
   Collector(EdgeTracker* tracker, const ProjectedScene& scene, bool spans)
@@ -17,7 +17,7 @@ class Collector final : public LineListener {
     if (tracker_) tracker_->line(scan, line, studied);
     if (!collect_) return;
     const LineGrid& grid = scan.scene().grid;
-    const Rect& window = scene_.view.window;  // faces go on a little beyond it
+    const Rect& window = scene_.view.window;  // faces extend slightly beyond the window
     const auto mm = [&](double u) {
       return std::clamp(scene_.lattice.origin_mm.x + grid.x(u) * scene_.lattice.step_mm, window.min.x, window.max.x);
     };

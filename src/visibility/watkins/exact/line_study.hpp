@@ -1,5 +1,5 @@
 #pragma once
-/// A whole page by scan lines: groups of lines in parallel (Kaplan and Greenberg 1979), strokes and spans put together over
+/// A whole page by scan lines: groups of lines in parallel (Kaplan and Greenberg 1979), with strokes and spans joined across
 /// the seams.
 
 #include <span>
@@ -14,10 +14,9 @@ namespace ligne::watkins {
 struct LineStudyOptions {
   ScanOptions scan;
   double coincidence_steps = 0;
-  bool track = true;  ///< find what is hidden of the lines
+  bool track = true;  ///< computes the hidden parts of the lines
   bool collect_spans = false;
-  /// Lines of one group; 0: about 32 groups, whatever the number of threads. A group begins with a study, wherever it
-  /// begins.
+  /// Scan lines per group; 0: about 32 groups, for any number of threads. The first line of each group is studied.
   std::uint32_t group = 0;
 };
 

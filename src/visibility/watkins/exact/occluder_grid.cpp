@@ -9,7 +9,7 @@
 namespace ligne::watkins {
 namespace {
 
-/// Cells across a mean facet. Adjustable: finer covers hide more, and take longer to fill.
+/// Grid cells across a mean facet. Tuned: smaller cells hide more, but take longer to fill.
 constexpr double kCellsAcross = 8;
 constexpr double kFewestCells = 64, kMostCells = 1024;  // along the longer side
 
@@ -53,10 +53,11 @@ std::uint32_t OccluderGrid::row(double y) const {
   return static_cast<std::uint32_t>(std::clamp((y - y_) / size_, 0.0, double(rows_ - 1)));
 }
 
-/// Puts the facet's depth into the cells that lie in it with their margin. The smallest stays, whoever comes first.
+/// Stores the facet's depth in the cells that lie inside it with their margin. The smallest depth wins, so the order of
+/// facets does not matter.
 void OccluderGrid::add(const Facet& facet, const std::vector<ProjectedVertex>& vertices) {
   const ProjectedVertex* const p[3] = {&vertices[facet.v[0]], &vertices[facet.v[1]], &vertices[facet.v[2]]};
-  // E_i(q) = e_i + ex_i x + ey_i y is positive inside; over a cell it is lowest at one corner.
+  // E_i(q) = e_i + ex_i x + ey_i y is positive inside. Its minimum over a cell is at a corner.
   double e[3], ex[3], ey[3];
   const double reach = size_ / 2 + margin_;
   for (int i = 0; i < 3; ++i) {
@@ -117,7 +118,7 @@ bool OccluderGrid::hides(const Facet& facet, const std::vector<ProjectedVertex>&
   return hides(x0, y0, x1, y1, double(facet.z_near) - facet.depth_tolerance);
 }
 
-/// Row of cells by row of cells, with the nearest depth of the part that runs through each.
+/// Walks the cells row by row, and compares each with the nearest depth of the part of the segment in it.
 bool OccluderGrid::hides(const PageSegment& s) const {
   if (empty_) return false;
   const double y0 = std::min(s.from.y, s.to.y), y1 = std::max(s.from.y, s.to.y);

@@ -1,9 +1,9 @@
 #pragma once
-/// The depth behind which nothing can be seen, cell by cell, known before any scan.
+/// Per grid cell, the depth behind which nothing is visible; computed before any scan.
 ///
-/// [Boulle1980] (2.3.5.5) asks to recognise changes among hidden elements, "to predict" them. The scan predicts most cheaply
-/// what it never meets: facets and lines that lie behind single facets, each of which covers a whole cell, are left out of
-/// it. A facet left out hides nothing that is not hidden by what covers it.
+/// [Boulle1980] (2.3.5.5) suggests recognising changes among hidden elements, "to predict" them. It is cheapest to keep
+/// hidden elements out of the scan: facets and lines behind single facets that each cover a whole cell are omitted. An
+/// omitted facet hides only what the covers hide as well.
 
 #include <atomic>
 #include <cstdint>
@@ -16,14 +16,13 @@ namespace ligne::watkins {
 
 class OccluderGrid {
  public:
-  /// `margin_steps`: what comes within this distance of a cell counts as in it.
+  /// `margin_steps`: a point within this distance of a cell counts as inside it.
   OccluderGrid(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, double margin_steps);
 
-  /// Whether something whose extent on the page is this rectangle, and whose nearest depth is z_near, lies behind covers all
-  /// over.
+  /// True if an object with this rectangle as extent on the page, and z_near as nearest depth, lies wholly behind covers.
   bool hides(double x0, double y0, double x1, double y1, double z_near) const;
   bool hides(const Facet& facet, const std::vector<ProjectedVertex>& vertices) const;
-  /// Whether every point of the segment does.
+  /// True if every point of the segment lies behind covers.
   bool hides(const PageSegment& segment) const;
 
  private:
@@ -34,7 +33,7 @@ class OccluderGrid {
   double x_ = 0, y_ = 0, size_ = 1, margin_;
   std::uint32_t columns_ = 1, rows_ = 1;
   bool empty_ = true;                      ///< no facet covers a cell
-  std::vector<std::atomic<float>> depth_;  ///< row by row; infinite where there is no cover
+  std::vector<std::atomic<float>> depth_;  ///< row by row; infinite without a cover
 };
 
 }  // namespace ligne::watkins

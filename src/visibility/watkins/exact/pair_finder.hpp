@@ -1,8 +1,8 @@
 #pragma once
-/// Pairs of facets that may penetrate, found where the scan first meets both.
+/// Finds pairs of facets that may penetrate, where the scan first meets both.
 ///
-/// Two facets that overlap on the page begin to do so, in the order of the scan, at a point of one of them or where two of
-/// their sides cross. There and only there they are compared with each other.
+/// In scan order, the overlap of two facets on the page begins at a corner of one of them or at a crossing of two of their
+/// sides. They are compared only there.
 
 #include <cstdint>
 #include <span>
@@ -17,18 +17,18 @@ namespace ligne::watkins {
 
 class PairFinder {
  public:
-  /// Pairs behind `covers`, which may be null, are not wanted.
+  /// Skips pairs behind `covers`, which may be null.
   PairFinder(const std::vector<Facet>& facets, PenetrationSearch& search, const OccluderGrid* covers, ScanEffort& effort)
       : facets_(facets), search_(search), occluders_(covers), effort_(effort) {}
 
-  /// At a point: the facets that have a corner or a side there against all over a gap below it.
+  /// At a point: tests the facets with a corner or side there against all facets over a gap below it.
   void at_point(std::span<const std::uint32_t> touched, const Cover& cover);
-  /// At a crossing: below it, between the edges, lie the facets left of the left edge and those right of the right one.
-  /// `outside` is over the gap left of both.
+  /// At a crossing: below it, between the edges, lie the facets left of the left edge and the facets right of the right
+  /// edge. `outside` is the cover of the gap left of both.
   void at_crossing(std::span<const std::uint32_t> left, std::span<const std::uint32_t> right, const Cover& outside);
 
  private:
-  static constexpr std::uint64_t kLooksPerTest = 32;  ///< adjustable
+  static constexpr std::uint64_t kLooksPerTest = 32;  ///< effort of one test, see ScanEffort. Tuned
 
   void test(std::uint32_t f, std::uint32_t g);
 

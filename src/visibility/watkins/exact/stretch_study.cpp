@@ -9,11 +9,11 @@
 namespace ligne::watkins {
 namespace {
 
-/// Ends of stretches and of hidden intervals are computed in different ways: within a thousandth of a step they are the
-/// same.
+/// Distance in lattice steps at which ends of stretches and of hidden intervals count as equal: they are computed in
+/// different ways.
 constexpr double kSamePlaceSteps = 0x1p-10;
 
-/// Whether both sides of [t0, t1] are known to be hidden, each by one interval.
+/// True if both sides of [t0, t1] are known to be hidden, each by one interval.
 bool hidden_all_along(const LineState& state, double t0, double t1, double slack) {
   bool left = false, right = false;
   for (const HiddenInterval& h : state.hidden) {
@@ -88,7 +88,7 @@ void StretchStudy::study(std::uint32_t index, LineState& state, Point2 from, Poi
 }
 
 void StretchStudy::mark_tested(const LineState& state) {
-  if (++study_ == 0) {  // begun anew after 2^32 studies
+  if (++study_ == 0) {  // wraps around after 2^32 studies
     std::fill(marks_.begin(), marks_.end(), Mark{});
     study_ = 1;
   }
@@ -109,7 +109,7 @@ void StretchStudy::add_candidates(const PageLine& line, double z_far, const Cove
   }
 }
 
-/// The scan line runs across the line at t, one step to either side; 0 is on the line.
+/// The scan line crosses the line at t, one step to either side. Its abscissa is 0 on the line.
 void StretchStudy::propose(const PageLine& line, double t) {
   ++counts_.studied;
   const bool down = comes_before(line.p0, line.p1);

@@ -1,11 +1,11 @@
 #pragma once
-/// The visible parts of one line between two places where it meets other edges.
+/// The visible parts of one line between two crossings with other edges.
 ///
-/// Between such places the facets over the two sides of the line are the same all along, so one small scan line across it,
-/// in the middle, decides by a span method which of them is in front. What that facet hides of the line is then computed by
-/// the exact operation that all methods share (common/hidden_interval.hpp), over the whole line at once: its ends are the
-/// same to the last bit wherever and however often the line is studied. Only what the proposed facets leave open is asked of
-/// the others. So a span method decides how much is computed, never what comes out.
+/// Between crossings the facets over the two sides of the line do not change. A small scan line across the middle therefore
+/// determines, by a span method, which facet is in front. The exact operation of all methods (common/hidden_interval.hpp)
+/// then computes the part of the whole line that this facet hides, so its ends are bitwise equal wherever the line is
+/// studied. Other facets are tested only for what the proposed facets leave open. The span method thus affects the cost,
+/// never the result.
 
 #include <cstdint>
 #include <memory>
@@ -21,11 +21,11 @@
 
 namespace ligne::watkins {
 
-/// The facts known of a line so far.
+/// The state of knowledge about a line.
 struct LineState {
-  std::vector<std::uint32_t> tested;   ///< facets compared with it
-  std::vector<HiddenInterval> hidden;  ///< what they hide of it
-  bool near_side = false;              ///< a side of one of them, or of a neighbour in the active list, lies along it
+  std::vector<std::uint32_t> tested;   ///< facets compared with the line
+  std::vector<HiddenInterval> hidden;  ///< parts of the line that they hide
+  bool near_side = false;              ///< a side of a facet, or a neighbour in the active list, lies along the line
 
   void clear() {
     tested.clear();
@@ -35,11 +35,11 @@ struct LineState {
 };
 
 struct StretchCounts {
-  std::uint64_t stretches = 0;    ///< between two meetings with other edges
-  std::uint64_t carried = 0;      ///< of them: hidden by what was known
-  std::uint64_t in_front = 0;     ///< of them: nothing may be before the line
-  std::uint64_t studied = 0;      ///< of them: scan lines studied by the span method
-  std::uint64_t facet_tests = 0;  ///< lines against facets
+  std::uint64_t stretches = 0;    ///< stretches between two crossings
+  std::uint64_t carried = 0;      ///< of these, hidden by known intervals
+  std::uint64_t in_front = 0;     ///< of these, with no candidate in front of the line
+  std::uint64_t studied = 0;      ///< of these, studied on a small scan line by the span method
+  std::uint64_t facet_tests = 0;  ///< tests of a line against a facet
   void operator+=(const StretchCounts& o);
 };
 
@@ -48,7 +48,7 @@ class StretchStudy {
   StretchStudy(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
                std::span<const SweepLine> lines, double coincidence_steps, SpanMethodKind kind, ScanEffort& effort);
 
-  /// The stretch between two page positions in steps, both on the line; `left` and `right` are the facets over its sides.
+  /// Studies the stretch between two points of the line, in lattice steps. `left` and `right` are the facets over its sides.
   void study(std::uint32_t line, LineState& state, Point2 from, Point2 to, const Cover& left, const Cover& right);
 
   const StretchCounts& counts() const { return counts_; }
@@ -58,10 +58,10 @@ class StretchStudy {
   /// A facet that may hide the stretch.
   struct Candidate {
     std::uint32_t facet;
-    bool left, right;  ///< sides that it is over
+    bool left, right;  ///< sides of the line that it covers
   };
 
-  /// The facts known of a facet in the current study: its place among the candidates, or kNone, it was tested before.
+  /// State of a facet in study number `study`: its index among the candidates, or kNone if it was tested earlier.
   struct Mark {
     std::uint32_t study = 0, candidate = kNone;
   };
@@ -81,7 +81,7 @@ class StretchStudy {
   std::vector<Candidate> candidates_;
   std::vector<Mark> marks_;  ///< by facet
   std::uint32_t study_ = 0;
-  std::vector<std::uint32_t> proposed_;  ///< indices among the candidates
+  std::vector<std::uint32_t> proposed_;  ///< indices of candidates
   std::vector<ScanSegment<double>> segments_;
   std::vector<VisibleSpan> found_;
   StretchCounts counts_;

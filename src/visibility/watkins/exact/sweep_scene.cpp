@@ -11,7 +11,7 @@
 namespace ligne::watkins {
 namespace {
 
-/// Lattice coordinates fit into 27 bits with their sign; the offset makes them positive, so that keys ascend as points do.
+/// Lattice coordinates are signed 27-bit numbers. The offset makes them positive, so that keys sort as points do.
 std::uint64_t key_of(LatticePoint p) {
   constexpr std::int64_t kOffset = std::int64_t{1} << 30;
   return static_cast<std::uint64_t>(p.y + kOffset) << 32 | static_cast<std::uint64_t>(p.x + kOffset);
@@ -23,7 +23,7 @@ LatticePoint point_of(std::uint64_t key) {
           static_cast<std::int32_t>(static_cast<std::int64_t>(key >> 32) - kOffset)};
 }
 
-/// One use of a piece of page: as the side of a facet, or as a line.
+/// A use of a segment of the page: as the side of a facet, or as a line.
 struct PieceUse {
   std::uint32_t bottom;
   bool line;
@@ -31,7 +31,7 @@ struct PieceUse {
   friend auto operator<=>(const PieceUse&, const PieceUse&) = default;
 };
 
-/// Uses by their top point: counted, dealt out, then ordered within each point.
+/// Uses grouped by their top point, by a counting sort, then sorted within each point.
 class UseTable {
  public:
   explicit UseTable(std::size_t points) : begin_(points + 1, 0) {}
@@ -61,7 +61,7 @@ class UseTable {
   std::vector<PieceUse> uses_;
 };
 
-/// One edge for the uses of one piece.
+/// Adds one edge for all uses of a segment.
 void add_edges(const UseTable& table, SweepScene& scene) {
   scene.first_start.assign(table.points() + 1, 0);
   for (std::size_t p = 0; p < table.points(); ++p) {
@@ -112,7 +112,7 @@ bool is_in_scan_order(const SweepScene& scene) {
 
 SweepScene make_sweep_scene(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
                             std::span<const SweepLine> lines) {
-  // Every place gets a number, in the order of the scan.
+  // Numbers all distinct places in scan order.
   struct Place {
     std::uint64_t key;
     std::uint32_t user;
