@@ -3,12 +3,12 @@
 #include "base/no_index.hpp"
 #include "visibility/watkins/line_scan.hpp"
 
-// The changes from one line to the next, and whether they can be seen ([Boulle1980] 2.3.5.5, figure 2.59).
+// Changes from one scan line to the next, and whether they are visible ([Boulle1980] 2.3.5.5, figure 2.59).
 
 namespace ligne::watkins {
 
-/// Two edges that bound nothing change places unseen (figure 2.59 c). So does one of them with the end of a span if it comes
-/// behind the next span: hidden it was, and hidden it stays.
+/// True if exchanging two edges may be visible. It is not if neither bounds a span (figure 2.59 c), or if one crosses the
+/// end of a span and the next span hides it as well.
 bool LineScan::exchange_matters(std::uint32_t line, std::uint32_t to_the_left, std::uint32_t to_the_right) {
   if (!options_.recognise || must_study_) return true;
   const ActiveEdge &l = slots_[to_the_left], &r = slots_[to_the_right];
@@ -20,7 +20,7 @@ bool LineScan::exchange_matters(std::uint32_t line, std::uint32_t to_the_left, s
   return false;
 }
 
-/// Whether an edge is behind a face, and farther from it than the face's depth changes within a cell.
+/// True if an edge is behind a face by more than the face's depth changes within a cell.
 bool LineScan::behind(std::uint32_t line, const ActiveEdge& a, std::uint32_t face) const {
   const GridPlane& plane = scene_.planes[face];
   return a.track.z > plane.z(a.u, line) + std::abs(plane.zu) + std::abs(plane.zv);
@@ -31,7 +31,7 @@ bool LineScan::same_faces(std::uint32_t a, std::uint32_t b) const {
   return std::equal(p.begin(), p.end(), q.begin(), q.end());
 }
 
-/// Edges by the vertex at which they end, or begin.
+/// Sorts the ended edges by their bottom vertex, and the entered ones by their top vertex.
 void LineScan::sort_by_vertex() {
   const auto sort = [this](std::vector<std::uint32_t>& slots, auto vertex_of) {
     by_vertex_.clear();
@@ -43,7 +43,7 @@ void LineScan::sort_by_vertex() {
   sort(entered_, [](const ScanEdge& e) { return e.top; });
 }
 
-/// Calls visit(ended, entered) with what ends and what begins at a vertex, vertex by vertex.
+/// Calls visit(ended, entered) for each vertex, with the edges that end and begin there.
 template <class Visit>
 void LineScan::for_each_vertex(Visit visit) const {
   const std::span<const std::uint32_t> ended = ended_, entered = entered_;
@@ -61,8 +61,8 @@ void LineScan::for_each_vertex(Visit visit) const {
   }
 }
 
-/// Edges that go on in another direction (figure 2.59 a): the new one gets the place of the old one in the list, before the
-/// list is put in order, so that it changes places with others as the old one would have.
+/// Links an ended edge to its continuation in another direction (figure 2.59 a). The new edge takes the place of the old one
+/// before the list is sorted, so that it is exchanged with others as the old one would have been.
 void LineScan::link_chains() {
   if (ended_.empty() || entered_.empty()) return;
   sort_by_vertex();
@@ -70,7 +70,7 @@ void LineScan::link_chains() {
   for_each_vertex([&](std::span<const std::uint32_t> ended, std::span<const std::uint32_t> entered) {
     if (ended.size() != 1 || entered.size() != 1) return;
     ActiveEdge &from = slots_[ended[0]], &to = slots_[entered[0]];
-    // Nothing is known of a hidden line's next one.
+    // A hidden line tells nothing about its continuation.
     const bool known = scene_.lines_of(scene_.edges[to.edge]).empty() || from.boundary;
     if (!known || !same_faces(from.edge, to.edge)) return;
     from.continues = entered[0];
@@ -88,7 +88,7 @@ void LineScan::link_chains() {
   std::erase_if(entered_, [this](std::uint32_t slot) { return !slots_[slot].entered; });
 }
 
-/// Ends and beginnings of edges.
+/// True if edges that end or begin change the visible picture.
 bool LineScan::changes_matter(std::uint32_t line) {
   if (!options_.recognise) return !ended_.empty() || scene_.first_of_line[line] != scene_.first_of_line[line + 1];
   if (flat_edge_matters(line)) return true;
@@ -101,9 +101,9 @@ bool LineScan::changes_matter(std::uint32_t line) {
   return matters;
 }
 
-/// Edges between this line and the one before, horizontal or short, are in no list. With them a face may end or begin whose
-/// other edges are hidden (it is seen through a hole), and with a horizontal line of intersection two faces may change
-/// places all along it.
+/// True if a horizontal or short edge between this scan line and the preceding one may change the picture. Such edges are in
+/// no list. A face visible through a hole may begin or end with one, and at a horizontal line of intersection two faces may
+/// exchange their order.
 bool LineScan::flat_edge_matters(std::uint32_t line) const {
   for (std::uint32_t e = scene_.first_of_line[line]; e < scene_.first_of_line[line + 1]; ++e) {
     const ScanEdge& edge = scene_.edges[e];
@@ -112,7 +112,7 @@ bool LineScan::flat_edge_matters(std::uint32_t line) const {
   return false;
 }
 
-/// Whether an edge that no line meets is behind the spans that it passes, one after the other without a gap.
+/// True if an edge that no scan line meets lies behind the spans that it passes, which leave no gap.
 bool LineScan::behind_spans(std::uint32_t line, const ScanEdge& edge) const {
   const EdgeTrack& track = edge.track;
   const bool rising = track.du >= 0;
@@ -133,7 +133,7 @@ bool LineScan::behind_spans(std::uint32_t line, const ScanEdge& edge) const {
   }
 }
 
-/// True where the edges that end and begin at one vertex change the visible picture.
+/// True if the edges that end and begin at one vertex change the visible picture.
 bool LineScan::vertex_matters(std::uint32_t line, std::span<const std::uint32_t> ended,
                               std::span<const std::uint32_t> entered) {
   for (const std::uint32_t slot : ended) {
@@ -147,8 +147,8 @@ bool LineScan::vertex_matters(std::uint32_t line, std::span<const std::uint32_t>
   return false;
 }
 
-/// Whether the edge bounds a face that meets another one in a penetration without an edge: nobody but the face's own edges
-/// knows where that ends.
+/// True if the edge bounds a face in a penetration without an edge: only the edges of the face show where the penetration
+/// ends.
 bool LineScan::bounds_a_penetration(std::uint32_t slot) const {
   if (penetrating_.empty()) return false;
   const std::span<const std::uint32_t> faces = scene_.faces_of(scene_.edges[slots_[slot].edge]);
@@ -157,7 +157,7 @@ bool LineScan::bounds_a_penetration(std::uint32_t slot) const {
   });
 }
 
-/// Whether all edges that enter at a vertex lie inside one span, behind its face.
+/// True if all edges that enter at a vertex lie inside one span, behind its face.
 bool LineScan::behind_a_span(std::uint32_t line, std::span<const std::uint32_t> entered) {
   const auto u0 = [this](const LineSpan& s) { return slots_[s.left].u; };
   const auto u1 = [this](const LineSpan& s) { return slots_[s.right].u; };
@@ -167,7 +167,7 @@ bool LineScan::behind_a_span(std::uint32_t line, std::span<const std::uint32_t> 
   const LineSpan& span = *(after - 1);
   for (const std::uint32_t slot : entered) {
     const ActiveEdge& a = slots_[slot];
-    // A cell of margin: an edge that comes so near to the end of the span within the line is looked at.
+    // Margin of one cell: an edge that comes this near to the end of the span within the line must be studied.
     if (!(a.u - std::abs(a.track.du) > u0(span) && a.u + std::abs(a.track.du) < u1(span))) return false;
     if (!behind(line, a, span.face)) return false;
   }

@@ -73,7 +73,7 @@ std::uint32_t LineScan::make_slot(std::uint32_t edge, const EdgeTrack& track) {
   return slot;
 }
 
-/// Edges that come in from lines above the group.
+/// Begins a group with the edges that enter from above.
 void LineScan::begin(std::uint32_t line) {
   order_.clear();
   spans_.clear();
@@ -86,7 +86,7 @@ void LineScan::begin(std::uint32_t line) {
     const EdgeTrack& track = scene_.edges[e].track;
     if (track.last == line && track.first < line) ended_edges_.push_back(e);
     if (track.last <= line) continue;
-    // One line above: taking the line advances them.
+    // Places the edges one line above; taking the line advances them.
     EdgeTrack before = track.on(line);
     before.u -= track.du;
     before.z -= track.dz;
@@ -94,7 +94,7 @@ void LineScan::begin(std::uint32_t line) {
   }
 }
 
-/// The line's edges in order, and its spans: studied, or carried on. Says which.
+/// Sorts the line's edges, and studies its spans or continues them; returns true if it studied them.
 bool LineScan::take_line(std::uint32_t line) {
   ended_.clear();
   entered_.clear();
@@ -144,8 +144,8 @@ bool LineScan::take_line(std::uint32_t line) {
   return study;
 }
 
-/// Puts the list in order: what was there before is almost so, and every exchange is a change of the scene; what enters is
-/// sorted by itself and merged in. Says whether two edges changed places so that it can be seen.
+/// Sorts the list. The old edges are nearly sorted, and each exchange is a change of the scene. Entering edges are sorted
+/// separately and merged. Returns true if an exchange may be visible.
 bool LineScan::sort(std::uint32_t line) {
   const auto before = [this](std::uint32_t a, std::uint32_t b) {
     const ActiveEdge &p = slots_[a], &q = slots_[b];
@@ -174,8 +174,8 @@ bool LineScan::sort(std::uint32_t line) {
   return matters;
 }
 
-/// Where an edge enters on another one, on this very line, nothing says on which side of it it belongs. It is put on the
-/// side that it leaves: if the two part, they change places on the next line, like any others.
+/// If an edge enters exactly on another edge, its side is undetermined. It goes to the side that it leaves; if the two
+/// diverge, they are exchanged on the next line.
 void LineScan::put_apart() {
   for (std::size_t i = 1; i < order_.size(); ++i) {
     for (std::size_t k = i; k > 0; --k) {
@@ -186,7 +186,7 @@ void LineScan::put_apart() {
   }
 }
 
-/// Carried on: every span goes from edge to edge as before.
+/// Continues the spans: each keeps its edges.
 void LineScan::follow_edges() {
   for (LineSpan& s : spans_) {
     s.u0 = slots_[s.left].u;
@@ -194,7 +194,7 @@ void LineScan::follow_edges() {
   }
 }
 
-/// A face's segments lie between its first and second edge on the line, its third and fourth, and so on.
+/// The segments of a face lie between its first and second edge on the line, its third and fourth, and so on.
 template <class X>
 void LineScan::collect_segments(std::vector<ScanSegment<X>>& segments) {
   segments.clear();
@@ -231,7 +231,7 @@ void LineScan::collect_segments(std::vector<ScanSegment<X>>& segments) {
     });
     return;
   }
-  // By left end they are sorted; depth and slope decide where several begin at one place.
+  // The segments are sorted by left end; depth and slope decide equal ends.
   for (std::size_t i = 1; i < segments.size(); ++i) {
     const ScanSegment<X> moving = segments[i];
     std::size_t k = i;
@@ -257,7 +257,7 @@ void LineScan::study_line(SpanMethod<X>& method) {
   place_spans(found_);
 }
 
-/// Whose edges bound the spans.
+/// Finds the edges that bound the spans.
 void LineScan::place_spans(const std::vector<VisibleSpan>& found) {
   assert(are_left_to_right(found));
   std::erase_if(order_, [this](std::uint32_t slot) {
@@ -282,13 +282,13 @@ void LineScan::place_spans(const std::vector<VisibleSpan>& found) {
   }
 }
 
-/// The edge between two spans that touch: the right end of the left one, the left end of the right one, or, where neither
-/// ends, the line in which their faces penetrate.
+/// The edge between two adjacent spans: the right end of the left one, the left end of the right one, or, if neither ends,
+/// the line along which their faces penetrate.
 std::uint32_t LineScan::boundary_between(const VisibleSpan& left, const VisibleSpan& right) {
   const SegmentEnds &l = ends_[left.segment], &r = ends_[right.segment];
   if (l.u1 == left.x1) return l.right;
   if (r.u0 == right.x0) return r.left;
-  const double near = 1;  // a cell
+  const double near = 1;  // one cell
   std::uint32_t best = kNone;
   double distance = near;
   const std::uint32_t f = std::min(l.face, r.face), g = std::max(l.face, r.face);
@@ -308,7 +308,7 @@ std::uint32_t LineScan::boundary_between(const VisibleSpan& left, const VisibleS
   return best == kNone ? penetration_edge(left, right) : best;
 }
 
-/// An edge for two spans that penetrate, in the list until the next study. It goes where the planes of the two faces meet.
+/// Makes an edge between two penetrating spans, for the time until the next study, along the intersection of the planes.
 std::uint32_t LineScan::penetration_edge(const VisibleSpan& left, const VisibleSpan& right) {
   const std::uint32_t f = ends_[left.segment].face, g = ends_[right.segment].face;
   for (const std::uint32_t face : {f, g}) {
@@ -319,7 +319,7 @@ std::uint32_t LineScan::penetration_edge(const VisibleSpan& left, const VisibleS
   track.last = kNone;
   const GridPlane &p = scene_.planes[f], &q = scene_.planes[g];
   const double step = (q.zv - p.zv) / (p.zu - q.zu);
-  if (std::isfinite(step)) track.du = step;  // otherwise upright: parallel planes of faces that are not quite plane
+  if (std::isfinite(step)) track.du = step;  // otherwise vertical: parallel planes of faces that are not quite planar
   const std::uint32_t slot = make_slot(scene_.unlisted, track);
   slots_[slot].entered = false;
   order_.insert(

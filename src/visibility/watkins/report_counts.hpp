@@ -1,5 +1,5 @@
 #pragma once
-/// The counts of the scans as statistics with names.
+/// Named statistics from the counts of the scans.
 
 #include "drawing/statistics.hpp"
 #include "visibility/watkins/exact/exact_study.hpp"
@@ -7,9 +7,9 @@
 
 namespace ligne::watkins {
 
-/// Counts of a scan that stops at every event.
+/// Counts of an exact scan.
 void report(const ExactCounts& counts, Statistics& statistics);
-/// Counts of a scan by a number of lines.
+/// Counts of a scan by lines.
 void report(const LineStudyResult& result, Statistics& statistics);
 
 }  // namespace ligne::watkins

@@ -1,5 +1,5 @@
 #pragma once
-/// How much a scan may look at before it gives up.
+/// The effort after which a scan gives up.
 
 #include <algorithm>
 #include <cstddef>
@@ -7,9 +7,8 @@
 
 namespace ligne::watkins {
 
-/// Where hundreds of facets lie over each other on all of the page, each of a million events looks at hundreds of them. So
-/// the scan of a band may look at a multiple of its points and no more; then it gives up, and what it was to find is looked
-/// for cell by cell.
+/// Limits the effort of a scan. If hundreds of facets overlap all over the page, each of a million events examines hundreds
+/// of them. The scan of a band may examine a multiple of its points; beyond it gives up, and its work is done by grid cells.
 class ScanEffort {
  public:
   explicit ScanEffort(std::size_t points) : left_(kLooksPerPoint * std::max(points, kFewPoints)) {}
@@ -18,7 +17,7 @@ class ScanEffort {
   bool spent() const { return left_ == 0; }
 
  private:
-  // Adjustable. Fewer points count as kFewPoints.
+  // Examined elements allowed per point; smallest number of points that counts. Tuned.
   static constexpr std::uint64_t kLooksPerPoint = 8192;
   static constexpr std::size_t kFewPoints = 4096;
 

@@ -5,7 +5,7 @@
 namespace ligne::watkins {
 namespace {
 
-/// Keeps what a study has found of its only line. Grid units are page mm.
+/// Stores the result of the study of its only line. Grid units are page mm.
 class PlaneKeeper final : public LineListener {
  public:
   PlaneKeeper(ScanPlane& plane, const SpanTrace& trace) : plane_(plane), trace_(trace) {}
@@ -39,7 +39,7 @@ ScanPlane scan_plane(const ProjectedScene& scene, const std::vector<Facet>& face
                      double y_mm, const LineStudyOptions& options) {
   const double step = scene.lattice.step_mm;
   LineGrid grid;
-  grid.spacing = 1 / step;  // one mm
+  grid.spacing = 1 / step;  // one mm per grid unit
   grid.u_origin = -scene.lattice.origin_mm.x / step;
   grid.v_origin = (y_mm - scene.lattice.origin_mm.y) / step;
   const ScanScene scan_scene = make_scan_scene(scene, facets, lines, grid, options.coincidence_steps);

@@ -1,5 +1,5 @@
 #pragma once
-/// The scan plane as a picture shows it ([Boulle1980] figures 2.39 to 2.50).
+/// The scan plane as a picture ([Boulle1980] figures 2.39 to 2.50).
 
 #include <span>
 
@@ -8,8 +8,8 @@
 
 namespace ligne::watkins {
 
-/// The segments of the faces on the scan line y_mm (page mm), studied by the span method of the options, step by step.
-/// `lines` are those of make_scan_scene(). Empty where no face meets the line.
+/// The segments of the faces on the scan line y_mm (page mm), and the steps of the span method in the options. `lines` are
+/// those of make_scan_scene(). Empty if no face meets the line.
 ScanPlane scan_plane(const ProjectedScene& scene, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
                      double y_mm, const LineStudyOptions& options);
 

@@ -10,7 +10,7 @@
 namespace ligne::watkins {
 namespace {
 
-/// A side of a triangle of that face, or a line.
+/// A side of a triangle of face `index`, or line `index`.
 struct SideUse {
   std::uint32_t other;  ///< the higher vertex
   bool line;
@@ -18,7 +18,7 @@ struct SideUse {
   friend auto operator<=>(const SideUse&, const SideUse&) = default;
 };
 
-/// Plane of each face by its largest triangle on the page.
+/// The plane of each face, from its largest triangle on the page.
 std::vector<GridPlane> planes_of(const ProjectedScene& scene, const LineGrid& grid, std::uint32_t face_count) {
   std::vector<GridPlane> planes(face_count);
   std::vector<double> largest(face_count, 0);
@@ -39,7 +39,7 @@ std::vector<GridPlane> planes_of(const ProjectedScene& scene, const LineGrid& gr
   return planes;
 }
 
-/// The greatest of the facets of each face, those as thin as the lattice apart.
+/// Largest depth tolerance of the facets of each face, without facets thinner than `thin_steps`.
 std::vector<double> depth_tolerances(const ProjectedScene& scene, const std::vector<Facet>& facets, std::uint32_t face_count,
                                      double thin_steps) {
   std::vector<double> tolerances(face_count, 0);
@@ -51,7 +51,7 @@ std::vector<double> depth_tolerances(const ProjectedScene& scene, const std::vec
   return tolerances;
 }
 
-/// Sides of triangles and lines by their lower vertex: those of a vertex from begin[vertex] on, in order.
+/// Sides of triangles and lines, grouped by their lower vertex from begin[vertex] on, and sorted.
 struct UsesByVertex {
   std::vector<std::uint32_t> begin;
   std::vector<SideUse> uses;
@@ -81,7 +81,7 @@ UsesByVertex find_uses(const ProjectedScene& scene, const std::vector<std::array
   return found;
 }
 
-/// The edges of a scene from vertex to vertex, with the faces and lines that use them.
+/// The edges of a scene, with the faces and lines that use them.
 std::vector<ScanEdge> make_edges(ScanScene& result, const std::vector<ProjectedVertex>& vertices,
                                  const UsesByVertex& sides) {
   const LineGrid& grid = result.grid;
@@ -133,7 +133,7 @@ ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>&
   result.of_faces = FacetsOfFaces(facets, result.face_count);
   result.depth_tolerance = depth_tolerances(scene, facets, result.face_count, thin_steps);
 
-  // Lines that are edges of the scene end at its vertices, the others at vertices of their own.
+  // Lines that are edges of the scene share its vertices; the others get vertices of their own.
   std::vector<ProjectedVertex> vertices = scene.vertices;
   std::vector<std::array<std::uint32_t, 2>> line_ends(lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -147,7 +147,7 @@ ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>&
     }
   }
   const std::vector<ScanEdge> edges = make_edges(result, vertices, find_uses(scene, line_ends, vertices.size()));
-  // Buckets by first line.
+  // Counting sort by first line.
   result.first_of_line.assign(std::size_t{grid.count} + 2, 0);
   for (const ScanEdge& e : edges) ++result.first_of_line[e.track.first + 1];
   std::partial_sum(result.first_of_line.begin(), result.first_of_line.end(), result.first_of_line.begin());

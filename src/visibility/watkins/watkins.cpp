@@ -19,11 +19,11 @@
 #include "visibility/watkins/report_counts.hpp"
 #include "visibility/watkins/scan_plane.hpp"
 
-// Phases: (1) facets, (2) facets and lines that are surely hidden are left out, (3) the scan over the edges, which also
-// finds what penetrates, (4) the scan over the lines of intersection, where there are any, (5) spans for those who want
-// them, (6) strokes. With a number of lines (3) only looks for penetrations, and (4) goes by lines, over edges and
-// intersections at once. A scan by lines needs the intersections even when nobody wants them drawn: without them it would
-// not know where faces come out of each other. See docs/methods/watkins.md.
+// Phases: (1) facets; (2) omission of facets and lines that are surely hidden; (3) the scan over the edges, which also finds
+// penetrations; (4) the scan over the lines of intersection, if any; (5) spans, if requested; (6) strokes. With a number of
+// lines, (3) only finds penetrations, and (4) scans by lines, over edges and intersections together. A scan by lines needs
+// the intersections even if they are not drawn, because they show where faces penetrate each other. See
+// docs/methods/watkins.md.
 
 namespace ligne {
 namespace {
@@ -34,9 +34,9 @@ constexpr std::string_view kExactWord[] = {"exact"};
 constexpr std::string_view kShowNames[] = {"spans", "plane=Y"};
 enum class Show : std::uint8_t { spans, plane };
 constexpr unsigned kMostLines = 1u << 20;
-constexpr unsigned kShownLines = 48;    ///< adjustable: of an exact study
-constexpr double kShownStepMm = 0.01;   ///< the line through the middle is one whose number is short
-constexpr double kTickOfSpacing = 0.3;  ///< adjustable: height of the ends of spans, of the distance of two lines
+constexpr unsigned kShownLines = 48;    ///< scan lines shown for an exact study. Tuned
+constexpr double kShownStepMm = 0.01;   ///< the y of the middle scan line is rounded to this, for a short number
+constexpr double kTickOfSpacing = 0.3;  ///< height of the ticks at span ends, as a part of the line distance. Taste
 
 constexpr MethodParameter kParameters[] = {
     experiment({"span-method", "NAME", "how the nearest face along a scan line is found: merge, stack, box or point",
@@ -59,7 +59,7 @@ LineGrid grid_of(const ProjectedScene& scene, const SpanLines& lines) {
   return grid;
 }
 
-/// Takes facets that lie behind covers out of the list, and marks lines that do.
+/// Removes facets behind covers from the list, and marks lines behind covers.
 void leave_out_hidden(const ProjectedScene& scene, const OccluderGrid& covers, std::vector<Facet>& facets,
                       std::vector<SweepLine>& lines) {
   std::vector<std::uint8_t> hidden(facets.size());
@@ -75,7 +75,7 @@ void leave_out_hidden(const ProjectedScene& scene, const OccluderGrid& covers, s
   });
 }
 
-/// Whether the line lies behind the covers of all cells that it runs through.
+/// True if the line lies behind the covers of all cells that it crosses.
 bool lies_behind(const CellGrid& grid, const SweepLine& line) {
   bool behind = true;
   const PageLine on_page(line.from, line.to, line.face0, line.face1);
@@ -85,7 +85,7 @@ bool lies_behind(const CellGrid& grid, const SweepLine& line) {
   return behind;
 }
 
-/// Leaves out by cells that connected facets cover together. A facet in no cell's list lies behind such patches everywhere,
+/// Uses cells that several connected facets cover together. A facet that no cell lists lies behind such patches everywhere,
 /// or coincides with another facet there.
 void leave_out_hidden(const CellGrid& grid, std::vector<Facet>& facets, std::vector<SweepLine>& lines) {
   const std::vector<std::uint8_t> listed = grid.listed(facets.size());
@@ -97,7 +97,7 @@ void leave_out_hidden(const CellGrid& grid, std::vector<Facet>& facets, std::vec
   parallel_for(lines.size(), [&](std::size_t i) { lines[i].behind = lines[i].behind || lies_behind(grid, lines[i]); });
 }
 
-/// A study, phase by phase.
+/// A study; one member function per phase.
 class WatkinsStudy {
  public:
   WatkinsStudy(const ProjectedScene& scene, const VisibilityOptions& options)
@@ -139,22 +139,23 @@ class WatkinsStudy {
   const VisibilityOptions& options_;
   const double step_;
   const unsigned line_count_;
-  const bool exact_;  ///< at every event, not by a number of lines
+  const bool exact_;  ///< true: scans at every event; false: by lines
   ExactOptions exact_options_;
   LineStudyOptions by_lines_;
   Clock clock_;
 
   Facets facets_;
-  std::vector<SweepLine> lines_;    ///< the candidate edges
-  std::vector<SweepLine> crossed_;  ///< the intersections
+  std::vector<SweepLine> lines_;    ///< candidate edges
+  std::vector<SweepLine> crossed_;  ///< intersections
   std::optional<OccluderGrid> occluders_;
   std::optional<CellGrid> cells_;     ///< for their covers
-  std::optional<CellGrid> searched_;  ///< of the facets that are left
+  std::optional<CellGrid> searched_;  ///< of the remaining facets
   bool edges_by_cells_ = false, intersections_by_cells_ = false;
   std::vector<Intersection> intersections_;
-  /// Intervals of edges, and behind them, by a number of lines, of intersections; in the exact study these have their own.
+  /// Intervals of edges; by lines, also of intersections behind them. The exact study keeps those of intersections
+  /// separately.
   FoundIntervals found_, found_of_intersections_;
-  std::vector<std::uint8_t> near_;  ///< by edge: another line may lie on it; empty: any may
+  std::vector<std::uint8_t> near_;  ///< by edge: 1 if another line may coincide with it; empty: any may
   ExactCounts counts_;
   VisibilityResult result_;
 };
@@ -171,7 +172,7 @@ void WatkinsStudy::make_lines() {
   result_.statistics.time("facets", clock_.lap());
 }
 
-// 2. What is surely hidden. Hidden intersections can only be found among all facets.
+// 2. Omission of hidden elements. Hidden intersections can only be found among all facets.
 void WatkinsStudy::leave_out_what_is_hidden() {
   if (!(options_.hidden_strokes && scene_.with_intersections)) {
     occluders_.emplace(scene_.vertices, facets_.facets, exact_options_.coincidence_steps + 1);
@@ -184,7 +185,7 @@ void WatkinsStudy::leave_out_what_is_hidden() {
   result_.statistics.time("covers", clock_.lap());
 }
 
-// 3. Edges, and pairs that penetrate.
+// 3. Edges and penetrating pairs.
 void WatkinsStudy::edge_visibility() {
   const std::span<const SweepLine> studied = exact_ ? std::span<const SweepLine>(lines_) : std::span<const SweepLine>{};
   ExactResult first = study_exactly(scene_.vertices, facets_.facets, studied, exact_options_);
@@ -206,7 +207,7 @@ void WatkinsStudy::edge_visibility() {
   result_.statistics.time("edges", clock_.lap());
 }
 
-/// For what a scan gave up.
+/// The cells for the lines of scans that gave up.
 const CellGrid& WatkinsStudy::cells_to_search() {
   if (!searched_) {
     CellGrid::Options options;
@@ -217,7 +218,7 @@ const CellGrid& WatkinsStudy::cells_to_search() {
   return *searched_;
 }
 
-/// The visible parts of lines, by cells.
+/// Finds the visible parts of lines by cells.
 LineVisibility WatkinsStudy::by_cells() {
   const auto search =
       std::make_shared<VisibleParts>(scene_, facets_.facets, cells_to_search(), exact_options_.coincidence_steps);
@@ -243,7 +244,7 @@ void WatkinsStudy::study_intersections() {
   if (gave_up > 0) result_.statistics.count("scans given up, lines studied by cells", static_cast<std::uint64_t>(gave_up));
 }
 
-// 4. By lines, edges and intersections at once.
+// 4. By lines: edges and intersections together.
 void WatkinsStudy::study_lines() {
   by_lines_.collect_spans = (options_.wanted & kSpans) != 0 && !options_.span_lines;
   LineStudyResult r = study_by_lines(scene_, facets_.facets, all_lines(), grid_of_lines(scene_, line_count_), by_lines_);
@@ -268,7 +269,7 @@ void WatkinsStudy::make_spans() {
 
 // 6. Strokes.
 void WatkinsStudy::make_strokes() {
-  // By lines what is shorter than the distance of two lines is below the resolution.
+  // By lines, parts shorter than the line distance are below the resolution.
   const double least = kLeastPartMm / step_;
   const double shortest = exact_ ? least : std::max(least, grid_of_lines(scene_, line_count_).spacing);
   LineStrokes strokes(scene_, facets_, options_.hidden_strokes, shortest);
@@ -294,7 +295,7 @@ void WatkinsStudy::make_strokes() {
   result_.statistics.count("strokes", result_.strokes->strokes.size());
 }
 
-/// The plane of one line, with all faces: also those behind others.
+/// The plane of one scan line with all faces, including those behind others.
 void WatkinsStudy::show_plane() {
   Rect extent;
   for (const Triangle& t : scene_.triangles) {
@@ -308,7 +309,7 @@ void WatkinsStudy::show_plane() {
   if (!plane.segments.empty()) result_.plane = std::move(plane);
 }
 
-/// Spans as lines on the page with a tick at either end, where they are seen apart.
+/// Shows spans as lines on the page with a tick at either end. An exact study shows kShownLines scan lines.
 void WatkinsStudy::show_spans() {
   if (!options_.settings.has("show")) return;
   if (options_.settings.choice("show", Show::spans) == Show::plane) return show_plane();

@@ -1,5 +1,5 @@
 #pragma once
-/// The scan-line method: spans by one of four methods, and visible edges tracked from line to line into strokes.
+/// The scan-line method: spans by one of several methods, and visible edges tracked from line to line into strokes.
 ///
 /// After G. S. Watkins, "A real time visible surface algorithm", 1970; G. W. Romney, G. S. Watkins, D. C. Evans, "Real time
 /// display of computer generated half-tone perspective pictures", 1969; M. Archuleta, "Hidden surface line-drawing

@@ -32,7 +32,7 @@ struct LineStudyResult {
 LineStudyResult study_by_lines(const ProjectedScene& scene, const std::vector<Facet>& facets,
                                std::span<const SweepLine> lines, const LineGrid& grid, const LineStudyOptions& options);
 
-/// `count` lines over the height of the window, each in the middle of its share.
+/// `count` scan lines over the height of the window, each in the middle of its strip.
 LineGrid grid_of_lines(const ProjectedScene& scene, std::uint32_t count);
 
 }  // namespace ligne::watkins

@@ -5,12 +5,12 @@
 #include "visibility/watkins/spans/span_method.hpp"
 
 // Span method `box` ([Boulle1980] 2.3.3.3, Boîte, after Romney, Watkins and Evans 1969): Warnock's division on a line. A
-// part of the line is analysed against a box around the segments met so far; when the situation is understood it is shown,
-// otherwise the part is divided at an end of a segment, where two penetrate, or in the middle. Three modules, as in
+// part of the line is compared with a box round the segments met so far. If the situation is understood, it is shown;
+// otherwise the part is divided at an end of a segment, at a penetration, or in the middle. The three modules are those of
 // [Boulle1980]: analysis, decision, control.
 //
-// The end nearest to the middle of a part divides it, so that n segments side by side take n log n; and
-// segments that the analysis has seen to be hidden are not handed down.
+// The end nearest to the middle divides a part, so that n segments side by side take O(n log n). Segments found hidden by
+// the analysis are not passed on.
 
 namespace ligne::watkins {
 namespace {
@@ -35,19 +35,19 @@ class BoxMethod final : public SpanMethod<X> {
  private:
   static constexpr double kFar = std::numeric_limits<double>::infinity();
 
-  /// The knowledge of the analysis about a part: the box around the segments that may be seen in it.
+  /// The result of analysing a part: the box round the segments that may be visible in it.
   struct Box {
     unsigned count = 0;
-    double x0 = 0, x1 = 0;      ///< extent in x
-    double near = 0;            ///< nearest depth that touches one of them
-    std::uint32_t segment = 0;  ///< the only one (count 1), or the first of two that cross
-    std::uint32_t other = 0;    ///< crossing: the second
-    bool crossing = false;      ///< two segments that span the part cross at cut, and nothing else is there
+    double x0 = 0, x1 = 0;      ///< extent along the line
+    double near = 0;            ///< nearest depth that touches a segment
+    std::uint32_t segment = 0;  ///< the only segment (count 1), or the first of two that cross
+    std::uint32_t other = 0;    ///< if crossing: the second
+    bool crossing = false;      ///< two segments spanning the part cross at `cut`, and nothing else is there
     double cut = -kFar;         ///< an end or a crossing strictly inside the part
-    bool cut_at_end = false;    ///< it is an end
+    bool cut_at_end = false;    ///< `cut` is an end
   };
 
-  /// Analysis, decision and control of [a, b], with the segments lists_[begin, end).
+  /// Analysis, decision and control of [a, b] with the segments lists_[begin, end).
   void study_part(double a, double b, std::size_t begin, std::size_t end, std::vector<VisibleSpan>& out) {
     ++this->counts_.boxes;
     const std::size_t kept_begin = lists_.size();
@@ -142,7 +142,7 @@ class BoxMethod final : public SpanMethod<X> {
       return;
     }
     const double cut = box.cut > a && box.cut < b ? box.cut : a + (b - a) / 2;
-    if (!(cut > a && cut < b)) {  // nothing between a and b any more: rounding alone keeps the segments apart
+    if (!(cut > a && cut < b)) {  // no number lies between a and b: only rounding separates the segments
       const auto first = lists_.begin() + static_cast<std::ptrdiff_t>(kept_begin);
       const auto nearest = std::min_element(
           first, lists_.end(), [&](std::uint32_t i, std::uint32_t k) { return segments_[i].z(a) < segments_[k].z(a); });
@@ -161,8 +161,8 @@ class BoxMethod final : public SpanMethod<X> {
   static constexpr std::uint32_t kDivided = 0xffffffffu;  ///< SpanTrace::Bar::segment
 
   std::span<const ScanSegment<X>> segments_;
-  unsigned depth_ = 0;                ///< of division
-  std::vector<std::uint32_t> lists_;  ///< a stack of lists: a part's segments lie above those of the part that it comes from
+  unsigned depth_ = 0;                ///< depth of division
+  std::vector<std::uint32_t> lists_;  ///< stack of lists: the segments of a part lie above those of its parent
 };
 
 }  // namespace

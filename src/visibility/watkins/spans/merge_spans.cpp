@@ -2,10 +2,10 @@
 
 #include "visibility/watkins/spans/span_method.hpp"
 
-// Span method `merge` ([Boulle1980] 2.3.3.1, Fusion, after Lucas 1977). Invariant: the visible list, ordered by x, holds the
-// nearest of the segments taken so far, pieces that touch or leave gaps (the background), never overlap. Each further
-// segment is compared with the pieces that it overlaps: test IS cuts both to the common run, test PRO decides which is seen
-// there.
+// Span method `merge` ([Boulle1980] 2.3.3.1, Fusion, after Lucas 1977). Invariant: the visible list, sorted by x, contains
+// the nearest of the segments taken so far. Its pieces touch or leave gaps (the background), but never overlap. Each new
+// segment is compared with the pieces that it overlaps: test IS cuts both to the common run, test PRO decides which is
+// visible there.
 
 namespace ligne::watkins {
 namespace {
@@ -39,7 +39,7 @@ class MergeMethod final : public SpanMethod<X> {
       this->note_bar(pieces_[p].x0, pieces_[p].x1, row, pieces_[p].segment);
   }
 
-  /// Puts a piece behind `before` (or first), joined with it where it goes on.
+  /// Inserts a piece behind `before` (or first), or extends `before` if the piece continues it.
   std::uint32_t insert(std::uint32_t before, double x0, double x1, std::uint32_t segment) {
     if (!(x0 < x1)) return before;
     if (before != kEnd && pieces_[before].segment == segment && pieces_[before].x1 == x0) {
@@ -57,8 +57,8 @@ class MergeMethod final : public SpanMethod<X> {
     const ScanSegment<X>& segment = segments_[index];
     double x = double(segment.x0);
     const double end = double(segment.x1);
-    // Pieces wholly to the left. What lay left of one segment lies left of all that begin farther right: segments that come
-    // sorted go on from there, others begin anew.
+    // Skips pieces wholly to the left. Pieces left of one segment are left of all segments that begin farther right: sorted
+    // segments continue from there, others begin anew.
     ++this->counts_.comparisons;
     const bool continues = passed_ != kEnd && pieces_[passed_].x1 <= x;
     std::uint32_t before = continues ? passed_ : kEnd, piece = continues ? pieces_[passed_].next : head_;
@@ -73,7 +73,7 @@ class MergeMethod final : public SpanMethod<X> {
         insert(before, x, end, index);
         return;
       }
-      if (pieces_[piece].x0 > x) {  // a gap before the piece
+      if (pieces_[piece].x0 > x) {  // a gap in front of the piece
         before = insert(before, x, pieces_[piece].x0, index);
         x = pieces_[piece].x0;
         continue;
@@ -88,7 +88,7 @@ class MergeMethod final : public SpanMethod<X> {
         x = to;
         continue;
       }
-      // The piece gives way to what is left of x, the common run, what is right of it.
+      // Replaces the piece by its part left of x, the common run, and its part right of it.
       (before == kEnd ? head_ : pieces_[before].next) = old.next;
       before = insert(before, old.x0, x, old.segment);
       if (seen.order == DepthOrder::second) {
@@ -107,8 +107,7 @@ class MergeMethod final : public SpanMethod<X> {
   std::span<const ScanSegment<X>> segments_;
   std::vector<Piece> pieces_;
   std::uint32_t head_ = kEnd;
-  std::uint32_t passed_ =
-      kEnd;  ///< last piece left of the segment at hand, still in the list: only pieces right of it are replaced
+  std::uint32_t passed_ = kEnd;  ///< last listed piece left of the current segment: only pieces right of it are replaced
 };
 
 }  // namespace

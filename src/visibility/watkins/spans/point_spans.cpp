@@ -4,11 +4,10 @@
 
 #include "visibility/watkins/spans/span_method.hpp"
 
-// Span method `point` ([Boulle1980] 2.3.2.6, point par point, after Lucas 1977): depth and segment are kept for every cell
-// of the line, and every segment is compared with all cells that it covers. On whole coordinates a cell is the run between
-// two neighbouring whole numbers, and depth is compared at its middle: where segments penetrate, the place is that of the
-// cell. On real coordinates there is no such grid; the cells are the runs between neighbouring ends of segments, and where
-// the depth changes order inside a cell, it is cut at the crossing.
+// Span method `point` ([Boulle1980] 2.3.2.6, point par point, after Lucas 1977): every cell of the line stores depth and
+// segment, and every segment is compared with all cells that it covers. With integer coordinates a cell is the run between
+// adjacent integers, and depths are compared at its middle, so penetrations are rounded to cells. With real coordinates the
+// cells are the runs between adjacent ends of segments, and a cell is cut where the depth order changes inside it.
 
 namespace ligne::watkins {
 namespace {
@@ -74,11 +73,11 @@ class PointMethod final : public SpanMethod<X> {
     for (std::size_t k = 0; k + 1 < ends_.size(); ++k) study_run(ends_[k], ends_[k + 1], out);
   }
 
-  /// [a, b] holds no end of a segment.
+  /// Studies [a, b], which contains no end of a segment.
   void study_run(double a, double b, std::vector<VisibleSpan>& out) {
     double x = a;
     while (x < b) {
-      // The nearest just right of x, and how far it stays the nearest.
+      // The nearest segment just right of x, and where it stops being the nearest.
       std::uint32_t best = kNobody;
       double turn = b;
       for (std::uint32_t i = 0; i < segments_.size(); ++i) {

@@ -3,12 +3,12 @@
 #include "base/no_index.hpp"
 #include "visibility/watkins/exact/exact_sweep.hpp"
 
-// Stops of the exact scan at points: the slots whose edges run through the point are closed and taken out, the edges that
-// end there go, those that begin there come, and all that lie below it are put in again by their directions.
+// Stops of the exact scan at points: the slots whose edges pass through the point are closed and removed, edges that end
+// there are dropped, edges that begin there are added, and all edges below it are inserted in the order of their directions.
 
 namespace ligne::watkins {
 
-/// The slots (before, last] whose nodes run through the point; last == before when there is none.
+/// The slots (before, last] whose nodes pass through the point; last == before if there is none.
 void ExactSweep::find_range(std::uint32_t point, std::uint32_t& before, std::uint32_t& last) {
   const LatticePoint v = scene_.points[point];
   const std::uint32_t* const ends = scene_.ends.data();
@@ -29,8 +29,8 @@ void ExactSweep::find_range(std::uint32_t point, std::uint32_t& before, std::uin
     draw_in(status_.node(node_of_[local_of(ends[i])]).slot, before, last);
 }
 
-/// A slot whose edge ends at the point at hand, but which rounding left outside the range, is exchanged with its neighbours
-/// until it is inside.
+/// Exchanges a slot, whose edge ends at the current point but lies outside the range by rounding, with its neighbours until
+/// it is inside.
 void ExactSweep::draw_in(std::uint32_t slot, std::uint32_t& before, std::uint32_t& last) {
   for (std::uint32_t s = status_.next(before); s != status_.next(last); s = status_.next(s)) {
     if (s == slot) return;
@@ -48,7 +48,7 @@ void ExactSweep::draw_in(std::uint32_t slot, std::uint32_t& before, std::uint32_
   }
 }
 
-/// The edges that go on below the point, and the facets at it.
+/// Collects the edges that continue below the point, and the facets at it.
 void ExactSweep::collect_edges(std::uint32_t point, std::uint32_t before, std::uint32_t last) {
   going_on_.clear();
   touched_.clear();
@@ -98,7 +98,7 @@ void ExactSweep::at_point(std::uint32_t point) {
   }
   collect_edges(point, before, last);
   for (const std::uint32_t n : old_nodes_) status_.free_node(n);
-  // Below the point the edges lie as their directions do; those of one direction become one node.
+  // Below the point the edges are sorted by direction; edges of equal direction become one node.
   std::sort(going_on_.begin(), going_on_.end(), [&](std::uint32_t a, std::uint32_t b) {
     const double turn = side(v, edge(b).bottom, edge(a).bottom);
     return turn != 0 ? turn > 0 : a < b;

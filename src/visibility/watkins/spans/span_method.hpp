@@ -1,9 +1,9 @@
 #pragma once
-/// Which segment is nearest along one scan line: the four span methods of [Boulle1980] (2.3.2.6, 2.3.3) behind one
-/// interface.
+/// The nearest segment along one scan line: the four span methods of [Boulle1980] (2.3.2.6, 2.3.3) behind one interface.
 ///
-/// Notation: a scan plane cuts every face in segments. A segment runs from (x0, z0) to (x1, z1), x0 <= x1; depth is linear
-/// over it and smaller is nearer. X is double (real coordinates) or std::int32_t (whole ones, as in [Boulle1980]'s screen).
+/// Notation: a scan plane cuts every face in segments. A segment extends from (x0, z0) to (x1, z1), x0 <= x1. Depth is
+/// linear along it; smaller is nearer. X is double (real coordinates) or std::int32_t (integers, as on [Boulle1980]'s
+/// screen).
 
 #include <algorithm>
 #include <array>
@@ -24,9 +24,9 @@ struct ScanSegment {
   X x0, x1;
   double z0, z1;
   std::uint32_t face;
-  double depth_tolerance = 0;  ///< what is within this depth of it touches it
+  double depth_tolerance = 0;  ///< depth difference at which segments touch
 
-  /// Depth at x; the ends give their own depth to the last bit.
+  /// Depth at x. At the ends it is bitwise equal to z0 and z1.
   double z(double x) const {
     if (x <= double(x0)) return z0;
     if (x >= double(x1)) return z1;
@@ -35,14 +35,14 @@ struct ScanSegment {
   double slope() const { return x0 < x1 ? (z1 - z0) / (double(x1) - double(x0)) : 0; }
 };
 
-/// A run on which one segment is the nearest. Its ends are ends of segments, or places where two of them penetrate (which
-/// are no whole numbers even when the ends are).
+/// A run on which one segment is the nearest. It ends at ends of segments, or where two penetrate (not at an integer, even
+/// for integer ends).
 struct VisibleSpan {
   double x0, x1;          ///< x0 < x1
-  std::uint32_t segment;  ///< index among the segments studied
+  std::uint32_t segment;  ///< index in the studied segments
 };
 
-/// Whether every span has a length and begins where the one before it ends, or further to the right.
+/// True if every span has positive length and none begins left of the end of its predecessor.
 inline bool are_left_to_right(std::span<const VisibleSpan> spans) {
   for (std::size_t i = 0; i < spans.size(); ++i) {
     if (!(spans[i].x0 < spans[i].x1) || (i > 0 && spans[i].x0 < spans[i - 1].x1)) return false;
@@ -50,18 +50,18 @@ inline bool are_left_to_right(std::span<const VisibleSpan> spans) {
   return true;
 }
 
-/// The cost of a study, as [Boulle1980] counts it. `total()` is the sum over which methods are compared.
+/// The cost of a study, as [Boulle1980] counts it. `total()` is the sum by which methods are compared.
 struct SpanCounts {
-  std::uint64_t comparisons = 0;   ///< of abscissas
-  std::uint64_t depth_tests = 0;   ///< depths compared with each other
-  std::uint64_t penetrations = 0;  ///< places computed where two segments cross
-  std::uint64_t insertions = 0;    ///< pieces put into the visible list (merge)
-  std::uint64_t pushes = 0;        ///< (stack)
-  std::uint64_t pops = 0;          ///< (stack)
+  std::uint64_t comparisons = 0;   ///< compared abscissas
+  std::uint64_t depth_tests = 0;   ///< compared depths
+  std::uint64_t penetrations = 0;  ///< computed crossings of two segments
+  std::uint64_t insertions = 0;    ///< pieces inserted into the visible list (merge)
+  std::uint64_t pushes = 0;        ///< pushed segments (stack)
+  std::uint64_t pops = 0;          ///< popped segments (stack)
   std::uint64_t boxes = 0;         ///< parts of the line studied as a box (box)
   std::uint64_t points = 0;        ///< cells of the line written or compared (point)
-  std::uint64_t spans = 0;         ///< spans handed out
-  std::uint64_t swaps = 0;         ///< exchanges in sorting
+  std::uint64_t spans = 0;         ///< resulting spans
+  std::uint64_t swaps = 0;         ///< exchanges of the sort
 
   void operator+=(const SpanCounts& o);
   std::uint64_t total() const;
@@ -69,14 +69,14 @@ struct SpanCounts {
   std::array<std::pair<std::string_view, std::uint64_t>, kKinds> named() const;
 };
 
-/// How a study went, for pictures of the scan plane. Row 0 is drawn first.
+/// The steps of a study, for pictures of the scan plane. Row 0 is drawn first.
 struct SpanTrace {
-  /// A run of the line in one row: of merge the visible list after a segment, of stack a place on the stack (row 0: the
-  /// current segment), of box a part at a depth of division, of point a cell.
+  /// A run of the line in one row. The row is: for merge the visible list after a segment, for stack a place on the stack
+  /// (row 0: the current segment), for box the depth of division; for point a bar is a cell.
   struct Bar {
     double x0, x1;
     unsigned row;
-    std::uint32_t segment;  ///< index among the segments studied; 0xffffffff: a part that is divided
+    std::uint32_t segment;  ///< index in the studied segments; 0xffffffff: a divided part
   };
   std::vector<Bar> bars;
 };
@@ -84,16 +84,16 @@ struct SpanTrace {
 enum class SpanMethodKind : std::uint8_t { merge, stack, box, point };
 inline constexpr std::array<std::string_view, 4> kSpanMethodNames{"merge", "stack", "box", "point"};
 
-/// Knows which of two segments that touch is in front, by their faces, and the same on every line, so that the roundings of
-/// depths change nothing from line to line. `crossing`: their depths decide.
+/// Decides which of two touching segments is in front, by their faces and equally on every line, so that rounding of depths
+/// changes nothing. `crossing`: their depths decide.
 class PairOrders {
  public:
   virtual ~PairOrders() = default;
   virtual DepthOrder of(std::uint32_t a, std::uint32_t b) = 0;
 };
 
-/// The full key of 2.3.3.1: x of the left end, then depth there, then slope; what is nearer comes first. The methods need
-/// it only to be fast (merge, stack with whole ties), never to be right.
+/// The full sort key of 2.3.3.1: x of the left end, then depth there, then slope; nearer segments first. It makes merge and
+/// stack fast, but no method needs it to be correct.
 template <class X>
 bool comes_before(const ScanSegment<X>& a, const ScanSegment<X>& b) {
   if (a.x0 != b.x0) return a.x0 < b.x0;
@@ -101,23 +101,22 @@ bool comes_before(const ScanSegment<X>& a, const ScanSegment<X>& b) {
   return a.slope() < b.slope();
 }
 
-/// A span method keeps working memory from line to line, nothing else: the spans it
-/// finds do not depend on what it studied before.
+/// A span method. It keeps only scratch memory between lines: the spans it finds do not depend on earlier studies.
 template <class X>
 class SpanMethod {
  public:
   virtual ~SpanMethod() = default;
 
-  /// Replaces `out` by the visible spans of the line, from left to right, disjoint; neighbours of one segment are one span.
-  /// Where depths are equal along a whole run either segment may be given. Segments of length zero are seen nowhere.
+  /// Replaces `out` by the visible spans of the line, disjoint and from left to right; adjacent spans of one segment are
+  /// joined. Where depths are equal along a whole run, either segment may be given. Segments of length zero are invisible.
   virtual void study(std::span<const ScanSegment<X>> segments, std::vector<VisibleSpan>& out) = 0;
 
   const SpanCounts& counts() const { return counts_; }
 
-  /// Who is asked where segments touch; without anybody their depths decide.
+  /// Sets the order used where segments touch; null: depths decide.
   void ask(PairOrders* pairs) { pairs_ = pairs; }
 
-  /// Further studies are recorded there; null: nowhere.
+  /// Sets the trace that records further studies; null: none.
   void record(SpanTrace* trace) { trace_ = trace; }
 
  protected:
@@ -125,7 +124,7 @@ class SpanMethod {
     if (trace_ && x0 < x1) trace_->bars.push_back({x0, x1, static_cast<unsigned>(row), segment});
   }
 
-  /// Appends a span, or lengthens the last one.
+  /// Appends a span, or extends the last one.
   void give(double x0, double x1, std::uint32_t segment, std::vector<VisibleSpan>& out) {
     if (!(x0 < x1)) return;
     if (!out.empty() && out.back().segment == segment && out.back().x1 == x0) {
@@ -153,23 +152,22 @@ std::unique_ptr<SpanMethod<X>> make_box_method();
 template <class X>
 std::unique_ptr<SpanMethod<X>> make_point_method();
 
-/// Depths that differ by less than this share of themselves are equal: updated line by line they carry the roundings of
-/// thousands of additions, and faces that touch are to touch on every line. Of a depth as large as a page it is a third of a
-/// nanometre.
+/// Relative difference below which depths are equal. Depths updated line by line carry the rounding of thousands of
+/// additions, and touching faces must touch on every line. For a depth as large as a page it is a third of a nanometre.
 inline constexpr double kSameDepth = 0x1p-30;
 
-/// How two segments lie to each other on [x0, x1], which both span.
+/// The order of two segments on [x0, x1], which both span.
 struct DepthComparison {
   DepthOrder order;           ///< first, second or crossing
-  bool first_begins = false;  ///< where they cross: the first is in front before, the second behind
-  double x = 0;               ///< where they cross
+  bool first_begins = false;  ///< if they cross: the first is in front before the crossing
+  double x = 0;               ///< place of the crossing
 
   bool begins_with_first() const { return order == DepthOrder::first || (order == DepthOrder::crossing && first_begins); }
   bool turns_to_second() const { return order == DepthOrder::crossing && first_begins; }
 };
 
-/// The test PRO of [Boulle1980] (figure 2.44): two depth tests, and a division only when the segments cross strictly inside.
-/// Equal depths all along count as `first`. Where the two touch, `pairs` is asked, which may be null.
+/// The test PRO of [Boulle1980] (figure 2.44): two depth tests, and a division only if the segments cross strictly inside.
+/// Equal depths on the whole run count as `first`. `pairs`, which may be null, decides where the two touch.
 template <class X>
 DepthComparison compare_depths(const ScanSegment<X>& a, const ScanSegment<X>& b, double x0, double x1, SpanCounts& counts,
                                PairOrders* pairs) {
@@ -188,7 +186,7 @@ DepthComparison compare_depths(const ScanSegment<X>& a, const ScanSegment<X>& b,
   if (d0 >= 0 && d1 >= 0) return {DepthOrder::second, false, x0};
   ++counts.penetrations;
   const double x = x0 + (x1 - x0) * (d0 / (d0 - d1));
-  // Rounded onto an end: the order over the whole run is that of the other end.
+  // Rounded to an end: the order at the other end holds for the whole run.
   if (!(x > x0)) return {d1 < 0 ? DepthOrder::first : DepthOrder::second, false, x0};
   if (!(x < x1)) return {d0 < 0 ? DepthOrder::first : DepthOrder::second, false, x0};
   return {DepthOrder::crossing, d0 < 0, x};

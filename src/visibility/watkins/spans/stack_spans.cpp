@@ -3,14 +3,14 @@
 
 #include "visibility/watkins/spans/span_method.hpp"
 
-// Span method `stack` ([Boulle1980] 2.3.3.2, Pile, after Hamlin and Gear 1977). The line is walked from left to right over
-// the ends of segments. Invariant: `current_` is the nearest of the segments over the run that comes next, up to `turn_` at
-// least; all others that have begun and not ended lie on the stack, in any order, and so may some that have ended.
+// Span method `stack` ([Boulle1980] 2.3.3.2, Pile, after Hamlin and Gear 1977). It visits the ends of segments from left to
+// right. Invariant: `current_` is the nearest segment over the next run, at least up to `turn_`. All other segments that
+// have begun and not ended are on the stack, unordered, possibly with some that have ended.
 //
-// [Boulle1980] pops until it finds a segment that has not ended, which takes for granted that the stack is ordered by depth.
-// It is not: what begins behind the current segment is pushed on top of what lies nearer. So the stack is searched for the
-// nearest, and ended segments are taken out on the way. Where the current segment is going to be penetrated is found in the
-// same search (2.3.3.2, "Cas des faces pénétrantes"): two depth tests where one would do without penetration.
+// [Boulle1980] pops until it finds a segment that has not ended, which assumes a stack ordered by depth. It is not: a
+// segment that begins behind the current one is pushed on top of nearer ones. So the stack is searched for the nearest, and
+// ended segments are removed on the way. The search also finds where the current segment will be penetrated (2.3.3.2, "Cas
+// des faces pénétrantes"): two depth tests where one would suffice without penetration.
 
 namespace ligne::watkins {
 namespace {
@@ -49,9 +49,9 @@ class StackMethod final : public SpanMethod<X> {
     bool left;
   };
 
-  /// Ends by x. Of several at one place right ends come first, so that what ends there is in nobody's way; left ends come as
-  /// the segments do, that is nearest first when these are sorted by the full key, and then only the first needs to be held
-  /// against the current.
+  /// Sorts the ends by x. At one place right ends come first, so that ended segments do not interfere. Left ends keep the
+  /// order of the segments: if these are sorted by the full key, the nearest comes first, and only it needs to be compared
+  /// with the current one.
   void sort_ends() {
     ends_.clear();
     for (std::uint32_t i = 0; i < segments_.size(); ++i) {
@@ -67,7 +67,7 @@ class StackMethod final : public SpanMethod<X> {
     });
   }
 
-  /// Gives what is seen from x to `to`, changing over where the current segment is penetrated.
+  /// Emits the visible segments from x to `to`, and changes segments where the current one is penetrated.
   void advance(double x, double to, std::vector<VisibleSpan>& out) {
     while (current_ != kNobody && turn_ < to) {
       note_stack(x, turn_);
@@ -120,7 +120,7 @@ class StackMethod final : public SpanMethod<X> {
     }
   }
 
-  /// Where the current segment is first penetrated by one of the stack.
+  /// Finds where a segment of the stack first penetrates the current one.
   void look_ahead(double x) {
     turn_ = kFar;
     const ScanSegment<X>& a = segments_[current_];
@@ -140,7 +140,7 @@ class StackMethod final : public SpanMethod<X> {
     }
   }
 
-  /// The nearest of the stack just right of x becomes the current one.
+  /// Makes the nearest segment of the stack just right of x the current one.
   void choose(double x) {
     std::size_t best = 0;
     bool found = false;
@@ -165,7 +165,7 @@ class StackMethod final : public SpanMethod<X> {
     return seen.begins_with_first();
   }
 
-  /// The last one takes the place of what goes. remove() while searching for the best: `best` is below i, so it stays.
+  /// The last segment takes the free place. During a search `best` is below i, so it stays valid.
   void remove(std::size_t i) {
     ++this->counts_.pops;
     stack_[i] = stack_.back();
@@ -176,7 +176,7 @@ class StackMethod final : public SpanMethod<X> {
   std::vector<End> ends_;
   std::vector<std::uint32_t> stack_;
   std::uint32_t current_ = kNobody, turned_to_ = kNobody;
-  double turn_ = kFar;  ///< where the current segment is penetrated next
+  double turn_ = kFar;  ///< place where the current segment is penetrated next
 };
 
 }  // namespace
