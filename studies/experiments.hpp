@@ -66,6 +66,9 @@ Result study_line_resolution(const StudyRequest& request);
 Result study_coherence(const StudyRequest& request);
 Result study_planes(const StudyRequest& request);
 Result study_line_groups(const StudyRequest& request);
+Result study_tracking(const StudyRequest& request);
+Result study_remembered(const StudyRequest& request);
+Result study_two_tasks(const StudyRequest& request);
 // Atherton and Weiler, [Boulle1980] 2.4.
 Result study_slab_order(const StudyRequest& request);
 Result study_sort_keys(const StudyRequest& request);

@@ -74,7 +74,7 @@ TEST_F(DrawTest, ScanLines) {
   };
   const std::string exact = bytes({}, "svg");
   EXPECT_GT(exact.size(), 10000u);
-  for (const char* kind : chosen("span methods", 2, {"merge", "stack", "box", "point"}))
+  for (const char* kind : chosen("span methods", 2, {"merge", "stack", "box", "point", "remembered"}))
     EXPECT_EQ(bytes({"--set", std::string("span-method=") + kind}, "svg"), exact) << kind;
   EXPECT_EQ(bytes("--lines exact", "svg"), exact);
   for (const char* threads : chosen("scan lines", 3, {"1", "2", "7"})) {

@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
         draw("WeldZero", "--weld 0", "--weld: 0 is not greater than 0\n"),
         draw("CreaseLarge", "--crease 181", "--crease: 181 is not from 0 to 180 degrees\n"),
         draw("SpanMethod", "--method watkins --set span-method=heap",
-             "--set span-method: \"heap\" is not one of merge, stack, box or point\n"),
+             "--set span-method: \"heap\" is not one of merge, stack, box, point or remembered\n"),
         draw("SpanMethodElsewhere", "--method appel --set span-method=box",
              "--set span-method: method appel has no such option\n"),
         draw("LinesZero", "--method watkins --lines 0", "--lines: "),

@@ -12,6 +12,9 @@ using namespace ligne::watkins;
 
 /// Only lines on which something changes that is seen are studied.
 inline constexpr ScanOptions kRecognising{SpanMethodKind::stack, true, true, true};
+/// Lines on which anything changes are; all lines are.
+inline constexpr ScanOptions kEveryLine{SpanMethodKind::stack, false, false, true};
+inline constexpr ScanOptions kCoherent{SpanMethodKind::stack, true, false, true};
 inline const CameraRequest kOdd = along({-0.31, 0.87, -0.39});
 
 /// Everything that a study by lines needs; intersections as the method finds them.
@@ -35,15 +38,21 @@ struct PreparedScan {
       lines.push_back({i.from, i.to, i.face0, i.face1});
   }
 
-  LineStudyResult study(std::uint32_t count, const ScanOptions& scan, std::uint32_t group = 0, bool whole = false) const {
+  LineStudyOptions options(const ScanOptions& scan, std::uint32_t group) const {
     LineStudyOptions options;
     options.scan = scan;
     options.coincidence_steps = coincidence_mm(projected) / projected.lattice.step_mm;
     options.collect_spans = true;
-    options.group = group == 0 ? count : group;
-    LineGrid grid = grid_of_lines(projected, count);
-    grid.whole = whole;
-    return study_by_lines(projected, facets.facets, lines, grid, options);
+    options.group = group;
+    return options;
+  }
+
+  LineStudyResult study(std::uint32_t count, const LineStudyOptions& options, bool whole = false) const {
+    return study_by_lines(projected, facets.facets, lines, grid_of_lines(projected, count, whole), options);
+  }
+
+  LineStudyResult study(std::uint32_t count, const ScanOptions& scan, std::uint32_t group = 0, bool whole = false) const {
+    return study(count, options(scan, group == 0 ? count : group), whole);
   }
 };
 

@@ -12,9 +12,6 @@ namespace {
 
 using namespace ligne::test;
 
-constexpr ScanOptions kEveryLine{SpanMethodKind::stack, false, false, true};
-constexpr ScanOptions kCoherent{SpanMethodKind::stack, true, false, true};
-
 /// Length on all lines on which the two say different faces, in mm.
 double difference(const std::vector<Span>& a, const std::vector<Span>& b) {
   double sum = 0, common = 0;

@@ -1,4 +1,4 @@
-// The four span methods against a plain search, and against each other: random segments, whole and real, that overlap,
+// The span methods against a plain search, and against each other: random segments, whole and real, that overlap,
 // touch, coincide and penetrate.
 
 #include "support/test.hpp"
@@ -11,7 +11,7 @@ template <class X>
 using Segments = std::vector<ScanSegment<X>>;
 
 constexpr SpanMethodKind kKinds[] = {SpanMethodKind::merge, SpanMethodKind::stack, SpanMethodKind::box,
-                                     SpanMethodKind::point};
+                                     SpanMethodKind::point, SpanMethodKind::remembered};
 
 template <class X>
 std::vector<VisibleSpan> spans(SpanMethodKind kind, Segments<X> segments, SpanCounts* counts = nullptr) {
@@ -167,8 +167,44 @@ TYPED_TEST(WatkinsSpans, CountsAreTheMethodsOwn) {
     SpanCounts counts;
     spans(kKinds[kind], segments, &counts);
     const std::uint64_t by_kind[] = {counts.insertions, counts.pushes, counts.boxes, counts.points};
-    for (std::size_t k = 0; k < std::size(by_kind); ++k) EXPECT_EQ(by_kind[k] > 0, k == kind) << kind << ", count " << k;
+    const std::size_t own = kKinds[kind] == SpanMethodKind::remembered ? 2 : kind;  // the boxes
+    for (std::size_t k = 0; k < std::size(by_kind); ++k) EXPECT_EQ(by_kind[k] > 0, k == own) << kind << ", count " << k;
   }
+}
+
+/// Divisions of the line before, moved to where their segments are now: right while the segments move, cross, vanish and
+/// come back, and fewer parts than without memory.
+TYPED_TEST(WatkinsSpans, RememberedDivisionsFollowTheirSegments) {
+  std::mt19937 random(95);
+  std::uniform_int_distribution<int> place(0, 400), length(5, 60), depth(0, 1000), step(-2, 2);
+  struct Moving {
+    int x, length, z0, z1, dx, dz;
+  };
+  std::vector<Moving> moving;
+  for (int i = 0; i < 60; ++i)
+    moving.push_back({place(random), length(random), depth(random), depth(random), step(random), step(random)});
+  const auto remembered = make_span_method<TypeParam>(SpanMethodKind::remembered);
+  const auto box = make_span_method<TypeParam>(SpanMethodKind::box);
+  for (int line = 0; line < 200; ++line) {
+    Segments<TypeParam> segments;
+    for (std::uint32_t key = 0; key < moving.size(); ++key) {
+      Moving& m = moving[key];
+      m.x += m.dx;
+      m.z0 += m.dz;
+      if ((line / 20 + static_cast<int>(key)) % 5 == 0) continue;  // not on this line
+      segments.push_back({static_cast<TypeParam>(m.x), static_cast<TypeParam>(m.x + m.length), double(m.z0), double(m.z1),
+                          static_cast<std::uint32_t>(segments.size()), key});
+    }
+    std::vector<VisibleSpan> found, plain;
+    remembered->study(segments, found);
+    box->study(segments, plain);
+    expect_right(segments, found, 1e-6, "line " + std::to_string(line));
+    ASSERT_EQ(found.size(), plain.size()) << line;
+    if (this->HasFatalFailure()) return;
+  }
+  EXPECT_GT(remembered->counts().remembered, 1000u);
+  EXPECT_LT(remembered->counts().boxes, box->counts().boxes);
+  EXPECT_EQ(box->counts().remembered, 0u);
 }
 
 /// Says of any two segments that the one of the higher number is in front.
@@ -182,10 +218,10 @@ class HigherFirst final : public PairOrders {
 TEST(WatkinsSpans, SegmentsThatTouchAreAsTheirPairSays) {
   const double touch = 0.01;
   // Two that cross by half the tolerance all along, one far in front of both, one far behind, in all orders.
-  const Segments<double> all{{0, 10, 1 - 0.003, 1 + 0.003, 0, touch},
-                             {2, 12, 1 + 0.002, 1 - 0.002, 1, touch},
-                             {4, 5, 0.5, 0.5, 2, touch},
-                             {1, 11, 2, 2, 3, touch}};
+  const Segments<double> all{{0, 10, 1 - 0.003, 1 + 0.003, 0, 0, touch},
+                             {2, 12, 1 + 0.002, 1 - 0.002, 1, 0, touch},
+                             {4, 5, 0.5, 0.5, 2, 0, touch},
+                             {1, 11, 2, 2, 3, 0, touch}};
   std::array<std::uint32_t, 4> turn{0, 1, 2, 3};
   do {
     Segments<double> segments;

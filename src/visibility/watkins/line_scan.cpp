@@ -96,6 +96,37 @@ void LineScan::begin(std::uint32_t line) {
 
 /// Sorts the line's edges, and studies its spans or continues them; returns true if it studied them.
 bool LineScan::take_line(std::uint32_t line) {
+  advance_edges(line);
+  const bool first = must_study_, exchanged = sort(line);
+  const bool study = first || opens_ || !options_.coherence || exchanged || changes_matter(line);
+  for (const std::uint32_t slot : gone_) listener_.ended(*this, slot);
+  if (study) {
+    if (scene_.grid.whole) {
+      study_line(*whole_);
+    } else {
+      study_line(*real_);
+    }
+    opens_ = has_opening();
+    count_study(first, exchanged);
+  } else {
+    follow_edges();
+  }
+  for (const std::uint32_t slot : gone_) free_slots_.push_back(slot);
+  return study;
+}
+
+bool LineScan::has_opening() const {
+  return std::ranges::any_of(ends_, [this](const SegmentEnds& ends) { return is_opening(ends); });
+}
+
+void LineScan::count_study(bool first, bool exchanged) {
+  if (order_.empty()) return;
+  ++counts_.studied;
+  ++(first ? counts_.studied_first : exchanged ? counts_.studied_exchanges : counts_.studied_ends);
+}
+
+/// Moves the edges of the list to the line, takes out those that end, and collects those that enter.
+void LineScan::advance_edges(std::uint32_t line) {
   ended_.clear();
   entered_.clear();
   gone_.clear();
@@ -123,25 +154,6 @@ bool LineScan::take_line(std::uint32_t line) {
     slot = slots_[slot].continues;
     return slot == kNone;
   });
-  const bool first = must_study_, exchanged = sort(line);
-  const bool study = first || opens_ || !options_.coherence || exchanged || changes_matter(line);
-  for (const std::uint32_t slot : gone_) listener_.ended(*this, slot);
-  if (study) {
-    if (scene_.grid.whole) {
-      study_line(*whole_);
-    } else {
-      study_line(*real_);
-    }
-    opens_ = std::ranges::any_of(ends_, [this](const SegmentEnds& ends) { return is_opening(ends); });
-    if (!order_.empty()) {
-      ++counts_.studied;
-      ++(first ? counts_.studied_first : exchanged ? counts_.studied_exchanges : counts_.studied_ends);
-    }
-  } else {
-    follow_edges();
-  }
-  for (const std::uint32_t slot : gone_) free_slots_.push_back(slot);
-  return study;
 }
 
 /// Sorts the list. The old edges are nearly sorted, and each exchange is a change of the scene. Entering edges are sorted
@@ -211,7 +223,7 @@ void LineScan::collect_segments(std::vector<ScanSegment<X>>& segments) {
     for (const std::uint32_t face : scene_.faces_of(scene_.edges[a.edge])) {
       if (open_[face] == 0) {
         segments.push_back({coordinate(a.u), coordinate(a.u), a.track.z, a.track.z, static_cast<std::uint32_t>(ends_.size()),
-                            scene_.depth_tolerance[face]});
+                            face, scene_.depth_tolerance[face]});
         ends_.push_back({slot, slot, a.u, a.u, face});
         open_[face] = static_cast<std::uint32_t>(ends_.size());
       } else {
@@ -247,15 +259,24 @@ template <class X>
 void LineScan::study_line(SpanMethod<X>& method) {
   if constexpr (std::is_integral_v<X>) {
     collect_segments(whole_segments_);
-    method.study(whole_segments_, found_);
-    for (VisibleSpan& s : found_) s.segment = whole_segments_[s.segment].face;
+    study_segments(method, whole_segments_);
   } else {
     collect_segments(real_segments_);
-    method.study(real_segments_, found_);
-    for (VisibleSpan& s : found_) s.segment = real_segments_[s.segment].face;
+    study_segments(method, real_segments_);
   }
+}
+
+template <class X>
+void LineScan::study_segments(SpanMethod<X>& method, const std::vector<ScanSegment<X>>& segments) {
+  method.study(segments, found_);
+  for (VisibleSpan& s : found_) s.segment = segments[s.segment].face;
   place_spans(found_);
 }
+
+template void LineScan::collect_segments(std::vector<ScanSegment<double>>&);
+template void LineScan::collect_segments(std::vector<ScanSegment<std::int32_t>>&);
+template void LineScan::study_segments(SpanMethod<double>&, const std::vector<ScanSegment<double>>&);
+template void LineScan::study_segments(SpanMethod<std::int32_t>&, const std::vector<ScanSegment<std::int32_t>>&);
 
 /// Finds the edges that bound the spans.
 void LineScan::place_spans(const std::vector<VisibleSpan>& found) {
@@ -314,6 +335,7 @@ std::uint32_t LineScan::penetration_edge(const VisibleSpan& left, const VisibleS
   for (const std::uint32_t face : {f, g}) {
     if (std::find(penetrating_.begin(), penetrating_.end(), face) == penetrating_.end()) penetrating_.push_back(face);
   }
+  if (prepared_) return any_slot_;
   EdgeTrack track;
   track.u = left.x1;
   track.last = kNone;

@@ -70,6 +70,7 @@ struct LineSpan {
 };
 
 class LineScan;
+struct PreparedLine;
 
 /// Receives every line.
 class LineListener {
@@ -81,6 +82,12 @@ class LineListener {
                             std::uint32_t face) = 0;  ///< an edge passed behind that face without a study
 };
 
+struct SegmentEnds {
+  std::uint32_t left, right;  ///< slots
+  double u0, u1;
+  std::uint32_t face;
+};
+
 class LineScan : private PairOrders {
  public:
   LineScan(const ScanScene& scene, const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
@@ -88,6 +95,14 @@ class LineScan : private PairOrders {
 
   /// Scans the lines [first, end).
   void scan(std::uint32_t first, std::uint32_t end);
+
+  /// scan() in two tasks ([Boulle1980] 2.3.6.3), by two scans of the same options, without `recognise`: the one makes the
+  /// segments of every line and says whether it has to be studied, the other studies it or carries its spans on.
+  void begin_preparing(std::uint32_t first);
+  void prepare(std::uint32_t line, PreparedLine& out);
+  void begin_studying(std::uint32_t first);
+  void study_prepared(PreparedLine& prepared);
+  void finish_studying();
 
   const ScanScene& scene() const { return scene_; }
   const std::vector<std::uint32_t>& order() const { return order_; }  ///< slots sorted by u
@@ -105,6 +120,9 @@ class LineScan : private PairOrders {
  private:
   void begin(std::uint32_t line);
   bool take_line(std::uint32_t line);
+  void advance_edges(std::uint32_t line);
+  bool has_opening() const;
+  void count_study(bool first, bool exchanged);
   bool sort(std::uint32_t line);
   bool exchange_matters(std::uint32_t line, std::uint32_t to_the_left, std::uint32_t to_the_right);
   void put_apart();
@@ -124,6 +142,8 @@ class LineScan : private PairOrders {
   template <class X>
   void study_line(SpanMethod<X>& method);
   template <class X>
+  void study_segments(SpanMethod<X>& method, const std::vector<ScanSegment<X>>& segments);
+  template <class X>
   void collect_segments(std::vector<ScanSegment<X>>& segments);
   void place_spans(const std::vector<VisibleSpan>& found);
   std::uint32_t boundary_between(const VisibleSpan& left, const VisibleSpan& right);
@@ -134,11 +154,6 @@ class LineScan : private PairOrders {
   std::uint32_t make_slot(std::uint32_t edge, const EdgeTrack& track);
   double key(double u) const { return scene_.grid.whole ? std::floor(u + 0.5) : u; }
 
-  struct SegmentEnds {
-    std::uint32_t left, right;  ///< slots
-    double u0, u1;
-    std::uint32_t face;
-  };
   /// True for a segment that is a point on this line but not on the next: the corner of a face lies on the line. It has no
   /// span that could continue, and its edges bound nothing when they are exchanged.
   bool is_opening(const SegmentEnds& ends) const {
@@ -170,6 +185,8 @@ class LineScan : private PairOrders {
   std::vector<ScanSegment<std::int32_t>> whole_segments_;
   std::vector<VisibleSpan> found_;
   std::uint64_t sort_swaps_ = 0;
+  bool prepared_ = false;       ///< by another scan: no slots can be made
+  std::uint32_t any_slot_ = 0;  ///< then: stands for penetrations without an edge
   ScanCounts counts_;
 };
 

@@ -18,6 +18,7 @@
 #include "visibility/watkins/exact/line_study.hpp"
 #include "visibility/watkins/report_counts.hpp"
 #include "visibility/watkins/scan_plane.hpp"
+#include "visibility/watkins/watkins_options.hpp"
 
 // Phases: (1) facets; (2) omission of facets and lines that are surely hidden; (3) the scan over the edges, which also finds
 // penetrations; (4) the scan over the lines of intersection, if any; (5) spans, if requested; (6) strokes. With a number of
@@ -30,29 +31,15 @@ namespace {
 
 using namespace watkins;
 
-constexpr std::string_view kExactWord[] = {"exact"};
-constexpr std::string_view kShowNames[] = {"spans", "plane=Y"};
-enum class Show : std::uint8_t { spans, plane };
-constexpr unsigned kMostLines = 1u << 20;
 constexpr unsigned kShownLines = 48;    ///< scan lines shown for an exact study. Tuned
 constexpr double kShownStepMm = 0.01;   ///< the y of the middle scan line is rounded to this, for a short number
 constexpr double kTickOfSpacing = 0.3;  ///< height of the ticks at span ends, as a part of the line distance. Taste
 
-constexpr MethodParameter kParameters[] = {
-    experiment({"span-method", "NAME", "how the nearest face along a scan line is found: merge, stack, box or point",
-                "stack", kSpanMethodNames, 0, 0}),
-    {"lines", "N|exact", "scan lines over the height of the page, or a stop at every event", "exact", kExactWord, 1,
-     kMostLines},
-    {"show", "spans|plane=Y",
-     "as layer debug: the runs of scan lines on which one face is seen, 48 lines without --lines; or below the drawing "
-     "the plane of the scan line Y mm below the top of the page (plane: through the middle), segment by segment",
-     "", kShowNames},
-};
-
-LineGrid grid_of(const ProjectedScene& scene, const SpanLines& lines) {
+LineGrid grid_of(const ProjectedScene& scene, const SpanLines& lines, bool whole) {
   const double step = scene.lattice.step_mm;
   LineGrid grid;
   grid.count = lines.count;
+  grid.whole = whole;
   grid.spacing = lines.spacing_mm / step;
   grid.u_origin = (scene.view.window.min.x - scene.lattice.origin_mm.x) / step;
   grid.v_origin = (lines.first_mm - scene.lattice.origin_mm.y) / step;
@@ -97,6 +84,19 @@ void leave_out_hidden(const CellGrid& grid, std::vector<Facet>& facets, std::vec
   parallel_for(lines.size(), [&](std::size_t i) { lines[i].behind = lines[i].behind || lies_behind(grid, lines[i]); });
 }
 
+/// Moves the ends of strokes to the nearest points of the grid.
+void snap_strokes(const LineGrid& grid, StrokeModel& model) {
+  const auto snapped = [&](const LatticePoint& p) {
+    return LatticePoint{static_cast<std::int32_t>(std::lround(grid.x(grid.u(p.x)))),
+                        static_cast<std::int32_t>(std::lround(grid.v_origin + grid.v(p.y) * grid.spacing))};
+  };
+  for (Stroke& s : model.strokes) {
+    s.from = snapped(s.from);
+    s.to = snapped(s.to);
+  }
+  std::erase_if(model.strokes, [](const Stroke& s) { return s.from == s.to; });
+}
+
 /// A study; one member function per phase.
 class WatkinsStudy {
  public:
@@ -104,19 +104,23 @@ class WatkinsStudy {
       : scene_(scene),
         options_(options),
         step_(scene.lattice.step_mm),
-        line_count_(options.settings.count("lines").value_or(kMostLines + 1)),
-        exact_(line_count_ > kMostLines) {
-    exact_options_.kind = options.settings.choice("span-method", SpanMethodKind::stack);
+        own_(watkins_options(options.settings)),
+        exact_(own_.exact) {
+    // Between events there is no line before, whose divisions could be remembered.
+    exact_options_.kind = own_.kind == SpanMethodKind::remembered ? SpanMethodKind::box : own_.kind;
     exact_options_.coincidence_steps = coincidence_mm(scene) / step_;
     exact_options_.penetrations = finds_intersections();
     exact_options_.progress = options.progress;
-    by_lines_.scan.kind = exact_options_.kind;
+    by_lines_.scan.kind = own_.kind;
     by_lines_.coincidence_steps = exact_options_.coincidence_steps;
+    by_lines_.group = own_.group;
+    by_lines_.ahead = own_.ahead;
   }
 
   VisibilityResult run();
 
  private:
+  LineGrid lines() const { return grid_of_lines(scene_, own_.line_count, own_.whole); }
   bool finds_intersections() const { return scene_.with_intersections || !exact_ || options_.span_lines; }
   void make_lines();
   void leave_out_what_is_hidden();
@@ -126,6 +130,10 @@ class WatkinsStudy {
   void study_intersections();
   void study_lines();
   void make_spans();
+  std::vector<LinePart> tracked_parts(std::size_t line) const {
+    return by_states_.visible_parts(line,
+                                    own_.tracking == Tracking::overrun ? PartEnd::first_hidden : PartEnd::last_visible);
+  }
   void make_strokes();
   void show_spans();
   void show_plane();
@@ -138,10 +146,11 @@ class WatkinsStudy {
   const ProjectedScene& scene_;
   const VisibilityOptions& options_;
   const double step_;
-  const unsigned line_count_;
+  const WatkinsOptions own_;
   const bool exact_;  ///< true: scans at every event; false: by lines
   ExactOptions exact_options_;
   LineStudyOptions by_lines_;
+  TrackedParts by_states_;
   Clock clock_;
 
   Facets facets_;
@@ -247,13 +256,21 @@ void WatkinsStudy::study_intersections() {
 // 4. By lines: edges and intersections together.
 void WatkinsStudy::study_lines() {
   by_lines_.collect_spans = (options_.wanted & kSpans) != 0 && !options_.span_lines;
-  LineStudyResult r = study_by_lines(scene_, facets_.facets, all_lines(), grid_of_lines(scene_, line_count_), by_lines_);
+  LineStudyOptions options = by_lines_;
+  options.states = own_.tracking != Tracking::exact || own_.points;
+  if (own_.points) options.scan.coherence = false;  // 2.3.5.4: where faces penetrate every line is studied
+  LineStudyResult r = study_by_lines(scene_, facets_.facets, own_.points ? lines_ : all_lines(), lines(), options);
   report(r, result_.statistics);
   found_ = std::move(r.found);
+  by_states_ = std::move(r.by_states);
+  if (own_.points) {
+    intersections_ = std::move(r.points);
+    result_.statistics.count("points of intersections", intersections_.size());
+  }
   near_.clear();
   if (!by_lines_.collect_spans) return;
-  const double spacing = scene_.view.window.height() / line_count_;
-  result_.spans = SpanModel{{scene_.view.window.min.y + spacing / 2, spacing, line_count_}, std::move(r.spans)};
+  const double spacing = scene_.view.window.height() / own_.line_count;
+  result_.spans = SpanModel{{scene_.view.window.min.y + spacing / 2, spacing, own_.line_count}, std::move(r.spans)};
 }
 
 // 5. Spans.
@@ -261,7 +278,7 @@ void WatkinsStudy::make_spans() {
   if (!options_.span_lines) return;
   by_lines_.track = false;
   by_lines_.collect_spans = true;
-  const LineGrid lines = grid_of(scene_, *options_.span_lines);
+  const LineGrid lines = grid_of(scene_, *options_.span_lines, own_.whole);
   result_.spans =
       SpanModel{*options_.span_lines, study_by_lines(scene_, facets_.facets, all_lines(), lines, by_lines_).spans};
   result_.statistics.time("spans", clock_.lap());
@@ -271,26 +288,38 @@ void WatkinsStudy::make_spans() {
 void WatkinsStudy::make_strokes() {
   // By lines, parts shorter than the line distance are below the resolution.
   const double least = kLeastPartMm / step_;
-  const double shortest = exact_ ? least : std::max(least, grid_of_lines(scene_, line_count_).spacing);
+  const bool by_states = own_.tracking != Tracking::exact;
+  const double shortest = exact_ || by_states ? least : std::max(least, lines().spacing);
   LineStrokes strokes(scene_, facets_, options_.hidden_strokes, shortest);
   strokes.add_edges([&]() -> LineVisibility {
     if (edges_by_cells_) return by_cells();
-    return [this, open = OpenParts()](std::size_t i, const PageLine&, std::vector<LinePart>& parts) mutable {
-      if (!lines_[i].behind) parts = found_.visible_parts(i, open);
+    return [this, by_states, open = OpenParts()](std::size_t i, const PageLine& line, std::vector<LinePart>& parts) mutable {
+      // A line of no face bounds no span, so it has no state.
+      if (by_states && (line.face0 != kNone || line.face1 != kNone)) {
+        parts = tracked_parts(i);
+      } else if (!lines_[i].behind) {
+        parts = found_.visible_parts(i, open);
+      }
       return near_.empty() || near_[i];
     };
   });
   if (scene_.with_intersections) {
     strokes.add_intersections(intersections_, [&]() -> LineVisibility {
       if (intersections_by_cells_) return by_cells();
-      return [this, open = OpenParts()](std::size_t i, const PageLine&, std::vector<LinePart>& parts) mutable {
-        if (crossed_[i].behind) return true;
-        parts = exact_ ? found_of_intersections_.visible_parts(i, open) : found_.visible_parts(lines_.size() + i, open);
+      return [this, by_states, open = OpenParts()](std::size_t i, const PageLine&, std::vector<LinePart>& parts) mutable {
+        if (own_.points) {
+          parts.assign(1, {0, 1});
+        } else if (by_states) {
+          parts = tracked_parts(lines_.size() + i);
+        } else if (!crossed_[i].behind) {
+          parts = exact_ ? found_of_intersections_.visible_parts(i, open) : found_.visible_parts(lines_.size() + i, open);
+        }
         return true;
       };
     });
   }
   result_.strokes = strokes.take();
+  if (by_states && own_.whole) snap_strokes(lines(), *result_.strokes);
   result_.statistics.time("strokes", clock_.lap());
   result_.statistics.count("strokes", result_.strokes->strokes.size());
 }
@@ -312,15 +341,16 @@ void WatkinsStudy::show_plane() {
 /// Shows spans as lines on the page with a tick at either end. An exact study shows kShownLines scan lines.
 void WatkinsStudy::show_spans() {
   if (!options_.settings.has("show")) return;
-  if (options_.settings.choice("show", Show::spans) == Show::plane) return show_plane();
+  if (options_.settings.choice("show", WatkinsShow::spans) == WatkinsShow::plane) return show_plane();
   LineStudyOptions options = by_lines_;
   options.track = false;
   options.collect_spans = true;
-  const unsigned count = exact_ ? kShownLines : line_count_;
+  const unsigned count = exact_ ? kShownLines : own_.line_count;
   const double spacing = scene_.view.window.height() / count;
   const SpanLines lines{scene_.view.window.min.y + spacing / 2, spacing, count};
   const Point2 tick{0, kTickOfSpacing * spacing};
-  for (const Span& s : study_by_lines(scene_, facets_.facets, all_lines(), grid_of_lines(scene_, count), options).spans) {
+  for (const Span& s :
+       study_by_lines(scene_, facets_.facets, all_lines(), grid_of_lines(scene_, count, own_.whole), options).spans) {
     const Point2 from{s.x_from, lines.y_mm(s.line)}, to{s.x_to, lines.y_mm(s.line)};
     result_.debug.push_back({from + tick, from, to, to + tick});
   }
@@ -350,7 +380,7 @@ const MethodTraits& WatkinsMethod::traits() const {
       true,
       "G. S. Watkins, A real time visible surface algorithm, 1970; M. Archuleta, Hidden surface line-drawing algorithm, 1972",
       0.001,
-      kParameters,
+      watkins_parameters(),
       {},
       false,
       TransparencyMode::hides_nothing};

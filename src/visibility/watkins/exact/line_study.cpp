@@ -10,11 +10,12 @@ namespace {
 /// Collects the spans of every line, and passes the lines to the trackers.
 class Collector final : public LineListener {
  public:
-  Collector(EdgeTracker* tracker, const ProjectedScene& scene, bool spans)
-      : tracker_(tracker), scene_(scene), collect_(spans) {}
+  Collector(EdgeTracker* tracker, StateTracker* states, const ProjectedScene& scene, bool spans)
+      : tracker_(tracker), states_(states), scene_(scene), collect_(spans) {}
 
   void line(const LineScan& scan, std::uint32_t line, bool studied) override {
     if (tracker_) tracker_->line(scan, line, studied);
+    if (states_) states_->line(scan, line, studied);
     if (!collect_) return;
     const LineGrid& grid = scan.scene().grid;
     const Rect& window = scene_.view.window;  // faces extend slightly beyond the window
@@ -37,16 +38,51 @@ class Collector final : public LineListener {
 
  private:
   EdgeTracker* tracker_;
+  StateTracker* states_;
   const ProjectedScene& scene_;
   bool collect_;
 };
 
+struct GroupResult {
+  std::vector<Finding> findings;
+  std::vector<Span> spans;
+  std::vector<TrackedPart> parts;
+  std::vector<PenetrationPoint> points;
+  ScanCounts scan;
+  SpanCounts span_method;
+  TrackCounts tracking;
+  PipelineTimes pipeline;
+};
+
+void join_groups(std::vector<GroupResult>& groups, const ScanScene& scene, std::size_t line_count, LineStudyResult& result) {
+  std::vector<std::vector<Finding>> findings;
+  for (GroupResult& r : groups) {
+    findings.push_back(std::move(r.findings));
+    result.spans.insert(result.spans.end(), r.spans.begin(), r.spans.end());
+    result.places.insert(result.places.end(), r.points.begin(), r.points.end());
+    result.scan += r.scan;
+    result.span_method += r.span_method;
+    result.tracking += r.tracking;
+    result.pipeline.preparing += r.pipeline.preparing;
+    result.pipeline.studying += r.pipeline.studying;
+  }
+  result.found = FoundIntervals(findings, line_count);
+  result.points = marks_of_points(result.places, scene);
+}
+
+void join_parts(std::vector<GroupResult>& groups, std::size_t line_count, LineStudyResult& result) {
+  std::vector<std::vector<TrackedPart>> parts;
+  for (GroupResult& r : groups) parts.push_back(std::move(r.parts));
+  result.by_states = TrackedParts(parts, line_count);
+}
+
 }  // namespace
 
-LineGrid grid_of_lines(const ProjectedScene& scene, std::uint32_t count) {
+LineGrid grid_of_lines(const ProjectedScene& scene, std::uint32_t count, bool whole) {
   const Rect& window = scene.view.window;
   LineGrid grid;
   grid.count = count;
+  grid.whole = whole;
   grid.spacing = window.height() / scene.lattice.step_mm / count;
   grid.u_origin = (window.min.x - scene.lattice.origin_mm.x) / scene.lattice.step_mm;
   grid.v_origin = (window.min.y - scene.lattice.origin_mm.y) / scene.lattice.step_mm + grid.spacing / 2;
@@ -60,34 +96,38 @@ LineStudyResult study_by_lines(const ProjectedScene& scene, const std::vector<Fa
   const std::uint32_t size =
       options.group > 0 ? options.group : std::max(kFewestLines, (grid.count + kGroups - 1) / kGroups);
   const std::uint32_t groups = (grid.count + size - 1) / size;
-  struct GroupResult {
-    std::vector<Finding> findings;
-    std::vector<Span> spans;
-    ScanCounts scan;
-    SpanCounts span_method;
-    TrackCounts tracking;
-  };
+  ScanOptions scan_options = options.scan;
+  if (options.ahead > 0) scan_options.recognise = false;
   std::vector<GroupResult> results(groups);
   parallel_tasks(groups, [&](std::size_t task) {
     const auto g = static_cast<std::uint32_t>(task);
     EdgeTracker tracker(scene.vertices, facets, scan_scene.of_faces, lines, options.coincidence_steps);
-    Collector collector(options.track ? &tracker : nullptr, scene, options.collect_spans);
-    LineScan scan(scan_scene, scene.vertices, facets, lines, options.scan, collector);
-    scan.scan(g * size, std::min(grid.count, (g + 1) * size));
-    results[g] = {tracker.findings(), std::move(collector.spans), scan.counts(), scan.span_counts(), tracker.counts()};
+    StateTracker states(lines);
+    Collector collector(options.track ? &tracker : nullptr, options.states ? &states : nullptr, scene,
+                        options.collect_spans);
+    LineScan scan(scan_scene, scene.vertices, facets, lines, scan_options, collector);
+    GroupResult& result = results[g];
+    const std::uint32_t first = g * size, end = std::min(grid.count, (g + 1) * size);
+    if (options.ahead > 0) {
+      LineScan preparing(scan_scene, scene.vertices, facets, lines, scan_options, collector);
+      result.pipeline = scan_in_two_tasks(preparing, scan, first, end, options.ahead);
+      result.scan = preparing.counts();
+      result.span_method.swaps = preparing.span_counts().swaps;
+    } else {
+      scan.scan(first, end);
+    }
+    result.scan += scan.counts();
+    result.span_method += scan.span_counts();
+    result.findings = tracker.findings();
+    result.spans = std::move(collector.spans);
+    result.parts = states.take_parts();
+    result.points = states.points();
+    result.tracking = tracker.counts();
   });
-
   LineStudyResult result;
   result.groups = groups;
-  std::vector<std::vector<Finding>> findings;
-  for (GroupResult& r : results) {
-    findings.push_back(std::move(r.findings));
-    result.spans.insert(result.spans.end(), r.spans.begin(), r.spans.end());
-    result.scan += r.scan;
-    result.span_method += r.span_method;
-    result.tracking += r.tracking;
-  }
-  result.found = FoundIntervals(findings, lines.size());
+  join_groups(results, scan_scene, lines.size(), result);
+  if (options.states) join_parts(results, lines.size(), result);
   return result;
 }
 

@@ -8,6 +8,8 @@
 #include "drawing/result_models.hpp"
 #include "visibility/watkins/edge_tracking.hpp"
 #include "visibility/watkins/exact/exact_study.hpp"
+#include "visibility/watkins/line_pipeline.hpp"
+#include "visibility/watkins/state_tracking.hpp"
 
 namespace ligne::watkins {
 
@@ -18,6 +20,8 @@ struct LineStudyOptions {
   bool collect_spans = false;
   /// Scan lines per group; 0: about 32 groups, for any number of threads. The first line of each group is studied.
   std::uint32_t group = 0;
+  bool states = false;      ///< track edges by their states, too
+  std::uint32_t ahead = 0;  ///< lines prepared ahead in two tasks (line_pipeline.hpp); 0: one task does both
 };
 
 struct LineStudyResult {
@@ -27,12 +31,16 @@ struct LineStudyResult {
   SpanCounts span_method;
   TrackCounts tracking;
   std::uint64_t groups = 0;
+  TrackedParts by_states;                ///< if LineStudyOptions::states
+  std::vector<Intersection> points;      ///< then: marks where faces penetrate without an edge, line by line
+  std::vector<PenetrationPoint> places;  ///< then: these points in grid units
+  PipelineTimes pipeline;
 };
 
 LineStudyResult study_by_lines(const ProjectedScene& scene, const std::vector<Facet>& facets,
                                std::span<const SweepLine> lines, const LineGrid& grid, const LineStudyOptions& options);
 
-/// `count` scan lines over the height of the window, each in the middle of its strip.
-LineGrid grid_of_lines(const ProjectedScene& scene, std::uint32_t count);
+/// `count` scan lines over the height of the window, each in the middle of its strip. `whole`: with whole coordinates.
+LineGrid grid_of_lines(const ProjectedScene& scene, std::uint32_t count, bool whole = false);
 
 }  // namespace ligne::watkins

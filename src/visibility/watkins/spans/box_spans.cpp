@@ -11,6 +11,10 @@
 //
 // The end nearest to the middle divides a part, so that n segments side by side take O(n log n). Segments found hidden by
 // the analysis are not passed on.
+//
+// Method `remembered` begins with the divisions of the line before that bound a visible run, as [Boulle1980] proposes. They
+// are moved to where the same segments end, or cross, on this line, and divide it without an analysis; the parts between
+// them are studied as by `box`. A division whose segments are gone is forgotten.
 
 namespace ligne::watkins {
 namespace {
@@ -18,6 +22,8 @@ namespace {
 template <class X>
 class BoxMethod final : public SpanMethod<X> {
  public:
+  explicit BoxMethod(bool remembers) : remembers_(remembers) {}
+
   void study(std::span<const ScanSegment<X>> segments, std::vector<VisibleSpan>& out) override {
     segments_ = segments;
     out.clear();
@@ -29,7 +35,12 @@ class BoxMethod final : public SpanMethod<X> {
       from = std::min(from, double(segments[i].x0));
       to = std::max(to, double(segments[i].x1));
     }
-    if (!lists_.empty()) study_part(from, to, 0, lists_.size(), out);
+    if (lists_.empty()) return memory_.clear();
+    if (!remembers_) return study_part(from, to, 0, lists_.size(), out);
+    update_divisions(from, to);
+    made_.clear();
+    study_known(from, to, memory_, 0, lists_.size(), out);
+    keep_divisions(out);
   }
 
  private:
@@ -46,6 +57,90 @@ class BoxMethod final : public SpanMethod<X> {
     double cut = -kFar;         ///< an end or a crossing strictly inside the part
     bool cut_at_end = false;    ///< `cut` is an end
   };
+
+  /// A division of the line: the end of a segment, or the place where two cross. Segments are known by their keys.
+  struct Division {
+    double x;
+    std::uint32_t key, other;  ///< of the segments; `other` is kNobody at an end
+    bool at_left_end;
+  };
+
+  /// Moves the divisions of the line before to their places between `from` and `to` on this one, in order.
+  void update_divisions(double from, double to) {
+    std::uint32_t last_key = 0;
+    for (const std::uint32_t i : lists_) last_key = std::max(last_key, segments_[i].key);
+    if (index_of_.size() <= last_key) index_of_.resize(last_key + 1, kNobody);
+    for (const std::uint32_t i : lists_) index_of_[segments_[i].key] = i;
+    const auto segment_of = [&](std::uint32_t key) { return key < index_of_.size() ? index_of_[key] : kNobody; };
+    std::erase_if(memory_, [&](Division& d) {
+      const std::uint32_t i = segment_of(d.key);
+      if (i == kNobody) return true;
+      const ScanSegment<X>& s = segments_[i];
+      d.x = double(d.at_left_end ? s.x0 : s.x1);
+      if (d.other != kNobody) {
+        const std::uint32_t k = segment_of(d.other);
+        if (k == kNobody) return true;
+        const ScanSegment<X>& t = segments_[k];
+        const double x0 = std::max(double(s.x0), double(t.x0)), x1 = std::min(double(s.x1), double(t.x1));
+        if (!(x0 < x1)) return true;
+        const DepthComparison seen = compare_depths(s, t, x0, x1, this->counts_, this->pairs_);
+        if (seen.order != DepthOrder::crossing) return true;
+        d.x = seen.x;
+      }
+      return !(d.x > from && d.x < to);
+    });
+    for (const std::uint32_t i : lists_) index_of_[segments_[i].key] = kNobody;
+    std::sort(memory_.begin(), memory_.end(), [this](const Division& a, const Division& b) {
+      ++this->counts_.comparisons;
+      return a.x < b.x;
+    });
+    const auto same = [](const Division& a, const Division& b) { return a.x == b.x; };
+    memory_.erase(std::unique(memory_.begin(), memory_.end(), same), memory_.end());
+    this->counts_.remembered += memory_.size();
+  }
+
+  /// Control of [a, b] where the divisions `known` lie inside it: the middle one divides it. Its segments are only told
+  /// apart by their places.
+  void study_known(double a, double b, std::span<const Division> known, std::size_t begin, std::size_t end,
+                   std::vector<VisibleSpan>& out) {
+    if (known.empty()) return study_part(a, b, begin, end, out);
+    const std::size_t middle = known.size() / 2, kept = lists_.size();
+    const double x = known[middle].x;
+    made_.push_back(known[middle]);
+    this->note_bar(a, b, depth_, kDivided);
+    ++depth_;
+    this->counts_.comparisons += 2 * (end - begin);
+    for (std::size_t i = begin; i < end; ++i) {
+      if (double(segments_[lists_[i]].x0) < x) lists_.push_back(lists_[i]);
+    }
+    study_known(a, x, known.first(middle), kept, lists_.size(), out);
+    lists_.resize(kept);
+    for (std::size_t i = begin; i < end; ++i) {
+      if (double(segments_[lists_[i]].x1) > x) lists_.push_back(lists_[i]);
+    }
+    study_known(x, b, known.subspan(middle + 1), kept, lists_.size(), out);
+    lists_.resize(kept);
+    --depth_;
+  }
+
+  /// Keeps for the next line the divisions at which a visible run begins or ends.
+  void keep_divisions(const std::vector<VisibleSpan>& out) {
+    memory_.clear();
+    for (const Division& d : made_) {
+      const auto run = std::partition_point(out.begin(), out.end(), [&](const VisibleSpan& s) { return s.x1 < d.x; });
+      if (run != out.end() && (run->x0 == d.x || run->x1 == d.x)) memory_.push_back(d);
+    }
+  }
+
+  /// Notes a division at `x`, if a segment of the part ends there.
+  void note_end(double x, std::size_t begin) {
+    for (std::size_t i = begin; i < lists_.size(); ++i) {
+      const ScanSegment<X>& s = segments_[lists_[i]];
+      if (double(s.x0) != x && double(s.x1) != x) continue;
+      made_.push_back({x, s.key, kNobody, double(s.x0) == x});
+      return;
+    }
+  }
 
   /// Analysis, decision and control of [a, b] with the segments lists_[begin, end).
   void study_part(double a, double b, std::size_t begin, std::size_t end, std::vector<VisibleSpan>& out) {
@@ -139,6 +234,7 @@ class BoxMethod final : public SpanMethod<X> {
       this->note_bar(box.cut, b, depth_, box.other);
       this->give(a, box.cut, box.segment, out);
       this->give(box.cut, b, box.other, out);
+      if (remembers_) made_.push_back({box.cut, segments_[box.segment].key, segments_[box.other].key, false});
       return;
     }
     const double cut = box.cut > a && box.cut < b ? box.cut : a + (b - a) / 2;
@@ -151,6 +247,7 @@ class BoxMethod final : public SpanMethod<X> {
       return;
     }
     this->note_bar(a, b, depth_, kDivided);
+    if (remembers_) note_end(cut, kept_begin);
     const std::size_t kept_end = lists_.size();
     ++depth_;
     study_part(a, cut, kept_begin, kept_end, out);
@@ -159,7 +256,11 @@ class BoxMethod final : public SpanMethod<X> {
   }
 
   static constexpr std::uint32_t kDivided = 0xffffffffu;  ///< SpanTrace::Bar::segment
+  static constexpr std::uint32_t kNobody = 0xffffffffu;
 
+  bool remembers_;
+  std::vector<Division> memory_, made_;  ///< divisions of the line before; those made on this line
+  std::vector<std::uint32_t> index_of_;  ///< by key: a segment of the line at hand; kNobody between studies
   std::span<const ScanSegment<X>> segments_;
   unsigned depth_ = 0;                ///< depth of division
   std::vector<std::uint32_t> lists_;  ///< stack of lists: the segments of a part lie above those of its parent
@@ -169,10 +270,17 @@ class BoxMethod final : public SpanMethod<X> {
 
 template <class X>
 std::unique_ptr<SpanMethod<X>> make_box_method() {
-  return std::make_unique<BoxMethod<X>>();
+  return std::make_unique<BoxMethod<X>>(false);
+}
+
+template <class X>
+std::unique_ptr<SpanMethod<X>> make_remembered_method() {
+  return std::make_unique<BoxMethod<X>>(true);
 }
 
 template std::unique_ptr<SpanMethod<double>> make_box_method<double>();
 template std::unique_ptr<SpanMethod<std::int32_t>> make_box_method<std::int32_t>();
+template std::unique_ptr<SpanMethod<double>> make_remembered_method<double>();
+template std::unique_ptr<SpanMethod<std::int32_t>> make_remembered_method<std::int32_t>();
 
 }  // namespace ligne::watkins

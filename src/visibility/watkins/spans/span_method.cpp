@@ -10,6 +10,7 @@ void SpanCounts::operator+=(const SpanCounts& o) {
   pushes += o.pushes;
   pops += o.pops;
   boxes += o.boxes;
+  remembered += o.remembered;
   points += o.points;
   spans += o.spans;
   swaps += o.swaps;
@@ -29,6 +30,7 @@ std::array<std::pair<std::string_view, std::uint64_t>, SpanCounts::kKinds> SpanC
            {"pushes", pushes},
            {"pops", pops},
            {"boxes", boxes},
+           {"divisions remembered", remembered},
            {"points", points},
            {"spans", spans},
            {"swaps", swaps}}};
@@ -43,6 +45,8 @@ std::unique_ptr<SpanMethod<X>> make_span_method(SpanMethodKind kind) {
       return make_box_method<X>();
     case SpanMethodKind::point:
       return make_point_method<X>();
+    case SpanMethodKind::remembered:
+      return make_remembered_method<X>();
     default:
       return make_stack_method<X>();
   }

@@ -1,5 +1,5 @@
 #pragma once
-/// The nearest segment along one scan line: the four span methods of [Boulle1980] (2.3.2.6, 2.3.3) behind one interface.
+/// The nearest segment along one scan line: the span methods of [Boulle1980] (2.3.2.6, 2.3.3) behind one interface.
 ///
 /// Notation: a scan plane cuts every face in segments. A segment extends from (x0, z0) to (x1, z1), x0 <= x1. Depth is
 /// linear along it; smaller is nearer. X is double (real coordinates) or std::int32_t (integers, as on [Boulle1980]'s
@@ -24,6 +24,7 @@ struct ScanSegment {
   X x0, x1;
   double z0, z1;
   std::uint32_t face;
+  std::uint32_t key = 0;       ///< stays with the face from line to line; `face` need not
   double depth_tolerance = 0;  ///< depth difference at which segments touch
 
   /// Depth at x. At the ends it is bitwise equal to z0 and z1.
@@ -59,13 +60,14 @@ struct SpanCounts {
   std::uint64_t pushes = 0;        ///< pushed segments (stack)
   std::uint64_t pops = 0;          ///< popped segments (stack)
   std::uint64_t boxes = 0;         ///< parts of the line studied as a box (box)
+  std::uint64_t remembered = 0;    ///< divisions taken from the line before (remembered)
   std::uint64_t points = 0;        ///< cells of the line written or compared (point)
   std::uint64_t spans = 0;         ///< resulting spans
   std::uint64_t swaps = 0;         ///< exchanges of the sort
 
   void operator+=(const SpanCounts& o);
   std::uint64_t total() const;
-  static constexpr std::size_t kKinds = 10;
+  static constexpr std::size_t kKinds = 11;
   std::array<std::pair<std::string_view, std::uint64_t>, kKinds> named() const;
 };
 
@@ -81,8 +83,9 @@ struct SpanTrace {
   std::vector<Bar> bars;
 };
 
-enum class SpanMethodKind : std::uint8_t { merge, stack, box, point };
-inline constexpr std::array<std::string_view, 4> kSpanMethodNames{"merge", "stack", "box", "point"};
+/// `remembered` is `box` with the divisions of the line before.
+enum class SpanMethodKind : std::uint8_t { merge, stack, box, point, remembered };
+inline constexpr std::array<std::string_view, 5> kSpanMethodNames{"merge", "stack", "box", "point", "remembered"};
 
 /// Decides which of two touching segments is in front, by their faces and equally on every line, so that rounding of depths
 /// changes nothing. `crossing`: their depths decide.
@@ -151,6 +154,8 @@ template <class X>
 std::unique_ptr<SpanMethod<X>> make_box_method();
 template <class X>
 std::unique_ptr<SpanMethod<X>> make_point_method();
+template <class X>
+std::unique_ptr<SpanMethod<X>> make_remembered_method();
 
 /// Relative difference below which depths are equal. Depths updated line by line carry the rounding of thousands of
 /// additions, and touching faces must touch on every line. For a depth as large as a page it is a third of a nanometre.
