@@ -1,6 +1,7 @@
 // The experiments on scans by lines as their source describes them: relations between their counts.
 
 #include "studies/experiments.hpp"
+#include "studies/generators.hpp"
 #include "support/test.hpp"
 
 namespace ligne::studies {
@@ -24,7 +25,8 @@ TEST(StudyTracking, FinerLinesMissLess) {
 
 /// Points lie on the exact lines but for rounding, and within two cells where corners are rounded to the grid.
 TEST(StudyTracking, PointsOfIntersectionsLieOnTheirLines) {
-  const Table table = run_small("tracking").tables[1];
+  const std::vector<NamedScene> models{{"60 boxes", penetrating_boxes(60)}};
+  const Table table = find_experiment("tracking")->run({StudySize::small, models}).tables[1];
   std::uint64_t points = 0;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     points += count_in(table, row, "points");
