@@ -1,5 +1,5 @@
-// Scans by lines as the source describes them, against what the program does: strokes from line to line and intersections
-// as points ([Boulle1980] 2.3.4), divisions remembered by box (2.3.3.3), and two tasks (2.3.6.3).
+// Experiments on scan lines as the source describes them, compared with the program: strokes tracked from line to line and
+// intersections as points ([Boulle1980] 2.3.4), divisions remembered by box (2.3.3.3), and two tasks (2.3.6.3).
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ double length_mm(const ScanInput& input, const SweepLine& line) {
   return std::hypot(double(line.to.p.x) - line.from.p.x, double(line.to.p.y) - line.from.p.y) * input.scene.lattice.step_mm;
 }
 
-/// Lengths on the page, mm: of exact visible parts, of these what tracked parts miss, and what tracked parts add.
+/// Lengths on the page, mm: of the exact visible parts, of the part that tracking misses, and of the part that it adds.
 struct TrackedLengths {
   double exact = 0, missing = 0, added = 0;
 };
@@ -102,7 +102,7 @@ double distance_from_exact(const ScanInput& input, const LineGrid& grid, const P
   return best;
 }
 
-/// Points of intersections on all lines, and how they lie to the exact lines. Distances are in distances of two lines.
+/// Points of intersection on all scan lines, and their distances from the exact lines, in distances of two scan lines.
 struct PointErrors {
   std::uint64_t points = 0, of_no_line = 0;
   double mean = 0, most = 0;
