@@ -108,6 +108,7 @@ const std::map<std::string, Setter, std::less<>>& setters() {
                       LIGNE_FIELD(picture.output.curves))},
       {"title", text(as_written, LIGNE_FIELD(picture.output.title))},
       {"shade", flag(LIGNE_FIELD(picture.gray_faces))},
+      {"shade-tone", text(parse_gray_tone, LIGNE_FIELD(picture.gray_tone))},
       {"hatch", text(parse_hatch, LIGNE_FIELD(picture.hatch.kind))},
       {"hatch-spacing", text(parse_hatch_spacing, LIGNE_FIELD(picture.hatch.spacing_mm))},
       {"hatch-angle", text(parse_hatch_direction, LIGNE_FIELD(picture.hatch.direction))},

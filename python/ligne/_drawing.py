@@ -312,6 +312,7 @@ def draw(
     dpi: float = 150,
     curves: Union[str, bool, None] = None,
     shade: bool = False,
+    shade_tone: str = "face",
     device: Optional[str] = None,
     device_file: Optional[Path] = None,
     fit_device: bool = False,

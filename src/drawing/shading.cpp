@@ -28,52 +28,102 @@ std::uint8_t gray_of(double brightness) {
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(brightness, 0.0, 1.0)));
 }
 
-}  // namespace
+constexpr std::uint32_t kNoFace = 0xffffffffu;
+constexpr std::size_t kRows = 16;  ///< rows of a task
 
-GrayPicture shade(const SpanModel& spans, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
-                  double pixels_per_mm) {
+/// Paints spans. darkness(span, x_mm) is called with the middle of the part of the span in a pixel.
+template <class Darkness>
+GrayPicture shade_spans(const SpanModel& spans, std::uint32_t width, std::uint32_t height, double pixels_per_mm,
+                        Darkness darkness) {
   GrayPicture picture{width, height, std::vector<std::uint8_t>(std::size_t{width} * height, 255), {}, 0};
-  std::vector<double> row(width);
   const std::vector<Span>& all = spans.spans;
-  for (std::size_t i = 0; i < all.size();) {
-    const std::uint32_t line = all[i].line;
-    std::fill(row.begin(), row.end(), 1.0);
-    for (; i < all.size() && all[i].line == line; ++i) {
-      const double darkness = 1 - (all[i].face < brightness.size() ? brightness[all[i].face] : 1);
-      const double from = std::clamp(all[i].x_from * pixels_per_mm, 0.0, double(width)),
-                   to = std::clamp(all[i].x_to * pixels_per_mm, 0.0, double(width));
-      for (auto x = static_cast<std::uint32_t>(from); x < to; ++x) {
-        row[x] -= darkness * (std::min(to, x + 1.0) - std::max(from, double(x)));
+  parallel_blocks(height, kRows, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> row(width);
+    auto span = std::partition_point(all.begin(), all.end(), [&](const Span& s) { return s.line < begin; });
+    for (; span != all.end() && span->line < end;) {
+      const std::uint32_t line = span->line;
+      std::fill(row.begin(), row.end(), 1.0);
+      for (; span != all.end() && span->line == line; ++span) {
+        const double from = std::clamp(span->x_from * pixels_per_mm, 0.0, double(width)),
+                     to = std::clamp(span->x_to * pixels_per_mm, 0.0, double(width));
+        for (auto x = static_cast<std::uint32_t>(from); x < to; ++x) {
+          const double left = std::max(from, double(x)), right = std::min(to, x + 1.0);
+          row[x] -= darkness(*span, (left + right) / 2 / pixels_per_mm) * (right - left);
+        }
       }
+      for (std::uint32_t x = 0; x < width; ++x) picture.gray[std::size_t{line} * width + x] = gray_of(row[x]);
     }
-    if (line >= height) continue;
-    for (std::uint32_t x = 0; x < width; ++x) {
-      picture.gray[std::size_t{line} * width + x] = gray_of(row[x]);
-    }
-  }
+  });
   return picture;
 }
 
-GrayPicture shade(const PixelModel& pixels, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
-                  double pixels_per_mm) {
+/// Paints the mean of the pixels of a model. darkness(column, row) is that of one of them.
+template <class Darkness>
+GrayPicture shade_pixels(const PixelModel& pixels, std::uint32_t width, std::uint32_t height, double pixels_per_mm,
+                         Darkness darkness) {
   GrayPicture picture{width, height, std::vector<std::uint8_t>(std::size_t{width} * height, 255), {}, 0};
   const double size = 1 / (pixels_per_mm * pixels.pixel_mm);
   const Resampling columns{-pixels.corner_mm.x / pixels.pixel_mm, size, pixels.width},
       rows{-pixels.corner_mm.y / pixels.pixel_mm, size, pixels.height};
-  const auto darkness = [&](std::uint32_t face) { return face < brightness.size() ? 1 - brightness[face] : 0; };
-  constexpr std::size_t kRows = 16;
   parallel_blocks(height, kRows, [&](std::size_t begin, std::size_t end) {
     std::vector<double> dark(pixels.width);  // sum of the rows that one row of the picture covers
     for (std::size_t y = begin; y < end; ++y) {
       std::fill(dark.begin(), dark.end(), 0.0);
       rows.of(static_cast<std::uint32_t>(y), [&](std::uint32_t row, double share) {
-        const std::uint32_t* faces = pixels.face.data() + std::size_t{row} * pixels.width;
-        for (std::uint32_t x = 0; x < pixels.width; ++x) dark[x] += share * darkness(faces[x]);
+        for (std::uint32_t x = 0; x < pixels.width; ++x) dark[x] += share * darkness(x, row);
       });
       for (std::uint32_t x = 0; x < width; ++x) {
         double sum = 0;
         columns.of(x, [&](std::uint32_t column, double share) { sum += share * dark[column]; });
         picture.gray[y * width + x] = gray_of(1 - sum);
+      }
+    }
+  });
+  return picture;
+}
+
+/// The tone at the middle of a pixel of a model; 1 where it shows no face.
+double tone_of_pixel(const PixelModel& pixels, std::uint32_t column, std::uint32_t row, ToneAt tone) {
+  const std::uint32_t face = pixels.face[std::size_t{row} * pixels.width + column];
+  if (face == kNoFace) return 1;
+  return tone(face, pixels.corner_mm + pixels.pixel_mm * Point2{column + 0.5, row + 0.5});
+}
+
+}  // namespace
+
+GrayPicture shade(const SpanModel& spans, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
+                  double pixels_per_mm) {
+  return shade_spans(spans, width, height, pixels_per_mm, [&](const Span& span, double) {
+    return 1 - (span.face < brightness.size() ? brightness[span.face] : 1);
+  });
+}
+
+GrayPicture shade(const SpanModel& spans, ToneAt tone, std::uint32_t width, std::uint32_t height, double pixels_per_mm) {
+  return shade_spans(spans, width, height, pixels_per_mm, [&](const Span& span, double x_mm) {
+    return 1 - tone(span.face, {x_mm, spans.lines.y_mm(span.line)});
+  });
+}
+
+GrayPicture shade(const PixelModel& pixels, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
+                  double pixels_per_mm) {
+  return shade_pixels(pixels, width, height, pixels_per_mm, [&](std::uint32_t column, std::uint32_t row) {
+    const std::uint32_t face = pixels.face[std::size_t{row} * pixels.width + column];
+    return face < brightness.size() ? 1 - brightness[face] : 0;
+  });
+}
+
+GrayPicture shade(const PixelModel& pixels, ToneAt tone, std::uint32_t width, std::uint32_t height, double pixels_per_mm) {
+  return shade_pixels(pixels, width, height, pixels_per_mm,
+                      [&](std::uint32_t column, std::uint32_t row) { return 1 - tone_of_pixel(pixels, column, row, tone); });
+}
+
+GrayPicture gray_pixels(const PixelModel& pixels, ToneAt tone) {
+  GrayPicture picture{pixels.width, pixels.height, {}, pixels.corner_mm, pixels.pixel_mm};
+  picture.gray.resize(pixels.face.size());
+  parallel_blocks(pixels.height, kRows, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      for (std::uint32_t x = 0; x < pixels.width; ++x) {
+        picture.gray[row * pixels.width + x] = gray_of(tone_of_pixel(pixels, x, static_cast<std::uint32_t>(row), tone));
       }
     }
   });

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/result_models.hpp"
 #include "geometry/point.hpp"
@@ -28,6 +29,15 @@ GrayPicture shade(const SpanModel& spans, const std::vector<double>& brightness,
 /// Paints pixels of any size: every pixel of the picture gets the mean over the pixels of the model that it covers.
 GrayPicture shade(const PixelModel& pixels, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
                   double pixels_per_mm);
+
+/// Brightness, 0 to 1, of a face at a point of the page that lies on it.
+using ToneAt = FunctionRef<double(std::uint32_t face, Point2 page_mm)>;
+
+/// Pictures of continuous tone: each pixel gets the tone at its middle, or at the middle of the part of it that a span
+/// covers. `tone` is called by several threads at once.
+GrayPicture shade(const SpanModel& spans, ToneAt tone, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
+GrayPicture shade(const PixelModel& pixels, ToneAt tone, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
+GrayPicture gray_pixels(const PixelModel& pixels, ToneAt tone);
 
 /// Paints each pixel of the model as one pixel of the picture, at its position on the page.
 GrayPicture gray_pixels(const PixelModel& pixels, const std::vector<double>& brightness);

@@ -35,6 +35,7 @@ DrawnScene draw_lines(const Scene& scene, PictureRequest request, RunReport& run
   PreparedScene& prepared = parts.prepared;
   SceneVisibility& found = parts.found;
   const PlotOptions plot = plot_options(prepared.request, prepared.around.placement.page);
+  prepare_tones(prepared);
   HatchScene hatch = hatch_scene(prepared, plot);
   parts.hatching = hatch_spans(hatch, run);
   parts.has_edges = keep_edges || looks_at_edges(prepared.request);

@@ -2,6 +2,7 @@
 /// A scene prepared for a visibility method: topology, placement on the page, candidate lines, contours.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,8 @@
 #include "visibility/method.hpp"
 
 namespace ligne {
+
+class SmoothTones;
 
 /// A prepared scene. The scene itself must outlive it.
 struct PreparedScene {
@@ -42,6 +45,8 @@ struct PreparedScene {
   std::uint32_t first_probe = 0;
   std::vector<DetailLine> details{};
   std::uint32_t first_detail = 0;  ///< source of the first detail line
+
+  std::shared_ptr<const SmoothTones> tones{};  ///< for GrayTone::smooth
 
   const View& view() const { return around.placement.view; }
 };

@@ -225,6 +225,10 @@ struct OutputRequest {
 };
 inline constexpr std::string_view kSwitchNames[] = {"off", "on"};
 
+/// Tone of grey faces: one for each face; continuous over smooth surfaces, with interpolated normals.
+enum class GrayTone : std::uint8_t { face, smooth };
+inline constexpr std::string_view kGrayToneNames[] = {"face", "smooth"};
+
 /// A whole picture of a scene.
 struct PictureRequest {
   ViewRequest view{};
@@ -234,6 +238,7 @@ struct PictureRequest {
   bool regions = false;  ///< whether the visible areas of faces are a result in themselves
   HatchRequest hatch{};
   bool gray_faces = false;  ///< grey faces, lit from the eye; needs a method that returns spans or pixels
+  GrayTone gray_tone = GrayTone::face;
   AxesChoice axes{};
   PlotterRequest plotter{};
   OutputRequest output{};

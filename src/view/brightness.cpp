@@ -8,25 +8,44 @@
 
 namespace ligne {
 
+namespace {
+
+/// eye_brightness() at the middle of a face.
+double middle_brightness(const Scene& scene, const Camera& camera, std::uint32_t face) {
+  const Point3 normal = face_normal(scene, face);
+  if (!camera.perspective) return eye_brightness(camera, {0, 0, 0}, normal);
+  const auto contour = scene.faces.contour(face, 0);
+  Point3 middle{0, 0, 0};
+  for (const std::uint32_t v : contour) middle += scene.vertices[v];
+  middle /= double(contour.size());
+  return eye_brightness(camera, middle, normal);
+}
+
+}  // namespace
+
+double eye_brightness(const Camera& camera, const Point3& point, const Point3& normal) {
+  if (!camera.perspective) {
+    const double cosine = glm::dot(normal, camera.forward);
+    return cosine * cosine;
+  }
+  const Point3 sight = point - camera.eye;
+  const double square = glm::dot(sight, sight);
+  if (!(square > 0) || glm::dot(sight, camera.forward) <= 0) return 0;
+  const double cosine = glm::dot(normal, sight);
+  return cosine * cosine / (square * square);  // `sight` is not of unit length
+}
+
+double eye_brightness_factor(const Scene& scene, const Camera& camera) {
+  double largest = 0;
+  for (std::uint32_t f = 0; f < scene.faces.size(); ++f) largest = std::max(largest, middle_brightness(scene, camera, f));
+  return largest > 0 ? 1 / largest : 0;
+}
+
 std::vector<double> face_brightness(const Scene& scene, const Camera& camera) {
   std::vector<double> result(scene.faces.size(), 0);
   double largest = 0;
   for (std::uint32_t f = 0; f < result.size(); ++f) {
-    const Point3 normal = face_normal(scene, f);
-    if (!camera.perspective) {
-      const double cosine = glm::dot(normal, camera.forward);
-      result[f] = cosine * cosine;
-    } else {
-      const auto contour = scene.faces.contour(f, 0);
-      Point3 middle{0, 0, 0};
-      for (const std::uint32_t v : contour) middle += scene.vertices[v];
-      middle /= double(contour.size());
-      const Point3 sight = middle - camera.eye;
-      const double square = glm::dot(sight, sight);
-      if (!(square > 0) || glm::dot(sight, camera.forward) <= 0) continue;
-      const double cosine = glm::dot(normal, sight);
-      result[f] = cosine * cosine / (square * square);  // `sight` is not of unit length
-    }
+    result[f] = middle_brightness(scene, camera, f);
     largest = std::max(largest, result[f]);
   }
   for (double& b : result) b = largest > 0 ? b / largest : 1;

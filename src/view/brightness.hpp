@@ -16,6 +16,12 @@ namespace ligne {
 /// same for all faces. With the light at the eye no shadows are visible.
 std::vector<double> face_brightness(const Scene& scene, const Camera& camera);
 
+/// cos^2(theta) / R^2 at a point of a surface with this unit normal; 0 behind the eye. Multiply by
+/// eye_brightness_factor() for the scale of face_brightness().
+double eye_brightness(const Camera& camera, const Point3& point, const Point3& normal);
+/// One over the largest eye_brightness() at the middle of a face; 0 if all are 0.
+double eye_brightness_factor(const Scene& scene, const Camera& camera);
+
 /// Computes the light on the visible side of faces. It keeps references to the scene, the camera and the lights.
 class FaceLight {
  public:

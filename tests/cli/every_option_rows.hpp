@@ -99,6 +99,7 @@ inline constexpr OptionRow kDrawRows[] = {
     {"--curves", "off"},
     {"--title", "Name"},
     {"--shade", "", "--method watkins"},
+    {"--shade-tone", "smooth", "--method watkins --shade"},
     {"--hatch", "shade", "--method bsp"},
     {"--hatch-spacing", "3", "--hatch shade --method bsp"},
     {"--hatch-angle", "20", "--hatch shade --method bsp"},

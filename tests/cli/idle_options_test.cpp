@@ -10,9 +10,12 @@ namespace {
 class IdleOptions : public ProgramTest {};
 
 TEST_F(IdleOptions, AreWarnedOfByName) {
-  EXPECT_EQ(run("draw cube.obj --dpi 99 -o a.svg").err, "ligne: --dpi: warning: does nothing in svg, only in png\n");
+  EXPECT_EQ(run("draw cube.obj --dpi 99 -o a.svg").err, "ligne: --dpi: warning: does nothing without --shade-tone\n");
   EXPECT_EQ(run("draw cube.obj --dpi 99 -q -o a.svg").err, "");
   EXPECT_EQ(run("draw cube.obj --dpi 99 -o a.png").err, "");
+  EXPECT_EQ(run("draw cube.obj --method watkins --shade --shade-tone smooth --dpi 99 -o a.svg").err, "");
+  EXPECT_EQ(run("draw cube.obj --shade-tone smooth -o a.svg").err,
+            "ligne: --shade-tone: warning: does nothing without --shade\n");
   EXPECT_EQ(run("draw cube.obj --join 1mm -o a.svg").err,
             "ligne: --join: warning: does nothing without pens or a --device or --optimize\n");
   EXPECT_EQ(run("surface x*y --sun 90 -o a.svg").err, "ligne: --sun: warning: does nothing without --hachures\n");

@@ -261,8 +261,12 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
   add_dpi_option(draw, picture.output.dpi);
   add_curves_option(draw, picture.output.curves, "on; off with --quality exact");
   add_title_option(draw, picture.output.title, "title of an SVG or PDF");
-  OptionGroup(draw, "Faces")
-      .add_flag("--shade", picture.gray_faces, "faces in gray, lit from the eye (methods with spans or pixels)");
+  OptionGroup faces(draw, "Faces");
+  faces.add_flag("--shade", picture.gray_faces, "faces in gray, lit from the eye (methods with spans or pixels)");
+  faces
+      .add("--shade-tone", "HOW", picture.gray_tone, parse_gray_tone,
+           "face: one tone a face; smooth: continuous over smooth surfaces, as an image of --dpi")
+      .standard("face");
   add_hatch_options(draw, picture.hatch);
   add_plotter_options(draw, options.plotter);
   add_run_options(draw, options.run);

@@ -29,7 +29,9 @@ struct OptionUse {
 };
 
 constexpr OptionUse kUses[] = {
-    {"draw surface plot", "--dpi", kPng},
+    {"surface plot", "--dpi", kPng},
+    {"draw", "--dpi", kPaper, "--shade-tone", kSvg | bit(OutputFormat::pdf)},
+    {"draw", "--shade-tone", kPaper, "--shade"},
     {"draw surface", "--curves", kPaper, kNoPens},
     {"plot", "--curves", kPaper},
     {"draw", "--profile", kAll, "--pens --pen", kPlotted},

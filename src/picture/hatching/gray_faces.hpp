@@ -15,8 +15,11 @@ namespace ligne {
 /// pixels. None if no such faces are requested, or if the method decides on the lines (pixels in vector files).
 std::optional<SpanLines> gray_face_lines(const PictureRequest& request, const Method& method, const PlotOptions& plot);
 
+/// Makes PreparedScene::tones if grey faces of continuous tone are requested; the scene still has its topology.
+void prepare_tones(PreparedScene& prepared);
+
 /// Grey faces as pixels, lit from the eye: pixels of the page in PNG, pixels of the method in vector files. None if
-/// none are requested, or if areas replace them.
+/// none are requested, or if areas replace them. Continuous tone is always an image.
 std::optional<GrayPicture> gray_faces(const PreparedScene& prepared, const VisibilityResult& result,
                                       const PlotOptions& plot);
 

@@ -165,6 +165,8 @@ double parse_dpi(const std::string& text) { return parse_within(text, kLowestDpi
 
 FillKind parse_fill(const std::string& text) { return static_cast<FillKind>(parse_choice(text, kFillNames)); }
 
+GrayTone parse_gray_tone(const std::string& text) { return static_cast<GrayTone>(parse_choice(text, kGrayToneNames)); }
+
 HatchKind parse_hatch(const std::string& text) {
   bool length = true;
   try {

@@ -54,6 +54,7 @@ Subdivision parse_subdivision(const std::string& text);
 double parse_dpi(const std::string& text);
 
 FillKind parse_fill(const std::string& text);
+GrayTone parse_gray_tone(const std::string& text);
 HatchKind parse_hatch(const std::string& text);
 double parse_hatch_spacing(const std::string& text);
 /// Degrees, "face", "curvature" or "iso".

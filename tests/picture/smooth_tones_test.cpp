@@ -1,0 +1,116 @@
+// Gray faces of continuous tone against the tone of the surface itself.
+
+#include "picture/hatching/smooth_tones.hpp"
+#include "support/test.hpp"
+#include "view/brightness.hpp"
+#include "visibility/registry.hpp"
+
+namespace ligne {
+namespace {
+
+/// A ball of radius 1 about the origin, of triangles that are a few degrees high.
+Scene fine_ball(unsigned rows) {
+  Scene scene;
+  const unsigned around = 2 * rows;
+  scene.vertices.emplace_back(0, 0, 1);
+  for (unsigned i = 1; i < rows; ++i) {
+    for (unsigned j = 0; j < around; ++j) {
+      const double u = std::numbers::pi * i / rows, v = 2 * std::numbers::pi * j / around;
+      scene.vertices.emplace_back(std::sin(u) * std::cos(v), std::sin(u) * std::sin(v), std::cos(u));
+    }
+  }
+  scene.vertices.emplace_back(0, 0, -1);
+  const unsigned last = 1 + (rows - 1) * around;
+  const auto at = [&](unsigned i, unsigned j) { return 1 + (i - 1) * around + j % around; };
+  for (unsigned j = 0; j < around; ++j) {
+    scene.faces.add_triangle(0, at(1, j), at(1, j + 1));
+    for (unsigned i = 1; i + 1 < rows; ++i) {
+      scene.faces.add_triangle(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      scene.faces.add_triangle(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+    scene.faces.add_triangle(last, at(rows - 1, j + 1), at(rows - 1, j));
+  }
+  scene.objects.push_back({"ball", 0, last + 1, 0, static_cast<std::uint32_t>(scene.faces.size()), 1e-12});
+  return scene;
+}
+
+PictureRequest request_from(const ViewRequest& view) {
+  PictureRequest request;
+  request.lines.method = find_method("watkins");
+  request.lines.quality = Quality::exact;
+  request.gray_faces = true;
+  request.gray_tone = GrayTone::smooth;
+  request.view = view;
+  return request;
+}
+
+/// Calls visit(face, point of the face on the ball) for points over all faces that are seen from above.
+template <class Visit>
+void for_points_above(const Scene& scene, Visit visit) {
+  for (std::uint32_t face = 0; face < scene.faces.size(); ++face) {
+    const auto v = scene.faces.contour(face, 0);
+    for (const std::array<double, 3> w : {std::array{0.8, 0.1, 0.1}, {0.1, 0.8, 0.1}, {0.1, 0.1, 0.8}, {0.3, 0.3, 0.4}}) {
+      Point3 p{0, 0, 0};
+      for (std::size_t k = 0; k < 3; ++k) p += w[k] * scene.vertices[v[k]];
+      if (p.z > 0.1) visit(face, p);
+    }
+  }
+}
+
+/// From above the normal at distance r from the middle has the height sqrt(1 - r^2), so the tone is 1 - r^2.
+TEST(SmoothTones, AreThoseOfABall) {
+  const Scene scene = fine_ball(24);
+  ViewRequest above;
+  above.named_view = "top";
+  RunReport run;
+  const PreparedScene prepared = prepare(scene, request_from(above), std::nullopt, run);
+  const SmoothTones tones(prepared);
+  const std::vector<double> of_face = face_brightness(scene, prepared.view().camera);
+  double worst = 0, worst_by_face = 0;
+  for_points_above(scene, [&](std::uint32_t face, const Point3& p) {
+    const double expected = 1 - (p.x * p.x + p.y * p.y);
+    worst = std::max(worst, std::abs(tones.at(face, page_point(prepared.view(), p)) - expected));
+    worst_by_face = std::max(worst_by_face, std::abs(of_face[face] - expected));
+  });
+  constexpr double kNear = 0.02;
+  EXPECT_LT(worst, kNear);
+  EXPECT_GT(worst_by_face, 2 * kNear) << "one tone a face is not so near";
+}
+
+/// In perspective the point under a pixel is found with its depth: cos^2 / R^2 of the ball, over the largest of a face.
+TEST(SmoothTones, AreThoseOfABallInPerspective) {
+  const Scene scene = fine_ball(24);
+  ViewRequest near;
+  near.eye = Point3{0.3, 0.2, 3};
+  near.target = Point3{0, 0, 0};
+  near.up = Point3{0, 1, 0};
+  RunReport run;
+  const PreparedScene prepared = prepare(scene, request_from(near), std::nullopt, run);
+  const SmoothTones tones(prepared);
+  const double factor = eye_brightness_factor(scene, prepared.view().camera);
+  for_points_above(scene, [&](std::uint32_t face, const Point3& p) {
+    const Point3 normal = glm::normalize(p), sight = p - *near.eye;
+    if (glm::dot(normal, glm::normalize(sight)) > -0.2) return;  // near the outline and beyond it
+    const double cosine = glm::dot(normal, sight), square = glm::dot(sight, sight);
+    const double expected = std::min(1.0, factor * cosine * cosine / (square * square));
+    EXPECT_NEAR(tones.at(face, page_point(prepared.view(), p)), expected, 0.02);
+  });
+}
+
+/// Between creases a flat face has one tone, that of its face.
+TEST(SmoothTones, OfFlatFacesAreThoseOfFaces) {
+  const Scene scene = fine_ball(3);  // its faces turn by more than the angle of creases
+  RunReport run;
+  const PreparedScene prepared = prepare(scene, request_from({}), std::nullopt, run);
+  const SmoothTones tones(prepared);
+  const std::vector<double> of_face = face_brightness(scene, prepared.view().camera);
+  std::size_t points = 0;
+  for_points_above(scene, [&](std::uint32_t face, const Point3& p) {
+    EXPECT_EQ(tones.at(face, page_point(prepared.view(), p)), of_face[face]);
+    ++points;
+  });
+  EXPECT_GT(points, 10u);
+}
+
+}  // namespace
+}  // namespace ligne
