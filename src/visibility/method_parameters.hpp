@@ -25,6 +25,7 @@ struct MethodParameter {
   std::span<const std::string_view> words{};
   unsigned low = 0, high = 0;
   bool of_compile = false;     ///< whether Method::compile() reads it
+  bool is_imprecise = false;   ///< its other values draw lines less exactly, as their source does
   bool is_experiment = false;  ///< serves experiments: `--set NAME=VALUE`, no option of the command line by itself
 };
 
@@ -32,6 +33,12 @@ struct MethodParameter {
 constexpr MethodParameter experiment(MethodParameter parameter) {
   parameter.is_experiment = true;
   return parameter;
+}
+
+/// A parameter for experiments whose other values draw lines less exactly.
+constexpr MethodParameter imprecise(MethodParameter parameter) {
+  parameter.is_imprecise = true;
+  return experiment(parameter);
 }
 
 /// One of the words of a parameter, by its index in MethodParameter::words.

@@ -19,14 +19,14 @@ constexpr MethodParameter kParameters[] = {
          "stack", kSpanMethodNames}),
     {"lines", "N|exact", "scan lines over the height of the page, or a stop at every event",
      "exact; 512 beside options that need lines", kExactWord, 1, kMostLines},
-    experiment({"coordinates", "NAME", "by lines: real, or whole as on the screen of the source", "real", kCoordinateNames}),
-    experiment(
+    imprecise({"coordinates", "NAME", "by lines: real, or whole as on the screen of the source", "real", kCoordinateNames}),
+    imprecise(
         {"tracking", "NAME",
          "by lines: ends of strokes exact, or on the lines on which the edges are visible (lines), or up to the first line on which "
          "they are hidden (overrun)",
          "exact", kTrackingNames}),
-    experiment({"intersections", "NAME", "by lines: lines of intersection as edges, or as a point on each scan line",
-                "edges", kIntersectionNames}),
+    imprecise({"intersections", "NAME", "by lines: lines of intersection as edges, or as a point on each scan line", "edges",
+               kIntersectionNames}),
     experiment(
         {"line-group", "N|auto", "by lines: lines of a group; each group is a task", "auto", kAutoWord, 1, kMostLines}),
     experiment({"lines-ahead", "N|off", "by lines: one task prepares so many lines while another studies those before",
