@@ -67,7 +67,7 @@ void expect_as_many_strokes(const Scene& scene, const std::string& name, bool wi
         if (hidden && !with_hidden) continue;
         const auto expected = stroke_counts(projected, *find_method("auto"), hidden);
         for (const std::string_view name : {"warnock-window", "warnock-split"})
-          for (unsigned choice = 0; choice < (name == "warnock-window" ? 3u : 2u); ++choice) {
+          for (unsigned choice = 0; choice < 3; ++choice) {
             const WarnockWith method(with(name, ParameterWord{choice}), 0.001);
             EXPECT_EQ(stroke_counts(projected, method, hidden), expected)
                 << standard.name << " " << standard.options << " " << edges << (hidden ? " hidden " : " ") << name << " "
@@ -116,7 +116,7 @@ struct Errors {
   double worst_of_tolerance = 0;  ///< the longest place over warnock_tolerance_mm()
 };
 
-std::vector<Errors> errors(std::initializer_list<unsigned> resolutions) {
+std::vector<Errors> errors(std::initializer_list<unsigned> resolutions, unsigned split) {
   std::vector<Errors> result;
   for (const unsigned resolution : resolutions) result.push_back({resolution});
   for (const std::filesystem::path& file : chosen("errors of warnock", 3, corpus_files())) {
@@ -128,7 +128,9 @@ std::vector<Errors> errors(std::initializer_list<unsigned> resolutions) {
       ProjectedScene page;
       page.view = judged.view();
       for (Errors& e : result) {
-        const Verdict verdict = judged.judge(WarnockWith(with("resolution", e.resolution), 0.001), "all");
+        MethodSettings settings = with("resolution", e.resolution);
+        settings.set("warnock-split", ParameterWord{split});
+        const Verdict verdict = judged.judge(WarnockWith(settings, 0.001), "all");
         const double worst = std::max(verdict.drawn_hidden.worst_mm, verdict.missing.worst_mm);
         e.sum_mm += verdict.drawn_hidden.length_mm + verdict.missing.length_mm;
         e.worst_of_tolerance = std::max(e.worst_of_tolerance, worst / warnock_tolerance_mm(page.view.window, e.resolution));
@@ -138,8 +140,17 @@ std::vector<Errors> errors(std::initializer_list<unsigned> resolutions) {
   return result;
 }
 
+constexpr unsigned kCentre = 0, kSide = 2;
+
+TEST(WarnockResolution, DivisionAlongSidesLeavesLittleToTheLimit) {
+  const Errors centre = errors({512}, kCentre).front(), side = errors({512}, kSide).front();
+  std::cout << "error at 512: " << centre.sum_mm << " mm, along sides " << side.sum_mm << " mm\n";
+  EXPECT_LE(side.worst_of_tolerance, 1);
+  EXPECT_LT(side.sum_mm, centre.sum_mm / 10);
+}
+
 TEST(WarnockResolution, ErrorShrinksInProportion) {
-  const std::vector<Errors> found = errors({512, 2048, 8192});
+  const std::vector<Errors> found = errors({512, 2048, 8192}, kCentre);
   for (const Errors& e : found) {
     std::cout << "error at " << e.resolution << ": " << e.sum_mm << " mm; worst, of the tolerance: " << e.worst_of_tolerance
               << '\n';

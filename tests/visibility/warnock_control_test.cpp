@@ -145,7 +145,11 @@ TEST(WarnockFindings, FewerWindowsFromTheScreenToTheBoundingSquareToThePrincipal
               {"principal direction, farther to the right", 4, 2, kPrincipal, 0, 1},
               {"screen, divided at vertices: no better", 0, 0, kScreen, 1, 67},
               {"bounding square, vertices: fewer windows where the triangle stands well", 0, 0, kBounding, 1, 13},
-              {"bounding square, vertices: more where it does not", 4, 2, kBounding, 1, 117}};
+              {"bounding square, vertices: more where it does not", 4, 2, kBounding, 1, 117},
+              {"screen, along sides", 0, 0, kScreen, 2, 9},
+              {"bounding square, along sides", 0, 0, kBounding, 2, 9},
+              {"screen, along sides: wherever the triangle stands", 4, 2, kScreen, 2, 9},
+              {"bounding square, along sides, farther to the right", 4, 2, kBounding, 2, 9}};
   for (const auto& r : rows)
     EXPECT_EQ(windows_of_square(r.shift_x, r.shift_z, r.window, r.split, 1024), r.windows) << r.name;
 }

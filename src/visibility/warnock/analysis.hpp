@@ -57,6 +57,11 @@ struct AnalysisCounts {
 Relation relation_to(const FaceTable& table, const Face& face, const Window& window, std::uint32_t& side,
                      AnalysisCounts& counts);
 
+/// The relation of a face to a convex window enlarged by `margin` frame units. A face that only comes near may count as an
+/// intersector; the other two relations are certain.
+Relation relation_to(const FaceTable& table, const Face& face, const ConvexWindow& window, double margin,
+                     std::uint32_t& side, AnalysisCounts& counts);
+
 class Analysis {
  public:
   /// `drop_hidden`: omits faces behind a cover. `margin`, frame units: windows are enlarged by it when compared with faces,
@@ -70,10 +75,19 @@ class Analysis {
 
   /// The lists of the window's children, from its own lists `parent`. Empty windows are skipped.
   std::array<Lists, 4> children(const Lists& parent, const std::array<Window, 4>& windows, AnalysisCounts& counts) const;
+  std::array<Lists, 2> children(const Lists& parent, const std::array<ConvexWindow, 2>& windows,
+                                AnalysisCounts& counts) const;
 
  private:
+  struct LargerRectangle;
+  struct LargerPolygon;
+
+  template <class Larger, std::size_t kCount>
+  std::array<Lists, kCount> children_of(const Lists& parent, const std::array<Larger, kCount>& windows,
+                                        AnalysisCounts& counts) const;
   /// `larger` is the window enlarged by the margin.
-  void add(Element element, const Window& larger, Lists& lists, AnalysisCounts& counts) const;
+  template <class Larger>
+  void add(Element element, const Larger& larger, Lists& lists, AnalysisCounts& counts) const;
   void finish(Lists& lists) const;
 
   const FaceTable& table_;

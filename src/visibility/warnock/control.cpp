@@ -180,7 +180,13 @@ Outcome Control::study(const Window& window, const std::vector<Piece>& pieces,
     const FramePoint a{window.u0, window.v0}, b{window.u1, window.v0}, c{window.u1, window.v1}, d{window.u0, window.v1};
     task.outcome.cuts = {{a, b}, {b, c}, {c, d}, {d, a}};
   }
-  study(window, lists, pieces, {}, task);
+  // Areas are trapezoids, put together along borders of rectangles.
+  if (rules_.split == SplitChoice::side && !rules_.areas) {
+    const ConvexWindow polygon(window);
+    study(polygon, lists, pieces, {}, task);
+  } else {
+    study(window, lists, pieces, {}, task);
+  }
   task.outcome.counts.solution += task.solution.counts();
   return std::move(task.outcome);
 }
@@ -191,19 +197,20 @@ bool Control::few_edges(const Lists& lists, const std::vector<Piece>& pieces) co
   return m * n + (rules_.find_pairs || rules_.areas ? n * n / 2 : 0) <= kLittleWork;
 }
 
-/// The part of a window examined by the module of understanding. The precision leaves at least a third of the window.
-Window Control::inner(const Window& window) const {
+/// The precision leaves at least a third of the window.
+double Control::inner_margin(const Window& window) const {
   const double most = std::floor(std::min(window.width(), window.height()) / 3);
-  return window.grown(-std::max(margin_, std::min(rules_.precision, most)));
+  return std::max(margin_, std::min(rules_.precision, most));
 }
 
-void Control::study(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Divisions divisions,
+void Control::study(const WindowShape& shape, const Lists& lists, const std::vector<Piece>& pieces, Divisions divisions,
                     Task& task) const {
   const int depth = divisions.depth, stalled = divisions.stalled;
+  const Window& window = shape.box;
   Counts& counts = task.outcome.counts;
   ++counts.windows;
   const auto report = [&] {
-    if (depth <= kProgressDepth) task.progress.add(std::pow(0.25, depth));
+    if (depth <= kProgressDepth) task.progress.add(std::pow(shape.polygon ? 0.5 : 0.25, depth));
   };
   const bool exact = rules_.limit == 0;
   const bool wanted =
@@ -214,8 +221,10 @@ void Control::study(const Window& window, const Lists& lists, const std::vector<
     return;
   }
   Clock clock;
-  const Situation situation(table_, lists, inner(window), exact ? kMostOfExact : kMostElements, counts.analysis,
-                            counts.depth);
+  const double margin = inner_margin(window);
+  const std::optional<ConvexWindow> polygon = shape.polygon ? std::optional(shape.polygon->shrunk(margin)) : std::nullopt;
+  const WindowShape inner = polygon ? WindowShape(*polygon) : window.grown(-margin);
+  const Situation situation(table_, lists, inner, exact ? kMostOfExact : kMostElements, counts.analysis, counts.depth);
   const Understood understood = understand(situation, rules_.knowledge);
   counts.understanding_seconds += clock.lap();
   if (understood != Understood::no) {
@@ -224,8 +233,10 @@ void Control::study(const Window& window, const Lists& lists, const std::vector<
     report();
     return;
   }
-  const Division division = divide(table_, lists, window, rules_);
-  const bool indivisible = !division.across && !division.down;
+  const Division division = shape.polygon ? Division{} : divide(table_, lists, window, rules_);
+  const std::optional<Border> border =
+      shape.polygon ? dividing_border(table_, lists, *shape.polygon, inner, margin_, rules_.limit) : std::nullopt;
+  const bool indivisible = !division.across && !division.down && !border;
   if (exact && (few_edges(lists, pieces) || window.longer_side() < kSmallestSteps * table_.frame.unit() ||
                 stalled >= kMostStalls || depth >= kDeepest || indivisible)) {
     ++counts.solved;
@@ -237,7 +248,11 @@ void Control::study(const Window& window, const Lists& lists, const std::vector<
     report();
   } else {
     ++counts.divided;
-    split(window, division, lists, pieces, divisions, task);
+    if (border) {
+      split(*shape.polygon, *border, lists, pieces, divisions, task);
+    } else {
+      split(window, division, lists, pieces, divisions, task);
+    }
     if (depth == kProgressDepth) report();
   }
 }
@@ -265,29 +280,56 @@ void Control::split(const Window& window, const Division& division, const Lists&
   Clock clock;
   std::array<Lists, 4> child_lists = analysis_.children(lists, windows, task.outcome.counts.analysis);
   task.outcome.counts.analysis_seconds += clock.lap();
-  const auto study_child = [&](std::size_t k, Task& own) {
+  std::array<Child, 4> children{{{windows[0], std::move(child_lists[0]), std::move(parts[0])},
+                                 {windows[1], std::move(child_lists[1]), std::move(parts[1])},
+                                 {windows[2], std::move(child_lists[2]), std::move(parts[2])},
+                                 {windows[3], std::move(child_lists[3]), std::move(parts[3])}}};
+  study_children(children, lists.elements.size(), lists.elements.size() + pieces.size(), divisions, task);
+}
+
+void Control::split(const ConvexWindow& window, const Border& border, const Lists& lists, const std::vector<Piece>& pieces,
+                    Divisions divisions, Task& task) const {
+  const std::array<ConvexWindow, 2> windows{window.part(border), window.part(border.opposite())};
+  if (rules_.show_windows) {
+    if (const auto chord = windows[0].edge_along(border)) task.outcome.cuts.push_back({chord->first, chord->second});
+  }
+  std::array<std::vector<Piece>, 2> parts;
+  for (const Piece& piece : pieces) {
+    cut_piece(lines_[piece.line], piece, table_.frame, border,
+              [&](int child, const Piece& part) { parts[child].push_back(part); });
+  }
+  Clock clock;
+  std::array<Lists, 2> child_lists = analysis_.children(lists, windows, task.outcome.counts.analysis);
+  task.outcome.counts.analysis_seconds += clock.lap();
+  std::array<Child, 2> children{{{windows[0], std::move(child_lists[0]), std::move(parts[0])},
+                                 {windows[1], std::move(child_lists[1]), std::move(parts[1])}}};
+  study_children(children, lists.elements.size(), lists.elements.size() + pieces.size(), divisions, task);
+}
+
+void Control::study_children(std::span<Child> children, std::size_t elements, std::size_t load, Divisions divisions,
+                             Task& task) const {
+  const auto study_child = [&](Child& child, Task& own) {
     // Moved here so that they are freed once the window is studied.
-    const Lists own_lists = std::move(child_lists[k]);
-    std::vector<Piece> own_pieces = std::move(parts[k]);
+    const Lists own_lists = std::move(child.lists);
+    std::vector<Piece> own_pieces = std::move(child.pieces);
     // Drops pieces behind the cover: they are hidden.
     std::erase_if(own_pieces, [&](const Piece& p) {
       return lines_[p.line].z(p.from) > own_lists.occluder_depth && lines_[p.line].z(p.to) > own_lists.occluder_depth;
     });
-    const bool shorter =
-        static_cast<double>(own_lists.elements.size()) < kStall * static_cast<double>(lists.elements.size());
-    study(windows[k], own_lists, own_pieces, {divisions.depth + 1, shorter ? 0 : divisions.stalled + 1}, own);
+    const bool shorter = static_cast<double>(own_lists.elements.size()) < kStall * static_cast<double>(elements);
+    study(child.window, own_lists, own_pieces, {divisions.depth + 1, shorter ? 0 : divisions.stalled + 1}, own);
   };
-  if (lists.elements.size() + pieces.size() < kParallelLoad) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (!windows[k].empty()) study_child(k, task);
+  if (load < kParallelLoad) {
+    for (Child& child : children) {
+      if (!child.window.empty()) study_child(child, task);
     }
     return;
   }
   std::vector<Task> tasks;
-  tasks.reserve(4);
-  for (int k = 0; k < 4; ++k) tasks.emplace_back(*this, task.progress);
-  parallel_for(std::size_t{4}, [&](std::size_t k) {
-    if (!windows[k].empty()) study_child(k, tasks[k]);
+  tasks.reserve(children.size());
+  for (std::size_t k = 0; k < children.size(); ++k) tasks.emplace_back(*this, task.progress);
+  parallel_for(children.size(), [&](std::size_t k) {
+    if (!children[k].window.empty()) study_child(children[k], tasks[k]);
   });
   for (Task& t : tasks) {
     t.outcome.counts.solution += t.solution.counts();

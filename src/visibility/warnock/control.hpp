@@ -13,6 +13,7 @@
 #include <functional>
 
 #include "visibility/warnock/areas.hpp"
+#include "visibility/warnock/sides.hpp"
 #include "visibility/warnock/solution.hpp"
 #include "visibility/warnock/understanding.hpp"
 
@@ -70,10 +71,10 @@ struct Division {
   bool across = false, down = false;  ///< cut at u, cut at v
 };
 
-/// `split` centre: at the centre. vertex: at the vertex of the nearest intersectors, inside the window, that is nearest to
-/// the centre; without one, at the midpoint of an intersecting side. side: along sides of these intersectors that are
-/// parallel to the borders, in each direction the one nearest to the centre; without one, as vertex. A window more than four
-/// times as long as wide is only cut across.
+/// How a rectangle is divided. `split` centre: at the centre. vertex: at the vertex of the nearest intersectors, inside the
+/// window, that is nearest to the centre; without one, at the midpoint of an intersecting side. side: along sides of these
+/// intersectors that are parallel to the borders, in each direction the one nearest to the centre; without one, as vertex. A
+/// window more than four times as long as wide is only cut across.
 Division divide(const FaceTable& table, const Lists& lists, const Window& window, const Rules& rules);
 
 /// The part of a piece in each child, with index (u >= cut) + 2 (v >= cut). Calls visit(child, piece) from the piece's start
@@ -104,6 +105,23 @@ void cut_piece(const PageLine& line, const Piece& piece, const WindowFrame& fram
   }
 }
 
+/// The part of a piece inside the border (child 0) and outside (child 1); a line along the border is inside. Calls
+/// visit(child, piece), from the piece's start to its end. Where the line passes the border is computed from the whole line
+/// and the border alone.
+template <class Visit>
+void cut_piece(const PageLine& line, const Piece& piece, const WindowFrame& frame, const Border& border,
+               const Visit& visit) {
+  const FramePoint p = frame(line.p0), q = frame(line.p1);
+  const int from = border.side(p), to = border.side(q);
+  if (from >= 0 && to >= 0) return visit(0, piece);
+  if (from <= 0 && to <= 0) return visit(1, piece);
+  const double a = std::abs(border.distance(p)), b = std::abs(border.distance(q));
+  const double at = a + b > 0 ? a / (a + b) : 0;
+  const int before = from > 0 ? 0 : 1;
+  if (piece.from < at) visit(before, Piece{piece.line, piece.from, std::min(at, piece.to)});
+  if (at < piece.to) visit(1 - before, Piece{piece.line, std::max(at, piece.from), piece.to});
+}
+
 class Control {
  public:
   Control(const FaceTable& table, const std::vector<PageLine>& lines, const Rules& rules);
@@ -120,17 +138,31 @@ class Control {
   struct Divisions {
     int depth = 0, stalled = 0;
   };
-  void study(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Divisions divisions,
+  /// A part of a divided window.
+  struct Child {
+    WindowShape window;
+    Lists lists;
+    std::vector<Piece> pieces;
+  };
+  void study(const WindowShape& window, const Lists& lists, const std::vector<Piece>& pieces, Divisions divisions,
              Task& task) const;
   void split(const Window& window, const Division& division, const Lists& lists, const std::vector<Piece>& pieces,
              Divisions divisions, Task& task) const;
+  /// Divides the window in two, along the border.
+  void split(const ConvexWindow& window, const Border& border, const Lists& lists, const std::vector<Piece>& pieces,
+             Divisions divisions, Task& task) const;
+  /// Studies each child; from kParallelLoad on as tasks. `elements` counts the elements of the divided window, `load` adds
+  /// its pieces.
+  void study_children(std::span<Child> children, std::size_t elements, std::size_t load, Divisions divisions,
+                      Task& task) const;
   void draw(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Understood understood,
             Task& task) const;
   /// Requires a loaded window.
   void find_pairs(const Window& window, const Lists& lists, Task& task) const;
   void draw_at_limit(const Window& window, const Lists& lists, const std::vector<Piece>& pieces, Task& task) const;
   bool few_edges(const Lists& lists, const std::vector<Piece>& pieces) const;
-  Window inner(const Window& window) const;
+  /// Width of the strip along the borders that the module of understanding leaves out, frame units.
+  double inner_margin(const Window& window) const;
 
   const FaceTable& table_;
   const std::vector<PageLine>& lines_;

@@ -32,7 +32,7 @@ struct DepthCounts {
 };
 
 /// Compares `face` (an element of the window) with the plane of `cover`, over the part of `face` in the window.
-DepthComparison compare_depth(const FaceTable& table, const Element& face, const Face& cover, const Window& window,
+DepthComparison compare_depth(const FaceTable& table, const Element& face, const Face& cover, const WindowShape& window,
                               DepthCounts& counts);
 
 }  // namespace ligne::warnock

@@ -105,6 +105,17 @@ DepthRange Face::depths_over(const Window& window) const {
   return {std::max<double>(z_near, centre - reach), std::min<double>(z_far, centre + reach)};
 }
 
+DepthRange Face::depths_over(const ConvexWindow& window, double margin) const {
+  double near = std::numeric_limits<double>::infinity(), far = -near;
+  for (std::size_t i = 0; i < window.size(); ++i) {
+    const FramePoint corner = window.corner(i);
+    near = std::min(near, z(corner.u, corner.v));
+    far = std::max(far, z(corner.u, corner.v));
+  }
+  const double reach = std::hypot(gu, gv) * margin + slack;
+  return {std::max<double>(z_near, near - reach), std::min<double>(z_far, far + reach)};
+}
+
 FaceTable make_faces(const ProjectedScene& scene, const std::vector<Facet>& facets, const WindowFrame& frame) {
   FaceTable table;
   table.facets = &facets;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "visibility/common/facet.hpp"
-#include "visibility/warnock/window.hpp"
+#include "visibility/warnock/convex_window.hpp"
 
 namespace ligne::warnock {
 
@@ -35,6 +35,8 @@ struct Face {
   double z(double u, double v) const { return base_z + gu * (u - base.u) + gv * (v - base.v); }
   /// Bounds of the face's depth where it lies over the window.
   DepthRange depths_over(const Window& window) const;
+  /// Bounds of its depth over a convex window that is larger by `margin` frame units.
+  DepthRange depths_over(const ConvexWindow& window, double margin) const;
 };
 
 struct FaceTable {

@@ -14,7 +14,7 @@ template <class Visit>
 bool all_sides(const Situation& s, const Placed& placed, Visit visit) {
   for (const Side& side : s.table.sides_of(*placed.face)) {
     const FramePoint p = s.table.at(side.v0), q = s.table.at(side.v1);
-    if (meets(p, q, s.inner) && !visit(p, q)) return false;
+    if (s.inner.meets(p, q) && !visit(p, q)) return false;
   }
   return true;
 }
@@ -46,8 +46,8 @@ bool faces_apart(const Situation& s, const Face& a, const Face& b) {
 
 }  // namespace
 
-Situation::Situation(const FaceTable& t, const Lists& lists, const Window& w, std::size_t most, AnalysisCounts& analysis,
-                     DepthCounts& d)
+Situation::Situation(const FaceTable& t, const Lists& lists, const WindowShape& w, std::size_t most,
+                     AnalysisCounts& analysis, DepthCounts& d)
     : table(t), inner(w), depth(d) {
   if (inner.empty() || lists.elements.size() > most) {
     crowded = true;
@@ -56,8 +56,9 @@ Situation::Situation(const FaceTable& t, const Lists& lists, const Window& w, st
   placed.reserve(lists.elements.size());
   for (const Element& e : lists.elements) {
     Placed p{e, &table.faces[e.face]};
-    if (e.relation == Relation::intersector && !e.box.inside(inner)) {
-      p.element.relation = relation_to(table, *p.face, inner, p.element.side, analysis);
+    if (e.relation == Relation::intersector && (inner.polygon || !e.box.inside(inner.box))) {
+      p.element.relation = inner.polygon ? relation_to(table, *p.face, *inner.polygon, 0, p.element.side, analysis)
+                                         : relation_to(table, *p.face, inner.box, p.element.side, analysis);
       if (p.element.relation == Relation::disjoint) continue;
     }
     placed.push_back(p);

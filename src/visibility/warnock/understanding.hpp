@@ -50,11 +50,11 @@ struct Covers {
 class Situation {
  public:
   /// `inner` is the window less its margin. With more than `most` elements the window is crowded.
-  Situation(const FaceTable& table, const Lists& lists, const Window& inner, std::size_t most, AnalysisCounts& analysis,
+  Situation(const FaceTable& table, const Lists& lists, const WindowShape& inner, std::size_t most, AnalysisCounts& analysis,
             DepthCounts& depth);
 
   const FaceTable& table;
-  Window inner;
+  WindowShape inner;
   std::vector<Placed> placed;  ///< elements with a part in the inner window, from near to far
   bool crowded = false;        ///< too many elements to be understood; `placed` is empty
   DepthCounts& depth;

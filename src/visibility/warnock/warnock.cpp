@@ -36,8 +36,7 @@ constexpr MethodParameter kParameters[] = {
                 "first window: the sheet, the square round the scene, or the smallest rectangle of any direction",
                 "bounding", kWindowNames}),
     experiment({"warnock-split", "centre|vertex|side",
-                "where windows are divided: in the middle, at a vertex, or along sides that run as their borders do",
-                "centre", kSplitNames}),
+                "where windows are divided: in the middle, at a vertex, or along a side of a face", "centre", kSplitNames}),
     experiment({"understanding", "nothing|two|four|all",
                 "how many cases of a window are understood, and drawn without a division", "all", kKnowledgeNames}),
     experiment(
