@@ -207,6 +207,22 @@ TEST(Study, WindowCosts) {
   EXPECT_EQ(count_in(depths, 0, "their depths"), 4 * count_in(depths, 1, "their depths"));
 }
 
+// Figures 2.24 and 2.25: the coarser the tests the fewer windows; a precision of one point draws the ring of nine bars
+// without a fault, a hundredth of it does not.
+TEST(Study, PrecisionOfTests) {
+  const Table table = run("modules").tables[1];
+  constexpr std::size_t kRows = 4;  // E = 0.01, 0.1, 1, 10 of each scene
+  for (std::size_t row = 0; row < table.rows.size(); row += kRows) {
+    for (std::size_t e = row + 1; e < row + kRows; ++e)
+      EXPECT_LE(count_in(table, e, "windows"), count_in(table, e - 1, "windows"));
+    EXPECT_LE(number_in(table, row + 2, "wrong mm"), number_in(table, row, "wrong mm"));
+  }
+  const std::size_t ring = kRows;
+  EXPECT_LT(2 * count_in(table, ring + 2, "windows"), count_in(table, ring, "windows"));
+  EXPECT_GT(number_in(table, ring, "wrong mm"), 0);
+  EXPECT_EQ(number_in(table, ring + 2, "wrong mm"), 0);
+}
+
 // 2.3.3.2: squares at 0 degrees are two segments each that begin and end together: a search for each end but the first, no
 // depth test, one push and one pop a square.
 TEST(Study, StackCost) {
