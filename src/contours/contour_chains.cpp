@@ -169,7 +169,7 @@ class ContourTracer {
         if (corner.meets == kNone && turns_back(chain, last, i)) {
           corner.tangent = glm::normalize(chain.nodes[last + 1].on_surface - chain.nodes[last].on_surface);
           corner.radial = 0;
-          corner.corner = {vertex_at(corner.side), vertex_at(next_corner(corner.side))};
+          corner.is_corner = true;
         }
       }
       last = i;
@@ -226,6 +226,8 @@ class ContourTracer {
   ContourNode node(std::uint32_t side, double sag) const {
     ContourNode out;
     out.side = side;
+    out.edge = {vertex_at(side), vertex_at(next_corner(side))};
+    if (!patch_.looks_at_viewer(side)) std::swap(out.edge[0], out.edge[1]);
     // One end is first from both triangles, so that both get equal points.
     std::uint32_t a = side, b = next_corner(side);
     if (patch_.triangles[a / 3].v[a % 3] > patch_.triangles[b / 3].v[b % 3]) std::swap(a, b);

@@ -28,11 +28,11 @@ struct ContourNode {
   double most_mm = 0;           ///< largest permitted distance from the mesh's outline, on the page
   double bulge_mm = 0;          ///< largest permitted rise of the next segment above its chord, on the page
   std::uint32_t meets = kNone;  ///< at a border of the region: the vertex at which the mesh's outline ends
-  /// Where the contour turns back between two surfaces: the ends of the edge between them.
-  std::array<std::uint32_t, 2> corner{kNone, kNone};
+  /// The ends of its mesh edge, the one with g >= 0 first; kNone inside a triangle.
+  std::array<std::uint32_t, 2> edge{kNone, kNone};
+  bool is_corner = false;  ///< whether the contour turns back here, between two surfaces that join smoothly
 
   /// Whether the contour runs along the line of sight here, inside a triangle, or turns back between two surfaces.
-  bool is_corner() const { return corner[0] != kNone; }
   bool is_cusp() const { return radial == 0 && tangent != Point3(0.0); }
 };
 

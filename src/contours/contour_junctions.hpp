@@ -23,6 +23,12 @@ struct OutlineSegment {
   double beside_mm = 0;                   ///< largest distance of the mesh's outline from the contour there
 };
 
+/// An end of a stroke: its index, and whether it is Stroke::from.
+struct EndOfStroke {
+  std::uint32_t stroke = kNone;
+  bool first = false;
+};
+
 /// Finds segments near a query segment, by a hash grid that has cells only near the queries announced beforehand.
 class SegmentFinder {
  public:

@@ -6,6 +6,7 @@
 #include "contours/surfaces/outline_evidence.hpp"
 #include "contours/surfaces/outline_probes.hpp"
 #include "contours/tangent_corners.hpp"
+#include "contours/tangent_ends.hpp"
 
 namespace ligne {
 namespace {
@@ -20,7 +21,7 @@ constexpr double kTestifiedInReaches = 8;
 std::vector<Cusp> cusps_of(const ContourChain& chain) {
   std::vector<Cusp> cusps;
   for (std::uint32_t i = 1; i < chain.size(); ++i) {
-    if (chain.nodes[i].is_cusp()) cusps.push_back({i, chain.nodes[i].is_corner()});
+    if (chain.nodes[i].is_cusp()) cusps.push_back({i, chain.nodes[i].is_corner});
   }
   return cusps;
 }
@@ -62,6 +63,7 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
   add_missing_outlines(model, view, contours, probes, seen, {options.pen_width_mm, reach_mm});
   move_ends_of_strokes(model, seen, reach_mm);
   join_tangents_at_corners(model, scene, view, contours, seen);
+  end_tangents_on_contours(model, view, contours, seen, scene);
   CurveWriter writer(model, view, hidden_too, reach_mm);
   for (std::size_t c = 0; c < n; ++c) {
     const ContourChain& chain = contours.chains[c];

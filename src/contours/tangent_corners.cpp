@@ -38,7 +38,7 @@ std::vector<Corner> seen_corners(const Scene& scene, const View& view, const Smo
     const ContourChain& chain = contours.chains[c];
     for (std::size_t i = 1; i < chain.size(); ++i) {
       const ContourNode& node = chain.nodes[i];
-      if (!node.is_corner() || !is_seen(seen[c], static_cast<double>(i))) continue;
+      if (!node.is_corner || !is_seen(seen[c], static_cast<double>(i))) continue;
       const CurvePoint place = seen[c].curve.point_at(static_cast<double>(i));
       const auto page = [&](std::uint32_t v) { return page_point(view, scene.vertices[v]); };
       corners.push_back({place.mm,
@@ -46,19 +46,13 @@ std::vector<Corner> seen_corners(const Scene& scene, const View& view, const Smo
                          place.weight,
                          node.on_surface,
                          contours.faces[c][i - 1],
-                         {page(node.corner[0]), page(node.corner[1])}});
+                         {page(node.edge[0]), page(node.edge[1])}});
     }
   }
   return corners;
 }
 
 bool is_tangent(const Stroke& s) { return s.visible && s.line_class == LineClass::tangent; }
-
-/// An end of a stroke.
-struct StrokeEnd {
-  std::uint32_t stroke = kNone;
-  bool first = false;
-};
 
 class TangentJoiner {
  public:
@@ -84,7 +78,7 @@ class TangentJoiner {
  private:
   Point2 mm(LatticePoint p) const { return model_.lattice.to_mm(p); }
 
-  LatticePoint place_of(const StrokeEnd& end) const {
+  LatticePoint place_of(const EndOfStroke& end) const {
     const Stroke& s = model_.strokes[end.stroke];
     return end.first ? s.from : s.to;
   }
@@ -95,7 +89,7 @@ class TangentJoiner {
   }
 
   /// The free end on the edge of the corner that is nearest to it.
-  std::optional<StrokeEnd> nearest_end(const Corner& corner) const {
+  std::optional<EndOfStroke> nearest_end(const Corner& corner) const {
     const Point2 a = corner.edge[0], b = corner.edge[1];
     const auto is_on_edge = [&](Point2 p) {
       const Point2 along = b - a;
@@ -103,11 +97,11 @@ class TangentJoiner {
       const double t = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0;
       return glm::distance(p, a + t * along) <= kOnEdgeMm;
     };
-    std::optional<StrokeEnd> best;
+    std::optional<EndOfStroke> best;
     double nearest = 0;
     finder_.near(a, b, [&](const OutlineSegment& piece) {
       for (const bool first : {true, false}) {
-        const StrokeEnd end{piece.chain, first};
+        const EndOfStroke end{piece.chain, first};
         const LatticePoint place = place_of(end);
         const double distance = glm::distance(mm(place), corner.mm);
         if (!is_on_edge(mm(place)) || !is_free(place) || (best && distance >= nearest)) continue;
@@ -118,7 +112,7 @@ class TangentJoiner {
     return best;
   }
 
-  void join(const Corner& corner, const StrokeEnd& end) {
+  void join(const Corner& corner, const EndOfStroke& end) {
     const Stroke old = model_.strokes[end.stroke];
     Stroke s = old;
     s.from = place_of(end);
@@ -141,7 +135,7 @@ class TangentJoiner {
   }
 
   /// Ends a stroke that runs past a corner there.
-  void shorten(const StrokeEnd& end, LatticePoint place, double depth) {
+  void shorten(const EndOfStroke& end, LatticePoint place, double depth) {
     Stroke& s = model_.strokes[end.stroke];
     const double length = glm::distance(mm(s.from), mm(s.to)),
                  rest = glm::distance(mm(end.first ? s.to : s.from), mm(place));
