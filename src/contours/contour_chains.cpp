@@ -153,6 +153,8 @@ class ContourTracer {
     }
     if (path.closed) chain.nodes.back() = chain.nodes.front();
     if (patch_.surfaces) mark_cusps_between_surfaces(chain);
+    chain.on_surface =
+        std::ranges::all_of(path.triangles, [&](std::uint32_t t) { return surface_at(patch_, t) != nullptr; });
     return chain;
   }
 

@@ -60,6 +60,7 @@ struct ContourChain {
   std::vector<ContourNode> nodes;
   std::vector<std::uint32_t> triangles;  ///< of the patch, per segment
   bool closed = false;
+  bool on_surface = false;  ///< whether all of it lies on recognised surfaces
 
   std::size_t size() const { return triangles.size(); }
 };

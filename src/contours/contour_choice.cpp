@@ -11,6 +11,7 @@
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "contours/contour_support.hpp"
+#include "contours/surfaces/known_surfaces.hpp"
 
 namespace ligne {
 namespace {
@@ -100,6 +101,16 @@ class Chooser {
     return {scene_, view_, patch_, chains, sides, pen_width_mm};
   }
 
+  /// Whether all contours of the group lie on one recognised surface.
+  bool lies_on_one_surface(const Group& group) const {
+    if (group.chains.empty()) return false;
+    const Patch* const first = surface_at(patch_, chains_[group.chains[0]].triangles[0]);
+    return first && std::ranges::all_of(group.chains, [&](std::uint32_t c) {
+             return std::ranges::all_of(chains_[c].triangles,
+                                        [&](std::uint32_t t) { return surface_at(patch_, t) == first; });
+           });
+  }
+
   /// Whether a triangle at the group's edges is seen edge on. Groups whose contours are all closed are excepted.
   bool stands_edge_on(const Group& group) const {
     const bool closed = !group.chains.empty() && std::all_of(group.chains.begin(), group.chains.end(),
@@ -181,7 +192,8 @@ ContourChoice choose_contours(const Scene& scene, const View& view, const Smooth
     std::vector<ContourChain*> of_group;
     const ContourSupport support = chooser.support(group, of_group, pen_width_mm);
     const double beside_mm = support.nodes() > kFewNodes ? support.mean_lift_mm() : support.mean_sag_mm();
-    if (beside_mm > kCoarseInPens * pen_width_mm || support.astray() > kMostAstray) continue;
+    const bool is_coarse = beside_mm > kCoarseInPens * pen_width_mm && !chooser.lies_on_one_surface(group);
+    if (is_coarse || support.astray() > kMostAstray) continue;
     std::ranges::move(support.supported(), std::back_inserter(choice.chains));
     choice.sides.insert(choice.sides.end(), group.sides.begin(), group.sides.end());
   }

@@ -10,8 +10,9 @@ namespace ligne {
 namespace {
 
 constexpr double kCellMm = 2;
-/// Adjustable. Longest move that shortens a visible part, in reaches. If it is longer than one reach, the end must lie
-/// within one reach beside the line that hides it.
+/// Adjustable. Longest move that shortens a visible part, in reaches; on recognised surfaces also one that lengthens it.
+/// If it is longer than one reach, the end must lie within one reach, or within the sag of recognised surfaces, beside
+/// the line that hides it.
 constexpr double kMostOblique = 4;
 /// Number of segments before and behind a place over which the length of the chain's segments is averaged.
 constexpr int kSizeWindow = 3;
@@ -59,7 +60,8 @@ void for_visible_pieces(const SeenContour& contour, std::uint32_t c, Visit visit
       const CurvePoint &a = points[i - 1], &b = points[i];
       const auto segment = static_cast<std::size_t>(a.at);
       const double beside_mm = segment < contour.beside_mm.size() ? contour.beside_mm[segment] : 0;
-      visit(OutlineSegment{a.mm, b.mm, a.depth, b.depth, c, a.length, b.length, beside_mm});
+      visit(OutlineSegment{a.mm, b.mm, a.depth, b.depth, c, a.length, b.length, beside_mm,
+                           segment < contour.free_sides.size() ? contour.free_sides[segment] : Point2(0)});
     }
   }
 }
@@ -69,7 +71,9 @@ struct Change {
   std::uint32_t contour;
   std::size_t run;  ///< index of the run that ends there
   double length, reach;
-  double from, to;  ///< arc lengths
+  double from, to;   ///< arc lengths
+  bool on_surface;   ///< whether the contour lies on recognised surfaces
+  bool hides_ahead;  ///< whether the run that begins there is hidden
 
   /// Whether a crossing at the arc length `at` may be the true end of the run: it lies within reach along the curve, or
   /// the present end lies within reach beside the crossing line.
@@ -77,7 +81,10 @@ struct Change {
     const double shift = std::abs(at - length);
     if (shift <= reach) return true;
     const Point2 along = line.to - line.from;
-    return shift * std::abs(cross(direction, along)) <= reach * glm::length(direction) * glm::length(along);
+    // Both lines are exact, and the mesh is off by its sag. A line becomes hidden where it enters the body.
+    const bool enters = glm::dot(hides_ahead ? direction : -direction, line.free_side) < 0;
+    const double beside = on_surface && enters ? std::max(reach, line.beside_mm) : reach;
+    return shift * std::abs(cross(direction, along)) <= beside * glm::length(direction) * glm::length(along);
   }
 };
 
@@ -89,9 +96,10 @@ std::vector<Change> changes_of(const std::vector<SeenContour>& contours, double 
     for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
       const double at = runs[i].to;
       const double length = curve.point_at(at).length, reach = reach_at(curve, at, reach_mm);
-      const double before = runs[i].state == 0 ? kMostOblique * reach : reach;
-      const double after = runs[i + 1].state == 0 ? kMostOblique * reach : reach;
-      changes.push_back({c, i, length, reach, std::max(0.0, length - before), std::min(curve.length(), length + after)});
+      const double oblique = kMostOblique * reach, on = contours[c].on_surface() ? oblique : reach;
+      const double before = runs[i].state == 0 ? oblique : on, after = runs[i + 1].state == 0 ? oblique : on;
+      changes.push_back({c, i, length, reach, std::max(0.0, length - before), std::min(curve.length(), length + after),
+                         contours[c].on_surface(), runs[i + 1].state < 0});
     }
   }
   return changes;

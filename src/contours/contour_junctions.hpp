@@ -21,6 +21,7 @@ struct OutlineSegment {
   std::uint32_t chain = kNone;            ///< index of its contour; kNone if it is another line
   double length_from = 0, length_to = 0;  ///< arc lengths along the contour, page mm
   double beside_mm = 0;                   ///< largest distance of the mesh's outline from the contour there
+  Point2 free_side{0, 0};                 ///< across, away from the body, if it lies on recognised surfaces; else 0
 };
 
 /// An end of a stroke: its index, and whether it is Stroke::from.
@@ -76,13 +77,19 @@ bool crossing(Point2 from, Point2 to, const OutlineSegment& segment, double& fra
 struct SeenContour {
   ContourCurve curve;
   std::vector<ContourRun> runs;
-  std::vector<int> sides;         ///< per segment: see ContourSight::side
-  std::vector<double> beside_mm;  ///< per segment: largest distance of the mesh's outline; empty: 0
+  std::vector<int> sides;            ///< per segment: see ContourSight::side
+  std::vector<double> beside_mm;     ///< per segment: largest distance of the mesh's outline; empty: 0
+  std::vector<Point2> free_sides{};  ///< per segment: direction on the page away from the body; empty unless on_surface()
+
+  /// Whether it lies on recognised surfaces (ContourChain::on_surface).
+  bool on_surface() const { return !free_sides.empty(); }
 };
 
 /// Moves the ends of the visible runs of contours onto visible lines in front that cross them. The reach of a move is
-/// `reach_mm`, or half a segment of the contour if that is longer. A hidden run shorter than twice the reach becomes
-/// visible if no line crosses its ends and it is not the part between two cusps: it is an artefact of the mesh.
+/// `reach_mm`, or half a segment of the contour if that is longer. Between contours on recognised surfaces an end may also
+/// move farther, if it stays within the sag of the mesh beside the line in front and enters its body. A hidden run
+/// shorter than twice the reach becomes visible if no line crosses its ends and it is not the part between two cusps: it is
+/// an artefact of the mesh.
 void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel& others, double reach_mm);
 
 /// Moves the ends at which other visible strokes become hidden onto visible contours in front of them.

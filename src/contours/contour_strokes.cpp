@@ -3,6 +3,7 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "contours/contour_junctions.hpp"
+#include "contours/contour_sights.hpp"
 #include "contours/surfaces/outline_evidence.hpp"
 #include "contours/surfaces/outline_probes.hpp"
 #include "contours/tangent_corners.hpp"
@@ -26,6 +27,16 @@ std::vector<Cusp> cusps_of(const ContourChain& chain) {
   return cusps;
 }
 
+/// Directions on the page from the segments of a chain away from the body.
+std::vector<Point2> free_sides_of(const ContourChain& chain, const std::vector<int>& sides, const View& view) {
+  std::vector<Point2> found(chain.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const ContourNode &a = chain.nodes[i], &b = chain.nodes[i + 1];
+    found[i] = double(sides[i]) * (page_direction(view, a.on_mesh, a.normal) + page_direction(view, b.on_mesh, b.normal));
+  }
+  return found;
+}
+
 }  // namespace
 
 ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View& view, const SmoothContours& contours,
@@ -44,6 +55,7 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
       seen[c].curve = contour_curve(scene, view, contours.chains[c], kCurveFlatnessMm);
       seen[c].runs = runs_of(strokes, contours.first_source[c], contours.chains[c].size(), hidden_too);
       seen[c].sides = contours.sides[c];
+      if (contours.chains[c].on_surface) seen[c].free_sides = free_sides_of(contours.chains[c], contours.sides[c], view);
       for (std::size_t i = 0; i < contours.chains[c].size(); ++i) {
         const std::vector<ContourNode>& nodes = contours.chains[c].nodes;
         seen[c].beside_mm.push_back(std::max(nodes[i].most_mm, nodes[i + 1].most_mm));
