@@ -86,10 +86,13 @@ class PriorityList {
     Set set;
     std::uint32_t node = 0;
   };
+  // divide_list.cpp
+  std::vector<OpenSet> cells();
   bool decompose(const OpenSet& open, std::vector<OpenSet>& waiting);
   void keep(const std::vector<Set>& parts, bool slabs);
   std::uint32_t add_node(const Set& set, std::uint32_t parent);
   void set_division(const OpenSet& open, Division division);
+
   void sort_list(const Set& set);
   void output(std::uint32_t element);
 
@@ -100,7 +103,6 @@ class PriorityList {
   bool may_hide(std::uint32_t p, std::uint32_t q, ListCounts& counts, CommonPart& work) const;
   void put_in_place(std::uint32_t whole, const std::vector<std::uint32_t>& parts);
   bool open_body(std::uint32_t p, std::uint32_t q);
-  std::vector<OpenSet> cells();
   std::vector<std::uint32_t> with_faces_of_bodies();
   bool replace(std::uint32_t element, const ModelPlane& plane, std::uint64_t& count);
   void remove(std::uint32_t element);
