@@ -39,10 +39,7 @@ double least_bytes(const Scene& scene) {
 std::vector<std::uint32_t> edge_ends_of_objects(const Scene& scene, const Topology& topology) {
   std::vector<std::uint32_t> ends;
   ends.reserve(scene.objects.size());
-  for (const Object& object : scene.objects) {
-    const auto end = std::ranges::lower_bound(topology.edges, object.vertex_end, {}, &Edge::v0);
-    ends.push_back(static_cast<std::uint32_t>(end - topology.edges.begin()));
-  }
+  for (const Object& object : scene.objects) ends.push_back(edges_of(topology, object).end);
   return ends;
 }
 

@@ -30,10 +30,9 @@ struct ObjectShape {
 
 /// The sign of the volume of a closed and consistently wound body; 0 for other objects.
 int outward_of(const Scene& scene, const Topology& topology, const Object& object) {
-  const auto first = std::ranges::lower_bound(topology.edges, object.vertex_begin, {}, &Edge::v0);
-  for (auto edge = first; edge != topology.edges.end() && edge->v0 < object.vertex_end; ++edge) {
-    const std::uint16_t flags = topology.edge_flags[static_cast<std::size_t>(edge - topology.edges.begin())];
-    if (edge->face1 == kNone || (flags & (kEdgeManyFaces | kEdgeUnlikeWound))) return 0;
+  const auto [edge_begin, edge_end] = edges_of(topology, object);
+  for (std::uint32_t e = edge_begin; e < edge_end; ++e) {
+    if (topology.edges[e].face1 == kNone || (topology.edge_flags[e] & (kEdgeManyFaces | kEdgeUnlikeWound))) return 0;
   }
   double volume = 0;
   const auto begin = std::ranges::lower_bound(topology.triangles, object.face_begin, {}, &Triangle::face);
@@ -55,9 +54,9 @@ ObjectShape shape_of(const Scene& scene, const Topology& topology, const Object&
   }
   shape.size = glm::length(high - low);
   std::vector<double> edges;
-  const auto first = std::ranges::lower_bound(topology.edges, object.vertex_begin, {}, &Edge::v0);
-  for (auto edge = first; edge != topology.edges.end() && edge->v0 < object.vertex_end; ++edge) {
-    edges.push_back(glm::length(scene.vertices[edge->v1] - scene.vertices[edge->v0]));
+  const auto [edge_begin, edge_end] = edges_of(topology, object);
+  for (std::uint32_t e = edge_begin; e < edge_end; ++e) {
+    edges.push_back(glm::length(scene.vertices[topology.edges[e].v1] - scene.vertices[topology.edges[e].v0]));
   }
   double median = 0;
   if (!edges.empty()) {

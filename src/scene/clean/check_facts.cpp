@@ -77,25 +77,21 @@ struct FacePlane {
 class ConvexCheck {
  public:
   ConvexCheck(const Scene& scene, const Topology& topology, const Object& object, double rounding)
-      : scene_(scene), object_(object), tolerance_(8 * object.precision + rounding) {
-    const auto begins = [](std::uint32_t vertex) { return [vertex](const Edge& e) { return e.v0 < vertex; }; };
-    const auto& edges = topology.edges;
-    first_edge_ = static_cast<std::size_t>(std::partition_point(edges.begin(), edges.end(), begins(object.vertex_begin)) -
-                                           edges.begin());
-    end_edge_ = static_cast<std::size_t>(std::partition_point(edges.begin(), edges.end(), begins(object.vertex_end)) -
-                                         edges.begin());
-    edges_ = &topology;
-  }
+      : scene_(scene),
+        topology_(topology),
+        object_(object),
+        tolerance_(8 * object.precision + rounding),
+        edges_(edges_of(topology, object)) {}
 
   std::string why_not() {
-    for (std::size_t e = first_edge_; e < end_edge_; ++e) {
-      if (edges_->edges[e].face1 == kNone) return "has a border edge";
-      if (edges_->edge_flags[e] & kEdgeManyFaces) return "has an edge of more than two faces";
+    for (std::uint32_t e = edges_.begin; e < edges_.end; ++e) {
+      if (topology_.edges[e].face1 == kNone) return "has a border edge";
+      if (topology_.edge_flags[e] & kEdgeManyFaces) return "has an edge of more than two faces";
     }
     if (!is_one_part()) return "has several parts";
     find_planes();
-    for (std::size_t e = first_edge_; e < end_edge_; ++e) {
-      const FacePlane &a = plane(edges_->edges[e].face0), &b = plane(edges_->edges[e].face1);
+    for (std::uint32_t e = edges_.begin; e < edges_.end; ++e) {
+      const FacePlane &a = plane(topology_.edges[e].face0), &b = plane(topology_.edges[e].face1);
       if (a.height(b.middle) > tolerance_ || b.height(a.middle) > tolerance_) return "bends inwards at an edge";
     }
     if (!has_one_top_each()) return "has several highest places";
@@ -114,8 +110,8 @@ class ConvexCheck {
 
   bool is_one_part() const {
     DisjointSets sets(vertex_count());
-    for (std::size_t e = first_edge_; e < end_edge_; ++e) {
-      sets.join(edges_->edges[e].v0 - object_.vertex_begin, edges_->edges[e].v1 - object_.vertex_begin);
+    for (std::uint32_t e = edges_.begin; e < edges_.end; ++e) {
+      sets.join(topology_.edges[e].v0 - object_.vertex_begin, topology_.edges[e].v1 - object_.vertex_begin);
     }
     for (std::uint32_t v = 1; v < vertex_count(); ++v) {
       if (sets.find(v) != sets.find(0)) return false;
@@ -143,8 +139,8 @@ class ConvexCheck {
     // Directions that no plane of a drawn part is square to.
     for (const Point3& d : {Point3{1, 0.137, 0.271}, Point3{-0.119, 1, 0.313}, Point3{0.173, -0.211, 1}}) {
       std::vector<std::uint8_t> has_higher(vertex_count(), 0), has_lower(vertex_count(), 0);
-      for (std::size_t e = first_edge_; e < end_edge_; ++e) {
-        std::uint32_t low = edges_->edges[e].v0, high = edges_->edges[e].v1;
+      for (std::uint32_t e = edges_.begin; e < edges_.end; ++e) {
+        std::uint32_t low = topology_.edges[e].v0, high = topology_.edges[e].v1;
         if (glm::dot(d, scene_.vertices[low]) > glm::dot(d, scene_.vertices[high])) std::swap(low, high);
         has_higher[low - object_.vertex_begin] = 1;
         has_lower[high - object_.vertex_begin] = 1;
@@ -155,10 +151,10 @@ class ConvexCheck {
   }
 
   const Scene& scene_;
-  const Topology* edges_ = nullptr;
+  const Topology& topology_;
   const Object& object_;
   double tolerance_;
-  std::size_t first_edge_ = 0, end_edge_ = 0;
+  EdgeRange edges_;
   std::vector<FacePlane> planes_;
 };
 

@@ -357,13 +357,9 @@ class Tracer {
 TracedCreases trace_creases(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
                             std::span<const double> sizes, double crease_degrees, std::vector<Bend>& bends) {
   TracedCreases sum;
-  const auto before = [](const Edge& edge, std::uint32_t vertex) { return edge.v0 < vertex; };
   for (const Object& object : scene.objects) {
-    const auto& edges = topology.edges;
-    const auto begin = std::lower_bound(edges.begin(), edges.end(), object.vertex_begin, before);
-    const auto end = std::lower_bound(begin, edges.end(), object.vertex_end, before);
-    const ScanObject own{object.face_begin, object.face_end, static_cast<std::uint32_t>(begin - edges.begin()),
-                         static_cast<std::uint32_t>(end - edges.begin())};
+    const auto [edge_begin, edge_end] = edges_of(topology, object);
+    const ScanObject own{object.face_begin, object.face_end, edge_begin, edge_end};
     if (!is_scan(scene, topology, normals, bends, own)) continue;
     sum.scans.push_back(own);
     Tracer tracer(scene, topology, normals, bends, object, own.edge_begin, own.edge_end,

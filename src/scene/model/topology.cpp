@@ -296,6 +296,14 @@ std::vector<Triangle> triangulate_faces(const Scene& scene) {
   return triangles;
 }
 
+EdgeRange edges_of(const Topology& topology, const Object& object) {
+  const auto first_from = [&topology](std::uint32_t vertex) {
+    const auto at = std::ranges::lower_bound(topology.edges, vertex, {}, &Edge::v0);
+    return static_cast<std::uint32_t>(at - topology.edges.begin());
+  };
+  return {first_from(object.vertex_begin), first_from(object.vertex_end)};
+}
+
 Topology build_topology(const Scene& scene) {
   Topology topology;
   find_edges(scene, topology);

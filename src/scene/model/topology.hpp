@@ -41,6 +41,14 @@ struct Topology {
   std::vector<Triangle> triangles;        ///< sorted by face
 };
 
+/// Indices of edges: [begin, end).
+struct EdgeRange {
+  std::uint32_t begin = 0, end = 0;
+};
+
+/// The edges of an object, which are consecutive since edges are sorted by their vertices. O(log n).
+EdgeRange edges_of(const Topology& topology, const Object& object);
+
 /// Finds the edges and triangulates the faces of a scene after finish_scene(). Takes time proportional to the number of
 /// corners.
 Topology build_topology(const Scene& scene);

@@ -1,6 +1,5 @@
 #include "scene/patches/find_patches.hpp"
 
-#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "base/no_index.hpp"
@@ -23,15 +22,9 @@ struct ObjectPatches {
   std::vector<FreeformBorder> borders;
 };
 
-/// Index of the first edge whose smaller vertex is at least `vertex`.
-std::uint32_t edge_at(const Topology& topology, std::uint32_t vertex) {
-  const auto at = std::ranges::lower_bound(topology.edges, vertex, {}, &Edge::v0);
-  return static_cast<std::uint32_t>(at - topology.edges.begin());
-}
-
 ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Object& object,
                          std::span<const glm::vec3> normals) {
-  const std::uint32_t edge_begin = edge_at(topology, object.vertex_begin), edge_end = edge_at(topology, object.vertex_end);
+  const auto [edge_begin, edge_end] = edges_of(topology, object);
   const FacetGraph graph = facet_graph(scene, topology, object, edge_begin, edge_end, normals);
   const std::span edges(topology.edges.data() + edge_begin, topology.edges.data() + edge_end);
   ObjectPatches found;
@@ -86,7 +79,7 @@ Patches find_patches(const Scene& scene, const Topology& topology, std::span<con
   parallel_tasks(parts.size(), [&](std::size_t i) {
     const auto& [original, motion] = repetitions[i];
     if (original == i) return;
-    parts[i] = moved(parts[original], motion, edge_at(topology, scene.objects[i].vertex_begin));
+    parts[i] = moved(parts[original], motion, edges_of(topology, scene.objects[i]).begin);
   });
   Patches found;
   found.patch_of.assign(scene.faces.size(), kNone);

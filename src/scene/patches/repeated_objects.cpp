@@ -21,19 +21,6 @@ constexpr double kLikePrecision = 4;
 /// that differ in size.
 constexpr std::size_t kMostShapes = 4;
 
-/// The part of a sorted list of edges that belongs to an object.
-struct EdgeRange {
-  std::size_t begin, end;
-};
-
-EdgeRange edges_of(const Topology& topology, const Object& object) {
-  const auto at = [&](std::uint32_t vertex) {
-    const auto found = std::ranges::lower_bound(topology.edges, vertex, {}, &Edge::v0);
-    return static_cast<std::size_t>(found - topology.edges.begin());
-  };
-  return {at(object.vertex_begin), at(object.vertex_end)};
-}
-
 /// Compares and hashes all of an object but the places of its vertices.
 class Structure {
  public:
@@ -77,7 +64,7 @@ class Structure {
         }
       }
     }
-    for (std::size_t e = edges_.begin; e < edges_.end; ++e) {
+    for (std::uint32_t e = edges_.begin; e < edges_.end; ++e) {
       if (!take(topology_.edge_flags[e])) return false;
     }
     return true;
