@@ -113,7 +113,7 @@ std::vector<StandardView> rotated_views(const Scene& scene, std::string_view key
   if (runs_all()) return views;
   const auto first = static_cast<std::ptrdiff_t>(rotation_of(key) % views.size());
   std::rotate(views.begin(), views.begin() + first, views.end());
-  views.resize(count);
+  views.resize(std::min(count, views.size()));
   return views;
 }
 
