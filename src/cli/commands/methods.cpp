@@ -1,7 +1,12 @@
 #include "cli/commands/methods.hpp"
 
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
 #include "cli/options/options.hpp"
-#include "picture/parse/parse.hpp"
+#include "picture/parse/parse_options.hpp"
 #include "plotting/writers/output_file.hpp"
 #include "report/listing.hpp"
 #include "visibility/registry.hpp"

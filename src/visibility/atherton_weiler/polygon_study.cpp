@@ -38,6 +38,7 @@ struct Piece {
 /// Units connected by overlapping boxes, sorted by their lowest unit.
 std::vector<std::vector<std::uint32_t>> zones_of(const std::vector<ClipUnit>& units) {
   std::vector<AxisBox> boxes;
+  boxes.reserve(units.size());
   for (const ClipUnit& unit : units) boxes.push_back({unit.box.x0, unit.box.y0, unit.box.x1, unit.box.y1});
   DisjointSets sets = connect_boxes(boxes);
   std::vector<std::vector<std::uint32_t>> zones;

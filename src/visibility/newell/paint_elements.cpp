@@ -108,11 +108,14 @@ void PaintElements::make_whole_bodies() {
   for (std::uint32_t e = 0; e < faces.size(); ++e) {
     const std::uint32_t number = bodies_.body(faces[e].face);
     const std::size_t size = number == kNone ? 1 : members[number].size();
-    if (size == 1) append(faces[e]);
-    if (size == 1) continue;
+    if (size == 1) {
+      append(faces[e]);
+      continue;
+    }
     if (is_made[number]) continue;
     is_made[number] = 1;
-    std::ranges::stable_partition(members[number], [&](std::uint32_t m) { return !bodies_.is_front(faces[m].face); });
+    std::stable_partition(members[number].begin(), members[number].end(),
+                          [&](std::uint32_t m) { return !bodies_.is_front(faces[m].face); });
     Element body{faces[e].face, kNone, {}, {}, {}};
     BodyElement whole;
     std::vector<Point2> points;

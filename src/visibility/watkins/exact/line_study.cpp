@@ -72,6 +72,7 @@ void join_groups(std::vector<GroupResult>& groups, const ScanScene& scene, std::
 
 void join_parts(std::vector<GroupResult>& groups, std::size_t line_count, LineStudyResult& result) {
   std::vector<std::vector<TrackedPart>> parts;
+  parts.reserve(groups.size());
   for (GroupResult& r : groups) parts.push_back(std::move(r.parts));
   result.by_states = TrackedParts(parts, line_count);
 }
