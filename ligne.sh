@@ -46,7 +46,7 @@ if ! is_built; then
       if [[ ! -e $folder/CMakeCache.txt ]]; then
         options=(-DLIGNE_TESTS=OFF -DLIGNE_PYTHON=OFF -DLIGNE_BENCH=OFF -DLIGNE_INSTALL=OFF)
       fi
-      build "$folder" ligne ${options[@]+"${options[@]}"}
+      build "$folder" "$target" ${options[@]+"${options[@]}"}
     fi
   )
 fi

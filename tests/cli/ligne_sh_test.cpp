@@ -1,4 +1,4 @@
-/// ligne.sh in a tree that is not built and where nothing can be written.
+/// ligne.sh in a tree where nothing can be written, and in one whose programs are built when they are first asked for.
 
 #include <grp.h>
 #include <sys/stat.h>
@@ -43,6 +43,39 @@ TEST_F(ProgramTest, LigneShInAReadOnlyTreeSaysSoInOneLine) {
   EXPECT_EQ(contents(messages), "ligne.sh: " + fs::canonical(tree).string() +
                                     "/build/release: can not be written, and the program in it is not built; build it as "
                                     "somebody who may, or in a copy\n");
+}
+
+/// A project with the two programs as scripts that say their names.
+constexpr std::string_view kTwoPrograms = R"(cmake_minimum_required(VERSION 3.25)
+project(two NONE)
+foreach(name ligne ligne-study)
+  file(WRITE ${CMAKE_BINARY_DIR}/${name}.sh "#!/bin/sh\necho ${name} $*\n")
+  file(CHMOD ${CMAKE_BINARY_DIR}/${name}.sh PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+  add_custom_target(${name} ALL COMMAND ${CMAKE_COMMAND} -E make_directory src/cli
+                    COMMAND ${CMAKE_COMMAND} -E copy ${name}.sh src/cli/${name})
+endforeach()
+add_dependencies(ligne-study ligne)
+)";
+
+TEST_F(ProgramTest, LigneShBuildsTheStudyWhenItIsFirstAskedFor) {
+  const fs::path tree = file("tree");
+  for (const char* folder : {"src", "plotting", "cmake", "studies", "scripts"}) fs::create_directories(tree / folder);
+  for (const char* name : {"ligne.sh", "scripts/setup.sh"}) fs::copy_file(fs::path(LIGNE_SOURCE_DIR) / name, tree / name);
+  write("tree/CMakeLists.txt", kTwoPrograms);
+  const auto said_by = [&](const std::string& arguments) {
+    const std::string command =
+        "bash '" + (tree / "ligne.sh").string() + "' " + arguments + " >'" + file("said").string() + "'";
+    EXPECT_EQ(std::system(command.c_str()), 0) << arguments;
+    return contents(file("said"));
+  };
+  const fs::path study = tree / "build/release/src/cli/ligne-study";
+  EXPECT_EQ(said_by("draw a"), "ligne draw a\n");
+  EXPECT_FALSE(fs::exists(study)) << "whoever draws does not wait for it";
+  EXPECT_EQ(said_by("study --list"), "ligne study --list\n") << "the program runs the other one";
+  ASSERT_TRUE(fs::exists(study));
+  fs::remove(study);
+  EXPECT_EQ(said_by("draw a"), "ligne draw a\n");
+  EXPECT_FALSE(fs::exists(study));
 }
 
 }  // namespace
