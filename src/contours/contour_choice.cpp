@@ -21,8 +21,9 @@ namespace {
 constexpr double kStraightTurn = 5e-3;
 
 /// Adjustable. Mean distance of the contours from the mesh above which the mesh is coarse, in pen widths. In groups of
-/// at most kFewNodes nodes, the mean sag is compared instead.
+/// at most kFewNodes nodes, the mean sag is compared instead. In all groups a mean sag above kSagInPens is coarse.
 constexpr double kCoarseInPens = 2;
+constexpr double kSagInPens = 4;
 constexpr std::size_t kFewNodes = 8;
 /// Adjustable. Largest fraction of the contours' length that may stray from the outline of the mesh. With more, the
 /// contours belong to another shape.
@@ -99,6 +100,13 @@ class Chooser {
     for (const std::uint32_t i : group.sides) sides.push_back(sides_[i].side);
     for (const std::uint32_t c : group.chains) chains.push_back(&chains_[c]);
     return {scene_, view_, patch_, chains, sides, pen_width_mm};
+  }
+
+  /// Whether all contours of the group lie on recognised surfaces, of which there may be several.
+  bool lies_on_surfaces(const Group& group) const {
+    return std::ranges::all_of(group.chains, [&](std::uint32_t c) {
+      return std::ranges::all_of(chains_[c].triangles, [&](std::uint32_t t) { return surface_at(patch_, t) != nullptr; });
+    });
   }
 
   /// Whether all contours of the group lie on one recognised surface.
@@ -191,8 +199,10 @@ ContourChoice choose_contours(const Scene& scene, const View& view, const Smooth
     if (chooser.outline_is_clean(group) || chooser.stands_edge_on(group)) continue;
     std::vector<ContourChain*> of_group;
     const ContourSupport support = chooser.support(group, of_group, pen_width_mm);
-    const double beside_mm = support.nodes() > kFewNodes ? support.mean_lift_mm() : support.mean_sag_mm();
-    const bool is_coarse = beside_mm > kCoarseInPens * pen_width_mm && !chooser.lies_on_one_surface(group);
+    const double sag_mm = support.mean_sag_mm();
+    const double beside_mm = support.nodes() > kFewNodes ? support.mean_lift_mm() : sag_mm;
+    const bool is_coarse = (beside_mm > kCoarseInPens * pen_width_mm && !chooser.lies_on_one_surface(group)) ||
+                           (sag_mm > kSagInPens * pen_width_mm && !chooser.lies_on_surfaces(group));
     if (is_coarse || support.astray() > kMostAstray) continue;
     std::ranges::move(support.supported(), std::back_inserter(choice.chains));
     choice.sides.insert(choice.sides.end(), group.sides.begin(), group.sides.end());

@@ -37,6 +37,8 @@ struct ContourChoice {
 /// - The contours lie more than two pen widths beside the mesh on average, or they have few nodes and the sag is that
 ///   large. The mesh is coarse and is drawn as it is, unless all contours of the group lie on one recognised surface:
 ///   then they are exact.
+/// - The sag is more than four pen widths on average, and not all contours lie on recognised surfaces. The mesh is
+///   coarse, too, since contours may lie anywhere within the sag.
 /// - More than a quarter of the contours' length on the page is farther from the mesh's outline than the sag plus half
 ///   a pen width. The mesh's outline stays, since the contours belong to another shape.
 /// - Otherwise the contours are drawn. Nodes that are too far from the outline are moved to within that distance; a

@@ -1,6 +1,7 @@
 // Contours of uneven meshes against those of the surfaces on which their vertices lie: five surfaces, twenty views, from
 // 3600 triangles on.
 
+#include "contours/convex_hull.hpp"
 #include "contours/parametric_mesh.hpp"
 #include "contours/surfaces/shallow_islands.hpp"
 #include "contours/surfaces/surface_fits.hpp"
@@ -143,6 +144,15 @@ TEST(OutlineGaps, AreNoneOnRoughBodies) {
 TEST(OutlineGaps, AreNoneBetweenAContourAndAnOutlineOfTheMesh) {
   EXPECT_LT(widest_gap(0.7, 40, 106), 0.9);
   EXPECT_LT(widest_gap(0.5, 30, 99), 0.9);
+}
+
+/// Contours stray from the long triangles of simplified parts by millimetres, and end beside them.
+TEST(OutlineGaps, AreNoneOnBodiesOfLongAndShortTriangles) {
+  for (std::uint32_t seed = 0; seed < 30; ++seed) {
+    const Scene scene = rounded_hull(60 + 7 * int(seed), seed);
+    const DrawnOutlines drawn = draw_outlines(scene, {-1, 1, -1});
+    EXPECT_LT(farthest_rim(covered_cells(scene, drawn.view), drawn.lines), 1.5) << "seed " << seed;
+  }
 }
 
 // Grain on the sides of scans that are seen edge on.

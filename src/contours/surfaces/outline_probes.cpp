@@ -1,6 +1,6 @@
 #include "contours/surfaces/outline_probes.hpp"
 
-#include <optional>
+#include <algorithm>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -9,7 +9,7 @@
 #include "base/parallel.hpp"
 #include "contours/contour_choice.hpp"
 #include "contours/contour_sights.hpp"
-#include "geometry/nearest_on_segment.hpp"
+#include "contours/surfaces/lines_beside.hpp"
 #include "view/clip.hpp"
 
 namespace ligne {
@@ -25,27 +25,19 @@ constexpr double kMovedOff = 0.05;
 /// Largest distance of a contour from an edge that it replaces, as a fraction of the size of the triangles there; at
 /// least half a pen width is allowed. Contours rise above chords by less than an eighth of their length.
 constexpr double kNearEdge = 0.2;
-constexpr double kProbeCellMm = 1;
-/// Number of parts of an edge that are compared with contours separately: two contours that end before they meet may
-/// each run near half of the edge between them. Only contours along the edge count (least cosine, 45 degrees).
-constexpr int kParts = 4;
-constexpr double kAlongCosine = 0.70710678;
 /// Length of the tail that counts as the end of a contour, in reaches: a contour may turn inwards before it ends.
 constexpr double kTailInReaches = 2;
 
-double distance(Point2 p, const OutlineSegment& s) {
-  return glm::length(s.from + nearest_on_segment(p, s.from, s.to) * (s.to - s.from) - p);
-}
-
-/// Finds visible pieces of contours near a place.
-class NearContours {
+/// The visible pieces of contours.
+class VisibleContours {
  public:
-  NearContours(const std::vector<SeenContour>& seen, double reach_mm)
-      : seen_(seen), reach_mm_(reach_mm), finder_(kProbeCellMm), tails_(kProbeCellMm) {}
+  VisibleContours(const std::vector<SeenContour>& seen, double reach_mm) : seen_(seen), reach_mm_(reach_mm) {}
 
-  void expect(Point2 p, double reach) { finder_.expect(p - Point2(reach), p + Point2(reach)); }
-  /// Announces a query any_tail() at an end of a part of an edge.
-  void expect_tail(Point2 p) { tails_.expect(p - Point2(reach_mm_), p + Point2(reach_mm_)); }
+  /// Announces queries within these distances of from-to.
+  void expect(Point2 from, Point2 to, double beside_mm, double end_reach_mm) {
+    pieces_.expect(from, to, std::max(beside_mm, end_reach_mm));
+    tails_.expect(from, to, end_reach_mm);
+  }
   void prepare() {
     for (const SeenContour& contour : seen_) {
       const ContourCurve& curve = contour.curve;
@@ -55,7 +47,7 @@ class NearContours {
         if (run.state < 0) continue;
         std::vector<CurvePoint> points = curve.part(run.from, run.to);
         unfold(points, reach_mm_);  // as it is drawn
-        for (std::size_t i = 1; i < points.size(); ++i) finder_.add({points[i - 1].mm, points[i].mm, 0, 0});
+        for (std::size_t i = 1; i < points.size(); ++i) pieces_.add(points[i - 1].mm, points[i].mm);
         const auto ends = [&](bool first) {
           if (first ? r > 0 : r + 1 < n) return contour.runs[first ? r - 1 : r + 1].state < 0;
           return !curve.closed || contour.runs[first ? n - 1 : 0].state < 0;
@@ -67,55 +59,22 @@ class NearContours {
       }
     }
   }
-  /// The nearest end of a piece within the reach.
-  std::optional<Point2> nearest(Point2 p, double reach) const {
-    std::optional<Point2> best;
-    const auto offer = [&](Point2 q) {
-      const double d = glm::length(q - p);
-      if (d <= reach && (!best || d < glm::length(*best - p))) best = q;
-    };
-    finder_.near(p - Point2(reach), p + Point2(reach), [&](const OutlineSegment& s) {
-      offer(s.from);
-      offer(s.to);
-    });
-    return best;
-  }
-  bool any_within(Point2 p, double reach) const {
-    bool any = false;
-    finder_.near(p - Point2(reach), p + Point2(reach), [&](const OutlineSegment& s) { any |= distance(p, s) <= reach; });
-    return any;
-  }
-  /// Whether a piece passes the place within the reach and roughly in that direction. The place may lie up to
-  /// `slack_mm` beyond the ends of the piece.
-  bool any_past(Point2 p, Point2 direction, double reach, double slack_mm) const {
-    bool any = false;
-    finder_.near(p - Point2(reach), p + Point2(reach), [&](const OutlineSegment& s) {
-      const Point2 d = s.to - s.from;
-      const double length = glm::length(d), along = glm::dot(p - s.from, d) / length;
-      any |= along >= -slack_mm && along <= length + slack_mm && distance(p, s) <= reach &&
-             std::abs(glm::dot(d, direction)) >= kAlongCosine * length * glm::length(direction);
-    });
-    return any;
-  }
-  bool any_tail(Point2 p) const {
-    bool any = false;
-    tails_.near(p - Point2(reach_mm_), p + Point2(reach_mm_),
-                [&](const OutlineSegment& s) { any |= distance(p, s) <= reach_mm_; });
-    return any;
-  }
+  const LinesBeside& pieces() const { return pieces_; }
+  /// The last parts of the pieces before their ends.
+  const LinesBeside& tails() const { return tails_; }
 
  private:
   void add_tail(const std::vector<CurvePoint>& points) {
     double left = kTailInReaches * reach_mm_;
     for (std::size_t i = points.size(); --i > 0 && left > 0;) {
-      tails_.add({points[i - 1].mm, points[i].mm, 0, 0});
+      tails_.add(points[i - 1].mm, points[i].mm);
       left -= glm::length(points[i].mm - points[i - 1].mm);
     }
   }
 
   const std::vector<SeenContour>& seen_;
   double reach_mm_;
-  SegmentFinder finder_, tails_;
+  LinesBeside pieces_, tails_;
 };
 
 /// A part of an edge whose probe is visible.
@@ -124,9 +83,10 @@ struct Candidate {
   std::uint32_t edge;
   Point2 middle;
   double near_mm;
+  /// Distance within which the end of a contour belongs to its own ends. Where it was cut beside a contour, the two
+  /// may be as far apart as the contour and the edge.
+  std::array<double, 2> end_reach_mm{0, 0};
 };
-
-Point2 middle_of_part(Point2 from, Point2 to, int part) { return from + (part + 0.5) / kParts * (to - from); }
 
 Candidate candidate(const Stroke& probe, std::uint32_t edge, const SmoothContours& contours, const View& view,
                     const Lattice& lattice, double pen_width_mm) {
@@ -148,9 +108,10 @@ Candidate candidate(const Stroke& probe, std::uint32_t edge, const SmoothContour
   return c;
 }
 
-/// Outlines that no contour replaces: whole candidates, and parts of candidates.
+/// Candidates and parts of candidates that no contour replaces. `alone`: no contour is near their middle, in any
+/// direction. `beside`: no contour runs along them.
 struct Missing {
-  std::vector<Candidate> whole, parts;
+  std::vector<Candidate> alone, beside;
 };
 
 /// The contours and the page on which they are drawn.
@@ -158,23 +119,28 @@ struct ProbePage {
   const SmoothContours& contours;
   const View& view;
   const Lattice& lattice;
-  double pen_width_mm;
+  double pen_width_mm, reach_mm;
 };
 
-void look_at(const Candidate& c, const NearContours& near, const ProbePage& page, Missing& missing) {
-  const auto& [contours, view, lattice, pen_width_mm] = page;
-  if (!near.any_within(c.middle, c.near_mm)) {
-    missing.whole.push_back(c);
+void look_at(const Candidate& c, const VisibleContours& near, const ProbePage& page, Missing& missing) {
+  const auto& [contours, view, lattice, pen_width_mm, reach_mm] = page;
+  const auto is_alone = [&](Point2 p) { return !near.pieces().any_within(p, c.near_mm); };
+  if (is_alone(c.middle)) {
+    missing.alone.push_back(c);
     return;
   }
   const Point2 from = lattice.to_mm(c.stroke.from), to = lattice.to_mm(c.stroke.to);
-  for (int k = 0; k < kParts; ++k) {
-    if (near.any_past(middle_of_part(from, to, k), to - from, c.near_mm, pen_width_mm / 2)) continue;
-    Stroke part = c.stroke;
-    const double dt = (c.stroke.t_to - c.stroke.t_from) / kParts;
-    part.t_from = c.stroke.t_from + k * dt;
-    part.t_to = k + 1 == kParts ? c.stroke.t_to : part.t_from + dt;
-    missing.parts.push_back(candidate(part, c.edge, contours, view, lattice, pen_width_mm));
+  for (const auto& [first, last] : near.pieces().uncovered(from, to, c.near_mm, pen_width_mm / 2)) {
+    const auto at = [&](double fraction) {
+      return fraction == 1 ? c.stroke.t_to : c.stroke.t_from + fraction * (c.stroke.t_to - c.stroke.t_from);
+    };
+    Stroke stroke = c.stroke;
+    stroke.t_from = at(first);
+    stroke.t_to = at(last);
+    Candidate part = candidate(stroke, c.edge, contours, view, lattice, pen_width_mm);
+    const double cut_reach_mm = std::max(reach_mm, c.near_mm);
+    part.end_reach_mm = {first > 0 ? cut_reach_mm : reach_mm, last < 1 ? cut_reach_mm : reach_mm};
+    (is_alone(part.middle) ? missing.alone : missing.beside).push_back(part);
   }
 }
 
@@ -197,9 +163,9 @@ DisjointSets connected(const std::vector<std::pair<LatticePoint, std::uint32_t>>
   return runs;
 }
 
-/// Drops connected runs of candidates that are shorter than the reach or than Candidate::near_mm: ends moved to
-/// crossings leave such remnants.
-void drop_short(std::vector<Candidate>& candidates, const Lattice& lattice, double reach_mm) {
+/// Removes connected runs of candidates that are shorter than the reach or than Candidate::near_mm, and returns them: ends
+/// moved to crossings leave such remnants.
+std::vector<Candidate> take_short(std::vector<Candidate>& candidates, const Lattice& lattice, double reach_mm) {
   DisjointSets runs = connected(ends_of(candidates), candidates.size());
   std::vector<double> length(candidates.size(), 0), least(candidates.size(), reach_mm);
   for (std::uint32_t i = 0; i < candidates.size(); ++i) {
@@ -207,53 +173,39 @@ void drop_short(std::vector<Candidate>& candidates, const Lattice& lattice, doub
     length[runs.find(i)] += glm::length(lattice.to_mm(c.stroke.to) - lattice.to_mm(c.stroke.from));
     least[runs.find(i)] = std::max(least[runs.find(i)], c.near_mm);
   }
-  std::vector<Candidate> kept;
+  std::vector<Candidate> kept, taken;
   for (std::uint32_t i = 0; i < candidates.size(); ++i) {
-    if (length[runs.find(i)] >= least[runs.find(i)]) kept.push_back(candidates[i]);
+    (length[runs.find(i)] >= least[runs.find(i)] ? kept : taken).push_back(candidates[i]);
   }
   candidates = std::move(kept);
+  return taken;
 }
 
-/// Finds visible outlines of the mesh near parts of edges.
-class NearOutlines {
- public:
-  NearOutlines(const StrokeModel& model, const std::vector<Candidate>& parts, double ink_mm)
-      : finder_(kProbeCellMm), ink_mm_(ink_mm) {
-    if (parts.empty()) return;
-    const auto expect = [&](Point2 p, double reach) { finder_.expect(p - Point2(reach), p + Point2(reach)); };
-    for (const Candidate& c : parts) {
-      for (const LatticePoint end : {c.stroke.from, c.stroke.to}) expect(model.lattice.to_mm(end), ink_mm);
-      expect(c.middle, c.near_mm);
-    }
-    for (const Stroke& s : model.strokes) {
-      if (s.visible && s.line_class == LineClass::outline)
-        finder_.add({model.lattice.to_mm(s.from), model.lattice.to_mm(s.to), 0, 0});
-    }
+/// The visible outlines of the mesh near parts of edges.
+LinesBeside outlines_beside(const StrokeModel& model, const std::vector<Candidate>& parts) {
+  LinesBeside found;
+  if (parts.empty()) return found;
+  for (const Candidate& c : parts)
+    found.expect(model.lattice.to_mm(c.stroke.from), model.lattice.to_mm(c.stroke.to), c.near_mm);
+  for (const Stroke& s : model.strokes) {
+    if (s.visible && s.line_class == LineClass::outline) found.add(model.lattice.to_mm(s.from), model.lattice.to_mm(s.to));
   }
-  /// Whether a line that ends at p touches an outline.
-  bool meet(Point2 p) const { return any_within(p, ink_mm_); }
-  bool beside(const Candidate& part) const { return any_within(part.middle, part.near_mm); }
-
- private:
-  bool any_within(Point2 p, double reach) const {
-    bool any = false;
-    finder_.near(p - Point2(reach), p + Point2(reach), [&](const OutlineSegment& s) { any |= distance(p, s) <= reach; });
-    return any;
-  }
-
-  SegmentFinder finder_;
-  double ink_mm_;
-};
+  return found;
+}
 
 /// Keeps the runs whose two ends both meet an end of a contour, an end of `others`, or a visible outline of the mesh.
 /// Outlines do not count if they run beside the whole run.
-void keep_between_ends(std::vector<Candidate>& parts, const std::vector<Candidate>& others, const NearContours& near,
+void keep_between_ends(std::vector<Candidate>& parts, const std::vector<Candidate>& others, const VisibleContours& near,
                        const StrokeModel& model, double pen_width_mm) {
-  const NearOutlines outlines(model, parts, pen_width_mm / 2);
+  const LinesBeside outlines = outlines_beside(model, parts);
   const auto ends = ends_of(parts), other_ends = ends_of(others);
   DisjointSets runs = connected(ends, parts.size());
   std::vector<std::uint8_t> apart(parts.size(), 0);
-  for (std::uint32_t i = 0; i < parts.size(); ++i) apart[runs.find(i)] |= !outlines.beside(parts[i]);
+  for (std::uint32_t i = 0; i < parts.size(); ++i) {
+    const Stroke& s = parts[i].stroke;
+    const Point2 from = model.lattice.to_mm(s.from), to = model.lattice.to_mm(s.to);
+    apart[runs.find(i)] |= !outlines.uncovered(from, to, parts[i].near_mm, 0).empty();
+  }
   std::vector<std::uint32_t> open(parts.size(), 0), met(parts.size(), 0);
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const LatticePoint p = ends[i].first;
@@ -262,7 +214,10 @@ void keep_between_ends(std::vector<Candidate>& parts, const std::vector<Candidat
     ++open[run];
     const auto other = std::lower_bound(other_ends.begin(), other_ends.end(), std::pair(p, 0u));
     const Point2 mm = model.lattice.to_mm(p);
-    met[run] += (other != other_ends.end() && other->first == p) || near.any_tail(mm) || (apart[run] && outlines.meet(mm));
+    const Candidate& part = parts[ends[i].second];
+    met[run] += (other != other_ends.end() && other->first == p) ||
+                near.tails().any_within(mm, part.end_reach_mm[part.stroke.from == p ? 0 : 1]) ||
+                (apart[run] && outlines.any_within(mm, pen_width_mm / 2));
   }
   std::vector<Candidate> kept;
   for (std::uint32_t i = 0; i < parts.size(); ++i) {
@@ -308,18 +263,16 @@ double size_on_page(const Scene& scene, const View& view, const SmoothPatch& pat
 void add_missing_outlines(StrokeModel& model, const View& view, const SmoothContours& contours,
                           const std::vector<Stroke>& probes, const std::vector<SeenContour>& seen, const ProbeSizes& sizes) {
   const double pen_width_mm = sizes.pen_width_mm, reach_mm = sizes.reach_mm;
-  const ProbePage page{contours, view, model.lattice, pen_width_mm};
+  const ProbePage page{contours, view, model.lattice, pen_width_mm, reach_mm};
   std::vector<Candidate> candidates;
-  NearContours near(seen, reach_mm);
+  VisibleContours near(seen, reach_mm);
   for (const Stroke& probe : probes) {
     if (!probe.visible) continue;
     candidates.push_back(candidate(probe, probe.source - contours.first_probe, contours, view, model.lattice, pen_width_mm));
+    candidates.back().end_reach_mm = {reach_mm, reach_mm};
     const Candidate& c = candidates.back();
     const Point2 from = model.lattice.to_mm(c.stroke.from), to = model.lattice.to_mm(c.stroke.to);
-    near.expect(c.middle, c.near_mm);
-    for (const Point2 end : {from, to}) near.expect(end, reach_mm);
-    for (int k = 0; k < kParts; ++k) near.expect(middle_of_part(from, to, k), c.near_mm);
-    for (int k = 0; k <= kParts; ++k) near.expect_tail(from + double(k) / kParts * (to - from));
+    near.expect(from, to, c.near_mm, std::max(reach_mm, c.near_mm));
   }
   if (candidates.empty()) return;
   near.prepare();
@@ -329,20 +282,24 @@ void add_missing_outlines(StrokeModel& model, const View& view, const SmoothCont
   });
   std::vector<Candidate> missing, parts;
   for (const Missing& m : found) {
-    missing.insert(missing.end(), m.whole.begin(), m.whole.end());
-    parts.insert(parts.end(), m.parts.begin(), m.parts.end());
+    missing.insert(missing.end(), m.alone.begin(), m.alone.end());
+    parts.insert(parts.end(), m.beside.begin(), m.beside.end());
   }
-  drop_short(missing, model.lattice, reach_mm);
+  // Short ones stay only where they lie between the ends of other lines.
+  const std::vector<Candidate> remnants = take_short(missing, model.lattice, reach_mm);
+  parts.insert(parts.end(), remnants.begin(), remnants.end());
   keep_between_ends(parts, missing, near, model, pen_width_mm);
   missing.insert(missing.end(), parts.begin(), parts.end());
   std::vector<LatticePoint> ends;
   for (const Candidate& c : missing) ends.insert(ends.end(), {c.stroke.from, c.stroke.to});
   std::sort(ends.begin(), ends.end());
   for (Candidate& c : missing) {
-    for (LatticePoint* end : {&c.stroke.from, &c.stroke.to}) {
-      const auto [first, last] = std::equal_range(ends.begin(), ends.end(), *end);
+    for (const bool second : {false, true}) {
+      LatticePoint& end = second ? c.stroke.to : c.stroke.from;
+      const auto [first, last] = std::equal_range(ends.begin(), ends.end(), end);
       if (last - first > 1) continue;
-      if (const auto contour = near.nearest(model.lattice.to_mm(*end), reach_mm)) *end = model.lattice.snap(*contour);
+      if (const auto contour = near.pieces().nearest_end(model.lattice.to_mm(end), c.end_reach_mm[second ? 1 : 0]))
+        end = model.lattice.snap(*contour);
     }
     if (c.stroke.from == c.stroke.to) continue;
     c.stroke.source = model.edge_count + static_cast<std::uint32_t>(model.intersections.size());

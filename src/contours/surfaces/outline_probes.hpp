@@ -4,7 +4,7 @@
 /// Normals are means, so on a coarse mesh the smooth surface may have no contour at an edge that is an outline of the
 /// whole body. So each outline edge that contours replace gets a *probe*: a copy of the edge, moved off its two faces
 /// on the page and far backwards. If the probe is visible, nothing lies closely behind the edge, and the edge is a true
-/// outline. It is drawn if no contour was drawn near it. The small folds of a mesh along its outlines have the surface
+/// outline. It is drawn where no contour was drawn near it. The small folds of a mesh along its outlines have the surface
 /// closely behind them, and are not drawn.
 
 #include <array>
