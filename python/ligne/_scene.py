@@ -95,7 +95,7 @@ def read(
     pose: Optional[str] = None,
     threads: int = 0,
 ) -> Scene:
-    """Reads glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio ASCII or ligne-scene files; several make one scene.
+    """Reads glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio or ligne-scene files; several make one scene.
 
     `subdivide`: "catmull-clark" or "loop", with ":N" for N levels: the polygons are control meshes.
     `assume`: facts that spare tests, "no-penetration" and "convex", separated by commas.

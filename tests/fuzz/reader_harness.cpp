@@ -29,6 +29,7 @@ std::vector<ModelFormat> formats_of(std::string_view kind) {
   if (kind == "off") return {ModelFormat::off};
   if (kind == "3mf") return {ModelFormat::three_mf};
   if (kind == "asc") return {ModelFormat::asc_3d_studio};
+  if (kind == "3ds") return {ModelFormat::three_ds};
   if (kind == "scene") return {ModelFormat::ligne_scene};
   need(false, "such a kind of file");
   return {};

@@ -1,4 +1,4 @@
-#include "scene/readers/asc_reader.hpp"
+#include "scene/readers/studio/asc_reader.hpp"
 
 #include "reader_tools.hpp"
 

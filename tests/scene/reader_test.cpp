@@ -35,6 +35,7 @@ TEST(DetectFormat, ByContent) {
   EXPECT_EQ(detected("mtllib a.mtl\n", ".stl"), "OBJ");
   EXPECT_EQ(detected("Ambient light color: Red=0.3\r\n"), "3D Studio ASCII");
   EXPECT_EQ(detected("\n\n  Named object: \"a\"\n", ".txt"), "3D Studio ASCII");
+  EXPECT_EQ(detected(std::string("MM\x0a\0\0\0\2\0\0\0", 10), ".x"), "3D Studio");
 }
 
 TEST(DetectFormat, BySuffixWhereContentDoesNotDecide) {
@@ -45,7 +46,7 @@ TEST(DetectFormat, BySuffixWhereContentDoesNotDecide) {
 
 TEST(DetectFormat, FilesThatAreNoModels) {
   const std::string unknown =
-      "M: not a model file that is known (glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio ASCII, ligne scene)";
+      "M: not a model file that is known (glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio, ligne scene)";
   EXPECT_EQ(detected(""), "M: is empty");
   EXPECT_EQ(detected("", ".obj"), "M: is empty");
   EXPECT_EQ(detected(" \r\n\t\n", ".obj"), "M: holds nothing but white space");

@@ -35,7 +35,6 @@ TEST(Strangers, AreNamedWithWhatToDo) {
   EXPECT_EQ(message(zip_test::zip({{"readme.txt", "hello"}})), "M: is a ZIP archive, not a model");
   EXPECT_TRUE(message(zip_test::zip({{"duck.dae", "<COLLADA>"}})).starts_with("M: is an archive with a COLLADA file, "));
   EXPECT_TRUE(message(zip_test::zip({{"a.3DRep", "<x/>"}})).starts_with("M: is a 3DXML file, which is not read: "));
-  EXPECT_EQ(message(std::string("MM\x0a\0\0\0\2\0\0\0", 10)), "M: is a binary 3D Studio file (3DS)" + assimp);
   EXPECT_EQ(message("0.5 1 2 255 0 0\n"),
             "M: is a table of numbers, not a model; as heights it is drawn with: ligne surface --grid");
   EXPECT_EQ(message("MeshVersionFormatted 1\n"),

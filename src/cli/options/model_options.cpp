@@ -11,7 +11,7 @@ namespace ligne {
 
 void add_model_options(CLI::App& app, ModelRequest& request) {
   add_arguments(app, "MODEL", request.files, true,
-                "glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio ASCII or ligne-scene file; several make one scene; - is "
+                "glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio or ligne-scene file; several make one scene; - is "
                 "standard input");
   OptionGroup group(app, "Lines");
   group

@@ -8,6 +8,7 @@
 #include "scene/readers/off_reader.hpp"
 #include "scene/readers/reader.hpp"
 #include "scene/readers/stl_reader.hpp"
+#include "scene/readers/studio/three_ds_reader.hpp"
 #include "scene/readers/text_lines.hpp"
 #include "scene/readers/three_mf/three_mf_reader.hpp"
 #include "scene/readers/zip_archive.hpp"
@@ -133,6 +134,8 @@ std::string_view to_string(ModelFormat format) {
       return "PLY";
     case ModelFormat::asc_3d_studio:
       return "3D Studio ASCII";
+    case ModelFormat::three_ds:
+      return "3D Studio";
     case ModelFormat::off:
       return "OFF";
     case ModelFormat::three_mf:
@@ -150,6 +153,7 @@ ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suf
   if (chars.empty()) throw InputError(name, "is empty");
   if (chars.starts_with("glTF")) return ModelFormat::glb;
   if (chars.starts_with("PK\x03\x04")) return zip_format(bytes, name);
+  if (is_3ds(bytes)) return ModelFormat::three_ds;
   if (const auto stranger = known_stranger(bytes)) throw InputError(name, *stranger);
   const std::string_view text = without_leading_space(chars);
   if (text.starts_with("ply\n") || text.starts_with("ply\r")) return ModelFormat::ply;
@@ -175,7 +179,7 @@ ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suf
   if (!is_binary && equal_ignoring_case(suffix, ".gltf")) return ModelFormat::gltf;
   if (!is_binary && begins_with_numbers(text))
     throw InputError(name, "is a table of numbers, not a model; as heights it is drawn with: ligne surface --grid");
-  throw InputError(name, "not a model file that is known (glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio ASCII, ligne scene)");
+  throw InputError(name, "not a model file that is known (glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio, ligne scene)");
 }
 
 }  // namespace ligne

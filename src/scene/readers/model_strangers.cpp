@@ -72,14 +72,6 @@ std::string message(const Stranger& stranger) {
   return "is " + std::string(stranger.what) + ", which is not read: " + std::string(stranger.advice);
 }
 
-/// Whether the file has 3D Studio's binary chunks: the first one, 0x4d4d, has the length of the file.
-bool is_3ds(std::span<const std::byte> bytes) {
-  constexpr std::uint16_t kMain = 0x4d4d;
-  constexpr std::size_t kHeader = 6;
-  return bytes.size() > kHeader && load_bytes<std::uint16_t>(bytes.data(), std::endian::little) == kMain &&
-         load_bytes<std::uint32_t>(bytes.data() + 2, std::endian::little) == bytes.size();
-}
-
 /// Whether the text has lines of 80 characters whose 73rd names the section, S in the first line.
 bool is_iges(std::string_view text) {
   constexpr std::size_t kSection = 72;
@@ -100,7 +92,6 @@ bool is_dxf(std::string_view text) {
 
 std::optional<std::string> known_stranger(std::span<const std::byte> bytes) {
   std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (is_3ds(bytes)) return message({"", "a binary 3D Studio file (3DS)", kWithAssimp});
   if (chars.starts_with("\xEF\xBB\xBF")) chars.remove_prefix(3);
   const std::string_view head = chars.substr(0, kSearched);
   if (chars.starts_with("ISO-10303-21") && head.find("IFC") != std::string_view::npos) {

@@ -11,7 +11,20 @@
 
 namespace ligne {
 
-enum class ModelFormat { gltf, glb, obj, stl_ascii, stl_binary, ply, asc_3d_studio, off, three_mf, ligne_scene, ligne_tree };
+enum class ModelFormat {
+  gltf,
+  glb,
+  obj,
+  stl_ascii,
+  stl_binary,
+  ply,
+  asc_3d_studio,
+  three_ds,
+  off,
+  three_mf,
+  ligne_scene,
+  ligne_tree
+};
 
 /// Name as shown to people, such as "glTF binary".
 std::string_view to_string(ModelFormat format);

@@ -11,7 +11,6 @@
 #include "scene/clean/clean.hpp"
 #include "scene/clean/weld_near.hpp"
 #include "scene/creases/file_shading.hpp"
-#include "scene/readers/asc_reader.hpp"
 #include "scene/readers/gltf/gltf_reader.hpp"
 #include "scene/readers/ligne_scene_reader.hpp"
 #include "scene/readers/obj/obj_reader.hpp"
@@ -19,6 +18,8 @@
 #include "scene/readers/ply/ply_reader.hpp"
 #include "scene/readers/scene_builder.hpp"
 #include "scene/readers/stl_reader.hpp"
+#include "scene/readers/studio/asc_reader.hpp"
+#include "scene/readers/studio/three_ds_reader.hpp"
 #include "scene/readers/three_mf/three_mf_reader.hpp"
 
 namespace ligne {
@@ -76,6 +77,8 @@ Scene read_raw(const ModelBytes& file, ModelFormat format, const ReadOptions& op
       return read_ply(bytes, name, report, warnings, shading);
     case ModelFormat::asc_3d_studio:
       return read_asc(bytes, name, report, warnings, shading);
+    case ModelFormat::three_ds:
+      return read_3ds(bytes, name, report, warnings, shading);
     case ModelFormat::off:
       return read_off(bytes, name, report, warnings);
     case ModelFormat::three_mf:

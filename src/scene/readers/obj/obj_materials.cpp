@@ -50,7 +50,8 @@ class MtlReader {
     } else if (keyword == "Tr") {
       // Some writers give both d and Tr, with different meanings of Tr, so d takes precedence.
       const double transparency = number(take_word(rest));
-      if (!has_d_) current_->opacity = 1 - transparency;
+      // By itself, `Tr 1` would make a material that can not be seen. Writers of it mean an opaque one.
+      if (!has_d_) current_->opacity = transparency < 1 ? 1 - transparency : 1;
     } else if (keyword.starts_with("map_") || keyword == "bump" || keyword == "disp" || keyword == "decal" ||
                keyword == "refl" || keyword == "norm") {
       warnings_.leave_out("textures (" + std::string(keyword) + ")");

@@ -10,12 +10,10 @@
 //
 // Blank lines and "Page n" can occur anywhere.
 
-#include "scene/readers/asc_reader.hpp"
+#include "scene/readers/studio/asc_reader.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -24,6 +22,7 @@
 #include "base/no_index.hpp"
 #include "scene/model/precision.hpp"
 #include "scene/readers/scene_builder.hpp"
+#include "scene/readers/studio/studio_camera.hpp"
 #include "scene/readers/text_lines.hpp"
 
 namespace ligne {
@@ -202,19 +201,18 @@ class AscReader {
     line.remove_prefix(colon + 1);
   }
 
-  /// Reads "(50mm)": the focal length, for a film 36 mm wide and 24 mm high.
+  /// Reads "(50mm)": the focal length.
   void begin_camera(std::string_view line) {
     end_object();
     part_ = Part::camera;
     camera_ = {};
     camera_.name = object_name_;
-    constexpr double kFilmHeightMm = 24, kFilmWidthMm = 36, kUsualLensMm = 50;
+    constexpr double kUsualLensMm = 50;
     const std::size_t open = line.find('('), unit = line.find("mm");
     const bool has_lens = open != std::string_view::npos && unit != std::string_view::npos && open < unit;
     const double lens_mm =
         (has_lens ? number_in(line.substr(open + 1, unit - open - 1)) : std::nullopt).value_or(kUsualLensMm);
-    camera_.fov_degrees = 2 * std::atan2(kFilmHeightMm / 2, std::max(lens_mm, 0.0)) * 180 / std::numbers::pi;
-    camera_.aspect = kFilmWidthMm / kFilmHeightMm;
+    set_lens(camera_, lens_mm);
   }
 
   void end_camera(std::string_view line) {
@@ -227,12 +225,8 @@ class AscReader {
   /// Turns the camera read last about its line of sight.
   void bank(std::string_view line) {
     const std::optional<double> degrees = number_in(take_word(line));
-    if (!degrees || *degrees == 0 || builder_.scene().cameras.empty()) return;
-    SceneCamera& camera = builder_.scene().cameras.back();
-    const Point3 forward = glm::normalize(camera.forward), right = glm::cross(forward, Point3{0, 0, 1});
-    if (glm::length(right) == 0) return;  // looking straight down, there is no reference direction
-    const double angle = *degrees * std::numbers::pi / 180;
-    camera.up = glm::cross(glm::normalize(right), forward) * std::cos(angle) + glm::normalize(right) * std::sin(angle);
+    if (!degrees || builder_.scene().cameras.empty()) return;
+    bank_camera(builder_.scene().cameras.back(), *degrees);
   }
 
   void add_position(std::string_view line) {
