@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "picture/clear/refined_picture.hpp"
 #include "picture/hatching/gray_faces.hpp"
 #include "picture/hatching/hatching.hpp"
 #include "plotting/stroke_text.hpp"
@@ -48,7 +49,7 @@ DrawnScene draw_lines(const Scene& scene, PictureRequest request, RunReport& run
   parts.patches = std::move(hatch.patches);
   prepared.projected = {};
   prepared.request.progress = {};
-  return DrawnScene(std::move(parts));
+  return DrawnScene(on_given_scene(std::move(parts)));
 }
 
 Picture draw_scene(const Scene& scene, const PictureRequest& request, RunReport& run, const std::optional<PlotBox>& box,

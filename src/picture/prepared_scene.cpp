@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "picture/clear/clear_creases.hpp"
+#include "picture/clear/refined_picture.hpp"
 #include "picture/culling.hpp"
 #include "picture/errors.hpp"
 #include "picture/light/lighting.hpp"
@@ -83,16 +84,33 @@ SmoothContours place_with_contours(PreparedScene& prepared, const Creases& creas
   return replace_outlines(topology, projected, std::move(replacement));
 }
 
-/// Selects the creases of the mesh, the lines along fillets for this view (into `tangents`) and the candidate edges,
-/// and projects the edges.
-Creases select_lines(PreparedScene& prepared, std::vector<ShapeLine>& tangents, RunReport& run) {
-  const LineRequest& lines = prepared.request.lines;
+/// The creases of a mesh, and how they select edges.
+struct ChosenCreases {
   Creases creases;
-  const EdgeSelection selection = select_edges(prepared.scene, prepared.topology, lines, lines.studied(), creases, run);
-  leave_out_walls_behind(prepared.scene, prepared.topology, prepared.view().camera, creases);
-  tangents = choose_tangent_lines(prepared.scene, prepared.topology, prepared.request, prepared.view(), creases);
+  bool decide = false;  ///< whether they select edges; otherwise angles do
+};
+
+/// Finds the creases, and refines the surfaces behind a coarse mesh. `scene` is then the refined one.
+ChosenCreases find_lines(const Scene*& scene, PreparedScene& prepared, RunReport& run) {
+  const LineRequest& lines = prepared.request.lines;
+  ChosenCreases found;
+  found.decide = select_edges(*scene, prepared.topology, lines, lines.studied(), found.creases, run).creases != nullptr;
+  leave_out_walls_behind(*scene, prepared.topology, prepared.view().camera, found.creases);
+  if (draws_contours(lines)) {
+    if (auto given = refine_on_page(*scene, prepared.topology, prepared.view(), prepared.request, found.creases)) {
+      scene = &given->refined.scene;
+      prepared.given = std::move(given);
+    }
+  }
+  return found;
+}
+
+/// Selects the lines along fillets for this view (into `tangents`) and the candidate edges, and projects the edges.
+void select_lines(PreparedScene& prepared, ChosenCreases& chosen, std::vector<ShapeLine>& tangents) {
+  const LineRequest& lines = prepared.request.lines;
+  tangents = choose_tangent_lines(prepared.scene, prepared.topology, prepared.request, prepared.view(), chosen.creases);
+  const EdgeSelection selection{lines.studied(), lines.crease_degrees, chosen.decide ? &chosen.creases.lines : nullptr};
   prepared.projected = select_candidates(prepared.scene, prepared.topology, prepared.view(), selection);
-  return creases;
 }
 
 /// Adds the lines along fillets and the requested shape lines.
@@ -136,6 +154,18 @@ void add_other_lines(PreparedScene& prepared) {
   add_lines(projected, all_lines(prepared.around), LineClass::axes);
 }
 
+/// Selects and places all lines.
+void place_lines(PreparedScene& prepared, ChosenCreases chosen, RunReport& run) {
+  std::vector<ShapeLine> tangents;
+  select_lines(prepared, chosen, tangents);
+  prepared.contours = place_with_contours(prepared, chosen.creases, run);
+  add_lines_of_shape(prepared, std::move(tangents), chosen.creases);
+  keep_surfaces(prepared, std::move(chosen.creases));
+  prepared.object_edge_ends = edge_ends_of_objects(prepared.scene, prepared.topology);
+  add_other_lines(prepared);
+  prepared.lights = lights_of(prepared.request, prepared.scene);
+}
+
 }  // namespace
 
 ContourOptions contour_options(const PictureRequest& request, const Creases& creases) {
@@ -160,19 +190,37 @@ PreparedScene prepare(const Scene& scene, PictureRequest asked, const std::optio
         timed(run.stages, {"check facts", faces}, [&] { return find_false_fact(scene, prepared.topology); });
     if (!why.empty()) throw RequestError("", why);
   }
-  timed(run.stages, {"project", faces}, [&] {
+  return timed(run.stages, {"project", faces}, [&] {
     prepared.around =
         place_with_axes(box, scene, camera_of(request.view, scene), request.page, request.axes, request.heading);
-    std::vector<ShapeLine> tangents;
-    Creases creases = select_lines(prepared, tangents, run);
-    prepared.contours = place_with_contours(prepared, creases, run);
-    add_lines_of_shape(prepared, std::move(tangents), creases);
-    keep_surfaces(prepared, std::move(creases));
-    prepared.object_edge_ends = edge_ends_of_objects(scene, prepared.topology);
-    add_other_lines(prepared);
+    const Scene* drawn = &scene;
+    ChosenCreases chosen = find_lines(drawn, prepared, run);
+    PreparedScene placed = with_scene(std::move(prepared), *drawn);
+    place_lines(placed, std::move(chosen), run);
+    return placed;
   });
-  prepared.lights = lights_of(request, scene);
-  return prepared;
+}
+
+PreparedScene with_scene(PreparedScene prepared, const Scene& scene) {
+  return {scene,
+          std::move(prepared.request),
+          prepared.method,
+          std::move(prepared.topology),
+          std::move(prepared.around),
+          std::move(prepared.projected),
+          std::move(prepared.back_faces),
+          std::move(prepared.lights),
+          std::move(prepared.facets),
+          std::move(prepared.contours),
+          std::move(prepared.shape_lines),
+          std::move(prepared.scans),
+          std::move(prepared.patches),
+          std::move(prepared.object_edge_ends),
+          prepared.first_probe,
+          std::move(prepared.details),
+          prepared.first_detail,
+          std::move(prepared.tones),
+          std::move(prepared.given)};
 }
 
 }  // namespace ligne

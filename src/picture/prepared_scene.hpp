@@ -23,6 +23,7 @@
 namespace ligne {
 
 class SmoothTones;
+struct GivenScene;
 
 /// A prepared scene. The scene itself must outlive it.
 struct PreparedScene {
@@ -48,12 +49,17 @@ struct PreparedScene {
 
   std::shared_ptr<const SmoothTones> tones{};  ///< for GrayTone::smooth
 
+  std::shared_ptr<const GivenScene> given{};  ///< the scene that `scene` refines (clear/refined_picture.hpp); null: none
+
   const View& view() const { return around.placement.view; }
 };
 
 /// Prepares a scene. `box` and `topology` are those of draw_lines(). Throws RequestError.
 PreparedScene prepare(const Scene& scene, PictureRequest request, const std::optional<PlotBox>& box, RunReport& run,
                       std::optional<Topology> topology = {});
+
+/// Replaces the scene of a preparation, which must outlive the result.
+PreparedScene with_scene(PreparedScene prepared, const Scene& scene);
 
 /// Options of the smooth contours: the pen width of the request, and the creases at which smooth regions end.
 ContourOptions contour_options(const PictureRequest& request, const Creases& creases);

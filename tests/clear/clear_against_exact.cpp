@@ -123,9 +123,28 @@ double distance(Point2 p, Point2 a, Point2 b, Point2 c) {
   return std::min({distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
 }
 
+/// Adds the arcs about an axis through the origin of which edges are chords.
+void add_arcs(const Scene& scene, const Point3& axis, const View& view, PageLines& lines) {
+  constexpr double kSame = 1e-4;
+  constexpr int kPieces = 16;
+  for (const Edge& edge : build_topology(scene).edges) {
+    const Point3 &p = scene.vertices[edge.v0], &q = scene.vertices[edge.v1];
+    const double along = glm::dot(p, axis);
+    const Point3 foot = along * axis, a = p - foot, b = q - foot;
+    const double turn = std::acos(std::clamp(glm::dot(a, b) / (glm::length(a) * glm::length(b)), -1.0, 1.0));
+    if (std::abs(glm::dot(q, axis) - along) > kSame || std::abs(glm::length(a) - glm::length(b)) > kSame) continue;
+    if (!(turn > kSame) || turn > kMostBendDegrees * kDegree) continue;
+    const auto at = [&](int k) {
+      const double t = turn * k / kPieces;
+      return page_point(view, foot + (std::sin(turn - t) * a + std::sin(t) * b) / std::sin(turn));
+    };
+    for (int k = 0; k < kPieces; ++k) lines.add(at(k), at(k + 1));
+  }
+}
+
 }  // namespace
 
-ClearDifferences compare_clear(const std::filesystem::path& file, std::string_view view) {
+ClearDifferences compare_clear(const std::filesystem::path& file, std::string_view view, const std::optional<Point3>& axis) {
   const LoadedModels stored = load(file, Quality::exact), repaired = load(file, Quality::clear);
   const Drawn edges = draw(stored.scene, view, Quality::exact, true),
               exact = draw(repaired.scene, view, Quality::exact, false),
@@ -136,6 +155,7 @@ ClearDifferences compare_clear(const std::filesystem::path& file, std::string_vi
     all.add(a, b);
     if (is_feature(layer)) features.add(a, b);
   });
+  if (axis) add_arcs(stored.scene, *axis, clear.view, all);
   each_segment(clear.drawing, [&](const std::string&, Point2 a, Point2 b, bool) { drawn.add(a, b); });
   const MeshSags sags(repaired.scene, build_topology(repaired.scene), clear.view, kMostBendDegrees);
   const auto bound = [&](Point2 p) { return sags.at(p, kPenMm / 2).value_or(0) + kPenMm / 2 + kRoundingMm; };

@@ -33,7 +33,10 @@ struct ClearDifferences {
 /// Draws a model file in a named view on A4 by both qualities. Clear outlines are compared with the exact drawing's
 /// features, all other clear lines with its visible edges of every class: hysteresis, contacts and cracks draw creases of
 /// the mesh that exact features leave out. Throws what loading and drawing throw.
-ClearDifferences compare_clear(const std::filesystem::path& file, std::string_view view);
+/// `axis`: direction of the axis, through the origin, of a part that was turned about it. Its lines may also lie on the
+/// circles of which edges are chords: recognised surfaces are drawn by a finer mesh.
+ClearDifferences compare_clear(const std::filesystem::path& file, std::string_view view,
+                               const std::optional<Point3>& axis = std::nullopt);
 
 /// One line for each run, for messages.
 std::string text_of(const std::vector<Run>& runs);

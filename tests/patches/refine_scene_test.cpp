@@ -1,0 +1,103 @@
+/// Finer meshes of recognised surfaces: new vertices lie on the surfaces, and bodies stay closed.
+
+#include "scene/patches/refine/refine_scene.hpp"
+#include "base/no_index.hpp"
+#include "patches/patch_scenes.hpp"
+#include "support/test.hpp"
+
+namespace ligne::test {
+namespace {
+
+RefineLimits limit_of(double most) {
+  return {most, [](const Point3&) { return 1.0; }};
+}
+
+/// A turned body: rings of `facets` points about z, closed by polygons at both ends.
+Scene turned(const std::vector<Point2>& profile, int facets) {
+  std::vector<Corners> polygons;
+  add_grid(polygons, facets, static_cast<int>(profile.size()) - 1, true, [&](int u, int v) {
+    const Point2 p = profile[static_cast<std::size_t>(v)];
+    return on_circle(p.x, 2 * kPi * (u % facets) / facets, p.y);
+  });
+  Corners bottom, top;
+  for (int u = 0; u < facets; ++u) {
+    bottom.push_back(on_circle(profile.front().x, 2 * kPi * ((facets - u) % facets) / facets, profile.front().y));
+    top.push_back(on_circle(profile.back().x, 2 * kPi * u / facets, profile.back().y));
+  }
+  polygons.push_back(bottom);
+  polygons.push_back(top);
+  return scene_of(polygons);
+}
+
+struct Refined {
+  Scene given;
+  Topology topology;
+  Creases creases;
+  std::optional<RefinedScene> scene;
+
+  Refined(Scene from, double most) : given(std::move(from)), topology(build_topology(given)) {
+    creases = find_creases(given, topology, {});
+    scene = refine_scene(given, topology, limit_of(most), creases);
+  }
+};
+
+/// A column with a hollow fillet at its foot, on a disk.
+std::vector<Point2> column_on_disk() {
+  std::vector<Point2> profile{{20, 0}, {20, 4}};
+  for (int k = 0; k <= 4; ++k) {
+    const double turn = kPi / 2 * k / 4;
+    profile.emplace_back(11 - 3 * std::sin(turn), 7 - 3 * std::cos(turn));
+  }
+  profile.emplace_back(8, 20);
+  return profile;
+}
+
+TEST(RefineScene, PutsNewVerticesOnTheSurfacesAndKeepsBodiesClosed) {
+  constexpr double kMost = 0.05;
+  for (const int facets : {12, 16, 24}) {
+    const Refined refined(turned(column_on_disk(), facets), kMost);
+    ASSERT_TRUE(refined.scene) << facets;
+    const Scene& scene = refined.scene->scene;
+    const Topology& topology = refined.scene->topology;
+    ASSERT_EQ(refined.scene->face_of.size(), scene.faces.size());
+    ASSERT_EQ(refined.creases.lines.size(), topology.edges.size());
+    ASSERT_EQ(refined.creases.patches.patch_of.size(), scene.faces.size());
+    EXPECT_GT(scene.faces.size(), 2 * refined.given.faces.size());
+    std::size_t creases = 0, given_creases = 0;
+    for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+      const Edge& edge = topology.edges[e];
+      ASSERT_NE(edge.face1, kNone) << "an open edge, " << facets;
+      EXPECT_EQ(topology.edge_flags[e] & (kEdgeManyFaces | kEdgeUnlikeWound), 0);
+      const Point3 middle = 0.5 * (scene.vertices[edge.v0] + scene.vertices[edge.v1]);
+      for (const std::uint32_t face : {edge.face0, edge.face1}) {
+        const std::uint32_t patch = refined.creases.patches.patch_of[face];
+        if (patch == kNone) continue;
+        const PatchSurface& surface = refined.creases.patches.list[patch].surface;
+        EXPECT_LT(std::abs(surface.distance(scene.vertices[edge.v0])), 1e-3);
+        EXPECT_LT(std::abs(surface.distance(middle)), kMost);
+      }
+      creases += refined.creases.lines[e] == kCreaseLine;
+      if (refined.scene->edge_of[e] != kNone) {
+        EXPECT_LT(refined.scene->edge_of[e], refined.topology.edges.size());
+      }
+    }
+    const Creases before = find_creases(refined.given, refined.topology, {});
+    for (const std::uint8_t line : before.lines) given_creases += line == kCreaseLine;
+    EXPECT_EQ(creases % static_cast<std::size_t>(2 * facets), 0u) << "rings of creases are halved as wholes";
+    EXPECT_GT(creases, given_creases);
+  }
+}
+
+TEST(RefineScene, LeavesFineMeshesAndPolygonsAlone) {
+  EXPECT_FALSE(Refined(turned(column_on_disk(), 24), 10).scene);
+  EXPECT_FALSE(Refined(turned({{5, 0}, {5, 8}}, 6), 0.01).scene) << "a hexagonal prism";
+}
+
+TEST(RefineScene, LeavesSurfacesWithAnOpenBorderAlone) {
+  std::vector<Corners> polygons;
+  add_grid(polygons, 16, 1, true, [&](int u, int v) { return on_circle(5, 2 * kPi * (u % 16) / 16, 8.0 * v); });
+  EXPECT_FALSE(Refined(scene_of(polygons), 0.01).scene);
+}
+
+}  // namespace
+}  // namespace ligne::test
