@@ -13,7 +13,6 @@
 #include "contours/contour_sights.hpp"
 #include "contours/surfaces/outline_probes.hpp"
 #include "contours/surfaces/shallow_islands.hpp"
-#include "scene/creases/crease_lines.hpp"
 
 namespace ligne {
 namespace {
@@ -28,20 +27,6 @@ bool has_lines_of_its_own(const Scene& scene) {
   // There is no early exit, so that the loop can be vectorized.
   const auto all = std::accumulate(scene.corner_flags.begin(), scene.corner_flags.end(), std::uint8_t{0}, std::bit_or<>{});
   return (all & kLines) != 0;
-}
-
-/// The candidates along which surfaces join smoothly. Where the outline of the mesh runs along such a line, its edges have
-/// the class outline.
-std::vector<TangentEdge> tangent_edges(const Topology& topology, const ProjectedScene& projected,
-                                       const std::vector<std::uint8_t>* creases) {
-  std::vector<TangentEdge> found;
-  if (!creases) return found;
-  for (const ProjectedEdge& e : projected.edges) {
-    if (e.line_class != LineClass::tangent && e.line_class != LineClass::outline) continue;
-    if (e.source >= creases->size() || (*creases)[e.source] != kTangentLine) continue;
-    found.push_back({e.source, topology.edges[e.source]});
-  }
-  return found;
 }
 
 /// Removes the outlines with these sources, which are edges of the topology, from the candidates.
@@ -169,7 +154,6 @@ OutlineReplacement replacement_of(const Scene& scene, const Topology& topology, 
     }
   });
   contours.chains = std::move(choice.chains);
-  contours.tangents = tangent_edges(topology, projected, options.borders.creases);
   for (const std::uint32_t i : choice.sides) replacement.removed.push_back(sides[i].edge);
   return replacement;
 }

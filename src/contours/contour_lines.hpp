@@ -21,12 +21,6 @@ struct ContourOptions {
   double pen_width_mm = 0.35;           ///< smaller details on the page are ignored
 };
 
-/// A candidate edge of class tangent.
-struct TangentEdge {
-  std::uint32_t source = 0;  ///< index of the edge in the topology
-  Edge edge{};
-};
-
 /// The contours that replace outlines of the mesh in a projected scene. In the method's run, sources number first the
 /// sights of all segments, then the probes of all replaced edges, then these edges themselves.
 struct SmoothContours {
@@ -37,7 +31,6 @@ struct SmoothContours {
   std::vector<SourceEdge> replaced;               ///< the edges of the mesh that contours replace
   std::vector<double> replaced_size_mm;           ///< per replaced edge: longest side on the page of its two triangles
   std::vector<std::uint8_t> bulges;               ///< per replaced edge: 1 if it is convex, by the winding of its faces
-  std::vector<TangentEdge> tangents;              ///< tangent edges of the scene that are candidates
   std::uint32_t first_probe = 0;                  ///< source of the probe of the first replaced edge; the others follow
   std::uint32_t first_edge = 0;                   ///< source of the first replaced edge itself; the others follow
 

@@ -7,7 +7,6 @@
 #include "contours/surfaces/outline_evidence.hpp"
 #include "contours/surfaces/outline_probes.hpp"
 #include "contours/tangent_corners.hpp"
-#include "contours/tangent_ends.hpp"
 
 namespace ligne {
 namespace {
@@ -75,7 +74,6 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
   add_missing_outlines(model, view, contours, probes, seen, {options.pen_width_mm, reach_mm});
   move_ends_of_strokes(model, seen, reach_mm);
   join_tangents_at_corners(model, scene, view, contours, seen);
-  end_tangents_on_contours(model, view, contours, seen, scene);
   CurveWriter writer(model, view, hidden_too, reach_mm);
   for (std::size_t c = 0; c < n; ++c) {
     const ContourChain& chain = contours.chains[c];
