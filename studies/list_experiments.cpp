@@ -128,7 +128,7 @@ Table decomposition_of(const NamedScene& named, bool& without_list) {
                {"first face", ColumnKind::count}}};
   const ProjectedScene projected = on_sheet(named.scene, named.view);
   newell::PaintElements elements(projected);
-  newell::PriorityList list(elements, true);
+  newell::PriorityList list(elements, {.keep_sets = true});
   list.sort();
   const auto& tree = list.tree();
   std::vector<std::string> names(tree.size());

@@ -36,6 +36,11 @@ void parallel_for(std::size_t count, FunctionRef<void(std::size_t)> work) { loop
 
 void parallel_tasks(std::size_t count, FunctionRef<void(std::size_t)> work) { loop(count, work, tbb::simple_partitioner{}); }
 
+void parallel_tasks_apart(std::size_t count, FunctionRef<void(std::size_t)> work) {
+  if (count <= 1) return parallel_tasks(count, work);
+  tbb::this_task_arena::isolate([&] { parallel_tasks(count, work); });
+}
+
 void parallel_blocks(std::size_t count, std::size_t size, FunctionRef<void(std::size_t, std::size_t)> work) {
   const auto block = [=](std::size_t i) { work(i * size, std::min(count, (i + 1) * size)); };
   loop(block_count(count, size), block, tbb::auto_partitioner{});

@@ -40,6 +40,9 @@ void parallel_for(std::size_t count, FunctionRef<void(std::size_t)> work);
 /// parallel_for() for few indices with long and uneven work: each index is a separate task.
 void parallel_tasks(std::size_t count, FunctionRef<void(std::size_t)> work);
 
+/// parallel_tasks() within a task: while it waits for its own tasks, the calling thread takes up no others.
+void parallel_tasks_apart(std::size_t count, FunctionRef<void(std::size_t)> work);
+
 /// Calls work(begin, end) for the blocks [0, size), [size, 2 size), ... of [0, count); the last may be shorter. The
 /// blocks do not depend on the number of threads. `size` must be positive.
 void parallel_blocks(std::size_t count, std::size_t size, FunctionRef<void(std::size_t, std::size_t)> work);

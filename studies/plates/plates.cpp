@@ -356,7 +356,7 @@ Plate decomposition() {
   plate.draw(scene, with_shown(view_of("front", "newell"), "order"), {cell_at(1, 1, 2, 3), "ORDER OF PAINTING"});
   const ProjectedScene projected = on_sheet(scene);
   newell::PaintElements elements(projected);
-  newell::PriorityList list(elements, true);
+  newell::PriorityList list(elements, {.keep_sets = true});
   list.sort();
   const PlateCell cell{cell_at(0, 2, 1, 3), "THE TREE"};
   TreeDrawer tree(plate, elements, list.tree(), cell.area);

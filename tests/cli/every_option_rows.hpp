@@ -54,6 +54,7 @@ inline constexpr OptionRow kDrawRows[] = {
     {"--set", "study=polygons", "--method atherton-weiler --stats"},
     {"--show", "clips", "--method atherton-weiler"},
     {"--set", "newell-elements=bodies", "--method newell --stats"},
+    {"--set", "zones=sequence", "--method newell", kEveryFormat, "tells how threads share the work"},
     {"--set", "propagate=count", "--method appel --stats", kPlotters, kSameLines},
     {"--set", "warnock-window=screen", "--method warnock --show windows"},
     {"--set", "warnock-split=vertex", "--method warnock --show windows"},

@@ -32,13 +32,13 @@ std::vector<PriorityList::OpenSet> PriorityList::cells() {
 
 /// Adds a tree node for a set, if sets are kept.
 std::uint32_t PriorityList::add_node(const Set& set, std::uint32_t parent) {
-  if (!keep_sets_) return 0;
+  if (!options_.keep_sets) return 0;
   tree_.push_back({parent, Division::list, set});
   return static_cast<std::uint32_t>(tree_.size() - 1);
 }
 
 void PriorityList::set_division(const OpenSet& open, Division division) {
-  if (keep_sets_) tree_[open.node].division = division;
+  if (options_.keep_sets) tree_[open.node].division = division;
 }
 
 /// Finds zones and slabs: sets with disjoint extents along one axis need no comparison. In depth the farthest set comes last
@@ -62,7 +62,7 @@ bool PriorityList::decompose(const OpenSet& open, std::vector<OpenSet>& waiting)
     }
     if (parts.size() == 1) continue;
     (axis == 2 ? counts_.slabs : counts_.zones) += parts.size();
-    if (keep_sets_) keep(parts, axis == 2);
+    if (options_.keep_sets) keep(parts, axis == 2);
     set_division(open, axis == 2 ? Division::depth : axis == 0 ? Division::x : Division::y);
     for (Set& part : parts) {
       const std::uint32_t node = add_node(part, open.node);

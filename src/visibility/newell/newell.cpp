@@ -23,12 +23,18 @@ using namespace newell;
 enum class Show : std::uint8_t { splits, order, zones, slabs };
 constexpr std::string_view kShowNames[] = {"splits", "order", "zones", "slabs"};
 enum class ListedAs : std::uint8_t { faces, bodies };
+enum class Zones : std::uint8_t { parallel, sequence };
+constexpr std::string_view kZoneNames[] = {"parallel", "sequence"};
 constexpr std::string_view kElementNames[] = {"faces", "bodies"};
 constexpr MethodParameter kParameters[] = {
     {"show", "splits|order|zones|slabs",
      "as layer debug: the pieces of faces that were cut, the order of painting as numbers, or the sets that were found apart "
      "on the page or in depth",
      "", kShowNames},
+    experiment(
+        {"zones", "parallel|sequence",
+         "how the lists of zones and slabs are sorted: at the same time, or one after the other; the order is the same",
+         "parallel", kZoneNames}),
     experiment({"newell-elements", "faces|bodies", "what stands in the list: faces, or each convex body as one silhouette",
                 "faces", kElementNames}),
 };
@@ -117,7 +123,8 @@ VisibilityResult NewellMethod::compute_visibility(const ProjectedScene& scene, c
   const std::size_t listed = elements.size();
   const bool shows = options.settings.has("show");
   const Show show = options.settings.choice("show", Show::splits);
-  PriorityList list(elements, shows && show >= Show::zones);
+  const bool parallel = options.settings.choice("zones", Zones::parallel) == Zones::parallel;
+  PriorityList list(elements, {shows && show >= Show::zones, parallel});
   const std::vector<std::uint32_t> farthest_first = list.sort();
   const double seconds_of_list = clock.lap();
 

@@ -30,6 +30,17 @@ bool has_side_between(std::span<const Point2> a, std::span<const Point2> b, doub
   return false;
 }
 
+std::shared_ptr<const FaceFacts> find_facts(const ProjectedScene& projected, const ModelPieces& pieces) {
+  const Scene& scene = *projected.model;
+  const Viewpoint viewpoint = viewpoint_of(projected.view.camera);
+  FaceFacts facts{ConvexBodies(scene, pieces, viewpoint), separated_cells(scene, viewpoint), {}};
+  if (scene.stated.has(StatedFact::no_penetration)) {
+    facts.is_convex.resize(scene.faces.size());
+    for (std::uint32_t f = 0; f < facts.is_convex.size(); ++f) facts.is_convex[f] = is_convex_face(scene, f, 0);
+  }
+  return std::make_shared<const FaceFacts>(std::move(facts));
+}
+
 }  // namespace
 
 void Extents::extend(const Extents& o) {
@@ -54,8 +65,7 @@ PaintElements::PaintElements(const ProjectedScene& scene, const EarlierElements*
     : view_(scene.view),
       scene_(scene),
       pieces_(earlier ? earlier->pieces : ModelPieces(*scene.model)),
-      bodies_(*scene.model, pieces_, viewpoint_of(scene.view.camera)),
-      cells_(separated_cells(*scene.model, viewpoint_of(scene.view.camera))),
+      facts_(find_facts(scene, pieces_)),
       volume_(face_volume(scene.view, scene.lattice)),
       viewpoint_(viewpoint_of(scene.view.camera)),
       page_planes_(scene.view),
@@ -84,29 +94,23 @@ PaintElements::PaintElements(const ProjectedScene& scene, const EarlierElements*
     parts.clear();
   }
   face_count_ = elements_.size();
-  if (scene.model->stated.has(StatedFact::no_penetration)) find_convex_faces();
   if (whole_bodies && !earlier) make_whole_bodies();
-}
-
-void PaintElements::find_convex_faces() {
-  const Scene& scene = *scene_.model;
-  is_convex_.resize(scene.faces.size());
-  for (std::uint32_t f = 0; f < is_convex_.size(); ++f) is_convex_[f] = is_convex_face(scene, f, 0);
 }
 
 /// Replaces the faces of each body of two or more faces by one element.
 void PaintElements::make_whole_bodies() {
-  std::vector<std::vector<std::uint32_t>> members(bodies_.count());
+  const ConvexBodies& bodies = facts_->bodies;
+  std::vector<std::vector<std::uint32_t>> members(bodies.count());
   for (std::uint32_t e = 0; e < elements_.size(); ++e) {
-    const std::uint32_t body = bodies_.body(elements_[e].face);
+    const std::uint32_t body = bodies.body(elements_[e].face);
     if (body != kNone) members[body].push_back(e);
   }
-  std::vector<std::uint8_t> is_made(bodies_.count(), 0);
+  std::vector<std::uint8_t> is_made(bodies.count(), 0);
   std::vector<Element> faces;
   faces.swap(elements_);
   element_corners_.clear();
   for (std::uint32_t e = 0; e < faces.size(); ++e) {
-    const std::uint32_t number = bodies_.body(faces[e].face);
+    const std::uint32_t number = bodies.body(faces[e].face);
     const std::size_t size = number == kNone ? 1 : members[number].size();
     if (size == 1) {
       append(faces[e]);
@@ -115,12 +119,12 @@ void PaintElements::make_whole_bodies() {
     if (is_made[number]) continue;
     is_made[number] = 1;
     std::stable_partition(members[number].begin(), members[number].end(),
-                          [&](std::uint32_t m) { return !bodies_.is_front(faces[m].face); });
+                          [&](std::uint32_t m) { return !bodies.is_front(faces[m].face); });
     Element body{faces[e].face, kNone, {}, {}, {}};
     BodyElement whole;
     std::vector<Point2> points;
     for (const std::uint32_t m : members[number]) {
-      whole.back_count += !bodies_.is_front(faces[m].face);
+      whole.back_count += !bodies.is_front(faces[m].face);
       body.extents.extend(faces[m].extents);
       body.parts.insert(body.parts.end(), faces[m].parts.begin(), faces[m].parts.end());
       for (const std::uint32_t part : faces[m].parts) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -40,12 +41,25 @@ struct CommonPart {
   void clip_by_side(Point2 from, Point2 to);
 };
 
+/// Knowledge about the faces of a scene in a view, found before any comparison.
+struct FaceFacts {
+  ConvexBodies bodies;
+  std::vector<std::uint32_t> cells;     ///< per face its cell by separating planes, or empty
+  std::vector<std::uint8_t> is_convex;  ///< per face; empty if faces may penetrate
+};
+
 /// All elements ever made, by number. A cut element keeps its number but is no longer used.
 class PaintElements {
  public:
   /// The faces visible in the projected scene. With `earlier`, the elements begin with the pieces of its list, in its order;
   /// the other faces follow. `whole_bodies`: each convex body is one element until it is opened; only without `earlier`.
   explicit PaintElements(const ProjectedScene& scene, const EarlierElements* earlier = nullptr, bool whole_bodies = false);
+  /// Copies the elements with these rising numbers into a set of their own, numbered from 0 in the same order. Another
+  /// thread may cut them. O(n log n).
+  PaintElements(const PaintElements& whole, std::span<const std::uint32_t> list);
+  /// Takes over the new elements of the copy of a list. Returns the number here of each element of the copy.
+  std::vector<std::uint32_t> take_over(const PaintElements& copy, std::span<const std::uint32_t> list);
+
   std::size_t in_order() const { return in_order_; }  ///< number of elements from the earlier list
 
   std::size_t size() const { return elements_.size(); }
@@ -54,22 +68,28 @@ class PaintElements {
   const Element& operator[](std::uint32_t i) const { return elements_[i]; }
   const ModelPieces& pieces() const { return pieces_; }
 
-  const ConvexBodies& bodies() const { return bodies_; }
+  const ConvexBodies& bodies() const { return facts_->bodies; }
   /// True if it is known without comparison that `a` does not hide `b`: both are of one face, whose pieces are coplanar, or
   /// of one convex body, or a separating plane orders them.
   bool never_hides(std::uint32_t a, std::uint32_t b) const {
     const std::uint32_t f = elements_[a].face, g = elements_[b].face;
-    return f == g || bodies_.never_hides(f, g) || separated(f, g);
+    return f == g || facts_->bodies.never_hides(f, g) || separated(f, g);
   }
   /// True if `face` lies behind `other` by a separating plane of the scene.
-  bool separated(std::uint32_t face, std::uint32_t other) const { return !cells_.empty() && cells_[face] < cells_[other]; }
+  bool separated(std::uint32_t face, std::uint32_t other) const {
+    const std::vector<std::uint32_t>& cells = facts_->cells;
+    return !cells.empty() && cells[face] < cells[other];
+  }
   /// Cell of an element by the separating planes: lower numbers are painted first.
-  std::uint32_t cell(std::uint32_t element) const { return cells_.empty() ? 0 : cells_[elements_[element].face]; }
+  std::uint32_t cell(std::uint32_t element) const {
+    return facts_->cells.empty() ? 0 : facts_->cells[elements_[element].face];
+  }
 
   /// True if at most one of the two can hide the other: parts of convex faces that do not penetrate.
   bool hide_one_way(std::uint32_t a, std::uint32_t b) const {
-    if (is_convex_.empty() || is_body(a) || is_body(b)) return false;  // one body may lie inside another
-    return is_convex_[elements_[a].face] && is_convex_[elements_[b].face];
+    const std::vector<std::uint8_t>& is_convex = facts_->is_convex;
+    if (is_convex.empty() || is_body(a) || is_body(b)) return false;  // one body may lie inside another
+    return is_convex[elements_[a].face] && is_convex[elements_[b].face];
   }
 
   /// True if the element is a convex body that is not opened.
@@ -108,10 +128,12 @@ class PaintElements {
   ModelPlane halving_plane(std::uint32_t element) const;
 
  private:
+  PaintElements(const PaintElements& whole, std::span<const std::uint32_t> list, std::vector<std::uint32_t> parts);
   void add(std::uint32_t face, std::span<const std::uint32_t> parts);
   void append(Element element);
+  void copy_element(const PaintElements& whole, Element element);
+  void copy_contour(const PaintElements& from, std::uint32_t piece, std::size_t to);
   void make_whole_bodies();
-  void find_convex_faces();
   static bool is_back(PlaneSide s) { return s == PlaneSide::back || s == PlaneSide::on; }
   static bool is_front(PlaneSide s) { return s == PlaneSide::front || s == PlaneSide::on; }
   PlaneSide side(const Element& e, const ModelPlane& plane) const {
@@ -142,9 +164,7 @@ class PaintElements {
   const View& view_;
   const ProjectedScene& scene_;
   ModelPieces pieces_;
-  ConvexBodies bodies_;
-  std::vector<std::uint32_t> cells_;     ///< per face, or empty
-  std::vector<std::uint8_t> is_convex_;  ///< per face; empty if faces may penetrate
+  std::shared_ptr<const FaceFacts> facts_;  ///< shared with the copies of lists
   std::vector<BodyElement> whole_;
   std::size_t face_count_ = 0;
   ClipVolume volume_;
@@ -158,6 +178,8 @@ class PaintElements {
   std::vector<std::array<std::size_t, 2>> contours_;  ///< per piece: range in points_
   std::vector<Point2> points_;                        ///< page mm, in positive orientation
   std::vector<HomogeneousPoint> corners_;             ///< scratch: corners of a piece under projection
+  std::vector<std::uint32_t> copied_pieces_;          ///< copies of lists only: numbers of the pieces in the whole, rising
+  std::size_t copied_points_ = 0;                     ///< copies of lists only: points of contours before the first cut
 };
 
 }  // namespace ligne::newell

@@ -1,100 +1,157 @@
 #include "visibility/newell/priority_list.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <functional>
-#include <iterator>
 #include <limits>
+#include <memory>
 #include <numeric>
+#include <span>
+#include <utility>
 
-#include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "base/stop.hpp"
 
-// [Boulle1980] 2.5.2.4. P, the head of the list, is compared with the elements whose farthest depth lies behind P's nearest
-// depth. If P can hide none of them, it is painted. If P may hide Q, Q is marked and becomes the head. If Q is already
-// marked, or if each may hide the other, there may be no order, and one of the two is cut.
-//
-// Results for a pair do not depend on the list. All threads therefore compare the next elements ahead with their sets, each
-// up to the first element that it may hide. Comparisons with elements that leave the list meanwhile are wasted.
-//
-// The algorithm terminates. Marks stay, so an element moves at most once between two cuts. A cut by a face's plane leaves
-// pieces that this plane does not cut again, so the planes cut each face into finitely many pieces. Pieces smaller than a
-// lattice step overlap nothing, which ends the halving on the page.
-
 namespace ligne::newell {
+
+/// Lists that one thread sorts one after the other, consecutive in the order of painting.
+struct PriorityList::Group {
+  std::vector<std::uint32_t> leaves;  ///< numbers of the lists among the leaves
+  Set elements;                       ///< of all lists, rising
+  std::unique_ptr<PaintElements> copy{};
+  std::vector<Set> orders{};  ///< per list, farthest first
+  std::vector<SortedList> sorted{};
+  ListCounts counts{};
+};
 
 namespace {
 
-Extents extents_of_all(const PaintElements& elements) {
-  Extents all;
-  for (std::uint32_t i = 0; i < elements.size(); ++i) all.extend(elements[i].extents);
-  return all;
+void number_in_whole(std::vector<std::vector<std::uint32_t>>& orders, std::span<const std::uint32_t> numbers) {
+  for (std::vector<std::uint32_t>& order : orders) {
+    for (std::uint32_t& e : order) e = numbers[e];
+  }
 }
 
 }  // namespace
 
-void ListCounts::add(const ListCounts& o) {
-  one_body += o.one_body;
-  separated += o.separated;
-  compared += o.compared;
-  apart_in_x += o.apart_in_x;
-  apart_in_y += o.apart_in_y;
-  behind_plane += o.behind_plane;
-  before_plane += o.before_plane;
-  projections += o.projections;
-  disjoint += o.disjoint;
-  depths += o.depths;
-  farther += o.farther;
-}
-
-PriorityList::PriorityList(PaintElements& elements, bool keep_sets)
-    : elements_(elements), levels_(extents_of_all(elements), elements.size()), keep_sets_(keep_sets) {
-  Set by_depth(elements.size());
-  std::iota(by_depth.begin(), by_depth.end(), 0u);
-  std::stable_sort(by_depth.begin(), by_depth.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return farthest(a) < farthest(b); });
-  for (const std::uint32_t i : by_depth) {
-    check_stop();
-    levels_.add(i, elements[i].extents);
-  }
-  for (std::uint32_t i = 0; i < elements.size(); ++i) note(i);
+PriorityList::PriorityList(PaintElements& elements, ListOptions options) : elements_(elements), options_(options) {
   // Elements of an earlier list keep its order: their key is the smallest depth up to their place.
   double reach = std::numeric_limits<double>::infinity();
-  for (std::uint32_t i = 0; i < elements.in_order(); ++i) {
-    reach = std::min(reach, farthest(i));
-    keys_[i] = key(reach, i);
+  keys_.reserve(elements.size());
+  for (std::uint32_t i = 0; i < elements.size(); ++i) {
+    const double farthest = elements[i].extents.high[2];
+    reach = std::min(reach, farthest);
+    keys_.push_back(sort_key(i < elements.in_order() ? reach : farthest, i));
   }
-}
-
-void PriorityList::note(std::uint32_t element) {
-  keys_.push_back(key(farthest(element), element));
-  boxes_.emplace_back(elements_[element].extents);
-  element % kBlock == 0 ? blocks_.push_back(boxes_.back()) : blocks_.back().extend(boxes_.back());
-}
-
-/// A float as an unsigned integer with equal order.
-PriorityList::Key PriorityList::key(double reach, std::uint32_t element) {
-  const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(0 - reach));
-  const std::uint32_t rising = bits >> 31 ? ~bits : bits | 0x80000000u;
-  return Key{rising} << 32 | element;
 }
 
 std::vector<std::uint32_t> PriorityList::sort() {
-  state_.assign(elements_.size(), State::waiting);
   std::vector<OpenSet> waiting = cells();
   while (!waiting.empty()) {
     check_stop();
     const OpenSet open = std::move(waiting.back());
     waiting.pop_back();
-    if (open.set.size() == 1) {
-      set_division(open, Division::one);
-      output(open.set[0]);
-    } else if (!open.set.empty() && !decompose(open, waiting)) {
-      sort_list(open.set);
+    if (open.set.size() == 1) set_division(open, Division::one);
+    if (open.set.size() > 1 && decompose(open, waiting)) continue;
+    if (!open.set.empty()) add_leaf(open.set);
+  }
+  sort_lists();
+  return with_faces_of_bodies();
+}
+
+void PriorityList::add_leaf(const Set& set) {
+  leaves_.insert(leaves_.end(), set.begin(), set.end());
+  leaf_ends_.push_back(leaves_.size());
+}
+
+/// The elements of a leaf, as listed by the decomposition.
+std::span<const std::uint32_t> PriorityList::leaf(std::size_t number) const {
+  const std::size_t begin = number == 0 ? 0 : leaf_ends_[number - 1];
+  return std::span(leaves_).subspan(begin, leaf_ends_[number] - begin);
+}
+
+/// Groups short lists, whose sort alone is shorter than the preparation of a sorter.
+std::vector<PriorityList::Group> PriorityList::groups() const {
+  constexpr std::size_t kGroup = 1024;  // elements. Adjustable
+  std::vector<Group> groups;
+  for (std::uint32_t i = 0; i < leaf_ends_.size(); ++i) {
+    const std::span<const std::uint32_t> list = leaf(i);
+    if (list.size() == 1) continue;
+    if (groups.empty() || groups.back().elements.size() + list.size() > kGroup) groups.emplace_back();
+    groups.back().leaves.push_back(i);
+    groups.back().elements.insert(groups.back().elements.end(), list.begin(), list.end());
+  }
+  for (Group& group : groups) std::sort(group.elements.begin(), group.elements.end());
+  return groups;
+}
+
+/// Sorts all lists. The group with the most elements is sorted in place, the others in copies, so no cut moves what another
+/// thread reads.
+void PriorityList::sort_lists() {
+  std::vector<Group> groups = this->groups();
+  std::vector<Group*> longest_first;
+  for (Group& group : groups) longest_first.push_back(&group);
+  std::ranges::stable_sort(longest_first,
+                           [](const Group* a, const Group* b) { return a->elements.size() > b->elements.size(); });
+  const auto each = [&](const auto& work) {
+    if (options_.parallel) return parallel_tasks(groups.size(), [&](std::size_t i) { work(*longest_first[i], i == 0); });
+    for (std::size_t i = 0; i < groups.size(); ++i) work(*longest_first[i], i == 0);
+  };
+  each([&](Group& group, bool in_place) {
+    if (!in_place) group.copy = std::make_unique<PaintElements>(elements_, group.elements);
+  });
+  each([&](Group& group, bool) { sort_group(group); });
+  collect(groups);
+}
+
+/// Sorts the lists of a group. Elements of a copy are numbered by their place in the group.
+void PriorityList::sort_group(Group& group) {
+  PaintElements& elements = group.copy ? *group.copy : elements_;
+  const auto number = [&](std::uint32_t e) {
+    if (!group.copy) return e;
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(group.elements, e) - group.elements.begin());
+  };
+  std::vector<SortKey> keys;
+  for (const std::uint32_t e : group.copy ? group.elements : Set{}) keys.push_back(sort_key_of(keys_[e], number(e)));
+  Extents page;
+  for (const std::uint32_t e : group.elements) page.extend(elements[number(e)].extents);
+  ListSorter sorter(elements, group.copy ? std::move(keys) : keys_, page, group.elements.size());
+  Set list;
+  for (const std::uint32_t i : group.leaves) {
+    list.clear();
+    for (const std::uint32_t e : leaf(i)) list.push_back(number(e));
+    const ListCounts before = sorter.counts();
+    group.orders.push_back(sorter.sort(list));
+    const ListCounts& after = sorter.counts();
+    group.sorted.push_back({list.size(), after.compared - before.compared, after.cuts() - before.cuts()});
+  }
+  group.counts = sorter.counts();
+  // Only cuts and opened bodies are taken over.
+  if (group.copy && group.copy->size() == group.elements.size()) {
+    number_in_whole(group.orders, group.elements);
+    group.copy.reset();
+  }
+}
+
+/// Joins the orders of all sets, farthest first. The group sorted in place has its numbers already.
+void PriorityList::collect(std::vector<Group>& groups) {
+  auto group = groups.begin();
+  std::size_t next = 0;  // list of the group
+  for (Group& g : groups) {
+    if (g.copy) number_in_whole(g.orders, elements_.take_over(*g.copy, g.elements));
+    g.copy.reset();
+    counts_.add(g.counts);
+    lists_.insert(lists_.end(), g.sorted.begin(), g.sorted.end());
+  }
+  for (std::size_t i = 0; i < leaf_ends_.size(); ++i) {
+    if (leaf(i).size() == 1) {
+      order_.push_back(leaf(i).front());
+      continue;
+    }
+    order_.insert(order_.end(), group->orders[next].begin(), group->orders[next].end());
+    if (++next == group->orders.size()) {
+      ++group;
+      next = 0;
     }
   }
-  return with_faces_of_bodies();
 }
 
 /// The order, with each body that was not opened replaced by its faces.
@@ -110,238 +167,6 @@ std::vector<std::uint32_t> PriorityList::with_faces_of_bodies() {
     faces.insert(faces.end(), members.begin(), members.end());
   }
   return faces;
-}
-
-void PriorityList::sort_list(const Set& set) {
-  ++counts_.lists;
-  sorted_ = set;
-  std::sort(sorted_.begin(), sorted_.end(), [&](std::uint32_t a, std::uint32_t b) { return keys_[a] < keys_[b]; });
-  first_ = ahead_end_ = 0;
-  for (std::uint32_t p = head(); p != kNone; p = head()) {
-    check_stop();
-    if (moved_.empty() && first_ >= ahead_end_ && first_ < sorted_.size()) look_ahead();
-    if (!settle(p)) continue;
-    remove(p);
-    output(p);
-  }
-}
-
-void PriorityList::output(std::uint32_t element) {
-  state_[element] = State::gone;
-  order_.push_back(element);
-}
-
-std::uint32_t PriorityList::head() {
-  if (!moved_.empty()) return moved_.back();
-  while (first_ < sorted_.size() && state_[sorted_[first_]] != State::waiting) ++first_;
-  const Key sorted = first_ < sorted_.size() ? keys_[sorted_[first_]] : kLast;
-  const Key inserted = inserted_.empty() ? kLast : *inserted_.begin();
-  return element_of(std::min(sorted, inserted));
-}
-
-void PriorityList::remove(std::uint32_t element) {
-  if (state_[element] == State::marked) std::erase(moved_, element);
-  inserted_.erase(keys_[element]);
-  comparisons_.erase(element);
-  state_[element] = State::gone;
-}
-
-void PriorityList::insert(std::uint32_t element) {
-  state_.resize(elements_.size(), State::waiting);
-  for (auto i = static_cast<std::uint32_t>(keys_.size()); i < elements_.size(); ++i) note(i);
-  inserted_.insert(keys_[element]);
-  levels_.add(element, elements_[element].extents);
-}
-
-/// The set Q_p, up to rounding of boxes: waiting elements that overlap P in x and y and reach behind P's nearest depth.
-PriorityList::Comparison& PriorityList::comparison_of(std::uint32_t p) {
-  const auto [place, is_new] = comparisons_.try_emplace(p);
-  Comparison& result = place->second;
-  if (!is_new) return result;
-  result.known = static_cast<std::uint32_t>(elements_.size());
-  seen_.resize(elements_.size(), 0);
-  levels_.visit(elements_[p].extents, [&](std::uint32_t q) {
-    if (state_[q] == State::gone) return false;
-    if (seen_[q] != p + 1 && q != p) result.others.push_back(keys_[q]);
-    seen_[q] = p + 1;
-    return true;
-  });
-  std::sort(result.others.begin(), result.others.end(), std::greater<>());
-  return result;
-}
-
-/// The comparison of an element for a piece cut from it: the piece does not hide faces that the whole does not hide.
-PriorityList::Comparison PriorityList::inherited(const Comparison& whole, std::uint32_t piece) const {
-  Comparison result{{}, {}, whole.known};
-  const auto is_left = [&](Key k) {
-    const std::uint32_t q = element_of(k);
-    return state_[q] != State::gone && boxes_[piece].meets(boxes_[q]);
-  };
-  std::copy_if(whole.others.begin(), whole.others.end(), std::back_inserter(result.others), is_left);
-  std::copy_if(whole.before.begin(), whole.before.end(), std::back_inserter(result.before), is_left);
-  return result;
-}
-
-/// Compares the next elements of the list with their sets, in parallel.
-void PriorityList::look_ahead() {
-  constexpr std::size_t kAhead = 4096, kTask = 64;  // adjustable
-  levels_.forget([&](std::uint32_t e) { return state_[e] == State::gone; });
-  Set next;
-  for (ahead_end_ = first_; ahead_end_ < sorted_.size() && next.size() < kAhead; ++ahead_end_) {
-    const std::uint32_t e = sorted_[ahead_end_];
-    if (state_[e] == State::waiting && !comparisons_.contains(e)) next.push_back(e);
-  }
-  std::vector<Comparison> compared(next.size());
-  std::vector<AheadWork> works(thread_count());
-  parallel_tasks(block_count(next.size(), kTask), [&](std::size_t task) {
-    AheadWork& work = works[thread_index()];
-    work.seen.resize(elements_.size(), 0);
-    for (std::size_t i = task * kTask; i < std::min(next.size(), (task + 1) * kTask); ++i) {
-      compared[i] = compared_ahead(next[i], work);
-    }
-  });
-  for (const AheadWork& work : works) counts_.add(work.counts);  // the sums do not depend on the threads
-  counts_.ahead += next.size();
-  for (std::size_t i = 0; i < next.size(); ++i) comparisons_.emplace(next[i], std::move(compared[i]));
-}
-
-/// Compares an element with the elements behind it in the list, up to the first that it may hide.
-PriorityList::Comparison PriorityList::compared_ahead(std::uint32_t p, AheadWork& work) const {
-  Comparison result;
-  result.known = static_cast<std::uint32_t>(elements_.size());
-  levels_.look(elements_[p].extents, [&](std::uint32_t q) {
-    if (work.seen[q] == p + 1 || q == p || state_[q] == State::gone) return;
-    work.seen[q] = p + 1;
-    (keys_[q] < keys_[p] ? result.before : result.others).push_back(keys_[q]);
-  });
-  std::sort(result.others.begin(), result.others.end(), std::greater<>());
-  while (!result.others.empty() && !may_hide(p, element_of(result.others.back()), work.counts, work.common)) {
-    result.others.pop_back();
-  }
-  return result;
-}
-
-/// Compares the head of the list with its set Q_p. Returns false if the list has changed.
-bool PriorityList::settle(std::uint32_t p) {
-  Comparison& comparison = comparison_of(p);
-  if (!work_off(p, comparison.others)) return false;
-  if (!comparison.before.empty()) {
-    // Elements wait before P only if some element was moved to the head.
-    if (!moved_.empty()) {
-      std::erase_if(comparison.before, [&](Key k) { return state_[element_of(k)] == State::gone; });
-      std::sort(comparison.before.begin(), comparison.before.end(), std::greater<>());
-      comparison.others.swap(comparison.before);
-    }
-    comparison.before.clear();
-    if (!work_off(p, comparison.others)) return false;
-  }
-  const Box& box = boxes_[p];
-  const auto count = static_cast<std::uint32_t>(elements_.size());
-  while (comparison.known < count) {
-    const std::uint32_t block = comparison.known / kBlock, end = std::min((block + 1) * kBlock, count);
-    if (!box.meets(blocks_[block])) {
-      comparison.known = end;
-      continue;
-    }
-    for (; comparison.known < end; ++comparison.known) {
-      const std::uint32_t q = comparison.known;
-      if (q != p && state_[q] != State::gone && box.meets(boxes_[q]) && !resolve(p, q)) return false;
-    }
-  }
-  return true;
-}
-
-/// Compares P with the elements of a set from the back and removes them. Returns false if the list has changed.
-bool PriorityList::work_off(std::uint32_t p, Keys& set) {
-  for (; !set.empty(); set.pop_back()) {
-    const std::uint32_t q = element_of(set.back());
-    if (state_[q] != State::gone && !resolve(p, q)) return false;
-  }
-  return true;
-}
-
-/// Returns true if P does not hide Q. Otherwise changes the list so that this pair does not recur.
-bool PriorityList::resolve(std::uint32_t p, std::uint32_t q) {
-  if (!may_hide(p, q)) return true;
-  if (state_[q] != State::marked) {
-    if (elements_.hide_one_way(p, q)) {
-      ++counts_.one_way;
-    } else if (may_hide(q, p)) {
-      if (open_body(p, q)) return false;
-      return !replace(p, elements_[q].plane, counts_.plane_cuts);
-    }
-    inserted_.erase(keys_[q]);
-    state_[q] = State::marked;
-    moved_.push_back(q);
-    ++counts_.moved;
-    return false;
-  }
-  if (open_body(p, q)) return false;
-  if (elements_.side(q, p) == PlaneSide::both) return !replace(q, elements_[p].plane, counts_.plane_cuts);
-  if (elements_.side(p, q) == PlaneSide::both) return !replace(p, elements_[q].plane, counts_.plane_cuts);
-  // Both planes fail. The larger element is halved. Halving only P need not end: if P hides Q and is itself hidden, so are
-  // its halves.
-  const std::uint32_t larger = elements_[q].extents.longest_side() > elements_[p].extents.longest_side() ? q : p;
-  return !replace(larger, elements_.halving_plane(larger), counts_.page_cuts);
-}
-
-/// Cuts the element and inserts its pieces into the list. Returns false if the plane does not cut it.
-bool PriorityList::replace(std::uint32_t element, const ModelPlane& plane, std::uint64_t& count) {
-  const auto pieces = elements_.cut(element, plane);
-  if (pieces.empty()) return false;
-  ++count;
-  put_in_place(element, pieces);
-  return true;
-}
-
-/// Replaces an element of the list by its parts.
-void PriorityList::put_in_place(std::uint32_t element, const std::vector<std::uint32_t>& parts) {
-  const Comparison whole = std::move(comparisons_[element]);
-  remove(element);
-  for (const std::uint32_t part : parts) {
-    insert(part);
-    comparisons_.emplace(part, inherited(whole, part));
-  }
-}
-
-/// Opens a body among two elements without an order, the one with more faces first. Returns false if neither is a body.
-bool PriorityList::open_body(std::uint32_t p, std::uint32_t q) {
-  const auto size = [&](std::uint32_t e) { return elements_.is_body(e) ? elements_[e].parts.size() : 0; };
-  const std::uint32_t body = size(q) > size(p) ? q : p;
-  if (!elements_.is_body(body)) return false;
-  ++counts_.opened;
-  put_in_place(body, elements_.open(body));
-  return true;
-}
-
-/// Tests in order of cost; each may prove that P does not hide Q.
-bool PriorityList::may_hide(std::uint32_t p, std::uint32_t q, ListCounts& counts, CommonPart& work) const {
-  if (elements_.never_hides(p, q)) {
-    const std::uint32_t f = elements_[p].face, g = elements_[q].face;
-    if (f != g) ++(elements_.bodies().never_hides(f, g) ? counts.one_body : counts.separated);
-    return false;
-  }
-  ++counts.compared;
-  const Extents &e = elements_[p].extents, &f = elements_[q].extents;
-  if (!e.overlap(f, 0)) {
-    ++counts.apart_in_x;
-  } else if (!e.overlap(f, 1)) {
-    ++counts.apart_in_y;
-  } else if (elements_.lies_behind(p, q)) {
-    ++counts.behind_plane;
-  } else if (elements_.lies_before(q, p)) {
-    ++counts.before_plane;
-  } else {
-    ++counts.projections;
-    if (elements_.disjoint(p, q)) {
-      ++counts.disjoint;
-      return false;
-    }
-    ++counts.depths;
-    if (elements_.hiding(p, q, work).first) return true;
-    ++counts.farther;
-  }
-  return false;
 }
 
 }  // namespace ligne::newell

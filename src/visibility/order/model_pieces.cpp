@@ -138,4 +138,62 @@ std::uint32_t ModelPieces::cut(std::uint32_t piece, const ModelPlane& plane) {
   return behind;
 }
 
+ModelPieces ModelPieces::extract(std::span<const std::uint32_t> pieces) const {
+  ModelPieces result;
+  std::vector<std::uint32_t>& origins = result.origins_;
+  origins.reserve(3 * pieces.size());
+  for (const std::uint32_t piece : pieces) {
+    const auto& v = triangles_[pieces_[piece].triangle].v;
+    origins.insert(origins.end(), corners(piece).begin(), corners(piece).end());
+    if (!std::equal(v.begin(), v.end(), corners(piece).begin(), corners(piece).end())) {
+      origins.insert(origins.end(), v.begin(), v.end());
+    }
+  }
+  std::sort(origins.begin(), origins.end());
+  origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
+  const auto number = [&](std::uint32_t corner) {
+    return static_cast<std::uint32_t>(std::lower_bound(origins.begin(), origins.end(), corner) - origins.begin());
+  };
+  for (const std::uint32_t corner : origins) result.points_.push_back(points_[corner]);
+  result.vertices_ = result.points_.size();
+  result.tolerance_ = tolerance_;
+  for (const std::uint32_t piece : pieces) {
+    const std::uint32_t t = pieces_[piece].triangle;
+    Triangle triangle = triangles_[t];
+    for (std::uint32_t& v : triangle.v) v = number(v);
+    const auto begin = static_cast<std::uint32_t>(result.corners_.size());
+    for (const std::uint32_t corner : corners(piece)) result.corners_.push_back(number(corner));
+    // One triangle per piece: the piece and its triangle have the same number.
+    result.pieces_.push_back(
+        {begin, static_cast<std::uint32_t>(result.corners_.size()), static_cast<std::uint32_t>(result.triangles_.size())});
+    result.triangles_.push_back(triangle);
+    result.normals_.push_back(normals_[t]);
+  }
+  result.uncut_corners_ = result.corners_.size();
+  return result;
+}
+
+std::vector<std::uint32_t> ModelPieces::take_over(const ModelPieces& extracted, std::span<const std::uint32_t> pieces) {
+  std::vector<std::uint32_t> numbers(pieces.begin(), pieces.end());
+  const auto first_point = static_cast<std::uint32_t>(points_.size());
+  const auto known = static_cast<std::uint32_t>(extracted.vertices_);
+  points_.insert(points_.end(), extracted.points_.begin() + known, extracted.points_.end());
+  for (std::uint32_t i = 0; i < extracted.pieces_.size(); ++i) {
+    const ModelPiece& piece = extracted.pieces_[i];
+    if (piece.begin < extracted.uncut_corners_) continue;
+    const auto begin = static_cast<std::uint32_t>(corners_.size());
+    for (const std::uint32_t corner : extracted.corners(i)) {
+      corners_.push_back(corner < known ? extracted.origins_[corner] : first_point + (corner - known));
+    }
+    const ModelPiece cut{begin, static_cast<std::uint32_t>(corners_.size()), pieces_[pieces[piece.triangle]].triangle};
+    if (i < pieces.size()) {
+      pieces_[pieces[i]] = cut;
+    } else {
+      numbers.push_back(static_cast<std::uint32_t>(pieces_.size()));
+      pieces_.push_back(cut);
+    }
+  }
+  return numbers;
+}
+
 }  // namespace ligne

@@ -92,7 +92,14 @@ class ModelPieces {
   /// pieces get one common corner on their common side.
   std::uint32_t cut(std::uint32_t piece, const ModelPlane& plane);
 
+  /// Copies pieces into a set of their own, numbered in the given order, which another thread may cut. Corners keep their
+  /// order, so cuts give the same corners, bit for bit, as in this set. O(n log n).
+  ModelPieces extract(std::span<const std::uint32_t> pieces) const;
+  /// Takes over the cuts of the set that extract(pieces) gave. Returns the number here of each piece of that set.
+  std::vector<std::uint32_t> take_over(const ModelPieces& extracted, std::span<const std::uint32_t> pieces);
+
  private:
+  ModelPieces() = default;
   void find_planes();
   std::uint32_t crossing(std::uint32_t a, std::uint32_t b, const ModelPlane& plane);
 
@@ -102,6 +109,9 @@ class ModelPieces {
   std::vector<std::uint32_t> corners_;
   std::vector<ModelPiece> pieces_;
   std::size_t vertices_ = 0;  ///< vertices of the scene; later points are corners of cuts
+  /// Extracted pieces only: by point, its number in the other set. Then vertices_ counts these points.
+  std::vector<std::uint32_t> origins_;
+  std::size_t uncut_corners_ = 0;  ///< extracted pieces only: corners before the first cut
   double tolerance_ = 0;
   std::vector<std::uint32_t> front_, back_;  ///< scratch: corners of the parts of a cut
 };

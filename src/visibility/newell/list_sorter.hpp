@@ -1,0 +1,120 @@
+#pragma once
+/// Sorts single lists of elements. The lists of a sorter are sorted one after the other; sorters with different elements may
+/// work at the same time.
+
+#include <cstdint>
+#include <set>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "base/no_index.hpp"
+#include "visibility/newell/page_levels.hpp"
+#include "visibility/newell/paint_elements.hpp"
+
+namespace ligne::newell {
+
+struct ListCounts {
+  std::uint64_t zones = 0;       ///< sets with disjoint extents on the page, nested
+  std::uint64_t slabs = 0;       ///< sets with disjoint depths, nested
+  std::uint64_t lists = 0;       ///< sets that could not be decomposed and were sorted
+  std::uint64_t ahead = 0;       ///< elements compared with their sets before they became the head
+  std::uint64_t one_body = 0;    ///< pairs of one convex body, not compared
+  std::uint64_t separated = 0;   ///< pairs separated by a plane, not compared
+  std::uint64_t one_way = 0;     ///< pairs compared one way only, because convex faces do not penetrate
+  std::uint64_t opened = 0;      ///< bodies replaced by their faces
+  std::uint64_t compared = 0;    ///< pairs of an element and a member of its set Q_p
+  std::uint64_t apart_in_x = 0;  ///< these pairs by the test that decided
+  std::uint64_t apart_in_y = 0;
+  std::uint64_t behind_plane = 0;
+  std::uint64_t before_plane = 0;
+  std::uint64_t projections = 0;  ///< pairs compared edge by edge
+  std::uint64_t disjoint = 0;     ///< of these, disjoint pairs
+  std::uint64_t depths = 0;       ///< pairs compared in depth over their common part
+  std::uint64_t farther = 0;      ///< of these, pairs where the first is nowhere in front
+  std::uint64_t moved = 0;        ///< elements marked and moved to the head of the list
+  std::uint64_t plane_cuts = 0;   ///< elements cut by the plane of another element
+  std::uint64_t page_cuts = 0;    ///< elements halved on the page because both planes failed
+
+  std::uint64_t cuts() const { return plane_cuts + page_cuts; }
+  void add(const ListCounts& o);
+};
+
+/// Key of an element in the list: farthest depth, farthest first, then element number for depths equal as floats. The list
+/// and the sets Q_p share this order.
+using SortKey = std::uint64_t;
+/// The high half is the depth as a float, mapped to an unsigned integer that rises as the depth falls.
+SortKey sort_key(double reach, std::uint32_t element);
+inline SortKey sort_key_of(SortKey reach, std::uint32_t element) { return reach >> 32 << 32 | element; }
+
+class ListSorter {
+ public:
+  using Set = std::vector<std::uint32_t>;
+
+  /// `keys`: one per element. `page` contains all lists, which have about `count` elements.
+  ListSorter(PaintElements& elements, std::vector<SortKey> keys, const Extents& page, std::size_t count);
+
+  /// Sorts a list, farthest first, and cuts elements without an order. No element stands in two lists.
+  Set sort(std::span<const std::uint32_t> list);
+  const ListCounts& counts() const { return counts_; }
+
+ private:
+  using Keys = std::vector<SortKey>;
+  static constexpr SortKey kLast = ~SortKey{0};
+  static std::uint32_t element_of(SortKey k) { return static_cast<std::uint32_t>(k); }  ///< kNone for kLast
+
+  std::uint32_t head();
+  bool settle(std::uint32_t p);
+  bool resolve(std::uint32_t p, std::uint32_t q);
+  bool may_hide(std::uint32_t p, std::uint32_t q) { return may_hide(p, q, counts_, common_); }
+  bool may_hide(std::uint32_t p, std::uint32_t q, ListCounts& counts, CommonPart& work) const;
+  void put_in_place(std::uint32_t whole, const std::vector<std::uint32_t>& parts);
+  bool open_body(std::uint32_t p, std::uint32_t q);
+  bool replace(std::uint32_t element, const ModelPlane& plane, std::uint64_t& count);
+  void remove(std::uint32_t element);
+  void insert(std::uint32_t element);
+  void note(std::uint32_t element);
+
+  /// The progress of comparing an element with its set Q_p. The result for a pair stays valid.
+  struct Comparison {
+    Keys others;              ///< not yet compared, farthest last
+    Keys before;              ///< elements before it when it was compared ahead, unordered; most will be gone
+    std::uint32_t known = 0;  ///< elements with higher numbers were made later
+  };
+  Comparison& comparison_of(std::uint32_t p);
+  Comparison inherited(const Comparison& whole, std::uint32_t piece) const;
+  bool work_off(std::uint32_t p, Keys& set);
+  void look_ahead();
+  struct AheadWork {
+    ListCounts counts;
+    CommonPart common;
+    Set seen;  ///< per element: 1 + the last element whose comparison collected it
+  };
+  Comparison compared_ahead(std::uint32_t p, AheadWork& work) const;
+
+  PaintElements& elements_;
+  Keys keys_;  ///< per element
+  PageLevels levels_;
+  static constexpr std::uint32_t kBlock = 32;  ///< boxes per block. Tuned
+  std::vector<Box> boxes_;                     ///< per element
+  std::vector<Box> blocks_;                    ///< union of every kBlock boxes
+  ListCounts counts_;
+  CommonPart common_;
+
+  // The current list: elements moved to its head, the initial sort, and pieces inserted later.
+  enum class State : std::uint8_t { waiting, marked, gone };
+  std::vector<State> state_;
+  Set moved_;
+  Set sorted_;
+  std::size_t first_ = 0;                                      ///< first element of sorted_ that may be waiting
+  std::size_t ahead_end_ = 0;                                  ///< elements of sorted_ before this one were compared ahead
+  std::set<SortKey> inserted_;                                 ///< waiting pieces
+  std::unordered_map<std::uint32_t, Comparison> comparisons_;  ///< of former heads; only looked up
+  std::vector<AheadWork> works_;                               ///< per thread
+  Set order_;                                                  ///< elements already sorted
+  std::size_t gone_ = 0;                                       ///< elements that left the lists since levels_ forgot them
+  std::vector<std::uint32_t> seen_;                            ///< per element: 1 + last element that collected it
+};
+
+}  // namespace ligne::newell
