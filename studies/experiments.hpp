@@ -77,10 +77,12 @@ Result study_shadow_cost(const StudyRequest& request);
 // Newell, Newell and Sancha, [Boulle1980] 2.5, and the four methods together, 2.6.
 Result study_list_cases(const StudyRequest& request);
 Result study_decomposition(const StudyRequest& request);
+Result study_zones(const StudyRequest& request);
 Result study_four_methods(const StudyRequest& request);
 // Elementary operations, [Boulle1980] 3.
 Result study_segment_tests(const StudyRequest& request);
 Result study_many_segments(const StudyRequest& request);
+Result study_visible_segments(const StudyRequest& request);
 Result study_point_in_contour(const StudyRequest& request);
 Result study_segment_clipping(const StudyRequest& request);
 Result study_contour_clipping(const StudyRequest& request);

@@ -255,6 +255,29 @@ TEST(Study, Decomposition) {
   EXPECT_EQ(run("decomposition").finding, Finding::holds);
 }
 
+// 2.6: zones in parallel. Figure 2.88 ends in single faces; of a grid of crowds each is a zone, with a list if its boxes
+// meet.
+TEST(Study, Zones) {
+  const Result result = run("zones");
+  const Table& table = result.tables[0];
+  EXPECT_EQ(result.finding, Finding::holds);
+  EXPECT_EQ(counts(table, "lists")[0], 0u);
+  EXPECT_EQ(counts(table, "pairs compared")[0], 0u);
+  for (const std::size_t row : {1u, 2u}) {
+    SCOPED_TRACE(row);
+    EXPECT_GE(count_in(table, row, "zones"), 25u);
+    EXPECT_GE(count_in(table, row, "lists"), 20u);
+    EXPECT_GT(count_in(table, row, "cuts"), 20u);
+    EXPECT_NEAR(number_in(table, row, "bound of the gain"),
+                double(count_in(table, row, "pairs compared")) / double(count_in(table, row, "pairs of the list with most")),
+                1e-12);
+  }
+  EXPECT_EQ(count_in(table, 2, "elements of the longest"), 144u);
+  EXPECT_GT(number_in(table, 1, "bound of the gain"), 10);
+  EXPECT_LT(number_in(table, 2, "bound of the gain"), 1.5);
+  for (const auto& row : table.rows) EXPECT_EQ(std::get<std::string>(row[column_of(table, "one order")]), "yes");
+}
+
 // Figure 2.56.
 TEST(Study, StackDoesNotCareWhereTheSceneLies) {
   const Table table = run("translation").tables[0];
