@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "scene/model/scene_parts.hpp"
 #include "studies/experiments.hpp"
 #include "studies/generators.hpp"
 #include "studies/measure.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace ligne::studies {
@@ -117,6 +118,14 @@ double PlaneCurve::depth(double x) const {
   if (!is_arc()) return z_left + (x - left) * (double(z_right) - z_left) / (double(right) - left);
   const double chord = std::sqrt(std::max(0.0, radius_square - (x - x_middle) * (x - x_middle)));
   return z_middle + (kind == Kind::far_arc ? chord : -chord);
+}
+
+std::array<std::int64_t, 4> carrier_of(const PlaneCurve& curve) {
+  const auto kind = static_cast<std::int64_t>(curve.kind);
+  if (curve.is_arc()) return {kind, curve.x_middle, curve.z_middle, curve.radius_square};
+  const Line line = line_of(curve);
+  const std::int64_t d = std::gcd(std::gcd(line.u, line.w), line.k);
+  return {kind, line.u / d, line.w / d, line.k / d};
 }
 
 std::vector<PlaneCurve> circle(LatticePoint centre, std::int32_t radius, bool is_transparent) {

@@ -5,6 +5,7 @@
 /// range: a segment that is not parallel to the view, or an arc of the near or the far half of a circle, whose curvature has
 /// one sign.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -33,6 +34,9 @@ struct PlaneCurve {
   bool is_seen_edge_on() const { return left == right; }
   double depth(double x) const;  ///< rounded
 };
+
+/// The line or the half circle that a curve is part of: equal for two curves that coincide where their ranges overlap.
+std::array<std::int64_t, 4> carrier_of(const PlaneCurve& curve);
 
 /// The near and the far half of a circle.
 std::vector<PlaneCurve> circle(LatticePoint centre, std::int32_t radius, bool is_transparent = false);

@@ -28,14 +28,15 @@ struct VisibleWork {
 };
 
 /// The pieces, by curve and from the left. Curves parallel to the view are seen as points: they hide nothing and have no
-/// piece. Of coincident curves the one with the lower number is in front. Curves may touch, begin and end on each other,
-/// and cross in one point.
+/// piece. A curve with a lower number is in front of one that coincides with it. Curves may touch, begin and end on each
+/// other, and cross in one point.
 ///
-/// Invariant: behind each stop, the tree holds the curves over the sweep line by depth just behind the stop, and each of
-/// them knows its level or that it is hidden. O((n + k + p) log n) for n curves, k crossings and p pieces.
+/// Invariant: behind each stop, the tree holds the runs over the sweep line by depth just behind the stop, where a run is a
+/// range of one line or half circle that curves cover, and each curve knows its level or that it is hidden.
+/// O((n + k + p) log n) for n curves, k crossings and p pieces.
 std::vector<VisiblePiece> visible_by_sweep(std::span<const PlaneCurve> curves, VisibleWork& work);
 
-/// The same pieces from the order of all curves between each two neighbouring stops of all pairs. O((n^2 + k) n log n).
+/// Finds the same pieces by ordering all curves between each two neighbouring stops of all pairs. O((n^2 + k) n log n).
 std::vector<VisiblePiece> visible_by_pairs(std::span<const PlaneCurve> curves);
 
 }  // namespace ligne::studies

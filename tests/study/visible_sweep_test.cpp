@@ -179,6 +179,26 @@ TEST(VisibleSweep, TakesNLogN) {
   EXPECT_LT(large.pairs, 12 * small.pairs);
 }
 
+// Many curves of one carrier, each with its own ends, are one run: a stop asks about it once.
+TEST(VisibleSweep, ACrowdOfCoincidentCurvesTakesNLogN) {
+  const auto work_of = [](int n) {
+    Curves curves;
+    for (int i = 0; i < n; ++i)
+      curves.push_back(PlaneCurve::segment({i % 1000, i % 1000}, {3000 + i % 997, 3000 + i % 997}, i % 3 == 0));
+    for (int i = 0; i < n; ++i)
+      curves.push_back(PlaneCurve::arc(Kind::far_arc, {2000, 0}, 2000, {i % 1000, 3999 - i % 991}, i % 2 == 0));
+    VisibleWork work;
+    const Pieces pieces = visible_by_sweep(curves, work);
+    if (n <= 100) {
+      EXPECT_TRUE(pieces == visible_by_pairs(curves));
+    }
+    return work;
+  };
+  const VisibleWork small = work_of(100), large = work_of(4000);
+  EXPECT_LE(large.pairs, small.pairs);
+  EXPECT_LT(large.comparisons, 4u * 2 * 4000);
+}
+
 TEST(OneRoot, OrderIsExact) {
   // sqrt(2) + 1 against 1 / (sqrt(2) - 1), which is the same number, and against neighbours.
   const OneRoot a(Int128(1), 1, 2, 1);
