@@ -1,6 +1,7 @@
 #include "visibility/newell/priority_list.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -84,21 +85,25 @@ std::vector<PriorityList::Group> PriorityList::groups() const {
 }
 
 /// Sorts all lists. The group with the most elements is sorted in place, the others in copies, so no cut moves what another
-/// thread reads.
+/// thread reads. As many copies exist at once as keep the threads busy; their order does not depend on that number.
 void PriorityList::sort_lists() {
+  constexpr std::size_t kCopiesPerThread = 8;  // adjustable
   std::vector<Group> groups = this->groups();
   std::vector<Group*> longest_first;
   for (Group& group : groups) longest_first.push_back(&group);
-  std::ranges::stable_sort(longest_first,
-                           [](const Group* a, const Group* b) { return a->elements.size() > b->elements.size(); });
-  const auto each = [&](const auto& work) {
-    if (options_.parallel) return parallel_tasks(groups.size(), [&](std::size_t i) { work(*longest_first[i], i == 0); });
-    for (std::size_t i = 0; i < groups.size(); ++i) work(*longest_first[i], i == 0);
-  };
-  each([&](Group& group, bool in_place) {
-    if (!in_place) group.copy = std::make_unique<PaintElements>(elements_, group.elements);
-  });
-  each([&](Group& group, bool) { sort_group(group); });
+  std::ranges::stable_sort(longest_first, std::greater<>(), [](const Group* group) { return group->elements.size(); });
+  const std::size_t at_once = options_.parallel ? kCopiesPerThread * thread_count() : 1;
+  for (std::size_t begin = 0; begin < groups.size(); begin += at_once) {
+    const auto some = std::span(longest_first).subspan(begin, std::min(at_once, groups.size() - begin));
+    parallel_tasks(some.size(), [&](std::size_t i) {
+      if (begin + i > 0) some[i]->copy = std::make_unique<PaintElements>(elements_, some[i]->elements);
+    });
+    parallel_tasks(some.size(), [&](std::size_t i) { sort_group(*some[i]); });
+    for (Group* group : some) {
+      if (group->copy) number_in_whole(group->orders, elements_.take_over(*group->copy, group->elements));
+      group->copy.reset();
+    }
+  }
   collect(groups);
 }
 
@@ -131,13 +136,11 @@ void PriorityList::sort_group(Group& group) {
   }
 }
 
-/// Joins the orders of all sets, farthest first. The group sorted in place has its numbers already.
-void PriorityList::collect(std::vector<Group>& groups) {
+/// Joins the orders of all sets, farthest first.
+void PriorityList::collect(const std::vector<Group>& groups) {
   auto group = groups.begin();
   std::size_t next = 0;  // list of the group
-  for (Group& g : groups) {
-    if (g.copy) number_in_whole(g.orders, elements_.take_over(*g.copy, g.elements));
-    g.copy.reset();
+  for (const Group& g : groups) {
     counts_.add(g.counts);
     lists_.insert(lists_.end(), g.sorted.begin(), g.sorted.end());
   }

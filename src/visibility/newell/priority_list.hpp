@@ -79,7 +79,7 @@ class PriorityList {
   std::vector<Group> groups() const;
   void sort_lists();
   void sort_group(Group& group);
-  void collect(std::vector<Group>& groups);
+  void collect(const std::vector<Group>& groups);
   Set with_faces_of_bodies();
 
   PaintElements& elements_;
