@@ -81,7 +81,7 @@ FAMILIES = {"terrain": (terrain, "iso", (6272, 25088, 100352, 401408)), "plates 
 COMPILE = {"newell": ("elements", "list"), "bsp": ("tree",), "convex-tree": ("tree",)}
 DISPLAY = {"newell": (), "bsp": ("order",), "convex-tree": ("order",)}
 COUNTS = {"newell": {"pairs compared": "pairs compared", "moved": "moved to the head", "cuts": ("cuts by a plane", "cuts on the page"),
-                     "elements": "elements in the end"},
+                     "elements": "final elements"},
           "bsp": {"splits": "splits", "nodes": "nodes", "depth": "depth of the tree"},
           "convex-tree": {"convex sets": "convex sets (nodes of type 1)", "complexity": "complexity (nodes of type 2)",
                           "splits": "splits", "depth": "depth of the tree"}}

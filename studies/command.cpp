@@ -68,20 +68,20 @@ void study_chosen(const StudyCommandOptions& options) {
 
 void setup_study(CLI::App& app, StudyCommandOptions& options) {
   CLI::App& command = *add_command(app, "study", kStudyTitle, kStudyExamples);
-  add_arguments(command, "NAME", options.words, false, "an experiment, or all; files of models behind it are studied too");
+  add_arguments(command, "NAME", options.words, false, "an experiment, or all; model files after the name are studied too");
   OptionGroup group(command, "Options");
-  group.add_flag("--list", options.list, "names of the experiments, and what they are about");
+  group.add_flag("--list", options.list, "list the experiments");
   group
       .add(
           "--size", "SIZE", options.size,
           [](const std::string& text) { return static_cast<StudySize>(parse_choice(text, kStudySizeNames)); },
-          "full, or small: the same tables of smaller scenes")
+          "full, or small: the same tables for smaller scenes")
       .standard("full");
-  group.add("--json", "FILE", options.json, parse_file_name, "the tables as JSON; - is standard output");
-  group.add("--csv", "FILE", options.csv, parse_file_name, "the figures as CSV, one a line");
-  group.add("--svg", "FILE", options.svg, parse_file_name, "the plots, below each other");
+  group.add("--json", "FILE", options.json, parse_file_name, "write the tables as JSON; - is standard output");
+  group.add("--csv", "FILE", options.csv, parse_file_name, "write the figures as CSV, one per line");
+  group.add("--svg", "FILE", options.svg, parse_file_name, "write the plots, one below the other");
   group.add("--plates", "FILE", options.plates, parse_file_name,
-            "the plates of the thesis, drawn anew, as a PDF; needs no NAME");
+            "write the redrawn plates of the thesis as a PDF; needs no NAME");
   add_run_options(command, options.run);
 }
 

@@ -59,8 +59,8 @@ Result study_propagation(const StudyRequest& request) {
       options.settings.set("propagate", ParameterWord{w + 1});
       const VisibilityResult result = appel.compute_visibility(projected, options);
       const Statistics& statistics = result.statistics;
-      const std::uint64_t tests = counted(statistics, "of them for edges"), near = counted(statistics, "facets near edges"),
-                          sides = counted(statistics, "line-side tests");
+      const std::uint64_t tests = counted(statistics, "of these, for edges"),
+                          near = counted(statistics, "facets near edges"), sides = counted(statistics, "line-side tests");
       if (w == 0) {
         all_tests = std::max(1.0, double(tests));
         strokes = result.strokes->strokes.size();
@@ -70,7 +70,7 @@ Result study_propagation(const StudyRequest& request) {
       alike = alike && strokes == result.strokes->strokes.size();
       table.rows.push_back({named.name, std::string(kHidingWays[w].name), std::string(kHidingWays[w].source),
                             std::uint64_t{projected.edges.size()}, counted(statistics, "edges against all faces"),
-                            counted(statistics, "edges carried"), tests, near, sides,
+                            counted(statistics, "edges propagated"), tests, near, sides,
                             double(tests + near + sides) / all_tests, std::uint64_t{result.strokes->strokes.size()}});
     }
   }
@@ -78,8 +78,10 @@ Result study_propagation(const StudyRequest& request) {
   result.tables.push_back(std::move(table));
   result.finding = !alike || !spared ? Finding::no_longer : Finding::in_part;
   result.sentence =
-      "All ways give the same lines, and carrying spares tests of edges against all faces; but to be certain that nothing is "
-      "touched or pierced takes looks at faces near by, and a set of faces changes at so many sides that it costs more than it "
+      "All ways give the same lines, and carrying spares tests of edges against all faces; but to be certain that nothing "
+      "is "
+      "touched or pierced takes looks at faces near by, and a set of faces changes at so many sides that it costs more than "
+      "it "
       "spares.";
   return result;
 }

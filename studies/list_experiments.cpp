@@ -51,7 +51,7 @@ Table mutual(const StudyRequest& request) {
                {"thesis: (n (r/2 + 1))^2", ColumnKind::source},
                {"pairs compared", ColumnKind::count},
                {"cuts", ColumnKind::count},
-               {"elements in the end", ColumnKind::count},
+               {"final elements", ColumnKind::count},
                {"elements over (faces + 1)", ColumnKind::measure}}};
   for (const int teeth : {2, 4}) {
     for (int n = 2; n <= request.pick(4, 64); n *= 2) {
@@ -171,7 +171,8 @@ Result study_decomposition(const StudyRequest& request) {
   for (const NamedScene& named : request.models) result.tables.push_back(decomposition_of(named, others));
   result.finding = without_list ? Finding::holds : Finding::no_longer;
   result.sentence =
-      "Zones and slabs are decomposed in turn until each has one face; a walk through the tree is the model of visibility, and no "
+      "Zones and slabs are decomposed in turn until each has one face; a walk through the tree is the model of visibility, "
+      "and no "
       "pair of faces is compared.";
   return result;
 }
@@ -188,8 +189,10 @@ Result study_list_cases(const StudyRequest& request) {
   result.charts.push_back(std::move(chart));
   result.finding = holds ? Finding::in_part : Finding::no_longer;
   result.sentence =
-      "Faces apart in depth are never compared and a cut makes r / 2 + 1 pieces at the most. A ring costs comparisons in proportion "
-      "to its bars, since only faces that overlap on the page are compared; faces that all stand in one are compared with the square "
+      "Faces apart in depth are never compared and a cut makes r / 2 + 1 pieces at the most. A ring costs comparisons in "
+      "proportion "
+      "to its bars, since only faces that overlap on the page are compared; faces that all stand in one are compared with "
+      "the square "
       "of their number, but the pieces of a cut do not count, so r plays no part.";
   return result;
 }

@@ -50,7 +50,7 @@ PenTable read_pens(std::string_view toml, const std::string& name) {
     table.only({"number", "name", "color", "width", "skip", "pause", "speed", "height", "delay", "classes", "objects",
                 "materials", "shades", "rest"});
     const Pen pen = read_pen(table);
-    if (!result.pens.emplace(pen.number, pen).second) table.fail("pen " + std::to_string(pen.number) + " is there twice");
+    if (!result.pens.emplace(pen.number, pen).second) table.fail("pen " + std::to_string(pen.number) + " is given twice");
     const auto assign = [&](std::string_view key, auto& target) {
       for (const std::string& layer : table.texts(key)) {
         if (!target.emplace(layer, pen.number).second) table.fail(printable(layer) + " has two pens", table.find(key));

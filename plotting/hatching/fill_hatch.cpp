@@ -33,7 +33,7 @@ FillHatch FillHatches::of(std::string_view layer, std::string_view color) const 
 
 void hatch_regions(ReadDrawing& drawing, const FillReading& fills) {
   if (drawing.regions.empty())
-    throw std::runtime_error("has no regions to be hatched: --method atherton-weiler or warnock of ligne draw stores them");
+    throw std::runtime_error("has no regions to hatch: --method atherton-weiler or warnock of ligne draw stores them");
   std::map<std::string, std::vector<std::size_t>> by_material;
   for (std::size_t i = 0; i < drawing.regions.size(); ++i) by_material[drawing.regions[i].material].push_back(i);
   std::vector<Layer> layers;
@@ -56,7 +56,7 @@ void hatch_regions(ReadDrawing& drawing, const FillReading& fills) {
       for (const Point2 p : region.contours.front()) box.extend(p);
       work += std::hypot(box.width(), box.height()) / line_mm;
     }
-    if (work > kMostRuns) throw std::runtime_error("has regions whose hatching asks for endless work");
+    if (work > kMostRuns) throw std::runtime_error("has regions whose hatching takes too much work");
     for (const double turn : {0.0, 90.0}) {
       if (turn > 0 && !how.cross) continue;
       const HatchFrame frame({drawing.page.width_mm / 2, drawing.page.height_mm / 2}, how.angle_degrees + turn);

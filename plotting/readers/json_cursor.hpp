@@ -10,7 +10,7 @@ namespace ligne {
 
 /// Thrown if the text does not have the requested form; `at` is the position in bytes.
 struct JsonSyntaxError : std::runtime_error {
-  explicit JsonSyntaxError(std::size_t place) : std::runtime_error("is not JSON that can be read"), at(place) {}
+  explicit JsonSyntaxError(std::size_t place) : std::runtime_error("is not valid JSON"), at(place) {}
   std::size_t at;
 };
 

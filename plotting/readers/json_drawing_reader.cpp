@@ -33,7 +33,7 @@ class DrawingReader {
     } catch (const json::parse_error& e) {
       fail("is not JSON: at byte " + std::to_string(e.byte));
     } catch (const json::exception& e) {
-      fail("is not JSON that can be read");
+      fail("is not valid JSON");
     }
     if (!root.is_object() || root.value("format", json()) != "ligne-drawing") fail("is not a ligne-drawing");
     // Strokes have the same form in both versions.

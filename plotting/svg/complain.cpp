@@ -12,8 +12,8 @@ namespace {
 std::string noun_of(std::string_view name, const pugi::xml_node& node) {
   if (name == "text") return "<" + printable(node.name()) + "> elements in texts";
   if (name == "image") return "images";
-  if (name == "clip-path") return "clip paths of other things than shapes";
-  if (name == "mask") return "masks of other things than shapes of one colour";
+  if (name == "clip-path") return "clip paths that are not shapes";
+  if (name == "mask") return "masks that are not shapes of one colour";
   if (name == "filter") return "filters";
   if (name == "foreignObject") return "foreignObject elements";
   if (name == "animation") return "animations";
@@ -33,7 +33,7 @@ SvgReader::SvgReader(std::string_view text, std::string file, const std::set<std
   };
   complaints_.cut_short = [this](const pugi::xml_node& node, const std::string& cause) {
     const std::string name = "<" + printable(node.name()) + ">";
-    omit("ends of " + name + " elements behind an error", node, name + " " + cause);
+    omit("ends of " + name + " elements after an error", node, name + " " + cause);
   };
 }
 

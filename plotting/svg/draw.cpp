@@ -102,7 +102,7 @@ bool SvgReader::has_paint(const std::optional<Paint>& paint, const pugi::xml_nod
   if (!paint) return false;
   if (is_server(paint->server)) return kind_of_server(paint->server) != ServerKind::empty;
   if (!paint->color.empty()) return true;
-  leave_out("gradients and patterns that the file lacks", node);
+  leave_out("gradients and patterns missing from the file", node);
   return false;
 }
 
@@ -278,7 +278,7 @@ void SvgReader::hatch_fill(const Polylines& contours, const Context& context, co
     for (std::size_t k = 1; k < contours[i].size(); ++k)
       fill_work_ += 1 + glm::distance(contours[i][k - 1], contours[i][k]) / line_mm;
   }
-  if (fill_work_ > kMostFillWork) throw EndlessWork("has fills that ask for endless work");
+  if (fill_work_ > kMostFillWork) throw EndlessWork("has fills that take too much work");
   add_lines(hatch(area, options), context, color, 0);
 }
 

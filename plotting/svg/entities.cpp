@@ -161,8 +161,7 @@ class EntityExpansion {
  private:
   /// Line ends of entities become blanks, so that lines keep their numbers.
   void add(std::string_view text, int depth) {
-    if (result.text.size() + text.size() > most_)
-      throw std::invalid_argument("has entities that make it many times as large");
+    if (result.text.size() + text.size() > most_) throw std::invalid_argument("has entities that expand it too much");
     const std::size_t begin = result.text.size();
     result.text += text;
     if (depth > 0) std::replace(result.text.begin() + static_cast<std::ptrdiff_t>(begin), result.text.end(), '\n', ' ');

@@ -120,7 +120,7 @@ void Outline::arc_to(double rx, double ry, double rotation_degrees, bool large, 
   const Point2 half = (a - p) * 0.5, middle = (a + p) * 0.5;
   Point2 u{(c * half.x + s * half.y) / rx, (-s * half.x + c * half.y) / ry};
   const double squared = glm::dot(u, u);
-  if (!std::isfinite(squared)) throw OutOfReach("an arc is beyond all numbers");
+  if (!std::isfinite(squared)) throw OutOfReach("an arc is out of the range of numbers");
   if (squared > 1) {  // radii that are too small grow until the arc is half an ellipse
     rx *= std::sqrt(squared);
     ry *= std::sqrt(squared);

@@ -108,7 +108,7 @@ Point2 transform_origin(std::string_view text, const Viewport& port, const Matri
   const auto is_across = [](std::string_view word) { return word == "left" || word == "right"; };
   if (words.size() == 1) words.push_back("center");
   if (words.size() >= 2 && (is_down(words[0]) || is_across(words[1]))) std::swap(words[0], words[1]);
-  if (words.size() < 2) throw std::invalid_argument("is not a place");
+  if (words.size() < 2) throw std::invalid_argument("is not a position");
   const auto at = [&](std::string_view word, double whole) {
     if (word == "left" || word == "top") return 0.0;
     if (word == "center") return whole / 2;

@@ -15,7 +15,7 @@ namespace {
 
 [[noreturn]] void fail(std::string_view what) {
   constexpr std::size_t kShown = 60;
-  throw std::runtime_error("cairo: an SVG of another form than expected: " + std::string(what.substr(0, kShown)));
+  throw std::runtime_error("cairo: an SVG of unexpected form: " + std::string(what.substr(0, kShown)));
 }
 
 using Attributes = std::map<std::string_view, std::string_view>;
@@ -122,7 +122,7 @@ double printed_number(const char*& text, const char* end) {
 
 std::vector<CairoSvgPart> cairo_svg_parts(std::string& document, double size) try {
   pugi::xml_document xml;
-  if (!xml.load_buffer_inplace(document.data(), document.size(), pugi::parse_minimal)) fail("it is no XML");
+  if (!xml.load_buffer_inplace(document.data(), document.size(), pugi::parse_minimal)) fail("it is not XML");
   const pugi::xml_node root = xml.child("svg");
   // Lengths are in units of the viewBox, whatever the unit of the width.
   if (svg::numbers(root.attribute("viewBox").value()) != std::vector<double>{0, 0, size, size}) fail("its viewBox");

@@ -187,7 +187,7 @@ std::string SvgCanvas::paths(FunctionRef<void(cairo_t*, double)> draw, double pe
 std::string SvgCanvas::image(const GrayPicture& picture) const {
   std::string svg = document([&](cairo_t* cairo, double units_per_mm) { paint_gray(cairo, picture, units_per_mm); }, 1);
   const std::vector<CairoSvgPart> parts = cairo_svg_parts(svg, size());
-  if (parts.size() != 1) throw std::runtime_error("cairo: an SVG of other than one image");
+  if (parts.size() != 1) throw std::runtime_error("cairo: an SVG with other than one image");
   const Point2 corner = to_mm(parts[0].to_document({0, 0})), end = to_mm(parts[0].to_document(parts[0].pixels));
   return "<image x=\"" + svg_number(corner.x) + "\" y=\"" + svg_number(corner.y) + "\" width=\"" +
          svg_number(end.x - corner.x) + "\" height=\"" + svg_number(end.y - corner.y) +

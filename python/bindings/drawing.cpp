@@ -29,7 +29,7 @@ std::int64_t given_face(const Scene& scene, std::uint32_t face) {
 
 const DrawnScene& drawn_of(const DrawingHolder& holder) {
   if (const DrawnScene* drawn = holder.drawn()) return *drawn;
-  throw RequestError("method", "the floating horizon gives polylines alone; a mesh method gives strokes of edges");
+  throw RequestError("method", "the floating horizon gives only polylines; a mesh method gives strokes of edges");
 }
 
 Point3 point_at(const SourceEdge& edge, double t) { return edge.ends[0] + t * (edge.ends[1] - edge.ends[0]); }
@@ -259,10 +259,10 @@ void DrawingHolder::draw(const PictureRequest& request, const Progress& progress
     check(surface);
     const std::string mesh = needs_mesh(surface), horizon = needs_horizon(surface);
     if (options_.horizon_given && !mesh.empty()) {
-      throw RequestError("method", "horizon draws no " + mesh + "; a mesh method does");
+      throw RequestError("method", "horizon can not draw " + mesh + "; a mesh method does");
     }
     if (!horizon.empty() && !drawn_by_horizon(surface)) {
-      throw RequestError("method", horizon + " is drawn by the method horizon alone, and does not go with " +
+      throw RequestError("method", horizon + " is drawn by method horizon only, and can not be combined with " +
                                        (mesh.empty() ? "a mesh method" : mesh));
     }
     drawn_.reset();
@@ -310,7 +310,7 @@ void DrawingHolder::refuse_its_inputs(const std::string& field, const std::strin
 }
 
 std::string DrawingHolder::write_mesh(MeshFormat format) const {
-  if (!surface_) throw RequestError("as-mesh", "goes with surfaces; a scene is a mesh already");
+  if (!surface_) throw RequestError("as-mesh", "works for surfaces only; a scene is already a mesh");
   RunReport run;
   return write_surface_mesh(*surface_, format, run);
 }

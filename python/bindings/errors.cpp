@@ -88,7 +88,7 @@ void add_errors(py::module_& module) {
   exceptions.dtype = add(module, "DtypeError", "An array holds a kind of values that it can not have; the text names it.",
                          {exceptions.error, PyExc_TypeError});
   exceptions.request = add(module, "RequestError",
-                           "A value of an option has no meaning, or two do not go together; `option` is its name, or empty.",
+                           "An option has an invalid value, or two options can not be combined; `option` is its name, or empty.",
                            {exceptions.error, PyExc_ValueError});
   exceptions.memory = add(module, "MemoryLimitError", "The work would take more memory than there is, or than max_memory.",
                           {exceptions.error, PyExc_MemoryError});

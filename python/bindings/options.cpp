@@ -209,7 +209,7 @@ PictureRequest Options::request() const {
   PictureRequest request = picture;
   const ViewRequest& view = request.view;
   if (view.named_view.has_value() + view.camera.has_value() + view.direction.has_value() + view.eye.has_value() > 1) {
-    throw RequestError("view", "of view, direction and eye only one can be given");
+    throw RequestError("view", "only one of view, direction and eye can be given");
   }
   if (!edges_given && !request.fill.lights.empty()) request.lines.classes.add(LineClass::shadow);
   if (request.lines.profiles() != ProfileKind::off) request.lines.classes.add(LineClass::profile);

@@ -119,7 +119,7 @@ PlotDrawingRequest plot_request(const py::dict& keywords, Options& options, RunR
   plot.curves = options.picture.output.curves.value_or(false);
   check(plot);
   if (plot.plotter.parts.every_mm.has_value() == plot.plotter.parts.action.empty())
-    throw RequestError("every", "goes with do, the name of an action");
+    throw RequestError("every", "needs do, the name of an action");
   return plot;
 }
 
@@ -135,7 +135,7 @@ py::tuple plot(const std::vector<std::pair<std::string, std::optional<std::strin
   request.plotter.parts.split_files = numbered;
   request.plotter.parts.pen_files = has_number_place(file, 'p');
   if (request.tile && !numbered && request.format != OutputFormat::pdf)
-    throw RequestError("file", "the sheets need a place for their number: name%d; only a PDF holds them all");
+    throw RequestError("file", "several sheets need a number in the file name, such as name%d, or a PDF");
   Picture picture;
   run(py::none(), options.threads, [&](const Progress&) {
     std::vector<DrawingText> texts;

@@ -179,7 +179,7 @@ py::tuple state_of(const SceneHolder& holder) {
 
 std::shared_ptr<SceneHolder> scene_of_state(const py::tuple& state) {
   constexpr std::size_t kParts = 7;
-  if (state.size() != kParts) throw InputError("pickle: is no scene of this version of ligne");
+  if (state.size() != kParts) throw InputError("pickle: is not a scene of this version of ligne");
   const auto text = state[0].cast<std::string>();
   auto holder = std::make_shared<SceneHolder>();
   const int quality = state[2].cast<int>();
@@ -213,7 +213,7 @@ void refuse_inputs(const InputFiles& inputs, const std::string& field, const std
   for (const std::filesystem::path& input : inputs) {
     std::error_code absent;
     if (!file.empty() && std::filesystem::equivalent(file, input, absent) && !absent)
-      throw RequestError(field, printable(file, kLongestPath) + " is an input too, and would be lost");
+      throw RequestError(field, printable(file, kLongestPath) + " is also an input file, and would be overwritten");
   }
 }
 

@@ -204,7 +204,7 @@ SurfaceRequest surface_request(const py::dict& keywords) {
     if (setter == setters().end()) throw RequestError(name, "there is no such option");
     setter->second(surface, name, value);
   });
-  if (surface.pixel_columns && !pixels_asked) throw RequestError("resolution", "goes with horizon=\"pixels\"");
+  if (surface.pixel_columns && !pixels_asked) throw RequestError("resolution", "needs horizon=\"pixels\"");
   return surface;
 }
 

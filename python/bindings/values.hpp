@@ -16,7 +16,7 @@ bool is_sequence(pybind11::handle value);
 std::string text_of(const std::string& option, pybind11::handle value, char separator = ',');
 
 /// One text for each value of an option that may be given several times: a dictionary gives "KEY=VALUE" each, a sequence
-/// that is no sequence of numbers one for each of its values.
+/// that is not a sequence of numbers one for each of its values.
 std::vector<std::string> texts_of(const std::string& option, pybind11::handle value);
 
 /// True or False. Throws RequestError of the option for anything else.

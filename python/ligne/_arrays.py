@@ -17,7 +17,7 @@ def _array(name: str, value: Any) -> Array:
     try:
         array = np.asarray(value)
     except (TypeError, ValueError) as error:
-        raise InputError(f"{name}: is no array: {error}") from None
+        raise InputError(f"{name}: is not an array: {error}") from None
     return array
 
 
@@ -61,13 +61,13 @@ def flat_faces(faces: Faces) -> Tuple[Array, List[int], List[int], int]:
         if array.ndim != 2 or array.shape[1] < 3:
             raise InputError(f"faces: the shape is {array.shape}, not (m, k) with three corners or more")
         if array.shape[0] == 0:
-            raise InputError("faces: there is none")
+            raise InputError("faces: there are none")
         return _index_array(array), [], [], len(array)
     contours: List[Array] = []
     face_end: List[int] = []
     for number, face in enumerate(faces):
         if not hasattr(face, "__len__"):
-            raise InputError(f"faces: face {number} is no sequence of corners")
+            raise InputError(f"faces: face {number} is not a sequence of corners")
         nested = len(face) > 0 and hasattr(face[0], "__len__")
         for contour in face if nested else [face]:
             corners = _array("faces", contour)
@@ -84,7 +84,7 @@ def labels(name: str, values: Optional[Sequence[Any]], count: int) -> Tuple[List
     if values is None:
         return [], []
     if isinstance(values, str) or not hasattr(values, "__len__"):
-        raise InputError(f"{name}: is no sequence of labels")
+        raise InputError(f"{name}: is not a sequence of labels")
     if len(values) != count:
         raise InputError(f"{name}: there are {len(values)} labels, not {count}, one for each face")
     number: Dict[Any, int] = {}
@@ -105,5 +105,5 @@ def material_list(names: Sequence[Any], colors: Optional[Dict[Any, Sequence[floa
             raise InputError(f"colors: {name!r} is not (red, green, blue[, opacity]) from 0 to 1")
         materials.append((str(name), color[0], color[1], color[2], color[3] if len(color) == 4 else 1.0))
     if given:
-        raise InputError(f"colors: {next(iter(given))!r} is no label of materials")
+        raise InputError(f"colors: {next(iter(given))!r} is not a label of materials")
     return materials

@@ -146,7 +146,7 @@ class Drawing:
         """Visible faces as areas, of a drawing that was made with regions=True, fill, hatch or light."""
         regions = self._core.regions()
         if regions is None:
-            raise _core.RequestError("regions: were not asked for: draw(..., regions=True)")
+            raise _core.RequestError("regions: were not requested: draw(..., regions=True)")
         return [Region(*region) for region in regions]
 
     @cached_property
@@ -223,7 +223,7 @@ class Drawing:
             write_to(file, self._core.write_mesh(format), format)
             return ""
         if preview is not None:
-            raise _core.RequestError("preview: goes with a file that is named")
+            raise _core.RequestError("preview: needs a named file")
         data, _, report = self._core.write(dict(options, format=format), progress)
         write_to(file, data, format)
         return report

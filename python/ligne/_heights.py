@@ -32,8 +32,8 @@ def _of_meshgrid(name: str, array: Array, shape: Tuple[int, ...]) -> Array:
         positions: Array = own[0]
         return positions
     if array.shape == shape and _is_grid(own.T):
-        raise InputError(f"{name}: is of meshgrid(indexing=\"ij\"); z has rows of y and columns of x: give z.T, x.T and y.T")
-    raise InputError(f"{name}: the shape is {array.shape}, not one-dimensional, and it is no meshgrid of z")
+        raise InputError(f"{name}: comes from meshgrid(indexing=\"ij\"); z has rows of y and columns of x: give z.T, x.T and y.T")
+    raise InputError(f"{name}: the shape is {array.shape}, not one-dimensional, and it does not come from a meshgrid of z")
 
 
 def _positions(name: str, values: Any, shape: Tuple[int, ...]) -> Array:
@@ -59,9 +59,9 @@ def _heights(z: Any, x: Any, y: Any) -> Tuple[str, Array, Array, Array]:
     if array.dtype.kind not in "fiu":
         raise DtypeError(f"z: the dtype is {array.dtype}, not one of real numbers")
     if min(array.shape) < 2:
-        raise InputError(f"z: the shape is {array.shape}; two rows and two columns are the least")
+        raise InputError(f"z: the shape is {array.shape}; at least two rows and two columns are needed")
     if np.isinf(array).any():
-        raise InputError("z: holds an infinite height; nan says that there is none")
+        raise InputError("z: has an infinite height; use nan for a missing height")
     return "z", _positions("x", x, array.shape), _positions("y", y, array.shape), array
 
 
@@ -94,7 +94,7 @@ def split_positions(sources: Sequence[Any], x: Any, y: Any) -> Tuple[Sequence[An
     if not all(_are_positions(one) for one in behind) and not _are_meshgrids(*grids):
         return sources, x, y
     if x is not None or (y is not None and len(behind) == 2):
-        raise _core.RequestError("x, y: stand behind z, and are given by name too")
+        raise _core.RequestError("x, y: are given both after z and by name")
     return sources[:1], behind[0], behind[1] if len(behind) == 2 else y
 
 
@@ -118,7 +118,7 @@ def _of_callable(z: Callable[..., Any], x: Any, y: Any, samples: Optional[int]) 
     xs, x_stride = _samples("x", x, samples)
     ys, y_stride = _samples("y", y, samples)
     if x_stride != y_stride:
-        raise InputError("x, y: of a function both have as many curves, or samples=... is given for both alike")
+        raise InputError("x, y: for a function, give both the same number of curves, or samples=...")
     heights = np.broadcast_to(np.asarray(z(*np.meshgrid(xs, ys))), (len(ys), len(xs)))
     if heights.dtype.kind not in "fiu":
         raise DtypeError(f"z: the function gives the dtype {heights.dtype}, not one of real numbers")
@@ -147,6 +147,6 @@ def height_sources(sources: Sequence[Heights], options: Dict[str, Any]) -> Dict[
     whole = dict(options, formulas=formulas, grids=grids, heights=heights, every=every)
     if heights:
         if formulas or grids:
-            raise _core.RequestError("z: arrays and functions do not go together with formulas and files")
+            raise _core.RequestError("z: arrays and functions can not be combined with formulas and files")
         whole.update(x=None, y=None, samples=None)
     return whole

@@ -64,7 +64,7 @@ def write_to(file: Writable, data: bytes, format: str) -> None:
     elif format in _TEXTS:
         file.write(data.decode())
     else:
-        raise RequestError(f"file: {format} is bytes, and the file is open for text; open it with \"wb\"")
+        raise RequestError(f"file: {format} writes bytes, but the file is open for text; open it with \"wb\"")
 
 
 def file_name(file: Optional[Path]) -> str:

@@ -93,7 +93,7 @@ def plot(
     options = arguments(locals(), "drawing", "file")
     drawings = drawing if isinstance(drawing, (list, tuple)) else [drawing]
     if not drawings:
-        raise _core.RequestError("drawing: there is none")
+        raise _core.RequestError("drawing: no drawing is given")
     opened = None if file is None else open_output(file)
     if opened is not None:
         options["format"] = format_for(opened, format)
@@ -109,7 +109,7 @@ def plot(
 
 def _write_only(file: Writable, files: List[Tuple[str, bytes]], format: str) -> None:
     if len(files) > 1:
-        raise _core.RequestError(f"file: the plot has {len(files)} parts; a name with %d or %p holds them")
+        raise _core.RequestError(f"file: the plot has {len(files)} parts; its name needs %d or %p")
     write_to(file, files[0][1], format)
 
 

@@ -104,7 +104,7 @@ def read(
     """
     options = arguments(locals(), "files", "threads")
     if not files:
-        raise _core.RequestError("files: there is none")
+        raise _core.RequestError("files: no file is given")
     return Scene(_core.read([os.fspath(f) for f in files], options, threads))
 
 
@@ -224,7 +224,7 @@ def as_scene(
     """A scene, a file, or what has vertices and faces. `reading`: options of read()."""
     if reading and not isinstance(model, (str, os.PathLike)):
         name = next(iter(reading))
-        raise _core.RequestError(f"{name}: is an option of read(), and goes with a file here; the model is read already")
+        raise _core.RequestError(f"{name}: is an option of read() and needs a file here; the model has been read already")
     if isinstance(model, Scene):
         if quality is not None and quality != model.quality:
             raise _core.RequestError(

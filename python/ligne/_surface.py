@@ -102,6 +102,6 @@ def surface(
     given = arguments(locals(), "z", "sources", "options", "view", "progress", "method", "hidden", *VIEW_OPTIONS)
     seen = seen_from(view, dict(direction=direction, eye=eye, target=target, fov=fov, up=up))
     if (azimuth is not None or elevation is not None) and any(seen.get(n) is not None for n in ("view", "direction", "eye")):
-        raise _core.RequestError("azimuth, elevation: do not go with view, direction or eye")
+        raise _core.RequestError("azimuth, elevation: can not be combined with view, direction or eye")
     given["parametric"] = [tuple(str(formula) for formula in three) for three in parametric]
     return Drawing.of_surface(height_sources(sources, given), dict(seen, **options, method=method, hidden=hidden), progress)

@@ -32,7 +32,7 @@ def _vector(name: str, value: Vector) -> Tuple[float, float, float]:
 
 def _differ(eye: Tuple[float, float, float], target: Optional[Tuple[float, float, float]]) -> None:
     if eye == target:
-        raise _refusal("target", "is the place of the eye, so there is no direction to look in")
+        raise _refusal("target", "is the position of the eye, so the view has no direction")
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class View:
         """Along `direction`, from the viewer into the scene."""
         sight = _vector("direction", direction)
         if sight == (0, 0, 0):
-            raise RequestError("direction: has no direction")
+            raise RequestError("direction: has no length")
         return View(direction=sight, up=None if up is None else _vector("up", up), up_axis=up_axis)
 
     @staticmethod

@@ -33,7 +33,7 @@ namespace {
 constexpr int kDone = 0, kFailed = 1, kUsage = 2;
 
 constexpr const char* kFooter =
-    R"help(ligne help COMMAND lists the common options of a command, ligne help COMMAND all every one.
+    R"help(ligne help COMMAND lists the common options of a command; ligne help COMMAND all lists every option.
 
 Examples:
   ligne draw gearbox.obj -o gearbox.svg
@@ -200,7 +200,7 @@ std::optional<std::vector<std::string>> study_arguments(const CLI::App& app, int
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Draws 3D polygon scenes as clean lines, hidden parts removed.", "ligne");
+  CLI::App app("Draws 3D polygon scenes as line drawings with hidden lines removed.", "ligne");
   app.set_version_flag("--version", "ligne " LIGNE_VERSION);
   app.footer(kFooter);
   app.require_subcommand(0, 1);

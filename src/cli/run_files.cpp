@@ -28,7 +28,8 @@ bool will_be_one_file(const fs::path& a, const fs::path& b) {
 void refuse_if_same(const std::string& option, const fs::path& written, const fs::path& read) {
   if (written == "-" || !are_one_file(written, read)) return;
   const std::string other = written == read ? "" : " (as " + printable(read.string()) + ")";
-  throw UsageError(option, printable(written.string(), kLongestPath) + " is an input too" + other + ", and would be lost");
+  throw UsageError(
+      option, printable(written.string(), kLongestPath) + " is also an input file" + other + ", and would be overwritten");
 }
 
 }  // namespace

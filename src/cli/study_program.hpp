@@ -10,7 +10,7 @@ class App;
 
 namespace ligne {
 
-inline constexpr const char* kStudyTitle = "The experiments of the sources, made again";
+inline constexpr const char* kStudyTitle = "Repeat the experiments of the published sources";
 
 /// Adds the command to the list of commands.
 void add_study_command(CLI::App& app);

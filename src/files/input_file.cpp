@@ -65,7 +65,7 @@ class OpenInput {
       } else if (n < 0 && errno != EINTR) {
         throw FileError(name_, "can not be read to its end: " + cause_of(errno), errno);
       } else if (n == 0 && is_pipe_ && !had_writer_) {
-        if (!wait(kWaitForWriterMs)) throw InputError(name_, "is a pipe to which nobody writes");
+        if (!wait(kWaitForWriterMs)) throw InputError(name_, "is a pipe without a writer");
       } else if (n >= 0) {
         return static_cast<std::size_t>(n);
       }
@@ -109,7 +109,7 @@ std::vector<std::byte> read_input(const std::filesystem::path& file, const std::
   for (std::size_t read = 1; read > 0;) {
     const std::size_t begin = bytes.size();
     if (begin > in.size() && begin > unsized) {
-      throw InputError(name, "is larger than " + size_text(unsized) + ", and no size is told before it is read");
+      throw InputError(name, "is larger than " + size_text(unsized) + ", the limit for an input of unknown size");
     }
     bytes.resize(std::max(std::min(begin + kPiece, bytes.capacity()), begin + 1));
     read = in.read(std::span(bytes).subspan(begin));

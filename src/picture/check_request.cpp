@@ -38,15 +38,15 @@ void check(const PictureRequest& request) {
     if (request.output.format == OutputFormat::json) throw RequestError("hatch", "a JSON drawing has no hatching");
     if (!(method.traits().products & (kRegions | kSpans))) refuse_hatching(method.traits().name);
     if (follows_form(request.hatch) && !(method.traits().products & kRegions))
-      throw RequestError("hatch-angle", "strokes follow the form by a method that gives regions: " + methods_with(kRegions));
-    if (request.gray_faces) throw RequestError("hatch", "does not go together with --shade");
+      throw RequestError("hatch-angle", "curvature and iso need a method that gives regions: " + methods_with(kRegions));
+    if (request.gray_faces) throw RequestError("hatch", "can not be combined with --shade");
   }
   if (wants_regions(request, method) && !(method.traits().products & kRegions)) {
     throw RequestError(field_of_regions(request), "needs a method that gives regions: " + methods_with(kRegions));
   }
   if (!request.output.colors.empty()) {
     if (request.output.format == OutputFormat::json) throw RequestError("color", "a JSON drawing has no colours");
-    if (request.plotter.by_pens()) throw RequestError("color", "pens have colours of their own: --pen object:NAME=N,COLOUR");
+    if (request.plotter.by_pens()) throw RequestError("color", "pens set the colours: --pen object:NAME=N,COLOUR");
   }
   check(request.page);
   if (request.output.format == OutputFormat::png) check_png(request.page.size.page, request.output.dpi, request.memory);
@@ -56,7 +56,8 @@ void count_hidden(LineRequest& request) {
   if (!request.most_hiding) return;
   const Method* const counting = find_method("appel");
   if (!request.method) request.method = counting;
-  if (request.method != counting) throw RequestError("hidden", "a number of faces is counted by --method appel");
+  if (request.method != counting)
+    throw RequestError("hidden", "only --method appel counts faces, which dashed:N and solid:N need");
   if (!request.settings.has("propagate")) set_parameter(request.settings, *counting, "propagate", "test");
 }
 

@@ -70,8 +70,8 @@ void check(const PageRequest& request) {
   Page page = request.size.page;
   page.margin_mm = request.margin_mm;
   if (!(page.drawable().width() > 0 && page.drawable().height() > 0)) {
-    throw RequestError("margin", shortest(request.margin_mm) + " mm leaves nothing of a page of " + shortest(page.width_mm) +
-                                     " x " + shortest(page.height_mm) + " mm");
+    throw RequestError("margin", shortest(request.margin_mm) + " mm leaves no drawable area on a page of " +
+                                     shortest(page.width_mm) + " x " + shortest(page.height_mm) + " mm");
   }
 }
 
@@ -118,7 +118,7 @@ Placement place(const Rect& extent, double unit_mm, const Camera& camera, const 
   area.min += Point2(room.left, room.top);
   area.max -= Point2(room.right, room.bottom + request.inset_part * area.height());
   if (!(area.width() > 0 && area.height() > 0)) {
-    throw RequestError("page", "numbers and names of the axes leave nothing of a page of " +
+    throw RequestError("page", "numbers and names of the axes leave no drawable area on a page of " +
                                    shortest(placement.page.width_mm) + " x " + shortest(placement.page.height_mm) +
                                    " mm; --text-height makes them smaller");
   }

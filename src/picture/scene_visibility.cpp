@@ -54,7 +54,7 @@ void warn_of_empty_or_cut(const StrokeModel& strokes, const Placement& placement
   if (nothing) {
     run.warn("nothing to draw is in view: the drawing is empty");
   } else if (placement.larger_than_page()) {
-    run.warn("the picture is larger than the page: what lies outside is left out");
+    run.warn("the picture is larger than the page, and is clipped");
   }
 }
 
@@ -88,16 +88,17 @@ void warn_of_limits(const MethodTraits& method, const VisibilityResult& result, 
   const std::string name(method.name);
   const auto glass = std::ranges::count_if(projected.face_is_transparent, [](std::uint8_t t) { return t != 0; });
   if (glass > 0 && method.glass == TransparencyMode::opaque) {
-    run.warn(std::to_string(glass) + " transparent faces are taken as opaque; --method atherton-weiler sees through them");
+    run.warn(std::to_string(glass) +
+             " transparent faces are drawn as opaque; --method atherton-weiler draws them as transparent");
   }
   if (!result.unsupported_reason.empty()) {
-    run.warn("the drawing may be wrong: --method " + name + " is for " + std::string(method.only_for) +
-             ", and of this scene " + result.unsupported_reason);
+    run.warn("the drawing may be wrong: method " + name + " is for " + std::string(method.only_for) +
+             ", and in this scene " + result.unsupported_reason);
   }
   if (!result.left_out.empty()) run.warn("--method " + name + " leaves out " + result.left_out);
   // The scene may contain no such thing: no cut, one zone only, a convex body without planes.
   if (lines.settings.has("show") && result.debug.empty() && result.debug_numbers.empty() && !result.plane) {
-    run.warn("--show finds nothing of that kind to draw");
+    run.warn("--show: there is nothing of that kind to draw");
   }
 }
 

@@ -48,13 +48,13 @@ constexpr KindOfCount kKindsOfCounts[] = {
     {"grid leaves", OperationKind::parts},
     {"windows studied", OperationKind::parts},
     {"bands", OperationKind::parts},
-    {"elements in the end", OperationKind::parts},
+    {"final elements", OperationKind::parts},
     {"pieces", OperationKind::parts},
     {"regions", OperationKind::parts},
     {"faces painted", OperationKind::parts},
     {"leaves visited", OperationKind::accesses},
-    {"edges looked at", OperationKind::accesses},
-    {"analysis: faces looked at", OperationKind::accesses},
+    {"edges examined", OperationKind::accesses},
+    {"analysis: faces examined", OperationKind::accesses},
 };
 
 /// Words of memory for each vertex and each face, [Boulle1980] 2.6, figure 2.88.
@@ -228,9 +228,9 @@ std::vector<const Method*> parse_methods(const std::string& text) {
   std::vector<const Method*> methods;
   for (const std::string& name : parse_names(text)) {
     const Method* method = parse_method(name);
-    if (!method) throw std::invalid_argument("auto is one of the others: name it");
+    if (!method) throw std::invalid_argument("auto stands for one of the other methods: name that one");
     if (std::find(methods.begin(), methods.end(), method) != methods.end()) {
-      throw std::invalid_argument(shown(name, '"') + " is there twice");
+      throw std::invalid_argument(shown(name, '"') + " is given twice");
     }
     methods.push_back(method);
   }
@@ -252,7 +252,7 @@ std::vector<ComparedMethod> compared_methods(std::span<const Method* const> meth
       set_parameter(c.settings, *c.method, name, text);
       known = true;
     }
-    if (!known) throw SettingError(name, "none of the methods has such an option");
+    if (!known) throw SettingError(name, "no method has this option");
   }
   return compared;
 }

@@ -166,13 +166,13 @@ class ComparisonPage {
     }
     text += "</div><dl>";
     text += row("Faces", grouped(t.faces),
-                grouped(t.front_faces) + " wound towards the viewer" +
+                grouped(t.front_faces) + " facing the viewer" +
                     (t.transparent_faces > 0 ? ", " + grouped(t.transparent_faces) + " transparent" : ""));
     text += row("Convex objects", grouped(t.convex_objects));
     text += row("Zones", grouped(t.zones), "largest of " + grouped(t.largest_zone) + " faces");
     text += row("Overlap", fixed(t.mean_overlap, 2),
-                "faces over each other on the average, " + grouped(t.most_overlap) + " at most");
-    text += row("Conflicts", counted(t.conflicts), "pairs of faces with a part of the page in common");
+                "faces over a point of the page on average, " + grouped(t.most_overlap) + " at most");
+    text += row("Conflicts", counted(t.conflicts), "pairs of faces that overlap on the page");
     text += row("Penetrations", counted(t.penetrations));
     text += row("Turning vertices", grouped(t.turning_vertices), "nbsom\u2032 of the thesis");
     text += row("Height field", t.height_field ? "yes" : "no");
@@ -190,11 +190,11 @@ class ComparisonPage {
       if (!fastest || study_seconds(*m) < study_seconds(*fastest)) fastest = m;
     }
     std::string text =
-        "<h2>Lines, time and memory</h2><p class=\"soft\">Study is what the method itself takes; the rest, projection, "
-        "joining and lines drawn once, is the same for all.<i class=\"key\" style=\"background:var(--blue)\"></i>study<i "
-        "class=\"key\" style=\"background:var(--bar)\"></i>the rest</p><div class=\"scroll\"><table><thead><tr><th>Method</th>"
-        "<th>Strokes</th><th>Visible line</th><th>Differs</th><th style=\"text-align:left\">Time</th><th>Memory</th><th>Memory in "
-        "1980</th></tr></thead><tbody>";
+        "<h2>Lines, time and memory</h2><p class=\"soft\">Study is the time of the method itself; the rest (projection, "
+        "joining, removal of overlapping lines) is the same for all.<i class=\"key\" "
+        "style=\"background:var(--blue)\"></i>study<i class=\"key\" style=\"background:var(--bar)\"></i>the rest</p><div "
+        "class=\"scroll\"><table><thead><tr><th>Method</th><th>Strokes</th><th>Visible line</th><th>Differs</th><th "
+        "style=\"text-align:left\">Time</th><th>Memory</th><th>Memory in 1980</th></tr></thead><tbody>";
     for (std::size_t i = 0; i < comparison_.methods.size(); ++i) {
       const MethodOutcome& m = comparison_.methods[i];
       text += std::string("<tr") + (&m == fastest ? " class=\"best\"" : "") + "><th>" + name_of(m) +
@@ -237,8 +237,8 @@ class ComparisonPage {
 
   std::string operations() const {
     std::string text =
-        "<h2>Operations</h2><p class=\"soft\">Counted by the methods themselves, put together by kind; an empty place: the "
-        "method has no such operation, or does not count it.</p><div class=\"scroll\"><table><thead><tr><th>Method</th>";
+        "<h2>Operations</h2><p class=\"soft\">Counted by the methods and grouped by kind; an empty cell: the method has no "
+        "such operation, or does not count it.</p><div class=\"scroll\"><table><thead><tr><th>Method</th>";
     for (const OperationName& name : kOperationNames) text += "<th>" + std::string(name.words) + "</th>";
     text += "</tr></thead><tbody>";
     for (const MethodOutcome& m : comparison_.methods) {

@@ -23,8 +23,8 @@ std::string line(const std::string& label, const std::string& value) {
 }
 
 std::string closedness(const ObjectFacts& object) {
-  if (object.solid()) return "closed, windings agree";
-  if (object.closed()) return "closed, windings disagree at " + std::to_string(object.unlike_wound_edges) + " edges";
+  if (object.solid()) return "closed, consistently wound";
+  if (object.closed()) return "closed, inconsistently wound at " + std::to_string(object.unlike_wound_edges) + " edges";
   if (object.faces == 0) return "no faces";
   return "open: " + std::to_string(object.border_edges) + " border edges, " + std::to_string(object.many_face_edges) +
          " edges of more than two faces";
@@ -38,15 +38,13 @@ std::string healed_text(const ModelFile& file) {
   const HealReport& healed = file.healed;
   std::string text;
   const auto add = [&](const std::string& what) { text += line("healed", what); };
-  if (healed.objects_twice > 0) add(std::to_string(healed.objects_twice) + " objects lie exactly on another one: left out");
+  if (healed.objects_twice > 0) add(std::to_string(healed.objects_twice) + " objects coincide with another one: omitted");
   if (healed.faces_twice > 0)
-    add(std::to_string(healed.faces_twice) + " faces have the same vertices as another one: drawn once, from both sides");
-  if (healed.faces_turned > 0)
-    add(std::to_string(healed.faces_turned) + " faces turned round to agree with their neighbours");
+    add(std::to_string(healed.faces_twice) + " faces have the vertices of another face: drawn once, from both sides");
+  if (healed.faces_turned > 0) add(std::to_string(healed.faces_turned) + " faces reversed to agree with their neighbours");
   if (healed.sewn.empty()) return text;
-  add(std::to_string(healed.edges_sewn()) + " of " + std::to_string(healed.border_edges) +
-      " border edges sewn: " + std::to_string(healed.vertices_moved) + " vertices moved onto another, edges split at " +
-      std::to_string(healed.edges_split));
+  add(std::to_string(healed.edges_sewn()) + " of " + std::to_string(healed.border_edges) + " border edges sewn: " +
+      std::to_string(healed.vertices_moved) + " vertices merged, edges split at " + std::to_string(healed.edges_split));
   for (std::size_t i = 0; i < std::min(healed.sewn.size(), kMostSewnLines); ++i) {
     const SewnBorders& sewn = healed.sewn[i];
     text += line("", "object " + std::to_string(sewn.object) + ": " + std::to_string(sewn.vertices_near) +
@@ -54,7 +52,7 @@ std::string healed_text(const ModelFile& file) {
                          (sewn.next_gap > 0 ? "from " + rounded(sewn.next_gap, 3) + " on" : "much farther"));
   }
   if (healed.sewn.size() > kMostSewnLines) {
-    text += line("", "and " + std::to_string(healed.sewn.size() - kMostSewnLines) + " objects more");
+    text += line("", "and " + std::to_string(healed.sewn.size() - kMostSewnLines) + " more objects");
   }
   return text;
 }
@@ -75,7 +73,7 @@ std::string file_text(const ModelFile& file) {
   text += line("as stored", std::to_string(file.report.faces) + " faces, " + std::to_string(file.report.triangles) +
                                 " triangles, " + std::to_string(file.report.vertices) + " vertices");
   if (!file.report.groups.empty()) text += line("groups", groups_text(file.report.groups));
-  for (const auto& [kind, count] : file.warnings.counts()) text += line("mended", std::to_string(count) + " " + kind);
+  for (const auto& [kind, count] : file.warnings.counts()) text += line("repaired", std::to_string(count) + " " + kind);
   if (!file.warnings.left_out().empty()) text += line("left out", file.warnings.left_out().list());
   text += healed_text(file);
   return text;
@@ -93,7 +91,7 @@ std::string colors_of(const SceneFacts& scene, const ObjectFacts& object) {
   for (std::size_t i = 0; i < std::min(object.materials.size(), kMostNamed); ++i)
     text += ", " + material_text(scene.materials[object.materials[i]], object.materials[i]);
   if (object.materials.size() > kMostNamed)
-    text += " and " + std::to_string(object.materials.size() - kMostNamed) + " materials more";
+    text += " and " + std::to_string(object.materials.size() - kMostNamed) + " more materials";
   return text;
 }
 
@@ -133,7 +131,7 @@ std::string objects_text(const SceneFacts& scene) {
     solid += object.solid();
   }
   std::string text = line("objects", std::to_string(scene.objects.size()) + ", " + std::to_string(closed) + " closed, " +
-                                         std::to_string(solid) + " of them with windings that agree");
+                                         std::to_string(solid) + " of them consistently wound");
   for (std::size_t i = 0; i < std::min(scene.objects.size(), kMostObjectLines); ++i) {
     const ObjectFacts& object = scene.objects[i];
     text += line("", (object.name.empty() ? "object " + std::to_string(i) : printable(object.name, kLongestName)) + ": " +
@@ -179,7 +177,7 @@ std::string info_text(const LoadedModels& models, const SceneInfo& info) {
                                    std::to_string(info.culled->objects - info.culled->kept_objects) + " of " +
                                    std::to_string(info.culled->objects) + " objects");
   }
-  text += line("depth", rounded(info.view.nearest) + " to " + rounded(info.view.farthest) + " along the line of sight");
+  text += line("depth", rounded(info.view.nearest) + " to " + rounded(info.view.farthest) + " along the view direction");
   const Page& page = info.placement.page;
   text += line("page", rounded(page.width_mm) + " x " + rounded(page.height_mm) + " mm");
   text += line("picture", info.placement.picture.empty()
@@ -188,7 +186,7 @@ std::string info_text(const LoadedModels& models, const SceneInfo& info) {
                                     rounded(info.placement.picture.height(), 4) + " mm, " +
                                     rounded(info.placement.view.scale, 4) + " mm per model unit" +
                                     (info.placement.larger_than_page() ? ", larger than the page" : ""));
-  text += "what it asks of a method\n";
+  text += "visibility\n";
   for (const auto& [name, value] : lines_of(info.traits)) text += line(name, value);
   text += "methods\n";
   for (const Method* method : all_methods()) {

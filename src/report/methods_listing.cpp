@@ -16,9 +16,9 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 /// The words for a method's treatment of transparent faces.
-std::string_view glass_words(TransparencyMode glass) {
-  constexpr std::string_view kWords[] = {"taken as opaque", "left out", "hides nothing", "seen through"};
-  return kWords[static_cast<std::size_t>(glass)];
+std::string_view transparency_words(TransparencyMode mode) {
+  constexpr std::string_view kWords[] = {"drawn as opaque", "not drawn", "hides nothing", "drawn as transparent"};
+  return kWords[static_cast<std::size_t>(mode)];
 }
 
 /// The options, or the settings for experiments, one a line.
@@ -56,14 +56,14 @@ std::string methods_text(std::span<const Method* const> methods, bool settings) 
     const MethodTraits& traits = method->traits();
     text +=
         std::string(traits.name) + (method == default_method ? " (auto)" : "") + ": " + std::string(traits.summary) + "\n";
-    text += "  produces     " + joined(product_names(traits.products)) + "\n";
-    text += "  numbers      " + precision_name(traits) + "\n";
-    text += std::string("  penetration  ") + (traits.penetration ? "drawn" : "not drawn") + "\n";
-    text += "  glass        " + std::string(glass_words(traits.glass)) + "\n";
-    if (!traits.only_for.empty()) text += "  only for     " + std::string(traits.only_for) + "\n";
-    text += "  paper        " + std::string(traits.paper) + "\n";
-    text += parameters_text(traits, "  options      ", false);
-    if (settings) text += parameters_text(traits, "  settings     ", true);
+    text += "  produces      " + joined(product_names(traits.products)) + "\n";
+    text += "  precision     " + precision_name(traits) + "\n";
+    text += std::string("  penetration   ") + (traits.penetration ? "drawn" : "not drawn") + "\n";
+    text += "  transparency  " + std::string(transparency_words(traits.glass)) + "\n";
+    if (!traits.only_for.empty()) text += "  only for      " + std::string(traits.only_for) + "\n";
+    text += "  paper         " + std::string(traits.paper) + "\n";
+    text += parameters_text(traits, "  options       ", false);
+    if (settings) text += parameters_text(traits, "  settings      ", true);
   }
   return text;
 }
@@ -79,7 +79,7 @@ std::string methods_json(std::span<const Method* const> methods) {
     entry["produces"] = product_names(traits.products);
     entry["exact"] = traits.exact;
     entry["penetration"] = traits.penetration;
-    entry["glass"] = glass_words(traits.glass);
+    entry["transparency"] = transparency_words(traits.glass);
     if (!traits.only_for.empty()) entry["only_for"] = traits.only_for;
     entry["paper"] = traits.paper;
     entry["default"] = method == default_method;

@@ -47,8 +47,7 @@ SceneInfo scene_info(const LoadedModels& models, const ViewRequest& view, const 
 
 std::string meaning_for(const MethodTraits& traits) {
   std::string text = precision_name(traits);
-  text += traits.penetration ? "; faces that penetrate each other are drawn right"
-                             : "; faces that penetrate each other are not drawn right";
+  text += traits.penetration ? "; penetrating faces are drawn correctly" : "; penetrating faces are not drawn correctly";
   if (!traits.only_for.empty()) text += "; only for " + std::string(traits.only_for);
   if (!(traits.products & kStrokes)) text += "; gives no lines";
   return text;

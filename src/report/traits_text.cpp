@@ -20,13 +20,13 @@ std::string plural(std::size_t n, const char* one) { return std::to_string(n) + 
 
 std::vector<std::pair<std::string, std::string>> lines_of(const SceneTraits& traits) {
   return {
-      {"faces", std::to_string(traits.faces) + " with an area on the page, " + std::to_string(traits.front_faces) +
-                    " wound towards the viewer, " + std::to_string(traits.transparent_faces) + " transparent"},
+      {"faces", std::to_string(traits.faces) + " with area on the page, " + std::to_string(traits.front_faces) +
+                    " facing the viewer, " + std::to_string(traits.transparent_faces) + " transparent"},
       {"objects", std::to_string(traits.convex_objects) + " convex"},
       {"zones", std::to_string(traits.zones) + ", the largest of " + plural(traits.largest_zone, "face")},
-      {"overlap", rounded(traits.mean_overlap, 3) + " faces over each other on the average, " +
+      {"overlap", rounded(traits.mean_overlap, 3) + " faces over a point of the page on average, " +
                       std::to_string(traits.most_overlap) + " at most"},
-      {"conflicts", text_of(traits.conflicts) + " pairs of faces share a part of the page"},
+      {"conflicts", text_of(traits.conflicts) + " pairs of faces overlap on the page"},
       {"penetrations", text_of(traits.penetrations) + " pairs of faces pass through each other"},
       {"turns", std::to_string(traits.turning_vertices) + " vertices where a contour turns back (nbsom')"},
       {"height field", traits.height_field ? "yes" : "no"},

@@ -97,7 +97,7 @@ Camera make_camera(const CameraRequest& request, const Scene& scene) {
     if (request.direction) {
       sight.forward = *request.direction;
       if (!finite(sight.forward) || glm::length(sight.forward) == 0) {
-        throw std::invalid_argument("the direction of sight has no length");
+        throw std::invalid_argument("the view direction has no length");
       }
     } else {
       sight = named_sight(request.named_view, frame);

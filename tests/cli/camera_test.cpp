@@ -119,11 +119,11 @@ TEST_F(FramesTest, HaveNumberedNames) {
 
 TEST_F(FramesTest, NeedAPlaceForTheNumber) {
   EXPECT_EQ(refusal("--frames 3 -o f.svg"),
-            "ligne: --output: 'f.svg' has no place for the number of a frame: name%03d; only a PDF holds them all\n");
-  EXPECT_EQ(refusal("--frames 3 -o f%d-%d.svg"), "ligne: --output: 'f%d-%d.svg' has two places for the number of a frame\n");
+            "ligne: --output: 'f.svg' has no frame number, such as name%03d; only a PDF holds them all\n");
+  EXPECT_EQ(refusal("--frames 3 -o f%d-%d.svg"), "ligne: --output: 'f%d-%d.svg' has two frame numbers\n");
   EXPECT_EQ(refusal("--frames 1 -o f%d.svg"), "ligne: --frames: \"1\" is not a whole number from 2 to 100000\n");
   EXPECT_EQ(refusal("--turn 30 -o f.svg"), "ligne: --turn requires --frames\n");
-  EXPECT_EQ(refusal("--frames 3 --report -o f%d.svg"), "ligne: --report: is of one view\n");
+  EXPECT_EQ(refusal("--frames 3 --report -o f%d.svg"), "ligne: --report: works for a single view only\n");
 }
 
 TEST_F(FramesTest, ArePagesOfOnePdf) {
@@ -270,9 +270,9 @@ TEST_F(MixedSceneTest, Mistakes) {
     EXPECT_EQ(outcome.status, status) << outcome.err;
     EXPECT_EQ(outcome.err.rfind("ligne: " + message, 0), 0u) << outcome.err;
   };
-  refused("-x 0:1", 2, "-x, -y, --every: go with --surface or --grid");
-  refused("--samples 9", 2, "--samples, --z-scale, --z-range: go with --surface, --grid or --parametric");
-  refused("-u 0:1 --surface x", 2, "-u, -v: go with --parametric");
+  refused("-x 0:1", 2, "-x, -y, --every: need --surface or --grid");
+  refused("--samples 9", 2, "--samples, --z-scale, --z-range: need --surface, --grid or --parametric");
+  refused("-u 0:1 --surface x", 2, "-u, -v: need --parametric");
   refused("--surface foo(x)", 1, "formula:1: unknown function 'foo'");
   refused("--grid absent.csv", 1, "absent.csv: ");
 }

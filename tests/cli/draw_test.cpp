@@ -176,7 +176,7 @@ TEST_F(DrawTest, WarnockShowsItsWindowsAndAreas) {
   ASSERT_EQ(with("-o plain.svg"), 0);
   EXPECT_NE(contents(file("shown.svg")).find("id=\"debug\""), std::string::npos);
   EXPECT_EQ(run("draw cube.obj --method newell --show zones -o shown.svg").err,
-            "ligne: cube.obj: warning: --show finds nothing of that kind to draw\n");
+            "ligne: cube.obj: warning: --show: there is nothing of that kind to draw\n");
   EXPECT_EQ(contents(file("plain.svg")).find("id=\"debug\""), std::string::npos);
   ASSERT_EQ(with("--show windows -o shown.json"), 0);
   const json drawing = json::parse(contents(file("shown.json")));
@@ -333,7 +333,7 @@ TEST_F(DrawTest, ClearLinesOfFacesStoredTwice) {
   EXPECT_FALSE(json::parse(contents(file("stats.json"))).contains("clear"));
   EXPECT_EQ(run("draw twice.obj --quality fair -o x.svg").status, 2);
   const Outcome info = run("info twice.obj");
-  expect_parts(info.out, {"2 faces have the same vertices as another one"});
+  expect_parts(info.out, {"2 faces have the vertices of another face"});
 }
 
 TEST_F(DrawTest, CurvesWhereLinesAreClear) {

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::string_view kPens = "[[pen]]\nnumber = 1\nrest = true\n";
 constexpr std::string_view kDevice =
-    "name = \"own\"\ntitle = \"Own\"\nlanguage = \"hpgl\"\nstep = 0.025\nlimits = [0, 0, 1000, 1000]\ntravel = \"U{x},{y};\"\n"
+    "name = \"own\"\ntitle = \"Own\"\nlanguage = \"hpgl\"\nstep = 0.025\nlimits = [0, 0, 1000, 1000]\ntravel = "
+    "\"U{x},{y};\"\n"
     "draw = \"D{points};\"\ndot = \"D;\"\nspeed_down = 10\nspeed_up = 20\nlift_seconds = 1\npen_change_seconds = 1\n";
 
 /// A triangle; the second buffer is of an image, which no drawing reads.
@@ -81,7 +82,7 @@ TEST_F(Files, WhatWasReadIsNotWrittenOver) {
     const std::string line = std::string("ligne: ") + c.option + ": ";
     EXPECT_EQ(outcome.status, 2) << outcome.err;
     EXPECT_TRUE(outcome.err.starts_with(line)) << outcome.err;
-    expect_parts(outcome.err, {" is an input too"});
+    expect_parts(outcome.err, {" is also an input file"});
     EXPECT_EQ(outcome.error_lines(), 1u) << outcome.err;
     EXPECT_EQ(contents(file(c.output)), before) << c.output;
     EXPECT_EQ(names(), names_);
@@ -159,7 +160,7 @@ TEST_F(Files, DevicesAndPipesAreToldQuickly) {
       EXPECT_EQ(outcome.status, 1) << outcome.err;
       EXPECT_EQ(outcome.err,
                 "ligne: " + input +
-                    (input == "pipe" ? ": is a pipe to which nobody writes\n" : ": is a device or a socket, not a file\n"));
+                    (input == "pipe" ? ": is a pipe without a writer\n" : ": is a device or a socket, not a file\n"));
     }
   }
 }

@@ -168,10 +168,10 @@ TEST_F(ProgramTest, CompareRefusesWhatMakesNoSense) {
     expect_outcome("compare cube.obj" + arguments, 2, {why});
   };
   refused("--methods magic", "--methods: \"magic\" is not one of auto");
-  refused("--methods appel,appel", "--methods: \"appel\" is there twice");
-  refused("--methods auto", "--methods: auto is one of the others");
-  refused("--hidden dashed:1", "--hidden: a number of faces is counted by one method");
-  refused("--methods appel --set resolution=64", "--set resolution: none of the methods has such an option");
+  refused("--methods appel,appel", "--methods: \"appel\" is given twice");
+  refused("--methods auto", "--methods: auto stands for one of the other methods");
+  refused("--hidden dashed:1", "--hidden: only --method appel counts faces");
+  refused("--methods appel --set resolution=64", "--set resolution: no method has this option");
   refused("--json --csv", "--");
   EXPECT_EQ(new_files(), Words{});
 }
@@ -280,7 +280,8 @@ TEST_F(CompileTest, WhatItWasCompiledWithStays) {
   EXPECT_EQ(refusal("draw model.tree --weld 1 -o a.svg"), "ligne: --weld: " + again);
   EXPECT_EQ(refusal("draw model.tree --only x -o a.svg"), "ligne: --only: " + again);
   EXPECT_EQ(refusal("draw model.tree --set candidates=3 -o a.svg"), "ligne: --set candidates: " + again);
-  EXPECT_EQ(refusal("draw model.tree cube.obj -o a.svg"), "ligne: model.tree is compiled: it is drawn alone\n");
+  EXPECT_EQ(refusal("draw model.tree cube.obj -o a.svg"),
+            "ligne: model.tree is a compiled model and must be the only one\n");
   EXPECT_EQ(refusal("compile model.tree -o b.tree"), "ligne: model.tree is compiled already\n");
   EXPECT_EQ(refusal("compile cube.obj --method appel -o b.tree"),
             "ligne: --method: \"appel\" is not one of bsp or convex-tree\n");

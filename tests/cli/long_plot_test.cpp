@@ -9,7 +9,8 @@ namespace {
 
 constexpr const char* kFourLinesSvg =
     "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
-    "<path d='M10 10H50'/><path d='M10 20H50'/><path d='M10 30H50' stroke='red'/><path d='M10 40H50' stroke='red'/>\n</svg>\n";
+    "<path d='M10 10H50'/><path d='M10 20H50'/><path d='M10 30H50' stroke='red'/><path d='M10 40H50' "
+    "stroke='red'/>\n</svg>\n";
 
 class LongPlotTest : public ProgramTest {
  protected:
@@ -39,7 +40,7 @@ TEST_F(LongPlotTest, PartsAsFilesAndAsPauses) {
   EXPECT_EQ(count_of(contents(file("a.gcode")), "M0\n"), 1u) << "a stroke takes 1.25 s, and its way";
   refused("a.svg --split lifts=3 -o a.plt", "--split: device cutter has no action \"pause\"; it has none");
   refused("a.svg --split lifts=3 -o a%d.svg",
-          "--split, --every, --from-stroke, --from-time, --park and %p go with pens or a --device");
+          "--split, --every, --from-stroke, --from-time, --park and %p need pens or a --device");
   refused("a.svg --split lots -o a.plt", "--split: is not time=N, distance=N or lifts=N");
 }
 
@@ -93,9 +94,9 @@ TEST_F(LongPlotTest, LargeDrawingsOnSeveralSheets) {
   EXPECT_NE(contents(file("sheet1.svg")).find("id=\"register\""), std::string::npos);
   made("a.svg --scale 8:1 --tile A4 -o sheets.pdf");
   refused("a.svg --scale 8:1 --tile A4 -o sheet.svg",
-          "--output: the sheets need a place for their number: name%d; only a PDF holds them all");
+          "--output: several sheets need a number in the file name, such as name%d, or a PDF");
   refused("a.svg --tile A6 --margin 4cm --overlap 3cm -o sheet%d.svg",
-          "--overlap: 30 mm and the margins leave nothing of the paper");
+          "--overlap: 30 mm and the margins leave no drawable area on the paper");
 }
 
 TEST_F(LongPlotTest, SeveralDrawingsOnOneSheet) {
@@ -104,7 +105,7 @@ TEST_F(LongPlotTest, SeveralDrawingsOnOneSheet) {
   expect_parts(all, {"width=\"200mm\" height=\"120mm\""});
   EXPECT_EQ(count_of(all, "inkscape:label="), 2u) << "layers of one name are one";
   expect_parts(all, {"M110 10l", "M10 70l"});
-  refused("a.svg a.svg -o all.svg", "several drawings go on one sheet with --grid CxR, such as 2x2");
+  refused("a.svg a.svg -o all.svg", "several drawings need --grid CxR, such as 2x2, to share one sheet");
   refused("a.svg a.svg --grid 1x1 -o all.svg", "--grid: has 1 cells for 2 drawings");
 }
 

@@ -52,9 +52,9 @@ TEST_F(ModelFilesTest, GlassIsSeenThroughByItself) {
   EXPECT_FALSE(chosen["regions"].empty());
   EXPECT_EQ(chosen["regions"], named["regions"]);
   const Outcome opaque = run("draw pane.obj --view front --method appel -o x.svg");
-  EXPECT_NE(
-      opaque.err.find("warning: 1 transparent faces are taken as opaque; --method atherton-weiler sees through them\n"),
-      std::string::npos)
+  EXPECT_NE(opaque.err.find(
+                "warning: 1 transparent faces are drawn as opaque; --method atherton-weiler draws them as transparent\n"),
+            std::string::npos)
       << opaque.err;
 }
 

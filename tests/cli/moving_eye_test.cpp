@@ -73,9 +73,9 @@ TEST_F(MovingEyeTest, MistakesAreToldInOneLine) {
     expect_parts(outcome.err, {part});
     EXPECT_FALSE(std::filesystem::exists(file("x1.svg")));
   };
-  refused("--to 1,2,3 --frames 2", "--to: goes with --eye");
-  refused("--path flat.csv --frames 2", "--path: goes with --eye");
-  refused("--eye 9,9,9 --path flat.csv --frames 2", "flat.csv: has no rows of places X Y Z");
+  refused("--to 1,2,3 --frames 2", "--to: needs --eye");
+  refused("--path flat.csv --frames 2", "--path: needs --eye");
+  refused("--eye 9,9,9 --path flat.csv --frames 2", "flat.csv: has no rows of points X Y Z");
   refused("--eye 9,9,9 --path nowhere.csv --frames 2", "nowhere.csv");
   refused("--eye 9,9,9 --to 1,2,3", "--frames");
   refused("--eye 9,9,9 --to 1,2,3 --frames 2 --turn 90", "--turn");

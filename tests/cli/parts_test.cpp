@@ -49,7 +49,7 @@ TEST_F(PartsTest, ThatAreNotThereAreNamed) {
   EXPECT_EQ(refused("--move x=1,0,0").err.rfind("ligne: --move: no object is called \"x\"; there are", 0), 0u);
   EXPECT_EQ(refused("--color x=red").err.rfind("ligne: --color: no object is called", 0), 0u);
   EXPECT_EQ(refused("--pen object:x=2").err.rfind("ligne: --pen: no object is called", 0), 0u);
-  EXPECT_EQ(refused("--hide *").err, "ligne: --hide: no object is left to be drawn\n");
+  EXPECT_EQ(refused("--hide *").err, "ligne: --hide: no object is left to draw\n");
   for (const char* wrong : {"mid*", "mid*=1,2", "=1,2,3", "mid*=1,2,x", "mid*=1,2,3ft"}) {
     EXPECT_EQ(refused({"--move", wrong}).status, 2) << wrong;
   }

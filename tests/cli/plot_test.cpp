@@ -14,7 +14,8 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kThreeLinesSvg =
-    "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"60mm\" viewBox=\"0 0 100 60\" fill=\"none\" stroke=\"black\">\n"
+    "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"60mm\" viewBox=\"0 0 100 60\" fill=\"none\" "
+    "stroke=\"black\">\n"
     "<path d=\"M20 20H45\"/><path d=\"M70 20H45\"/><path d=\"M70 20V40\" stroke=\"red\"/>\n</svg>\n";
 
 class PlotTest : public ProgramTest {
@@ -33,19 +34,19 @@ TEST_F(PlotTest, AnSvgBecomesHpglOfTrueSize) {
 }
 
 TEST_F(PlotTest, LinesAreEnteredAtTheirNearerEnds) {
-  write(
-      "a.svg",
-      "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
-      "<path d='M20 20H45'/><path d='M90 20H60'/>\n</svg>\n");
+  write("a.svg",
+        "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' "
+        "stroke='black'>\n"
+        "<path d='M20 20H45'/><path d='M90 20H60'/>\n</svg>\n");
   EXPECT_EQ(written("a.plt", "plot a.svg"),
             "IN;\nSP1;\nPU800,1600;\nPD1800,1600;\nPU2400,1600;\nPD3600,1600;\nPU0,0;\nSP0;\n");
 }
 
 TEST_F(PlotTest, LoopsBeginAtTheNearestCornerAndEndThere) {
-  write(
-      "a.svg",
-      "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
-      "<path d='M20 20h20v20h-20z'/>\n</svg>\n");
+  write("a.svg",
+        "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' "
+        "stroke='black'>\n"
+        "<path d='M20 20h20v20h-20z'/>\n</svg>\n");
   EXPECT_EQ(written("a.plt", "plot a.svg"), "IN;\nSP1;\nPU800,800;\nPD800,1600,1600,1600,1600,800,800,800;\nPU0,0;\nSP0;\n");
 }
 
@@ -69,7 +70,8 @@ TEST_F(PlotTest, ColoursStay) {
 constexpr const char* kLayered =
     "<svg xmlns='http://www.w3.org/2000/svg' xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape' width='100mm' "
     "height='60mm' viewBox='0 0 100 60' fill='none' stroke='black' stroke-width='0.5'>\n"
-    "<g inkscape:groupmode='layer' inkscape:label='3 red'><path d='M20 20H45' stroke='red'/><path d='M20 25H45' stroke='#800000' "
+    "<g inkscape:groupmode='layer' inkscape:label='3 red'><path d='M20 20H45' stroke='red'/><path d='M20 25H45' "
+    "stroke='#800000' "
     "stroke-width='0.8'/></g>\n"
     "<g inkscape:groupmode='layer' inkscape:label='1 black'><path d='M20 30H45'/></g>\n"
     "<g inkscape:groupmode='layer' inkscape:label='%2 draft'><path d='M20 40H45'/></g>\n</svg>\n";
@@ -105,10 +107,10 @@ TEST_F(PlotTest, FillsAreOutlinedWithOneWarning) {
 }
 
 TEST_F(PlotTest, OrderingCutsAndJoinsNothing) {
-  write(
-      "a.svg",
-      "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
-      "<path d='M20 20H90'/><path d='M20 50H30'/><path d='M20 20H90'/></svg>");
+  write("a.svg",
+        "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' "
+        "stroke='black'>\n"
+        "<path d='M20 20H90'/><path d='M20 50H30'/><path d='M20 20H90'/></svg>");
   EXPECT_EQ(count_of(written("a.hpgl", "plot a.svg --optimize order"), "PD"), 3u);
   EXPECT_EQ(count_of(written("b.hpgl", "plot a.svg"), "PD"), 2u);
 }
@@ -152,9 +154,8 @@ TEST_F(PlotTest, WhatCanNotBeDrawnIsOneWarning) {
   write("part.svg",
         "<svg width='10mm' height='10mm' viewBox='0 0 10 10'>\n<image/><image/><path d='M1 1H9LNaN' stroke='red'/></svg>");
   const Outcome part = run_well("plot part.svg -o part.hpgl");
-  EXPECT_EQ(
-      part.err,
-      "ligne: part.svg: warning: left out: 2 images, 1 ends of <path> elements behind an error; the first in line 2\n");
+  EXPECT_EQ(part.err,
+            "ligne: part.svg: warning: left out: 2 images, 1 ends of <path> elements after an error; the first in line 2\n");
   EXPECT_TRUE(exists("part.hpgl"));
 }
 
@@ -200,8 +201,8 @@ TEST_F(PlotTest, ResolutionOfTheInput) {
   write("old.svg", "<svg viewBox='0 0 595 842'>\n<path d='M0 72H72' stroke='red'/></svg>");
   expect_outcome(
       "plot old.svg -o a.svg", 0,
-      {"old.svg: warning: tells no size; its viewBox is a paper (A4) at 72 dpi, and is taken at 96: --input-dpi 72 "
-       "gives that paper"});
+      {"old.svg: warning: has no size; its viewBox is a paper size (A4) at 72 dpi, and is taken at 96: --input-dpi 72 gives "
+       "that paper"});
   const Outcome right = run("plot old.svg --input-dpi 72 -o b.svg");
   EXPECT_EQ(right.err, "");
   EXPECT_NE(contents(file("b.svg")).find("M0 25.4l25.4 0"), std::string::npos) << contents(file("b.svg"));
@@ -242,8 +243,7 @@ TEST_F(PlotTest, PackedAndWideTextsAreToldHowToGoIn) {
   write("wide.svg", std::string("\xff\xfe<\0s\0v\0g\0", 10));
   EXPECT_EQ(run("plot packed.svgz -o a.svg").err,
             "ligne: packed.svgz: is compressed; gzip -dc FILE | ligne plot - reads it\n");
-  EXPECT_EQ(run("plot wide.svg -o a.svg").err,
-            "ligne: wide.svg: is text of two bytes a letter (UTF-16); save it as UTF-8\n");
+  EXPECT_EQ(run("plot wide.svg -o a.svg").err, "ligne: wide.svg: is UTF-16 text; save it as UTF-8\n");
 }
 
 TEST_F(PlotTest, TheSameBytesWithAnyNumberOfThreads) {
@@ -254,10 +254,11 @@ TEST_F(PlotTest, TheSameBytesWithAnyNumberOfThreads) {
 }
 
 TEST_F(PlotTest, ADeviceOfOnesOwn) {
-  write(
-      "mine.toml",
-      "name = \"mine\"\ntitle = \"My plotter\"\nlanguage = \"hpgl\"\nstep = 0.1\nlimits = [0, 0, 200, 300]\nbegin = [\"HELLO\"]\n"
-      "travel = \"U{x},{y};\"\ndraw = \"D{points};\"\ndot = \"D;\"\nspeed_down = 10\nspeed_up = 20\nlift_seconds = 1\npen_change_seconds = 1\n");
+  write("mine.toml",
+        "name = \"mine\"\ntitle = \"My plotter\"\nlanguage = \"hpgl\"\nstep = 0.1\nlimits = [0, 0, 200, 300]\nbegin = "
+        "[\"HELLO\"]\n"
+        "travel = \"U{x},{y};\"\ndraw = \"D{points};\"\ndot = \"D;\"\nspeed_down = 10\nspeed_up = 20\nlift_seconds = "
+        "1\npen_change_seconds = 1\n");
   write("a.svg", kThreeLinesSvg);
   EXPECT_EQ(written("a.hpgl", "plot a.svg --device-file mine.toml"), "HELLO\nU200,400;\nD700,400,700,200;\n");
 }
@@ -272,15 +273,15 @@ TEST_F(PlotTest, DevicesAreListedWhereverTheProgramIs) {
 }
 
 TEST_F(PlotTest, WhatLeavesTheLimitsIsToldInMillimetres) {
-  write(
-      "wide.svg",
-      "<svg xmlns='http://www.w3.org/2000/svg' width='210mm' height='297mm' viewBox='0 0 210 297' fill='none' stroke='black'>"
-      "<path d='M0 0H210V297'/></svg>");
+  write("wide.svg",
+        "<svg xmlns='http://www.w3.org/2000/svg' width='210mm' height='297mm' viewBox='0 0 210 297' fill='none' "
+        "stroke='black'>"
+        "<path d='M0 0H210V297'/></svg>");
   const Outcome outcome = run("plot wide.svg --device hp7475a -o a.hpgl");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(outcome.err.starts_with("ligne: device hp7475a, paper A4: the drawing leaves the limits: ")) << outcome.err;
   const Outcome fitted = run_well("plot wide.svg --device hp7475a --fit-device --report -o a.hpgl");
-  EXPECT_EQ(count_of(fitted.err, "the drawing is made smaller, to 0.9"), 1u) << fitted.err;
+  EXPECT_EQ(count_of(fitted.err, "the drawing is scaled down to 0.9"), 1u) << fitted.err;
   EXPECT_EQ(count_of(fitted.err, "of its size, which fits hp7475a\n"), 1u) << "in the title of the report";
 }
 
@@ -338,7 +339,7 @@ TEST_F(PlotTest, AStoredStudyIsHatched) {
   EXPECT_NEAR(shaded, hatch_length(drawn), 0.1 * shaded) << "as draw does it";
   run_well("draw cube.obj -o lines.json");
   const Outcome none = run("plot lines.json --fill hatch -o f.svg");
-  EXPECT_TRUE(none.status == 0 || none.err.find("has no regions to be hatched") != std::string::npos) << none.err;
+  EXPECT_TRUE(none.status == 0 || none.err.find("has no regions to hatch") != std::string::npos) << none.err;
 }
 
 TEST_F(PlotTest, FillsAreHatchedByLayerColourAndTone) {
@@ -379,10 +380,10 @@ TEST_F(PlotTest, CrossHatchingTakesNoFileForAName) {
 }
 
 TEST_F(PlotTest, ShortStrokesAreLeftOut) {
-  write(
-      "a.svg",
-      "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
-      "<path d='M20 20H20.4'/><path d='M20.4 20H22'/><path d='M50 50H50.5'/></svg>");
+  write("a.svg",
+        "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' "
+        "stroke='black'>\n"
+        "<path d='M20 20H20.4'/><path d='M20.4 20H22'/><path d='M50 50H50.5'/></svg>");
   EXPECT_EQ(count_of(written("a.hpgl", "plot a.svg --min-length 1"), "PD"), 1u) << "pieces of one line are one";
   EXPECT_EQ(count_of(written("a.hpgl", "plot a.svg"), "PD"), 2u);
 }

@@ -65,8 +65,8 @@ TEST_F(StoredOrderTest, MistakesAreToldInOneLine) {
   };
   refused("plot lines.json --fill material", "has no order of painting; ligne draw --method newell");
   refused("plot a.svg --fill material", "--fill: paints a ligne-drawing that has an order");
-  refused("plot stored.json --material stone=red", "--material: goes with --fill material or shade");
-  refused("plot stored.json --fill material --tile A5", "--tile: does not go with --fill");
+  refused("plot stored.json --material stone=red", "--material: needs --fill material or shade");
+  refused("plot stored.json --fill material --tile A5", "--tile: can not be combined with --fill");
   refused("plot stored.json --fill glow", "--fill: ");
   refused("plot stored.json --fill material --pen outline=1", "--fill: pens draw no filled faces");
   json broken = json::parse(contents(file("stored.json")));

@@ -210,7 +210,7 @@ TEST_F(SurfaceBreaksTest, GridsHaveASteepestSlope) {
   for (const char* method : {"horizon", "appel"}) {
     EXPECT_NEAR(length({"--max-slope", "5", "--method", method}), 3 * 3 * 10, 0.01) << method;
   }
-  fails("x --max-slope 5 -o a.svg", 2, "--max-slope: goes with --grid");
+  fails("x --max-slope 5 -o a.svg", 2, "--max-slope: needs --grid");
 }
 
 TEST_F(SurfaceBreaksTest, FineGridsAreThinned) {

@@ -63,7 +63,7 @@ TEST_F(CurvesTest, PointsThatAreHiddenHaveNoMark) {
   const std::string file = "points.txt";
   const Outcome outcome = map({"0*x", "--points", file});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  expect_parts(outcome.err, {"1 points lie beside the surface"});
+  expect_parts(outcome.err, {"1 points outside the surface are omitted"});
   expect_parts(outcome.out, {">Above</text>", ">On it</text>"});
   expect_no_parts(outcome.out, {">Below</text>"});
   write("bad.txt", "1 2\n3 here\n");
@@ -256,10 +256,10 @@ TEST_F(TerrainTest, ScaleBarAndNorth) {
 
 TEST_F(TerrainTest, Errors) {
   const auto error = [&](const Words& arguments) { return surface(arguments, "-o - --format svg").err; };
-  EXPECT_NE(error("x --contour-labels").find("goes with --contours"), std::string::npos);
-  EXPECT_NE(error("x --water nodata").find("goes with --grid"), std::string::npos);
-  EXPECT_NE(error("x --water-fill hatch").find("goes with --water"), std::string::npos);
-  EXPECT_NE(error("x --hachure-spacing 1").find("goes with --hachures"), std::string::npos);
+  EXPECT_NE(error("x --contour-labels").find("needs --contours"), std::string::npos);
+  EXPECT_NE(error("x --water nodata").find("needs --grid"), std::string::npos);
+  EXPECT_NE(error("x --water-fill hatch").find("needs --water"), std::string::npos);
+  EXPECT_NE(error("x --hachure-spacing 1").find("needs --hachures"), std::string::npos);
 }
 
 TEST_F(TerrainTest, HolesOfAGridAsWater) {
@@ -375,7 +375,7 @@ TEST_F(SurfaceScaleTest, AspectAsAskedFor) {
 TEST_F(SurfaceScaleTest, WhatDoesNotGoTogether) {
   fails("x --aspect 3:2 -o a.svg", 2, "--aspect: \"3:2\" is not equal, box or X:Y:Z");
   fails("x --aspect 3:2:0 -o a.svg", 2, "--aspect: ");
-  fails("x --aspect 1:1:1 --z-scale 2 -o a.svg", 2, "--aspect: X:Y:Z says how high");
+  fails("x --aspect 1:1:1 --z-scale 2 -o a.svg", 2, "--aspect: X:Y:Z sets the height");
   fails("x --aspect box --exaggeration 2 -o a.svg", 2, "--exaggeration: needs --aspect equal");
   fails("x --log-x -o a.svg", 2, "--log-x: needs a range -x A:B above zero");
   fails("x --log-x -x -1:5 -o a.svg", 2, "--log-x: the range -x reaches down to zero");

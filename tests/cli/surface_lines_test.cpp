@@ -163,15 +163,15 @@ TEST_F(SurfaceLinesTest, HiddenPartsOfAxesAreNotDrawn) {
 
 TEST_F(SurfaceLinesTest, MistakesOfEngines) {
   fails("x --skirt --contours-base -o a.svg", 2,
-        "--contours-base: is drawn by the method horizon alone, and does not go with --skirt");
+        "--contours-base: is drawn by method horizon only, and can not be combined with --skirt");
   fails("x y --underside apart -o a.svg", 2,
-        "--underside: is drawn by the method horizon alone, and does not go with several surfaces");
+        "--underside: is drawn by method horizon only, and can not be combined with several surfaces");
   fails("x --z-range 0:1 --ridgeline -o a.svg", 2,
-        "--ridgeline: is drawn by the method horizon alone, and does not go with --z-range");
+        "--ridgeline: is drawn by method horizon only, and can not be combined with --z-range");
   fails("x --method appel --hidden-by curves -o a.svg", 2,
-        "--hidden-by curves: is drawn by the method horizon alone, and does not go with --method appel");
+        "--hidden-by curves: is drawn by method horizon only, and can not be combined with --method appel");
   fails("x --hidden solid --horizon pixels -o a.svg", 2,
-        "--horizon pixels: is drawn by the method horizon alone, and does not go with --hidden");
+        "--horizon pixels: is drawn by method horizon only, and can not be combined with --hidden");
   fails("x --contours 3 --as-mesh -o a.obj", 2, "--contours: ");
   fails("x --axes --as-mesh -o a.obj", 2, "--axes: ");
   fails("x --axes -o a.json", 2, "--axes: are not written as json");
@@ -269,8 +269,8 @@ TEST_F(SurfaceInputTest, Grids) {
   refuses("--grid prose.txt", 1, "prose.txt:1: column 1: 'heights' is not a number");
   refuses("--grid column.csv", 1, "column.csv: has 1 column and 3 rows; a grid has two of each or more\n");
   refuses("--grid row.csv", 1, "row.csv: has 3 columns and 1 row; a grid has two of each or more\n");
-  refuses("--grid nan.txt", 1, "nan.txt: holds no height, only places without one (NODATA)\n");
-  refuses("--grid nodata.asc", 1, "nodata.asc: holds no height, only places without one (NODATA)\n");
+  refuses("--grid nan.txt", 1, "nan.txt: contains only NODATA values\n");
+  refuses("--grid nodata.asc", 1, "nodata.asc: contains only NODATA values\n");
   refuses("--grid empty.csv", 1, "empty.csv: is empty\n");
   refuses("--grid blank.csv", 1, "blank.csv: holds no row of numbers\n");
   refuses("--grid wide.asc", 1, "wide.asc:1: ncols '4294967296' is more than a file of ");

@@ -161,8 +161,8 @@ TEST_F(SurfaceMeshTest, TheSameBytesWithAnyNumberOfThreads) {
 TEST_F(SurfaceMeshTest, Mistakes) {
   write("flat.csv", "1,1,1\n1,1,1\n1,1,1\n");
   fails("x --method newton -o a.svg", 2, "--method: \"newton\" is not one of auto, horizon");
-  fails("x y --method horizon -o a.svg", 2, "--method: horizon draws no several surfaces");
-  fails("x --method horizon --hidden solid -o a.svg", 2, "--method: horizon draws no --hidden");
+  fails("x y --method horizon -o a.svg", 2, "--method: horizon can not draw several surfaces");
+  fails("x --method horizon --hidden solid -o a.svg", 2, "--method: horizon can not draw --hidden");
   fails("x --method appel --horizon pixels -o a.svg", 2, "--horizon pixels: ");
   fails("x --z-range 3:1 -o a.svg", 2, "--z-range: the range 3:1 does not ascend");
   fails("x --z-range 1:3:4 -o a.svg", 2, "--z-range: \"1:3:4\" is not A:B");
@@ -172,12 +172,12 @@ TEST_F(SurfaceMeshTest, Mistakes) {
   fails("--parametric u v -o a.svg", 2, "--output: there is no output file");
   fails("--parametric u v", 2, "--parametric: its value is missing");
   fails("--parametric u v w -o a.svg", 1, "formula of z:1: unknown name 'w'");
-  fails("--parametric u v 0 -x 0:1 -o a.svg", 2, "-x, -y: go with z = f(x, y)");
-  fails("--parametric u v 0 --skirt -o a.svg", 2, "--skirt: goes with z = f(x, y)");
+  fails("--parametric u v 0 -x 0:1 -o a.svg", 2, "-x, -y: work for z = f(x, y) only");
+  fails("--parametric u v 0 --skirt -o a.svg", 2, "--skirt: works for z = f(x, y), which");
   fails("--parametric u v 0 -u 0:1:1 -o a.svg", 2, "-u: ");
   fails("--parametric u v 0 -u 1:1 -o a.svg", 2, "-u: the range 1:1 does not ascend");
   fails("--parametric u v 0 -v 0:q -o a.svg", 2, "-v: \"q\":1: unknown name 'q'");
-  fails("x -u 0:1 -o a.svg", 2, "-u, -v: go with --parametric");
+  fails("x -u 0:1 -o a.svg", 2, "-u, -v: need --parametric");
   for (const char* n : {"0", "1", "1000000000"}) fails({"x", "y", "-x", std::string("0:1:") + n, "-o", "a.svg"}, 2, "-x: ");
   fails("x -x 0:1:20000 -y 0:1:20000 --method appel -o a.svg", 1, "x: 20000 x 20000 samples are too many for a mesh");
   fails("--grid flat.csv -x 0:1:4 -o a.svg", 2, "-x, -y: a grid takes A:B");
@@ -199,7 +199,8 @@ TEST_F(SurfaceMeshTest, HatchedSurfaces) {
   EXPECT_EQ(
       hatched("--method horizon")
           .err.rfind(
-              "ligne: --hatch: method horizon gives neither regions nor spans; regions: atherton-weiler, warnock, newell, bsp, convex-tree; spans: watkins",
+              "ligne: --hatch: method horizon gives neither regions nor spans; regions: atherton-weiler, warnock, newell, "
+              "bsp, convex-tree; spans: watkins",
               0),
       0u);
   EXPECT_EQ(run("surface x --hatch shade --as-mesh -o x.obj").status, 2);

@@ -171,12 +171,12 @@ TEST_F(SurfaceTest, AxesEverywhereAndOfEverything) {
 
 TEST_F(SurfaceTest, MistakesOfAxes) {
   fails("x --axes=cage -o a.svg", 2, "--axes: ");
-  fails("x --x-label east -o a.svg", 2, "--x-label: goes with --axes");
+  fails("x --x-label east -o a.svg", 2, "--x-label: needs --axes");
   fails("x --text ink -o a.svg", 2, "--text: ");
   fails("x --axes --text-height 0 -o a.svg", 2, "--text-height: ");
   fails("x --axes --text-height 100 -o a.svg", 2, "--text-height: 100 mm is more than a tenth of the 190 mm");
   fails({"x", "--axes", "--x-label", std::string(1000, 'n'), "-o", "a.svg"}, 2,
-        "--page: numbers and names of the axes leave nothing");
+        "--page: numbers and names of the axes leave no drawable area");
   fails({"x", "--title", "\u6f22", "--text", "stroke", "-o", "a.svg"}, 0,
         "surface: warning: 1 characters are not in the font");
 }

@@ -66,7 +66,7 @@ TEST_F(InputFile, RefusesWhatIsNoFile) {
 TEST_F(InputFile, ReadsPipesOfWhichSomebodyHasTheOtherEnd) {
   const fs::path pipe = folder_ / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_EQ(read(pipe), "F: is a pipe to which nobody writes");
+  EXPECT_EQ(read(pipe), "F: is a pipe without a writer");
   const std::string text(200'000, 'y');  // more than a pipe holds
   std::thread writer([&] { std::ofstream(pipe) << text; });
   EXPECT_EQ(read(pipe), text);
@@ -81,7 +81,7 @@ TEST_F(InputFile, EndlessPipesEnd) {
     const std::string block(1 << 16, '\0');
     for (int i = 0; i < 64 && out; ++i) out << block;
   });
-  EXPECT_EQ(read(pipe, 1 << 20), "F: is larger than 1 MiB, and no size is told before it is read");
+  EXPECT_EQ(read(pipe, 1 << 20), "F: is larger than 1 MiB, the limit for an input of unknown size");
   writer.join();
 }
 

@@ -165,16 +165,16 @@ TEST(Newell, TakesOverTheListOfASimilarView) {
     return sum;
   };
   const VisibilityResult first = study(0, nullptr);
-  EXPECT_EQ(count(first, "elements of the view before"), 0u);
+  EXPECT_EQ(count(first, "elements of the previous view"), 0u);
   for (const double degrees : {2.0, 5.0}) {
     const VisibilityResult alone = study(degrees, nullptr), next = study(degrees, first.kept.get());
-    EXPECT_GT(count(next, "elements of the view before"), 200u);
+    EXPECT_GT(count(next, "elements of the previous view"), 200u);
     EXPECT_LT(2 * count(next, "moved to the head"), count(alone, "moved to the head")) << degrees;
     EXPECT_LT(2 * count(next, "cuts by a plane"), count(alone, "cuts by a plane")) << degrees;
     EXPECT_EQ(next.strokes->strokes.size(), alone.strokes->strokes.size());
     EXPECT_EQ(length(next), length(alone));
   }
-  EXPECT_EQ(count(study(90, first.kept.get()), "elements of the view before"), 0u) << "it is another view";
+  EXPECT_EQ(count(study(90, first.kept.get()), "elements of the previous view"), 0u) << "it is another view";
 }
 
 // The priority list of the method newell, by hand: the figures of [Boulle1980] 2.5.

@@ -224,7 +224,7 @@ TEST(NewellBodies, NestedBodiesAreOpened) {
   scene = finished(scene);
   const Picture picture = draw(scene, {along({0.3, 1, -0.4}), "all", false, 1, "appel"});
   const VisibilityResult bodies = painted(picture.projected, true), faces = painted(picture.projected, false);
-  EXPECT_EQ(count(bodies, "bodies as one element"), 2u);
+  EXPECT_EQ(count(bodies, "bodies kept as one element"), 2u);
   EXPECT_GE(count(bodies, "bodies opened"), 1u);
   EXPECT_EQ(bodies.regions->size(), faces.regions->size());
 }

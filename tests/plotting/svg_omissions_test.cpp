@@ -17,14 +17,13 @@ void expect_omitted(const std::string& body, const Lines& wanted, const std::str
 
 TEST(SvgOmissions, PathsAreDrawnUpToTheirErrors) {
   expect_omitted("<path d='M10 10L20 20LNaN,30L40 10'/><path d='M10 50L90 50'/>",
-                 {"1000,1000 2000,2000 ", "1000,5000 9000,5000 "}, "1 ends of <path> elements behind an error");
-  expect_omitted("<path d='M'/><path d='M10 10H90'/>", {"1000,1000 9000,1000 "},
-                 "1 ends of <path> elements behind an error");
+                 {"1000,1000 2000,2000 ", "1000,5000 9000,5000 "}, "1 ends of <path> elements after an error");
+  expect_omitted("<path d='M'/><path d='M10 10H90'/>", {"1000,1000 9000,1000 "}, "1 ends of <path> elements after an error");
   expect_omitted("<path d='M1 1H2X3'/><path d='H3'/><path d='M0 0A1 1 0 2 0 5 5'/><path d=''/>", {"100,100 200,100 "},
-                 "3 ends of <path> elements behind an error");
+                 "3 ends of <path> elements after an error");
   expect_omitted("<polyline points='1 2 3 4 5'/><polygon points='0 0 9 0 9 9 x'/>",
                  {"100,200 300,400 ", "0,0 900,0 900,900 0,0 "},
-                 "1 ends of <polyline> elements behind an error, 1 ends of <polygon> elements behind an error");
+                 "1 ends of <polyline> elements after an error, 1 ends of <polygon> elements after an error");
 }
 
 TEST(SvgOmissions, BadValuesAreAsIfTheyWereNotThere) {
@@ -33,9 +32,9 @@ TEST(SvgOmissions, BadValuesAreAsIfTheyWereNotThere) {
   expect_omitted(
       "<line x1='nan' x2='5furlongs' y2='9' stroke='?'/>", {"0,0 0,900 "},
       "1 values of stroke that are not known, 1 values of x1 that are not known, 1 values of x2 that are not known");
-  expect_omitted(
-      "<line x2='5' style='stroke-width:null;stroke-dasharray:-1;stroke-dashoffset:x'/>", {"0,0 500,0 "},
-      "1 values of stroke-width that are not known, 1 values of stroke-dasharray that are not known, 1 values of stroke-dashoffset that are not known");
+  expect_omitted("<line x2='5' style='stroke-width:null;stroke-dasharray:-1;stroke-dashoffset:x'/>", {"0,0 500,0 "},
+                 "1 values of stroke-width that are not known, 1 values of stroke-dasharray that are not known, 1 values of "
+                 "stroke-dashoffset that are not known");
   expect_omitted("<svg viewBox='0 0 1'><line x2='5'/></svg><text x='q'> </text>", {"0,0 500,0 "},
                  "1 values of viewBox that are not known, 1 values of x that are not known");
   const ReadDrawing inherited = read("<g stroke='red'><line x2='1' stroke='nonsense(1)'/></g>");
@@ -45,14 +44,14 @@ TEST(SvgOmissions, BadValuesAreAsIfTheyWereNotThere) {
 
 TEST(SvgOmissions, AnElementIsCountedOnceHoweverOftenItIsShown) {
   expect_omitted("<path id='p' d='M0 0H1L?'/><use href='#p' x='1'/><use href='#p' x='2'/>",
-                 {"0,0 100,0 ", "100,0 200,0 ", "200,0 300,0 "}, "1 ends of <path> elements behind an error");
+                 {"0,0 100,0 ", "100,0 200,0 ", "200,0 300,0 "}, "1 ends of <path> elements after an error");
 }
 
 TEST(SvgOmissions, WhatIsNotStrokesIsLeftOut) {
   expect_omitted("<image/><image/><foreignObject/><line x2='5'/><animate/>", {"0,0 500,0 "},
                  "2 images, 1 foreignObject elements, 1 animations");
   expect_omitted("<g clip-path='circle(5px)'><line x2='5'/></g><line x2='6' filter='url(#f)'/><note/>",
-                 {"0,0 500,0 ", "0,0 600,0 "}, "1 clip paths of other things than shapes, 1 filters, 1 <note> elements");
+                 {"0,0 500,0 ", "0,0 600,0 "}, "1 clip paths that are not shapes, 1 filters, 1 <note> elements");
   expect_omitted("<use href='a.svg#b'/><line x2='1e300' transform='scale(1e300)'/><line x2='5'/>", {"0,0 500,0 "},
                  "1 <use> elements that lead out of the file, 1 elements farther than a kilometre away");
   const ReadDrawing text = read("<text y='9'><textPath href='#p'>a</textPath>b</text>");
@@ -62,7 +61,7 @@ TEST(SvgOmissions, WhatIsNotStrokesIsLeftOut) {
 
 TEST(SvgOmissions, ClipPathsThatCanNotBeDrawnClipNothing) {
   expect_omitted("<clipPath id='c'><rect width='3' height='9'/><text>a</text></clipPath><line x2='5' clip-path='url(#c)'/>",
-                 {"0,0 500,0 "}, "1 clip paths of other things than shapes");
+                 {"0,0 500,0 "}, "1 clip paths that are not shapes");
   expect_omitted(
       "<clipPath id='c'><rect width='3' height='9'/><g><rect width='9' height='9'/></g></clipPath>"
       "<line x2='5' clip-path='url(#c)'/>",
@@ -106,16 +105,15 @@ TEST(SvgOmissions, StyleSheetsLoseOnlyWhatIsNotKnown) {
   expect_omitted(
       "<style>.a:link{stroke:none} line:foo(x), .a{stroke-dasharray:2 1} ;?{} .a{.b{stroke:none}}</style>" + line,
       {"0,0 200,0 ", "300,0 500,0 "},
-      "1 rules of style with :link, 1 rules of style with :foo, 1 rules of style with selectors that are not known, "
-      "1 rules of style inside others");
+      "1 style rules with :link, 1 style rules with :foo, 1 style rules with unknown selectors, 1 style rules inside others");
   expect_omitted("<style>.a{stroke-dasharray:2 1} } .b{</style>" + line, {"0,0 200,0 ", "300,0 500,0 "},
-                 "1 rules of style with selectors that are not known");
+                 "1 style rules with unknown selectors");
 }
 
 TEST(SvgOmissions, PaintsThatAreNotThere) {
   expect_omitted(
       "<line x2='5' stroke='url(#none)'/><line x2='6' stroke='url(#none) none'/><line id='l' x2='7' stroke='url(#l) red'/>",
-      {"0,0 700,0 "}, "2 gradients and patterns that the file lacks");
+      {"0,0 700,0 "}, "2 gradients and patterns missing from the file");
 }
 
 TEST(SvgOmissions, OtherLanguagesAndForeignAlternatives) {

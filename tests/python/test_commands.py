@@ -385,6 +385,6 @@ def test_no_input_is_overwritten(tmp_path):
         lambda: ligne.draw_frames(model, tmp_path / "cubes.obj", frames=2, format="pdf"),
         lambda: ligne.plot(foreign, foreign),
     ):
-        with pytest.raises(ligne.RequestError, match="is an input too"):
+        with pytest.raises(ligne.RequestError, match="is also an input file"):
             write()
     assert model.read_bytes() == CUBES.read_bytes() and foreign.read_bytes() == SVG

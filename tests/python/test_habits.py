@@ -37,13 +37,13 @@ def test_ranges_behind_z():
 def test_surfaces_behind_a_surface_stay_surfaces():
     three = ligne.surface(Z, Z + 3, Z + 6)
     assert three.to_bytes() != ligne.surface(Z).to_bytes()
-    with pytest.raises(ligne.RequestError, match="x, y: stand behind z"):
+    with pytest.raises(ligne.RequestError, match="x, y: are given both after z"):
         ligne.surface(Z, X, Y, x=X)
 
 
 def test_meshgrids_of_the_other_order_are_refused():
     x, y = np.meshgrid(X[0], Y[:, 0], indexing="ij")
-    with pytest.raises(ligne.InputError, match=r'x: is of meshgrid\(indexing="ij"\)'):
+    with pytest.raises(ligne.InputError, match=r'x: comes from meshgrid\(indexing="ij"\)'):
         ligne.surface(Z.T, x, y)
     with pytest.raises(ligne.InputError, match="x: the shape is"):
         ligne.surface(Z, x=np.zeros((3, 4)), y=Y)
@@ -140,7 +140,7 @@ def test_files_that_are_open(cube, tmp_path):
     with open(tmp_path / "a.pdf", "wb") as file:
         drawing.save(file)
     assert (tmp_path / "a.pdf").read_bytes().startswith(b"%PDF")
-    with pytest.raises(ligne.RequestError, match="file: png is bytes"):
+    with pytest.raises(ligne.RequestError, match="file: png writes bytes"):
         drawing.save(io.StringIO(), format="png")
     with pytest.raises(ligne.RequestError, match="format: a file object without a name needs one"):
         drawing.save(io.BytesIO())
@@ -194,7 +194,7 @@ def test_what_has_no_meaning_is_refused_where_it_is_given(cube):
         with pytest.raises(ligne.RequestError, match="direction: is not three finite numbers"):
             ligne.draw(cube, direction=(0, number, 0))
     for call in (lambda: ligne.View.perspective((1, 2, 3), (1, 2, 3)), lambda: ligne.draw(cube, eye=(1, 2, 3), target=(1, 2, 3))):
-        with pytest.raises(ligne.RequestError, match="target: is the place of the eye"):
+        with pytest.raises(ligne.RequestError, match="target: is the position of the eye"):
             call()
     with pytest.raises(ligne.RequestError, match="fov: 200 is not between 0 and 180 degrees"):
         ligne.View.perspective((1, 2, 3), fov=200)

@@ -92,7 +92,7 @@ def test_drawings_without_surfaces(cube):
                     ligne.draw(ligne.Mesh(*tubes), edges="outline")):
         assert drawing.surfaces == ()
         assert drawing.stroke_surfaces.shape == (len(drawing), 2) and np.all(drawing.stroke_surfaces == -1)
-    with pytest.raises(ligne.RequestError, match="the floating horizon gives polylines alone"):
+    with pytest.raises(ligne.RequestError, match="the floating horizon gives only polylines"):
         ligne.surface("sin(r)/r").surfaces
 
 

@@ -51,11 +51,11 @@ TEST(Npy, LayersPointsAndErrors) {
   const auto points = numbers<double>({0, 0, 1, 1, 0, 2, 0, 1, 3, 1, 1, 4});
   expect_grid(*heights(npy("<f8", "4, 3", points)), {0, 1}, {0, 1}, {{1, 2}, {3, 4}});
   EXPECT_EQ(error_of(npy("<f8", "2, 3", numbers<double>({1, 2}))),
-            "M: is truncated: it speaks of more than the 16 bytes that are left");
+            "M: is truncated: its header declares more than the 16 remaining bytes");
   EXPECT_EQ(error_of(npy("<c16", "2, 3", "")),
             "M: holds numpy's type 'c16'; heights are integers or floats of up to 64 bits");
   EXPECT_EQ(error_of(npy("<f8", "9223372036854775807, 9223372036854775807", "")),
-            "M: is truncated: it speaks of more than the 0 bytes that are left");
+            "M: is truncated: its header declares more than the 0 remaining bytes");
   EXPECT_EQ(error_of("\x93NUMPY"), "M: is truncated: the numpy header ends early");
 }
 
@@ -105,7 +105,7 @@ TEST(Netcdf, CoordinatesScalesAndFillValues) {
     EXPECT_EQ(source->unit(), GroundUnit::degrees);
   }
   const std::string whole = netcdf('\1');
-  EXPECT_EQ(error_of(whole.substr(0, whole.size() - 4)), "M: is truncated: variable 'z' ends behind the end of the file");
+  EXPECT_EQ(error_of(whole.substr(0, whole.size() - 4)), "M: is truncated: variable 'z' extends past the end of the file");
   for (std::size_t size = 4; size < whole.size(); size += 7) error_of(whole.substr(0, size));
   GridChoice choice;
   choice.using_columns = {"height"};
@@ -159,7 +159,7 @@ TEST(JsonGrid, RowsTracesColumnsAndRecords) {
               square);
   EXPECT_NE(error_of("{\"a\": [], \"b\": [{}]}").find("is JSON without an array of numbers"), std::string::npos);
   EXPECT_EQ(error_of("[[1, 2], [3]]"), "M: has rows of 2 and of 1 numbers");
-  EXPECT_EQ(error_of("[[1, 2], [3"), "M: JSON: byte 12 is not what can stand there");
+  EXPECT_EQ(error_of("[[1, 2], [3"), "M: JSON: byte 12 is unexpected");
   EXPECT_EQ(error_of("{\"a\": 1}"),
             "M: is JSON without an array of numbers: [[...], [...]], or {\"x\": [...], \"y\": [...], \"z\": [...]}");
   EXPECT_EQ(error_of("{\"type\": \"FeatureCollection\", \"features\": []}"),

@@ -195,9 +195,9 @@ TEST(HgtGrid, TilesHaveTheirPlaceInTheirName) {
   expect_grid(*tile, {-120, -119.5, -119}, {-3, -2.5, -2}, {{7, 8, 9}, {256, -1, kNaN}, {1, 2, 3}});
   EXPECT_EQ(tile->unit(), GroundUnit::degrees);
   EXPECT_EQ(error_line([&] { read(bytes, "alps.hgt"); }),
-            "alps.hgt: does not tell its place: a tile of heights is called as N47E008.hgt is");
+            "alps.hgt: has no position: the name of an SRTM tile gives it, such as N47E008.hgt");
   EXPECT_EQ(error_line([&] { read(bytes + "a", "N03E120.hgt"); }),
-            "N03E120.hgt: has 19 bytes, which are no square of heights of two bytes");
+            "N03E120.hgt: has 19 bytes, which is not a square of two-byte heights");
 }
 
 TEST(SharedGrids, ModelsAreRefused) {
@@ -306,15 +306,15 @@ TEST(FormulaHeights, ErrorsNameTheColumn) {
   EXPECT_EQ(error("1 + sin"), "formula:5: function 'sin' without its arguments in parentheses");
   EXPECT_EQ(error("2x"), "formula:2: an operator is missing before 'x'");
   EXPECT_EQ(error("x (y)"), "formula:3: an operator is missing before '('");
-  EXPECT_EQ(error("x = 3"), "formula:3: nothing can be assigned; == compares");
-  EXPECT_EQ(error("x + \"abc\""), "formula:5: character '\"' has no meaning in a formula");
-  EXPECT_EQ(error("x\u20ac"), "formula:2: character '\xE2\x82\xAC' has no meaning in a formula");
+  EXPECT_EQ(error("x = 3"), "formula:3: assignment is not allowed; use == to compare");
+  EXPECT_EQ(error("x + \"abc\""), "formula:5: character '\"' is not allowed in a formula");
+  EXPECT_EQ(error("x\u20ac"), "formula:2: character '\xE2\x82\xAC' is not allowed in a formula");
   EXPECT_EQ(error("1e999"), "formula:1: '1e999' is out of the range of numbers");
   EXPECT_EQ(error("x + ."), "formula:5: '.' is not a number");
   EXPECT_EQ(error("(x + (y)"), "formula:1: '(' without its ')'");
   EXPECT_EQ(error("x + y)"), "formula:6: ')' without its '('");
   EXPECT_EQ(error("x, y"), "formula:2: ',' outside the arguments of a function");
-  EXPECT_EQ(error("(x, y)"), "formula:7: several values in parentheses that belong to no function");
+  EXPECT_EQ(error("(x, y)"), "formula:7: several values in parentheses without a function");
   EXPECT_EQ(error("x + "), "formula:5: ends too early");
   EXPECT_EQ(error("x  */ y"), "formula:5: '/' is not expected here");
   EXPECT_EQ(error("()"), "formula:2: ')' is not expected here");
@@ -322,8 +322,8 @@ TEST(FormulaHeights, ErrorsNameTheColumn) {
   EXPECT_EQ(error("sin(1, 2)"), "formula:9: too many arguments for 'sin'");
   EXPECT_EQ(error("x ? y"), "formula:6: '?' without its ':'");
   EXPECT_EQ(error("x : y"), "formula:5: ':' without its '?'");
-  EXPECT_EQ(error("(x ? y) : 1"), "formula:12: parts of it do not belong together");
-  EXPECT_EQ(error(std::string("x\0y", 3)), "formula:2: character '\\x00' has no meaning in a formula");
+  EXPECT_EQ(error("(x ? y) : 1"), "formula:12: its parts do not fit together");
+  EXPECT_EQ(error(std::string("x\0y", 3)), "formula:2: character '\\x00' is not allowed in a formula");
 }
 
 TEST(FormulaHeights, HostileLengths) {

@@ -61,11 +61,11 @@ TEST(TextGrid, Errors) {
   EXPECT_EQ(grid_error("1 2\n3 4\n5 6 7\n"), "M:3: row of 3 columns; those above have 2");
   EXPECT_EQ(grid_error("1,2\n3,abc\n"), "M:2: column 2: 'abc' is not a number");
   EXPECT_EQ(grid_error("a,b\n1,2\n"),
-            "M:2: the columns a, b have names that do not say what they are; --using X:Y:Z says which columns are the "
-            "positions and the height, --layout matrix that all are heights, --layout series that all but the first are");
+            "M:2: the columns a, b have unknown names; --using X:Y:Z says which columns are the positions and the height, "
+            "--layout matrix that all are heights, --layout series that all but the first are");
   EXPECT_EQ(grid_error("1\n2\n3\n"), "M: has 1 column and 3 rows; a grid has two of each or more");
   EXPECT_EQ(grid_error("1,2,4\n"), "M: has 3 columns and 1 row; a grid has two of each or more");
-  EXPECT_EQ(grid_error("nan,nan\nnan,nan\n"), "M: holds no height, only places without one (NODATA)");
+  EXPECT_EQ(grid_error("nan,nan\nnan,nan\n"), "M: contains only NODATA values");
   EXPECT_EQ(grid_error("1,2\n3,1e999\n"), "M:2: column 2: '1e999' is not a number");
   EXPECT_EQ(grid_error(std::string("1,2\n3,\0\n", 8)),
             "M: not a grid file that is known (tables as text, ESRI ASCII grid, PGM, PNG, GeoTIFF, Surfer, npy, netCDF, "
@@ -77,7 +77,8 @@ TEST(TextGrid, Errors) {
   EXPECT_EQ(
       grid_error("1 2 3 4\n5 6 7 8\n\n1 2 3 4\n"),
       "M:4: blank lines before this row of a matrix of 4 columns; blocks of x y z have three; --using X:Y:Z says which "
-      "columns are the positions and the height, --layout matrix that all are heights, --layout series that all but the first are");
+      "columns are the positions and the height, --layout matrix that all are heights, --layout series that all but the "
+      "first are");
   EXPECT_EQ(grid_error("v 1 2 3\nv 2 3 4\n"), "M: is a model (OBJ), not a grid of heights; draw it with: ligne draw");
 }
 
@@ -108,8 +109,7 @@ TEST(PointGrid, ShuffledAndIncompleteGridsHaveHoles) {
   expect_grid(*grid(shuffled, warnings), {0, 1, 2}, {0, 1, 2, 3}, kOneMissing);
   EXPECT_EQ(warnings.counts().size(), 0u);
   expect_grid(*grid("0 0 1\n1 0 2\n0 1 3\n1 1 5\n1 1 3\n", warnings), {0, 1}, {0, 1}, kTwoByTwo);
-  EXPECT_EQ(warnings.counts(),
-            (std::map<std::string, std::size_t>{{"points at the place of another one: heights averaged", 1}}));
+  EXPECT_EQ(warnings.counts(), (std::map<std::string, std::size_t>{{"points at equal positions: heights averaged", 1}}));
 }
 
 TEST(PointGrid, TablesWithNamedColumns) {
@@ -125,7 +125,7 @@ TEST(PointGrid, TablesWithNamedColumns) {
   Warnings of_hole;
   EXPECT_EQ(grid("x,y,z\n0,0,1\n1,,5\n1,0,3\n0,1,4\n1,1,6\n", of_hole)->x(), (std::vector<double>{0, 1}));
   EXPECT_EQ(of_hole.left_out().text(), "left out: 1 rows without x or y");
-  EXPECT_EQ(grid_error("x,y,z\n0,0,1\n1,1,2\n2,2,3\n"), "M: has points on a line only, which make no surface");
+  EXPECT_EQ(grid_error("x,y,z\n0,0,1\n1,1,2\n2,2,3\n"), "M: has only collinear points, which make no surface");
 }
 
 TEST(PointGrid, FramesOfPositions) {
@@ -134,7 +134,7 @@ TEST(PointGrid, FramesOfPositions) {
   expect_grid(*grid(",0,1\n0,1,2\n1,3,4\n", warnings), {0, 1}, {0, 1}, z);
   expect_grid(*grid("lat,10.5,11.5\n7,3,4\n6,1,2\n", warnings), {10.5, 11.5}, {6, 7}, z);
   expect_grid(*grid(",a,b\n0,1,2\n1,3,4\n", warnings), {0, 1}, {0, 1}, z);
-  EXPECT_EQ(warnings.counts().at("rows and columns of numbers taken for positions"), 4u);
+  EXPECT_EQ(warnings.counts().at("rows and columns of numbers read as positions"), 4u);
 }
 
 TEST(PointGrid, ScatteredPointsAreTriangulated) {
@@ -169,7 +169,7 @@ TEST(PointGrid, RoundingOfPositionsIsNoMistake) {
 TEST(PointGrid, Errors) {
   EXPECT_EQ(grid_error("0 0 1\n\n0 1 2\n"),
             "M:1: block of a single point; the points of a grid come in blocks of one x or one y each");
-  EXPECT_EQ(grid_error("0 0 nan\n0 1 nan\n\n1 0 nan\n1 1 nan\n"), "M: holds no height, only places without one (NODATA)");
+  EXPECT_EQ(grid_error("0 0 nan\n0 1 nan\n\n1 0 nan\n1 1 nan\n"), "M: contains only NODATA values");
 }
 
 const std::string kCorner = "xllcorner 10\nyllcorner 20\ncellsize 2\n";
@@ -190,10 +190,10 @@ TEST(EsriGrid, Errors) {
   EXPECT_EQ(grid_error(head + "1 2\n3 x\n"), "M:7: 'x' is not a number");
   EXPECT_EQ(grid_error(head + "nonsense 7\n1 2\n3 4\n"), "M:6: unknown key 'nonsense' in the header");
   EXPECT_EQ(grid_error(head + "NODATA_value\n1 2\n3 4\n"), "M:6: key 'NODATA_value' needs one value");
-  EXPECT_EQ(grid_error(head + "-9999 -9999 -9999 -9999"), "M: holds no height, only places without one (NODATA)");
+  EXPECT_EQ(grid_error(head + "-9999 -9999 -9999 -9999"), "M: contains only NODATA values");
   EXPECT_EQ(grid_error("ncols 4294967296\nnrows 2\n"), "M:1: ncols '4294967296' is more than a file of 25 bytes can hold");
   EXPECT_EQ(grid_error("ncols 20\nnrows 20\n" + kCorner + "1 2\n"),
-            "M: header speaks of 400 heights, more than a file of 59 bytes can hold");
+            "M: header declares 400 heights, more than a file of 59 bytes can hold");
   EXPECT_EQ(grid_error("ncols -3\n"), "M:1: ncols '-3' is not a number of cells");
   EXPECT_EQ(grid_error("ncols 2\nncols 2\n1 2\n"), "M: the header of the ESRI ASCII grid lacks nrows");
   EXPECT_EQ(grid_error("ncols 2\nnrows 2\ncellsize 1\nxllcorner 1\n1 2 3 4\n"),

@@ -117,7 +117,7 @@ TEST(LeftOut, ObjNamesThatEndInABackslash) {
   const Result r = read_file(kObjSquare + "g x \\\ny\nusemtl a\\b\\\nf 1 2 3 4\n# C:\\models\\\nf 1 2 \\\n3\n", ".obj");
   EXPECT_EQ(r.scene.faces.size(), 2u);
   EXPECT_EQ(r.scene.materials.at(0).name, "a\\b\\");
-  EXPECT_EQ(r.warnings.lines(), std::vector<std::string>{"1 names that end in a backslash taken as they are"});
+  EXPECT_EQ(r.warnings.lines(), std::vector<std::string>{"1 names that end in a backslash kept as they are"});
 }
 
 TEST(LeftOut, FilesOfOtherThingsAreNamed) {

@@ -95,7 +95,7 @@ TEST(LigneSceneReader, ErrorsNameThePlace) {
   EXPECT_EQ(scene_error(kSceneHead + R"("lights": [{"kind": "point", "direction": [0,0,1]}], "objects": []})"),
             "M: lights[0].direction: does not belong to a light of kind 'point'");
   EXPECT_EQ(scene_error(kSceneHead + R"("lights": [{"kind": "parallel", "direction": [0,0,0]}], "objects": []})"),
-            "M: lights[0].direction: is no direction");
+            "M: lights[0].direction: is not a direction (zero length)");
   EXPECT_EQ(scene_error(R"({"format": "ligne-drawing"})"), "M: format: 'ligne-drawing' is not 'ligne-scene'");
   EXPECT_EQ(scene_error(R"({"format": "ligne-scene", "version": 2, "objects": []})"), "M: version: only version 1 is known");
   EXPECT_EQ(scene_error(R"({"format": "ligne-scene", "objects": []})"), "M: key 'version' is missing");

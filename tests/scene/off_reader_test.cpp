@@ -61,12 +61,12 @@ TEST(OffReader, ErrorsNameTheLine) {
   EXPECT_EQ(off_error("OFF\n4 1 0\n" + kFour + "3 0 1 -1\n"), "M:7: '-1' is not a corner of a face");
   EXPECT_EQ(off_error("OFF\n4 2 0\n" + kFour + "3 0 1 2\n"), "M:7: the file ends early");
   EXPECT_EQ(off_error("OFF\n4 1 0\n" + kFour + "3 0 1 2\n3 0 1 3\n"),
-            "M:8: more lines than the header names vertices and faces");
+            "M:8: more lines than the header declares vertices and faces");
   EXPECT_EQ(off_error("OFF BINARY\n"), "M:1: binary OFF is not read: convert it to text, or to PLY");
   EXPECT_EQ(error_line([] { detect_format(bytes_of(std::string("OFF BINARY\n\0\0\0\3", 15)), "", "M"); }),
             "M: is a binary OFF file, which is not read: convert it to text, or to PLY");
   EXPECT_EQ(off_error("4OFF\n1 1 1\n"), "M:1: '4OFF' has more than three dimensions, and is not read");
-  EXPECT_EQ(off_error("OFF\n99999999999 1 0\n"), "M:2: more vertices or faces than any file holds");
+  EXPECT_EQ(off_error("OFF\n99999999999 1 0\n"), "M:2: too many vertices or faces");
   EXPECT_EQ(off_error("OFF\n1000000000 1 0\n0 0 0\n"), "M:3: the file ends early");
 }
 

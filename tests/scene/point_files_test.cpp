@@ -67,7 +67,7 @@ TEST_F(PointFiles, Archives) {
 TEST_F(PointFiles, Npy) {
   expect_two(points(npy("<f8", "2, 2", numbers<double>({1, 3, 2, 4}))), kNaN, "");
   expect_two(points(npy("<f8", "2, 3", numbers<double>({1, 3, 9, 2, 4, 8}))), 9, "");
-  EXPECT_EQ(warnings_.lines(), std::vector<std::string>{"3 columns of the array taken for x, y and z"});
+  EXPECT_EQ(warnings_.lines(), std::vector<std::string>{"3 columns of the array read as x, y and z"});
   EXPECT_EQ(error(npy("<f8", "2, 4", numbers<double>({1, 3, 9, 2, 4, 8, 0, 0}))),
             "holds no points: arrays x and y, or rows of x, y and perhaps z; there are array of 2 x 4");
 }
@@ -110,7 +110,7 @@ TEST_F(PointFiles, OthersAreRefusedByName) {
   EXPECT_EQ(error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"),
             "is a model (STL), not a file of points; draw it with: ligne draw");
   EXPECT_NE(error("PAR1" + std::string(100, '\0')).find("is a Parquet file, which is not read"), std::string::npos);
-  EXPECT_NE(error("\1\2\3" + std::string(10, '\0')).find("not a file of points that is known"), std::string::npos);
+  EXPECT_NE(error("\1\2\3" + std::string(10, '\0')).find("is not a known format of points"), std::string::npos);
   EXPECT_NE(error("{\"type\": \"FeatureCollection\", \"features\": []}").find("is GeoJSON, which is not read"),
             std::string::npos);
   EXPECT_EQ(error(""), "is empty");

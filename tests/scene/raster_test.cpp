@@ -108,9 +108,9 @@ TEST(GeoTiff, VoidsWithoutNoData) {
   TiffBuilder tiff(2, 2, std::vector<std::int16_t>{10, 20, -32768, 40}, kSigned);
   Warnings warnings;
   expect_grid(*grid(tiff.bytes(), warnings), {0, 1}, {0, 1}, {{kNaN, 40}, {10, 20}});
-  EXPECT_EQ(warnings.lines(), std::vector<std::string>{"1 heights of -32768 taken for places without one"});
+  EXPECT_EQ(warnings.lines(), std::vector<std::string>{"1 heights of -32768 read as NODATA"});
   TiffBuilder floats(2, 2, std::vector<float>{10, -3.4028235e38f, 30, 40}, kFloat);
-  EXPECT_EQ(warnings_of(floats), std::vector<std::string>{"1 heights below -1e38 taken for places without one"});
+  EXPECT_EQ(warnings_of(floats), std::vector<std::string>{"1 heights below -1e38 read as NODATA"});
 }
 
 TEST(GeoTiff, NoDataOfFloatsHasOtherDigits) {
@@ -131,10 +131,9 @@ TEST(GeoTiff, BandsAreChosen) {
   expect_grid(*read_grid(bytes, "M", warnings, {}, nullptr, second), {0, 1}, {0, 1}, {{30, 40}, {10, 20}});
   EXPECT_TRUE(warnings.lines().empty());
   second.band = 3;
-  EXPECT_EQ(error_line([&] { read_grid(bytes, "M", warnings, {}, nullptr, second); }),
-            "M: has 2 bands, and none is --band 3");
+  EXPECT_EQ(error_line([&] { read_grid(bytes, "M", warnings, {}, nullptr, second); }), "M: has 2 bands, but no band 3");
   EXPECT_EQ(error_line([&] { read_grid(reader_test::bytes_of("1,2\n3,4\n"), "M", warnings, {}, nullptr, second); }),
-            "M: has one band; --band chooses from those of GeoTIFF and of what GDAL reads");
+            "M: has one band; --band works for GeoTIFF and the formats of GDAL");
   tiff.shorts(338, {2});  // transparency
   EXPECT_TRUE(warnings_of(tiff).empty());
 }

@@ -46,10 +46,10 @@ TEST(DetectFormat, BySuffixWhereContentDoesNotDecide) {
 
 TEST(DetectFormat, FilesThatAreNoModels) {
   const std::string unknown =
-      "M: not a model file that is known (glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio, ligne scene)";
+      "M: is not a known model format (glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio, ligne scene)";
   EXPECT_EQ(detected(""), "M: is empty");
   EXPECT_EQ(detected("", ".obj"), "M: is empty");
-  EXPECT_EQ(detected(" \r\n\t\n", ".obj"), "M: holds nothing but white space");
+  EXPECT_EQ(detected(" \r\n\t\n", ".obj"), "M: contains only white space");
   EXPECT_EQ(detected("\x89PNG\r\n\x1a\n", ".obj"), "M: is a PNG image, not a model");
   EXPECT_EQ(detected(std::string("II*\0", 4)), "M: is a TIFF image, not a model");
   EXPECT_EQ(detected("PK\x03\x04"), "M: ZIP: no directory at its end");

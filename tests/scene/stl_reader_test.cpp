@@ -43,7 +43,8 @@ TEST(StlReader, OneObjectPerSolid) {
 
 TEST(StlReader, CaseLineEndsAndNormalsDoNotMatter) {
   const std::string text =
-      "\xEF\xBB\xBF\r\nSOLID X\r\nFACET NORMAL nan -nan 0\r\nOUTER LOOP VERTEX 0 0 0 VERTEX 1E0 0 0\r\nVERTEX 0 1 0 ENDLOOP\r\nENDFACET\r\n"
+      "\xEF\xBB\xBF\r\nSOLID X\r\nFACET NORMAL nan -nan 0\r\nOUTER LOOP VERTEX 0 0 0 VERTEX 1E0 0 0\r\nVERTEX 0 1 0 "
+      "ENDLOOP\r\nENDFACET\r\n"
       "facet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0 1\nendloop\nendfacet\nENDSOLID X\r\n\r\n";
   EXPECT_EQ(read_raw(read_stl_ascii, text).scene.faces.size(), 2u);
 }
@@ -80,11 +81,12 @@ TEST(StlReader, BinaryEvenWithAHeaderThatBeginsWithSolid) {
 
 TEST(StlReader, BinaryCountsThatLie) {
   const std::string one = binary("", 2, kTriangle);
-  EXPECT_EQ(error_of(read_stl_binary, one), "M: binary STL names 2 triangles, which need 184 bytes, but the file has 134");
+  EXPECT_EQ(error_of(read_stl_binary, one),
+            "M: binary STL declares 2 triangles, which need 184 bytes, but the file has 134");
   EXPECT_EQ(error_of(read_stl_binary, binary("", 4294967295u, kTriangle)),
-            "M: binary STL names 4294967295 triangles, which need 214748364834 bytes, but the file has 134");
+            "M: binary STL declares 4294967295 triangles, which need 214748364834 bytes, but the file has 134");
   EXPECT_EQ(error_of(read_stl_binary, binary("", 0, kTriangle)),
-            "M: binary STL names 0 triangles, which need 84 bytes, but the file has 134");
+            "M: binary STL declares 0 triangles, which need 84 bytes, but the file has 134");
   EXPECT_EQ(error_of(read_stl_binary, std::string(50, '\0')), "M: binary STL of 50 bytes, shorter than its header of 84");
   EXPECT_EQ(error_of(read_stl_binary, binary("", 0, {})), "M: holds no faces");
 }

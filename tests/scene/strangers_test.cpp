@@ -36,7 +36,7 @@ TEST(Strangers, AreNamedWithWhatToDo) {
   EXPECT_TRUE(message(zip_test::zip({{"duck.dae", "<COLLADA>"}})).starts_with("M: is an archive with a COLLADA file, "));
   EXPECT_TRUE(message(zip_test::zip({{"a.3DRep", "<x/>"}})).starts_with("M: is a 3DXML file, which is not read: "));
   EXPECT_EQ(message("0.5 1 2 255 0 0\n"),
-            "M: is a table of numbers, not a model; as heights it is drawn with: ligne surface --grid");
+            "M: is a table of numbers, not a model; to draw it as heights: ligne surface --grid");
   EXPECT_EQ(message("MeshVersionFormatted 1\n"),
             "M: is a Medit mesh, which is not read: convert it with: gmsh IN -0 -o OUT.stl");
   EXPECT_EQ(message("BLENDER-v300"), "M: is a Blender file" + blender);

@@ -78,7 +78,7 @@ TEST(TableSurface, PositionsInTheFirstColumnBySteps) {
     Warnings warnings;
     expect_series(*grid(series_text(head), warnings));
     ASSERT_EQ(warnings.counts().size(), 1u);
-    EXPECT_NE(warnings.counts().begin()->first.find("taken for positions; --layout matrix: heights"), std::string::npos);
+    EXPECT_NE(warnings.counts().begin()->first.find("read as positions; --layout matrix: heights"), std::string::npos);
   }
   Warnings warnings;
   EXPECT_EQ(surfaces(series_text(""), warnings, with_layout(TableLayout::matrix))[0].heights->x().size(), 4u);
@@ -103,7 +103,7 @@ TEST(TableSurface, ADoubtfulFirstColumnIsHeightsWithAWarning) {
   Warnings warnings;
   const std::string text = series_text("", 17, 3);
   EXPECT_EQ(surfaces(text, warnings)[0].heights->x().size(), 4u);
-  EXPECT_EQ(warnings.lines(), std::vector<std::string>{"1 column (1) taken for heights; --layout series: positions"});
+  EXPECT_EQ(warnings.lines(), std::vector<std::string>{"1 column (1) read as heights; --layout series: positions"});
   Warnings none;
   EXPECT_EQ(surfaces(text, none, with_layout(TableLayout::series))[0].heights->y().front(), 16);
   EXPECT_TRUE(none.lines().empty());
@@ -143,22 +143,22 @@ TEST(TableSurface, BelowNamesTheFirstRowHoldsHeights) {
 TEST(TableSurface, FactsAboutThingsAreNoMatrix) {
   for (const char* text : {",id,diet,pulse,time\n0,1,low fat,85,1 min\n1,1,low fat,88,9 min\n",
                            "\"a\",\"b\"\n3.6,79\n1.8,54\n", "\"a\",\"b\",\"c\",\"kind\"\n1,5,2,x\n2,4,9,y\n"}) {
-    EXPECT_NE(grid_error(text).find("have names that do not say what they are"), std::string::npos) << text;
+    EXPECT_NE(grid_error(text).find("have unknown names"), std::string::npos) << text;
   }
 }
 
 TEST(TableSurface, LongTablesOfAnyNames) {
   Warnings warnings;
   expect_grid(*grid("time,freq,power\n0,0,1\n1,0,2\n0,1,3\n1,1,4\n", warnings), {0, 1}, {0, 1}, {{1, 2}, {3, 4}});
-  EXPECT_EQ(warnings.counts().begin()->first, "columns taken for x, y and z: time, freq, power");
+  EXPECT_EQ(warnings.counts().begin()->first, "columns read as x, y and z: time, freq, power");
   EXPECT_EQ(left_out_of("id,lon,lat,value,station\n0,0,0,1,a\n1,1,0,2,b\n2,0,1,3,c\n3,1,1,4,d\n"),
             "left out: 2 columns (id, station)");
   EXPECT_EQ(grid_error("lon,lat,a,b\n0,0,1,2\n"),
             "M: has positions in columns lon and lat, and no height: --using NAME says which of a, b it is");
   EXPECT_EQ(
       grid_error("mpg,cyl,hp\n21,6,110\n22,6,110\n21,6,112\n22,6,112\n"),
-      "M:2: the columns mpg, cyl, hp have names that do not say what they are; --using X:Y:Z says which columns are the "
-      "positions and the height, --layout matrix that all are heights, --layout series that all but the first are");
+      "M:2: the columns mpg, cyl, hp have unknown names; --using X:Y:Z says which columns are the positions and the height, "
+      "--layout matrix that all are heights, --layout series that all but the first are");
 }
 
 TEST(TableSurface, FieldsOfRowsAndColumns) {
@@ -176,7 +176,7 @@ TEST(TableSurface, RepeatedFieldsAreAveragedAndNoMesh) {
     for (const char c : once) text += c == '%' ? yield : std::string(1, c);
   }
   expect_grid(*grid(text, warnings), {1, 2}, {1, 2}, {{2, 2}, {2, 2}});
-  EXPECT_EQ(warnings.counts().at("points at the place of another one: heights averaged"), 4u);
+  EXPECT_EQ(warnings.counts().at("points at equal positions: heights averaged"), 4u);
   Warnings more;
   expect_grid(*grid("row,col,yield\n1,1,1\n1,2,2\n2,1,NA\n2,2,4\n1,1,3\n1,2,NA\n2,1,5\n2,2,NA\n", more), {1, 2}, {1, 2},
               {{2, 2}, {5, 4}});
@@ -264,7 +264,7 @@ TEST(TableSurface, SegmentsOfGmtAreBlocks) {
 TEST(TableSurface, HeightsThatNoGroundHas) {
   Warnings warnings;
   expect_grid(*grid("1,2,3\n4,1.70141e+38,6\n", warnings), {0, 1, 2}, {0, 1}, {{1, 2, 3}, {4, kNaN, 6}});
-  EXPECT_EQ(warnings.counts().begin()->first, "heights beyond 1e30 taken for places without one");
+  EXPECT_EQ(warnings.counts().begin()->first, "heights beyond 1e30 read as NODATA");
 }
 
 TEST(TableSurface, OneTerrainInThirteenHabits) {

@@ -73,12 +73,14 @@ TEST(ThreeMfReader, ObjectsOfOtherParts) {
 
 TEST(ThreeMfReader, Materials) {
   const std::string resources =
-      "<basematerials id='1'><base name='wood' displaycolor='#FF0000'/><base name='glass' displaycolor='#0000FF80'/></basematerials>"
+      "<basematerials id='1'><base name='wood' displaycolor='#FF0000'/><base name='glass' "
+      "displaycolor='#0000FF80'/></basematerials>"
       "<m:colorgroup id='2'><m:color color='#00FF00'/></m:colorgroup>"
       "<object id='3' pid='1' pindex='0'><mesh>" +
       kVertices +
       "<triangles><triangle v1='0' v2='1' v3='2'/><triangle v1='0' v2='1' v3='2' pid='1' p1='1'/>"
-      "<triangle v1='0' v2='1' v3='2' pid='2' p1='0'/><triangle v1='0' v2='1' v3='2' pid='9' p1='0'/></triangles></mesh></object>";
+      "<triangle v1='0' v2='1' v3='2' pid='2' p1='0'/><triangle v1='0' v2='1' v3='2' pid='9' "
+      "p1='0'/></triangles></mesh></object>";
   const Result r = read_mf(archive(model(resources, "<item objectid='3'/>", "xmlns:m='http://m'")));
   ASSERT_EQ(r.scene.materials.size(), 4u);
   EXPECT_EQ(r.scene.materials[0].name, "wood");
@@ -106,7 +108,7 @@ TEST(ThreeMfReader, BrokenFilesAreRefused) {
   EXPECT_EQ(mf_error(model(object, "")), "M: holds no faces");
   EXPECT_EQ(
       mf_error(model("<object id='1'><components><component objectid='1'/></components></object>", "<item objectid='1'/>")),
-      "M: object '1' holds itself, or is nested too deep");
+      "M: object '1' contains itself, or is nested too deeply");
   EXPECT_EQ(mf_error(model("<object id='1'><mesh>" + kVertices +
                                "<triangles><triangle v1='0' v2='1' v3='3'/></triangles></mesh></object>",
                            "<item objectid='1'/>")),
@@ -125,7 +127,7 @@ TEST(ThreeMfReader, FewObjectsDoNotBecomeMillions) {
     const std::string component = "<component objectid='" + std::to_string(i - 1) + "'/>";
     resources += "<object id='" + std::to_string(i) + "'><components>" + component + component + "</components></object>";
   }
-  EXPECT_EQ(mf_error(model(resources, "<item objectid='29'/>")), "M: objects used many times come to too many");
+  EXPECT_EQ(mf_error(model(resources, "<item objectid='29'/>")), "M: there are too many repeated objects");
 }
 
 TEST(ZipArchive, BrokenArchivesAreRefused) {

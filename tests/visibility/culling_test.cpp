@@ -78,8 +78,8 @@ TEST(Culling, DrawsTheEdgesOfFrontFaces) {
 TEST(Culling, SaysWhyASceneIsBeyondIt) {
   const Scene box = a_box();
   EXPECT_EQ(beyond(project_on_a4(box, along({-1, 2, -1}))), "");
-  EXPECT_EQ(beyond(project_on_a4(box, along({-1, 2, -1}), "all", 50.0)), "it is not a closed body that is wholly in view");
-  EXPECT_EQ(beyond(project_on_a4(box, from_eye({5, 5, 5}, {9, 5, 5}))), "it is not a closed body that is wholly in view");
+  EXPECT_EQ(beyond(project_on_a4(box, along({-1, 2, -1}), "all", 50.0)), "it is not a closed body entirely in view");
+  EXPECT_EQ(beyond(project_on_a4(box, from_eye({5, 5, 5}, {9, 5, 5}))), "it is not a closed body entirely in view");
   Scene glass = box;
   glass.materials = {{"glass", {0.5, 0.7, 0.9}, 0.4}};
   glass.face_material.assign(6, 0);

@@ -164,7 +164,7 @@ TEST(Propagation, GivesWhatATestOfEachEdgeGives) {
     const VisibilityResult each = carried(projected, kTest);
     for (const Word word : {kCount, kNature, kPath}) {
       const VisibilityResult result = carried(projected, word);
-      carried_edges += count_of(result.statistics, "edges carried");
+      carried_edges += count_of(result.statistics, "edges propagated");
       EXPECT_EQ(words_of(*result.strokes), words_of(*each.strokes)) << name << ", way " << word;
     }
   }
@@ -174,11 +174,11 @@ TEST(Propagation, GivesWhatATestOfEachEdgeGives) {
 /// Most edges of boxes that touch nothing are carried, at a fraction of the tests.
 TEST(Propagation, SparesTests) {
   const ProjectedScene projected = project_on_a4(random_boxes(200, 5, 40, {4, 2, 3}), along({-1, 2, -1}));
-  const std::uint64_t all = count_of(carried(projected, kTest).statistics, "of them for edges");
+  const std::uint64_t all = count_of(carried(projected, kTest).statistics, "of these, for edges");
   for (const Word word : {kCount, kNature, kPath}) {
     const Statistics statistics = carried(projected, word).statistics;
-    EXPECT_GT(count_of(statistics, "edges carried"), 3 * count_of(statistics, "edges against all faces"));
-    EXPECT_LT(3 * count_of(statistics, "of them for edges"), all);
+    EXPECT_GT(count_of(statistics, "edges propagated"), 3 * count_of(statistics, "edges against all faces"));
+    EXPECT_LT(3 * count_of(statistics, "of these, for edges"), all);
   }
 }
 

@@ -123,7 +123,7 @@ TEST(Roberts, DecidesBoxesApartByInequalitiesAlone) {
   const VisibilityResult result = by_roberts(project_on_a4(scene, along({-1, 4, -1})));
   EXPECT_EQ(result.unsupported_reason, "");
   EXPECT_EQ(count_of(result.statistics, "bodies"), 2u);
-  EXPECT_EQ(count_of(result.statistics, "planes of fronts"), 6u);
+  EXPECT_EQ(count_of(result.statistics, "planes of front faces"), 6u);
   EXPECT_EQ(count_of(result.statistics, "sides of silhouettes"), 12u);
   EXPECT_EQ(count_of(result.statistics, "lines behind their own body"), 6u);
   EXPECT_GT(count_of(result.statistics, "behind all planes"), 0u);

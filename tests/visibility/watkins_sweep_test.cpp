@@ -184,8 +184,8 @@ TEST(WatkinsSweep, LeavesOutWhatConnectedFacetsHideTogether) {
   const Statistics counts = find_method("watkins")->compute_visibility(p.projected, {}).statistics;
   const auto count = [&](std::string_view name) { return count_of(counts, name); };
   EXPECT_EQ(count("facets"), 12u * kBoxes);
-  EXPECT_GT(count("facets before all covers"), 0u);
-  EXPECT_LT(count("facets before all covers"), 12u * kBoxes / 8);
+  EXPECT_GT(count("facets in front of all covers"), 0u);
+  EXPECT_LT(count("facets in front of all covers"), 12u * kBoxes / 8);
 }
 
 /// Pairs that penetrate: every crossing of two plates, found where they begin to overlap on the page.

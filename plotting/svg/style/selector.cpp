@@ -18,7 +18,7 @@ constexpr std::uint32_t kIdWeight = 1'000'000, kClassWeight = 1'000, kElementWei
 /// Deepest nesting of selectors.
 constexpr int kDeepestSelector = 8;
 
-[[noreturn]] void fail_selector() { throw UnknownStyle("rules of style with selectors that are not known"); }
+[[noreturn]] void fail_selector() { throw UnknownStyle("style rules with unknown selectors"); }
 
 std::string take_name(std::string_view& text) {
   std::string name = take_css_name(text);
@@ -142,7 +142,7 @@ void take_pseudo_class(std::string_view& text, Compound& compound, Selector& sel
   } else if (name == "empty") {
     compound.is_empty = true;
   } else {
-    throw UnknownStyle("rules of style with :" + printable(name));
+    throw UnknownStyle("style rules with :" + printable(name));
   }
 }
 
@@ -259,7 +259,7 @@ bool stands_at(const PlaceTest& test, const pugi::xml_node& node, StyleWork& wor
 }
 
 bool compound_holds(const Compound& compound, const pugi::xml_node& node, StyleWork& work) {
-  if (++work.comparisons > kMostStyleWork) throw EndlessWork("the style sheets ask for endless work");
+  if (++work.comparisons > kMostStyleWork) throw EndlessWork("the style sheets take too much work");
   if (!compound.element.empty() && local_name(node) != compound.element) return false;
   if (!compound.id.empty() && compound.id != node.attribute("id").value()) return false;
   if (compound.is_root && node.parent().type() == pugi::node_element) return false;

@@ -46,7 +46,7 @@ void StyleSheet::add_statements(std::string_view text, int depth, const Unknown&
       add_at_rule(text, depth, unknown);
     } else {
       const std::size_t open = find_outside(text, "{");
-      if (open == std::string_view::npos) return unknown("rules of style without braces");
+      if (open == std::string_view::npos) return unknown("style rules without braces");
       const std::string_view selectors = text.substr(0, open);
       text.remove_prefix(open + 1);
       add_rules(selectors, take_block(text, '}'), unknown);
@@ -69,7 +69,7 @@ void StyleSheet::add_at_rule(std::string_view& text, int depth, const Unknown& u
 }
 
 void StyleSheet::add_rules(std::string_view selectors, std::string_view body, const Unknown& unknown) {
-  if (has_rules(body)) unknown("rules of style inside others");
+  if (has_rules(body)) unknown("style rules inside others");
   said_.push_back(declarations(body));
   while (!selectors.empty()) {
     Rule rule;
@@ -80,7 +80,7 @@ void StyleSheet::add_rules(std::string_view selectors, std::string_view body, co
       continue;
     }
     if (rule.selector.never) continue;
-    if (rules_.size() == kMostRules) throw EndlessWork("there are more than 10,000 rules of style");
+    if (rules_.size() == kMostRules) throw EndlessWork("there are more than 10,000 style rules");
     rule.said = static_cast<std::uint32_t>(said_.size() - 1);
     const Compound& own = rule.selector.path.back();
     const std::string key = !own.id.empty()        ? "#" + own.id

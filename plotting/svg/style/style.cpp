@@ -212,7 +212,7 @@ class StyleReader {
     if (!style_.non_scaling && value != "none") fail_value(value, "can not be drawn");
   }
   void set_stroke_width(double width) {
-    if (width < 0) throw std::invalid_argument("a stroke is narrower than nothing");
+    if (width < 0) throw std::invalid_argument("a stroke has a negative width");
     style_.stroke_width = width;
   }
   void set_fill_opacity(double opacity) {
@@ -257,7 +257,7 @@ class StyleReader {
       value.remove_prefix(std::min(end + 1, value.size()));
     }
     for (const double dash : dashes) {
-      if (dash < 0) throw std::invalid_argument("a dash is shorter than nothing");
+      if (dash < 0) throw std::invalid_argument("a dash has a negative length");
       sum += dash;
     }
     style_.dashes = sum > 0 ? std::move(dashes) : std::vector<double>();

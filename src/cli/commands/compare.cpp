@@ -32,7 +32,8 @@ void compare(const CompareOptions& options) {
   request.picture.lines = options.lines;
   request.picture.page = options.page;
   request.picture.memory = options.run.memory();
-  if (options.lines.most_hiding) throw UsageError("--hidden", "a number of faces is counted by one method: see ligne draw");
+  if (options.lines.most_hiding)
+    throw UsageError("--hidden", "only --method appel counts faces, which dashed:N and solid:N need; see ligne draw");
   if (request.picture.lines.profiles() != ProfileKind::off) request.picture.lines.classes.add(LineClass::profile);
   check(request.picture);
   ModelRequest model = options.model;
@@ -59,22 +60,22 @@ void compare(const CompareOptions& options) {
 }  // namespace
 
 void setup_compare(CLI::App& app, CompareOptions& options) {
-  CLI::App& command = *add_command(app, "compare", "Every method on one scene, side by side", kCompareExamples);
+  CLI::App& command = *add_command(app, "compare", "Compare all methods on one scene", kCompareExamples);
   add_model_options(command, options.model);
   OptionGroup group(command, "Methods");
-  group.add("--methods", "NAME,...", options.methods, parse_methods, "those that are compared, see: ligne methods")
+  group.add("--methods", "NAME,...", options.methods, parse_methods, "methods to compare; see ligne methods")
       .standard("all");
   group
       .add(
           "--time-limit", "S", options.limit_seconds,
           [](const std::string& text) { return parse_within(text, 0, kMostLimitSeconds, "seconds"); },
-          "a method that takes longer is ended; the others go on")
+          "time limit per method; slower methods are stopped")
       .standard("60");
   OptionGroup output(command, "Output");
-  const Option json = output.add_flag("--json", options.json, "as JSON");
-  output.add_flag("--csv", options.csv, "as a table of comma-separated values").excludes({json});
+  const Option json = output.add_flag("--json", options.json, "write JSON");
+  output.add_flag("--csv", options.csv, "write comma-separated values").excludes({json});
   output.add("--html", "FILE", options.html, parse_file_name,
-             "a page with the drawings, what differs in red, and the tables; it needs nothing else");
+             "write a self-contained HTML page with the drawings, differences in red, and tables");
   output.add("-o,--output", "FILE", options.output, parse_file_name, "file to write").standard("standard output");
   add_view_options(command, options.view);
   add_line_options(command, options.lines, options.method, false);

@@ -40,14 +40,14 @@ void compile(const CompileOptions& options) {
 }  // namespace
 
 void setup_compile(CLI::App& app, CompileOptions& options) {
-  CLI::App& command = *add_command(app, "compile", "A model prepared for drawings from any viewpoint", kCompileExamples);
+  CLI::App& command = *add_command(app, "compile", "Compile a model for drawing from any viewpoint", kCompileExamples);
   add_model_options(command, options.model);
   add_compile_options(command, options.method, options.choice);
   OptionGroup(command, "Lines")
       .add(
           "--quality", "HOW", options.model.quality,
           [](const std::string& text) { return static_cast<Quality>(parse_choice(text, kQualityNames)); },
-          "clear: the model is mended as for clear lines; exact: it stays as stored")
+          "clear: repair the model as for clear lines; exact: keep it as stored")
       .standard("clear");
   OptionGroup(command, "Output")
       .add("-o,--output", "FILE", options.output, parse_file_name, "file to write; - is standard output");

@@ -22,25 +22,26 @@ void add_curve_options(CLI::App& app, CurveRequest& request) {
   OptionGroup group(app, "Curves");
   group.add_text(
       "--contours", "N|N:even|Z,...", [&request](const std::string& text) { parse_contours(text, request); },
-      "about N contour lines on the surface, at round heights; N:even: exactly N, at equal distances; or at the heights Z "
-      "(one: Z,)");
-  group.add("--contour-step", "DZ", request.contour_step, parse_positive, "or contour lines at all multiples of DZ");
+      "about N contour lines at round heights; N:even: exactly N, equally spaced; Z,...: at these heights (a single one: "
+      "Z,)");
+  group.add("--contour-step", "DZ", request.contour_step, parse_positive, "contour lines at all multiples of DZ");
   group.add_flag_or_value(
       "--contours-base", "[Z]",
       [&request](const std::string& text) {
         request.contours_base = true;
         if (!text.empty()) request.contour_base = parse_number(text);
       },
-      "contour lines on a plane at the height Z (default: 30 % of the range of heights below the lowest); alone: only there, 10 of them");
+      "contour lines on a plane at height Z (default: lowest height minus 30 % of the range); without --contours: 10 lines, "
+      "only there");
   group.add("--outline", "on|off", request.outline, parse_word<bool>(kOutlineNames),
-            "silhouette and rims of the surface between the curves, in layers of their own (default: on)");
+            "silhouettes and borders of the surface, in their own layers (default: on)");
   group
       .add("--underside", "same|apart|none", request.underside, parse_word<Underside>(kUndersideNames),
-           "curves on the side that looks down: with the others, in the layer underside, or not drawn")
+           "curves on the underside: with the others, in layer underside, or not drawn")
       .standard("same");
   group
       .add("--hidden-by", "surface|curves", request.hidden_by, parse_word<HiddenBy>(kHiddenByNames),
-           "what hides: the surface with all its samples, or, as in the classical method, the curves that are drawn")
+           "what hides: the surface with all its samples, or only the drawn curves, as in the classical method")
       .standard("surface");
   group.add_flag_or_value(
       "--ridgeline", "[K]",
@@ -48,7 +49,7 @@ void add_curve_options(CLI::App& app, CurveRequest& request) {
         request.ridgeline = true;
         if (!text.empty()) request.ridgeline_overlap = parse_number(text);
       },
-      "rows lifted one above the other, as on the cover of Unknown Pleasures; heights reach over K rows (default: 6)");
+      "ridgeline plot, as on the cover of Unknown Pleasures; heights span K rows (default: 6)");
 }
 
 }  // namespace ligne

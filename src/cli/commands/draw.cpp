@@ -42,7 +42,8 @@ constexpr const char* kDrawExamples = R"(Examples:
 void add_profile_option(CLI::App& app, std::optional<ProfileKind>& profile) {
   OptionGroup(app, "Lines")
       .add("--profile", "HOW", profile, parse_profile,
-           "outer outlines wide, in a layer of their own: sheet, where the sheet is behind; parts, another object too; off")
+           "draw outer outlines wider, in their own layer. off; sheet: where only the sheet is behind; parts: also in front "
+           "of other objects")
       .standard("off; sheet where --edges names profile");
 }
 
@@ -54,22 +55,22 @@ void add_frame_options(CLI::App& app, DrawOptions& options) {
                             .add(
                                 "--frames", "N", options.frames.count,
                                 [](const std::string& text) { return parse_count(text, 2, kMostFrames); },
-                                "successive views of the turning model: files -o name%03d.svg, or the pages of one PDF")
+                                "N views of the rotating model: files -o name%03d.svg, or the pages of one PDF")
                             .standard("one view");
   const Option turn =
       group
           .add(
               "--turn", "DEG", options.frames.turn_degrees,
               [](const std::string& text) { return parse_within(text, -kMostDegrees, kMostDegrees, "degrees"); },
-              "angle by which they turn the model in all, counter-clockwise as seen from above")
+              "total rotation over all frames, counter-clockwise as seen from above")
           .standard("360")
           .needs(frames);
   const Option to = group.add("--to", "X,Y,Z", options.last_eye, parse_point,
-                              "with --eye and --frames: the eye moves there on a straight line");
+                              "with --eye and --frames: end of the straight path of the eye");
   to.needs(frames).excludes({turn});
   group
       .add("--path", "FILE", options.path, parse_file_name,
-           "with --eye and --frames: the eye moves on through the places X Y Z of a table, looking ahead or at --target")
+           "with --eye and --frames: path of the eye, a table of points X Y Z; the eye looks ahead, or at --target")
       .needs(frames)
       .excludes({to, turn});
 }
@@ -78,11 +79,11 @@ void add_frame_options(CLI::App& app, DrawOptions& options) {
 void add_way(const DrawOptions& options, FrameRequest& frames, RunReport& run) {
   const std::optional<Point3>& eye = options.picture.view.eye;
   if (options.last_eye) {
-    if (!eye) throw UsageError("--to", "goes with --eye, where the eye begins");
+    if (!eye) throw UsageError("--to", "needs --eye, the start of the path");
     frames.eyes = {*eye, *options.last_eye};
   }
   if (options.path.empty()) return;
-  if (!eye) throw UsageError("--path", "goes with --eye, where the eye begins");
+  if (!eye) throw UsageError("--path", "needs --eye, the start of the path");
   frames.eyes = {*eye};
   frames.looks_ahead = !options.picture.view.target;
   Warnings warnings;
@@ -91,15 +92,15 @@ void add_way(const DrawOptions& options, FrameRequest& frames, RunReport& run) {
   for (std::string& line : warnings.lines()) run.warnings.push_back({options.path, std::move(line)});
   const bool has_places = frames.eyes.size() > 1 &&
                           std::ranges::none_of(frames.eyes, [](const Point3& p) { return std::isnan(p.x + p.y + p.z); });
-  if (!has_places) throw InputError(printable(options.path, kLongestPath), "has no rows of places X Y Z");
+  if (!has_places) throw InputError(printable(options.path, kLongestPath), "has no rows of points X Y Z");
 }
 
 void add_zbuffer_options(CLI::App& app, DrawOptions& options) {
   OptionGroup group(app, "Methods");
   group.add("--zbuffer-add", "FILE", options.zbuffer_add, parse_file_name,
-            "zbuffer: add the models to what --zbuffer-save has kept: nothing of that is painted again");
+            "zbuffer: add the models to the depth buffer in FILE, without painting its scene again");
   group.add("--zbuffer-save", "FILE", options.zbuffer_save, parse_file_name,
-            "zbuffer: keep buffer, models, view and page, so that models can be added");
+            "zbuffer: save buffer, models, view and page to FILE for --zbuffer-add");
 }
 
 /// Refuses depth buffers with other methods, several views, or surfaces.
@@ -108,9 +109,9 @@ void check_zbuffer(const DrawOptions& options, PictureRequest& request) {
   if (options.zbuffer_add.empty() && options.zbuffer_save.empty()) return;
   const Method* const zbuffer = find_method("zbuffer");
   if (!request.lines.method) request.lines.method = zbuffer;
-  if (request.lines.method != zbuffer) throw RequestError(field, "is of --method zbuffer");
-  if (options.frames.count > 1) throw RequestError(field, "is of one view");
-  if (has_surfaces(options.surfaces)) throw RequestError(field, "is of models, not of surfaces");
+  if (request.lines.method != zbuffer) throw RequestError(field, "needs --method zbuffer");
+  if (options.frames.count > 1) throw RequestError(field, "works for a single view only");
+  if (has_surfaces(options.surfaces)) throw RequestError(field, "works for models only, not for surfaces");
 }
 
 /// The request that the options make. Throws before any file is read if it is wrong.
@@ -126,8 +127,8 @@ PictureRequest request_of(const DrawOptions& options, const MemoryLimit& memory)
   if (request.lines.profiles() != ProfileKind::off) request.lines.classes.add(LineClass::profile);
   check(request);
   if (options.frames.count > 1) {
-    if (!options.plotter.preview.empty()) throw UsageError("--preview", "is of one view");
-    if (options.plotter.choice.request.report) throw UsageError("--report", "is of one view");
+    if (!options.plotter.preview.empty()) throw UsageError("--preview", "works for a single view only");
+    if (options.plotter.choice.request.report) throw UsageError("--report", "works for a single view only");
   }
   check_mixed_scene(options.surfaces);
   request.lines.settings = settings_of(options.method, method_of(request));
@@ -155,7 +156,7 @@ std::optional<LoadedModels> stream(const DrawOptions& options, const ModelReques
                            !has_surfaces(options.surfaces);
   if (!one_picture) {
     if (options.streaming != Streaming::on) return std::nullopt;
-    throw RequestError("stream", "is of one picture of one model");
+    throw RequestError("stream", "works for a single picture of a single model only");
   }
   const std::unique_ptr<TriangleFile> file = file_to_stream(options.streaming, model, request);
   if (!file) return std::nullopt;
@@ -245,7 +246,7 @@ void draw(const DrawOptions& options, PictureRequest request) {
 }  // namespace
 
 void setup_draw(CLI::App& app, DrawOptions& options) {
-  CLI::App& draw = *add_command(app, "draw", "Hidden-line drawing of meshes and polygon scenes", kDrawExamples);
+  CLI::App& draw = *add_command(app, "draw", "Draw meshes and polygon scenes with hidden lines removed", kDrawExamples);
   PictureRequest& picture = options.picture;
   add_model_options(draw, options.model);
   add_part_drawing_options(draw, picture.output);
@@ -262,10 +263,10 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
   add_curves_option(draw, picture.output.curves, "on; off with --quality exact");
   add_title_option(draw, picture.output.title, "title of an SVG or PDF");
   OptionGroup faces(draw, "Faces");
-  faces.add_flag("--shade", picture.gray_faces, "faces in gray, lit from the eye (methods with spans or pixels)");
+  faces.add_flag("--shade", picture.gray_faces, "grey faces, lit from the eye (methods with spans or pixels)");
   faces
       .add("--shade-tone", "HOW", picture.gray_tone, parse_gray_tone,
-           "face: one tone a face; smooth: continuous over smooth surfaces, as an image of --dpi")
+           "face: one tone per face; smooth: continuous tone over smooth surfaces, as an image of --dpi")
       .standard("face");
   add_hatch_options(draw, picture.hatch);
   add_plotter_options(draw, options.plotter);
@@ -274,8 +275,8 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
       .add(
           "--stream", "HOW", options.streaming,
           [](const std::string& text) { return static_cast<Streaming>(parse_choice(text, kStreamingNames)); },
-          "binary STL and PLY with --quality exact, read several times and never stored as a whole: on, off; auto: where "
-          "the model would take more than half of --max-memory")
+          "read binary STL and PLY (with --quality exact) in several passes instead of into memory: on, off; auto: if the "
+          "model would take more than half of --max-memory")
       .standard("auto");
 }
 

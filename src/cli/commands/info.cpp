@@ -47,10 +47,10 @@ void inform(const InfoOptions& options) {
 
 void setup_info(CLI::App& app, InfoOptions& options) {
   CLI::App& info =
-      *add_command(app, "info", "What a scene contains, and what that means for each method",
+      *add_command(app, "info", "Describe a scene and how each method can draw it",
                    "Examples:\n  ligne info gearbox.obj\n  ligne info flange.glb --view top --json -o flange.json");
   add_model_options(info, options.model);
-  OptionGroup(info, "Output").add_flag("--json", options.json, "as JSON");
+  OptionGroup(info, "Output").add_flag("--json", options.json, "write JSON");
   add_view_options(info, options.view);
   add_line_options(info, options.lines, options.method);
   add_page_options(info, options.page);

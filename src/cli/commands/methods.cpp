@@ -31,10 +31,10 @@ std::vector<const Method*> chosen(const std::vector<std::string>& names) {
 }  // namespace
 
 void setup_methods(CLI::App& app, MethodsOptions& options) {
-  CLI::App* methods = add_command(app, "methods", "Visibility methods: what each produces, exact or not, paper",
+  CLI::App* methods = add_command(app, "methods", "List the visibility methods: products, precision, paper",
                                   "Examples:\n  ligne methods warnock\n  ligne methods --json");
-  add_arguments(*methods, "METHOD", options.names, false, "methods to list, with their settings for experiments (--set)");
-  OptionGroup(*methods, "Options").add_flag("--json", options.json, "as JSON");
+  add_arguments(*methods, "METHOD", options.names, false, "methods to list, with their experimental settings (--set)");
+  OptionGroup(*methods, "Options").add_flag("--json", options.json, "write JSON");
 }
 
 void run_methods(const MethodsOptions& options) {

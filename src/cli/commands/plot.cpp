@@ -26,21 +26,19 @@ void add_placing_options(CLI::App& app, PlotDrawingRequest& options) {
   OptionGroup group(app, "Page");
   group
       .add("--page", "SIZE", options.page, parse_page_size,
-           "A0 to A6, letter, legal, tabloid, or WxH; the drawing's own page comes into its middle")
+           "A0 to A6, letter, legal, tabloid, or WxH; the drawing is centred on it")
       .standard("the drawing's");
-  const Option landscape = group.add_flag("--landscape", options.landscape, "page lies on its long side");
-  const Option portrait = group.add_flag("--portrait", options.portrait, "page stands on its short side");
+  const Option landscape = group.add_flag("--landscape", options.landscape, "landscape page");
+  const Option portrait = group.add_flag("--portrait", options.portrait, "portrait page");
   group
       .add(
           "--margin", "LEN", options.margin_mm, [](const std::string& t) { return parse_length_mm(t); },
-          "empty rim of the page when the drawing is to fit")
+          "page margin, with --scale fit")
       .standard("10mm");
-  group.add("--pen-width", "LEN", options.pen_width_mm, parse_pen_width, "width of the lines, where no pen has its own")
+  group.add("--pen-width", "LEN", options.pen_width_mm, parse_pen_width, "line width, unless a pen has its own")
       .standard("the drawing's");
   add_width_option(app, options.widths_mm, false);
-  group
-      .add("--scale", "fit|N:M", options.scale, parse_scale,
-           "true to scale, larger or smaller, or what is drawn fills the page")
+  group.add("--scale", "fit|N:M", options.scale, parse_scale, "scale factor, or fit the drawing to the page")
       .standard("1:1");
   landscape.excludes({portrait});
 }
@@ -56,30 +54,32 @@ void add_fill_hatch_options(CLI::App& app, PlotDrawingRequest& request) {
   group.add_text(
       "--hatch", "HOW",
       take([](FillHatches& hatches, const std::string& text) { hatches.all.tone = parse_fill_tone(text); }),
-      "fills with strokes, of an SVG or of the regions of a stored drawing: plain, or shade, the darker the closer");
+      "hatch fills of an SVG or regions of a ligne-drawing. plain: one distance; shade: closer strokes for darker colours");
   group.add_repeatable("--hatch-spacing", "[NAME=]LEN", take(add_hatch_spacing),
-                       "distance of the strokes, of all fills or of a layer or colour; repeatable");
+                       "distance between strokes, for all fills or for a layer or colour; repeatable");
   group.add_repeatable("--hatch-angle", "[NAME=]DEG", take(add_hatch_angle),
-                       "their direction, counter-clockwise; repeatable");
+                       "direction of the strokes, counter-clockwise, for all fills or for a layer or colour; repeatable");
   group.add_repeatable_flag_or_value(
       "--hatch-cross", "NAME", take(add_hatch_cross),
-      "a second family of strokes across the first, for all fills or, behind =, of a layer or colour; repeatable");
+      "a second family of strokes across the first, for all fills or for a layer or colour; repeatable");
 }
 
 void add_part_options(CLI::App& app, LongPlotRequest& parts) {
   OptionGroup group(app, "Long plots");
   group.add(
       "--split", "time|distance|lifts=N", parts.split, parse_split,
-      "in parts of time=30min, distance=3m of drawn lines, or lifts=200: files -o part%d.gcode, or pauses in one file");
+      "divide the plot into parts of time=30min, distance=3m of drawn lines, or lifts=200: files -o part%d.gcode, or pauses "
+      "in one file");
   group.add("--from-stroke", "N", parts.from_stroke, parse_stroke_number, "begin with the Nth stroke of the plot")
       .standard("1");
   group.add("--from-time", "TIME", parts.from_seconds, parse_duration_s,
-            "begin with the stroke that would be drawn at that time: 90s, 30min, 12:30");
-  const Option every = group.add("--every", "LEN", parts.every_mm, parse_way_mm,
-                                 "an action of the device, at the beginning and before more than LEN is drawn: 3m");
+            "begin with the stroke that the plot would draw at this time: 90s, 30min, 12:30");
+  const Option every =
+      group.add("--every", "LEN", parts.every_mm, parse_way_mm,
+                "run the action of --do at the beginning and at least every LEN of drawn lines, such as 3m");
   const Option action =
-      group.add("--do", "NAME", parts.action, parse_file_name, "the action, as the device names it: dip, pause");
-  group.add("--park", "NAME", parts.park, parse_file_name, "where pens are changed, as the device names it: home");
+      group.add("--do", "NAME", parts.action, parse_file_name, "the action for --every, as named by the device: dip, pause");
+  group.add("--park", "NAME", parts.park, parse_file_name, "position for pen changes, as named by the device: home");
   every.needs(action);
   action.needs(every);
 }
@@ -88,10 +88,10 @@ void add_sheet_options(CLI::App& app, PlotDrawingRequest& request) {
   OptionGroup group(app, "Page");
   const Option tile = group.add("--tile", "SIZE", request.tile, parse_page_size,
                                 "cut the page into sheets of that size: files -o sheet%d.svg, or pages of a PDF");
-  group.add("--overlap", "LEN", request.overlap_mm, parse_min_length, "what neighbouring sheets have in common")
+  group.add("--overlap", "LEN", request.overlap_mm, parse_min_length, "overlap of neighbouring sheets")
       .standard("5mm")
       .needs(tile);
-  group.add("--grid", "CxR", request.grid, parse_grid, "columns and rows: several drawings on one sheet");
+  group.add("--grid", "CxR", request.grid, parse_grid, "columns and rows for several drawings on one sheet");
 }
 
 void plot(const PlotCommandOptions& options, const MemoryLimit& memory) {
@@ -117,7 +117,7 @@ void plot(const PlotCommandOptions& options, const MemoryLimit& memory) {
   request.plotter.parts.pen_files = has_number_place(output, 'p');
   check(request);
   if (request.tile && !numbered && request.format != OutputFormat::pdf)
-    throw UsageError("--output", "the sheets need a place for their number: name%d; only a PDF holds them all");
+    throw UsageError("--output", "several sheets need a number in the file name, such as name%d, or a PDF");
   std::vector<DrawingText> drawings;
   for (const std::string& file : options.drawings) drawings.push_back(read_drawing_text(file, run.files));
   files.were_read(run.files);
@@ -133,36 +133,35 @@ void plot(const PlotCommandOptions& options, const MemoryLimit& memory) {
 }  // namespace
 
 void setup_plot(CLI::App& app, PlotCommandOptions& options) {
-  CLI::App& plot = *add_command(app, "plot", "A drawing (JSON or SVG) made ready for pens and plotters", kPlotExamples);
-  add_arguments(plot, "DRAWING", options.drawings, true, "ligne-drawing JSON, or an SVG of strokes; - is standard input");
+  CLI::App& plot = *add_command(app, "plot", "Prepare a drawing (JSON or SVG) for pens and plotters", kPlotExamples);
+  add_arguments(plot, "DRAWING", options.drawings, true, "ligne-drawing (JSON) or SVG; - is standard input");
   OptionGroup input(plot, "Input");
   input.add("--skip", "LIST", options.request.skip, parse_skip,
-            "what of an SVG may be left out: text, image, fill, clip-path, ...");
+            "SVG features to leave out: text, image, fill, clip-path, ...");
   input.add_flag("--strict", options.request.reading.strict,
-                 "refuse an SVG of which anything can not be drawn, by name and line, instead of leaving that out");
+                 "stop with an error at the first SVG feature that can not be drawn, instead of leaving it out");
   input
       .add("--input-dpi", "N", options.request.reading.px_per_inch, parse_dpi,
-           "units of an SVG to the inch: 96 by CSS, 72 or 90 by some programs")
+           "SVG user units per inch: 96 (CSS); 72 or 90 in files of some programs")
       .standard("96");
   input
       .add_text(
           "--fill", "HOW",
           [&options](const std::string& text) { parse_plot_fill(text, options.request.fills, options.request.paint); },
-          "filled areas of an SVG: refuse; outline, their contours; hatch, strokes inside too; of a stored drawing that has "
-          "an order: material, shade, paper, random, painted as draw --fill does")
+          "fills of an SVG. refuse: stop with an error; outline: draw contours; hatch: contours and hatching. Faces of a "
+          "ligne-drawing that has an order: material, shade, paper, random, as in draw --fill")
       .standard("outline");
   input.add_repeatable(
       "--material", "NAME=COLOUR", [&options](const std::string& text) { parse_material(text, options.request.paint); },
-      "with --fill material or shade: another colour for a material; repeatable");
+      "with --fill material or shade: replace the colour of a material; repeatable");
   input
       .add(
           "--min-length", "LEN", options.plotter.choice.request.min_length_mm,
-          [](const std::string& t) { return parse_length_mm(t); },
-          "leave out strokes that are shorter, after they are joined")
+          [](const std::string& t) { return parse_length_mm(t); }, "omit strokes shorter than LEN, after joining")
       .standard("0");
   input.add_flag_with_text(
       "--occlude", options.occlude,
-      "opaque areas of an SVG hide what lies under them, as white ones always do; =layer: only what is in their layer");
+      "opaque SVG areas hide strokes below them, as white areas always do; =layer: only strokes of their own layer");
   add_fill_hatch_options(plot, options.request);
   add_placing_options(plot, options.request);
   add_sheet_options(plot, options.request);

@@ -40,12 +40,12 @@ void check_engines(const SurfaceOptions& options, const SurfaceRequest& request)
   const std::string reason = options.as_mesh ? "--as-mesh" : needs_mesh(request);
   if (options.horizon_given && picture.hatch.asked()) refuse_hatching("horizon");
   if (options.horizon_given && !reason.empty()) {
-    throw UsageError("--method", "horizon draws no " + reason + "; a mesh method does: ligne methods");
+    throw UsageError("--method", "horizon can not draw " + reason + "; a mesh method does: ligne methods");
   }
   const std::string other = needs_horizon(request);
   if (!other.empty() && (picture.lines.method || !reason.empty())) {
     const std::string mesh = reason.empty() ? "--method " + std::string(picture.lines.method->traits().name) : reason;
-    throw UsageError(other, "is drawn by the method horizon alone, and does not go with " + mesh);
+    throw UsageError(other, "is drawn by method horizon only, and can not be combined with " + mesh);
   }
   if (options.as_mesh) {
     if (request.curves.contours || request.curves.contour_step)
@@ -65,26 +65,25 @@ void check_engines(const SurfaceOptions& options, const SurfaceRequest& request)
 void add_grid_options(OptionGroup& group, SurfaceRequest& request) {
   group.add(
       "--gridded", "N", request.gridded, [](const std::string& t) { return parse_count(t, 2, kMostCurves); },
-      "scattered points: sampled in N columns (default: the root of their number, 100 to 500)");
+      "scattered points: columns of the sampling grid (default: square root of their number, 100 to 500)");
   group.add_text(
       "--using", "X:Y:Z|Z", [&request](const std::string& text) { request.using_columns = parse_columns(text); },
-      "grid, table: columns of the positions and heights, or of the heights alone: names, or numbers from 1");
+      "grid, table: columns of x, y and z, or of z alone, by name or by number from 1");
   group.add(
       "--index", "N", request.data_set, [](const std::string& t) { return parse_count(t, 0, kMostDataSets); },
-      "grid: the data set that is drawn, from 0, of a text with two blank lines between them (default: all)");
-  group.add("--layout", "matrix|frame|series|columns", request.layout, parse_layout,
-            "grid, table: all numbers are heights; or the first row and column are positions; or the first column is; or "
-            "columns are x, y and z (default: as names, blank lines and numbers let see)");
+      "grid: number of the data set to draw, from 0, in a text with two blank lines between data sets (default: all)");
+  group.add(
+      "--layout", "matrix|frame|series|columns", request.layout, parse_layout,
+      "grid, layout of a table. matrix: only heights; frame: first row and column are positions; series: first column is "
+      "positions; columns: x, y and z (default: detected)");
   group
       .add(
           "--band", "N", request.band, [](const std::string& t) { return parse_count(t, 1, kMostBands); },
-          "grid: the band of a GeoTIFF, or of another raster, that has the heights")
+          "grid: raster band that has the heights")
       .standard("1");
-  group.add(
-      "--ground", "metres|degrees", request.ground, parse_ground,
-      "what the positions of a grid are: one unit with the heights, or degrees (default: as the file says or lets see)");
-  group.add("--max-slope", "S", request.max_slope, parse_positive,
-            "grid: cells are left out in which heights change by more than S for a unit of the ground");
+  group.add("--ground", "metres|degrees", request.ground, parse_ground,
+            "unit of the positions of a grid: that of the heights, or degrees (default: from the file)");
+  group.add("--max-slope", "S", request.max_slope, parse_positive, "grid: omit cells with a slope above S");
 }
 
 void add_source_options(CLI::App& surface, SurfaceRequest& request) {
@@ -97,32 +96,32 @@ void add_source_options(CLI::App& surface, SurfaceRequest& request) {
   add_parametric(group, request, "a surface as three formulas in u and v (repeatable)");
   group.add("-x", "A:B[:N]", request.x, parse_range, "range of x and number of curves of constant x; with --grid a window")
       .standard("-5:5:40");
-  group.add("-y", "A:B[:N]", request.y, parse_range, "the same of y").standard("-5:5:40");
+  group.add("-y", "A:B[:N]", request.y, parse_range, "range of y, likewise").standard("-5:5:40");
   add_parameter_ranges(group, request);
   group
       .add(
           "--samples", "N", request.samples, [](const std::string& t) { return parse_count(t, 2, kMostSamples); },
-          "points along a curve, or the next more that the crossings with the other family allow")
+          "points per curve, rounded up so that crossings with the other family are among them")
       .standard("5 between curves, up to 1000");
   group
       .add("--every", "N|auto", request.every, parse_every,
-           "grid: a curve at every Nth row and column; auto: so that curves lie 1.5 widths of the pen apart")
+           "grid: a curve at every Nth row and column; auto: so that curves are 1.5 pen widths apart")
       .standard("auto");
   add_grid_options(group, request);
   group
       .add(
           "--lines", "x|y|xy|none", request.lines,
           [](const std::string& t) { return static_cast<CurveFamilies>(parse_choice(t, kCurveFamilyNames)); },
-          "curves of constant x, of constant y, both, or none: contours and outlines alone")
+          "curves to draw: of constant x, of constant y, both, or none (only contours and outlines)")
       .standard("xy");
-  group.add("--z-range", "A:B", request.z_range, parse_heights, "cut the surface off below A and above B");
+  group.add("--z-range", "A:B", request.z_range, parse_heights, "clip the surface to heights A to B");
   group.add_flag_or_value(
       "--skirt", "[Z]",
       [&request](const std::string& text) {
         request.skirt = true;
         if (!text.empty()) request.skirt_base = parse_number(text);
       },
-      "walls from the rim down to the height Z (default: 5 % of the range of heights below the lowest)");
+      "walls from the border down to height Z (default: lowest height minus 5 % of the range)");
 }
 
 /// Adds --method and --hidden.
@@ -138,11 +137,12 @@ void add_method_choice(CLI::App& surface, SurfaceOptions& options) {
     throw std::invalid_argument(shown(text, '"') + " is not one of " + list_of(names) + suggestion(text, names));
   };
   group
-      .add_text("--method", "NAME", take_method, "horizon, or a mesh method, see: ligne methods; auto: horizon where it can")
+      .add_text("--method", "NAME", take_method,
+                "horizon, or a mesh method (see ligne methods); auto: horizon if it can draw the request")
       .standard("auto");
   group
       .add("--hidden", "HOW", options.request.picture.lines.hidden, parse_hidden,
-           "hidden lines in a layer of their own: none dashed solid")
+           "draw hidden lines in their own layer: none dashed solid")
       .standard("none");
 }
 
@@ -155,7 +155,7 @@ void add_horizon_options(CLI::App& surface, SurfaceOptions& options) {
             constexpr std::string_view kNames[] = {"exact", "pixels"};
             return parse_choice(t, kNames) == 1;
           },
-          "horizon as polylines in full precision, or as an array of pixels")
+          "the horizon as exact polylines, or as an array of pixels")
       .standard("exact");
   group
       .add(
@@ -166,15 +166,13 @@ void add_horizon_options(CLI::App& surface, SurfaceOptions& options) {
 
 void add_angle_options(CLI::App& surface, SurfaceRequest& request) {
   OptionGroup group(surface, "View");
-  group
-      .add("--azimuth", "DEG", request.azimuth_degrees, parse_number,
-           "direction in which the viewer stands, from the x axis towards y")
+  group.add("--azimuth", "DEG", request.azimuth_degrees, parse_number, "azimuth of the viewer, from the x axis towards y")
       .standard("-60");
   group
       .add(
           "--elevation", "DEG", request.elevation_degrees,
           [](const std::string& t) { return parse_within(t, -90, 90, "degrees"); },
-          "how high the viewer stands over the ground")
+          "elevation of the viewer above the ground")
       .standard("30");
 }
 
@@ -184,7 +182,7 @@ MeshFormat mesh_format_of(const OutputOptions& options) {
   if (!options.file) throw UsageError("--output", "there is no output file: -o FILE");
   if (options.format) {
     if (*options.format == OutputFormat::json) return MeshFormat::ligne_scene;
-    throw UsageError("--format", "--as-mesh writes json, or obj by the suffix");
+    throw UsageError("--format", "--as-mesh writes json; a file name that ends in .obj gives obj");
   }
   try {
     return mesh_format_of_suffix(*options.file);
@@ -208,19 +206,20 @@ SurfaceRequest checked_request(const SurfaceOptions& options, const MemoryLimit&
   const bool view_given = picture.view.named_view || picture.view.direction || picture.view.eye;
   const bool angles_given = request.azimuth_degrees || request.elevation_degrees;
   if (angles_given && view_given) {
-    throw UsageError("--azimuth, --elevation", "do not go with --view, --direction or --eye");
+    throw UsageError("--azimuth, --elevation", "can not be combined with --view, --direction or --eye");
   }
-  if (options.resolution && !options.pixels) throw UsageError("--resolution", "goes with --horizon pixels");
+  if (options.resolution && !options.pixels) throw UsageError("--resolution", "needs --horizon pixels");
   request.horizon = options.horizon_given;
   if (options.pixels) request.pixel_columns = options.resolution.value_or(kResolution);
   check_axes(picture.axes, options.axes_style);
-  if (request.curves.ridgeline && (view_given || angles_given)) throw UsageError("--ridgeline", "has its own view");
+  if (request.curves.ridgeline && (view_given || angles_given)) throw UsageError("--ridgeline", "sets the view");
   check_engines(options, request);
   return request;
 }
 
 CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
-  CLI::App* surface = add_command(app, "surface", "z = f(x,y): iso-curves, hidden parts removed", kSurfaceExamples);
+  CLI::App* surface =
+      add_command(app, "surface", "Draw surfaces z = f(x,y) as curves with hidden lines removed", kSurfaceExamples);
   SurfaceRequest& request = options.request;
   PictureRequest& picture = request.picture;
   add_source_options(*surface, request);
@@ -233,7 +232,7 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
   add_method_choice(*surface, options);
   add_horizon_options(*surface, options);
   add_angle_options(*surface, request);
-  add_view_options(*surface, picture.view, "by azimuth and elevation");
+  add_view_options(*surface, picture.view, "from --azimuth and --elevation");
   add_axes_options(*surface, picture.axes, options.axes_style);
   add_page_options(*surface, picture.page);
   add_output_options(*surface, options.output, "svg pdf png json hpgl gcode (default: by the suffix)");

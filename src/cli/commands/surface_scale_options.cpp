@@ -11,20 +11,18 @@ void add_surface_scale_options(CLI::App& surface, SurfaceRequest& request) {
   OptionGroup group(surface, "Surface");
   group.add(
       "--aspect", "equal|box|X:Y:Z", request.aspect, parse_aspect,
-      "sides of the picture's box: x and y true to each other, or both as long, or a ratio (default: equal where x and "
-      "y range alike within a factor of 4, and for ground in one unit or in degrees; else box)");
+      "proportions of the plot box. equal: one scale for x and y; box: x and y of equal length; or a ratio (default: equal "
+      "if the ranges differ by less than a factor of 4 or the ground has a unit; else box)");
   const Option z_scale =
       group.add("--z-scale", "K", request.z_scale, parse_positive,
-                "the numbers of z are multiplied by K to be numbers of the longer of x and y (default: heights take half of "
-                "its side; parametric: 1)");
+                "scale of z relative to the longer of x and y (default: heights take half of its length; parametric: 1)");
   group
       .add("--exaggeration", "K", request.exaggeration, parse_positive,
-           "heights against the ground, both in one unit; 1 is true to scale, also over degrees")
+           "vertical exaggeration; 1 is true to scale, also for positions in degrees")
       .excludes({z_scale});
-  group.add_flag("--log-x", request.log_axes[0], "the axis of x has decades");
-  group.add_flag("--log-y", request.log_axes[1], "the axis of y has decades");
-  group.add_flag("--log-z", request.log_axes[2],
-                 "heights are log10 of the formula or of the grid, and the axis has decades");
+  group.add_flag("--log-x", request.log_axes[0], "logarithmic x axis");
+  group.add_flag("--log-y", request.log_axes[1], "logarithmic y axis");
+  group.add_flag("--log-z", request.log_axes[2], "logarithmic z axis: heights are log10 of the formula or the grid");
 }
 
 }  // namespace ligne

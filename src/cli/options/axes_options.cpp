@@ -25,9 +25,10 @@ double parse_text_height(const std::string& text) {
 
 void add_axes_options(CLI::App& app, AxesChoice& choice, std::string& style) {
   OptionGroup group(app, "Axes");
-  group.add_flag_with_text("--axes", style,
-                           "axes with ticks and numbers, and the edges of their box behind the surface; --axes=grid: with "
-                           "lines at the ticks, --axes=box: all edges, --axes=base: those of the ground only");
+  group.add_flag_with_text(
+      "--axes", style,
+      "axes with ticks and numbers, and the back edges of the plot box; --axes=grid: also grid lines, --axes=box: all "
+      "edges, --axes=base: only edges of the ground");
   const auto as_written = [](const std::string& text) { return text; };
   for (int k = 0; k < 3; ++k) {
     const std::string axis = kAxisNames[k];
@@ -38,15 +39,16 @@ void add_axes_options(CLI::App& app, AxesChoice& choice, std::string& style) {
       .add(
           "--text", "font|stroke", choice.text,
           [](const std::string& t) { return static_cast<TextStyle>(parse_choice(t, kTextStyleNames)); },
-          "text in a typeface, or as single strokes for a pen")
+          "text in an outline font, or in a single-stroke font for pens")
       .standard("font");
-  group.add("--text-height", "LEN", choice.text_height_mm, parse_text_height, "height of capitals").standard("2.5mm on A4");
+  group.add("--text-height", "LEN", choice.text_height_mm, parse_text_height, "height of capital letters")
+      .standard("2.5mm on A4");
 }
 
 void check_axes(AxesChoice& choice, const std::string& style) {
   if (style.empty()) {
     for (int k = 0; k < 3; ++k) {
-      if (choice.names[k]) throw UsageError("--" + std::string(kAxisNames[k]) + "-label", "goes with --axes");
+      if (choice.names[k]) throw UsageError("--" + std::string(kAxisNames[k]) + "-label", "needs --axes");
     }
     return;
   }

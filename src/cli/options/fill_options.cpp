@@ -9,13 +9,13 @@ namespace ligne {
 void add_fill_options(CLI::App& app, FillRequest& request) {
   OptionGroup group(app, "Fills");
   group
-      .add(
-          "--fill", "HOW", request.kind, parse_fill,
-          "visible faces in colour: none material shade paper random; by a method that gives regions, an order, spans or pixels")
+      .add("--fill", "HOW", request.kind, parse_fill,
+           "fill visible faces: none material shade paper random; needs a method that gives regions, an order, spans or "
+           "pixels")
       .standard("none");
   group.add_repeatable(
       "--light", "X,Y,Z", [&request](const std::string& text) { request.lights.push_back(parse_vector(text)); },
-      "parallel light that travels in this direction and casts shadows; repeatable");
+      "direction of a parallel light that casts shadows; repeatable");
 }
 
 }  // namespace ligne

@@ -86,7 +86,7 @@ bool holds(std::string_view need, const CommandUse& use) {
 std::string_view phrase_of(std::string_view need) {
   if (need == kPens) return "pens or a --device";
   if (need == kNoPens) return "a drawing without pens";
-  return need == kSvgInput ? "a drawing that is an SVG" : need;
+  return need == kSvgInput ? "an SVG input" : need;
 }
 
 std::string names_of(unsigned formats) {
@@ -108,13 +108,13 @@ std::vector<IdleOption> idle_options(const CommandUse& use) {
     if (!(row.formats & bit(use.format))) {
       const std::string_view format = kOutputFormatNames[static_cast<std::size_t>(use.format)];
       idle.push_back(
-          {std::string(row.option), "does nothing in " + std::string(format) + ", only in " + names_of(row.formats)});
+          {std::string(row.option), "has no effect in " + std::string(format) + ", only in " + names_of(row.formats)});
       continue;
     }
     std::vector<std::string_view> needs = words_of(row.needed_in & bit(use.format) ? row.needs : std::string_view());
     if (needs.empty() || std::ranges::any_of(needs, [&](std::string_view need) { return holds(need, use); })) continue;
     std::ranges::transform(needs, needs.begin(), phrase_of);
-    idle.push_back({std::string(row.option), "does nothing without " + list_of(needs)});
+    idle.push_back({std::string(row.option), "has no effect without " + list_of(needs)});
   }
   return idle;
 }

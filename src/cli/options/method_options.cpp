@@ -16,27 +16,58 @@
 namespace ligne {
 namespace {
 
-/// Names of the methods with that parameter, such as "bsp, convex-tree".
-std::string owners_of(std::string_view parameter) {
-  std::string owners;
+/// The methods whose parameter of one name has the same values and the same meaning.
+struct ParameterUse {
+  const MethodParameter* parameter;
+  std::string owners;  ///< such as "bsp, convex-tree"
+};
+
+/// The parameters of all methods, grouped by name.
+std::vector<std::vector<ParameterUse>> parameters_by_name() {
+  std::vector<std::vector<ParameterUse>> groups;
   for (const Method* method : all_methods()) {
+    const std::string owner(method->traits().name);
     for (const MethodParameter& own : method->traits().parameters) {
-      if (own.name == parameter) owners += (owners.empty() ? "" : ", ") + std::string(method->traits().name);
+      const auto has_name = [&own](const std::vector<ParameterUse>& uses) { return uses[0].parameter->name == own.name; };
+      auto uses = std::ranges::find_if(groups, has_name);
+      if (uses == groups.end()) uses = groups.insert(groups.end(), std::vector<ParameterUse>());
+      const auto is_same = [&own](const ParameterUse& use) {
+        return use.parameter->kind == own.kind && use.parameter->meaning == own.meaning;
+      };
+      const auto same = std::ranges::find_if(*uses, is_same);
+      if (same == uses->end()) {
+        uses->push_back({&own, owner});
+      } else {
+        same->owners += ", " + owner;
+      }
     }
   }
-  return owners;
+  return groups;
 }
 
-/// The parameters of all methods, each name once.
-std::vector<const MethodParameter*> distinct_parameters() {
-  std::vector<const MethodParameter*> parameters;
-  for (const Method* method : all_methods()) {
-    for (const MethodParameter& parameter : method->traits().parameters) {
-      const auto has_name = [&parameter](const MethodParameter* known) { return known->name == parameter.name; };
-      if (std::ranges::none_of(parameters, has_name)) parameters.push_back(&parameter);
+/// The alternatives of all uses, each once: "clips|windows|spans".
+std::string kind_of(const std::vector<ParameterUse>& uses) {
+  std::vector<std::string_view> words;
+  for (const ParameterUse& use : uses) {
+    for (std::string_view rest = use.parameter->kind; !rest.empty();) {
+      const std::string_view word = rest.substr(0, rest.find('|'));
+      if (std::ranges::find(words, word) == words.end()) words.push_back(word);
+      rest.remove_prefix(std::min(word.size() + 1, rest.size()));
     }
   }
-  return parameters;
+  std::string kind;
+  for (const std::string_view word : words) kind += (kind.empty() ? "" : "|") + std::string(word);
+  return kind;
+}
+
+/// The help of a parameter: "METHODS: meaning; METHODS (KIND): meaning".
+std::string help_of(const std::vector<ParameterUse>& uses) {
+  std::string help;
+  for (const ParameterUse& use : uses) {
+    const std::string kind = uses.size() > 1 ? " (" + std::string(use.parameter->kind) + ")" : "";
+    help += (help.empty() ? "" : "; ") + use.owners + kind + ": " + std::string(use.parameter->meaning);
+  }
+  return help;
 }
 
 /// Records a "NAME=VALUE" of --set. The value is checked once the method is known.
@@ -56,21 +87,20 @@ void note_setting(const std::string& text, std::span<const MethodParameter* cons
 void add_parameters(CLI::App& app, MethodChoice& choice, bool of_compile = false) {
   OptionGroup group(app, "Methods");
   std::vector<const MethodParameter*> settings;
-  for (const MethodParameter* parameter : distinct_parameters()) {
+  for (const std::vector<ParameterUse>& uses : parameters_by_name()) {
+    const MethodParameter* const parameter = uses.front().parameter;
     if (of_compile && !parameter->of_compile) continue;
     if (parameter->is_experiment) {
       settings.push_back(parameter);
       continue;
     }
     const auto note = [&choice, parameter](const std::string& text) { choice.parameters.emplace_back(parameter, text); };
-    group
-        .add_text("--" + std::string(parameter->name), std::string(parameter->kind), note,
-                  owners_of(parameter->name) + ": " + std::string(parameter->meaning))
+    group.add_text("--" + std::string(parameter->name), kind_of(uses), note, help_of(uses))
         .standard(std::string(parameter->standard));
   }
   const auto note = [&choice, settings](const std::string& text) { note_setting(text, settings, choice); };
   group.add_repeatable("--set", "NAME=VALUE", note,
-                       "a setting of the method, for experiments; ligne methods METHOD lists them");
+                       "an experimental setting of the method; ligne methods METHOD lists them");
 }
 
 }  // namespace
@@ -93,12 +123,12 @@ void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice,
     return request.surface_crease_degrees = parse_crease(text);
   };
   group.add("--crease", "DEG", request.crease_degrees, parse_both_creases, "smallest angle between normals at a crease")
-      .standard("30 between faces, 10 between surfaces that a mesh stands for");
+      .standard("30 between faces, 10 between surfaces that the mesh approximates");
   group
       .add("--tangent", "HOW", request.tangent, parse_tangent,
-           "lines of fillets: their borders, their middles; auto: middles of narrow ones, borders of others")
+           "lines of fillets. borders; middles: their middle lines; auto: middles of narrow fillets, borders of others")
       .standard("auto");
-  group.add("--min-length", "LEN", request.least_mm, parse_min_length, "leave out shorter visible parts of lines")
+  group.add("--min-length", "LEN", request.least_mm, parse_min_length, "omit visible line parts shorter than LEN")
       .standard("1.5 pens; 0 for exact lines");
   const auto take_hidden = [&request](const std::string& text) {
     const HiddenChoice choice = parse_hidden_choice(text);
@@ -108,14 +138,14 @@ void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice,
   group
       .add_text(
           "--hidden", "HOW", take_hidden,
-          "draw hidden lines in a layer of their own: none, dashed or solid; dashed:N, solid:N: those behind at most N "
+          "draw hidden lines in their own layer: none, dashed or solid; dashed:N, solid:N: only lines behind at most N "
           "faces (--method appel)")
       .standard("none");
   group
       .add("--quality", "HOW", request.quality, parse_quality,
-           "clear: lines of the shape that the mesh stands for; exact: every edge as stored")
+           "clear: lines of the shape that the mesh approximates; exact: every edge as stored")
       .standard("clear");
-  group.add_flag("--cull", request.cull, "leave out back faces of closed, consistently wound objects");
+  group.add_flag("--cull", request.cull, "omit back faces of closed, consistently wound objects");
   add_parameters(app, choice);
 }
 

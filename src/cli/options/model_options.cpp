@@ -20,17 +20,18 @@ void add_model_options(CLI::App& app, ModelRequest& request) {
            "off). With --quality exact: merge vertices within DIST; auto is off")
       .standard("auto");
   group.add("--pose", "ANIMATION@SECONDS", request.pose, parse_pose,
-            "glTF: the model as it is at a moment of an animation, by its name or its number from 0");
+            "glTF: the model posed at a time of an animation, which is given by name or by number from 0");
   group
       .add("--subdivide", "SCHEME[:N]", request.subdivision, parse_subdivision,
-           "draw the limit surface of polygons that are control meshes, after N levels of subdivision: loop, catmull-clark "
-           "(default N: until edges are shorter than a hundredth of the model)")
+           "draw the limit surface of control meshes, approximated by N levels of subdivision: loop, catmull-clark (default "
+           "N: until edges are shorter than 1/100 of the model)")
       .standard("off");
   group.add_flag("--merge-coplanar", request.merge_coplanar, "merge coplanar neighbouring faces into polygons");
   group
-      .add("--assume", "FACT,...", request.assumed, parse_facts,
-           "facts about the scene that spare tests: no-penetration, no faces pass through each other; convex, every object "
-           "is one closed convex body")
+      .add(
+          "--assume", "FACT,...", request.assumed, parse_facts,
+          "facts about the scene that save tests. no-penetration: no faces pass through each other; convex: every object is "
+          "one closed convex body")
       .standard("those of the file");
   OptionGroup parts(app, "Parts");
   const auto add_names = [](std::vector<std::string>& target) {
@@ -39,11 +40,11 @@ void add_model_options(CLI::App& app, ModelRequest& request) {
     };
   };
   parts.add_repeatable("--only", "NAME,...", add_names(request.parts.only),
-                       "draw these objects alone; names may have * ? [] as in a shell; repeatable");
-  parts.add_repeatable("--hide", "NAME,...", add_names(request.parts.hide), "leave out these objects; repeatable");
+                       "draw only these objects; names may contain the wildcards * ? []; repeatable");
+  parts.add_repeatable("--hide", "NAME,...", add_names(request.parts.hide), "do not draw these objects; repeatable");
   parts.add_repeatable(
       "--move", "NAME=X,Y,Z", [&request](const std::string& text) { request.parts.moves.push_back(parse_move(text)); },
-      "move an object by so much, in model units or with a unit, for exploded views; repeatable");
+      "translate an object, in model units or with a unit, for exploded views; repeatable");
 }
 
 void add_part_drawing_options(CLI::App& app, OutputRequest& request) {
@@ -53,11 +54,11 @@ void add_part_drawing_options(CLI::App& app, OutputRequest& request) {
       .add(
           "--group", "HOW", request.group_objects,
           [kGroupNames](const std::string& text) { return parse_choice(text, kGroupNames) == 1; },
-          "SVG: a group for each object in every layer; JSON: the object of every stroke: none object")
+          "none, or object. SVG: divide each layer into groups by object; JSON: store the object of each stroke")
       .standard("none");
   parts.add_repeatable(
       "--color", "NAME=COLOUR", [&request](const std::string& text) { request.colors.push_back(parse_object_color(text)); },
-      "lines of objects in a colour: #rrggbb, or a name such as red; repeatable");
+      "colour of the lines of an object: #rrggbb, or a name such as red; repeatable");
 }
 
 Stage reading_of(const ModelRequest& request) {

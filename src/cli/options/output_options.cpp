@@ -22,7 +22,7 @@ void add_curves_option(CLI::App& app, std::optional<bool>& curves, const std::st
   OptionGroup(app, "Output")
       .add(
           "--curves", "HOW", curves, [](const std::string& text) { return parse_choice(text, kSwitchNames) == 1; },
-          "SVG, PDF, PNG: circles and ellipses as curves where lines are tessellated ones: on off")
+          "SVG, PDF, PNG: replace tessellated circles and ellipses by curves: on off")
       .standard(standard);
 }
 

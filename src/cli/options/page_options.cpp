@@ -15,8 +15,7 @@ void add_width_option(CLI::App& app, LineWidths& widths, bool own_layers) {
             if (own_layers) require_layers(widths);
           },
           "widths of lines by class, such as profile=0.7,crease=0.25; repeatable")
-      .standard(
-          "of the pen width: profile 1.4, outline and border 1, crease, intersection and lines of the shape 0.7, others 0.5");
+      .standard("in pen widths: profile 1.4, outline and border 1, crease, intersection and shape lines 0.7, others 0.5");
 }
 
 void add_page_options(CLI::App& app, PageRequest& request) {
@@ -26,19 +25,18 @@ void add_page_options(CLI::App& app, PageRequest& request) {
            "A0 to A6, letter, legal, tabloid, or WxH with units, such as 20cmx15cm")
       .standard("A4");
   const Option landscape =
-      group.add_flag("--landscape", request.landscape, "page lies on its long side (default: as it fits)");
-  const Option portrait = group.add_flag("--portrait", request.portrait, "page stands on its short side");
+      group.add_flag("--landscape", request.landscape, "landscape page (default: the orientation that fits better)");
+  const Option portrait = group.add_flag("--portrait", request.portrait, "portrait page");
   group
       .add(
           "--margin", "LEN", request.margin_mm, [](const std::string& t) { return parse_length_mm(t); },
-          "empty rim of the page: mm, cm, in or pt, bare is mm")
+          "page margin in mm, cm, in or pt (mm if no unit is given)")
       .standard("10mm");
   group.add("--pen-width", "LEN", request.pen_width_mm, parse_pen_width, "width of outlines").standard("0.35mm");
   add_width_option(app, request.widths_mm, true);
-  group.add("--scale", "fit|N:M", request.scale, parse_scale, "fill the page, or a true scale").standard("fit");
-  group
-      .add("--unit", "UNIT", request.unit_mm, parse_unit_mm,
-           "length of a model unit for a true scale: mm, cm, m, in, or a number of mm")
+  group.add("--scale", "fit|N:M", request.scale, parse_scale, "fit the picture to the page, or a scale such as 1:2")
+      .standard("fit");
+  group.add("--unit", "UNIT", request.unit_mm, parse_unit_mm, "length of one model unit: mm, cm, m, in, or a number of mm")
       .standard("m for glTF, else mm");
   landscape.excludes({portrait});
 }

@@ -18,11 +18,12 @@ void add_parameter_ranges(OptionGroup& group, SurfaceRequest& request) {
   group
       .add_repeatable(
           "-u", "A:B[:N]", [&request](const std::string& text) { request.u.push_back(parse_range(text)); },
-          "the same of u, of a parametric surface (repeatable: of the next one)")
+          "range of u of a parametric surface and number of curves (repeatable: for the next surface)")
       .standard("0:2*pi:40");
   group
       .add_repeatable(
-          "-v", "A:B[:N]", [&request](const std::string& text) { request.v.push_back(parse_range(text)); }, "the same of v")
+          "-v", "A:B[:N]", [&request](const std::string& text) { request.v.push_back(parse_range(text)); },
+          "range of v, likewise")
       .standard("0:2*pi:40");
 }
 

@@ -25,15 +25,15 @@ void add_run_options(CLI::App& app, RunOptions& options) {
       .add("--max-memory", "SIZE", options.max_memory, parse_memory,
            "stop with an error above this memory, such as 500M or 2G; none: no limit")
       .standard("three quarters of the machine's");
-  group.add_flag("--stats", options.stats, "counts and times of the method, to standard error");
-  group.add("--stats-json", "FILE", options.stats_json, parse_file_name, "the same as JSON, to a file");
+  group.add_flag("--stats", options.stats, "print counts and times of the method to standard error");
+  group.add("--stats-json", "FILE", options.stats_json, parse_file_name, "write the counts and times to FILE as JSON");
   group
       .add(
           "--progress", "WHEN", options.progress,
           [](const std::string& text) { return static_cast<ShowProgress>(parse_choice(text, kShowProgressNames)); },
-          "auto always never; auto: long work on a terminal")
+          "show progress: auto always never; auto: on a terminal, if the work takes long")
       .standard("auto");
-  group.add_flag("-q,--quiet", options.quiet, "no warnings, no progress");
+  group.add_flag("-q,--quiet", options.quiet, "print no warnings and no progress");
 }
 
 void report_warnings(const RunReport& report, const std::string& place, const RunOptions& options) {

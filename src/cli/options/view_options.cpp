@@ -13,16 +13,16 @@ void add_view_options(CLI::App& app, ViewRequest& request, const std::string& st
   const Option view =
       group
           .add_text("--view", "NAME", take_view,
-                    "front back left right top bottom iso dimetric trimetric, or camera[:NAME], one of the file")
+                    "front back left right top bottom iso dimetric trimetric, or camera[:NAME] for a camera of the file")
           .standard(standard);
-  const Option direction =
-      group.add("--direction", "X,Y,Z", request.direction, parse_vector, "line of sight, into the scene (parallel)");
-  const Option eye = group.add("--eye", "X,Y,Z", request.eye, parse_point, "place of the viewer (perspective)");
+  const Option direction = group.add("--direction", "X,Y,Z", request.direction, parse_vector,
+                                     "view direction, into the scene (parallel projection)");
+  const Option eye = group.add("--eye", "X,Y,Z", request.eye, parse_point, "position of the eye (perspective projection)");
   const Option target = group.add("--target", "X,Y,Z", request.target, parse_point,
-                                  "point looked at from the eye (default: centre of the model)");
+                                  "point at which the eye looks (default: centre of the model)");
   const Option fov =
       group.add("--fov", "DEG", request.fov_degrees, parse_fov, "vertical angle of view from the eye").standard("35");
-  group.add("--up", "X,Y,Z", request.up, parse_vector, "what is up on the page (default: the up axis)");
+  group.add("--up", "X,Y,Z", request.up, parse_vector, "direction that points up on the page (default: the up axis)");
   group.add("--up-axis", "x|y|z", request.up_axis, parse_axis,
             "vertical axis of the model (default: y for glTF and OBJ, else z)");
 

@@ -18,7 +18,7 @@ constexpr std::size_t kManyTriangles = 512;
 constexpr std::size_t kMostGlassTriangles = 100'000;
 
 constexpr ChoiceRule kRules[] = {
-    {"areas of faces are asked for", "atherton-weiler", [](const ChoiceFacts& f) { return f.regions; }},
+    {"areas of faces are requested", "atherton-weiler", [](const ChoiceFacts& f) { return f.regions; }},
     {"some faces are transparent", "atherton-weiler", [](const ChoiceFacts& f) { return f.glass; }},
     {"one opaque convex body of many faces", "culling",
      [](const ChoiceFacts& f) { return f.many_triangles && f.may_be_one_body; }},

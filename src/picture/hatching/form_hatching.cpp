@@ -115,7 +115,7 @@ void check_points(const PictureRequest& request, const std::vector<Region>& regi
     area += std::abs(twice) / 2;
   }
   const double points = area / (closest_mm * kFormStep * closest_mm);
-  if (points > most) throw RequestError("hatch-spacing", "the strokes are too close");
+  if (points > most) throw RequestError("hatch-spacing", "the strokes are too dense");
   request.memory.require(points * kFormPointBytes, {"hatch", "strokes that follow the form"});
 }
 
@@ -160,7 +160,7 @@ std::vector<Layer> hatch_form(const HatchScene& hatch, const std::vector<Region>
       layers.all()[stroke.layer].lines.add(stroke.points);
     }
   } catch (const std::length_error&) {
-    throw RequestError("hatch-spacing", "the strokes are too close");
+    throw RequestError("hatch-spacing", "the strokes are too dense");
   }
   return layers.take();
 }

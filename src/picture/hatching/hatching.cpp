@@ -69,10 +69,10 @@ class Hatching {
     const double spacing = closest_strokes_mm(hatch.request(), pen_mm_);
     line_mm_ = hatch_line_mm(spacing, pen_mm_);
     if (std::hypot(hatch.plot.page.width_mm, hatch.plot.page.height_mm) / line_mm_ > kMostLines) {
-      throw RequestError("hatch-spacing", "the strokes are too close: more than a million on the page");
+      throw RequestError("hatch-spacing", "the strokes are too dense: more than a million on the page");
     }
     if (pen_mm_ / line_mm_ > kMostLinesUnderPen) {
-      throw RequestError("hatch-spacing", "the strokes are too close: more than 128 under the pen");
+      throw RequestError("hatch-spacing", "the strokes are too dense: more than 128 under the pen");
     }
     closest_ = static_cast<unsigned>(std::lround(spacing / line_mm_));
     if (hatch.request().direction.by_face) find_directions();
@@ -247,7 +247,7 @@ double lines_between(double low, double high, double line_mm) {
 /// Throws RequestError if there are more runs than memory or time allow.
 void check_runs(const PictureRequest& request, double runs) {
   const std::string text = std::to_string(static_cast<std::uint64_t>(runs)) + " lines across the visible faces";
-  if (runs > kMostRuns) throw RequestError("hatch-spacing", "the strokes are too close: " + text);
+  if (runs > kMostRuns) throw RequestError("hatch-spacing", "the strokes are too dense: " + text);
   request.memory.require(runs * sizeof(SurfaceRun), {"hatch", text});
 }
 
@@ -373,7 +373,7 @@ std::vector<Layer> hatch_spans(const HatchScene& hatch, RunReport& run) {
   const PreparedScene& prepared = hatch.prepared;
   if (!hatch.request().asked() || hatches_regions(prepared.request, prepared.method)) return {};
   const auto glass = std::ranges::count_if(prepared.projected.face_is_transparent, [](std::uint8_t t) { return t != 0; });
-  if (glass > 0) run.warn("the hatching leaves out " + std::to_string(glass) + " transparent faces");
+  if (glass > 0) run.warn("the hatching omits " + std::to_string(glass) + " transparent faces");
   return timed(run.stages, "hatch", [&] {
     Hatching hatching(hatch);
     std::vector<FaceHatch> faces;

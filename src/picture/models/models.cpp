@@ -91,7 +91,7 @@ void check_parts(const LoadedModels& models, const PartRequest& parts) {
   require_names(models, "hide", parts.hide);
   for (const PartMove& move : parts.moves) require_names(models, "move", {move.pattern});
   if (models.scene.objects.empty()) {
-    throw RequestError(parts.hide.empty() ? "only" : "hide", "no object is left to be drawn");
+    throw RequestError(parts.hide.empty() ? "only" : "hide", "no object is left to draw");
   }
 }
 
@@ -101,7 +101,8 @@ const std::string* compiled_file(const ModelRequest& request) {
   const auto found = std::ranges::find_if(request.files, [](const std::string& name) { return method_of_compiled(name); });
   if (found == request.files.end()) return nullptr;
   const std::string whole = printable(*found, kLongestPath) + " is compiled: give it to ligne compile";
-  if (request.files.size() > 1) throw RequestError("", printable(*found, kLongestPath) + " is compiled: it is drawn alone");
+  if (request.files.size() > 1)
+    throw RequestError("", printable(*found, kLongestPath) + " is a compiled model and must be the only one");
   const PartRequest& parts = request.parts;
   if (parts.asked()) throw RequestError(!parts.only.empty() ? "only" : !parts.hide.empty() ? "hide" : "move", whole);
   if (request.weld_distance) throw RequestError("weld", whole);

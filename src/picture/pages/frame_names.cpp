@@ -50,11 +50,10 @@ std::vector<std::string> numbered_names(const std::string& name, unsigned count)
   if (count == 1) return {name};
   const std::optional<NumberPlace> place = find_place(name, 0, 'd');
   if (!place) {
-    throw RequestError("output", shown(name) + " has no place for the number of a frame: name%03d" +
+    throw RequestError("output", shown(name) + " has no frame number, such as name%03d" +
                                      (name == "-" ? ".svg" : "") + "; only a PDF holds them all");
   }
-  if (find_place(name, place->end, 'd'))
-    throw RequestError("output", shown(name) + " has two places for the number of a frame");
+  if (find_place(name, place->end, 'd')) throw RequestError("output", shown(name) + " has two frame numbers");
   std::vector<std::string> names;
   for (unsigned i = 1; i <= count; ++i) names.push_back(with_number(name, i, 'd'));
   return names;

@@ -15,7 +15,7 @@
 namespace ligne {
 namespace {
 
-constexpr std::string_view kDepthOfTree = "depth of the tree", kOfListBefore = "elements of the view before";
+constexpr std::string_view kDepthOfTree = "depth of the tree", kOfListBefore = "elements of the previous view";
 
 /// Adds values of equal names. For the depths of one tree, takes the maximum, since their sum has no meaning.
 template <class Value>

@@ -63,11 +63,12 @@ void check_pens(const PenTable& asked, const Drawing& drawing) {
   // For a scene, require_parts() checked its materials and objects before; hidden ones are no error.
   const bool has_materials = std::ranges::any_of(drawing.layers, [](const Layer& l) { return !l.material.empty(); });
   for (const auto& [material, number] : asked.pen_of_material) {
-    if (!has_materials) throw RequestError("pen", "the drawing tells no materials, so none is " + shown(material, '"'));
+    if (!has_materials)
+      throw RequestError("pen", "the drawing has no materials, so there is no material " + shown(material, '"'));
   }
   const bool has_objects = std::ranges::any_of(drawing.layers, [](const Layer& l) { return !l.object.empty(); });
   for (const auto& [object, number] : asked.pen_of_object) {
-    if (!has_objects) throw RequestError("pen", "the drawing tells no objects, so none is " + shown(object, '"'));
+    if (!has_objects) throw RequestError("pen", "the drawing has no objects, so there is no object " + shown(object, '"'));
   }
 }
 

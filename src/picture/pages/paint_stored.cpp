@@ -42,7 +42,7 @@ void recolor(ReadOrder& stored, const StoredPaint& paint, RunReport& run) {
       stored.materials[m].color = color;
       is_there = true;
     }
-    if (!is_there) run.warn("no piece of the order has a material " + shown(name, '"'));
+    if (!is_there) run.warn("no face of the order has material " + shown(name, '"'));
   }
 }
 

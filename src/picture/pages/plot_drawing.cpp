@@ -48,7 +48,7 @@ ReadDrawing read_drawing(const PlotDrawingRequest& request, const DrawingText& d
   if (content.starts_with("\x1f\x8b"))
     throw std::runtime_error(drawing.name + ": is compressed; gzip -dc FILE | ligne plot - reads it");
   if (content.starts_with("\xff\xfe") || content.starts_with("\xfe\xff"))
-    throw std::runtime_error(drawing.name + ": is text of two bytes a letter (UTF-16); save it as UTF-8");
+    throw std::runtime_error(drawing.name + ": is UTF-16 text; save it as UTF-8");
   throw std::runtime_error(drawing.name + ": is neither a ligne-drawing nor an SVG");
 }
 
@@ -88,7 +88,7 @@ double place(const PlotDrawingRequest& request, ReadDrawing& read) {
   if (!request.scale && !ink.empty() && (ink.width() > 0 || ink.height() > 0)) {
     const Rect area = page.drawable();
     if (!(area.width() > 0 && area.height() > 0))
-      throw RequestError("margin", shortest(request.margin_mm) + " mm leaves nothing of the page");
+      throw RequestError("margin", shortest(request.margin_mm) + " mm leaves no drawable area on the page");
     from = ink;
     const double across = ink.width() > 0 ? area.width() / ink.width() : area.height() / ink.height();
     const double down = ink.height() > 0 ? area.height() / ink.height() : across;
@@ -113,10 +113,10 @@ void warn_of_left_out(const PlotDrawingRequest& request, const std::string& name
       throw std::runtime_error(message_line(name + ": nothing is left to draw; " + read.omitted.text() + place));
     warn(read.omitted.text() + place);
   }
-  if (read.size_assumed) warn("tells no size: taken as 1000 px where it does not, 264.58 mm");
+  if (read.size_assumed) warn("has no size: 1000 px (264.58 mm) assumed");
   if (!read.paper_of_view_box.empty()) {
     const std::string dpi = shortest(read.paper_dpi);
-    warn("tells no size; its viewBox is a paper (" + read.paper_of_view_box + ") at " + dpi + " dpi, and is taken at " +
+    warn("has no size; its viewBox is a paper size (" + read.paper_of_view_box + ") at " + dpi + " dpi, and is taken at " +
          shortest(request.reading.px_per_inch) + ": --input-dpi " + dpi + " gives that paper");
   }
   if (read.outlined > 0 && !request.fills) {
@@ -257,7 +257,7 @@ ReadDrawing drawings_in_grid(std::span<const DrawingText> drawings, const PlotDr
   std::vector<Page> pages;
   for (const DrawingText& drawing : drawings) {
     if (begins_json(drawing.text) != begins_json(drawings.front().text))
-      throw RequestError("grid", "an SVG and a ligne-drawing do not go on one sheet");
+      throw RequestError("grid", "an SVG and a ligne-drawing can not share one sheet");
     pages.push_back(read_drawing(request, drawing, {FillReading::How::outline}).page);
   }
   ReadDrawing sheet;
@@ -275,7 +275,7 @@ ReadDrawing drawings_in_grid(std::span<const DrawingText> drawings, const PlotDr
   const Point2 cell{(area.width() - (columns - 1) * request.margin_mm) / columns,
                     (area.height() - (rows - 1) * request.margin_mm) / rows};
   if (!(cell.x > 0 && cell.y > 0))
-    throw RequestError("margin", shortest(request.margin_mm) + " mm leaves nothing of the cells");
+    throw RequestError("margin", shortest(request.margin_mm) + " mm leaves no drawable area in the cells");
   PlotDrawingRequest in_cell = request;
   in_cell.margin_mm = 0;
   in_cell.landscape = in_cell.portrait = false;
@@ -307,7 +307,7 @@ Picture write_tiles(const ReadDrawing& read, const PlotDrawingRequest& request, 
   paper.margin_mm = request.margin_mm;
   const double smaller = std::min(paper.drawable().width(), paper.drawable().height());
   if (!(smaller > request.overlap_mm))
-    throw RequestError("overlap", shortest(request.overlap_mm) + " mm and the margins leave nothing of the paper");
+    throw RequestError("overlap", shortest(request.overlap_mm) + " mm and the margins leave no drawable area on the paper");
   std::optional<PdfDocument> pages;
   if (request.format == OutputFormat::pdf && !tile_files) pages.emplace();
   Picture all;
@@ -334,22 +334,22 @@ void check(const PlotDrawingRequest& request) {
   if (request.paint.kind != FillKind::none) {
     if (request.plotter.by_pens() && request.format != OutputFormat::png)
       throw RequestError("fill", "pens draw no filled faces; see --hatch");
-    if (request.tile) throw RequestError("tile", "does not go with --fill " + std::string(kPaintedWords));
+    if (request.tile) throw RequestError("tile", "can not be combined with --fill " + std::string(kPaintedWords));
   } else if (!request.paint.colors.empty()) {
-    throw RequestError("material", "goes with --fill material or shade");
+    throw RequestError("material", "needs --fill material or shade");
   }
   if (!request.tile) return;
   const PlotterRequest& plotter = request.plotter;
   if (plotter.parts.asked())
-    throw RequestError("tile", "does not go with --split, --every, --from-stroke, --from-time or %p");
-  if (plotter.preview) throw RequestError("preview", "is of one sheet");
+    throw RequestError("tile", "can not be combined with --split, --every, --from-stroke, --from-time or %p");
+  if (plotter.preview) throw RequestError("preview", "works for a single sheet only");
 }
 
 Picture plot_drawings(std::span<const DrawingText> drawings, const PlotDrawingRequest& request, bool tile_files,
                       RunReport& run) {
   check(request);
   if (drawings.size() > 1 && !request.grid)
-    throw RequestError("", "several drawings go on one sheet with --grid CxR, such as 2x2");
+    throw RequestError("", "several drawings need --grid CxR, such as 2x2, to share one sheet");
   PlotterRequest plotter = request.plotter;
   plotter.fit_drawing = !request.scale;
   // A drawing painted from an order has the joined lines of the visibility method.

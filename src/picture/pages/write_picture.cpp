@@ -134,10 +134,10 @@ void check_parts(const PlotterRequest& plotter) {
   if (timed && !plotter.device)
     throw RequestError(parts.from_seconds > 0 ? "from-time" : "split", "a time needs a --device");
   const bool machine = plotter.device && plotter.device->language != DeviceLanguage::svg;
-  if (parts.every_mm && !machine) throw RequestError("every", "goes with HPGL and G-code");
-  if (!parts.park.empty() && !machine) throw RequestError("park", "goes with HPGL and G-code");
+  if (parts.every_mm && !machine) throw RequestError("every", "works for HPGL and G-code only");
+  if (!parts.park.empty() && !machine) throw RequestError("park", "works for HPGL and G-code only");
   if (parts.split && !parts.split_files && !machine)
-    throw RequestError("split", "the files need a place for their number: -o name%d.svg");
+    throw RequestError("split", "several files need a number in the file name: -o name%d.svg");
   stops_of(plotter);
 }
 
@@ -223,7 +223,7 @@ Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const Pl
   if (device) {
     frame = place_on_device(*device, style.page, ink_of(before), fits);
     if (frame->scale < 1 && !plotter.fit_drawing) {
-      run.warnings.push_back({"", "the drawing is made smaller, to " + scale_text(frame->scale) +
+      run.warnings.push_back({"", "the drawing is scaled down to " + scale_text(frame->scale) +
                                       " of the size asked for, so that it fits " + printable(device->name)});
     }
     warn_of_paper(*device, *frame, style.page, run);
@@ -297,7 +297,7 @@ void check_png(const Page& page, double dpi, const MemoryLimit& memory) {
 Picture write_picture(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter,
                       const PictureFile& file, RunReport& run) {
   if (plotter.parts.asked() && !plotter.by_pens())
-    throw RequestError("", "--split, --every, --from-stroke, --from-time, --park and %p go with pens or a --device");
+    throw RequestError("", "--split, --every, --from-stroke, --from-time, --park and %p need pens or a --device");
   if (file.format == OutputFormat::pdf) warn_of_size(style.page, run);
   return plotter.by_pens() ? write_by_pens(drawing, style, plotter, file, run)
                            : write_by_layers(drawing, style, plotter, file, run);

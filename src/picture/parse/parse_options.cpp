@@ -120,7 +120,7 @@ HiddenChoice parse_hidden_choice(const std::string& text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) return {parse_hidden(text)};
   HiddenChoice choice{parse_hidden(text.substr(0, colon))};
-  if (choice.lines == HiddenLines::none) throw std::invalid_argument("nothing is drawn by none, so that it takes no number");
+  if (choice.lines == HiddenLines::none) throw std::invalid_argument("none takes no number of faces");
   choice.most_hiding = parse_count(text.substr(colon + 1), 1, kMostCountedFaces);
   return choice;
 }
@@ -298,7 +298,7 @@ MemoryLimit parse_memory(const std::string& text) {
     if (suffix == "ib") suffix = "b";
   }
   if (error != std::errc() || !std::isfinite(number) || number < 0 || !(suffix.empty() || suffix == "b")) {
-    throw std::invalid_argument(shown(text, '"') + " is neither a size, such as 500M or 2G, nor none");
+    throw std::invalid_argument(shown(text, '"') + " is not a size such as 500M or 2G, or none");
   }
   return number > 0 ? MemoryLimit{number} : MemoryLimit{};
 }

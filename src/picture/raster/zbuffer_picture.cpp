@@ -58,7 +58,7 @@ Picture ZBuffer::draw(Scene joined, PictureRequest request, RunReport& run) {
   {
     const DrawnScene drawn = draw_lines(joined, std::move(request), run);
     auto kept = std::dynamic_pointer_cast<const zbuffer::KeptBuffer>(drawn.visibility().result.kept);
-    if (!kept) throw RequestError("method", "keeps no depth buffer: zbuffer does");
+    if (!kept) throw RequestError("method", "has no depth buffer; use --method zbuffer");
     buffer_ = std::move(kept);
     picture = drawn.write(run);
   }
@@ -70,7 +70,7 @@ Picture ZBuffer::draw(Scene joined, PictureRequest request, RunReport& run) {
 void require_no_place(const PictureRequest& request, const std::string& what) {
   const ViewRequest& view = request.view;
   const auto refuse = [&](bool given, const char* field) {
-    if (given) throw RequestError(field, "stays as it was when " + what + " was drawn");
+    if (given) throw RequestError(field, "can not be changed after " + what + " was drawn");
   };
   refuse(view.named_view || view.camera, "view");
   refuse(view.direction.has_value(), "direction");

@@ -38,14 +38,14 @@ std::array<Point3, 2> extent(const Scene& scene, Axis up) {
 
 void check_mixed_scene(const SurfaceRequest& request) {
   if (std::max(request.u.size(), request.v.size()) > request.parametric.size()) {
-    throw RequestError("", request.parametric.empty() ? "-u, -v: go with --parametric"
+    throw RequestError("", request.parametric.empty() ? "-u, -v: need --parametric"
                                                       : "-u, -v: there are more of them than parametric surfaces");
   }
   if (height_count(request) == 0 && (request.x || request.y || request.every))
-    throw RequestError("", "-x, -y, --every: go with --surface or --grid");
+    throw RequestError("", "-x, -y, --every: need --surface or --grid");
   if (has_surfaces(request)) return;
   if (request.samples || request.z_scale || request.z_range)
-    throw RequestError("", "--samples, --z-scale, --z-range: go with --surface, --grid or --parametric");
+    throw RequestError("", "--samples, --z-scale, --z-range: need --surface, --grid or --parametric");
 }
 
 void add_surfaces(const SurfaceRequest& request, LoadedModels& models, PictureRequest& picture, RunReport& run) {

@@ -62,7 +62,7 @@ void add_line_files(const SurfaceRequest& request, const SurfacePoints* ground, 
         drape(*ground, a, b, segments);
       }
     }
-    if (segments.empty()) run.warnings.push_back({file, "no line lies on the surface: nothing of it is drawn"});
+    if (segments.empty()) run.warnings.push_back({file, "no line lies on the surface: nothing is drawn"});
   }
 }
 
@@ -142,7 +142,7 @@ DrawnCurves curves_of(const SurfaceRequest& request, const std::vector<SurfacePo
       drawn.points.push_back({p, point.label});
     }
   }
-  if (beside > 0) run.warn(std::to_string(beside) + " points lie beside the surface: they are left out");
+  if (beside > 0) run.warn(std::to_string(beside) + " points outside the surface are omitted");
   return drawn;
 }
 

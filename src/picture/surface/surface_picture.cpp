@@ -164,7 +164,7 @@ void warn_of_empty_or_cut(const Drawing& drawing, const Placement& placement, Ru
   if (drawing.layers.empty()) {
     run.warn("nothing to draw is in view: the drawing is empty");
   } else if (placement.larger_than_page()) {
-    run.warn("the picture is larger than the page: what lies outside is left out");
+    run.warn("the picture is larger than the page, and is clipped");
   }
 }
 

@@ -23,36 +23,36 @@ void check_sources(const SurfaceRequest& request) {
   }
   if (!formulas && !grids) {
     if (request.x || request.y) {
-      throw RequestError("", "-x, -y: go with z = f(x, y); a parametric surface has -u and -v");
+      throw RequestError("", "-x, -y: work for z = f(x, y) only; a parametric surface has -u and -v");
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      if (request.log_axes[k]) throw RequestError(std::string("log-") + "xyz"[k], "goes with z = f(x, y)");
+      if (request.log_axes[k]) throw RequestError(std::string("log-") + "xyz"[k], "works for z = f(x, y) only");
     }
   }
   if (parametric && request.skirt) {
-    throw RequestError("skirt", "goes with z = f(x, y), which has a rim, not with --parametric");
+    throw RequestError("skirt", "works for z = f(x, y), which has a border, not for --parametric");
   }
   if (std::max(request.u.size(), request.v.size()) > request.parametric.size()) {
-    throw RequestError(
-        "", parametric ? "-u, -v: there are more of them than parametric surfaces" : "-u, -v: go with --parametric");
+    throw RequestError("",
+                       parametric ? "-u, -v: there are more of them than parametric surfaces" : "-u, -v: need --parametric");
   }
   if (!formulas && !parametric && request.samples) throw RequestError("samples", "a grid has its own samples");
   if (!formulas && ((request.x && request.x->curves) || (request.y && request.y->curves))) {
     throw RequestError("", "-x, -y: a grid takes A:B, a window; --every N says which curves are drawn");
   }
   if (!grids && request.every) {
-    throw RequestError("every", "goes with --grid; a formula has its number of curves in -x A:B:N");
+    throw RequestError("every", "needs --grid; for a formula, -x A:B:N sets the number of curves");
   }
-  if (!grids && request.gridded) throw RequestError("gridded", "goes with --grid");
+  if (!grids && request.gridded) throw RequestError("gridded", "needs --grid");
   if (request.grids.empty()) {
-    if (request.layout != TableLayout::automatic) throw RequestError("layout", "goes with --grid");
-    if (request.data_set) throw RequestError("index", "goes with --grid");
-    if (!request.using_columns.empty()) throw RequestError("using", "goes with --grid");
+    if (request.layout != TableLayout::automatic) throw RequestError("layout", "needs --grid");
+    if (request.data_set) throw RequestError("index", "needs --grid");
+    if (!request.using_columns.empty()) throw RequestError("using", "needs --grid");
   }
-  if (request.grids.empty() && request.band) throw RequestError("band", "goes with --grid");
-  if (!grids && request.ground != GroundChoice::as_read) throw RequestError("ground", "goes with --grid");
+  if (request.grids.empty() && request.band) throw RequestError("band", "needs --grid");
+  if (!grids && request.ground != GroundChoice::as_read) throw RequestError("ground", "needs --grid");
   if (!grids && request.max_slope) {
-    throw RequestError("max-slope", "goes with --grid; a formula is looked at for its jumps");
+    throw RequestError("max-slope", "needs --grid; jumps of formulas are detected automatically");
   }
 }
 
@@ -60,51 +60,52 @@ void check_curves(const SurfaceRequest& surface) {
   const CurveRequest& request = surface.curves;
   const bool curves_hide = request.hidden_by == HiddenBy::curves;
   if (request.contours && request.contour_step) {
-    throw RequestError("", "--contours, --contour-step: do not go together");
+    throw RequestError("", "--contours, --contour-step: can not be combined");
   }
   const bool contours = request.contours || request.contour_step || request.contours_base;
   if (!contours && (request.labels != ContourLabels::none || request.index_contours)) {
-    throw RequestError(request.index_contours ? "index-contours" : "contour-labels",
-                       "goes with --contours or --contour-step");
+    throw RequestError(request.index_contours ? "index-contours" : "contour-labels", "needs --contours or --contour-step");
   }
   if (curves_hide && contours) {
-    throw RequestError("hidden-by", "curves knows no surface for contours to lie on");
+    throw RequestError("hidden-by", "curves provides no surface for contours");
   }
   if (curves_hide && request.outline.value_or(false)) {
-    throw RequestError("hidden-by", "curves knows no surface that has an outline");
+    throw RequestError("hidden-by", "curves provides no surface for outlines");
   }
   if (request.ridgeline && (contours || request.outline.value_or(false))) {
-    throw RequestError("ridgeline", "is made of rows alone");
+    throw RequestError("ridgeline", "draws rows only");
   }
   if (request.ridgeline && !(request.ridgeline_overlap > 0)) {
-    throw RequestError("ridgeline", "the overlap is not above 0");
+    throw RequestError("ridgeline", "the overlap must be above 0");
   }
-  if (surface.lines == CurveFamilies::none && curves_hide) throw RequestError("hidden-by", "curves needs --lines that hide");
+  if (surface.lines == CurveFamilies::none && curves_hide)
+    throw RequestError("hidden-by", "curves needs --lines x, y or xy");
 }
 
 void check_terrain(const SurfaceRequest& request) {
   const TerrainRequest& terrain = request.terrain;
   if ((terrain.has_water() || terrain.hachures != HachureKind::none) && !request.parametric.empty()) {
-    throw RequestError(terrain.has_water() ? "water" : "hachures", "goes with z = f(x, y)");
+    throw RequestError(terrain.has_water() ? "water" : "hachures", "works for z = f(x, y) only");
   }
   if (terrain.water && terrain.water_at_holes) throw RequestError("water", "is a height or nodata, not both");
-  if (!terrain.has_water() && terrain.water_fill != WaterFill::blank) throw RequestError("water-fill", "goes with --water");
+  if (!terrain.has_water() && terrain.water_fill != WaterFill::blank) throw RequestError("water-fill", "needs --water");
   if (terrain.hachures == HachureKind::none && terrain.hachure_mm) {
-    throw RequestError("hachure-spacing", "goes with --hachures");
+    throw RequestError("hachure-spacing", "needs --hachures");
   }
   if (request.curves.ridgeline && terrain.water_fill != WaterFill::blank) {
-    throw RequestError("ridgeline", "leaves water blank");
+    throw RequestError("ridgeline", "can not hatch water");
   }
 }
 
 void check_scale(const SurfaceRequest& request) {
   const bool is_ratio = request.aspect && request.aspect->kind == AspectRequest::ratio;
   if (is_ratio && (request.z_scale || request.exaggeration)) {
-    throw RequestError("aspect", "X:Y:Z says how high the picture is, and does not go with --z-scale or --exaggeration");
+    throw RequestError("aspect",
+                       "X:Y:Z sets the height of the picture, and can not be combined with --z-scale or --exaggeration");
   }
   if (request.exaggeration && request.aspect && request.aspect->kind == AspectRequest::box)
     throw RequestError("exaggeration", "needs --aspect equal");
-  if (request.curves.ridgeline && request.aspect) throw RequestError("ridgeline", "has its own --aspect");
+  if (request.curves.ridgeline && request.aspect) throw RequestError("ridgeline", "sets the aspect");
   const std::optional<CurveRange>* ranges[] = {&request.x, &request.y};
   for (std::size_t k = 0; k < 2; ++k) {
     const std::string name(1, "xy"[k]);
@@ -172,8 +173,8 @@ void check(const SurfaceRequest& request) {
   check_scale(request);
   check_curves(request);
   check_terrain(request);
-  if (request.t.size() > request.space_curves.size()) throw RequestError("", "-t: there are more of them than curves");
-  if (!request.names.empty() && !request.legend) throw RequestError("name", "goes with --legend");
+  if (request.t.size() > request.space_curves.size()) throw RequestError("", "-t: there are more ranges than curves");
+  if (!request.names.empty() && !request.legend) throw RequestError("name", "needs --legend");
   if (request.legend && request.picture.output.format == OutputFormat::json) {
     throw RequestError("legend", "is not written as json");
   }

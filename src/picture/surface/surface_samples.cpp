@@ -85,7 +85,7 @@ void check_mesh(const SurfaceRequest& request, const std::string& file) {
   const auto refuse = [&](bool asked, const char* option) {
     if (asked)
       throw InputError(printable(file),
-                       std::string("holds a mesh whose x and y both vary: ") + option + " goes with z = f(x, y)");
+                       std::string("holds a mesh whose x and y both vary: ") + option + " works for z = f(x, y) only");
   };
   refuse(request.x || request.y, "a window -x or -y");
   refuse(request.max_slope.has_value(), "--max-slope");

@@ -35,7 +35,7 @@ std::vector<std::optional<double>> water_levels(const SurfaceRequest& request, s
   std::vector<std::optional<double>> levels(surfaces.size(), request.terrain.water);
   if (!request.terrain.water_at_holes) return levels;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (surfaces[i].function) throw RequestError("water", "nodata goes with --grid: a formula has a height, or ends");
+    if (surfaces[i].function) throw RequestError("water", "nodata needs --grid: formulas have no missing heights");
     levels[i] = fill_holes(surfaces[i]);
   }
   return levels;

@@ -92,13 +92,13 @@ class ConvexCheck {
     find_planes();
     for (std::uint32_t e = edges_.begin; e < edges_.end; ++e) {
       const FacePlane &a = plane(topology_.edges[e].face0), &b = plane(topology_.edges[e].face1);
-      if (a.height(b.middle) > tolerance_ || b.height(a.middle) > tolerance_) return "bends inwards at an edge";
+      if (a.height(b.middle) > tolerance_ || b.height(a.middle) > tolerance_) return "is concave at an edge";
     }
-    if (!has_one_top_each()) return "has several highest places";
+    if (!has_one_top_each()) return "has several local maxima";
     const std::size_t step = std::max<std::size_t>(planes_.size() / kComparedFaces, 1);
     for (std::size_t f = 0; f < planes_.size(); f += step) {
       for (std::uint32_t v = object_.vertex_begin; v < object_.vertex_end; ++v) {
-        if (planes_[f].height(scene_.vertices[v]) > tolerance_) return "reaches through the plane of a face";
+        if (planes_[f].height(scene_.vertices[v]) > tolerance_) return "crosses the plane of a face";
       }
     }
     return {};

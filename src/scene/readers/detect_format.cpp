@@ -165,7 +165,7 @@ ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suf
     throw InputError(name, "is a binary OFF file, which is not read: convert it to text, or to PLY");
   const bool is_binary = chars.substr(0, kLookedAt).find('\0') != std::string_view::npos;
   if (!is_binary) {
-    if (text.empty()) throw InputError(name, "holds nothing but white space");
+    if (text.empty()) throw InputError(name, "contains only white space");
     if (text[0] == '{') {
       const bool own = has_top_level_key(text, "format") && !has_top_level_key(text, "asset");
       return own ? ModelFormat::ligne_scene : ModelFormat::gltf;
@@ -178,8 +178,8 @@ ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suf
   if (!is_binary && equal_ignoring_case(suffix, ".obj")) return ModelFormat::obj;
   if (!is_binary && equal_ignoring_case(suffix, ".gltf")) return ModelFormat::gltf;
   if (!is_binary && begins_with_numbers(text))
-    throw InputError(name, "is a table of numbers, not a model; as heights it is drawn with: ligne surface --grid");
-  throw InputError(name, "not a model file that is known (glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio, ligne scene)");
+    throw InputError(name, "is a table of numbers, not a model; to draw it as heights: ligne surface --grid");
+  throw InputError(name, "is not a known model format (glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio, ligne scene)");
 }
 
 }  // namespace ligne

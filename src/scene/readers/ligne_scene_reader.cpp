@@ -243,7 +243,7 @@ class SceneReader {
     const char* const other = parallel ? "position" : "direction";
     if (const auto misplaced = node.find(other)) throw misplaced->error("does not belong to a light of kind '" + kind + "'");
     const Node vector = node.at(parallel ? "direction" : "position");
-    if (parallel && vector.point() == Point3(0)) throw vector.error("is no direction");
+    if (parallel && vector.point() == Point3(0)) throw vector.error("is not a direction (zero length)");
     builder_.scene().lights.push_back({parallel ? Light::Kind::parallel : Light::Kind::point, vector.point()});
   }
 
@@ -261,7 +261,7 @@ class SceneReader {
       throw node.error("there may be " + std::to_string(planes.size()) + " planes");
     const Point3 normal = node.at("normal").point();
     const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
-    if (largest == 0) throw node.at("normal").error("is no direction");
+    if (largest == 0) throw node.at("normal").error("is not a direction (zero length)");
     planes.push_back({node.at("point").point(), glm::normalize(normal / largest)});
   }
 

@@ -27,7 +27,7 @@ class OffReader {
     builder_.begin_object("");
     for (std::int64_t i = 0; i < vertices_; ++i) read_vertex();
     for (std::int64_t i = 0; i < faces_; ++i) read_face();
-    if (next_line(false)) throw error("more lines than the header names vertices and faces");
+    if (next_line(false)) throw error("more lines than the header declares vertices and faces");
     builder_.end_object(precision_.value());
     report_.vertices += static_cast<std::size_t>(vertices_);
     return builder_.finish(Axis::z, warnings_.left_out());
@@ -63,7 +63,7 @@ class OffReader {
     }
     rest = line_;
     for (std::int64_t* count : {&vertices_, &faces_}) *count = take_count(rest, "a number of vertices and of faces");
-    if (vertices_ >= kNone || faces_ >= kNone) throw error("more vertices or faces than any file holds");
+    if (vertices_ >= kNone || faces_ >= kNone) throw error("too many vertices or faces");
   }
 
   std::int64_t take_count(std::string_view& rest, const char* what) const {

@@ -141,7 +141,7 @@ Scene read_stl_binary(std::span<const std::byte> bytes, const std::string& name,
   }
   const std::size_t n = stl_triangle_count(bytes);
   if (!is_binary_stl(bytes)) {
-    throw InputError(name, "binary STL names " + std::to_string(n) + " triangles, which need " +
+    throw InputError(name, "binary STL declares " + std::to_string(n) + " triangles, which need " +
                                std::to_string(kPreambleBytes + kTriangleBytes * n) + " bytes, but the file has " +
                                std::to_string(bytes.size()));
   }

@@ -34,7 +34,7 @@ struct Checked {
 std::unique_ptr<TriangleFile> TriangleFile::open(const std::filesystem::path& path, std::string& why) {
   std::optional<MappedFile> mapped = MappedFile::open(path);
   if (!mapped) {
-    why = "it is no file that can be read again and again";
+    why = "it is not a regular file, which can be read several times";
     return nullptr;
   }
   const ModelFormat format = detect_format(mapped->bytes(), path.extension().string(), path.string());
@@ -42,7 +42,7 @@ std::unique_ptr<TriangleFile> TriangleFile::open(const std::filesystem::path& pa
   file->format_ = format;
   if (format == ModelFormat::stl_binary) {
     if (file->find_stl()) return file;
-    why = "its size is not what its header names";
+    why = "its size differs from its header";
   } else if (format == ModelFormat::ply) {
     why = file->find_ply();
     if (why.empty()) return file;
@@ -71,12 +71,12 @@ std::string TriangleFile::find_ply() {
                       : element.name == "face" ? take_faces(element, begin)
                                                : "it has elements beside vertices and faces";
     if (!why.empty()) return why;
-    if (element.count > file_.bytes().size() / records->size) return "its size is not what its header names";
+    if (element.count > file_.bytes().size() / records->size) return "its size differs from its header";
     records->count = static_cast<std::size_t>(element.count);
     begin = records->end();
   }
   if (vertices_.count == 0 || triangles_.count == 0) return "it has no faces";
-  return begin == file_.bytes().size() ? "" : "its size is not what its header names";
+  return begin == file_.bytes().size() ? "" : "its size differs from its header";
 }
 
 std::string TriangleFile::take_vertices(const PlyElement& element, std::size_t begin) {
@@ -103,7 +103,7 @@ std::string TriangleFile::take_faces(const PlyElement& element, std::size_t begi
   std::size_t offset = 0;
   for (std::size_t p = 0; p < element.properties.size(); ++p) {
     const PlyProperty& property = element.properties[p];
-    if (property.is_list != (p == indices)) return "its faces have other lists than that of their corners";
+    if (property.is_list != (p == indices)) return "its faces have lists other than vertex_indices";
     if (p == indices) {
       list_ = offset;
       count_type_ = property.count_type;
@@ -114,7 +114,7 @@ std::string TriangleFile::take_faces(const PlyElement& element, std::size_t begi
     }
   }
   triangles_ = {begin, offset, 0};
-  if (is_float(index_type_)) return "the corners of its faces are no whole numbers";
+  if (is_float(index_type_)) return "its vertex indices are not integers";
   return indices < element.properties.size() ? "" : "its faces have no corners";
 }
 

@@ -70,7 +70,7 @@ std::unique_ptr<HeightSource> held_heights(std::vector<double> x, std::vector<do
     has_height = !std::isnan(static_cast<double>(sample));
     if (has_height) break;
   }
-  if (!has_height) throw InputError(name, "holds no height, only places without one (NODATA)");
+  if (!has_height) throw InputError(name, "contains only NODATA values");
   return std::make_unique<HeldHeights<Sample>>(std::move(x), std::move(y), std::move(samples), order);
 }
 

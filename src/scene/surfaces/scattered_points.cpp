@@ -215,7 +215,7 @@ std::unique_ptr<HeightSource> surface_of_points(std::vector<Point3> points, std:
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  const auto on_a_line = [&] { return InputError(name, "has points on a line only, which make no surface"); };
+  const auto on_a_line = [&] { return InputError(name, "has only collinear points, which make no surface"); };
   if (points.size() < 3 || !(low.x < high.x) || !(low.y < high.y) || !std::isfinite(high.x - low.x + high.y - low.y))
     throw on_a_line();
   const PlaneLattice lattice{low, (high - low) / (2. * kLatticeLimit)};
@@ -225,7 +225,7 @@ std::unique_ptr<HeightSource> surface_of_points(std::vector<Point3> points, std:
     placed[i] = {morton_key(p), p, points[i].z};
   });
   const std::size_t merged = merge_places(placed);
-  if (merged > 0) warnings.add("points at the place of another one: heights averaged", merged);
+  if (merged > 0) warnings.add("points at equal positions: heights averaged", merged);
   std::vector<LatticePoint> at;
   std::vector<double> heights;
   at.reserve(placed.size());

@@ -9,12 +9,13 @@ std::size_t element_count(std::span<const std::size_t> shape, std::size_t bytes_
   for (const std::size_t size : shape) {
     if (size == 0) return 0;
     if (count > most / size) {
-      throw InputError(name, "is truncated: it speaks of more than the " + std::to_string(bytes) + " bytes that are left");
+      throw InputError(name,
+                       "is truncated: its header declares more than the " + std::to_string(bytes) + " remaining bytes");
     }
     count *= size;
   }
   if (count > most)
-    throw InputError(name, "is truncated: it speaks of more than the " + std::to_string(bytes) + " bytes that are left");
+    throw InputError(name, "is truncated: its header declares more than the " + std::to_string(bytes) + " remaining bytes");
   return count;
 }
 

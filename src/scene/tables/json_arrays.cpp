@@ -114,8 +114,7 @@ class JsonArrays {
   void take_list(const Json& list) {
     if (list.empty()) return;
     if (!list[0].is_object()) {
-      if (!add_array("", list))
-        throw InputError(name_, "is a JSON list of something else than rows of numbers of one length");
+      if (!add_array("", list)) throw InputError(name_, "is a JSON list, but not of rows of numbers of equal length");
       return;
     }
     take_records(list);
@@ -132,7 +131,7 @@ class JsonArrays {
     for (const std::string& key : keys) {
       std::vector<Json> cells;
       for (const Json& record : list) {
-        if (!record.is_object()) throw InputError(name_, "is a JSON list of records and of something else");
+        if (!record.is_object()) throw InputError(name_, "is a JSON list that mixes records with other values");
         const auto found = record.find(key);
         cells.push_back(found == record.end() ? Json() : *found);
       }
@@ -146,7 +145,7 @@ class JsonArrays {
       std::vector<Json> cells;
       for (const Json& row : rows) {
         if (!row.is_array() || row.size() != names.size())
-          throw InputError(name_, "is a JSON table whose rows are not as long as its columns");
+          throw InputError(name_, "is a JSON table whose rows and columns differ in length");
         cells.push_back(row[k]);
       }
       add_column(names[k].is_string() ? names[k].get<std::string>() : names[k].dump(), cells);
@@ -237,7 +236,7 @@ std::vector<DataArray> read_json_arrays(std::span<const std::byte> bytes, const 
   try {
     document = Json::parse(with_nulls(as_text(bytes, name)));
   } catch (const Json::parse_error& error) {
-    throw InputError(name, "JSON: byte " + std::to_string(error.byte) + " is not what can stand there");
+    throw InputError(name, "JSON: byte " + std::to_string(error.byte) + " is unexpected");
   } catch (const Json::exception& error) {
     throw InputError(name, std::string("JSON: ") + error.what());
   }

@@ -127,7 +127,7 @@ class HeaderReader {
       take_count();  // size in bytes, which follows from the dimensions
       variable.begin = take_offset();
       if (variable.begin > bytes_.size())
-        throw error("variable " + shown(variable.name) + " begins behind the end of the file");
+        throw error("variable " + shown(variable.name) + " begins past the end of the file");
     }
   }
 

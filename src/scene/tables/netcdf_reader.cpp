@@ -73,7 +73,7 @@ DataArray layer_of(const NetcdfHeader& header, const NetcdfVariable& variable, s
     const std::size_t at = variable.is_record ? variable.begin + k / per_record * header.record_bytes + k % per_record * each
                                               : variable.begin + k * each;
     if (at > bytes.size() || bytes.size() - at < each) {
-      throw InputError(name, "is truncated: variable " + shown(variable.name) + " ends behind the end of the file");
+      throw InputError(name, "is truncated: variable " + shown(variable.name) + " extends past the end of the file");
     }
     array.values.push_back(scale(netcdf_value(bytes.data() + at, variable.type)));
   }
@@ -125,7 +125,7 @@ std::vector<DataArray> read_netcdf(std::span<const std::byte> bytes, const std::
     arrays.push_back(layer_of(header, variable, bytes, variable.dimensions.size() > 2 ? layer : 0, name));
     // In a forged file, variables may overlap.
     taken += arrays.back().values.size() * bytes_of(variable.type);
-    if (taken > bytes.size()) throw InputError(name, "holds variables that are longer than the file together");
+    if (taken > bytes.size()) throw InputError(name, "has variables whose total size exceeds the file");
   }
   restore_old_gmt(header, arrays, name);
   return arrays;

@@ -193,10 +193,10 @@ class TableReader {
   void warn_of_doubts() {
     const NumberStyle& numbers = table_.style_.numbers;
     if (table_.style_.doubtful_comma) {
-      warnings_.add(numbers.decimal_comma ? "way to write numbers is in doubt: 1,234 taken for 1.234"
+      warnings_.add(numbers.decimal_comma ? "ambiguous number format: 1,234 read as 1.234"
                                           : "way to write numbers is in doubt: 1,234 taken for 1234");
     }
-    if (table_.style_.doubtful_point) warnings_.add("way to write numbers is in doubt: 1.234 taken for 1234");
+    if (table_.style_.doubtful_point) warnings_.add("ambiguous number format: 1.234 read as 1234");
   }
 
   std::string_view text_;

@@ -45,9 +45,10 @@ constexpr std::string_view kShowNames[] = {"clips"};
 constexpr MethodParameter kParameters[] = {
     experiment(
         {"study", "HOW",
-         "every face by itself, or the classical study of polygons nearest first, convex bodies by faces or by silhouettes",
+         "faces: each face separately; polygons, silhouettes: the classical study, nearest polygon first, with convex "
+         "bodies as faces or as silhouettes",
          "faces", kStudies}),
-    {"show", "clips", "as layer debug: the polygons that the clipping leaves of the faces", "", kShowNames}};
+    {"show", "clips", "layer debug: the polygons into which clipping divides the faces", "", kShowNames}};
 
 std::vector<std::vector<Point2>> contours_of(const std::vector<Region>& regions) {
   std::vector<std::vector<Point2>> contours;
@@ -170,7 +171,7 @@ VisibilityResult AthertonWeilerMethod::compute_visibility(const ProjectedScene& 
     report(polygon_counts, statistics);
   }
   statistics.count("regions", visible.regions.size());
-  statistics.count("lines beside borders", studied);
+  statistics.count("lines apart from borders", studied);
   statistics.count("strokes", result.strokes->strokes.size());
   if (options.settings.has("show")) result.debug = contours_of(visible.regions);
   if (options.wanted & kRegions) result.regions = std::move(visible.regions);

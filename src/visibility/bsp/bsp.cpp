@@ -8,7 +8,7 @@ namespace ligne {
 const MethodTraits& BspMethod::traits() const {
   static const MethodTraits traits{
       "bsp",
-      "a tree of the faces, each in the plane of one, built once for any viewpoint; a walk through it gives their order",
+      "a binary tree of the planes of faces, built once for all viewpoints; its traversal gives the order",
       kStrokes | kRegions | kOrder,
       true,
       true,
@@ -23,7 +23,7 @@ const MethodTraits& BspMethod::traits() const {
 
 void BspMethod::count(const BspTree::Counts& counts, Statistics& statistics) const {
   statistics.count("nodes", counts.nodes);
-  statistics.count("nodes in planes of no face", counts.free_planes);
+  statistics.count("nodes whose plane contains no face", counts.free_planes);
 }
 
 }  // namespace ligne

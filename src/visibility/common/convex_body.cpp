@@ -173,7 +173,7 @@ std::string why_not_one_convex_body(const ProjectedScene& scene, const Faces& fa
     const bool two = i + 1 < sides.size() && sides[i].low == sides[i + 1].low && sides[i].high == sides[i + 1].high &&
                      sides[i].upwards != sides[i + 1].upwards;
     const bool more = i + 2 < sides.size() && sides[i].low == sides[i + 2].low && sides[i].high == sides[i + 2].high;
-    if (!two || more) return "it is not a closed body that is wholly in view";
+    if (!two || more) return "it is not a closed body entirely in view";
     sets.join(sides[i].triangle, sides[i + 1].triangle);
   }
   for (std::uint32_t i = 0; i < scene.triangles.size(); ++i) {
@@ -182,7 +182,7 @@ std::string why_not_one_convex_body(const ProjectedScene& scene, const Faces& fa
   const auto has_triangles = [&](std::uint32_t face) { return face < faces.known.size() && faces.known[face]; };
   for (const ProjectedEdge& e : scene.edges) {
     const bool of_no_face = e.face0 == kNone && e.face1 == kNone;
-    if (!of_no_face && !(has_triangles(e.face0) && has_triangles(e.face1))) return "some faces are there more than once";
+    if (!of_no_face && !(has_triangles(e.face0) && has_triangles(e.face1))) return "some faces occur more than once";
   }
   const auto concave = [&](const Triangle& t, const Triangle& other) {
     const Facing facing = faces.facing[t.face];

@@ -8,7 +8,7 @@ namespace ligne {
 const MethodTraits& ConvexTreeMethod::traits() const {
   static const MethodTraits traits{
       "convex-tree",
-      "convex sets of triangles, one inside the other, with planes between them, compiled once for any viewpoint",
+      "nested convex sets of triangles with separating planes, compiled once for all viewpoints",
       kStrokes | kRegions | kOrder,
       true,
       true,
@@ -24,7 +24,7 @@ const MethodTraits& ConvexTreeMethod::traits() const {
 void ConvexTreeMethod::count(const ConvexTree::Counts& counts, Statistics& statistics) const {
   statistics.count("convex sets (nodes of type 1)", counts.convex_sets);
   statistics.count("complexity (nodes of type 2)", counts.planes);
-  statistics.count("of them in planes of no face", counts.free_planes);
+  statistics.count("of these, planes that contain no face", counts.free_planes);
 }
 
 }  // namespace ligne

@@ -31,14 +31,14 @@ void visible_of_free_line(const PageLine& line, const std::vector<Facet>& front,
 const MethodTraits& CullingMethod::traits() const {
   static const MethodTraits traits{
       "culling",
-      "edges of the faces that look at the viewer: enough for one convex body",
+      "edges of front faces: sufficient for one convex body",
       kStrokes,
       true,
       false,
       "P. Boulle, Etude et realisation d'algorithmes pour la visualisation de scenes composees de facettes planes, 1980",
       MethodTraits{}.tolerance_mm,
       {},
-      "one opaque convex body that is wholly in view"};
+      "one opaque convex body entirely in view"};
   return traits;
 }
 

@@ -11,8 +11,8 @@ constexpr std::string_view kCarriedNames[] = {"off", "test", "count", "nature", 
 constexpr MethodParameter kParameters[] = {
     experiment(
         {"propagate", "off|test|count|nature|path",
-         "count the faces before every part of an edge: by a test of each edge, or carried from vertex to vertex as their number, "
-         "as the set of them, or along a path of edges",
+         "count the faces in front of each edge part. test: one test per edge; count, nature: propagate their number or "
+         "their set from vertex to vertex; path: propagate along a path of edges",
          "off", kCarriedNames}),
 };
 
@@ -21,7 +21,7 @@ constexpr MethodParameter kParameters[] = {
 const MethodTraits& AppelMethod::traits() const {
   static const MethodTraits traits{
       "appel",
-      "every edge against the faces that can hide it, by exact intervals; the default for line drawings",
+      "each edge tested against the faces that can hide it, by exact intervals; the default for line drawings",
       kStrokes,
       true,
       true,

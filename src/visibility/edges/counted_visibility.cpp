@@ -80,10 +80,10 @@ VisibilityResult counted_visibility(const ProjectedScene& scene, const Visibilit
   statistics.count("facets", facets.facets.size());
   statistics.count("candidate edges", scene.edges.size());
   statistics.count("edges against all faces", counts.tested);
-  statistics.count("of them in doubt", counts.in_doubt);
-  statistics.count("edges carried", counts.carried);
+  statistics.count("of these, in doubt", counts.in_doubt);
+  statistics.count("edges propagated", counts.carried);
   statistics.count("line-facet tests", counts.facets + apart.facets);
-  statistics.count("of them for edges", counts.facets);
+  statistics.count("of these, for edges", counts.facets);
   statistics.count("facets near edges", counts.near);
   statistics.count("line-side tests", counts.sides);
   statistics.count("intersection segments tested", intersections.size());

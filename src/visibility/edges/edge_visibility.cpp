@@ -127,7 +127,7 @@ VisibilityResult edge_visibility(const ProjectedScene& scene, const VisibilityOp
   report(facets, scene, grid, statistics);
   statistics.count("intersection segments tested", intersections.size());
   report(totals.counts, statistics);
-  if (ranks) statistics.count("left out by the order", totals.counts.behind_in_order);
+  if (ranks) statistics.count("tests saved by the order", totals.counts.behind_in_order);
   statistics.count("strokes", result.strokes->strokes.size());
   return result;
 }

@@ -28,15 +28,14 @@ constexpr std::string_view kZoneNames[] = {"parallel", "sequence"};
 constexpr std::string_view kElementNames[] = {"faces", "bodies"};
 constexpr MethodParameter kParameters[] = {
     {"show", "splits|order|zones|slabs",
-     "as layer debug: the pieces of faces that were cut, the order of painting as numbers, or the sets that were found apart "
-     "on the page or in depth",
+     "layer debug: the pieces of cut faces, the painting order as numbers, or the sets of faces separated on the page "
+     "(zones) or in depth (slabs)",
      "", kShowNames},
-    experiment(
-        {"zones", "parallel|sequence",
-         "how the lists of zones and slabs are sorted: at the same time, or one after the other; the order is the same",
-         "parallel", kZoneNames}),
-    experiment({"newell-elements", "faces|bodies", "what stands in the list: faces, or each convex body as one silhouette",
-                "faces", kElementNames}),
+    experiment({"zones", "parallel|sequence",
+                "how the lists of zones and slabs are sorted: concurrently or in sequence; the order is the same",
+                "parallel", kZoneNames}),
+    experiment({"newell-elements", "faces|bodies", "elements of the list: faces, or silhouettes of convex bodies", "faces",
+                kElementNames}),
 };
 
 /// Shows the sets as rectangles. Slabs overlap on the page and are numbered in painting order.
@@ -82,14 +81,14 @@ void report(const ListCounts& counts, Statistics& statistics) {
   statistics.count("compared ahead", counts.ahead);
   statistics.count("pairs of a convex body, not compared", counts.one_body);
   statistics.count("pairs compared", counts.compared);
-  statistics.count("apart in x", counts.apart_in_x);
-  statistics.count("apart in y", counts.apart_in_y);
-  statistics.count("behind the other's plane", counts.behind_plane);
-  statistics.count("the other before the plane", counts.before_plane);
+  statistics.count("disjoint in x", counts.apart_in_x);
+  statistics.count("disjoint in y", counts.apart_in_y);
+  statistics.count("behind the plane of the other", counts.behind_plane);
+  statistics.count("other element in front of the plane", counts.before_plane);
   statistics.count("projections compared", counts.projections);
   statistics.count("disjoint projections", counts.disjoint);
   statistics.count("depths compared", counts.depths);
-  statistics.count("nowhere in front", counts.farther);
+  statistics.count("no part in front", counts.farther);
   statistics.count("moved to the head", counts.moved);
   statistics.count("cuts by a plane", counts.plane_cuts);
   statistics.count("cuts on the page", counts.page_cuts);
@@ -100,7 +99,7 @@ void report(const ListCounts& counts, Statistics& statistics) {
 const MethodTraits& NewellMethod::traits() const {
   static const MethodTraits traits{
       "newell",
-      "a list of the faces by depth, checked and mended pair by pair; faces that have no place in it are cut",
+      "a list of faces sorted by depth, then checked and corrected pair by pair; faces that have no order are cut",
       kStrokes | kRegions | kOrder,
       true,
       true,
@@ -154,21 +153,21 @@ VisibilityResult NewellMethod::compute_visibility(const ProjectedScene& scene, c
   }
   Statistics& statistics = result.statistics;
   statistics.seconds.insert(statistics.seconds.begin(), {{"elements", seconds_of_elements}, {"list", seconds_of_list}});
-  statistics.count("elements of the view before", elements.in_order());
+  statistics.count("elements of the previous view", elements.in_order());
   statistics.count("faces in the list", elements.face_count());
   if (whole_bodies) {
     statistics.count("elements in the list", listed);
-    statistics.count("bodies as one element", elements.whole_bodies());
+    statistics.count("bodies kept as one element", elements.whole_bodies());
     statistics.count("bodies opened", list.counts().opened);
   }
   statistics.count("convex bodies", elements.bodies().count());
   statistics.count("faces of convex bodies", elements.bodies().faces());
-  statistics.count("heights to find them", elements.bodies().heights());
+  statistics.count("heights computed to find them", elements.bodies().heights());
   if (scene.model->stated.any()) {
     statistics.count("pairs across separating planes, not compared", list.counts().separated);
-    statistics.count("pairs not compared the other way round", list.counts().one_way);
+    statistics.count("pairs not compared in reverse", list.counts().one_way);
   }
-  statistics.count("elements in the end", farthest_first.size());
+  statistics.count("final elements", farthest_first.size());
   report(list.counts(), statistics);
   return result;
 }

@@ -24,17 +24,17 @@ inline constexpr std::string_view kTreeShowNames[] = {"splits", "order", "tree"}
 inline constexpr MethodParameter kTreeParameters[] = {
     experiment({"candidates",
                 "K",
-                "faces that are tried at random to divide a set; that of the fewest splits is taken",
+                "random faces tried as dividing planes of a set; the one with the fewest splits is taken",
                 "5",
                 {},
                 1,
                 kMostCandidates,
                 true}),
-    experiment({"partition", "HOW", "sets of many faces are divided by planes of no face too, or by planes of faces only",
+    experiment({"partition", "HOW",
+                "mixed: large sets may also be divided by planes that contain no face; faces: only by planes of faces",
                 "mixed", kPartitionNames, 0, 0, true}),
     {"show", "splits|order|tree",
-     "as layer debug: the pieces of faces that were cut, the order of painting as numbers, or the planes of the tree", "",
-     kTreeShowNames},
+     "layer debug: the pieces of cut faces, the painting order as numbers, or the planes of the tree", "", kTreeShowNames},
 };
 
 inline PlaneChoice plane_choice(const MethodSettings& settings) {

@@ -25,10 +25,11 @@ constexpr unsigned kRows = 2048;
 constexpr std::string_view kSortNames[] = {"mean", "farthest", "resolved"};
 constexpr std::string_view kShowNames[] = {"order"};
 constexpr MethodParameter kParameters[] = {
-    experiment({"depth-sort", "HOW",
-                "by the mean or the farthest depth of each face, or that with pairs resolved where planes tell", "resolved",
-                kSortNames}),
-    {"show", "order", "as layer debug: the order of painting as numbers", "", kShowNames},
+    experiment(
+        {"depth-sort", "HOW",
+         "sort key of the faces: mean or farthest depth; resolved: farthest depth, then pairs ordered by their planes",
+         "resolved", kSortNames}),
+    {"show", "order", "layer debug: the painting order as numbers", "", kShowNames},
 };
 
 /// Finds the parts of lines that remain visible after painting.
@@ -169,14 +170,14 @@ std::string why_wrong(const ProjectedScene& scene, const PaintSequence& s) {
 const MethodTraits& PainterMethod::traits() const {
   static const MethodTraits traits{
       "painter",
-      "faces painted from the farthest to the nearest, sorted by depth, without cutting any",
+      "faces sorted by depth and painted from the farthest to the nearest; none is cut",
       kStrokes | kOrder | kPixels,
       true,
       false,
       "M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface problem, 1972 (its simple versions)",
       MethodTraits{}.tolerance_mm,
       kParameters,
-      "scenes whose faces the sort puts into a right order"};
+      "scenes whose faces the sort orders correctly"};
   return traits;
 }
 
@@ -224,12 +225,12 @@ VisibilityResult PainterMethod::compute_visibility(const ProjectedScene& scene, 
   }
 
   statistics.count("faces painted", sequence.faces.size());
-  statistics.count("faces of one depth each", sequence.level);
+  statistics.count("faces of constant depth", sequence.level);
   statistics.count("pairs that overlap on the page", sequence.overlapping);
   statistics.count("resolved by their depths", sequence.by_depths);
   statistics.count("resolved by a plane", sequence.by_planes);
-  statistics.count("left as they are sorted", sequence.left);
-  statistics.count("faces painted out of a ring", sequence.in_rings);
+  statistics.count("pairs left in sorted order", sequence.left);
+  statistics.count("faces painted to break a cycle", sequence.in_rings);
   statistics.count("pairs in the wrong order", sequence.wrong);
   statistics.count("pairs without a right order", sequence.penetrating);
   statistics.count("candidate edges", scene.edges.size());

@@ -300,7 +300,8 @@ Bodies find_bodies(const ProjectedScene& scene, double coincidence_steps) {
   bodies.is_front.assign(scene.model->faces.size(), 0);
   for (FoundPart& part : found) {
     if (!part.unsupported.empty() && bodies.unsupported.empty()) {
-      bodies.unsupported = "a part of " + object_name(*scene.model, part.faces[0]) + " is none: " + part.unsupported;
+      bodies.unsupported =
+          "a part of " + object_name(*scene.model, part.faces[0]) + " is not a convex body: " + part.unsupported;
     }
     if (part.place == Place::in_view) add_body(part, bodies);
   }

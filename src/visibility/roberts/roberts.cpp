@@ -19,13 +19,13 @@ using namespace roberts;
 
 void report(const Bodies& bodies, const BodyCounts& counts, Statistics& statistics) {
   statistics.count("bodies", bodies.list.size());
-  statistics.count("bodies of one face", bodies.flat_faces);
+  statistics.count("flat bodies", bodies.flat_faces);
   statistics.count("sides of silhouettes", bodies.hull.size());
-  statistics.count("planes of fronts", bodies.planes.size());
+  statistics.count("planes of front faces", bodies.planes.size());
   statistics.count("lines behind their own body", counts.own);
   statistics.count("line-body tests", counts.bodies);
-  statistics.count("beside the silhouette", counts.beside);
-  statistics.count("before the body", counts.before);
+  statistics.count("outside the silhouette", counts.beside);
+  statistics.count("in front of the body", counts.before);
   statistics.count("behind all planes", counts.behind);
   statistics.count("line-plane tests", counts.planes);
   statistics.count("line-facet tests", counts.facets);
@@ -35,14 +35,14 @@ void report(const Bodies& bodies, const BodyCounts& counts, Statistics& statisti
 
 const MethodTraits& RobertsMethod::traits() const {
   static const MethodTraits traits{"roberts",
-                                   "every edge against the convex bodies before it, by linear inequalities",
+                                   "each edge tested against the convex bodies in front of it, by linear inequalities",
                                    kStrokes,
                                    true,
                                    true,
                                    "L. G. Roberts, Machine perception of three-dimensional solids, 1963",
                                    MethodTraits{}.tolerance_mm,
                                    {},
-                                   "scenes of convex bodies and flat convex faces that are wholly in view"};
+                                   "scenes of convex bodies and flat convex faces entirely in view"};
   return traits;
 }
 

@@ -32,39 +32,39 @@ constexpr unsigned kFinestPrecision = 1, kRoughestPrecision = 1000;
 constexpr double kPrecisionUnit = 0.01;  ///< unit of --set precision, as a part of the smallest window
 
 constexpr MethodParameter kParameters[] = {
-    experiment({"warnock-window", "screen|bounding|principal",
-                "first window: the sheet, the square round the scene, or the smallest rectangle of any direction",
-                "bounding", kWindowNames}),
+    experiment(
+        {"warnock-window", "screen|bounding|principal",
+         "first window: the sheet, the bounding square of the scene, or its smallest bounding rectangle in any direction",
+         "bounding", kWindowNames}),
     experiment({"warnock-split", "centre|vertex|side",
-                "where windows are divided: in the middle, at a vertex, or along a side of a face", "centre", kSplitNames}),
+                "where windows are divided: at the centre, at a vertex, or along a side of a face", "centre", kSplitNames}),
     experiment({"understanding", "nothing|two|four|all",
-                "how many cases of a window are understood, and drawn without a division", "all", kKnowledgeNames}),
+                "how many cases of a window are recognized and drawn without division", "all", kKnowledgeNames}),
     experiment(
         {"warnock-precision",
          "N",
-         "with --set resolution: what lies within N hundredths of the smallest window of a border is not looked at when a window is "
-         "understood",
+         "with --set resolution: ignore a strip of N/100 of the smallest window along its border when a case is recognized",
          "",
          {},
          kFinestPrecision,
          kRoughestPrecision}),
     experiment({"resolution",
                 "N",
-                "classical limit: no window smaller than the sheet's longer side by N (default: none, exact)",
+                "limit of resolution: the smallest window is 1/N of the longer side of the sheet (default: none, exact)",
                 "",
                 {},
                 kLowestResolution,
                 kHighestResolution}),
-    {"show", "windows", "the subdivision as layer debug", "", kShowNames},
+    {"show", "windows", "layer debug: the subdivision into windows", "", kShowNames},
 };
 
 constexpr std::string_view kCaseNames[kUnderstoodCount] = {"",
-                                                           "understood: surrounder before everything",
+                                                           "understood: surrounder in front of everything",
                                                            "understood: two penetrating surrounders",
-                                                           "understood: seen edges in one line",
+                                                           "understood: visible edges on one line",
                                                            "understood: single intersector",
-                                                           "understood: seen edges meet in one vertex",
-                                                           "understood: seen intersectors apart"};
+                                                           "understood: visible edges meet in one vertex",
+                                                           "understood: visible intersectors disjoint"};
 
 double longer_side_mm(const ProjectedScene& scene) {
   return std::max(scene.view.window.width(), scene.view.window.height());
@@ -119,7 +119,7 @@ void report(const Counts& c, Statistics& s) {
   for (std::size_t i = 1; i < kUnderstoodCount; ++i) s.count(std::string(kCaseNames[i]), c.understood[i]);
   s.count("solved exactly", c.solved);
   s.count("at the limit of resolution", c.limit);
-  s.count("analysis: faces looked at", c.analysis.faces);
+  s.count("analysis: faces examined", c.analysis.faces);
   s.count("analysis: surrounders inherited", c.analysis.inherited);
   s.count("analysis: disjoint by their boxes", c.analysis.box);
   s.count("analysis: intersectors by their boxes", c.analysis.inside);
@@ -212,7 +212,8 @@ double warnock_tolerance_mm(const Rect& sheet, unsigned resolution) {
 const MethodTraits& WarnockMethod::traits() const {
   static const MethodTraits traits{
       "warnock",
-      "subdivision of the picture into windows that are plain enough; edges and areas, exact or with --set resolution limited",
+      "subdivision of the picture into windows that are simple enough; edges and areas; exact, or limited by --set "
+      "resolution",
       kStrokes | kRegions,
       true,
       true,

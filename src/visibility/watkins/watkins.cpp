@@ -189,7 +189,7 @@ void WatkinsStudy::leave_out_what_is_hidden() {
     leave_out_hidden(scene_, *occluders_, facets_.facets, lines_);
     cells_.emplace(scene_, facets_.facets, CellGrid::Options{exact_options_.coincidence_steps + 1});
     leave_out_hidden(*cells_, facets_.facets, lines_);
-    result_.statistics.count("facets before all covers", facets_.facets.size());
+    result_.statistics.count("facets in front of all covers", facets_.facets.size());
   }
   result_.statistics.time("covers", clock_.lap());
 }
@@ -250,7 +250,8 @@ void WatkinsStudy::study_intersections() {
   }
   report(counts_, result_.statistics);
   const int gave_up = edges_by_cells_ + intersections_by_cells_;
-  if (gave_up > 0) result_.statistics.count("scans given up, lines studied by cells", static_cast<std::uint64_t>(gave_up));
+  if (gave_up > 0)
+    result_.statistics.count("scans aborted, lines studied by grid cells", static_cast<std::uint64_t>(gave_up));
 }
 
 // 4. By lines: edges and intersections together.
@@ -374,11 +375,12 @@ VisibilityResult WatkinsStudy::run() {
 const MethodTraits& WatkinsMethod::traits() const {
   static const MethodTraits traits{
       "watkins",
-      "scan lines: the nearest face by spans, visible edges tracked between events",
+      "scan lines: the nearest face of each span; visible edges tracked between events",
       kStrokes | kSpans,
       true,
       true,
-      "G. S. Watkins, A real time visible surface algorithm, 1970; M. Archuleta, Hidden surface line-drawing algorithm, 1972",
+      "G. S. Watkins, A real time visible surface algorithm, 1970; M. Archuleta, Hidden surface line-drawing algorithm, "
+      "1972",
       0.001,
       watkins_parameters(),
       {},
@@ -391,7 +393,7 @@ VisibilityResult WatkinsMethod::compute_visibility(const ProjectedScene& scene, 
   const std::optional<OpaqueScene> opaque = without_transparent_faces(scene, TransparentEdges::kept);
   if (!opaque) return WatkinsStudy(scene, options).run();
   VisibilityResult result = WatkinsStudy(opaque->scene, options).run();
-  result.statistics.count("transparent faces, that hide nothing", opaque->faces_left_out);
+  result.statistics.count("transparent faces, not occluding", opaque->faces_left_out);
   if (result.spans) result.left_out = opaque->left_out() + " from the areas";
   return result;
 }

@@ -14,26 +14,28 @@ constexpr unsigned kClassicalLines = 512;  ///< the screen of [Boulle1980]
 constexpr MethodParameter kParameters[] = {
     experiment(
         {"span-method", "NAME",
-         "how the nearest face along a scan line is found: merge, stack, box, point, or remembered (box with the divisions of the "
-         "line before)",
+         "how to find the nearest face along a scan line: merge, stack, box, point, or remembered (box with the divisions "
+         "of the previous line)",
          "stack", kSpanMethodNames}),
-    {"lines", "N|exact", "scan lines over the height of the page, or a stop at every event",
-     "exact; 512 beside options that need lines", kExactWord, 1, kMostLines},
-    imprecise({"coordinates", "NAME", "by lines: real, or whole as on the screen of the source", "real", kCoordinateNames}),
+    {"lines", "N|exact", "number of scan lines over the height of the page; exact: a scan line at every event",
+     "exact; 512 with settings that need lines", kExactWord, 1, kMostLines},
+    imprecise({"coordinates", "NAME", "with --lines: real, or whole (integer) numbers as on the screen of the source",
+               "real", kCoordinateNames}),
     imprecise(
         {"tracking", "NAME",
-         "by lines: ends of strokes exact, or on the lines on which the edges are visible (lines), or up to the first line on which "
-         "they are hidden (overrun)",
+         "with --lines: ends of strokes. exact; lines: on the first and last line where the edge is visible; overrun: up to "
+         "the first line where it is hidden",
          "exact", kTrackingNames}),
-    imprecise({"intersections", "NAME", "by lines: lines of intersection as edges, or as a point on each scan line", "edges",
-               kIntersectionNames}),
-    experiment(
-        {"line-group", "N|auto", "by lines: lines of a group; each group is a task", "auto", kAutoWord, 1, kMostLines}),
-    experiment({"lines-ahead", "N|off", "by lines: one task prepares so many lines while another studies those before",
-                "off", kOffWord, 1, kMostLines}),
+    imprecise({"intersections", "NAME", "with --lines: intersections of faces as edges, or as one point per scan line",
+               "edges", kIntersectionNames}),
+    experiment({"line-group", "N|auto", "with --lines: scan lines per group; each group is a task", "auto", kAutoWord, 1,
+                kMostLines}),
+    experiment({"lines-ahead", "N|off",
+                "with --lines: scan lines that one task prepares while another studies the previous ones", "off", kOffWord,
+                1, kMostLines}),
     {"show", "spans|plane=Y",
-     "as layer debug: the runs of scan lines on which one face is seen, 48 lines without --lines; or below the drawing "
-     "the plane of the scan line Y mm below the top of the page (plane: through the middle), segment by segment",
+     "spans: layer debug, the visible spans of scan lines, of 48 lines without --lines; plane=Y: below the drawing, the "
+     "plane of the scan line Y mm below the top of the page, segment by segment (plane: the middle line)",
      "", kShowNames},
 };
 

@@ -27,8 +27,9 @@ constexpr std::string_view kFillingNames[] = {"table", "fixed"};
 
 constexpr MethodParameter kParameters[] = {
     {"lines", "N", "rows of pixels over the height of the page", "2048", {}, 1, kMostRows},
-    experiment({"filling", "table|fixed", "by tables of active edges, or triangles in fixed point", "table", kFillingNames}),
-    experiment({"depth-bits", "N", "whole depths of so many bits (default: real ones)", "", {}, kFewestBits, kMostBits}),
+    experiment({"filling", "table|fixed", "how to fill: active edge tables, or triangles in fixed-point numbers", "table",
+                kFillingNames}),
+    experiment({"depth-bits", "N", "integer depths of N bits (default: floating point)", "", {}, kFewestBits, kMostBits}),
 };
 
 /// Shortest part of a line that is drawn, in pixels: a part within two squares of pixels is below the resolution.
@@ -105,17 +106,18 @@ std::vector<Intersection> intersections_of(const ProjectedScene& scene, const De
 }  // namespace
 
 const MethodTraits& ZBufferMethod::traits() const {
-  static const MethodTraits traits{"zbuffer",
-                                   "the nearest face at every pixel, by scan lines; pictures, and lines to a pixel's width",
-                                   kStrokes | kPixels,
-                                   false,
-                                   true,
-                                   "E. Catmull, A subdivision algorithm for computer display of curved surfaces, 1974",
-                                   zbuffer_tolerance_mm(210, kRows),
-                                   kParameters,
-                                   {},
-                                   false,
-                                   TransparencyMode::hides_nothing};
+  static const MethodTraits traits{
+      "zbuffer",
+      "the nearest face at every pixel, by scan lines; pictures, and lines accurate to one pixel",
+      kStrokes | kPixels,
+      false,
+      true,
+      "E. Catmull, A subdivision algorithm for computer display of curved surfaces, 1974",
+      zbuffer_tolerance_mm(210, kRows),
+      kParameters,
+      {},
+      false,
+      TransparencyMode::hides_nothing};
   return traits;
 }
 
@@ -162,12 +164,12 @@ VisibilityResult ZBufferMethod::compute_visibility(const ProjectedScene& scene, 
 
   statistics.count("columns", buffer.grid().width);
   statistics.count("rows", buffer.grid().height);
-  if (earlier) statistics.count("faces of the scene that were in the buffer", painted_before);
+  if (earlier) statistics.count("faces already in the buffer", painted_before);
   statistics.count("faces painted", counts.faces);
   statistics.count("triangles in them", counts.triangles);
-  statistics.count("faces that hold no centre of a pixel", counts.small);
+  statistics.count("faces that cover no pixel centre", counts.small);
   statistics.count("depths compared", counts.tests);
-  statistics.count("of them nearer", counts.writes);
+  statistics.count("of these, nearer", counts.writes);
   statistics.count("candidate edges", scene.edges.size());
   statistics.count("intersection segments", intersections.size());
   statistics.count("strokes", result.strokes->strokes.size());

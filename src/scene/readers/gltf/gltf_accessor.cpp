@@ -234,7 +234,7 @@ GltfAccessor position_accessor(GltfDocument& document, std::size_t accessor) {
   const std::string place = "accessor " + std::to_string(accessor);
   if (from.type != TINYGLTF_TYPE_VEC3) document.fail(place, "holds positions, but is not a VEC3");
   if (from.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
-    document.fail(place, "holds positions of 32-bit integers, which glTF does not know");
+    document.fail(place, "holds positions of 32-bit integers, which glTF does not allow");
   }
   return open_accessor(document, accessor, 3);
 }

@@ -66,7 +66,7 @@ class ObjScene {
     }
     const PatchGrid grid = sample_patch(patch, control);
     for (const Point3& p : grid.points) {
-      if (!std::isfinite(p.x + p.y + p.z)) return stream_.fail("surf whose weights come to nothing");
+      if (!std::isfinite(p.x + p.y + p.z)) return stream_.fail("surf whose weights sum to zero");
     }
     std::vector<std::uint32_t> at;
     for (const Point3& point : grid.points) at.push_back(add_vertex(point, kNone));

@@ -68,7 +68,7 @@ bool ObjStatements::continues(std::string_view line) {
   const std::string_view keyword = take_word(rest);
   const bool names = keyword == "usemtl" || keyword == "mtllib" || keyword == "o" || keyword == "g" || keyword == "usemap";
   if (!names || rest.size() < 2 || is_blank(rest[rest.size() - 2])) return true;
-  warnings_.add("names that end in a backslash taken as they are");
+  warnings_.add("names that end in a backslash kept as they are");
   return false;
 }
 

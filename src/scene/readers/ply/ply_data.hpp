@@ -59,7 +59,7 @@ class PlyTextData {
   }
   void end() {
     while (lines_.next(line_)) {
-      if (!trimmed(line_).empty()) throw error("more lines than the header names elements");
+      if (!trimmed(line_).empty()) throw error("more lines than the header declares elements");
     }
   }
   InputError error(const std::string& cause) const { return error_at_line(name_, header_lines_ + lines_.number(), cause); }
@@ -97,7 +97,7 @@ class PlyBinaryData {
   void end_item() const {}
   void end() const {
     if (!rest_.empty()) {
-      throw InputError(name_, "has " + std::to_string(rest_.size()) + " bytes more than the header names elements for");
+      throw InputError(name_, "has " + std::to_string(rest_.size()) + " bytes more than the header declares");
     }
   }
   InputError error(const std::string& cause) const { return InputError(name_, of_element(*element_, item_) + ": " + cause); }

@@ -80,14 +80,14 @@ class PlyReader {
     };
     for (const char* axis : {"x", "y", "z"}) {
       if (!has("vertex", {axis}, false))
-        throw InputError(name_, "PLY header names no " + std::string(axis) + " of vertices");
+        throw InputError(name_, "PLY header declares no " + std::string(axis) + " of vertices");
     }
     bool any = false;
     for (const char* element : {"face", "tristrips"}) {
       if (std::ranges::find(header_.elements, element, &PlyElement::name) == header_.elements.end()) continue;
       any = true;
       if (has(element, {"vertex_indices", "vertex_index"}, true)) continue;
-      throw InputError(name_, std::string("PLY header names no list vertex_indices of ") +
+      throw InputError(name_, std::string("PLY header declares no list vertex_indices of ") +
                                   (element == std::string_view("face") ? "faces" : element));
     }
     if (!any) throw InputError(name_, no_faces(others()));
@@ -105,7 +105,7 @@ class PlyReader {
   std::uint64_t take_length(const PlyProperty& list) {
     const double length = data_.take(list.count_type).number;
     if (length < 0) throw data_.error("list of negative length");
-    if (length > double{kNone}) throw data_.error("list longer than any file");  // in a text, whatever its type
+    if (length > double{kNone}) throw data_.error("list is too long");  // in a text, whatever its type
     return static_cast<std::uint64_t>(length);
   }
 

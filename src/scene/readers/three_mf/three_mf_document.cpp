@@ -125,7 +125,7 @@ void ThreeMfDocument::read_resources(ThreeMfPart& part) {
       const std::string_view kind = local_name(child.name());
       const std::string id(attribute_of(child, "id"));
       if (kind == "object") {
-        if (!part.objects.emplace(id, child).second) throw InputError(name_, "object " + shown(id) + " is there twice");
+        if (!part.objects.emplace(id, child).second) throw InputError(name_, "object " + shown(id) + " is given twice");
       } else if (kind == "basematerials" || kind == "colorgroup") {
         part.materials[id] = materials_of(child);
       } else if (kind == "texture2d") {

@@ -55,7 +55,7 @@ class ThreeMfReader {
         if (local_name(item.name()) == "item") add_reference(root, item, glm::dmat4(1), 0);
       }
     }
-    if (!has_build) throw InputError(name_, "its model has no build");
+    if (!has_build) throw InputError(name_, "its model has no build element");
     return builder_.finish(Axis::z, warnings_.left_out());
   }
 
@@ -78,8 +78,8 @@ class ThreeMfReader {
     if (!transform) throw InputError(name_, "the transform of object " + shown(id) + " is not twelve numbers");
     const auto object = of_object.objects.find(id);
     if (object == of_object.objects.end()) throw InputError(name_, "there is no object " + shown(id));
-    if (level > kMostLevels) throw InputError(name_, "object " + shown(id) + " holds itself, or is nested too deep");
-    if (++used_ > kMostReferences) throw InputError(name_, "objects used many times come to too many");
+    if (level > kMostLevels) throw InputError(name_, "object " + shown(id) + " contains itself, or is nested too deeply");
+    if (++used_ > kMostReferences) throw InputError(name_, "there are too many repeated objects");
     add_object(of_object, id, object->second, to_build * *transform, level);
   }
 
@@ -173,7 +173,7 @@ class ThreeMfReader {
 
   void add_mesh(const ThreeMfMesh& mesh, const std::string& name, const glm::dmat4& to_build) {
     triangles_ += mesh.corners.size() / 3;
-    if (triangles_ > kMostTriangles) throw InputError(name_, "meshes used many times come to too many triangles");
+    if (triangles_ > kMostTriangles) throw InputError(name_, "repeated meshes have too many triangles");
     builder_.begin_object(name);
     const bool moved = to_build != glm::dmat4(1), mirrored = glm::determinant(glm::dmat3(to_build)) < 0;
     double largest = 0;

@@ -30,7 +30,7 @@ std::string cause_of(const mu::ParserError& error) {
     case mu::ecUNEXPECTED_EOF:
       return "ends too early";
     case mu::ecUNEXPECTED_ARG:
-      return "several values in parentheses that belong to no function";
+      return "several values in parentheses without a function";
     case mu::ecTOO_MANY_PARAMS:
       return "too many arguments for " + token;
     case mu::ecTOO_FEW_PARAMS:
@@ -40,7 +40,7 @@ std::string cause_of(const mu::ParserError& error) {
     case mu::ecMISPLACED_COLON:
       return "':' without its '?'";
     case mu::ecINTERNAL_ERROR:
-      return "parts of it do not belong together";
+      return "its parts do not fit together";
     default:
       return token + " is not understood";
   }

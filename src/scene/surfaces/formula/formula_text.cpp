@@ -202,7 +202,7 @@ class Preparation {
       if (rest.starts_with(two)) return take_operator(two, two.size());
     }
     if (rest.starts_with("**")) return take_operator("^", 2);
-    if (c == '=') throw error("nothing can be assigned; == compares");
+    if (c == '=') throw error("assignment is not allowed; use == to compare");
     if (c == '(') {
       need_operator("(");
       open_.push_back(at_);
@@ -219,7 +219,7 @@ class Preparation {
     if (std::string_view("+-*/^<>?:,").find(c) == std::string_view::npos) {
       std::size_t end = 1;  // bytes of the character in UTF-8
       while (end < rest.size() && (static_cast<unsigned char>(rest[end]) & 0xc0) == 0x80) ++end;
-      throw error("character " + shown(rest.substr(0, end)) + " has no meaning in a formula");
+      throw error("character " + shown(rest.substr(0, end)) + " is not allowed in a formula");
     }
     take_operator(rest.substr(0, 1), 1);
   }

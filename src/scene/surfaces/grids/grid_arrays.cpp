@@ -254,7 +254,7 @@ class ArraySurface {
     rows.block_begins = {0};
     const bool are_points = array.shape[0] > 3 && (find_blocks(rows) || are_places(rows));
     if (!are_points && choice_.layout != TableLayout::columns) return {};
-    warnings_.add("columns of the array taken for x, y and z", 3);
+    warnings_.add("columns of the array read as x, y and z", 3);
     return surface_of({&columns[0], &columns[1], &columns[2]});
   }
 
@@ -265,11 +265,11 @@ class ArraySurface {
     if (columns < 3 || !(is_chosen || choice_.layout == TableLayout::automatic)) return nullptr;
     const FirstColumn first = kind_of_first_column(array.values, columns);
     if (!is_chosen && first == FirstColumn::doubtful)
-      warnings_.add("column (1) taken for heights; --layout series: positions");
+      warnings_.add("column (1) read as heights; --layout series: positions");
     if (!is_chosen && first != FirstColumn::positions) return nullptr;
     auto series = series_of_rows(array.values, columns, name_, warnings_);
     if (!series) throw InputError(name_, "has no positions in its first column: they neither ascend nor descend throughout");
-    if (!is_chosen) warnings_.add("column (1) taken for positions; --layout matrix: heights");
+    if (!is_chosen) warnings_.add("column (1) read as positions; --layout matrix: heights");
     return series;
   }
 

@@ -66,7 +66,7 @@ class RowSurface {
     if (choice_.layout != TableLayout::columns && chosen.empty()) return {};
     std::vector<std::size_t> numbers = all_numbers();
     if (!chosen.empty()) std::erase(numbers, chosen[0]);
-    if (numbers.size() < (chosen.empty() ? 3 : 2)) throw error("columns of x, y and z are three, of numbers");
+    if (numbers.size() < (chosen.empty() ? 3 : 2)) throw error("--layout columns needs three columns of numbers");
     return PointColumns{numbers[0], numbers[1], chosen.empty() ? numbers[2] : chosen[0]};
   }
 
@@ -183,7 +183,7 @@ class RowSurface {
   std::unique_ptr<HeightSource> named_series(const std::vector<std::size_t>& numbers) {
     auto series = series_of_rows(values_of(numbers), numbers.size(), name_, warnings_);
     if (series)
-      warnings_.add("column (" + shown_column(table_, numbers[0]) + ") taken for positions; --layout matrix: heights");
+      warnings_.add("column (" + shown_column(table_, numbers[0]) + ") read as positions; --layout matrix: heights");
     return series;
   }
 
@@ -196,7 +196,7 @@ class RowSurface {
       if (auto series = named_series(numbers)) return series;
     }
     if (is_position || first == FirstColumn::doubtful)
-      warnings_.add("column (" + shown_column(table_, numbers[0]) + ") taken for heights; --layout series: positions");
+      warnings_.add("column (" + shown_column(table_, numbers[0]) + ") read as heights; --layout series: positions");
     return nullptr;
   }
 
@@ -246,7 +246,7 @@ class RowSurface {
     if (!is_grid && (numbers.size() > 3 || rows_.size() <= 3 || !are_places(rows))) return {};
     if (numbers.size() > 3) leave_out({numbers.begin() + 3, numbers.end()});
     if (is_named()) {
-      warnings_.add("columns taken for x, y and z: " + list_of_columns({numbers.begin(), numbers.begin() + 3}), 3);
+      warnings_.add("columns read as x, y and z: " + list_of_columns({numbers.begin(), numbers.begin() + 3}), 3);
     }
     return surface_without_blocks(std::move(rows));
   }
@@ -271,7 +271,7 @@ class RowSurface {
       warnings_.leave_out("head row");
       return;
     }
-    throw error("the columns " + list_of_columns(numbers) + " have names that do not say what they are" + kColumnHint);
+    throw error("the columns " + list_of_columns(numbers) + " have unknown names" + kColumnHint);
   }
 
   std::unique_ptr<HeightSource> matrix(const std::vector<std::size_t>& columns) {

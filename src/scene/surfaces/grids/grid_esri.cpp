@@ -142,7 +142,7 @@ class EsriReader {
     // Both counts are below the size of the file, so their product can not overflow.
     wanted_ = columns_ * rows_;
     if (wanted_ > text_size_ / 2 + 1) {
-      throw InputError(name_, "header speaks of " + std::to_string(wanted_) + " heights, more than a file of " +
+      throw InputError(name_, "header declares " + std::to_string(wanted_) + " heights, more than a file of " +
                                   std::to_string(text_size_) + " bytes can hold");
     }
     heights_.reserve(wanted_);

@@ -89,7 +89,7 @@ std::unique_ptr<HeightSource> frame_of_rows(const Table& table, RowRange rows, c
   std::vector<double> z = heights_behind(table, body, warnings);
   warnings.leave_out("head row", names_columns);
   warnings.leave_out("column of row names", names_rows);
-  warnings.add("rows and columns of numbers taken for positions", !names_columns + !names_rows);
+  warnings.add("rows and columns of numbers read as positions", !names_columns + !names_rows);
   return heights_over(std::move(x), std::move(y), std::move(z), name);
 }
 
@@ -101,7 +101,7 @@ std::unique_ptr<HeightSource> frame_of_names(const Table& table, RowRange rows, 
   if (rows.size() < 2 || direction_of(y) == 0) return nullptr;
   std::vector<double> z = heights_behind(table, rows, warnings);
   warnings.leave_out("column of row names", names_rows);
-  warnings.add("rows and columns of numbers taken for positions", names_rows ? 1 : 2);
+  warnings.add("rows and columns of numbers read as positions", names_rows ? 1 : 2);
   return heights_over(positions, std::move(y), std::move(z), name);
 }
 

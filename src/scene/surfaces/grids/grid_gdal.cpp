@@ -134,7 +134,7 @@ GDALRasterBandH chosen_band(GDALDatasetH dataset, const GridChoice& choice, cons
   if (count < 1) throw InputError(name, "has no raster band");
   const unsigned number = choice.band.value_or(1);
   if (number > static_cast<unsigned>(count)) {
-    throw InputError(name, "has " + std::to_string(count) + (count == 1 ? " band" : " bands") + ", and none is --band " +
+    throw InputError(name, "has " + std::to_string(count) + (count == 1 ? " band" : " bands") + ", but no band " +
                                std::to_string(number));
   }
   const GDALRasterBandH band = GDALGetRasterBand(dataset, static_cast<int>(number));
@@ -158,7 +158,7 @@ RasterPlacement placed_rows(GDALDatasetH dataset, std::size_t columns, std::size
   transform.per_row = {t[2], t[5]};
   std::optional<RasterPlacement> placement = place_raster(transform, columns, rows);
   if (!placement || std::abs(placement->order.step_x) != 1) {
-    throw InputError(name, "its rows do not run east; put it upright with gdalwarp first");
+    throw InputError(name, "its rows do not run east; rotate it with gdalwarp first");
   }
   warn_of_turned_raster(*placement, warnings);
   return std::move(*placement);
@@ -168,7 +168,7 @@ RasterPlacement placed_rows(GDALDatasetH dataset, std::size_t columns, std::size
 
 std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, const std::string& name, Warnings& warnings,
                                              const GridChoice& choice, InputFiles& opened) {
-  if (file.empty()) throw InputError(name, "is a file for GDAL, which reads files only");
+  if (file.empty()) throw InputError(name, "is standard input, but GDAL reads files only");
   const QuietErrors quiet;
   GDALAllRegister();
   Dataset dataset(GDALOpen(file.c_str(), GA_ReadOnly));
@@ -188,7 +188,7 @@ std::unique_ptr<HeightSource> read_gdal_grid(const std::filesystem::path& file, 
   check_positions(placement.x, "x", name);
   check_positions(placement.y, "y", name);
   auto heights = std::make_unique<GdalHeights>(std::move(placement), std::move(dataset), band, meaning_of(band), name);
-  if (!heights->has_height()) throw InputError(name, "holds no height, only places without one (NODATA)");
+  if (!heights->has_height()) throw InputError(name, "contains only NODATA values");
   return heights;
 }
 

@@ -46,10 +46,10 @@ bool is_hgt_name(std::string_view name) {
 
 std::unique_ptr<HeightSource> read_hgt_grid(std::span<const std::byte> bytes, const std::string& name, Warnings&) {
   const auto corner = corner_in(name);
-  if (!corner) throw InputError(name, "does not tell its place: a tile of heights is called as N47E008.hgt is");
+  if (!corner) throw InputError(name, "has no position: the name of an SRTM tile gives it, such as N47E008.hgt");
   const auto side = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(bytes.size()) / 2)));
   if (side < 2 || 2 * side * side != bytes.size()) {
-    throw InputError(name, "has " + std::to_string(bytes.size()) + " bytes, which are no square of heights of two bytes");
+    throw InputError(name, "has " + std::to_string(bytes.size()) + " bytes, which is not a square of two-byte heights");
   }
   std::vector<float> heights(side * side);
   for (std::size_t k = 0; k < heights.size(); ++k) {

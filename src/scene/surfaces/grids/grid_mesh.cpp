@@ -62,7 +62,7 @@ SurfacePoints mesh_of_blocks(const PointRows& rows, const std::string& name) {
     mesh.points.push_back(is_point ? p : Point3{kHole, kHole, kHole});
     holes += !is_point;
   }
-  if (holes == mesh.points.size()) throw InputError(name, "holds no height, only places without one (NODATA)");
+  if (holes == mesh.points.size()) throw InputError(name, "contains only NODATA values");
   return mesh;
 }
 

@@ -47,7 +47,7 @@ class PgmReader {
       --kept;
       for (const std::size_t i : kept_x) values.push_back(row[i]);
     }
-    if (!is_text && at_ < chars_.size()) warnings.add("pictures or bytes behind the first picture left out");
+    if (!is_text && at_ < chars_.size()) warnings.add("pictures or bytes after the first picture omitted");
     auto heights =
         held_heights(std::vector<double>(kept_x.begin(), kept_x.end()), std::vector<double>(kept_y.begin(), kept_y.end()),
                      std::move(values), SampleOrder::first_row_highest(kept_x.size(), kept_y.size()), name_);

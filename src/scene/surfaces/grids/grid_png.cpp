@@ -191,7 +191,7 @@ std::unique_ptr<HeightSource> read_terrarium(PngFile& png, std::size_t bytes, co
       }
     }
   }
-  warnings.add("pictures of colours taken for Terrarium heights");
+  warnings.add("pictures of colours read as Terrarium heights");
   return held_heights(counted_positions(columns), counted_positions(rows), std::move(heights),
                       SampleOrder::first_row_highest(columns, rows), name);
 }

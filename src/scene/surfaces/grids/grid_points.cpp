@@ -92,8 +92,8 @@ class PointGrid {
   void check_point(std::size_t row, std::size_t axis, double expected, double step) const {
     const double found = position(rows_, row, axis);
     if (std::abs(found - expected) <= kPositionSlack * step) return;
-    throw error(row, std::string("the points form no grid: ") + axis_name(axis) + " is " + shortest(found) + ", expected " +
-                         shortest(expected));
+    throw error(row, std::string("the points do not form a grid: ") + axis_name(axis) + " is " + shortest(found) +
+                         ", expected " + shortest(expected));
   }
 
   static std::string shortest(double value) {

@@ -53,7 +53,7 @@ std::unique_ptr<HeightSource> read_picture(std::span<const std::byte> bytes, con
                                            const std::filesystem::path& file, InputFiles* opened, const GridChoice& choice) {
   const std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (choice.band.value_or(1) != 1 && !is_for_gdal(chars)) {
-    throw InputError(name, "has one band; --band chooses from those of GeoTIFF and of what GDAL reads");
+    throw InputError(name, "has one band; --band works for GeoTIFF and the formats of GDAL");
   }
   if (chars.starts_with("\x89PNG")) return with_unit(read_png_grid(bytes, name, warnings, choice), GroundUnit::same);
   if (const char kind = netpbm_kind(chars)) {
@@ -163,7 +163,7 @@ void check_counts(std::size_t columns, std::size_t rows, const std::string& name
 void check_positions(std::span<const double> positions, const char* axis, const std::string& name) {
   for (std::size_t i = 0; i < positions.size(); ++i) {
     if (!std::isfinite(positions[i]))
-      throw InputError(name, std::string("has a position ") + axis + " that is no finite number");
+      throw InputError(name, std::string("has a position ") + axis + " that is not a finite number");
     if (i > 0 && !(positions[i - 1] < positions[i])) {
       throw InputError(name, std::string("positions ") + axis + " do not ascend: number " + std::to_string(i + 1) +
                                  " is not above the one before it");

@@ -100,7 +100,7 @@ std::unique_ptr<HeightSource> read_dsrb(SurferBytes bytes, const std::string& na
       if (bytes.take<double>() != 0) warnings.leave_out("rotation of the grid");
       blank = bytes.take<double>();
     } else if (tag == kDataTag && z.empty()) {
-      if (columns == 0) throw InputError(name, "Surfer grid: heights stand before their description");
+      if (columns == 0) throw InputError(name, "Surfer grid: heights precede their description");
       z = bytes.take_heights<double>(columns, rows);
     } else if (tag == kFaultTag) {
       warnings.leave_out("fault lines");
@@ -145,7 +145,7 @@ std::unique_ptr<HeightSource> read_dsaa(std::string_view text, const std::string
       check_counts(columns, rows, name);
       if (rows > text.size() / 2 / columns + 1)
         throw InputError(name,
-                         "header speaks of more heights than a file of " + std::to_string(text.size()) + " bytes can hold");
+                         "header declares more heights than a file of " + std::to_string(text.size()) + " bytes can hold");
     }
   }
   if (head.size() < kHead || z.size() != columns * rows)

@@ -95,7 +95,7 @@ std::unique_ptr<HeightSource> grid_with_holes(const std::vector<Point3>& points,
   const bool dense = cells > 0 && kPlacesPerPoint * count >= static_cast<double>(columns * rows);
   if (!dense && kPointsPerCell * static_cast<double>(cells) < count) return nullptr;
   for (std::size_t k = 0; k < sum.size(); ++k) sum[k] = heights[k] ? sum[k] / heights[k] : kNoHeight;
-  if (repeated > 0) warnings.add("points at the place of another one: heights averaged", repeated);
+  if (repeated > 0) warnings.add("points at equal positions: heights averaged", repeated);
   return held_heights(std::move(x), std::move(y), std::move(sum), SampleOrder::first_row_lowest(columns), name);
 }
 
@@ -108,7 +108,7 @@ void leave_out_signs_of_nothing(std::vector<double>& values, std::size_t step, W
     values[k] = kNoHeight;
     ++beyond;
   }
-  warnings.add("heights beyond 1e30 taken for places without one", beyond);
+  warnings.add("heights beyond 1e30 read as NODATA", beyond);
   for (const double sign : {-9999., -32768., -99999.}) {
     std::size_t found = 0;
     bool are_others_far = true;
@@ -123,7 +123,7 @@ void leave_out_signs_of_nothing(std::vector<double>& values, std::size_t step, W
     for (std::size_t k = step - 1; k < values.size(); k += step) {
       if (values[k] == sign) values[k] = kNoHeight;
     }
-    warnings.add("heights of " + std::to_string(static_cast<int>(sign)) + " taken for places without one", found);
+    warnings.add("heights of " + std::to_string(static_cast<int>(sign)) + " read as NODATA", found);
   }
 }
 
@@ -141,7 +141,7 @@ std::unique_ptr<HeightSource> surface_of_rows(const PointRows& rows, const GridC
     if (std::unique_ptr<HeightSource> grid = grid_with_holes(points, name, warnings)) return grid;
   }
   const std::size_t holes = std::erase_if(points, [](const Point3& p) { return !std::isfinite(p.z); });
-  if (holes > 0) warnings.add("points without a height left out", holes);
+  if (holes > 0) warnings.add("points without a height omitted", holes);
   warnings.add("scattered points: heights are linear in their Delaunay triangles", points.size());
   return surface_of_points(std::move(points), choice.columns, name, warnings);
 }

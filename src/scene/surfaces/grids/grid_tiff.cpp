@@ -171,7 +171,7 @@ class TiffFile {
     if (shape_.channels == 0) throw tags_.broken();
     if (band_ >= shape_.channels) {
       throw InputError(tags_.name(), "has " + std::to_string(shape_.channels) + (shape_.channels == 1 ? " band" : " bands") +
-                                         ", and none is --band " + std::to_string(band_ + 1));
+                                         ", but no band " + std::to_string(band_ + 1));
     }
     if (!no_data_) alpha_ = tags_.alpha_band(shape_.channels);  // NODATA has priority over transparency, as in GDAL
     if (!choice.band) {
@@ -179,7 +179,7 @@ class TiffFile {
                           shape_.channels - (alpha_.value_or(0) > 0 ? 2 : 1));
     }
     if (shape_.rows > kMostUnpacked * tags_.bytes() / shape_.row_bytes(shape_.columns)) {
-      throw InputError(tags_.name(), "is a TIFF file that speaks of " + std::to_string(shape_.columns) + " x " +
+      throw InputError(tags_.name(), "is a TIFF file that declares " + std::to_string(shape_.columns) + " x " +
                                          std::to_string(shape_.rows) + " heights, more than its " +
                                          std::to_string(tags_.bytes()) + " bytes can hold");
     }
@@ -245,7 +245,7 @@ class TiffFile {
       }
       has_sign = has_sign || z <= kFirstSign;
     }
-    warnings_.add("heights below -1e38 taken for places without one", lowest);
+    warnings_.add("heights below -1e38 read as NODATA", lowest);
     if (!has_sign) return;
     std::vector<double> values(heights.begin(), heights.end());
     leave_out_signs_of_nothing(values, 1, warnings_);
@@ -299,7 +299,7 @@ class TiffFile {
     }
     std::optional<RasterPlacement> placement = place_raster(*transform, shape_.columns, shape_.rows);
     if (!placement) {
-      warnings_.add("georeference that takes the raster to a line: positions are counted");
+      warnings_.add("georeference that maps the raster to a line: rows and columns used as positions");
       return count_raster(shape_.columns, shape_.rows);
     }
     warn_of_turned_raster(*placement, warnings_);

@@ -80,7 +80,7 @@ class ArrayPoints {
     x_ = {&array, 0, step};
     y_ = {&array, 1, step};
     if (step == 3) z_ = NumberColumn{&array, 2, step};
-    warnings_.add(step == 3 ? "columns of the array taken for x, y and z" : "columns of the array taken for x and y", step);
+    warnings_.add(step == 3 ? "columns of the array read as x, y and z" : "columns of the array read as x and y", step);
   }
 
   InputError no_points() const {

@@ -106,8 +106,7 @@ class PointColumnsReader {
     y_ = numbers[1];
     if (x_ > 0 && table_.column(x_ - 1).is_text()) label_ = x_ - 1;
     const bool is_head = !table_.names().empty() && !table_.names_from_comment();
-    if (is_head)
-      warnings_.add("columns taken for x and y: " + shown_column(table_, x_) + ", " + shown_column(table_, y_), 2);
+    if (is_head) warnings_.add("columns read as x and y: " + shown_column(table_, x_) + ", " + shown_column(table_, y_), 2);
   }
 
   void check_position(std::size_t row) const {
@@ -175,7 +174,7 @@ PointFile read_point_file(std::span<const std::byte> bytes, const std::string& n
   if (const auto stranger = data_stranger(chars)) throw InputError(name, *stranger);
   refuse_models(bytes, name, kWanted);
   if (!may_be_text(chars)) {
-    throw InputError(name, "not a file of points that is known (tables as text, npy, netCDF, MATLAB, JSON)");
+    throw InputError(name, "is not a known format of points (text tables, npy, netCDF, MATLAB, JSON)");
   }
   return points_of_table(bytes, name, warnings);
 }

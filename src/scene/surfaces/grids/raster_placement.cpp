@@ -98,7 +98,7 @@ RasterPlacement count_raster(std::size_t columns, std::size_t rows) {
 void warn_of_turned_raster(const RasterPlacement& placement, Warnings& warnings) {
   if (placement.turned_degrees == 0 && !placement.sheared) return;
   const std::string how = placement.sheared ? "sheared" : "turned by " + rounded(placement.turned_degrees) + " degrees";
-  warnings.add("raster " + how + " against x and y: drawn along its own rows and columns, which gdalwarp puts upright");
+  warnings.add("raster " + how + " against x and y: drawn along its own rows and columns; gdalwarp can rotate it");
 }
 
 std::optional<RasterTransform> read_world_file(const std::filesystem::path& picture, InputFiles& opened,
