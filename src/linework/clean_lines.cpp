@@ -9,26 +9,26 @@ namespace ligne {
 namespace {
 
 // Lengths in pen widths or in gaps (gap_mm()). "Taste" marks values that were chosen by looking at drawings.
-constexpr double kGapInPens = 1;                              ///< a wider gap shows between the round ends of two lines
-constexpr double kWideInGaps = 3;                             ///< widest gap that is bridged without outlines: taste
-constexpr double kFarInGaps = 12;                             ///< widest gap that is bridged with outlines: taste
-constexpr double kInkInPens = 0.5;                            ///< ink of a line reaches half a pen to either side
-constexpr double kShownInPens = 0.5;                          ///< least length that shows outside of other ink: taste
-constexpr double kMeetingInPens = 1;                          ///< lines this near to each other touch
-constexpr double kTouchingInPens = 1.0 / 16;                  ///< an end this near lies on a line; allows for rounding
-constexpr double kUndershootInGaps = 3;                       ///< longest extension of an end: taste
-constexpr double kDangleInPens = 12, kDanglePart = 1.0 / 32;  ///< longest dangle, also as part of its body: taste
-constexpr double kBesideInPens = 2.5, kBesideInDangles = 4;   ///< arcs beside a line, largest distance and size: taste
-constexpr double kBrokenInPens = 4;                           ///< largest gap in an outline of a scan: taste
-constexpr double kScanFleckInPens = 8, kLoneInPens = 5;       ///< longest isolated chains: taste
-constexpr double kFleckPart = 1.0 / 48;                       ///< also as part of the extent of the body: taste
-constexpr double kRingInPens = 0.25;                          ///< a ring no wider than this is drawn as one line
+constexpr double kGapInPens = 1;                               ///< a wider gap shows between the round ends of two lines
+constexpr double kWideInGaps = 3;                              ///< widest gap that is bridged without outlines: taste
+constexpr double kFarInGaps = 12;                              ///< widest gap that is bridged with outlines: taste
+constexpr double kLineReachInPens = 0.5;                       ///< ink of a line reaches half a pen to either side
+constexpr double kShownInPens = 0.5;                           ///< least length that shows outside of other ink: taste
+constexpr double kMeetingInPens = 1;                           ///< lines this near to each other touch
+constexpr double kTouchingInPens = 1.0 / 16;                   ///< an end this near lies on a line; allows for rounding
+constexpr double kUndershootInGaps = 3;                        ///< longest extension of an end: taste
+constexpr double kDangleInPens = 12, kDanglePart = 1.0 / 32;   ///< longest dangle, also as part of its body: taste
+constexpr double kBesideInPens = 2.5, kBesideInDangles = 4;    ///< arcs beside a line, largest distance and size: taste
+constexpr double kBrokenInPens = 4;                            ///< largest gap in an outline of a scan: taste
+constexpr double kMaxScanIsolatedInPens = 8, kLoneInPens = 5;  ///< longest isolated chains: taste
+constexpr double kMaxIsolatedPart = 1.0 / 48;                  ///< also as part of the extent of the body: taste
+constexpr double kRingInPens = 0.25;                           ///< a ring no wider than this is drawn as one line
 
 double gap_mm(const CleanOptions& o) { return std::min(o.least_mm, kGapInPens * o.pen_mm); }
 
 std::size_t apply_bridge_gaps(LineMap& map, const CleanOptions& o) {
   const double widest = (o.has_outlines ? kFarInGaps : kWideInGaps) * gap_mm(o);
-  return bridge_gaps(map, {gap_mm(o), widest, kInkInPens * o.pen_mm}, o.make_source);
+  return bridge_gaps(map, {gap_mm(o), widest, kLineReachInPens * o.pen_mm}, o.make_source);
 }
 
 std::size_t apply_prune_dangles(LineMap& map, const CleanOptions& o) {
@@ -51,21 +51,22 @@ std::size_t apply_merge_short_runs(LineMap& map, const CleanOptions& o) { return
 std::size_t apply_remove_short_bits(LineMap& map, const CleanOptions& o) { return remove_short_bits(map, o.least_mm); }
 
 std::size_t apply_remove_overdrawn_runs(LineMap& map, const CleanOptions& o) {
-  return remove_overdrawn_runs(map, {o.least_mm, kInkInPens * o.pen_mm, kShownInPens * o.pen_mm});
+  return remove_overdrawn_runs(map, {o.least_mm, kLineReachInPens * o.pen_mm, kShownInPens * o.pen_mm});
 }
 
 std::size_t apply_remove_isolated_of_scans(LineMap& map, const CleanOptions& o) {
   if (!o.scan_of) return 0;
-  return remove_isolated_chains(
-      map, o.scan_of,
-      {.longest_mm = kScanFleckInPens * o.pen_mm, .body_part = kFleckPart, .touching_mm = kMeetingInPens * o.pen_mm});
+  return remove_isolated_chains(map, o.scan_of,
+                                {.longest_mm = kMaxScanIsolatedInPens * o.pen_mm,
+                                 .body_part = kMaxIsolatedPart,
+                                 .touching_mm = kMeetingInPens * o.pen_mm});
 }
 
 std::size_t apply_remove_isolated_chains(LineMap& map, const CleanOptions& o) {
   if (!o.has_all_features) return 0;
   return remove_isolated_chains(map, o.object_of,
                                 {.longest_mm = kLoneInPens * o.pen_mm,
-                                 .body_part = kFleckPart,
+                                 .body_part = kMaxIsolatedPart,
                                  .touching_mm = kMeetingInPens * o.pen_mm,
                                  .classes = LineClasses::features(),
                                  .most_ends_on_lines = 0,
@@ -115,7 +116,7 @@ CleanReport clean_lines(StrokeModel& model, const CleanOptions& options) {
       report.rules[r].added_mm += (map.added_steps() - added) * step;
       report.rules[r].removed_mm += (map.removed_steps() - removed) * step;
     }
-    if (!is_clean) map.commit(kInkInPens * options.pen_mm / step, kTouchingInPens * options.pen_mm / step);
+    if (!is_clean) map.commit(kLineReachInPens * options.pen_mm / step, kTouchingInPens * options.pen_mm / step);
   }
   return report;
 }

@@ -41,11 +41,11 @@ inline LatticePoint point_at(const Stroke& s, double fraction) {
 }
 
 /// The point of a segment that is nearest to a given point.
-struct Foot {
+struct FootPoint {
   double fraction = 0;  ///< of the segment's length, from 0 to 1
   double distance = 0;  ///< lattice steps
 };
-inline Foot foot_on(const Stroke& s, LatticePoint p) {
+inline FootPoint foot_on(const Stroke& s, LatticePoint p) {
   const double dx = double(s.to.x) - s.from.x, dy = double(s.to.y) - s.from.y;
   const double px = double(p.x) - s.from.x, py = double(p.y) - s.from.y, square = dx * dx + dy * dy;
   const double t = square > 0 ? std::clamp((px * dx + py * dy) / square, 0.0, 1.0) : 0;

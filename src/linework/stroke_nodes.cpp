@@ -18,7 +18,7 @@ constexpr unsigned kMostBucketBits = 14;
 constexpr std::size_t kBucketsPerTask = 16;
 constexpr std::size_t kScatteredBlock = 131'072;
 /// Adjustable: above this many ends in a bucket, buckets are chosen by hash.
-constexpr std::uint32_t kCrowdedBucket = 64 * kBucketEnds;
+constexpr std::uint32_t kMaxBucketSize = 64 * kBucketEnds;
 
 std::uint64_t hash_of(LatticePoint p) { return mix_bits(std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y)); }
 
@@ -34,7 +34,7 @@ class Buckets {
         ends_(2 * members.size()) {
     find_extent();
     std::vector<std::uint32_t> next = counts();
-    if (is_crowded(next)) {
+    if (exceeds_limit(next)) {
       by_hash_ = true;
       next = counts();
     }
@@ -112,11 +112,11 @@ class Buckets {
     return counts;
   }
 
-  bool is_crowded(const std::vector<std::uint32_t>& counts) const {
+  bool exceeds_limit(const std::vector<std::uint32_t>& counts) const {
     for (std::size_t b = 0; b < count(); ++b) {
       std::uint32_t ends = 0;
       for (std::size_t k = b; k < counts.size(); k += count()) ends += counts[k];
-      if (ends > kCrowdedBucket) return true;
+      if (ends > kMaxBucketSize) return true;
     }
     return false;
   }

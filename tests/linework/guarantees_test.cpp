@@ -150,7 +150,7 @@ double longest_missing(const Stroke& old, const std::vector<Stroke>& strokes) {
   std::vector<std::pair<double, double>> seen{{1, 1}};  // fractions
   for (const Stroke& s : strokes) {
     if (!s.visible || s.source != old.source) continue;
-    const Foot from = foot_on(old, s.from), to = foot_on(old, s.to);
+    const FootPoint from = foot_on(old, s.from), to = foot_on(old, s.to);
     if (from.distance <= 2 && to.distance <= 2) seen.push_back(std::minmax({from.fraction, to.fraction}));
   }
   std::ranges::sort(seen);

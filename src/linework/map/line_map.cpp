@@ -111,7 +111,7 @@ std::optional<LineMap::Meeting> LineMap::nearest_line(std::uint32_t end) {
   const LatticePoint p = point(end);
   std::optional<Meeting> nearest;
   near(p, p, meetings_.reach, [&](std::uint32_t piece) {
-    const Foot foot = foot_on(pieces_[piece].stroke, p);
+    const FootPoint foot = foot_on(pieces_[piece].stroke, p);
     if (foot.distance > meetings_.reach) return false;
     if (nearest && std::tie(nearest->distance, nearest->piece) <= std::tie(foot.distance, piece)) return false;
     if (std::ranges::find(own, piece) == own.end()) nearest = {piece, foot.fraction, foot.distance, 0};

@@ -339,9 +339,10 @@ std::vector<Stroke> resolve(const std::vector<Stroke>& strokes, std::vector<Over
 /// strokes all the time; comparing these too spares the searches for rests.
 void compare_all_where_most_overlap(std::vector<OverlapState>& states) {
   // Adjustable: fewest overlapping strokes, and their smallest ratio to the other strokes.
-  constexpr std::ptrdiff_t kMany = 1024, kTimes = 4;
+  constexpr std::ptrdiff_t kMinOverlapping = 1024, kTimes = 4;
   const auto overlapping = std::count(states.begin(), states.end(), OverlapState::overlapping);
-  if (overlapping < kMany || kTimes * std::count(states.begin(), states.end(), OverlapState::alone) > overlapping) return;
+  if (overlapping < kMinOverlapping || kTimes * std::count(states.begin(), states.end(), OverlapState::alone) > overlapping)
+    return;
   std::replace(states.begin(), states.end(), OverlapState::alone, OverlapState::overlapping);
 }
 

@@ -76,7 +76,7 @@ EndGrid::EndGrid(std::vector<End> ends, const Cells& cells) {
                 [](const End& a, const End& b) { return std::tie(a.p, a.stroke) < std::tie(b.p, b.stroke); });
     }
   });
-  for (std::size_t c = 0; c < cell_count; ++c) refine_if_crowded(c, cells);
+  for (std::size_t c = 0; c < cell_count; ++c) refine_if_full(c, cells);
 }
 
 /// Searches by doubling steps, since thousands of ends may be equal.
@@ -90,11 +90,11 @@ std::uint32_t EndGrid::next_of_many(std::uint32_t e, std::uint32_t last) const {
 }
 
 /// Gives a cell with many points a grid of its own, if that has several cells.
-void EndGrid::refine_if_crowded(std::size_t c, const Cells& cells) {
-  if (first_[c + 1] - first_[c] <= kCrowd) return;
+void EndGrid::refine_if_full(std::size_t c, const Cells& cells) {
+  if (first_[c + 1] - first_[c] <= kMaxCellEntries) return;
   std::uint32_t points = 0;
   for (std::uint32_t e = first_[c]; e < first_[c + 1]; e = next_point(e, first_[c + 1])) ++points;
-  if (points <= kCrowd) return;
+  if (points <= kMaxCellEntries) return;
   std::vector<End> here(ends_.begin() + first_[c], ends_.begin() + first_[c + 1]);
   Cells finer = cells;
   finer.is_finer = true;

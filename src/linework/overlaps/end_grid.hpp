@@ -65,8 +65,8 @@ class EndGrid {
   }
 
  private:
-  static constexpr double kRounding = 2;       ///< lattice steps; more than the rounding error of any position here
-  static constexpr std::uint32_t kCrowd = 64;  ///< distinct points above which a cell gets a finer grid; adjustable
+  static constexpr double kRounding = 2;                ///< lattice steps; more than the rounding error of any position here
+  static constexpr std::uint32_t kMaxCellEntries = 64;  ///< distinct points above which a cell gets a finer grid; adjustable
 
   bool choose_cells(const std::vector<End>& ends, const Cells& cells);
   /// Index of the first end after e that lies at another point than end e; `last` if there is none before it.
@@ -78,9 +78,9 @@ class EndGrid {
   }
   /// Continues next_point() where more than two ends lie at one point.
   std::uint32_t next_of_many(std::uint32_t e, std::uint32_t last) const;
-  void refine_if_crowded(std::size_t c, const Cells& cells);
+  void refine_if_full(std::size_t c, const Cells& cells);
   EndGrid* finer_in(std::size_t c) {
-    if (first_[c + 1] - first_[c] <= kCrowd) return nullptr;
+    if (first_[c + 1] - first_[c] <= kMaxCellEntries) return nullptr;
     const std::uint32_t number = finer_number_.find(c);
     return number == kNone ? nullptr : &finer_[number];
   }

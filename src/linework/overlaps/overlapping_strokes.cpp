@@ -19,7 +19,7 @@
 namespace ligne {
 namespace {
 
-constexpr std::size_t kGrain = 4096;
+constexpr std::size_t kStrokesPerTask = 4096;
 
 /// A coarse raster of the page that marks the squares through which strokes pass. Most strokes of a large drawing lie
 /// in no marked square, and the raster finds this faster than a hash table. The fewer strokes, the fewer squares, since
@@ -132,7 +132,7 @@ std::vector<std::uint32_t> find_candidates(const std::vector<Stroke>& strokes, d
   if (flagged.empty() || flagged.size() == strokes.size()) return flagged;
   const MarkedSquares squares(strokes, flagged, tolerance_steps);
   std::vector<std::uint8_t> near(strokes.size(), 0);
-  parallel_blocks(strokes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(strokes.size(), kStrokesPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Stroke& s = strokes[i];
       near[i] = (s.needs_overlap_check || squares.near(s)) && length(s.from, s.to) > tolerance_steps;
@@ -204,7 +204,7 @@ class OverlapSearch {
 
 void OverlapSearch::sort_into_groups(const std::vector<std::uint32_t>& candidates) {
   std::vector<std::uint8_t> group(candidates.size());
-  parallel_blocks(candidates.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(candidates.size(), kStrokesPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Stroke& s = strokes_[candidates[k]];
       group[k] = static_cast<std::uint8_t>(group_of(s.from, s.to));
@@ -259,7 +259,7 @@ void OverlapSearch::search_along() {
   for (const std::size_t step : {std::size_t{4096}, std::size_t{64}, std::size_t{1}}) {
     for (std::size_t g = 0; g <= kShort; ++g) {
       const std::vector<End>& ends = grids_[g].ends();
-      parallel_blocks(block_count(ends.size(), step), kGrain, [&](std::size_t begin, std::size_t last) {
+      parallel_blocks(block_count(ends.size(), step), kStrokesPerTask, [&](std::size_t begin, std::size_t last) {
         for (std::size_t e = begin; e < last; ++e) {
           if (const End& end = ends[e * step]; end.p < end.far || step > 1) search(end, g);
         }
@@ -289,7 +289,7 @@ void OverlapSearch::search_near_ends() {
   const double close = EndGrid::reach_of(tolerance_);
   EndGrid grid(std::move(long_ends), {{}, kLeastCellInTolerances * tolerance_, 1, false});
   const std::vector<End>& ends = grid.ends();
-  parallel_blocks(ends.size(), kGrain, [&](std::size_t begin, std::size_t last) {
+  parallel_blocks(ends.size(), kStrokesPerTask, [&](std::size_t begin, std::size_t last) {
     for (std::size_t e = begin; e < last; ++e) {
       const End& end = ends[e];
       if (is_overlapping(end.stroke)) continue;

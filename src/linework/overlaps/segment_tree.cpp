@@ -121,10 +121,10 @@ bool SegmentTree::may_be(const FrameSegment& s, const FrameSegment& line, Questi
   return true;
 }
 
-std::size_t SegmentTree::nodes_asked(std::uint32_t number, const FrameSegment& line, Question question) const {
+std::size_t SegmentTree::visited_nodes(std::uint32_t number, const FrameSegment& line, Question question) const {
   const Node& node = nodes_[number];
   if (node.count == 0 || node.children == kNone || !may_be(node, line, question)) return 1;
-  return 1 + nodes_asked(node.children, line, question) + nodes_asked(node.children + 1, line, question);
+  return 1 + visited_nodes(node.children, line, question) + visited_nodes(node.children + 1, line, question);
 }
 
 bool SegmentTree::is_on(const FrameSegment& line, const SegmentRun& run) const {

@@ -80,8 +80,8 @@ class SegmentTree {
   }
 
   /// Number of nodes that such a query visits.
-  std::size_t nodes_asked(const FrameSegment& line, Question question) const {
-    return nodes_.empty() ? 0 : nodes_asked(0, line, question);
+  std::size_t visited_nodes(const FrameSegment& line, Question question) const {
+    return nodes_.empty() ? 0 : visited_nodes(0, line, question);
   }
 
  private:
@@ -119,7 +119,7 @@ class SegmentTree {
   bool may_be_along(const Node& node, const FrameSegment& line) const;
   bool may_be(const Node& node, const FrameSegment& line, Question question) const;
   bool may_be(const FrameSegment& segment, const FrameSegment& line, Question question) const;
-  std::size_t nodes_asked(std::uint32_t number, const FrameSegment& line, Question question) const;
+  std::size_t visited_nodes(std::uint32_t number, const FrameSegment& line, Question question) const;
   bool is_on(const FrameSegment& line, const SegmentRun& run) const;
   const std::optional<SegmentRun>& run_below(std::uint32_t node) const { return runs_[has_runs_ ? node : 0]; }
   std::optional<SegmentRun> run_of_leaf(const Node& node) const;

@@ -10,7 +10,7 @@ namespace {
 
 // Adjustable: largest mean number of cells that a stroke crosses.
 constexpr double kCellsPerStroke = 64;
-constexpr std::uint32_t kCrowd = 256;  ///< adjustable: most segments and points in a cell that is not refined
+constexpr std::uint32_t kMaxCellEntries = 256;  ///< adjustable: most segments and points in a cell that is not refined
 // Largest number of list entries up to which cells are refined: this many for each segment, plus a constant. So memory
 // grows linearly with the input.
 constexpr std::size_t kMostCells = 24, kFewEntries = 1 << 20;
@@ -52,7 +52,7 @@ void StrokeIndex::put_point(std::size_t level, std::uint32_t point) {
   }
   points_[point].listed = true;
   ends_.push(cells_[c].ends, {points_[point].p, point});
-  refine_if_crowded(level, key, c);
+  refine_if_full(level, key, c);
 }
 
 void StrokeIndex::add_end(std::uint32_t segment, int side) {
@@ -87,13 +87,13 @@ void StrokeIndex::pass(std::size_t level, const CellRange& range, std::uint32_t 
     const std::uint32_t c = cell(level, key);
     throughs_.push(cells_[c].throughs, {from, to, segment});
     ++through_count_;
-    refine_if_crowded(level, key, c);
+    refine_if_full(level, key, c);
     return false;
   });
 }
 
-void StrokeIndex::refine_if_crowded(std::size_t level, std::uint64_t key, std::uint32_t c) {
-  if (cells_[c].throughs.size + cells_[c].ends.size <= kCrowd) return;
+void StrokeIndex::refine_if_full(std::size_t level, std::uint64_t key, std::uint32_t c) {
+  if (cells_[c].throughs.size + cells_[c].ends.size <= kMaxCellEntries) return;
   if (through_count_ > kMostCells * segments_.size() + kFewEntries) return;
   if (levels_[level].side < kParts * kLeastCellInTolerances * tolerance_) return;
   if (levels_.size() == level + 1) levels_.emplace_back(levels_[level].side / kParts, tolerance_);

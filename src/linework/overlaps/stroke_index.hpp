@@ -145,7 +145,7 @@ class StrokeIndex {
   void add_end(std::uint32_t segment, int side);
   void pass(std::size_t level, const CellRange& range, std::uint32_t segment);
   void put_point(std::size_t level, std::uint32_t point);
-  void refine_if_crowded(std::size_t level, std::uint64_t key, std::uint32_t cell);
+  void refine_if_full(std::size_t level, std::uint64_t key, std::uint32_t cell);
   template <class Visit>
   bool visit_leaves(std::size_t level, const CellRange& range, LatticePoint from, LatticePoint to, const Visit& visit) const;
   template <class Found>

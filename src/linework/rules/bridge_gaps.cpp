@@ -37,7 +37,7 @@ constexpr double kAbout = 1 + 0x1p-40;
 constexpr std::size_t kSearchBlock = 64;
 
 /// A free end of an edge.
-struct LooseEnd {
+struct OpenEnd {
   std::uint32_t end;
   LatticePoint point{};
   double dx = 0, dy = 0, length = 0;  ///< direction and length of the whole stroke, towards the end
@@ -46,9 +46,9 @@ struct LooseEnd {
   std::uint32_t nearest = kNone;  ///< nearest end to which it may be joined
 };
 
-class LooseEnds {
+class OpenEnds {
  public:
-  LooseEnds(const LineMap& map, double gap, double wide) : gap_(gap), wide_(wide) {
+  OpenEnds(const LineMap& map, double gap, double wide) : gap_(gap), wide_(wide) {
     const Chains chains(map);
     for (std::uint32_t end = 0; end < 2 * map.piece_count(); ++end) {
       if (!map.is_alive(end / 2) || !is_feature(map.piece(end / 2)) || !map.is_free(end)) continue;
@@ -59,7 +59,7 @@ class LooseEnds {
     }
     std::vector<LatticePoint> points;
     points.reserve(ends_.size());
-    for (const LooseEnd& end : ends_) points.push_back(end.point);
+    for (const OpenEnd& end : ends_) points.push_back(end.point);
     tree_ = PointTree(points);
     parallel_blocks(ends_.size(), kSearchBlock, [&](std::size_t begin, std::size_t last) {
       for (std::size_t e = begin; e < last; ++e) ends_[e].nearest = nearest(static_cast<std::uint32_t>(e));
@@ -67,8 +67,8 @@ class LooseEnds {
   }
 
   /// Pairs of ends that are each other's nearest.
-  std::vector<std::pair<LooseEnd, LooseEnd>> pairs() const {
-    std::vector<std::pair<LooseEnd, LooseEnd>> found;
+  std::vector<std::pair<OpenEnd, OpenEnd>> pairs() const {
+    std::vector<std::pair<OpenEnd, OpenEnd>> found;
     for (std::uint32_t e = 0; e < ends_.size(); ++e) {
       const std::uint32_t other = ends_[e].nearest;
       if (other != kNone && other > e && ends_[other].nearest == e) found.emplace_back(ends_[e], ends_[other]);
@@ -77,12 +77,12 @@ class LooseEnds {
   }
 
  private:
-  static double along(const LooseEnd& e, LatticePoint p) {
+  static double along(const OpenEnd& e, LatticePoint p) {
     return e.dx * (double(p.x) - e.point.x) + e.dy * (double(p.y) - e.point.y);
   }
 
   /// Whether the line goes on towards the point. A stroke shorter than the distance to it defines no direction.
-  bool leads_to(const LooseEnd& e, LatticePoint p, double distance) const {
+  bool leads_to(const OpenEnd& e, LatticePoint p, double distance) const {
     if (distance <= kRoundedSteps) return true;
     const bool shows = distance >= gap_, far = distance >= kFarPartInGaps * gap_;
     if (e.length <= distance && !shows) return true;
@@ -94,14 +94,14 @@ class LooseEnds {
   }
 
   /// Quick test that implies !leads_to(). Where thousands of lines end side by side, it rejects nearly all pairs.
-  static bool leads_away(const LooseEnd& e, LatticePoint p, double squared_distance) {
+  static bool leads_away(const OpenEnd& e, LatticePoint p, double squared_distance) {
     return along(e, p) < 0 && e.length * e.length > kAbout * squared_distance &&
            squared_distance > kAbout * kRoundedSteps * kRoundedSteps;
   }
 
   /// Whether leads_to() is false for all points of the box. A line may lead only to points in a cone. Where thousands
   /// of lines end side by side, nearly all ends lie outside of it.
-  static bool leads_away(const LooseEnd& e, const PointBox& box) {
+  static bool leads_away(const OpenEnd& e, const PointBox& box) {
     static const double sine = std::sqrt(1 - kLeastCosine * kLeastCosine);
     constexpr double kRounding = 1;  // lattice steps
     for (const double side : {-1.0, 1.0}) {
@@ -115,7 +115,7 @@ class LooseEnds {
   }
 
   std::uint32_t nearest(std::uint32_t e) const {
-    const LooseEnd& end = ends_[e];
+    const OpenEnd& end = ends_[e];
     const LatticePoint p = end.point;
     std::uint32_t best = kNone;
     double best_distance = wide_;
@@ -127,7 +127,7 @@ class LooseEnds {
     };
     tree_.search(p, enter, [&](std::uint32_t o) {
       if (o == e) return;
-      const LooseEnd& other = ends_[o];
+      const OpenEnd& other = ends_[o];
       const LatticePoint q = other.point;
       const double dx = double(q.x) - p.x, dy = double(q.y) - p.y, squared = dx * dx + dy * dy;
       if (squared > kAbout * best_distance * best_distance) return;
@@ -144,11 +144,11 @@ class LooseEnds {
 
   double gap_, wide_;
   PointTree tree_;  ///< of the ends
-  std::vector<LooseEnd> ends_;
+  std::vector<OpenEnd> ends_;
 };
 
 /// The stroke between two ends, with the properties of the longer of the two lines.
-Stroke bridge_between(const LineMap& map, const LooseEnd& a, const LooseEnd& b) {
+Stroke bridge_between(const LineMap& map, const OpenEnd& a, const OpenEnd& b) {
   const Stroke &s = map.stroke_of(a.end / 2), &t = map.stroke_of(b.end / 2);
   const bool a_from = a.end % 2 == 0, b_from = b.end % 2 == 0;
   Stroke bridge = map.piece((a.line_length < b.line_length ? b.end : a.end) / 2);
@@ -163,7 +163,7 @@ Stroke bridge_between(const LineMap& map, const LooseEnd& a, const LooseEnd& b) 
 
 std::size_t bridge_once(LineMap& map, const GapLimits& limits, const MakeSource& make_source) {
   const double gap = limits.gap_mm / map.step_mm(), clear = limits.clear_mm / map.step_mm();
-  const auto pairs = LooseEnds(map, gap, limits.wide_mm / map.step_mm()).pairs();
+  const auto pairs = OpenEnds(map, gap, limits.wide_mm / map.step_mm()).pairs();
   std::vector<std::pair<Stroke, std::size_t>> bridges;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto& [a, b] = pairs[k];

@@ -59,9 +59,9 @@ void lead_to(Undershoot& end, LatticePoint p, const Stroke& s) {
   const Vector start{double(s.from.x) - p.x, double(s.from.y) - p.y};
   const double area = end.ahead.x * u.y - end.ahead.y * u.x;
   if (area != 0) {
-    const double way = (start.x * u.y - start.y * u.x) / area;
+    const double extension = (start.x * u.y - start.y * u.x) / area;
     const double along = (start.x * end.ahead.y - start.y * end.ahead.x) / area;
-    if (way > 0 && way <= 1 && along >= 0 && along <= 1) end.straight = std::min(end.straight, way);
+    if (extension > 0 && extension <= 1 && along >= 0 && along <= 1) end.straight = std::min(end.straight, extension);
   }
   turn_to(end, start, u);
 }
@@ -98,10 +98,10 @@ class UndershootFinder {
         return false;
       });
       if (shoot.straight > 1 && shoot.turned_part > 1) continue;
-      const Vector way =
+      const Vector extension =
           shoot.straight > 1 ? shoot.turned : Vector{shoot.straight * shoot.ahead.x, shoot.straight * shoot.ahead.y};
-      const LatticePoint to{p.x + static_cast<std::int32_t>(std::lround(way.x)),
-                            p.y + static_cast<std::int32_t>(std::lround(way.y))};
+      const LatticePoint to{p.x + static_cast<std::int32_t>(std::lround(extension.x)),
+                            p.y + static_cast<std::int32_t>(std::lround(extension.y))};
       if (to != p) found.emplace_back(end, to);
     }
     return found;
@@ -140,20 +140,20 @@ class UndershootFinder {
 std::size_t extend_undershoots(LineMap& map, const UndershootLimits& limits, const MakeSource& make_source) {
   std::vector<std::pair<std::uint32_t, LatticePoint>> found = UndershootFinder(map, limits).find();
   // If two ends would be extended to each other, only the one whose class comes first is extended.
-  struct Way {
+  struct Extension {
     LatticePoint from, to;
     LineClass line_class;
-    auto operator<=>(const Way&) const = default;
+    auto operator<=>(const Extension&) const = default;
   };
-  std::vector<Way> ways;
-  ways.reserve(found.size());
-  for (const auto& [end, to] : found) ways.push_back({map.point(end), to, map.piece(end / 2).line_class});
-  std::ranges::sort(ways);
+  std::vector<Extension> extensions;
+  extensions.reserve(found.size());
+  for (const auto& [end, to] : found) extensions.push_back({map.point(end), to, map.piece(end / 2).line_class});
+  std::ranges::sort(extensions);
   std::erase_if(found, [&](const auto& led) {
-    const Way way{map.point(led.first), led.second, map.piece(led.first / 2).line_class};
-    const auto back = std::ranges::lower_bound(ways, Way{way.to, way.from, LineClass::outline});
-    if (back == ways.end() || back->from != way.to || back->to != way.from) return false;
-    return std::pair(back->line_class, back->from) < std::pair(way.line_class, way.from);
+    const Extension extension{map.point(led.first), led.second, map.piece(led.first / 2).line_class};
+    const auto back = std::ranges::lower_bound(extensions, Extension{extension.to, extension.from, LineClass::outline});
+    if (back == extensions.end() || back->from != extension.to || back->to != extension.from) return false;
+    return std::pair(back->line_class, back->from) < std::pair(extension.line_class, extension.from);
   });
   for (const auto& [end, to] : found) {
     Stroke s = map.piece(end / 2);

@@ -108,19 +108,19 @@ class DanglePruner {
   /// 1959).
   bool leads_to_all(std::uint32_t from, const std::vector<std::uint32_t>& to, const Arcs::Arc& arc, double more) const {
     const double longest = kDetour * (arc.length + more);
-    using Way = std::pair<double, std::uint32_t>;  // length of the path, and the junction at its end
-    std::priority_queue<Way, std::vector<Way>, std::greater<>> ways({}, {{0, from}});
+    using Path = std::pair<double, std::uint32_t>;  // length of the path, and the junction at its end
+    std::priority_queue<Path, std::vector<Path>, std::greater<>> paths({}, {{0, from}});
     KeyTable done;  // junctions
     std::size_t left = to.size();
-    while (!ways.empty()) {
-      const auto [length, junction] = ways.top();
-      ways.pop();
+    while (!paths.empty()) {
+      const auto [length, junction] = paths.top();
+      paths.pop();
       if (std::exchange(done[junction], 0) != kNone) continue;
       if (std::ranges::binary_search(to, junction) && --left == 0) return true;
       for (const std::uint32_t p : arcs_.pieces_at(junction)) {
         const double further = length + page_length(map_.piece(p));
         if (!arcs_.has(p) || further > longest || has(arc, p)) continue;
-        ways.emplace(further, arcs_.junction_of(arcs_.junction_of(2 * p) == junction ? 2 * p + 1 : 2 * p));
+        paths.emplace(further, arcs_.junction_of(arcs_.junction_of(2 * p) == junction ? 2 * p + 1 : 2 * p));
       }
     }
     return false;

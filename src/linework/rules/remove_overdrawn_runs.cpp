@@ -16,7 +16,7 @@ namespace {
 
 /// The parts of a piece in the ink of other lines. Parts are merged as they are added, so that a piece among thousands
 /// of lines stores few.
-class InkedParts {
+class CoveredIntervals {
  public:
   void add(const StrokePart& part) {
     parts_.push_back(part);
@@ -119,15 +119,15 @@ std::size_t remove_overdrawn_runs(LineMap& map, const OverdrawLimits& limits) {
   std::vector<std::uint8_t> touches(map.piece_count(), 0);  // by group: whether it meets the ink of another line
   for (const std::uint32_t b : bits) {
     const Stroke& bit = map.piece(b);
-    InkedParts inked;
+    CoveredIntervals covered;
     map.near(bit.from, bit.to, ink, [&](std::uint32_t p) {
       if (runs.of(p) == kNone || is_short(p)) return false;
-      if (const StrokePart part = part_near(bit, map.piece(p), ink); !part.empty()) inked.add(part);
-      return inked.is_whole();
+      if (const StrokePart part = part_near(bit, map.piece(p), ink); !part.empty()) covered.add(part);
+      return covered.is_whole();
     });
     const std::uint32_t group = groups.find(runs.of(b));
-    touches[group] |= !inked.empty();
-    shown[group] += inked.uncovered() * page_length(bit);
+    touches[group] |= !covered.empty();
+    shown[group] += covered.uncovered() * page_length(bit);
   }
   std::size_t removed = 0;
   for (const std::uint32_t b : bits) {
