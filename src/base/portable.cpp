@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace ligne::stand_in {
+namespace ligne::library_fallback {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity(), kNotANumber = std::numeric_limits<double>::quiet_NaN();
@@ -81,4 +81,4 @@ std::from_chars_result from_chars(const char* first, const char* last, double& v
   return {end, std::errc{}};
 }
 
-}  // namespace ligne::stand_in
+}  // namespace ligne::library_fallback

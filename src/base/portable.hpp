@@ -9,7 +9,7 @@
 #include <type_traits>
 
 namespace ligne {
-namespace stand_in {
+namespace library_fallback {
 
 /// std::from_chars for a decimal double: the grammar of std::chars_format::general, independent of the locale,
 /// correctly rounded.
@@ -69,14 +69,14 @@ class AtomicRef {
   T* object_;
 };
 
-}  // namespace stand_in
+}  // namespace library_fallback
 
 #if defined(__cpp_lib_to_chars) && __cpp_lib_to_chars >= 201611L
 inline std::from_chars_result from_chars(const char* first, const char* last, double& value) {
   return std::from_chars(first, last, value);
 }
 #else
-using stand_in::from_chars;
+using library_fallback::from_chars;
 #endif
 
 #if defined(__cpp_lib_atomic_ref)
@@ -84,7 +84,7 @@ template <class T>
 using AtomicRef = std::atomic_ref<T>;
 #else
 template <class T>
-using AtomicRef = stand_in::AtomicRef<T>;
+using AtomicRef = library_fallback::AtomicRef<T>;
 #endif
 
 }  // namespace ligne

@@ -12,7 +12,7 @@ namespace {
 /// Both readers take the same characters and give the same bits, or the same error and leave the value alone.
 void expect_equal_reading(const std::string& text) {
   double ours = -17, library = -17;
-  const auto [our_end, our_error] = stand_in::from_chars(text.data(), text.data() + text.size(), ours);
+  const auto [our_end, our_error] = library_fallback::from_chars(text.data(), text.data() + text.size(), ours);
   const auto [library_end, library_error] = std::from_chars(text.data(), text.data() + text.size(), library);
   EXPECT_EQ(our_end - text.data(), library_end - text.data()) << text;
   EXPECT_EQ(our_error, library_error) << text;
@@ -52,7 +52,7 @@ TEST(StandInFromChars, GivesBackEveryDoubleThatWasWritten) {
     std::array<char, 40> text;
     const auto written = std::to_chars(text.data(), text.data() + text.size(), value);
     double read = 0;
-    const auto [end, error] = stand_in::from_chars(text.data(), written.ptr, read);
+    const auto [end, error] = library_fallback::from_chars(text.data(), written.ptr, read);
     ASSERT_EQ(error, std::errc{});
     ASSERT_EQ(end, written.ptr);
     ASSERT_EQ(std::bit_cast<std::uint64_t>(read), std::bit_cast<std::uint64_t>(value));
@@ -75,7 +75,7 @@ TEST(StandInAtomicRef, CountsWhatSeveralThreadsTake) {
   std::vector<std::thread> threads;
   for (int t = 0; t < kThreads; ++t)
     threads.emplace_back([&, t] {
-      const stand_in::AtomicRef<std::uint32_t> counter(left), minimum(lowest);
+      const library_fallback::AtomicRef<std::uint32_t> counter(left), minimum(lowest);
       for (int i = 0; i < kEach; ++i) {
         counter.fetch_sub(1, std::memory_order_relaxed);
         const auto number = static_cast<std::uint32_t>(7 + t + kThreads * (kEach - i));
@@ -92,13 +92,13 @@ TEST(StandInAtomicRef, CountsWhatSeveralThreadsTake) {
 TEST(StandInAtomicRef, StoresAndExchangesAnEnumerator) {
   enum class Mark : std::uint8_t { none, some };
   Mark mark = Mark::none;
-  const stand_in::AtomicRef<Mark> reference(mark);
+  const library_fallback::AtomicRef<Mark> reference(mark);
   EXPECT_EQ(reference.exchange(Mark::some), Mark::none);
   EXPECT_EQ(reference.load(), Mark::some);
   reference.store(Mark::none, std::memory_order_release);
   EXPECT_EQ(mark, Mark::none);
   const std::uint32_t constant = 5;
-  EXPECT_EQ(stand_in::AtomicRef<const std::uint32_t>(constant).load(std::memory_order_relaxed), 5u);
+  EXPECT_EQ(library_fallback::AtomicRef<const std::uint32_t>(constant).load(std::memory_order_relaxed), 5u);
 }
 
 }  // namespace

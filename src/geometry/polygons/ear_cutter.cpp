@@ -30,7 +30,7 @@ using Triple = std::array<Index, 3>;
 /// Adjustable: a few tenths of a second.
 constexpr std::size_t kLooksAtLeast = std::size_t{1} << 24, kLooksOfCorner = 512;
 /// Number of corners tested between two calls of check_stop().
-constexpr std::size_t kLooksUnasked = std::size_t{1} << 16;
+constexpr std::size_t kTestsPerStopCheck = std::size_t{1} << 16;
 
 /// A corner of a ring, which is a cyclic list with the inside on its left.
 struct CornerNode {
@@ -71,9 +71,9 @@ class EarCutter {
  private:
   /// Counts tested corners; false if the bound is exceeded.
   bool may_look(std::size_t corners) {
-    const std::size_t before = looks_left_ / kLooksUnasked;
+    const std::size_t before = looks_left_ / kTestsPerStopCheck;
     looks_left_ -= std::min(looks_left_, corners);
-    if (looks_left_ / kLooksUnasked != before) check_stop();
+    if (looks_left_ / kTestsPerStopCheck != before) check_stop();
     return looks_left_ > 0;
   }
 

@@ -182,7 +182,7 @@ class PolygonCleaner {
     if (!scene_.face_source.empty()) source_.resize(faces_.size(), scene_.face_source[f]);
   }
 
-  void add(const LooseFace& face) {
+  void add(const DetachedFace& face) {
     std::size_t begin = 0;
     for (const std::uint32_t end : face.contour_end) {
       const auto contour = std::span(face.corners).subspan(begin, end - begin);
@@ -206,7 +206,7 @@ class PolygonCleaner {
   Scene& scene_;
   const Weld& weld_;
   Warnings& warnings_;
-  LooseFace face_;
+  DetachedFace face_;
   PolygonFaces faces_;
   std::vector<std::uint8_t> flags_;
   std::vector<std::uint32_t> material_, source_;
@@ -215,7 +215,7 @@ class PolygonCleaner {
 
 }  // namespace
 
-void own_everything(Scene& scene) {
+void make_single_object(Scene& scene) {
   if (!scene.objects.empty() || (scene.vertices.empty() && scene.faces.empty())) return;
   Object object;
   object.vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
@@ -224,7 +224,7 @@ void own_everything(Scene& scene) {
 }
 
 void finish_scene(Scene& scene, Warnings& warnings) {
-  own_everything(scene);
+  make_single_object(scene);
   assert(ranges_cover(scene));
   Dropped dropped;
   {

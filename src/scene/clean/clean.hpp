@@ -11,7 +11,7 @@ inline constexpr char kDegenerateFaces[] = "faces with fewer than three distinct
 inline constexpr char kFacesNotFinite[] = "faces with vertices that are not finite dropped";
 
 /// If a scene has no objects, adds one that owns all vertices and faces.
-void own_everything(Scene& scene);
+void make_single_object(Scene& scene);
 
 /// Makes the invariants of Scene hold, and counts every removal and repair in `warnings`:
 /// - removes vertices that are not finite, with their faces;

@@ -17,8 +17,8 @@ void for_blocks(std::size_t n, const Work& work) {
 
 /// Moves the vertices for which stays(v) holds to the front, and adapts the ranges of the objects. `number` has one
 /// entry more than there are vertices: the new index of each vertex, or of the next one that stays.
-template <class Stays>
-void keep_vertices(Scene& scene, const std::vector<std::uint32_t>& number, const Stays& stays) {
+template <class IsKept>
+void keep_vertices(Scene& scene, const std::vector<std::uint32_t>& number, const IsKept& stays) {
   for (std::size_t v = 0; v < scene.vertices.size(); ++v) {
     if (stays(v)) scene.vertices[number[v]] = scene.vertices[v];
   }

@@ -10,7 +10,7 @@
 namespace ligne {
 namespace {
 
-std::vector<Point3> corner_points(const std::vector<Point3>& vertices, const LooseFace& face) {
+std::vector<Point3> corner_points(const std::vector<Point3>& vertices, const DetachedFace& face) {
   std::vector<Point3> points;
   points.reserve(face.corners.size());
   for (const std::uint32_t v : face.corners) points.push_back(vertices[v]);
@@ -30,7 +30,7 @@ std::vector<Point2> project(std::span<const Point3> points, const Point3& normal
 }
 
 /// Index of the next corner on the contour, per corner.
-std::vector<std::uint32_t> successors(const LooseFace& face) {
+std::vector<std::uint32_t> successors(const DetachedFace& face) {
   std::vector<std::uint32_t> next(face.corners.size());
   std::uint32_t begin = 0;
   for (const std::uint32_t end : face.contour_end) {
@@ -42,7 +42,7 @@ std::vector<std::uint32_t> successors(const LooseFace& face) {
 
 }  // namespace
 
-bool is_planar(const std::vector<Point3>& vertices, const LooseFace& face, double precision) {
+bool is_planar(const std::vector<Point3>& vertices, const DetachedFace& face, double precision) {
   if (face.corners.size() == 3) return true;
   const std::vector<Point3> points = corner_points(vertices, face);
   const SpanningPlane plane = spanning_plane(points);
@@ -51,14 +51,14 @@ bool is_planar(const std::vector<Point3>& vertices, const LooseFace& face, doubl
                      [&](const Point3& p) { return std::abs(plane.distance(p)) <= tolerance; });
 }
 
-bool is_covered(const std::vector<Point3>& vertices, const LooseFace& face) {
+bool is_covered(const std::vector<Point3>& vertices, const DetachedFace& face) {
   if (face.corners.size() == 3) return true;
   // Not along the area vector, which can vanish if parts are wound in opposite directions.
   const std::vector<Point3> points = corner_points(vertices, face);
   return triangles_are_whole(project(points, spanning_plane(points).normal), face.contour_end);
 }
 
-std::vector<CutTriangle> cut_into_triangles(const std::vector<Point3>& vertices, const LooseFace& face, bool& covered) {
+std::vector<CutTriangle> cut_into_triangles(const std::vector<Point3>& vertices, const DetachedFace& face, bool& covered) {
   const std::vector<Point3> points = corner_points(vertices, face);
   Point3 normal = area_vector(vertices, std::span(face.corners).first(face.contour_end[0]));
   if (normal == Point3(0)) normal = spanning_plane(points).normal;

@@ -99,9 +99,9 @@ class Marker {
         if (pair.size() != 2) return;
         const Side a = sides_[pair[0].thing], b = sides_[pair[1].thing];
         if (a.face == b.face) return;
-        const Said said = said_of(a, b);
-        if (said == Said::smooth) smooth[block].emplace_back(a, b);
-        if (said != Said::sharp) return;
+        const FileVerdict verdict = verdict_at(a, b);
+        if (verdict == FileVerdict::smooth) smooth[block].emplace_back(a, b);
+        if (verdict != FileVerdict::sharp) return;
         mark(a, b, kCornerSharp);
         const std::size_t object = object_of(a.face);
         if (sharp_objects[block].empty() || sharp_objects[block].back() != object) sharp_objects[block].push_back(object);
@@ -120,7 +120,7 @@ class Marker {
   }
 
  private:
-  enum class Said { nothing, smooth, sharp };
+  enum class FileVerdict { nothing, smooth, sharp };
 
   /// Computes the normal of each face, and whether the file's normal at each of its corners is parallel to it. The sign
   /// is ignored: files disagree on the orientation of faces.
@@ -163,28 +163,29 @@ class Marker {
     return glm::dot(normals_[a.face], normals_[b.face]) * (same_way(a, b) ? -1 : 1);
   }
 
-  Said said_of(const Side& a, const Side& b) const {
+  FileVerdict verdict_at(const Side& a, const Side& b) const {
     if (!shading_.corner_normals.empty()) {
       const auto& n = shading_.corner_normals;
       if (n[a.corner] && n[a.next] && n[b.corner] && n[b.next]) return by_normals(a, b);
     }
-    return shading_.face_groups.empty() ? Said::nothing : by_groups(a.face, b.face);
+    return shading_.face_groups.empty() ? FileVerdict::nothing : by_groups(a.face, b.face);
   }
 
-  Said by_normals(const Side& a, const Side& b) const {
+  FileVerdict by_normals(const Side& a, const Side& b) const {
     const auto& n = shading_.corner_normals;
-    if (is_flat(a) && is_flat(b)) return Said::nothing;
+    if (is_flat(a) && is_flat(b)) return FileVerdict::nothing;
     const bool like = same_way(a, b);
     const std::uint32_t at_start = like ? b.corner : b.next, at_end = like ? b.next : b.corner;
-    return within(n[a.corner], n[at_start], same_) || within(n[a.next], n[at_end], same_) ? Said::smooth : Said::sharp;
+    return within(n[a.corner], n[at_start], same_) || within(n[a.next], n[at_end], same_) ? FileVerdict::smooth
+                                                                                          : FileVerdict::sharp;
   }
 
   bool is_flat(const Side& side) const { return is_flat_[side.corner] && is_flat_[side.next]; }
 
-  Said by_groups(std::uint32_t a, std::uint32_t b) const {
+  FileVerdict by_groups(std::uint32_t a, std::uint32_t b) const {
     const std::uint32_t p = shading_.face_groups[a], q = shading_.face_groups[b];
-    if (p == 0 && q == 0) return Said::nothing;
-    return (shading_.groups_are_bits ? (p & q) != 0 : p == q) ? Said::smooth : Said::sharp;
+    if (p == 0 && q == 0) return FileVerdict::nothing;
+    return (shading_.groups_are_bits ? (p & q) != 0 : p == q) ? FileVerdict::smooth : FileVerdict::sharp;
   }
 
   void mark(const Side& a, const Side& b, std::uint8_t flag) {
@@ -220,10 +221,10 @@ Point3 unpacked_direction(std::uint32_t packed) {
 }
 
 void mark_smooth_edges(Scene& scene, const FileShading& shading) {
-  const auto says_nothing = [](const std::vector<std::uint32_t>& said) {
-    return std::all_of(said.begin(), said.end(), [](std::uint32_t one) { return one == 0; });
+  const auto has_no_verdict = [](const std::vector<std::uint32_t>& marks) {
+    return std::all_of(marks.begin(), marks.end(), [](std::uint32_t one) { return one == 0; });
   };
-  if (says_nothing(shading.corner_normals) && says_nothing(shading.face_groups)) return;
+  if (has_no_verdict(shading.corner_normals) && has_no_verdict(shading.face_groups)) return;
   Marker(scene, shading).run();
 }
 

@@ -27,7 +27,7 @@ std::vector<double> gaps_up_to(const Border& border, double distance) {
   std::vector<double> gaps(vertices.size(), -1);
   const std::vector<EdgeTree::Segment> segments = border.segments();
   const SegmentCells cells(segments, distance);
-  std::vector<std::uint8_t> is_crowded(vertices.size(), 0);
+  std::vector<std::uint8_t> exceeds_limit(vertices.size(), 0);
   const auto keep = [&](std::size_t k, const NearestPoint& nearest) {
     if (nearest.segment != kNone) gaps[k] = nearest.distance;
   };
@@ -35,14 +35,14 @@ std::vector<double> gaps_up_to(const Border& border, double distance) {
     for (std::size_t k = begin; k < end; ++k) {
       const Point3& p = border.point(vertices[k]);
       const std::span<const std::uint32_t> near = cells.near(p);
-      is_crowded[k] = near.size() > EdgeTree::kMostVisits;
-      if (is_crowded[k]) continue;
+      exceeds_limit[k] = near.size() > EdgeTree::kMostVisits;
+      if (exceeds_limit[k]) continue;
       const auto is_apart = [&](std::uint32_t e, double at) { return border.is_apart(vertices[k], e, at); };
       keep(k, nearest_among(segments, near, p, distance, is_apart));
     }
   });
   const std::vector<std::uint32_t> crowded =
-      indices_where(vertices.size(), [&](std::size_t k) { return is_crowded[k] != 0; });
+      indices_where(vertices.size(), [&](std::size_t k) { return exceeds_limit[k] != 0; });
   if (!crowded.empty()) {
     const BorderSearch search(border);
     parallel_blocks(crowded.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {

@@ -94,7 +94,7 @@ std::vector<std::uint32_t> suspect_faces(const PolygonFaces& faces, std::size_t 
 }
 
 /// Records that face `first` stands for `face`.
-void stand_in(DuplicateFaces& found, std::size_t faces, std::uint32_t face, std::uint32_t first) {
+void library_fallback(DuplicateFaces& found, std::size_t faces, std::uint32_t face, std::uint32_t first) {
   if (found.first.empty()) {
     found.first.resize(faces);
     std::iota(found.first.begin(), found.first.end(), 0u);
@@ -125,7 +125,7 @@ void find_within_objects(const Scene& scene, DuplicateFaces& found) {
       if (table[k].hash != h) continue;
       face_key(scene, table[k].face, itself, other);
       if (key != other) continue;
-      stand_in(found, scene.faces.size(), f, table[k].face);
+      library_fallback(found, scene.faces.size(), f, table[k].face);
       break;
     }
   }
@@ -217,7 +217,7 @@ void find_equal_objects(const Scene& scene, DuplicateFaces& found) {
       if (shape.positions != first->positions || shape.faces != first->faces) continue;
       ++found.objects;
       for (std::size_t n = 0; n < shape.face.size(); ++n) {
-        stand_in(found, scene.faces.size(), shape.face[n], first->face[n]);
+        library_fallback(found, scene.faces.size(), shape.face[n], first->face[n]);
       }
     }
     i = end;
@@ -242,12 +242,12 @@ std::vector<Corner> edges_of(const Scene& scene, std::uint32_t f) {
 /// Joins flags of faces of one object. Faces of other objects have their own vertices, and their flags are dropped with
 /// them.
 void join_flags(Scene& scene, std::uint32_t from, std::uint32_t to) {
-  constexpr std::uint8_t kAllMustSay = kCornerFileHidden | kCornerInner | kCornerSmooth;
+  constexpr std::uint8_t kFlagsOfAll = kCornerFileHidden | kCornerInner | kCornerSmooth;
   const std::vector<Corner> a = edges_of(scene, from), b = edges_of(scene, to);
   for (std::size_t k = 0; k < a.size() && a[k].first == b[k].first; ++k) {
     std::uint8_t& kept = scene.corner_flags[b[k].second];
     const std::uint8_t other = scene.corner_flags[a[k].second];
-    kept = static_cast<std::uint8_t>((kept & other & kAllMustSay) | ((kept | other) & ~kAllMustSay));
+    kept = static_cast<std::uint8_t>((kept & other & kFlagsOfAll) | ((kept | other) & ~kFlagsOfAll));
   }
 }
 

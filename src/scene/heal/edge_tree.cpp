@@ -17,12 +17,12 @@ namespace {
 constexpr std::uint32_t kLeaf = 4;
 
 /// The point of a segment nearest to another point.
-struct Foot {
+struct FootPoint {
   double at;      ///< from 0 to 1 along the segment
   double square;  ///< squared distance
 };
 
-Foot foot(const EdgeTree::Segment& s, const Point3& p) {
+FootPoint foot(const EdgeTree::Segment& s, const Point3& p) {
   const Point3 along = s.b - s.a;
   const double at = nearest_on_segment(p, s.a, s.b);
   const Point3 away = p - (s.a + at * along);

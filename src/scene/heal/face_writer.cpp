@@ -21,7 +21,7 @@ void FaceWriter::keep(std::uint32_t first, std::uint32_t last) {
   count_ += last - first;
 }
 
-void FaceWriter::replace(std::uint32_t f, const LooseFace& face) {
+void FaceWriter::replace(std::uint32_t f, const DetachedFace& face) {
   parts_.push_back({f, f + 1, static_cast<std::uint32_t>(others_.size())});
   ++count_;
   std::size_t begin = 0;
@@ -144,8 +144,8 @@ std::vector<std::uint32_t> FaceWriter::first_new() const {
   return first;
 }
 
-LooseFace loose_face(const Scene& scene, std::uint32_t f) {
-  LooseFace face;
+DetachedFace loose_face(const Scene& scene, std::uint32_t f) {
+  DetachedFace face;
   for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
     const auto contour = scene.faces.contour(f, c);
     const std::size_t first = scene.faces.corner_index(f, c);

@@ -20,7 +20,7 @@ class FaceWriter {
   /// Keeps the faces [first, last) of the scene.
   void keep(std::uint32_t first, std::uint32_t last);
   /// Replaces face f by another face or triangle; several in a row replace it together.
-  void replace(std::uint32_t f, const LooseFace& face);
+  void replace(std::uint32_t f, const DetachedFace& face);
   void replace(std::uint32_t f, const CutTriangle& triangle);
   /// Puts the new faces into the scene, and renumbers objects and details. Vertices stay. In `faces`, an ascending
   /// list, each face is replaced by the faces made from it.
@@ -55,6 +55,6 @@ class FaceWriter {
 };
 
 /// Face f as a face outside the scene.
-LooseFace loose_face(const Scene& scene, std::uint32_t f);
+DetachedFace loose_face(const Scene& scene, std::uint32_t f);
 
 }  // namespace ligne

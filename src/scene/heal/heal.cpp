@@ -94,7 +94,7 @@ void cut_bent_faces(Scene& scene, std::vector<std::uint32_t>& faces) {
   FaceWriter writer(scene);
   for (const Object& object : scene.objects) {
     for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
-      const LooseFace face = loose_face(scene, f);
+      const DetachedFace face = loose_face(scene, f);
       bool covered = true;
       std::vector<CutTriangle> triangles;
       if (!is_planar(scene.vertices, face, object.precision)) triangles = cut_into_triangles(scene.vertices, face, covered);

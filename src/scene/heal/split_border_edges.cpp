@@ -136,8 +136,8 @@ class TriangleSplitter {
   std::vector<CutTriangle> pieces_;
 };
 
-LooseFace with_vertices(const LooseFace& face, std::span<const Split> splits) {
-  LooseFace out;
+DetachedFace with_vertices(const DetachedFace& face, std::span<const Split> splits) {
+  DetachedFace out;
   std::uint32_t begin = 0;
   for (const std::uint32_t end : face.contour_end) {
     for (std::uint32_t k = begin; k < end; ++k) {
@@ -156,14 +156,14 @@ LooseFace with_vertices(const LooseFace& face, std::span<const Split> splits) {
 struct SplitFace {
   std::uint32_t face = 0;
   std::size_t splits = 0;
-  std::optional<LooseFace> whole{};
+  std::optional<DetachedFace> whole{};
   std::vector<CutTriangle> pieces{};
 };
 
 /// Returns nothing if the face can not be split.
 std::optional<SplitFace> split_face(const Scene& scene, double precision, std::span<const Split> splits) {
   SplitFace split{splits[0].face, splits.size()};
-  const LooseFace face = loose_face(scene, split.face);
+  const DetachedFace face = loose_face(scene, split.face);
   if (face.corners.size() == 3) {
     const CutTriangle triangle{{face.corners[0], face.corners[1], face.corners[2]},
                                {face.flags[0], face.flags[1], face.flags[2]}};
@@ -172,7 +172,7 @@ std::optional<SplitFace> split_face(const Scene& scene, double precision, std::s
     split.pieces = std::move(*pieces);
     return split;
   }
-  LooseFace whole = with_vertices(face, splits);
+  DetachedFace whole = with_vertices(face, splits);
   if (is_planar(scene.vertices, whole, precision)) {
     split.whole = std::move(whole);
     return split;

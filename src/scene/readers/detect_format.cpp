@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "scene/readers/model_strangers.hpp"
+#include "scene/readers/foreign_formats.hpp"
 #include "scene/readers/off_reader.hpp"
 #include "scene/readers/reader.hpp"
 #include "scene/readers/stl_reader.hpp"
@@ -17,7 +17,7 @@ namespace ligne {
 namespace {
 
 /// Number of bytes of a text that are examined: enough to get past long comments at the head.
-constexpr std::size_t kLookedAt = 65536;
+constexpr std::size_t kDetectionBytes = 65536;
 
 std::string_view as_chars(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -101,7 +101,7 @@ bool is_obj_statement(std::string_view line) {
 }
 
 std::optional<ModelFormat> text_format(std::string_view text) {
-  const std::string_view head = text.substr(0, kLookedAt);
+  const std::string_view head = text.substr(0, kDetectionBytes);
   std::string_view first_line = head.substr(0, head.find_first_of("\r\n"));
   if (is_off_word(take_word(first_line))) return ModelFormat::off;
   if (starts_with_ignoring_case(head, "solid") && head.find_first_of(" \t\r\n", 5) == 5) return ModelFormat::stl_ascii;
@@ -154,7 +154,7 @@ ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suf
   if (chars.starts_with("glTF")) return ModelFormat::glb;
   if (chars.starts_with("PK\x03\x04")) return zip_format(bytes, name);
   if (is_3ds(bytes)) return ModelFormat::three_ds;
-  if (const auto stranger = known_stranger(bytes)) throw InputError(name, *stranger);
+  if (const auto stranger = find_foreign_format(bytes)) throw InputError(name, *stranger);
   const std::string_view text = without_leading_space(chars);
   if (text.starts_with("ply\n") || text.starts_with("ply\r")) return ModelFormat::ply;
   if (is_binary_stl(bytes) && stl_triangle_count(bytes) > 0) return ModelFormat::stl_binary;
@@ -163,7 +163,7 @@ ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suf
 
   if (begins_binary_off(text))
     throw InputError(name, "is a binary OFF file, which is not read: convert it to text, or to PLY");
-  const bool is_binary = chars.substr(0, kLookedAt).find('\0') != std::string_view::npos;
+  const bool is_binary = chars.substr(0, kDetectionBytes).find('\0') != std::string_view::npos;
   if (!is_binary) {
     if (text.empty()) throw InputError(name, "contains only white space");
     if (text[0] == '{') {

@@ -226,8 +226,9 @@ void TriangleFile::read_vertices(std::size_t begin, std::size_t end, Point3* pos
 void TriangleFile::forget_triangles(std::size_t begin, std::size_t end) const {
   file_.forget(triangles_.begin + triangles_.size * begin, triangles_.begin + triangles_.size * end);
   // Neighbouring faces of a PLY share vertices, so these are forgotten only from time to time.
-  constexpr std::size_t kOften = std::size_t{1} << 20;
-  if (format_ == ModelFormat::ply && begin / kOften != end / kOften) file_.forget(vertices_.begin, vertices_.end());
+  constexpr std::size_t kReportInterval = std::size_t{1} << 20;
+  if (format_ == ModelFormat::ply && begin / kReportInterval != end / kReportInterval)
+    file_.forget(vertices_.begin, vertices_.end());
 }
 
 void TriangleFile::forget_vertices(std::size_t begin, std::size_t end) const {

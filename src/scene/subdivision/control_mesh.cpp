@@ -207,7 +207,7 @@ class MeshBuilder {
   bool triangles_;
   ControlMesh made_;
   SideTags sides_;
-  LooseFace face_;                                   ///< the face read last
+  DetachedFace face_;                                ///< the face read last
   std::vector<float> sharpness_;                     ///< of the sides of face_
   std::vector<std::pair<Ends, float>> sharp_sides_;  ///< the sharp sides of face_, sorted
   std::vector<float> vertex_tags_;                   ///< sharpness per vertex of the object

@@ -20,7 +20,7 @@ namespace {
 /// sheet of A4, fine enough for contours to look round. Taste.
 constexpr double kEdgePart = 0.01;
 /// Largest number of triangles if no levels are requested; they take about a second.
-constexpr std::size_t kMostUnasked = 1'000'000;
+constexpr std::size_t kMaxDefaultTriangles = 1'000'000;
 
 /// An object and its surface.
 struct Surface {
@@ -61,7 +61,7 @@ double edge_part(const std::vector<Surface>& surfaces) {
 unsigned levels_by_size(const std::vector<Surface>& surfaces, SubdivisionScheme scheme) {
   unsigned levels = 1;
   for (double part = edge_part(surfaces) / 2; part > kEdgePart && levels < kMostSubdivisionLevels; part /= 2) {
-    if (triangle_count(surfaces, scheme, levels + 1) > kMostUnasked) break;
+    if (triangle_count(surfaces, scheme, levels + 1) > kMaxDefaultTriangles) break;
     ++levels;
   }
   return levels;
@@ -244,7 +244,7 @@ std::string too_many(const SubdivisionRequest& request, const std::vector<Surfac
 
 SubdivisionReport subdivide(Scene& scene, const SubdivisionRequest& request, CreaseTags tags, const std::string& name,
                             Warnings& warnings) {
-  own_everything(scene);
+  make_single_object(scene);
   tags.sort();
   const SubdivisionScheme scheme = request.how.scheme;
   const bool loop = scheme == SubdivisionScheme::loop;

@@ -12,7 +12,7 @@ namespace ligne {
 namespace {
 
 /// Flags that an edge has only if all its sides have them.
-constexpr std::uint8_t kAllMustSay = kCornerFileHidden | kCornerInner;
+constexpr std::uint8_t kFlagsOfAll = kCornerFileHidden | kCornerInner;
 
 /// A side of a face, by its end vertices.
 struct FiledSide {
@@ -69,7 +69,7 @@ void connect_edges(SubdivisionMesh& mesh, const SideTags& sides) {
         {static_cast<std::uint32_t>(filed[first].ends >> 32), static_cast<std::uint32_t>(filed[first].ends)},
         {filed[first].corner, kNone}};
     float sharpness = 0;
-    std::uint8_t flags = 0, common = kAllMustSay;
+    std::uint8_t flags = 0, common = kFlagsOfAll;
     for (last = first; last < filed.size() && filed[last].ends == filed[first].ends; ++last) {
       const std::uint32_t corner = filed[last].corner;
       mesh.corner_edge[corner] = e;
@@ -82,7 +82,7 @@ void connect_edges(SubdivisionMesh& mesh, const SideTags& sides) {
     }
     mesh.edges.push_back(edge);
     mesh.edge_sharpness.push_back(last - first == 2 ? sharpness : kAlwaysSharp);
-    mesh.edge_flags.push_back(static_cast<std::uint8_t>((flags & ~kAllMustSay) | common));
+    mesh.edge_flags.push_back(static_cast<std::uint8_t>((flags & ~kFlagsOfAll) | common));
   }
   sharpen_where_fans_meet(mesh, fans);
 }

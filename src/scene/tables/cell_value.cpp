@@ -17,8 +17,8 @@ constexpr std::size_t kLongestNumber = 400;
 constexpr std::string_view kMinusSign = "\u2212";
 constexpr std::array<std::string_view, 3> kSpaces{"\u00A0", "\u2009", "\u202F"};
 
-constexpr std::array<std::string_view, 12> kSignsOfNothing{"nan",  "na", "n/a",    "null",    "none",      "nil",
-                                                           "<na>", "?",  "nodata", "missing", "undefined", "."};
+constexpr std::array<std::string_view, 12> kMissingValueWords{"nan",  "na", "n/a",    "null",    "none",      "nil",
+                                                              "<na>", "?",  "nodata", "missing", "undefined", "."};
 constexpr std::array<std::string_view, 8> kSheetErrors{"#n/a",    "#na",   "#null!", "#div/0!",
                                                        "#value!", "#ref!", "#name?", "#num!"};
 
@@ -106,7 +106,7 @@ bool is_missing(std::string_view cell) {
   const auto is_run = [&](char c) { return std::all_of(cell.begin(), cell.end(), [c](char at) { return at == c; }); };
   if (is_run('-') || is_run('*')) return true;
   const auto is = [&](std::string_view sign) { return equal_ignoring_case(cell, sign); };
-  if (std::any_of(kSignsOfNothing.begin(), kSignsOfNothing.end(), is)) return true;
+  if (std::any_of(kMissingValueWords.begin(), kMissingValueWords.end(), is)) return true;
   if (std::any_of(kSheetErrors.begin(), kSheetErrors.end(), is)) return true;
   const std::string_view bare = without_sign(cell);
   for (const std::string_view sign : {"nan", "inf", "infinity", "1.#qnan", "1.#ind", "1.#inf", "1.#snan"}) {

@@ -147,10 +147,12 @@ double load_component(const GltfElements& from, std::size_t i, std::size_t k, bo
 }
 
 /// Result of reading: the largest absolute value, and the first invalid element.
-struct Met {
+struct ReadAccessor {
   double largest = 0;
   std::size_t bad = kAllGood;
-  friend Met operator+(const Met& a, const Met& b) { return {std::max(a.largest, b.largest), std::min(a.bad, b.bad)}; }
+  friend ReadAccessor operator+(const ReadAccessor& a, const ReadAccessor& b) {
+    return {std::max(a.largest, b.largest), std::min(a.bad, b.bad)};
+  }
 };
 
 /// Whether a transform leaves every point unchanged.
@@ -158,9 +160,9 @@ bool is_identity(const glm::dmat4& m) { return m == glm::dmat4(1); }
 
 /// Reads elements and calls put(i, position) for each.
 template <class T, class Put>
-Met read_as(const GltfElements& from, double scale, const Put& put) {
-  return parallel_reduce(from.count, kShortWorkBlock, Met{}, [&](std::size_t begin, std::size_t end) {
-    Met met;
+ReadAccessor read_as(const GltfElements& from, double scale, const Put& put) {
+  return parallel_reduce(from.count, kShortWorkBlock, ReadAccessor{}, [&](std::size_t begin, std::size_t end) {
+    ReadAccessor met;
     T largest = 0;  // of floats; integers are always valid
     for (std::size_t i = begin; i != end; ++i) {
       const std::byte* at = from.data + i * from.stride;
@@ -186,7 +188,7 @@ Met read_as(const GltfElements& from, double scale, const Put& put) {
 }
 
 template <class Put>
-Met read_elements(const GltfElements& from, bool normalized, const Put& put) {
+ReadAccessor read_elements(const GltfElements& from, bool normalized, const Put& put) {
   if (!from.data) {
     for (std::size_t i = 0; i < from.count; ++i) put(i, Point3(0));
     return {};
@@ -202,7 +204,7 @@ Met read_elements(const GltfElements& from, bool normalized, const Put& put) {
 /// Writes positions transformed by `move`; sparse ones replace others.
 template <class Move>
 double read_moved(const GltfDocument& document, const GltfAccessor& accessor, std::span<Point3> out, const Move& move) {
-  const auto check = [&](const Met& met, const char* what) {
+  const auto check = [&](const ReadAccessor& met, const char* what) {
     if (met.bad != kAllGood) document.fail(accessor.place, std::string(what) + std::to_string(met.bad) + " is not finite");
     return met.largest;
   };
@@ -219,8 +221,8 @@ double read_moved(const GltfDocument& document, const GltfAccessor& accessor, st
   }
   // Sequential, so that the last of two values for one element counts at any number of threads.
   std::vector<Point3> values(indices.count);
-  const Met met = read_elements(accessor.sparse_values, accessor.normalized,
-                                [&](std::size_t i, const Point3& p) { values[i] = move(p); });
+  const ReadAccessor met = read_elements(accessor.sparse_values, accessor.normalized,
+                                         [&](std::size_t i, const Point3& p) { values[i] = move(p); });
   for (std::size_t i = 0; i < indices.count; ++i) out[load_index(indices, i)] = values[i];
   return std::max(largest, check(met, "sparse position "));
 }

@@ -237,8 +237,8 @@ class Checker {
         if (color.is_null()) color = glossy->numbers("diffuseFactor", 4);
         if (const auto texture = glossy->object("diffuseTexture")) add_texture(*texture);
       }
-      if (const auto glass = extensions->object(kTransmissionExtension)) {
-        const json* const factor = glass->find("transmissionFactor");
+      if (const auto transmission = extensions->object(kTransmissionExtension)) {
+        const json* const factor = transmission->find("transmissionFactor");
         if (factor && factor->is_number()) out["extensions"][kTransmissionExtension] = {{"transmissionFactor", *factor}};
       }
     }

@@ -13,11 +13,11 @@ namespace ligne {
 namespace {
 
 /// The animation with the requested name, or else with that number, from 0.
-const tinygltf::Animation& find_animation(const GltfDocument& document, const std::string& asked) {
+const tinygltf::Animation& find_animation(const GltfDocument& document, const std::string& wanted) {
   const std::vector<tinygltf::Animation>& all = document.model.animations;
-  const auto named = std::ranges::find(all, asked, &tinygltf::Animation::name);
+  const auto named = std::ranges::find(all, wanted, &tinygltf::Animation::name);
   if (named != all.end()) return *named;
-  const std::optional<std::int64_t> number = parse_integer(asked);
+  const std::optional<std::int64_t> number = parse_integer(wanted);
   if (number && *number >= 0 && *number < static_cast<std::int64_t>(all.size()))
     return all[static_cast<std::size_t>(*number)];
   std::string list;
@@ -25,7 +25,7 @@ const tinygltf::Animation& find_animation(const GltfDocument& document, const st
   for (std::size_t i = 0; i < std::min(all.size(), kMostListed); ++i) {
     list += (i > 0 ? ", " : "") + std::to_string(i) + (all[i].name.empty() ? "" : " " + printable(all[i].name));
   }
-  throw InputError(document.name, "has no animation " + shown(asked, '"') +
+  throw InputError(document.name, "has no animation " + shown(wanted, '"') +
                                       (all.empty() ? ": it has none at all" : "; there are " + list) +
                                       (all.size() > kMostListed ? " and more" : ""));
 }

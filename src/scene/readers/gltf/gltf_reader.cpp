@@ -37,8 +37,8 @@ constexpr std::size_t kMaxInstanced = std::size_t{1} << 25;
 constexpr int kFloatDigits = std::numeric_limits<float>::digits;
 /// Number of roundings of a coordinate in a 4 x 4 transform: products and sums, once per level of a shallow node tree.
 constexpr double kTransformRoundings = 4;
-/// Smallest opacity of glass: even if it transmits all light, its lines belong to an object.
-constexpr double kClearGlass = 0.1;
+/// Smallest opacity of materials with transmission: even if it transmits all light, its lines belong to an object.
+constexpr double kTransmissionOpacity = 0.1;
 
 /// A primitive whose data were checked to exist.
 struct Primitive {
@@ -346,9 +346,9 @@ class Reader {
       material.color = glm::clamp(Point3(c[0], c[1], c[2]), 0.0, 1.0);
       // Only BLEND makes a face transparent: OPAQUE ignores the alpha value, MASK compares it (section 3.9.4).
       if (from.alphaMode == "BLEND") material.opacity = std::clamp(c[3], 0.0, 1.0);
-      if (const auto glass = from.extensions.find(kTransmissionExtension); glass != from.extensions.end()) {
-        const double through = glass->second.Get("transmissionFactor").GetNumberAsDouble();
-        material.opacity = std::min(material.opacity, std::max(1 - through, kClearGlass));
+      if (const auto transmission = from.extensions.find(kTransmissionExtension); transmission != from.extensions.end()) {
+        const double through = transmission->second.Get("transmissionFactor").GetNumberAsDouble();
+        material.opacity = std::min(material.opacity, std::max(1 - through, kTransmissionOpacity));
       }
       scene_.materials.push_back(std::move(material));
     }

@@ -13,9 +13,9 @@ namespace ligne {
 namespace {
 
 /// Statements about shading and display, or beside the faces, which can be skipped without loss.
-constexpr std::array<std::string_view, 15> kPassedOver{"vt",    "vn",     "vp",       "s",          "mg",
-                                                       "lod",   "bevel",  "c_interp", "d_interp",   "ctech",
-                                                       "stech", "usemap", "maplib",   "shadow_obj", "trace_obj"};
+constexpr std::array<std::string_view, 15> kIgnoredStatements{"vt",    "vn",     "vp",       "s",          "mg",
+                                                              "lod",   "bevel",  "c_interp", "d_interp",   "ctech",
+                                                              "stech", "usemap", "maplib",   "shadow_obj", "trace_obj"};
 
 /// Whether a word is "nan", "-inf" or the like, which some programs write for unknown colours.
 bool is_no_finite_number(std::string_view word) {
@@ -148,7 +148,7 @@ bool ObjStatements::take_name(std::string_view keyword, std::string_view rest) {
 }
 
 void ObjStatements::leave_out(std::string_view keyword) {
-  if (std::ranges::find(kPassedOver, keyword) != kPassedOver.end()) return;
+  if (std::ranges::find(kIgnoredStatements, keyword) != kIgnoredStatements.end()) return;
   if (keyword == "l") return warnings_.leave_out("lines (l)");
   if (keyword == "p") return warnings_.leave_out("points (p)");
   if (keyword == "t") return warnings_.leave_out("tags of subdivision (t), which --subdivide reads");

@@ -9,8 +9,8 @@ namespace ligne {
 namespace {
 
 /// Elements that no drawing needs, or that are read elsewhere.
-constexpr std::array<std::string_view, 9> kPassedOver{"metadata", "metadatagroup", "resources", "build",        "object",
-                                                      "mesh",     "components",    "base",      "basematerials"};
+constexpr std::array<std::string_view, 9> kKnownElements{"metadata", "metadatagroup", "resources", "build",        "object",
+                                                         "mesh",     "components",    "base",      "basematerials"};
 
 int hex_of(char c) {
   if (c >= '0' && c <= '9') return c - '0';
@@ -112,7 +112,7 @@ void ThreeMfDocument::parse(ThreeMfPart& part) {
   if (local_name(part.model.name()) != "model") throw InputError(name_, "part " + shown(part.path) + " is not a model");
   for (const pugi::xml_node& child : part.model.children()) {
     const std::string_view kind = local_name(child.name());
-    if (std::ranges::find(kPassedOver, kind) == kPassedOver.end())
+    if (std::ranges::find(kKnownElements, kind) == kKnownElements.end())
       warnings_.leave_out("elements " + std::string(child.name()));
   }
   read_resources(part);

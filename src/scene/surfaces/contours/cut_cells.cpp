@@ -16,7 +16,7 @@ namespace {
 constexpr double kLeftOut = 0.05, kAdded = 0.5;
 
 /// Number of rows and of columns that are sampled to estimate the usual range of heights.
-constexpr std::size_t kRowsAsked = 256;
+constexpr std::size_t kSampledRows = 256;
 
 /// Ratio of the full range of heights to the trimmed one above which a pole is searched.
 constexpr double kFarOut = 4;
@@ -90,7 +90,7 @@ HeightWindow window_of_samples(const HeightSource& heights) {
 
 HeightWindow window_without_poles(const HeightSource& source) {
   const std::size_t columns = source.x().size(), rows = source.y().size();
-  const std::size_t row_step = rows / kRowsAsked + 1, column_step = columns / kRowsAsked + 1;
+  const std::size_t row_step = rows / kSampledRows + 1, column_step = columns / kSampledRows + 1;
   std::vector<double> heights, row(columns);
   for (std::size_t j = 0; j < rows; j += row_step) {
     source.read_row(j, row);

@@ -11,7 +11,7 @@ namespace ligne {
 namespace {
 
 /// Number of bytes at the beginning that are searched for bytes that no text has, and for the keys of models.
-constexpr std::size_t kLookedAt = 65536;
+constexpr std::size_t kDetectionBytes = 65536;
 
 #ifdef LIGNE_HAVE_GDAL
 constexpr bool kHasGdal = true;
@@ -47,7 +47,7 @@ std::optional<std::string> raster_name(std::string_view chars, const std::string
 
 bool may_be_text(std::string_view chars) {
   const bool is_utf16 = chars.starts_with("\xFF\xFE") || chars.starts_with("\xFE\xFF");
-  return is_utf16 || chars.substr(0, kLookedAt).find('\0') == std::string_view::npos;
+  return is_utf16 || chars.substr(0, kDetectionBytes).find('\0') == std::string_view::npos;
 }
 
 void refuse_models(std::span<const std::byte> bytes, const std::string& name, const std::string& wanted) {
@@ -69,7 +69,7 @@ std::optional<std::vector<DataArray>> read_arrays(std::span<const std::byte> byt
   if (is_matlab(chars)) return read_matlab(bytes, name, warnings);
   if (!may_be_json(chars)) return {};
   // Models in JSON have keys of their own.
-  const std::string_view beginning = chars.substr(0, kLookedAt);
+  const std::string_view beginning = chars.substr(0, kDetectionBytes);
   for (const std::string_view key : {"\"asset\"", "\"format\""}) {
     if (beginning.find(key) != std::string_view::npos) refuse_models(bytes, name, wanted);
   }

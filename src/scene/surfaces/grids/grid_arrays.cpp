@@ -61,7 +61,7 @@ class ArraySurface {
       if (!is_meshgrid(*x, true) || !is_meshgrid(*y, false)) return mesh(*x, *y, *z);
     }
     std::vector<double> values = z->values;
-    leave_out_signs_of_nothing(values, 1, warnings_);
+    drop_missing_values(values, 1, warnings_);
     auto heights = heights_over(axis(*z, x, 1), axis(*z, y, 0), std::move(values), name_);
     if (is_degrees(x, "_east") && is_degrees(y, "_north")) heights->set_unit(GroundUnit::degrees);
     return {std::move(heights), {}};
@@ -237,7 +237,7 @@ class ArraySurface {
       rows.lines.push_back(k + 1);
       for (const std::vector<double>* column : columns) rows.values.push_back((*column)[k]);
     }
-    leave_out_signs_of_nothing(rows.values, 3, warnings_);
+    drop_missing_values(rows.values, 3, warnings_);
     rows.block_begins = {0};
     if (find_blocks(rows) && is_grid_of_blocks(rows, name_)) return {grid_of_points(std::move(rows), name_), {}};
     rows.block_begins = {0};

@@ -287,7 +287,7 @@ class RowSurface {
       rows.lines.push_back(table_.line(row));
     }
     rows.block_begins = block_begins_;
-    leave_out_signs_of_nothing(rows.values, 3, warnings_);
+    drop_missing_values(rows.values, 3, warnings_);
     return rows;
   }
 

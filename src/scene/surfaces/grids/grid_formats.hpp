@@ -148,7 +148,7 @@ bool find_blocks(PointRows& rows);
 
 /// Turns signs for missing heights (-9999, -32768 or -99999) into NaN, in files without a header that defines them. In
 /// each group of `step` values the last one is a height. A sign counts only if it is far below all other heights.
-void leave_out_signs_of_nothing(std::vector<double>& values, std::size_t step, Warnings& warnings);
+void drop_missing_values(std::vector<double>& values, std::size_t step, Warnings& warnings);
 
 /// Makes a surface of points in any order: a grid with holes if they fill enough of one, else scattered points
 /// (scattered_points.hpp).

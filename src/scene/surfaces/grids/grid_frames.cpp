@@ -39,7 +39,7 @@ std::vector<double> heights_behind(const Table& table, RowRange rows, Warnings& 
     const std::span<const double> values = table.row(row).subspan(1);
     z.insert(z.end(), values.begin(), values.end());
   }
-  leave_out_signs_of_nothing(z, 1, warnings);
+  drop_missing_values(z, 1, warnings);
   return z;
 }
 
@@ -70,7 +70,7 @@ std::unique_ptr<HeightSource> matrix_of_rows(const Table& table, RowRange rows, 
     const std::span<const double> values = table.row(row);
     for (const std::size_t column : columns) z.push_back(values[column]);
   }
-  leave_out_signs_of_nothing(z, 1, warnings);
+  drop_missing_values(z, 1, warnings);
   return held_heights(counted_positions(columns.size()), counted_positions(rows.size()), std::move(z),
                       SampleOrder::first_row_lowest(columns.size()), name);
 }

@@ -63,7 +63,7 @@ std::unique_ptr<HeightSource> series_of_rows(std::span<const double> values, std
   for (std::size_t row = 1; row < y.size(); ++row) {
     if (!(ascends ? y[row - 1] < y[row] : y[row - 1] > y[row])) return nullptr;
   }
-  leave_out_signs_of_nothing(z, 1, warnings);
+  drop_missing_values(z, 1, warnings);
   return heights_over(counted_positions(columns - 1), std::move(y), std::move(z), name);
 }
 

@@ -101,7 +101,7 @@ std::unique_ptr<HeightSource> grid_with_holes(const std::vector<Point3>& points,
 
 }  // namespace
 
-void leave_out_signs_of_nothing(std::vector<double>& values, std::size_t step, Warnings& warnings) {
+void drop_missing_values(std::vector<double>& values, std::size_t step, Warnings& warnings) {
   std::size_t beyond = 0;
   for (std::size_t k = step - 1; k < values.size(); k += step) {
     if (!(std::abs(values[k]) >= kBeyondHeights)) continue;

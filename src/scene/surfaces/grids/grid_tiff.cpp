@@ -24,7 +24,7 @@ constexpr std::uint64_t kMostUnpacked = 4096;
 constexpr int kMostDirectories = 1000;
 /// Floats below this are ESRI's sign for a missing height, -3.4e38, in files that do not define one.
 constexpr double kLowestHeight = -1e38;
-/// The sign for a missing height closest to zero (leave_out_signs_of_nothing).
+/// The sign for a missing height closest to zero (drop_missing_values).
 constexpr double kFirstSign = -9999;
 
 /// Size and sample format of one directory.
@@ -248,7 +248,7 @@ class TiffFile {
     warnings_.add("heights below -1e38 read as NODATA", lowest);
     if (!has_sign) return;
     std::vector<double> values(heights.begin(), heights.end());
-    leave_out_signs_of_nothing(values, 1, warnings_);
+    drop_missing_values(values, 1, warnings_);
     for (std::size_t k = 0; k < values.size(); ++k) {
       if (std::isnan(values[k])) heights[k] = std::numeric_limits<Height>::quiet_NaN();
     }

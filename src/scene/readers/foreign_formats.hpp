@@ -10,6 +10,6 @@ namespace ligne {
 
 /// A message for a file that is known by its first bytes but not read: its kind, and how to convert it. Nothing for
 /// unknown files.
-std::optional<std::string> known_stranger(std::span<const std::byte> bytes);
+std::optional<std::string> find_foreign_format(std::span<const std::byte> bytes);
 
 }  // namespace ligne
