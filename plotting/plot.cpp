@@ -17,7 +17,7 @@ namespace {
 /// Lines of one style.
 struct StyledLines {
   std::vector<double> dashes_mm;
-  StrokeLook look;
+  StrokeStyle look;
   Polylines lines;
 };
 
@@ -87,10 +87,10 @@ std::vector<PenWork> work_of(const Drawing& given, const PlotRequest& request) {
   Drawing drawing = given;
   draw_texts_as_strokes(drawing);
   std::vector<PenWork> work;
-  PenAssigner dealer(drawing, request);
+  PenAssigner assigner(drawing, request);
   for (Layer& layer : drawing.layers) {
     if (empty(layer.lines)) continue;
-    Pen pen = dealer.pen_of(layer);
+    Pen pen = assigner.pen_of(layer);
     const LineStyle style = request.style.style_of(layer);
     const bool keeps_look = request.keep_looks && !request.pens.pens.contains(pen.number);
     auto entry = std::find_if(work.begin(), work.end(), [&](const PenWork& other) { return one_pen(other.pen, pen); });
@@ -103,7 +103,7 @@ std::vector<PenWork> work_of(const Drawing& given, const PlotRequest& request) {
     // Dash lengths are proportional to the width of the pen that draws them.
     std::vector<double> dashes = style.dashes_mm;
     for (double& dash : dashes) dash *= width / style.width_mm;
-    const StrokeLook look = keeps_look ? StrokeLook{style.color, width} : StrokeLook{};
+    const StrokeStyle look = keeps_look ? StrokeStyle{style.color, width} : StrokeStyle{};
     const auto same = std::find_if(entry->styles.begin(), entry->styles.end(),
                                    [&](const StyledLines& s) { return s.dashes_mm == dashes && s.look == look; });
     if (same == entry->styles.end()) {
@@ -135,7 +135,7 @@ void drop_short(PenLines& pen, double min_length_mm) {
 /// The lines of a pen unchanged, or, if `join` is given, joined within each style.
 PenLines lines_of(const PenWork& work, const JoinTolerances* join) {
   PenLines pen{work.pen, {}};
-  std::vector<StrokeLook>& looks = pen.looks;
+  std::vector<StrokeStyle>& looks = pen.looks;
   for (const StyledLines& style : work.styles) {
     const Polylines strokes =
         join ? cut({style.dashes_mm, style.look, join_strokes(style.lines, *join)}, work.pen) : cut(style, work.pen);
@@ -189,7 +189,7 @@ PenLines optimized(const PenWork& work, const PathOptions& paths) {
 
 }  // namespace
 
-Plot deal_to_pens(const Drawing& drawing, const PlotRequest& request) {
+Plot assign_pens(const Drawing& drawing, const PlotRequest& request) {
   Plot plot{request.style.page, {}};
   for (const PenWork& work : work_of(drawing, request)) plot.pens.push_back(lines_of(work, nullptr));
   return plot;
@@ -209,7 +209,7 @@ Drawing optimize_layers(const Drawing& drawing, const PathOptions& options) {
   return result;
 }
 
-Rect ink_of(const Plot& plot) {
+Rect drawn_bounds(const Plot& plot) {
   Rect ink;
   for (const PenLines& pen : plot.pens) {
     if (pen.pen.skip) continue;
@@ -218,7 +218,7 @@ Rect ink_of(const Plot& plot) {
   return ink;
 }
 
-Rect ink_of(const Drawing& drawing) {
+Rect drawn_bounds(const Drawing& drawing) {
   Rect ink;
   for (const Layer& layer : drawing.layers) {
     for (const Point2 p : layer.lines.points) ink.extend(p);

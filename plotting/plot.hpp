@@ -16,17 +16,17 @@
 namespace ligne {
 
 /// Colour and width of a stroke, for plots that are written as pictures.
-struct StrokeLook {
+struct StrokeStyle {
   std::array<double, 3> color{0, 0, 0};
   double width_mm = 0;
-  friend bool operator==(const StrokeLook&, const StrokeLook&) = default;
+  friend bool operator==(const StrokeStyle&, const StrokeStyle&) = default;
 };
 
 /// The strokes of one pen in drawing order.
 struct PenLines {
   Pen pen;
   Polylines lines;                       ///< page mm
-  std::vector<StrokeLook> looks{};       ///< the different looks of the strokes; empty if all look like the pen
+  std::vector<StrokeStyle> looks{};      ///< the different looks of the strokes; empty if all look like the pen
   std::vector<std::uint32_t> look_of{};  ///< per stroke: index into `looks`; empty with it
   std::vector<std::uint32_t> actions{};  ///< strokes before which the machine performs its action, ascending
                                          ///< (LongPlotRequest::action in plot_parts.hpp)
@@ -50,7 +50,7 @@ struct PlotRequest {
 };
 
 /// Divides the layers among their pens, and converts texts and dashes to strokes. The order of lines does not change.
-Plot deal_to_pens(const Drawing& drawing, const PlotRequest& request);
+Plot assign_pens(const Drawing& drawing, const PlotRequest& request);
 
 /// Divides the layers among their pens, then joins and orders the lines of every pen as `request.paths` says. Dashed
 /// lines are joined before they are cut into dashes. If joining would make the plot of a pen slower, its lines are only
@@ -61,8 +61,8 @@ Plot make_plot(const Drawing& drawing, const PlotRequest& request);
 Drawing optimize_layers(const Drawing& drawing, const PathOptions& options);
 
 /// Bounding box of the drawn points, page mm; empty if nothing is drawn. Pens that are skipped do not count.
-Rect ink_of(const Plot& plot);
-Rect ink_of(const Drawing& drawing);
+Rect drawn_bounds(const Plot& plot);
+Rect drawn_bounds(const Drawing& drawing);
 
 /// Sum of the path lengths of all pens that are not skipped, if every pen starts at `home`. Ordering assumes the same.
 PathLengths measure(const Plot& plot, Point2 home, bool returns);

@@ -32,7 +32,9 @@ struct LongPlotRequest {
   std::string action, park;        ///< an action and a position that the device defines; pens are changed at
                                    ///< `park`, or, if that is empty, where the pen is
 
-  bool asked() const { return split || pen_files || from_stroke > 1 || from_seconds > 0 || every_mm || !park.empty(); }
+  bool is_requested() const {
+    return split || pen_files || from_stroke > 1 || from_seconds > 0 || every_mm || !park.empty();
+  }
 };
 
 /// Number of strokes of a plot.

@@ -39,7 +39,7 @@ Drawing drawing_of(const Plot& plot) {
     // Strokes keep their order, so only consecutive strokes of one look are put together.
     for (std::size_t i = 0; i < pen.lines.size(); ++i) {
       if (i == 0 || pen.look_of[i] != pen.look_of[i - 1]) {
-        const StrokeLook& look = pen.looks[pen.look_of[i]];
+        const StrokeStyle& look = pen.looks[pen.look_of[i]];
         Layer& part = drawing.layers.emplace_back(Layer{label, {}});
         part.color = look.color;
         part.width_mm = look.width_mm;

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "areas/endless_work.hpp"
+#include "areas/work_limit_error.hpp"
 
 namespace ligne::svg {
 namespace {
@@ -78,7 +78,7 @@ void add(Polylines& out, std::vector<Point2>& line) {
 }  // namespace
 
 void Area::count(std::size_t looked_at) const {
-  if ((*work_ += looked_at) > kMostClipWork) throw EndlessWork("has a clip path that takes too much work");
+  if ((*work_ += looked_at) > kMostClipWork) throw WorkLimitError("has a clip path that takes too much work");
 }
 
 Area::Area(const Polylines& contours, FillRule rule, ClipWork work) : rule_(rule), work_(std::move(work)) {

@@ -36,7 +36,7 @@ struct WindingChange {
 ///
 /// Edges are segments between lattice points. Edges with the same two ends become one, with the sum of their windings.
 /// A vertex that lies on the line of a stroke up to rounding is on neither side of the stroke, so an edge along the
-/// stroke separates its two sides and crosses nothing. Every function throws EndlessWork when all areas together have
+/// stroke separates its two sides and crosses nothing. Every function throws WorkLimitError when all areas together have
 /// looked at too many edges.
 class Area {
  public:

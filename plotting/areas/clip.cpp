@@ -23,7 +23,7 @@ void for_each_area(const Clip& clip, const Visit& visit) {
 
 /// Limit of drawn_once(): mean number of edges and boxes looked at per segment. Above it all segments lie in one place,
 /// and repeated lines are kept. Adjustable.
-constexpr std::size_t kMostLooks = 1000;
+constexpr std::size_t kMaxTestsPerSegment = 1000;
 
 /// A part of a segment, as fractions of its length.
 struct Interval {
@@ -128,13 +128,13 @@ Polylines drawn_once(const Polylines& lines) {
   const EdgeTree tree(all);
   std::vector<std::vector<Interval>> repeated(all.size());
   bool any = false;
-  std::size_t looked_at = 0;
+  std::size_t tests = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const StepBox box = box_of(all[i]).grown(kRoundingSteps);
-    looked_at += tree.search(
+    tests += tree.search(
         [&](const StepBox& other) { return box.meets(other); },
         [&](std::size_t k) { any |= k < i && box.meets(box_of(all[k])) && add_common_part(all[i], all[k], repeated[i]); });
-    if (looked_at > kMostLooks * all.size()) return lines;
+    if (tests > kMaxTestsPerSegment * all.size()) return lines;
   }
   if (!any) return lines;
   Polylines out;

@@ -37,12 +37,12 @@ class EdgeTree {
 
   const StepBox& box() const { return box_; }
 
-  /// Calls visit(i) for all edges in order, except edges in boxes for which `may_meet` is false. Returns the number of
+  /// Calls visit(i) for all edges in order, except edges in boxes for which `may_intersect` is false. Returns the number of
   /// boxes and edges looked at.
   template <class MayMeet, class Visit>
-  std::size_t search(MayMeet may_meet, Visit visit) const {
+  std::size_t search(MayMeet may_intersect, Visit visit) const {
     std::size_t looked_at = 0;
-    if (count_ > 0) search_node(levels_.size() - 1, 0, may_meet, visit, looked_at);
+    if (count_ > 0) search_node(levels_.size() - 1, 0, may_intersect, visit, looked_at);
     return looked_at;
   }
 
@@ -51,14 +51,14 @@ class EdgeTree {
   static constexpr std::size_t kLeaf = 4, kChildren = 4;
 
   template <class MayMeet, class Visit>
-  void search_node(std::size_t level, std::size_t node, MayMeet& may_meet, Visit& visit, std::size_t& looked_at) const {
+  void search_node(std::size_t level, std::size_t node, MayMeet& may_intersect, Visit& visit, std::size_t& looked_at) const {
     ++looked_at;
-    if (!may_meet(levels_[level][node])) return;
+    if (!may_intersect(levels_[level][node])) return;
     const std::size_t below = level == 0 ? count_ : levels_[level - 1].size(), many = level == 0 ? kLeaf : kChildren;
     const std::size_t end = node * many + many < below ? node * many + many : below;
     for (std::size_t i = node * many; i < end; ++i) {
       if (level > 0) {
-        search_node(level - 1, i, may_meet, visit, looked_at);
+        search_node(level - 1, i, may_intersect, visit, looked_at);
       } else {
         ++looked_at;
         visit(i);

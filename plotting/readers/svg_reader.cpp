@@ -7,7 +7,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "areas/endless_work.hpp"
+#include "areas/work_limit_error.hpp"
 #include "files/input_error.hpp"
 #include "plotting/devices/pens.hpp"
 #include "plotting/svg/entities.hpp"
@@ -56,7 +56,7 @@ void SvgReader::read_sheet(const pugi::xml_node& node) {
       if (skip_.contains("style")) return refuse("style", node);
       omit(kind, node, "<style> has style, which is not known: " + kind + "; --skip style leaves it out");
     });
-  } catch (const EndlessWork& e) {
+  } catch (const WorkLimitError& e) {
     fail(node, e.what());
   }
 }
@@ -175,7 +175,7 @@ Matrix SvgReader::placing_of(const pugi::xml_node& node, const Context& context)
     const Point2 origin = transform_origin(style.origin, context.port, box);
     return Matrix{1, 0, 0, 1, origin.x, origin.y} * *style.placing * Matrix{1, 0, 0, 1, -origin.x, -origin.y};
   } catch (const std::invalid_argument& e) {
-    complaints_.bad_value("transform-origin", node, e.what());
+    diagnostics_.bad_value("transform-origin", node, e.what());
     return *style.placing;
   }
 }
@@ -222,9 +222,9 @@ void SvgReader::walk(const pugi::xml_node& node, const Context& around) {
   const std::string shown_name = "<" + printable(name) + ">";
   try {
     walk_element(name, node, around);
-  } catch (const EndlessWork& e) {
+  } catch (const WorkLimitError& e) {
     fail(node, shown_name + " " + e.what());
-  } catch (const OutOfReach& e) {
+  } catch (const CoordinateRangeError& e) {
     omit("elements farther than a kilometre away", node, shown_name + " " + e.what());
   } catch (const std::invalid_argument& e) {
     omit(shown_name + " elements with errors", node, shown_name + " " + e.what());

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "areas/endless_work.hpp"
+#include "areas/work_limit_error.hpp"
 #include "plotting/svg/reader.hpp"
 
 namespace ligne::svg {
@@ -40,7 +40,7 @@ void cut_clip_shapes(const ClipPointer& within, std::size_t first, Clip& clip) {
 
 /// Extends the box by an element and its children, visible or not, except children with display: none.
 void SvgReader::extend_box(const pugi::xml_node& node, const Context& context, const Matrix& to_box, Rect& box) {
-  if (++boxed_ > kMostBoxed) throw EndlessWork("has boxes of more than ten million elements");
+  if (++boxed_ > kMostBoxed) throw WorkLimitError("has boxes of more than ten million elements");
   if (context.depth > kDeepestBox) return;
   Polylines lines;
   Outline outline(lines, to_box);
@@ -235,7 +235,7 @@ bool SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const C
   // Groups and other elements may not stand in it (CSS Masking 1, 6.1): viewers leave them out too.
   if (!outline_shape(name, node, attributes(context), outline)) return true;
   clip_points_ += lines.points.size() + 1;
-  if (clip_points_ > kMostPoints) throw EndlessWork("has clip paths of more than fifty million points");
+  if (clip_points_ > kMostPoints) throw WorkLimitError("has clip paths of more than fifty million points");
   const bool even_odd = is_mask ? style.fill_even_odd : style.clip_even_odd;
   clip.any_of.emplace_back(lines, even_odd ? FillRule::even_odd : FillRule::nonzero, clip_work_);
   cut_clip_shapes(within, first, clip);

@@ -1,4 +1,4 @@
-/// Complaints of the SVG reader about the parts that it leaves out: they are counted or refused.
+/// Diagnostics of the SVG reader about the parts that it leaves out: they are counted or refused.
 
 #include <algorithm>
 
@@ -25,13 +25,13 @@ std::string noun_of(std::string_view name, const pugi::xml_node& node) {
 SvgReader::SvgReader(std::string_view text, std::string file, const std::set<std::string>& skip, const FillReading& fills,
                      const SvgReading& reading)
     : text_(text), file_(std::move(file)), skip_(skip), fills_(fills), reading_(reading) {
-  complaints_.refuse = [this](std::string_view name, const pugi::xml_node& node) { refuse(name, node); };
-  complaints_.bad_value = [this](std::string_view property, const pugi::xml_node& node, const std::string& cause) {
+  diagnostics_.refuse = [this](std::string_view name, const pugi::xml_node& node) { refuse(name, node); };
+  diagnostics_.bad_value = [this](std::string_view property, const pugi::xml_node& node, const std::string& cause) {
     const std::string shown_property = printable(property);
     omit("values of " + shown_property + " that are not known", node,
          "<" + printable(node.name()) + "> " + shown_property + ": " + cause);
   };
-  complaints_.cut_short = [this](const pugi::xml_node& node, const std::string& cause) {
+  diagnostics_.cut_short = [this](const pugi::xml_node& node, const std::string& cause) {
     const std::string name = "<" + printable(node.name()) + ">";
     omit("ends of " + name + " elements after an error", node, name + " " + cause);
   };

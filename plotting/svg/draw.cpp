@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "areas/endless_work.hpp"
+#include "areas/work_limit_error.hpp"
 #include "files/message_text.hpp"
 #include "plotting/dashes.hpp"
 #include "plotting/devices/pens.hpp"
@@ -63,14 +63,14 @@ Polylines without_dots(const Polylines& lines) {
   return kept;
 }
 
-/// Cuts dashes. Throws EndlessWork if a few bytes ask for too many.
+/// Cuts dashes. Throws WorkLimitError if a few bytes ask for too many.
 Polylines cut_some(const Polylines& lines, const std::vector<double>& dashes, double offset) {
   double length = 0, period = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) length += path_length(lines[i]);
   for (const double dash : dashes) period += dash;
   const double points = 2 * length / period * static_cast<double>(dashes.size());
   if (period >= kShortestPatternMm && points > static_cast<double>(kMostPoints))
-    throw EndlessWork("has more than fifty million dashes");
+    throw WorkLimitError("has more than fifty million dashes");
   return cut_pattern(lines, dashes, offset);
 }
 
@@ -166,7 +166,7 @@ void SvgReader::add_lines(const Polylines& given, const Context& context, const 
   drawn_ = true;
   PaintedLines& target = layer_of(context.layer.empty() ? color : context.layer, color, width_mm);
   if (target.layer.lines.points.size() + lines.points.size() > kMostPoints)
-    throw EndlessWork("the drawing has more than fifty million points");
+    throw WorkLimitError("the drawing has more than fifty million points");
   target.in_layer = context.layer;
   append(target.layer.lines, lines);
   target.painted.resize(target.layer.lines.size(), painted_);
@@ -180,7 +180,7 @@ FillRule SvgReader::fill_rule(const Context& context) {
 void SvgReader::hide(const Polylines& contours, const Context& context, std::optional<double> rim_width) {
   if ((!drawn_ && !fills_.occlude) || parse_layer_label(context.layer).skip) return;
   clip_points_ += contours.points.size();
-  if (clip_points_ > kMostPoints) throw EndlessWork("has areas of more than fifty million points");
+  if (clip_points_ > kMostPoints) throw WorkLimitError("has areas of more than fifty million points");
   occluders_.push_back(
       {Area(contours, fill_rule(context), clip_work_), context.clip, painted_, context.since, context.layer, rim_width});
 }
@@ -278,7 +278,7 @@ void SvgReader::hatch_fill(const Polylines& contours, const Context& context, co
     for (std::size_t k = 1; k < contours[i].size(); ++k)
       fill_work_ += 1 + glm::distance(contours[i][k - 1], contours[i][k]) / line_mm;
   }
-  if (fill_work_ > kMostFillWork) throw EndlessWork("has fills that take too much work");
+  if (fill_work_ > kMostFillWork) throw WorkLimitError("has fills that take too much work");
   add_lines(hatch(area, options), context, color, 0);
 }
 

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "areas/endless_work.hpp"
+#include "areas/work_limit_error.hpp"
 #include "plotting/readers/drawing_reader.hpp"
 
 namespace ligne::svg {
@@ -33,8 +33,8 @@ int pieces(double degree, double bend, double turn) {
 
 void Outline::add(Point2 mm) {
   if (!(std::abs(mm.x) <= kFarthestMm && std::abs(mm.y) <= kFarthestMm))
-    throw OutOfReach("a point is farther than a kilometre away");
-  if (lines_.points.size() >= kMostPoints) throw EndlessWork("the drawing has more than fifty million points");
+    throw CoordinateRangeError("a point is farther than a kilometre away");
+  if (lines_.points.size() >= kMostPoints) throw WorkLimitError("the drawing has more than fifty million points");
   lines_.points.push_back(mm);
 }
 
@@ -120,7 +120,7 @@ void Outline::arc_to(double rx, double ry, double rotation_degrees, bool large, 
   const Point2 half = (a - p) * 0.5, middle = (a + p) * 0.5;
   Point2 u{(c * half.x + s * half.y) / rx, (-s * half.x + c * half.y) / ry};
   const double squared = glm::dot(u, u);
-  if (!std::isfinite(squared)) throw OutOfReach("an arc is out of the range of numbers");
+  if (!std::isfinite(squared)) throw CoordinateRangeError("an arc is out of the range of numbers");
   if (squared > 1) {  // radii that are too small grow until the arc is half an ellipse
     rx *= std::sqrt(squared);
     ry *= std::sqrt(squared);
@@ -188,9 +188,9 @@ class PathData {
         add_part();
         before_ = command_;
       }
-    } catch (const OutOfReach&) {
+    } catch (const CoordinateRangeError&) {
       throw;
-    } catch (const EndlessWork&) {
+    } catch (const WorkLimitError&) {
       throw;
     } catch (const std::invalid_argument& e) {
       cause = e.what();

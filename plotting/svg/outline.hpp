@@ -27,12 +27,12 @@ struct PathVertex {
 };
 
 /// A point lies beyond kFarthestMm.
-struct OutOfReach : std::invalid_argument {
+struct CoordinateRangeError : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// Collects lines. Points come in the units of an element and are stored in page mm. Functions may throw OutOfReach and
-/// EndlessWork.
+/// Collects lines. Points come in the units of an element and are stored in page mm. Functions may throw
+/// CoordinateRangeError and WorkLimitError.
 class Outline {
  public:
   /// `vertices`, if it is not null, receives the vertices of paths.

@@ -86,7 +86,7 @@ class SvgReader {
   void apply_geometry_properties(const pugi::xml_node& root);
   void read_sheet(const pugi::xml_node& node);
   void note_paper(double width, double height);
-  Attributes attributes(const Context& context) const { return {context.port, complaints_}; }
+  Attributes attributes(const Context& context) const { return {context.port, diagnostics_}; }
   Matrix placing_of(const pugi::xml_node& node, const Context& context);
   double mm_per_px() const { return kMmPerInch / reading_.px_per_inch; }
   Context place_page(const pugi::xml_node& root);
@@ -137,7 +137,7 @@ class SvgReader {
   void remove_hidden();
   PaintedLines& layer_of(const std::string& name, const std::string& color, double width_mm);
   Style styled(const pugi::xml_node& node, const Style& inherited, const Viewport& port, bool& displayed) const {
-    return style_of(node, inherited, sheet_, port, displayed, complaints_);
+    return style_of(node, inherited, sheet_, port, displayed, diagnostics_);
   }
 
   std::string_view text_;
@@ -145,7 +145,7 @@ class SvgReader {
   const std::set<std::string>& skip_;
   FillReading fills_;
   SvgReading reading_;
-  Complaints complaints_;
+  Diagnostics diagnostics_;
   std::string expanded_;  ///< the document with its entities expanded, if it has any
   ReadDrawing result_;
   std::set<std::pair<const void*, std::string>> omitted_;  ///< elements and kinds that have been counted

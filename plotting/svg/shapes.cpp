@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "areas/endless_work.hpp"
+#include "areas/work_limit_error.hpp"
 
 namespace ligne::svg {
 namespace {
@@ -58,12 +58,12 @@ void outline_points(const pugi::xml_node& node, const Attributes& attributes, Ou
       first ? outline.move_to(p) : outline.line_to(p);
       first = false;
     }
-  } catch (const OutOfReach&) {
+  } catch (const CoordinateRangeError&) {
     throw;
-  } catch (const EndlessWork&) {
+  } catch (const WorkLimitError&) {
     throw;
   } catch (const std::invalid_argument& e) {
-    attributes.complaints().cut_short(node, e.what());
+    attributes.diagnostics().cut_short(node, e.what());
   }
 }
 
@@ -79,7 +79,7 @@ double Attributes::length(const pugi::xml_node& node, const char* name, double w
   try {
     return length_px(node.attribute(name).value(), port_, whole);
   } catch (const std::invalid_argument& e) {
-    complaints_.bad_value(name, node, e.what());
+    diagnostics_.bad_value(name, node, e.what());
     return otherwise;
   }
 }
@@ -92,7 +92,7 @@ std::optional<std::array<double, 4>> Attributes::view_box(const pugi::xml_node& 
     if (box.size() == 4 && box[2] > 0 && box[3] > 0) return std::array{box[0], box[1], box[2], box[3]};
     throw std::invalid_argument("is not x y width height");
   } catch (const std::invalid_argument& e) {
-    complaints_.bad_value("viewBox", node, e.what());
+    diagnostics_.bad_value("viewBox", node, e.what());
     return {};
   }
 }
@@ -121,7 +121,7 @@ Matrix view_box_to(const pugi::xml_node& node, const Attributes& attributes, dou
 bool outline_shape(std::string_view name, const pugi::xml_node& node, const Attributes& attributes, Outline& outline) {
   if (name == "path") {
     if (const std::string cause = add_path(outline, node.attribute("d").value()); !cause.empty())
-      attributes.complaints().cut_short(node, cause);
+      attributes.diagnostics().cut_short(node, cause);
   } else if (name == "line") {
     outline.move_to({attributes.x(node, "x1"), attributes.y(node, "y1")});
     outline.line_to({attributes.x(node, "x2"), attributes.y(node, "y2")});

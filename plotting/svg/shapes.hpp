@@ -7,7 +7,7 @@
 
 #include <pugixml.hpp>
 
-#include "plotting/svg/complaints.hpp"
+#include "plotting/svg/diagnostics.hpp"
 #include "plotting/svg/outline.hpp"
 
 namespace ligne::svg {
@@ -15,7 +15,7 @@ namespace ligne::svg {
 /// Reads attributes of elements. An invalid one is reported and ignored.
 class Attributes {
  public:
-  Attributes(const Viewport& port, const Complaints& complaints) : port_(port), complaints_(complaints) {}
+  Attributes(const Viewport& port, const Diagnostics& diagnostics) : port_(port), diagnostics_(diagnostics) {}
 
   /// Lengths in user units. Percentages refer to the width, the height or the diagonal of the viewport.
   double x(const pugi::xml_node& node, const char* name, double otherwise = 0) const {
@@ -33,13 +33,13 @@ class Attributes {
   /// The viewBox, "x y width height"; nothing if there is none.
   std::optional<std::array<double, 4>> view_box(const pugi::xml_node& node) const;
 
-  const Complaints& complaints() const { return complaints_; }
+  const Diagnostics& diagnostics() const { return diagnostics_; }
 
  private:
   double length(const pugi::xml_node& node, const char* name, double whole, double otherwise) const;
 
   const Viewport& port_;
-  const Complaints& complaints_;
+  const Diagnostics& diagnostics_;
 };
 
 /// Matrix from the units inside an element with `viewBox` and `preserveAspectRatio` to those of a frame of this size at

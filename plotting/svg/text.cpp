@@ -42,8 +42,8 @@ std::vector<double> lengths(std::string_view list, const Viewport& port, double 
 class TextReader {
  public:
   using Styled = std::function<Style(const pugi::xml_node&, const Style&, bool&)>;
-  TextReader(const Viewport& port, const Complaints& complaints, Styled styled)
-      : port_(port), complaints_(complaints), styled_(std::move(styled)) {}
+  TextReader(const Viewport& port, const Diagnostics& diagnostics, Styled styled)
+      : port_(port), diagnostics_(diagnostics), styled_(std::move(styled)) {}
 
   /// Collects the characters inside the element, whose style is given.
   void gather(const pugi::xml_node& node, const Style& style, int depth);
@@ -69,13 +69,13 @@ class TextReader {
     try {
       return value_of(port);
     } catch (const std::invalid_argument& e) {
-      complaints_.bad_value(name, node, e.what());
+      diagnostics_.bad_value(name, node, e.what());
       return {};
     }
   }
 
   const Viewport& port_;
-  const Complaints& complaints_;
+  const Diagnostics& diagnostics_;
   Styled styled_;
 };
 
@@ -146,7 +146,7 @@ void TextReader::stretch(const pugi::xml_node& node, const Style& style, std::si
 
 void TextReader::gather(const pugi::xml_node& node, const Style& style, int depth) {
   constexpr int kDeepest = 50;
-  if (depth > kDeepest) throw OutOfReach("is nested deeper than 50 elements");
+  if (depth > kDeepest) throw CoordinateRangeError("is nested deeper than 50 elements");
   const std::size_t first = characters.size();
   for (const pugi::xml_node& child : node) {
     if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata) {
@@ -170,7 +170,7 @@ void TextReader::gather(const pugi::xml_node& node, const Style& style, int dept
 
 void SvgReader::draw_text(const pugi::xml_node& node, const Context& context) {
   if (skip_.contains("text")) return refuse("text", node);
-  TextReader text(context.port, complaints_, [&](const pugi::xml_node& child, const Style& inherited, bool& displayed) {
+  TextReader text(context.port, diagnostics_, [&](const pugi::xml_node& child, const Style& inherited, bool& displayed) {
     Viewport port = context.port;
     port.em = inherited.font_size;
     return styled(child, inherited, port, displayed);
@@ -205,7 +205,7 @@ void SvgReader::draw_text(const pugi::xml_node& node, const Context& context) {
       for (Point2& p : lines.points) {
         p = context.to_mm(Point2{p.x * c.stretch, p.y} + at);
         if (!(std::abs(p.x) <= kFarthestMm && std::abs(p.y) <= kFarthestMm))
-          throw OutOfReach("is farther than a kilometre away");
+          throw CoordinateRangeError("is farther than a kilometre away");
       }
       const std::string color = color_of(*paint, node);
       Context inside = context;

@@ -50,7 +50,7 @@ double outline_edges(const Polylines& lines, const LineStyle& style, double pixe
 
 /// Throws std::bad_alloc if there is too little memory to paint the drawing: Cairo 1.16 crashes if memory runs out in
 /// its scan conversion.
-void check_room_to_paint(const Drawing& drawing, const PlotOptions& options, double pixels_per_mm) {
+void check_drawable_area(const Drawing& drawing, const PlotOptions& options, double pixels_per_mm) {
   double edges = 0;
   for (const Layer& layer : drawing.layers) {
     edges = std::max(edges, outline_edges(layer.lines, options.style_of(layer), pixels_per_mm));
@@ -87,7 +87,7 @@ std::string write_png(const Drawing& drawing, const PlotOptions& options, const 
   const CairoSurface surface(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(size.width), static_cast<int>(size.height)));
   check_cairo(cairo_surface_status(surface.get()));
-  check_room_to_paint(drawing, options, scale);
+  check_drawable_area(drawing, options, scale);
   const CairoContext cairo(cairo_create(surface.get()));
   cairo_set_source_rgb(cairo.get(), 1, 1, 1);
   cairo_paint(cairo.get());

@@ -84,7 +84,7 @@ const std::map<std::string, Setter, std::less<>>& setters() {
       {"split", text(parse_split, LIGNE_FIELD(plotter.parts.split))},
       {"from-stroke", text(parse_stroke_number, LIGNE_FIELD(plotter.parts.from_stroke))},
       {"from-time", text(parse_duration_s, LIGNE_FIELD(plotter.parts.from_seconds))},
-      {"every", text(parse_way_mm, LIGNE_FIELD(plotter.parts.every_mm))},
+      {"every", text(parse_drawn_length_mm, LIGNE_FIELD(plotter.parts.every_mm))},
       {"do", text(parse_file_name, LIGNE_FIELD(plotter.parts.action))},
       {"park", text(parse_file_name, LIGNE_FIELD(plotter.parts.park))},
       {"tile", text(parse_page_size, LIGNE_FIELD(tile), 'x')},

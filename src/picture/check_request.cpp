@@ -34,7 +34,7 @@ void check(const PictureRequest& request) {
   const bool painted = request.output.format == OutputFormat::png || request.output.format == OutputFormat::json;
   if (request.fill.kind != FillKind::none && request.plotter.by_pens() && !painted)
     throw RequestError("fill", "pens draw no filled faces; see --hatch");
-  if (request.hatch.asked()) {
+  if (request.hatch.is_requested()) {
     if (request.output.format == OutputFormat::json) throw RequestError("hatch", "a JSON drawing has no hatching");
     if (!(method.traits().products & (kRegions | kSpans))) refuse_hatching(method.traits().name);
     if (follows_form(request.hatch) && !(method.traits().products & kRegions))

@@ -44,7 +44,7 @@ std::vector<Fill> paint(const PreparedScene& prepared, const PaintOrder& order, 
 void add_point_marks(Drawing& drawing, const DrawnScene& drawn) {
   const PictureRequest& request = drawn.request();
   if (!request.groups || request.groups->points.empty()) return;
-  const Surroundings& around = drawn.prepared().around;
+  const PictureMarks& around = drawn.prepared().around;
   std::vector<TextItem> taken = around.texts;
   taken.insert(taken.end(), drawing.texts.begin(), drawing.texts.end());
   const double height = text_height_mm(request.axes, around.placement.page);
@@ -85,7 +85,7 @@ Drawing DrawnScene::compose(RunReport& run) const {
   const PreparedScene& prepared = parts_.prepared;
   const VisibilityResult& result = parts_.found.result;
   Drawing drawing =
-      tells_parts(request()) ? drawing_by_parts(parts_.found, prepared.scene, request()) : make_drawing(*result.strokes);
+      has_parts(request()) ? drawing_by_parts(parts_.found, prepared.scene, request()) : make_drawing(*result.strokes);
   add_debug_layer(drawing, result.debug);
   drawing.layers.insert(drawing.layers.begin(), parts_.hatching.begin(), parts_.hatching.end());  // below all lines
   drawing.fills = fills_of(*this, run);  // before labels, which have a halo on areas
@@ -102,7 +102,7 @@ bool DrawnScene::serves(const OutputRequest& output, const PlotterRequest& plott
   other.output = output;
   other.plotter = plotter;
   // The density of hatching depends on the pen width, and grey faces have one scan line per row of pixels.
-  if (request().hatch.asked() || request().gray_faces) return false;
+  if (request().hatch.is_requested() || request().gray_faces) return false;
   if (looks_at_edges(other) && !parts_.has_edges) return false;
   if (output.format == OutputFormat::json && parts_.found.result.regions && parts_.patches.of_face.empty()) return false;
   const std::uint8_t can = method.traits().products;
@@ -131,7 +131,7 @@ Picture DrawnScene::write(RunReport& run, PdfDocument* pages) const {
 }
 
 bool looks_at_edges(const PictureRequest& request) {
-  return request.output.format == OutputFormat::json || tells_parts(request);
+  return request.output.format == OutputFormat::json || has_parts(request);
 }
 
 }  // namespace ligne

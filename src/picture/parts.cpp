@@ -64,7 +64,7 @@ std::string dress(Layer& layer, const LineGroup& group) {
 
 }  // namespace
 
-bool tells_parts(const PictureRequest& request) {
+bool has_parts(const PictureRequest& request) {
   return request.groups || groups_objects(request) || !request.output.colors.empty() ||
          !request.plotter.pens.pen_of_material.empty() || !request.plotter.pens.pen_of_object.empty();
 }

@@ -11,7 +11,7 @@
 namespace ligne {
 
 /// Whether the request divides lines by object, colour or material.
-bool tells_parts(const PictureRequest& request);
+bool has_parts(const PictureRequest& request);
 
 /// The names of all objects. An object without a name is named by its number.
 std::vector<std::string> object_names(const Scene& scene);

@@ -107,16 +107,16 @@ Page page_for(const PageRequest& request, const Rect& extent) {
              : page;
 }
 
-Placement place(const Scene& scene, const Camera& camera, const PageRequest& request, const Room& room) {
-  return place(projected_extent(scene, camera), scene.unit_mm, camera, request, room);
+Placement place(const Scene& scene, const Camera& camera, const PageRequest& request, const Insets& insets) {
+  return place(projected_extent(scene, camera), scene.unit_mm, camera, request, insets);
 }
 
-Placement place(const Rect& extent, double unit_mm, const Camera& camera, const PageRequest& request, const Room& room) {
+Placement place(const Rect& extent, double unit_mm, const Camera& camera, const PageRequest& request, const Insets& insets) {
   Placement placement;
   placement.page = page_for(request, extent);
   Rect area = placement.page.drawable();
-  area.min += Point2(room.left, room.top);
-  area.max -= Point2(room.right, room.bottom + request.inset_part * area.height());
+  area.min += Point2(insets.left, insets.top);
+  area.max -= Point2(insets.right, insets.bottom + request.inset_part * area.height());
   if (!(area.width() > 0 && area.height() > 0)) {
     throw RequestError("page", "numbers and names of the axes leave no drawable area on a page of " +
                                    shortest(placement.page.width_mm) + " x " + shortest(placement.page.height_mm) +

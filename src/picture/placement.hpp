@@ -8,7 +8,7 @@
 namespace ligne {
 
 /// Space that is kept free around the picture for axes and texts, in mm.
-struct Room {
+struct Insets {
   double left = 0, top = 0, right = 0, bottom = 0;
 };
 
@@ -32,10 +32,11 @@ Camera camera_of(const ViewRequest& request, const Scene& scene);
 Page page_for(const PageRequest& request, const Rect& extent);
 
 /// Chooses the orientation of the page, and centres a picture of that extent (see projected_extent) in the area that
-/// margins and room leave. `unit_mm`: true length of a model unit in mm. Throws RequestError if they leave no area.
-Placement place(const Rect& extent, double unit_mm, const Camera& camera, const PageRequest& request, const Room& room = {});
+/// margins and insets leave. `unit_mm`: true length of a model unit in mm. Throws RequestError if they leave no area.
+Placement place(const Rect& extent, double unit_mm, const Camera& camera, const PageRequest& request,
+                const Insets& insets = {});
 
 /// Places the picture by the extent of the scene.
-Placement place(const Scene& scene, const Camera& camera, const PageRequest& request, const Room& room = {});
+Placement place(const Scene& scene, const Camera& camera, const PageRequest& request, const Insets& insets = {});
 
 }  // namespace ligne

@@ -174,10 +174,10 @@ ContourOptions contour_options(const PictureRequest& request, const Creases& cre
   return {borders, creases.scans, request.page.pen_width_mm};
 }
 
-PreparedScene prepare(const Scene& scene, PictureRequest asked, const std::optional<PlotBox>& box, RunReport& run,
+PreparedScene prepare(const Scene& scene, PictureRequest requested, const std::optional<PlotBox>& box, RunReport& run,
                       std::optional<Topology> topology) {
-  const Method& method = method_of(asked);
-  PreparedScene prepared{scene, std::move(asked), method, {}, {}, {}, {}, {}};
+  const Method& method = method_of(requested);
+  PreparedScene prepared{scene, std::move(requested), method, {}, {}, {}, {}, {}};
   prepared.request.page.inset_part = inset_part(prepared.request.lines);
   const PictureRequest& request = prepared.request;
   run.method = method.traits().name;

@@ -31,7 +31,7 @@ struct PreparedScene {
   PictureRequest request;
   const Method& method;
   Topology topology;
-  Surroundings around;  ///< axes and texts around the picture, and its placement on the page
+  PictureMarks around;  ///< axes and texts around the picture, and its placement on the page
   ProjectedScene projected;
   BackFaces back_faces;       ///< culled faces, which `projected` does not contain
   std::vector<Light> lights;  ///< lights of fills, hatching and shadows

@@ -6,15 +6,16 @@ namespace ligne {
 
 const Method& method_of(const PictureRequest& request) {
   if (request.lines.method) return *request.lines.method;
-  return asks_for_regions(request) ? region_method() : default_method();
+  return needs_regions(request) ? region_method() : default_method();
 }
 
-bool asks_for_regions(const PictureRequest& request) {
-  return request.regions || request.fill.asked() || request.hatch.asked() || request.lines.classes.has(LineClass::shadow);
+bool needs_regions(const PictureRequest& request) {
+  return request.regions || request.fill.is_requested() || request.hatch.is_requested() ||
+         request.lines.classes.has(LineClass::shadow);
 }
 
 bool hatches_regions(const PictureRequest& request, const Method& method) {
-  return request.hatch.asked() && (method.traits().products & kRegions);
+  return request.hatch.is_requested() && (method.traits().products & kRegions);
 }
 
 bool paints_in_order(const PictureRequest& request, const Method& method) {
@@ -38,7 +39,8 @@ std::uint8_t wanted_products(const PictureRequest& request, const Method& method
 }
 
 bool wants_regions(const PictureRequest& request, const Method& method) {
-  return request.regions || (request.fill.asked() && !paints_in_order(request, method) && !fills_spans(request, method)) ||
+  return request.regions ||
+         (request.fill.is_requested() && !paints_in_order(request, method) && !fills_spans(request, method)) ||
          hatches_regions(request, method) || request.lines.classes.has(LineClass::shadow);
 }
 

@@ -13,7 +13,7 @@ namespace ligne {
 const Method& method_of(const PictureRequest& request);
 
 /// Whether the request has fills, hatching, shadows or PictureRequest::regions.
-bool asks_for_regions(const PictureRequest& request);
+bool needs_regions(const PictureRequest& request);
 
 /// Whether the picture hatches regions, which it does if the method returns regions. Otherwise it hatches spans.
 bool hatches_regions(const PictureRequest& request, const Method& method);

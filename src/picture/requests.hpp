@@ -139,7 +139,7 @@ struct FillRequest {
   FillKind kind = FillKind::none;
   std::vector<Point3> lights;  ///< travel directions of parallel lights; empty: the lights of the scene
 
-  bool asked() const { return kind != FillKind::none || !lights.empty(); }
+  bool is_requested() const { return kind != FillKind::none || !lights.empty(); }
 };
 
 enum class HatchKind : std::uint8_t { none, shade, material, plain };
@@ -167,7 +167,7 @@ struct HatchRequest {
   bool cross = false;                ///< adds a second family of strokes across the first
   std::optional<unsigned> levels{};  ///< degrees of darkness, 0: continuous; nothing: kMostShades; curved strokes: 0
 
-  bool asked() const { return kind != HatchKind::none; }
+  bool is_requested() const { return kind != HatchKind::none; }
 };
 
 /// Which contour lines are labelled with their height: none, index contours, or all.

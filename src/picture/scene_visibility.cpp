@@ -61,7 +61,7 @@ void warn_of_empty_or_cut(const StrokeModel& strokes, const Placement& placement
 /// Whether only visible parts beside strokes decide if strokes coincide. So it is for models that are or could be
 /// streamed, where the order of strokes must not depend on hidden parts, and for other large models, where it leaves
 /// few comparisons. Drawings of small models keep the order that they had before.
-bool coincide_by_sight(const PictureRequest& request, const Scene& scene) {
+bool overlap_if_visible(const PictureRequest& request, const Scene& scene) {
   return request.blank || (scene.faces.size() >= kFewestStreamedFaces && request.lines.hidden == HiddenLines::none);
 }
 
@@ -77,7 +77,7 @@ VisibilityOptions study_options(const PreparedScene& prepared, std::optional<Spa
   options.keep = request.keep;
   options.earlier = request.earlier.get();
   options.blank = request.blank.get();
-  options.coincide_by_sight = coincide_by_sight(request, prepared.scene);
+  options.overlap_if_visible = overlap_if_visible(request, prepared.scene);
   options.facets = prepared.facets ? &*prepared.facets : nullptr;
   return options;
 }
@@ -86,9 +86,9 @@ VisibilityOptions study_options(const PreparedScene& prepared, std::optional<Spa
 void warn_of_limits(const MethodTraits& method, const VisibilityResult& result, const ProjectedScene& projected,
                     const LineRequest& lines, RunReport& run) {
   const std::string name(method.name);
-  const auto glass = std::ranges::count_if(projected.face_is_transparent, [](std::uint8_t t) { return t != 0; });
-  if (glass > 0 && method.glass == TransparencyMode::opaque) {
-    run.warn(std::to_string(glass) +
+  const auto transparent = std::ranges::count_if(projected.face_is_transparent, [](std::uint8_t t) { return t != 0; });
+  if (transparent > 0 && method.transparency == TransparencyMode::opaque) {
+    run.warn(std::to_string(transparent) +
              " transparent faces are drawn as opaque; --method atherton-weiler draws them as transparent");
   }
   if (!result.unsupported_reason.empty()) {
@@ -106,7 +106,7 @@ void warn_of_limits(const MethodTraits& method, const VisibilityResult& result, 
 void take_points(SceneVisibility& found, const PreparedScene& prepared, RunReport& run) {
   if (!prepared.request.groups) return;
   const auto& points = prepared.request.groups->points;
-  found.points_seen = take_probes(*found.result.strokes, prepared.first_probe, points.size());
+  found.points_seen = read_probes(*found.result.strokes, prepared.first_probe, points.size());
   const std::string unseen = unseen_points(points, found.points_seen, prepared.view());
   if (!unseen.empty()) run.warn(unseen);
 }

@@ -59,7 +59,7 @@ std::string methods_text(std::span<const Method* const> methods, bool settings) 
     text += "  produces      " + joined(product_names(traits.products)) + "\n";
     text += "  precision     " + precision_name(traits) + "\n";
     text += std::string("  penetration   ") + (traits.penetration ? "drawn" : "not drawn") + "\n";
-    text += "  transparency  " + std::string(transparency_words(traits.glass)) + "\n";
+    text += "  transparency  " + std::string(transparency_words(traits.transparency)) + "\n";
     if (!traits.only_for.empty()) text += "  only for      " + std::string(traits.only_for) + "\n";
     text += "  paper         " + std::string(traits.paper) + "\n";
     text += parameters_text(traits, "  options       ", false);
@@ -79,7 +79,7 @@ std::string methods_json(std::span<const Method* const> methods) {
     entry["produces"] = product_names(traits.products);
     entry["exact"] = traits.exact;
     entry["penetration"] = traits.penetration;
-    entry["transparency"] = transparency_words(traits.glass);
+    entry["transparency"] = transparency_words(traits.transparency);
     if (!traits.only_for.empty()) entry["only_for"] = traits.only_for;
     entry["paper"] = traits.paper;
     entry["default"] = method == default_method;

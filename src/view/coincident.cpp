@@ -10,10 +10,10 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "view/crowds.hpp"
 #include "view/equal_runs.hpp"
 #include "view/spatial_order.hpp"
 #include "view/tolerances.hpp"
+#include "view/vertex_clusters.hpp"
 
 namespace ligne {
 namespace {
@@ -247,7 +247,7 @@ void merge_edges(ProjectedScene& scene) {
 
 void merge_coincident(ProjectedScene& scene) {
   const double side_mm = coincidence_mm(scene) / 2;  // a vertex moves by at most two sides in each direction
-  gather_crowds(scene.vertices, std::max(side_mm / scene.lattice.step_mm, 1.0), side_mm);
+  merge_vertex_clusters(scene.vertices, std::max(side_mm / scene.lattice.step_mm, 1.0), side_mm);
   scene.first_at_place = find_first_at_place(scene.vertices);
   merge_faces(scene);
   merge_edges(scene);

@@ -15,7 +15,7 @@ namespace {
 
 /// Relative rounding of the eye and the line of sight: they result from a few double operations on coordinates as large
 /// as the largest one.
-constexpr double kSightRounding = 0x1p-50;
+constexpr double kViewRounding = 0x1p-50;
 /// Relative rounding of the mixed product: three differences, two products and a difference, and a sum of three
 /// products.
 constexpr double kMixedProductRounding = 0x1p-50;
@@ -41,8 +41,8 @@ bool is_surely_broad(const Point3& pq, const Point3& pr, double mixed, double si
 
 }  // namespace
 
-double sight_rounding(const Camera& camera, double largest) {
-  return kSightRounding * std::max(sum_of_sizes(camera.eye), largest);
+double view_rounding(const Camera& camera, double largest) {
+  return kViewRounding * std::max(sum_of_sizes(camera.eye), largest);
 }
 
 bool is_seen_edge_on(const Point3& p, const Point3& q, const Point3& r, const Camera& camera, double precision,
@@ -62,7 +62,7 @@ bool is_seen_edge_on(const Point3& p, const Point3& q, const Point3& r, const Ca
 }
 
 std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology& topology, const Camera& camera) {
-  const double rounding = sight_rounding(camera, largest_coordinate(scene));
+  const double rounding = view_rounding(camera, largest_coordinate(scene));
   const double forward_sizes = sum_of_sizes(camera.forward);
   // A face is seen edge on when all its triangles are.
   const std::vector<Triangle>& triangles = topology.triangles;

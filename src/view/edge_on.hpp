@@ -29,6 +29,6 @@ bool is_seen_edge_on(const Point3& p, const Point3& q, const Point3& r, const Ca
                      double rounding);
 
 /// The rounding d for a scene whose largest absolute coordinate is `largest`.
-double sight_rounding(const Camera& camera, double largest);
+double view_rounding(const Camera& camera, double largest);
 
 }  // namespace ligne

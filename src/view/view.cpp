@@ -36,13 +36,13 @@ ModelFrame model_frame(Axis up) {
   return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 }
 
-struct Sight {
+struct ViewDirection {
   Point3 forward, up;
 };
 
 /// Lines of sight of the named views, in the model frame (right, back, up).
-Sight named_sight(std::string_view name, const ModelFrame& m) {
-  const auto along = [&](double r, double b, double u) { return Sight{m.right * r + m.back * b + m.up * u, m.up}; };
+ViewDirection named_view_direction(std::string_view name, const ModelFrame& m) {
+  const auto along = [&](double r, double b, double u) { return ViewDirection{m.right * r + m.back * b + m.up * u, m.up}; };
   if (name == "front") return along(0, 1, 0);
   if (name == "back") return along(0, -1, 0);
   if (name == "right") return along(-1, 0, 0);
@@ -78,7 +78,7 @@ Camera make_camera(const CameraRequest& request, const Scene& scene) {
   const ModelFrame frame = model_frame(request.up_axis);
   const Point3 centre = request.target ? *request.target : bounding_box_centre(scene);
   Camera camera;
-  Sight sight{{0, 0, 0}, frame.up};
+  ViewDirection sight{{0, 0, 0}, frame.up};
   if (request.eye) {
     camera.perspective = true;
     camera.eye = *request.eye;
@@ -100,7 +100,7 @@ Camera make_camera(const CameraRequest& request, const Scene& scene) {
         throw std::invalid_argument("the view direction has no length");
       }
     } else {
-      sight = named_sight(request.named_view, frame);
+      sight = named_view_direction(request.named_view, frame);
     }
   }
   if (request.up) sight.up = *request.up;

@@ -61,7 +61,7 @@ struct MethodTraits {
   /// VisibilityResult::unsupported_reason says why the drawing may be wrong.
   std::string_view only_for{};
   bool compiles = false;  ///< whether compile() does a part of its work once for all views of a scene
-  TransparencyMode glass = TransparencyMode::opaque;
+  TransparencyMode transparency = TransparencyMode::opaque;
 };
 
 struct Facets;
@@ -80,7 +80,7 @@ struct VisibilityOptions {
                                             ///< line, or null; read by `appel` only
   /// Stroke::needs_overlap_check depends on visible strokes only, so that the result does not depend on what is hidden.
   /// Read by `appel` only.
-  bool coincide_by_sight = false;
+  bool overlap_if_visible = false;
 };
 
 /// The results of a method. Products that it does not have stay empty.

@@ -300,7 +300,7 @@ TEST(CullDrawing, ACubeInACubeOfGlass) {
   const Scene scene = corpus_scene("cube_in_glass");
   std::size_t methods = 0;
   for (const Method* each : all_methods()) {
-    if (each->traits().glass != TransparencyMode::seen_through) continue;
+    if (each->traits().transparency != TransparencyMode::seen_through) continue;
     ++methods;
     const std::string method(each->traits().name);
     const Drawings d = drawings(scene, along({-0.37, 0.83, -0.41}), method.c_str());

@@ -26,7 +26,7 @@ TEST(MethodChoice, RulesAreTotal) {
     EXPECT_TRUE(method->traits().products & (facts.regions ? kRegions : kStrokes));
     // A method for some scenes only is taken where the scene may be one of them.
     EXPECT_TRUE(method->traits().only_for.empty() || facts.may_be_one_body);
-    EXPECT_TRUE(!facts.glass || method->traits().glass == TransparencyMode::seen_through);
+    EXPECT_TRUE(!facts.has_transparency || method->traits().transparency == TransparencyMode::seen_through);
   }
 }
 
@@ -63,9 +63,9 @@ TEST(MethodChoice, IsNeverBeyondItsMethod) {
     for (const Point3& direction : {kObliqueView, Point3{0, 0, -1}}) {
       const Studied s = studied(scene, direction);
       EXPECT_EQ(s.by_choice.result.unsupported_reason, "") << file.stem();
-      // The default method takes glass as opaque.
-      const bool glass = std::ranges::any_of(scene.materials, [](const Material& m) { return m.opacity < 1; });
-      EXPECT_TRUE(glass || s.difference.length_mm < kSameLineMm) << file.stem();
+      // The default method draws transparent faces as opaque.
+      const bool has_transparency = std::ranges::any_of(scene.materials, [](const Material& m) { return m.opacity < 1; });
+      EXPECT_TRUE(has_transparency || s.difference.length_mm < kSameLineMm) << file.stem();
       ++scenes;
     }
   }
@@ -198,7 +198,7 @@ TEST(SceneTraits, OfPlatesOverEachOther) {
     const double z = i;
     add_face(scene, {{{0, 0, z}, {4, 0, z}, {4, 3, z}, {0, 3, z}}});
   }
-  scene.materials = {{"plain", {0.8, 0.8, 0.8}, 1}, {"glass", {0.5, 0.7, 0.9}, 0.4}};
+  scene.materials = {{"plain", {0.8, 0.8, 0.8}, 1}, {"is_transparent", {0.5, 0.7, 0.9}, 0.4}};
   scene.face_material = {0, 1, 1, 0};
   const SceneTraits t = traits_of(scene, kDown);
   EXPECT_EQ(t.faces, 4u);

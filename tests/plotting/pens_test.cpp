@@ -18,7 +18,7 @@ TEST(Pens, ThatTheDeviceDoesNotHoldAreRefused) {
   add_pen(request.pens, "rest=7");
   const Drawing drawing = plotter_drawing();
   const Device& device = *find_device("hp7475a");
-  const DeviceFrame frame = place_on_device(device, {}, ink_of(drawing), false);
+  const DeviceFrame frame = place_on_device(device, {}, drawn_bounds(drawing), false);
   EXPECT_THROW(write_plot(make_plot(drawing, request), device, frame), std::runtime_error);
 }
 
@@ -86,7 +86,7 @@ TEST(Pens, TheRestIsOnePenWhateverTheLayersAreNumbered) {
   PlotRequest request;
   add_pen(request.pens, "rest=1");
   const Device& device = *find_device("grbl-servo");
-  const DeviceFrame frame = place_on_device(device, {}, ink_of(drawing), false);
+  const DeviceFrame frame = place_on_device(device, {}, drawn_bounds(drawing), false);
   request.paths.order.home = frame.to_page({0, 0});
   request.paths.order.returns = device.returns;
   const Plot plot = make_plot(drawing, request);
@@ -112,13 +112,13 @@ TEST(Pens, WhatLayersSayOfPensIsDone) {
   const Drawing drawing = layers_of({"2+D250+S50 slow", "%3 note", "!2 again", "1"});
   const Plot plot = make_plot(drawing, {});
   const Device& grbl = *find_device("grbl-servo");
-  const std::string gcode = write_plot(plot, grbl, place_on_device(grbl, {}, ink_of(plot), false));
+  const std::string gcode = write_plot(plot, grbl, place_on_device(grbl, {}, drawn_bounds(plot), false));
   EXPECT_EQ(gcode.find("pen 3"), std::string::npos) << "not plotted";
   expect_parts(gcode, {"M0 (pen 2: slow)\nG4 P0.25\n"});
   EXPECT_NE(gcode.find("G1 F1200"), std::string::npos) << "half its speed";
   EXPECT_NE(gcode.find("M0 (pen 2: again)\n"), std::string::npos) << "a pause";
   const Device& hp = *find_device("cutter");
-  const std::string hpgl = write_plot(plot, hp, place_on_device(hp, {}, ink_of(plot), false));
+  const std::string hpgl = write_plot(plot, hp, place_on_device(hp, {}, drawn_bounds(plot), false));
   expect_no_parts(hpgl, {"SP3"});
   expect_parts(hpgl, {"SP2;\nVS5;"});
   EXPECT_EQ(hpgl.find("SP2", hpgl.find("SP2") + 1), std::string::npos) << "it is held already";
@@ -207,7 +207,7 @@ TEST(Plots, TakeNoLongerThanInTheOrderOfTheDrawing) {
         const auto seconds = [&](const Plot& plot) {
           return plot_seconds(device, measure(plot, {0, 0}, device.returns), pen_changes(plot));
         };
-        EXPECT_LE(seconds(make_plot(drawing, request)), seconds(deal_to_pens(drawing, request)) * (1 + 1e-12))
+        EXPECT_LE(seconds(make_plot(drawing, request)), seconds(assign_pens(drawing, request)) * (1 + 1e-12))
             << seed << " " << name << " " << static_cast<int>(how);
       }
     }
@@ -286,7 +286,7 @@ TEST(Pens, RestTakesNumberedLayersToo) {
   add_line(drawing, "2-Red", {{10, 20}, {90, 20}});
   PlotRequest request;
   EXPECT_EQ(make_plot(drawing, request).pens.size(), 2u);
-  const PathLengths both = measure_in_turn(deal_to_pens(drawing, request), {0, 0}, true);
+  const PathLengths both = measure_in_turn(assign_pens(drawing, request), {0, 0}, true);
   EXPECT_NEAR(both.up_mm, std::hypot(10, 10) + std::hypot(80, 10) + std::hypot(90, 20), 1e-9) << "not home in between";
   add_pen(request.pens, "rest=1");
   const Plot one = make_plot(drawing, request);

@@ -120,7 +120,7 @@ TEST(PlotParts, ActionsPausesAndPlacesInGcode) {
   plot.pens[0].actions = {0};
   plot.pens[1].pauses = {0};
   const Device& device = *find_device("grbl-servo");
-  const DeviceFrame frame = place_on_device(device, plot.page, ink_of(plot), false);
+  const DeviceFrame frame = place_on_device(device, plot.page, drawn_bounds(plot), false);
   EXPECT_EQ(write_plot(plot, device, frame, {find_action(device, "dip"), find_place(device, "home")}),
             "G21\nG90\nG94\nM5\nG4 P0.1\n"
             "G0 X0 Y0\nM3 S90\nG4 P0.15\nG4 P1\nM5\nG4 P0.1\n"

@@ -70,7 +70,7 @@ TEST_P(EveryPlotter, DrawsWhatThePlotHolds) {
 TEST_P(EveryPlotter, RefusesWhatLeavesTheLimitsOrMakesItFit) {
   Drawing drawing;
   add_line(drawing, "outline", {{-40, -50}, {500, 700}});
-  const std::string error = failure_of([&] { place_on_device(device(), {}, ink_of(drawing), false); });
+  const std::string error = failure_of([&] { place_on_device(device(), {}, drawn_bounds(drawing), false); });
   expect_parts(error, {" mm ", "--fit-device"});
   const Written w = written(device(), drawing, false, true);
   const Replay got = replay(device(), w.text);

@@ -56,7 +56,7 @@ struct Written {
 inline Written written(const Device& device, const Drawing& drawing, bool two_pens, bool fit = false) {
   PlotRequest request = request_for(two_pens);
   Written w;
-  w.frame = place_on_device(device, request.style.page, ink_of(drawing), fit);
+  w.frame = place_on_device(device, request.style.page, drawn_bounds(drawing), fit);
   request.paths.order.home = w.frame.to_page({0, 0});
   request.paths.order.returns = device.returns;
   w.plot = make_plot(drawing, request);

@@ -335,9 +335,9 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges, const 
   ProjectedScene projected = project(scene_, topology_, view_, selection);
   if (cull == Cull::on) ligne::cull(projected, find_back_faces(scene_, topology_, view_));
   ask();
-  const Lines& lines = !has_glass_ || traits.glass == TransparencyMode::opaque ? *lines_
-                       : traits.glass == TransparencyMode::left_out            ? *opaque_
-                                                                               : *behind_;
+  const Lines& lines = !has_glass_ || traits.transparency == TransparencyMode::opaque ? *lines_
+                       : traits.transparency == TransparencyMode::left_out            ? *opaque_
+                                                                                      : *behind_;
   for (const bool hidden : {false, true}) {
     if (hidden && cull == Cull::on) break;  // the lines of back faces are gone
     VisibilityOptions options;
@@ -353,12 +353,12 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges, const 
       verdict.faults = "  gives no strokes, although its traits say so\n";
       return verdict;
     }
-    if (has_glass_ && traits.glass == TransparencyMode::left_out && result.left_out.empty()) {
+    if (has_glass_ && traits.transparency == TransparencyMode::left_out && result.left_out.empty()) {
       verdict.faults = "  leaves transparent faces out and does not say so\n";
       return verdict;
     }
     compare(*result.strokes, lines, traits, projected, all, hidden, verdict);
-    if (!has_glass_ || traits.glass != TransparencyMode::seen_through) continue;
+    if (!has_glass_ || traits.transparency != TransparencyMode::seen_through) continue;
     for (Stroke& s : result.strokes->strokes) s.visible = s.visible && s.level == 0;
     compare(std::move(*result.strokes), *lines_, traits, projected, all, hidden, verdict);
   }

@@ -206,7 +206,7 @@ TEST(EdgeOn, TheBoundAgreesWithTheTest) {
   std::size_t seen_so = 0;
   for (std::uint32_t f = 0; f < edge_on.size(); ++f) {
     const Point3* const t = &scene.vertices[3 * f];
-    const bool whole = is_seen_edge_on(t[0], t[1], t[2], camera, 0, sight_rounding(camera, largest));
+    const bool whole = is_seen_edge_on(t[0], t[1], t[2], camera, 0, view_rounding(camera, largest));
     EXPECT_EQ(edge_on[f] != 0, whole) << f;
     seen_so += whole;
   }

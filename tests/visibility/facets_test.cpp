@@ -42,7 +42,7 @@ struct FacetScene {
 
 void descend(const FacetTree& tree, std::uint32_t a, std::uint32_t b, Pairs& reached) {
   const FacetTree::Node &m = tree.node(a), &n = tree.node(b);
-  if (a != b && !FacetTree::may_meet(m, n)) return;
+  if (a != b && !FacetTree::may_intersect(m, n)) return;
   if (a == b && m.face != kNone) return;
   if (tree.is_leaf(m) && tree.is_leaf(n)) {
     for (std::uint32_t i = m.first; i < m.end; ++i)
@@ -98,7 +98,7 @@ TEST(FacetTree, ReachesAllPairsThatMayMeet) {
     std::size_t meeting = 0;
     for (std::uint32_t a = 0; a < items.size(); ++a)
       for (std::uint32_t b = a + 1; b < items.size(); ++b) {
-        if (!FacetTree::may_meet(items[a], items[b])) continue;
+        if (!FacetTree::may_intersect(items[a], items[b])) continue;
         ++meeting;
         EXPECT_TRUE(std::binary_search(reached.begin(), reached.end(), std::pair{a, b})) << a << ' ' << b;
       }

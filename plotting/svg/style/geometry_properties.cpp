@@ -62,7 +62,7 @@ void SvgReader::apply_geometry(pugi::xml_node node, const Declaration& declarati
     if (!attribute) attribute = node.append_attribute(declaration.name.c_str());
     attribute.set_value(value.c_str());
   } catch (const std::invalid_argument& e) {
-    complaints_.bad_value(declaration.name, node, e.what());
+    diagnostics_.bad_value(declaration.name, node, e.what());
   }
 }
 

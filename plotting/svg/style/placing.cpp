@@ -7,27 +7,27 @@ namespace ligne::svg {
 namespace {
 
 /// A property, and the values besides "none", "normal" and "auto" that change nothing.
-struct NotDrawn {
+struct NotRendered {
   std::string_view name;
   std::string_view harmless;
   bool may_be_attribute;
 };
 
-constexpr NotDrawn kNotDrawn[] = {{"text-decoration", "", true},
-                                  {"text-decoration-line", "", true},
-                                  {"text-transform", "", false},
-                                  {"direction", "ltr", true},
-                                  {"font-variant", "", true},
-                                  {"inline-size", "0", false},
-                                  {"shape-inside", "", false},
-                                  {"text-orientation", "mixed", false},
-                                  {"offset-path", "", false},
-                                  {"zoom", "1", false},
-                                  {"mask-image", "", false},
-                                  {"-webkit-mask", "", false},
-                                  {"perspective", "", false},
-                                  {"stroke-alignment", "center", true},
-                                  {"glyph-orientation-vertical", "0", true}};
+constexpr NotRendered kNotDrawn[] = {{"text-decoration", "", true},
+                                     {"text-decoration-line", "", true},
+                                     {"text-transform", "", false},
+                                     {"direction", "ltr", true},
+                                     {"font-variant", "", true},
+                                     {"inline-size", "0", false},
+                                     {"shape-inside", "", false},
+                                     {"text-orientation", "mixed", false},
+                                     {"offset-path", "", false},
+                                     {"zoom", "1", false},
+                                     {"mask-image", "", false},
+                                     {"-webkit-mask", "", false},
+                                     {"perspective", "", false},
+                                     {"stroke-alignment", "center", true},
+                                     {"glyph-orientation-vertical", "0", true}};
 
 }  // namespace
 
@@ -50,7 +50,7 @@ std::optional<Matrix> together(const Placing& placing) {
 }
 
 bool changes_what_is_drawn(std::string_view name, std::string_view value, bool is_attribute) {
-  return std::ranges::any_of(kNotDrawn, [&](const NotDrawn& property) {
+  return std::ranges::any_of(kNotDrawn, [&](const NotRendered& property) {
     return property.name == name && (property.may_be_attribute || !is_attribute) && value != property.harmless &&
            !value.starts_with("none") && value != "initial" && value != "0" && value != "1";
   });

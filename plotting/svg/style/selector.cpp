@@ -4,7 +4,7 @@
 #include <charconv>
 #include <optional>
 
-#include "areas/endless_work.hpp"
+#include "areas/work_limit_error.hpp"
 #include "files/message_text.hpp"
 #include "plotting/svg/namespaces.hpp"
 #include "plotting/svg/style/css_text.hpp"
@@ -259,7 +259,7 @@ bool stands_at(const PlaceTest& test, const pugi::xml_node& node, StyleWork& wor
 }
 
 bool compound_holds(const Compound& compound, const pugi::xml_node& node, StyleWork& work) {
-  if (++work.comparisons > kMostStyleWork) throw EndlessWork("the style sheets take too much work");
+  if (++work.comparisons > kMostStyleWork) throw WorkLimitError("the style sheets take too much work");
   if (!compound.element.empty() && local_name(node) != compound.element) return false;
   if (!compound.id.empty() && compound.id != node.attribute("id").value()) return false;
   if (compound.is_root && node.parent().type() == pugi::node_element) return false;

@@ -72,7 +72,7 @@ struct StyleWork {
                                                          ///< use
 };
 
-/// Whether the selector holds for an element. Throws EndlessWork if all calls together take more than kMostStyleWork.
+/// Whether the selector holds for an element. Throws WorkLimitError if all calls together take more than kMostStyleWork.
 bool holds(const Selector& selector, const pugi::xml_node& node, StyleWork& work);
 
 /// Most comparisons of elements with parts of selectors, in all.

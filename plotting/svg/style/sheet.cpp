@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "areas/endless_work.hpp"
+#include "areas/work_limit_error.hpp"
 #include "files/message_text.hpp"
 #include "plotting/svg/namespaces.hpp"
 #include "plotting/svg/values.hpp"
@@ -70,7 +70,7 @@ void StyleSheet::add_at_rule(std::string_view& text, int depth, const Unknown& u
 
 void StyleSheet::add_rules(std::string_view selectors, std::string_view body, const Unknown& unknown) {
   if (has_rules(body)) unknown("style rules inside others");
-  said_.push_back(declarations(body));
+  declarations_.push_back(declarations(body));
   while (!selectors.empty()) {
     Rule rule;
     try {
@@ -80,8 +80,8 @@ void StyleSheet::add_rules(std::string_view selectors, std::string_view body, co
       continue;
     }
     if (rule.selector.never) continue;
-    if (rules_.size() == kMostRules) throw EndlessWork("there are more than 10,000 style rules");
-    rule.said = static_cast<std::uint32_t>(said_.size() - 1);
+    if (rules_.size() == kMostRules) throw WorkLimitError("there are more than 10,000 style rules");
+    rule.declarations = static_cast<std::uint32_t>(declarations_.size() - 1);
     const Compound& own = rule.selector.path.back();
     const std::string key = !own.id.empty()        ? "#" + own.id
                             : !own.classes.empty() ? "." + own.classes[0]
@@ -93,7 +93,7 @@ void StyleSheet::add_rules(std::string_view selectors, std::string_view body, co
 }
 
 bool StyleSheet::sets(std::string_view property) const {
-  return std::ranges::any_of(said_, [&](const std::vector<Declaration>& rule) {
+  return std::ranges::any_of(declarations_, [&](const std::vector<Declaration>& rule) {
     return std::ranges::any_of(rule, [&](const Declaration& declaration) { return declaration.name == property; });
   });
 }
@@ -123,12 +123,12 @@ std::vector<const Declaration*> StyleSheet::of(const pugi::xml_node& node) const
     return weight_a != weight_b ? weight_a < weight_b : a < b;
   });
   found.erase(std::unique(found.begin(), found.end()), found.end());
-  std::vector<const Declaration*> said;
+  std::vector<const Declaration*> matching;
   for (const std::uint32_t rule : found) {
-    for (const Declaration& declaration : said_[rules_[rule].said]) said.push_back(&declaration);
-    work_.comparisons += kDeclarationWork * said_[rules_[rule].said].size();
+    for (const Declaration& declaration : declarations_[rules_[rule].declarations]) matching.push_back(&declaration);
+    work_.comparisons += kDeclarationWork * declarations_[rules_[rule].declarations].size();
   }
-  return said;
+  return matching;
 }
 
 }  // namespace ligne::svg

@@ -23,10 +23,10 @@ class StyleSheet {
   /// Called for each unknown part, with a noun in the plural: "@import rules".
   using Unknown = std::function<void(const std::string& kind)>;
 
-  /// `media`: media of the <style> element; empty: all. Throws EndlessWork for more than 10,000 rules.
+  /// `media`: media of the <style> element; empty: all. Throws WorkLimitError for more than 10,000 rules.
   void add(std::string_view css, std::string_view media, const Unknown& unknown);
 
-  /// Declarations that hold for an element, from the weakest to the strongest. Throws EndlessWork if all elements
+  /// Declarations that hold for an element, from the weakest to the strongest. Throws WorkLimitError if all elements
   /// together take too many comparisons.
   std::vector<const Declaration*> of(const pugi::xml_node& node) const;
 
@@ -37,7 +37,7 @@ class StyleSheet {
  private:
   struct Rule {
     Selector selector;
-    std::uint32_t said = 0;  ///< index in said_, shared by the selectors of a list
+    std::uint32_t declarations = 0;  ///< index in declarations_, shared by the selectors of a list
   };
 
   void add_statements(std::string_view text, int depth, const Unknown& unknown);
@@ -45,7 +45,7 @@ class StyleSheet {
   void add_rules(std::string_view selectors, std::string_view body, const Unknown& unknown);
 
   std::vector<Rule> rules_;
-  std::vector<std::vector<Declaration>> said_;
+  std::vector<std::vector<Declaration>> declarations_;
   std::unordered_map<std::string, std::vector<std::uint32_t>>
       by_key_;  ///< rules by "#id", ".class", "element" or "*" of the element itself
   mutable StyleWork work_;

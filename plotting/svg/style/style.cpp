@@ -28,13 +28,14 @@ bool takes_variables(std::string_view name) {
 
 class StyleReader {
  public:
-  StyleReader(const pugi::xml_node& node, Style& style, const Viewport& port, bool& displayed, const Complaints& complaints)
+  StyleReader(const pugi::xml_node& node, Style& style, const Viewport& port, bool& displayed,
+              const Diagnostics& diagnostics)
       : overflow_around_(std::exchange(style.overflow, {})),
         node_(node),
         style_(style),
         port_(port),
         displayed_(displayed),
-        complaints_(complaints) {}
+        diagnostics_(diagnostics) {}
 
   /// Sets a property if it is known. An invalid value is reported and ignored.
   void set(std::string_view name, std::string_view value, bool is_attribute) {
@@ -45,7 +46,7 @@ class StyleReader {
       if (!own) fail_value(value, "refers to nothing");
       set_known(name, trimmed(*own), is_attribute);
     } catch (const std::invalid_argument& e) {
-      complaints_.bad_value(name, node_, e.what());
+      diagnostics_.bad_value(name, node_, e.what());
     }
   }
   /// Combines the properties that place the element, after all have been set.
@@ -77,7 +78,7 @@ class StyleReader {
     else if (name == "mask")
       style_.mask = id_in(value);
     else if (name == "filter")
-      complaints_.refuse(name, node_);
+      diagnostics_.refuse(name, node_);
     else if (name == "writing-mode")
       need_rows(value);
     else if (changes_what_is_drawn(name, value, is_attribute))
@@ -293,7 +294,7 @@ class StyleReader {
   /// "url(#id)", with or without quotes.
   void set_clip(std::string_view value) {
     style_.clip = id_in(value);
-    if (style_.clip.empty()) complaints_.refuse("clip-path", node_);
+    if (style_.clip.empty()) diagnostics_.refuse("clip-path", node_);
   }
   /// "id" of "url(#id)"; empty when it is something else.
   static std::string id_in(std::string_view value) {
@@ -321,18 +322,18 @@ class StyleReader {
   Style& style_;
   const Viewport& port_;
   bool& displayed_;
-  const Complaints& complaints_;
+  const Diagnostics& diagnostics_;
 };
 
 /// A property of an element with its value; lists of them go from the weakest to the strongest.
-struct Said {
+struct DeclaredProperty {
   std::string_view name, value;
   bool is_attribute = false;
 };
 
-std::vector<Said> all_said(const pugi::xml_node& node, const std::vector<const Declaration*>& rules,
-                           const std::vector<Declaration>& own) {
-  std::vector<Said> all;
+std::vector<DeclaredProperty> declared_properties(const pugi::xml_node& node, const std::vector<const Declaration*>& rules,
+                                                  const std::vector<Declaration>& own) {
+  std::vector<DeclaredProperty> all;
   for (const pugi::xml_attribute attribute : node.attributes()) {
     const std::string_view name = attribute.name();
     if (name != "class" && name != "style" && name != "font") all.push_back({name, trimmed(attribute.value()), true});
@@ -351,7 +352,7 @@ std::vector<Said> all_said(const pugi::xml_node& node, const std::vector<const D
 }  // namespace
 
 Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSheet& sheet, const Viewport& port,
-               bool& displayed, const Complaints& complaints) {
+               bool& displayed, const Diagnostics& diagnostics) {
   Style style = inherited;
   style.origin.clear();
   style.origin_of_box = false;
@@ -363,23 +364,26 @@ Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSh
   style.stop_color.reset();
   style.stop_opacity = 1;
   style.baseline_shift = 0;
-  StyleReader reader(node, style, port, displayed, complaints);
+  StyleReader reader(node, style, port, displayed, diagnostics);
   std::vector<Declaration> own;
   if (const pugi::xml_attribute attribute = node.attribute("style")) own = declarations(attribute.value());
   const std::vector<const Declaration*> rules = sheet.empty() ? std::vector<const Declaration*>() : sheet.of(node);
-  const std::vector<Said> all = all_said(node, rules, own);
+  const std::vector<DeclaredProperty> all = declared_properties(node, rules, own);
   std::map<std::string, std::string, std::less<>> variables;
-  for (const Said& said : all) {
-    if (said.name.starts_with("--") && !said.is_attribute) variables.insert_or_assign(std::string(said.name), said.value);
+  for (const DeclaredProperty& property : all) {
+    if (property.name.starts_with("--") && !property.is_attribute)
+      variables.insert_or_assign(std::string(property.name), property.value);
   }
   if (!variables.empty()) style.variables = with_variables(style.variables, std::move(variables));
   // The colour and the size of the font are set first, since currentColor and em refer to them.
-  const auto is_first = [](const Said& said) { return said.name == "color" || said.name.starts_with("font"); };
-  for (const Said& said : all) {
-    if (is_first(said)) reader.set(said.name, said.value, said.is_attribute);
+  const auto is_first = [](const DeclaredProperty& property) {
+    return property.name == "color" || property.name.starts_with("font");
+  };
+  for (const DeclaredProperty& property : all) {
+    if (is_first(property)) reader.set(property.name, property.value, property.is_attribute);
   }
-  for (const Said& said : all) {
-    if (!is_first(said)) reader.set(said.name, said.value, said.is_attribute);
+  for (const DeclaredProperty& property : all) {
+    if (!is_first(property)) reader.set(property.name, property.value, property.is_attribute);
   }
   reader.finish();
   return style;

@@ -9,7 +9,7 @@
 
 #include <pugixml.hpp>
 
-#include "plotting/svg/complaints.hpp"
+#include "plotting/svg/diagnostics.hpp"
 #include "plotting/svg/namespaces.hpp"
 #include "plotting/svg/style/sheet.hpp"
 #include "plotting/svg/style/variables.hpp"
@@ -68,6 +68,6 @@ struct Style {
 /// `displayed` becomes false for display: none. Reports invalid values, and properties that change the picture in ways
 /// that are not drawn. The font sizes of `port` are the ones around the element.
 Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSheet& sheet, const Viewport& port,
-               bool& displayed, const Complaints& complaints);
+               bool& displayed, const Diagnostics& diagnostics);
 
 }  // namespace ligne::svg

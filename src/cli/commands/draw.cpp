@@ -76,7 +76,7 @@ void add_frame_options(CLI::App& app, DrawOptions& options) {
 }
 
 /// The path of the eye, if it moves.
-void add_way(const DrawOptions& options, FrameRequest& frames, RunReport& run) {
+void set_eye_path(const DrawOptions& options, FrameRequest& frames, RunReport& run) {
   const std::optional<Point3>& eye = options.picture.view.eye;
   if (options.last_eye) {
     if (!eye) throw UsageError("--to", "needs --eye, the start of the path");
@@ -199,7 +199,7 @@ void draw(const DrawOptions& options, PictureRequest request) {
   files.were_read(run.files);
   ModelRequest model = options.model;
   model.quality = request.lines.quality;
-  model.shading = asks_for_creases(request.lines.studied());
+  model.shading = needs_creases(request.lines.studied());
   model.unit_mm = request.page.unit_mm;
   model.tell_parts =
       request.output.group_objects || !request.output.colors.empty() || !request.plotter.pens.pen_of_object.empty();
@@ -234,7 +234,7 @@ void draw(const DrawOptions& options, PictureRequest request) {
   std::size_t frame = 0;
   FrameRequest frames = options.frames;
   frames.as_pages = as_pages;
-  add_way(options, frames, run);
+  set_eye_path(options, frames, run);
   files.were_read(run.files);
   draw_frames(models.scene, request, frames, run, std::move(models.topology),
               [&](Picture picture) { files.write(outputs[frame++], std::move(picture.bytes)); });

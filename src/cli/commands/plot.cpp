@@ -75,7 +75,7 @@ void add_part_options(CLI::App& app, LongPlotRequest& parts) {
   group.add("--from-time", "TIME", parts.from_seconds, parse_duration_s,
             "begin with the stroke that the plot would draw at this time: 90s, 30min, 12:30");
   const Option every =
-      group.add("--every", "LEN", parts.every_mm, parse_way_mm,
+      group.add("--every", "LEN", parts.every_mm, parse_drawn_length_mm,
                 "run the action of --do at the beginning and at least every LEN of drawn lines, such as 3m");
   const Option action =
       group.add("--do", "NAME", parts.action, parse_file_name, "the action for --every, as named by the device: dip, pause");

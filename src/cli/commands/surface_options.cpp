@@ -38,7 +38,7 @@ constexpr const char* kSurfaceExamples = R"help(Examples:
 void check_engines(const SurfaceOptions& options, const SurfaceRequest& request) {
   const PictureRequest& picture = request.picture;
   const std::string reason = options.as_mesh ? "--as-mesh" : needs_mesh(request);
-  if (options.horizon_given && picture.hatch.asked()) refuse_hatching("horizon");
+  if (options.horizon_given && picture.hatch.is_requested()) refuse_hatching("horizon");
   if (options.horizon_given && !reason.empty()) {
     throw UsageError("--method", "horizon can not draw " + reason + "; a mesh method does: ligne methods");
   }
@@ -50,8 +50,8 @@ void check_engines(const SurfaceOptions& options, const SurfaceRequest& request)
   if (options.as_mesh) {
     if (request.curves.contours || request.curves.contour_step)
       throw UsageError("--contours", "are lines, which --as-mesh does not write");
-    if (picture.hatch.asked()) throw UsageError("--hatch", "makes lines, which --as-mesh does not write");
-    if (picture.fill.asked()) throw UsageError("--fill", "makes areas, which --as-mesh does not write");
+    if (picture.hatch.is_requested()) throw UsageError("--hatch", "makes lines, which --as-mesh does not write");
+    if (picture.fill.is_requested()) throw UsageError("--fill", "makes areas, which --as-mesh does not write");
     if (picture.axes.style) throw UsageError("--axes", "are lines, which --as-mesh does not write");
     return;
   }

@@ -10,7 +10,7 @@ namespace ligne {
 namespace {
 
 /// Adjustable: largest number of pairs of facets that are tested, at about 0.1 microseconds each.
-constexpr std::uint64_t kMostLooks = 4'000'000;
+constexpr std::uint64_t kMaxTests = 4'000'000;
 
 std::uint64_t pair_of(std::uint32_t a, std::uint32_t b) { return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
 
@@ -33,7 +33,7 @@ bool overlap(const PlacedFacet& a, const PlacedFacet& b) {
   return !divided_by_side_of(a, b) && !divided_by_side_of(b, a);
 }
 
-/// Tests the pairs of each leaf of the grid, until kMostLooks tests are done.
+/// Tests the pairs of each leaf of the grid, until kMaxTests tests are done.
 class PairSearch {
  public:
   PairSearch(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid)
@@ -46,8 +46,8 @@ class PairSearch {
     for (std::uint32_t i = 0; i < cell.count; ++i) placed_.push_back(penetrations_.place(list[i].facet));
     for (std::uint32_t i = 0; i < cell.count; ++i) {
       for (std::uint32_t k = i + 1; k < cell.count; ++k) {
-        if (looks_ == kMostLooks) return;
-        ++looks_;
+        if (tests_ == kMaxTests) return;
+        ++tests_;
         if (placed_[i].face == placed_[k].face || !list[i].box.meets(list[k].box)) continue;
         // The list is sorted by the nearest depth. If the second facet is wholly behind the first one, they can only
         // overlap.
@@ -65,7 +65,7 @@ class PairSearch {
       if (x.face0 != x.face1) found_.penetrating.push_back(pair_of(x.face0, x.face1));
     }
     keep_each_once(found_.penetrating);
-    found_.complete = looks_ < kMostLooks;
+    found_.complete = tests_ < kMaxTests;
     return std::move(found_);
   }
 
@@ -74,7 +74,7 @@ class PairSearch {
   const CellGrid& grid_;
   PenetrationSearch penetrations_;
   std::vector<PlacedFacet> placed_;
-  std::uint64_t looks_ = 0;
+  std::uint64_t tests_ = 0;
   FacePairs found_;
 };
 

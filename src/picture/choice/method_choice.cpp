@@ -15,18 +15,18 @@ constexpr std::size_t kManyTriangles = 512;
 /// Adjustable: most triangles of a scene whose transparent faces are drawn as transparent. In larger scenes they count
 /// as opaque, with a warning, because the method that supports them takes several times the time of the default method,
 /// and more memory.
-constexpr std::size_t kMostGlassTriangles = 100'000;
+constexpr std::size_t kMaxTransparentTriangles = 100'000;
 
 constexpr ChoiceRule kRules[] = {
     {"areas of faces are requested", "atherton-weiler", [](const ChoiceFacts& f) { return f.regions; }},
-    {"some faces are transparent", "atherton-weiler", [](const ChoiceFacts& f) { return f.glass; }},
+    {"some faces are transparent", "atherton-weiler", [](const ChoiceFacts& f) { return f.has_transparency; }},
     {"one opaque convex body of many faces", "culling",
      [](const ChoiceFacts& f) { return f.many_triangles && f.may_be_one_body; }},
     {"any other scene", "appel", [](const ChoiceFacts&) { return true; }},
 };
 
-bool shows_glass(const ProjectedScene& projected) {
-  return projected.triangles.size() <= kMostGlassTriangles &&
+bool renders_transparency(const ProjectedScene& projected) {
+  return projected.triangles.size() <= kMaxTransparentTriangles &&
          std::ranges::any_of(projected.face_is_transparent, [](std::uint8_t t) { return t != 0; });
 }
 
@@ -40,14 +40,14 @@ std::size_t choose_rule(const ChoiceFacts& facts) {
 }
 
 bool chooses_regions(const PictureRequest& request, const ProjectedScene& projected) {
-  return asks_for_regions(request) || shows_glass(projected);
+  return needs_regions(request) || renders_transparency(projected);
 }
 
 ChoiceFacts facts_of(const PictureRequest& request, const ProjectedScene& projected) {
   ChoiceFacts facts;
-  facts.regions = asks_for_regions(request);
+  facts.regions = needs_regions(request);
   facts.many_triangles = projected.triangles.size() >= kManyTriangles;
-  facts.glass = shows_glass(projected);
+  facts.has_transparency = renders_transparency(projected);
   facts.may_be_one_body = !facts.regions && facts.many_triangles && convexity::looks_like_one_convex_body(projected);
   return facts;
 }

@@ -20,7 +20,7 @@ struct ChoiceFacts {
   bool many_triangles = false;   ///< enough for the time of a method to be noticed
   bool may_be_one_body = false;  ///< it may be one opaque convex body; the method itself verifies it
   /// Some faces are transparent, and the scene is small enough for a method that returns areas.
-  bool glass = false;
+  bool has_transparency = false;
 };
 
 struct ChoiceRule {

@@ -30,14 +30,14 @@ double widest_fillet(const PictureRequest& request, const View& view) {
 
 }  // namespace
 
-bool asks_for_creases(LineClasses classes) {
+bool needs_creases(LineClasses classes) {
   return classes.has(LineClass::crease) || classes.has(LineClass::tangent) || has_shape_lines(classes);
 }
 
 EdgeSelection select_edges(const Scene& scene, const Topology& topology, const LineRequest& request, LineClasses classes,
                            Creases& creases, RunReport& run) {
   EdgeSelection selection{classes, request.crease_degrees};
-  if (request.quality == Quality::exact || !asks_for_creases(classes)) return selection;
+  if (request.quality == Quality::exact || !needs_creases(classes)) return selection;
   creases = find_creases(scene, topology, {request.crease_degrees, request.surface_crease_degrees});
   const auto count = [&](const char* name, std::size_t n) {
     if (n > 0) run.clear.count(name, n);

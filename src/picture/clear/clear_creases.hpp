@@ -12,7 +12,7 @@
 namespace ligne {
 
 /// Whether lines of these classes are creases, or depend on creases.
-bool asks_for_creases(LineClasses classes);
+bool needs_creases(LineClasses classes);
 
 /// Selects the edges of a picture: by the crease angle for exact lines, by find_creases() for clear ones. Its result
 /// goes into `creases`, which must outlive the selection. Counts in `run` what clear lines change.

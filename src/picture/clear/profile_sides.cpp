@@ -210,7 +210,7 @@ void add_behind(std::vector<FreePart>& parts, const Stroke& stroke, const SeenSt
 }
 
 /// The facets that hide the paper: all except faces of clear material, which hide no line either.
-std::vector<Facet> facets_in_the_way(const ProjectedScene& projected) {
+std::vector<Facet> candidate_facets(const ProjectedScene& projected) {
   std::vector<Facet> facets = make_facets(projected, 0).facets;
   if (!projected.face_is_transparent.empty()) {
     std::erase_if(facets, [&](const Facet& f) { return projected.face_is_transparent[f.face] == kClearFace; });
@@ -231,7 +231,7 @@ std::vector<FreeParts> free_parts(const StrokeModel& model, std::span<const std:
   parallel_blocks(members.size(), kBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t m = begin; m < end; ++m) sides_of.add(model.strokes[members[m]], sides[m]);
   });
-  const std::vector<Facet> facets = facets_in_the_way(projected);
+  const std::vector<Facet> facets = candidate_facets(projected);
   const ObjectOfFace object_of(scene);
   const auto owns = [&](const Stroke& stroke, std::uint32_t face) {
     const std::uint32_t object = object_of(face);

@@ -37,7 +37,7 @@ constexpr double kNormalPart = 0.5;  ///< of `length`; smaller bumps do not coun
 constexpr double kQuarter = std::numbers::pi / 2;
 
 /// The directions that the curvature defines at a node.
-struct Told {
+struct CurvatureDirection {
   Complex cross{0, 0};  ///< of unit length, or zero
   double weight = 0;    ///< area times confidence, which is at most 1
   double first = 0;     ///< angle of the direction in which the surface bends most
@@ -46,36 +46,36 @@ struct Told {
 
 /// Confidence in a direction: the difference of the curvatures' turns over `length`, in radians, at most 1 and 0 below
 /// kFlatTurn.
-double trust(double difference, double length) {
+double confidence_of(double difference, double length) {
   const double turn = std::min(1.0, difference * length);
   return turn < kFlatTurn ? 0 : turn;
 }
 
-std::vector<Told> tell(const FormMesh& mesh, const std::vector<TangentFrame>& frames, const std::vector<FormLink>& links,
-                       double length) {
+std::vector<CurvatureDirection> curvature_directions(const FormMesh& mesh, const std::vector<TangentFrame>& frames,
+                                                     const std::vector<FormLink>& links, double length) {
   const std::vector<SecondForm> forms = second_forms(mesh, frames, evened_normals(mesh, links, kNormalPart * length));
-  std::vector<Told> told(forms.size());
-  for (std::uint32_t n = 0; n < told.size(); ++n) {
+  std::vector<CurvatureDirection> found(forms.size());
+  for (std::uint32_t n = 0; n < found.size(); ++n) {
     const auto [e, f, g] = forms[n];
     const double difference = std::hypot(e - g, 2 * f), mean = e + g;  // k1 - k2, k1 + k2
     if (!(difference > 0)) continue;
     const double larger = std::atan2(2 * f, e - g) / 2;  // direction of the larger curvature, with sign
-    told[n].first = mean >= 0 ? larger : larger + kQuarter;
-    told[n].cross = std::polar(1.0, 4 * larger);
-    told[n].weight = mesh.areas[n] * trust(difference, length);
-    told[n].first_weight = mesh.areas[n] * trust(std::min(difference, std::abs(mean)), length);  // |k1| - |k2|
+    found[n].first = mean >= 0 ? larger : larger + kQuarter;
+    found[n].cross = std::polar(1.0, 4 * larger);
+    found[n].weight = mesh.areas[n] * confidence_of(difference, length);
+    found[n].first_weight = mesh.areas[n] * confidence_of(std::min(difference, std::abs(mean)), length);  // |k1| - |k2|
   }
-  return told;
+  return found;
 }
 
 /// For each node, whether its first direction is a quarter turn beyond the angle of the cross (see step 3).
 std::vector<char> first_directions(const std::vector<double>& angles, const std::vector<char>& known,
-                                   const std::vector<Told>& told, const std::vector<FormLink>& links) {
+                                   const std::vector<CurvatureDirection>& found, const std::vector<FormLink>& links) {
   const std::size_t n = angles.size();
   std::vector<std::uint32_t> order(links.size());
   std::iota(order.begin(), order.end(), 0u);
   const auto sureness = [&](std::uint32_t l) {
-    return std::min(told[links[l].i].first_weight, told[links[l].j].first_weight);
+    return std::min(found[links[l].i].first_weight, found[links[l].j].first_weight);
   };
   parallel_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     const double x = sureness(a), y = sureness(b);
@@ -100,8 +100,8 @@ std::vector<char> first_directions(const std::vector<double>& angles, const std:
     double for_turn = 0;
     for (std::size_t k = 0; k < tree.size(); ++k) {
       const std::uint32_t at = tree[k];
-      const double cosine = std::cos(told[at].first - angles[at]);
-      for_turn += told[at].first_weight * (turned[at] ? -1 : 1) * (1 - 2 * cosine * cosine);
+      const double cosine = std::cos(found[at].first - angles[at]);
+      for_turn += found[at].first_weight * (turned[at] ? -1 : 1) * (1 - 2 * cosine * cosine);
       for (const auto& [next, quarter] : branches[at]) {
         if (seen[next]) continue;
         seen[next] = 1;
@@ -124,10 +124,10 @@ Point3 in_plane(const Point3& v, const Point3& normal) { return unit(v - normal 
 FormField curvature_field(const FormMesh& mesh, double length, const std::function<Point3(std::uint32_t)>& otherwise) {
   const std::vector<TangentFrame> frames = tangent_frames(mesh);
   const std::vector<FormLink> links = form_links(mesh, frames);
-  const std::vector<Told> told = tell(mesh, frames, links, length);
+  const std::vector<CurvatureDirection> found = curvature_directions(mesh, frames, links, length);
   std::vector<double> weights;
   std::vector<Complex> wanted;
-  for (const Told& t : told) {
+  for (const CurvatureDirection& t : found) {
     weights.push_back(t.weight);
     wanted.push_back(t.cross);
   }
@@ -138,14 +138,14 @@ FormField curvature_field(const FormMesh& mesh, double length, const std::functi
     known[n] = std::abs(crosses[n]) > 0;
     angles[n] = std::arg(crosses[n]) / 4;
   }
-  const std::vector<char> turned = first_directions(angles, known, told, links);
+  const std::vector<char> turned = first_directions(angles, known, found, links);
   for (std::size_t n = 0; n < angles.size(); ++n) wanted[n] = std::polar(1.0, 2 * (angles[n] + (turned[n] ? kQuarter : 0)));
   const std::vector<Complex> lines = evened(weights, wanted, links, length, 2);
   FormField::Directions directions(lines.size());
   for (std::uint32_t n = 0; n < directions.size(); ++n) {
-    const bool told_any = std::abs(lines[n]) > 0;
+    const bool is_known = std::abs(lines[n]) > 0;
     const double angle = std::arg(lines[n]) / 2;
-    const Point3 along = told_any ? frames[n].x * std::cos(angle) + frames[n].y * std::sin(angle) : otherwise(n);
+    const Point3 along = is_known ? frames[n].x * std::cos(angle) + frames[n].y * std::sin(angle) : otherwise(n);
     directions[n] = {along, glm::cross(mesh.normals[n], along)};
   }
   return FormField(std::move(directions));

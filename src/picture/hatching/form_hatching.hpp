@@ -8,7 +8,7 @@
 namespace ligne {
 
 inline bool follows_form(const HatchRequest& request) {
-  return request.asked() && request.direction.form != FormLines::none;
+  return request.is_requested() && request.direction.form != FormLines::none;
 }
 
 /// Draws strokes along the requested field over the regions that are visible directly, the closer the darker; crossed

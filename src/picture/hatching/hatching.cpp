@@ -326,7 +326,7 @@ HatchScene hatch_scene(const PreparedScene& prepared, const PlotOptions& plot) {
   const bool gives_regions = request.lines.method ? (prepared.method.traits().products & kRegions) != 0
                                                   : chooses_regions(request, prepared.projected);
   // Patches are also needed in JSON, since a stored drawing can be hatched later.
-  if (hatch.request().asked() || (request.output.format == OutputFormat::json && gives_regions)) {
+  if (hatch.request().is_requested() || (request.output.format == OutputFormat::json && gives_regions)) {
     hatch.patches = hatch_patches(prepared.scene, prepared.topology, prepared.request.lines.crease_degrees);
   }
   if (follows_form(hatch.request())) {
@@ -371,9 +371,10 @@ std::vector<Layer> hatch_regions(const HatchScene& hatch, const std::vector<Regi
 
 std::vector<Layer> hatch_spans(const HatchScene& hatch, RunReport& run) {
   const PreparedScene& prepared = hatch.prepared;
-  if (!hatch.request().asked() || hatches_regions(prepared.request, prepared.method)) return {};
-  const auto glass = std::ranges::count_if(prepared.projected.face_is_transparent, [](std::uint8_t t) { return t != 0; });
-  if (glass > 0) run.warn("the hatching omits " + std::to_string(glass) + " transparent faces");
+  if (!hatch.request().is_requested() || hatches_regions(prepared.request, prepared.method)) return {};
+  const auto transparent =
+      std::ranges::count_if(prepared.projected.face_is_transparent, [](std::uint8_t t) { return t != 0; });
+  if (transparent > 0) run.warn("the hatching omits " + std::to_string(transparent) + " transparent faces");
   return timed(run.stages, "hatch", [&] {
     Hatching hatching(hatch);
     std::vector<FaceHatch> faces;

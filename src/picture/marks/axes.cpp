@@ -27,21 +27,21 @@ constexpr double kLabelHeight = 0.75;  ///< heights in contour lines, relative t
 /// Distance of labels along a contour line; on small sheets, as part of the shorter side.
 constexpr double kLabelDistanceMm = 120, kLabelDistancePart = 0.6;
 
-/// The room is found by trials: with less room for the picture there may be fewer or shorter numbers.
-constexpr double kRoomSlackMm = 1e-3;  ///< the accuracy of the drawing
+/// The insets is found by trials: with less insets for the picture there may be fewer or shorter numbers.
+constexpr double kInsetAccuracyMm = 1e-3;  ///< the accuracy of the drawing
 constexpr int kFreeTrials = 3, kMostTrials = 8;
 
-/// The room needed beyond the picture on each side.
-Room overhang(const Rect& picture, const Rect& all) {
+/// The insets needed beyond the picture on each side.
+Insets overhang(const Rect& picture, const Rect& all) {
   return {picture.min.x - all.min.x, picture.min.y - all.min.y, all.max.x - picture.max.x, all.max.y - picture.max.y};
 }
 
-bool holds(const Room& room, const Room& need) {
-  return need.left <= room.left + kRoomSlackMm && need.top <= room.top + kRoomSlackMm &&
-         need.right <= room.right + kRoomSlackMm && need.bottom <= room.bottom + kRoomSlackMm;
+bool holds(const Insets& insets, const Insets& need) {
+  return need.left <= insets.left + kInsetAccuracyMm && need.top <= insets.top + kInsetAccuracyMm &&
+         need.right <= insets.right + kInsetAccuracyMm && need.bottom <= insets.bottom + kInsetAccuracyMm;
 }
 
-Room widest(const Room& a, const Room& b) {
+Insets widest(const Insets& a, const Insets& b) {
   return {std::max(a.left, b.left), std::max(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
 }
 
@@ -106,7 +106,7 @@ double text_height_mm(const AxesChoice& choice, const Page& page) {
   return *choice.text_height_mm;
 }
 
-Surroundings place_with_axes(const std::optional<PlotBox>& box, const Scene& scene, const Camera& camera,
+PictureMarks place_with_axes(const std::optional<PlotBox>& box, const Scene& scene, const Camera& camera,
                              const PageRequest& page, const AxesChoice& choice, const std::string& heading) {
   std::optional<AxesRequest> request = request_of(choice, box);
   const Rect extent = page.extent ? *page.extent
@@ -114,10 +114,10 @@ Surroundings place_with_axes(const std::optional<PlotBox>& box, const Scene& sce
                                   : projected_extent(scene, camera);
   const MeasureText measure = [&](std::string_view text, double height) { return text_extent(text, height, choice.text); };
 
-  Surroundings result;
-  Room room;
+  PictureMarks result;
+  Insets insets;
   for (int trial = 0; trial < kMostTrials; ++trial) {
-    result = {place(extent, scene.unit_mm, camera, page, room), {}, {}, {}};
+    result = {place(extent, scene.unit_mm, camera, page, insets), {}, {}, {}};
     const Placement& placement = result.placement;
     if (placement.picture.empty()) return result;
     const double height = text_height_mm(choice, placement.page);
@@ -145,26 +145,26 @@ Surroundings place_with_axes(const std::optional<PlotBox>& box, const Scene& sce
       for (const Point2 p : text_box(item, measure(item.text, item.height_mm)).corners()) all.extend(p);
       result.texts.push_back(item);
     }
-    const Room need = overhang(placement.picture, all);
-    if (holds(room, need)) break;
-    room = trial < kFreeTrials ? need : widest(room, need);
+    const Insets need = overhang(placement.picture, all);
+    if (holds(insets, need)) break;
+    insets = trial < kFreeTrials ? need : widest(insets, need);
   }
   return result;
 }
 
-std::vector<std::array<Point3, 2>> back_lines(const Surroundings& surroundings) {
+std::vector<std::array<Point3, 2>> back_lines(const PictureMarks& surroundings) {
   std::vector<std::array<Point3, 2>> lines;
   for (const AxisLine& line : surroundings.axes.lines) lines.push_back({line.a, line.b});
   return lines;
 }
 
-std::vector<std::array<Point3, 2>> all_lines(const Surroundings& surroundings) {
+std::vector<std::array<Point3, 2>> all_lines(const PictureMarks& surroundings) {
   std::vector<std::array<Point3, 2>> lines = back_lines(surroundings);
   for (const AxisLine& line : surroundings.axes.front_lines) lines.push_back({line.a, line.b});
   return lines;
 }
 
-Polylines lines_of_axes(const Surroundings& surroundings, std::span<const std::vector<VisibleInterval>> seen) {
+Polylines lines_of_axes(const PictureMarks& surroundings, std::span<const std::vector<VisibleInterval>> seen) {
   const AxesPicture& axes = surroundings.axes;
   std::vector<AxisLine> all = axes.lines;
   all.insert(all.end(), axes.front_lines.begin(), axes.front_lines.end());
@@ -176,7 +176,7 @@ Polylines lines_of_axes(const Surroundings& surroundings, std::span<const std::v
   return axis_lines(all, surroundings.placement.view, visibility, kLeastPartMm);
 }
 
-void add_labels(Drawing& drawing, const PictureRequest& request, const Surroundings& surroundings) {
+void add_labels(Drawing& drawing, const PictureRequest& request, const PictureMarks& surroundings) {
   if (request.contour_labels == ContourLabels::none) return;
   const Page& page = surroundings.placement.page;
   ContourLabelOptions options;
@@ -189,7 +189,7 @@ void add_labels(Drawing& drawing, const PictureRequest& request, const Surroundi
   for (TextItem& label : label_contours(drawing, options, surroundings.texts)) drawing.texts.push_back(std::move(label));
 }
 
-void add_surroundings(Drawing& drawing, const Surroundings& surroundings, const AxesChoice& choice, RunReport& run) {
+void add_surroundings(Drawing& drawing, const PictureMarks& surroundings, const AxesChoice& choice, RunReport& run) {
   const std::string name(kLineClassNames[static_cast<std::size_t>(LineClass::axes)]);
   Layer layer{name, {}};
   const auto found =

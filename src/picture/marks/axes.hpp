@@ -16,7 +16,7 @@
 namespace ligne {
 
 /// The marks around a picture, and the placement of the picture between them.
-struct Surroundings {
+struct PictureMarks {
   Placement placement;
   AxesPicture axes;
   MapMarks map{};
@@ -41,24 +41,24 @@ double text_height_mm(const AxesChoice& choice, const Page& page);
 
 /// Places the camera's picture on the page, with the requested axes, map signs and texts around it. `box` is empty if
 /// the scene is no plot. Without axes, the extent of `scene` is fitted to the page.
-Surroundings place_with_axes(const std::optional<PlotBox>& box, const Scene& scene, const Camera& camera,
+PictureMarks place_with_axes(const std::optional<PlotBox>& box, const Scene& scene, const Camera& camera,
                              const PageRequest& page, const AxesChoice& choice, const std::string& heading);
 
 /// The lines of the axes that the plotted surface may hide, in model coordinates.
-std::vector<std::array<Point3, 2>> back_lines(const Surroundings& surroundings);
+std::vector<std::array<Point3, 2>> back_lines(const PictureMarks& surroundings);
 
 /// All lines of the axes, in model coordinates: those of back_lines(), then those in front of the surface.
-std::vector<std::array<Point3, 2>> all_lines(const Surroundings& surroundings);
+std::vector<std::array<Point3, 2>> all_lines(const PictureMarks& surroundings);
 
 /// The lines of the axes on the page: the visible parts `seen` of each of back_lines(), and all lines in front of the
 /// surface.
-Polylines lines_of_axes(const Surroundings& surroundings, std::span<const std::vector<VisibleInterval>> seen);
+Polylines lines_of_axes(const PictureMarks& surroundings, std::span<const std::vector<VisibleInterval>> seen);
 
 /// Adds the labels inside the picture: heights of contour lines. To be called before add_surroundings().
-void add_labels(Drawing& drawing, const PictureRequest& request, const Surroundings& surroundings);
+void add_labels(Drawing& drawing, const PictureRequest& request, const PictureMarks& surroundings);
 
 /// Adds ticks to the layer of the axes, which becomes the last one, the signs of a map, and texts to the drawing.
 /// Characters that the single-stroke font lacks give a warning.
-void add_surroundings(Drawing& drawing, const Surroundings& surroundings, const AxesChoice& choice, RunReport& run);
+void add_surroundings(Drawing& drawing, const PictureMarks& surroundings, const AxesChoice& choice, RunReport& run);
 
 }  // namespace ligne

@@ -64,7 +64,7 @@ std::optional<std::array<double, 2>> inside(const TextBox& box, Point2 a, Point2
 }
 
 /// Whether labels cut gaps into the layer. The shape itself and the marks around the picture stay.
-bool gives_way(const Layer& layer) {
+bool is_subordinate(const Layer& layer) {
   constexpr std::string_view kStay[] = {"outline", "border", "intersection", "axes", "text"};
   return std::find(std::begin(kStay), std::end(kStay), layer.name) == std::end(kStay);
 }
@@ -148,7 +148,7 @@ void Labelling::collect(const Drawing& drawing) {
   const bool index_only = options_.index_only && has("contour-index"), on_surface = has("contour") || has("contour-index");
   std::vector<double> heights;
   for (const Layer& layer : drawing.layers) {
-    const bool stays = !gives_way(layer);
+    const bool stays = !is_subordinate(layer);
     if (!stays && (!layer.height || on_surface == (layer.name == "contour-base"))) continue;
     if (!stays) heights.push_back(*layer.height);
     const bool labelled = !stays && (!index_only || layer.name == "contour-index");
@@ -284,11 +284,11 @@ std::string height_text(double height, double step, bool decades) {
   }
   char text[64];
   int digits = 0;
-  const auto is_told = [&] {
+  const auto is_reported = [&] {
     std::snprintf(text, sizeof text, "%.*f", digits, height);
     return std::abs(std::strtod(text, nullptr) - height) <= kLabelError * step;
   };
-  while (digits <= kMostLabelDigits && !is_told()) ++digits;
+  while (digits <= kMostLabelDigits && !is_reported()) ++digits;
   if (step <= 0 || digits > kMostLabelDigits || std::abs(height) >= kLongestPlainHeight) {
     std::snprintf(text, sizeof text, "%.10g", height == 0 ? 0 : height);
     constexpr std::size_t kShort = 6;
@@ -368,7 +368,7 @@ Polylines without_boxes(const Polylines& lines, std::span<const TextBox> boxes) 
 
 void make_gaps(Drawing& drawing, std::span<const TextBox> boxes) {
   for (Layer& layer : drawing.layers) {
-    if (gives_way(layer)) layer.lines = without_boxes(layer.lines, boxes);
+    if (is_subordinate(layer)) layer.lines = without_boxes(layer.lines, boxes);
   }
   std::erase_if(drawing.layers, [](const Layer& layer) { return layer.lines.size() == 0; });
 }

@@ -13,7 +13,7 @@
 namespace ligne {
 namespace {
 
-constexpr double kBeforeMm = 0.2, kProbeMm = 0.02;  ///< distance of a probe before its point; length of a probe
+constexpr double kBeforeMm = 0.2, kTestSegmentMm = 0.02;  ///< distance of a probe before its point; length of a probe
 // In heights of capitals.
 constexpr double kMarkPart = 0.45, kBesidePart = 0.4;
 constexpr double kCellHeights = 2;  ///< side of the cells that list the boxes of texts
@@ -61,12 +61,12 @@ std::vector<std::array<Point3, 2>> probes_of(const std::vector<MarkedPoint>& poi
     const Camera& camera = view.camera;
     const Point3 sight = camera.perspective ? (point.at - camera.eye) / camera.target_distance : camera.forward;
     const Point3 p = point.at - sight * (kBeforeMm / view.scale);
-    probes.push_back({p, p + camera.right * (kProbeMm / view.scale)});
+    probes.push_back({p, p + camera.right * (kTestSegmentMm / view.scale)});
   }
   return probes;
 }
 
-std::vector<std::uint8_t> take_probes(StrokeModel& model, std::uint32_t first, std::size_t count) {
+std::vector<std::uint8_t> read_probes(StrokeModel& model, std::uint32_t first, std::size_t count) {
   std::vector<std::uint8_t> seen(count);
   std::erase_if(model.strokes, [&](const Stroke& stroke) {
     if (stroke.source < first || stroke.source - first >= count) return false;

@@ -16,7 +16,7 @@ namespace ligne {
 std::vector<std::array<Point3, 2>> probes_of(const std::vector<MarkedPoint>& points, const View& view);
 
 /// Removes the strokes of the probes, whose sources begin at `first`, from the model. Returns 1 for each visible point.
-std::vector<std::uint8_t> take_probes(StrokeModel& model, std::uint32_t first, std::size_t count);
+std::vector<std::uint8_t> read_probes(StrokeModel& model, std::uint32_t first, std::size_t count);
 
 /// Text such as "5 of 7 points are not marked: 2 outside the page, 3 hidden"; empty if all are visible.
 std::string unseen_points(const std::vector<MarkedPoint>& points, const std::vector<std::uint8_t>& seen, const View& view);

@@ -18,8 +18,8 @@ constexpr double kInsetPart = 0.52, kPlanePart = 0.6;
 constexpr double kThin = 0.13, kSegment = 0.25, kSeen = 0.7;
 constexpr double kRowMm = 4.2;            ///< largest height of a row of steps
 constexpr double kNumberedInTexts = 1.2;  ///< shortest bar or segment with a number, in heights of texts
-constexpr std::array<double, 3> kGray{0.72, 0.72, 0.72}, kInk{0.25, 0.25, 0.25}, kRed{0.8, 0.1, 0.1}, kBlue{0.1, 0.3, 0.65},
-    kTint{0.82, 0.89, 0.97}, kBoxes{0.85, 0.55, 0.2};
+constexpr std::array<double, 3> kGray{0.72, 0.72, 0.72}, kLineColor{0.25, 0.25, 0.25}, kRed{0.8, 0.1, 0.1},
+    kBlue{0.1, 0.3, 0.65}, kTint{0.82, 0.89, 0.97}, kBoxes{0.85, 0.55, 0.2};
 constexpr std::array<const char*, 4> kStepNames{
     "merge: the visible list after every segment, from above", "stack: the current segment, and below it the stack",
     "box: parts of the line, divided from above", "point: the cells of the line"};
@@ -40,7 +40,7 @@ class PlaneDrawer {
   }
 
   void draw() {
-    draw_sight();
+    draw_view_direction();
     draw_boxes();
     draw_plane();
     draw_steps();
@@ -68,7 +68,7 @@ class PlaneDrawer {
   }
 
   /// Draws the ends of each run: from the picture down to the visible surface.
-  void draw_sight() {
+  void draw_view_direction() {
     for (const ScanPlane::Run& run : plane_.runs) {
       const ScanPlane::Segment& s = plane_.segments[run.segment];
       for (const double x : {run.x0, run.x1}) {
@@ -96,7 +96,7 @@ class PlaneDrawer {
   void draw_plane() {
     for (std::size_t i = 0; i < plane_.segments.size(); ++i) {
       const ScanPlane::Segment& s = plane_.segments[i];
-      line({at(s.x0, s.z0), at(s.x1, s.z1)}, kSegment, kInk);
+      line({at(s.x0, s.z0), at(s.x1, s.z1)}, kSegment, kLineColor);
       if (plane_.segments.size() <= most_numbers()) write_number(i, s.x0, s.x1);
     }
     for (const ScanPlane::Run& run : plane_.runs) {
@@ -104,11 +104,11 @@ class PlaneDrawer {
       line({at(s, run.x0), at(s, run.x1)}, kSeen, kBlue);
       if (plane_.segments.size() > most_numbers()) write_number(run.segment, run.x0, run.x1);
     }
-    line({{extent_.min.x, bottom_}, {extent_.max.x, bottom_}}, kThin, kInk);
+    line({{extent_.min.x, bottom_}, {extent_.max.x, bottom_}}, kThin, kLineColor);
     text("x", {extent_.max.x + text_mm_, bottom_});
     const Point2 foot{extent_.min.x - text_mm_, bottom_}, top{foot.x, area_.min.y + text_mm_};
-    line({foot, top}, kThin, kInk);
-    line({top + Point2{-text_mm_ / 3, text_mm_}, top, top + Point2{text_mm_ / 3, text_mm_}}, kThin, kInk);
+    line({foot, top}, kThin, kLineColor);
+    line({top + Point2{-text_mm_ / 3, text_mm_}, top, top + Point2{text_mm_ / 3, text_mm_}}, kThin, kLineColor);
     text("z", top - Point2{text_mm_, 0}, TextAcross::right);
   }
 
@@ -139,7 +139,7 @@ class PlaneDrawer {
       return run.segment == bar.segment && run.x0 <= bar.x0 && bar.x1 <= run.x1;
     });
     if (is_seen) drawing_.fills.push_back({{corners}, kTint, 1, true});
-    line({corners[0], corners[1], corners[2], corners[3], corners[0]}, kThin, is_seen ? kBlue : kInk);
+    line({corners[0], corners[1], corners[2], corners[3], corners[0]}, kThin, is_seen ? kBlue : kLineColor);
     if (bar.segment == kNone || bar.x1 - bar.x0 < numbered_mm() || row < 1.2 * text_mm_) return;
     text(std::to_string(bar.segment + 1), {(bar.x0 + bar.x1) / 2, middle}, TextAcross::center);
   }

@@ -15,7 +15,7 @@ namespace ligne {
 namespace {
 
 /// Part of the faces or border edges of a file above which a warning reports the healing.
-constexpr double kMuch = 0.1;
+constexpr double kReportedPart = 0.1;
 
 char name_of(Axis axis) { return "xyz"[static_cast<unsigned>(axis)]; }
 
@@ -51,14 +51,14 @@ void choose_parts(Scene& scene, const PartRequest& parts, std::size_t first_numb
 ReadOptions read_options(const ModelRequest& request, std::size_t first_number) {
   ReadOptions options;
   options.pose = request.pose;
-  options.groups = request.tell_parts || request.parts.asked();
+  options.groups = request.tell_parts || request.parts.is_requested();
   options.shading = request.quality == Quality::clear && request.shading;
   if (request.quality == Quality::exact) {
     options.weld_distance = request.weld_distance.value_or(0);
     options.merge_coplanar = request.merge_coplanar;
   }
   options.subdivision = request.subdivision;
-  if (request.parts.asked()) {
+  if (request.parts.is_requested()) {
     options.is_subdivided = [&request, first_number](const Object& object, std::size_t i) {
       return is_drawn(request.parts, object_name(object, first_number + i));
     };
@@ -104,7 +104,7 @@ const std::string* compiled_file(const ModelRequest& request) {
   if (request.files.size() > 1)
     throw RequestError("", printable(*found, kLongestPath) + " is a compiled model and must be the only one");
   const PartRequest& parts = request.parts;
-  if (parts.asked()) throw RequestError(!parts.only.empty() ? "only" : !parts.hide.empty() ? "hide" : "move", whole);
+  if (parts.is_requested()) throw RequestError(!parts.only.empty() ? "only" : !parts.hide.empty() ? "hide" : "move", whole);
   if (request.weld_distance) throw RequestError("weld", whole);
   if (request.merge_coplanar) throw RequestError("merge-coplanar", whole);
   if (request.subdivision) throw RequestError("subdivide", whole);
@@ -208,13 +208,13 @@ namespace {
 
 /// Throws RequestError if a pen is for a material that the scene does not have.
 void require_materials(const Scene& scene, const PenTable& pens) {
-  for (const auto& [asked, number] : pens.pen_of_material) {
-    if (std::ranges::find(scene.materials, asked, &Material::name) != scene.materials.end()) continue;
+  for (const auto& [material, number] : pens.pen_of_material) {
+    if (std::ranges::find(scene.materials, material, &Material::name) != scene.materials.end()) continue;
     constexpr std::size_t kMostListed = 20;
     std::string list;
     for (std::size_t i = 0; i < std::min(scene.materials.size(), kMostListed); ++i)
       list += (i > 0 ? ", " : "") + printable(scene.materials[i].name);
-    throw RequestError("pen", "no material is called " + shown(asked, '"') +
+    throw RequestError("pen", "no material is called " + shown(material, '"') +
                                   (list.empty() ? "; the scene names none" : "; there are " + list) +
                                   (scene.materials.size() > kMostListed ? " and more: ligne info --json names all" : ""));
   }
@@ -248,11 +248,11 @@ void report_healing(const LoadedModels& models, const ModelRequest& request, Run
     turned += healed.faces_turned;
     std::string text;
     if (healed.faces_twice > 0 &&
-        static_cast<double>(healed.faces_twice) >= kMuch * static_cast<double>(file.report.faces)) {
+        static_cast<double>(healed.faces_twice) >= kReportedPart * static_cast<double>(file.report.faces)) {
       text = std::to_string(healed.faces_twice) + " faces stored twice are drawn once";
     }
     if (!request.weld_distance && healed.edges_sewn() > 0 &&
-        static_cast<double>(healed.edges_sewn()) >= kMuch * static_cast<double>(healed.border_edges)) {
+        static_cast<double>(healed.edges_sewn()) >= kReportedPart * static_cast<double>(healed.border_edges)) {
       text += (text.empty() ? "" : "; ") + std::to_string(healed.edges_sewn()) + " of " +
               std::to_string(healed.border_edges) + " border edges were cracks and are sewn";
     }

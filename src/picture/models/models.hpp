@@ -29,7 +29,7 @@ struct PartRequest {
   std::vector<std::string> hide;  ///< objects to omit
   std::vector<PartMove> moves;    ///< an object moves by the sum of all moves that fit it
 
-  bool asked() const { return !only.empty() || !hide.empty() || !moves.empty(); }
+  bool is_requested() const { return !only.empty() || !hide.empty() || !moves.empty(); }
 };
 
 struct ModelRequest {

@@ -56,16 +56,16 @@ bool took_list_over(const Statistics& study) {
 }
 
 /// A point of a polyline and the direction of the polyline there.
-struct WayPlace {
+struct PathPoint {
   Point3 at, direction;
 };
 
 /// Returns the point at that fraction of the length of a polyline, which has at least two points.
-WayPlace place_on_way(const std::vector<Point3>& way, double share) {
+PathPoint point_on_path(const std::vector<Point3>& way, double share) {
   double whole = 0;
   for (std::size_t i = 1; i < way.size(); ++i) whole += glm::distance(way[i - 1], way[i]);
   double left = share * whole;
-  WayPlace place{way.front(), {0, 0, 0}};
+  PathPoint place{way.front(), {0, 0, 0}};
   for (std::size_t i = 1; i < way.size(); ++i) {
     const double length = glm::distance(way[i - 1], way[i]);
     if (!(length > 0)) continue;
@@ -82,7 +82,7 @@ void set_view(ViewRequest& view, const FrameRequest& frames, unsigned i) {
     view.turn_degrees = frames.turn_degrees * i / frames.count;
     return;
   }
-  const WayPlace place = place_on_way(frames.eyes, frames.count > 1 ? double(i) / (frames.count - 1) : 0);
+  const PathPoint place = point_on_path(frames.eyes, frames.count > 1 ? double(i) / (frames.count - 1) : 0);
   view.eye = place.at;
   if (frames.looks_ahead) view.target = place.at + place.direction;
 }

@@ -52,28 +52,28 @@ std::set<std::string> layer_names(const Drawing& drawing) {
   return names;
 }
 
-void check_pens(const PenTable& asked, const Drawing& drawing) {
+void check_pens(const PenTable& pens, const Drawing& drawing) {
   if (drawing.layers.empty()) return;
   const std::set<std::string> layers = layer_names(drawing);
-  for (const auto& [layer, number] : asked.pen_of_layer) {
+  for (const auto& [layer, number] : pens.pen_of_layer) {
     if (layers.contains(layer) || is_layer_of_ours(layer)) continue;
     throw RequestError("pen", "there is no layer " + shown(layer, '"') + "; there are " + listed_names(layers) +
                                   "; and object:NAME, material:NAME, shade:N, rest");
   }
   // For a scene, require_parts() checked its materials and objects before; hidden ones are no error.
   const bool has_materials = std::ranges::any_of(drawing.layers, [](const Layer& l) { return !l.material.empty(); });
-  for (const auto& [material, number] : asked.pen_of_material) {
+  for (const auto& [material, number] : pens.pen_of_material) {
     if (!has_materials)
       throw RequestError("pen", "the drawing has no materials, so there is no material " + shown(material, '"'));
   }
   const bool has_objects = std::ranges::any_of(drawing.layers, [](const Layer& l) { return !l.object.empty(); });
-  for (const auto& [object, number] : asked.pen_of_object) {
+  for (const auto& [object, number] : pens.pen_of_object) {
     if (!has_objects) throw RequestError("pen", "the drawing has no objects, so there is no object " + shown(object, '"'));
   }
 }
 
-std::string absent_pen_layers(const PenTable& asked, const Drawing& drawing) {
-  return absent_layers(asked.pen_of_layer, drawing, "--pen");
+std::string absent_pen_layers(const PenTable& pens, const Drawing& drawing) {
+  return absent_layers(pens.pen_of_layer, drawing, "--pen");
 }
 
 std::string absent_width_layers(const LineWidths& widths_mm, const Drawing& drawing) {

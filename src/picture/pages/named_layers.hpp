@@ -15,11 +15,11 @@ std::set<std::string> layer_names(const Drawing& drawing);
 
 /// Throws RequestError for a pen of a layer that neither this drawing nor any other drawing of the program has, and for
 /// a pen of a material or object if the drawing names none. A drawing without lines has no names to compare with.
-void check_pens(const PenTable& asked, const Drawing& drawing);
+void check_pens(const PenTable& pens, const Drawing& drawing);
 
 /// Phrases that list the named layers without lines, and the layers of the drawing; empty if there are none of the
 /// former.
-std::string absent_pen_layers(const PenTable& asked, const Drawing& drawing);
+std::string absent_pen_layers(const PenTable& pens, const Drawing& drawing);
 std::string absent_width_layers(const LineWidths& widths_mm, const Drawing& drawing);
 
 }  // namespace ligne

@@ -68,7 +68,7 @@ void transform(Drawing& drawing, double scale, Point2 shift) {
 double place(const PlotDrawingRequest& request, ReadDrawing& read) {
   const Page own = read.page;
   Page page = own;
-  const Rect ink = ink_of(read.drawing);
+  const Rect ink = drawn_bounds(read.drawing);
   if (request.page) {
     PageRequest wanted;
     wanted.size = *request.page;
@@ -340,7 +340,7 @@ void check(const PlotDrawingRequest& request) {
   }
   if (!request.tile) return;
   const PlotterRequest& plotter = request.plotter;
-  if (plotter.parts.asked())
+  if (plotter.parts.is_requested())
     throw RequestError("tile", "can not be combined with --split, --every, --from-stroke, --from-time or %p");
   if (plotter.preview) throw RequestError("preview", "works for a single sheet only");
 }

@@ -95,7 +95,7 @@ Picture write_by_layers(const Drawing& drawing, const PlotOptions& style, const 
   }
   if (plotter.preview) {
     const PlotRequest request{style, {}, true, false, {Optimize::off, {}, {}, 0, {}}};
-    picture.preview = write_preview(deal_to_pens(better, request), {}, false);
+    picture.preview = write_preview(assign_pens(better, request), {}, false);
   }
   picture.bytes = written_as(format, better, style, under, pages);
   return picture;
@@ -216,12 +216,12 @@ Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const Pl
   request.paths.tolerances.lift_mm = request.paths.pace.lift_mm();
   check_pens(plotter.asked_pens, drawing);
   check_parts(plotter);
-  const Plot before = deal_to_pens(drawing, request);
+  const Plot before = assign_pens(drawing, request);
   const bool fits = plotter.fit_device || plotter.fit_drawing;
   std::optional<DeviceFrame> frame;
   OrderOptions& order = request.paths.order;
   if (device) {
-    frame = place_on_device(*device, style.page, ink_of(before), fits);
+    frame = place_on_device(*device, style.page, drawn_bounds(before), fits);
     if (frame->scale < 1 && !plotter.fit_drawing) {
       run.warnings.push_back({"", "the drawing is scaled down to " + scale_text(frame->scale) +
                                       " of the size asked for, so that it fits " + printable(device->name)});
@@ -296,7 +296,7 @@ void check_png(const Page& page, double dpi, const MemoryLimit& memory) {
 
 Picture write_picture(const Drawing& drawing, const PlotOptions& style, const PlotterRequest& plotter,
                       const PictureFile& file, RunReport& run) {
-  if (plotter.parts.asked() && !plotter.by_pens())
+  if (plotter.parts.is_requested() && !plotter.by_pens())
     throw RequestError("", "--split, --every, --from-stroke, --from-time, --park and %p need pens or a --device");
   if (file.format == OutputFormat::pdf) warn_of_size(style.page, run);
   return plotter.by_pens() ? write_by_pens(drawing, style, plotter, file, run)

@@ -101,7 +101,7 @@ void add_hatch_cross(FillHatches& hatches, const std::string& name) {
   }
 }
 
-double parse_way_mm(const std::string& text) {
+double parse_drawn_length_mm(const std::string& text) {
   constexpr double kMmPerMetre = 1000;
   const bool metres = text.size() > 1 && text.back() == 'm' && text[text.size() - 2] != 'm' && text[text.size() - 2] != 'c';
   const double way =
@@ -137,7 +137,7 @@ PlotSplit parse_split(const std::string& text) {
   const auto by = static_cast<SplitBy>(parse_choice(text.substr(0, equals), kSplitNames));
   const std::string value = text.substr(equals + 1);
   return {by, by == SplitBy::time       ? parse_duration_s(value)
-              : by == SplitBy::distance ? parse_way_mm(value)
+              : by == SplitBy::distance ? parse_drawn_length_mm(value)
                                         : parse_count(value, 1, kMostLifts)};
 }
 

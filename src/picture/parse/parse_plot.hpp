@@ -36,7 +36,7 @@ void add_hatch_angle(FillHatches& hatches, const std::string& text);
 void add_hatch_cross(FillHatches& hatches, const std::string& name);
 
 /// A length above 0 in mm, cm, m, in or pt; mm without a unit.
-double parse_way_mm(const std::string& text);
+double parse_drawn_length_mm(const std::string& text);
 /// "90s", "30min", "2h", "MIN:S" or "H:MIN:S", in seconds.
 double parse_duration_s(const std::string& text);
 /// "time=30min", "distance=3m" or "lifts=200".

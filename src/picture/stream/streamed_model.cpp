@@ -71,10 +71,10 @@ std::string why_not_streamed(const ModelRequest& model, const PictureRequest& pi
   if (lines.cull) return "--cull needs whole solids";
   if (lines.profiles() != ProfileKind::off) return "profiles depend on the faces behind them";
   if (!can_be_found(lines.classes)) return "--edges names lines that are not edges";
-  if (asks_for_regions(picture) || picture.gray_faces) return "only lines can be drawn of what is streamed";
+  if (needs_regions(picture) || picture.gray_faces) return "only lines can be drawn of what is streamed";
   if (picture.output.format == OutputFormat::json) return "JSON output contains face numbers";
   if (picture.output.group_objects || !picture.output.colors.empty() || !picture.plotter.asked_pens.pen_of_object.empty() ||
-      model.parts.asked()) {
+      model.parts.is_requested()) {
     return "it would have one part";
   }
   if (model.weld_distance.value_or(0) > 0) return "--weld needs all vertices";

@@ -11,7 +11,7 @@
 #include "base/parallel.hpp"
 #include "base/portable.hpp"
 #include "picture/stream/stream_passes.hpp"
-#include "picture/stream/streamed_crowds.hpp"
+#include "picture/stream/streamed_clusters.hpp"
 
 namespace ligne {
 namespace {
@@ -85,9 +85,9 @@ std::vector<std::uint32_t> take_corners(const TriangleFile& file, std::span<cons
   return corners;
 }
 
-/// Returns the first vertex of the file at each position, and counts all vertices in `crowds`.
+/// Returns the first vertex of the file at each position, and counts all vertices in `clusters`.
 std::vector<std::uint32_t> first_vertices(const TriangleFile& file, const PlaceTable& table, std::size_t places,
-                                          CrowdWatch& crowds) {
+                                          ClusterCounter& clusters) {
   std::vector<std::uint32_t> first(places, kNone);
   parallel_blocks(file.vertex_count(), 3 * kStreamedBlock, [&](std::size_t begin, std::size_t end) {
     thread_local std::vector<Point3> positions;
@@ -95,7 +95,7 @@ std::vector<std::uint32_t> first_vertices(const TriangleFile& file, const PlaceT
     file.read_vertices(begin, end, positions.data());
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t place = table.find(positions[i - begin]);
-      crowds.count(positions[i - begin], place != kNone);
+      clusters.count(positions[i - begin], place != kNone);
       if (place == kNone) continue;
       AtomicRef<std::uint32_t> lowest(first[place]);
       std::uint32_t known = lowest.load(std::memory_order_relaxed);
@@ -108,12 +108,12 @@ std::vector<std::uint32_t> first_vertices(const TriangleFile& file, const PlaceT
 }
 
 /// Returns the given triangles, and those with a corner where a crowd would be torn apart.
-std::vector<std::uint32_t> with_torn_crowds(const TriangleFile& file, const std::vector<std::uint32_t>& triangles,
-                                            const CrowdWatch& crowds) {
+std::vector<std::uint32_t> with_split_clusters(const TriangleFile& file, const std::vector<std::uint32_t>& triangles,
+                                               const ClusterCounter& clusters) {
   return find_triangles(file, [&](std::size_t t, const Point3* corners) {
     return std::ranges::binary_search(triangles, static_cast<std::uint32_t>(t)) ||
            (!is_degenerate(corners) &&
-            std::any_of(corners, corners + 3, [&](const Point3& corner) { return crowds.is_torn(corner); }));
+            std::any_of(corners, corners + 3, [&](const Point3& corner) { return clusters.is_split(corner); }));
   });
 }
 
@@ -130,11 +130,11 @@ NeededVertices find_vertices(const TriangleFile& file, const StreamFacets& facet
     NeededVertices needed;
     PlaceTable table;
     needed.corners = take_corners(file, triangles, table);
-    CrowdWatch crowds(facets, table.places());
-    needed.first = first_vertices(file, table, table.places().size(), crowds);
+    ClusterCounter clusters(facets, table.places());
+    needed.first = first_vertices(file, table, table.places().size(), clusters);
     needed.places = table.take_places();
     const std::size_t before = triangles.size();
-    if (crowds.any_torn()) triangles = with_torn_crowds(file, triangles, crowds);
+    if (clusters.any_split()) triangles = with_split_clusters(file, triangles, clusters);
     if (triangles.size() == before) return needed;
   }
 }

@@ -278,7 +278,7 @@ void add_surface_groups(const SurfaceRequest& request, const std::vector<double>
     groups.groups.push_back(group);
   }
   const auto inner = std::move(groups.group_of);
-  const bool contours_apart = tells_heights(request.curves);
+  const bool contours_apart = names_heights(request.curves);
   // Contour lines keep their own look where they are told apart.
   groups.group_of = [=](const SourceEdge& source, LineClass line_class) -> std::uint32_t {
     if (line_class == LineClass::contour && inner && contours_apart) return inner(source, line_class);

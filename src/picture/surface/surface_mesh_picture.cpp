@@ -144,7 +144,7 @@ std::vector<SurfaceMesh> meshes_of(const SurfaceRequest& request, const std::vec
 }
 
 /// The picture's place on the page before there is a scene.
-Surroundings place_box(const SurfaceRequest& request, const PlotBox& box) {
+PictureMarks place_box(const SurfaceRequest& request, const PlotBox& box) {
   const PictureRequest& picture = request.picture;
   const Scene extent = box_scene(box.in_model());
   return place_with_axes(box, extent, camera_of(view_of(request), extent), picture.page, picture.axes, picture.output.title);
@@ -181,7 +181,7 @@ void thin_curves(const SurfaceRequest& request, const std::vector<Surface>& give
   const PlotBox box{*samples, plot_factor(request, *samples, unit, keeps_shape(request, surfaces, *samples), choices),
                     tick_scales(request), unit};
   const AxesBox drawn = box.in_model();
-  const Surroundings around = place_box(request, box);
+  const PictureMarks around = place_box(request, box);
   for (std::size_t k = 0; k < given.size(); ++k) {
     SurfacePoints& points = surfaces[k];
     if (!given[k].thinned || points.columns < 2 || points.rows < 2) continue;
@@ -211,7 +211,7 @@ std::shared_ptr<LineGroups> groups_of(const SurfaceRequest& request, const std::
                                       const PlotBox& box) {
   const TerrainRequest& terrain = request.terrain;
   const bool any_curves = !curves.curves.empty() || !curves.points.empty();
-  if (!terrain.has_water() && terrain.hachures == HachureKind::none && !tells_heights(request.curves) && !any_curves &&
+  if (!terrain.has_water() && terrain.hachures == HachureKind::none && !names_heights(request.curves) && !any_curves &&
       !request.bands && request.colors.empty()) {
     return nullptr;
   }

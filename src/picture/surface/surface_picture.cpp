@@ -45,7 +45,7 @@ struct HorizonRequest {
 
 /// A ridgeline plot is as high as this part of its width, and seen as high as its rows are lifted.
 constexpr double kRidgelineHeight = 1.2;
-const Point3 kRidgelineSight{0, 1, -1};
+const Point3 kRidgelineElevation{0, 1, -1};
 
 /// Changes the heights into those of a ridgeline plot, where one is wanted.
 HorizonRequest horizon_request(const SurfaceRequest& surfaces, Surface& surface, RunReport& run) {
@@ -77,7 +77,7 @@ HorizonRequest horizon_request(const SurfaceRequest& surfaces, Surface& surface,
           PlotBox{box_of(*surface.heights, found), scaling.factor, tick_scales(surfaces), surface.unit, scaling.origin};
     surface.heights = scaled_heights(std::move(surface.heights), scaling);
     found = survey(*surface.heights);
-    view.direction = kRidgelineSight;
+    view.direction = kRidgelineElevation;
     horizon.hidden_by = HiddenBy::curves;
     horizon.underside = Underside::none;
     horizon.outline = false;
@@ -117,7 +117,7 @@ void frame_ridgelines(const AxesBox& box, AxesPicture& axes) {
 }
 
 /// The visible parts of the axes' lines.
-Polylines axes_of(const HorizonLines& lines, const Surroundings& around) {
+Polylines axes_of(const HorizonLines& lines, const PictureMarks& around) {
   std::vector<std::vector<VisibleInterval>> seen(lines.back_lines.size());
   for (std::size_t i = 0; i < seen.size(); ++i) {
     for (const horizon::Span& span : lines.back_lines[i]) seen[i].push_back({span.from, span.to});
@@ -149,7 +149,7 @@ Drawing drawing_of(HorizonLines& lines, const SurfaceRequest& request, const std
   add("contour-base", lines.base_contours);
   add("underside", lines.underside);
   add("horizon", lines.curves);
-  if (tells_heights(request.curves)) {
+  if (names_heights(request.curves)) {
     for (const bool index : {false, true})
       add_contours(drawing, request, heights, lines.contours, lines.contour_levels, index);
   } else {
@@ -201,7 +201,7 @@ std::optional<HorizonDrawing> draw_horizon(const SurfaceRequest& request, std::v
   Surface& surface = surfaces.front();
   if (timed(run.stages, "breaks", [&] { return is_for_mesh(request, surface); })) return std::nullopt;
   HorizonRequest horizon;
-  Surroundings around;
+  PictureMarks around;
   const std::string samples =
       std::to_string(surface.heights->x().size()) + " x " + std::to_string(surface.heights->y().size()) + " samples";
   timed(run.stages, {"place", samples}, [&] {

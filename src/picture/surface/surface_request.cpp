@@ -197,8 +197,8 @@ std::string needs_mesh(const SurfaceRequest& request) {
   if (!request.colors.empty()) return "--colors";
   if (request.legend) return "--legend";
   if (request.picture.lines.hidden != HiddenLines::none) return "--hidden";
-  if (request.picture.hatch.asked()) return "--hatch";
-  if (request.picture.fill.asked()) return "--fill";
+  if (request.picture.hatch.is_requested()) return "--hatch";
+  if (request.picture.fill.is_requested()) return "--fill";
   if (request.picture.output.format == OutputFormat::json) return "json";
   return "";
 }
@@ -259,7 +259,7 @@ bool is_index_contour(const CurveRequest& request, double level, std::size_t num
   return std::fmod(std::round(level / *request.contour_step), every) == 0;
 }
 
-bool tells_heights(const CurveRequest& request) {
+bool names_heights(const CurveRequest& request) {
   return request.labels != ContourLabels::none || request.index_contours.value_or(request.contour_step ? 1 : 0) > 0;
 }
 

@@ -162,7 +162,7 @@ std::vector<double> contour_levels(const CurveRequest& request, double low, doub
 bool is_index_contour(const CurveRequest& request, double level, std::size_t number);
 
 /// Whether contour lines are grouped by height, since labels or index contours need their heights.
-bool tells_heights(const CurveRequest& request);
+bool names_heights(const CurveRequest& request);
 
 /// Height of the plane of CurveRequest::contours_base.
 double contour_base_of(const CurveRequest& request, double low, double high);

@@ -82,8 +82,8 @@ AxisWindow window_of(const std::optional<CurveRange>& range) {
 
 /// Throws InputError where an option needs one height over every place.
 void check_mesh(const SurfaceRequest& request, const std::string& file) {
-  const auto refuse = [&](bool asked, const char* option) {
-    if (asked)
+  const auto refuse = [&](bool is_given, const char* option) {
+    if (is_given)
       throw InputError(printable(file),
                        std::string("holds a mesh whose x and y both vary: ") + option + " works for z = f(x, y) only");
   };

@@ -21,9 +21,9 @@ constexpr double kSameLine = 3;
 constexpr double kSameDirection = 0.35;  ///< sine of the largest angle between collinear axes
 
 // Costs of a choice, in diagonals of the picture. Adjustable.
-constexpr double kInEachOthersWay = 10;  ///< two scales on one line
-constexpr double kInOneLine = 0.5;       ///< the scale of heights continues another one: hard to read
-constexpr double kSecondary = 1e-3;      ///< decides between edges that are equally low, or equally far left
+constexpr double kScaleConflictRatio = 10;  ///< two scales on one line
+constexpr double kInOneLine = 0.5;          ///< the scale of heights continues another one: hard to read
+constexpr double kSecondary = 1e-3;         ///< decides between edges that are equally low, or equally far left
 
 struct Corners {
   std::array<Point2, 8> at;
@@ -87,7 +87,7 @@ double cost(const AxisEdge& e, const AxisEdge& f, double height) {
   }
   const double from = glm::dot(along, f.a - e.a), to = glm::dot(along, f.b - e.a);
   const double shared = std::min(length, std::max(from, to)) - std::max(0.0, std::min(from, to));
-  if (shared > height) return kInEachOthersWay;
+  if (shared > height) return kScaleConflictRatio;
   return f.axis == 2 ? kInOneLine : 0;
 }
 

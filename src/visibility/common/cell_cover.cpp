@@ -102,7 +102,7 @@ void CellCover::number_sides() {
 
 void CellCover::remove(std::uint32_t member, std::uint32_t round) {
   const auto take = [&](std::uint32_t m) {
-    if (members_[m].round != kStays) return;
+    if (members_[m].round != kNotRemoved) return;
     members_[m].round = round;
     removed_.push_back(m);
   };
@@ -131,12 +131,12 @@ void CellCover::remove_ends() {
 std::optional<float> CellCover::choose_patch() {
   planes_.clear();
   if (members_.empty()) return std::nullopt;
-  for (Member& member : members_) member.round = kStays;
+  for (Member& member : members_) member.round = kNotRemoved;
   number_sides();
   remove_ends();
   by_depth_.clear();
   for (std::uint32_t i = 0; i < members_.size(); ++i) {
-    if (members_[i].round == kStays) by_depth_.push_back(i);
+    if (members_[i].round == kNotRemoved) by_depth_.push_back(i);
   }
   if (by_depth_.empty()) return std::nullopt;
   std::sort(by_depth_.begin(), by_depth_.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -145,7 +145,7 @@ std::optional<float> CellCover::choose_patch() {
   std::uint32_t round = 0;
   double z_far = 0;
   for (const std::uint32_t farthest : by_depth_) {
-    if (members_[farthest].round != kStays) continue;
+    if (members_[farthest].round != kNotRemoved) continue;
     z_far = members_[farthest].z_far;
     remove(farthest, ++round);
   }

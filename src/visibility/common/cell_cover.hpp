@@ -47,11 +47,11 @@ class CellCover {
   bool hides(const Facet& f) const;
 
  private:
-  static constexpr std::uint32_t kStays = 0xffffffffu;
+  static constexpr std::uint32_t kNotRemoved = 0xffffffffu;
   struct Member {
     FacetFunctions functions;
-    double z_far = 0;              ///< farthest depth in the cell, depth tolerance added
-    std::uint32_t round = kStays;  ///< the round that removed it
+    double z_far = 0;                   ///< farthest depth in the cell, depth tolerance added
+    std::uint32_t round = kNotRemoved;  ///< the round that removed it
   };
   /// A side of a member that passes through the cell.
   struct SideUse {

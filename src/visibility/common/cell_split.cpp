@@ -11,7 +11,7 @@ namespace {
 
 // Adjustable parameters.
 constexpr std::size_t kLeafFacets = 24;      ///< a list longer than this is split if large facets may cover children
-constexpr std::size_t kCrowdedFacets = 256;  ///< a list longer than this is split anyway
+constexpr std::size_t kMaxListLength = 256;  ///< a list longer than this is split anyway
 constexpr double kLargeBreadth = 0.6;        ///< a facet broader than this times the cell's side is large
 constexpr double kLargePart = 0.25;          ///< least share of large facets in a list worth splitting
 constexpr double kGain = 0.7;                ///< lists must shrink below this ratio; see `progress` in split()
@@ -38,7 +38,7 @@ struct CellGrid::Splitter {
   bool comes_first(std::uint32_t a, std::uint32_t b) const {
     return facets[a].face != facets[b].face ? facets[a].face < facets[b].face : a < b;
   }
-  bool worth_splitting(const CellFacet* list, std::size_t n, double size) const;
+  bool should_split(const CellFacet* list, std::size_t n, double size) const;
   void split_overfull();
   /// To be called once per leaf, when its list is complete.
   void finish_leaf(Cell& cell, CellFacet* list, std::size_t n, const CellSquare& square,
@@ -53,7 +53,7 @@ struct CellGrid::Splitter {
     float covers[kChildren];
   };
   /// Sorts the inherited entries, nearest first, and distributes them to the children.
-  void hand_down(const Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Children& children) const;
+  void distribute(const Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited, Children& children) const;
   /// The arena into which a task splits cells, and its work space.
   struct Store {
     Arena& arena;
@@ -66,9 +66,9 @@ struct CellGrid::Splitter {
 
 /// Facets broader than a child cell cover some children and hide what is behind them. Splitting only spreads small
 /// facets.
-bool CellGrid::Splitter::worth_splitting(const CellFacet* list, std::size_t n, double size) const {
+bool CellGrid::Splitter::should_split(const CellFacet* list, std::size_t n, double size) const {
   if (n <= kLeafFacets || size < kSplitSide * kSmallestCell) return false;
-  if (n > kCrowdedFacets) return !of_one_face(list, n);
+  if (n > kMaxListLength) return !of_one_face(list, n);
   if (!options.drop_hidden) return false;
   std::size_t large = 0;
   for (std::size_t i = 0; i < n; ++i) large += breadth(facets[list[i].facet], scene.vertices.data()) > kLargeBreadth * size;
@@ -99,7 +99,7 @@ void CellGrid::Splitter::split_overfull() {
     for (std::size_t i = n * k / kArenas; i < n * (k + 1) / kArenas; ++i) {
       Cell& cell = grid.cells_[i];
       CellFacet* list = grid.arenas_[0].list.data() + cell.begin;
-      if (!worth_splitting(list, cell.count, grid.size_)) {
+      if (!should_split(list, cell.count, grid.size_)) {
         finish_leaf(cell, list, cell.count, grid.top_square(i), arena.planes);
         continue;
       }
@@ -145,8 +145,8 @@ void CellGrid::Splitter::finish_leaf(Cell& cell, CellFacet* list, std::size_t n,
   }
 }
 
-void CellGrid::Splitter::hand_down(const Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited,
-                                   Children& children) const {
+void CellGrid::Splitter::distribute(const Cell& cell, const CellSquare& square, std::vector<CellFacet>& inherited,
+                                    Children& children) const {
   const double size = square.size / kSplitSide;
   std::vector<CellFacet>* lists = children.lists;
   float* covers = children.covers;
@@ -191,7 +191,7 @@ void CellGrid::Splitter::split(Cell& cell, const CellSquare& square, std::vector
                                Store& store) {
   Arena& arena = store.arena;
   Children children;
-  hand_down(cell, square, inherited, children);
+  distribute(cell, square, inherited, children);
   std::vector<CellFacet>* lists = children.lists;
   float* covers = children.covers;
   const double size = square.size / kSplitSide;
@@ -223,7 +223,7 @@ void CellGrid::Splitter::split(Cell& cell, const CellSquare& square, std::vector
     child.arena = store.index;
     const CellSquare below = child_square(square, k);
     lists[k].resize(drop_covered(child, lists[k].data(), lists[k].size(), below, store.cover));
-    if (worth_splitting(lists[k].data(), lists[k].size(), size) && progress(lists[k])) {
+    if (should_split(lists[k].data(), lists[k].size(), size) && progress(lists[k])) {
       split(child, below, lists[k], budget * static_cast<double>(lists[k].size()) / static_cast<double>(total), store);
     } else {
       child.begin = static_cast<std::uint32_t>(arena.list.size());

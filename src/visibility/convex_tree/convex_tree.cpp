@@ -19,9 +19,9 @@
 namespace ligne {
 namespace {
 
-constexpr std::size_t kMany = 96;      ///< adjustable: from sets larger than this only a large convex set is peeled
-constexpr std::size_t kSample = 256;   ///< adjustable: pieces in the sample that estimates its share
-constexpr std::size_t kLeastPart = 8;  ///< adjustable: one over the least share of a large convex set
+constexpr std::size_t kMaxGreedySet = 96;  ///< adjustable: from sets larger than this only a large convex set is peeled
+constexpr std::size_t kSample = 256;       ///< adjustable: pieces in the sample that estimates its share
+constexpr std::size_t kLeastPart = 8;      ///< adjustable: one over the least share of a large convex set
 
 /// Finds the pieces of a set whose planes have all other pieces on one side.
 class HullSearch {
@@ -173,8 +173,8 @@ void ConvexTree::write(ByteWriter& bytes) const {
   }
 }
 
-bool ConvexTree::is_worth_peeling(const std::vector<std::uint32_t>& set) const {
-  if (set.size() <= kMany) return true;
+bool ConvexTree::should_peel(const std::vector<std::uint32_t>& set) const {
+  if (set.size() <= kMaxGreedySet) return true;
   const std::size_t stride = (set.size() + kSample - 1) / kSample;
   std::vector<std::uint32_t> sample;
   for (std::size_t i = 0; i < set.size(); i += stride) sample.push_back(set[i]);
@@ -194,7 +194,7 @@ void ConvexTree::compile(Task task, const PlaneChoice& options, std::vector<Task
   counts_.depth = std::max(counts_.depth, task.depth);
   Node node;
   const std::uint64_t before = count_supports(task.pieces);
-  if (task.lies_on_parent || !options.free_planes || is_worth_peeling(task.pieces)) peel(task, node);
+  if (task.lies_on_parent || !options.free_planes || should_peel(task.pieces)) peel(task, node);
   if (node.convex) {
     ++counts_.convex_sets;
     nodes_.push_back(node);

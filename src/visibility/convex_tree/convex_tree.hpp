@@ -99,7 +99,7 @@ class ConvexTree final : public CompiledScene {
   void compile(Task task, const PlaneChoice& options, std::vector<Task>& open);
   void peel(Task& task, Node& node);
   void separate(Task task, Node& node, const PlaneChoice& options, std::vector<Task>& open);
-  bool is_worth_peeling(const std::vector<std::uint32_t>& set) const;
+  bool should_peel(const std::vector<std::uint32_t>& set) const;
   std::uint64_t count_supports(const std::vector<std::uint32_t>& set);
 
   ModelPieces pieces_;

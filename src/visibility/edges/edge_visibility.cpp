@@ -104,7 +104,7 @@ VisibilityResult edge_visibility(const ProjectedScene& scene, const VisibilityOp
     if (see_through) return parts_seen_through(scene, facets, grid, coincidence_steps);
     const auto search =
         std::make_shared<VisibleParts>(scene, facets.facets, grid, coincidence_steps, &totals, known ? &*known : nullptr,
-                                       options.blank, options.coincide_by_sight && !ranks);
+                                       options.blank, options.overlap_if_visible && !ranks);
     return [search](std::size_t, const PageLine& line, std::vector<LinePart>& parts) {
       parts = search->find(line);
       return search->near_side();

@@ -29,7 +29,7 @@ std::vector<LinePart>& VisibleParts::find(const PageLine& line) {
     }
   });
   if (blank_) blank_->take_from(parts_, line);
-  if (by_sight_) {
+  if (only_visible_) {
     near_side_ = std::any_of(near_.begin(), near_.end(),
                              [&](std::uint32_t facet) { return has_side_along_part(line, facets_[facet]); });
   }
@@ -97,7 +97,7 @@ void VisibleParts::search_leaf(const PageLine& line, const Cell& cell, const Cel
     bool near = false;
     const HiddenInterval hidden =
         hidden_interval(line, facet, vertices_, {open_.from(), open_.to()}, coincidence_steps_, near);
-    if (near && by_sight_) near_.push_back(entry->facet);
+    if (near && only_visible_) near_.push_back(entry->facet);
     near_side_ |= near;
     open_.take(hidden);
     if (open_.empty()) return;

@@ -35,10 +35,10 @@ struct TestTotals {
 class VisibleParts {
  public:
   /// The destructor adds the counts to `totals`, if given. `ranks`: an order of the faces, if there is one. `blank`:
-  /// cells in which no line is visible, if known. `by_sight`: see find().
+  /// cells in which no line is visible, if known. `only_visible`: see find().
   VisibleParts(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double coincidence_steps,
                TestTotals* totals = nullptr, const FaceRanks* ranks = nullptr, const OccludedCells* blank = nullptr,
-               bool by_sight = false)
+               bool only_visible = false)
       : vertices_(scene.vertices.data()),
         facets_(facets.data()),
         grid_(grid),
@@ -46,7 +46,7 @@ class VisibleParts {
         totals_(totals),
         ranks_(ranks),
         blank_(blank),
-        by_sight_(by_sight) {}
+        only_visible_(only_visible) {}
   VisibleParts(const VisibleParts&) = delete;
   VisibleParts& operator=(const VisibleParts&) = delete;
   ~VisibleParts() {
@@ -57,7 +57,7 @@ class VisibleParts {
 
   /// Finds the visible parts of the line, in order, disjoint; parts that touch are joined. The caller may change them
   /// until the next call. Afterwards near_side() says whether a side of a facet in front of the line or level with it
-  /// lies along the line; with `by_sight` only the visible part of the line is tested.
+  /// lies along the line; with `only_visible` only the visible part of the line is tested.
   std::vector<LinePart>& find(const PageLine& line);
   bool near_side() const { return near_side_; }
 
@@ -79,7 +79,7 @@ class VisibleParts {
   const FaceRanks* ranks_;
   std::uint32_t rank_ = 0;  ///< of the current line
   const OccludedCells* blank_;
-  bool by_sight_;
+  bool only_visible_;
   bool near_side_ = false;
   std::vector<std::uint32_t> near_;  ///< facets with a side along the line, visible or not, perhaps repeated
   std::vector<LinePart> parts_;      ///< found so far, along the whole line

@@ -10,7 +10,7 @@
 #include "visibility/horizon/curve_tracker.hpp"
 #include "visibility/horizon/envelope.hpp"
 #include "visibility/horizon/eye.hpp"
-#include "visibility/horizon/sight_line.hpp"
+#include "visibility/horizon/plane_segment.hpp"
 
 namespace ligne::horizon {
 
@@ -19,7 +19,7 @@ inline constexpr double kUprightPart = 0x1p-42;
 
 /// The horizons against which a segment is tested: it can be visible above everything nearer, below it, or either. A
 /// surface that rises in the picture with distance is visible only above its nearer parts.
-enum class Against : std::uint8_t { upper, lower, both };
+enum class HorizonSide : std::uint8_t { upper, lower, both };
 
 /// The sides of an upright line that are tested. The line is hidden where all of them are covered; curves that hide
 /// have no sides.
@@ -27,7 +27,7 @@ enum class LineSides : std::uint8_t { left, right, both, none };
 
 /// The use of the visible parts of an edge; `nothing`: the edge is not tested. An interruption is not an edge; it ends
 /// a stretch of a curve.
-enum class Goal : std::uint8_t {
+enum class VisibleUse : std::uint8_t {
   nothing,
   curve,
   underside,
@@ -39,23 +39,23 @@ enum class Goal : std::uint8_t {
   interruption
 };
 
-struct SightEdge {
-  SightLine line;
+struct HorizonEdge {
+  PlaneSegment line;
   double from = 0, to = 1;                  ///< part of the segment from a to b that the line is
   const Sample *a = nullptr, *b = nullptr;  ///< samples with a place on the page; only for tested edges
   CurveTracker* curve = nullptr;            ///< the curve that the edge belongs to, or null
   std::uint32_t number = 0;                 ///< number of the contour's height, or of the back line
   std::uint16_t first_band = 0, last_band = 0;
-  Goal goal = Goal::nothing;
-  Against against = Against::both;
+  VisibleUse use = VisibleUse::nothing;
+  HorizonSide against = HorizonSide::both;
   LineSides sides = LineSides::both;
   bool upper = false, lower = false;  ///< it then raises the upper, the lower horizon
   bool open = true;                   ///< result of find_seen() for an upright line
 
-  bool is_asked() const { return goal != Goal::nothing && goal != Goal::interruption; }
+  bool is_tested() const { return use != VisibleUse::nothing && use != VisibleUse::interruption; }
 };
 
-using SightTriangle = std::array<SightPoint, 3>;
+using PlaneTriangle = std::array<PlanePoint, 3>;
 
 /// A part of an edge that is visible in a band.
 struct SeenSpan {
@@ -68,15 +68,15 @@ struct SeenSpan {
 struct EdgeList {
   static constexpr std::uint32_t kTriangle = std::uint32_t{1} << 31;
 
-  std::vector<SightEdge> edges;
-  std::vector<SightTriangle> triangles;
+  std::vector<HorizonEdge> edges;
+  std::vector<PlaneTriangle> triangles;
   std::deque<Sample> samples;     ///< ends of edges that are not samples of rows, or copies of samples with a place on
                                   ///< the page
   CurveTracker nearest_row, row;  ///< curves of the part's first row, and of the row behind the strip
   std::vector<std::vector<std::uint32_t>> of_band;  ///< per band: numbers of its edges, and of its triangles plus
                                                     ///< kTriangle
   std::vector<std::vector<SeenSpan>> seen;          ///< per band: visible parts, in the order of the edges
-  std::size_t asked = 0;                            ///< number of tested edges of the surface
+  std::size_t tested = 0;                           ///< number of tested edges of the surface
 
   void clear() {
     edges.clear();
@@ -85,7 +85,7 @@ struct EdgeList {
     for (auto& numbers : of_band) numbers.clear();
     for (auto& spans : seen) spans.clear();
     nearest_row = row = CurveTracker();
-    asked = 0;
+    tested = 0;
   }
 };
 

@@ -9,7 +9,7 @@
 
 #include "view/clip.hpp"
 #include "visibility/horizon/envelope.hpp"
-#include "visibility/horizon/sight.hpp"
+#include "visibility/horizon/plane_projection.hpp"
 
 namespace ligne::horizon {
 
@@ -20,7 +20,7 @@ inline constexpr double kNearestPart = 0x1p-30;
 /// A sample of the surface, with its places on the drawing plane and on the page.
 struct Sample {
   Point3 p;
-  SightPoint seen;
+  PlanePoint seen;
   HomogeneousPoint page{};
   bool hole = true;
   bool placed = false;  ///< `page` and `inside` are computed
@@ -29,20 +29,20 @@ struct Sample {
 
 /// The part of a segment that is in front of the eye: its ends, and their fractions of the segment in space.
 struct FrontPart {
-  SightPoint a, b;
+  PlanePoint a, b;
   double from, to;
 };
 
 class Eye {
  public:
-  Eye(const View& view, const Sight& sight)
+  Eye(const View& view, const PlaneProjection& projection)
       : view_(view),
-        sight_(sight),
+        projection_(projection),
         volume_{view.window, view.near_distance},
         nearest_(kNearestPart * view.camera.target_distance) {}
 
   /// A sample without a place on the page.
-  Sample sample(const Point3& p) const { return {p, sight_(p), {}, false}; }
+  Sample sample(const Point3& p) const { return {p, projection_(p), {}, false}; }
   Sample placed(Sample s) const {
     s.page = to_homogeneous(view_, s.p);
     s.inside = volume_.contains(s.page);
@@ -50,7 +50,7 @@ class Eye {
     return s;
   }
 
-  bool perspective() const { return sight_.perspective(); }
+  bool perspective() const { return projection_.perspective(); }
 
   std::optional<FrontPart> part_in_front(const Sample& a, const Sample& b, double from = 0, double to = 1) const {
     if (!perspective()) return FrontPart{a.seen, b.seen, 0, 1};
@@ -60,7 +60,7 @@ class Eye {
     if (a_near && b_near) return std::nullopt;
     if (a_near || b_near) {
       const double t = (nearest_ - part.a.w) / (part.b.w - part.a.w);
-      const SightPoint cut = between(part.a, part.b, t);
+      const PlanePoint cut = between(part.a, part.b, t);
       (a_near ? part.from : part.to) = from + t * (to - from);
       (a_near ? part.a : part.b) = cut;
     }
@@ -68,10 +68,10 @@ class Eye {
   }
 
   /// The corners, in order, of the part of a triangle that is in front of the eye; empty if there is none.
-  std::vector<SightPoint> contour_in_front(const std::array<const SightPoint*, 3>& corners) const {
-    std::vector<SightPoint> contour;
+  std::vector<PlanePoint> contour_in_front(const std::array<const PlanePoint*, 3>& corners) const {
+    std::vector<PlanePoint> contour;
     for (std::size_t i = 0; i < 3; ++i) {
-      const SightPoint &s = *corners[i], &e = *corners[(i + 1) % 3];
+      const PlanePoint &s = *corners[i], &e = *corners[(i + 1) % 3];
       if (!too_near(s)) contour.push_back(s);
       if (too_near(s) != too_near(e)) contour.push_back(between(s, e, (nearest_ - s.w) / (e.w - s.w)));
     }
@@ -81,7 +81,7 @@ class Eye {
   /// Calls sink(t0, t1) for the visible parts of the segment inside the window. `seen` holds fractions of the part from
   /// `from` to `to`.
   template <class Sink>
-  void give(const Sample& a, const Sample& b, double from, double to, const std::vector<Span>& seen, Sink sink) const {
+  void emit(const Sample& a, const Sample& b, double from, double to, const std::vector<Span>& seen, Sink sink) const {
     if (seen.empty()) return;
     std::array<double, 2> inside{0, 1};
     if (!a.inside || !b.inside) {
@@ -98,15 +98,15 @@ class Eye {
   }
 
  private:
-  bool too_near(const SightPoint& p) const { return perspective() && p.w < nearest_; }
+  bool too_near(const PlanePoint& p) const { return perspective() && p.w < nearest_; }
 
   /// The point at the fraction t in space.
-  static SightPoint between(const SightPoint& a, const SightPoint& b, double t) {
+  static PlanePoint between(const PlanePoint& a, const PlanePoint& b, double t) {
     return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.w + t * (b.w - a.w)};
   }
 
   const View& view_;
-  Sight sight_;
+  PlaneProjection projection_;
   ClipVolume volume_;
   double nearest_;
 };

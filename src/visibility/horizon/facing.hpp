@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "visibility/horizon/level.hpp"
-#include "visibility/horizon/sight.hpp"
+#include "visibility/horizon/plane_projection.hpp"
 
 namespace ligne::horizon {
 
@@ -14,7 +14,7 @@ namespace ligne::horizon {
 /// then no thicker on the drawing plane than the difference of level heights, since rounding must not separate its
 /// sides. `picture` is the picture's width in parallel projection; in perspective it is 0, and the distance of the
 /// corners takes its place. The points may lie behind the eye.
-inline std::int8_t facing_of(const SightPoint& p, const SightPoint& q, const SightPoint& r, double picture) {
+inline std::int8_t facing_of(const PlanePoint& p, const PlanePoint& q, const PlanePoint& r, double picture) {
   if (picture > 0) {  // w is 1, which simplifies the determinant
     const double turn = (q.x * r.y - q.y * r.x) + (r.x * p.y - r.y * p.x) + (p.x * q.y - p.y * q.x);
     const double extent =

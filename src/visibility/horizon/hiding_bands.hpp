@@ -42,8 +42,8 @@ class HidingBands {
           continue;
         }
       }
-      SightEdge& edge = list.edges[number];
-      if (edge.is_asked() && edge.first_band <= b && b <= edge.last_band) {
+      HorizonEdge& edge = list.edges[number];
+      if (edge.is_tested() && edge.first_band <= b && b <= edge.last_band) {
         band.above.clear();
         band.below.clear();
         const bool open = band.horizon.find_seen(edge, band.above, band.below);

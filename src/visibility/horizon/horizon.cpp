@@ -13,13 +13,13 @@ namespace horizon {
 namespace {
 
 /// Extent of the grid across the picture.
-std::pair<double, double> u_range(const Camera& camera, const Sight& sight, const GridAxis& x, const GridAxis& y,
-                                  bool transposed) {
+std::pair<double, double> u_range(const Camera& camera, const PlaneProjection& projection, const GridAxis& x,
+                                  const GridAxis& y, bool transposed) {
   if (camera.perspective) return {-1, 1};
   std::pair<double, double> range{1e300, -1e300};
   for (const double cx : {x.at.front(), x.at.back()}) {
     for (const double cy : {y.at.front(), y.at.back()}) {
-      const double u = sight(transposed ? Point3{cy, cx, 0} : Point3{cx, cy, 0}).u();
+      const double u = projection(transposed ? Point3{cy, cx, 0} : Point3{cx, cy, 0}).u();
       range = {std::min(range.first, u), std::max(range.second, u)};
     }
   }
@@ -67,7 +67,7 @@ HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View&
   for (const GridAxis::Part& py : parts_y) {
     for (const GridAxis::Part& px : parts_x) {
       const std::size_t cells = options.resolution ? options.resolution : x.at.size() + y.at.size();
-      const auto range = u_range(camera, Sight(camera, px.sign, py.sign), x, y, transposed);
+      const auto range = u_range(camera, PlaneProjection(camera, px.sign, py.sign), x, y, transposed);
       const Columns columns(range.first, range.second, cells);
       PartSweep<Horizon> sweep({heights, x, y, px, py, transposed}, study, options, columns, store);
       segments += sweep.run(progress);

@@ -13,7 +13,7 @@
 #include "drawing/statistics.hpp"
 #include "scene/surfaces/height_source.hpp"
 #include "view/view.hpp"
-#include "visibility/horizon/sight_line.hpp"
+#include "visibility/horizon/plane_segment.hpp"
 
 namespace ligne {
 

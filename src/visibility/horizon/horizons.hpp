@@ -8,7 +8,7 @@
 #include "visibility/horizon/coverage.hpp"
 #include "visibility/horizon/edges.hpp"
 #include "visibility/horizon/envelope.hpp"
-#include "visibility/horizon/sight_line.hpp"
+#include "visibility/horizon/plane_segment.hpp"
 
 namespace ligne::horizon {
 
@@ -23,17 +23,17 @@ class TwoHorizons {
   /// Finds the visible parts of an edge over the band's own columns, as spans of its line, separately above the upper
   /// and below the lower horizon. For an upright line it returns whether a side is open: it has no horizon, or was not
   /// tested.
-  bool find_seen(const SightEdge& edge, std::vector<Span>& above, std::vector<Span>& below) {
-    const SightLine& sight = edge.line;
-    if (sight.upright()) return find_seen_upright(edge, above);
-    if (edge.against != Against::lower) upper_.find_above(sight.line(), above);
-    if (edge.against == Against::lower) lower_.find_above(sight.upside_down(), above);
-    if (edge.against == Against::both) lower_.find_above(sight.upside_down(), below);
+  bool find_seen(const HorizonEdge& edge, std::vector<Span>& above, std::vector<Span>& below) {
+    const PlaneSegment& segment = edge.line;
+    if (segment.upright()) return find_seen_upright(edge, above);
+    if (edge.against != HorizonSide::lower) upper_.find_above(segment.line(), above);
+    if (edge.against == HorizonSide::lower) lower_.find_above(segment.upside_down(), above);
+    if (edge.against == HorizonSide::both) lower_.find_above(segment.upside_down(), below);
     return true;
   }
 
   /// Adds the edge to the horizons that it raises.
-  void raise(const SightEdge& edge) {
+  void raise(const HorizonEdge& edge) {
     if (edge.line.upright()) return;
     raised_.clear();
     if (edge.upper) upper_.raise(edge.line.line(), raised_);
@@ -44,7 +44,7 @@ class TwoHorizons {
   double least() const { return upper_.least(); }
 
  private:
-  bool find_seen_upright(const SightEdge& edge, std::vector<Span>& seen) {
+  bool find_seen_upright(const HorizonEdge& edge, std::vector<Span>& seen) {
     const Line& line = edge.line.line();
     const LineSides sides = edge.sides;
     // The surface passes through the line's nearer end on both sides.
@@ -65,7 +65,7 @@ class TwoHorizons {
       low = std::min(low, nearest);
     }
     if (!(line.v0 < line.v1)) return open;
-    if (sides == LineSides::none && edge.against == Against::upper) low = kNothing;
+    if (sides == LineSides::none && edge.against == HorizonSide::upper) low = kNothing;
     if (!(high >= low)) {  // there is no horizon here yet
       seen.push_back({line.v0, line.v1});
       return open;
@@ -86,7 +86,7 @@ class GeneralHorizon {
 
   GeneralHorizon(const Columns& columns, ColumnRange own) : coverage_(columns, own) {}
 
-  bool find_seen(const SightEdge& edge, std::vector<Span>& seen, std::vector<Span>&) {
+  bool find_seen(const HorizonEdge& edge, std::vector<Span>& seen, std::vector<Span>&) {
     const Line& line = edge.line.line();
     if (!edge.line.upright()) {
       coverage_.find_uncovered(line, seen);
@@ -96,7 +96,7 @@ class GeneralHorizon {
     return true;
   }
 
-  void cover(const SightTriangle& triangle) {
+  void cover(const PlaneTriangle& triangle) {
     const auto& [a, b, c] = triangle;
     coverage_.cover({{{a.u(), a.v()}, {b.u(), b.v()}, {c.u(), c.v()}}});
   }

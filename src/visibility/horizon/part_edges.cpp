@@ -214,8 +214,8 @@ void PartEdges::add_edge(EdgeList& list, const Sample& a, const Sample& b, Facin
   const auto [nearer, farther] = faces;
   const auto interrupt = [&] {
     if (!curve) return;
-    SightEdge& end = list.edges.emplace_back();
-    end.goal = Goal::interruption;
+    HorizonEdge& end = list.edges.emplace_back();
+    end.use = VisibleUse::interruption;
     end.curve = curve;
   };
   if (!is_face(nearer) && !is_face(farther)) return interrupt();
@@ -235,21 +235,23 @@ void PartEdges::add_edge(EdgeList& list, const Sample& a, const Sample& b, Facin
   const std::int8_t facing = is_face(nearer) ? nearer : farther;
   const bool left_out = curve && facing < 0 && options_.underside == Underside::none && !by_curves;
   if (left_out) interrupt();
-  const bool asked = (curve && !left_out) || outlined;
-  if (asked || upper || lower) {
-    SightEdge& edge = put(list, *part, upper, lower);
-    if (asked) {
-      edge.goal = Goal::curve;
-      if (outlined) edge.goal = rim ? Goal::border : Goal::outline;
-      if (!outlined && facing < 0 && options_.underside == Underside::apart) edge.goal = Goal::underside;
-      edge.against = !is_face(nearer) || nearer == 0 ? Against::both : nearer > 0 ? Against::upper : Against::lower;
-      if (by_curves) edge.against = lower ? Against::both : Against::upper;
+  const bool tested = (curve && !left_out) || outlined;
+  if (tested || upper || lower) {
+    HorizonEdge& edge = put(list, *part, upper, lower);
+    if (tested) {
+      edge.use = VisibleUse::curve;
+      if (outlined) edge.use = rim ? VisibleUse::border : VisibleUse::outline;
+      if (!outlined && facing < 0 && options_.underside == Underside::apart) edge.use = VisibleUse::underside;
+      edge.against = !is_face(nearer) || nearer == 0 ? HorizonSide::both
+                     : nearer > 0                    ? HorizonSide::upper
+                                                     : HorizonSide::lower;
+      if (by_curves) edge.against = lower ? HorizonSide::both : HorizonSide::upper;
       if (by_curves) edge.sides = LineSides::none;
       if (ahead && !by_curves) edge.sides = a.seen.u() > 0 ? LineSides::left : LineSides::right;  // the part is at |u| < 1
       edge.a = placed(list, a);
       edge.b = placed(list, b);
       edge.curve = curve;
-      ++list.asked;
+      ++list.tested;
     }
   }
   // The other sides of a triangle seen edge on lie on this line; they are tested before the triangle is added.
@@ -258,7 +260,7 @@ void PartEdges::add_edge(EdgeList& list, const Sample& a, const Sample& b, Facin
 
 void PartEdges::add_triangle(EdgeList& list, const Sample& a, const Sample& b, const Sample& c) const {
   // The part too near to the vertical through the eye is cut away.
-  const std::vector<SightPoint> contour = eye_.contour_in_front({&a.seen, &b.seen, &c.seen});
+  const std::vector<PlanePoint> contour = eye_.contour_in_front({&a.seen, &b.seen, &c.seen});
   for (std::size_t i = 2; i < contour.size(); ++i) put_triangle(list, {contour[0], contour[i - 1], contour[i]});
 }
 
@@ -282,18 +284,18 @@ void PartEdges::add_contours(EdgeList& list, const Sample& a, const Sample& b, c
     if (away(ends[1]) < away(ends[0])) std::swap(ends[0], ends[1]);
     const auto number = static_cast<std::size_t>(level - levels_.begin());
     if (options_.contours_on_surface && facing != 0) {
-      if (SightEdge* edge = add_contour(list, ends, number)) {
-        edge->goal = Goal::contour;
-        edge->against = facing > 0 ? Against::upper : Against::lower;
+      if (HorizonEdge* edge = add_contour(list, ends, number)) {
+        edge->use = VisibleUse::contour;
+        edge->against = facing > 0 ? HorizonSide::upper : HorizonSide::lower;
       }
     }
     if (options_.contour_base) {
       // Points below the surface here cannot be visible above nearer ones.
       const double base = *options_.contour_base * options_.z_scale;
       for (Point3& end : ends) end.z = base;
-      if (SightEdge* edge = add_contour(list, ends, number)) {
-        edge->goal = Goal::base_contour;
-        edge->against = base < *level ? Against::lower : Against::upper;
+      if (HorizonEdge* edge = add_contour(list, ends, number)) {
+        edge->use = VisibleUse::base_contour;
+        edge->against = base < *level ? HorizonSide::lower : HorizonSide::upper;
         edge->sides = LineSides::none;
       }
     }
@@ -301,12 +303,12 @@ void PartEdges::add_contours(EdgeList& list, const Sample& a, const Sample& b, c
 }
 
 /// `ends`: the nearer one first. Null if no part of the segment is in front of the eye.
-SightEdge* PartEdges::add_contour(EdgeList& list, const std::array<Point3, 2>& ends, std::size_t number) const {
+HorizonEdge* PartEdges::add_contour(EdgeList& list, const std::array<Point3, 2>& ends, std::size_t number) const {
   const Sample &a = list.samples.emplace_back(eye_.placed(eye_.sample(ends[0]))),
                &b = list.samples.emplace_back(eye_.placed(eye_.sample(ends[1])));
   const auto part = eye_.part_in_front(a, b);
   if (!part) return nullptr;
-  SightEdge& edge = put(list, *part, false, false);
+  HorizonEdge& edge = put(list, *part, false, false);
   edge.a = &a;
   edge.b = &b;
   edge.number = static_cast<std::uint32_t>(number);
@@ -341,12 +343,12 @@ void PartEdges::add_back_lines(EdgeList& list) const {
     if (!(from < to)) continue;
     const auto part = eye_.part_in_front(a, b, from, to);
     if (!part) continue;
-    SightEdge& edge = put(list, *part, false, false);
+    HorizonEdge& edge = put(list, *part, false, false);
     edge.a = placed(list, a);
     edge.b = placed(list, b);
     edge.number = static_cast<std::uint32_t>(i);
-    edge.goal = Goal::back_line;
-    if (options_.hidden_by == HiddenBy::curves && options_.underside == Underside::none) edge.against = Against::upper;
+    edge.use = VisibleUse::back_line;
+    if (options_.hidden_by == HiddenBy::curves && options_.underside == Underside::none) edge.against = HorizonSide::upper;
     edge.sides = LineSides::none;
   }
 }
@@ -357,11 +359,11 @@ const Sample* PartEdges::placed(EdgeList& list, const Sample& sample) const {
 }
 
 /// Adds an edge to the bands that it passes, and if it raises a horizon to the bands that hold its columns; it has no
-/// goal yet.
-SightEdge& PartEdges::put(EdgeList& list, const FrontPart& part, bool upper, bool lower) const {
+/// use yet.
+HorizonEdge& PartEdges::put(EdgeList& list, const FrontPart& part, bool upper, bool lower) const {
   const auto number = static_cast<std::uint32_t>(list.edges.size());
-  SightEdge& edge = list.edges.emplace_back();
-  edge.line = SightLine(part.a, part.b, upright_);
+  HorizonEdge& edge = list.edges.emplace_back();
+  edge.line = PlaneSegment(part.a, part.b, upright_);
   edge.from = part.from;
   edge.to = part.to;
   edge.upper = upper;
@@ -381,7 +383,7 @@ SightEdge& PartEdges::put(EdgeList& list, const FrontPart& part, bool upper, boo
   return edge;
 }
 
-void PartEdges::put_triangle(EdgeList& list, const SightTriangle& triangle) const {
+void PartEdges::put_triangle(EdgeList& list, const PlaneTriangle& triangle) const {
   const auto number = static_cast<std::uint32_t>(list.triangles.size()) | EdgeList::kTriangle;
   const Columns& columns = bands_.columns();
   const auto [low, high] = std::minmax({triangle[0].u(), triangle[1].u(), triangle[2].u()});

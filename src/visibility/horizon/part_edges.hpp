@@ -88,12 +88,12 @@ class PartEdges {
                 bool ahead = false) const;
   void add_triangle(EdgeList& list, const Sample& a, const Sample& b, const Sample& c) const;
   void add_contours(EdgeList& list, const Sample& a, const Sample& b, const Sample& c, std::int8_t facing) const;
-  SightEdge* add_contour(EdgeList& list, const std::array<Point3, 2>& ends, std::size_t number) const;
+  HorizonEdge* add_contour(EdgeList& list, const std::array<Point3, 2>& ends, std::size_t number) const;
   double away(const Point3& p) const;
 
   const Sample* placed(EdgeList& list, const Sample& sample) const;
-  SightEdge& put(EdgeList& list, const FrontPart& part, bool upper, bool lower) const;
-  void put_triangle(EdgeList& list, const SightTriangle& triangle) const;
+  HorizonEdge& put(EdgeList& list, const FrontPart& part, bool upper, bool lower) const;
+  void put_triangle(EdgeList& list, const PlaneTriangle& triangle) const;
 
   GridPart grid_;
   const View& view_;

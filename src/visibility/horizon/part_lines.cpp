@@ -28,7 +28,7 @@ void join(std::vector<Span>& above, const std::vector<Span>& below) {
   above.resize(count);
 }
 
-void add_to(Chains& chains, const SightEdge& edge, double t0, double t1) {
+void add_to(Chains& chains, const HorizonEdge& edge, double t0, double t1) {
   chains.add(CurveTracker::at(edge.a->page, edge.b->page, t0), CurveTracker::at(edge.a->page, edge.b->page, t1));
 }
 
@@ -43,14 +43,14 @@ PartLines::PartLines(const Eye& eye, const Columns& columns, double least, LineS
 
 /// The visible fractions of an edge in space that are to be drawn; for an upright edge only those not drawn before.
 const std::vector<Span>& PartLines::seen(const EdgeList& list, std::uint32_t number) {
-  const SightEdge& edge = list.edges[number];
-  const SightLine& sight = edge.line;
+  const HorizonEdge& edge = list.edges[number];
+  const PlaneSegment& segment = edge.line;
   seen_.clear();
   below_.clear();
   for (std::size_t b = edge.first_band; b <= edge.last_band; ++b) {
     const std::vector<SeenSpan>& spans = list.seen[b];
     for (std::size_t& k = taken_[b]; k < spans.size() && spans[k].edge == number; ++k) {
-      if (sight.upright()) {
+      if (segment.upright()) {
         seen_.push_back(spans[k].span);
       } else {
         append_span(spans[k].below ? below_ : seen_, spans[k].span, least_);
@@ -59,37 +59,37 @@ const std::vector<Span>& PartLines::seen(const EdgeList& list, std::uint32_t num
   }
   if (!below_.empty()) join(seen_, below_);
   if (seen_.empty()) return seen_;
-  if (sight.upright()) {
+  if (segment.upright()) {
     // Between two closed sides each visible part moves the horizons, so nothing is found twice.
-    if (edge.open) upright_lines_.draw(sight.line().u0, seen_);
-    reach_ends(sight.line(), upright_, seen_);
+    if (edge.open) upright_lines_.draw(segment.line().u0, seen_);
+    reach_ends(segment.line(), upright_, seen_);
   }
-  sight.to_space(seen_);
+  segment.to_space(seen_);
   return seen_;
 }
 
-void PartLines::give(const SightEdge& edge, const std::vector<Span>& seen) {
-  const auto each = [&](auto sink) { eye_.give(*edge.a, *edge.b, edge.from, edge.to, seen, sink); };
-  switch (edge.goal) {
-    case Goal::curve:
-    case Goal::underside: {
-      Polylines& lines = edge.goal == Goal::curve ? store_.lines.curves : store_.lines.underside;
+void PartLines::emit(const HorizonEdge& edge, const std::vector<Span>& seen) {
+  const auto each = [&](auto sink) { eye_.emit(*edge.a, *edge.b, edge.from, edge.to, seen, sink); };
+  switch (edge.use) {
+    case VisibleUse::curve:
+    case VisibleUse::underside: {
+      Polylines& lines = edge.use == VisibleUse::curve ? store_.lines.curves : store_.lines.underside;
       each([&](double t0, double t1) { edge.curve->add(edge.a->page, edge.b->page, t0, t1, lines); });
       edge.curve->next_segment();
       break;
     }
-    case Goal::outline:
+    case VisibleUse::outline:
       return each([&](double t0, double t1) { add_to(store_.outline, edge, t0, t1); });
-    case Goal::border:
+    case VisibleUse::border:
       return each([&](double t0, double t1) { add_to(store_.border, edge, t0, t1); });
-    case Goal::contour:
+    case VisibleUse::contour:
       return each([&](double t0, double t1) { add_to(store_.contours[edge.number], edge, t0, t1); });
-    case Goal::base_contour:
+    case VisibleUse::base_contour:
       return each([&](double t0, double t1) { add_to(store_.base_contours[edge.number], edge, t0, t1); });
-    case Goal::back_line:
+    case VisibleUse::back_line:
       return each([&](double t0, double t1) { store_.lines.back_lines[edge.number].push_back({t0, t1}); });
-    case Goal::interruption:
-    case Goal::nothing:
+    case VisibleUse::interruption:
+    case VisibleUse::nothing:
       break;
   }
 }
@@ -97,9 +97,9 @@ void PartLines::give(const SightEdge& edge, const std::vector<Span>& seen) {
 void PartLines::add(EdgeList& list) {
   taken_.assign(list.seen.size(), 0);
   for (std::uint32_t k = 0; k < list.edges.size(); ++k) {
-    const SightEdge& edge = list.edges[k];
-    if (edge.goal == Goal::interruption) edge.curve->interrupt();
-    if (edge.is_asked()) give(edge, seen(list, k));
+    const HorizonEdge& edge = list.edges[k];
+    if (edge.use == VisibleUse::interruption) edge.curve->interrupt();
+    if (edge.is_tested()) emit(edge, seen(list, k));
   }
   list.nearest_row.end();
   list.row.end();

@@ -21,7 +21,7 @@ class PartLines {
 
  private:
   const std::vector<Span>& seen(const EdgeList& list, std::uint32_t number);
-  void give(const SightEdge& edge, const std::vector<Span>& seen);
+  void emit(const HorizonEdge& edge, const std::vector<Span>& seen);
 
   const Eye& eye_;
   double upright_, least_;

@@ -16,7 +16,7 @@ class PartSweep {
  public:
   PartSweep(const GridPart& grid, const View& view, const HorizonOptions& options, const Columns& columns, LineStore& store)
       : grid_(grid),
-        eye_(view, Sight(view.camera, grid.columns.sign, grid.rows.sign)),
+        eye_(view, PlaneProjection(view.camera, grid.columns.sign, grid.rows.sign)),
         bands_(columns),
         edges_(grid, view, options, eye_, bands_, Horizon::kCovers),
         hiding_(bands_),
@@ -26,14 +26,14 @@ class PartSweep {
   /// Calls progress(rows done). Returns the number of tested edges of the surface.
   template <class Progress>
   std::size_t run(Progress progress) {
-    std::size_t asked = 0;
+    std::size_t tested = 0;
     std::vector<EdgeList> lists;
     share_lines_ahead([](std::vector<Span>& here, std::vector<Span>& shared) { here = std::move(shared); });
     while (const std::size_t rows = edges_.next(lists)) {
       hiding_.take(lists);
       for (EdgeList& list : lists) {
         lines_.add(list);
-        asked += list.asked;
+        tested += list.tested;
       }
       progress(rows);
     }
@@ -43,7 +43,7 @@ class PartSweep {
     hiding_.take(lists);
     lines_.add(lists.front());
     share_lines_ahead([](std::vector<Span>& here, std::vector<Span>& shared) { shared = std::move(here); });
-    return asked;
+    return tested;
   }
 
  private:

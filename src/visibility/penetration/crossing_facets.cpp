@@ -44,7 +44,7 @@ void CrossingSearch::visit_parts(const NodePair& pair, const Visit& visit) const
     if (a.face != kNone) return;
     visit(NodePair{a.children, a.children});
     visit(NodePair{a.children + 1, a.children + 1});
-    if (FacetTree::may_meet(tree_.node(a.children), tree_.node(a.children + 1))) {
+    if (FacetTree::may_intersect(tree_.node(a.children), tree_.node(a.children + 1))) {
       visit(NodePair{a.children, a.children + 1});
     }
     return;
@@ -52,7 +52,7 @@ void CrossingSearch::visit_parts(const NodePair& pair, const Visit& visit) const
   const bool first = a.size() >= b.size();
   const std::uint32_t children = first ? a.children : b.children, other = first ? pair.b : pair.a;
   for (const std::uint32_t child : {children, children + 1}) {
-    if (FacetTree::may_meet(tree_.node(child), tree_.node(other))) visit(NodePair{child, other});
+    if (FacetTree::may_intersect(tree_.node(child), tree_.node(other))) visit(NodePair{child, other});
   }
 }
 
@@ -64,7 +64,7 @@ std::vector<NodePair> CrossingSearch::tasks() const {
   for (std::size_t i = 0; i < roots.size(); ++i) {
     here.push_back({roots[i], roots[i]});
     for (std::size_t k = i + 1; k < roots.size(); ++k) {
-      if (FacetTree::may_meet(tree_.node(roots[i]), tree_.node(roots[k]))) here.push_back({roots[i], roots[k]});
+      if (FacetTree::may_intersect(tree_.node(roots[i]), tree_.node(roots[k]))) here.push_back({roots[i], roots[k]});
     }
   }
   const std::size_t most = std::max(kFewest, facets_.size() / kParts);
@@ -97,7 +97,7 @@ void CrossingSearch::compare_leaves(const NodePair& pair, PenetrationSearch& fou
     std::optional<PlacedFacet> placed;
     for (std::uint32_t k = pair.a == pair.b ? i + 1 : second.first; k < second.end; ++k) {
       const FacetTree::Item& b = tree_.item(k);
-      if (!FacetTree::may_meet(a, b)) continue;
+      if (!FacetTree::may_intersect(a, b)) continue;
       if (!placed) placed = found.place(a.facet);
       const PlacedFacet other = found.place(b.facet);
       // The nearer facet always comes first: a side in a plane along the rim of the plane's facet counts in one order

@@ -191,7 +191,7 @@ void FacetTree::bound_parent(Node& node) const {
   }
 }
 
-bool FacetTree::may_meet(const Node& a, const Node& b) {
+bool FacetTree::may_intersect(const Node& a, const Node& b) {
   const std::int32_t left = std::max(a.left, b.left), right = std::min(a.right, b.right);
   const std::int32_t top = std::max(a.top, b.top), bottom = std::min(a.bottom, b.bottom);
   if (left > right || top > bottom || a.z_near > b.z_far || b.z_near > a.z_far) return false;
@@ -205,7 +205,7 @@ bool FacetTree::may_meet(const Node& a, const Node& b) {
 }
 
 /// Whether the planes may cross or touch where the boxes meet on the page.
-bool FacetTree::may_meet(const Item& a, const Item& b) {
+bool FacetTree::may_intersect(const Item& a, const Item& b) {
   const std::int32_t x0 = std::max(a.left, b.left), x1 = std::min(a.right, b.right);
   const std::int32_t y0 = std::max(a.top, b.top), y1 = std::min(a.bottom, b.bottom);
   if (x0 > x1 || y0 > y1 || a.z_near > b.z_far || b.z_near > a.z_far || a.face == b.face) return false;

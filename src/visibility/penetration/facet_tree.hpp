@@ -46,8 +46,8 @@ class FacetTree {
   bool is_leaf(const Node& node) const { return node.size() <= kLeaf; }
 
   /// Whether a facet of `a` may meet a facet of `b` of another face.
-  static bool may_meet(const Node& a, const Node& b);
-  static bool may_meet(const Item& a, const Item& b);
+  static bool may_intersect(const Node& a, const Node& b);
+  static bool may_intersect(const Item& a, const Item& b);
 
  private:
   static constexpr std::uint32_t kLeaf = 8;  // adjustable

@@ -10,8 +10,8 @@
 #include "base/hash.hpp"
 #include "base/parallel.hpp"
 #include "view/tolerances.hpp"
-#include "visibility/common/crowd_hiders.hpp"
 #include "visibility/common/facet_functions.hpp"
+#include "visibility/common/occluder_cache.hpp"
 #include "visibility/penetration/crossing_facets.hpp"
 
 // Tests, leaf by leaf, all pairs of facets that may meet in depth and on the page; if hidden segments are wanted too,
@@ -41,7 +41,7 @@ constexpr std::size_t kSeveral = 4;
 /// A cache of pairs of facets without a common segment. If hundreds of facets meet in one line, every pair of them
 /// comes up in all leaves along it. The table grows with its entries, since most scenes have few such pairs; a new
 /// entry may replace an old one.
-class FruitlessPairs {
+class FailedPairs {
  public:
   bool holds(std::uint32_t a, std::uint32_t b) const { return !slots_.empty() && slots_[slot(key(a, b))] == key(a, b); }
   void add(std::uint32_t a, std::uint32_t b) {
@@ -77,8 +77,8 @@ struct Comparisons {
   Comparisons(const ProjectedScene& scene, const std::vector<Facet>& facets, const PenetrationSearch& all)
       : found(all.empty_copy()), hiders(scene, facets, least_steps(scene)) {}
   PenetrationSearch found;
-  FruitlessPairs fruitless;
-  CrowdHiders hiders;
+  FailedPairs fruitless;
+  OccluderCache hiders;
 };
 
 /// Searches leaves one after the other, for one task.

@@ -277,9 +277,9 @@ void PenetrationSearch::match_sides() {
 }
 
 void PenetrationSearch::forget_repeated() {
-  constexpr std::size_t kLittle = 10'000;
+  constexpr std::size_t kDirectPairs = 10'000;
   const auto count = [&] { return pairs_.size() + sides_.size() + sides_on_sides_.size(); };
-  if (count() < 2 * distinct_ + kLittle) return;
+  if (count() < 2 * distinct_ + kDirectPairs) return;
   const auto keep_distinct = [](auto& found) {
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());

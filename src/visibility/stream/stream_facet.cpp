@@ -71,7 +71,7 @@ bool look_alike(std::uint64_t looks, double crease_cosine) {
 }
 
 StreamFacets::StreamFacets(const View& view, double precision, double largest, double near, double far)
-    : precision_(precision), sight_rounding_(ligne::sight_rounding(view.camera, largest)), near_(near) {
+    : precision_(precision), sight_rounding_(ligne::view_rounding(view.camera, largest)), near_(near) {
   page_.view = view;
   page_.lattice = page_lattice(view);
   page_.input_error_mm = projected_error_mm(view, precision, largest);

@@ -1,4 +1,4 @@
-#include "visibility/common/crowd_hiders.hpp"
+#include "visibility/common/occluder_cache.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 namespace ligne {
 
 /// Moves the facet to the front of the list, and the others one place back; a full list drops its last one.
-void CrowdHiders::Known::remember(std::uint32_t facet) {
+void OccluderCache::Known::remember(std::uint32_t facet) {
   const auto end = facets.begin() + static_cast<std::ptrdiff_t>(count);
   auto place = std::find(facets.begin(), end, facet);
   if (place == end) {
@@ -21,7 +21,7 @@ void CrowdHiders::Known::remember(std::uint32_t facet) {
 }
 
 /// A line and the same line backwards have one direction.
-std::size_t CrowdHiders::direction_of(const PageLine& line) {
+std::size_t OccluderCache::direction_of(const PageLine& line) {
   const bool flat = std::abs(line.dx) >= std::abs(line.dy);
   const double slope = flat ? line.dy / line.dx : line.dx / line.dy;  // from -1 to 1
   const auto part = static_cast<std::size_t>(std::clamp(static_cast<int>((slope + 1) * kSlopes), 0, 2 * kSlopes - 1));
@@ -29,7 +29,7 @@ std::size_t CrowdHiders::direction_of(const PageLine& line) {
 }
 
 /// Removes the part that the facet hides from the open parts of the line; returns whether it hides any.
-bool CrowdHiders::take(const PageLine& line, std::uint32_t facet) {
+bool OccluderCache::take(const PageLine& line, std::uint32_t facet) {
   const Facet& f = facets_[facet];
   if (f.face == line.face0 || f.face == line.face1) return false;
   if (!scene_.face_is_transparent.empty() && scene_.face_is_transparent[f.face]) return false;
@@ -40,7 +40,7 @@ bool CrowdHiders::take(const PageLine& line, std::uint32_t facet) {
   return hidden.sides != HiddenSides::none;
 }
 
-bool CrowdHiders::is_hidden(const PageLine& line) {
+bool OccluderCache::is_hidden(const PageLine& line) {
   if (open_.empty()) return true;
   const double length = std::sqrt(line.dx * line.dx + line.dy * line.dy);
   if ((open_.to() - open_.from()) * length > least_) return false;
@@ -49,9 +49,9 @@ bool CrowdHiders::is_hidden(const PageLine& line) {
   return parts_.empty();
 }
 
-bool CrowdHiders::hide(const PageLine& line, const CellFacet* list, std::size_t count) {
+bool OccluderCache::hide(const PageLine& line, const CellFacet* list, std::size_t count) {
   if (line.p0 == line.p1) return false;
-  patience_ += kPatiencePerLine;
+  patience_ += kFailedTestsPerLine;
   open_.reset(0, 1);
   Known& known = known_[direction_of(line)];
   for (std::size_t i = 0; i < known.count; ++i) {

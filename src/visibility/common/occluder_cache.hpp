@@ -12,10 +12,10 @@
 
 namespace ligne {
 
-class CrowdHiders {
+class OccluderCache {
  public:
   /// `least_steps`: parts no longer than this, in lattice steps, are not drawn.
-  CrowdHiders(const ProjectedScene& scene, const std::vector<Facet>& facets, double least_steps)
+  OccluderCache(const ProjectedScene& scene, const std::vector<Facet>& facets, double least_steps)
       : scene_(scene), facets_(facets), least_(least_steps) {}
 
   /// Whether remembered facets, or else facets of the list (ordered by z_near), hide the line, but for parts too short
@@ -27,7 +27,7 @@ class CrowdHiders {
   static constexpr std::size_t kKnown = 8;
   static constexpr int kSlopes = 32, kDirections = 4 * kSlopes;
   /// Adjustable: number of list facets that may be tested in vain, at the start and added for each line.
-  static constexpr std::size_t kPatience = 100'000, kPatiencePerLine = 8;
+  static constexpr std::size_t kMaxFailedTests = 100'000, kFailedTestsPerLine = 8;
 
   struct Known {
     std::array<std::uint32_t, kKnown> facets;
@@ -46,8 +46,8 @@ class CrowdHiders {
   OpenParts open_;
   std::vector<std::uint32_t> found_;
   std::vector<LinePart> parts_;
-  std::size_t in_vain_ = 0;           ///< list facets tested for lines that were not hidden
-  std::size_t patience_ = kPatience;  ///< limit on in_vain_
+  std::size_t in_vain_ = 0;                 ///< list facets tested for lines that were not hidden
+  std::size_t patience_ = kMaxFailedTests;  ///< limit on in_vain_
 };
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Finds crowds of vertices (view/crowds.hpp) of which only a part would be kept.
+/// Finds clusters of vertices (view/vertex_clusters.hpp) of which only a part would be kept.
 
 #include <atomic>
 #include <cstdint>
@@ -10,19 +10,19 @@
 
 namespace ligne {
 
-/// Cubes of page space around the needed vertices, larger than the cubes of crowds. If such a cube contains enough
+/// Cubes of page space around the needed vertices, larger than the cubes of clusters. If such a cube contains enough
 /// vertices for a crowd, and not all of them are needed, the kept vertices would be merged differently than in the
 /// whole model.
-class CrowdWatch {
+class ClusterCounter {
  public:
   /// `places`: positions of the needed vertices.
-  CrowdWatch(const StreamFacets& facets, std::span<const Point3> places);
+  ClusterCounter(const StreamFacets& facets, std::span<const Point3> places);
 
   /// Counts a vertex. To be called for all vertices of the file; several threads may call it.
   void count(const Point3& vertex, bool needed);
   /// Whether a vertex of the file lies where a crowd may be torn apart. Call it after all vertices are counted.
-  bool is_torn(const Point3& vertex) const;
-  bool any_torn() const;
+  bool is_split(const Point3& vertex) const;
+  bool any_split() const;
 
  private:
   struct Cube {

@@ -7,7 +7,7 @@ namespace ligne::svg {
 
 /// A file asks for endless work, or for more memory than there is. The whole file is refused; other faults only drop an
 /// element.
-struct EndlessWork : std::invalid_argument {
+struct WorkLimitError : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 

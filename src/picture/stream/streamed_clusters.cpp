@@ -1,11 +1,11 @@
-#include "picture/stream/streamed_crowds.hpp"
+#include "picture/stream/streamed_clusters.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-#include "view/crowds.hpp"
 #include "view/tolerances.hpp"
+#include "view/vertex_clusters.hpp"
 
 namespace ligne {
 namespace {
@@ -22,7 +22,7 @@ std::uint64_t cube_number(const std::array<double, 3>& cube) {
 
 }  // namespace
 
-CrowdWatch::CrowdWatch(const StreamFacets& facets, std::span<const Point3> places) : facets_(facets) {
+ClusterCounter::ClusterCounter(const StreamFacets& facets, std::span<const Point3> places) : facets_(facets) {
   const ProjectedScene& page = facets.page();
   reach_mm_ = kReachInCoincidences * coincidence_mm(page) + kReachSteps * page.lattice.step_mm;
   side_mm_ = kSideInReaches * reach_mm_;
@@ -46,31 +46,31 @@ CrowdWatch::CrowdWatch(const StreamFacets& facets, std::span<const Point3> place
   for (const std::uint64_t number : numbers) cubes_[slot_of(number)].number = number;
 }
 
-std::size_t CrowdWatch::slot_of(std::uint64_t number) const {
+std::size_t ClusterCounter::slot_of(std::uint64_t number) const {
   const std::size_t mask = cubes_.size() - 1;
   std::size_t slot = number >> 1 & mask;
   while (cubes_[slot].number != 0 && cubes_[slot].number != number) slot = (slot + 1) & mask;
   return slot;
 }
 
-std::uint64_t CrowdWatch::number_of(const Point3& vertex) const {
+std::uint64_t ClusterCounter::number_of(const Point3& vertex) const {
   std::array<double, 3> cube = facets_.page_place(vertex);
   for (double& c : cube) c = std::floor(c / side_mm_);
   return cube_number(cube);
 }
 
-void CrowdWatch::count(const Point3& vertex, bool needed) {
+void ClusterCounter::count(const Point3& vertex, bool needed) {
   Cube& cube = cubes_[slot_of(number_of(vertex))];
   if (cube.number == 0) return;
   cube.vertices.fetch_add(1, std::memory_order_relaxed);
   if (!needed) cube.not_needed.fetch_add(1, std::memory_order_relaxed);
 }
 
-bool CrowdWatch::Cube::torn() const { return vertices > kCrowdOfVertices && not_needed > 0; }
+bool ClusterCounter::Cube::torn() const { return vertices > kMaxVerticesPerCube && not_needed > 0; }
 
-bool CrowdWatch::is_torn(const Point3& vertex) const { return cubes_[slot_of(number_of(vertex))].torn(); }
+bool ClusterCounter::is_split(const Point3& vertex) const { return cubes_[slot_of(number_of(vertex))].torn(); }
 
-bool CrowdWatch::any_torn() const {
+bool ClusterCounter::any_split() const {
   return std::any_of(cubes_.begin(), cubes_.end(), [](const Cube& cube) { return cube.torn(); });
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Complaints about parts of an SVG that can not be drawn. Private to plotting.
+/// Diagnostics about parts of an SVG that can not be drawn. Private to plotting.
 
 #include <functional>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace ligne::svg {
 
-struct Complaints {
+struct Diagnostics {
   /// A part of SVG can not be drawn as strokes; `name` is its name in kSkippable (drawing_reader.hpp).
   std::function<void(std::string_view name, const pugi::xml_node& node)> refuse;
   /// The value of an attribute or a property is invalid; the attribute or property is ignored.

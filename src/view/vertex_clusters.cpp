@@ -1,4 +1,4 @@
-#include "view/crowds.hpp"
+#include "view/vertex_clusters.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@ namespace ligne {
 namespace {
 
 /// A crowd may span up to four squares of the page; one of these then holds more vertices of it than this.
-constexpr std::size_t kPartOfCrowd = kCrowdOfVertices / 4;
+constexpr std::size_t kMaxVerticesPerSquare = kMaxVerticesPerCube / 4;
 
 using Cube = std::array<double, 3>;
 
@@ -122,7 +122,7 @@ std::vector<std::uint32_t> candidates(const std::vector<ProjectedVertex>& vertic
   std::vector<std::vector<std::uint32_t>> inside(block_count(vertices.size(), kRunBlock));
   const auto square = [&](std::size_t i) { return page_square(vertices[i].p); };
   for_each_run(vertices.size(), square, [&](std::size_t begin, std::size_t end) {
-    if (!may_crowd(vertices, begin, end, side, kPartOfCrowd)) return;
+    if (!may_crowd(vertices, begin, end, side, kMaxVerticesPerSquare)) return;
     auto& block = inside[begin / kRunBlock];
     for (std::size_t i = begin; i < end; ++i) block.push_back(static_cast<std::uint32_t>(i));
   });
@@ -140,12 +140,12 @@ std::vector<std::uint32_t> candidates(const std::vector<ProjectedVertex>& vertic
 
 }  // namespace
 
-void gather_crowds(std::vector<ProjectedVertex>& vertices, double side_steps, double side_mm) {
+void merge_vertex_clusters(std::vector<ProjectedVertex>& vertices, double side_steps, double side_mm) {
   const Side side{side_steps, side_mm};
   const std::vector<std::uint32_t> near = candidates(vertices, side);
   if (near.empty()) return;
   Cubes cubes(vertices, near, side);
-  for (const std::size_t g : cubes.larger_than(kCrowdOfVertices)) {
+  for (const std::size_t g : cubes.larger_than(kMaxVerticesPerCube)) {
     if (cubes.taken[g]) continue;
     const ProjectedVertex to = cubes.members[cubes.groups[g].begin].place;
     cubes.take_around(g, [&](std::uint32_t v) { vertices[v] = to; });

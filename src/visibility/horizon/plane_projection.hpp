@@ -9,7 +9,7 @@ namespace ligne::horizon {
 
 /// A point projected to an upright drawing plane, on which verticals stay vertical for any tilt of the camera. Hiding
 /// depends only on the lines of sight, so any plane serves, and on this one the horizon is a function of u.
-struct SightPoint {
+struct PlanePoint {
   double x, y;  ///< to the right and upwards, before the division by w
   double w;     ///< distance from the viewer along the plane's normal; 1 in parallel projection
   double u() const { return x / w; }
@@ -18,11 +18,11 @@ struct SightPoint {
 
 /// The projection of one part of the grid: in perspective, of all points with sign_x (x - eye_x) >= 0 and sign_y (y -
 /// eye_y) >= 0.
-class Sight {
+class PlaneProjection {
  public:
-  Sight(const Camera& camera, double sign_x, double sign_y);
+  PlaneProjection(const Camera& camera, double sign_x, double sign_y);
 
-  SightPoint operator()(const Point3& p) const {
+  PlanePoint operator()(const Point3& p) const {
     const Point3 d = p - eye_;
     if (!perspective_) return {glm::dot(right_, d), glm::dot(up_, d), 1};
     return {glm::dot(right_, d), d.z, glm::dot(forward_, d)};

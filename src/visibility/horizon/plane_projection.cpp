@@ -1,10 +1,10 @@
-#include "visibility/horizon/sight.hpp"
+#include "visibility/horizon/plane_projection.hpp"
 
 #include <cmath>
 
 namespace ligne::horizon {
 
-Sight::Sight(const Camera& camera, double sign_x, double sign_y)
+PlaneProjection::PlaneProjection(const Camera& camera, double sign_x, double sign_y)
     : perspective_(camera.perspective), eye_(camera.eye), forward_(camera.forward) {
   if (perspective_) {
     // The part spans a quarter of the circle round the eye, so every point of it is within 45 degrees of its middle.

@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "visibility/horizon/envelope.hpp"
-#include "visibility/horizon/sight.hpp"
+#include "visibility/horizon/plane_projection.hpp"
 
 namespace ligne::horizon {
 
-class SightLine {
+class PlaneSegment {
  public:
-  SightLine() = default;
+  PlaneSegment() = default;
   /// A segment no wider than `upright` is upright: it has no width that could hide.
-  SightLine(const SightPoint& a, const SightPoint& b, double upright)
+  PlaneSegment(const PlanePoint& a, const PlanePoint& b, double upright)
       : w0_(a.w), w1_(b.w), line_{a.u(), a.v(), b.u(), b.v()} {
     upright_ = std::abs(line_.u1 - line_.u0) <= upright;
     turned_ = upright_ ? line_.v1 < line_.v0 : line_.u1 < line_.u0;
