@@ -1,5 +1,5 @@
 #pragma once
-/// Arrays of numpy: what comes in is looked at where it lies, what goes out keeps alive what it is part of.
+/// Arrays of numpy. Input is read in place; output keeps its owner alive.
 
 #include <cstddef>
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace ligne::python {
 
-/// The array, read-only from now on.
+/// Makes the array read-only and returns it.
 template <class T>
 pybind11::array_t<T> read_only(pybind11::array_t<T> array) {
   pybind11::detail::array_proxy(array.ptr())->flags &= ~pybind11::detail::npy_api::NPY_ARRAY_WRITEABLE_;

@@ -21,7 +21,7 @@ namespace {
 
 py::ssize_t rows(std::size_t n) { return static_cast<py::ssize_t>(n); }
 
-/// The number of a face as it was given, -1 for none.
+/// The input number of a face, -1 for none.
 std::int64_t given_face(const Scene& scene, std::uint32_t face) {
   if (face == kNone) return -1;
   return face < scene.face_source.size() ? scene.face_source[face] : face;
@@ -34,7 +34,7 @@ const DrawnScene& drawn_of(const DrawingHolder& holder) {
 
 Point3 point_at(const SourceEdge& edge, double t) { return edge.ends[0] + t * (edge.ends[1] - edge.ends[0]); }
 
-/// The facts about every stroke, as arrays of as many rows.
+/// Properties of the strokes, as arrays with one row per stroke.
 py::dict strokes(const DrawingHolder& holder) {
   const DrawnScene& drawn = drawn_of(holder);
   const SceneVisibility& study = drawn.visibility();
@@ -99,7 +99,7 @@ py::array_t<double> polyline(std::span<const Point2> points) {
   return array;
 }
 
-/// (name, object, list of polylines) of each layer, in the order in which they are painted.
+/// (name, object, list of polylines) per layer, in painting order.
 py::list layers(DrawingHolder& holder) {
   Drawing drawing;
   {
@@ -115,7 +115,7 @@ py::list layers(DrawingHolder& holder) {
   return list;
 }
 
-/// (face, contours, level, lights) of each region; None where there are none.
+/// (face, contours, level, lights) per region; None without regions.
 py::object regions(const DrawingHolder& holder) {
   const DrawnScene& drawn = drawn_of(holder);
   if (!drawn.visibility().result.regions) return py::none();
@@ -130,7 +130,7 @@ py::object regions(const DrawingHolder& holder) {
 
 py::tuple tuple_of(const Point3& p) { return py::make_tuple(p.x, p.y, p.z); }
 
-/// The members of FittedSurface (_found.py) in their order, of each surface.
+/// The members of FittedSurface (_found.py), in order, per surface.
 py::list surfaces(const DrawingHolder& holder) {
   const DrawnScene& drawn = drawn_of(holder);
   FoundSurfaces found;
@@ -151,7 +151,7 @@ py::list surfaces(const DrawingHolder& holder) {
   return list;
 }
 
-/// Model coordinates to page mm, see View::model_to_page.
+/// Matrix from model coordinates to page mm, see View::model_to_page.
 py::array_t<double> matrix(const DrawingHolder& holder) {
   const glm::dmat4& m = drawn_of(holder).prepared().view().model_to_page;
   py::array_t<double> array({4, 4});
@@ -249,7 +249,7 @@ void DrawingHolder::draw(const PictureRequest& request, const Progress& progress
   PictureRequest picture = request;
   picture.progress = progress;
   RunReport report;
-  report.files = run_.files;  // of surfaces among models, and of earlier drawings
+  report.files = run_.files;  // files of surfaces among models, and of earlier drawings
   if (!surface_) {
     drawn_ = std::make_unique<DrawnScene>(
         draw_lines(scene_->scene(), std::move(picture), report, std::nullopt, scene_->topology(), true));

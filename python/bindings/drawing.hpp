@@ -21,25 +21,25 @@ namespace ligne::python {
 /// A drawing of a scene or by the floating horizon, and its options.
 class DrawingHolder {
  public:
-  /// Draws a scene that stays in memory, with surfaces among it.
+  /// Draws a scene, which stays in memory, together with surfaces.
   static std::shared_ptr<DrawingHolder> of_scene(std::shared_ptr<const SceneHolder> scene, const SurfaceRequest& surfaces,
                                                  Options options, const pybind11::object& progress);
   /// Draws surfaces.
   static std::shared_ptr<DrawingHolder> of_surface(SurfaceRequest surface, Options options,
                                                    const pybind11::object& progress);
 
-  /// The file of another format or for other pens.
+  /// Writes the file in another format or for other pens.
   Picture write(const pybind11::dict& keywords, const pybind11::object& progress);
 
-  /// Throws RequestError where a file to be written is one that was read.
+  /// Throws RequestError if an output file is also an input file.
   void refuse_its_inputs(const std::string& field, const std::string& file) const;
 
-  /// The surfaces as a mesh file. Throws RequestError where none were drawn.
+  /// Writes the surfaces as a mesh file. Throws RequestError if none were drawn.
   std::string write_mesh(MeshFormat format) const;
 
   /// Layers of polylines.
   Drawing layers();
-  /// Nothing where the floating horizon drew.
+  /// None for drawings of the floating horizon.
   const DrawnScene* drawn() const { return drawn_.get(); }
   const Page& page() const;
   const RunReport& report() const { return run_; }
@@ -54,12 +54,12 @@ class DrawingHolder {
   std::optional<SurfaceScene> surface_scene_;
   std::unique_ptr<DrawnScene> drawn_;
   std::optional<HorizonDrawing> horizon_;
-  std::mutex mutex_;  ///< of whoever writes: that may draw anew
+  std::mutex mutex_;  ///< locked while writing, which may draw again
 };
 
-/// The options of a drawing of that scene. Throws RequestError.
+/// Options of a drawing of the scene. Throws RequestError.
 void adapt(Options& options, const SceneHolder& scene);
-/// The request of adapted options, for that scene. Throws RequestError.
+/// Request of adapted options, for the scene. Throws RequestError.
 PictureRequest request_for(const Options& options, const SceneHolder& scene);
 
 void add_drawing(pybind11::module_& module);

@@ -17,14 +17,14 @@ namespace py = pybind11;
 namespace ligne::python {
 namespace {
 
-/// Never freed: they must outlive the interpreter's own end.
+/// Never freed, since they must outlive the interpreter.
 struct Exceptions {
   PyObject *error = nullptr, *input = nullptr, *dtype = nullptr, *request = nullptr, *memory = nullptr;
   PyObject *file = nullptr, *missing_file = nullptr, *output = nullptr, *missing_folder = nullptr;
 };
 Exceptions exceptions;
 
-/// Its text is the message, also of an OSError that has a number and a file.
+/// The text is the message, also for an OSError with a number and a file.
 PyObject* add(py::module_& module, const char* name, const char* text, std::initializer_list<PyObject*> bases) {
   py::dict members;
   members["__str__"] = py::reinterpret_borrow<py::object>(PyExc_BaseException).attr("__str__");
@@ -87,9 +87,10 @@ void add_errors(py::module_& module) {
                          {exceptions.error, PyExc_ValueError});
   exceptions.dtype = add(module, "DtypeError", "An array holds a kind of values that it can not have; the text names it.",
                          {exceptions.error, PyExc_TypeError});
-  exceptions.request = add(module, "RequestError",
-                           "An option has an invalid value, or two options can not be combined; `option` is its name, or empty.",
-                           {exceptions.error, PyExc_ValueError});
+  exceptions.request =
+      add(module, "RequestError",
+          "An option has an invalid value, or two options can not be combined; `option` is its name, or empty.",
+          {exceptions.error, PyExc_ValueError});
   exceptions.memory = add(module, "MemoryLimitError", "The work would take more memory than there is, or than max_memory.",
                           {exceptions.error, PyExc_MemoryError});
   exceptions.file =

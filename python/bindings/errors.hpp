@@ -7,13 +7,13 @@
 
 namespace ligne::python {
 
-/// An array of a kind of numbers that it can not have: becomes ligne.DtypeError.
+/// An array has an unsupported type of numbers; becomes ligne.DtypeError.
 class DtypeError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Adds Error and all that derive from it, and how errors of the library become these.
+/// Adds Error and its subclasses, and converts errors of the library to them.
 void add_errors(pybind11::module_& module);
 
 }  // namespace ligne::python

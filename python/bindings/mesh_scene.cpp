@@ -32,7 +32,7 @@ void check_count(std::size_t corners) {
   if (corners >= kNone) throw InputError("faces: more than 4294967294 corners");
 }
 
-/// Vertices of one object, in the order in which its faces name them.
+/// Vertices of one object, in the order of first use by its faces.
 class VertexPicker {
  public:
   explicit VertexPicker(const std::vector<Point3>& from) : from_(from), number_(from.size(), kNone) {}
@@ -71,7 +71,7 @@ void add_face(const PolygonFaces& from, std::uint32_t f, PolygonFaces& to, Verte
   }
 }
 
-/// Orders faces by their objects.
+/// Sorts faces by object.
 void split_objects(Scene& scene, const FaceLabels& labels, double precision) {
   std::vector<std::uint32_t>& order = scene.face_source;
   std::stable_sort(order.begin(), order.end(),

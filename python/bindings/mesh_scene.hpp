@@ -1,5 +1,5 @@
 #pragma once
-/// From arrays to a scene.
+/// Converts arrays to a scene.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace ligne::python {
 
-/// A matrix of numbers where numpy holds them: any strides.
+/// A matrix of numbers in the memory of numpy, with any strides.
 template <class T>
 struct MatrixView {
   const std::byte* data = nullptr;
@@ -26,7 +26,7 @@ struct MatrixView {
   }
 };
 
-/// Faces as corners: those of face f are [begin[f], begin[f + 1]); of equal length when `begin` is empty.
+/// Corners of faces: face f has [begin[f], begin[f + 1]); all faces have equal length if `begin` is empty.
 struct FaceLists {
   std::vector<std::uint32_t> contour_end;  ///< in corners; empty: every face is one contour of as many corners as columns
   std::vector<std::uint32_t> face_end;     ///< in contours
@@ -40,17 +40,17 @@ struct FaceLabels {
   std::vector<Material> materials;
 };
 
-/// The vertices. Throws InputError for one that is not finite.
+/// Returns the vertices. Throws InputError if one is not finite.
 template <class T>
 std::vector<Point3> read_vertices(const MatrixView<T>& vertices);
 
-/// The faces, all of one kind. Throws InputError for an index that is not below `vertex_count`.
+/// Returns the faces. Throws InputError for an index of `vertex_count` or more.
 template <class T>
 void read_faces(const MatrixView<T>& corners, const FaceLists& lists, std::size_t vertex_count, PolygonFaces& faces);
 
-/// Puts the scene together: objects own ranges of vertices and faces, so where there are several, faces are put in the order
-/// of their objects and vertices that several use are doubled. face_source tells each face's number as given. `precision`:
-/// of all coordinates.
+/// Assembles the scene. Objects own ranges of vertices and faces, so faces are sorted by object, and vertices that
+/// several objects share are duplicated. `face_source` gets the input number of each face. `precision`: of all
+/// coordinates.
 Scene assemble(std::vector<Point3> vertices, PolygonFaces faces, FaceLabels labels, double precision);
 
 }  // namespace ligne::python

@@ -39,7 +39,7 @@ std::string info(const SceneArgument& scene, const py::dict& keywords) {
   return text;
 }
 
-/// The keywords of a comparison beside the options of a picture.
+/// The keywords of a comparison besides the options of a picture.
 struct CompareKeywords {
   CompareRequest request;
   std::vector<const Method*> methods;
@@ -71,7 +71,7 @@ std::string compare(const SceneArgument& scene, const py::dict& keywords, const 
   adapt(options, *scene);
   CompareRequest& request = given.request;
   request.picture = options.request();
-  request.picture.compiled = nullptr;  // every method prepares the scene by itself
+  request.picture.compiled = nullptr;  // each method prepares the scene itself
   std::vector<std::pair<std::string, std::string>> of_methods;
   for_each_option(parameters,
                   [&](const std::string& name, py::handle value) { of_methods.emplace_back(name, text_of(name, value)); });

@@ -1,4 +1,4 @@
-/// The compiled part of the Python package ligne; python/ligne holds what people call.
+/// The compiled part of the Python package ligne; python/ligne has the public functions.
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -18,7 +18,7 @@ namespace {
 
 Point3 point_of(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
 
-/// Rows right, up and towards the viewer, of the camera that looks at a scene whose bounding box is centred on the origin.
+/// Rows (right, up, towards the viewer) of the camera for a scene whose bounding box is centred on the origin.
 std::vector<std::array<double, 3>> camera_frame(const std::optional<std::string>& named,
                                                 const std::optional<std::array<double, 3>>& direction,
                                                 const std::optional<std::array<double, 3>>& up, const std::string& up_axis) {

@@ -24,7 +24,7 @@ namespace {
 /// Sets one option of a picture from its value.
 using Setter = std::function<void(Options&, const std::string& name, py::handle value)>;
 
-/// The option is the text of its value through a parser.
+/// Sets an option by parsing the text of its value.
 template <class Parser, class Target>
 Setter text(Parser parser, Target target, char separator = ',') {
   return [=](Options& options, const std::string& name, py::handle value) {
@@ -150,7 +150,7 @@ bool is_parameter(std::string_view name) {
   return false;
 }
 
-/// As a keyword, " (pen_width?)".
+/// The suggestion as a keyword: " (pen_width?)".
 std::string suggested_option(const std::string& name, std::vector<std::string_view> names) {
   for (const auto& [known, setter] : setters()) names.push_back(known);
   for (const Method* method : all_methods()) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Options as keywords, with the names of the command line's.
+/// Options as keywords, with the names of the options of the command line.
 
 #include <functional>
 #include <optional>
@@ -17,7 +17,7 @@
 
 namespace ligne::python {
 
-/// The keywords of a drawing, in the words of a request.
+/// The keywords of a drawing, converted to a request.
 struct Options {
   PictureRequest picture;
   PlotterChoice plotter;
@@ -25,30 +25,30 @@ struct Options {
   unsigned threads = 0;
   bool edges_given = false;
   bool horizon_given = false;
-  std::vector<std::pair<std::string, std::string>> parameters;  ///< of methods, by their names
+  std::vector<std::pair<std::string, std::string>> parameters;  ///< parameters of methods: name, value
 
-  /// Takes the keywords that are not None; an underscore in a name stands for a dash. Throws RequestError, which suggests a
-  /// name where one is not known: one of these options, or of `others`.
+  /// Takes the keywords that are not None; underscores in names stand for dashes. Throws RequestError for an unknown
+  /// name, with a suggestion from these options or from `others`.
   void take(const pybind11::dict& keywords, const std::vector<std::string_view>& others = {});
-  /// The request for a file of that format. Reads files of pens and devices. Throws RequestError.
+  /// Returns the request for a file of the format. Reads files of pens and devices. Throws RequestError.
   PictureRequest request() const;
 };
 
-/// Options that say what is read of a model.
+/// Options for reading a model.
 ModelRequest model_request(const pybind11::dict& keywords);
 
-/// The surfaces that the keywords tell: "formulas", "grids", "heights" (name, x, y, z) and "parametric" as lists, and the
-/// options of surfaces, but for those of Options.
+/// Returns the surfaces of the keywords: "formulas", "grids", "heights" (name, x, y, z) and "parametric" as lists, and
+/// the options of surfaces, except those of Options.
 SurfaceRequest surface_request(const pybind11::dict& keywords);
 
-/// Names of the options that surface_request() takes.
+/// Names of the options of surface_request().
 std::vector<std::string_view> names_of_surface_options();
 
-/// The keywords with the format of the file's suffix, where they name none.
+/// Returns the keywords, with the format of the file's suffix if they have no format.
 pybind11::dict with_format(const pybind11::dict& keywords, const std::string& file);
 
-/// Calls set(name, value) for every keyword that is not None, its name with dashes for underscores. What that throws as
-/// std::invalid_argument becomes a RequestError of that name.
+/// Calls set(name, value) for each keyword that is not None, with dashes for underscores in its name. A
+/// std::invalid_argument of set() becomes a RequestError of that name.
 void for_each_option(const pybind11::dict& keywords,
                      const std::function<void(const std::string& name, pybind11::handle value)>& set);
 

@@ -95,7 +95,7 @@ const std::map<std::string, Setter, std::less<>>& setters() {
   return table;
 }
 
-/// The request of the keywords; those that a plot of a scene has too go through `options`.
+/// Returns the request of the keywords; `options` handles those that a plot of a scene also has.
 PlotDrawingRequest plot_request(const py::dict& keywords, Options& options, RunReport& run) {
   PlotDrawingRequest plot;
   py::dict others;
@@ -123,14 +123,14 @@ PlotDrawingRequest plot_request(const py::dict& keywords, Options& options, RunR
   return plot;
 }
 
-/// (files, report, warnings, times as JSON). The drawings are (name, text), or (name, None): read from the file of that
-/// name. The files are (name, bytes) where no file is named, and (name, nothing) where they are written.
+/// Returns (files, report, warnings, times as JSON). Drawings are (name, text), or (name, None) to read the file of
+/// that name. Files are (name, bytes) without a file name, and (name, None) after they are written.
 py::tuple plot(const std::vector<std::pair<std::string, std::optional<std::string>>>& drawings, const std::string& file,
                const py::dict& keywords) {
   RunReport report;
   Options options;
   PlotDrawingRequest request = plot_request(file.empty() ? keywords : with_format(keywords, file), options, report);
-  // Without a file the caller takes as many as there are.
+  // Without a file name the caller gets all files.
   const bool numbered = file.empty() || has_number_place(file);
   request.plotter.parts.split_files = numbered;
   request.plotter.parts.pen_files = has_number_place(file, 'p');

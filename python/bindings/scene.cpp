@@ -61,8 +61,8 @@ MatrixView<T> matrix(const py::array& array) {
   return m;
 }
 
-/// The arrays that the conversion reads, with the interpreter's lock given up: no reference is taken there, so that what
-/// asks numpy for an object (the kind and size of values, which are the array's dtype) is asked before.
+/// The arrays for the conversion, which runs without the interpreter's lock and takes no reference. So the dtypes of
+/// the arrays, which are Python objects, are read before.
 struct MeshArrays {
   py::array vertices, corners;
   bool vertices_are_single = false, corners_are_signed = true, corners_are_wide = true;
@@ -160,7 +160,7 @@ std::vector<std::string> object_names_of(const SceneHolder& holder) {
   return names;
 }
 
-/// The state of a scene that pickle keeps. The topology is found again.
+/// The state of a scene for pickle. The topology is computed again.
 py::tuple state_of(const SceneHolder& holder) {
   if (holder.models.compiled) {
     PyErr_SetString(PyExc_TypeError, "a compiled model is not pickled: its file holds it, and read() is quick");

@@ -12,10 +12,10 @@
 
 namespace ligne::python {
 
-/// A scene that was read and mended, and never changes: any number of drawings and threads share it.
+/// A scene after reading and repair. It never changes, so any number of drawings and threads may share it.
 struct SceneHolder {
-  LoadedModels models;   ///< with their topology
-  ModelRequest request;  ///< what they were read with
+  LoadedModels models;   ///< including their topology
+  ModelRequest request;  ///< the options with which they were read
   std::vector<std::string> warnings;
 
   /// The files that were read for it.
@@ -24,10 +24,10 @@ struct SceneHolder {
   const Topology& topology() const { return *models.topology; }
 };
 
-/// Throws RequestError where what is to be written is one of the files that were read.
+/// Throws RequestError if an output file is also an input file.
 void refuse_inputs(const InputFiles& inputs, const std::string& field, const std::string& file);
 
-/// Adds Scene, and the functions that make one.
+/// Adds Scene and the functions that make scenes.
 void add_scene(pybind11::module_& module);
 
 }  // namespace ligne::python

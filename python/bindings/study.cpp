@@ -17,7 +17,7 @@ namespace {
 
 using namespace studies;
 
-/// The experiments and what is written of them.
+/// The experiments and their output.
 struct StudyKeywords {
   StudySize size = StudySize::full;
   std::string svg, csv;  ///< files, or empty
@@ -65,7 +65,7 @@ std::string study(const std::string& name, const std::vector<std::string>& model
   return text;
 }
 
-/// (name, section, title) of each.
+/// (name, section, title) per experiment.
 std::vector<std::vector<std::string>> list_experiments() {
   std::vector<std::vector<std::string>> list;
   for (const Experiment& e : experiments()) {

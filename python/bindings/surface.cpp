@@ -34,7 +34,7 @@ Setter text(Parser parser, Target target, char separator = ',') {
   };
 }
 
-/// A sequence of ranges, or one.
+/// A sequence of ranges, or a single range.
 Setter ranges(std::vector<CurveRange> SurfaceRequest::*target) {
   return [=](SurfaceRequest& surface, const std::string& name, py::handle value) {
     const bool several = py::isinstance<py::list>(value);
@@ -45,7 +45,7 @@ Setter ranges(std::vector<CurveRange> SurfaceRequest::*target) {
   };
 }
 
-/// True, or a number: an option that may stand alone.
+/// An option with an optional value: True, or a number.
 template <class Flag, class Target>
 Setter flag_or_value(Flag flag, Target target) {
   return [=](SurfaceRequest& surface, const std::string& name, py::handle value) {

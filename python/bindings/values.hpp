@@ -1,5 +1,6 @@
 #pragma once
-/// Values of Python as words of options, so that a number, a tuple and a text mean what they mean on the command line.
+/// Converts values of Python to option texts, so that a number, a tuple and a text have the meaning of the command
+/// line.
 
 #include <string>
 #include <vector>
@@ -11,15 +12,15 @@ namespace ligne::python {
 /// Whether the value is a sequence other than a text.
 bool is_sequence(pybind11::handle value);
 
-/// A text or a path as it is, a number in its shortest form, a sequence as its values with `separator` between them. Throws
-/// RequestError of the option for anything else.
+/// Returns a text or a path unchanged, a number in its shortest form, and a sequence as its values with `separator`
+/// between them. Throws RequestError of the option for other values.
 std::string text_of(const std::string& option, pybind11::handle value, char separator = ',');
 
-/// One text for each value of an option that may be given several times: a dictionary gives "KEY=VALUE" each, a sequence
-/// that is not a sequence of numbers one for each of its values.
+/// Returns one text for each value of a repeatable option. A dictionary gives "KEY=VALUE" per entry; a sequence, unless
+/// it is one of numbers, gives one text per value.
 std::vector<std::string> texts_of(const std::string& option, pybind11::handle value);
 
-/// True or False. Throws RequestError of the option for anything else.
+/// Returns True or False. Throws RequestError of the option for other values.
 bool flag_of(const std::string& option, pybind11::handle value);
 
 }  // namespace ligne::python

@@ -16,7 +16,8 @@ namespace py = pybind11;
 namespace ligne::python {
 namespace {
 
-/// Adjustable: short for somebody who waits for Ctrl-C, long beside what a look costs.
+/// Adjustable: interval between checks for signals, short for a user who presses Ctrl-C, long compared to the cost of a
+/// check.
 constexpr std::chrono::milliseconds kLook{50};
 
 /// The state that the two threads share.
@@ -29,7 +30,7 @@ struct Shared {
   std::atomic<double> fraction = 0;
 };
 
-/// Lets signal handlers and the callable run; gives what they raise.
+/// Runs signal handlers and the callable; returns their exception.
 std::optional<py::error_already_set> look(const py::object& progress, double fraction, double& told) {
   try {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();

@@ -1,5 +1,5 @@
 #pragma once
-/// Work without the interpreter's lock, that can be interrupted.
+/// Runs interruptible work without the interpreter's lock.
 
 #include <functional>
 
@@ -7,13 +7,13 @@
 
 namespace ligne::python {
 
-/// Called with the fraction done; throws when the work is to end.
+/// Called with the completed fraction; throws to stop the work.
 using Progress = std::function<void(double)>;
 
-/// Calls work(progress) in a thread of its own, with so many threads at the most (0: all processors), while the calling
-/// thread gives up the interpreter's lock and looks every now and then for signals (Ctrl-C) and calls `progress`, a Python
-/// callable or None, with the fraction done. What work() throws is thrown here; so is what a signal handler or the callable
-/// raises, after work() has come to an end.
+/// Calls work(progress) in a separate thread, with at most the given number of threads (0: all processors). Meanwhile
+/// the calling thread releases the interpreter's lock, checks for signals (Ctrl-C) at intervals, and calls `progress`,
+/// a Python callable or None, with the completed fraction. Rethrows exceptions of work(). Exceptions of signal handlers
+/// and of the callable are thrown after work() has ended.
 void run(const pybind11::object& progress, unsigned threads, const std::function<void(const Progress&)>& work);
 
 }  // namespace ligne::python

@@ -9,13 +9,13 @@ namespace ligne {
 namespace {
 
 constexpr int kParts = 100;      ///< of a range
-constexpr int kFineInParts = 8;  ///< places in the part beside the last one with heights
+constexpr int kFineInParts = 8;  ///< samples in the part next to the last one with heights
 
 struct Place {
   std::array<double, 2> at{};  ///< in parts of the two ranges
 };
 
-/// Whether each of the places has a height.
+/// For each position, whether it has a height.
 std::vector<char> heights_at(std::span<const std::shared_ptr<const HeightFunction>> functions, const Ground& ground,
                              const std::vector<Place>& places) {
   std::vector<char> found(places.size(), 0);

@@ -12,7 +12,7 @@
 namespace ligne {
 namespace {
 
-/// A point of a scene in which z is up, where another axis is.
+/// Converts a point of a scene with z up to a scene with another up axis.
 Point3 turned(const Point3& p, Axis up) {
   return up == Axis::z ? p : up == Axis::y ? Point3{p.x, p.z, -p.y} : Point3{p.z, p.x, p.y};
 }
@@ -20,7 +20,7 @@ Point3 turned_back(const Point3& p, Axis up) {
   return up == Axis::z ? p : up == Axis::y ? Point3{p.x, -p.z, p.y} : Point3{p.y, p.z, p.x};
 }
 
-/// The corners of the box of a scene, turned so that z is up.
+/// Corners of the bounding box of a scene, rotated so that z is up.
 std::array<Point3, 2> extent(const Scene& scene, Axis up) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::array<Point3, 2> box{Point3{kInfinity, kInfinity, kInfinity}, Point3{-kInfinity, -kInfinity, -kInfinity}};

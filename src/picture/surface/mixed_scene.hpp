@@ -6,11 +6,11 @@
 
 namespace ligne {
 
-/// Throws RequestError for options of surfaces where there is none.
+/// Throws RequestError for options of surfaces if there are no surfaces.
 void check_mixed_scene(const SurfaceRequest& request);
 
-/// Adds the surfaces to the models, if there are any, upright as the picture is, and their curves to its lines. Throws
-/// RequestError, InputError.
+/// Adds the surfaces, if any, to the models, rotated to the up axis of the picture, and their curves to its lines.
+/// Throws RequestError, InputError.
 void add_surfaces(const SurfaceRequest& request, LoadedModels& models, PictureRequest& picture, RunReport& run);
 
 }  // namespace ligne

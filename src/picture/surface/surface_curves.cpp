@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kCurveSamples = 600;
 
-/// Colours of heights: land from the lowlands up, each dark enough for a thin line on paper.
+/// Colours of heights, from lowlands to peaks. Each is dark enough for a thin line on paper.
 constexpr std::array<std::array<double, 3>, 6> kLandColors{{{0.05, 0.35, 0.30},
                                                             {0.20, 0.50, 0.25},
                                                             {0.58, 0.58, 0.16},
@@ -27,7 +27,7 @@ constexpr std::array<std::array<double, 3>, 6> kLandColors{{{0.05, 0.35, 0.30},
 
 constexpr Point3 kWaterColor{0.80, 0.89, 0.95};
 
-/// Areas have tints of these colours, so that lines stand out on them: this part is white.
+/// Fraction of white in the tints of these colours that areas have. It keeps lines on them visible.
 constexpr double kWhiteOfTints = 0.45;
 
 const SurfacePoints* ground_of(const std::vector<SurfacePoints>& surfaces) {
@@ -35,7 +35,7 @@ const SurfacePoints* ground_of(const std::vector<SurfacePoints>& surfaces) {
   return found == surfaces.end() ? nullptr : &*found;
 }
 
-/// A point at the numbers of the axes, some of which count decades.
+/// Converts the numbers at the axes to a point; logarithmic axes have decimal logarithms.
 Point3 on_axes(const SurfaceRequest& request, Point3 p) {
   for (int k = 0; k < 3; ++k) {
     if (request.log_axes[static_cast<std::size_t>(k)]) p[k] = std::log10(p[k]);
@@ -43,7 +43,7 @@ Point3 on_axes(const SurfaceRequest& request, Point3 p) {
   return p;
 }
 
-/// Adds the lines of files, each as a curve.
+/// Adds each line of the files as a curve.
 void add_line_files(const SurfaceRequest& request, const SurfacePoints* ground, DrawnCurves& drawn, RunReport& run) {
   for (const std::string& file : request.line_files) {
     Warnings warnings;
@@ -75,7 +75,7 @@ std::string band_text(double low, double high) {
   return rounded(low) + " \u2013 " + rounded(high);
 }
 
-/// The part of a segment between two limits of an axis; false where there is none.
+/// Clips a segment to two limits of an axis. Returns false if nothing remains.
 bool clip_to(double low, double high, int axis, std::array<Point3, 2>& segment) {
   for (int k = 0; k < 2; ++k) {
     for (const bool upper : {false, true}) {
@@ -91,7 +91,7 @@ bool clip_to(double low, double high, int axis, std::array<Point3, 2>& segment) 
   return true;
 }
 
-/// The band in which a height lies.
+/// Returns the band that contains a height.
 std::size_t band_of(const std::vector<double>& limits, double z) {
   return static_cast<std::size_t>(std::upper_bound(limits.begin() + 1, limits.end() - 1, z) - limits.begin()) - 1;
 }
@@ -255,7 +255,7 @@ void color_faces(const SurfaceRequest& request, const std::vector<double>& limit
         material = kWater;
       } else if (!by_bands) {
         material = static_cast<std::uint32_t>(kFirst + k % count);
-      } else if (object.name == surfaces[k].name) {  // not a wall of it
+      } else if (object.name == surfaces[k].name) {  // and not a wall of the surface
         double z = 0;
         for (const std::uint32_t v : corners) z += scene.vertices[v].z / static_cast<double>(corners.size());
         material = static_cast<std::uint32_t>(kFirst + band_of(limits, z / z_factor));
@@ -279,7 +279,7 @@ void add_surface_groups(const SurfaceRequest& request, const std::vector<double>
   }
   const auto inner = std::move(groups.group_of);
   const bool contours_apart = names_heights(request.curves);
-  // Contour lines keep their own look where they are told apart.
+  // Contour lines that are distinguished by height keep their own style.
   groups.group_of = [=](const SourceEdge& source, LineClass line_class) -> std::uint32_t {
     if (line_class == LineClass::contour && inner && contours_apart) return inner(source, line_class);
     if (by_bands) {

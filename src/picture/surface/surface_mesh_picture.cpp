@@ -30,14 +30,14 @@
 namespace ligne {
 namespace {
 
-/// How far below the lowest height the base lies when nothing is said, as a part of the range of heights.
+/// Default distance of the base below the lowest height, as a fraction of the range of heights.
 constexpr double kSkirtDepth = 0.05;
 
-/// Curves of a grid in a picture with models, each way, when nothing is said.
+/// Default number of curves of a grid in a picture with models, per family.
 constexpr std::size_t kCurvesAmongModels = 60;
 
-/// Degrees: surfaces turn over their cells by less, and by more into their skirts. Creases are not drawn; hatching ends
-/// there.
+/// Crease angle in degrees. Adjacent cells of a surface differ by less, a surface and its skirt by more. Creases are
+/// not drawn, but hatching ends there.
 constexpr double kCrease = 75;
 
 std::optional<double> base_of(const SurfaceRequest& request, const std::optional<std::array<double, 2>>& range) {
@@ -50,25 +50,25 @@ std::optional<double> base_of(const SurfaceRequest& request, const std::optional
   return request.skirt_base;
 }
 
-/// A mesh of a file whose sides differ by no more than this factor is a thing in space, which keeps its shape. Others are
-/// plots of quantities of different kinds.
+/// A mesh of a file is an object in space, and keeps its shape, if its sides differ by no more than this factor. Other
+/// meshes are plots of different quantities.
 constexpr double kMostUnlikeMesh = 16;
 
-/// One surface z = f(x, y) can not penetrate itself.
+/// A single surface z = f(x, y) can not penetrate itself.
 bool may_cross(const SurfaceRequest& request, const std::vector<Surface>& given) {
   return given.size() > 1 || !request.parametric.empty() || (!given.empty() && given.front().mesh);
 }
 
 bool keeps_shape(const SurfaceRequest& request, const std::vector<SurfacePoints>& surfaces, const AxesBox& box) {
   if (!request.parametric.empty()) return true;
-  // Heights over degrees are no lengths in space.
+  // Heights over degrees are not lengths in space.
   const auto may_keep = [](const SurfacePoints& s) { return s.parametric && s.unit != GroundUnit::degrees; };
   if (std::none_of(surfaces.begin(), surfaces.end(), may_keep)) return false;
   const Point3 size = box.high - box.low;
   return std::max({size.x, size.y, size.z}) <= kMostUnlikeMesh * std::min({size.x, size.y, size.z});
 }
 
-/// The ground of all surfaces is that of the first one that is known.
+/// The first known ground holds for all surfaces.
 GroundUnit unit_of(const std::vector<SurfacePoints>& surfaces) {
   for (const SurfacePoints& surface : surfaces) {
     if (surface.unit != GroundUnit::unknown) return surface.unit;
@@ -76,8 +76,8 @@ GroundUnit unit_of(const std::vector<SurfacePoints>& surfaces) {
   return GroundUnit::unknown;
 }
 
-/// The box of all surfaces together; nothing where there are none. For z = f(x, y) it has the ground of all
-/// samples, whether there is a height or not.
+/// Bounding box of all surfaces; empty without surfaces. For z = f(x, y) it includes the ground of all samples, also of
+/// those without a height.
 std::optional<AxesBox> box_of(const std::vector<SurfacePoints>& surfaces, const std::vector<SurfaceMesh>& meshes) {
   const auto range = height_range(meshes);
   if (!range) return std::nullopt;
@@ -102,7 +102,7 @@ std::optional<AxesBox> box_of(const std::vector<SurfacePoints>& surfaces, const 
   return box;
 }
 
-/// A formula's surface ends where the formula does, not at the last sample.
+/// The surface of a formula ends where the formula ends, not at the last sample.
 SurfaceMesh mesh_of_formula(const SurfaceRequest& request, const SurfacePoints& surface, RunReport& run) {
   HeightWindow window;
   if (request.z_range) window = {(*request.z_range)[0], (*request.z_range)[1]};
@@ -111,7 +111,7 @@ SurfaceMesh mesh_of_formula(const SurfaceRequest& request, const SurfacePoints& 
   if (found.empty) refuse_empty(request, surface.name, run);
   if (!found.breaks) return make_surface_mesh(surface);
   if (found.poles && !request.z_range && request.log_axes[2]) {
-    window = window_of_samples(*heights);  // decades go down without end where heights come near to zero
+    window = window_of_samples(*heights);  // logarithms are unbounded for heights near zero
   } else if (found.poles && !request.z_range) {
     window = window_without_poles(*heights);
     run.warn(printable(surface.name) + " has poles: cut to " + short_number(window.low) + ":" + short_number(window.high) +
@@ -123,10 +123,10 @@ SurfaceMesh mesh_of_formula(const SurfaceRequest& request, const SurfacePoints& 
 struct MeshPlot {
   Scene scene;
   std::optional<PlotBox> box;
-  bool reaches_out = false;  ///< curves or points lie outside the surfaces' box
+  bool reaches_out = false;  ///< curves or points lie outside the box of the surfaces
   std::shared_ptr<LineGroups> groups;
   std::vector<LegendEntry> legend;
-  std::shared_ptr<const SurfaceCurves> iso;  ///< where hatching follows it
+  std::shared_ptr<const SurfaceCurves> iso;  ///< if hatching follows the iso-curves
 };
 
 std::vector<SurfaceMesh> meshes_of(const SurfaceRequest& request, const std::vector<SurfacePoints>& surfaces,
@@ -143,15 +143,15 @@ std::vector<SurfaceMesh> meshes_of(const SurfaceRequest& request, const std::vec
   return meshes;
 }
 
-/// The picture's place on the page before there is a scene.
+/// Placement of the picture on the page before the scene exists.
 PictureMarks place_box(const SurfaceRequest& request, const PlotBox& box) {
   const PictureRequest& picture = request.picture;
   const Scene extent = box_scene(box.in_model());
   return place_with_axes(box, extent, camera_of(view_of(request), extent), picture.page, picture.axes, picture.output.title);
 }
 
-/// The span of the samples that are to be drawn, as the axes count: but for borders between samples, it is what the
-/// meshes will span.
+/// Range of the drawn samples in the units of the axes. Apart from borders between samples, the meshes will have the
+/// same range.
 std::optional<AxesBox> box_of_samples(const SurfaceRequest& request, const std::vector<SurfacePoints>& surfaces,
                                       const std::vector<std::optional<double>>& water) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -170,13 +170,13 @@ std::optional<AxesBox> box_of_samples(const SurfaceRequest& request, const std::
   return box;
 }
 
-/// Leaves out curves of fine grids. It is done before there are meshes, whose edges know which of them are curves.
+/// Thins the curves of fine grids. Call it before the meshes are made, since they mark the edges that are curves.
 void thin_curves(const SurfaceRequest& request, const std::vector<Surface>& given,
                  const std::vector<std::optional<double>>& water, std::vector<SurfacePoints>& surfaces, RunReport& run) {
   if (std::none_of(given.begin(), given.end(), [](const Surface& s) { return s.thinned; })) return;
   const std::optional<AxesBox> samples = box_of_samples(request, surfaces, water);
   if (!samples) return;
-  RunReport choices;  // are told when the meshes are known
+  RunReport choices;  // reported after the meshes are made
   const GroundUnit unit = unit_of(surfaces);
   const PlotBox box{*samples, plot_factor(request, *samples, unit, keeps_shape(request, surfaces, *samples), choices),
                     tick_scales(request), unit};
@@ -199,13 +199,13 @@ void thin_curves(const SurfaceRequest& request, const std::vector<Surface>& give
   }
 }
 
-/// Water by surface.
+/// Water level by surface.
 struct Water {
   std::vector<std::optional<double>> levels;
   std::vector<WaterTriangles> triangles;
 };
 
-/// Lines that are drawn apart; nothing where there are none.
+/// Lines in layers of their own; null if there are none.
 std::shared_ptr<LineGroups> groups_of(const SurfaceRequest& request, const std::vector<SurfaceMesh>& meshes,
                                       const Water& water, const std::vector<double>& contours, const DrawnCurves& curves,
                                       const PlotBox& box) {
@@ -224,8 +224,8 @@ std::shared_ptr<LineGroups> groups_of(const SurfaceRequest& request, const std::
   return groups;
 }
 
-/// Cuts the meshes along the limits of bands, which are returned; the cuts are no lines. Where all surfaces stand in water
-/// bands begin there.
+/// Cuts the meshes along the limits of bands and returns the limits. The cuts are not drawn. If all surfaces have
+/// water, bands begin at its level.
 std::vector<double> cut_bands(const SurfaceRequest& request, const std::vector<std::optional<double>>& water,
                               std::vector<SurfaceMesh>& meshes) {
   auto range = height_range(meshes);
@@ -242,13 +242,13 @@ std::vector<double> cut_bands(const SurfaceRequest& request, const std::vector<s
   return limits;
 }
 
-/// Where the faces of each surface, its walls with them, end in the scene.
+/// Per surface, the end of its faces, including its walls, in the scene.
 std::vector<std::uint32_t> face_ends(const std::vector<SurfaceMesh>& meshes, bool walls, const Scene& scene) {
   std::vector<std::uint32_t> ends;
   std::size_t object = 0;
   std::uint32_t end = 0;
   for (const SurfaceMesh& mesh : meshes) {
-    // Objects without faces are left out of a scene.
+    // A scene has no objects without faces.
     const auto is_of = [&](const Object& o) {
       return o.name == mesh.name || (walls && o.name.starts_with(mesh.name + ", "));
     };
@@ -258,7 +258,7 @@ std::vector<std::uint32_t> face_ends(const std::vector<SurfaceMesh>& meshes, boo
   return ends;
 }
 
-/// `with_lines`: cut along the contour lines, and with its crossings marked.
+/// `with_lines`: cut along the contour lines, with the crossings marked.
 MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& given, bool with_lines, RunReport& run) {
   std::vector<SurfacePoints> surfaces = points_of(request, given);
   Water water{water_levels(request, surfaces), {}};
@@ -314,7 +314,7 @@ LineClasses classes_of(const SurfaceRequest& request, const std::vector<Surface>
   return classes;
 }
 
-/// Extent of the surfaces with their curves and points on the drawing plane; in perspective that of the box.
+/// Extent of the surfaces with their curves and points on the drawing plane; in perspective, extent of the box.
 Rect extent_with_curves(const MeshPlot& plot, const Camera& camera) {
   if (camera.perspective) return projected_extent(box_scene(plot.box->in_model()), camera);
   Rect extent = projected_extent(plot.scene, camera);
@@ -337,7 +337,7 @@ SurfaceScene make_surface_scene(const SurfaceRequest& request, const std::vector
   picture.view = view_of(request);
   picture.lines.classes = classes_of(request, surfaces);
   picture.lines.crease_degrees = kCrease;
-  picture.lines.quality = Quality::exact;  // samples of ours: there is nothing to heal
+  picture.lines.quality = Quality::exact;  // the mesh is made here and needs no repair
   if (picture.output.format != OutputFormat::json) picture.heading = picture.output.title;
   picture.groups = plot.groups;
   picture.iso = plot.iso;

@@ -1,5 +1,5 @@
 #pragma once
-/// Surfaces by the mesh methods: whatever the floating horizon can not draw, and the surface as a mesh file.
+/// Draws surfaces by the mesh methods, if the floating horizon can not draw them, and writes them as mesh files.
 
 #include <array>
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace ligne {
 
-/// The surfaces as a scene, and the picture that is made of it. `surfaces`: those of surfaces_of(), here and below.
+/// Surfaces as a scene, with the request for its picture. `surfaces`: result of surfaces_of(), here and below.
 struct SurfaceScene {
   Scene scene;
   std::optional<PlotBox> box;
@@ -25,9 +25,8 @@ SurfaceScene make_surface_scene(const SurfaceRequest& request, const std::vector
 /// Draws the surfaces as meshes. Throws RequestError, InputError, std::runtime_error.
 Picture draw_surface_mesh(const SurfaceRequest& request, const std::vector<Surface>& surfaces, RunReport& run);
 
-/// The surfaces as objects of a scene in which z is up, at the numbers of their axes, heights times --z-scale: for a picture
-/// together with models. `ground`: what formulas range over when nothing is said, low and high corner. Throws RequestError,
-/// InputError.
+/// Returns the surfaces as objects of a scene with z up, in the units of their axes, with heights times --z-scale, for
+/// a picture with models. `ground`: default range of formulas, low and high corner. Throws RequestError, InputError.
 Scene surface_objects(SurfaceRequest request, const std::array<Point3, 2>& ground, RunReport& run);
 
 enum class MeshFormat { ligne_scene, obj };
@@ -35,7 +34,7 @@ enum class MeshFormat { ligne_scene, obj };
 /// ".json" or ".obj". Throws std::invalid_argument.
 MeshFormat mesh_format_of_suffix(const std::string& file);
 
-/// The bytes of a mesh file. Throws RequestError, InputError.
+/// Returns the bytes of a mesh file. Throws RequestError, InputError.
 std::string write_surface_mesh(const SurfaceRequest& request, MeshFormat format, RunReport& run);
 
 }  // namespace ligne

@@ -25,7 +25,7 @@ AxesBox box_of(const HeightSource& heights, const HeightSurvey& found) {
   return {{heights.x().front(), heights.y().front(), found.low}, {heights.x().back(), heights.y().back(), found.high}};
 }
 
-/// Adds the ground at a height.
+/// Adds the ground rectangle at a height.
 void add_rectangle(Scene& scene, const HeightSource& heights, double z) {
   const auto first = static_cast<std::uint32_t>(scene.vertices.size());
   for (const double y : {heights.y().front(), heights.y().back()}) {
@@ -35,19 +35,20 @@ void add_rectangle(Scene& scene, const HeightSource& heights, double z) {
   scene.faces.add_triangle(first + 1, first + 3, first + 2);
 }
 
-/// The parts of a surface that the horizon draws, and their place.
+/// The parts of a surface that the horizon draws, and their placement.
 struct HorizonRequest {
   HorizonOptions options;
   Camera camera;
-  Scene extent;                ///< what the page must hold
-  std::optional<PlotBox> box;  ///< what axes round it measure
+  Scene extent;                ///< geometry that must fit the page
+  std::optional<PlotBox> box;  ///< the box that the axes measure
 };
 
-/// A ridgeline plot is as high as this part of its width, and seen as high as its rows are lifted.
+/// Height of a ridgeline plot as a fraction of its width. The elevation of its view shows it as high as its rows are
+/// lifted.
 constexpr double kRidgelineHeight = 1.2;
 const Point3 kRidgelineElevation{0, 1, -1};
 
-/// Changes the heights into those of a ridgeline plot, where one is wanted.
+/// Converts the heights to those of a ridgeline plot if one is requested.
 HorizonRequest horizon_request(const SurfaceRequest& surfaces, Surface& surface, RunReport& run) {
   HorizonRequest request;
   HorizonOptions& horizon = request.options;
@@ -104,8 +105,9 @@ HorizonRequest horizon_request(const SurfaceRequest& surfaces, Surface& surface,
   return request;
 }
 
-/// Rows of a ridgeline plot hide the lines of its axes, but for the frame: the sides of the box and its front edge on the
-/// ground, which no row crosses. Lines before the rows would cross them and are left out.
+/// Rows of a ridgeline plot hide the lines of its axes. They do not hide the frame, that is the sides of the box and
+/// its front edge on the ground, because no row crosses it. Lines in front of the rows would cross them and are
+/// omitted.
 void frame_ridgelines(const AxesBox& box, AxesPicture& axes) {
   const auto is_frame = [&](const AxisLine& line) {
     const auto both = [&](int k, double at) { return line.a[k] == at && line.b[k] == at; };
@@ -116,7 +118,7 @@ void frame_ridgelines(const AxesBox& box, AxesPicture& axes) {
   std::erase_if(axes.lines, is_frame);
 }
 
-/// The visible parts of the axes' lines.
+/// Returns the visible parts of the lines of the axes.
 Polylines axes_of(const HorizonLines& lines, const PictureMarks& around) {
   std::vector<std::vector<VisibleInterval>> seen(lines.back_lines.size());
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -125,7 +127,7 @@ Polylines axes_of(const HorizonLines& lines, const PictureMarks& around) {
   return lines_of_axes(around, seen);
 }
 
-/// Layers of contour lines, one for each height where these are told apart.
+/// Layers of contour lines, one per height if heights are distinguished.
 void add_contours(Drawing& drawing, const SurfaceRequest& request, const std::vector<double>& heights,
                   const Polylines& lines, const std::vector<std::uint32_t>& levels, bool index) {
   for (std::size_t i = 0, end = 0; i < lines.size(); i = end) {
@@ -168,7 +170,7 @@ void warn_of_empty_or_cut(const Drawing& drawing, const Placement& placement, Ru
   }
 }
 
-/// Leaves out curves of a fine grid.
+/// Thins the curves of a fine grid.
 void thin_curves(const Surface& surface, HorizonRequest& horizon, const View& view, double pen_width_mm, RunReport& run) {
   HorizonOptions& options = horizon.options;
   const std::size_t stride = stride_apart({horizon.box->in_model(), surface.heights->x().size(), surface.heights->y().size(),
@@ -179,8 +181,8 @@ void thin_curves(const Surface& surface, HorizonRequest& horizon, const View& vi
   if (options.y_stride > 0) options.y_stride = stride;
 }
 
-/// Whether the surface of a formula ends or jumps somewhere and may be drawn as a mesh, which can be cut there. If it may
-/// not, whole cells are left out.
+/// Whether the surface of a formula ends or jumps somewhere and may be drawn as a mesh, which can be cut there.
+/// Otherwise whole cells are omitted.
 bool is_for_mesh(const SurfaceRequest& request, Surface& surface) {
   const std::size_t columns = surface.heights->x().size(), rows = surface.heights->y().size();
   if (!surface.function || columns > kMostMeshSamples / rows) return false;
@@ -196,7 +198,7 @@ bool is_for_mesh(const SurfaceRequest& request, Surface& surface) {
 
 std::optional<HorizonDrawing> draw_horizon(const SurfaceRequest& request, std::vector<Surface>& surfaces, RunReport& run) {
   PictureRequest picture = request.picture;
-  picture.lines.quality = Quality::exact;  // curves of ours, not a mesh that stands for a shape
+  picture.lines.quality = Quality::exact;  // the curves are made here and need no repair
   run.method = "horizon";
   Surface& surface = surfaces.front();
   if (timed(run.stages, "breaks", [&] { return is_for_mesh(request, surface); })) return std::nullopt;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kAzimuth = -60, kElevation = 30;
 constexpr unsigned kMostContours = 10'000, kContours = 10, kIndexContours = 5;
-/// How far below the lowest height the contours of the base lie, as a part of the range of heights.
+/// Distance of the contours of the base below the lowest height, as a fraction of the range of heights.
 constexpr double kContourDepth = 0.3;
 
 void check_sources(const SurfaceRequest& request) {
@@ -121,7 +121,7 @@ std::vector<double> even_levels(double low, double high, unsigned n) {
   return levels;
 }
 
-/// Multiples of a step, mantissa * 10^exponent, that lie between two heights.
+/// Multiples of a step, mantissa * 10^exponent, between two heights.
 struct RoundStep {
   double mantissa, low, high;
   int exponent;
@@ -130,17 +130,18 @@ struct RoundStep {
   double first() const { return std::floor(low / size() + kAtEnd) + 1; }
   double last() const { return std::ceil(high / size() - kAtEnd) - 1; }
   double count() const { return std::max(0.0, last() - first() + 1); }
-  /// Divides by a power of ten, which is exact, where the step is a fraction, which is not.
+  /// Divides by a power of ten, since powers of ten are exact and fractional steps are not.
   double multiple(double k) const {
     if (k == 0) return 0;
     return exponent < 0 ? k * mantissa / std::pow(10.0, -exponent) : k * size();
   }
 
-  /// Part of a step: nearer to the lowest or the highest height a level would be a point or a speck.
+  /// Least distance of a level from the lowest and the highest height, in steps. A nearer level would be a point or a
+  /// speck.
   static constexpr double kAtEnd = 1e-9;
 };
 
-/// Nothing where the heights are too near to each other for round numbers between them.
+/// Returns nothing if the heights are too close for round numbers between them.
 std::vector<double> round_levels(double low, double high, unsigned n, bool decades) {
   std::vector<double> levels;
   if (!(high > low) || !std::isfinite(high - low)) return levels;
@@ -150,7 +151,7 @@ std::vector<double> round_levels(double low, double high, unsigned n, bool decad
     }
     return levels;
   }
-  constexpr double kMostSteps = 0x1p40;  // whole numbers of steps, with digits to spare
+  constexpr double kMostSteps = 0x1p40;  // largest number of steps; doubles have digits to spare
   const int exponent = static_cast<int>(std::floor(std::log10((high - low) / n)));
   std::optional<RoundStep> best;
   const auto misses = [n](const RoundStep& step) { return std::abs(std::log(step.count() / n)); };
@@ -221,7 +222,7 @@ ViewRequest view_of(const SurfaceRequest& request) {
   const auto [sin_azimuth, cos_azimuth] = sine_cosine_degrees(request.azimuth_degrees.value_or(kAzimuth));
   const auto [sin_elevation, cos_elevation] = sine_cosine_degrees(request.elevation_degrees.value_or(kElevation));
   view.direction = Point3{-cos_azimuth * cos_elevation, -sin_azimuth * cos_elevation, -sin_elevation};
-  // Straight from above and below the azimuth says which way is up on the page.
+  // In views straight from above and below, the azimuth defines the up direction of the page.
   if (!view.up && cos_elevation == 0) view.up = Point3{-cos_azimuth * sin_elevation, -sin_azimuth * sin_elevation, 0};
   return view;
 }

@@ -28,7 +28,7 @@ struct CurveRequest {
   bool even_contours = false;              ///< exactly `contours` lines at equal distances in height
   std::vector<double> contour_heights{};   ///< instead: their heights, ascending; `contours` is their number
   std::optional<double> contour_step;      ///< instead: the difference in height between contour lines
-  std::optional<unsigned> index_contours;  ///< every n-th contour line is heavier, 0: none; nothing: every fifth, if
+  std::optional<unsigned> index_contours;  ///< every n-th contour line is wider, 0: none; nothing: every fifth, if
                                            ///< `contour_step` is given
   ContourLabels labels = ContourLabels::none;
   bool contours_base = false;          ///< draw the contour lines in a horizontal plane below the surface, too
@@ -63,7 +63,7 @@ struct GivenHeights {
 };
 
 /// The lengths of the axes in the picture. `equal`: proportional to their ranges; `box`: x and y are equally long;
-/// `ratio`: as `sides` says.
+/// `ratio`: given by `sides`.
 struct AspectRequest {
   enum Kind : std::uint8_t { equal, box, ratio } kind = equal;
   Point3 sides{1, 1, 1};  ///< lengths of the axes, for `ratio`
@@ -129,7 +129,7 @@ inline std::size_t height_count(const SurfaceRequest& request) {
   return request.formulas.size() + request.grids.size() + request.heights.size();
 }
 
-/// Whether it asks for any surface.
+/// Whether the request has any surface.
 inline bool has_surfaces(const SurfaceRequest& request) { return height_count(request) > 0 || !request.parametric.empty(); }
 
 /// Throws RequestError if parts of the request contradict each other, such as sources, ranges and curves.

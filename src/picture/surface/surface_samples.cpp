@@ -17,23 +17,23 @@ namespace ligne {
 namespace {
 
 constexpr unsigned kCurves = 40;
-/// Samples between two neighbouring curves when nothing is said: smooth, but no more than a thousand along a curve for its
-/// own sake.
+/// Default number of samples between two neighbouring curves: smooth, but by default at most a thousand along a curve.
 constexpr unsigned kSamplesBetween = 5, kSamplesAlong = 1000;
 
-/// Up to so many samples of a formula are held (32 MB), since a picture asks for each several times; more are computed anew.
+/// Largest number of samples of a formula that are stored (32 MB), since a picture uses each several times. Larger
+/// surfaces are computed again each time.
 constexpr std::size_t kHeldSamples = std::size_t{1} << 22;
 
-/// More samples of a formula are refused: to compute them takes minutes.
+/// Largest number of samples of a formula. More would take minutes.
 constexpr std::size_t kMostSamplesOfFormula = 1'000'000'000;
 
-/// Positions of the samples, and every how many there is a curve.
+/// Positions of the samples, and the stride of the curves.
 struct Positions {
   std::vector<double> at;
   std::size_t stride = 1;
 };
 
-/// `crossed`: whether curves run along this axis and need samples between those of the other family.
+/// `crossed`: curves run along this axis and need samples between the curves of the other family.
 Positions positions(CurveRange range, bool crossed, const std::optional<unsigned>& samples, bool log = false) {
   if (log) range = {std::log10(range.from), std::log10(range.to), range.curves};
   const unsigned intervals = range.curves.value_or(kCurves) - 1;
@@ -55,7 +55,7 @@ std::string samples_text(std::size_t columns, std::size_t rows) {
   return std::to_string(columns) + " x " + std::to_string(rows) + " samples";
 }
 
-/// Refuses more samples of formulas than can be computed; `ranges` names the options that give the numbers of curves.
+/// Refuses too many samples of formulas. `ranges`: the options that give the numbers of curves.
 void check_samples(const SurfaceRequest& request, const Positions& columns, const Positions& rows, const char* ranges) {
   if (columns.at.size() <= kMostSamplesOfFormula / rows.at.size()) return;
   const std::string cause =
@@ -64,7 +64,7 @@ void check_samples(const SurfaceRequest& request, const Positions& columns, cons
   throw RequestError("", std::string(ranges) + ": " + cause);
 }
 
-/// A mesh holds the points of its samples.
+/// A mesh has a point for each sample.
 void check_mesh_memory(const SurfaceRequest& request, std::size_t columns, std::size_t rows, std::size_t all) {
   request.picture.memory.require(static_cast<double>(all) * sizeof(Point3), {"read", samples_text(columns, rows)});
 }
@@ -80,7 +80,7 @@ AxisWindow window_of(const std::optional<CurveRange>& range) {
   return range ? AxisWindow{range->from, range->to} : AxisWindow{};
 }
 
-/// Throws InputError where an option needs one height over every place.
+/// Throws InputError if an option needs a single height over each position.
 void check_mesh(const SurfaceRequest& request, const std::string& file) {
   const auto refuse = [&](bool is_given, const char* option) {
     if (is_given)
@@ -95,13 +95,13 @@ void check_mesh(const SurfaceRequest& request, const std::string& file) {
   refuse(request.log_axes[0] || request.log_axes[1] || request.log_axes[2], "an axis of decades");
 }
 
-/// The unit of x and y that the request says, or else the file.
+/// The unit of x and y: from the request, else from the file.
 GroundUnit ground_of(const SurfaceRequest& request, GroundUnit as_read) {
   if (request.ground == GroundChoice::as_read) return as_read;
   return request.ground == GroundChoice::metres ? GroundUnit::same : GroundUnit::degrees;
 }
 
-/// Takes a surface as its file has it; `name` is that of the surface.
+/// Adds a surface of a file. `name`: name of the surface.
 Surface grid_surface(const SurfaceRequest& request, GridSurface read, const std::string& file, std::string name) {
   Surface surface;
   surface.name = std::move(name);
@@ -128,10 +128,10 @@ Surface grid_surface(const SurfaceRequest& request, GridSurface read, const std:
   return surface;
 }
 
-/// Adds the surfaces of a file: its data sets are numbered where there are several.
+/// Adds the surfaces of a file. Several data sets are numbered.
 void add_grids(const SurfaceRequest& request, const std::string& file, std::vector<Surface>& grids, RunReport& run) {
   Warnings warnings;
-  const bool whole = request.x || request.y;  // a part of a large grid keeps its samples
+  const bool whole = request.x || request.y;  // a window of a large grid keeps all samples
   GridChoice choice{request.gridded, request.every, !whole};
   choice.band = request.band;
   choice.layout = request.layout;
@@ -159,7 +159,7 @@ Surface given_surface(const SurfaceRequest& request, const GivenHeights& given) 
   return surface;
 }
 
-/// The range of a formula's variable: as given, else that of the grids, else the default.
+/// The range of a variable of a formula: the given one, else that of the grids, else the default.
 CurveRange range_of(const std::optional<CurveRange>& given, const std::vector<Surface>& grids,
                     const std::vector<double>& (HeightSource::*axis)() const) {
   CurveRange range = given.value_or(CurveRange{});
@@ -175,8 +175,8 @@ CurveRange range_of(const std::optional<CurveRange>& given, const std::vector<Su
   return range;
 }
 
-/// Narrows ranges that are nobody's choice to where the formulas have heights: the scale of heights and the curves would
-/// else be those of empty ground.
+/// Narrows default ranges to the part where the formulas have heights, so that the scale of heights and the curves do
+/// not depend on empty ground.
 void narrow_default_ranges(const SurfaceRequest& request, CurveRange& x, CurveRange& y, RunReport& run) {
   const std::array<bool, 2> open{!request.x && !request.log_axes[0], !request.y && !request.log_axes[1]};
   if (request.formulas.empty() || (!open[0] && !open[1])) return;
@@ -197,13 +197,13 @@ void narrow_default_ranges(const SurfaceRequest& request, CurveRange& x, CurveRa
   narrow(y, 1, "y");
 }
 
-/// The range of a parameter of the k-th parametric surface.
+/// Range of a parameter of the k-th parametric surface.
 CurveRange parameter_range(const std::vector<CurveRange>& given, std::size_t k) {
   if (given.empty()) return {0, 2 * std::numbers::pi, {}};
   return given[std::min(k, given.size() - 1)];
 }
 
-/// Leaves out the families of curves that are not wanted.
+/// Removes the families of curves that are not requested.
 template <class AnySurface>
 void choose_curves(AnySurface& surface, const SurfaceRequest& request) {
   if (!x_curves(request)) surface.x_stride = 0;
@@ -216,7 +216,7 @@ std::vector<Surface> surfaces_of(const SurfaceRequest& request, RunReport& run) 
   std::vector<Surface> grids;
   for (const std::string& file : request.grids) add_grids(request, file, grids, run);
   for (const GivenHeights& given : request.heights) grids.push_back(given_surface(request, given));
-  // The hiding surface is fine in both directions, unless the curves alone hide.
+  // The hiding surface is finely sampled in both directions, unless only the curves hide.
   const bool by_curves = request.curves.hidden_by == HiddenBy::curves || request.curves.ridgeline;
   CurveRange x_range = range_of(request.x, grids, &HeightSource::x), y_range = range_of(request.y, grids, &HeightSource::y);
   if (grids.empty()) narrow_default_ranges(request, x_range, y_range, run);

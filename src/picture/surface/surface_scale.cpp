@@ -10,12 +10,12 @@
 namespace ligne {
 namespace {
 
-/// Latitudes nearer to a pole than this leave nothing of a degree of longitude to draw.
+/// Largest latitude. Nearer to a pole, a degree of longitude is too short to draw.
 constexpr double kHighestLatitude = 89;
 
 double or_one(double factor) { return std::isfinite(factor) && factor > 0 ? factor : 1; }
 
-/// The aspect of x and y, where the request leaves it open, depends on how alike their ranges are.
+/// The default aspect of x and y depends on the ratio of their ranges.
 AspectRequest aspect_of(const SurfaceRequest& request, const Point3& range, GroundUnit unit, bool parametric,
                         RunReport& run) {
   const auto choose = [&](AspectRequest::Kind kind, const std::string& why) {

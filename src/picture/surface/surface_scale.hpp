@@ -1,5 +1,5 @@
 #pragma once
-/// How long the axes of a plotted surface are in its picture.
+/// Finds the lengths of the axes of a plotted surface in its picture.
 
 #include <array>
 #include <string>
@@ -14,18 +14,18 @@
 
 namespace ligne {
 
-/// Unless told otherwise, x and y are drawn true to each other while their ranges differ by no more than this factor.
+/// By default x and y have one scale if their ranges differ by no more than this factor.
 inline constexpr double kMostUnlike = 4;
 
-/// Factors of the coordinates within `box` on each axis, so that the picture has the sides that the request asks
-/// for; 1 where that is no finite number above zero. What was chosen is added to the report. `parametric`: the surface has a
-/// shape in space, which stays true.
+/// Returns the scale factor of each axis that gives the picture of `box` the requested sides; 1 if that factor is not a
+/// finite number above zero. Adds the choice to the report. `parametric`: the surface has a shape in space, which is
+/// kept.
 Point3 plot_factor(const SurfaceRequest& request, const AxesBox& box, GroundUnit unit, bool parametric, RunReport& run);
 
-/// A number as a message tells it, with four digits.
+/// Text of a number for messages, with four digits.
 std::string short_number(double value);
 
-/// How the axes count.
+/// The kinds of the axes: linear or logarithmic.
 std::array<TickScale, 3> tick_scales(const SurfaceRequest& request);
 
 }  // namespace ligne

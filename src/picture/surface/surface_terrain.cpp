@@ -13,7 +13,7 @@ namespace {
 
 // Adjustable, in widths of the pen.
 constexpr double kHachurePens = 2.2, kWaterPens = 5;
-/// Water that is seen at a grazing angle gets no closer strokes than this sine gives it.
+/// Least sine of the angle between the view and the water. At smaller angles the strokes get no closer.
 constexpr double kLeastSine = 0.1;
 
 Point3 towards_sun(const TerrainRequest& terrain) {
