@@ -26,7 +26,7 @@ struct StrokeStyle {
 struct PenLines {
   Pen pen;
   Polylines lines;                       ///< page mm
-  std::vector<StrokeStyle> looks{};      ///< the different looks of the strokes; empty if all look like the pen
+  std::vector<StrokeStyle> looks{};      ///< the different styles of the strokes; empty if all have the style of the pen
   std::vector<std::uint32_t> look_of{};  ///< per stroke: index into `looks`; empty with it
   std::vector<std::uint32_t> actions{};  ///< strokes before which the machine performs its action, ascending
                                          ///< (LongPlotRequest::action in plot_parts.hpp)
@@ -66,7 +66,7 @@ Rect drawn_bounds(const Drawing& drawing);
 
 /// Sum of the path lengths of all pens that are not skipped, if every pen starts at `home`. Ordering assumes the same.
 PathLengths measure(const Plot& plot, Point2 home, bool returns);
-/// Path lengths if the pens that are not skipped are plotted one after the other: each starts where the one before
+/// Path lengths if the pens that are not skipped are plotted one after the other: each starts where the previous one
 /// ended.
 PathLengths measure_in_turn(const Plot& plot, Point2 home, bool returns);
 /// Sum of the path lengths of all layers, if every layer starts at `home`.

@@ -14,7 +14,7 @@ namespace {
 
 /// Most boxes and edges that all areas of a drawing may look at together; more is endless work.
 constexpr std::size_t kMostClipWork = 1'000'000'000;
-/// Cost of sorting and applying one change of winding, in edges that are only looked at.
+/// Cost of sorting and applying one change of winding, in tests of an edge.
 constexpr std::size_t kChangeWork = 40;
 /// Number of edges from which rows across them (WindingRows) save more time than they cost. Adjustable.
 constexpr std::size_t kManyEdges = 64;
@@ -131,7 +131,7 @@ Windings Area::wind_along(const StepSegment& stroke, std::uint32_t number, std::
   return may_begin_inside ? at_begin : Windings{};
 }
 
-/// A place on the stroke's line, before its begin, where the winding is known. Without one the search goes back to
+/// A point on the line of the stroke, before its start, where the winding is known. Without one the search goes back to
 /// infinity, where the winding is 0.
 std::optional<Anchor> Area::anchor_before(const StepSegment& stroke) const {
   if (steps_.size() < kManyEdges) return std::nullopt;

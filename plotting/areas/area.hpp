@@ -16,7 +16,7 @@ namespace ligne::svg {
 
 enum class FillRule { nonzero, even_odd };
 
-/// Number of boxes and edges that all areas of a drawing have looked at. It is limited, so that a small file cannot ask
+/// Number of boxes and edges that all areas of a drawing have tested. It is limited, so that a small file cannot ask
 /// for endless work.
 using ClipWork = std::shared_ptr<std::size_t>;
 
@@ -36,8 +36,8 @@ struct WindingChange {
 ///
 /// Edges are segments between lattice points. Edges with the same two ends become one, with the sum of their windings.
 /// A vertex that lies on the line of a stroke up to rounding is on neither side of the stroke, so an edge along the
-/// stroke separates its two sides and crosses nothing. Every function throws WorkLimitError when all areas together have
-/// looked at too many edges.
+/// stroke separates its two sides and crosses nothing. Every function throws WorkLimitError when all areas together
+/// have tested too many edges.
 class Area {
  public:
   Area(const Polylines& contours, FillRule rule, ClipWork work);

@@ -21,7 +21,7 @@ void for_each_area(const Clip& clip, const Visit& visit) {
   }
 }
 
-/// Limit of drawn_once(): mean number of edges and boxes looked at per segment. Above it all segments lie in one place,
+/// Limit of drawn_once(): mean number of edges and boxes tested per segment. Above it all segments lie in one place,
 /// and repeated lines are kept. Adjustable.
 constexpr std::size_t kMaxTestsPerSegment = 1000;
 
@@ -79,7 +79,7 @@ Polylines clipped(const Polylines& lines, const Clip& clip, const Area* filled) 
       const bool has_own = own.plus > 0 || own.minus > 0;
       parts.push_back(
           {end.value, (shown.plus > 0 && (own.plus > 0 || !has_own)) || (shown.minus > 0 && (own.minus > 0 || !has_own))});
-      // A contour with the area on both sides is no border of it. clip_borders() adds the borders that clip paths make
+      // A contour with the area on both sides is not a border of it. clip_borders() adds the borders that clip paths make
       // there.
       if (own.plus > 0 && own.minus > 0) parts.back().seen = false;
     });

@@ -22,7 +22,7 @@ struct Clip {
 };
 
 /// Returns the visible parts of the lines. A line along a rim is visible, since half of its ink is. If `filled` is
-/// given, the lines are contours of this area and stand for its ink: they are visible where the area itself is visible
+/// given, the lines are contours of this area and represent its ink: they are visible where the area itself is visible
 /// beside them.
 Polylines clipped(const Polylines& lines, const Clip& clip, const Area* filled = nullptr);
 

@@ -37,8 +37,8 @@ class EdgeTree {
 
   const StepBox& box() const { return box_; }
 
-  /// Calls visit(i) for all edges in order, except edges in boxes for which `may_intersect` is false. Returns the number of
-  /// boxes and edges looked at.
+  /// Calls visit(i) for all edges in order, except edges in boxes for which `may_intersect` is false. Returns the
+  /// number of boxes and edges tested.
   template <class MayMeet, class Visit>
   std::size_t search(MayMeet may_intersect, Visit visit) const {
     std::size_t looked_at = 0;

@@ -28,7 +28,7 @@ struct Occluder {
   std::optional<double> rim_width{};
 };
 
-/// A filled area that lines represent: they were painted with it and stand for its ink.
+/// A filled area that lines represent: they were painted with it and represent its ink.
 struct FilledArea {
   Polylines contours;
   FillRule rule = FillRule::nonzero;
@@ -39,7 +39,7 @@ using FilledAreas = std::unordered_map<std::uint32_t, FilledArea>;  ///< by plac
 /// A grid of occluders, which removes the hidden parts of lines.
 ///
 /// A line is hidden where occluders painted later lie on both its sides. Along the rim of a single occluder half of its
-/// ink is visible; between two occluders that abut, none is. A line that stands for the ink of an area is hidden where
+/// ink is visible; between two occluders that abut, none is. A line that represents the ink of an area is hidden where
 /// occluders lie on the sides on which the area lies. If an occluder draws a line along its rim, other lines there that
 /// are no wider are dropped.
 class Occluders {

@@ -82,7 +82,7 @@ class SideTally {
   std::vector<Change> changes_;
 };
 
-/// Whether `covering` hides all ink of a line. Half of the ink lies on each side; if the line stands for the ink of an
+/// Whether `covering` hides all ink of a line. Half of the ink lies on each side; if the line represents the ink of an
 /// area (`own`), all of it lies on the sides where the area lies.
 inline bool is_hidden(SideCount covering, SideCount own) {
   const bool has_own = own.plus > 0 || own.minus > 0;

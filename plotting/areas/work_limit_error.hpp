@@ -5,7 +5,7 @@
 
 namespace ligne::svg {
 
-/// A file asks for endless work, or for more memory than there is. The whole file is refused; other faults only drop an
+/// A file requires too much work, or more memory than there is. The whole file is refused; other faults only drop an
 /// element.
 struct WorkLimitError : std::invalid_argument {
   using std::invalid_argument::invalid_argument;

@@ -45,7 +45,7 @@ struct Device {
   std::string name, title, note;
   DeviceLanguage language = DeviceLanguage::hpgl;
   double step_mm = 0.025;           ///< length of a unit; coordinates are written as whole units in HPGL, as mm in G-code
-  unsigned pens = 1;                ///< number of pens that it holds; 0: any number, which somebody changes by hand
+  unsigned pens = 1;                ///< number of pens that it holds; 0: any number, changed by hand
   int rotation = 0;                 ///< turn of every drawing, counter-clockwise: 0, 90, 180 or 270 degrees
   bool turn_right = false;          ///< an upright page is laid on its right side instead of its left
   bool y_down = false;              ///< y grows towards the near side of the sheet
@@ -69,7 +69,7 @@ const Device* find_device(std::string_view name);
 const DevicePlace* find_place(const Device& device, std::string_view name);
 const DeviceAction* find_action(const Device& device, std::string_view name);
 
-/// Reads a device of the user. Throws std::runtime_error, "FILE:LINE: what is wrong".
+/// Reads a device of the user. Throws std::runtime_error, "FILE:LINE: cause".
 Device read_device(std::string_view toml, const std::string& file);
 
 /// Page mm to device mm: a turn, a shift, and a scale that is 1 unless the drawing was made to fit.

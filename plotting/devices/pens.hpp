@@ -73,7 +73,7 @@ std::string color_code(const std::array<double, 3>& color);
 /// "object:NAME", "material:NAME", "shade:N", or "rest" for all others. Throws std::invalid_argument.
 void add_pen(PenTable& table, std::string_view text);
 
-/// Reads a table of pens in TOML (docs/plotting.md). Throws std::runtime_error, "FILE:LINE: what is wrong".
+/// Reads a table of pens in TOML (docs/plotting.md). Throws std::runtime_error, "FILE:LINE: cause".
 PenTable read_pens(std::string_view toml, const std::string& name);
 
 }  // namespace ligne

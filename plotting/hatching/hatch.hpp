@@ -39,7 +39,7 @@ inline constexpr std::uint32_t kRowCycle = 16;
 struct SurfaceHatch {
   std::uint32_t every = 0;         ///< distance of the rows of strokes, in lines; 0: no strokes
   std::uint32_t rows = kRowCycle;  ///< rows of a cycle, spread over it, or 0; a surface with more rows has all rows of
-                                   ///< one with fewer, and strokes go on over both
+                                   ///< one with fewer, and strokes continue over both
   std::uint32_t group = 0;         ///< surfaces of one group are one area; a rim separates different groups
   std::uint32_t layer = 0;         ///< layer of the strokes
   bool rim = false;                ///< also a stroke round the area, half a pen inside it

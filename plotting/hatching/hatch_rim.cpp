@@ -1,6 +1,6 @@
 /// Overlapping intervals of neighbouring lines are parts of one area. Each interval has a stroke at its left end and
-/// one at its right end, which go on to the next line where one interval meets one. Where an area begins or ends, the
-/// two strokes are joined across the interval. Where an area forks, or two parts come together, strokes are joined
+/// one at its right end, which continue to the next line where one interval meets one. Where an area begins or ends,
+/// the two strokes are joined across the interval. Where an area forks, or two parts come together, strokes are joined
 /// across the gap, on the line that is inside.
 
 #include "plotting/hatching/hatch_rim.hpp"

@@ -56,7 +56,7 @@ Point3 null_vector(const glm::dmat3& matrix) {
   return best;
 }
 
-/// The ellipse (p - centre)^T q (p - centre) = 1; false if this is no ellipse.
+/// The ellipse (p - centre)^T q (p - centre) = 1; false if this is not an ellipse.
 bool ellipse_of(Point2 centre, const glm::dmat2& q, Ellipse& ellipse) {
   const double a = q[0][0], b = q[0][1], c = q[1][1];
   const double mean = (a + c) / 2, apart = std::hypot((a - c) / 2, b);

@@ -28,7 +28,7 @@ namespace ligne {
 namespace {
 
 /// Distance by which rounding moves a point, mm: coordinates of single precision and of six digits on a page, and the
-/// tenth of a micrometre that files keep. A point this near to a chord is no corner.
+/// tenth of a micrometre that files keep. A point this near to a chord is not a corner.
 constexpr double kRoundingMm = 0.0005;
 
 /// Fewest corners of an arc in rounds 1, 2 and 3. Any five points lie on an ellipse or another conic.

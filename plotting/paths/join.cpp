@@ -272,7 +272,7 @@ void Chains::take_in_rings() {
   }
 }
 
-/// Lets a chain that ends on a ring go on round the ring.
+/// Continues a chain that ends on a ring around the ring.
 void Chains::lengthen_by_ring(std::span<const std::uint32_t> node, std::uint32_t pass) {
   const std::uint32_t ring = set_of(chain_of_[pass / 2]);
   if (!ring_[ring]) return;

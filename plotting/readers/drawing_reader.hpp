@@ -43,7 +43,7 @@ struct ReadOrder {
 struct ReadDrawing {
   Drawing drawing;                              ///< page mm, true to scale
   std::vector<ReadRegion> regions;              ///< regions of a ligne-drawing, if it has any
-  std::optional<ReadOrder> order{};             ///< only if the caller asked for it
+  std::optional<ReadOrder> order{};             ///< only if requested
   Page page;                                    ///< margin 0 if the file has none
   bool dashes_cut = false;                      ///< dashes are strokes already
   std::map<std::string, std::size_t> left_out;  ///< parts skipped because the caller allowed it, with counts
@@ -104,7 +104,7 @@ struct SvgReading {
 
 /// Reads the strokes of an SVG; docs/plotting.md lists the parts of SVG that are known. Other visible parts are left
 /// out and counted, or with `strict` refused by their name, unless it is in `skip`. No other file is read. Throws
-/// InputError, "FILE:LINE: what is wrong", if the text is no SVG, or asks for endless work.
+/// InputError, "FILE:LINE: cause", if the text is no SVG, or asks for endless work.
 ReadDrawing read_svg_drawing(std::string_view svg, const std::string& file, const std::set<std::string>& skip,
                              const FillReading& fills = {}, const SvgReading& reading = {});
 

@@ -16,7 +16,7 @@ struct SplitDrawing {
   std::string_view order;  ///< a part of the given text
 };
 
-/// Throws InputError("FILE: ...") if the text is no object.
+/// Throws InputError("FILE: ...") if the text is not an object.
 SplitDrawing split_drawing(std::string_view json, const std::string& file);
 
 /// Appends the pieces to ReadOrder::order and ReadOrder::pieces. Throws InputError.

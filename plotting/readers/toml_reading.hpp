@@ -15,7 +15,7 @@
 namespace ligne {
 
 /// One table of a TOML file. The functions that read a key return nothing, or an empty list, if the key is missing.
-/// They throw InputError, "FILE:LINE: what is wrong", if its value is of another type or out of range.
+/// They throw InputError, "FILE:LINE: cause", if its value is of another type or out of range.
 class TomlTable {
  public:
   /// The table must outlive this object. `file` is its name in error messages.
@@ -121,7 +121,7 @@ class TomlTable {
   std::string file_;
 };
 
-/// Parses the text of a TOML file. Throws InputError, "FILE:LINE: what is wrong".
+/// Parses the text of a TOML file. Throws InputError, "FILE:LINE: cause".
 toml::table parse_toml(std::string_view text, const std::string& file);
 
 }  // namespace ligne

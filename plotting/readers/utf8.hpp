@@ -6,7 +6,7 @@
 
 namespace ligne {
 
-/// The characters of a UTF-8 text. Every byte that is no part of a well-formed sequence becomes U+FFFD; control characters
+/// The characters of a UTF-8 text. Every byte that is not part of a well-formed sequence becomes U+FFFD; control characters
 /// become blanks.
 std::u32string decode_utf8(std::string_view text);
 

@@ -23,7 +23,7 @@ void cut_clip_shapes(const ClipPointer& within, std::size_t first, Clip& clip) {
       clip.within[i] = within;
       continue;
     }
-    // The chain goes on with this clip path at its outer end. Chains are shared, so it is copied.
+    // This clip path is the new outer end of the chain. Chains are shared, so it is copied.
     auto both = std::make_shared<Clip>(*clip.within[i]);
     Clip* last = both.get();
     while (last->outer) {

@@ -71,7 +71,7 @@ void SvgReader::refuse(std::string_view name, const pugi::xml_node& node) {
   const std::string cause = "<" + printable(local_name(node)) + "> has " + std::string(name) +
                             ", which can not be drawn as strokes; " + what + "--skip " + std::string(name) +
                             " leaves it out";
-  // Fills come here only if the user asked to refuse them.
+  // Fills get here only if the user chose to refuse them.
   if (name == "fill") fail(node, cause);
   omit(noun_of(name, node), node, cause);
 }

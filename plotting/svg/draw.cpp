@@ -200,7 +200,7 @@ void SvgReader::remove_hidden() {
   }
 }
 
-/// Draws the lines that stand for an area without a stroke: its contours, and its borders where clip paths cut it.
+/// Draws the lines that represent an area without a stroke: its contours, and its borders where clip paths cut it.
 void SvgReader::draw_rim(const Polylines& contours, const Context& context, const std::string& color) {
   filled_.try_emplace(painted_, FilledArea{contours, fill_rule(context), context.clip});
   Context cut = context;

@@ -46,7 +46,7 @@ class Attributes {
 /// (0, 0). Without a viewBox they are the same. `inside` receives the size of the frame in the units inside.
 Matrix view_box_to(const pugi::xml_node& node, const Attributes& attributes, double width, double height, Viewport& inside);
 
-/// Adds a shape to the outline, up to the first error in its data. False if the element is no shape.
+/// Adds a shape to the outline, up to the first error in its data. False if the element is not a shape.
 bool outline_shape(std::string_view name, const pugi::xml_node& node, const Attributes& attributes, Outline& outline);
 
 }  // namespace ligne::svg

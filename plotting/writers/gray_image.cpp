@@ -25,7 +25,7 @@ void put_pixels(cairo_surface_t* surface, const GrayPicture& picture) {
   cairo_surface_mark_dirty(surface);
 }
 
-/// Attaches to a surface the PNG that an SVG shall contain: Cairo itself would write gray as three colours.
+/// Attaches to a surface the PNG that the SVG will contain: Cairo itself would write gray as three colours.
 static void attach_png(cairo_surface_t* surface, const GrayPicture& picture) {
   const auto width = static_cast<int>(picture.width), height = static_cast<int>(picture.height);
   const CairoSurface gray(cairo_image_surface_create(CAIRO_FORMAT_A8, width, height));  // which Cairo writes as gray

@@ -31,7 +31,7 @@ void append_list(std::string& out, const Items& items, const AppendItem& append_
   out += ']';
 }
 
-/// Appends "[n,n,...]", each with as few digits as tell it from all other doubles.
+/// Appends "[n,n,...]", each in its shortest form that reads back as the same double.
 void append_numbers(std::string& out, std::span<const double> numbers);
 
 /// Appends "[x,y,z]", as append_numbers() does.

@@ -29,7 +29,7 @@ constexpr int kMostPageDecimals = 12;
 /// Decimals of angles in degrees: finer than the coordinates justify.
 constexpr int kTurnDecimals = 6;
 
-/// Decimals that tell neighbouring lattice points apart: at most half a step.
+/// Decimals that distinguish neighbouring lattice points: at most half a step.
 int lattice_decimals(const Lattice& lattice) {
   return std::clamp(static_cast<int>(std::ceil(-std::log10(lattice.step_mm / 2))), kPageDecimals, kMostPageDecimals);
 }

@@ -34,7 +34,7 @@ class OutputFiles {
   OutputFiles(const OutputFiles&) = delete;
   OutputFiles& operator=(const OutputFiles&) = delete;
 
-  /// Writes the bytes to a temporary file; if the target is no regular file, keeps them in memory.
+  /// Writes the bytes to a temporary file; if the target is not a regular file, keeps them in memory.
   void add(const std::filesystem::path& file, std::string bytes);
   /// Renames all temporary files to their targets, after the kept bytes were written.
   void commit();

@@ -37,7 +37,7 @@ class SvgCanvas {
   double size() const { return 2 * reach_mm_ * device_per_mm_; }
   std::string document(FunctionRef<void(cairo_t*, double)> draw, double pen_mm) const;
 
-  /// The surface is a square about the corner of the page: Cairo leaves out what lies outside.
+  /// The surface is a square about the corner of the page: Cairo omits everything outside.
   double reach_mm_;
   /// A power of ten, since Cairo writes matrices as decimal numbers. 1/256 of the finest unit is 4 nm.
   double device_per_mm_ = 1000;

@@ -1,7 +1,7 @@
-/// SVG. Cairo's SVG surface draws the lines, areas and gray pixels. It knows no layers, repeats the style on every path, and
-/// makes one path of all that is stroked at once, so each layer, or a chunk of a large one, is a document of its own. These
-/// are taken apart (svg_canvas.hpp) and put together as layers with one path for each polyline. Chunks are worked on in
-/// parallel and put together in their order.
+/// SVG. Cairo's SVG surface draws the lines, areas and gray pixels. It knows no layers, repeats the style on every
+/// path, and makes one path of everything that is stroked at once, so each layer, or a chunk of a large one, is a
+/// document of its own. These are taken apart (svg_canvas.hpp) and put together as layers with one path for each
+/// polyline. Chunks are worked on in parallel and put together in their order.
 
 #include <algorithm>
 #include <array>

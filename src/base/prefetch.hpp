@@ -27,7 +27,7 @@ void prefetch_corners(const std::vector<T>& values, std::span<const std::uint32_
 }
 
 /// Prefetches the values of the two faces of edge e + kTurnsAhead, if there is such an edge. `of_faces` has one value
-/// per face. `face1` may be any number that is no face, if the edge has one face only.
+/// per face. `face1` may be any number that is not a face, if the edge has one face only.
 template <class T, class Edge>
 void prefetch_faces(const std::vector<T>& of_faces, const std::vector<Edge>& edges, std::size_t e) {
   if (e + kTurnsAhead >= edges.size()) return;

@@ -14,7 +14,7 @@ namespace ligne {
 /// shorter while it is mapped: the system ends a program that reads beyond its end.
 class MappedFile {
  public:
-  /// Returns nothing if the path is no regular file, or the file is empty or can not be opened or mapped. Reading it
+  /// Returns nothing if the path is not a regular file, or the file is empty or can not be opened or mapped. Reading it
   /// normally reports the cause.
   static std::optional<MappedFile> open(const std::filesystem::path& file);
   MappedFile(MappedFile&& other) noexcept;

@@ -17,7 +17,7 @@ namespace ligne {
 /// themselves and each other at corners and along edges.
 ///
 /// Returns triples of indices into `points`, wound as the outer contour is. Triangles without area are left out. For
-/// contours that cross, the triangles cover the polygon as well as they can; that is no error. `whole`, if not null,
+/// contours that cross, the triangles cover the polygon as well as they can; that is not an error. `whole`, if not null,
 /// tells whether all was cut. If true, the number of triangles over a point is the winding number of the outer contour
 /// less that of the holes, which is never negative, so the cover follows the nonzero rule. If false, a part wound the
 /// other way, or a hole outside, was not cut. No triangle has a corner in the middle of a side, unless contours cross

@@ -19,7 +19,7 @@ enum class LineClass : std::uint8_t {
   crease,        ///< edge whose face normals differ by more than the crease angle, or edge of more than two faces
   tangent,       ///< line along which recognised surfaces join smoothly (scene/patches); in clear lines only
   mesh,          ///< any other edge of the scene
-  curve,         ///< curve in space that is no edge (add_lines in view/projected_scene.hpp)
+  curve,         ///< curve in space that is not an edge (add_lines in view/projected_scene.hpp)
   contour,       ///< contour line of a surface, regardless of its faces (kCornerContour in scene/model/scene.hpp)
   horizon,       ///< iso-curve of a surface, regardless of its faces (kCornerCurve)
   axes,          ///< line of the axes of a plot (add_lines in view/projected_scene.hpp)
@@ -78,7 +78,7 @@ inline double source_parameter(const Stroke& stroke, double s) {
 /// a line on a face.
 struct SourceEdge {
   std::array<Point3, 2> ends{};  ///< model coordinates; stroke parameters run from 0 at the first to 1 at the second
-  std::array<std::uint32_t, 2> faces{0xffffffffu, 0xffffffffu};  ///< the faces that meet here; 0xffffffff is no face
+  std::array<std::uint32_t, 2> faces{0xffffffffu, 0xffffffffu};  ///< the faces that meet here; 0xffffffff is not a face
   bool intersection = false;
 };
 

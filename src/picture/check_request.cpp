@@ -12,7 +12,7 @@
 namespace ligne {
 namespace {
 
-/// Name of the option that asks for regions.
+/// Name of the option that needs regions.
 const char* field_of_regions(const PictureRequest& request) {
   if (!request.fill.lights.empty()) return "light";
   return request.fill.kind != FillKind::none ? "fill" : request.regions ? "regions" : "edges";

@@ -22,7 +22,7 @@ struct LineGroup {
   std::optional<double> height{};  ///< height of contour lines
 };
 
-/// A line that is no edge of the scene. Faces hide it like an edge.
+/// A line that is not an edge of the scene. Faces hide it like an edge.
 struct SpaceLine {
   std::array<Point3, 2> ends;  ///< model coordinates
   std::uint32_t group = 0;     ///< index into LineGroups::groups

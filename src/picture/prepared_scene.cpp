@@ -133,7 +133,7 @@ void keep_surfaces(PreparedScene& prepared, Creases creases) {
   prepared.patches.borders = {};
 }
 
-/// Adds the lines that are no edges of the scene: curves and marked points, details of faces, axes.
+/// Adds the lines that are not edges of the scene: curves and marked points, details of faces, axes.
 void add_other_lines(PreparedScene& prepared) {
   ProjectedScene& projected = prepared.projected;
   const PictureRequest& request = prepared.request;

@@ -130,7 +130,7 @@ struct LineRequest {
 };
 
 /// How visible faces are filled. `material`: in the colour of the material; `shade`: that colour, lit; `paper`: in
-/// white, so that faces only hide what lies under them; `random`: each face in a random colour of its own.
+/// white, so that faces only hide what lies under them; `random`: each face in its own random colour.
 enum class FillKind : std::uint8_t { none, material, shade, paper, random };
 inline constexpr std::string_view kFillNames[] = {"none", "material", "shade", "paper", "random"};
 

@@ -102,7 +102,7 @@ void warn_of_limits(const MethodTraits& method, const VisibilityResult& result, 
   }
 }
 
-/// Finds which marked points are visible, and removes their probes, which are no lines of the drawing.
+/// Finds which marked points are visible, and removes their probes, which are not lines of the drawing.
 void take_points(SceneVisibility& found, const PreparedScene& prepared, RunReport& run) {
   if (!prepared.request.groups) return;
   const auto& points = prepared.request.groups->points;

@@ -27,7 +27,7 @@
 namespace ligne {
 namespace {
 
-/// The operations that counts of methods stand for. Counts that include another count are not listed.
+/// The kinds of operations of the methods' counts. Counts that include another count are not listed.
 struct KindOfCount {
   std::string_view count;
   OperationKind kind;
@@ -117,7 +117,7 @@ class TimeLimit {
 
  private:
   using Clock = std::chrono::steady_clock;
-  /// Interval of checks for a stop. Adjustable: short for somebody who waits, long against the time of a check.
+  /// Interval of checks for a stop. Adjustable: short for a user who waits, long compared to the time of a check.
   static constexpr std::chrono::milliseconds kLook{50};
 
   void watch(double seconds) {

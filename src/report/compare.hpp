@@ -58,7 +58,7 @@ std::vector<const Method*> parse_methods(const std::string& text);
 std::vector<ComparedMethod> compared_methods(std::span<const Method* const> methods,
                                              std::span<const std::pair<std::string, std::string>> parameters);
 
-/// Largest time limit, in seconds; nobody waits longer.
+/// Largest time limit, in seconds.
 inline constexpr double kMostLimitSeconds = 1e6;
 
 /// The result of a method.

@@ -16,7 +16,7 @@ constexpr std::size_t kLongestName = 120;
 
 std::string point_text(const Point3& p) { return rounded(p.x) + ", " + rounded(p.y) + ", " + rounded(p.z); }
 
-/// A line with the label in a column of its own.
+/// A line whose label has its own column.
 std::string line(const std::string& label, const std::string& value) {
   constexpr std::size_t width = 15;
   return "  " + label + std::string(label.size() < width ? width - label.size() : 1, ' ') + value + "\n";

@@ -1,5 +1,5 @@
 #pragma once
-/// The contents of a scene, and what they mean for each method.
+/// The contents of a scene, and how each method can draw it.
 
 #include <optional>
 #include <string>

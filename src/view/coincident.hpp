@@ -5,8 +5,9 @@
 
 namespace ligne {
 
-/// First moves crowds of vertices within the coincidence tolerance (tolerances.hpp) to one position (vertex_clusters.hpp).
-/// Then finds vertices with equal position and depth (ProjectedScene::first_at_place), and removes
+/// First moves clusters of vertices within the coincidence tolerance (tolerances.hpp) to one position
+/// (vertex_clusters.hpp). Then finds vertices with equal position and depth (ProjectedScene::first_at_place), and
+/// removes
 /// - every face with exactly the same triangles as a face of a lower number: both hide the same, and where both are
 ///   visible the lower one is drawn. Transparent faces stay, since each of them counts.
 /// - every candidate edge with the same two ends as another one of higher precedence (by class, then the lower source),

@@ -18,7 +18,7 @@ namespace ligne {
 /// regardless of objects in front of the shell or inside it. Faces seen edge on stay.
 ///
 /// All faces are kept of
-/// - objects that are no solids; objects with a shell whose volume is within the error of its coordinates; and objects
+/// - objects that are not solids; objects with a shell whose volume is within the error of its coordinates; and objects
 ///   whose bounding box contains the eye or comes so close to it that the near plane could cut them open;
 /// - shells with a transparent face, through which back faces are visible;
 /// - shells that touch or penetrate themselves (scene/model/self_contact.hpp), since parts that are inside out there

@@ -16,7 +16,8 @@
 namespace ligne {
 namespace {
 
-/// A crowd may span up to four squares of the page; one of these then holds more vertices of it than this.
+/// Least number of vertices in a square of the page that may belong to a cluster: a cluster spans at most four squares,
+/// so one of them has more than this.
 constexpr std::size_t kMaxVerticesPerSquare = kMaxVerticesPerCube / 4;
 
 using Cube = std::array<double, 3>;
@@ -108,7 +109,7 @@ bool may_crowd(const std::vector<ProjectedVertex>& vertices, std::size_t begin, 
   return false;
 }
 
-/// Whether a crowd around the vertex may reach into another square of the page.
+/// Whether a cluster around the vertex may reach into another square of the page.
 bool near_border(const ProjectedVertex& v, double reach) {
   const auto near = [&](std::int32_t c) {
     const auto offset = static_cast<double>((c + kLatticeLimit) % kPageSquareSteps);
@@ -117,7 +118,7 @@ bool near_border(const ProjectedVertex& v, double reach) {
   return near(v.p.x) || near(v.p.y);
 }
 
-/// Vertices that include all crowds: those in squares that may hold one, and all near the borders of squares.
+/// Vertices that include all clusters: those in squares that may contain one, and all near the borders of squares.
 std::vector<std::uint32_t> candidates(const std::vector<ProjectedVertex>& vertices, Side side) {
   std::vector<std::vector<std::uint32_t>> inside(block_count(vertices.size(), kRunBlock));
   const auto square = [&](std::size_t i) { return page_square(vertices[i].p); };

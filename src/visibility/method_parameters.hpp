@@ -78,7 +78,7 @@ class MethodSettings {
   }
 
   /// The value as a word, converted to an enumeration whose members are in the order of the words; `standard` if there
-  /// is no value.
+  /// is not a value.
   template <class Enum>
   Enum choice(std::string_view name, Enum standard) const {
     const ParameterValue* value = find(name);

@@ -14,7 +14,7 @@
 
 namespace ligne::svg {
 
-/// A part of a style sheet that is not known; what() names it, as a noun in the plural.
+/// An unknown part of a style sheet; what() names it, as a plural noun.
 struct UnknownStyle : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };

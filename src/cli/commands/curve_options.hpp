@@ -1,5 +1,5 @@
 #pragma once
-/// Options of ligne surface for lines in addition to the curves, and for what hides them.
+/// Options of ligne surface for lines in addition to the curves, and for their occluder.
 
 #include "picture/surface/surface_request.hpp"
 

@@ -141,7 +141,7 @@ ZBuffer read_zbuffer(const std::string& file, InputFiles& opened) {
   return ZBuffer::read(read_input(file, file, opened), file);
 }
 
-/// Puts the models behind those of the buffer.
+/// Appends the models to those of the buffer.
 void put_behind(const ZBuffer& buffer, LoadedModels& models) {
   const std::vector<std::string> names = object_names(buffer.scene());
   models.object_names.insert(models.object_names.begin(), names.begin(), names.end());

@@ -1,5 +1,5 @@
 #pragma once
-/// ligne info: describes a scene and what it means for each method.
+/// ligne info: describes a scene and how each method can draw it.
 
 #include "cli/options/method_options.hpp"
 #include "cli/options/model_options.hpp"

@@ -34,7 +34,7 @@ constexpr const char* kSurfaceExamples = R"help(Examples:
   ligne surface "x^2+y^2" "8-x^2-y^2" --z-range 0:8 --hidden dashed -o bowls.svg
   ligne surface --parametric "(3+cos(v))*cos(u)" "(3+cos(v))*sin(u)" "sin(v)" -o torus.svg)help";
 
-/// Refuses requests that combine what only the horizon can draw with what only meshes can draw.
+/// Refuses requests that combine features of the horizon only with features of meshes only.
 void check_engines(const SurfaceOptions& options, const SurfaceRequest& request) {
   const PictureRequest& picture = request.picture;
   const std::string reason = options.as_mesh ? "--as-mesh" : needs_mesh(request);

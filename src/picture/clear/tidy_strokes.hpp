@@ -8,7 +8,7 @@
 
 namespace ligne {
 
-/// Removes coincident strokes and, where LineRequest::least_mm asks for it, cleans the lines. Counts the changes in
+/// Removes coincident strokes and, if LineRequest::least_mm requests it, cleans the lines. Counts the changes in
 /// `run.clear`.
 void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport& run);
 

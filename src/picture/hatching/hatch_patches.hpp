@@ -10,7 +10,7 @@
 
 namespace ligne {
 
-/// Groups of faces that form one surface, whose common edges are no creases. Strokes continue across these edges and
+/// Groups of faces that form one surface, whose common edges are not creases. Strokes continue across these edges and
 /// end at the rims of patches.
 struct HatchPatches {
   std::vector<std::uint32_t> of_face;

@@ -40,7 +40,7 @@ struct PlotBox {
 double text_height_mm(const AxesChoice& choice, const Page& page);
 
 /// Places the camera's picture on the page, with the requested axes, map signs and texts around it. `box` is empty if
-/// the scene is no plot. Without axes, the extent of `scene` is fitted to the page.
+/// the scene is not a plot. Without axes, the extent of `scene` is fitted to the page.
 PictureMarks place_with_axes(const std::optional<PlotBox>& box, const Scene& scene, const Camera& camera,
                              const PageRequest& page, const AxesChoice& choice, const std::string& heading);
 

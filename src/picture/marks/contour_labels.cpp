@@ -1,6 +1,6 @@
 // Labels lines from the longest to the shortest. Divides each into stretches of equal length, and gives each stretch
 // the best free place, tried at distances of half a capital. A place costs the more, the more the line bends there, the
-// steeper the text is, and the more of thinner lines must give way.
+// steeper the text is, and and the more of the thinner lines have to be cut.
 
 #include "picture/marks/contour_labels.hpp"
 

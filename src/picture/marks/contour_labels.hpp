@@ -23,7 +23,7 @@ struct ContourLabelOptions {
 /// Labels contour lines that have a height (Layer::height). A label lies in the middle of a straight part of the line,
 /// along it, is readable from below or from the right, and overlaps no other label and no text of `others`. The line
 /// has a gap for it. Places that no other contour line crosses are preferred; if a line has none, thinner lines have a
-/// gap too. Curves and hatching give way to all labels. Returns the labels, which are not yet in the drawing.
+/// gap too. Curves and hatching are cut at all labels. Returns the labels, which are not yet in the drawing.
 std::vector<TextItem> label_contours(Drawing& drawing, const ContourLabelOptions& options, std::span<const TextItem> others);
 
 /// Removes the parts of lines inside the boxes. Parts on their rims stay.

@@ -46,7 +46,7 @@ struct ModelRequest {
   Quality quality = Quality::clear;
   /// If set, polygons are control meshes, and their limit surfaces are drawn.
   std::optional<Subdivision> subdivision{};
-  StatedFacts assumed{};  ///< facts that the user states beside those of the files; without planes
+  StatedFacts assumed{};  ///< facts that the user states in addition to those of the files; without planes
   bool shading = true;    ///< clear lines: read the smooth and sharp edges of the file, since creases are requested
 };
 

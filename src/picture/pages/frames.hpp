@@ -16,11 +16,11 @@ struct FrameRequest {
   /// The path of the eye, a polyline in model space. Frames are at equal distances along it, from its start to its end.
   /// Empty: the model turns.
   std::vector<Point3> eyes{};
-  bool looks_ahead = false;  ///< the line of sight follows the path; otherwise it goes to the view's own target
+  bool looks_ahead = false;  ///< the view direction follows the path; otherwise the eye looks at the target of the view
 };
 
 /// Draws the frames and passes each to take(), in order; a document with several pages is passed once. The topology,
-/// and what the method compiles, do not depend on the view and are made once. All frames of a turning model have the
+/// and what the method compiles, do not depend on the view and are made once. All frames of a rotating model have the
 /// same scale and place on the page, so that its axis does not move. The frames of a moving eye have the same field of
 /// view, which fills the page. `run` receives the sums of counts and times over all frames, and each warning once.
 /// Throws like draw_scene().

@@ -60,7 +60,7 @@ void check_pens(const PenTable& pens, const Drawing& drawing) {
     throw RequestError("pen", "there is no layer " + shown(layer, '"') + "; there are " + listed_names(layers) +
                                   "; and object:NAME, material:NAME, shade:N, rest");
   }
-  // For a scene, require_parts() checked its materials and objects before; hidden ones are no error.
+  // For a scene, require_parts() checked its materials and objects before; hidden ones are not errors.
   const bool has_materials = std::ranges::any_of(drawing.layers, [](const Layer& l) { return !l.material.empty(); });
   for (const auto& [material, number] : pens.pen_of_material) {
     if (!has_materials)

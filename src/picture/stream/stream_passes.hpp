@@ -30,7 +30,7 @@ void for_each_streamed_block(const TriangleFile& file, Work work) {
   });
 }
 
-/// Whether two corners coincide, so that the triangle is no face.
+/// Whether two corners coincide, so that the triangle is not a face.
 inline bool is_degenerate(const Point3* corners) {
   return corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
 }

@@ -10,10 +10,11 @@
 namespace ligne {
 namespace {
 
-/// Reach of a crowd's vertices, in coincidences and lattice steps. Two cubes may compete for vertices only if all their
-/// vertices are within three sides of a crowd's cube, which are one and a half coincidences, apart from rounding.
+/// Reach of the vertices of a cluster, in coincidences and lattice steps. Two cubes may compete for vertices only if
+/// all their vertices are within three sides of a cluster's cube, which are one and a half coincidences, apart from
+/// rounding.
 constexpr double kReachInCoincidences = 1.5, kReachSteps = 4;
-/// Adjustable: larger cubes are fewer, but contain more vertices that belong to no crowd.
+/// Adjustable: larger cubes are fewer, but contain more vertices that belong to no cluster.
 constexpr double kSideInReaches = 8;
 
 std::uint64_t cube_number(const std::array<double, 3>& cube) {
@@ -29,7 +30,7 @@ ClusterCounter::ClusterCounter(const StreamFacets& facets, std::span<const Point
   std::vector<std::uint64_t> numbers;
   for (const Point3& place : places) {
     const std::array<double, 3> p = facets.page_place(place);
-    // A vertex near the sides of its cube may belong to a crowd in the next cube too.
+    // A vertex near the sides of its cube may belong to a cluster in the next cube too.
     for (int k = 0; k < 8; ++k) {
       std::array<double, 3> cube;
       bool repeated = false;

@@ -11,7 +11,7 @@
 namespace ligne {
 
 /// Cubes of page space around the needed vertices, larger than the cubes of clusters. If such a cube contains enough
-/// vertices for a crowd, and not all of them are needed, the kept vertices would be merged differently than in the
+/// vertices for a cluster, and not all of them are needed, the kept vertices would be merged differently than in the
 /// whole model.
 class ClusterCounter {
  public:
@@ -20,7 +20,7 @@ class ClusterCounter {
 
   /// Counts a vertex. To be called for all vertices of the file; several threads may call it.
   void count(const Point3& vertex, bool needed);
-  /// Whether a vertex of the file lies where a crowd may be torn apart. Call it after all vertices are counted.
+  /// Whether a vertex of the file lies in a cluster that would be split. Call it after all vertices are counted.
   bool is_split(const Point3& vertex) const;
   bool any_split() const;
 

@@ -36,7 +36,7 @@ std::unique_ptr<TriangleFile> file_to_stream(Streaming streaming, const ModelReq
 
 /// Reads the file, in several passes. The picture of the returned part, with `blank`, by method `appel`, equals that of
 /// the whole model. Returns nothing and sets `why` if that can not be guaranteed: the model is small, a part of it is
-/// out of view, or a face is no triangle. Throws InputError.
+/// out of view, or a face is not a triangle. Throws InputError.
 std::optional<StreamedModel> stream_model(TriangleFile& file, const PictureRequest& picture, RunReport& run,
                                           std::string& why);
 

@@ -107,7 +107,7 @@ std::vector<std::uint32_t> first_vertices(const TriangleFile& file, const PlaceT
   return first;
 }
 
-/// Returns the given triangles, and those with a corner where a crowd would be torn apart.
+/// Returns the given triangles, and those with a corner in a cluster that would be split.
 std::vector<std::uint32_t> with_split_clusters(const TriangleFile& file, const std::vector<std::uint32_t>& triangles,
                                                const ClusterCounter& clusters) {
   return find_triangles(file, [&](std::size_t t, const Point3* corners) {
@@ -124,7 +124,7 @@ struct NeededVertices {
   std::vector<std::uint32_t> first;  ///< by position: its first vertex in the file
 };
 
-/// Adds triangles until no crowd is torn apart.
+/// Adds triangles until no cluster is split.
 NeededVertices find_vertices(const TriangleFile& file, const StreamFacets& facets, std::vector<std::uint32_t>& triangles) {
   for (;;) {
     NeededVertices needed;

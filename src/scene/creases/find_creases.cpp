@@ -31,10 +31,10 @@ constexpr double kSurelySharp = 60;         ///< edges from this angle on are cr
 constexpr double kRoundPart = 1.0 / 256;    ///< smaller radii are drawn as the edge that they round
 constexpr double kNarrowPart = 1.0 / 96;    ///< as are narrower roundings between wide sides
 constexpr double kShortPart = 1.0 / 16;     ///< shorter chains are dropped
-constexpr double kSpurPart = 1.0 / 64;      ///< longer edges are no spurs
+constexpr double kSpurPart = 1.0 / 64;      ///< longer edges are not spurs
 constexpr double kTurnCosine = 0.70710678;  ///< cosine of 45 degrees: largest turn of a continued crease
 
-/// Allowance for the error of float32 normals of small faces: an edge at exactly the crease angle is no crease.
+/// Allowance for the error of float32 normals of small faces: an edge at exactly the crease angle is not a crease.
 constexpr double kSlackDegrees = 0.01;
 
 float cosine_of(double degrees) {
@@ -105,7 +105,7 @@ class Finder {
     found_.traced = traced.continued;
   }
 
-  /// Edges inside one surface are no creases, at any angle of its facets. Edges at which surfaces meet at an angle are
+  /// Edges inside one surface are not creases, at any angle of its facets. Edges at which surfaces meet at an angle are
   /// creases.
   void decide_by_surfaces(const std::vector<glm::vec3>& normals) {
     found_.patches = find_patches(scene_, topology_, normals);

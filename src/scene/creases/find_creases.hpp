@@ -50,7 +50,7 @@ struct Creases {
 ///    angle between the wide sides of the rounding is large enough.
 /// 2. Other edges are creases if their angle exceeds `angles.faces`. An edge of more than two faces is a crease if two
 ///    of them form an angle.
-/// 3. Edges inside a recognised surface (patches/find_patches.hpp) are no creases, nor are edges where surfaces join
+/// 3. Edges inside a recognised surface (patches/find_patches.hpp) are not creases, nor are edges where surfaces join
 ///    smoothly. Where surfaces meet at an angle there is a crease, whatever the angle of the edge.
 /// 4. A crease that ends is continued in its direction over edges above half of `angles.faces`, if that leads to
 ///    another crease and is not longer than either of the two.
@@ -58,7 +58,7 @@ struct Creases {
 ///    connected creases with a total length below 1/16 of their object that end in the middle of a surface. Edges above
 ///    `angles.faces` + 20 degrees, edges marked as sharp, and everything connected to them stay.
 ///
-/// Edges that the file hides or that triangulation made are no creases. A face without area, or one that is no higher
+/// Edges that the file hides or that triangulation made are not creases. A face without area, or one that is no higher
 /// than the precision of its coordinates, takes the normal of its neighbour across its longest edge.
 Creases find_creases(const Scene& scene, const Topology& topology, const CreaseAngles& angles);
 

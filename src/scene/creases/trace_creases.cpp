@@ -24,7 +24,7 @@ constexpr double kRidgePart = 2.0 / 3;        ///< smallest part of vertices at 
 constexpr double kZigzagPart = 1.0 / 3;       ///< largest part of vertices that turn more than kZigzagCosine
 constexpr double kZigzagCosine = 0.64278761;  ///< 50 degrees
 constexpr double kSharpPart = 0.95;           ///< of the bend farther out; a line below lies on a rounding
-constexpr double kLongPart = 1.0 / 8;         ///< of the size of the object: a shorter line on a rounding is no crease
+constexpr double kLongPart = 1.0 / 8;         ///< of the size of the object: a shorter line on a rounding is not a crease
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
@@ -256,7 +256,7 @@ class Tracer {
       refused_[k] = !is_crease;
     }
     if (!is_clean_line) return;
-    // Also beside a rounding that is no crease: another line along it would be no better.
+    // Also beside a rounding that is not a crease: another line along it would be no better.
     for (const std::uint32_t v : line.vertices) {
       for (const std::uint32_t face : faces_at_[v]) {
         for (const std::uint32_t next : scene_.faces.contour(face, 0)) {

@@ -41,7 +41,7 @@ bool unlike_wound(const std::vector<Triangle>& triangles, const Side& a, const S
   return triangles[a.triangle].v[a.corner] == triangles[b.triangle].v[b.corner];
 }
 
-/// Limit for smoothing normals across an edge, in crease angles, even if the edge is no crease. Adjustable.
+/// Limit for smoothing normals across an edge, in crease angles, even if the edge is not a crease. Adjustable.
 constexpr double kSharp = 2;
 
 void join_neighbours(const Scene& scene, const Topology& topology, double crease_degrees,

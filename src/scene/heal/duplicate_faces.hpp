@@ -17,7 +17,7 @@ struct DuplicateFaces {
 };
 
 /// Finds two kinds of duplicates: faces of each object that have the contours of an earlier one (face_key.hpp), and
-/// objects whose faces are exactly the faces of an earlier object. A face on a face of another object is no duplicate
+/// objects whose faces are exactly the faces of an earlier object. A face on a face of another object is not a duplicate
 /// otherwise: if two bodies stand on each other, both keep their own. `within_objects`: whether to look for the first
 /// kind.
 DuplicateFaces find_duplicate_faces(const Scene& scene, bool within_objects = true);

@@ -59,7 +59,7 @@ void face_key(const Scene& scene, std::uint32_t face, FunctionRef<std::uint32_t(
   }
   std::sort(holes.begin(), holes.end());
   for (const auto& hole : holes) {
-    key.push_back(kNone);  // a separator that is no vertex
+    key.push_back(kNone);  // a separator that is not a vertex
     key.insert(key.end(), hole.begin(), hole.end());
   }
 }

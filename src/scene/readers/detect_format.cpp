@@ -23,7 +23,7 @@ std::string_view as_chars(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// The format of a ZIP archive. Throws InputError if it is no model.
+/// The format of a ZIP archive. Throws InputError if it is not a model.
 ModelFormat zip_format(std::span<const std::byte> bytes, const std::string& name) {
   const ZipArchive archive(bytes, name);
   if (is_three_mf(archive)) return ModelFormat::three_mf;

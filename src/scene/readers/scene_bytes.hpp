@@ -8,7 +8,7 @@ namespace ligne {
 
 void write_scene(ByteWriter& bytes, const Scene& scene);
 
-/// Throws InputError for data that write_scene() never writes: indices out of range, coordinates that are no numbers.
+/// Throws InputError for data that write_scene() never writes: indices out of range, coordinates that are not numbers.
 Scene read_scene(ByteReader& bytes);
 
 }  // namespace ligne

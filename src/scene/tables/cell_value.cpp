@@ -11,7 +11,7 @@ namespace ligne {
 namespace {
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-/// Length of a cell above which it is no number: nobody writes one so long, and the bound keeps the work per cell
+/// Length of a cell above which it is not a number: longer cells do not occur, and the bound keeps the work per cell
 /// small.
 constexpr std::size_t kLongestNumber = 400;
 constexpr std::string_view kMinusSign = "\u2212";

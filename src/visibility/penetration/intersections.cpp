@@ -212,7 +212,7 @@ class LeafSearch {
   }
 
   /// Finds the pencil: the largest set of facets with a common side. Their planes meet in the line of that side, which
-  /// is no penetration if it is also a side of their faces; so no two of them need a comparison. (If the side is only a
+  /// is not a penetration if it is also a side of their faces; so no two of them need a comparison. (If the side is only a
   /// cut of a face's triangulation, another facet of the face has the same side, in this leaf or in another leaf along
   /// the side.)
   void find_pencil() {

@@ -41,7 +41,7 @@ struct PlyElement {
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::ascii;
   std::vector<PlyElement> elements;
-  std::vector<std::string> remarks;  ///< first words of lines before the first element that are no statements
+  std::vector<std::string> remarks;  ///< first words of lines before the first element that are not statements
   std::size_t bytes = 0;             ///< start of the data
   std::size_t lines = 0;             ///< number of lines of the header; the first line of data is lines + 1
 };

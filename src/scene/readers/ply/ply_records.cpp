@@ -16,7 +16,7 @@ bool fit(const PlyElement& element, std::size_t size, std::span<const std::byte>
   return size > 0 && element.count < kNone && element.count <= data.size() / size;
 }
 
-/// The bits of a corner; nothing if they are no index.
+/// The bits of a corner; nothing if they are not an index.
 std::optional<std::uint32_t> load_index(const std::byte* at, PlyType type, std::endian order) {
   if (type == PlyType::int32 || type == PlyType::uint32) {
     const auto index = load_bytes<std::uint32_t>(at, order);

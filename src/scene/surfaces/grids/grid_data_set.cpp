@@ -327,7 +327,7 @@ class RowSurface {
     return surface_without_blocks(std::move(rows));
   }
 
-  /// Makes a surface of rows without blank lines, which are no mesh: heights at repeated places are averaged.
+  /// Makes a surface of rows without blank lines, which are not a mesh: heights at repeated places are averaged.
   GridSurface surface_without_blocks(PointRows rows) {
     rows.block_begins = {0};
     if (find_blocks(rows) && is_grid_of_blocks(rows, name_)) return {grid_of_points(std::move(rows), name_), {}};

@@ -1,5 +1,5 @@
 // Formats are recognised in this order: files with a magic number (PNG, PGM, TIFF and others for GDAL), models, which
-// are no grids, and then text.
+// are not grids, and then text.
 
 #include <algorithm>
 #include <array>
