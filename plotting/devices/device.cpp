@@ -67,10 +67,10 @@ Rect in_units(const Rect& mm, double step) {
 }
 
 void refuse_excess(const Device& device, const Rect& units, const DeviceFrame& frame) {
-  const std::array<std::pair<double, const char*>, 4> sides{{{frame.limits.min.x - units.min.x, "x below its least"},
-                                                             {units.max.x - frame.limits.max.x, "x above its largest"},
-                                                             {frame.limits.min.y - units.min.y, "y below its least"},
-                                                             {units.max.y - frame.limits.max.y, "y above its largest"}}};
+  const std::array<std::pair<double, const char*>, 4> sides{{{frame.limits.min.x - units.min.x, "x below its minimum"},
+                                                             {units.max.x - frame.limits.max.x, "x above its maximum"},
+                                                             {frame.limits.min.y - units.min.y, "y below its minimum"},
+                                                             {units.max.y - frame.limits.max.y, "y above its maximum"}}};
   std::string text;
   for (const auto& [excess, side] : sides) {
     if (excess > 0) text += (text.empty() ? "" : ", ") + mm(excess * device.step_mm) + " " + side;

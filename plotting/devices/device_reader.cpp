@@ -32,7 +32,7 @@ Rect read_limits(const TomlTable& table) {
   const auto v = table.numbers("limits", 4);
   if (!v) table.fail("there are no limits [x0, y0, x1, y1]");
   const Rect limits{{(*v)[0], (*v)[1]}, {(*v)[2], (*v)[3]}};
-  if (!(limits.width() > 0 && limits.height() > 0)) table.fail("the limits hold nothing", table.find("limits"));
+  if (!(limits.width() > 0 && limits.height() > 0)) table.fail("the limits are empty", table.find("limits"));
   return limits;
 }
 
@@ -47,8 +47,8 @@ void check_placeholders(const TomlTable& table, std::string_view key, std::strin
     if (end < command.size() && std::ranges::find(known, name) != known.end()) continue;
     std::string there;
     for (const std::string_view one : known) there += (there.empty() ? "there is {" : ", {") + std::string(one) + "}";
-    table.fail(std::string(key) + ": {" + printable(name) + (end < command.size() ? "}" : "") + " is not known here; " +
-                   (there.empty() ? "there is nothing in braces" : there),
+    table.fail(std::string(key) + ": {" + printable(name) + (end < command.size() ? "}" : "") + " is unknown here; " +
+                   (there.empty() ? "the braces are empty" : there),
                table.find(key));
   }
 }

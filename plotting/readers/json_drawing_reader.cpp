@@ -62,7 +62,7 @@ class DrawingReader {
       in_regions_ = value == "regions";
       in_order_ = value == "order";
       is_kept_ = with_order_ && (value == "lattice" || value == "materials");
-      if (in_order_ && has_order_) fail("there are two orders of painting");
+      if (in_order_ && has_order_) fail("there are two painting orders");
       has_order_ = has_order_ || in_order_;
       return true;
     }
@@ -96,7 +96,7 @@ class DrawingReader {
     const auto line_class = stroke.find("class"), visible = stroke.find("visible"), points = stroke.find("points");
     if (line_class == stroke.end() || !line_class->is_string()) fail_stroke("has no class");
     if (visible == stroke.end() || !visible->is_boolean()) fail_stroke("visible is neither true nor false");
-    if (points == stroke.end() || !points->is_array() || points->size() < 2) fail_stroke("has no two points");
+    if (points == stroke.end() || !points->is_array() || points->size() < 2) fail_stroke("has fewer than two points");
     const auto level = stroke.find("level");
     if (level != stroke.end() && !level->is_number_unsigned()) fail_stroke("its level is not a whole number");
     const bool through_transparent = level != stroke.end() && level->get<std::uint64_t>() > 0;
@@ -111,7 +111,7 @@ class DrawingReader {
 
   /// Keeps the ends of the stroke that was added last, to be put on the lattice.
   void keep_ends(const Polylines& lines, bool visible, std::uint64_t level) {
-    if (lines[lines.size() - 1].size() != 2) fail_stroke("is no straight piece");
+    if (lines[lines.size() - 1].size() != 2) fail_stroke("is not a straight line");
     Stroke s;
     s.line_class = last_class_;
     s.visible = visible;
@@ -127,7 +127,7 @@ class DrawingReader {
   using Contours = std::vector<std::vector<Point2>>;
 
   static void add_contour(const json& contour, Contours& contours, FunctionRef<void(const std::string&)> fail_with) {
-    if (!contour.is_array() || contour.size() < 3) fail_with("a contour has no three points");
+    if (!contour.is_array() || contour.size() < 3) fail_with("a contour has fewer than three points");
     std::vector<Point2>& points = contours.emplace_back();
     for (const json& p : contour) points.push_back(point_of(p, fail_with));
   }
@@ -144,7 +144,7 @@ class DrawingReader {
 
   /// Reads the materials and the lattice, which are not in the pieces, and returns the order.
   ReadOrder order_of(const json& root, std::string_view pieces) {
-    if (!has_order_) fail("has no order of painting; ligne draw --method newell -o FILE.json stores one");
+    if (!has_order_) fail("has no painting order; ligne draw --method newell -o FILE.json stores one");
     if (!pieces.empty()) read_pieces(pieces, file_, painted_);
     for (const json& one : root.value("materials", json::array())) {
       DocumentMaterial material;
@@ -159,7 +159,7 @@ class DrawingReader {
       painted_.materials.push_back(std::move(material));
     }
     for (const ReadOrder::Piece& piece : painted_.pieces) {
-      if (piece.material >= painted_.materials.size()) fail("a piece of the order has a material that is not there");
+      if (piece.material >= painted_.materials.size()) fail("a piece of the order has a missing material");
     }
     put_on_lattice(root.value("lattice", json()));
     return std::move(painted_);

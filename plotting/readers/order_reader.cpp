@@ -20,7 +20,7 @@ class PieceReader {
     try {
       json_.for_each_item([&] { read_piece(); });
     } catch (const JsonSyntaxError& e) {
-      fail("is not JSON that can be read: at byte " + std::to_string(e.at) + " of the order");
+      fail("is not valid JSON: at byte " + std::to_string(e.at) + " of the order");
     }
   }
 
@@ -70,7 +70,7 @@ class PieceReader {
   std::uint32_t whole(const std::optional<double>& number, const char* name) const {
     constexpr double kMost = 0xffffffffp0;
     if (!number || !(*number >= 0 && *number <= kMost && *number == std::floor(*number)))
-      fail(std::string("has no ") + name + "; draw it anew with this version");
+      fail(std::string("has no ") + name + "; draw it again with this version");
     return static_cast<std::uint32_t>(*number);
   }
 
@@ -86,7 +86,7 @@ class PieceReader {
       if (!(std::abs(p.x) <= kFarthestMm && std::abs(p.y) <= kFarthestMm)) fail("a point is farther than a kilometre away");
       points.push_back(p);
     });
-    if (points.size() < 3) fail("a contour has no three points");
+    if (points.size() < 3) fail("a contour has fewer than three points");
   }
 
   JsonCursor json_;

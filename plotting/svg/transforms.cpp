@@ -93,7 +93,7 @@ Matrix transform(std::string_view text, const Viewport* port) {
     if (!m) fail_value(text, "is not a list of transforms");
     result = result * *m;
   }
-  if (!result.finite()) fail_value(text, "is a transform beyond all numbers");
+  if (!result.finite()) fail_value(text, "is a transform out of the range of numbers");
   return result;
 }
 

@@ -118,7 +118,7 @@ class PlotWriter {
 void PlotWriter::begin_pen(const Pen& pen, const Pen* held) {
   if (device_.pens > 0 && pen.number > device_.pens) {
     throw std::runtime_error("device " + printable(device_.name) + " holds " + std::to_string(device_.pens) +
-                             " pens, and the drawing wants pen " + std::to_string(pen.number));
+                             " pens, but the drawing needs pen " + std::to_string(pen.number));
   }
   constexpr double kSecondsPerMinute = 60, kMmPerCm = 10, kPercent = 100;
   const double speed = device_.down_mm_s * pen.speed.value_or(100) / kPercent;

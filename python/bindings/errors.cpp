@@ -82,10 +82,10 @@ void translate(std::exception_ptr thrown) {
 }  // namespace
 
 void add_errors(py::module_& module) {
-  exceptions.error = add(module, "Error", "Whatever ligne raises of its own.", {PyExc_Exception});
+  exceptions.error = add(module, "Error", "Base class of the errors of ligne.", {PyExc_Exception});
   exceptions.input = add(module, "InputError", "A file or an array can not be used; the text names it and the place.",
                          {exceptions.error, PyExc_ValueError});
-  exceptions.dtype = add(module, "DtypeError", "An array holds a kind of values that it can not have; the text names it.",
+  exceptions.dtype = add(module, "DtypeError", "An array has an unsupported dtype; the text names it.",
                          {exceptions.error, PyExc_TypeError});
   exceptions.request =
       add(module, "RequestError",
@@ -94,13 +94,14 @@ void add_errors(py::module_& module) {
   exceptions.memory = add(module, "MemoryLimitError", "The work would take more memory than there is, or than max_memory.",
                           {exceptions.error, PyExc_MemoryError});
   exceptions.file =
-      add(module, "FileError", "The system does not give a file; `filename` names it.", {exceptions.input, PyExc_OSError});
+      add(module, "FileError", "The system can not read a file; `filename` names it.", {exceptions.input, PyExc_OSError});
   exceptions.missing_file = add(module, "MissingFileError", "There is no such file; `filename` names it.",
                                 {exceptions.file, PyExc_FileNotFoundError});
   exceptions.output =
       add(module, "OutputError", "A file can not be written; `filename` names it.", {exceptions.error, PyExc_OSError});
-  exceptions.missing_folder = add(module, "MissingFolderError", "There is no folder for a file; `filename` names it.",
-                                  {exceptions.output, PyExc_FileNotFoundError});
+  exceptions.missing_folder =
+      add(module, "MissingFolderError", "The folder of a file does not exist; `filename` names the file.",
+          {exceptions.output, PyExc_FileNotFoundError});
   py::register_exception_translator(&translate);
 }
 

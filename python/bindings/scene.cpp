@@ -163,7 +163,7 @@ std::vector<std::string> object_names_of(const SceneHolder& holder) {
 /// The state of a scene for pickle. The topology is computed again.
 py::tuple state_of(const SceneHolder& holder) {
   if (holder.models.compiled) {
-    PyErr_SetString(PyExc_TypeError, "a compiled model is not pickled: its file holds it, and read() is quick");
+    PyErr_SetString(PyExc_TypeError, "a compiled model can not be pickled: read() its file instead");
     throw py::error_already_set();
   }
   ByteWriter bytes;
@@ -218,7 +218,7 @@ void refuse_inputs(const InputFiles& inputs, const std::string& field, const std
 }
 
 void add_scene(py::module_& module) {
-  py::class_<SceneHolder, std::shared_ptr<SceneHolder>>(module, "Scene", "A scene that was read and mended.")
+  py::class_<SceneHolder, std::shared_ptr<SceneHolder>>(module, "Scene", "A scene after reading and repair.")
       .def_property_readonly("vertices",
                              [](const std::shared_ptr<SceneHolder>& holder) {
                                const std::vector<Point3>& points = holder->scene().vertices;

@@ -23,8 +23,8 @@ std::string plain_text(const std::string& option, py::handle value) {
     return py::str(py::int_(py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr())))).cast<std::string>();
   if (py::hasattr(value, "__float__"))
     return py::repr(py::float_(py::reinterpret_borrow<py::object>(value))).cast<std::string>();
-  throw RequestError(option,
-                     "a " + std::string(py::str(py::type::handle_of(value).attr("__name__"))) + " is no value for it");
+  throw RequestError(
+      option, "a " + std::string(py::str(py::type::handle_of(value).attr("__name__"))) + " is not a valid value for it");
 }
 
 }  // namespace

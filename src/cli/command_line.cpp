@@ -92,7 +92,7 @@ std::string complaint_about_extras(const CLI::App& app) {
     }
     text += ' ' + extra + (is_option(extra) ? suggestion(extra, options) : suggestion(extra, names_of_commands(command)));
   }
-  return "not known:" + text + "; see " + (chosen.empty() ? "ligne" : "ligne " + command.get_name()) + " --help";
+  return "unknown:" + text + "; see " + (chosen.empty() ? "ligne" : "ligne " + command.get_name()) + " --help";
 }
 
 /// The text of CLI11's error in the program's words.

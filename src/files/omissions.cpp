@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kMostKinds = 16;
 /// Largest length of a kind in bytes: a line has room for most of them.
 constexpr std::size_t kLongestKind = 60;
-constexpr char kOtherKinds[] = "things of other kinds";
+constexpr char kOtherKinds[] = "other items";
 
 }  // namespace
 

@@ -24,9 +24,9 @@ void check(const PictureRequest& request) {
   const Method& method = method_of(request);
   if (request.gray_faces) {
     const OutputFormat format = request.output.format;
-    if (format == OutputFormat::json) throw RequestError("shade", "a JSON drawing has no gray faces");
+    if (format == OutputFormat::json) throw RequestError("shade", "a JSON drawing has no grey faces");
     if (request.plotter.by_pens() && format != OutputFormat::png)
-      throw RequestError("shade", "pens draw no gray faces; see --hatch");
+      throw RequestError("shade", "pens draw no grey faces; see --hatch");
     if (!(method.traits().products & (kSpans | kPixels))) {
       throw RequestError("shade", "needs a method that gives spans or pixels: " + methods_with(kSpans | kPixels));
     }

@@ -91,8 +91,8 @@ struct Cubes {
 };
 
 /// Whether more than `least` vertices of [begin, end) may be in one cube, judged by hashes of their cubes.
-bool may_crowd(const std::vector<ProjectedVertex>& vertices, std::size_t begin, std::size_t end, Side side,
-               std::size_t least) {
+bool may_have_cluster(const std::vector<ProjectedVertex>& vertices, std::size_t begin, std::size_t end, Side side,
+                      std::size_t least) {
   if (end - begin <= least) return false;
   thread_local std::vector<std::uint64_t> numbers;
   numbers.clear();
@@ -123,7 +123,7 @@ std::vector<std::uint32_t> candidates(const std::vector<ProjectedVertex>& vertic
   std::vector<std::vector<std::uint32_t>> inside(block_count(vertices.size(), kRunBlock));
   const auto square = [&](std::size_t i) { return page_square(vertices[i].p); };
   for_each_run(vertices.size(), square, [&](std::size_t begin, std::size_t end) {
-    if (!may_crowd(vertices, begin, end, side, kMaxVerticesPerSquare)) return;
+    if (!may_have_cluster(vertices, begin, end, side, kMaxVerticesPerSquare)) return;
     auto& block = inside[begin / kRunBlock];
     for (std::size_t i = begin; i < end; ++i) block.push_back(static_cast<std::uint32_t>(i));
   });

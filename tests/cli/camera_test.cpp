@@ -142,10 +142,10 @@ TEST_F(FramesTest, TellWhatWasSaved) {
     return json::parse(contents(file("s.json")))["counts"];
   };
   const json appel = counts("appel"), bsp = counts("bsp"), newell = counts("newell");
-  for (const json& method : {appel, bsp, newell}) EXPECT_EQ(method["of them with the topology of the first"], 3);
-  EXPECT_EQ(bsp["of them with the tree of the first"], 3);
-  EXPECT_FALSE(appel.contains("of them with the tree of the first"));
-  EXPECT_EQ(newell["of them with the list of the one before"], 3);
+  for (const json& method : {appel, bsp, newell}) EXPECT_EQ(method["of these, with the topology of the first"], 3);
+  EXPECT_EQ(bsp["of these, with the tree of the first"], 3);
+  EXPECT_FALSE(appel.contains("of these, with the tree of the first"));
+  EXPECT_EQ(newell["of these, with the list of the previous one"], 3);
   run_well("draw cube.obj --method bsp --stats-json s.json -o f.svg");
   EXPECT_EQ(bsp["depth of the tree"], json::parse(contents(file("s.json")))["counts"]["depth of the tree"]);
 }

@@ -276,7 +276,7 @@ TEST_F(CompileTest, TheSameModelGivesTheSameBytes) {
 
 TEST_F(CompileTest, WhatItWasCompiledWithStays) {
   compiled("cube.obj");
-  const std::string again = "model.tree is compiled: give it to ligne compile\n";
+  const std::string again = "model.tree is compiled: use this option with ligne compile\n";
   EXPECT_EQ(refusal("draw model.tree --weld 1 -o a.svg"), "ligne: --weld: " + again);
   EXPECT_EQ(refusal("draw model.tree --only x -o a.svg"), "ligne: --only: " + again);
   EXPECT_EQ(refusal("draw model.tree --set candidates=3 -o a.svg"), "ligne: --set candidates: " + again);

@@ -48,7 +48,7 @@ TEST_F(LongPlotTest, NothingIsLeftBehindTheLastStroke) {
   made("a.svg --from-stroke 4 -o rest.gcode");
   refused("a.svg --from-stroke 5 -o x.gcode", "--from-stroke: the plot has 4 strokes");
   refused("a.svg --from-stroke 99999 -o x.hpgl", "--from-stroke: the plot has 4 strokes");
-  refused("a.svg --from-time 1h -o x.gcode", "--from-time: the plot has 4 strokes, and all of them are drawn by then");
+  refused("a.svg --from-time 1h -o x.gcode", "--from-time: the plot has 4 strokes, all drawn by then");
   EXPECT_FALSE(there("x.gcode"));
 }
 
@@ -62,7 +62,7 @@ TEST_F(LongPlotTest, WhatIsResumedIsTheEndOfTheWhole) {
   // The first stroke takes 22 mm of way, a lift and 40 mm of line: 1.5 s; the second is drawn at that time.
   made("a.svg --from-time 2s -o rest.gcode");
   EXPECT_EQ(count_of(contents(file("rest.gcode")), "M3 S90"), 3u);
-  refused("a.svg --from-time soon -o a.gcode", "--from-time: \"soon\" is no time such as 90s, 30min, 2h or 12:30");
+  refused("a.svg --from-time soon -o a.gcode", "--from-time: \"soon\" is not a time such as 90s, 30min, 2h or 12:30");
 }
 
 TEST_F(LongPlotTest, ABrushIsDipped) {

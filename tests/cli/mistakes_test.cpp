@@ -64,12 +64,12 @@ TEST_F(MistakesOfNewcomers, HelpIsACommandToo) {
 }
 
 TEST_F(MistakesOfNewcomers, OptionsThatAreNearlyRight) {
-  says("draw --hlep", "not known: --hlep (--help?); see ligne draw --help");
-  says("draw --depth-bits 4", "not known: --depth-bits (--set depth-bits=VALUE?); see ligne draw --help");
+  says("draw --hlep", "unknown: --hlep (--help?); see ligne draw --help");
+  says("draw --depth-bits 4", "unknown: --depth-bits (--set depth-bits=VALUE?); see ligne draw --help");
   expect_outcome("draw cube.obj --set depthbits=4 -o a.svg", kUsage,
                  {"--set: \"depthbits\" is not one of propagate, ", "candidates, partition, filling, ", "(depth-bits?)"});
   says("draw cube.obj --set depth-bits -o a.svg", "--set: \"depth-bits\" is not NAME=VALUE");
-  says("info --jsno", "not known: --jsno (--json?); see ligne info --help");
+  says("info --jsno", "unknown: --jsno (--json?); see ligne info --help");
   says(
       "draw cube.obj --view isometric -o a.svg",
       "--view: \"isometric\" is not one of front, back, left, right, top, bottom, iso, dimetric, trimetric or camera (iso?)");

@@ -201,7 +201,7 @@ TEST_F(PlotTest, ResolutionOfTheInput) {
   write("old.svg", "<svg viewBox='0 0 595 842'>\n<path d='M0 72H72' stroke='red'/></svg>");
   expect_outcome(
       "plot old.svg -o a.svg", 0,
-      {"old.svg: warning: has no size; its viewBox is a paper size (A4) at 72 dpi, and is taken at 96: --input-dpi 72 gives "
+      {"old.svg: warning: has no size; its viewBox is a paper size (A4) at 72 dpi, and is read at 96: --input-dpi 72 gives "
        "that paper"});
   const Outcome right = run("plot old.svg --input-dpi 72 -o b.svg");
   EXPECT_EQ(right.err, "");

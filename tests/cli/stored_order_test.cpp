@@ -63,7 +63,7 @@ TEST_F(StoredOrderTest, MistakesAreToldInOneLine) {
     expect_parts(outcome.err, {part});
     EXPECT_FALSE(std::filesystem::exists(file("x.svg")));
   };
-  refused("plot lines.json --fill material", "has no order of painting; ligne draw --method newell");
+  refused("plot lines.json --fill material", "has no painting order; ligne draw --method newell");
   refused("plot a.svg --fill material", "--fill: paints a ligne-drawing that has an order");
   refused("plot stored.json --material stone=red", "--material: needs --fill material or shade");
   refused("plot stored.json --fill material --tile A5", "--tile: can not be combined with --fill");
@@ -72,13 +72,13 @@ TEST_F(StoredOrderTest, MistakesAreToldInOneLine) {
   json broken = json::parse(contents(file("stored.json")));
   broken["order"][0]["material"] = 7;
   write("broken.json", broken.dump());
-  refused("plot broken.json --fill material", "a piece of the order has a material that is not there");
+  refused("plot broken.json --fill material", "a piece of the order has a missing material");
   broken["order"][0].erase("material");
   write("older.json", broken.dump());
   refused("plot older.json --fill material", "piece 0 of the order: has no material; draw it anew");
   broken["order"][0]["outer"] = json::array();
   write("empty.json", broken.dump());
-  refused("plot empty.json --fill material", "piece 0 of the order: a contour has no three points");
+  refused("plot empty.json --fill material", "piece 0 of the order: a contour has fewer than three points");
 }
 
 }  // namespace

@@ -224,10 +224,10 @@ TEST_F(SurfaceInputTest, FormulasWithoutAnyValue) {
   for (const char* formula : {"log(-1-r)", "0/0", "x/0", "1e308*10*x"}) {
     for (const char* more :
          {"--skirt", "--contours=3", "--axes", "--contours-base", "--ridgeline", "--lines=x", "--hidden=dashed"}) {
-      fails({formula, more, "-o", "out.svg"}, 1, std::string("surface: ") + formula + " is nowhere a number");
+      fails({formula, more, "-o", "out.svg"}, 1, std::string("surface: ") + formula + " has no value");
     }
   }
-  fails("log(-1-r) x -o out.svg", 0, "surface: warning: log(-1-r) is nowhere a number");
+  fails("log(-1-r) x -o out.svg", 0, "surface: warning: log(-1-r) has no value");
 }
 
 TEST_F(SurfaceInputTest, Ranges) {
@@ -278,7 +278,7 @@ TEST_F(SurfaceInputTest, Grids) {
   refuses("--grid both.asc", 1, "both.asc:1: ncols '4000000000' is more than a file of ");
   refuses("--grid early.asc", 1, "early.asc");
   refuses("--grid big.pgm", 1, "big.pgm:1: width 4000000000 is not between 1 and ");
-  refuses("--grid noise.bin", 1, "noise.bin: not a grid file that is known");
+  refuses("--grid noise.bin", 1, "noise.bin: is not a known grid format");
   refuses("--grid folder", 1, "folder: is a directory, not a file\n");
   refuses("--grid nowhere.csv", 1, "nowhere.csv: ");
   refuses("--grid ''", 1, "");

@@ -130,7 +130,7 @@ TEST_F(SurfaceMeshTest, MeshFiles) {
   }
   fails("x --as-mesh -o a.svg", 2, "--output: a.svg does not end in .json or .obj");
   fails("x --as-mesh -o - --format svg", 2, "--format: ");
-  fails("sqrt(-1-r) --as-mesh -o a.obj", 1, "surface: sqrt(-1-r) is nowhere a number");
+  fails("sqrt(-1-r) --as-mesh -o a.obj", 1, "surface: sqrt(-1-r) has no value");
 }
 
 TEST_F(SurfaceMeshTest, MeshesOverDegreesAreNoThingsInSpace) {

@@ -166,7 +166,7 @@ TEST_F(SurfaceTest, AxesEverywhereAndOfEverything) {
   EXPECT_EQ(count_of(svg("x*y --axes=box --eye 4,4,2 --target=-5,-5,0 --fov 90"), "id=\"axes\""), 1u)
       << "from within the box";
   EXPECT_EQ(count_of(svg("1e9+x --axes -x 0:1e-7 -y 0:1e9 --page a6"), "id=\"axes\""), 1u);
-  fails("sqrt(-1-r) --axes -o a.svg", 1, "surface: sqrt(-1-r) is nowhere a number");
+  fails("sqrt(-1-r) --axes -o a.svg", 1, "surface: sqrt(-1-r) has no value");
 }
 
 TEST_F(SurfaceTest, MistakesOfAxes) {
@@ -192,7 +192,7 @@ TEST_F(SurfaceTest, Mistakes) {
   fails("x --resolution 2 -o a.svg", 2, "--resolution: ");
   fails("x --azimuth 2 --view top -o a.svg", 2, "--azimuth, --elevation: ");
   fails("--grid nowhere.csv -o a.svg", 1, "nowhere.csv: ");
-  fails("sqrt(-1-r) -o a.svg", 1, "surface: sqrt(-1-r) is nowhere a number over the ground that is drawn");
+  fails("sqrt(-1-r) -o a.svg", 1, "surface: sqrt(-1-r) has no value over the ground that is drawn");
 }
 
 }  // namespace

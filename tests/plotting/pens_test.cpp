@@ -264,7 +264,8 @@ TEST(Pens, AreReadFromTheCommandLineAndFromAFile) {
     EXPECT_THROW(add_pen(table, wrong), std::invalid_argument) << wrong;
   }
   const PenTable file = read_pens(
-      "[[pen]]\nnumber = 2\ncolor = \"red\"\nwidth = 0.7\nclasses = [\"outline\", \"border\"]\nmaterials = [\"glass\"]\nobjects = [\"lid\"]\n"
+      "[[pen]]\nnumber = 2\ncolor = \"red\"\nwidth = 0.7\nclasses = [\"outline\", \"border\"]\nmaterials = "
+      "[\"glass\"]\nobjects = [\"lid\"]\n"
       "[[pen]]\nnumber = 1\nrest = true\nskip = true\n",
       "pens.toml");
   EXPECT_EQ(file.pen_of("border", ""), 2u);
@@ -412,14 +413,13 @@ TEST(DeviceFile, WhatIsNotKnownInBracesIsAnErrorThatListsWhatIs) {
     const std::size_t cause = line.find(": ");
     return cause == std::string::npos ? line : line.substr(cause + 2);
   };
-  EXPECT_EQ(error("travel", "\"U{x},{y}{nonsense};\""), "travel: {nonsense} is not known here; there is {x}, {y}");
-  EXPECT_EQ(error("draw", "\"D{points}{x};\""), "draw: {x} is not known here; there is {points}");
-  EXPECT_EQ(error("draw", "\"G1 X{x} Y{y} F{speed}\"", "gcode"),
-            "draw: {speed} is not known here; there is {x}, {y}, {feed}");
-  EXPECT_EQ(error("begin", "[\"IN;\", \"{Paper}\"]"), "begin: {Paper} is not known here; there is {paper}");
-  EXPECT_EQ(error("up", "[\"{x}\"]"), "up: {x} is not known here; there is nothing in braces");
-  EXPECT_EQ(error("velocity", "\"VS{cm_per_s\""), "velocity: {cm_per_s is not known here; there is {cm_per_s}");
-  EXPECT_EQ(error("dot", "\"{}\""), "dot: {} is not known here; there is nothing in braces");
+  EXPECT_EQ(error("travel", "\"U{x},{y}{nonsense};\""), "travel: {nonsense} is unknown here; there is {x}, {y}");
+  EXPECT_EQ(error("draw", "\"D{points}{x};\""), "draw: {x} is unknown here; there is {points}");
+  EXPECT_EQ(error("draw", "\"G1 X{x} Y{y} F{speed}\"", "gcode"), "draw: {speed} is unknown here; there is {x}, {y}, {feed}");
+  EXPECT_EQ(error("begin", "[\"IN;\", \"{Paper}\"]"), "begin: {Paper} is unknown here; there is {paper}");
+  EXPECT_EQ(error("up", "[\"{x}\"]"), "up: {x} is unknown here; the braces are empty");
+  EXPECT_EQ(error("velocity", "\"VS{cm_per_s\""), "velocity: {cm_per_s is unknown here; there is {cm_per_s}");
+  EXPECT_EQ(error("dot", "\"{}\""), "dot: {} is unknown here; the braces are empty");
   EXPECT_EQ(error("pen_select", "\"SP{pen};PW{width},{pen};\""), "no error");
 }
 
@@ -431,7 +431,8 @@ TEST(DeviceFile, EveryKnownPlaceholderIsReplaced) {
     text.erase(text.find("draw"), text.find('\n', text.find("draw")) + 1 - text.find("draw"));
     text += hpgl ? "draw = \"b{points}\"\n" : "draw = \"b{x}{y}{feed}\"\n";
     text +=
-        "begin = [\"c{paper}\"]\ndown = [\"d{feed}{z_feed}\"]\npen_change = [\"e{pen}{name}\"]\npen_select = \"f{pen}{width}\"\n"
+        "begin = [\"c{paper}\"]\ndown = [\"d{feed}{z_feed}\"]\npen_change = [\"e{pen}{name}\"]\npen_select = "
+        "\"f{pen}{width}\"\n"
         "velocity = \"g{cm_per_s}\"\npens = 0\n";
     const Device device = read_device(text, "F");
     Plot plot;

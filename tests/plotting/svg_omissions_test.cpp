@@ -76,7 +76,7 @@ TEST(SvgOmissions, LinksThatLeadBackToThemselvesShowNothing) {
   expect_omitted("<use id='u' href='#u'/><use href=''/><line x2='5'/>", {"0,0 500,0 "},
                  "1 <use> elements that lead back to themselves");
   expect_omitted("<marker id='m'><path d='M0 0h1' marker-end='url(#m)'/></marker><line x2='5' marker-end='url(#m)'/>",
-                 {"0,0 500,0 ", "500,0 600,0 "}, "1 markers that lead back to themselves");
+                 {"0,0 500,0 ", "500,0 600,0 "}, "1 markers that refer to themselves");
 }
 
 TEST(SvgOmissions, StyleSheetsAreThoseForPrint) {
@@ -105,7 +105,8 @@ TEST(SvgOmissions, StyleSheetsLoseOnlyWhatIsNotKnown) {
   expect_omitted(
       "<style>.a:link{stroke:none} line:foo(x), .a{stroke-dasharray:2 1} ;?{} .a{.b{stroke:none}}</style>" + line,
       {"0,0 200,0 ", "300,0 500,0 "},
-      "1 style rules with :link, 1 style rules with :foo, 1 style rules with unknown selectors, 1 style rules inside others");
+      "1 style rules with :link, 1 style rules with :foo, 1 style rules with unknown selectors, 1 style rules inside "
+      "others");
   expect_omitted("<style>.a{stroke-dasharray:2 1} } .b{</style>" + line, {"0,0 200,0 ", "300,0 500,0 "},
                  "1 style rules with unknown selectors");
 }

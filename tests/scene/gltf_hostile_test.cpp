@@ -62,18 +62,21 @@ INSTANTIATE_TEST_SUITE_P(
         Lie{"NodesObject", [](json& r) { r["nodes"] = json::object(); }, "glTF: nodes is not an array"},
         Lie{"NodeNumber", [](json& r) { r["nodes"][0] = 5; }, "node 0: is not a JSON object"},
         Lie{"SceneOutOfRange", [](json& r) { r["scene"] = 0; }, "glTF: scene names number 0 of 0"},
-        Lie{"SceneNode", [](json& r) { r["scenes"] = json::array({{{"nodes", {1}}}}); }, "scene 0: nodes names number 1 of 1"},
+        Lie{"SceneNode", [](json& r) { r["scenes"] = json::array({{{"nodes", {1}}}}); }, "scene 0: nodes names number 1 of "
+                                                                                         "1"},
         Lie{"MeshOutOfRange", [](json& r) { r["nodes"][0]["mesh"] = 1; }, "node 0: mesh names number 1 of 1"},
         Lie{"MeshNegative", [](json& r) { r["nodes"][0]["mesh"] = -1; }, "node 0: mesh is not a whole number"},
         Lie{"MeshText", [](json& r) { r["nodes"][0]["mesh"] = "0"; }, "node 0: mesh is not a whole number"},
         Lie{"MeshHuge", [](json& r) { r["nodes"][0]["mesh"] = 1e300; }, "node 0: mesh is not a whole number"},
         Lie{"OwnChild", [](json& r) { r["nodes"] = nodes({{0}}); }, "node 0: is its own child"},
         Lie{"OwnAncestor", [](json& r) { r["nodes"] = nodes({{1}, {2}, {0}}); }, "node 0: is its own ancestor"},
-        Lie{"AncestorBelowRoot", [](json& r) { r["nodes"] = nodes({json::array(), {2}, {1}}); }, "node 1: is its own ancestor"},
+        Lie{"AncestorBelowRoot", [](json& r) { r["nodes"] = nodes({json::array(), {2}, {1}}); }, "node 1: is its own "
+                                                                                                 "ancestor"},
         Lie{"TwoParents", [](json& r) { r["nodes"] = nodes({{2}, {2}, json::array()}); },
             "node 2: is a child twice, of node 0 and of node 1"},
         Lie{"ChildTwice", [](json& r) { r["nodes"] = nodes({{1, 1}, json::array()}); }, "node 1: is a child twice"},
-        Lie{"RootTwice", [](json& r) { r["scene"] = 0, r["scenes"] = json::array({{{"nodes", {0, 0}}}}); }, "node 0: is in the scene twice"},
+        Lie{"RootTwice", [](json& r) { r["scene"] = 0, r["scenes"] = json::array({{{"nodes", {0, 0}}}}); }, "node 0: is in "
+                                                                                                            "the scene twice"},
         Lie{"ExponentialGraph",
             [](json& r) {
               r["nodes"] = json::array();
@@ -82,27 +85,37 @@ INSTANTIATE_TEST_SUITE_P(
             },
             "node 1: is a child twice"},
         Lie{"MatrixShort", [](json& r) { r["nodes"][0]["matrix"] = {1, 2}; }, "node 0: matrix does not have 16 numbers"},
-        Lie{"ScaleText", [](json& r) { r["nodes"][0]["scale"] = {1, 2, "3"}; }, "node 0: scale holds something that is not a number"},
+        Lie{"ScaleText", [](json& r) { r["nodes"][0]["scale"] = {1, 2, "3"}; }, "node 0: scale has a value that is not a "
+                                                                                "number"},
         Lie{"NoAttributes", [](json& r) { r["meshes"][0]["primitives"][0].erase("attributes"); },
             "mesh 0, primitive 0: attributes is missing"},
         Lie{"PositionOutOfRange", [](json& r) { r["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 2; },
             "mesh 0, primitive 0, attributes: POSITION names number 2 of 2"},
-        Lie{"ModeUnknown", [](json& r) { r["meshes"][0]["primitives"][0]["mode"] = 7; }, "mesh 0, primitive 0: mode 7 is not known"},
+        Lie{"ModeUnknown", [](json& r) { r["meshes"][0]["primitives"][0]["mode"] = 7; }, "mesh 0, primitive 0: mode 7 is "
+                                                                                         "not known"},
         Lie{"MaterialOutOfRange", [](json& r) { r["meshes"][0]["primitives"][0]["material"] = 0; },
             "mesh 0, primitive 0: material names number 0 of 0"},
-        Lie{"PrimitiveText", [](json& r) { r["meshes"][0]["primitives"][0] = "x"; }, "mesh 0, primitive 0: is not a JSON object"},
-        Lie{"PositionsScalar", [](json& r) { r["accessors"][0]["type"] = "SCALAR"; }, "accessor 0: holds positions, but is not a VEC3"},
-        Lie{"PositionsUnsigned", [](json& r) { r["accessors"][0]["componentType"] = 5125; }, "accessor 0: holds positions of 32-bit"},
-        Lie{"IndicesVec3", [](json& r) { r["accessors"][1]["type"] = "VEC3"; }, "accessor 1: holds indices, but is not a SCALAR"},
-        Lie{"IndicesFloat", [](json& r) { r["accessors"][1]["componentType"] = 5126; }, "accessor 1: holds indices that are not unsigned"},
+        Lie{"PrimitiveText", [](json& r) { r["meshes"][0]["primitives"][0] = "x"; }, "mesh 0, primitive 0: is not a JSON "
+                                                                                     "object"},
+        Lie{"PositionsScalar", [](json& r) { r["accessors"][0]["type"] = "SCALAR"; }, "accessor 0: holds positions, but is "
+                                                                                      "not a VEC3"},
+        Lie{"PositionsUnsigned", [](json& r) { r["accessors"][0]["componentType"] = 5125; }, "accessor 0: holds positions "
+                                                                                             "of 32-bit"},
+        Lie{"IndicesVec3", [](json& r) { r["accessors"][1]["type"] = "VEC3"; }, "accessor 1: holds indices, but is not a "
+                                                                                "SCALAR"},
+        Lie{"IndicesFloat", [](json& r) { r["accessors"][1]["componentType"] = 5126; }, "accessor 1: holds indices that are "
+                                                                                        "not unsigned"},
         Lie{"TypeUnknown", [](json& r) { r["accessors"][0]["type"] = "VEC9"; }, "accessor 0: type \"VEC9\" is not known"},
         Lie{"TypeMissing", [](json& r) { r["accessors"][0].erase("type"); }, "accessor 0: type \"\" is not known"},
-        Lie{"ComponentType", [](json& r) { r["accessors"][0]["componentType"] = 0; }, "accessor 0: componentType 0 is not known"},
+        Lie{"ComponentType", [](json& r) { r["accessors"][0]["componentType"] = 0; }, "accessor 0: componentType 0 is not "
+                                                                                      "known"},
         Lie{"CountFourGiB", [](json& r) { r["accessors"][0]["count"] = kFourGiB; }, "accessor 0: has more than"},
-        Lie{"CountLarge", [](json& r) { r["accessors"][0]["count"] = kFourGiB - 2; }, "accessor 0: 4294967294 elements do not fit"},
+        Lie{"CountLarge", [](json& r) { r["accessors"][0]["count"] = kFourGiB - 2; }, "accessor 0: 4294967294 elements do "
+                                                                                      "not fit"},
         Lie{"CountOverflow", [](json& r) { r["accessors"][0]["count"] = std::numeric_limits<std::uint64_t>::max(); }, "accessor 0: "},
         Lie{"CountNegative", [](json& r) { r["accessors"][0]["count"] = -3; }, "accessor 0: count is not a whole number"},
-        Lie{"CountOneTooMany", [](json& r) { r["accessors"][0]["count"] = 5; }, "accessor 0: 5 elements do not fit into bufferView 0 of 48 bytes"},
+        Lie{"CountOneTooMany", [](json& r) { r["accessors"][0]["count"] = 5; }, "accessor 0: 5 elements do not fit into "
+                                                                                "bufferView 0 of 48 bytes"},
         Lie{"OffsetOverflow", [](json& r) { r["accessors"][0]["byteOffset"] = std::numeric_limits<std::uint64_t>::max(); },
             "accessor 0: 4 elements do not fit"},
         Lie{"ZerosFourGiB",
@@ -111,22 +124,31 @@ INSTANTIATE_TEST_SUITE_P(
               r["accessors"][0]["count"] = kFourGiB - 2;
             },
             "accessor 0: claims 4294967294 elements, but has no bufferView"},
-        Lie{"IndexCountNotWhole", [](json& r) { r["accessors"][1]["count"] = 5; }, "accessor 1: its 5 corners are not whole triangles"},
-        Lie{"IndexOutOfRange", [](json& r) { r["accessors"][0]["count"] = 3; }, "accessor 1: index 3 at 5 is not below the 3 vertices"},
-        Lie{"ViewOutOfRange", [](json& r) { r["accessors"][0]["bufferView"] = 2; }, "accessor 0: bufferView names number 2 of 2"},
-        Lie{"ViewOutsideBuffer", [](json& r) { r["bufferViews"][0]["byteLength"] = 61; }, "bufferView 0: bytes 0 + 61 lie outside of buffer 0"},
+        Lie{"IndexCountNotWhole", [](json& r) { r["accessors"][1]["count"] = 5; }, "accessor 1: its 5 corners are not whole "
+                                                                                   "triangles"},
+        Lie{"IndexOutOfRange", [](json& r) { r["accessors"][0]["count"] = 3; }, "accessor 1: index 3 at 5 is not below the "
+                                                                                "3 vertices"},
+        Lie{"ViewOutOfRange", [](json& r) { r["accessors"][0]["bufferView"] = 2; }, "accessor 0: bufferView names number 2 "
+                                                                                    "of 2"},
+        Lie{"ViewOutsideBuffer", [](json& r) { r["bufferViews"][0]["byteLength"] = 61; }, "bufferView 0: bytes 0 + 61 lie "
+                                                                                          "outside of buffer 0"},
         Lie{"ViewOffsetOverflow", [](json& r) { r["bufferViews"][0]["byteOffset"] = std::numeric_limits<std::uint64_t>::max(); },
             "bufferView 0: bytes 18446744073709551615 + 48 lie outside"},
-        Lie{"StrideOdd", [](json& r) { r["bufferViews"][0]["byteStride"] = 13; }, "bufferView 0: byteStride 13 is not a multiple of 4"},
+        Lie{"StrideOdd", [](json& r) { r["bufferViews"][0]["byteStride"] = 13; }, "bufferView 0: byteStride 13 is not a "
+                                                                                  "multiple of 4"},
         Lie{"StrideSmall", [](json& r) { r["bufferViews"][0]["byteStride"] = 8; }, "accessor 0: its elements are larger"},
-        Lie{"BufferOutOfRange", [](json& r) { r["bufferViews"][0]["buffer"] = 1; }, "bufferView 0: buffer names number 1 of 1"},
+        Lie{"BufferOutOfRange", [](json& r) { r["bufferViews"][0]["buffer"] = 1; }, "bufferView 0: buffer names number 1 of "
+                                                                                    "1"},
         Lie{"BufferLengthFourGiB", [](json& r) { r["buffers"][0]["byteLength"] = kFourGiB; },
             "buffer 0: byteLength 4294967296 is more than the 60 bytes of its data uri"},
         Lie{"BufferLengthMissing", [](json& r) { r["buffers"][0].erase("byteLength"); }, "buffer 0: byteLength is missing"},
         Lie{"BufferWithoutUri", [](json& r) { r["buffers"][0].erase("uri"); }, "buffer 0: has no uri"},
-        Lie{"BufferNotBase64", [](json& r) { r["buffers"][0]["uri"] = "data:,hello"; }, "buffer 0: its data uri is not base64"},
-        Lie{"BufferBrokenBase64", [](json& r) { r["buffers"][0]["uri"] = "data:;base64,AB\nC"; }, "buffer 0: its data uri is broken base64"},
-        Lie{"SparseCount", [](json& r) { r["accessors"][0]["sparse"] = sparse({{"count", 5}}); }, "accessor 0, sparse: count 5 is more"},
+        Lie{"BufferNotBase64", [](json& r) { r["buffers"][0]["uri"] = "data:,hello"; }, "buffer 0: its data uri is not "
+                                                                                        "base64"},
+        Lie{"BufferBrokenBase64", [](json& r) { r["buffers"][0]["uri"] = "data:;base64,AB\nC"; }, "buffer 0: its data uri "
+                                                                                                  "is broken base64"},
+        Lie{"SparseCount", [](json& r) { r["accessors"][0]["sparse"] = sparse({{"count", 5}}); }, "accessor 0, sparse: "
+                                                                                                  "count 5 is more"},
         Lie{"SparseIndexTooLarge",
             [](json& r) { r["accessors"][0]["sparse"] = sparse({{"indices", {{"byteOffset", 10}}}}), r["accessors"][0]["count"] = 3; },
             "accessor 0: sparse index 3 of 3 elements"},

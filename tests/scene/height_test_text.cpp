@@ -67,9 +67,9 @@ TEST(TextGrid, Errors) {
   EXPECT_EQ(grid_error("1,2,4\n"), "M: has 3 columns and 1 row; a grid has two of each or more");
   EXPECT_EQ(grid_error("nan,nan\nnan,nan\n"), "M: contains only NODATA values");
   EXPECT_EQ(grid_error("1,2\n3,1e999\n"), "M:2: column 2: '1e999' is not a number");
-  EXPECT_EQ(grid_error(std::string("1,2\n3,\0\n", 8)),
-            "M: not a grid file that is known (tables as text, ESRI ASCII grid, PGM, PNG, GeoTIFF, Surfer, npy, netCDF, "
-            "MATLAB, JSON)");
+  EXPECT_EQ(
+      grid_error(std::string("1,2\n3,\0\n", 8)),
+      "M: is not a known grid format (text tables, ESRI ASCII grid, PGM, PNG, GeoTIFF, Surfer, npy, netCDF, MATLAB, JSON)");
   EXPECT_EQ(grid_error("1,2\n3,\x01\x80\n"), "M:2: column 2: '\\x01\\x80' is not a number");
   EXPECT_EQ(grid_error("\xFF\xFE"
                        "1"),

@@ -109,7 +109,7 @@ TEST(ObjSurfaces, WhatCanNotBeReadIsNamed) {
   EXPECT_EQ(error_of(plain, head + "surf 0 1 0 1 1 99\n"), "M:19: surf names vertex 99 of 16");
   EXPECT_EQ(error_of(plain, head + "surf 1 0 0 1 1 2\n"), "M:19: surf without a range of its parameters");
   EXPECT_EQ(error_of(plain, head + "surf 0 1 0 1 1\nparm u 0\nend\n"), "M:21: surf with too few numbers in its parm u");
-  EXPECT_EQ(error_of(plain, head + "surf 0 1 0 1 1\nparm u 0 zero\n"), "M:20: parm holds something that is no number");
+  EXPECT_EQ(error_of(plain, head + "surf 0 1 0 1 1\nparm u 0 zero\n"), "M:20: parm has a value that is not a number");
   EXPECT_EQ(error_of(plain, kPatchPoints + "cstype bezier\ndeg 0 3\nsurf 0 1 0 1 1\nparm u 0 1\nend\n"),
             "M:21: surf of a degree that is not 1 to 24");
   EXPECT_EQ(error_of(plain, kPatchPoints + "cstype bspline\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nparm u 0 1 0 1\nend\n"),

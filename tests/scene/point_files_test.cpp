@@ -79,7 +79,7 @@ TEST_F(PointFiles, Matlab) {
   expect_two(points(mat_head() + x + y + mat_matrix("dem", 2, 2, numbers<double>({9, 8, 7, 6}))), kNaN, "");
   EXPECT_EQ(warnings_.left_out().text(), "left out: 1 array (dem)");
   EXPECT_EQ(error(mat_head() + x + mat_matrix("lat", 1, 3, numbers<double>({3, 4, 5}))),
-            "arrays lon and lat have different lengths: they are no positions of points");
+            "arrays lon and lat have different lengths: they are not positions of points");
 }
 
 TEST_F(PointFiles, JsonWithNames) {

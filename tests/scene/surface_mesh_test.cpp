@@ -373,7 +373,7 @@ TEST(HeightFilters, Windows) {
   EXPECT_EQ(error_line([&] {
               window({7, 9}, {});
             }),
-            "g: the window -x, -y holds 0 columns and 5 rows of the grid; it takes two of each");
+            "g: the window -x, -y holds 0 columns and 5 rows of the grid; two of each are needed");
 }
 
 }  // namespace

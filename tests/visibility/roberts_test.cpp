@@ -104,7 +104,7 @@ TEST(Roberts, SaysWhichPartIsNoConvexBody) {
   Scene scene;
   add_box(scene, {0, 0, 0}, {10, 10, 10});
   EXPECT_EQ(beyond_roberts(project_on_a4(scene, along({-1, 2, -1}))), "");
-  EXPECT_NE(beyond_roberts(project_on_a4(scene, along({-1, 2, -1}), "all", 50.0)).find("it is not wholly in view"),
+  EXPECT_NE(beyond_roberts(project_on_a4(scene, along({-1, 2, -1}), "all", 50.0)).find("it is not entirely in view"),
             std::string::npos);
   const std::string open = beyond_roberts(project_on_a4(corpus_scene("open_box"), along({-1, 2, -1})));
   EXPECT_NE(open.find("it is not a closed body"), std::string::npos) << open;

@@ -14,7 +14,7 @@ namespace {
 /// "hsl(210, 50%, 40%)", with "deg", slashes and an opacity or without.
 std::optional<std::string> hsl(std::string_view text) {
   const std::size_t open = text.find('(');
-  if (!text.ends_with(')')) fail_value(text, "is not a colour that is known");
+  if (!text.ends_with(')')) fail_value(text, "is not a known colour");
   Scanner scanner(text.substr(open + 1, text.size() - open - 2));
   std::array<double, 4> values{0, 0, 0, 1};
   for (std::size_t i = 0; i < values.size() && !scanner.done(); ++i) {
@@ -24,7 +24,7 @@ std::optional<std::string> hsl(std::string_view text) {
     const bool percent = scanner.peek() == '%';
     if (percent) scanner.take();
     const std::string_view unit = scanner.word();
-    if (!unit.empty() && unit != "deg") fail_value(text, "is not a colour that is known");
+    if (!unit.empty() && unit != "deg") fail_value(text, "is not a known colour");
     if (i == 3 && percent) values[i] /= 100;
     scanner.skip_separator();
   }
@@ -85,7 +85,7 @@ std::optional<std::string> paint(std::string_view text) {
     if (!clean.empty() &&
         std::all_of(clean.begin(), clean.end(), [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }))
       return std::string(clean);
-    fail_value(clean, "is not a colour that is known");
+    fail_value(clean, "is not a known colour");
   }
 }
 

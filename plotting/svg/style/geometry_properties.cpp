@@ -57,7 +57,7 @@ void SvgReader::apply_geometry(pugi::xml_node node, const Declaration& declarati
     const bool is_root = node.parent().type() == pugi::node_document;
     if (is_root && depends_on_window(value)) return;
     if (!is_path && value != "auto" && length_px(value, Viewport{}, 1) != 0 && value.back() <= '9' && value.back() != '%')
-      fail_value(value, "has no unit, which CSS wants");
+      fail_value(value, "has no unit, which CSS requires");
     pugi::xml_attribute attribute = node.attribute(declaration.name.c_str());
     if (!attribute) attribute = node.append_attribute(declaration.name.c_str());
     attribute.set_value(value.c_str());

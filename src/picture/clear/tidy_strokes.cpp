@@ -121,7 +121,7 @@ void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport
     count(run, "short bits removed", remove_short_bits_of(strokes, least_mm, [](const Stroke&) { return true; }));
     return;
   }
-  if (lines.least_mm) count(run, "short bits of the mesh removed", remove_short_bits_of(strokes, least_mm, is_mesh));
+  if (lines.least_mm) count(run, "short mesh lines removed", remove_short_bits_of(strokes, least_mm, is_mesh));
   if (!prepared.scans.empty()) {
     const auto is_rough = [&](const Stroke& s) {
       return s.line_class == LineClass::crease && scan_of(prepared.scans, strokes, s) != kNone;

@@ -70,7 +70,7 @@ CompiledModel read_compiled_model(std::span<const std::byte> bytes, const std::s
   model.scene = read_scene(reader);
   reader.need(!model.scene.objects.empty(), "there is no object");
   model.compiled = model.method->read_compiled(reader, model.scene);
-  reader.need(reader.left() == 0, "something stands behind the tree");
+  reader.need(reader.left() == 0, "there are bytes after the tree");
   return model;
 }
 

@@ -17,7 +17,7 @@ constexpr StageWords kStages[] = {
     {"topology", "to join faces at their edges", "a model of fewer faces takes less"},
     {"project", "to project the model", "a model of fewer faces takes less"},
     {"place", "to place the surface", "fewer --samples take less"},
-    {"study", "for the study of what is hidden", "fewer faces or samples take less, and fewer classes in --edges"},
+    {"study", "to find the hidden lines", "fewer faces or samples take less, and fewer classes in --edges"},
     {"regions", "for light and shadow", "fewer faces, and fewer --light, take less"},
     {"drawing", "to find lines that coincide", "fewer faces take less, and fewer classes in --edges"},
     {"hatch", "for the hatching", "a wider --hatch-spacing takes less"},

@@ -100,7 +100,7 @@ void check_parts(const LoadedModels& models, const PartRequest& parts) {
 const std::string* compiled_file(const ModelRequest& request) {
   const auto found = std::ranges::find_if(request.files, [](const std::string& name) { return method_of_compiled(name); });
   if (found == request.files.end()) return nullptr;
-  const std::string whole = printable(*found, kLongestPath) + " is compiled: give it to ligne compile";
+  const std::string whole = printable(*found, kLongestPath) + " is compiled: use this option with ligne compile";
   if (request.files.size() > 1)
     throw RequestError("", printable(*found, kLongestPath) + " is a compiled model and must be the only one");
   const PartRequest& parts = request.parts;
@@ -153,11 +153,11 @@ LoadedModels load_models(const ModelRequest& request) {
     models.topology.reset();
     if (scene.up_axis != models.scene.up_axis) {
       file.remarks.push_back(std::string("its up axis is ") + name_of(scene.up_axis) + ", that of " + models.files[0].name +
-                             " is " + name_of(models.scene.up_axis) + ": coordinates are taken as they are");
+                             " is " + name_of(models.scene.up_axis) + ": coordinates are used unchanged");
     }
     if (scene.unit_mm != models.scene.unit_mm) {
       file.remarks.push_back("its unit is " + shortest(scene.unit_mm) + " mm, that of " + models.files[0].name + " is " +
-                             shortest(models.scene.unit_mm) + " mm: coordinates are taken as they are");
+                             shortest(models.scene.unit_mm) + " mm: coordinates are used unchanged");
     }
     const Axis up_axis = models.scene.up_axis;
     const double unit_mm = models.scene.unit_mm;
@@ -200,7 +200,7 @@ void require_names(const LoadedModels& models, const std::string& option, const 
     });
     throw RequestError(option, "no object is called " + shown(pattern, '"') + "; there " +
                                    (listed.size() == 1 ? "is " : "are ") + list +
-                                   (all ? "" : " and more: ligne info --json names all"));
+                                   (all ? "" : " and more: ligne info --json lists all"));
   }
 }
 
@@ -215,8 +215,8 @@ void require_materials(const Scene& scene, const PenTable& pens) {
     for (std::size_t i = 0; i < std::min(scene.materials.size(), kMostListed); ++i)
       list += (i > 0 ? ", " : "") + printable(scene.materials[i].name);
     throw RequestError("pen", "no material is called " + shown(material, '"') +
-                                  (list.empty() ? "; the scene names none" : "; there are " + list) +
-                                  (scene.materials.size() > kMostListed ? " and more: ligne info --json names all" : ""));
+                                  (list.empty() ? "; the scene has none" : "; there are " + list) +
+                                  (scene.materials.size() > kMostListed ? " and more: ligne info --json lists all" : ""));
   }
 }
 
@@ -231,8 +231,8 @@ void require_parts(const LoadedModels& models, const PictureRequest& picture) {
 void require_no_parameters(const LoadedModels& models, const std::vector<std::string>& names) {
   for (const MethodParameter& parameter : models.compiled_for->traits().parameters) {
     if (!parameter.of_compile || std::ranges::find(names, parameter.name) == names.end()) continue;
-    throw SettingError(std::string(parameter.name),
-                       printable(models.files.front().name, kLongestPath) + " is compiled: give it to ligne compile");
+    throw SettingError(std::string(parameter.name), printable(models.files.front().name, kLongestPath) +
+                                                        " is compiled: use this option with ligne compile");
   }
 }
 

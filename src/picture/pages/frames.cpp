@@ -140,9 +140,9 @@ void draw_frames(const Scene& scene, PictureRequest request, const FrameRequest&
   }
   if (document) take({document->finish()});
   run.study.count("frames", frames.count);
-  run.study.count("of them with the topology of the first", frames.count - 1);
-  if (request.compiled) run.study.count("of them with the tree of the first", frames.count - 1);
-  if (lists_taken_over > 0) run.study.count("of them with the list of the one before", lists_taken_over);
+  run.study.count("of these, with the topology of the first", frames.count - 1);
+  if (request.compiled) run.study.count("of these, with the tree of the first", frames.count - 1);
+  if (lists_taken_over > 0) run.study.count("of these, with the list of the previous one", lists_taken_over);
 }
 
 }  // namespace ligne

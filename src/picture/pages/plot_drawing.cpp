@@ -105,7 +105,7 @@ std::string times(std::size_t count, const char* one, const char* many) {
 
 void warn_of_left_out(const PlotDrawingRequest& request, const std::string& name, const ReadDrawing& read, RunReport& run) {
   const auto warn = [&](std::string text) { run.warnings.push_back({name, std::move(text)}); };
-  for (const auto& [kind, count] : read.left_out) warn(std::to_string(count) + " times " + kind + " left out, as asked");
+  for (const auto& [kind, count] : read.left_out) warn(std::to_string(count) + " times " + kind + " left out by --skip");
   if (!read.omitted.empty()) {
     const std::string place =
         read.first_omitted_line > 0 ? "; the first in line " + std::to_string(read.first_omitted_line) : "";
@@ -116,7 +116,7 @@ void warn_of_left_out(const PlotDrawingRequest& request, const std::string& name
   if (read.size_assumed) warn("has no size: 1000 px (264.58 mm) assumed");
   if (!read.paper_of_view_box.empty()) {
     const std::string dpi = shortest(read.paper_dpi);
-    warn("has no size; its viewBox is a paper size (" + read.paper_of_view_box + ") at " + dpi + " dpi, and is taken at " +
+    warn("has no size; its viewBox is a paper size (" + read.paper_of_view_box + ") at " + dpi + " dpi, and is read at " +
          shortest(request.reading.px_per_inch) + ": --input-dpi " + dpi + " gives that paper");
   }
   if (read.outlined > 0 && !request.fills) {

@@ -147,7 +147,7 @@ void check_first(const Plot& plot, const LongPlotRequest& request, std::size_t f
   if (strokes == 0 || first < strokes) return;
   const std::string whole = "the plot has " + std::to_string(strokes) + (strokes == 1 ? " stroke" : " strokes");
   if (request.from_stroke > strokes) throw RequestError("from-stroke", whole);
-  throw RequestError("from-time", whole + ", and all of them are drawn by then");
+  throw RequestError("from-time", whole + ", all drawn by then");
 }
 
 /// Writes the rest of the plot in its parts.
@@ -224,7 +224,7 @@ Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const Pl
     frame = place_on_device(*device, style.page, drawn_bounds(before), fits);
     if (frame->scale < 1 && !plotter.fit_drawing) {
       run.warnings.push_back({"", "the drawing is scaled down to " + scale_text(frame->scale) +
-                                      " of the size asked for, so that it fits " + printable(device->name)});
+                                      " of the requested size to fit " + printable(device->name)});
     }
     warn_of_paper(*device, *frame, style.page, run);
     order.home = frame->to_page({0, 0});

@@ -108,7 +108,7 @@ void require_layers(const LineWidths& widths) {
 
 double parse_min_length(const std::string& text) {
   const double length = parse_length_mm(text);
-  if (length < 0) throw std::invalid_argument("a length is not negative");
+  if (length < 0) throw std::invalid_argument("a length can not be negative");
   return length;
 }
 
@@ -274,7 +274,7 @@ std::vector<std::string> parse_columns(const std::string& text) {
   }
   const bool any_empty = std::any_of(columns.begin(), columns.end(), [](const std::string& c) { return c.empty(); });
   if (any_empty || (columns.size() != 1 && columns.size() != 3))
-    throw std::invalid_argument(shown(text, '"') + " is not X:Y:Z, three columns, nor one of heights");
+    throw std::invalid_argument(shown(text, '"') + " is not X:Y:Z, three columns, or Z, one of heights");
   return columns;
 }
 

@@ -118,7 +118,7 @@ double parse_duration_s(const std::string& text) {
   const std::string numbers = text.substr(0, letter);
   const bool clock = numbers.find(':') != std::string::npos;
   if (clock != suffix.empty() || (!clock && suffix != "s" && suffix != "min" && suffix != "h"))
-    throw std::invalid_argument("\"" + text + "\" is no time such as 90s, 30min, 2h or 12:30");
+    throw std::invalid_argument("\"" + text + "\" is not a time such as 90s, 30min, 2h or 12:30");
   for (std::size_t begin = 0; begin <= numbers.size();) {
     const std::size_t end = std::min(numbers.find(':', begin), numbers.size());
     seconds = seconds * kSixty + parse_number(numbers.substr(begin, end - begin));

@@ -35,7 +35,7 @@ double number_of(const std::optional<double>& value) { return value.value_or(0);
 
 std::optional<double> read_positive(ByteReader& bytes) {
   const double value = read_number(bytes);
-  bytes.need(value >= 0, "a scale is below nothing");
+  bytes.need(value >= 0, "a scale is negative");
   return value > 0 ? std::optional(value) : std::nullopt;
 }
 
@@ -48,7 +48,7 @@ void write_camera(ByteWriter& bytes, const Camera& camera) {
 Camera read_camera(ByteReader& bytes) {
   Camera camera;
   const auto perspective = bytes.number<std::uint8_t>();
-  bytes.need(perspective <= 1, "the camera is of no kind");
+  bytes.need(perspective <= 1, "the camera has an unknown kind");
   camera.perspective = perspective == 1;
   camera.eye = read_point(bytes);
   for (Point3* axis : {&camera.right, &camera.down, &camera.forward}) *axis = read_point(bytes);
@@ -126,7 +126,7 @@ ZBuffer ZBuffer::read(std::span<const std::byte> bytes, const std::string& name)
   const View view = view_of(*result.place_, result.scene_);
   reader.need(std::isfinite(view.scale) && view.scale > 0, "the picture has no scale");
   result.buffer_ = zbuffer::KeptBuffer::read(reader, view, static_cast<std::uint32_t>(result.scene_.faces.size()));
-  reader.need(reader.left() == 0, "something stands behind the buffer");
+  reader.need(reader.left() == 0, "there are bytes after the buffer");
   return result;
 }
 

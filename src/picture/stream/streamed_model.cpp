@@ -66,16 +66,16 @@ std::string why_not_streamed(const ModelRequest& model, const PictureRequest& pi
   const LineRequest& lines = picture.lines;
   if (model.files.size() != 1) return "there are several models";
   if (lines.quality != Quality::exact) return "clear lines need the whole surface: --quality exact does not";
-  if (lines.hidden != HiddenLines::none) return "hidden lines need all that is hidden";
-  if (lines.method && lines.method != find_method("appel")) return "only method appel draws what is streamed";
+  if (lines.hidden != HiddenLines::none) return "hidden lines need all hidden parts";
+  if (lines.method && lines.method != find_method("appel")) return "only method appel draws streamed models";
   if (lines.cull) return "--cull needs whole solids";
   if (lines.profiles() != ProfileKind::off) return "profiles depend on the faces behind them";
   if (!can_be_found(lines.classes)) return "--edges names lines that are not edges";
-  if (needs_regions(picture) || picture.gray_faces) return "only lines can be drawn of what is streamed";
+  if (needs_regions(picture) || picture.gray_faces) return "streamed models can be drawn as lines only";
   if (picture.output.format == OutputFormat::json) return "JSON output contains face numbers";
   if (picture.output.group_objects || !picture.output.colors.empty() || !picture.plotter.asked_pens.pen_of_object.empty() ||
       model.parts.is_requested()) {
-    return "it would have one part";
+    return "streaming makes a single part";
   }
   if (model.weld_distance.value_or(0) > 0) return "--weld needs all vertices";
   if (model.subdivision) return "--subdivide needs whole meshes";
@@ -108,7 +108,7 @@ std::optional<StreamedModel> stream_model(TriangleFile& file, const PictureReque
     if (triangles_alone) bounds = find_bounds(file);
   });
   if (!triangles_alone) {
-    why = "it has faces that are no triangles";
+    why = "it has faces that are not triangles";
     return std::nullopt;
   }
   if (file.triangle_count() - bounds.degenerate < kFewestStreamedFaces) {

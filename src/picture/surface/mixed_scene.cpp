@@ -39,7 +39,7 @@ std::array<Point3, 2> extent(const Scene& scene, Axis up) {
 void check_mixed_scene(const SurfaceRequest& request) {
   if (std::max(request.u.size(), request.v.size()) > request.parametric.size()) {
     throw RequestError("", request.parametric.empty() ? "-u, -v: need --parametric"
-                                                      : "-u, -v: there are more of them than parametric surfaces");
+                                                      : "-u, -v: there are more ranges than parametric surfaces");
   }
   if (height_count(request) == 0 && (request.x || request.y || request.every))
     throw RequestError("", "-x, -y, --every: need --surface or --grid");

@@ -176,7 +176,7 @@ void thin_curves(const Surface& surface, HorizonRequest& horizon, const View& vi
   const std::size_t stride = stride_apart({horizon.box->in_model(), surface.heights->x().size(), surface.heights->y().size(),
                                            options.x_stride > 0, options.y_stride > 0},
                                           view, pen_width_mm);
-  if (stride > 1) run.choices.emplace_back("every", std::to_string(stride) + ": curves keep apart");
+  if (stride > 1) run.choices.emplace_back("every", std::to_string(stride) + ", to keep curves distinct");
   if (options.x_stride > 0) options.x_stride = stride;
   if (options.y_stride > 0) options.y_stride = stride;
 }
@@ -240,7 +240,7 @@ bool drawn_by_horizon(const SurfaceRequest& request, const std::vector<Surface>&
   const std::string option = needs_horizon(request);
   if (!option.empty()) {
     throw RequestError("", option + ": draws one surface z = f(x, y), and not " +
-                               (surfaces.front().mesh ? "a mesh" : "several; --index N takes one of a file"));
+                               (surfaces.front().mesh ? "a mesh" : "several; --index N chooses one of a file"));
   }
   return false;
 }

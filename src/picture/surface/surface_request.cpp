@@ -34,11 +34,11 @@ void check_sources(const SurfaceRequest& request) {
   }
   if (std::max(request.u.size(), request.v.size()) > request.parametric.size()) {
     throw RequestError("",
-                       parametric ? "-u, -v: there are more of them than parametric surfaces" : "-u, -v: need --parametric");
+                       parametric ? "-u, -v: there are more ranges than parametric surfaces" : "-u, -v: need --parametric");
   }
   if (!formulas && !parametric && request.samples) throw RequestError("samples", "a grid has its own samples");
   if (!formulas && ((request.x && request.x->curves) || (request.y && request.y->curves))) {
-    throw RequestError("", "-x, -y: a grid takes A:B, a window; --every N says which curves are drawn");
+    throw RequestError("", "-x, -y: a grid takes A:B, a window; --every N selects the curves");
   }
   if (!grids && request.every) {
     throw RequestError("every", "needs --grid; for a formula, -x A:B:N sets the number of curves");

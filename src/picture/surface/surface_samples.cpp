@@ -92,7 +92,7 @@ void check_mesh(const SurfaceRequest& request, const std::string& file) {
   refuse(request.skirt, "--skirt");
   refuse(request.terrain.has_water(), "--water");
   refuse(request.terrain.hachures != HachureKind::none, "--hachures");
-  refuse(request.log_axes[0] || request.log_axes[1] || request.log_axes[2], "an axis of decades");
+  refuse(request.log_axes[0] || request.log_axes[1] || request.log_axes[2], "a logarithmic axis");
 }
 
 /// The unit of x and y: from the request, else from the file.
@@ -245,9 +245,8 @@ std::vector<Surface> surfaces_of(const SurfaceRequest& request, RunReport& run) 
 }
 
 void refuse_empty(const SurfaceRequest& request, const std::string& formula, RunReport& run) {
-  const std::string cause = printable(formula) +
-                            (request.z_range ? " has no height within --z-range" : " is nowhere a number") +
-                            " over the ground that is drawn: -x, -y";
+  const std::string cause = printable(formula) + (request.z_range ? " has no height within --z-range" : " has no value") +
+                            " in the drawn range of -x and -y";
   if (request.formulas.size() + request.grids.size() + request.parametric.size() == 1) throw InputError("surface", cause);
   run.warn(cause);
 }

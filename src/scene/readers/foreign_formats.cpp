@@ -54,7 +54,7 @@ constexpr std::array kBeginnings{
     ForeignFormat{"# vtk DataFile", "a VTK file", "open it in ParaView and save its surface as PLY or STL"},
     ForeignFormat{"$MeshFormat", "a Gmsh mesh", "convert it with: gmsh IN -0 -o OUT.stl"},
     ForeignFormat{"MeshVersionFormatted", "a Medit mesh", "convert it with: gmsh IN -0 -o OUT.stl"},
-    ForeignFormat{"# .PCD", "a point cloud (PCD)", "it holds points alone: reconstruct a surface, for example in MeshLab"},
+    ForeignFormat{"# .PCD", "a point cloud (PCD)", "it has only points: reconstruct a surface, for example in MeshLab"},
     ForeignFormat{"DBRep_DrawableShape", "a BREP file of Open CASCADE", kWithFreeCad},
     ForeignFormat{{"U3D\0", 4}, "a U3D file", kWithBlender},
 };

@@ -122,7 +122,7 @@ void read_materials(ByteReader& bytes, Scene& scene) {
   scene.face_material = bytes.list<std::uint32_t>();
   bytes.need(scene.face_material.empty() || scene.face_material.size() == scene.faces.size(),
              "there is not one material for each face");
-  for (const std::uint32_t m : scene.face_material) bytes.need(m < count, "a face has a material that is not there");
+  for (const std::uint32_t m : scene.face_material) bytes.need(m < count, "a face has a missing material");
 }
 
 void read_lights(ByteReader& bytes, Scene& scene) {

@@ -201,7 +201,7 @@ std::unique_ptr<HeightSource> window_heights(std::unique_ptr<HeightSource> heigh
   const std::size_t width = columns.end - columns.begin, height = rows.end - rows.begin;
   if (width < 2 || height < 2) {
     throw InputError(name, "the window -x, -y holds " + std::to_string(width) + " columns and " + std::to_string(height) +
-                               " rows of the grid; it takes two of each");
+                               " rows of the grid; two of each are needed");
   }
   return std::make_unique<WindowHeights>(std::move(heights), columns, rows);
 }

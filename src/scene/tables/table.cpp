@@ -194,7 +194,7 @@ class TableReader {
     const NumberStyle& numbers = table_.style_.numbers;
     if (table_.style_.doubtful_comma) {
       warnings_.add(numbers.decimal_comma ? "ambiguous number format: 1,234 read as 1.234"
-                                          : "way to write numbers is in doubt: 1,234 taken for 1234");
+                                          : "ambiguous number format: 1,234 read as 1234");
     }
     if (table_.style_.doubtful_point) warnings_.add("ambiguous number format: 1.234 read as 1234");
   }

@@ -19,7 +19,7 @@ struct ForeignDataFormat {
 constexpr std::array kDataStrangers{
     ForeignDataFormat{"\x89HDF\r\n\x1a\n", "an HDF5 or netCDF-4 file",
                       "nccopy -k classic IN OUT.nc, or gdal_translate -of GTiff IN OUT.tif"},
-    ForeignDataFormat{"MATLAB 7.3", "a MATLAB file of version 7.3", "save it anew in MATLAB: save('OUT.mat', '-v7')"},
+    ForeignDataFormat{"MATLAB 7.3", "a MATLAB file of version 7.3", "save it again in MATLAB: save('OUT.mat', '-v7')"},
     ForeignDataFormat{"PAR1", "a Parquet file", "python3 -c \"import pandas; pandas.read_parquet('IN').to_csv('OUT.csv')\""},
     ForeignDataFormat{"ARROW1", "an Arrow file",
                       "python3 -c \"import pandas; pandas.read_feather('IN').to_csv('OUT.csv')\""},

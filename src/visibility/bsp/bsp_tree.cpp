@@ -43,7 +43,7 @@ BspTree::BspTree(ByteReader& bytes, const Scene& scene) : pieces_(bytes, scene) 
     bytes.need(node.plane.is_finite(), "a plane is not finite");
     for (const std::uint32_t child : {node.front, node.back}) {
       if (child == kNone) continue;
-      bytes.need(child > i && child < nodes_.size() && !is_child[child], "a subtree is not there, or twice");
+      bytes.need(child > i && child < nodes_.size() && !is_child[child], "a subtree is missing or repeated");
       is_child[child] = 1;
     }
   }

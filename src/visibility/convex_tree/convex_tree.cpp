@@ -139,7 +139,7 @@ ConvexTree::ConvexTree(ByteReader& bytes, const Scene& scene) : pieces_(bytes, s
     const Node& node = nodes_[i];
     for (const std::uint32_t child : {node.front, node.back}) {
       if (child == kNone) continue;
-      bytes.need(child > i && child < nodes_.size() && !is_child[child], "a subtree is not there, or twice");
+      bytes.need(child > i && child < nodes_.size() && !is_child[child], "a subtree is missing or repeated");
       is_child[child] = 1;
     }
     for (std::uint32_t k = node.begin; k < node.end; ++k) {

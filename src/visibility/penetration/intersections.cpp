@@ -31,7 +31,7 @@ bool seen_in(const PageSegment& s, const CellSquare& square, double margin, floa
 
 // Adjustable: number of facets in a leaf above which pairs are first compared by their planes over the leaf, and above
 // which facets are first sorted out that need no comparison at all.
-constexpr std::uint32_t kCrowded = 32, kManyTogether = 128;
+constexpr std::uint32_t kFullLeaf = 32, kManyTogether = 128;
 // Adjustable: number of facets in a leaf above which tasks share its pairs, and facets per task.
 constexpr std::size_t kManyItems = 1024, kItemsPerTask = 256;
 
@@ -94,15 +94,15 @@ class LeafSearch {
     planes_.clear();
     const Leaf leaf{cell, square, grid_.list(cell), square.size / 2 + margin_};
     const double half = square.size / 2;
-    const bool crowded = cell.count > kCrowded;
+    const bool is_full = cell.count > kFullLeaf;
     for (std::uint32_t i = 0; i < cell.count; ++i) {
       const CellFacet& listed = leaf.list[i];
       const Facet& facet = facets_[listed.facet];
       items_.push_back({own_.found.place(listed.facet), listed.z_near, facet.z_far, listed.box});
-      if (crowded) planes_.emplace_back(FacetFunctions(facet, scene_.vertices.data()), square.x + half, square.y + half);
+      if (is_full) planes_.emplace_back(FacetFunctions(facet, scene_.vertices.data()), square.x + half, square.y + half);
     }
-    if (crowded) {
-      search_crowd(leaf);
+    if (is_full) {
+      search_full_leaf(leaf);
     } else {
       search_pairs(leaf);
     }
@@ -158,8 +158,8 @@ class LeafSearch {
     }
   }
 
-  /// Compares the pairs of a crowded leaf. With many facets, pairs in one plane and pairs of one pencil are skipped.
-  void search_crowd(const Leaf& leaf) {
+  /// Compares the pairs of a full leaf. With many facets, pairs in one plane and pairs of one pencil are skipped.
+  void search_full_leaf(const Leaf& leaf) {
     const std::size_t n = items_.size();
     if (n > kManyTogether) {
       group_planes(leaf.reach);
@@ -175,13 +175,13 @@ class LeafSearch {
     for (std::optional<Comparisons>& part : made) own_.found.add(std::move(part->found));
   }
 
-  /// Compares the items [begin, end) of a crowded leaf with the items after them in the list.
+  /// Compares the items [begin, end) of a full leaf with the items after them in the list.
   void compare(const Leaf& leaf, std::size_t begin, std::size_t end, Comparisons& own) const {
     const auto n = static_cast<std::uint32_t>(items_.size());
     const bool many = n > kManyTogether;
     // The farthest items come first: most of their segments are hidden, so `hiders` learns the facets that hide.
     for (auto i = static_cast<std::uint32_t>(end); i-- > begin;) {
-      const auto compare_with = [&](std::uint32_t k) { return compare_in_crowd(i, k, many, leaf, own); };
+      const auto compare_with = [&](std::uint32_t k) { return compare_in_full_leaf(i, k, many, leaf, own); };
       if (many && in_pencil_[i]) {
         auto other = std::upper_bound(outside_.begin(), outside_.end(), i);
         while (other != outside_.end() && compare_with(*other)) ++other;
@@ -194,7 +194,7 @@ class LeafSearch {
   }
 
   /// Returns whether items after k are to be compared with item i, too.
-  bool compare_in_crowd(std::uint32_t i, std::uint32_t k, bool many, const Leaf& leaf, Comparisons& own) const {
+  bool compare_in_full_leaf(std::uint32_t i, std::uint32_t k, bool many, const Leaf& leaf, Comparisons& own) const {
     const Item &a = items_[i], &b = items_[k];
     if (b.z_near > a.z_far) return false;
     if (!a.box.meets(b.box) || a.place.face == b.place.face) return true;
@@ -273,7 +273,7 @@ class LeafSearch {
   double margin_;
   Comparisons own_;
   std::vector<Item> items_;
-  std::vector<Plane> planes_;  ///< planes of the items, in crowded leaves
+  std::vector<Plane> planes_;  ///< planes of the items, in full leaves
   std::vector<std::pair<std::array<double, 4>, std::uint32_t>> keys_;
   std::vector<SideUse> side_uses_;
   std::vector<bool> in_pencil_;         ///< per item: whether it belongs to the pencil

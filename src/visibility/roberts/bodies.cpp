@@ -180,7 +180,7 @@ FoundPart look_at(const PlacedModel& model, std::span<const std::uint32_t> trian
   const ProjectedScene part = scene_of_part(model.page, triangles, found.faces);
   found.is_flat = found.faces.size() == 1;
   if (found.place == Place::cut) {
-    found.unsupported = "it is not wholly in view";
+    found.unsupported = "it is not entirely in view";
     return found;
   }
   std::vector<LatticePoint> points;

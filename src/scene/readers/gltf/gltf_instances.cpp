@@ -51,7 +51,7 @@ void add_gpu_instances(GltfDocument& document, std::size_t most, std::vector<Glt
     for (const glm::dmat4& matrix : instance_matrices(document, place, extension->second.Get("attributes"))) {
       all.push_back({instance.node, instance.mesh, instance.to_world * matrix});
     }
-    if (all.size() > most) document.fail(place, "comes to more than " + std::to_string(most) + " instances");
+    if (all.size() > most) document.fail(place, "has more than " + std::to_string(most) + " instances");
   }
   instances = std::move(all);
 }

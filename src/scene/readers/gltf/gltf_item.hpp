@@ -88,7 +88,7 @@ class GltfItem {
     if (!list) return nullptr;
     if (list->size() != size) fail(std::string(key) + " does not have " + std::to_string(size) + " numbers");
     if (!std::all_of(list->begin(), list->end(), [](const Json& v) { return v.is_number(); })) {
-      fail(std::string(key) + " holds something that is not a number");
+      fail(std::string(key) + " has a value that is not a number");
     }
     return *list;
   }

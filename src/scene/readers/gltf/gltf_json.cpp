@@ -126,7 +126,7 @@ class Checker {
     const json* list = root_.array("extensionsRequired");
     if (!list) return;
     for (const json& v : *list) {
-      if (!v.is_string()) root_.fail("extensionsRequired holds something that is not a string");
+      if (!v.is_string()) root_.fail("extensionsRequired has a value that is not a string");
       check_required_extension(v.get<std::string>(), name_);
     }
   }

@@ -123,7 +123,7 @@ class Reader {
       const std::size_t limit = std::max(kMaxInstanced, document_.bytes_read());
       if (triangles_ > limit || vertices_ > limit || primitives_ > limit) {
         document_.fail("node " + std::to_string(instance.node),
-                       "meshes used many times come to more than " + std::to_string(limit) + " triangles or vertices");
+                       "repeated meshes have more than " + std::to_string(limit) + " triangles or vertices");
       }
     }
     if (vertices_ >= kNone || triangles_ >= kNone / 3) document_.fail("scene", "too many vertices or triangles");

@@ -102,7 +102,7 @@ bool ObjSurfaces::take(std::string_view keyword, std::string_view rest, std::siz
     const std::string_view axis = take_word(rest);
     std::optional<std::vector<double>> knots = patch_numbers(rest);
     if (!knots || (axis != "u" && axis != "v")) {
-      cause = "parm holds something that is no number";
+      cause = "parm has a value that is not a number";
     } else if (is_open_) {
       patch_.knots[axis == "v"] = *std::move(knots);
     }

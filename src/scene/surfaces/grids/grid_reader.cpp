@@ -130,9 +130,9 @@ std::vector<GridSurface> read_surfaces(std::span<const std::byte> bytes, const s
   if (const auto stranger = data_stranger(chars)) throw InputError(name, *stranger);
   refuse_models(bytes, name, kWanted);
   if (!may_be_text(chars)) {
-    throw InputError(name,
-                     "not a grid file that is known (tables as text, ESRI ASCII grid, PGM, PNG, GeoTIFF, Surfer, npy, "
-                     "netCDF, MATLAB, JSON)");
+    throw InputError(
+        name,
+        "is not a known grid format (text tables, ESRI ASCII grid, PGM, PNG, GeoTIFF, Surfer, npy, netCDF, MATLAB, JSON)");
   }
   if (!is_esri_grid(as_text(bytes, name))) return read_text_surfaces(bytes, name, warnings, choice);
   std::unique_ptr<HeightSource> heights = read_esri_grid(bytes, name, warnings);

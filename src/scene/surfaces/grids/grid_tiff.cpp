@@ -269,7 +269,7 @@ class TiffFile {
       const bool fits = mask.columns == shape_.columns && mask.rows == shape_.rows && mask.channels == 1 &&
                         (mask.bits == 1 || mask.bits == 8);
       if (!fits) {
-        warnings_.leave_out("masks of another size than the heights");
+        warnings_.leave_out("masks that differ in size from the heights");
       } else if (!masked) {
         apply_mask(mask, heights);
         masked = true;
@@ -294,7 +294,8 @@ class TiffFile {
       from_world_file_ = transform.has_value();
     }
     if (!transform) {
-      warnings_.leave_out("ground control points, for gdalwarp: positions counted", tags_.control_points());
+      warnings_.leave_out("ground control points, which gdalwarp applies: rows and columns used as positions",
+                          tags_.control_points());
       return count_raster(shape_.columns, shape_.rows);
     }
     std::optional<RasterPlacement> placement = place_raster(*transform, shape_.columns, shape_.rows);

@@ -58,7 +58,7 @@ class ArrayPoints {
     count_ = arrays_[*role.x].values.size();
     if (arrays_[*role.y].values.size() != count_) {
       throw InputError(name_, "arrays " + printable(names[*role.x]) + " and " + printable(names[*role.y]) +
-                                  " have different lengths: they are no positions of points");
+                                  " have different lengths: they are not positions of points");
     }
     x_ = {&arrays_[*role.x]};
     y_ = {&arrays_[*role.y]};

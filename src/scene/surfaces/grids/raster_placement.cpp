@@ -121,7 +121,7 @@ std::optional<RasterTransform> read_world_file(const std::filesystem::path& pict
   const std::vector<std::byte> bytes = read_input(*found, name, opened, kLargestWorldFile);
   const auto numbers = numbers_in(as_characters(bytes));
   if (!numbers || numbers->size() != 6) {
-    warnings.add("world file without six numbers, " + name + ": positions are counted");
+    warnings.add("world file without six numbers, " + name + ": rows and columns used as positions");
     return std::nullopt;
   }
   const std::vector<double>& n = *numbers;
