@@ -75,7 +75,7 @@ TEST_F(StoredOrderTest, MistakesAreToldInOneLine) {
   refused("plot broken.json --fill material", "a piece of the order has a missing material");
   broken["order"][0].erase("material");
   write("older.json", broken.dump());
-  refused("plot older.json --fill material", "piece 0 of the order: has no material; draw it anew");
+  refused("plot older.json --fill material", "piece 0 of the order: has no material; draw it again");
   broken["order"][0]["outer"] = json::array();
   write("empty.json", broken.dump());
   refused("plot empty.json --fill material", "piece 0 of the order: a contour has fewer than three points");

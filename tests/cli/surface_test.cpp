@@ -192,7 +192,7 @@ TEST_F(SurfaceTest, Mistakes) {
   fails("x --resolution 2 -o a.svg", 2, "--resolution: ");
   fails("x --azimuth 2 --view top -o a.svg", 2, "--azimuth, --elevation: ");
   fails("--grid nowhere.csv -o a.svg", 1, "nowhere.csv: ");
-  fails("sqrt(-1-r) -o a.svg", 1, "surface: sqrt(-1-r) has no value over the ground that is drawn");
+  fails("sqrt(-1-r) -o a.svg", 1, "surface: sqrt(-1-r) has no value in the drawn range");
 }
 
 }  // namespace

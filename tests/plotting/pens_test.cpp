@@ -403,8 +403,9 @@ TEST(DeviceFile, PapersHaveBounds) {
   EXPECT_NE(
       with_paper("width = 210\nheight = 297\nlimits = [0, 0, 1, 1]\norigin = [inf, 0]\n").find("the origin is farther"),
       std::string::npos);
-  EXPECT_NE(with_paper("width = 210\nheight = 297\nlimits = [0, 0, 1, 1]\nselect = \"PS{x};\"\n").find("select: {x} is not"),
-            std::string::npos);
+  EXPECT_NE(
+      with_paper("width = 210\nheight = 297\nlimits = [0, 0, 1, 1]\nselect = \"PS{x};\"\n").find("select: {x} is unknown"),
+      std::string::npos);
 }
 
 TEST(DeviceFile, WhatIsNotKnownInBracesIsAnErrorThatListsWhatIs) {

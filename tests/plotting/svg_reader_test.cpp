@@ -224,7 +224,7 @@ TEST(SvgReader, RefusesByName) {
       {"<foreignObject/>", "has foreignObject"},
       {"<text><textPath href='#p'>a</textPath></text>", "has text"},
       {"<line x2='5'><animate/></line><animate/>", "has animation"},
-      {"<line x2='5' stroke='?'/>", "is not a colour"},
+      {"<line x2='5' stroke='?'/>", "is not a known colour"},
       {"<line x2='5furlongs'/>", "is not a length"},
       {"<path d='L1 2'/>", "do not begin with M"},
       {"<path d='M1 2X3'/>", "unknown command"},

@@ -50,8 +50,8 @@ std::vector<std::string> numbered_names(const std::string& name, unsigned count)
   if (count == 1) return {name};
   const std::optional<NumberPlace> place = find_place(name, 0, 'd');
   if (!place) {
-    throw RequestError("output", shown(name) + " has no frame number, such as name%03d" +
-                                     (name == "-" ? ".svg" : "") + "; only a PDF holds them all");
+    throw RequestError("output", shown(name) + " has no frame number, such as name%03d" + (name == "-" ? ".svg" : "") +
+                                     "; only a PDF holds them all");
   }
   if (find_place(name, place->end, 'd')) throw RequestError("output", shown(name) + " has two frame numbers");
   std::vector<std::string> names;

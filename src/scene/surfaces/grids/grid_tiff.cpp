@@ -294,8 +294,7 @@ class TiffFile {
       from_world_file_ = transform.has_value();
     }
     if (!transform) {
-      warnings_.leave_out("ground control points, which gdalwarp applies: rows and columns used as positions",
-                          tags_.control_points());
+      warnings_.leave_out("ground control points, which gdalwarp applies", tags_.control_points());
       return count_raster(shape_.columns, shape_.rows);
     }
     std::optional<RasterPlacement> placement = place_raster(*transform, shape_.columns, shape_.rows);
