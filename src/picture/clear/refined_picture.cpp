@@ -19,7 +19,7 @@ constexpr double kMostInPens = 0.5;
 bool is_of_lines_alone(const PictureRequest& request) {
   const LineRequest& lines = request.lines;
   return lines.quality == Quality::clear && !lines.classes.has(LineClass::mesh) && !has_shape_lines(lines.classes) &&
-         !asks_for_regions(request) && !request.gray_faces && !request.groups && !request.iso && !request.compiled &&
+         !needs_regions(request) && !request.gray_faces && !request.groups && !request.iso && !request.compiled &&
          request.keep == Keep::nothing && !request.earlier && !request.blank;
 }
 
