@@ -147,9 +147,9 @@ TEST(NewellZones, TheNextViewTakesOverPiecesOfAllZones) {
     return std::ranges::find(result.statistics.counts, name, &std::pair<std::string, std::uint64_t>::first)->second;
   };
   const VisibilityResult first = study(0, nullptr);
-  ASSERT_GT(count(first, "elements in the end"), count(first, "faces in the list") + 100);
+  ASSERT_GT(count(first, "final elements"), count(first, "faces in the list") + 100);
   const VisibilityResult again = study(0, first.kept.get());
-  EXPECT_EQ(count(again, "elements of the view before"), count(first, "elements in the end"));
+  EXPECT_EQ(count(again, "elements of the previous view"), count(first, "final elements"));
   EXPECT_EQ(count(again, "cuts by a plane") + count(again, "cuts on the page"), 0u);
   const VisibilityResult next = study(0.02, first.kept.get()), alone = study(0.02, nullptr);
   EXPECT_EQ(next.strokes->strokes.size(), alone.strokes->strokes.size());
