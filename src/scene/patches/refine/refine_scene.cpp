@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/no_index.hpp"
+#include "scene/patches/refine/bodies_apart.hpp"
 
 namespace ligne {
 namespace {
@@ -223,7 +224,7 @@ std::optional<RefinedScene> refine_scene(const Scene& scene, const Topology& top
   const Patches& patches = creases.patches;
   if (patches.list.empty() || scene.stated.any() || has_lines_of_its_own(scene)) return std::nullopt;
   const EdgeLevels levels = edge_levels(scene, topology, patches, limits);
-  if (levels.of_patch.empty()) return std::nullopt;
+  if (levels.of_patch.empty() || !bodies_lie_apart(scene, topology)) return std::nullopt;
   const PlaneRegions planes = plane_regions(scene, topology, patches, creases.lines, levels.curved);
   const SplitTriangles split = split_triangles(scene, topology, patches, planes, levels);
   if (split.points.empty()) return std::nullopt;
