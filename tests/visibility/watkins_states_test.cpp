@@ -1,6 +1,7 @@
 // The scan by lines as its source has it: edges tracked by their states, intersections as points, whole coordinates; and two
 // tasks in place of one.
 
+#include "scene/clean/clean.hpp"
 #include "support/line_scans.hpp"
 #include "support/test.hpp"
 #include "visibility/registry.hpp"

@@ -128,8 +128,17 @@ void EdgeTracker::hold_against(std::uint32_t index, Track& track, std::uint32_t 
   if (std::find(track.tested.begin(), track.tested.end(), face) != track.tested.end()) return;
   track.tested.push_back(face);
   const PageLine line(l.from, l.to, l.face0, l.face1);
+  if (scene_.is_skew(face)) {
+    for (const RuledPart& part : scene_.skew->parts(face)) {
+      ++counts_.facet_tests;
+      for (const HiddenInterval& h : behind_ruled_part(line, part, scene_.skew->depth_tolerance(face))) {
+        if (h.sides != HiddenSides::none) track.hidden.push_back(h);
+      }
+    }
+    return;
+  }
   bool near_side = false;
-  for (const std::uint32_t f : of_faces_.of(face)) {
+  for (const std::uint32_t f : scene_.of_faces.of(face)) {
     ++counts_.facet_tests;
     const HiddenInterval h = hidden_interval(line, facets_[f], vertices_.data(), {0, 1}, coincidence_steps_, near_side);
     if (h.sides != HiddenSides::none) track.hidden.push_back(h);

@@ -30,13 +30,9 @@ struct TrackCounts {
 
 class EdgeTracker final : public LineListener {
  public:
-  EdgeTracker(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
-              const FacetsOfFaces& facets_of_faces, std::span<const SweepLine> lines, double coincidence_steps)
-      : vertices_(vertices),
-        facets_(facets),
-        of_faces_(facets_of_faces),
-        lines_(lines),
-        coincidence_steps_(coincidence_steps) {}
+  EdgeTracker(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, const ScanScene& scene,
+              std::span<const SweepLine> lines, double coincidence_steps)
+      : vertices_(vertices), facets_(facets), scene_(scene), lines_(lines), coincidence_steps_(coincidence_steps) {}
 
   void line(const LineScan& scan, std::uint32_t line, bool studied) override;
   void ended(const LineScan& scan, std::uint32_t slot) override;
@@ -69,7 +65,7 @@ class EdgeTracker final : public LineListener {
 
   const std::vector<ProjectedVertex>& vertices_;
   const std::vector<Facet>& facets_;
-  const FacetsOfFaces& of_faces_;
+  const ScanScene& scene_;
   std::span<const SweepLine> lines_;
   double coincidence_steps_;
   std::vector<Tracks> tracks_;  ///< by slot

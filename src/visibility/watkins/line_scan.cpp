@@ -29,7 +29,7 @@ LineScan::LineScan(const ScanScene& scene, const std::vector<ProjectedVertex>& v
       lines_(lines),
       options_(options),
       listener_(listener),
-      face_orders_(vertices, facets, scene.of_faces),
+      face_orders_(vertices, facets, scene.of_faces, scene.skew),
       open_(scene.face_count, 0) {
   if (scene.grid.whole) {
     whole_ = make_span_method<std::int32_t>(options.kind);
@@ -79,7 +79,7 @@ void LineScan::begin(std::uint32_t line) {
   spans_.clear();
   penetrating_.clear();
   must_study_ = true;
-  opens_ = false;
+  opens_ = bends_ = false;
   ended_edges_.clear();
   if (line == 0) return;
   for (std::uint32_t e = 0; e < scene_.first_of_line[line]; ++e) {
@@ -98,7 +98,7 @@ void LineScan::begin(std::uint32_t line) {
 bool LineScan::take_line(std::uint32_t line) {
   advance_edges(line);
   const bool first = must_study_, exchanged = sort(line);
-  const bool study = first || opens_ || !options_.coherence || exchanged || changes_matter(line);
+  const bool study = first || opens_ || bends_ || !options_.coherence || exchanged || changes_matter(line);
   for (const std::uint32_t slot : gone_) listener_.ended(*this, slot);
   if (study) {
     if (scene_.grid.whole) {
@@ -290,6 +290,7 @@ void LineScan::place_spans(const std::vector<VisibleSpan>& found) {
   });
   spans_.clear();
   penetrating_.clear();
+  bends_ = false;
   must_study_ = false;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const VisibleSpan& s = found[i];
@@ -329,19 +330,22 @@ std::uint32_t LineScan::boundary_between(const VisibleSpan& left, const VisibleS
   return best == kNone ? penetration_edge(left, right) : best;
 }
 
-/// Makes an edge between two penetrating spans, for the time until the next study, along the intersection of the planes.
+/// Makes an edge between two penetrating spans, for the time until the next study, along the intersection of the planes. A
+/// skew face penetrates others along a curve: the next line is studied.
 std::uint32_t LineScan::penetration_edge(const VisibleSpan& left, const VisibleSpan& right) {
   const std::uint32_t f = ends_[left.segment].face, g = ends_[right.segment].face;
   for (const std::uint32_t face : {f, g}) {
     if (std::find(penetrating_.begin(), penetrating_.end(), face) == penetrating_.end()) penetrating_.push_back(face);
   }
+  bends_ = bends_ || scene_.is_skew(f) || scene_.is_skew(g);
   if (prepared_) return any_slot_;
   EdgeTrack track;
   track.u = left.x1;
   track.last = kNone;
   const GridPlane &p = scene_.planes[f], &q = scene_.planes[g];
   const double step = (q.zv - p.zv) / (p.zu - q.zu);
-  if (std::isfinite(step)) track.du = step;  // otherwise vertical: parallel planes of faces that are not quite planar
+  // Otherwise vertical: parallel planes of faces that are not quite planar, or a curve, which the next study follows.
+  if (std::isfinite(step) && !scene_.is_skew(f) && !scene_.is_skew(g)) track.du = step;
   const std::uint32_t slot = make_slot(scene_.unlisted, track);
   slots_[slot].entered = false;
   order_.insert(

@@ -10,7 +10,8 @@
 /// appear behind the span round them, ends of edges that bound nothing, exchanges of two such edges, and exchanges of one
 /// with the end of a span if the next span hides it too. Touching faces keep their order on all lines (FaceOrders). Where
 /// faces penetrate, the line of intersection is an ordinary edge of the scene. A penetration without such an edge gets a
-/// straight one until the next study; lines on which one of the two faces gains or loses an edge are studied.
+/// straight one until the next study; lines on which one of the two faces gains or loses an edge are studied. The line after
+/// a penetration of a skew face is always studied.
 
 #include <cmath>
 #include <cstdint>
@@ -176,6 +177,7 @@ class LineScan : private PairOrders {
   std::vector<std::uint32_t> ended_edges_;
   bool must_study_ = true;                  ///< no spans to continue
   bool opens_ = false;                      ///< is_opening() for a segment of the last studied line
+  bool bends_ = false;                      ///< a skew face penetrates another on the last studied line
   std::vector<std::uint32_t> penetrating_;  ///< faces in a penetration without an edge
   std::vector<LineSpan> spans_;
 

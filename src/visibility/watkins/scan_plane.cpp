@@ -42,7 +42,7 @@ ScanPlane scan_plane(const ProjectedScene& scene, const std::vector<Facet>& face
   grid.spacing = 1 / step;  // one mm per grid unit
   grid.u_origin = -scene.lattice.origin_mm.x / step;
   grid.v_origin = (y_mm - scene.lattice.origin_mm.y) / step;
-  const ScanScene scan_scene = make_scan_scene(scene, facets, lines, grid, options.coincidence_steps);
+  const ScanScene scan_scene = make_scan_scene(scene, facets, lines, grid, options.coincidence_steps, options.skew);
   ScanPlane plane;
   plane.y_mm = y_mm;
   plane.kind = static_cast<std::uint8_t>(options.scan.kind);

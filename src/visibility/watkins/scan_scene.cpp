@@ -125,11 +125,15 @@ std::vector<ScanEdge> make_edges(ScanScene& result, const std::vector<ProjectedV
 }  // namespace
 
 ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
-                          const LineGrid& grid, double thin_steps) {
+                          const LineGrid& grid, double thin_steps, const SkewFaces* skew) {
   ScanScene result;
   result.grid = grid;
   for (const Triangle& t : scene.triangles) result.face_count = std::max(result.face_count, t.face + 1);
   result.planes = planes_of(scene, grid, result.face_count);
+  result.skew = skew;
+  for (std::uint32_t f = 0; f < result.face_count; ++f) {
+    if (result.is_skew(f)) result.planes[f] = {skew->farthest(f), 0, 0};
+  }
   result.of_faces = FacetsOfFaces(facets, result.face_count);
   result.depth_tolerance = depth_tolerances(scene, facets, result.face_count, thin_steps);
 

@@ -34,10 +34,13 @@ struct ScanScene {
   std::vector<std::uint32_t>
       first_of_line;  ///< by line, plus two: first edge that begins at line i; the last bucket has edges below all lines
   std::vector<std::uint32_t> edge_faces, edge_lines;
-  std::vector<GridPlane> planes;        ///< by face
+  std::vector<GridPlane> planes;        ///< by face; of a skew face: at its farthest corner
   std::vector<double> depth_tolerance;  ///< by face: maximum of its facets that are not edge-on
   FacetsOfFaces of_faces;
   std::uint32_t face_count = 0;
+  const SkewFaces* skew = nullptr;  ///< faces without a plane and without facets; null: none
+
+  bool is_skew(std::uint32_t face) const { return skew && skew->has(face); }
 
   std::span<const std::uint32_t> faces_of(const ScanEdge& e) const {
     return {edge_faces.data() + e.faces_begin, edge_faces.data() + e.faces_end};
@@ -53,7 +56,9 @@ struct ScanScene {
 /// Facets with a height on the page below `thin_steps` get no depth tolerance here. Their tolerance would span the depth of
 /// whole bodies: they would touch faces far in front and far behind, and the order of three could be cyclic. Their depths
 /// alone decide.
+///
+/// `skew`: faces whose segments run between their sides, without facets; null: none. It must outlive the result.
 ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>& facets, std::span<const SweepLine> lines,
-                          const LineGrid& grid, double thin_steps);
+                          const LineGrid& grid, double thin_steps, const SkewFaces* skew = nullptr);
 
 }  // namespace ligne::watkins

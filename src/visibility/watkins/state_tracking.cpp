@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "base/no_index.hpp"
 
@@ -34,6 +35,21 @@ void StateTracker::see(const LineScan& scan, std::uint32_t slot, std::uint32_t l
   }
 }
 
+namespace {
+
+/// The depth of two faces where they penetrate on a line: that of a plane, or of the segment of a skew face.
+double depth_at(const LineScan& scan, double u, std::uint32_t face, std::uint32_t other, std::uint32_t line) {
+  const ScanScene& scene = scan.scene();
+  if (!scene.is_skew(face)) return scene.planes[face].z(u, line);
+  if (!scene.is_skew(other)) return scene.planes[other].z(u, line);
+  for (const ScanSegment<double>& s : scan.segments()) {
+    if (scan.face_of(s) == face && s.x0 <= u && u <= s.x1) return s.z(u);
+  }
+  return scene.skew->farthest(face);  // whole coordinates keep no segments
+}
+
+}  // namespace
+
 void StateTracker::line(const LineScan& scan, std::uint32_t line, bool) {
   const std::vector<LineSpan>& spans = scan.spans();
   for (std::size_t i = 0; i < spans.size(); ++i) {
@@ -42,7 +58,8 @@ void StateTracker::line(const LineScan& scan, std::uint32_t line, bool) {
     see(scan, s.right, line);
     if (i + 1 == spans.size() || s.u1 != spans[i + 1].u0) continue;
     if (scan.active(s.right).edge != scan.scene().unlisted) continue;
-    points_.push_back({s.u1, line, std::min(s.face, spans[i + 1].face), std::max(s.face, spans[i + 1].face)});
+    points_.push_back({s.u1, depth_at(scan, s.u1, s.face, spans[i + 1].face, line), line,
+                       std::min(s.face, spans[i + 1].face), std::max(s.face, spans[i + 1].face)});
   }
 }
 
@@ -93,14 +110,45 @@ std::size_t TrackedParts::points() const {
       std::count_if(parts_.begin(), parts_.end(), [](const TrackedPart& part) { return part.first == part.last; }));
 }
 
+/// A place on a line of the grid as a point of the page.
+static ProjectedVertex vertex_at(const LineGrid& grid, double u, std::uint32_t line, double z) {
+  const double y = grid.v_origin + line * grid.spacing;
+  return {{static_cast<std::int32_t>(std::lround(grid.x(u))), static_cast<std::int32_t>(std::lround(y))}, z};
+}
+
+std::vector<Intersection> curves_of_points(std::vector<PenetrationPoint> points, const ScanScene& scene) {
+  std::erase_if(points, [&](const PenetrationPoint& p) { return !scene.is_skew(p.face0) && !scene.is_skew(p.face1); });
+  const auto key = [](const PenetrationPoint& p) { return std::tuple(p.face0, p.face1, p.line, p.u); };
+  std::ranges::sort(points, {}, key);
+  const auto end_of_row = [&](std::size_t begin) {
+    std::size_t end = begin;
+    const auto row = [](const PenetrationPoint& p) { return std::tuple(p.face0, p.face1, p.line); };
+    while (end < points.size() && row(points[end]) == row(points[begin])) ++end;
+    return end;
+  };
+  std::vector<Intersection> curves;
+  for (std::size_t begin = 0; begin < points.size();) {
+    const std::size_t middle = end_of_row(begin), end = middle < points.size() ? end_of_row(middle) : middle;
+    const PenetrationPoint& first = points[begin];
+    const bool adjacent = middle < end && points[middle].face0 == first.face0 && points[middle].face1 == first.face1 &&
+                          points[middle].line == first.line + 1;
+    if (adjacent && end - middle == middle - begin) {
+      for (std::size_t i = begin; i < middle; ++i) {
+        const PenetrationPoint &a = points[i], &b = points[middle + i - begin];
+        curves.push_back(
+            {vertex_at(scene.grid, a.u, a.line, a.z), vertex_at(scene.grid, b.u, b.line, b.z), a.face0, a.face1});
+      }
+    }
+    begin = middle;
+  }
+  return curves;
+}
+
 std::vector<Intersection> marks_of_points(const std::vector<PenetrationPoint>& points, const ScanScene& scene) {
-  const LineGrid& grid = scene.grid;
   std::vector<Intersection> marks;
   for (const PenetrationPoint& p : points) {
-    const double y = grid.v_origin + p.line * grid.spacing;
     const auto end = [&](double u) {
-      const LatticePoint at{static_cast<std::int32_t>(std::lround(grid.x(u))), static_cast<std::int32_t>(std::lround(y))};
-      return ProjectedVertex{at, scene.planes[p.face0].z(u, p.line)};
+      return vertex_at(scene.grid, u, p.line, scene.is_skew(p.face0) ? p.z : scene.planes[p.face0].z(u, p.line));
     };
     constexpr double kHalfCell = 0.5;
     marks.push_back({end(p.u - kHalfCell), end(p.u + kHalfCell), p.face0, p.face1});

@@ -27,7 +27,7 @@ struct TrackedPart {
 
 /// A place on a scan line where two visible faces penetrate.
 struct PenetrationPoint {
-  double u;  ///< grid units
+  double u, z;  ///< grid units; depth
   std::uint32_t line;
   std::uint32_t face0, face1;  ///< face0 < face1
 };
@@ -70,6 +70,10 @@ class TrackedParts {
   std::vector<std::uint32_t> first_;
   std::vector<TrackedPart> parts_;
 };
+
+/// The curves along which skew faces penetrate others: a straight piece from each line to the next. A piece is left out
+/// where the two faces have more points on one line than on the next.
+std::vector<Intersection> curves_of_points(std::vector<PenetrationPoint> points, const ScanScene& scene);
 
 /// The points as marks on the page, one cell wide, so that each of them can be drawn.
 std::vector<Intersection> marks_of_points(const std::vector<PenetrationPoint>& points, const ScanScene& scene);

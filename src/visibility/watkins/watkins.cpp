@@ -16,8 +16,11 @@
 #include "visibility/penetration/intersections.hpp"
 #include "visibility/watkins/exact/exact_study.hpp"
 #include "visibility/watkins/exact/line_study.hpp"
+#include "visibility/watkins/glass_spans.hpp"
+#include "visibility/watkins/leave_out_hidden.hpp"
 #include "visibility/watkins/report_counts.hpp"
 #include "visibility/watkins/scan_plane.hpp"
+#include "visibility/watkins/skew_faces.hpp"
 #include "visibility/watkins/watkins_options.hpp"
 
 // Phases: (1) facets; (2) omission of facets and lines that are surely hidden; (3) the scan over the edges, which also finds
@@ -35,55 +38,6 @@ constexpr unsigned kShownLines = 48;    ///< scan lines shown for an exact study
 constexpr double kShownStepMm = 0.01;   ///< the y of the middle scan line is rounded to this, for a short number
 constexpr double kTickOfSpacing = 0.3;  ///< height of the ticks at span ends, as a part of the line distance. Taste
 
-LineGrid grid_of(const ProjectedScene& scene, const SpanLines& lines, bool whole) {
-  const double step = scene.lattice.step_mm;
-  LineGrid grid;
-  grid.count = lines.count;
-  grid.whole = whole;
-  grid.spacing = lines.spacing_mm / step;
-  grid.u_origin = (scene.view.window.min.x - scene.lattice.origin_mm.x) / step;
-  grid.v_origin = (lines.first_mm - scene.lattice.origin_mm.y) / step;
-  return grid;
-}
-
-/// Removes facets behind covers from the list, and marks lines behind covers.
-void leave_out_hidden(const ProjectedScene& scene, const OccluderGrid& covers, std::vector<Facet>& facets,
-                      std::vector<SweepLine>& lines) {
-  std::vector<std::uint8_t> hidden(facets.size());
-  parallel_for(facets.size(), [&](std::size_t i) { hidden[i] = covers.hides(facets[i], scene.vertices); });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < facets.size(); ++i) {
-    if (!hidden[i]) facets[kept++] = facets[i];
-  }
-  facets.resize(kept);
-  parallel_for(lines.size(), [&](std::size_t i) {
-    const ProjectedVertex &a = lines[i].from, &b = lines[i].to;
-    lines[i].behind = covers.hides(PageSegment{{double(a.p.x), double(a.p.y), a.z}, {double(b.p.x), double(b.p.y), b.z}});
-  });
-}
-
-/// True if the line lies behind the covers of all cells that it crosses.
-bool lies_behind(const CellGrid& grid, const SweepLine& line) {
-  bool behind = true;
-  const PageLine on_page(line.from, line.to, line.face0, line.face1);
-  grid.for_each_leaf(on_page, [&](const Cell& cell, const CellSquare&, double from, double to) {
-    behind = behind && cell.occluder_depth < on_page.z(from) && cell.occluder_depth < on_page.z(to);
-  });
-  return behind;
-}
-
-/// Uses cells that several connected facets cover together. A facet that no cell lists lies behind such patches everywhere,
-/// or coincides with another facet there.
-void leave_out_hidden(const CellGrid& grid, std::vector<Facet>& facets, std::vector<SweepLine>& lines) {
-  const std::vector<std::uint8_t> listed = grid.listed(facets.size());
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < facets.size(); ++i) {
-    if (listed[i]) facets[kept++] = facets[i];
-  }
-  facets.resize(kept);
-  parallel_for(lines.size(), [&](std::size_t i) { lines[i].behind = lines[i].behind || lies_behind(grid, lines[i]); });
-}
-
 /// Moves the ends of strokes to the nearest points of the grid.
 void snap_strokes(const LineGrid& grid, StrokeModel& model) {
   const auto snapped = [&](const LatticePoint& p) {
@@ -100,7 +54,8 @@ void snap_strokes(const LineGrid& grid, StrokeModel& model) {
 /// A study; one member function per phase.
 class WatkinsStudy {
  public:
-  WatkinsStudy(const ProjectedScene& scene, const VisibilityOptions& options)
+  /// `skew`: the faces of the scene without a plane, or null.
+  WatkinsStudy(const ProjectedScene& scene, const VisibilityOptions& options, const SkewFaces* skew)
       : scene_(scene),
         options_(options),
         step_(scene.lattice.step_mm),
@@ -115,6 +70,7 @@ class WatkinsStudy {
     by_lines_.coincidence_steps = exact_options_.coincidence_steps;
     by_lines_.group = own_.group;
     by_lines_.ahead = own_.ahead;
+    by_lines_.skew = skew;
   }
 
   VisibilityResult run();
@@ -172,6 +128,10 @@ class WatkinsStudy {
 // 1. Facets.
 void WatkinsStudy::make_lines() {
   facets_ = make_facets(scene_, exact_options_.coincidence_steps);
+  if (const SkewFaces* const skew = by_lines_.skew) {
+    std::erase_if(facets_.facets, [skew](const Facet& f) { return skew->has(f.face); });
+    result_.statistics.count("skew faces, by the slopes of their sides", skew->count());
+  }
   result_.statistics.count("facets", facets_.facets.size());
   result_.statistics.count("candidate edges", scene_.edges.size());
   lines_.reserve(scene_.edges.size());
@@ -258,7 +218,8 @@ void WatkinsStudy::study_intersections() {
 void WatkinsStudy::study_lines() {
   by_lines_.collect_spans = (options_.wanted & kSpans) != 0 && !options_.span_lines;
   LineStudyOptions options = by_lines_;
-  options.states = own_.tracking != Tracking::exact || own_.points;
+  const bool with_curves = by_lines_.skew && scene_.with_intersections && !own_.points;
+  options.states = own_.tracking != Tracking::exact || own_.points || with_curves;
   if (own_.points) options.scan.coherence = false;  // 2.3.5.4: where faces penetrate every line is studied
   LineStudyResult r = study_by_lines(scene_, facets_.facets, own_.points ? lines_ : all_lines(), lines(), options);
   report(r, result_.statistics);
@@ -267,6 +228,9 @@ void WatkinsStudy::study_lines() {
   if (own_.points) {
     intersections_ = std::move(r.points);
     result_.statistics.count("points of intersections", intersections_.size());
+  } else if (with_curves) {
+    intersections_.insert(intersections_.end(), r.curves.begin(), r.curves.end());
+    result_.statistics.count("pieces of curves of intersection", r.curves.size());
   }
   near_.clear();
   if (!by_lines_.collect_spans) return;
@@ -308,7 +272,7 @@ void WatkinsStudy::make_strokes() {
     strokes.add_intersections(intersections_, [&]() -> LineVisibility {
       if (intersections_by_cells_) return by_cells();
       return [this, by_states, open = OpenParts()](std::size_t i, const PageLine&, std::vector<LinePart>& parts) mutable {
-        if (own_.points) {
+        if (own_.points || i >= crossed_.size()) {  // visible where they were found
           parts.assign(1, {0, 1});
         } else if (by_states) {
           parts = tracked_parts(lines_.size() + i);
@@ -389,12 +353,46 @@ const MethodTraits& WatkinsMethod::traits() const {
   return traits;
 }
 
-VisibilityResult WatkinsMethod::compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const {
+namespace {
+
+/// The study of a scene whose skew faces, if any, have the surfaces of `skew`.
+VisibilityResult study(const ProjectedScene& scene, const VisibilityOptions& options, const SkewFaces* skew) {
   const std::optional<OpaqueScene> opaque = without_transparent_faces(scene, TransparentEdges::kept);
-  if (!opaque) return WatkinsStudy(scene, options).run();
-  VisibilityResult result = WatkinsStudy(opaque->scene, options).run();
+  if (!opaque) return WatkinsStudy(scene, options, skew).run();
+  const bool composed = options.glass && options.span_lines;
+  VisibilityOptions of_opaque = options;
+  if (composed) {
+    of_opaque.span_lines.reset();
+    of_opaque.wanted &= static_cast<std::uint8_t>(~kSpans);
+  }
+  VisibilityResult result = WatkinsStudy(opaque->scene, of_opaque, skew).run();
   result.statistics.count("transparent faces, not occluding", opaque->faces_left_out);
-  if (result.spans) result.left_out = opaque->left_out() + " from the areas";
+  if (composed) {
+    Clock clock;
+    LineStudyOptions by_lines;
+    by_lines.scan.kind = watkins_options(options.settings).kind;
+    by_lines.coincidence_steps = coincidence_mm(scene) / scene.lattice.step_mm;
+    by_lines.skew = skew;
+    result.spans = glass_spans(scene, make_facets(scene, by_lines.coincidence_steps).facets,
+                               grid_of(scene, *options.span_lines, false), *options.span_lines, by_lines);
+    result.statistics.time("spans", clock.lap());
+    result.statistics.count("spans", result.spans->spans.size());
+  }
+  if (result.spans && !composed) result.left_out = opaque->left_out() + " from the areas";
+  return result;
+}
+
+}  // namespace
+
+VisibilityResult WatkinsMethod::compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const {
+  if (!watkins_options(options.settings).slopes) return study(scene, options, nullptr);
+  const std::optional<SkewScene> skew =
+      join_skew_faces(scene, make_facets(scene, coincidence_mm(scene) / scene.lattice.step_mm).facets);
+  if (!skew) return study(scene, options, nullptr);
+  VisibilityResult result = study(skew->scene, options, &skew->faces);
+  if (skew->left_as_triangles > 0) {
+    result.statistics.count("skew faces of many sides, as triangles", skew->left_as_triangles);
+  }
   return result;
 }
 

@@ -8,6 +8,7 @@ constexpr std::string_view kShowNames[] = {"spans", "plane=Y"};
 constexpr std::string_view kTrackingNames[] = {"exact", "lines", "overrun"};
 constexpr std::string_view kCoordinateNames[] = {"real", "whole"};
 constexpr std::string_view kIntersectionNames[] = {"edges", "points"};
+constexpr std::string_view kSkewNames[] = {"triangles", "slopes"};
 constexpr unsigned kMostLines = 1u << 20;
 constexpr unsigned kClassicalLines = 512;  ///< the screen of [Boulle1980]
 
@@ -28,6 +29,10 @@ constexpr MethodParameter kParameters[] = {
          "exact", kTrackingNames}),
     imprecise({"intersections", "NAME", "with --lines: intersections of faces as edges, or as one point per scan line",
                "edges", kIntersectionNames}),
+    imprecise(
+        {"skew", "NAME",
+         "with --lines: faces that are not plane as triangles, or straight from side to side on each scan line (slopes)",
+         "triangles", kSkewNames}),
     experiment({"line-group", "N|auto", "with --lines: scan lines per group; each group is a task", "auto", kAutoWord, 1,
                 kMostLines}),
     experiment({"lines-ahead", "N|off",
@@ -49,10 +54,11 @@ WatkinsOptions watkins_options(const MethodSettings& settings) {
   options.whole = settings.choice("coordinates", 0) == 1;
   options.tracking = settings.choice("tracking", options.tracking);
   options.points = settings.choice("intersections", 0) == 1;
+  options.slopes = settings.choice("skew", 0) == 1;
   options.group = settings.count("line-group").value_or(0);
   options.ahead = settings.count("lines-ahead").value_or(0);
-  const bool needs_lines =
-      options.whole || options.tracking != Tracking::exact || options.points || options.group > 0 || options.ahead > 0;
+  const bool needs_lines = options.whole || options.tracking != Tracking::exact || options.points || options.slopes ||
+                           options.group > 0 || options.ahead > 0;
   options.line_count = settings.count("lines").value_or(needs_lines ? kClassicalLines : 0);
   options.exact = options.line_count == 0;
   return options;

@@ -19,6 +19,7 @@ struct WatkinsOptions {
   bool whole = false;       ///< whole coordinates
   Tracking tracking = Tracking::exact;
   bool points = false;      ///< intersections as points on scan lines
+  bool slopes = false;      ///< skew faces by the slopes of their sides
   std::uint32_t group = 0;  ///< lines of a group; 0: about 32 groups
   std::uint32_t ahead = 0;  ///< lines that a task prepares for the one that studies; 0: one task
 };

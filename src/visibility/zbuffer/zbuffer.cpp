@@ -10,6 +10,7 @@
 #include "visibility/edges/line_strokes.hpp"
 #include "visibility/penetration/intersections.hpp"
 #include "visibility/raster/depth_buffer.hpp"
+#include "visibility/raster/glass_pixels.hpp"
 #include "visibility/zbuffer/edge_sampling.hpp"
 #include "visibility/zbuffer/kept_buffer.hpp"
 
@@ -158,7 +159,9 @@ VisibilityResult ZBufferMethod::compute_visibility(const ProjectedScene& scene, 
   statistics.time("lines", clock.lap());
   if (options.keep == Keep::for_more_objects) result.kept = std::make_shared<KeptBuffer>(buffer, scene.view, faces);
   if (options.wanted & kPixels) {
+    const DepthScale scale = buffer.scale();
     result.pixels = buffer.take_pixels();
+    if (options.glass) add_glass(scene, scale, *result.pixels);
     statistics.time("pixels", clock.lap());
   }
 

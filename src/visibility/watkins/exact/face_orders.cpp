@@ -16,7 +16,7 @@ FacetsOfFaces::FacetsOfFaces(const std::vector<Facet>& facets, std::uint32_t fac
 }
 
 DepthOrder FaceOrders::of(std::uint32_t a, std::uint32_t b) {
-  if (a == b) return DepthOrder::crossing;
+  if (a == b || (skew_ && (skew_->has(a) || skew_->has(b)))) return DepthOrder::crossing;
   const std::uint32_t low = std::min(a, b), high = std::max(a, b);
   const auto [place, fresh] = known_.try_emplace((std::uint64_t{low} << 32) | high, DepthOrder::crossing);
   if (fresh) place->second = decide(low, high);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "visibility/common/facet.hpp"
+#include "visibility/watkins/skew_faces.hpp"
 #include "visibility/watkins/spans/span_method.hpp"
 
 namespace ligne::watkins {
@@ -29,8 +30,10 @@ struct FacetsOfFaces {
 
 class FaceOrders {
  public:
-  FaceOrders(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, const FacetsOfFaces& of_faces)
-      : vertices_(vertices), facets_(facets), of_faces_(of_faces) {}
+  /// `skew`: faces that have no plane, or null. Depths decide between them and others.
+  FaceOrders(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, const FacetsOfFaces& of_faces,
+             const SkewFaces* skew = nullptr)
+      : vertices_(vertices), facets_(facets), of_faces_(of_faces), skew_(skew) {}
 
   /// The result depends only on the two faces: of(b, a) is of(a, b) with exchanged roles.
   DepthOrder of(std::uint32_t a, std::uint32_t b);
@@ -49,6 +52,7 @@ class FaceOrders {
   const std::vector<ProjectedVertex>& vertices_;
   const std::vector<Facet>& facets_;
   const FacetsOfFaces& of_faces_;
+  const SkewFaces* skew_;
   std::unordered_map<std::uint64_t, DepthOrder> known_;  ///< by the lower, then the higher number; only looked up
   std::vector<Extent> extents_a_, extents_b_, open_;     ///< scratch of decide()
 };

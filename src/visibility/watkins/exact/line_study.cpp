@@ -68,6 +68,7 @@ void join_groups(std::vector<GroupResult>& groups, const ScanScene& scene, std::
   }
   result.found = FoundIntervals(findings, line_count);
   result.points = marks_of_points(result.places, scene);
+  result.curves = curves_of_points(result.places, scene);
 }
 
 void join_parts(std::vector<GroupResult>& groups, std::size_t line_count, LineStudyResult& result) {
@@ -78,6 +79,17 @@ void join_parts(std::vector<GroupResult>& groups, std::size_t line_count, LineSt
 }
 
 }  // namespace
+
+LineGrid grid_of(const ProjectedScene& scene, const SpanLines& lines, bool whole) {
+  const double step = scene.lattice.step_mm;
+  LineGrid grid;
+  grid.count = lines.count;
+  grid.whole = whole;
+  grid.spacing = lines.spacing_mm / step;
+  grid.u_origin = (scene.view.window.min.x - scene.lattice.origin_mm.x) / step;
+  grid.v_origin = (lines.first_mm - scene.lattice.origin_mm.y) / step;
+  return grid;
+}
 
 LineGrid grid_of_lines(const ProjectedScene& scene, std::uint32_t count, bool whole) {
   const Rect& window = scene.view.window;
@@ -93,7 +105,7 @@ LineGrid grid_of_lines(const ProjectedScene& scene, std::uint32_t count, bool wh
 LineStudyResult study_by_lines(const ProjectedScene& scene, const std::vector<Facet>& facets,
                                std::span<const SweepLine> lines, const LineGrid& grid, const LineStudyOptions& options) {
   constexpr std::uint32_t kGroups = 32, kFewestLines = 16;
-  const ScanScene scan_scene = make_scan_scene(scene, facets, lines, grid, options.coincidence_steps);
+  const ScanScene scan_scene = make_scan_scene(scene, facets, lines, grid, options.coincidence_steps, options.skew);
   const std::uint32_t size =
       options.group > 0 ? options.group : std::max(kFewestLines, (grid.count + kGroups - 1) / kGroups);
   const std::uint32_t groups = (grid.count + size - 1) / size;
@@ -102,7 +114,7 @@ LineStudyResult study_by_lines(const ProjectedScene& scene, const std::vector<Fa
   std::vector<GroupResult> results(groups);
   parallel_tasks(groups, [&](std::size_t task) {
     const auto g = static_cast<std::uint32_t>(task);
-    EdgeTracker tracker(scene.vertices, facets, scan_scene.of_faces, lines, options.coincidence_steps);
+    EdgeTracker tracker(scene.vertices, facets, scan_scene, lines, options.coincidence_steps);
     StateTracker states(lines);
     Collector collector(options.track ? &tracker : nullptr, options.states ? &states : nullptr, scene,
                         options.collect_spans);

@@ -20,8 +20,9 @@ struct LineStudyOptions {
   bool collect_spans = false;
   /// Scan lines per group; 0: about 32 groups, for any number of threads. The first line of each group is studied.
   std::uint32_t group = 0;
-  bool states = false;      ///< track edges by their states, too
-  std::uint32_t ahead = 0;  ///< lines prepared ahead in two tasks (line_pipeline.hpp); 0: one task does both
+  bool states = false;              ///< track edges by their states, too
+  std::uint32_t ahead = 0;          ///< lines prepared ahead in two tasks (line_pipeline.hpp); 0: one task does both
+  const SkewFaces* skew = nullptr;  ///< faces of the scene without a plane; null: none
 };
 
 struct LineStudyResult {
@@ -34,11 +35,15 @@ struct LineStudyResult {
   TrackedParts by_states;                ///< if LineStudyOptions::states
   std::vector<Intersection> points;      ///< then: marks where faces penetrate without an edge, line by line
   std::vector<PenetrationPoint> places;  ///< then: these points in grid units
+  std::vector<Intersection> curves;      ///< then: where skew faces penetrate others
   PipelineTimes pipeline;
 };
 
 LineStudyResult study_by_lines(const ProjectedScene& scene, const std::vector<Facet>& facets,
                                std::span<const SweepLine> lines, const LineGrid& grid, const LineStudyOptions& options);
+
+/// The scan lines of spans on the page. `whole`: with whole coordinates.
+LineGrid grid_of(const ProjectedScene& scene, const SpanLines& lines, bool whole);
 
 /// `count` scan lines over the height of the window, each in the middle of its strip. `whole`: with whole coordinates.
 LineGrid grid_of_lines(const ProjectedScene& scene, std::uint32_t count, bool whole = false);
