@@ -1,5 +1,5 @@
 #pragma once
-/// Gray pixels on Cairo's surfaces. Private to plotting.
+/// Pictures of faces on Cairo's surfaces. Private to plotting.
 
 #include <cairo.h>
 
@@ -8,9 +8,9 @@
 namespace ligne {
 
 /// Copies the pixels of the picture to an image surface of four bytes a pixel, which must be at least as large.
-void put_pixels(cairo_surface_t* surface, const GrayPicture& picture);
+void put_pixels(cairo_surface_t* surface, const FacePicture& picture);
 
 /// Paints the picture where it lies on the page. Its pixels stay sharp.
-void paint_gray(cairo_t* cairo, const GrayPicture& picture, double units_per_mm);
+void paint_faces(cairo_t* cairo, const FacePicture& picture, double units_per_mm);
 
 }  // namespace ligne

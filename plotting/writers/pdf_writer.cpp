@@ -13,7 +13,7 @@
 
 #include "plotting/writers/cairo_path.hpp"
 #include "plotting/writers/cairo_text.hpp"
-#include "plotting/writers/gray_image.hpp"
+#include "plotting/writers/face_image.hpp"
 #include "plotting/writers/writers.hpp"
 
 namespace ligne {
@@ -48,7 +48,7 @@ struct PdfDocument::Surface {
 PdfDocument::PdfDocument() = default;
 PdfDocument::~PdfDocument() = default;
 
-void PdfDocument::add_page(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under) {
+void PdfDocument::add_page(const Drawing& drawing, const PlotOptions& options, const FacePicture* under) {
   const double width = options.page.width_mm * kPointsPerMm, height = options.page.height_mm * kPointsPerMm;
   const double units = units_per_point(largest_coordinate(drawing, options.page));
 
@@ -75,7 +75,7 @@ void PdfDocument::add_page(const Drawing& drawing, const PlotOptions& options, c
     const CairoContext cairo(cairo_create(surface));
     cairo_set_source_rgb(cairo.get(), 1, 1, 1);
     cairo_paint(cairo.get());
-    if (under) paint_gray(cairo.get(), *under, kPointsPerMm);
+    if (under) paint_faces(cairo.get(), *under, kPointsPerMm);
     paint_fills(cairo.get(), drawing.fills, kPointsPerMm);
   }
   if (!drawing.layers.empty()) {
@@ -101,7 +101,7 @@ std::string PdfDocument::finish() {
   return std::move(surface_->bytes);
 }
 
-std::string write_pdf(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under) {
+std::string write_pdf(const Drawing& drawing, const PlotOptions& options, const FacePicture* under) {
   PdfDocument document;
   document.add_page(drawing, options, under);
   return document.finish();

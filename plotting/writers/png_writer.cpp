@@ -7,7 +7,7 @@
 #include "files/message_text.hpp"
 #include "plotting/writers/cairo_path.hpp"
 #include "plotting/writers/cairo_text.hpp"
-#include "plotting/writers/gray_image.hpp"
+#include "plotting/writers/face_image.hpp"
 #include "plotting/writers/writers.hpp"
 
 namespace ligne {
@@ -81,7 +81,7 @@ PixelSize png_size(const PlotOptions& options) {
   return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
 }
 
-std::string write_png(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under) {
+std::string write_png(const Drawing& drawing, const PlotOptions& options, const FacePicture* under) {
   const double scale = options.dpi / kMmPerInch;
   const PixelSize size = png_size(options);
   const CairoSurface surface(

@@ -12,7 +12,7 @@
 
 #include "plotting/writers/cairo_path.hpp"
 #include "plotting/writers/cairo_svg_parts.hpp"
-#include "plotting/writers/gray_image.hpp"
+#include "plotting/writers/face_image.hpp"
 #include "plotting/writers/number_text.hpp"
 
 namespace ligne {
@@ -184,8 +184,8 @@ std::string SvgCanvas::paths(FunctionRef<void(cairo_t*, double)> draw, double pe
   return text;
 }
 
-std::string SvgCanvas::image(const GrayPicture& picture) const {
-  std::string svg = document([&](cairo_t* cairo, double units_per_mm) { paint_gray(cairo, picture, units_per_mm); }, 1);
+std::string SvgCanvas::image(const FacePicture& picture) const {
+  std::string svg = document([&](cairo_t* cairo, double units_per_mm) { paint_faces(cairo, picture, units_per_mm); }, 1);
   const std::vector<CairoSvgPart> parts = cairo_svg_parts(svg, size());
   if (parts.size() != 1) throw std::runtime_error("cairo: an SVG with other than one image");
   const Point2 corner = to_mm(parts[0].to_document({0, 0})), end = to_mm(parts[0].to_document(parts[0].pixels));

@@ -29,7 +29,7 @@ class SvgCanvas {
   /// Gives `draw` a context and the number of its units to a millimetre, and returns the SVG of all that it paints: one path
   /// for each area, and one for each line of a stroke. `pen_mm` is the width of its strokes.
   std::string paths(FunctionRef<void(cairo_t*, double)> draw, double pen_mm) const;
-  std::string image(const GrayPicture& picture) const;
+  std::string image(const FacePicture& picture) const;
 
   Point2 to_mm(Point2 device) const { return device / device_per_mm_ - Point2{reach_mm_, reach_mm_}; }
 

@@ -178,7 +178,7 @@ std::string svg_paths(const Polylines& lines) {
   return paths;
 }
 
-std::string write_svg(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under) {
+std::string write_svg(const Drawing& drawing, const PlotOptions& options, const FacePicture* under) {
   const std::string width = svg_number(options.page.width_mm), height = svg_number(options.page.height_mm);
   std::string svg =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
@@ -188,7 +188,7 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options, const 
   if (!options.title.empty()) svg += "<title>" + xml_text(options.title) + "</title>\n";
 
   const SvgCanvas canvas(largest_coordinate(drawing, options.page));
-  if (under && !under->gray.empty()) svg += group_start("shade") + ">\n" + canvas.image(*under) + "</g>\n";
+  if (under && !under->empty()) svg += group_start("shade") + ">\n" + canvas.image(*under) + "</g>\n";
   append_fills(svg, drawing.fills, canvas);
   ObjectIds ids(drawing);
   for (std::size_t l = 0; l < drawing.layers.size(); ++l) {

@@ -57,7 +57,7 @@ struct PlotOptions {
 
 /// Writes an SVG: width, height and viewBox in mm, one Inkscape layer group per layer, which has the style, and one
 /// path per polyline. Here and below, `under` is a picture painted below fills and lines, or null.
-std::string write_svg(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);
+std::string write_svg(const Drawing& drawing, const PlotOptions& options, const FacePicture* under = nullptr);
 /// The path elements that write_svg() writes for polylines, for use in another SVG. Their unit is the mm; an enclosing
 /// group must set the style.
 std::string svg_paths(const Polylines& lines);
@@ -68,7 +68,7 @@ class PdfDocument {
   PdfDocument();
   ~PdfDocument();
   /// Adds a page. The title of the first page becomes the title of the document.
-  void add_page(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);
+  void add_page(const Drawing& drawing, const PlotOptions& options, const FacePicture* under = nullptr);
   /// Returns the bytes of the document. No page can be added afterwards.
   std::string finish();
 
@@ -77,7 +77,7 @@ class PdfDocument {
   std::unique_ptr<Surface> surface_;
 };
 /// Writes a PDF of one page.
-std::string write_pdf(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);
+std::string write_pdf(const Drawing& drawing, const PlotOptions& options, const FacePicture* under = nullptr);
 /// Size of a PNG in pixels.
 struct PixelSize {
   std::uint32_t width = 1, height = 1;
@@ -88,7 +88,7 @@ PixelSize png_size(const PlotOptions& options);
 inline double png_bytes(const PixelSize& size) { return 4.0 * size.width * size.height; }
 
 /// Writes a PNG on white, for viewing. `under`, if given, must have the size png_size() in pixels.
-std::string write_png(const Drawing& drawing, const PlotOptions& options, const GrayPicture* under = nullptr);
+std::string write_png(const Drawing& drawing, const PlotOptions& options, const FacePicture* under = nullptr);
 
 /// Properties of a region that hatching needs besides its contours.
 struct RegionAppearance {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/no_index.hpp"
 #include "base/parallel.hpp"
 
 namespace ligne {
@@ -28,115 +29,166 @@ std::uint8_t gray_of(double brightness) {
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(brightness, 0.0, 1.0)));
 }
 
-constexpr std::uint32_t kNoFace = 0xffffffffu;
 constexpr std::size_t kRows = 16;  ///< rows of a task
 
-/// Paints spans. darkness(span, x_mm) is called with the middle of the part of the span in a pixel.
-template <class Darkness>
-GrayPicture shade_spans(const SpanModel& spans, std::uint32_t width, std::uint32_t height, double pixels_per_mm,
-                        Darkness darkness) {
-  GrayPicture picture{width, height, std::vector<std::uint8_t>(std::size_t{width} * height, 255), {}, 0};
+/// A white picture of N components a pixel.
+template <std::size_t N>
+FacePicture white(std::uint32_t width, std::uint32_t height) {
+  FacePicture picture{width, height, {}, {}, 0};
+  (N == 1 ? picture.gray : picture.rgb).assign(N * width * height, 255);
+  return picture;
+}
+
+/// Writes pixel number `i`.
+template <std::size_t N>
+void put(FacePicture& picture, std::size_t i, const std::array<double, N>& brightness) {
+  std::uint8_t* const out = (N == 1 ? picture.gray : picture.rgb).data() + N * i;
+  for (std::size_t c = 0; c < N; ++c) out[c] = gray_of(brightness[c]);
+}
+
+/// Paints spans. brightness_of(span, x_mm) is called with the middle of the part of the span in a pixel.
+template <std::size_t N, class Brightness>
+FacePicture paint_spans(const SpanModel& spans, std::uint32_t width, std::uint32_t height, double pixels_per_mm,
+                        Brightness brightness_of) {
+  FacePicture picture = white<N>(width, height);
   const std::vector<Span>& all = spans.spans;
   parallel_blocks(height, kRows, [&](std::size_t begin, std::size_t end) {
-    std::vector<double> row(width);
+    std::vector<std::array<double, N>> row(width);
+    std::array<double, N> paper;
+    paper.fill(1);
     auto span = std::partition_point(all.begin(), all.end(), [&](const Span& s) { return s.line < begin; });
     for (; span != all.end() && span->line < end;) {
       const std::uint32_t line = span->line;
-      std::fill(row.begin(), row.end(), 1.0);
+      std::fill(row.begin(), row.end(), paper);
       for (; span != all.end() && span->line == line; ++span) {
         const double from = std::clamp(span->x_from * pixels_per_mm, 0.0, double(width)),
                      to = std::clamp(span->x_to * pixels_per_mm, 0.0, double(width));
         for (auto x = static_cast<std::uint32_t>(from); x < to; ++x) {
           const double left = std::max(from, double(x)), right = std::min(to, x + 1.0);
-          row[x] -= darkness(*span, (left + right) / 2 / pixels_per_mm) * (right - left);
+          const std::array<double, N> brightness = brightness_of(*span, (left + right) / 2 / pixels_per_mm);
+          for (std::size_t c = 0; c < N; ++c) row[x][c] -= (1 - brightness[c]) * (right - left);
         }
       }
-      for (std::uint32_t x = 0; x < width; ++x) picture.gray[std::size_t{line} * width + x] = gray_of(row[x]);
+      for (std::uint32_t x = 0; x < width; ++x) put<N>(picture, std::size_t{line} * width + x, row[x]);
     }
   });
   return picture;
 }
 
-/// Paints the mean of the pixels of a model. darkness(column, row) is that of one of them.
-template <class Darkness>
-GrayPicture shade_pixels(const PixelModel& pixels, std::uint32_t width, std::uint32_t height, double pixels_per_mm,
-                         Darkness darkness) {
-  GrayPicture picture{width, height, std::vector<std::uint8_t>(std::size_t{width} * height, 255), {}, 0};
+/// Paints the mean of the pixels of a model. brightness_of(column, row) is that of one of them.
+template <std::size_t N, class Brightness>
+FacePicture paint_means(const PixelModel& pixels, std::uint32_t width, std::uint32_t height, double pixels_per_mm,
+                        Brightness brightness_of) {
+  FacePicture picture = white<N>(width, height);
   const double size = 1 / (pixels_per_mm * pixels.pixel_mm);
   const Resampling columns{-pixels.corner_mm.x / pixels.pixel_mm, size, pixels.width},
       rows{-pixels.corner_mm.y / pixels.pixel_mm, size, pixels.height};
   parallel_blocks(height, kRows, [&](std::size_t begin, std::size_t end) {
-    std::vector<double> dark(pixels.width);  // sum of the rows that one row of the picture covers
+    std::vector<std::array<double, N>> dark(pixels.width);  // sum of the rows that one row of the picture covers
     for (std::size_t y = begin; y < end; ++y) {
-      std::fill(dark.begin(), dark.end(), 0.0);
+      std::fill(dark.begin(), dark.end(), std::array<double, N>{});
       rows.of(static_cast<std::uint32_t>(y), [&](std::uint32_t row, double share) {
-        for (std::uint32_t x = 0; x < pixels.width; ++x) dark[x] += share * darkness(x, row);
+        for (std::uint32_t x = 0; x < pixels.width; ++x) {
+          const std::array<double, N> brightness = brightness_of(x, row);
+          for (std::size_t c = 0; c < N; ++c) dark[x][c] += share * (1 - brightness[c]);
+        }
       });
       for (std::uint32_t x = 0; x < width; ++x) {
-        double sum = 0;
-        columns.of(x, [&](std::uint32_t column, double share) { sum += share * dark[column]; });
-        picture.gray[y * width + x] = gray_of(1 - sum);
+        std::array<double, N> sum{};
+        columns.of(x, [&](std::uint32_t column, double share) {
+          for (std::size_t c = 0; c < N; ++c) sum[c] += share * dark[column][c];
+        });
+        for (double& component : sum) component = 1 - component;
+        put<N>(picture, y * width + x, sum);
       }
     }
   });
   return picture;
 }
 
-/// The tone at the middle of a pixel of a model; 1 where it shows no face.
-double tone_of_pixel(const PixelModel& pixels, std::uint32_t column, std::uint32_t row, ToneAt tone) {
-  const std::uint32_t face = pixels.face[std::size_t{row} * pixels.width + column];
-  if (face == kNoFace) return 1;
-  return tone(face, pixels.corner_mm + pixels.pixel_mm * Point2{column + 0.5, row + 0.5});
+/// Paints each pixel of the model as one pixel of the picture.
+template <std::size_t N, class Brightness>
+FacePicture paint_each(const PixelModel& pixels, Brightness brightness_of) {
+  FacePicture picture = white<N>(pixels.width, pixels.height);
+  picture.corner_mm = pixels.corner_mm;
+  picture.pixel_mm = pixels.pixel_mm;
+  parallel_blocks(pixels.height, kRows, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      for (std::uint32_t x = 0; x < pixels.width; ++x) {
+        put<N>(picture, row * pixels.width + x, brightness_of(x, static_cast<std::uint32_t>(row)));
+      }
+    }
+  });
+  return picture;
+}
+
+/// The function by which a span is painted in a continuous tone.
+template <class At>
+auto of_span(const SpanModel& spans, At at) {
+  return [&spans, at](const Span& span, double x_mm) {
+    return at({span.face, span.glass}, {x_mm, spans.lines.y_mm(span.line)});
+  };
+}
+
+/// The function by which the middle of a pixel of a model is painted; white where it shows no face.
+template <std::size_t N, class At>
+auto of_pixel(const PixelModel& pixels, At at) {
+  return [&pixels, at](std::uint32_t column, std::uint32_t row) {
+    const std::size_t i = std::size_t{row} * pixels.width + column;
+    const SeenFace seen{pixels.face[i], pixels.pixel_glass.empty() ? GlassLayers::kNoGlass : pixels.pixel_glass[i]};
+    std::array<double, N> paper;
+    paper.fill(1);
+    if (seen.face == kNone && seen.glass == GlassLayers::kNoGlass) return paper;
+    return at(seen, pixels.corner_mm + pixels.pixel_mm * Point2{column + 0.5, row + 0.5});
+  };
+}
+
+/// One brightness a face; others are white.
+std::array<double, 1> flat(const std::vector<double>& brightness, std::uint32_t face) {
+  return {face < brightness.size() ? brightness[face] : 1};
 }
 
 }  // namespace
 
-GrayPicture shade(const SpanModel& spans, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
+FacePicture shade(const SpanModel& spans, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
                   double pixels_per_mm) {
-  return shade_spans(spans, width, height, pixels_per_mm, [&](const Span& span, double) {
-    return 1 - (span.face < brightness.size() ? brightness[span.face] : 1);
-  });
+  return paint_spans<1>(spans, width, height, pixels_per_mm,
+                        [&](const Span& span, double) { return flat(brightness, span.face); });
 }
 
-GrayPicture shade(const SpanModel& spans, ToneAt tone, std::uint32_t width, std::uint32_t height, double pixels_per_mm) {
-  return shade_spans(spans, width, height, pixels_per_mm, [&](const Span& span, double x_mm) {
-    return 1 - tone(span.face, {x_mm, spans.lines.y_mm(span.line)});
-  });
+FacePicture shade(const SpanModel& spans, ToneAt tone, std::uint32_t width, std::uint32_t height, double pixels_per_mm) {
+  return paint_spans<1>(spans, width, height, pixels_per_mm, of_span(spans, tone));
 }
 
-GrayPicture shade(const PixelModel& pixels, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
+FacePicture paint(const SpanModel& spans, ColorAt color, std::uint32_t width, std::uint32_t height, double pixels_per_mm) {
+  return paint_spans<3>(spans, width, height, pixels_per_mm, of_span(spans, color));
+}
+
+FacePicture shade(const PixelModel& pixels, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
                   double pixels_per_mm) {
-  return shade_pixels(pixels, width, height, pixels_per_mm, [&](std::uint32_t column, std::uint32_t row) {
-    const std::uint32_t face = pixels.face[std::size_t{row} * pixels.width + column];
-    return face < brightness.size() ? 1 - brightness[face] : 0;
+  return paint_means<1>(pixels, width, height, pixels_per_mm, [&](std::uint32_t column, std::uint32_t row) {
+    return flat(brightness, pixels.face[std::size_t{row} * pixels.width + column]);
   });
 }
 
-GrayPicture shade(const PixelModel& pixels, ToneAt tone, std::uint32_t width, std::uint32_t height, double pixels_per_mm) {
-  return shade_pixels(pixels, width, height, pixels_per_mm,
-                      [&](std::uint32_t column, std::uint32_t row) { return 1 - tone_of_pixel(pixels, column, row, tone); });
+FacePicture shade(const PixelModel& pixels, ToneAt tone, std::uint32_t width, std::uint32_t height, double pixels_per_mm) {
+  return paint_means<1>(pixels, width, height, pixels_per_mm, of_pixel<1>(pixels, tone));
 }
 
-GrayPicture gray_pixels(const PixelModel& pixels, ToneAt tone) {
-  GrayPicture picture{pixels.width, pixels.height, {}, pixels.corner_mm, pixels.pixel_mm};
-  picture.gray.resize(pixels.face.size());
-  parallel_blocks(pixels.height, kRows, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row) {
-      for (std::uint32_t x = 0; x < pixels.width; ++x) {
-        picture.gray[row * pixels.width + x] = gray_of(tone_of_pixel(pixels, x, static_cast<std::uint32_t>(row), tone));
-      }
-    }
+FacePicture paint(const PixelModel& pixels, ColorAt color, std::uint32_t width, std::uint32_t height, double pixels_per_mm) {
+  return paint_means<3>(pixels, width, height, pixels_per_mm, of_pixel<3>(pixels, color));
+}
+
+FacePicture gray_pixels(const PixelModel& pixels, ToneAt tone) { return paint_each<1>(pixels, of_pixel<1>(pixels, tone)); }
+
+FacePicture color_pixels(const PixelModel& pixels, ColorAt color) {
+  return paint_each<3>(pixels, of_pixel<3>(pixels, color));
+}
+
+FacePicture gray_pixels(const PixelModel& pixels, const std::vector<double>& brightness) {
+  return paint_each<1>(pixels, [&](std::uint32_t column, std::uint32_t row) {
+    return flat(brightness, pixels.face[std::size_t{row} * pixels.width + column]);
   });
-  return picture;
-}
-
-GrayPicture gray_pixels(const PixelModel& pixels, const std::vector<double>& brightness) {
-  GrayPicture picture{pixels.width, pixels.height, {}, pixels.corner_mm, pixels.pixel_mm};
-  picture.gray.reserve(pixels.face.size());
-  for (const std::uint32_t face : pixels.face) {
-    picture.gray.push_back(face < brightness.size() ? gray_of(brightness[face]) : 255);
-  }
-  return picture;
 }
 
 }  // namespace ligne

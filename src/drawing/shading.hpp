@@ -1,7 +1,8 @@
 #pragma once
-/// Grey pictures of faces, made from spans or pixels ([Boulle1980] 2.3.2.1, figure 2.29). Grey areas are made by
+/// Pictures of faces in gray or colour, made from spans or pixels ([Boulle1980] 2.3.2.1, figure 2.29). Areas are made by
 /// span_areas.hpp, hatching by plotting/hatching/hatch.hpp.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -12,34 +13,43 @@
 
 namespace ligne {
 
-/// A grey picture, stored row by row from the top; 0 is black, 255 white.
-struct GrayPicture {
+/// A picture, stored row by row from the top; 0 is black, 255 white.
+struct FacePicture {
   std::uint32_t width = 0, height = 0;
-  std::vector<std::uint8_t> gray;
-  Point2 corner_mm{0, 0};  ///< position of its upper left corner on the page
-  double pixel_mm = 0;     ///< side of a pixel on the page; 0: the pixels are those of the page
+  std::vector<std::uint8_t> gray;   ///< a byte a pixel; empty if the picture has colours
+  Point2 corner_mm{0, 0};           ///< position of its upper left corner on the page
+  double pixel_mm = 0;              ///< side of a pixel on the page; 0: the pixels are those of the page
+  std::vector<std::uint8_t> rgb{};  ///< red, green, blue of each pixel; empty if the picture is gray
+
+  bool empty() const { return gray.empty() && rgb.empty(); }
 };
 
 /// Paints spans with one scan line per row of pixels. A pixel gets the brightness (0 to 1, per face) of the visible
 /// face; at the ends of spans, brightnesses are mixed in proportion to the covered width. Pixels without a face are
 /// white. `pixels_per_mm` is the resolution in both directions.
-GrayPicture shade(const SpanModel& spans, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
+FacePicture shade(const SpanModel& spans, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
                   double pixels_per_mm);
 
 /// Paints pixels of any size: every pixel of the picture gets the mean over the pixels of the model that it covers.
-GrayPicture shade(const PixelModel& pixels, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
+FacePicture shade(const PixelModel& pixels, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
                   double pixels_per_mm);
 
-/// Brightness, 0 to 1, of a face at a point of the page that lies on it.
-using ToneAt = FunctionRef<double(std::uint32_t face, Point2 page_mm)>;
+/// Brightness or colour, 0 to 1, of a visible face at a point of the page that lies on it.
+using ToneAt = FunctionRef<std::array<double, 1>(SeenFace seen, Point2 page_mm)>;
+using ColorAt = FunctionRef<std::array<double, 3>(SeenFace seen, Point2 page_mm)>;
 
 /// Pictures of continuous tone: each pixel gets the tone at its middle, or at the middle of the part of it that a span
-/// covers. `tone` is called by several threads at once.
-GrayPicture shade(const SpanModel& spans, ToneAt tone, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
-GrayPicture shade(const PixelModel& pixels, ToneAt tone, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
-GrayPicture gray_pixels(const PixelModel& pixels, ToneAt tone);
+/// covers. `tone` and `color` are called by several threads at once.
+FacePicture shade(const SpanModel& spans, ToneAt tone, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
+FacePicture shade(const PixelModel& pixels, ToneAt tone, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
+FacePicture gray_pixels(const PixelModel& pixels, ToneAt tone);
+
+/// The same in colour.
+FacePicture paint(const SpanModel& spans, ColorAt color, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
+FacePicture paint(const PixelModel& pixels, ColorAt color, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
+FacePicture color_pixels(const PixelModel& pixels, ColorAt color);
 
 /// Paints each pixel of the model as one pixel of the picture, at its position on the page.
-GrayPicture gray_pixels(const PixelModel& pixels, const std::vector<double>& brightness);
+FacePicture gray_pixels(const PixelModel& pixels, const std::vector<double>& brightness);
 
 }  // namespace ligne

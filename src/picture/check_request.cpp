@@ -31,6 +31,16 @@ void check(const PictureRequest& request) {
       throw RequestError("shade", "needs a method that gives spans or pixels: " + methods_with(kSpans | kPixels));
     }
   }
+  if (fills_smoothly(request)) {
+    if (request.output.format == OutputFormat::json)
+      throw RequestError("shade-tone", "a JSON drawing has no continuous tone");
+    if (!request.fill.lights.empty())
+      throw RequestError("shade-tone", "smooth: a continuous tone has no cast shadows, so no --light");
+    if (!(method.traits().products & (kSpans | kPixels))) {
+      throw RequestError("shade-tone",
+                         "smooth: --fill needs a method that gives spans or pixels: " + methods_with(kSpans | kPixels));
+    }
+  }
   const bool painted = request.output.format == OutputFormat::png || request.output.format == OutputFormat::json;
   if (request.fill.kind != FillKind::none && request.plotter.by_pens() && !painted)
     throw RequestError("fill", "pens draw no filled faces; see --hatch");

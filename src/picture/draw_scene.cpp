@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "picture/clear/refined_picture.hpp"
-#include "picture/hatching/gray_faces.hpp"
 #include "picture/hatching/hatching.hpp"
+#include "picture/hatching/painted_faces.hpp"
 #include "plotting/stroke_text.hpp"
 
 namespace ligne {
@@ -40,7 +40,7 @@ DrawnScene draw_lines(const Scene& scene, PictureRequest request, RunReport& run
   HatchScene hatch = hatch_scene(prepared, plot);
   parts.hatching = hatch_spans(hatch, run);
   parts.has_edges = keep_edges || looks_at_edges(prepared.request);
-  found = compute_visibility(prepared, gray_face_lines(prepared.request, prepared.method, plot), parts.has_edges, run);
+  found = compute_visibility(prepared, painted_lines(prepared.request, prepared.method, plot), parts.has_edges, run);
   finish_lines(found, prepared, run);
   write_debug_numbers(found.result, prepared.request, prepared.around.placement.page);
   if (found.result.regions) {

@@ -6,7 +6,7 @@
 
 #include "picture/check_request.hpp"
 #include "picture/fills.hpp"
-#include "picture/hatching/gray_faces.hpp"
+#include "picture/hatching/painted_faces.hpp"
 #include "picture/hidden_pieces.hpp"
 #include "picture/line_groups.hpp"
 #include "picture/marks/contour_labels.hpp"
@@ -101,8 +101,8 @@ bool DrawnScene::serves(const OutputRequest& output, const PlotterRequest& plott
   PictureRequest other = request();
   other.output = output;
   other.plotter = plotter;
-  // The density of hatching depends on the pen width, and grey faces have one scan line per row of pixels.
-  if (request().hatch.is_requested() || request().gray_faces) return false;
+  // The density of hatching depends on the pen width, and faces of an image have one scan line per row of pixels.
+  if (request().hatch.is_requested() || request().gray_faces || fills_smoothly(request())) return false;
   if (looks_at_edges(other) && !parts_.has_edges) return false;
   if (output.format == OutputFormat::json && parts_.found.result.regions && parts_.patches.of_face.empty()) return false;
   const std::uint8_t can = method.traits().products;
@@ -125,7 +125,7 @@ Picture DrawnScene::write(RunReport& run, PdfDocument* pages) const {
   return timed(run.stages, stage, [&] {
     if (request().output.format == OutputFormat::json) return Picture{scene_json(*this, plot)};
     const Drawing drawing = compose(run);
-    const std::optional<GrayPicture> faces = gray_faces(parts_.prepared, result, plot);
+    const std::optional<FacePicture> faces = face_picture(parts_.prepared, result, plot);
     return write_picture(drawing, plot, request().plotter, {request().output.format, faces ? &*faces : nullptr, pages}, run);
   });
 }

@@ -7,7 +7,6 @@
 
 #include "base/hash.hpp"
 #include "plotting/hatching/fill_rim.hpp"
-#include "view/brightness.hpp"
 
 namespace ligne {
 namespace {
@@ -36,27 +35,6 @@ bool is_narrow(const Region& region) {
   return std::abs(twice_area) < kFillRimMm / 2 * length;
 }
 
-/// The colour of each face.
-class FillColors {
- public:
-  FillColors(const Scene& scene, const View& view, std::span<const Light> lights, FillKind kind)
-      : shoulder_(light_over_the_shoulder(view.camera)),
-        light_(scene, view.camera, lights.empty() ? std::span(&shoulder_, 1) : lights),
-        kind_(kind) {}
-
-  std::array<double, 3> of(const Material& material, std::uint32_t face, std::uint32_t lights,
-                           const std::vector<double>& shares) const {
-    const double light = kind_ == FillKind::shade ? light_.of(face, lights, shares) : 1;
-    return fill_color(material.color, light, face, kind_);
-  }
-  double light_on(std::uint32_t face) const { return light_.of(face, kAllLights, {}); }
-
- private:
-  Light shoulder_;
-  FaceLight light_;
-  FillKind kind_;
-};
-
 /// A colour of middle brightness from the number of a face, by a multiplicative hash (Knuth), of which three bytes are
 /// used.
 std::array<double, 3> random_color(std::uint32_t face) {
@@ -69,6 +47,46 @@ std::array<double, 3> random_color(std::uint32_t face) {
   }
   return color;
 }
+
+double brightness_of(double light) { return kAmbient + (1 - kAmbient) * light; }
+
+std::array<double, 3> lit(const Point3& color, double brightness) {
+  return {color.x * brightness, color.y * brightness, color.z * brightness};
+}
+
+/// The colour in steps of 1/255.
+std::array<double, 3> rounded(std::array<double, 3> color) {
+  for (double& component : color) component = std::round(std::clamp(component, 0.0, 1.0) * 255) / 255;
+  return color;
+}
+
+/// The colour of a face before it is rounded.
+std::array<double, 3> exact_color(const Point3& material, double light, std::uint32_t face, FillKind kind) {
+  if (kind == FillKind::paper) return {1, 1, 1};
+  if (kind == FillKind::random) return random_color(face);
+  return lit(material, kind == FillKind::material ? 1 : brightness_of(light));
+}
+
+/// The colour of each face, before it is rounded.
+class FillColors {
+ public:
+  FillColors(const Scene& scene, const View& view, std::span<const Light> lights, FillKind kind)
+      : shoulder_(light_over_the_shoulder(view.camera)),
+        light_(scene, view.camera, lights.empty() ? std::span(&shoulder_, 1) : lights),
+        kind_(kind) {}
+
+  std::array<double, 3> of(const Material& material, std::uint32_t face, std::uint32_t lights,
+                           const std::vector<double>& shares) const {
+    const double light = kind_ == FillKind::shade ? light_.of(face, lights, shares) : 1;
+    return exact_color(material.color, light, face, kind_);
+  }
+  double light_on(std::uint32_t face) const { return light_.of(face, kAllLights, {}); }
+
+ private:
+  Light shoulder_;
+  FaceLight light_;
+  FillKind kind_;
+};
 
 struct LeveledFill {
   std::uint32_t level;
@@ -92,12 +110,13 @@ std::vector<Fill> in_painting_order(std::vector<LeveledFill> found) {
 
 }  // namespace
 
-Material material_of(const Scene& scene, std::uint32_t face) {
+const Material& material_of(const Scene& scene, std::uint32_t face) {
+  static const Material standard{};
   const std::uint32_t m = scene.face_material.empty() ? 0 : scene.face_material[face];
-  return m < scene.materials.size() ? scene.materials[m] : Material{};
+  return m < scene.materials.size() ? scene.materials[m] : standard;
 }
 
-Material material_of(const Scene& scene, const Region& region) {
+const Material& material_of(const Scene& scene, const Region& region) {
   return region.material < scene.materials.size() ? scene.materials[region.material] : material_of(scene, region.face);
 }
 
@@ -106,22 +125,15 @@ std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::
   const FillColors colors(scene, view, lights, kind);
   std::vector<LeveledFill> found;
   for (const Region& region : regions) {
-    const Material material = material_of(scene, region);
-    const auto color = colors.of(material, region.face, region.lights, region.light_shares);
+    const Material& material = material_of(scene, region);
+    const auto color = rounded(colors.of(material, region.face, region.lights, region.light_shares));
     found.push_back({region.level, is_narrow(region), {region.contours, color, material.opacity}});
   }
   return in_painting_order(std::move(found));
 }
 
 std::array<double, 3> fill_color(const Point3& material, double light, std::uint32_t face, FillKind kind) {
-  if (kind == FillKind::paper) return {1, 1, 1};
-  if (kind == FillKind::random) return random_color(face);
-  const double brightness = kind == FillKind::material ? 1 : kAmbient + (1 - kAmbient) * light;
-  std::array<double, 3> color{};
-  for (int c = 0; c < 3; ++c) {
-    color[static_cast<std::size_t>(c)] = std::round(std::clamp(material[c] * brightness, 0.0, 1.0) * 255) / 255;
-  }
-  return color;
+  return rounded(exact_color(material, light, face, kind));
 }
 
 std::vector<double> lights_of_pieces(const Scene& scene, const View& view, const PaintOrder& order,
@@ -133,14 +145,44 @@ std::vector<double> lights_of_pieces(const Scene& scene, const View& view, const
   return found;
 }
 
-std::vector<Fill> fill_gray(const std::vector<Region>& regions, const std::vector<double>& brightness) {
+std::vector<Fill> fill_areas(const Scene& scene, const View& view, const std::vector<Region>& areas,
+                             const GlassLayers& glass, std::span<const Light> lights, FillKind kind) {
+  const FillColors colors(scene, view, lights, kind);
+  const auto color_of = [&](std::uint32_t face) { return colors.of(material_of(scene, face), face, kAllLights, {}); };
+  const auto opacity_of = [&](std::uint32_t face) { return material_of(scene, face).opacity; };
   std::vector<LeveledFill> found;
-  for (const Region& region : regions) {
-    const double light = region.face < brightness.size() ? brightness[region.face] : 1;
-    const double gray = std::round(std::clamp(light, 0.0, 1.0) * 255) / 255;
-    found.push_back({0, is_narrow(region), {region.contours, {gray, gray, gray}, 1}});
+  found.reserve(areas.size());
+  for (const Region& area : areas) {
+    const auto color = rounded(seen_color<3>(glass, {area.face, area.glass}, color_of, opacity_of));
+    found.push_back({0, is_narrow(area), {area.contours, color, 1}});
   }
   return in_painting_order(std::move(found));
+}
+
+std::vector<Fill> fill_gray(const Scene& scene, const std::vector<Region>& areas, const GlassLayers& glass,
+                            const std::vector<double>& brightness) {
+  const auto gray_of = [&](std::uint32_t face) {
+    const double gray = face < brightness.size() ? brightness[face] : 1;
+    return std::array{gray, gray, gray};
+  };
+  const auto opacity_of = [&](std::uint32_t face) { return material_of(scene, face).opacity; };
+  std::vector<LeveledFill> found;
+  found.reserve(areas.size());
+  for (const Region& area : areas) {
+    const auto gray = rounded(seen_color<3>(glass, {area.face, area.glass}, gray_of, opacity_of));
+    found.push_back({0, is_narrow(area), {area.contours, gray, 1}});
+  }
+  return in_painting_order(std::move(found));
+}
+
+SmoothFillColors::SmoothFillColors(const Scene& scene, const Camera& camera, std::span<const Light> lights)
+    : scene_(scene),
+      shoulder_(light_over_the_shoulder(camera)),
+      light_(scene, camera, lights.empty() ? std::span<const Light>(&shoulder_, 1) : lights) {}
+
+std::array<double, 3> SmoothFillColors::of(std::uint32_t face, const std::optional<SurfacePoint>& surface) const {
+  const double light = surface ? light_.at(surface->point, surface->normal) : light_.of(face);
+  return lit(material_of(scene_, face).color, brightness_of(light));
 }
 
 std::vector<Fill> fill_pieces(const Scene& scene, const View& view, const PaintOrder& order, std::span<const Light> lights,
@@ -149,8 +191,8 @@ std::vector<Fill> fill_pieces(const Scene& scene, const View& view, const PaintO
   std::vector<Fill> fills;
   fills.reserve(order.pieces.size());
   for (const PaintPiece& piece : order.pieces) {
-    const Material material = material_of(scene, piece.face);
-    fills.push_back({piece.contours, colors.of(material, piece.face, kAllLights, {}), material.opacity, true});
+    const Material& material = material_of(scene, piece.face);
+    fills.push_back({piece.contours, rounded(colors.of(material, piece.face, kAllLights, {})), material.opacity, true});
   }
   return fills;
 }

@@ -21,9 +21,15 @@ bool hatches_regions(const PictureRequest& request, const Method& method);
 /// Whether fills are painted from back to front. They are if the method returns an order and no light casts shadows.
 bool paints_in_order(const PictureRequest& request, const Method& method);
 
-/// Whether fills are made of spans or pixels. They are if the method returns neither regions nor an order, and no light
-/// casts shadows.
+/// Whether lit colours are continuous over smooth surfaces, as an image. The method must return spans or pixels.
+bool fills_smoothly(const PictureRequest& request);
+
+/// Whether fills are areas made of spans or pixels. They are if the method returns neither regions nor an order, and no
+/// light casts shadows.
 bool fills_spans(const PictureRequest& request, const Method& method);
+
+/// Whether spans or pixels are painted, gray or in colour.
+bool shows_faces_of_spans(const PictureRequest& request, const Method& method);
 
 /// The products that the picture needs, as bits of Product. A JSON drawing needs all products except pixels.
 std::uint8_t wanted_products(const PictureRequest& request, const Method& method);

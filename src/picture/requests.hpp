@@ -225,7 +225,7 @@ struct OutputRequest {
 };
 inline constexpr std::string_view kSwitchNames[] = {"off", "on"};
 
-/// Tone of grey faces: one for each face; continuous over smooth surfaces, with interpolated normals.
+/// Tone of grey faces and of lit colours: one for each face; continuous over smooth surfaces, with interpolated normals.
 enum class GrayTone : std::uint8_t { face, smooth };
 inline constexpr std::string_view kGrayToneNames[] = {"face", "smooth"};
 

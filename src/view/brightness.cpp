@@ -63,6 +63,11 @@ double FaceLight::of(std::uint32_t face, std::uint32_t reached, std::span<const 
   Point3 normal = face_normal(scene_, face);
   const Point3 sight = camera_.perspective ? point - camera_.eye : camera_.forward;
   if (glm::dot(normal, sight) > 0) normal = -normal;
+  return at(point, normal, reached, shares);
+}
+
+double FaceLight::at(const Point3& point, const Point3& normal, std::uint32_t reached,
+                     std::span<const double> shares) const {
   double sum = 0;
   for (std::size_t i = 0; i < lights_.size(); ++i) {
     constexpr std::size_t kBits = 32;

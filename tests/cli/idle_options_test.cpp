@@ -15,7 +15,7 @@ TEST_F(IdleOptions, AreWarnedOfByName) {
   EXPECT_EQ(run("draw cube.obj --dpi 99 -o a.png").err, "");
   EXPECT_EQ(run("draw cube.obj --method watkins --shade --shade-tone smooth --dpi 99 -o a.svg").err, "");
   EXPECT_EQ(run("draw cube.obj --shade-tone smooth -o a.svg").err,
-            "ligne: --shade-tone: warning: has no effect without --shade\n");
+            "ligne: --shade-tone: warning: has no effect without --shade or --fill\n");
   EXPECT_EQ(run("draw cube.obj --join 1mm -o a.svg").err,
             "ligne: --join: warning: has no effect without pens or a --device or --optimize\n");
   EXPECT_EQ(run("surface x*y --sun 90 -o a.svg").err, "ligne: --sun: warning: has no effect without --hachures\n");

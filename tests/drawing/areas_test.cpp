@@ -106,12 +106,12 @@ const std::vector<double> kBrightness{0.0, 0.6, 1.0};
 using Gray = std::vector<std::uint8_t>;
 
 /// These pixels, each by its number and what it has.
-void expect_pixels(const GrayPicture& picture, std::initializer_list<std::pair<std::size_t, int>> pixels) {
+void expect_pixels(const FacePicture& picture, std::initializer_list<std::pair<std::size_t, int>> pixels) {
   for (const auto& [number, gray] : pixels) EXPECT_EQ(picture.gray.at(number), gray) << "pixel " << number;
 }
 
 TEST(Shading, PixelsAreMixedAtTheEndsOfSpans) {
-  const GrayPicture p = shade(spans(), kBrightness, 16, 16, 1);
+  const FacePicture p = shade(spans(), kBrightness, 16, 16, 1);
   ASSERT_EQ(p.gray.size(), 256u);
   // The span covers half of pixel 9.
   expect_pixels(p, {{0, 255}, {2, 0}, {5, 0}, {6, 153}, {9, 204}, {10, 255}, {12, 255}});
@@ -121,7 +121,7 @@ TEST(Shading, SpansBesideThePictureAreCut) {
   SpanModel m;
   m.lines = {0, 1, 9};
   m.spans = {{0, -5, 100, 0}, {7, 0, 1, 0}};
-  const GrayPicture p = shade(m, kBrightness, 3, 2, 1);
+  const FacePicture p = shade(m, kBrightness, 3, 2, 1);
   EXPECT_EQ(p.gray, (Gray{0, 0, 0, 255, 255, 255}));
 }
 
@@ -144,11 +144,72 @@ TEST(Shading, PixelsOfAnotherSizeAreMixed) {
 TEST(Shading, PixelsThatStayWhereTheyLie) {
   PixelModel model = pixels();
   model.pixel_mm = 0.5;
-  const GrayPicture p = gray_pixels(model, kBrightness);
+  const FacePicture p = gray_pixels(model, kBrightness);
   EXPECT_EQ(p.gray, (Gray{0, 153, 255, 255}));
   EXPECT_EQ(p.width, 2u);
   EXPECT_EQ(p.corner_mm, (Point2{1, 1}));
   EXPECT_EQ(p.pixel_mm, 0.5);
+}
+
+/// Lists with the same faces have one number, in one set of layers and in those merged from several.
+TEST(GlassLayers, EqualListsHaveOneNumber) {
+  GlassLayers layers;
+  EXPECT_TRUE(layers.empty());
+  const std::uint32_t back = layers.over(7, GlassLayers::kNoGlass), both = layers.over(3, back);
+  EXPECT_EQ(layers.over(7, GlassLayers::kNoGlass), back);
+  EXPECT_EQ(layers.over(3, back), both);
+  EXPECT_NE(layers.over(3, GlassLayers::kNoGlass), both);
+  std::vector<std::uint32_t> faces;
+  layers.for_each(both, [&](std::uint32_t face) { faces.push_back(face); });
+  EXPECT_EQ(faces, (std::vector<std::uint32_t>{3, 7}));
+  GlassLayers other;
+  const std::uint32_t same = other.over(3, other.over(7, GlassLayers::kNoGlass));
+  const std::vector<std::uint32_t> numbers = layers.merge(other);
+  EXPECT_EQ(numbers[same], both);
+  EXPECT_EQ(numbers[GlassLayers::kNoGlass], GlassLayers::kNoGlass);
+}
+
+/// Two panes of opacity 0.4 and 0.5 before black, and before paper.
+TEST(GlassLayers, ColoursAreComposedFromFrontToBack) {
+  GlassLayers layers;
+  const std::uint32_t list = layers.over(1, layers.over(2, GlassLayers::kNoGlass));
+  const std::array<std::array<double, 3>, 3> colors = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5}}};
+  const std::array<double, 3> opacities = {1, 0.4, 0.5};
+  const auto color_of = [&](std::uint32_t face) { return colors[face]; };
+  const auto opacity_of = [&](std::uint32_t face) { return opacities[face]; };
+  const std::array<double, 3> before_black = seen_color<3>(layers, {0, list}, color_of, opacity_of);
+  const std::array<double, 3> before_paper = seen_color<3>(layers, {kNone, list}, color_of, opacity_of);
+  const std::array<double, 3> expected = {0.4, 0.3, 0.15};
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_NEAR(before_black[c], expected[c], 1e-15);
+    EXPECT_NEAR(before_paper[c], expected[c] + 0.3, 1e-15);
+  }
+}
+
+/// Spans of one face behind different lists make different areas; pixels make spans likewise.
+TEST(SpanAreas, EndWhereTheGlassInFrontDoes) {
+  SpanModel model{{0.5, 1, 10}, {}};
+  const std::uint32_t pane = model.glass.over(4, GlassLayers::kNoGlass);
+  for (std::uint32_t line = 0; line < 10; ++line) {
+    model.spans.push_back({line, 0, 3, 1});
+    model.spans.push_back({line, 3, 5, 1, pane});
+    model.spans.push_back({line, 5, 8, kNone, pane});
+  }
+  const std::vector<Region> areas = areas_of_spans(model);
+  ASSERT_EQ(areas.size(), 3u);
+  for (const Region& area : areas) {
+    const double left = area.contours[0][0].x;
+    EXPECT_EQ(area.glass, left < 3 ? GlassLayers::kNoGlass : pane);
+    EXPECT_EQ(area.face, left < 5 ? 1 : kNone);
+  }
+  PixelModel pixels{4, 1, {0, 0}, 1, {1, 1, kNone, kNone}, {0, 0, 0, 0}};
+  pixels.glass = model.glass;
+  pixels.pixel_glass = {0, pane, pane, 0};
+  const SpanModel spans = spans_of_pixels(pixels);
+  ASSERT_EQ(spans.spans.size(), 3u);
+  EXPECT_EQ(spans.spans[0].glass, GlassLayers::kNoGlass);
+  EXPECT_EQ(spans.spans[1].glass, pane);
+  EXPECT_EQ(spans.spans[2].face, kNone);
 }
 
 }  // namespace

@@ -83,7 +83,9 @@ TEST_P(Painting, ShowsWhatIsSeen) {
 INSTANTIATE_TEST_SUITE_P(Files, Painting,
                          testing::Values("tests/corpus/letter_e.json", "tests/corpus/cyclic_4.json",
                                          "tests/corpus/holes_behind_holes.json", "tests/corpus/house.json",
-                                         "tests/corpus/two_prisms_penetrating.json", "examples/models/gear-pair.json"),
+                                         "tests/corpus/two_prisms_penetrating.json", "tests/corpus/cube_in_glass.json",
+                                         "tests/atherton_weiler/scenes/transparent_layers.json",
+                                         "examples/models/gear-pair.json"),
                          [](const auto& info) {
                            std::string name = std::filesystem::path(info.param).stem().string();
                            std::ranges::replace(name, '-', '_');

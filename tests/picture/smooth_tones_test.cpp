@@ -1,6 +1,9 @@
 // Gray faces of continuous tone against the tone of the surface itself.
 
 #include "picture/hatching/smooth_tones.hpp"
+#include "picture/draw_scene.hpp"
+#include "picture/errors.hpp"
+#include "picture/fills.hpp"
 #include "support/test.hpp"
 #include "view/brightness.hpp"
 #include "visibility/registry.hpp"
@@ -110,6 +113,56 @@ TEST(SmoothTones, OfFlatFacesAreThoseOfFaces) {
     ++points;
   });
   EXPECT_GT(points, 10u);
+}
+
+/// Lit colours: with a light from above the colour of a red ball is (0.35 + 0.65 z) times red, by the normal z at the point.
+TEST(SmoothTones, ColoursAreThoseOfALitBall) {
+  Scene scene = fine_ball(24);
+  scene.materials = {{"red", {0.8, 0.4, 0.2}, 1}};
+  scene.lights = {{Light::Kind::parallel, {0, 0, -2}}};
+  ViewRequest above;
+  above.named_view = "top";
+  PictureRequest request = request_from(above);
+  request.gray_faces = false;
+  request.fill.kind = FillKind::shade;
+  RunReport run;
+  const PreparedScene prepared = prepare(scene, request, std::nullopt, run);
+  ASSERT_EQ(prepared.lights.size(), 1u);
+  const SmoothTones tones(prepared);
+  const SmoothFillColors colors(scene, prepared.view().camera, prepared.lights);
+  double worst = 0, worst_by_face = 0;
+  for_points_above(scene, [&](std::uint32_t face, const Point3& p) {
+    const double light = 0.35 + 0.65 * p.z / glm::length(p);
+    const auto color = colors.of(face, tones.surface_at(face, page_point(prepared.view(), p)));
+    const auto of_face = colors.of(face, std::nullopt);
+    EXPECT_NEAR(color[1] / color[0], 0.5, 1e-12);
+    EXPECT_NEAR(color[2] / color[0], 0.25, 1e-12);
+    worst = std::max(worst, std::abs(color[0] - 0.8 * light));
+    worst_by_face = std::max(worst_by_face, std::abs(of_face[0] - 0.8 * light));
+  });
+  EXPECT_LT(worst, 0.005);
+  EXPECT_GT(worst_by_face, 0.02) << "one tone a face is not so near";
+}
+
+/// The whole picture of a ball in colour is an image in each vector file, and needs spans or pixels.
+TEST(SmoothTones, ColoursAreAnImage) {
+  Scene scene = fine_ball(12);
+  scene.materials = {{"red", {1, 0, 0}, 1}};
+  PictureRequest request = request_from({});
+  request.gray_faces = false;
+  request.fill.kind = FillKind::shade;
+  for (const char* method : {"watkins", "zbuffer"}) {
+    request.lines.method = find_method(method);
+    RunReport run;
+    const std::string svg = draw_scene(scene, request, run).bytes;
+    EXPECT_NE(svg.find("<image "), std::string::npos) << method;
+    EXPECT_EQ(svg.find("id=\"fill\""), std::string::npos) << method;
+  }
+  request.lines.method = find_method("newell");
+  RunReport run;
+  EXPECT_THROW(draw_scene(scene, request, run), RequestError);
+  request.gray_tone = GrayTone::face;
+  EXPECT_NO_THROW(draw_scene(scene, request, run));
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ Xml parse_xml(const std::string& bytes) {
 const std::string kSvg = "http://www.w3.org/2000/svg|", kInkscape = "http://www.inkscape.org/namespaces/inkscape|";
 
 TEST(Svg, GrayPixelsAreAnImageWhereTheyLie) {
-  const GrayPicture picture{3, 2, {0, 50, 100, 150, 200, 250}, {10, 20}, 0.5};
+  const FacePicture picture{3, 2, {0, 50, 100, 150, 200, 250}, {10, 20}, 0.5};
   const Xml xml = parse_xml(write_svg(sample_drawing(), {}, &picture));
   ASSERT_EQ(xml.error, "");
   const auto image = std::ranges::find(xml.elements, kSvg + "image", &Element::name);
@@ -54,6 +54,28 @@ TEST(Svg, GrayPixelsAreAnImageWhereTheyLie) {
   EXPECT_EQ(image->attributes.at("x") + " " + image->attributes.at("y"), "10 20");
   EXPECT_EQ(image->attributes.at("width") + " " + image->attributes.at("height"), "1.5 1");
   EXPECT_EQ(image->attributes.at("href").substr(0, 33), "data:image/png;base64,iVBORw0KGgo");
+}
+
+/// A page of one colour under the drawing comes out in that colour, in the order red, green, blue.
+TEST(Png, ColouredPixelsKeepTheirColours) {
+  PlotOptions options;
+  options.page = {20, 10};
+  options.dpi = 25.4;
+  FacePicture picture{20, 10, {}, {0, 0}, 0};
+  for (int i = 0; i < 20 * 10; ++i) picture.rgb.insert(picture.rgb.end(), {200, 100, 50});
+  const std::string with = write_png({}, options, &picture);
+  Drawing filled;
+  filled.fills.push_back({{{{-5, -5}, {25, -5}, {25, 15}, {-5, 15}}}, {200 / 255.0, 100 / 255.0, 50 / 255.0}});
+  EXPECT_EQ(with, write_png(filled, options));
+}
+
+TEST(Svg, ColouredPixelsAreAnImageWhereTheyLie) {
+  const FacePicture picture{2, 1, {}, {10, 20}, 0.5, {255, 0, 0, 0, 0, 255}};
+  const Xml xml = parse_xml(write_svg(sample_drawing(), {}, &picture));
+  ASSERT_EQ(xml.error, "");
+  const auto image = std::ranges::find(xml.elements, kSvg + "image", &Element::name);
+  ASSERT_NE(image, xml.elements.end());
+  EXPECT_EQ(image->attributes.at("width") + " " + image->attributes.at("height"), "1 0.5");
 }
 
 TEST(Svg, IsLayersOfPathsAndNothingElse) {

@@ -31,7 +31,7 @@ struct OptionUse {
 constexpr OptionUse kUses[] = {
     {"surface plot", "--dpi", kPng},
     {"draw", "--dpi", kPaper, "--shade-tone", kSvg | bit(OutputFormat::pdf)},
-    {"draw", "--shade-tone", kPaper, "--shade"},
+    {"draw", "--shade-tone", kPaper, "--shade --fill"},
     {"draw surface", "--curves", kPaper, kNoPens},
     {"plot", "--curves", kPaper},
     {"draw", "--profile", kAll, "--pens --pen", kPlotted},

@@ -138,7 +138,7 @@ std::vector<Layer> hatch_form(const HatchScene& hatch, const std::vector<Region>
   const auto tone = [&](const FormPlace& place) {
     FormTone tone;
     const Region& region = seen[seen.region_near(hatch.form.triangles[place.triangle].face, place.page)];
-    const Material material = material_of(prepared.scene, region);
+    const Material& material = material_of(prepared.scene, region);
     const double lit = light.at(place, region);
     const unsigned levels = request.levels.value_or(0), shades = levels == 0 ? kMostShades : levels;
     unsigned shade = 1;

@@ -1,6 +1,8 @@
-#include "picture/hatching/gray_faces.hpp"
+#include "picture/hatching/painted_faces.hpp"
 
+#include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "drawing/span_areas.hpp"
 #include "picture/fills.hpp"
@@ -16,18 +18,76 @@ namespace {
 /// which cover them.
 constexpr double kAreaLinesMm = kFillRimMm / 3;
 
-bool is_smooth(const PictureRequest& request) { return request.gray_faces && request.gray_tone == GrayTone::smooth; }
+/// Whether the picture has faces of continuous tone, gray or in colour.
+bool is_smooth(const PictureRequest& request) {
+  return (request.gray_faces && request.gray_tone == GrayTone::smooth) || fills_smoothly(request);
+}
+
+/// The transparent faces that the spans or pixels were found with.
+const GlassLayers& glass_of(const VisibilityResult& result) {
+  return result.spans ? result.spans->glass : result.pixels->glass;
+}
+
+/// An image of the spans or pixels, with the pixels of the page in PNG and where there are spans, else with those of the
+/// method. at(seen, page_mm) gives one component for gray, or three for colours.
+template <class At>
+FacePicture image_of(const PreparedScene& prepared, const VisibilityResult& result, const PlotOptions& plot, At at) {
+  constexpr bool kColor = std::is_same_v<std::invoke_result_t<At, SeenFace, Point2>, std::array<double, 3>>;
+  const bool png = prepared.request.output.format == OutputFormat::png;
+  const PixelSize size = png_size(plot);
+  const double pixels_per_mm = plot.dpi / kMmPerInch;
+  const auto of_page = [&](const auto& model) {
+    if constexpr (kColor) {
+      return paint(model, at, size.width, size.height, pixels_per_mm);
+    } else {
+      return shade(model, at, size.width, size.height, pixels_per_mm);
+    }
+  };
+  if (result.spans) {
+    FacePicture picture = of_page(*result.spans);
+    if (!png) picture.pixel_mm = 1 / pixels_per_mm;
+    return picture;
+  }
+  if (png) return of_page(*result.pixels);
+  if constexpr (kColor) {
+    return color_pixels(*result.pixels, at);
+  } else {
+    return gray_pixels(*result.pixels, at);
+  }
+}
+
+/// An image in gray. tone_of(face, page_mm) is the tone of a face.
+template <class ToneOf>
+FacePicture gray_image(const PreparedScene& prepared, const VisibilityResult& result, const PlotOptions& plot,
+                       ToneOf tone_of) {
+  const Scene& scene = prepared.scene;
+  const auto opacity_of = [&](std::uint32_t face) { return material_of(scene, face).opacity; };
+  return image_of(prepared, result, plot, [&](SeenFace seen, Point2 page_mm) {
+    const auto of_face = [&](std::uint32_t face) { return std::array{tone_of(face, page_mm)}; };
+    return seen_color<1>(glass_of(result), seen, of_face, opacity_of);
+  });
+}
+
+/// An image in lit colours of continuous tone.
+FacePicture color_image(const PreparedScene& prepared, const VisibilityResult& result, const PlotOptions& plot) {
+  const Scene& scene = prepared.scene;
+  const SmoothFillColors colors(scene, prepared.view().camera, prepared.lights);
+  const auto opacity_of = [&](std::uint32_t face) { return material_of(scene, face).opacity; };
+  return image_of(prepared, result, plot, [&](SeenFace seen, Point2 page_mm) {
+    const auto of_face = [&](std::uint32_t face) { return colors.of(face, prepared.tones->surface_at(face, page_mm)); };
+    return seen_color<3>(glass_of(result), seen, of_face, opacity_of);
+  });
+}
 
 }  // namespace
 
-std::optional<SpanLines> gray_face_lines(const PictureRequest& request, const Method& method, const PlotOptions& plot) {
-  const bool fills = fills_spans(request, method);
-  if (!request.gray_faces && !fills) return std::nullopt;
+std::optional<SpanLines> painted_lines(const PictureRequest& request, const Method& method, const PlotOptions& plot) {
+  const bool fills = fills_spans(request, method), smooth = is_smooth(request);
+  if (!request.gray_faces && !fills && !smooth) return std::nullopt;
   const auto lines = [](double spacing_mm, double count) {
     return SpanLines{spacing_mm / 2, spacing_mm, static_cast<std::uint32_t>(count)};
   };
-  const bool rows =
-      request.output.format == OutputFormat::png || (is_smooth(request) && (method.traits().products & kSpans));
+  const bool rows = request.output.format == OutputFormat::png || (smooth && (method.traits().products & kSpans));
   if (rows && !fills) return lines(kMmPerInch / plot.dpi, png_size(plot).height);
   if (!(method.traits().products & kSpans)) return std::nullopt;
   return lines(kAreaLinesMm, std::ceil(plot.page.height_mm / kAreaLinesMm));
@@ -37,42 +97,30 @@ void prepare_tones(PreparedScene& prepared) {
   if (is_smooth(prepared.request)) prepared.tones = std::make_shared<SmoothTones>(prepared);
 }
 
-/// Gray faces of continuous tone: pixels of the page, of vector files too where the method has spans.
-static GrayPicture smooth_gray(const PreparedScene& prepared, const VisibilityResult& result, const PlotOptions& plot) {
-  const auto tone = [&](std::uint32_t face, Point2 page_mm) { return prepared.tones->at(face, page_mm); };
-  const bool png = prepared.request.output.format == OutputFormat::png;
-  if (!png && !result.spans) return gray_pixels(*result.pixels, tone);
-  const PixelSize size = png_size(plot);
-  const double pixels_per_mm = plot.dpi / kMmPerInch;
-  if (!result.spans) return shade(*result.pixels, tone, size.width, size.height, pixels_per_mm);
-  GrayPicture picture = shade(*result.spans, tone, size.width, size.height, pixels_per_mm);
-  if (!png) picture.pixel_mm = 1 / pixels_per_mm;
-  return picture;
-}
-
-std::optional<GrayPicture> gray_faces(const PreparedScene& prepared, const VisibilityResult& result,
-                                      const PlotOptions& plot) {
-  const bool png = prepared.request.output.format == OutputFormat::png;
-  const bool smooth = is_smooth(prepared.request);
-  if (!prepared.request.gray_faces || !(result.pixels || ((png || smooth) && result.spans))) return std::nullopt;
-  if (smooth) return smooth_gray(prepared, result, plot);
+std::optional<FacePicture> face_picture(const PreparedScene& prepared, const VisibilityResult& result,
+                                        const PlotOptions& plot) {
+  const PictureRequest& request = prepared.request;
+  const bool png = request.output.format == OutputFormat::png, smooth = is_smooth(request);
+  if (!(request.gray_faces || smooth) || !(result.pixels || ((png || smooth) && result.spans))) return std::nullopt;
+  if (fills_smoothly(request)) return color_image(prepared, result, plot);
+  if (smooth) {
+    return gray_image(prepared, result, plot,
+                      [&](std::uint32_t face, Point2 page_mm) { return prepared.tones->at(face, page_mm); });
+  }
   const std::vector<double> brightness = face_brightness(prepared.scene, prepared.view().camera);
-  if (!png) return gray_pixels(*result.pixels, brightness);
-  const PixelSize size = png_size(plot);
-  const double pixels_per_mm = plot.dpi / kMmPerInch;
-  return result.spans ? shade(*result.spans, brightness, size.width, size.height, pixels_per_mm)
-                      : shade(*result.pixels, brightness, size.width, size.height, pixels_per_mm);
+  return gray_image(prepared, result, plot, [&](std::uint32_t face, Point2) { return brightness[face]; });
 }
 
 std::vector<Fill> gray_areas(const PreparedScene& prepared, const VisibilityResult& result) {
   const PictureRequest& request = prepared.request;
   if (!request.gray_faces || is_smooth(request) || request.output.format == OutputFormat::png || !result.spans) return {};
-  return fill_gray(areas_of_spans(*result.spans), face_brightness(prepared.scene, prepared.view().camera));
+  return fill_gray(prepared.scene, areas_of_spans(*result.spans), result.spans->glass,
+                   face_brightness(prepared.scene, prepared.view().camera));
 }
 
 std::vector<Fill> filled_spans(const PreparedScene& prepared, const VisibilityResult& result) {
   const std::vector<Region> areas = areas_of_spans(result.spans ? *result.spans : spans_of_pixels(*result.pixels));
-  return fill_regions(prepared.scene, prepared.view(), areas, prepared.lights, prepared.request.fill.kind);
+  return fill_areas(prepared.scene, prepared.view(), areas, glass_of(result), prepared.lights, prepared.request.fill.kind);
 }
 
 }  // namespace ligne

@@ -54,9 +54,8 @@ std::array<double, 3> SmoothTones::weights(const FormTriangle& triangle, Point2 
   return w;
 }
 
-double SmoothTones::at(std::uint32_t face, Point2 page_mm) const {
-  if (face >= is_flat_.size()) return 1;
-  if (is_flat_[face]) return of_face_[face];
+std::optional<SurfacePoint> SmoothTones::surface_at(std::uint32_t face, Point2 page_mm) const {
+  if (face >= is_flat_.size() || is_flat_[face]) return std::nullopt;
   // The triangle of the face that contains the point, or that it is least outside of.
   std::uint32_t best = mesh_.first[face];
   std::array<double, 3> of_best{};
@@ -77,10 +76,19 @@ double SmoothTones::at(std::uint32_t face, Point2 page_mm) const {
     normal += of_best[k] / sum * mesh_.normals[node];
     point += of_best[k] / sum * mesh_.points[node];
   }
-  // At an outline the interpolated normal turns away before the face does; there the surface is dark.
   const Point3 sight = camera_.perspective ? point - camera_.eye : camera_.forward;
-  if (glm::dot(normal, sight) * glm::dot(mesh_.area_vector(best), sight) <= 0) return 0;
-  return std::min(1.0, factor_ * eye_brightness(camera_, point, unit(normal)));
+  const double towards = glm::dot(mesh_.area_vector(best), sight);
+  const bool turns_away = glm::dot(normal, sight) * towards <= 0;
+  return SurfacePoint{point, towards > 0 ? -unit(normal) : unit(normal), turns_away};
+}
+
+double SmoothTones::at(std::uint32_t face, Point2 page_mm) const {
+  if (face >= is_flat_.size()) return 1;
+  const std::optional<SurfacePoint> surface = surface_at(face, page_mm);
+  if (!surface) return of_face_[face];
+  // At an outline the surface is dark.
+  if (surface->turns_away) return 0;
+  return std::min(1.0, factor_ * eye_brightness(camera_, surface->point, surface->normal));
 }
 
 }  // namespace ligne

@@ -22,7 +22,7 @@ std::vector<RegionAppearance> looks_of(const PreparedScene& prepared, const std:
   const FaceLight light(prepared.scene, prepared.view().camera, prepared.lights);
   std::vector<RegionAppearance> looks;
   for (const Region& region : regions) {
-    const Material material = material_of(prepared.scene, region);
+    const Material& material = material_of(prepared.scene, region);
     RegionAppearance& look = looks.emplace_back();
     look.light = std::clamp(light.of(region.face, region.lights, region.light_shares), 0.0, 1.0);
     look.color = {material.color.x, material.color.y, material.color.z};

@@ -17,7 +17,7 @@
 namespace ligne {
 namespace {
 
-std::string written_as(OutputFormat format, const Drawing& drawing, const PlotOptions& style, const GrayPicture* under,
+std::string written_as(OutputFormat format, const Drawing& drawing, const PlotOptions& style, const FacePicture* under,
                        PdfDocument* pages) {
   if (pages) {
     pages->add_page(drawing, style, under);

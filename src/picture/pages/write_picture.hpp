@@ -35,7 +35,7 @@ void check_png(const Page& page, double dpi, const MemoryLimit& memory);
 /// The format of a file and its special contents.
 struct PictureFile {
   OutputFormat format;
-  const GrayPicture* under = nullptr;  ///< drawn below the lines
+  const FacePicture* under = nullptr;  ///< drawn below the lines
   /// Document that receives a PDF as a page; the picture then has no bytes of its own.
   PdfDocument* pages = nullptr;
 };
