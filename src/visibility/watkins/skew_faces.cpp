@@ -145,7 +145,8 @@ void renumber(ProjectedScene& scene, const SkewFaces& faces, const std::vector<s
     ProjectedEdge edge = scene.edges[i];
     edge.face0 = whole_of(edge.face0);
     edge.face1 = whole_of(edge.face1);
-    if (edge.face0 == edge.face1 && edge.face0 != kNone) continue;
+    const bool is_inner = edge.face0 == edge.face1 && edge.face0 != kNone;
+    if (is_inner && edge.line_class != LineClass::outline) continue;
     edges.push_back(edge);
     if (!scene.edge_parts.empty()) edge_parts.push_back(scene.edge_parts[i]);
   }

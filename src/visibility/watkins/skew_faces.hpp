@@ -38,7 +38,8 @@ class SkewFaces {
   std::vector<Face> faces_;
 };
 
-/// A scene in which the triangles of each skew face have one number. Edges within these faces are no candidates.
+/// A scene in which the triangles of each skew face have one number. Edges within these faces are no candidates, except
+/// outlines: there the face folds over on the page, and the outline has no other edge.
 struct SkewScene {
   ProjectedScene scene;
   SkewFaces faces;
