@@ -41,7 +41,7 @@ constexpr Property kProperties[] = {
     {"lines of intersection", {"yes", "no", "no", "no"}, {"yes", "yes", "yes", "yes"}},
     {"transparency",
      {"no", "possible", "possible", "yes"},
-     {"no", "no", "yes, lines and areas by level", "areas, when they are painted"}},
+     {"no", "yes, in areas", "yes, lines and areas by level", "areas, when they are painted"}},
     {"programming",
      {"simple", "complex", "middling", "simple"},
      {"five modules", "two scans, four span methods", "a clip without singular cases, three studies",

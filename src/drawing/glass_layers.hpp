@@ -63,7 +63,7 @@ class SeenColor {
   double left_ = 1;  ///< share of the light that passes all faces
 };
 
-/// What is visible at a place: a face, or paper (kNone), behind a list of transparent faces.
+/// A visible face, or paper (kNone), behind a list of transparent faces.
 struct SeenFace {
   std::uint32_t face = 0;
   std::uint32_t glass = GlassLayers::kNoGlass;

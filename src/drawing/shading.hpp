@@ -44,7 +44,7 @@ FacePicture shade(const SpanModel& spans, ToneAt tone, std::uint32_t width, std:
 FacePicture shade(const PixelModel& pixels, ToneAt tone, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
 FacePicture gray_pixels(const PixelModel& pixels, ToneAt tone);
 
-/// The same in colour.
+/// Pictures of continuous tone in colour.
 FacePicture paint(const SpanModel& spans, ColorAt color, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
 FacePicture paint(const PixelModel& pixels, ColorAt color, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
 FacePicture color_pixels(const PixelModel& pixels, ColorAt color);

@@ -32,7 +32,7 @@ class FaceLight {
   /// and the direction to the light; 0 for a light behind the face. Bit i of `reached` says whether light i (of the
   /// first 32) reaches the face; shares[i] is the fraction of it that passes transparent faces, 1 if missing.
   double of(std::uint32_t face, std::uint32_t reached = 0xffffffffu, std::span<const double> shares = {}) const;
-  /// The same at a point of a surface with this unit normal on its visible side. There must be lights.
+  /// Brightness at a point of a surface with this unit normal on its visible side. There must be lights.
   double at(const Point3& point, const Point3& normal, std::uint32_t reached = 0xffffffffu,
             std::span<const double> shares = {}) const;
 

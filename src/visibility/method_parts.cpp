@@ -95,7 +95,7 @@ constexpr PartsOfMethod kPartsOfMethods[] = {
       "the order of the pieces (`PaintOrder`); strokes (`StrokeModel`), regions"}},
     {"zbuffer",
      {"`ProjectedScene`: triangles of faces with holes on the page lattice, with depth; candidate lines. Faces "
-      "may penetrate, coincide, and be skew. Transparent faces are left out: they hide nothing",
+      "may penetrate, coincide, and be skew. Transparent faces hide nothing and tint areas",
       "triangles by face, faces by bands of 16 rows, sides of a face by their first row; all by counting but "
       "the last",
       "depth against depth at a pixel; a point of a line against four hiding depths",

@@ -66,6 +66,7 @@ inline constexpr OptionRow kDrawRows[] = {
     {"--set", "coordinates=whole", "--method watkins --lines 30 --set tracking=lines --quality exact"},
     {"--set", "tracking=overrun", "--method watkins --lines 30 --quality exact"},
     {"--set", "intersections=points", "--method watkins --lines 30 --stats"},
+    {"--set", "skew=slopes", "--method watkins --lines 30 --stats"},
     {"--set", "line-group=3", "--method watkins --lines 30 --stats"},
     {"--set", "lines-ahead=2", "--method watkins --lines 30 --stats"},
     {"--set", "candidates=1", "--method bsp --stats"},

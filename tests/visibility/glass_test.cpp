@@ -12,7 +12,7 @@ namespace {
 
 using Faces = std::vector<std::uint32_t>;
 
-/// What is visible at a point: transparent faces from front to back, then the opaque face or kNone.
+/// The visible faces at a point: transparent ones from front to back, then the opaque one or kNone.
 struct Seen {
   Faces glass;
   std::uint32_t face = kNone;

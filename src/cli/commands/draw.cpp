@@ -265,8 +265,9 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
   OptionGroup faces(draw, "Faces");
   faces.add_flag("--shade", picture.gray_faces, "grey faces, lit from the eye (methods with spans or pixels)");
   faces
-      .add("--shade-tone", "HOW", picture.gray_tone, parse_gray_tone,
-           "face: one tone per face; smooth: continuous tone over smooth surfaces, as an image of --dpi")
+      .add(
+          "--shade-tone", "HOW", picture.gray_tone, parse_gray_tone,
+          "with --shade and --fill shade; face: one tone per face; smooth: continuous over smooth surfaces, as an image of --dpi")
       .standard("face");
   add_hatch_options(draw, picture.hatch);
   add_plotter_options(draw, options.plotter);
