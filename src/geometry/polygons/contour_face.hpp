@@ -36,6 +36,7 @@ using EdgeLoop = std::vector<ContourEdge>;
 /// A face with holes: the first contour is the outer one and turns positively, the others are holes and turn negatively.
 struct ContourFace {
   std::vector<EdgeLoop> contours;
+  bool is_convex = false;  ///< known to be one convex contour; see geometry/polygons/convex_clip.hpp
 };
 
 /// Makes a face from closed contours of lattice points, the first one outer, in either winding. The edges get the
