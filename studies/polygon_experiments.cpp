@@ -27,7 +27,7 @@ PolygonRun study_polygons(Scene scene) {
   const ProjectedScene projected = on_sheet(scene);
   const Facets facets = make_facets(projected, coincidence_mm(projected) / projected.lattice.step_mm);
   PolygonRun run;
-  run.regions = atherton_weiler::study_polygons(projected, facets.facets, false, {}, run.counts).regions.size();
+  run.regions = atherton_weiler::study_polygons(projected, facets.facets, {}, {}, run.counts).regions.size();
   return run;
 }
 

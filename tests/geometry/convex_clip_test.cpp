@@ -1,5 +1,5 @@
-// The clip of convex contours against the general clip: on small grids, where everything is singular, and on the whole lattice;
-// results are clipped again and again.
+// The clip of convex contours against the general clip: on small grids, where everything is singular, and on the whole
+// lattice; results are clipped again and again.
 
 #include "geometry/polygons/convex_clip.hpp"
 

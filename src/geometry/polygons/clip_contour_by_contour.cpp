@@ -48,26 +48,48 @@ class FineBox {
   FinePoint low_{INT64_MAX, INT64_MAX}, high_{INT64_MIN, INT64_MIN};
 };
 
+/// The study of an edge takes the signs of both ends of each other edge.
+std::uint64_t signs_of_edge(const EdgeOverlay& overlay) { return 2 * (overlay.size() - 1); }
+
 }  // namespace
 
-ClipResult clip_contour_by_contour(std::span<const ContourFace> subject, std::span<const ContourFace> clip, bool closed) {
+ClipResult clip_contour_by_contour(std::span<const ContourFace> subject, std::span<const ContourFace> clip, bool closed,
+                                   std::uint64_t* signs) {
   EdgeOverlay overlay;
   for (const ContourFace& face : subject) overlay.add(face, 0);
   const std::size_t subject_edges = overlay.size();
   for (const ContourFace& face : clip) overlay.add(face, 1);
   FineBox box;
   for (std::size_t i = 0; i < subject_edges; ++i) box.extend(overlay.edge(i));
+  std::uint64_t studied = 0;
   BorderCollector inside, outside;
   for (std::size_t i = 0; i < overlay.size(); ++i) {
     const ContourEdge edge = overlay.edge(i);
     if (i >= subject_edges && !box.meets(edge)) continue;  // results lie within the subject
+    ++studied;
     overlay.for_each_part(
         i, edge.from, edge.to, [&](SegmentParameter from, SegmentParameter to, const EdgeSides& b, bool corner) {
           inside.part(edge, from, to, b.left[0] > 0 && b.left[1] > 0, b.right[0] > 0 && b.right[1] > 0, !corner);
           outside.part(edge, from, to, b.left[0] > 0 && b.left[1] <= 0, b.right[0] > 0 && b.right[1] <= 0, !corner);
         });
   }
+  if (signs) *signs += studied * signs_of_edge(overlay);
   return {link_edges(inside.take(), closed), link_edges(outside.take(), closed)};
+}
+
+bool contours_overlap(std::span<const ContourFace> a, std::span<const ContourFace> b, std::uint64_t& signs) {
+  EdgeOverlay overlay;
+  for (const ContourFace& face : a) overlay.add(face, 0);
+  for (const ContourFace& face : b) overlay.add(face, 1);
+  bool overlap = false;
+  for (std::size_t i = 0; i < overlay.size() && !overlap; ++i) {
+    signs += signs_of_edge(overlay);
+    const ContourEdge edge = overlay.edge(i);
+    overlay.for_each_part(i, edge.from, edge.to, [&](SegmentParameter, SegmentParameter, const EdgeSides& s, bool) {
+      overlap |= (s.left[0] > 0 && s.left[1] > 0) || (s.right[0] > 0 && s.right[1] > 0);
+    });
+  }
+  return overlap;
 }
 
 }  // namespace ligne

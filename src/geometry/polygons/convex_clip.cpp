@@ -5,10 +5,10 @@
 #include <iterator>
 #include <utility>
 
-// Phases: (1) corners are coded; a pair that lies apart, or a subject within, ends here. (2) Edges of each contour are divided
-// where they enter and leave the other. (3) The parts inside, sorted by direction, are the contour of the intersection. (4)
-// Parts of the clip contour that follow each other there, together with the part of the subject's contour that they cut off,
-// are a contour outside.
+// Phases: (1) corners are coded; a pair that lies apart, or a subject within, ends here. (2) Edges of each contour are
+// divided where they enter and leave the other. (3) The parts inside, sorted by direction, are the contour of the
+// intersection. (4) Parts of the clip contour that follow each other there, together with the part of the subject's contour
+// that they cut off, are a contour outside.
 
 namespace ligne {
 namespace {
@@ -49,12 +49,12 @@ bool comes_before(const ContourEdge& base, const ContourEdge& a, const ContourEd
   return half_a != half_b ? half_b : turn(a, b) > 0;
 }
 
-/// Smallest mean width, in lattice steps, of a part that is clear of rounding: four steps of the fine lattice. Rounding moves
-/// the contour by one half of such a step.
+/// Smallest mean width, in lattice steps, of a part that is clear of rounding: four steps of the fine lattice. Rounding
+/// moves the contour by one half of such a step.
 constexpr double kClearWidth = 4.0 / (1 << kFineBits);
 
-/// Whether rounding corners to the fine lattice can not make the contour vanish. Computed in doubles, whose errors here are a
-/// thousandth of a step of the fine lattice.
+/// Whether rounding corners to the fine lattice can not make the contour vanish. Computed in doubles, whose errors here are
+/// a thousandth of a step of the fine lattice.
 bool is_clear(const EdgeLoop& loop) {
   const auto corner = [](const ContourEdge& e) {
     const double t = value(first_parameter(e));

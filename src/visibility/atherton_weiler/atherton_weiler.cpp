@@ -42,12 +42,26 @@ class LineSearch {
 enum class Study : std::uint8_t { faces, polygons, silhouettes };
 constexpr std::string_view kStudies[] = {"faces", "polygons", "silhouettes"};
 constexpr std::string_view kShowNames[] = {"clips"};
+constexpr std::string_view kClipNames[] = {"general", "convex"};
+constexpr std::string_view kZoneNames[] = {"boxes", "octagons", "hulls", "contours"};
+constexpr std::string_view kInsideNames[] = {"after", "at-once"};
 constexpr MethodParameter kParameters[] = {
     experiment(
         {"study", "HOW",
          "faces: each face separately; polygons, silhouettes: the classical study, nearest polygon first, with convex "
          "bodies as faces or as silhouettes",
          "faces", kStudies}),
+    experiment({"clip", "general|convex",
+                "study of polygons: the clip of contours of any form, or convex contours by codes of their corners",
+                "convex", kClipNames}),
+    experiment(
+        {"zones", "boxes|octagons|hulls|contours",
+         "study of polygons: which test tells faces apart on the page, by boxes along the axes, along the diagonals as well, by "
+         "convex hulls, or by the contours themselves",
+         "boxes", kZoneNames}),
+    experiment({"inside", "after|at-once",
+                "study of polygons: a nearer face inside the clip face takes its place after all clips, or at once", "after",
+                kInsideNames}),
     {"show", "clips", "layer debug: the polygons into which clipping divides the faces", "", kShowNames}};
 
 std::vector<std::vector<Point2>> contours_of(const std::vector<Region>& regions) {
@@ -70,7 +84,7 @@ void report(const StudyCounts& counts, Statistics& statistics) {
   statistics.count("clip faces", counts.clips);
 }
 
-void report(const PolygonCounts& counts, Statistics& statistics) {
+void report(const PolygonCounts& counts, const PolygonOptions& options, Statistics& statistics) {
   statistics.count("zones", counts.zones);
   statistics.count("slabs", counts.slabs);
   statistics.count("convex objects", counts.bodies);
@@ -78,6 +92,24 @@ void report(const PolygonCounts& counts, Statistics& statistics) {
   statistics.count("wrong sorts", counts.wrong_sorts);
   statistics.count("cuts along common lines", counts.splits);
   statistics.count("deepest recursion", counts.deepest);
+  statistics.count("polygons in lists", counts.considered);
+  statistics.count("clips with nothing inside", counts.empty_clips);
+  statistics.count("convex contours clipped", counts.convex_pairs);
+  statistics.count("general clips", counts.general_clips);
+  statistics.count("signs of corners in clips", counts.signs);
+  if (options.zones != ZoneTest::boxes) {
+    statistics.count("tests for zones", counts.zone_tests);
+    statistics.count("tests before clips", counts.pair_tests);
+    statistics.count("clips spared by tests", counts.told_apart);
+    statistics.count("signs of corners in tests", counts.test_signs);
+  }
+  if (options.inside == InsideTest::at_once) statistics.count("clip faces given up at once", counts.exchanges);
+}
+
+PolygonOptions polygon_options(const MethodSettings& settings, bool silhouettes) {
+  const PolygonOptions standard;
+  return {silhouettes, settings.choice("clip", standard.clip), settings.choice("zones", standard.zones),
+          settings.choice("inside", standard.inside)};
 }
 
 /// Makes the search for lines whose visible parts the borders of regions do not give.
@@ -143,10 +175,11 @@ VisibilityResult AthertonWeilerMethod::compute_visibility(const ProjectedScene& 
 
   // 2. Visible faces.
   const Study study = options.settings.choice("study", Study::faces);
+  const PolygonOptions of_polygons = polygon_options(options.settings, study == Study::silhouettes);
   PolygonCounts polygon_counts;
-  VisibleFaces visible = study == Study::faces ? find_visible_faces(scene, facets.facets, grid, options.progress)
-                                               : study_polygons(scene, facets.facets, study == Study::silhouettes,
-                                                                options.progress, polygon_counts);
+  VisibleFaces visible = study == Study::faces
+                             ? find_visible_faces(scene, facets.facets, grid, options.progress)
+                             : study_polygons(scene, facets.facets, of_polygons, options.progress, polygon_counts);
   statistics.time("faces", clock.lap());
 
   // 3. Lines.
@@ -168,7 +201,7 @@ VisibilityResult AthertonWeilerMethod::compute_visibility(const ProjectedScene& 
   if (study == Study::faces) {
     report(visible.counts, statistics);
   } else {
-    report(polygon_counts, statistics);
+    report(polygon_counts, of_polygons, statistics);
   }
   statistics.count("regions", visible.regions.size());
   statistics.count("lines apart from borders", studied);

@@ -6,25 +6,25 @@
 
 #include "base/disjoint_sets.hpp"
 #include "geometry/polygons/clip_contour_by_contour.hpp"
+#include "geometry/polygons/convex_clip.hpp"
 #include "visibility/polygons/clip_part.hpp"
 
 namespace ligne::atherton_weiler {
 namespace {
 
-/// The union of the faces.
-std::vector<ContourFace> united(const std::vector<ContourFace>& faces) {
-  return faces.size() == 1 ? faces : clip_contour_by_contour(faces, {}).outside;
-}
-
 class UnitMaker {
  public:
   UnitMaker(const ProjectedScene& scene, const std::vector<Facet>& facets) : scene_(scene), facets_(facets) {}
 
+  /// The union of the facets. Contours that are convex are marked.
   std::vector<ContourFace> outline(const std::vector<std::uint32_t>& facets) const {
     std::vector<ContourFace> faces;
     faces.reserve(facets.size());
     for (const std::uint32_t f : facets) faces.push_back(whole_facet(facets_, scene_.vertices, f).face());
-    return united(faces);
+    if (faces.size() == 1) return faces;
+    std::vector<ContourFace> outline = clip_contour_by_contour(faces, {}).outside;
+    for (ContourFace& face : outline) face.is_convex = is_convex(face);
+    return outline;
   }
 
   ClipUnit unit_of(std::vector<UnitFace> faces, std::vector<ContourFace> outline) const {

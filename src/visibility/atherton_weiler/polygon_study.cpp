@@ -5,17 +5,23 @@
 #include <mutex>
 
 #include "base/parallel.hpp"
-#include "geometry/connected_boxes.hpp"
 #include "geometry/polygons/clip_contour_by_contour.hpp"
+#include "visibility/atherton_weiler/polygon_clip.hpp"
 #include "visibility/atherton_weiler/unit_order.hpp"
+#include "visibility/atherton_weiler/zones.hpp"
 
 // Per zone, with its polygons sorted by nearest depth: (1) The first polygon is the clip face and clips all others. (2)
 // Pieces inside it and behind it are hidden, or seen through it. (3) If a piece inside is nearer, the sort was wrong: the
 // clip restarts on the inside with this piece as clip face. (4) Otherwise the whole clip face is visible. (5) The outside is
 // treated likewise.
 //
+// With InsideTest::at_once, step (3) does not wait for the end of step (1): a polygon that is nearer all over the overlap
+// exchanges places with the clip face. What the clip face has cut off behind it so far stays cut off.
+//
 // The study terminates: a finished clip face leaves its list, so lists shrink from call to call except after a wrong sort.
-// There the chain of clip faces grows, and a polygon in the chain is not taken for nearer again.
+// There the chain of clip faces grows, and a polygon in the chain is not taken for nearer again. A clip face that was given
+// up is not exchanged for again before another one is finished; in a ring of such faces the clip starts again as in step
+// (3), and what is inside is studied without exchanges.
 
 namespace ligne::atherton_weiler {
 namespace {
@@ -26,7 +32,7 @@ struct Polygon {
   std::uint32_t slab = 0;
   std::uint32_t level = 0;  ///< transparent faces in front of it
   std::vector<ContourFace> pieces;
-  PageBox box;
+  PageExtent extent;
 };
 
 /// A visible part of a face.
@@ -35,30 +41,27 @@ struct Piece {
   std::vector<ContourFace> parts;
 };
 
-/// Units connected by overlapping boxes, sorted by their lowest unit.
-std::vector<std::vector<std::uint32_t>> zones_of(const std::vector<ClipUnit>& units) {
-  std::vector<AxisBox> boxes;
-  boxes.reserve(units.size());
-  for (const ClipUnit& unit : units) boxes.push_back({unit.box.x0, unit.box.y0, unit.box.x1, unit.box.y1});
-  DisjointSets sets = connect_boxes(boxes);
-  std::vector<std::vector<std::uint32_t>> zones;
-  std::vector<std::uint32_t> number(units.size());
-  for (std::uint32_t u = 0; u < units.size(); ++u) {
-    const std::uint32_t root = sets.find(u);
-    if (root == u) {
-      number[u] = static_cast<std::uint32_t>(zones.size());
-      zones.emplace_back();
-    }
-    zones[number[root]].push_back(u);
-  }
-  return zones;
-}
+/// The pieces inside a clip face that the study goes on with: those in front of it, and those behind it if it is
+/// transparent.
+struct Inside {
+  std::vector<Polygon> nearer, behind;
+};
+
+using Units = std::vector<std::uint32_t>;
+
+bool holds(const Units& units, std::uint32_t unit) { return std::find(units.begin(), units.end(), unit) != units.end(); }
 
 class ZoneStudy {
  public:
-  ZoneStudy(const std::vector<ClipUnit>& units, UnitOrders orders) : units_(units), orders_(std::move(orders)) {}
+  ZoneStudy(const ProjectedScene& scene, const std::vector<Facet>& facets, const std::vector<ClipUnit>& units,
+            const OverlapTests& tests, const PolygonOptions& options, std::vector<std::uint8_t>& touches)
+      : units_(units),
+        tests_(tests),
+        at_once_(options.inside == InsideTest::at_once),
+        orders_(scene, facets, units, touches, options.clip, counts),
+        clip_(options.clip, counts) {}
 
-  void study(std::vector<std::uint32_t> zone) {
+  void study(Units zone) {
     std::sort(zone.begin(), zone.end(), [&](std::uint32_t a, std::uint32_t b) {
       return std::pair(units_[a].z_near, a) < std::pair(units_[b].z_near, b);
     });
@@ -68,7 +71,8 @@ class ZoneStudy {
       const ClipUnit& unit = units_[u];
       counts.slabs += unit.z_near > far;
       far = std::max(far, unit.z_far);
-      list.push_back({u, static_cast<std::uint32_t>(counts.slabs), 0, unit.outline, unit.box});
+      list.push_back({u, static_cast<std::uint32_t>(counts.slabs), 0, {}, {}});
+      set_pieces(list.back(), unit.outline);
     }
     study(list, {}, 1);
   }
@@ -78,76 +82,135 @@ class ZoneStudy {
 
  private:
   /// `chain`: the clip faces to which the first polygon of the list proved nearer; empty if the sort put it first.
-  void study(std::vector<Polygon>& list, std::vector<std::uint32_t> chain, std::uint64_t depth);
+  void study(std::vector<Polygon>& list, Units chain, std::uint64_t depth);
+  std::size_t clip_list(const Polygon& clip, std::vector<Polygon>& list, std::size_t first, const Units& chain,
+                        const Units* given_up, Inside& found);
+  bool clip_one(const Polygon& clip, Polygon& subject, const Units& chain, const Units* given_up, Inside& found);
+  void finish(Polygon clip, Inside found, const Units& chain, std::uint64_t depth);
   void show(const Polygon& polygon);
+  void set_pieces(Polygon& polygon, std::vector<ContourFace> parts) const;
+  Polygon like(const Polygon& polygon, std::vector<ContourFace> parts) const;
 
   const std::vector<ClipUnit>& units_;
+  const OverlapTests& tests_;
+  bool at_once_;
   UnitOrders orders_;
+  PolygonClip clip_;
 };
 
-void set_pieces(Polygon& polygon, std::vector<ContourFace> pieces) {
-  polygon.pieces = std::move(pieces);
-  polygon.box = box_of(polygon.pieces);
+void ZoneStudy::set_pieces(Polygon& polygon, std::vector<ContourFace> parts) const {
+  polygon.pieces = std::move(parts);
+  if (tests_.test() == ZoneTest::boxes) {
+    polygon.extent.upright = box_of(polygon.pieces);
+  } else {
+    polygon.extent = extent_of(polygon.pieces);
+  }
 }
 
-Polygon like(const Polygon& polygon, std::vector<ContourFace> pieces) {
+Polygon ZoneStudy::like(const Polygon& polygon, std::vector<ContourFace> parts) const {
   Polygon result{polygon.unit, polygon.slab, polygon.level, {}, {}};
-  set_pieces(result, std::move(pieces));
+  set_pieces(result, std::move(parts));
   return result;
 }
 
-void ZoneStudy::study(std::vector<Polygon>& list, std::vector<std::uint32_t> chain, std::uint64_t depth) {
-  counts.deepest = std::max(counts.deepest, depth);
-  for (std::size_t i = 0; i < list.size(); ++i, chain.clear()) {
-    Polygon clip = std::move(list[i]);
-    if (clip.pieces.empty()) continue;
-    const bool transparent = units_[clip.unit].transparent;
-    std::vector<Polygon> nearer, behind;
-    for (std::size_t k = i + 1; k < list.size(); ++k) {
-      Polygon& subject = list[k];
-      if (subject.pieces.empty()) continue;
-      ++counts.considered;
-      if (!subject.box.meets(clip.box)) continue;
-      ClipResult parts = clip_contour_by_contour(subject.pieces, clip.pieces, true);
-      ++counts.clips;
-      if (parts.inside.empty()) continue;
-      const bool passed = std::find(chain.begin(), chain.end(), subject.unit) != chain.end();
-      const DepthOrder order =
-          passed || subject.slab > clip.slab ? DepthOrder::first : orders_.order(clip.unit, subject.unit);
-      if (order == DepthOrder::crossing) {
-        ClipResult cut =
-            clip_contour_by_contour(parts.inside, orders_.front_parts(clip.unit, subject.unit, box_of(parts.inside)), true);
-        counts.splits += !cut.inside.empty() && !cut.outside.empty();
-        if (!cut.inside.empty()) nearer.push_back(like(subject, std::move(cut.inside)));
-        if (transparent && !cut.outside.empty()) behind.push_back(like(subject, std::move(cut.outside)));
-      } else if (order == DepthOrder::second) {
-        nearer.push_back(like(subject, std::move(parts.inside)));
-      } else if (transparent) {
-        behind.push_back(like(subject, std::move(parts.inside)));
-      }
-      set_pieces(subject, std::move(parts.outside));
-    }
-    if (nearer.empty()) {
-      show(clip);
-      for (Polygon& p : behind) ++p.level;
-      if (!behind.empty()) study(behind, {}, depth + 1);
-      continue;
-    }
-    counts.wrong_sorts += nearer.size();
-    std::vector<std::uint32_t> longer = chain;
-    longer.push_back(clip.unit);
-    nearer.push_back(std::move(clip));
-    std::move(behind.begin(), behind.end(), std::back_inserter(nearer));
-    study(nearer, std::move(longer), depth + 1);
+/// Clips one polygon of the list. True if it is nearer than the clip face all over their overlap and is to become the clip
+/// face at once; then it stays as it is.
+bool ZoneStudy::clip_one(const Polygon& clip, Polygon& subject, const Units& chain, const Units* given_up, Inside& found) {
+  ++counts.considered;
+  if (!subject.extent.upright.meets(clip.extent.upright)) return false;
+  if (!tests_.may_overlap(clip.unit, clip.extent, subject.unit, subject.extent, counts)) return false;
+  ++counts.clips;
+  if (!clip_.divide(subject.pieces, clip.pieces)) {
+    ++counts.empty_clips;
+    return false;
   }
+  const DepthOrder order =
+      holds(chain, subject.unit) || subject.slab > clip.slab ? DepthOrder::first : orders_.order(clip.unit, subject.unit);
+  if (order == DepthOrder::second && given_up && !holds(*given_up, subject.unit)) return true;
+  const bool transparent = units_[clip.unit].transparent;
+  if (order == DepthOrder::crossing) {
+    const std::vector<ContourFace> inside = clip_.take_inside();
+    set_pieces(subject, clip_.take_outside());
+    const bool has_front = clip_.divide(inside, orders_.front_parts(clip.unit, subject.unit, box_of(inside)));
+    std::vector<ContourFace> behind = clip_.take_outside();
+    counts.splits += has_front && !behind.empty();
+    if (has_front) found.nearer.push_back(like(subject, clip_.take_inside()));
+    if (transparent && !behind.empty()) found.behind.push_back(like(subject, std::move(behind)));
+    return false;
+  }
+  if (order == DepthOrder::second) {
+    found.nearer.push_back(like(subject, clip_.take_inside()));
+  } else if (transparent) {
+    found.behind.push_back(like(subject, clip_.take_inside()));
+  }
+  set_pieces(subject, clip_.take_outside());
+  return false;
+}
+
+/// Clips the list from `first` on. Returns the index of the polygon that is to become the clip face at once, or the size of
+/// the list.
+std::size_t ZoneStudy::clip_list(const Polygon& clip, std::vector<Polygon>& list, std::size_t first, const Units& chain,
+                                 const Units* given_up, Inside& found) {
+  for (std::size_t k = first; k < list.size(); ++k) {
+    if (!list[k].pieces.empty() && clip_one(clip, list[k], chain, given_up, found)) return k;
+  }
+  return list.size();
+}
+
+void ZoneStudy::study(std::vector<Polygon>& list, Units chain, std::uint64_t depth) {
+  counts.deepest = std::max(counts.deepest, depth);
+  const bool exchanges = at_once_ && chain.empty();
+  Units given_up;  // clip faces given up since the last one was finished
+  for (std::size_t i = 0; i < list.size();) {
+    Polygon clip = std::move(list[i]);
+    Inside found;
+    if (!clip.pieces.empty()) {
+      const std::size_t nearer = clip_list(clip, list, i + 1, chain, exchanges ? &given_up : nullptr, found);
+      if (nearer < list.size()) {
+        // The nearer polygon comes first, then the clip face, then the pieces that were found inside it.
+        ++counts.exchanges;
+        ++counts.wrong_sorts;
+        given_up.push_back(clip.unit);
+        list[i] = std::move(clip);
+        const auto at = [&](std::size_t k) { return list.begin() + static_cast<std::ptrdiff_t>(k); };
+        std::rotate(at(i), at(nearer), at(nearer + 1));
+        std::move(found.behind.begin(), found.behind.end(), std::back_inserter(found.nearer));
+        list.insert(at(i + 2), std::make_move_iterator(found.nearer.begin()), std::make_move_iterator(found.nearer.end()));
+        continue;
+      }
+      finish(std::move(clip), std::move(found), chain, depth);
+    }
+    ++i;
+    chain.clear();
+    given_up.clear();
+  }
+}
+
+/// Goes on after a clip face has clipped its list: the clip face is visible, or the clip starts again on what is inside it.
+void ZoneStudy::finish(Polygon clip, Inside found, const Units& chain, std::uint64_t depth) {
+  if (found.nearer.empty()) {
+    show(clip);
+    for (Polygon& p : found.behind) ++p.level;
+    if (!found.behind.empty()) study(found.behind, {}, depth + 1);
+    return;
+  }
+  counts.wrong_sorts += found.nearer.size();
+  Units longer = chain;
+  longer.push_back(clip.unit);
+  found.nearer.push_back(std::move(clip));
+  std::move(found.behind.begin(), found.behind.end(), std::back_inserter(found.nearer));
+  study(found.nearer, std::move(longer), depth + 1);
 }
 
 /// The faces of a body are details of its silhouette, clipped to the visible part of it.
 void ZoneStudy::show(const Polygon& polygon) {
   for (const UnitFace& face : units_[polygon.unit].faces) {
     Piece piece{face.face, polygon.level, {}};
-    piece.parts =
-        units_[polygon.unit].body ? clip_contour_by_contour(face.outline, polygon.pieces, true).inside : polygon.pieces;
+    if (!units_[polygon.unit].body) {
+      piece.parts = polygon.pieces;
+    } else if (clip_.divide(face.outline, polygon.pieces)) {
+      piece.parts = clip_.take_inside();
+    }
     if (!piece.parts.empty()) pieces.push_back(std::move(piece));
   }
 }
@@ -184,17 +247,29 @@ void PolygonCounts::operator+=(const PolygonCounts& o) {
   bodies += o.bodies;
   considered += o.considered;
   clips += o.clips;
+  empty_clips += o.empty_clips;
   wrong_sorts += o.wrong_sorts;
   splits += o.splits;
   deepest = std::max(deepest, o.deepest);
+  exchanges += o.exchanges;
+  zone_tests += o.zone_tests;
+  pair_tests += o.pair_tests;
+  told_apart += o.told_apart;
+  test_signs += o.test_signs;
+  convex_pairs += o.convex_pairs;
+  convex_apart += o.convex_apart;
+  convex_within += o.convex_within;
+  general_clips += o.general_clips;
+  signs += o.signs;
 }
 
-VisibleFaces study_polygons(const ProjectedScene& scene, const std::vector<Facet>& facets, bool silhouettes,
+VisibleFaces study_polygons(const ProjectedScene& scene, const std::vector<Facet>& facets, const PolygonOptions& options,
                             const std::function<void(double)>& progress, PolygonCounts& counts) {
   VisibleFaces result;
   result.facet_touches.assign(facets.size(), 0);
-  const std::vector<ClipUnit> units = clip_units(scene, facets, silhouettes);
-  std::vector<std::vector<std::uint32_t>> zones = zones_of(units);
+  const std::vector<ClipUnit> units = clip_units(scene, facets, options.silhouettes);
+  const OverlapTests tests(scene, facets, units, options.zones);
+  std::vector<Units> zones = zones_of(units, tests, counts);
   counts.zones = zones.size();
   counts.bodies =
       static_cast<std::uint64_t>(std::count_if(units.begin(), units.end(), [](const ClipUnit& u) { return u.body; }));
@@ -204,7 +279,7 @@ VisibleFaces study_polygons(const ProjectedScene& scene, const std::vector<Facet
   parallel_for(zones.size(), [&](std::size_t z) {
     // Facets of different zones are never compared, so each task marks only its own.
     const std::size_t size = zones[z].size();
-    ZoneStudy study(units, UnitOrders(scene, facets, units, result.facet_touches));
+    ZoneStudy study(scene, facets, units, tests, options, result.facet_touches);
     study.study(std::move(zones[z]));
     add_all(scene.lattice, facets, study.pieces, found[z]);
     const std::lock_guard lock(mutex);

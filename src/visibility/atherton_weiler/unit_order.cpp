@@ -1,9 +1,9 @@
 #include "visibility/atherton_weiler/unit_order.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <span>
+#include <utility>
 
-#include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "visibility/polygons/clip_part.hpp"
 
 namespace ligne::atherton_weiler {
@@ -60,16 +60,16 @@ DepthOrder UnitOrders::order(std::uint32_t a, std::uint32_t b) {
   return entry->second;
 }
 
-std::vector<ContourFace> UnitOrders::front_parts(std::uint32_t a, std::uint32_t b, const PageBox& within) const {
+std::vector<ContourFace> UnitOrders::front_parts(std::uint32_t a, std::uint32_t b, const PageBox& within) {
   std::vector<ContourFace> parts;
   for_each_pair(a, b, within, [&](std::uint32_t fa, std::uint32_t fb, const FacetOrder& o) {
     if (o.order == DepthOrder::apart || o.order == DepthOrder::first) return;
     ClipPart front = whole_facet(facets_, scene_.vertices, fb);
     if (o.order == DepthOrder::crossing) front = left_of(front, {o.cut.b, o.cut.a});
     if (front.count == 0) return;
-    ClipResult both = clip_contour_by_contour(std::vector{front.face()},
-                                              std::vector{whole_facet(facets_, scene_.vertices, fa).face()}, true);
-    std::move(both.inside.begin(), both.inside.end(), std::back_inserter(parts));
+    const ContourFace subject = front.face(), clip = whole_facet(facets_, scene_.vertices, fa).face();
+    clip_.divide(std::span(&subject, 1), std::span(&clip, 1));
+    for (ContourFace& face : clip_.take_inside()) parts.push_back(std::move(face));
   });
   return parts;
 }

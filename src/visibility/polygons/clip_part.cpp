@@ -30,6 +30,7 @@ ClipPart left_of(const ClipPart& triangle, const LatticeSegment& line) {
   if (left == 0) return part;
   SegmentParameter ends[2];
   int n = 0;
+  std::uint32_t place = 0;  // the cut follows the edge that ends on its line or crosses it to the right
   for (std::size_t k = 0; k < 3; ++k) {
     const double first = at[k], last = at[(k + 1) % 3];
     ContourEdge e = triangle.edges[k];
@@ -41,13 +42,13 @@ ClipPart left_of(const ClipPart& triangle, const LatticeSegment& line) {
       ends[n++] = crossing(line, e.segment);
     }
     if (first > 0 || last > 0) part.edges[part.count++] = e;
+    if (first > 0 && last <= 0) place = part.count++;
   }
-  ContourEdge cut;
+  ContourEdge& cut = part.edges[place];
   cut.segment = line;
   cut.from = compare(ends[0], ends[1]) < 0 ? ends[0] : ends[1];
   cut.to = compare(ends[0], ends[1]) < 0 ? ends[1] : ends[0];
   cut.source = kCutSource;
-  part.edges[part.count++] = cut;
   return part;
 }
 

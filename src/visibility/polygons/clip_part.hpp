@@ -14,13 +14,13 @@ namespace ligne {
 inline constexpr std::uint32_t kCutSource = 0xffffffffu;
 inline std::uint32_t side_source(std::uint32_t facet, unsigned side) { return 3 * facet + side; }
 
-/// A facet, or its part on the left of a line, as the edges of its contour. The segment of a side runs from the vertex
-/// of the lower number, so that both facets at the side have equal segments.
+/// A facet, or its part on the left of a line, as the edges of its contour, in order. The segment of a side runs from the
+/// vertex of the lower number, so that both facets at the side have equal segments.
 struct ClipPart {
   std::array<ContourEdge, 4> edges;
   std::uint32_t count = 0;  ///< 0 when nothing is left
 
-  ContourFace face() const { return {{EdgeLoop(edges.begin(), edges.begin() + count)}}; }
+  ContourFace face() const { return {{EdgeLoop(edges.begin(), edges.begin() + count)}, true}; }
 };
 ClipPart whole_facet(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t facet);
 ClipPart left_of(const ClipPart& triangle, const LatticeSegment& line);
