@@ -73,6 +73,9 @@ Result study_two_tasks(const StudyRequest& request);
 Result study_slab_order(const StudyRequest& request);
 Result study_sort_keys(const StudyRequest& request);
 Result study_clip_sum(const StudyRequest& request);
+Result study_inside_at_once(const StudyRequest& request);
+Result study_zone_tests(const StudyRequest& request);
+Result study_convex_clip(const StudyRequest& request);
 Result study_shadow_cost(const StudyRequest& request);
 // Newell, Newell and Sancha, [Boulle1980] 2.5, and the four methods together, 2.6.
 Result study_list_cases(const StudyRequest& request);

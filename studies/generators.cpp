@@ -43,6 +43,30 @@ void add_comb(Scene& scene, int teeth, double depth) {
   add_face(scene, {corners});
 }
 
+Scene leaning_bars(int n) {
+  Scene scene;
+  const double length = 3.0 * n;
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < 2; ++k) {
+      const double x = 3.0 * i + 0.5 * k, y = k, z = 0.5 * k;
+      add_face(scene, {{{x, y, z}, {x + 1, y, z}, {x + 1 + length, y, z + length}, {x + length, y, z + length}}});
+    }
+  }
+  return scene;
+}
+
+Scene nested_angles(int n) {
+  Scene scene;
+  const double end = 3.0 * n;
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < 2; ++k) {
+      const double a = 3.0 * i + 0.5 * k, b = a + 1, y = k;
+      add_face(scene, {{{a, y, a}, {end, y, a}, {end, y, b}, {b, y, b}, {b, y, end}, {a, y, end}}});
+    }
+  }
+  return scene;
+}
+
 Scene square_before_triangle(double shift_x, double shift_z) {
   const double angle = 40 * pi / 180, c = std::cos(angle), s = std::sin(angle);
   Scene scene;

@@ -66,6 +66,14 @@ Scene penetrating_boxes(int n);
 /// which is in front.
 Scene leaning_faces(int n, std::uint32_t seed);
 
+/// n bars that lean by 45 degrees, side by side, each before a copy moved along it. The boxes of all overlap on the page,
+/// the bars of different places do not.
+Scene leaning_bars(int n);
+
+/// n angles, each in the notch of the one before, and each before a copy moved into the notch. Their convex hulls overlap on
+/// the page, the angles of different places do not.
+Scene nested_angles(int n);
+
 /// Random numbers from a fixed seed, equal on all machines.
 class Chance {
  public:

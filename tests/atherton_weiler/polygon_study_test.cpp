@@ -18,19 +18,40 @@ namespace {
 
 constexpr unsigned kFaces = 0, kPolygons = 1, kSilhouettes = 2;
 
-VisibilityResult compute_visibility(const Scene& scene, const char* from, unsigned how) {
+/// A setting of the study of polygons.
+struct Setting {
+  const char* name;
+  unsigned word;
+};
+constexpr Setting kGeneralClip{"clip", 0}, kConvexClip{"clip", 1}, kOctagons{"zones", 1}, kHulls{"zones", 2},
+    kContours{"zones", 3}, kAtOnce{"inside", 1};
+
+VisibilityResult compute_visibility(const Scene& scene, const char* from, unsigned how, std::vector<Setting> more = {}) {
   CameraRequest request;
   request.named_view = from;
   const View view = make_view(scene, make_camera(request, scene), {{{0, 0}, {200, 200}}}, {{0, 0}, {200, 200}});
   VisibilityOptions options;
   options.settings.set("study", ParameterWord{how});
+  for (const Setting& setting : more) options.settings.set(setting.name, ParameterWord{setting.word});
   return AthertonWeilerMethod().compute_visibility(project(scene, build_topology(scene), view, {}), options);
 }
 
-VisibilityResult compute_visibility(const std::string& file, const char* from, unsigned how) {
+VisibilityResult compute_visibility(const std::string& file, const char* from, unsigned how,
+                                    std::vector<Setting> more = {}) {
   Warnings warnings;
-  return compute_visibility(read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests" / file, {}, warnings), from, how);
+  return compute_visibility(read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests" / file, {}, warnings), from, how,
+                            std::move(more));
 }
+
+/// Every setting by itself, and all together.
+const std::vector<std::vector<Setting>> kEverySetting = {{},
+                                                         {kGeneralClip},
+                                                         {kOctagons},
+                                                         {kHulls},
+                                                         {kContours},
+                                                         {kAtOnce},
+                                                         {kGeneralClip, kContours, kAtOnce},
+                                                         {kHulls, kAtOnce}};
 
 /// Areas in mm^2 by face and level.
 std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas(const VisibilityResult& result) {
@@ -41,12 +62,16 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, double> areas(const Visibility
 
 constexpr double kArea = 1e-9 * 200 * 200;  ///< part of the page, for sums of areas in mm^2
 
-std::uint64_t count(const std::string& scene, const char* from, unsigned how, std::string_view name) {
-  const VisibilityResult result = compute_visibility("corpus/" + scene + ".json", from, how);
+std::uint64_t count(const VisibilityResult& result, std::string_view name) {
   for (const auto& [known, number] : result.statistics.counts)
     if (known == name) return number;
   ADD_FAILURE() << "there is no count of " << name;
   return 0;
+}
+
+std::uint64_t count(const std::string& scene, const char* from, unsigned how, std::string_view name,
+                    std::vector<Setting> more = {}) {
+  return count(compute_visibility("corpus/" + scene + ".json", from, how, std::move(more)), name);
 }
 
 TEST(PolygonStudy, Zones) {
@@ -91,6 +116,134 @@ TEST(PolygonStudy, ConvexBodiesAreTakenTogether) {
   EXPECT_LT(count("grid_3", "iso", kSilhouettes, "clips"), count("grid_3", "iso", kPolygons, "clips") / 4);
 }
 
+/// Faces in the plane y = depth, over x and z.
+void add_flat(Scene& scene, double depth, const std::vector<std::array<double, 2>>& corners) {
+  std::vector<Point3> points;
+  for (const auto& [x, z] : corners) points.push_back({x, depth, z});
+  test::add_face(scene, {points});
+}
+
+/// Pairs of a face and a copy behind it, at places apart: three bars that lean, three angles, each in the notch of the one
+/// before, and three frames, each in the hole of the one before.
+Scene leaning_bars() {
+  Scene scene;
+  for (const double x : {0.0, 3.0, 6.0})
+    for (const double y : {0.0, 1.0}) add_flat(scene, y, {{x, y / 2}, {x + 1, y / 2}, {x + 10, 9}, {x + 9, 9}});
+  return scene;
+}
+Scene nested_angles() {
+  Scene scene;
+  for (const double a : {0.0, 3.0, 6.0})
+    for (const double y : {0.0, 1.0}) {
+      const double b = a + y / 2;
+      add_flat(scene, y, {{b, b}, {9, b}, {9, b + 1}, {b + 1, b + 1}, {b + 1, 9}, {b, 9}});
+    }
+  return scene;
+}
+Scene nested_frames() {
+  Scene scene;
+  const auto square = [](double y, double low, double high) {
+    return std::vector<Point3>{{low, y, low}, {high, y, low}, {high, y, high}, {low, y, high}};
+  };
+  for (const double a : {0.0, 3.0, 6.0})
+    for (const double y : {0.0, 1.0}) {
+      const double b = a + y / 2;
+      test::add_face(scene, {square(y, b, 20 - b), square(y, b + 1, 19 - b)});
+    }
+  return scene;
+}
+
+/// [Boulle1980] 2.4.3.2: the costlier the test the more zones; each zone is a pair of faces and takes one clip.
+TEST(PolygonStudy, CostlierTestsFindMoreZones) {
+  const struct {
+    const char* name;
+    Scene scene;
+    std::array<std::uint64_t, 4> zones;  ///< by boxes, octagons, hulls, contours
+  } rows[] = {{"bars that lean", leaning_bars(), {1, 3, 3, 3}},
+              {"angles in each other", nested_angles(), {1, 1, 1, 3}},
+              {"frames in each other", nested_frames(), {1, 1, 1, 3}}};
+  for (const auto& row : rows) {
+    Scene scene = row.scene;
+    Warnings warnings;
+    finish_scene(scene, warnings);
+    const auto wanted = areas(compute_visibility(scene, "front", kFaces));
+    for (unsigned test = 0; test < 4; ++test) {
+      SCOPED_TRACE(std::string(row.name) + ", test " + std::to_string(test));
+      const VisibilityResult found = compute_visibility(scene, "front", kPolygons, {{"zones", test}});
+      EXPECT_EQ(count(found, "zones"), row.zones[test]);
+      if (row.zones[test] == 3) {
+        EXPECT_EQ(count(found, "clips"), 3u);
+      }
+      for (const auto& [key, area] : areas(found)) EXPECT_NEAR(area, wanted.at(key), kArea);
+    }
+  }
+}
+
+/// Many faces at one place are one zone after as many tests as joins; many faces apart need none.
+TEST(PolygonStudy, ZonesOfCrowdsTakeFewTests) {
+  constexpr int kMany = 500;
+  Scene stacked, apart;
+  for (int i = 0; i < kMany; ++i) {
+    add_flat(stacked, i, {{0, 0}, {5, 0}, {2, 4}});
+    const double x = i % 25, z = i / 25;
+    add_flat(apart, i, {{x, z}, {x + 1, z}, {x, z + 1}});
+  }
+  Warnings warnings;
+  finish_scene(stacked, warnings);
+  finish_scene(apart, warnings);
+  for (const Setting& test : {kOctagons, kHulls, kContours}) {
+    SCOPED_TRACE(test.word);
+    const VisibilityResult one = compute_visibility(stacked, "front", kPolygons, {test});
+    EXPECT_EQ(count(one, "zones"), 1u);
+    EXPECT_EQ(count(one, "tests for zones"), std::uint64_t{kMany - 1});
+    const VisibilityResult many = compute_visibility(apart, "front", kPolygons, {test});
+    EXPECT_EQ(count(many, "zones"), std::uint64_t{kMany});
+    EXPECT_EQ(count(many, "tests for zones"), 0u);
+  }
+}
+
+/// What is drawn, to the last bit.
+void expect_identical(const VisibilityResult& a, const VisibilityResult& b) {
+  ASSERT_EQ(a.strokes->strokes.size(), b.strokes->strokes.size());
+  for (std::size_t i = 0; i < a.strokes->strokes.size(); ++i) {
+    const Stroke &s = a.strokes->strokes[i], &t = b.strokes->strokes[i];
+    EXPECT_TRUE(s.from == t.from && s.to == t.to && s.source == t.source && s.level == t.level) << "stroke " << i;
+  }
+  ASSERT_EQ(a.regions->size(), b.regions->size());
+  for (std::size_t i = 0; i < a.regions->size(); ++i)
+    EXPECT_EQ((*a.regions)[i].contours, (*b.regions)[i].contours) << "region " << i;
+}
+
+/// [Boulle1980] 3.2.3.4, figure 3.31: the clip of convex contours makes the same clips of the same polygons.
+TEST(PolygonStudy, TheConvexClipIsTheGeneralOne) {
+  for (const char* scene : {"thesis_3_31", "thesis_3_31_corner", "thesis_3_33b", "bricks", "lattice_of_bars", "grid_3",
+                            "three_prisms_penetrating", "cross_of_plates", "cyclic_5", "duplicate_faces"}) {
+    for (const unsigned how : {kPolygons, kSilhouettes}) {
+      SCOPED_TRACE(std::string(scene) + (how == kPolygons ? " polygons" : " silhouettes"));
+      const std::string file = std::string("corpus/") + scene + ".json";
+      const VisibilityResult general = compute_visibility(file, "iso", how, {kGeneralClip}),
+                             convex = compute_visibility(file, "iso", how, {kConvexClip});
+      for (const char* name :
+           {"clips", "wrong sorts", "cuts along common lines", "deepest recursion", "clips with nothing inside", "regions"})
+        EXPECT_EQ(count(general, name), count(convex, name)) << name;
+      EXPECT_EQ(count(general, "convex contours clipped"), 0u);
+      EXPECT_LE(count(convex, "signs of corners in clips"), count(general, "signs of corners in clips"));
+      expect_identical(general, convex);
+      expect_identical(convex, compute_visibility(file, "iso", how));
+    }
+  }
+  EXPECT_EQ(count("grid_3", "top", kPolygons, "general clips", {kConvexClip}), 0u) << "squares hide squares";
+}
+
+/// [Boulle1980] 2.4.2.4: a nearer face takes the place of the clip face at once.
+TEST(PolygonStudy, NearerFacesTakeTheirPlaceAtOnce) {
+  EXPECT_EQ(count("thesis_2_68", "front", kPolygons, "deepest recursion", {kAtOnce}), 1u);
+  EXPECT_GT(count("thesis_2_68", "front", kPolygons, "clip faces given up at once", {kAtOnce}), 0u);
+  EXPECT_EQ(count("stack_of_plates", "top", kPolygons, "clip faces given up at once", {kAtOnce}), 0u) << "a right sort";
+  for (const char* scene : {"cyclic_3", "cyclic_4", "cyclic_5", "cyclic_6"})
+    EXPECT_EQ(count(scene, "front", kPolygons, "regions", {kAtOnce}), count(scene, "front", kFaces, "regions")) << scene;
+}
+
 TEST(PolygonStudy, LevelsBehindGlassAreTheSame) {
   for (const auto& [name, count] :
        {std::pair("transparent_three", std::size_t{1 + 2 + 3 + 4}), std::pair("glass_triangle", std::size_t{1 + 1 + 16})}) {
@@ -99,10 +252,12 @@ TEST(PolygonStudy, LevelsBehindGlassAreTheSame) {
     const auto wanted = areas(compute_visibility(file, "front", kFaces));
     EXPECT_EQ(wanted.size(), count);
     for (const unsigned how : {kPolygons, kSilhouettes}) {
-      const auto found = areas(compute_visibility(file, "front", how));
-      ASSERT_EQ(found.size(), wanted.size());
-      for (const auto& [key, area] : wanted)
-        EXPECT_NEAR(found.at(key), area, kArea) << key.first << ", level " << key.second;
+      for (const std::vector<Setting>& settings : kEverySetting) {
+        const auto found = areas(compute_visibility(file, "front", how, settings));
+        ASSERT_EQ(found.size(), wanted.size());
+        for (const auto& [key, area] : wanted)
+          EXPECT_NEAR(found.at(key), area, kArea) << key.first << ", level " << key.second;
+      }
     }
   }
 }
@@ -153,11 +308,14 @@ TEST(PolygonStudy, CrowdsAreTheSame) {
     Warnings warnings;
     finish_scene(scene, warnings);
     const auto wanted = areas(compute_visibility(scene, "iso", kFaces));
-    auto found = areas(compute_visibility(scene, "iso", kPolygons));
     EXPECT_GT(wanted.size(), 150u);
-    for (const auto& [key, area] : wanted) found[key] -= area;
-    for (const auto& [key, area] : found)
-      EXPECT_NEAR(area, 0, kArea) << "seed " << seed << ", face " << key.first << ", level " << key.second;
+    for (std::size_t i = 0; i < kEverySetting.size(); ++i) {
+      auto found = areas(compute_visibility(scene, "iso", kPolygons, kEverySetting[i]));
+      for (const auto& [key, area] : wanted) found[key] -= area;
+      for (const auto& [key, area] : found)
+        EXPECT_NEAR(area, 0, kArea) << "seed " << seed << ", settings " << i << ", face " << key.first << ", level "
+                                    << key.second;
+    }
   }
 }
 

@@ -150,10 +150,26 @@ TEST_P(Regions, AreTheSameByTheClassicalStudy) {
     // Slivers where four faces pass through one line, a step wide, go to one face by this study and to another or to nobody
     // by that.
     const double part = GetParam().stem() == "three_prisms_penetrating" ? 1e-8 : 1e-9;
-    for (const unsigned study : {1u, 2u}) {
-      SCOPED_TRACE(standard.name + (study == 1 ? " polygons" : " silhouettes"));
+    struct Study {
+      const char* name;
+      unsigned study;
+      const char* setting = "study";
+      unsigned word = study;
+    };
+    constexpr Study kStudies[] = {{"polygons", 1},
+                                  {"silhouettes", 2},
+                                  {"general clip", 1, "clip", 0},
+                                  {"silhouettes, general clip", 2, "clip", 0},
+                                  {"octagons", 1, "zones", 1},
+                                  {"hulls", 1, "zones", 2},
+                                  {"contours", 1, "zones", 3},
+                                  {"at once", 1, "inside", 1},
+                                  {"silhouettes, at once", 2, "inside", 1}};
+    for (const Study& study : kStudies) {
+      SCOPED_TRACE(standard.name + " " + study.name);
       VisibilityOptions options;
-      options.settings.set("study", ParameterWord{study});
+      options.settings.set("study", ParameterWord{study.study});
+      options.settings.set(study.setting, ParameterWord{study.word});
       const std::vector<Region> regions = *AthertonWeilerMethod().compute_visibility(projected, options).regions;
       std::map<std::uint32_t, double> areas = areas_of(regions);
       if (projected.triangles.size() <= kMostTriangles) {

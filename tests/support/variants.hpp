@@ -16,6 +16,15 @@ struct Variant {
   std::string name;  ///< as on the command line, "watkins --set span-method=box"
 };
 
+/// Gives the settings without which a parameter has no effect.
+inline MethodSettings needed_by(std::string_view parameter) {
+  MethodSettings settings;
+  for (const std::string_view of_polygons : {"clip", "zones", "inside"}) {
+    if (parameter == of_polygons) settings.set("study", ParameterWord{1});
+  }
+  return settings;
+}
+
 /// The exact methods as they are by default, and with every other word of every parameter that is a choice of words, one at
 /// a time.
 inline std::vector<Variant> variants() {
@@ -29,10 +38,7 @@ inline std::vector<Variant> variants() {
       if (p.high > 0) continue;      // a number, or a word in its place
       for (unsigned i = 0; i < p.words.size(); ++i) {
         if (p.words[i] == p.standard) continue;
-        Variant v{method,
-                  {},
-                  false,
-                  p.name == "show",
+        Variant v{method, needed_by(p.name), false, p.name == "show",
                   name + (p.is_experiment ? " --set " : " --") + std::string(p.name) + "=" + std::string(p.words[i])};
         v.settings.set(p.name, ParameterWord{i});
         list.push_back(std::move(v));

@@ -1,6 +1,6 @@
 #include "visibility/atherton_weiler/polygon_clip.hpp"
 
-#include <iterator>
+#include <utility>
 
 #include "geometry/polygons/clip_contour_by_contour.hpp"
 
@@ -38,7 +38,11 @@ void PolygonClip::divide_convex(const ContourFace& subject, const ContourFace& c
   ContourFace& inside = inside_.emplace_back();
   inside.contours.push_back(convex_.inside());
   inside.is_convex = true;
-  std::move(convex_.outside().begin(), convex_.outside().end(), std::back_inserter(outside_));
+  for (ContourFace& face : convex_.outside()) {
+    ++counts_.parts_outside;
+    counts_.convex_outside += face.is_convex;
+    outside_.push_back(std::move(face));
+  }
 }
 
 bool PolygonClip::divide(std::span<const ContourFace> subject, std::span<const ContourFace> clip) {

@@ -34,25 +34,27 @@ struct PolygonOptions {
 };
 
 struct PolygonCounts {
-  std::uint64_t zones = 0;          ///< sets of polygons connected by overlaps on the page
-  std::uint64_t slabs = 0;          ///< subsets of a zone with disjoint depth ranges
-  std::uint64_t bodies = 0;         ///< convex objects clipped by their silhouettes
-  std::uint64_t considered = 0;     ///< polygons in a list behind a clip face, overlapping it or not
-  std::uint64_t clips = 0;          ///< clips of one polygon by another
-  std::uint64_t empty_clips = 0;    ///< clips that found nothing inside
-  std::uint64_t wrong_sorts = 0;    ///< pieces inside a clip face that proved nearer
-  std::uint64_t splits = 0;         ///< pieces cut along the intersection line of two penetrating polygons
-  std::uint64_t deepest = 0;        ///< deepest recursion
-  std::uint64_t exchanges = 0;      ///< clip faces given up at once for a nearer polygon
-  std::uint64_t zone_tests = 0;     ///< pairs whose boxes overlap, tested by more than boxes to find zones
-  std::uint64_t pair_tests = 0;     ///< pairs of a list whose boxes overlap, tested by more than boxes before a clip
-  std::uint64_t told_apart = 0;     ///< of these, pairs that proved apart
-  std::uint64_t test_signs = 0;     ///< signs of corners against lines in tests of pairs
-  std::uint64_t convex_pairs = 0;   ///< pairs of convex contours clipped by codes
-  std::uint64_t convex_apart = 0;   ///< of these, pairs without common inner points
-  std::uint64_t convex_within = 0;  ///< of these, pairs with the subject inside the clip contour
-  std::uint64_t general_clips = 0;  ///< clips of contours of any form
-  std::uint64_t signs = 0;          ///< signs of corners against lines in clips
+  std::uint64_t zones = 0;           ///< sets of polygons connected by overlaps on the page
+  std::uint64_t slabs = 0;           ///< subsets of a zone with disjoint depth ranges
+  std::uint64_t bodies = 0;          ///< convex objects clipped by their silhouettes
+  std::uint64_t considered = 0;      ///< polygons in a list behind a clip face, overlapping it or not
+  std::uint64_t clips = 0;           ///< clips of one polygon by another
+  std::uint64_t empty_clips = 0;     ///< clips that found nothing inside
+  std::uint64_t wrong_sorts = 0;     ///< pieces inside a clip face that proved nearer
+  std::uint64_t splits = 0;          ///< pieces cut along the intersection line of two penetrating polygons
+  std::uint64_t deepest = 0;         ///< deepest recursion
+  std::uint64_t exchanges = 0;       ///< clip faces given up at once for a nearer polygon
+  std::uint64_t zone_tests = 0;      ///< pairs whose boxes overlap, tested by more than boxes to find zones
+  std::uint64_t pair_tests = 0;      ///< pairs of a list whose boxes overlap, tested by more than boxes before a clip
+  std::uint64_t told_apart = 0;      ///< of these, pairs that proved apart
+  std::uint64_t test_signs = 0;      ///< signs of corners against lines in tests of pairs
+  std::uint64_t convex_pairs = 0;    ///< pairs of convex contours clipped by codes
+  std::uint64_t convex_apart = 0;    ///< of these, pairs without common inner points
+  std::uint64_t convex_within = 0;   ///< of these, pairs with the subject inside the clip contour
+  std::uint64_t parts_outside = 0;   ///< of these pairs, parts of the subject outside
+  std::uint64_t convex_outside = 0;  ///< of these parts, convex ones
+  std::uint64_t general_clips = 0;   ///< clips of contours of any form
+  std::uint64_t signs = 0;           ///< signs of corners against lines in clips
   void operator+=(const PolygonCounts& o);
 };
 

@@ -32,7 +32,7 @@ struct Polygon {
   std::uint32_t slab = 0;
   std::uint32_t level = 0;  ///< transparent faces in front of it
   std::vector<ContourFace> pieces;
-  PageExtent extent;
+  PageBox box;
 };
 
 /// A visible part of a face.
@@ -50,6 +50,17 @@ struct Inside {
 using Units = std::vector<std::uint32_t>;
 
 bool holds(const Units& units, std::uint32_t unit) { return std::find(units.begin(), units.end(), unit) != units.end(); }
+
+void set_pieces(Polygon& polygon, std::vector<ContourFace> pieces) {
+  polygon.pieces = std::move(pieces);
+  polygon.box = box_of(polygon.pieces);
+}
+
+Polygon like(const Polygon& polygon, std::vector<ContourFace> pieces) {
+  Polygon result{polygon.unit, polygon.slab, polygon.level, {}, {}};
+  set_pieces(result, std::move(pieces));
+  return result;
+}
 
 class ZoneStudy {
  public:
@@ -71,8 +82,7 @@ class ZoneStudy {
       const ClipUnit& unit = units_[u];
       counts.slabs += unit.z_near > far;
       far = std::max(far, unit.z_far);
-      list.push_back({u, static_cast<std::uint32_t>(counts.slabs), 0, {}, {}});
-      set_pieces(list.back(), unit.outline);
+      list.push_back({u, static_cast<std::uint32_t>(counts.slabs), 0, unit.outline, unit.box});
     }
     study(list, {}, 1);
   }
@@ -88,8 +98,6 @@ class ZoneStudy {
   bool clip_one(const Polygon& clip, Polygon& subject, const Units& chain, const Units* given_up, Inside& found);
   void finish(Polygon clip, Inside found, const Units& chain, std::uint64_t depth);
   void show(const Polygon& polygon);
-  void set_pieces(Polygon& polygon, std::vector<ContourFace> parts) const;
-  Polygon like(const Polygon& polygon, std::vector<ContourFace> parts) const;
 
   const std::vector<ClipUnit>& units_;
   const OverlapTests& tests_;
@@ -98,27 +106,10 @@ class ZoneStudy {
   PolygonClip clip_;
 };
 
-void ZoneStudy::set_pieces(Polygon& polygon, std::vector<ContourFace> parts) const {
-  polygon.pieces = std::move(parts);
-  if (tests_.test() == ZoneTest::boxes) {
-    polygon.extent.upright = box_of(polygon.pieces);
-  } else {
-    polygon.extent = extent_of(polygon.pieces);
-  }
-}
-
-Polygon ZoneStudy::like(const Polygon& polygon, std::vector<ContourFace> parts) const {
-  Polygon result{polygon.unit, polygon.slab, polygon.level, {}, {}};
-  set_pieces(result, std::move(parts));
-  return result;
-}
-
-/// Clips one polygon of the list. True if it is nearer than the clip face all over their overlap and is to become the clip
-/// face at once; then it stays as it is.
+/// Clips a polygon whose box overlaps that of the clip face. True if it is nearer than the clip face all over their overlap
+/// and is to become the clip face at once; then it stays as it is.
 bool ZoneStudy::clip_one(const Polygon& clip, Polygon& subject, const Units& chain, const Units* given_up, Inside& found) {
-  ++counts.considered;
-  if (!subject.extent.upright.meets(clip.extent.upright)) return false;
-  if (!tests_.may_overlap(clip.unit, clip.extent, subject.unit, subject.extent, counts)) return false;
+  if (!tests_.may_overlap(clip.unit, subject.unit, counts)) return false;
   ++counts.clips;
   if (!clip_.divide(subject.pieces, clip.pieces)) {
     ++counts.empty_clips;
@@ -152,7 +143,10 @@ bool ZoneStudy::clip_one(const Polygon& clip, Polygon& subject, const Units& cha
 std::size_t ZoneStudy::clip_list(const Polygon& clip, std::vector<Polygon>& list, std::size_t first, const Units& chain,
                                  const Units* given_up, Inside& found) {
   for (std::size_t k = first; k < list.size(); ++k) {
-    if (!list[k].pieces.empty() && clip_one(clip, list[k], chain, given_up, found)) return k;
+    Polygon& subject = list[k];
+    if (subject.pieces.empty()) continue;
+    ++counts.considered;
+    if (subject.box.meets(clip.box) && clip_one(clip, subject, chain, given_up, found)) return k;
   }
   return list.size();
 }
@@ -259,6 +253,8 @@ void PolygonCounts::operator+=(const PolygonCounts& o) {
   convex_pairs += o.convex_pairs;
   convex_apart += o.convex_apart;
   convex_within += o.convex_within;
+  parts_outside += o.parts_outside;
+  convex_outside += o.convex_outside;
   general_clips += o.general_clips;
   signs += o.signs;
 }

@@ -38,6 +38,19 @@ bool separates(const std::vector<LatticePoint>& hull, const std::vector<LatticeP
   return false;
 }
 
+PageExtent extent_of(const std::vector<ContourFace>& faces) {
+  constexpr double kPart = 1.0 / (1 << kFineBits);
+  PageExtent extent;
+  for (const ContourFace& face : faces) {
+    for (const ContourEdge& e : face.contours[0]) {
+      const FinePoint p = e.begin();
+      const double x = static_cast<double>(p.x) * kPart, y = static_cast<double>(p.y) * kPart;
+      extent.extend({{x, y, x, y}, {x + y, x - y, x + y, x - y}});
+    }
+  }
+  return extent;
+}
+
 /// A binary tree of the extents of units. It halves the units by the middles of their boxes, along the longer side.
 class ExtentTree {
  public:
@@ -145,19 +158,6 @@ DisjointSets connect(const std::vector<ClipUnit>& units, const OverlapTests& tes
 
 }  // namespace
 
-PageExtent extent_of(const std::vector<ContourFace>& faces) {
-  constexpr double kPart = 1.0 / (1 << kFineBits);
-  PageExtent extent;
-  for (const ContourFace& face : faces) {
-    for (const ContourEdge& e : face.contours[0]) {
-      const FinePoint p = e.begin();
-      const double x = static_cast<double>(p.x) * kPart, y = static_cast<double>(p.y) * kPart;
-      extent.extend({{x, y, x, y}, {x + y, x - y, x + y, x - y}});
-    }
-  }
-  return extent;
-}
-
 OverlapTests::OverlapTests(const ProjectedScene& scene, const std::vector<Facet>& facets, const std::vector<ClipUnit>& units,
                            ZoneTest test)
     : units_(units), test_(test) {
@@ -182,11 +182,12 @@ bool OverlapTests::hulls_overlap(std::uint32_t a, std::uint32_t b, PolygonCounts
   return !separates(hulls_[a], hulls_[b], counts.test_signs) && !separates(hulls_[b], hulls_[a], counts.test_signs);
 }
 
-bool OverlapTests::may_overlap(std::uint32_t a, const PageExtent& of_a, std::uint32_t b, const PageExtent& of_b,
-                               PolygonCounts& counts) const {
+bool OverlapTests::may_overlap(std::uint32_t a, std::uint32_t b, PolygonCounts& counts) const {
   if (test_ == ZoneTest::boxes) return true;
   ++counts.pair_tests;
-  if (of_a.diagonal.meets(of_b.diagonal) && (test_ < ZoneTest::hulls || hulls_overlap(a, b, counts))) return true;
+  if (extents_[a].diagonal.meets(extents_[b].diagonal) && (test_ < ZoneTest::hulls || hulls_overlap(a, b, counts))) {
+    return true;
+  }
   ++counts.told_apart;
   return false;
 }

@@ -8,8 +8,7 @@
 
 namespace ligne::atherton_weiler {
 
-/// Bounding rectangles of faces on the page: along the axes, and along the diagonals in the coordinates x + y and x - y. An
-/// empty diagonal box is not used.
+/// Bounding rectangles of a unit on the page: along the axes, and along the diagonals in the coordinates x + y and x - y.
 struct PageExtent {
   PageBox upright, diagonal;
 
@@ -18,7 +17,6 @@ struct PageExtent {
     diagonal.extend(o.diagonal);
   }
 };
-PageExtent extent_of(const std::vector<ContourFace>& faces);
 
 /// Tests pairs of units by one of the tests.
 class OverlapTests {
@@ -29,10 +27,9 @@ class OverlapTests {
   ZoneTest test() const { return test_; }
   const PageExtent& extent(std::uint32_t unit) const { return extents_[unit]; }
 
-  /// Whether two polygons, parts of the units `a` and `b` whose upright boxes overlap, may overlap by the tests that serve
-  /// within a zone. False only if they have no inner points in common.
-  bool may_overlap(std::uint32_t a, const PageExtent& of_a, std::uint32_t b, const PageExtent& of_b,
-                   PolygonCounts& counts) const;
+  /// Whether polygons of the two units may overlap by the tests that serve within a zone. False only if the units have no
+  /// inner points in common.
+  bool may_overlap(std::uint32_t a, std::uint32_t b, PolygonCounts& counts) const;
 
   /// Whether the units may overlap by the tests that divide into zones. Exact for contours.
   bool are_connected(std::uint32_t a, std::uint32_t b, PolygonCounts& counts) const;
