@@ -175,7 +175,7 @@ Result study_zone_tests(const StudyRequest& request) {
   result.sentence =
       "Each test spares clips and none changes what is seen. Boxes along the diagonals cost no signs; hulls spare nearly all "
       "clips in vain of faces without notches; contours divide scenes of faces in the notches of others. The clip of convex "
-      "contours ends early for the pairs that the tests would spare, so that with it little is gained.";
+      "contours ends early for the pairs that the tests would spare, so that with it less is gained.";
   return result;
 }
 

@@ -258,7 +258,7 @@ Result study_contour_clipping(const StudyRequest& request) {
   result.sentence =
       "For convex contours sectors take what the thesis promises, the sum of the sides (n to the " + fixed(e) +
       "), and the others the product; a star falls apart, which side by side does not tell, for its parts stay one "
-      "contour. The program clips by the general one alone: it is exact, and its faces have few sides.";
+      "contour. The program clips faces, which have few sides, by the general one, and convex ones by codes of their corners.";
   return result;
 }
 

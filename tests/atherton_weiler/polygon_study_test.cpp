@@ -202,7 +202,7 @@ TEST(PolygonStudy, ZonesOfCrowdsTakeFewTests) {
   }
 }
 
-/// What is drawn, to the last bit.
+/// Compares strokes and regions to the last bit.
 void expect_identical(const VisibilityResult& a, const VisibilityResult& b) {
   ASSERT_EQ(a.strokes->strokes.size(), b.strokes->strokes.size());
   for (std::size_t i = 0; i < a.strokes->strokes.size(); ++i) {

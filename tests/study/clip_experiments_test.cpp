@@ -6,11 +6,11 @@
 namespace ligne::studies {
 namespace {
 
-Result run_small(std::string_view name) { return find_experiment(name)->run({StudySize::small, {}}); }
+Result result_of(std::string_view name) { return find_experiment(name)->run({StudySize::small, {}}); }
 
 /// 3.2.3.4: the same clips take fewer signs. Triangles of a ball and bars of a ring are convex, combs are not.
 TEST(StudyClips, ConvexContoursTakeFewerSigns) {
-  const Result result = run_small("convex-clip");
+  const Result result = result_of("convex-clip");
   EXPECT_EQ(result.finding, Finding::holds);
   const Table &signs = result.tables[0], &kept = result.tables[1];
   ASSERT_EQ(signs.rows.size(), kept.rows.size());
@@ -29,7 +29,7 @@ TEST(StudyClips, ConvexContoursTakeFewerSigns) {
 
 /// 2.4.3.2: four bars and four angles, each before a copy, are four zones by the test that tells them apart.
 TEST(StudyClips, CostlierTestsSpareClips) {
-  const Result result = run_small("zone-tests");
+  const Result result = result_of("zone-tests");
   EXPECT_EQ(result.finding, Finding::holds);
   const Table& table = result.tables[0];
   constexpr std::size_t kTests = 4;
@@ -57,7 +57,7 @@ TEST(StudyClips, CostlierTestsSpareClips) {
 /// 2.4.2.4: a ring of nine bars is a ring of wrong sorts, and each exchange clips the list again; combs in a stair are
 /// sorted rightly.
 TEST(StudyClips, ClipFacesAreGivenUpAtOnce) {
-  const Result result = run_small("inside-at-once");
+  const Result result = result_of("inside-at-once");
   EXPECT_EQ(result.finding, Finding::in_part);
   const Table& table = result.tables[0];
   ASSERT_EQ(table.rows.size() % 2, 0u);
