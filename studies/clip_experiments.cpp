@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "studies/experiments.hpp"
-#include "studies/generators.hpp"
 #include "studies/measure.hpp"
+#include "studies/scenes/generators.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/atherton_weiler/polygon_study.hpp"
 

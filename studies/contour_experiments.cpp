@@ -9,11 +9,11 @@
 
 #include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "studies/experiments.hpp"
-#include "studies/generators.hpp"
 #include "studies/measure.hpp"
 #include "studies/operations/contour_clipping.hpp"
 #include "studies/operations/point_in_contour.hpp"
 #include "studies/operations/sorts.hpp"
+#include "studies/scenes/generators.hpp"
 
 namespace ligne::studies {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "studies/experiments.hpp"
-#include "studies/generators.hpp"
+#include "studies/scenes/generators.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne::studies {

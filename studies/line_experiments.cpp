@@ -8,9 +8,9 @@
 
 #include "base/parallel.hpp"
 #include "studies/experiments.hpp"
-#include "studies/generators.hpp"
 #include "studies/measure.hpp"
-#include "studies/scan_input.hpp"
+#include "studies/scenes/generators.hpp"
+#include "studies/scenes/scan_input.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/registry.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "studies/experiments.hpp"
-#include "studies/generators.hpp"
 #include "studies/measure.hpp"
+#include "studies/scenes/generators.hpp"
 #include "visibility/newell/priority_list.hpp"
 
 namespace ligne::studies {

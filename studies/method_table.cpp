@@ -7,8 +7,8 @@
 
 #include "picture/models/peak_memory.hpp"
 #include "studies/experiments.hpp"
-#include "studies/generators.hpp"
 #include "studies/measure.hpp"
+#include "studies/scenes/generators.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/atherton_weiler/clip_units.hpp"
 #include "visibility/newell/paint_elements.hpp"

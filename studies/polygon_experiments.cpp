@@ -5,8 +5,8 @@
 
 #include "picture/light/shadows.hpp"
 #include "studies/experiments.hpp"
-#include "studies/generators.hpp"
 #include "studies/measure.hpp"
+#include "studies/scenes/generators.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/atherton_weiler/polygon_study.hpp"
 #include "visibility/newell/paint_elements.hpp"

@@ -9,11 +9,11 @@
 
 #include "geometry/exact_segment.hpp"
 #include "studies/experiments.hpp"
-#include "studies/generators.hpp"
 #include "studies/measure.hpp"
 #include "studies/operations/segment_clipping.hpp"
 #include "studies/operations/segment_sweep.hpp"
 #include "studies/operations/segment_tests.hpp"
+#include "studies/scenes/generators.hpp"
 
 namespace ligne::studies {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "studies/experiments.hpp"
-#include "studies/generators.hpp"
 #include "studies/measure.hpp"
 #include "studies/operations/thesis_spans.hpp"
-#include "studies/scan_input.hpp"
+#include "studies/scenes/generators.hpp"
+#include "studies/scenes/scan_input.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne::studies {

@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "studies/experiments.hpp"
-#include "studies/generators.hpp"
 #include "studies/measure.hpp"
 #include "studies/operations/thesis_spans.hpp"
+#include "studies/scenes/generators.hpp"
 
 namespace ligne::studies {
 namespace {

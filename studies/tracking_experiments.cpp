@@ -7,7 +7,7 @@
 
 #include "studies/experiments.hpp"
 #include "studies/measure.hpp"
-#include "studies/scan_input.hpp"
+#include "studies/scenes/scan_input.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"
 

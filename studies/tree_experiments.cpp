@@ -5,8 +5,8 @@
 
 #include "studies/counting.hpp"
 #include "studies/experiments.hpp"
-#include "studies/generators.hpp"
 #include "studies/measure.hpp"
+#include "studies/scenes/generators.hpp"
 #include "visibility/bsp/bsp_tree.hpp"
 #include "visibility/convex_tree/convex_tree.hpp"
 #include "visibility/raster/scan_conversion.hpp"

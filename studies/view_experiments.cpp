@@ -10,8 +10,8 @@
 
 #include "scene/model/topology.hpp"
 #include "studies/experiments.hpp"
-#include "studies/generators.hpp"
 #include "studies/operations/sorts.hpp"
+#include "studies/scenes/generators.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/bsp/bsp_tree.hpp"
 #include "visibility/convex_tree/convex_tree.hpp"

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "studies/experiments.hpp"
-#include "studies/generators.hpp"
 #include "studies/measure.hpp"
 #include "studies/operations/visible_sweep.hpp"
+#include "studies/scenes/generators.hpp"
 
 namespace ligne::studies {
 namespace {

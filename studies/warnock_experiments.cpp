@@ -6,7 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "studies/experiments.hpp"
-#include "studies/generators.hpp"
+#include "studies/scenes/generators.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/warnock/control.hpp"

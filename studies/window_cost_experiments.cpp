@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "studies/experiments.hpp"
-#include "studies/generators.hpp"
+#include "studies/scenes/generators.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/warnock/faces.hpp"
 #include "visibility/warnock/initial_window.hpp"

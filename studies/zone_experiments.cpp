@@ -7,8 +7,8 @@
 
 #include "scene/model/scene_parts.hpp"
 #include "studies/experiments.hpp"
-#include "studies/generators.hpp"
 #include "studies/measure.hpp"
+#include "studies/scenes/generators.hpp"
 #include "visibility/newell/priority_list.hpp"
 
 namespace ligne::studies {

@@ -10,8 +10,8 @@
 #include "plotting/writers/writers.hpp"
 #include "scene/readers/ligne_scene_reader.hpp"
 #include "studies/experiments.hpp"
-#include "studies/generators.hpp"
 #include "studies/plates/plate_scenes.hpp"
+#include "studies/scenes/generators.hpp"
 #include "visibility/newell/priority_list.hpp"
 #include "visibility/registry.hpp"
 

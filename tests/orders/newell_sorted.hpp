@@ -1,7 +1,7 @@
 #pragma once
 /// The list of the method newell, sorted for a scene and a view.
 
-#include "studies/generators.hpp"
+#include "studies/scenes/generators.hpp"
 #include "support/scenes.hpp"
 #include "visibility/newell/priority_list.hpp"
 

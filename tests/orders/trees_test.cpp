@@ -2,7 +2,7 @@
 
 #include "main/tier.hpp"
 #include "order_check.hpp"
-#include "studies/generators.hpp"
+#include "studies/scenes/generators.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/test.hpp"

@@ -1,7 +1,7 @@
 // The experiments on scans by lines as their source describes them: relations between their counts.
 
 #include "studies/experiments.hpp"
-#include "studies/generators.hpp"
+#include "studies/scenes/generators.hpp"
 #include "support/test.hpp"
 
 namespace ligne::studies {

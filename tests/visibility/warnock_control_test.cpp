@@ -1,7 +1,7 @@
 // The module of control of the method warnock: the first window, divisions, and the findings of [Boulle1980].
 
 #include "base/parallel.hpp"
-#include "studies/generators.hpp"
+#include "studies/scenes/generators.hpp"
 #include "support/scenes.hpp"
 #include "support/test.hpp"
 #include "visibility/warnock_tools.hpp"

@@ -1,4 +1,4 @@
-#include "studies/generators.hpp"
+#include "studies/scenes/generators.hpp"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -1,7 +1,7 @@
-#include "studies/scan_input.hpp"
+#include "studies/scenes/scan_input.hpp"
 
-#include "studies/generators.hpp"
 #include "studies/measure.hpp"
+#include "studies/scenes/generators.hpp"
 #include "view/tolerances.hpp"
 
 namespace ligne::studies {
