@@ -83,6 +83,7 @@ py::dict strokes(const DrawingHolder& holder) {
 }
 
 std::size_t polyline_count(DrawingHolder& holder) {
+  const py::gil_scoped_release released;
   std::size_t count = 0;
   for (const Layer& layer : holder.layers().layers) count += layer.lines.size();
   return count;
@@ -280,13 +281,20 @@ void DrawingHolder::draw(const PictureRequest& request, const Progress& progress
   run_ = std::move(report);
 }
 
+/// Locks a mutex whose holder may need the interpreter's lock, which the calling thread has.
+static std::unique_lock<std::mutex> lock_without_interpreter(std::mutex& mutex) {
+  const py::gil_scoped_release release;
+  return std::unique_lock(mutex);
+}
+
 Picture DrawingHolder::write(const py::dict& keywords, const py::object& progress) {
   Options options = options_;
   options.take(keywords);
   const PictureRequest request = options.request();
   Picture picture;
+  // A thread that waits for its tasks may take up the drawing of another one, so tasks lock nothing.
+  const std::unique_lock lock = lock_without_interpreter(mutex_);
   run(progress, options.threads, [&](const Progress& report) {
-    const std::lock_guard lock(mutex_);
     RunReport run;
     if (horizon_ && request.output.format != OutputFormat::json) {
       horizon_->picture.output = request.output;
