@@ -67,9 +67,9 @@ struct MethodTraits {
 struct Facets;
 
 struct VisibilityOptions {
-  bool hidden_strokes = false;              ///< also return the hidden pieces of lines
-  std::function<void(double)> progress{};   ///< called with the fraction done, by one thread at a time; may be empty
-  std::optional<SpanLines> span_lines{};    ///< scan lines for which spans are wanted
+  bool hidden_strokes = false;             ///< also return the hidden pieces of lines
+  std::function<void(double)> progress{};  ///< called with the fraction done, by one thread at a time; may be empty
+  std::optional<SpanLines> span_lines{};   ///< scan lines for which spans are wanted
   /// Whether those spans, and pixels, are wanted with the transparent faces in front of them.
   bool glass = false;
   MethodSettings settings{};                ///< values of the method's own parameters, each within its range

@@ -27,8 +27,8 @@ TEST_P(FuzzReplay, EveryFileIsReadOrRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Corpus, FuzzReplay,
-                         testing::Values("gltf", "glb", "obj", "mtl", "stl", "ply", "off", "3mf", "asc", "3ds", "meshopt", "scene",
-                                         "tree", "zbuf", "grid", "points", "hgt", "tiff", "formula", "svg", "areas",
+                         testing::Values("gltf", "glb", "obj", "mtl", "stl", "ply", "off", "3mf", "asc", "3ds", "meshopt",
+                                         "scene", "tree", "zbuf", "grid", "points", "hgt", "tiff", "formula", "svg", "areas",
                                          "drawing"),
                          [](const auto& info) { return std::string(info.param); });
 

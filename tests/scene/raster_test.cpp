@@ -77,9 +77,7 @@ TEST(GeoTiff, TurnedAndTiedRastersWarn) {
   EXPECT_EQ(warnings_of(turned).size(), 1u);
   TiffBuilder tied(3, 2, kSix, kFloat);
   tied.doubles(33922, {0, 0, 0, 1, 1, 0, 3, 2, 0, 2, 2, 0});
-  EXPECT_EQ(warnings_of(tied),
-            std::vector<std::string>{
-                "left out: 2 ground control points, which gdalwarp applies"});
+  EXPECT_EQ(warnings_of(tied), std::vector<std::string>{"left out: 2 ground control points, which gdalwarp applies"});
 }
 
 TEST(GeoTiff, ScaleAndOffset) {

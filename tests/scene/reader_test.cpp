@@ -45,8 +45,7 @@ TEST(DetectFormat, BySuffixWhereContentDoesNotDecide) {
 }
 
 TEST(DetectFormat, FilesThatAreNoModels) {
-  const std::string unknown =
-      "M: is not a known model format (glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio, ligne scene)";
+  const std::string unknown = "M: is not a known model format (glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio, ligne scene)";
   EXPECT_EQ(detected(""), "M: is empty");
   EXPECT_EQ(detected("", ".obj"), "M: is empty");
   EXPECT_EQ(detected(" \r\n\t\n", ".obj"), "M: contains only white space");
