@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/no_index.hpp"
-#include "drawing/glass_layers.hpp"
+#include "drawing/transparent_layers.hpp"
 #include "geometry/point.hpp"
 
 namespace ligne {
@@ -21,8 +21,8 @@ struct Region {
   /// Per light: the fraction, 0 to 1, that transparent faces between the light and the region let through. Empty: 1 for
   /// all lights in `lights`.
   std::vector<double> light_shares{};
-  std::uint32_t material = 0xffffffffu;         ///< material, if it is a part of a detail; 0xffffffff: that of the face
-  std::uint32_t glass = GlassLayers::kNoGlass;  ///< of an area of spans: Span::glass
+  std::uint32_t material = 0xffffffffu;  ///< material, if it is a part of a detail; 0xffffffff: that of the face
+  std::uint32_t in_front = TransparentLayers::kEmptyList;  ///< of an area of spans: Span::in_front
 };
 
 /// A whole face or a piece of one, to be painted over all earlier pieces.
@@ -56,16 +56,16 @@ struct SpanLines {
 /// An interval of a scan line on which one face is visible, directly or through the same transparent faces.
 struct Span {
   std::uint32_t line = 0;
-  double x_from = 0, x_to = 0;                  ///< page mm
-  std::uint32_t face = 0;                       ///< kNone behind transparent faces: paper
-  std::uint32_t glass = GlassLayers::kNoGlass;  ///< list of SpanModel::glass in front of it
+  double x_from = 0, x_to = 0;                             ///< page mm
+  std::uint32_t face = 0;                                  ///< kNone behind transparent faces: paper
+  std::uint32_t in_front = TransparentLayers::kEmptyList;  ///< list of SpanModel::layers in front of it
 };
 
 /// Disjoint spans, sorted by line from the top and on each line from left to right.
 struct SpanModel {
   SpanLines lines;
   std::vector<Span> spans;
-  GlassLayers glass{};  ///< empty unless VisibilityOptions::glass
+  TransparentLayers layers{};  ///< empty unless VisibilityOptions::with_transparent_faces
 };
 
 /// The plane through a scan line and the line of sight: it shows how faces lie behind each other ([Boulle1980], figures
@@ -90,12 +90,12 @@ struct ScanPlane {
 /// The visible face of each pixel. Pixels are square, and stored row by row from the top.
 struct PixelModel {
   std::uint32_t width = 0, height = 0;
-  Point2 corner_mm{0, 0};                    ///< position of the upper left corner of the first pixel on the page
-  double pixel_mm = 1;                       ///< side of a pixel
-  std::vector<std::uint32_t> face;           ///< per pixel: face of the scene, 0xffffffff for none
-  std::vector<float> depth;                  ///< per pixel
-  GlassLayers glass{};                       ///< empty unless VisibilityOptions::glass
-  std::vector<std::uint32_t> pixel_glass{};  ///< per pixel: list of `glass` in front of the face; empty if there is none
+  Point2 corner_mm{0, 0};                 ///< position of the upper left corner of the first pixel on the page
+  double pixel_mm = 1;                    ///< side of a pixel
+  std::vector<std::uint32_t> face;        ///< per pixel: face of the scene, 0xffffffff for none
+  std::vector<float> depth;               ///< per pixel
+  TransparentLayers layers{};             ///< empty unless VisibilityOptions::with_transparent_faces
+  std::vector<std::uint32_t> in_front{};  ///< per pixel: list of `layers` in front of the face; empty if there is none
 };
 
 }  // namespace ligne

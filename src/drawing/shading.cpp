@@ -126,7 +126,7 @@ FacePicture paint_each(const PixelModel& pixels, Brightness brightness_of) {
 template <class At>
 auto of_span(const SpanModel& spans, At at) {
   return [&spans, at](const Span& span, double x_mm) {
-    return at({span.face, span.glass}, {x_mm, spans.lines.y_mm(span.line)});
+    return at({span.face, span.in_front}, {x_mm, spans.lines.y_mm(span.line)});
   };
 }
 
@@ -135,10 +135,10 @@ template <std::size_t N, class At>
 auto of_pixel(const PixelModel& pixels, At at) {
   return [&pixels, at](std::uint32_t column, std::uint32_t row) {
     const std::size_t i = std::size_t{row} * pixels.width + column;
-    const SeenFace seen{pixels.face[i], pixels.pixel_glass.empty() ? GlassLayers::kNoGlass : pixels.pixel_glass[i]};
+    const SeenFace seen{pixels.face[i], pixels.in_front.empty() ? TransparentLayers::kEmptyList : pixels.in_front[i]};
     std::array<double, N> paper;
     paper.fill(1);
-    if (seen.face == kNone && seen.glass == GlassLayers::kNoGlass) return paper;
+    if (seen.face == kNone && seen.in_front == TransparentLayers::kEmptyList) return paper;
     return at(seen, pixels.corner_mm + pixels.pixel_mm * Point2{column + 0.5, row + 0.5});
   };
 }

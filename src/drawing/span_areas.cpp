@@ -96,7 +96,7 @@ std::vector<Point2> end_of(const StraightRun& left, const StraightRun& right, do
 
 /// An area that is not finished on the current scan line.
 struct OpenArea {
-  std::uint32_t face = 0, glass = 0, first_line = 0;
+  std::uint32_t face = 0, in_front = 0, first_line = 0;
   std::vector<double> left, right;
 
   Region closed(const SpanLines& lines) const {
@@ -112,7 +112,7 @@ struct OpenArea {
     contour.insert(contour.end(), up.rbegin(), up.rend());
     Region region;
     region.face = face;
-    region.glass = glass;
+    region.in_front = in_front;
     region.contours.push_back(std::move(contour));
     return region;
   }
@@ -126,7 +126,7 @@ std::vector<std::size_t> continued(const std::vector<OpenArea>& above, const Spa
   std::vector<std::uint32_t> of_span(count), of_area(above.size());
   for (std::size_t a = 0, s = 0; a < above.size() && s < count;) {
     const double left = above[a].left.back(), right = above[a].right.back();
-    const bool alike = above[a].face == spans[s].face && above[a].glass == spans[s].glass;
+    const bool alike = above[a].face == spans[s].face && above[a].in_front == spans[s].in_front;
     if (alike && std::max(left, spans[s].x_from) < std::min(right, spans[s].x_to)) {
       area_of[s] = a;
       ++of_span[s];
@@ -144,20 +144,20 @@ std::vector<std::size_t> continued(const std::vector<OpenArea>& above, const Spa
 
 SpanModel spans_of_pixels(const PixelModel& pixels) {
   SpanModel model;
-  model.glass = pixels.glass;
+  model.layers = pixels.layers;
   model.lines = {pixels.corner_mm.y + pixels.pixel_mm / 2, pixels.pixel_mm, pixels.height};
   for (std::uint32_t row = 0; row < pixels.height; ++row) {
     const std::size_t begin = std::size_t{row} * pixels.width;
     const auto shown = [&](std::uint32_t column) {
       const std::size_t i = begin + column;
-      return std::pair(pixels.face[i], pixels.pixel_glass.empty() ? GlassLayers::kNoGlass : pixels.pixel_glass[i]);
+      return std::pair(pixels.face[i], pixels.in_front.empty() ? TransparentLayers::kEmptyList : pixels.in_front[i]);
     };
     const auto edge = [&](std::uint32_t column) { return pixels.corner_mm.x + column * pixels.pixel_mm; };
     for (std::uint32_t from = 0, to = 0; from < pixels.width; from = to) {
-      const auto [face, glass] = shown(from);
-      while (to < pixels.width && shown(to) == std::pair(face, glass)) ++to;
-      if (face != kNone || glass != GlassLayers::kNoGlass) {
-        model.spans.push_back({row, edge(from), edge(to), face, glass});
+      const auto [face, in_front] = shown(from);
+      while (to < pixels.width && shown(to) == std::pair(face, in_front)) ++to;
+      if (face != kNone || in_front != TransparentLayers::kEmptyList) {
+        model.spans.push_back({row, edge(from), edge(to), face, in_front});
       }
     }
   }
@@ -183,8 +183,8 @@ std::vector<Region> areas_of_spans(const SpanModel& model) {
     std::vector<OpenArea> next(i - begin);
     for (std::size_t s = 0; s < next.size(); ++s) {
       const Span& span = spans[begin + s];
-      next[s] =
-          area_of[s] == kNoArea ? OpenArea{span.face, span.glass, span.line, {}, {}} : std::exchange(open[area_of[s]], {});
+      next[s] = area_of[s] == kNoArea ? OpenArea{span.face, span.in_front, span.line, {}, {}}
+                                      : std::exchange(open[area_of[s]], {});
       next[s].left.push_back(span.x_from);
       next[s].right.push_back(span.x_to);
     }

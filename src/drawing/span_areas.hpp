@@ -11,7 +11,7 @@ namespace ligne {
 /// the same transparent faces.
 SpanModel spans_of_pixels(const PixelModel& pixels);
 
-/// Reconstructs areas from spans. Each area belongs to one face behind one list of transparent faces (Region::glass), and
+/// Reconstructs areas from spans. Each area belongs to one face behind one list of transparent faces (Region::in_front), and
 /// has no holes.
 ///
 /// Overlapping spans of one face and list on successive scan lines form one area. Where an area splits or two areas merge,

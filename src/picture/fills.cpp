@@ -146,20 +146,20 @@ std::vector<double> lights_of_pieces(const Scene& scene, const View& view, const
 }
 
 std::vector<Fill> fill_areas(const Scene& scene, const View& view, const std::vector<Region>& areas,
-                             const GlassLayers& glass, std::span<const Light> lights, FillKind kind) {
+                             const TransparentLayers& layers, std::span<const Light> lights, FillKind kind) {
   const FillColors colors(scene, view, lights, kind);
   const auto color_of = [&](std::uint32_t face) { return colors.of(material_of(scene, face), face, kAllLights, {}); };
   const auto opacity_of = [&](std::uint32_t face) { return material_of(scene, face).opacity; };
   std::vector<LeveledFill> found;
   found.reserve(areas.size());
   for (const Region& area : areas) {
-    const auto color = rounded(seen_color<3>(glass, {area.face, area.glass}, color_of, opacity_of));
+    const auto color = rounded(seen_color<3>(layers, {area.face, area.in_front}, color_of, opacity_of));
     found.push_back({0, is_narrow(area), {area.contours, color, 1}});
   }
   return in_painting_order(std::move(found));
 }
 
-std::vector<Fill> fill_gray(const Scene& scene, const std::vector<Region>& areas, const GlassLayers& glass,
+std::vector<Fill> fill_gray(const Scene& scene, const std::vector<Region>& areas, const TransparentLayers& layers,
                             const std::vector<double>& brightness) {
   const auto gray_of = [&](std::uint32_t face) {
     const double gray = face < brightness.size() ? brightness[face] : 1;
@@ -169,7 +169,7 @@ std::vector<Fill> fill_gray(const Scene& scene, const std::vector<Region>& areas
   std::vector<LeveledFill> found;
   found.reserve(areas.size());
   for (const Region& area : areas) {
-    const auto gray = rounded(seen_color<3>(glass, {area.face, area.glass}, gray_of, opacity_of));
+    const auto gray = rounded(seen_color<3>(layers, {area.face, area.in_front}, gray_of, opacity_of));
     found.push_back({0, is_narrow(area), {area.contours, gray, 1}});
   }
   return in_painting_order(std::move(found));

@@ -24,9 +24,9 @@ std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::
                                std::span<const Light> lights, FillKind kind);
 
 /// Fills for areas of spans or pixels, which have the colours of fill_regions(). An area behind transparent faces
-/// (Region::glass, a list of `glass`) has the colour that all of them give together on white paper.
+/// (Region::in_front, a list of `layers`) has the colour that all of them give together on white paper.
 std::vector<Fill> fill_areas(const Scene& scene, const View& view, const std::vector<Region>& areas,
-                             const GlassLayers& glass, std::span<const Light> lights, FillKind kind);
+                             const TransparentLayers& layers, std::span<const Light> lights, FillKind kind);
 
 /// Fills for pieces in painting order: each piece is an area that covers earlier ones. There are no cast shadows.
 std::vector<Fill> fill_pieces(const Scene& scene, const View& view, const PaintOrder& order, std::span<const Light> lights,
@@ -41,7 +41,7 @@ std::vector<double> lights_of_pieces(const Scene& scene, const View& view, const
                                      std::span<const Light> lights);
 
 /// Grey fills for areas as in fill_areas(). `brightness`: per face, 0 to 1.
-std::vector<Fill> fill_gray(const Scene& scene, const std::vector<Region>& areas, const GlassLayers& glass,
+std::vector<Fill> fill_gray(const Scene& scene, const std::vector<Region>& areas, const TransparentLayers& layers,
                             const std::vector<double>& brightness);
 
 /// The light of fills on the points of smooth surfaces; it keeps references to its arguments.

@@ -72,7 +72,7 @@ VisibilityOptions study_options(const PreparedScene& prepared, std::optional<Spa
   options.span_lines = span_lines;
   options.settings = request.lines.settings;
   options.wanted = wanted_products(request, prepared.method);
-  options.glass = shows_faces_of_spans(request, prepared.method);
+  options.with_transparent_faces = shows_faces_of_spans(request, prepared.method);
   options.progress = request.progress;
   options.compiled = request.compiled.get();
   options.keep = request.keep;

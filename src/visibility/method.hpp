@@ -71,7 +71,7 @@ struct VisibilityOptions {
   std::function<void(double)> progress{};  ///< called with the fraction done, by one thread at a time; may be empty
   std::optional<SpanLines> span_lines{};   ///< scan lines for which spans are wanted
   /// Whether those spans, and pixels, are wanted with the transparent faces in front of them.
-  bool glass = false;
+  bool with_transparent_faces = false;
   MethodSettings settings{};                ///< values of the method's own parameters, each within its range
   std::uint8_t wanted = 0xff;               ///< bits of Product; a method may omit products that are not wanted
   const CompiledScene* compiled = nullptr;  ///< result of this method's compile() for ProjectedScene::model, or null

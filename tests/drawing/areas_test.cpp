@@ -152,27 +152,27 @@ TEST(Shading, PixelsThatStayWhereTheyLie) {
 }
 
 /// Lists with the same faces have one number, in one set of layers and in those merged from several.
-TEST(GlassLayers, EqualListsHaveOneNumber) {
-  GlassLayers layers;
+TEST(TransparentLayers, EqualListsHaveOneNumber) {
+  TransparentLayers layers;
   EXPECT_TRUE(layers.empty());
-  const std::uint32_t back = layers.over(7, GlassLayers::kNoGlass), both = layers.over(3, back);
-  EXPECT_EQ(layers.over(7, GlassLayers::kNoGlass), back);
+  const std::uint32_t back = layers.over(7, TransparentLayers::kEmptyList), both = layers.over(3, back);
+  EXPECT_EQ(layers.over(7, TransparentLayers::kEmptyList), back);
   EXPECT_EQ(layers.over(3, back), both);
-  EXPECT_NE(layers.over(3, GlassLayers::kNoGlass), both);
+  EXPECT_NE(layers.over(3, TransparentLayers::kEmptyList), both);
   std::vector<std::uint32_t> faces;
   layers.for_each(both, [&](std::uint32_t face) { faces.push_back(face); });
   EXPECT_EQ(faces, (std::vector<std::uint32_t>{3, 7}));
-  GlassLayers other;
-  const std::uint32_t same = other.over(3, other.over(7, GlassLayers::kNoGlass));
+  TransparentLayers other;
+  const std::uint32_t same = other.over(3, other.over(7, TransparentLayers::kEmptyList));
   const std::vector<std::uint32_t> numbers = layers.merge(other);
   EXPECT_EQ(numbers[same], both);
-  EXPECT_EQ(numbers[GlassLayers::kNoGlass], GlassLayers::kNoGlass);
+  EXPECT_EQ(numbers[TransparentLayers::kEmptyList], TransparentLayers::kEmptyList);
 }
 
 /// Two panes of opacity 0.4 and 0.5 before black, and before paper.
-TEST(GlassLayers, ColoursAreComposedFromFrontToBack) {
-  GlassLayers layers;
-  const std::uint32_t list = layers.over(1, layers.over(2, GlassLayers::kNoGlass));
+TEST(TransparentLayers, ColoursAreComposedFromFrontToBack) {
+  TransparentLayers layers;
+  const std::uint32_t list = layers.over(1, layers.over(2, TransparentLayers::kEmptyList));
   const std::array<std::array<double, 3>, 3> colors = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5}}};
   const std::array<double, 3> opacities = {1, 0.4, 0.5};
   const auto color_of = [&](std::uint32_t face) { return colors[face]; };
@@ -187,9 +187,9 @@ TEST(GlassLayers, ColoursAreComposedFromFrontToBack) {
 }
 
 /// Spans of one face behind different lists make different areas; pixels make spans likewise.
-TEST(SpanAreas, EndWhereTheGlassInFrontDoes) {
+TEST(SpanAreas, EndWhereTheTransparentFacesInFrontDo) {
   SpanModel model{{0.5, 1, 10}, {}};
-  const std::uint32_t pane = model.glass.over(4, GlassLayers::kNoGlass);
+  const std::uint32_t pane = model.layers.over(4, TransparentLayers::kEmptyList);
   for (std::uint32_t line = 0; line < 10; ++line) {
     model.spans.push_back({line, 0, 3, 1});
     model.spans.push_back({line, 3, 5, 1, pane});
@@ -199,16 +199,16 @@ TEST(SpanAreas, EndWhereTheGlassInFrontDoes) {
   ASSERT_EQ(areas.size(), 3u);
   for (const Region& area : areas) {
     const double left = area.contours[0][0].x;
-    EXPECT_EQ(area.glass, left < 3 ? GlassLayers::kNoGlass : pane);
+    EXPECT_EQ(area.in_front, left < 3 ? TransparentLayers::kEmptyList : pane);
     EXPECT_EQ(area.face, left < 5 ? 1 : kNone);
   }
   PixelModel pixels{4, 1, {0, 0}, 1, {1, 1, kNone, kNone}, {0, 0, 0, 0}};
-  pixels.glass = model.glass;
-  pixels.pixel_glass = {0, pane, pane, 0};
+  pixels.layers = model.layers;
+  pixels.in_front = {0, pane, pane, 0};
   const SpanModel spans = spans_of_pixels(pixels);
   ASSERT_EQ(spans.spans.size(), 3u);
-  EXPECT_EQ(spans.spans[0].glass, GlassLayers::kNoGlass);
-  EXPECT_EQ(spans.spans[1].glass, pane);
+  EXPECT_EQ(spans.spans[0].in_front, TransparentLayers::kEmptyList);
+  EXPECT_EQ(spans.spans[1].in_front, pane);
   EXPECT_EQ(spans.spans[2].face, kNone);
 }
 

@@ -24,8 +24,8 @@ bool is_smooth(const PictureRequest& request) {
 }
 
 /// The transparent faces that the spans or pixels were found with.
-const GlassLayers& glass_of(const VisibilityResult& result) {
-  return result.spans ? result.spans->glass : result.pixels->glass;
+const TransparentLayers& layers_of(const VisibilityResult& result) {
+  return result.spans ? result.spans->layers : result.pixels->layers;
 }
 
 /// An image of the spans or pixels, with the pixels of the page in PNG and where there are spans, else with those of the
@@ -64,7 +64,7 @@ FacePicture gray_image(const PreparedScene& prepared, const VisibilityResult& re
   const auto opacity_of = [&](std::uint32_t face) { return material_of(scene, face).opacity; };
   return image_of(prepared, result, plot, [&](SeenFace seen, Point2 page_mm) {
     const auto of_face = [&](std::uint32_t face) { return std::array{tone_of(face, page_mm)}; };
-    return seen_color<1>(glass_of(result), seen, of_face, opacity_of);
+    return seen_color<1>(layers_of(result), seen, of_face, opacity_of);
   });
 }
 
@@ -75,7 +75,7 @@ FacePicture color_image(const PreparedScene& prepared, const VisibilityResult& r
   const auto opacity_of = [&](std::uint32_t face) { return material_of(scene, face).opacity; };
   return image_of(prepared, result, plot, [&](SeenFace seen, Point2 page_mm) {
     const auto of_face = [&](std::uint32_t face) { return colors.of(face, prepared.tones->surface_at(face, page_mm)); };
-    return seen_color<3>(glass_of(result), seen, of_face, opacity_of);
+    return seen_color<3>(layers_of(result), seen, of_face, opacity_of);
   });
 }
 
@@ -114,13 +114,13 @@ std::optional<FacePicture> face_picture(const PreparedScene& prepared, const Vis
 std::vector<Fill> gray_areas(const PreparedScene& prepared, const VisibilityResult& result) {
   const PictureRequest& request = prepared.request;
   if (!request.gray_faces || is_smooth(request) || request.output.format == OutputFormat::png || !result.spans) return {};
-  return fill_gray(prepared.scene, areas_of_spans(*result.spans), result.spans->glass,
+  return fill_gray(prepared.scene, areas_of_spans(*result.spans), result.spans->layers,
                    face_brightness(prepared.scene, prepared.view().camera));
 }
 
 std::vector<Fill> filled_spans(const PreparedScene& prepared, const VisibilityResult& result) {
   const std::vector<Region> areas = areas_of_spans(result.spans ? *result.spans : spans_of_pixels(*result.pixels));
-  return fill_areas(prepared.scene, prepared.view(), areas, glass_of(result), prepared.lights, prepared.request.fill.kind);
+  return fill_areas(prepared.scene, prepared.view(), areas, layers_of(result), prepared.lights, prepared.request.fill.kind);
 }
 
 }  // namespace ligne

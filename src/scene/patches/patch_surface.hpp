@@ -28,6 +28,8 @@ struct PatchSurface {
   double distance(const Point3& p) const;
   /// Unit normal of the surface at its point nearest to p.
   Point3 normal(const Point3& p) const;
+  /// Point of the surface nearest to p.
+  Point3 nearest(const Point3& p) const { return p - distance(p) * normal(p); }
   /// Normal curvature near p in the direction of a unit tangent: positive where the surface bends away from its normal.
   double curvature(const Point3& p, const Point3& along) const;
   /// The larger of the absolute values of both principal curvatures near p.

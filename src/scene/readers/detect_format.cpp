@@ -154,7 +154,7 @@ ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suf
   if (chars.starts_with("glTF")) return ModelFormat::glb;
   if (chars.starts_with("PK\x03\x04")) return zip_format(bytes, name);
   if (is_3ds(bytes)) return ModelFormat::three_ds;
-  if (const auto stranger = find_foreign_format(bytes)) throw InputError(name, *stranger);
+  if (const auto format = find_foreign_format(bytes)) throw InputError(name, *format);
   const std::string_view text = without_leading_space(chars);
   if (text.starts_with("ply\n") || text.starts_with("ply\r")) return ModelFormat::ply;
   if (is_binary_stl(bytes) && stl_triangle_count(bytes) > 0) return ModelFormat::stl_binary;

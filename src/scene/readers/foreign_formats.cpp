@@ -67,9 +67,9 @@ constexpr std::array kRoots{
     ForeignFormat{"<svg", "an SVG drawing", kNoModel},
 };
 
-std::string message(const ForeignFormat& stranger) {
-  if (stranger.advice.empty()) return "is " + std::string(stranger.what) + ", not a model";
-  return "is " + std::string(stranger.what) + ", which is not read: " + std::string(stranger.advice);
+std::string message(const ForeignFormat& format) {
+  if (format.advice.empty()) return "is " + std::string(format.what) + ", not a model";
+  return "is " + std::string(format.what) + ", which is not read: " + std::string(format.advice);
 }
 
 /// Whether the text has lines of 80 characters whose 73rd names the section, S in the first line.
@@ -97,11 +97,11 @@ std::optional<std::string> find_foreign_format(std::span<const std::byte> bytes)
   if (chars.starts_with("ISO-10303-21") && head.find("IFC") != std::string_view::npos) {
     return message({"", "an IFC file", "open it in FreeCAD or Blender (Bonsai) and export OBJ or glTF"});
   }
-  for (const ForeignFormat& stranger : kBeginnings) {
-    if (chars.starts_with(stranger.mark)) return message(stranger);
+  for (const ForeignFormat& format : kBeginnings) {
+    if (chars.starts_with(format.mark)) return message(format);
   }
-  for (const ForeignFormat& stranger : kRoots) {
-    if (chars.starts_with('<') && head.find(stranger.mark) != std::string_view::npos) return message(stranger);
+  for (const ForeignFormat& format : kRoots) {
+    if (chars.starts_with('<') && head.find(format.mark) != std::string_view::npos) return message(format);
   }
   if (chars.starts_with("<?xml")) return message({"", "an XML file", kNoModel});
   if (is_iges(head)) return message({"", "an IGES file", kWithFreeCad});

@@ -16,7 +16,7 @@ struct ForeignDataFormat {
   std::string_view mark, what, advice;
 };
 
-constexpr std::array kDataStrangers{
+constexpr std::array kForeignDataFormats{
     ForeignDataFormat{"\x89HDF\r\n\x1a\n", "an HDF5 or netCDF-4 file",
                       "nccopy -k classic IN OUT.nc, or gdal_translate -of GTiff IN OUT.tif"},
     ForeignDataFormat{"MATLAB 7.3", "a MATLAB file of version 7.3", "save it again in MATLAB: save('OUT.mat', '-v7')"},
@@ -139,10 +139,10 @@ std::vector<std::byte> inflated(std::span<const std::byte> bytes, const std::str
   return inflate_all(bytes, kWindowBits, name);
 }
 
-std::optional<std::string> data_stranger(std::string_view bytes) {
-  for (const ForeignDataFormat& stranger : kDataStrangers) {
-    if (bytes.starts_with(stranger.mark))
-      return "is " + std::string(stranger.what) + ", which is not read: " + std::string(stranger.advice);
+std::optional<std::string> foreign_data_format(std::string_view bytes) {
+  for (const ForeignDataFormat& format : kForeignDataFormats) {
+    if (bytes.starts_with(format.mark))
+      return "is " + std::string(format.what) + ", which is not read: " + std::string(format.advice);
   }
   return {};
 }

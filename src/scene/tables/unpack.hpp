@@ -26,6 +26,6 @@ std::optional<UnpackedFile> unpacked(std::span<const std::byte> bytes, const std
 std::vector<std::byte> inflated(std::span<const std::byte> bytes, const std::string& name);
 
 /// An error text such as "is an HDF5 file, which is not read: ..." for known files without text; nothing for others.
-std::optional<std::string> data_stranger(std::string_view bytes);
+std::optional<std::string> foreign_data_format(std::string_view bytes);
 
 }  // namespace ligne

@@ -16,11 +16,11 @@
 #include "visibility/penetration/intersections.hpp"
 #include "visibility/watkins/exact/exact_study.hpp"
 #include "visibility/watkins/exact/line_study.hpp"
-#include "visibility/watkins/glass_spans.hpp"
 #include "visibility/watkins/leave_out_hidden.hpp"
 #include "visibility/watkins/report_counts.hpp"
 #include "visibility/watkins/scan_plane.hpp"
 #include "visibility/watkins/skew_faces.hpp"
+#include "visibility/watkins/transparent_spans.hpp"
 #include "visibility/watkins/watkins_options.hpp"
 
 // Phases: (1) facets; (2) omission of facets and lines that are surely hidden; (3) the scan over the edges, which also finds
@@ -359,7 +359,7 @@ namespace {
 VisibilityResult study(const ProjectedScene& scene, const VisibilityOptions& options, const SkewFaces* skew) {
   const std::optional<OpaqueScene> opaque = without_transparent_faces(scene, TransparentEdges::kept);
   if (!opaque) return WatkinsStudy(scene, options, skew).run();
-  const bool composed = options.glass && options.span_lines;
+  const bool composed = options.with_transparent_faces && options.span_lines;
   VisibilityOptions of_opaque = options;
   if (composed) {
     of_opaque.span_lines.reset();
@@ -373,8 +373,8 @@ VisibilityResult study(const ProjectedScene& scene, const VisibilityOptions& opt
     by_lines.scan.kind = watkins_options(options.settings).kind;
     by_lines.coincidence_steps = coincidence_mm(scene) / scene.lattice.step_mm;
     by_lines.skew = skew;
-    result.spans = glass_spans(scene, make_facets(scene, by_lines.coincidence_steps).facets,
-                               grid_of(scene, *options.span_lines, false), *options.span_lines, by_lines);
+    result.spans = transparent_spans(scene, make_facets(scene, by_lines.coincidence_steps).facets,
+                                     grid_of(scene, *options.span_lines, false), *options.span_lines, by_lines);
     result.statistics.time("spans", clock.lap());
     result.statistics.count("spans", result.spans->spans.size());
   }

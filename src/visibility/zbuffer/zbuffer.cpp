@@ -10,7 +10,7 @@
 #include "visibility/edges/line_strokes.hpp"
 #include "visibility/penetration/intersections.hpp"
 #include "visibility/raster/depth_buffer.hpp"
-#include "visibility/raster/glass_pixels.hpp"
+#include "visibility/raster/transparent_pixels.hpp"
 #include "visibility/zbuffer/edge_sampling.hpp"
 #include "visibility/zbuffer/kept_buffer.hpp"
 
@@ -161,7 +161,7 @@ VisibilityResult ZBufferMethod::compute_visibility(const ProjectedScene& scene, 
   if (options.wanted & kPixels) {
     const DepthScale scale = buffer.scale();
     result.pixels = buffer.take_pixels();
-    if (options.glass) add_glass(scene, scale, *result.pixels);
+    if (options.with_transparent_faces) add_transparent_faces(scene, scale, *result.pixels);
     statistics.time("pixels", clock.lap());
   }
 

@@ -36,11 +36,10 @@ Point3 nearest(const SideSurface& side, const Point3& p) { return p - distance(s
 /// middle of a long chord of a thin torus lies elsewhere.
 Point3 halfway(const PatchSurface& surface, const Point3& p, const Point3& q) {
   const Point3 middle = 0.5 * (p + q);
-  const auto snapped = [&](const Point3& at) { return at - surface.distance(at) * surface.normal(at); };
   const AxisPlace a = axis_place(surface, p), b = axis_place(surface, q);
   const Point3 out = a.out + b.out;
   const double length = glm::length(out);
-  if (surface.kind == SurfaceKind::sphere || !(length > 0)) return snapped(middle);
+  if (surface.kind == SurfaceKind::sphere || !(length > 0)) return surface.nearest(middle);
   double along = 0.5 * (a.along + b.along), radius = 0.5 * (a.radius + b.radius);
   if (surface.kind == SurfaceKind::torus) {
     const double from = std::atan2(a.along, a.radius - surface.radius), to = std::atan2(b.along, b.radius - surface.radius);
@@ -48,7 +47,7 @@ Point3 halfway(const PatchSurface& surface, const Point3& p, const Point3& q) {
     along = surface.tube * std::sin(angle);
     radius = surface.radius + surface.tube * std::cos(angle);
   }
-  return snapped(surface.at + along * surface.axis + radius / length * out);
+  return surface.nearest(surface.at + along * surface.axis + radius / length * out);
 }
 
 bool are_tangent(const SideSurface& a, const SideSurface& b, const Point3& p) {

@@ -23,8 +23,6 @@ constexpr double kStraight = 1e-3;
 /// Least cosine of the angle between a new triangle and its surface (60 degrees).
 constexpr double kLeastCosine = 0.5;
 
-Point3 nearest_point(const PatchSurface& surface, const Point3& p) { return p - surface.distance(p) * surface.normal(p); }
-
 /// A side of a triangle: the key of its edge, and the part.
 struct PartSide {
   std::uint64_t key;
@@ -166,7 +164,7 @@ class Splitter {
     for_edges(sorted_sides(), [&](std::span<const PartSide> edge) {
       const Point3 middle = middle_of_chord(edge[0].key);
       const bool is_curved = std::ranges::any_of(edge, [&](const PartSide& side) {
-        return !is_straight(edge[0].key, nearest_point(patches_.list[patch_of(side)].surface, middle));
+        return !is_straight(edge[0].key, patches_.list[patch_of(side)].surface.nearest(middle));
       });
       if (!is_curved) return;
       for (const PartSide& side : edge) sets_.join(patch_of(side), patch_of(edge[0]));

@@ -17,7 +17,7 @@ namespace ligne {
 char netpbm_kind(std::string_view chars);
 
 /// Whether the bytes are a TIFF of either byte order and size, or HDF5 if GDAL is in the build; otherwise
-/// data_stranger() reports HDF5.
+/// foreign_data_format() reports HDF5.
 bool is_for_gdal(std::string_view chars);
 
 /// The kind of a file that holds a grid of heights and no points, such as "a PNG picture"; nothing for others.

@@ -127,7 +127,7 @@ std::vector<GridSurface> read_surfaces(std::span<const std::byte> bytes, const s
     surfaces.push_back(surface_of_arrays(std::move(*arrays), name, choice, warnings));
     return surfaces;
   }
-  if (const auto stranger = data_stranger(chars)) throw InputError(name, *stranger);
+  if (const auto format = foreign_data_format(chars)) throw InputError(name, *format);
   refuse_models(bytes, name, kWanted);
   if (!may_be_text(chars)) {
     throw InputError(

@@ -171,7 +171,7 @@ PointFile read_point_file(std::span<const std::byte> bytes, const std::string& n
     points.blocks.push_back({0, points.rows.size()});
     return points;
   }
-  if (const auto stranger = data_stranger(chars)) throw InputError(name, *stranger);
+  if (const auto format = foreign_data_format(chars)) throw InputError(name, *format);
   refuse_models(bytes, name, kWanted);
   if (!may_be_text(chars)) {
     throw InputError(name, "is not a known format of points (text tables, npy, netCDF, MATLAB, JSON)");

@@ -13,7 +13,7 @@ namespace ligne::watkins {
 ///
 /// Every line is studied, since any change of a transparent segment is visible. Takes O(n log n + s) per line, with n
 /// segments and s the faces in the lists of its spans. `facets`: of all faces. `grid` has real coordinates.
-SpanModel glass_spans(const ProjectedScene& scene, const std::vector<Facet>& facets, const LineGrid& grid,
-                      const SpanLines& lines, const LineStudyOptions& options);
+SpanModel transparent_spans(const ProjectedScene& scene, const std::vector<Facet>& facets, const LineGrid& grid,
+                            const SpanLines& lines, const LineStudyOptions& options);
 
 }  // namespace ligne::watkins

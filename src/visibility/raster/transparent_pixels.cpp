@@ -1,4 +1,4 @@
-#include "visibility/raster/glass_pixels.hpp"
+#include "visibility/raster/transparent_pixels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +22,9 @@ struct Fragment {
 };
 
 /// Paints bands of rows. Two triangles of a face with a common side share no pixel (PolygonScan).
-class BandGlass {
+class BandLayers {
  public:
-  BandGlass(const ProjectedScene& scene, const DepthScale& scale, const PixelModel& pixels)
+  BandLayers(const ProjectedScene& scene, const DepthScale& scale, const PixelModel& pixels)
       : scene_(scene),
         scale_(scale),
         pixels_(pixels),
@@ -63,12 +63,12 @@ class BandGlass {
   }
 
   /// Writes the lists of the band's pixels, with numbers of `layers`.
-  void finish(GlassLayers& layers, std::vector<std::uint32_t>& pixel_glass) {
+  void finish(TransparentLayers& layers, std::vector<std::uint32_t>& in_front) {
     // From back to front, as lists are made.
     std::ranges::sort(fragments_, {}, [](const Fragment& f) { return std::tuple(f.pixel, -f.depth, ~f.face); });
     const std::size_t first = std::size_t{first_row_} * pixels_.width;
     for (const Fragment& f : fragments_) {
-      std::uint32_t& list = pixel_glass[first + f.pixel];
+      std::uint32_t& list = in_front[first + f.pixel];
       list = layers.over(f.face, list);
     }
   }
@@ -95,13 +95,13 @@ class BandGlass {
 };
 
 /// The transparent triangles, except those seen edge on, as lists by band.
-std::vector<std::vector<Triangle>> triangles_of_bands(const ProjectedScene& scene, const BandGlass& glass,
+std::vector<std::vector<Triangle>> triangles_of_bands(const ProjectedScene& scene, const BandLayers& rows,
                                                       std::size_t bands) {
   std::vector<std::vector<Triangle>> lists(bands);
   for (const Triangle& t : scene.triangles) {
     const bool transparent = t.face < scene.face_is_transparent.size() && scene.face_is_transparent[t.face] != 0;
     if (!transparent || scene.is_edge_on(t)) continue;
-    const auto [begin, end] = glass.rows(t);
+    const auto [begin, end] = rows.rows(t);
     for (std::uint32_t band = begin / kBandRows; band * kBandRows < end; ++band) lists[band].push_back(t);
   }
   return lists;
@@ -109,29 +109,29 @@ std::vector<std::vector<Triangle>> triangles_of_bands(const ProjectedScene& scen
 
 }  // namespace
 
-void add_glass(const ProjectedScene& scene, const DepthScale& scale, PixelModel& pixels) {
+void add_transparent_faces(const ProjectedScene& scene, const DepthScale& scale, PixelModel& pixels) {
   const std::size_t bands = block_count(pixels.height, kBandRows);
-  const BandGlass all(scene, scale, pixels);
+  const BandLayers all(scene, scale, pixels);
   const std::vector<std::vector<Triangle>> triangles = triangles_of_bands(scene, all, bands);
   if (std::ranges::all_of(triangles, [](const auto& list) { return list.empty(); })) return;
-  pixels.pixel_glass.assign(pixels.face.size(), GlassLayers::kNoGlass);
-  std::vector<GlassLayers> layers(bands);
+  pixels.in_front.assign(pixels.face.size(), TransparentLayers::kEmptyList);
+  std::vector<TransparentLayers> layers(bands);
   const auto rows_of = [&](std::size_t band) {
     const auto first = static_cast<std::uint32_t>(band) * kBandRows;
     return std::pair(first, std::min(pixels.height, first + kBandRows));
   };
   parallel_tasks(bands, [&](std::size_t band) {
-    BandGlass glass = all;
+    BandLayers in_band = all;
     const auto [first, end] = rows_of(band);
-    glass.begin(first, end);
-    for (const Triangle& t : triangles[band]) glass.add(t);
-    glass.finish(layers[band], pixels.pixel_glass);
+    in_band.begin(first, end);
+    for (const Triangle& t : triangles[band]) in_band.add(t);
+    in_band.finish(layers[band], pixels.in_front);
   });
   for (std::size_t band = 0; band < bands; ++band) {
-    const std::vector<std::uint32_t> numbers = pixels.glass.merge(layers[band]);
+    const std::vector<std::uint32_t> numbers = pixels.layers.merge(layers[band]);
     const auto [first, end] = rows_of(band);
     for (std::size_t i = std::size_t{first} * pixels.width; i < std::size_t{end} * pixels.width; ++i) {
-      pixels.pixel_glass[i] = numbers[pixels.pixel_glass[i]];
+      pixels.in_front[i] = numbers[pixels.in_front[i]];
     }
   }
 }

@@ -1,4 +1,4 @@
-#include "visibility/watkins/glass_spans.hpp"
+#include "visibility/watkins/transparent_spans.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -21,9 +21,10 @@ class NoListener final : public LineListener {
 
 /// Composes the spans of single lines. Invariant: `active_` has the transparent segments over the current gap, from
 /// front to back right of its left end.
-class GlassStudy final : private PairOrders {
+class TransparentLineSpans final : private PairOrders {
  public:
-  GlassStudy(const ProjectedScene& scene, const std::vector<Facet>& facets, const ScanScene& scan_scene, SpanMethodKind kind)
+  TransparentLineSpans(const ProjectedScene& scene, const std::vector<Facet>& facets, const ScanScene& scan_scene,
+                       SpanMethodKind kind)
       : scene_(scene),
         scan_scene_(scan_scene),
         face_orders_(scene.vertices, facets, scan_scene.of_faces, scan_scene.skew),
@@ -31,22 +32,22 @@ class GlassStudy final : private PairOrders {
     method_->ask(this);
   }
 
-  void study(const PreparedLine& line) {
+  void compose(const PreparedLine& line) {
     line_ = &line;
     opaque_.clear();
-    glass_.clear();
+    transparent_.clear();
     stops_.clear();
     active_.clear();
     for (const Segment& s : line.real_segments) {
-      if (s.x0 < s.x1) (is_glass(face_of(s)) ? glass_ : opaque_).push_back(s);
+      if (s.x0 < s.x1) (is_transparent(face_of(s)) ? transparent_ : opaque_).push_back(s);
     }
-    std::ranges::sort(glass_, {}, [](const Segment& s) { return std::pair(s.x0, s.face); });
+    std::ranges::sort(transparent_, {}, [](const Segment& s) { return std::pair(s.x0, s.face); });
     method_->study(opaque_, found_);
     for (const VisibleSpan& s : found_) {
       stops_.push_back(s.x0);
       stops_.push_back(s.x1);
     }
-    for (const Segment& s : glass_) {
+    for (const Segment& s : transparent_) {
       stops_.push_back(s.x0);
       stops_.push_back(s.x1);
     }
@@ -56,14 +57,14 @@ class GlassStudy final : private PairOrders {
   }
 
   std::vector<Span> spans;
-  GlassLayers layers;
+  TransparentLayers layers;
 
  private:
   DepthOrder of(std::uint32_t a, std::uint32_t b) override {
     return face_orders_.of(line_->ends[a].face, line_->ends[b].face);
   }
   std::uint32_t face_of(const Segment& s) const { return line_->ends[s.face].face; }
-  bool is_glass(std::uint32_t face) const {
+  bool is_transparent(std::uint32_t face) const {
     return face < scene_.face_is_transparent.size() && scene_.face_is_transparent[face] != 0;
   }
   DepthComparison compare(const Segment& a, const Segment& b, double from, double to) {
@@ -71,12 +72,12 @@ class GlassStudy final : private PairOrders {
   }
 
   void walk() {
-    std::size_t next_opaque = 0, next_glass = 0;
+    std::size_t next_opaque = 0, next_transparent = 0;
     for (std::size_t i = 0; i + 1 < stops_.size(); ++i) {
       const double from = stops_[i], to = stops_[i + 1];
-      std::erase_if(active_, [&](std::uint32_t g) { return glass_[g].x1 <= from; });
-      for (; next_glass < glass_.size() && glass_[next_glass].x0 <= from; ++next_glass) {
-        active_.push_back(static_cast<std::uint32_t>(next_glass));
+      std::erase_if(active_, [&](std::uint32_t g) { return transparent_[g].x1 <= from; });
+      for (; next_transparent < transparent_.size() && transparent_[next_transparent].x0 <= from; ++next_transparent) {
+        active_.push_back(static_cast<std::uint32_t>(next_transparent));
       }
       while (next_opaque < found_.size() && found_[next_opaque].x1 <= from) ++next_opaque;
       const bool covered = next_opaque < found_.size() && found_[next_opaque].x0 <= from;
@@ -90,19 +91,19 @@ class GlassStudy final : private PairOrders {
       sort_active(from, end);
       double to = end;
       for (std::size_t i = 1; i < active_.size(); ++i) {
-        const DepthComparison c = compare(glass_[active_[i - 1]], glass_[active_[i]], from, end);
+        const DepthComparison c = compare(transparent_[active_[i - 1]], transparent_[active_[i]], from, end);
         if (c.order == DepthOrder::crossing) to = std::min(to, c.x);
       }
       in_front_.clear();
       for (const std::uint32_t g : active_) {
         if (opaque) {
-          const DepthComparison c = compare(glass_[g], *opaque, from, end);
+          const DepthComparison c = compare(transparent_[g], *opaque, from, end);
           if (c.order == DepthOrder::crossing) to = std::min(to, c.x);
           if (!c.begins_with_first()) continue;
         }
-        in_front_.push_back(face_of(glass_[g]));
+        in_front_.push_back(face_of(transparent_[g]));
       }
-      std::uint32_t list = GlassLayers::kNoGlass;
+      std::uint32_t list = TransparentLayers::kEmptyList;
       for (auto face = in_front_.rbegin(); face != in_front_.rend(); ++face) list = layers.over(*face, list);
       give(from, to, opaque ? face_of(*opaque) : kNone, list);
       from = to;
@@ -114,7 +115,7 @@ class GlassStudy final : private PairOrders {
     for (std::size_t i = 1; i < active_.size(); ++i) {
       const std::uint32_t moving = active_[i];
       std::size_t k = i;
-      for (; k > 0 && !compare(glass_[active_[k - 1]], glass_[moving], from, end).begins_with_first(); --k) {
+      for (; k > 0 && !compare(transparent_[active_[k - 1]], transparent_[moving], from, end).begins_with_first(); --k) {
         active_[k] = active_[k - 1];
       }
       active_[k] = moving;
@@ -131,7 +132,7 @@ class GlassStudy final : private PairOrders {
     if (!(from < to)) return;
     if (!spans.empty()) {
       Span& last = spans.back();
-      if (last.line == line_->line && last.face == face && last.glass == list && last.x_to == from) {
+      if (last.line == line_->line && last.face == face && last.in_front == list && last.x_to == from) {
         last.x_to = to;
         return;
       }
@@ -144,7 +145,7 @@ class GlassStudy final : private PairOrders {
   FaceOrders face_orders_;
   std::unique_ptr<SpanMethod<double>> method_;
   const PreparedLine* line_ = nullptr;
-  std::vector<Segment> opaque_, glass_;
+  std::vector<Segment> opaque_, transparent_;
   std::vector<VisibleSpan> found_;
   std::vector<double> stops_;
   std::vector<std::uint32_t> active_, in_front_;
@@ -153,8 +154,8 @@ class GlassStudy final : private PairOrders {
 
 }  // namespace
 
-SpanModel glass_spans(const ProjectedScene& scene, const std::vector<Facet>& facets, const LineGrid& grid,
-                      const SpanLines& lines, const LineStudyOptions& options) {
+SpanModel transparent_spans(const ProjectedScene& scene, const std::vector<Facet>& facets, const LineGrid& grid,
+                            const SpanLines& lines, const LineStudyOptions& options) {
   constexpr std::uint32_t kGroups = 32;
   const ScanScene scan_scene = make_scan_scene(scene, facets, {}, grid, options.coincidence_steps, options.skew);
   const std::uint32_t size = std::max(1u, (grid.count + kGroups - 1) / kGroups), groups = (grid.count + size - 1) / size;
@@ -165,21 +166,21 @@ SpanModel glass_spans(const ProjectedScene& scene, const std::vector<Facet>& fac
     const auto first = static_cast<std::uint32_t>(group) * size;
     NoListener listener;
     LineScan scan(scan_scene, scene.vertices, facets, {}, scan_options, listener);
-    GlassStudy study(scene, facets, scan_scene, options.scan.kind);
+    TransparentLineSpans composer(scene, facets, scan_scene, options.scan.kind);
     PreparedLine prepared;
     scan.begin_preparing(first);
     for (std::uint32_t line = first; line < std::min(grid.count, first + size); ++line) {
       scan.prepare(line, prepared);
-      study.study(prepared);
+      composer.compose(prepared);
     }
-    found[group] = {lines, std::move(study.spans), std::move(study.layers)};
+    found[group] = {lines, std::move(composer.spans), std::move(composer.layers)};
   });
   SpanModel model;
   model.lines = lines;
   for (const SpanModel& part : found) {
-    const std::vector<std::uint32_t> numbers = model.glass.merge(part.glass);
+    const std::vector<std::uint32_t> numbers = model.layers.merge(part.layers);
     for (Span span : part.spans) {
-      span.glass = numbers[span.glass];
+      span.in_front = numbers[span.in_front];
       model.spans.push_back(span);
     }
   }

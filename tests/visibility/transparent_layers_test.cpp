@@ -7,36 +7,36 @@
 #include "support/test.hpp"
 #include "visibility/registry.hpp"
 
-namespace ligne::test::glass_test {
+namespace ligne::test::transparent_layers_test {
 namespace {
 
 using Faces = std::vector<std::uint32_t>;
 
 /// The visible faces at a point: transparent ones from front to back, then the opaque one or kNone.
 struct Seen {
-  Faces glass;
+  Faces in_front;
   std::uint32_t face = kNone;
   friend bool operator==(const Seen&, const Seen&) = default;
 };
 
 std::ostream& operator<<(std::ostream& out, const Seen& seen) {
   out << "glass";
-  for (const std::uint32_t f : seen.glass) out << ' ' << f;
+  for (const std::uint32_t f : seen.in_front) out << ' ' << f;
   return out << " before " << static_cast<std::int32_t>(seen.face);
 }
 
-Seen seen_of(const GlassLayers& layers, std::uint32_t face, std::uint32_t list) {
+Seen seen_of(const TransparentLayers& layers, std::uint32_t face, std::uint32_t list) {
   Seen seen{{}, face};
-  layers.for_each(list, [&](std::uint32_t f) { seen.glass.push_back(f); });
+  layers.for_each(list, [&](std::uint32_t f) { seen.in_front.push_back(f); });
   return seen;
 }
 
 /// A scene with its faces from below the page corner (0, 0) upwards, at a scale of 1, seen from above.
-struct GlassScene {
+struct PanesScene {
   Scene scene;
   ProjectedScene projected;
 
-  GlassScene(const std::vector<std::vector<Point3>>& faces, const std::vector<std::uint32_t>& transparent) {
+  PanesScene(const std::vector<std::vector<Point3>>& faces, const std::vector<std::uint32_t>& transparent) {
     scene = scene_of_faces(faces);
     scene.materials = {{"plain", {0.8, 0.8, 0.8}, 1}, {"glass", {0.5, 0.7, 0.9}, 0.4}};
     scene.face_material.assign(faces.size(), 0);
@@ -51,14 +51,14 @@ struct GlassScene {
   VisibilityResult result(const char* method) const {
     VisibilityOptions options;
     options.span_lines = SpanLines{0.25, 0.5, 200};
-    options.glass = true;
+    options.with_transparent_faces = true;
     return find_method(method)->compute_visibility(projected, options);
   }
 };
 
 Seen span_at(const SpanModel& model, std::uint32_t line, double x) {
   for (const Span& s : model.spans) {
-    if (s.line == line && s.x_from <= x && x < s.x_to) return seen_of(model.glass, s.face, s.glass);
+    if (s.line == line && s.x_from <= x && x < s.x_to) return seen_of(model.layers, s.face, s.in_front);
   }
   return {};
 }
@@ -67,7 +67,7 @@ Seen pixel_at(const PixelModel& model, Point2 page_mm) {
   const auto column = static_cast<std::uint32_t>((page_mm.x - model.corner_mm.x) / model.pixel_mm),
              row = static_cast<std::uint32_t>((page_mm.y - model.corner_mm.y) / model.pixel_mm);
   const std::size_t i = std::size_t{row} * model.width + column;
-  return seen_of(model.glass, model.face[i], model.pixel_glass.empty() ? 0 : model.pixel_glass[i]);
+  return seen_of(model.layers, model.face[i], model.in_front.empty() ? 0 : model.in_front[i]);
 }
 
 std::vector<Point3> plate(double x0, double x1, double z0, double z1) {
@@ -75,8 +75,8 @@ std::vector<Point3> plate(double x0, double x1, double z0, double z1) {
 }
 
 /// Two panes before a plate, beside each other and beside the plate.
-TEST(Glass, ListsAreFromFrontToBack) {
-  const GlassScene s({plate(40, 80, 0, 0), plate(0, 60, 20, 20), plate(20, 80, 10, 10)}, {1, 2});
+TEST(TransparentFaces, ListsAreFromFrontToBack) {
+  const PanesScene s({plate(40, 80, 0, 0), plate(0, 60, 20, 20), plate(20, 80, 10, 10)}, {1, 2});
   const VisibilityResult spans = s.result("watkins"), pixels = s.result("zbuffer");
   EXPECT_EQ(spans.left_out, "");
   const std::vector<std::pair<double, Seen>> expected = {
@@ -98,8 +98,8 @@ TEST(Glass, ListsAreFromFrontToBack) {
 }
 
 /// Two panes that cross at x = 40 above a ramp that comes through the lower one at x = 60.
-TEST(Glass, PenetrationsEndSpans) {
-  const GlassScene s({plate(0, 80, -25, 15), plate(0, 80, 10, 0), plate(0, 80, 0, 10)}, {1, 2});
+TEST(TransparentFaces, PenetrationsEndSpans) {
+  const PanesScene s({plate(0, 80, -25, 15), plate(0, 80, 10, 0), plate(0, 80, 0, 10)}, {1, 2});
   const VisibilityResult spans = s.result("watkins"), pixels = s.result("zbuffer");
   // Pane 1: 10 - x/8, pane 2: x/8, ramp: -25 + x/2. The ramp meets pane 1 at x = 56 and pane 2 at x = 200/3.
   const std::vector<std::pair<double, Seen>> expected = {
@@ -116,8 +116,8 @@ TEST(Glass, PenetrationsEndSpans) {
 }
 
 /// Panes of one plane: the lower number is in front on every line. A pane in the plane of an opaque face likewise.
-TEST(Glass, TouchingFacesKeepOneOrder) {
-  const GlassScene s({plate(0, 80, 3, 7), plate(10, 70, 3.5, 6.5), plate(20, 60, 4, 6)}, {0, 2});
+TEST(TransparentFaces, TouchingFacesKeepOneOrder) {
+  const PanesScene s({plate(0, 80, 3, 7), plate(10, 70, 3.5, 6.5), plate(20, 60, 4, 6)}, {0, 2});
   const VisibilityResult spans = s.result("watkins"), pixels = s.result("zbuffer");
   for (std::uint32_t line = 30; line < 170; ++line) {
     EXPECT_EQ(span_at(*spans.spans, line, 15), (Seen{{0}, kNone})) << line;
@@ -148,12 +148,12 @@ std::optional<Seen> search(const std::vector<std::vector<Point3>>& faces, const 
       seen.face = over[i].second;
       break;
     }
-    seen.glass.push_back(over[i].second);
+    seen.in_front.push_back(over[i].second);
   }
   return seen;
 }
 
-TEST(Glass, IsThatOfASearchAtPoints) {
+TEST(TransparentFaces, IsThatOfASearchAtPoints) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> place(0, 80), height(-15, 15);
   std::size_t points = 0, stacked = 0;
@@ -167,7 +167,7 @@ TEST(Glass, IsThatOfASearchAtPoints) {
       faces.push_back(triangle);
     }
     const std::vector<std::uint32_t> transparent = {2, 3, 4, 5, 6, 7, 8, 9, 10};
-    const GlassScene s(faces, transparent);
+    const PanesScene s(faces, transparent);
     const VisibilityResult spans = s.result("watkins"), pixels = s.result("zbuffer");
     for (std::uint32_t line = 22; line < 178; line += 5) {
       for (double x = 10.25; x < 90; x += 0.5) {
@@ -175,7 +175,7 @@ TEST(Glass, IsThatOfASearchAtPoints) {
         const std::optional<Seen> expected = search(faces, transparent, x - 10, 90 - y);
         if (!expected) continue;
         ++points;
-        stacked += expected->glass.size() > 2;
+        stacked += expected->in_front.size() > 2;
         ASSERT_EQ(span_at(*spans.spans, line, x), *expected) << x << ", " << y;
         ASSERT_EQ(pixel_at(*pixels.pixels, {x, y}), *expected) << x << ", " << y;
       }
@@ -185,16 +185,16 @@ TEST(Glass, IsThatOfASearchAtPoints) {
   EXPECT_GT(stacked, 500u);
 }
 
-/// Without VisibilityOptions::glass spans and pixels are those of the opaque faces, and a warning says so.
-TEST(Glass, IsLeftOutIfNotAskedFor) {
-  const GlassScene s({plate(40, 80, 0, 0), plate(0, 60, 20, 20)}, {1});
+/// Without VisibilityOptions::with_transparent_faces spans and pixels are those of the opaque faces, and a warning says so.
+TEST(TransparentFaces, IsLeftOutIfNotAskedFor) {
+  const PanesScene s({plate(40, 80, 0, 0), plate(0, 60, 20, 20)}, {1});
   VisibilityOptions options;
   options.span_lines = SpanLines{0.25, 0.5, 200};
   const VisibilityResult result = find_method("watkins")->compute_visibility(s.projected, options);
-  EXPECT_TRUE(result.spans->glass.empty());
+  EXPECT_TRUE(result.spans->layers.empty());
   EXPECT_EQ(result.left_out, "1 transparent faces from the areas");
   for (const Span& span : result.spans->spans) EXPECT_EQ(span.face, 0u);
 }
 
 }  // namespace
-}  // namespace ligne::test::glass_test
+}  // namespace ligne::test::transparent_layers_test
