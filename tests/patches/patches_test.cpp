@@ -241,19 +241,30 @@ TEST(Patches, AFilletOfThreeBandsBesideABossIsATorus) {
   EXPECT_EQ(found.count(PatchEdge::tangent), 2u * sides);
 }
 
-/// The tangent edges that are left of a chain of so many between two faces that ends in the middle of these at both ends.
-/// The edges are of length 1 and parallel to the axis of a cylinder, on which the first face lies. Both faces are so wide.
-std::size_t tangents_left(int edges, bool is_beside_plane, double width = 1) {
+/// A chain of tangent edges between two faces. The edges have length 1 and are parallel to the axis of a cylinder, on which
+/// the first face lies.
+struct TangentChain {
+  bool is_beside_plane = true;
+  double width = 1;        ///< of both faces
+  double object_size = 0;  ///< length of the object along the chain; 0: that of the chain
+  bool is_ring = false;    ///< whether the last edge ends where the first one begins; otherwise both ends are free
+};
+
+/// Number of tangent edges that are left of a chain of so many.
+std::size_t tangents_left(int edges, const TangentChain& chain = {}) {
   Topology topology;
   Scene scene;
   for (int i = 0; i < edges; ++i) {
     const auto v = static_cast<std::uint32_t>(i);
-    topology.edges.push_back({v, v + 1, 0, 1});
+    topology.edges.push_back({v, chain.is_ring && i + 1 == edges ? 0 : v + 1, 0, 1});
     scene.vertices.emplace_back(i, 0, 0);
   }
   scene.vertices.emplace_back(edges, 0, 0);
-  scene.vertices.emplace_back(0, width, 0);
-  scene.vertices.emplace_back(0, -width, 0);
+  scene.vertices.emplace_back(0, chain.width, 0);
+  scene.vertices.emplace_back(0, -chain.width, 0);
+  scene.vertices.emplace_back(chain.object_size, 0, 0);
+  scene.objects.resize(1);
+  scene.objects[0].vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
   const auto end = static_cast<std::uint32_t>(edges);
   scene.faces.add_face(std::array{0u, end, end + 1});
   scene.faces.add_face(std::array{0u, end + 2, end});
@@ -263,23 +274,30 @@ std::size_t tangents_left(int edges, bool is_beside_plane, double width = 1) {
   patches.list.resize(1);
   patches.list[0].surface.axis = Point3(1, 0, 0);
   patches.patch_of = {0, kNone};
-  patches.is_freeform = {0, is_beside_plane ? std::uint8_t{0} : std::uint8_t{1}};
+  patches.is_freeform = {0, chain.is_beside_plane ? std::uint8_t{0} : std::uint8_t{1}};
   std::vector<PatchEdge> kinds(count, PatchEdge::tangent);
   drop_loose_tangents(scene, topology, patches, std::vector<std::uint8_t>(count, 0), kinds);
   return static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), PatchEdge::tangent));
 }
 
 TEST(Patches, ShortChainsOfTangentEdgesThatEndFreelyAreNone) {
-  for (int edges = 1; edges < 8; ++edges) EXPECT_EQ(tangents_left(edges, true), edges <= 3 ? 0 : std::size_t(edges));
+  for (int edges = 1; edges < 8; ++edges) EXPECT_EQ(tangents_left(edges), edges <= 3 ? 0 : std::size_t(edges));
+}
+
+TEST(Patches, TangentEdgesThatMeetNoLineAreNoneInAMuchLongerObject) {
+  EXPECT_EQ(tangents_left(6, {.object_size = 22}), 6u);
+  EXPECT_EQ(tangents_left(6, {.object_size = 26}), 0u);
+  EXPECT_EQ(tangents_left(6, {.object_size = 26, .is_ring = true}), 6u) << "a ring encloses something";
 }
 
 TEST(Patches, LongTangentEdgesBesideNarrowFacesAreKeptWhereTheyEndFreely) {
-  EXPECT_EQ(tangents_left(1, true, 0.3), 0u);
-  EXPECT_EQ(tangents_left(1, true, 0.2), 1u) << "a side of a strip that runs into a free form at both ends";
+  EXPECT_EQ(tangents_left(1, {.width = 0.3}), 0u);
+  EXPECT_EQ(tangents_left(1, {.width = 0.2}), 1u) << "a side of a strip that runs into a free form at both ends";
+  EXPECT_EQ(tangents_left(1, {.width = 0.2, .object_size = 26}), 1u);
 }
 
 TEST(Patches, TangentEdgesBetweenCurvedSurfacesThatEndFreelyAreNone) {
-  for (int edges = 1; edges < 8; ++edges) EXPECT_EQ(tangents_left(edges, false), 0u);
+  for (int edges = 1; edges < 8; ++edges) EXPECT_EQ(tangents_left(edges, {.is_beside_plane = false}), 0u);
 }
 
 }  // namespace

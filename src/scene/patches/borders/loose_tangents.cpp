@@ -2,7 +2,9 @@
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
+#include "scene/model/bounds.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
 
 namespace ligne {
@@ -15,12 +17,24 @@ constexpr std::size_t kMostLooseEdges = 3;
 /// of its length to the width of the face beside it.
 constexpr double kStripSine = 0.0175, kStripLength = 4;
 
+/// Adjustable. Largest total length of connected tangent edges that are dropped because they meet no other line, as a
+/// fraction of the diagonal of their object's bounding box. Longer ones tell more of the shape than their loose ends
+/// disturb.
+constexpr double kLongestLoneTree = 0.25;
+
 /// A vertex at which tangent edges end: their number, the exclusive or of their indices (the index itself if one edge
 /// is left), and whether another line ends there too.
 struct TangentNode {
   std::uint32_t vertex = 0, count = 0, numbers = 0;
   bool is_held = false;
   bool is_loose() const { return count == 1 && !is_held; }
+};
+
+/// Connected tangent edges. They form a tree if they have one node more than edges.
+struct TangentTree {
+  std::int64_t nodes_less_edges = 0;
+  double length = 0;
+  bool is_kept = false;
 };
 
 class TangentChains {
@@ -75,6 +89,35 @@ class TangentChains {
     }
   }
 
+  /// Drops connected tangent edges that meet no other line, enclose nothing (they form a tree) and are short for their
+  /// object. Those with a side of a strip are kept.
+  void drop_lone_trees() {
+    std::vector<std::uint32_t> tangent;
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+      if (edges_[e] == PatchEdge::tangent) tangent.push_back(e);
+    }
+    DisjointSets sets(nodes_.size());
+    for (const std::uint32_t e : tangent) sets.join(end_number(e, 0), end_number(e, 1));
+    std::vector<TangentTree> trees(nodes_.size());
+    for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
+      TangentTree& tree = trees[sets.find(n)];
+      ++tree.nodes_less_edges;
+      tree.is_kept |= nodes_[n].is_held;
+    }
+    for (const std::uint32_t e : tangent) {
+      TangentTree& tree = trees[sets.find(end_number(e, 0))];
+      --tree.nodes_less_edges;
+      tree.length += glm::distance(scene_.vertices[ends_of(e)[0]], scene_.vertices[ends_of(e)[1]]);
+      tree.is_kept |= is_of_strip(e);
+    }
+    for (const std::uint32_t e : tangent) {
+      TangentTree& tree = trees[sets.find(end_number(e, 0))];
+      if (tree.is_kept || tree.nodes_less_edges != 1) continue;
+      tree.is_kept = tree.length > kLongestLoneTree * size_of_object(ends_of(e)[0]);
+      if (!tree.is_kept) edges_[e] = PatchEdge::inside;
+    }
+  }
+
   /// Drops loose chains of up to kMostLooseEdges edges, except sides of strips.
   void drop_flecks() {
     std::vector<std::uint32_t> chain;
@@ -115,9 +158,26 @@ class TangentChains {
     return is_strip(edge.face0) || is_strip(edge.face1);
   }
 
+  /// Diagonal of the bounding box of the object that a vertex belongs to.
+  double size_of_object(std::uint32_t vertex) {
+    const auto object = std::ranges::upper_bound(scene_.objects, vertex, {}, &Object::vertex_end) - scene_.objects.begin();
+    sizes_.resize(scene_.objects.size(), -1);
+    double& size = sizes_[object];
+    if (size < 0) {
+      const auto [low, high] = bounds_of(scene_, scene_.objects[object].vertex_begin, scene_.objects[object].vertex_end);
+      size = glm::distance(low, high);
+    }
+    return size;
+  }
+
   TangentNode* node_at(std::uint32_t v) {
     const auto at = std::ranges::lower_bound(nodes_, v, {}, &TangentNode::vertex);
     return at != nodes_.end() && at->vertex == v ? &*at : nullptr;
+  }
+
+  /// Index of the node at an end of a tangent edge: 0 for its first vertex, 1 for its second one.
+  std::uint32_t end_number(std::uint32_t e, int end) {
+    return static_cast<std::uint32_t>(node_at(ends_of(e)[end]) - nodes_.data());
   }
 
   TangentNode* other_end(std::uint32_t e, const TangentNode& node) {
@@ -130,6 +190,7 @@ class TangentChains {
   const Patches& patches_;
   std::vector<PatchEdge>& edges_;
   std::vector<TangentNode> nodes_;  ///< sorted by vertex
+  std::vector<double> sizes_;       ///< per object; negative where not computed
 };
 
 }  // namespace
@@ -141,6 +202,7 @@ void drop_loose_tangents(const Scene& scene, const Topology& topology, const Pat
   chains.hold(is_line);
   chains.drop_between_curved();
   chains.drop_flecks();
+  chains.drop_lone_trees();
 }
 
 }  // namespace ligne
