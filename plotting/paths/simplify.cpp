@@ -1,48 +1,31 @@
 #include "plotting/paths/simplify.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <bit>
 
 #include <glm/geometric.hpp>
 
 #include "base/parallel.hpp"
-#include "plotting/paths/farthest_point.hpp"
-#include "plotting/paths/segment_distance.hpp"
+#include "geometry/nearest_on_segment.hpp"
 
 namespace ligne {
 namespace {
 
-/// Segments in a piece. Longer lines are simplified piece by piece, since the time for a piece can grow with the square
-/// of its points where they lie far beyond the ends of the segments tried. Adjustable.
+/// Segments in a piece. Longer lines are simplified piece by piece, in parallel. Adjustable.
 constexpr std::uint32_t kPiecePoints = 2048;
 
-/// Mean number of visits to each point of a piece before a tree is built over them, as for a zigzag. Adjustable.
-constexpr std::size_t kLooks = 8;
+/// Parts that were divided this many times as often as halving would take are halved, instead of being divided at
+/// their farthest points. So a zigzag, whose farthest points lie near its ends, takes O(n log n), too. Adjustable.
+constexpr unsigned kMostDepths = 2;
 
-/// Finds the farthest point of a part of a piece: by visiting all points, or after too many visits by a tree.
-class Farthest {
- public:
-  explicit Farthest(std::span<const Point2> piece) : piece_(piece), looks_left_(kLooks * piece.size()) {}
-
-  FarthestPoint::Found between(std::uint32_t from, std::uint32_t to) {
-    if (tree_) return tree_->between(from, to);
-    if (looks_left_ < to - from) return tree_.emplace(piece_).between(from, to);
-    looks_left_ -= to - from;
-    FarthestPoint::Found found{from, -1};
-    for (std::uint32_t i = from + 1; i < to; ++i) {
-      const double distance = squared_distance(piece_[i], piece_[from], piece_[to]);
-      if (distance > found.squared_distance) found = {i, distance};
-    }
-    return found;
-  }
-
- private:
-  std::span<const Point2> piece_;
-  std::size_t looks_left_;
-  std::optional<FarthestPoint> tree_;
+/// A part of a line that remains to be simplified.
+struct Part {
+  std::uint32_t to;
+  unsigned depth;  ///< the number of divisions that led to it
 };
 
-/// Appends the indices of the points that stay of a piece, except its first point, whose index is `first`.
+/// Appends the indices of the points that stay of a piece, except its first point, whose index is `first`
+/// [DouglasPeucker1973].
 void simplify_piece(std::span<const Point2> piece, std::uint32_t first, double tolerance, double most_lost,
                     std::vector<std::uint32_t>& kept) {
   const auto n = static_cast<std::uint32_t>(piece.size());
@@ -51,17 +34,22 @@ void simplify_piece(std::span<const Point2> piece, std::uint32_t first, double t
   const auto shortens = [&](std::uint32_t from, std::uint32_t to) {
     return to > from + 1 && glm::distance(piece[from], piece[to]) < (way[to] - way[from]) * (1 - most_lost);
   };
-  Farthest farthest(piece);
-  std::vector<std::uint32_t> stack{n - 1};
-  for (std::uint32_t from = 0; !stack.empty();) {
-    const std::uint32_t to = stack.back();
-    const auto [at, distance] = farthest.between(from, to);
-    if (distance > tolerance * tolerance || shortens(from, to)) {
-      stack.push_back(at);
+  std::vector<Part> parts{{n - 1, 0}};
+  for (std::uint32_t from = 0; !parts.empty();) {
+    const std::uint32_t to = parts.back().to;
+    double squared = -1;
+    std::uint32_t at = from;
+    for (std::uint32_t i = from + 1; i < to; ++i) {
+      const double here = squared_distance(piece[i], piece[from], piece[to]);
+      if (here > squared) squared = here, at = i;
+    }
+    if (squared > tolerance * tolerance || shortens(from, to)) {
+      const unsigned depth = ++parts.back().depth;
+      parts.push_back({depth > kMostDepths * static_cast<unsigned>(std::bit_width(n)) ? from + (to - from) / 2 : at, depth});
     } else {
       kept.push_back(first + to);
       from = to;
-      stack.pop_back();
+      parts.pop_back();
     }
   }
 }

@@ -14,4 +14,11 @@ double nearest_on_segment(const Point& p, const Point& from, const Point& to) {
   return square > 0 ? std::clamp(glm::dot(p - from, along) / square, 0.0, 1.0) : 0;
 }
 
+/// Square of the distance of a point from a segment. Rounded.
+template <class Point>
+double squared_distance(const Point& p, const Point& from, const Point& to) {
+  const Point away = p - (from + (to - from) * nearest_on_segment(p, from, to));
+  return glm::dot(away, away);
+}
+
 }  // namespace ligne

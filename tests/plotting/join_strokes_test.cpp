@@ -4,7 +4,6 @@
 #include "base/parallel.hpp"
 #include "plotting/paths/chain_ends.hpp"
 #include "plotting/paths/end_tree.hpp"
-#include "plotting/paths/farthest_point.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "plotting/paths/segment_distance.hpp"
 #include "plotting/paths/simplify.hpp"
@@ -207,34 +206,6 @@ std::vector<std::pair<std::string, Line>> lines() {
   all.emplace_back("in one place", Line(300, {1, 1}));
   for (std::size_t n = 2; n < 200; n += 31) all.emplace_back("beginning of a walk", Line(walk.begin(), walk.begin() + n));
   return all;
-}
-
-/// Rounding of the squared distance of a point on the segment: coordinates are below 2^11, and a dozen roundings move them.
-constexpr double kSquaredRounding = 0x1p-38 * 0x1p-38;
-
-TEST(FarthestPoint, IsAsFarAsALookAtAllPointsFinds) {
-  for (const auto& [name, line] : lines()) {
-    const FarthestPoint tree(line);
-    std::mt19937 random(5);
-    std::uniform_int_distribution<std::uint32_t> any(0, static_cast<std::uint32_t>(line.size()) - 1);
-    for (int k = 0; k < 300; ++k) {
-      std::uint32_t from = any(random), to = any(random);
-      if (k == 0) from = 0, to = static_cast<std::uint32_t>(line.size()) - 1;
-      if (from > to) std::swap(from, to);
-      double farthest = -1;
-      for (std::uint32_t i = from + 1; i < to; ++i)
-        farthest = std::max(farthest, squared_distance(line[i], line[from], line[to]));
-      const FarthestPoint::Found found = tree.between(from, to);
-      const double rounding = 0x1p-47 * std::max(farthest, 0.0) + kSquaredRounding;
-      ASSERT_NEAR(found.squared_distance, farthest, rounding) << name << ", " << from << " to " << to;
-      if (to <= from + 1) {
-        ASSERT_EQ(found.at, from);
-        continue;
-      }
-      ASSERT_TRUE(from < found.at && found.at < to) << name;
-      ASSERT_EQ(squared_distance(line[found.at], line[from], line[to]), found.squared_distance) << name;
-    }
-  }
 }
 
 TEST(Simplified, KeepsTheLineWithinTheToleranceForAnyNumberOfThreads) {
