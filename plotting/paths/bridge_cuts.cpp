@@ -1,9 +1,11 @@
 #include "plotting/paths/bridge_cuts.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <tuple>
 #include <vector>
+
+#include "base/disjoint_sets.hpp"
+#include "linework/map/nodes.hpp"
+#include "linework/stroke_geometry.hpp"
 
 namespace ligne {
 namespace {
@@ -13,10 +15,6 @@ struct Gap {
   std::uint32_t first = 0, last = 0;
   double length = 0;  ///< lattice steps
 };
-
-double length_of(const Stroke& s) {
-  return std::hypot(static_cast<double>(s.to.x - s.from.x), static_cast<double>(s.to.y - s.from.y));
-}
 
 /// The gaps of all lines, and the strokes that would fill them.
 class GapFinder {
@@ -71,7 +69,7 @@ void GapFinder::find(std::uint32_t first, std::uint32_t last) {
     Gap gap{base + static_cast<std::uint32_t>(kept.size()), 0, 0};
     for (std::uint32_t i = from; i != to; ++i) {
       kept.push_back(pieces[i]);
-      gap.length += length_of(pieces[i]);
+      gap.length += page_length(pieces[i]);
     }
     gap.last = base + static_cast<std::uint32_t>(kept.size());
     gaps.push_back(gap);
@@ -85,53 +83,40 @@ void GapFinder::find(std::uint32_t first, std::uint32_t last) {
   pieces.insert(pieces.end(), kept.begin(), kept.end());
 }
 
-/// Points where strokes end, their connected components, and whether an odd number of strokes meets in each.
-class Nodes {
+/// The connected components of strokes, and whether an odd number of strokes meets at each node.
+class Parities {
  public:
-  Nodes(std::span<const Stroke> strokes, std::span<const Stroke> pieces) {
-    for (const auto list : {strokes, pieces}) {
-      for (const Stroke& s : list) points_.insert(points_.end(), {s.from, s.to});
-    }
-    std::sort(points_.begin(), points_.end());
-    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
-    parent_.resize(points_.size());
-    for (std::uint32_t n = 0; n < parent_.size(); ++n) parent_[n] = n;
-    odd_.assign(points_.size(), 0);
-    odd_ends_.assign(points_.size(), 0);
-    for (const Stroke& s : strokes) add(node(s.from), node(s.to));
+  /// Nodes are those of all strokes, but only the first `count` strokes are connected at first.
+  Parities(const std::vector<Stroke>& strokes, std::uint32_t count)
+      : nodes_(strokes), sets_(nodes_.end_count()), is_odd_(nodes_.end_count(), 0), odd_nodes_(nodes_.end_count(), 0) {
+    for (std::uint32_t i = 0; i < count; ++i) connect(i);
   }
 
-  std::uint32_t node(LatticePoint p) const {
-    return static_cast<std::uint32_t>(std::lower_bound(points_.begin(), points_.end(), p) - points_.begin());
-  }
-  void add(std::uint32_t a, std::uint32_t b) {
+  void connect(std::uint32_t stroke) {
+    std::uint32_t a = nodes_.of(2 * stroke), b = nodes_.of(2 * stroke + 1);
     if (a == b) return;
     for (const std::uint32_t n : {a, b}) {
-      odd_[n] ^= 1;
-      odd_ends_[set_of(n)] += odd_[n] ? 1 : -1;
+      is_odd_[n] ^= 1;
+      odd_nodes_[sets_.find(n)] += is_odd_[n] ? 1 : -1;
     }
-    a = set_of(a);
-    b = set_of(b);
+    a = sets_.find(a);
+    b = sets_.find(b);
     if (a == b) return;
-    parent_[std::max(a, b)] = std::min(a, b);
-    odd_ends_[std::min(a, b)] += odd_ends_[std::max(a, b)];
+    sets_.join(a, b);
+    odd_nodes_[sets_.find(a)] = odd_nodes_[a] + odd_nodes_[b];
   }
-  /// Whether a stroke between the two nodes saves a lift of the pen.
-  bool spares(std::uint32_t a, std::uint32_t b) {
-    if (a == b || !odd_[a] || !odd_[b]) return false;
-    return set_of(a) != set_of(b) || odd_ends_[set_of(a)] > 2;
+  /// Whether a line between the nodes of two ends saves a lift of the pen.
+  bool spares(std::uint32_t from_end, std::uint32_t to_end) {
+    const std::uint32_t a = nodes_.of(from_end), b = nodes_.of(to_end);
+    if (a == b || !is_odd_[a] || !is_odd_[b]) return false;
+    return sets_.find(a) != sets_.find(b) || odd_nodes_[sets_.find(a)] > 2;
   }
 
  private:
-  std::uint32_t set_of(std::uint32_t n) {
-    while (parent_[n] != n) n = parent_[n] = parent_[parent_[n]];
-    return n;
-  }
-
-  std::vector<LatticePoint> points_;
-  std::vector<std::uint32_t> parent_;
-  std::vector<char> odd_;
-  std::vector<std::int32_t> odd_ends_;  ///< number of odd nodes of a component, at its first node
+  Nodes nodes_;
+  DisjointSets sets_;                    ///< sets of nodes
+  std::vector<std::uint8_t> is_odd_;     ///< by node
+  std::vector<std::int32_t> odd_nodes_;  ///< by set: number of odd nodes
 };
 
 }  // namespace
@@ -146,18 +131,19 @@ bool bridge_cuts(std::span<const Stroke> whole, std::span<const std::uint32_t> l
   std::erase_if(finder.gaps, [&](const Gap& gap) { return !(gap.length < most); });
   if (finder.gaps.empty()) return false;
   std::stable_sort(finder.gaps.begin(), finder.gaps.end(), [](const Gap& a, const Gap& b) { return a.length < b.length; });
-  Nodes nodes(model.strokes, finder.pieces);
-  bool any = false;
+  const auto count = static_cast<std::uint32_t>(model.strokes.size());
+  std::vector<Stroke> all = model.strokes;
+  all.insert(all.end(), finder.pieces.begin(), finder.pieces.end());
+  Parities parities(all, count);
   for (const Gap& gap : finder.gaps) {
-    const auto pieces = std::span(finder.pieces).subspan(gap.first, gap.last - gap.first);
-    if (!nodes.spares(nodes.node(pieces.front().from), nodes.node(pieces.back().to))) continue;
-    for (const Stroke& piece : pieces) {
-      nodes.add(nodes.node(piece.from), nodes.node(piece.to));
-      model.strokes.push_back(piece);
+    const std::uint32_t first = count + gap.first, last = count + gap.last;
+    if (!parities.spares(2 * first, 2 * last - 1)) continue;
+    for (std::uint32_t i = first; i < last; ++i) {
+      parities.connect(i);
+      model.strokes.push_back(all[i]);
     }
-    any = true;
   }
-  return any;
+  return model.strokes.size() > count;
 }
 
 }  // namespace ligne

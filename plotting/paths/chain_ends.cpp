@@ -6,7 +6,8 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "plotting/paths/end_tree.hpp"
+#include "geometry/point_tree.hpp"
+#include "linework/map/continuations.hpp"
 #include "plotting/paths/path_length.hpp"
 
 namespace ligne {
@@ -34,13 +35,13 @@ std::vector<Pair> near_pairs(const Polylines& lines, double tolerance_mm) {
       points.push_back(last ? lines[i].back() : lines[i].front());
     }
   }
-  const EndTree tree(points);
+  const PointTree tree(points);
   std::vector<std::vector<Pair>> found(ends.size());
   parallel_blocks(ends.size(), kSearchBlock, [&](std::size_t first, std::size_t last) {
-    std::vector<EndTree::Neighbour> neighbours;
+    std::vector<PointTree::Neighbour> neighbours;
     for (std::size_t e = first; e < last; ++e) {
       tree.nearest(points[e], kCandidates + 1, neighbours);
-      for (const EndTree::Neighbour& n : neighbours) {
+      for (const PointTree::Neighbour& n : neighbours) {
         if (n.squared > tolerance_mm * tolerance_mm) break;
         if (n.point != e)
           found[e].push_back({n.squared, std::min(ends[e], ends[n.point]), std::max(ends[e], ends[n.point])});
@@ -67,12 +68,9 @@ Polylines join_near_ends(const Polylines& lines, double tolerance_mm) {
   }
 
   Polylines out;
-  std::vector<char> walked(lines.size(), 0);
-  const auto walk = [&](std::uint32_t start) {
+  for_each_line(partner, LineOrder::strokes, [&](std::span<const std::uint32_t> ends, bool is_ring) {
     const std::size_t first = out.points.size();
-    std::uint32_t end = start;
-    while (end != kNone && !walked[end / 2]) {
-      walked[end / 2] = 1;
+    for (const std::uint32_t end : ends) {
       const auto line = lines[end / 2];
       const auto add = [&](Point2 p) {
         if (out.points.size() == first || out.points.back() != p) out.points.push_back(p);
@@ -82,17 +80,10 @@ Polylines join_near_ends(const Polylines& lines, double tolerance_mm) {
       } else {
         std::for_each(line.rbegin(), line.rend(), add);
       }
-      end = partner[end ^ 1];
     }
-    if (end != kNone && out.points.back() != out.points[first]) out.points.push_back(out.points[first]);
+    if (is_ring && out.points.back() != out.points[first]) out.points.push_back(out.points[first]);
     out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
-  };
-  for (std::uint32_t i = 0; i < lines.size(); ++i) {
-    if (walked[i]) continue;
-    std::uint32_t start = 2 * i;
-    while (partner[start] != kNone && (partner[start] ^ 1) != 2 * i) start = partner[start] ^ 1;
-    walk(partner[start] == kNone ? start : 2 * i);
-  }
+  });
   return out;
 }
 

@@ -15,15 +15,14 @@
 #include "linework/overlaps/coincident_strokes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 #include <utility>
 
-#include <glm/geometric.hpp>
-
+#include "base/disjoint_sets.hpp"
+#include "base/key_table.hpp"
 #include "base/no_index.hpp"
-#include "linework/node_pairs.hpp"
+#include "linework/map/continuations.hpp"
 #include "plotting/paths/bridge_cuts.hpp"
 #include "plotting/paths/chain_ends.hpp"
 #include "plotting/paths/simplify.hpp"
@@ -73,7 +72,7 @@ void remove_small_doubles(LatticeLines& lines, double tolerance_mm) {
   std::vector<Point2> places;
   places.reserve(lines.points.size());
   for (const LatticePoint p : lines.points) places.push_back(lines.lattice.to_mm(p));
-  const std::vector<char> doubled = small_doubles(places, lines.begin, tolerance_mm);
+  const std::vector<char> doubled = small_doubles(places, lines.begin, lines.lattice, tolerance_mm);
   if (std::ranges::find(doubled, 1) == doubled.end()) return;
   std::vector<LatticePoint> points;
   std::vector<std::uint32_t> begin{0};
@@ -88,12 +87,12 @@ void remove_small_doubles(LatticeLines& lines, double tolerance_mm) {
 
 /// Per point: 1 if another point lies on the same lattice point.
 std::vector<char> shared_points(const LatticeLines& lines) {
-  std::vector<std::uint32_t> order(lines.points.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::uint32_t l, std::uint32_t r) { return lines.points[l] < lines.points[r]; });
-  std::vector<char> shared(order.size(), 0);
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    if (lines.points[order[i]] == lines.points[order[i - 1]]) shared[order[i]] = shared[order[i - 1]] = 1;
+  std::vector<char> shared(lines.points.size(), 0);
+  KeyTable first_at;
+  for (std::uint32_t i = 0; i < shared.size(); ++i) {
+    std::uint32_t& first = first_at[KeyTable::key(lines.points[i])];
+    if (first == kNone) first = i;
+    shared[i] = shared[first] = first != i;
   }
   return shared;
 }
@@ -141,170 +140,112 @@ StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm, double m
 /// Keeps one of the segments between the same two points, however short: remove_coincident_strokes() finds only
 /// overlaps longer than the tolerance.
 void remove_equal(std::vector<Stroke>& strokes) {
-  const auto key = [](const Stroke& s) {
-    const auto [low, high] = s.to < s.from ? std::pair(s.to, s.from) : std::pair(s.from, s.to);
-    return std::tuple(low.x, low.y, high.x, high.y);
-  };
-  std::sort(strokes.begin(), strokes.end(),
-            [&](const Stroke& l, const Stroke& r) { return std::tuple(key(l), l.source) < std::tuple(key(r), r.source); });
-  strokes.erase(
-      std::unique(strokes.begin(), strokes.end(), [&](const Stroke& l, const Stroke& r) { return key(l) == key(r); }),
-      strokes.end());
-  std::sort(strokes.begin(), strokes.end(), [](const Stroke& l, const Stroke& r) { return l.source < r.source; });
+  const Nodes nodes(strokes);
+  KeyTable met;  // pairs of nodes
+  std::uint32_t end = 0;
+  std::erase_if(strokes, [&](const Stroke&) {
+    const auto a = static_cast<std::int32_t>(nodes.of(end)), b = static_cast<std::int32_t>(nodes.of(end + 1));
+    end += 2;
+    return std::exchange(met[KeyTable::key(std::min(a, b), std::max(a, b))], 0) != kNone;
+  });
 }
 
-/// Chains of strokes: end 2 i is the `from` of stroke i, end 2 i + 1 its `to`, partner[e] the end that continues e.
-class Chains {
+/// The lines that strokes make: the partner of each end, and the chains.
+class JoinedStrokes {
  public:
-  explicit Chains(const StrokeModel& model) : model_(model), strokes_(model.strokes), partner_(2 * strokes_.size(), kNone) {
-    find_nodes();
-    pair_ends();
-    number_chains();
-    take_in_rings();
+  explicit JoinedStrokes(const StrokeModel& model)
+      : model_(model),
+        strokes_(model.strokes),
+        nodes_(strokes_),
+        partner_(nodes_.end_count(), kNone),
+        chain_of_(strokes_.size()),
+        is_ring_(strokes_.size(), 1) {
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t end = 0; end < nodes_.end_count(); ++end) {
+      if (nodes_.first(nodes_.of(end)) == end) order.push_back(end);
+    }
+    std::ranges::sort(order, {}, [&](std::uint32_t node) { return point(node); });
+    for (const std::uint32_t node : order) pair_ends(node);
+    for (std::uint32_t end = 0; end < partner_.size(); ++end) {
+      if (partner_[end] != kNone) chain_of_.join(end / 2, partner_[end] / 2);
+    }
+    for (std::uint32_t end = 0; end < partner_.size(); ++end) {
+      if (partner_[end] == kNone) is_ring_[chain_of_.find(end / 2)] = 0;
+    }
+    for (const std::uint32_t node : order) take_in_rings(node);
   }
 
   Polylines polylines() const;
 
  private:
   LatticePoint point(std::uint32_t end) const { return end % 2 == 0 ? strokes_[end / 2].from : strokes_[end / 2].to; }
-  std::span<const std::uint32_t> node(std::size_t n) const {
-    return {ends_.data() + node_begin_[n], ends_.data() + node_begin_[n + 1]};
-  }
-  std::size_t node_count() const { return node_begin_.size() - 1; }
-
-  void find_nodes();
-  void pair_ends();
-  void number_chains();
-  void take_in_rings();
-  void lengthen_by_ring(std::span<const std::uint32_t> node, std::uint32_t pass);
-  std::uint32_t set_of(std::uint32_t chain);
+  void set_partners(std::uint32_t a, std::uint32_t b) { partner_[a] = b, partner_[b] = a; }
+  void pair_ends(std::uint32_t node);
+  void take_in_rings(std::uint32_t node);
+  void lengthen_by_ring(std::uint32_t node, std::uint32_t pass);
 
   const StrokeModel& model_;
   const std::vector<Stroke>& strokes_;
-  std::vector<std::uint32_t> partner_;
-  std::vector<std::uint32_t> ends_, node_begin_;
-  std::vector<std::uint32_t> chain_of_, parent_;  ///< per stroke: its chain; per chain: its parent in union-find
-  std::vector<char> ring_;
+  Nodes nodes_;
+  std::vector<std::uint32_t> partner_;  ///< by end
+  DisjointSets chain_of_;               ///< sets of strokes
+  std::vector<std::uint8_t> is_ring_;   ///< by chain
 };
 
-void Chains::find_nodes() {
-  ends_.resize(partner_.size());
-  for (std::uint32_t e = 0; e < ends_.size(); ++e) ends_[e] = e;
-  std::sort(ends_.begin(), ends_.end(), [&](std::uint32_t l, std::uint32_t r) {
-    const LatticePoint a = point(l), b = point(r);
-    return std::tie(a.x, a.y, l) < std::tie(b.x, b.y, r);
+/// Pairs the straightest ends at a node, then the rest in their order.
+void JoinedStrokes::pair_ends(std::uint32_t node) {
+  NodeArms arms;
+  nodes_.for_each_end(node, [&](std::uint32_t e) { arms.add(point(e), point(e ^ 1), e); });
+  pair_arms(arms.all(), partner_);
+  std::uint32_t waiting = kNone;
+  nodes_.for_each_end(node, [&](std::uint32_t e) {
+    if (partner_[e] != kNone) return;
+    if (waiting != kNone) set_partners(e, waiting);
+    waiting = waiting == kNone ? e : kNone;
   });
-  for (std::uint32_t i = 0; i < ends_.size(); ++i) {
-    if (i == 0 || point(ends_[i]) != point(ends_[i - 1])) node_begin_.push_back(i);
-  }
-  node_begin_.push_back(static_cast<std::uint32_t>(ends_.size()));
 }
 
-void Chains::pair_ends() {
-  std::vector<NodeArm> arms;
-  for (std::size_t n = 0; n < node_count(); ++n) {
-    arms.clear();
-    for (const std::uint32_t e : node(n)) {
-      const LatticePoint here = point(e), there = point(e ^ 1);
-      arms.push_back({{there.x - here.x, there.y - here.y}, e});
+void JoinedStrokes::take_in_rings(std::uint32_t node) {
+  std::uint32_t base = kNone;
+  nodes_.for_each_end(node, [&](std::uint32_t e) {
+    if (partner_[e] == kNone) return;
+    if (base == kNone) {
+      base = e;
+      return;
     }
-    pair_arms(arms, partner_);
-    std::uint32_t waiting = kNone;
-    for (const std::uint32_t e : node(n)) {
-      if (partner_[e] != kNone) continue;
-      if (waiting == kNone) {
-        waiting = e;
-      } else {
-        partner_[e] = waiting;
-        partner_[waiting] = e;
-        waiting = kNone;
-      }
-    }
-  }
-}
-
-void Chains::number_chains() {
-  chain_of_.assign(strokes_.size(), kNone);
-  const auto follow = [&](std::uint32_t start) {
-    const auto chain = static_cast<std::uint32_t>(ring_.size());
-    std::uint32_t end = start;
-    while (end != kNone && chain_of_[end / 2] == kNone) {
-      chain_of_[end / 2] = chain;
-      end = partner_[end ^ 1];
-    }
-    ring_.push_back(end != kNone);
-    parent_.push_back(chain);
-  };
-  for (std::uint32_t end = 0; end < partner_.size(); ++end) {
-    if (partner_[end] == kNone && chain_of_[end / 2] == kNone) follow(end);
-  }
-  for (std::uint32_t i = 0; i < strokes_.size(); ++i) {
-    if (chain_of_[i] == kNone) follow(2 * i);
-  }
-}
-
-std::uint32_t Chains::set_of(std::uint32_t chain) {
-  while (parent_[chain] != chain) chain = parent_[chain] = parent_[parent_[chain]];
-  return chain;
-}
-
-void Chains::take_in_rings() {
-  for (std::size_t n = 0; n < node_count(); ++n) {
-    std::uint32_t base = kNone;
-    for (const std::uint32_t e : node(n)) {
-      if (partner_[e] == kNone) continue;
-      if (base == kNone) {
-        base = e;
-        continue;
-      }
-      const std::uint32_t a = set_of(chain_of_[base / 2]), b = set_of(chain_of_[e / 2]);
-      if (a == b || !(ring_[a] || ring_[b])) continue;
-      const std::uint32_t base_other = partner_[base], other = partner_[e];
-      partner_[base] = e;
-      partner_[e] = base;
-      partner_[base_other] = other;
-      partner_[other] = base_other;
-      const std::uint32_t low = std::min(a, b), high = std::max(a, b);
-      ring_[low] = ring_[a] && ring_[b];
-      parent_[high] = low;
-    }
-    if (base != kNone) lengthen_by_ring(node(n), base);
-  }
+    const std::uint32_t a = chain_of_.find(base / 2), b = chain_of_.find(e / 2);
+    if (a == b || !(is_ring_[a] || is_ring_[b])) return;
+    set_partners(partner_[base], partner_[e]);
+    set_partners(base, e);
+    chain_of_.join(a, b);
+    is_ring_[chain_of_.find(a)] = is_ring_[a] && is_ring_[b];
+  });
+  if (base != kNone) lengthen_by_ring(node, base);
 }
 
 /// Continues a chain that ends on a ring around the ring.
-void Chains::lengthen_by_ring(std::span<const std::uint32_t> node, std::uint32_t pass) {
-  const std::uint32_t ring = set_of(chain_of_[pass / 2]);
-  if (!ring_[ring]) return;
-  for (const std::uint32_t e : node) {
-    const std::uint32_t chain = set_of(chain_of_[e / 2]);
-    if (partner_[e] != kNone || chain == ring) continue;
-    partner_[partner_[pass]] = kNone;
-    partner_[pass] = e;
-    partner_[e] = pass;
-    parent_[std::max(chain, ring)] = std::min(chain, ring);
-    ring_[std::min(chain, ring)] = 0;
-    return;
-  }
+void JoinedStrokes::lengthen_by_ring(std::uint32_t node, std::uint32_t pass) {
+  const std::uint32_t ring = chain_of_.find(pass / 2);
+  if (!is_ring_[ring]) return;
+  std::uint32_t loose = kNone;
+  nodes_.for_each_end(node, [&](std::uint32_t e) {
+    if (loose == kNone && partner_[e] == kNone && chain_of_.find(e / 2) != ring) loose = e;
+  });
+  if (loose == kNone) return;
+  partner_[partner_[pass]] = kNone;
+  set_partners(pass, loose);
+  chain_of_.join(ring, loose / 2);
+  is_ring_[chain_of_.find(ring)] = 0;
 }
 
-Polylines Chains::polylines() const {
+Polylines JoinedStrokes::polylines() const {
   Polylines out;
   out.points.reserve(strokes_.size() + strokes_.size() / 8);
-  std::vector<char> walked(strokes_.size(), 0);
-  for (std::uint32_t i = 0; i < strokes_.size(); ++i) {
-    if (walked[i]) continue;
-    // Back to where the chain begins; a ring begins here.
-    std::uint32_t start = 2 * i;
-    while (partner_[start] != kNone && (partner_[start] ^ 1) != 2 * i) start = partner_[start] ^ 1;
-    if (partner_[start] != kNone) start = 2 * i;
-    out.points.push_back(model_.lattice.to_mm(point(start)));
-    for (std::uint32_t end = start; end != kNone && !walked[end / 2]; end = partner_[end ^ 1]) {
-      walked[end / 2] = 1;
-      out.points.push_back(model_.lattice.to_mm(point(end ^ 1)));
-    }
+  for_each_line(partner_, LineOrder::strokes, [&](std::span<const std::uint32_t> ends, bool) {
+    out.points.push_back(model_.lattice.to_mm(point(ends.front())));
+    for (const std::uint32_t end : ends) out.points.push_back(model_.lattice.to_mm(point(end ^ 1)));
     out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
-  }
+  });
   return out;
 }
 
@@ -336,7 +277,7 @@ Polylines join_strokes(const Polylines& lines, const JoinTolerances& tolerances)
     }
     std::erase_if(model.strokes, [](const Stroke& s) { return s.from == s.to; });
   }
-  const Polylines joined = join_near_ends(Chains(model).polylines(), tolerances.ends_mm);
+  const Polylines joined = join_near_ends(JoinedStrokes(model).polylines(), tolerances.ends_mm);
 
   Polylines out;
   for (std::size_t i = 0; i < joined.size(); ++i) {

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "plotting/paths/end_tree.hpp"
+#include "geometry/point_tree.hpp"
 #include "plotting/paths/inside_first.hpp"
 #include "plotting/paths/tour.hpp"
 
@@ -59,7 +59,7 @@ Tour Strokes::nearest_neighbours() {
   }
   first_of.push_back(static_cast<std::uint32_t>(points.size()));
 
-  EndTree tree(points);
+  PointTree tree(points);
   Tour tour;
   tour.entries.push_back(2 * count());
   Point2 pen = options_.home;

@@ -1,15 +1,13 @@
 #include "plotting/paths/small_doubles.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "geometry/nearest_on_segment.hpp"
+#include "linework/map/line_cells.hpp"
 #include "plotting/paths/path_length.hpp"
-#include "plotting/paths/segment_distance.hpp"
 
 namespace ligne {
 namespace {
@@ -46,46 +44,32 @@ bool lies_on(Line line, Line other, double tolerance) {
   return true;
 }
 
-/// Lines by the centre of their bounding boxes, in grid cells of one tolerance.
-class LinesByMiddle {
- public:
-  explicit LinesByMiddle(double tolerance) : tolerance_(tolerance) {}
-
-  /// Whether a stored line lies on this one. If not, this one is stored, unless too many lines were compared.
-  bool known(Line line) {
-    Rect box;
-    for (const Point2 p : line) box.extend(p);
-    const Point2 middle = (box.min + box.max) * (0.5 / tolerance_);
-    const Cell cell{std::floor(middle.x), std::floor(middle.y)};
-    int compared = 0;
-    for (double y = -1; y <= 1; ++y) {
-      for (double x = -1; x <= 1; ++x) {
-        const auto found = cells_.find({cell[0] + x, cell[1] + y});
-        if (found == cells_.end()) continue;
-        for (const Line other : found->second) {
-          if (++compared > kMostCompared) return false;
-          if (lies_on(line, other, tolerance_) && lies_on(other, line, tolerance_)) return true;
-        }
-      }
-    }
-    cells_[cell].push_back(line);
-    return false;
-  }
-
- private:
-  using Cell = std::array<double, 2>;
-  double tolerance_;
-  std::map<Cell, std::vector<Line>> cells_;
-};
+/// The centre of the bounding box.
+Point2 middle_of(Line line) {
+  Rect box;
+  for (const Point2 p : line) box.extend(p);
+  return (box.min + box.max) * 0.5;
+}
 
 }  // namespace
 
-std::vector<char> small_doubles(std::span<const Point2> points, std::span<const std::uint32_t> begin, double tolerance_mm) {
+std::vector<char> small_doubles(std::span<const Point2> points, std::span<const std::uint32_t> begin, const Lattice& lattice,
+                                double tolerance_mm) {
+  const auto line_at = [&](std::uint32_t i) { return points.subspan(begin[i], begin[i + 1] - begin[i]); };
+  const double tolerance = tolerance_mm / lattice.step_mm;
   std::vector<char> doubled(begin.size() - 1, 0);
-  LinesByMiddle lines(tolerance_mm);
-  for (std::size_t i = 0; i + 1 < begin.size(); ++i) {
-    const Line line = points.subspan(begin[i], begin[i + 1] - begin[i]);
-    doubled[i] = is_small(line, tolerance_mm) && lines.known(line);
+  LineCells middles(tolerance);
+  for (std::uint32_t i = 0; i < doubled.size(); ++i) {
+    const Line line = line_at(i);
+    if (!is_small(line, tolerance_mm)) continue;
+    const LatticePoint middle = lattice.snap(middle_of(line));
+    int compared = 0;
+    middles.near(middle, middle, kPlacePart * tolerance, [&](std::uint32_t other) {
+      if (++compared > kMostCompared) return true;
+      doubled[i] = lies_on(line, line_at(other), tolerance_mm) && lies_on(line_at(other), line, tolerance_mm);
+      return doubled[i] != 0;
+    });
+    if (!doubled[i] && compared <= kMostCompared) middles.insert(i, middle, middle);
   }
   return doubled;
 }

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/point.hpp"
+#include "geometry/lattice.hpp"
 
 namespace ligne {
 
@@ -13,7 +13,8 @@ namespace ligne {
 /// other along their whole lengths, within the tolerance. Starting points and directions may differ. Only lines of at
 /// most kSmallLength tolerances, with short segments, are tested: longer segments are found to coincide one by one.
 /// Time O(n log n).
-std::vector<char> small_doubles(std::span<const Point2> points, std::span<const std::uint32_t> begin, double tolerance_mm);
+std::vector<char> small_doubles(std::span<const Point2> points, std::span<const std::uint32_t> begin, const Lattice& lattice,
+                                double tolerance_mm);
 
 /// Largest length of a small line, in tolerances. Simplification (JoinTolerances::simplify_loss) leaves segments
 /// shorter than a tolerance in circles of less than 25 tolerances across; this is the length of somewhat larger

@@ -18,7 +18,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/parallel.hpp"
-#include "plotting/paths/end_tree.hpp"
+#include "geometry/point_tree.hpp"
 
 namespace ligne {
 namespace {
@@ -94,14 +94,14 @@ class Improver {
 };
 
 void Improver::find_near() {
-  const EndTree tree(ends_);
+  const PointTree tree(ends_);
   near_.resize(ends_.size() * kNear);
   parallel_blocks(ends_.size(), kSearchBlock, [&](std::size_t first, std::size_t last) {
-    std::vector<EndTree::Neighbour> found;
+    std::vector<PointTree::Neighbour> found;
     for (std::size_t e = first; e < last; ++e) {
       tree.nearest(ends_[e], kNear + 2, found);
       std::size_t n = 0;
-      for (const EndTree::Neighbour& f : found) {
+      for (const PointTree::Neighbour& f : found) {
         if (f.point / 2 != e / 2 && n < kNear) near_[e * kNear + n++] = f.point;
       }
       for (; n < kNear; ++n) near_[e * kNear + n] = static_cast<std::uint32_t>(e);

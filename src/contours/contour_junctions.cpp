@@ -4,7 +4,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/indices_where.hpp"
 #include "base/no_index.hpp"
+#include "linework/map/nodes.hpp"
+#include "view/clip.hpp"
 
 namespace ligne {
 namespace {
@@ -16,26 +19,6 @@ constexpr double kCellMm = 2;
 constexpr double kMostOblique = 4;
 /// Number of segments before and behind a place over which the length of the chain's segments is averaged.
 constexpr int kSizeWindow = 3;
-
-/// Length of the pieces in which SegmentFinder lists a segment, in sides of a grid cell.
-constexpr double kPieceInCells = 4;
-
-/// Narrows the parameters [begin, end] of a segment to its part inside the box (Liang and Barsky). Returns false if no
-/// part is inside, or if a coordinate is not finite.
-bool clip_to_box(Point2 from, Point2 to, Point2 low, Point2 high, double& begin, double& end) {
-  for (int axis = 0; axis < 2; ++axis) {
-    const double d = to[axis] - from[axis];
-    if (!std::isfinite(d)) return false;
-    if (d == 0) {
-      if (from[axis] < low[axis] || from[axis] > high[axis]) return false;
-      continue;
-    }
-    const double a = (low[axis] - from[axis]) / d, b = (high[axis] - from[axis]) / d;
-    begin = std::max(begin, std::min(a, b));
-    end = std::min(end, std::max(a, b));
-  }
-  return begin <= end;
-}
 
 bool may_hide(const Stroke& s) {
   return s.visible && s.level == 0 &&
@@ -112,7 +95,7 @@ std::optional<double> nearest_crossing(const Change& change, const ContourCurve&
       curve.part(curve.point_at_length(change.from).at, curve.point_at_length(change.to).at);
   for (std::size_t i = 1; i < points.size(); ++i) {
     const CurvePoint &a = points[i - 1], &b = points[i];
-    finder.near(a.mm, b.mm, [&](const OutlineSegment& s) {
+    finder.near(a.mm, b.mm, 0, [&](const OutlineSegment& s) {
       // The finder also returns the searched part of the curve, which does not hide itself.
       if (s.chain == change.contour && s.length_to > change.from - change.reach &&
           s.length_from < change.to + change.reach) {
@@ -157,41 +140,21 @@ void close_gaps(const std::vector<Change>& changes, const std::vector<std::optio
 
 }  // namespace
 
-void SegmentFinder::expect(Point2 from, Point2 to) {
-  low_ = glm::min(low_, glm::min(from, to));
-  high_ = glm::max(high_, glm::max(from, to));
-  const Rectangle cells = cells_round(from, to);
-  if (cells == expected_) return;
-  expected_ = cells;
-  for_cells(cells, [&](std::uint64_t key) {
-    std::uint32_t& list = cells_[key];
-    if (list != kNone) return;
-    list = static_cast<std::uint32_t>(lists_.size());
-    lists_.emplace_back();
-  });
+void SegmentFinder::expect(Point2 from, Point2 to, double reach_mm) {
+  const Point2 reach(reach_mm);
+  for (const Point2 p : {from, to}) box_.extend(p - reach), box_.extend(p + reach);
+  cells_.expect(lattice_.snap(from), lattice_.snap(to), reach_mm / lattice_.step_mm);
 }
 
 void SegmentFinder::add(const OutlineSegment& segment) {
-  double begin = 0, end = 1;
-  const Point2 margin(cell_mm_);
-  if (!clip_to_box(segment.from, segment.to, low_ - margin, high_ + margin, begin, end)) return;
-  const Point2 d = segment.to - segment.from;
-  const auto at = [&](double t) { return segment.from + t * d; };
-  // Listed in pieces: the bounding box of a long slanted segment has far more cells than the segment passes.
-  const auto pieces =
-      static_cast<int>(std::ceil(std::max(1.0, (end - begin) * glm::length(d) / (kPieceInCells * cell_mm_))));
+  const Point2 margin(lattice_.step_mm), along = segment.to - segment.from;
+  if (!std::isfinite(along.x) || !std::isfinite(along.y)) return;
+  const auto part = clip_segment({segment.from.x, segment.from.y, 0, 1}, {segment.to.x, segment.to.y, 0, 1},
+                                 {{box_.min - margin, box_.max + margin}});
+  if (!part) return;
+  const auto at = [&](double t) { return lattice_.snap(segment.from + t * along); };
   const auto number = static_cast<std::uint32_t>(segments_.size());
-  bool listed = false;
-  for (int k = 0; k < pieces; ++k) {
-    const auto place = [&](int i) { return begin + double(i) / pieces * (end - begin); };
-    for_cells(cells_round(at(place(k)), at(place(k + 1))), [&](std::uint64_t key) {
-      const std::uint32_t cell = cells_.find(key);
-      if (cell == kNone) return;
-      if (lists_[cell].empty() || lists_[cell].back() != number) lists_[cell].push_back(number);
-      listed = true;
-    });
-  }
-  if (listed) segments_.push_back(segment);
+  if (cells_.insert(number, at(part->range[0]), at(part->range[1]))) segments_.push_back(segment);
 }
 
 bool crossing(Point2 from, Point2 to, const OutlineSegment& segment, double& fraction, double& depth) {
@@ -208,7 +171,7 @@ bool crossing(Point2 from, Point2 to, const OutlineSegment& segment, double& fra
 void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel& others, double reach_mm) {
   const std::vector<Change> changes = changes_of(contours, reach_mm);
   if (changes.empty()) return;
-  SegmentFinder finder(kCellMm);
+  SegmentFinder finder(others.lattice, kCellMm);
   for (const Change& change : changes) {
     const ContourCurve& curve = contours[change.contour].curve;
     const std::vector<CurvePoint> points =
@@ -242,7 +205,7 @@ struct MovedEnd {
   std::size_t stroke;
   bool first;
   double shift;  ///< mm along the stroke, outwards
-  LatticePoint from, to;
+  LatticePoint to;
 };
 
 /// Finds the nearest crossing with a contour in front near an end of a stroke, or beyond the end on its source edge. A
@@ -263,7 +226,7 @@ std::optional<MovedEnd> moved_end(const StrokeModel& model, std::size_t i, bool 
   const bool is_tangent = s.line_class == LineClass::tangent;
   const double slack = is_tangent ? back : 0;
   std::optional<double> best;
-  finder.near(from, to, [&](const OutlineSegment& piece) {
+  finder.near(from, to, 0, [&](const OutlineSegment& piece) {
     double fraction = 0, depth = 0;
     if (!crossing(from, to, piece, fraction, depth)) return;
     const double shift = fraction * (back + on) - back;
@@ -274,7 +237,7 @@ std::optional<MovedEnd> moved_end(const StrokeModel& model, std::size_t i, bool 
     best = shift;
   });
   if (!best) return std::nullopt;
-  return MovedEnd{i, first, *best, first ? s.from : s.to, model.lattice.snap(end + *best * along)};
+  return MovedEnd{i, first, *best, model.lattice.snap(end + *best * along)};
 }
 
 void apply(const MovedEnd& moved, StrokeModel& model) {
@@ -296,39 +259,24 @@ void apply(const MovedEnd& moved, StrokeModel& model) {
 }  // namespace
 
 void move_ends_of_strokes(StrokeModel& others, const std::vector<SeenContour>& contours, double reach_mm) {
-  SegmentFinder finder(kCellMm);
+  SegmentFinder finder(others.lattice, kCellMm);
   for (std::uint32_t c = 0; c < contours.size(); ++c) {
     for_visible_pieces(contours[c], c, [&](const OutlineSegment& s) { finder.expect(s.from, s.to); });
   }
   for (std::uint32_t c = 0; c < contours.size(); ++c) {
     for_visible_pieces(contours[c], c, [&](const OutlineSegment& s) { finder.add(s); });
   }
-  std::vector<MovedEnd> moved;
-  for (std::size_t i = 0; i < others.strokes.size(); ++i) {
-    const Stroke& s = others.strokes[i];
-    if (!s.visible || s.line_class == LineClass::axes) continue;
-    for (const bool first : {true, false}) {
-      if (const auto end = moved_end(others, i, first, finder, reach_mm)) moved.push_back(*end);
-    }
-  }
+  const std::vector<std::uint32_t> visible =
+      indices_where(others.strokes.size(), [&](std::size_t i) { return others.strokes[i].visible; });
   // An end at which another stroke continues stays in place.
-  std::vector<LatticePoint> places;
-  places.reserve(moved.size());
-  for (const MovedEnd& m : moved) places.push_back(m.from);
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  std::vector<std::uint32_t> arms(places.size(), 0);
-  for (const Stroke& s : others.strokes) {
-    if (!s.visible) continue;
-    for (const LatticePoint p : {s.from, s.to}) {
-      const auto found = std::lower_bound(places.begin(), places.end(), p);
-      if (found != places.end() && *found == p) ++arms[static_cast<std::size_t>(found - places.begin())];
-    }
+  const Nodes nodes(others.strokes, visible);
+  std::vector<MovedEnd> moved;
+  for (std::uint32_t end = 0; end < nodes.end_count(); ++end) {
+    const std::size_t i = visible[end / 2];
+    if (nodes.degree(nodes.of(end)) > 1 || others.strokes[i].line_class == LineClass::axes) continue;
+    if (const auto found = moved_end(others, i, end % 2 == 0, finder, reach_mm)) moved.push_back(*found);
   }
-  for (const MovedEnd& m : moved) {
-    const auto found = std::lower_bound(places.begin(), places.end(), m.from);
-    if (arms[static_cast<std::size_t>(found - places.begin())] == 1) apply(m, others);
-  }
+  for (const MovedEnd& m : moved) apply(m, others);
 }
 
 }  // namespace ligne

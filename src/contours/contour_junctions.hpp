@@ -7,9 +7,9 @@
 
 #include <vector>
 
-#include "base/key_table.hpp"
 #include "base/no_index.hpp"
 #include "contours/contour_states.hpp"
+#include "linework/map/line_cells.hpp"
 #include "linework/stroke.hpp"
 
 namespace ligne {
@@ -30,42 +30,29 @@ struct EndOfStroke {
   bool first = false;
 };
 
-/// Finds segments near a query segment, by a hash grid that has cells only near the queries announced beforehand.
+/// Finds segments near a query segment, by a grid that has cells only near the queries announced beforehand.
 class SegmentFinder {
  public:
   /// `cell_mm` is the side of a grid cell.
-  explicit SegmentFinder(double cell_mm) : cell_mm_(cell_mm) {}
+  SegmentFinder(const Lattice& lattice, double cell_mm) : lattice_(lattice), cells_(cell_mm / lattice.step_mm) {}
 
-  /// Announces a query near() with this segment. To be called before the first add().
-  void expect(Point2 from, Point2 to);
+  /// Announces a query near() with these arguments. To be called before the first add().
+  void expect(Point2 from, Point2 to, double reach_mm = 0);
   /// Stores a segment, unless it passes no cell of an expected query. Segments may be long and far outside the page.
   void add(const OutlineSegment& segment);
-  /// Calls found(segment) for all segments that may cross from-to; for some of them more than once.
+  /// Calls found(segment) for all segments within the reach of from-to; for some of them more than once.
   template <class Found>
-  void near(Point2 from, Point2 to, Found found) const {
-    for_cells(cells_round(from, to), [&](std::uint64_t key) {
-      const std::uint32_t cell = cells_.find(key);
-      if (cell == kNone) return;
-      for (const std::uint32_t i : lists_[cell]) found(segments_[i]);
+  void near(Point2 from, Point2 to, double reach_mm, const Found& found) const {
+    cells_.near(lattice_.snap(from), lattice_.snap(to), reach_mm / lattice_.step_mm, [&](std::uint32_t i) {
+      found(segments_[i]);
+      return false;
     });
   }
 
  private:
-  /// The cells with columns x0 to x1 and rows y0 to y1, both included.
-  struct Rectangle {
-    std::int32_t x0 = 0, x1 = -1, y0 = 0, y1 = -1;
-    friend bool operator==(const Rectangle&, const Rectangle&) = default;
-  };
-  /// The cells that the bounding box of the segment meets.
-  Rectangle cells_round(Point2 from, Point2 to) const;
-  template <class Visit>
-  static void for_cells(const Rectangle& cells, Visit visit);
-
-  double cell_mm_;
-  Point2 low_{1e300, 1e300}, high_{-1e300, -1e300};  ///< bounding box of all expected queries
-  KeyTable cells_;                                   ///< expected cell to the index of its list
-  Rectangle expected_;                               ///< cells of the last expected query: the next has often the same
-  std::vector<std::vector<std::uint32_t>> lists_;
+  Lattice lattice_;
+  LineCells cells_;
+  Rect box_;  ///< of all expected queries
   std::vector<OutlineSegment> segments_;
 };
 
@@ -96,5 +83,3 @@ void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel
 void move_ends_of_strokes(StrokeModel& others, const std::vector<SeenContour>& contours, double reach_mm);
 
 }  // namespace ligne
-
-#include "contours/contour_junctions.inl.hpp"

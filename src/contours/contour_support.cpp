@@ -63,7 +63,7 @@ ContourSupport::ContourSupport(const Scene& scene, const View& view, const Smoot
                                std::span<ContourChain* const> chains, std::span<const std::uint32_t> sides,
                                double pen_width_mm)
     : chains_(chains), view_(view), places_(chains.size()), middles_(chains.size()), pen_width_mm_(pen_width_mm) {
-  SegmentFinder finder(kSupportCellMm);
+  SegmentFinder finder(page_lattice(view), kSupportCellMm);
   for (std::size_t c = 0; c < chains.size(); ++c) {
     for (const ContourNode& node : chains[c]->nodes) {
       Place& place = places_[c].emplace_back();
@@ -76,7 +76,7 @@ ContourSupport::ContourSupport(const Scene& scene, const View& view, const Smoot
     middles_[c] = middles_of(*chains[c], places_[c]);
     for (const std::vector<Place>* places : {&places_[c], &middles_[c]}) {
       for (const Place& place : *places) {
-        if (place.counts) finder.expect(place.mm - Point2(reach(place)), place.mm + Point2(reach(place)));
+        if (place.counts) finder.expect(place.mm, place.mm, reach(place));
       }
     }
   }
@@ -91,7 +91,7 @@ ContourSupport::ContourSupport(const Scene& scene, const View& view, const Smoot
     // Most places have an outline within the permitted distance; the wide search is for the others.
     for (const double radius : {most_away(place), reach(place)}) {
       place.away = radius;
-      finder.near(place.mm - Point2(radius), place.mm + Point2(radius), [&](const OutlineSegment& s) {
+      finder.near(place.mm, place.mm, radius, [&](const OutlineSegment& s) {
         const Point2 nearest = s.from + nearest_on_segment(place.mm, s.from, s.to) * (s.to - s.from);
         const double away = glm::length(nearest - place.mm);
         if (away < place.away) place.away = away, place.outline = nearest;

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/no_index.hpp"
+#include "geometry/nearest_on_segment.hpp"
 
 namespace ligne {
 namespace {
@@ -57,8 +58,8 @@ bool is_tangent(const Stroke& s) { return s.visible && s.line_class == LineClass
 class TangentJoiner {
  public:
   TangentJoiner(StrokeModel& model, const View& view, std::vector<Corner> corners)
-      : model_(model), view_(view), corners_(std::move(corners)), finder_(kTangentCellMm) {
-    for (const Corner& corner : corners_) finder_.expect(corner.edge[0], corner.edge[1]);
+      : model_(model), view_(view), corners_(std::move(corners)), finder_(model.lattice, kTangentCellMm) {
+    for (const Corner& corner : corners_) finder_.expect(corner.edge[0], corner.edge[1], kOnEdgeMm);
     for (std::uint32_t i = 0; i < model.strokes.size(); ++i) {
       const Stroke& s = model.strokes[i];
       if (!is_tangent(s)) continue;
@@ -91,20 +92,15 @@ class TangentJoiner {
   /// The free end on the edge of the corner that is nearest to it.
   std::optional<EndOfStroke> nearest_end(const Corner& corner) const {
     const Point2 a = corner.edge[0], b = corner.edge[1];
-    const auto is_on_edge = [&](Point2 p) {
-      const Point2 along = b - a;
-      const double square = glm::dot(along, along);
-      const double t = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0;
-      return glm::distance(p, a + t * along) <= kOnEdgeMm;
-    };
     std::optional<EndOfStroke> best;
     double nearest = 0;
-    finder_.near(a, b, [&](const OutlineSegment& piece) {
+    finder_.near(a, b, kOnEdgeMm, [&](const OutlineSegment& piece) {
       for (const bool first : {true, false}) {
         const EndOfStroke end{piece.chain, first};
         const LatticePoint place = place_of(end);
         const double distance = glm::distance(mm(place), corner.mm);
-        if (!is_on_edge(mm(place)) || !is_free(place) || (best && distance >= nearest)) continue;
+        if (squared_distance(mm(place), a, b) > kOnEdgeMm * kOnEdgeMm || !is_free(place)) continue;
+        if (best && distance >= nearest) continue;
         best = end;
         nearest = distance;
       }

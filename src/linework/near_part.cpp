@@ -4,6 +4,19 @@
 
 namespace ligne {
 
+void unite(std::vector<StrokePart>& parts) {
+  std::ranges::sort(parts, {}, &StrokePart::from);
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    if (parts[i].from <= parts[last].to) {
+      parts[last].to = std::max(parts[last].to, parts[i].to);
+    } else {
+      parts[++last] = parts[i];
+    }
+  }
+  if (!parts.empty()) parts.resize(last + 1);
+}
+
 /// The part is the hull of the parts in the two discs around the ends of the other stroke and in the strip between
 /// them.
 StrokePart part_near(const Stroke& bit, const Stroke& line, double reach) {
@@ -20,20 +33,11 @@ StrokePart part_near(const Stroke& bit, const Stroke& line, double reach) {
   if (length == 0) return part;
   // Clips to the fractions at which the distances along and across the other stroke are in range. Both are linear in
   // the fraction.
-  double from = 0, to = 1;
-  const auto clip = [&](double start, double slope, double low, double high) {
-    if (slope == 0) {
-      if (start < low || start > high) to = -1;
-      return;
-    }
-    const double a = (low - start) / slope, b = (high - start) / slope;
-    from = std::max(from, std::min(a, b));
-    to = std::min(to, std::max(a, b));
-  };
+  StrokePart beside{0, 1};
   const double fx = double(bit.from.x) - line.from.x, fy = double(bit.from.y) - line.from.y;
-  clip((fx * ux + fy * uy) / length, (dx * ux + dy * uy) / length, 0, length);
-  clip((fx * uy - fy * ux) / length, (dx * uy - dy * ux) / length, -reach, reach);
-  part.add(from, to);
+  beside.keep((fx * ux + fy * uy) / length, (dx * ux + dy * uy) / length, 0, length);
+  beside.keep((fx * uy - fy * ux) / length, (dx * uy - dy * ux) / length, -reach, reach);
+  part.add(beside.from, beside.to);
   return part;
 }
 

@@ -2,6 +2,7 @@
 /// The part of a stroke that lies near another stroke.
 
 #include <algorithm>
+#include <vector>
 
 #include "linework/stroke.hpp"
 
@@ -20,7 +21,20 @@ struct StrokePart {
     from = std::min(from, a);
     to = std::max(to, b);
   }
+  /// Keeps the fractions t at which `start` + t `slope` lies between the bounds.
+  void keep(double start, double slope, double low, double high) {
+    if (slope == 0) {
+      if (start < low || start > high) to = -1;
+      return;
+    }
+    const double a = (low - start) / slope, b = (high - start) / slope;
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
+  }
 };
+
+/// Sorts intervals and merges those that overlap or touch.
+void unite(std::vector<StrokePart>& parts);
 
 /// The part of a stroke of non-zero length within `reach` lattice steps of another stroke. The set of points within a
 /// distance of a segment is convex, so the part is one interval.

@@ -21,14 +21,14 @@ struct Mapped {
 void expect_valid(const LineMap& map) {
   std::vector<std::uint32_t> met(2 * map.piece_count(), 0), count(2 * map.piece_count(), 0);
   for (std::uint32_t end = 0; end < 2 * map.piece_count(); ++end) {
-    const std::uint32_t node = map.node_of(end);
+    const std::uint32_t node = map.nodes().of(end);
     if (!map.is_alive(end / 2)) continue;
     ++count[node];
-    if (map.first_end(node) != end) continue;
+    if (map.nodes().first(node) != end) continue;
     std::uint32_t before = kNone;
-    map.for_each_end(node, [&](std::uint32_t e) {
+    map.nodes().for_each_end(node, [&](std::uint32_t e) {
       EXPECT_TRUE(map.is_alive(e / 2));
-      EXPECT_EQ(map.node_of(e), node);
+      EXPECT_EQ(map.nodes().of(e), node);
       EXPECT_EQ(map.point(e), map.point(end));
       EXPECT_TRUE(before == kNone || before < e);
       before = e;
@@ -37,14 +37,14 @@ void expect_valid(const LineMap& map) {
   }
   for (std::uint32_t node = 0; node < count.size(); ++node) {
     EXPECT_EQ(met[node], count[node]);
-    EXPECT_EQ(map.degree(node), count[node]);
+    EXPECT_EQ(map.nodes().degree(node), count[node]);
   }
 }
 
 TEST(LineMapTest, NodesAreWhereEndsMeet) {
   const Mapped m(lines_of_outlines("0,0 100,0 200,50; 100,0 100,90; mesh 0,0 0,90; hidden 200,50 300,50; 400,0 400,0"));
   EXPECT_EQ(m.map.piece_count(), 3u) << "neither the mesh, nor hidden strokes, nor those without length";
-  EXPECT_EQ(m.map.degree(m.map.node_of(1)), 3u);
+  EXPECT_EQ(m.map.nodes().degree(m.map.nodes().of(1)), 3u);
   EXPECT_TRUE(m.map.is_free(0));
   EXPECT_EQ(m.map.next(1), kNone) << "three lines meet";
   expect_valid(m.map);
@@ -130,10 +130,9 @@ std::vector<std::vector<LatticePoint>> arcs_of(const std::string& text) {
   std::vector<std::vector<LatticePoint>> found;
   for (const Arcs::Arc& arc : arcs.find()) {
     found.emplace_back();
-    const std::vector<std::uint32_t> ends = arcs.along(arc);
-    EXPECT_EQ(ends.size(), arc.pieces.size());
-    for (const std::uint32_t end : ends) found.back().push_back(map.point(end));
-    found.back().push_back(map.point(ends.back() ^ 1));
+    EXPECT_EQ(arc.ends.size(), arc.pieces.size());
+    for (const std::uint32_t end : arc.ends) found.back().push_back(map.point(end));
+    found.back().push_back(map.point(arc.ends.back() ^ 1));
   }
   return found;
 }
@@ -163,7 +162,7 @@ TEST(LineMapTest, ACrowdAtOnePointCostsLittle) {
   StrokeModel star = model({});
   for (std::int32_t i = 0; i < kArms; ++i) star.strokes.push_back(stroke({0, 0}, {100'000, i}, LineClass::outline));
   LineMap map(star, is_no_mesh, {.reach = 2}, walked_cell(star.strokes, 50));
-  EXPECT_EQ(map.degree(map.node_of(0)), std::uint32_t(kArms));
+  EXPECT_EQ(map.nodes().degree(map.nodes().of(0)), std::uint32_t(kArms));
   EXPECT_EQ(Arcs(map, 0).find().size(), std::size_t(kArms));
   for (std::uint32_t p = 0; p < map.piece_count(); ++p) map.remove(p);
   expect_valid(map);

@@ -1,11 +1,10 @@
-/// Joining strokes at their ends, and the index of ends that it asks: known answers.
+/// Joining strokes at their ends: known answers.
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "geometry/nearest_on_segment.hpp"
 #include "plotting/paths/chain_ends.hpp"
-#include "plotting/paths/end_tree.hpp"
 #include "plotting/paths/optimize.hpp"
-#include "plotting/paths/segment_distance.hpp"
 #include "plotting/paths/simplify.hpp"
 #include "sample_drawing.hpp"
 #include "support/test.hpp"
@@ -127,29 +126,6 @@ TEST(JoinStrokes, AShapeSmallerThanTheToleranceKeepsItsLength) {
   const Polylines joined = join_strokes(given, {});
   ASSERT_EQ(joined.size(), 1u);
   EXPECT_GE(total_length(joined), 0.999 * total_length(given) - 64 * 1e-6) << "but for rounding to the lattice";
-}
-
-TEST(EndTree, FindsWhatALookAtAllPointsFinds) {
-  std::mt19937 random(7);
-  std::uniform_int_distribution<int> place(0, 40);
-  std::vector<Point2> points(500);
-  for (Point2& p : points) p = {double(place(random)), double(place(random))};
-  EndTree tree(points);
-  std::vector<char> there(points.size(), 1);
-  for (std::size_t removed = 0; removed < points.size(); ++removed) {
-    const Point2 q{place(random) + 0.3, place(random) - 0.2};
-    const std::uint32_t found = tree.nearest(q);
-    double least = 1e300;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (there[i]) least = std::min(least, glm::distance(q, points[i]));
-    }
-    ASSERT_NE(found, kNone);
-    ASSERT_TRUE(there[found]);
-    ASSERT_DOUBLE_EQ(glm::distance(q, points[found]), least);
-    tree.remove(found);
-    there[found] = 0;
-  }
-  EXPECT_EQ(tree.nearest({0, 0}), kNone);
 }
 
 /// Leaving out points of lines: known answers, and what a look at all points finds.

@@ -5,19 +5,17 @@
 #include <optional>
 #include <vector>
 
-#include "contours/contour_junctions.inl.hpp"
+#include "contours/contour_junctions.hpp"
 
 namespace ligne {
 
 /// Segments of the page, searched near edges that are announced beforehand. Lengths are in mm.
 class LinesBeside {
  public:
-  LinesBeside() : finder_(kCellMm) {}
+  explicit LinesBeside(const Lattice& lattice) : finder_(lattice, kCellMm) {}
 
   /// Announces queries within the reach of from-to. To be called before the first add().
-  void expect(Point2 from, Point2 to, double reach) {
-    for_steps(from, to, reach, [&](Point2 low, Point2 high) { finder_.expect(low, high); });
-  }
+  void expect(Point2 from, Point2 to, double reach) { finder_.expect(from, to, reach); }
   void add(Point2 from, Point2 to) { finder_.add({from, to, 0, 0}); }
 
   /// Whether a segment passes within the reach of the point.
@@ -30,16 +28,6 @@ class LinesBeside {
 
  private:
   static constexpr double kCellMm = 1;
-
-  /// Calls visit(low, high) for boxes that contain all places within the reach of from-to.
-  template <class Visit>
-  static void for_steps(Point2 from, Point2 to, double reach, Visit visit) {
-    const int steps = 1 + static_cast<int>(glm::length(to - from) / std::max(kCellMm, reach));
-    for (int i = 0; i < steps; ++i) {
-      const Point2 a = from + double(i) / steps * (to - from), b = from + double(i + 1) / steps * (to - from);
-      visit(glm::min(a, b) - Point2(reach), glm::max(a, b) + Point2(reach));
-    }
-  }
 
   SegmentFinder finder_;
 };

@@ -29,19 +29,17 @@ enum class Evidence : std::uint8_t { none, hollow, hidden, seen };
 /// Lines on the page, each with its evidence.
 class PagePieces {
  public:
-  PagePieces() : finder_(kEvidenceCellMm) {}
+  explicit PagePieces(const Lattice& lattice) : finder_(lattice, kEvidenceCellMm) {}
 
-  void expect(Point2 p, double reach) { finder_.expect(p - Point2(reach), p + Point2(reach)); }
+  void expect(Point2 p, double reach) { finder_.expect(p, p, reach); }
   void add(Point2 from, Point2 to, Evidence evidence) {
     finder_.add({from, to, 0, 0, static_cast<std::uint32_t>(evidence)});
   }
   /// The strongest evidence within `reach` of p.
   Evidence at(Point2 p, double reach) const {
     auto strongest = static_cast<std::uint32_t>(Evidence::none);
-    finder_.near(p - Point2(reach), p + Point2(reach), [&](const OutlineSegment& s) {
-      if (s.chain <= strongest) return;
-      const Point2 nearest = s.from + nearest_on_segment(p, s.from, s.to) * (s.to - s.from);
-      if (glm::length(nearest - p) <= reach) strongest = s.chain;
+    finder_.near(p, p, reach, [&](const OutlineSegment& s) {
+      if (s.chain > strongest && squared_distance(p, s.from, s.to) <= reach * reach) strongest = s.chain;
     });
     return static_cast<Evidence>(strongest);
   }
@@ -162,7 +160,7 @@ void hold_against_outlines(std::vector<SeenContour>& seen, const SmoothContours&
                            const Lattice& lattice, const std::vector<Stroke>& edges, const EvidenceSizes& sizes) {
   const double shortest_mm = sizes.shortest_mm, clear_mm = sizes.clear_mm;
   const PartsOfRuns visible = parts_of_runs(seen, contours, true), hidden = parts_of_runs(seen, contours, false);
-  PagePieces outlines, drawn;
+  PagePieces outlines(lattice), drawn(lattice);
   const auto expect = [&](const PartsOfRuns& parts, PagePieces& pieces) {
     for (const auto& of_contour : parts) {
       for (const std::vector<Part>& of_run : of_contour) {

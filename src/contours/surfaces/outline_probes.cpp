@@ -31,7 +31,8 @@ constexpr double kTailInReaches = 2;
 /// The visible pieces of contours.
 class VisibleContours {
  public:
-  VisibleContours(const std::vector<SeenContour>& seen, double reach_mm) : seen_(seen), reach_mm_(reach_mm) {}
+  VisibleContours(const std::vector<SeenContour>& seen, const Lattice& lattice, double reach_mm)
+      : seen_(seen), reach_mm_(reach_mm), pieces_(lattice), tails_(lattice) {}
 
   /// Announces queries within these distances of from-to.
   void expect(Point2 from, Point2 to, double beside_mm, double end_reach_mm) {
@@ -183,7 +184,7 @@ std::vector<Candidate> take_short(std::vector<Candidate>& candidates, const Latt
 
 /// The visible outlines of the mesh near parts of edges.
 LinesBeside outlines_beside(const StrokeModel& model, const std::vector<Candidate>& parts) {
-  LinesBeside found;
+  LinesBeside found(model.lattice);
   if (parts.empty()) return found;
   for (const Candidate& c : parts)
     found.expect(model.lattice.to_mm(c.stroke.from), model.lattice.to_mm(c.stroke.to), c.near_mm);
@@ -265,7 +266,7 @@ void add_missing_outlines(StrokeModel& model, const View& view, const SmoothCont
   const double pen_width_mm = sizes.pen_width_mm, reach_mm = sizes.reach_mm;
   const ProbePage page{contours, view, model.lattice, pen_width_mm, reach_mm};
   std::vector<Candidate> candidates;
-  VisibleContours near(seen, reach_mm);
+  VisibleContours near(seen, model.lattice, reach_mm);
   for (const Stroke& probe : probes) {
     if (!probe.visible) continue;
     candidates.push_back(candidate(probe, probe.source - contours.first_probe, contours, view, model.lattice, pen_width_mm));

@@ -5,8 +5,8 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/parallel.hpp"
+#include "linework/map/continuations.hpp"
 #include "linework/stroke_geometry.hpp"
-#include "linework/stroke_nodes.hpp"
 
 namespace ligne {
 namespace {
@@ -41,10 +41,8 @@ namespace {
 /// The arms of the edges at a node, in the order of their ends.
 NodeArms edge_arms(const LineMap& map, std::uint32_t node) {
   NodeArms arms;
-  map.for_each_end(node, [&](std::uint32_t end) {
-    if (!is_edge(map.piece(end / 2))) return;
-    const LatticePoint p = map.point(end), far = map.point(end ^ 1);
-    arms.add({{far.x - p.x, far.y - p.y}, end});
+  map.nodes().for_each_end(node, [&](std::uint32_t end) {
+    if (is_edge(map.piece(end / 2))) arms.add(map.point(end), map.point(end ^ 1), end);
   });
   return arms;
 }
@@ -79,8 +77,8 @@ Runs::Runs(const LineMap& map) : of_(map.piece_count(), kNone), runs_(map.piece_
   std::vector<std::uint32_t> same(ends, kNone), other = same;
   parallel_blocks(ends, kPairedBlock, [&](std::size_t begin, std::size_t last) {
     for (auto end = static_cast<std::uint32_t>(begin); end < last; ++end) {
-      const bool is_first = map.is_alive(end / 2) && map.first_end(map.node_of(end)) == end;
-      if (is_first) pair_ends(map, map.node_of(end), same, other);
+      const bool is_first = map.is_alive(end / 2) && map.nodes().first(map.nodes().of(end)) == end;
+      if (is_first) pair_ends(map, map.nodes().of(end), same, other);
     }
   });
   DisjointSets sets(map.piece_count());
@@ -110,7 +108,7 @@ Arcs::Arcs(const LineMap& map, double reach)
     if (map.holds(contact) && contact.distance <= reach) junctions.join(contact.node, contact.other);
   }
   degree_.assign(ends, 0);
-  for (std::uint32_t end = 0; end < ends; ++end) junction_of_[end] = junctions.find(map.node_of(end));
+  for (std::uint32_t end = 0; end < ends; ++end) junction_of_[end] = junctions.find(map.nodes().of(end));
   for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
     is_left_[p] = map.is_alive(p) && junction_of_[2 * p] != junction_of_[2 * p + 1];
     if (is_left_[p]) ++degree_[junction_of_[2 * p]], ++degree_[junction_of_[2 * p + 1]];
@@ -120,35 +118,37 @@ Arcs::Arcs(const LineMap& map, double reach)
   at_junction_.resize(first_at_.back());
   std::vector<std::uint32_t> next(first_at_.begin(), first_at_.end() - 1);
   for (std::uint32_t end = 0; end < ends; ++end) {
-    if (is_left_[end / 2]) at_junction_[next[junction_of_[end]]++] = end / 2;
+    if (is_left_[end / 2]) at_junction_[next[junction_of_[end]]++] = end;
   }
 }
 
+std::uint32_t Arcs::next(std::uint32_t end) const {
+  const std::uint32_t junction = junction_of_[end];
+  if (degree_[junction] != 2) return kNone;
+  return *std::ranges::find_if(ends_at(junction), [&](std::uint32_t e) { return has(e / 2) && e != end; });
+}
+
 std::vector<Arcs::Arc> Arcs::find() const {
-  DisjointSets sets(is_left_.size());
-  std::vector<std::uint32_t> met(degree_.size(), kNone);  // by junction of two pieces: the first of them
-  const auto ends = static_cast<std::uint32_t>(junction_of_.size());
-  for (std::uint32_t end = 0; end < ends; ++end) {
-    const std::uint32_t junction = junction_of_[end];
-    if (!is_left_[end / 2] || degree_[junction] != 2) continue;
-    if (met[junction] != kNone) sets.join(end / 2, met[junction]);
-    met[junction] = end / 2;
+  std::vector<std::uint32_t> partner(junction_of_.size(), kNone);
+  for (std::uint32_t end = 0; end < partner.size(); ++end) {
+    if (has(end / 2)) partner[end] = next(end);
   }
-  std::vector<std::uint32_t> number(is_left_.size(), kNone);
   std::vector<Arc> found;
-  for (std::uint32_t p = 0; p < is_left_.size(); ++p) {
-    if (!is_left_[p]) continue;
-    std::uint32_t& n = number[sets.find(p)];
-    if (n == kNone) {
-      n = static_cast<std::uint32_t>(found.size());
-      found.emplace_back();
+  for_each_line(partner, LineOrder::strokes, [&](std::span<const std::uint32_t> ends, bool) {
+    if (!has(ends.front() / 2)) return;
+    Arc& arc = found.emplace_back();
+    for (const std::uint32_t end : ends) {
+      arc.ends.push_back(end);
+      arc.pieces.push_back(end / 2);
     }
-    found[n].pieces.push_back(p);
-    found[n].length += page_length(map_.piece(p));
-    for (const std::uint32_t end : {2 * p, 2 * p + 1}) {
-      if (degree_[junction_of_[end]] != 2) found[n].junctions.push_back(junction_of_[end]);
+    std::ranges::sort(arc.pieces);
+    for (const std::uint32_t p : arc.pieces) {
+      arc.length += page_length(map_.piece(p));
+      for (const std::uint32_t end : {2 * p, 2 * p + 1}) {
+        if (partner[end] == kNone) arc.junctions.push_back(junction_of_[end]);
+      }
     }
-  }
+  });
   return found;
 }
 
@@ -158,29 +158,6 @@ void Arcs::take_away(const Arc& arc) {
     --degree_[junction_of_[2 * p]];
     --degree_[junction_of_[2 * p + 1]];
   }
-}
-
-std::vector<std::uint32_t> Arcs::along(const Arc& arc) const {
-  std::uint32_t end = 2 * arc.pieces.front();
-  for (const std::uint32_t p : arc.pieces) {
-    if (arc.junctions.empty()) break;
-    if (degree_[junction_of_[2 * p]] == 2 && degree_[junction_of_[2 * p + 1]] == 2) continue;
-    end = degree_[junction_of_[2 * p]] != 2 ? 2 * p : 2 * p + 1;
-    break;
-  }
-  std::vector<std::uint32_t> ends;
-  while (ends.size() < arc.pieces.size()) {
-    ends.push_back(end);
-    const std::uint32_t junction = junction_of_[end ^ 1];
-    if (degree_[junction] != 2) break;
-    std::uint32_t next = kNone;
-    for (const std::uint32_t p : pieces_at(junction)) {
-      if (has(p) && p != end / 2) next = p;
-    }
-    if (next == kNone) break;
-    end = junction_of_[2 * next] == junction ? 2 * next : 2 * next + 1;
-  }
-  return ends;
 }
 
 }  // namespace ligne

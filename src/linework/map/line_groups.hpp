@@ -57,6 +57,7 @@ class Runs {
 class Arcs {
  public:
   struct Arc {
+    std::vector<std::uint32_t> ends;       ///< the ends at which its pieces begin, in the order of the line
     std::vector<std::uint32_t> pieces;     ///< ascending
     double length = 0;                     ///< lattice steps
     std::vector<std::uint32_t> junctions;  ///< its two junctions; none for a ring
@@ -69,21 +70,21 @@ class Arcs {
   /// The number of remaining pieces at a junction.
   std::uint32_t degree(std::uint32_t junction) const { return degree_[junction]; }
   bool has(std::uint32_t piece) const { return is_left_[piece] != 0; }
-  /// All pieces that ended at the junction originally, ascending.
-  std::span<const std::uint32_t> pieces_at(std::uint32_t junction) const {
+  /// All ends that belonged to the junction originally, ascending.
+  std::span<const std::uint32_t> ends_at(std::uint32_t junction) const {
     return {at_junction_.data() + first_at_[junction], at_junction_.data() + first_at_[junction + 1]};
   }
-  /// The arcs of the remaining pieces, in the order of their lowest pieces.
+  /// The end that continues an end of a remaining piece, or kNone: the other of exactly two at a junction.
+  std::uint32_t next(std::uint32_t end) const;
+  /// The arcs of the remaining pieces, in the order of their lowest pieces. A ring begins with its lowest piece.
   std::vector<Arc> find() const;
   void take_away(const Arc& arc);
-  /// The ends at which the pieces of an arc begin, in the order of the arc. A ring begins with its lowest piece.
-  std::vector<std::uint32_t> along(const Arc& arc) const;
 
  private:
   const LineMap& map_;
   std::vector<std::uint32_t> junction_of_;             ///< by end
   std::vector<std::uint32_t> degree_;                  ///< by junction
-  std::vector<std::uint32_t> first_at_, at_junction_;  ///< for each junction the index of its first piece; the pieces
+  std::vector<std::uint32_t> first_at_, at_junction_;  ///< for each junction the index of its first end; the ends
   std::vector<std::uint8_t> is_left_;                  ///< by piece
 };
 

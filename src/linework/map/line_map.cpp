@@ -7,7 +7,6 @@
 
 #include "linework/near_part.hpp"
 #include "linework/stroke_geometry.hpp"
-#include "linework/stroke_nodes.hpp"
 
 namespace ligne {
 
@@ -33,27 +32,8 @@ LineMap::LineMap(StrokeModel& model, const std::function<bool(const Stroke&)>& t
   }
   pieces_.reserve(members.size());
   for (const std::uint32_t i : members) pieces_.push_back({model.strokes[i], i, kNone});
-  node_of_.resize(2 * members.size());
-  next_end_ = first_end_ = std::vector<std::uint32_t>(2 * members.size(), kNone);
-  degree_.assign(2 * members.size(), 0);
-  // A node has the number of its lowest end.
-  for_each_node(model.strokes, members, [&](std::span<const StrokeEnd> ends) {
-    const std::uint32_t node = ends[0].end;
-    first_end_[node] = node;
-    degree_[node] = static_cast<std::uint32_t>(ends.size());
-    for (std::size_t k = 0; k < ends.size(); ++k) {
-      node_of_[ends[k].end] = node;
-      if (k + 1 < ends.size()) next_end_[ends[k].end] = ends[k + 1].end;
-    }
-  });
+  nodes_ = Nodes(model.strokes, members);
   if (meetings.reach > 0) find_contacts();
-}
-
-std::uint32_t LineMap::next(std::uint32_t end) const {
-  const std::uint32_t node = node_of_[end];
-  if (degree_[node] != 2) return kNone;
-  const std::uint32_t first = first_end_[node];
-  return first == end ? next_end_[end] : first;
 }
 
 void LineMap::file_pieces() {
@@ -67,30 +47,15 @@ void LineMap::file_pieces() {
 std::uint32_t LineMap::new_piece(const Stroke& stroke, std::uint32_t of) {
   const auto p = static_cast<std::uint32_t>(pieces_.size());
   pieces_.push_back({stroke, of, kNone});
-  for (const std::uint32_t end : {2 * p, 2 * p + 1}) {
-    node_of_.push_back(end);
-    next_end_.push_back(kNone);
-    first_end_.push_back(end);
-    degree_.push_back(1);
-  }
+  nodes_.add();
+  nodes_.add();
   if (cells_) cells_->insert(p, stroke.from, stroke.to);
   return p;
 }
 
-void LineMap::link(std::uint32_t end, std::uint32_t node) {
-  std::uint32_t* place = &first_end_[node];
-  while (*place != kNone && *place < end) place = &next_end_[*place];
-  next_end_[end] = std::exchange(*place, end);
-  node_of_[end] = node;
-  ++degree_[node];
-}
-
-void LineMap::unlink(std::uint32_t end) {
-  const std::uint32_t node = node_of_[end];
-  std::uint32_t* place = &first_end_[node];
-  while (*place != end) place = &next_end_[*place];
-  *place = std::exchange(next_end_[end], kNone);
-  --degree_[node];
+void LineMap::move_end(std::uint32_t end, std::uint32_t node) {
+  nodes_.unlink(end);
+  nodes_.link(end, node);
 }
 
 std::vector<std::uint32_t> LineMap::line_back(std::uint32_t end, double length) const {
@@ -107,7 +72,7 @@ std::optional<LineMap::Meeting> LineMap::nearest_line(std::uint32_t end) {
   /// Least distance along a line from an end at which the line may meet itself, in reaches.
   constexpr double kOwnLineInReaches = 4;
   std::vector<std::uint32_t> own = line_back(end, kOwnLineInReaches * meetings_.reach);
-  for_each_end(node_of_[end], [&](std::uint32_t e) { own.push_back(e / 2); });
+  nodes_.for_each_end(nodes_.of(end), [&](std::uint32_t e) { own.push_back(e / 2); });
   const LatticePoint p = point(end);
   std::optional<Meeting> nearest;
   near(p, p, meetings_.reach, [&](std::uint32_t piece) {
@@ -145,12 +110,12 @@ void LineMap::find_crossings(std::vector<Meeting>& found) {
 
 void LineMap::find_contacts() {
   std::vector<Meeting> meetings;
-  for (std::uint32_t end = 0; end < node_of_.size(); ++end) {
-    if (meetings_.any_node ? first_end_[node_of_[end]] != end : !is_free(end)) continue;
+  for (std::uint32_t end = 0; end < nodes_.end_count(); ++end) {
+    if (meetings_.any_node ? nodes_.first(nodes_.of(end)) != end : !is_free(end)) continue;
     auto meeting = nearest_line(end);
     if (!meeting) continue;
     meeting->contact = static_cast<std::uint32_t>(contacts_.size());
-    contacts_.push_back({node_of_[end], kNone, meeting->distance});
+    contacts_.push_back({nodes_.of(end), kNone, meeting->distance});
     meetings.push_back(*meeting);
   }
   if (meetings_.crossings) find_crossings(meetings);
@@ -159,7 +124,7 @@ void LineMap::find_contacts() {
   for (std::size_t first = 0, last = 0; first < meetings.size(); first = last) {
     const std::uint32_t piece = meetings[first].piece;
     const Stroke whole = pieces_[piece].stroke;
-    const std::uint32_t first_node = node_of_[2 * piece], last_node = node_of_[2 * piece + 1], new_piece = piece_count();
+    const std::uint32_t first_node = nodes_.of(2 * piece), last_node = nodes_.of(2 * piece + 1), new_piece = piece_count();
     cuts.clear();
     std::vector<std::uint32_t> nodes;  // by meeting; the node of a cut has the number of the first end behind it
     for (last = first; last < meetings.size() && meetings[last].piece == piece; ++last) {
@@ -182,8 +147,7 @@ void LineMap::find_contacts() {
 void LineMap::cut(std::uint32_t piece, std::span<const StrokeCut> cuts) {
   if (cuts.empty()) return;
   const Stroke whole = pieces_[piece].stroke;
-  const std::uint32_t far_node = node_of_[2 * piece + 1];
-  unlink(2 * piece + 1);
+  const std::uint32_t far_node = nodes_.of(2 * piece + 1);
   pieces_[piece].stroke = stroke_piece(whole, {0, whole.from}, cuts[0]);
   std::uint32_t before = piece;
   for (std::size_t c = 0; c < cuts.size(); ++c) {
@@ -191,27 +155,24 @@ void LineMap::cut(std::uint32_t piece, std::span<const StrokeCut> cuts) {
     const std::uint32_t p =
         new_piece(stroke_piece(whole, cuts[c], is_last ? StrokeCut{1, whole.to} : cuts[c + 1]), pieces_[piece].of);
     pieces_[before].next = p;
-    link(2 * before + 1, node_of_[2 * p]);
-    unlink(2 * p + 1);
+    move_end(2 * before + 1, nodes_.of(2 * p));
     before = p;
   }
-  link(2 * before + 1, far_node);
+  move_end(2 * before + 1, far_node);
 }
 
 void LineMap::remove(std::uint32_t piece) {
   pieces_[piece].alive = false;
-  unlink(2 * piece);
-  unlink(2 * piece + 1);
+  nodes_.unlink(2 * piece);
+  nodes_.unlink(2 * piece + 1);
   removed_ += page_length(pieces_[piece].stroke);
 }
 
 void LineMap::join_contacts() {
   for (const Contact& contact : contacts_) {
-    if (degree_[contact.node] != 1 || degree_[contact.other] != 1) continue;
-    const std::uint32_t end = first_end_[contact.node];
-    if (point(end) != point(first_end_[contact.other])) continue;
-    unlink(end);
-    link(end, contact.other);
+    if (nodes_.degree(contact.node) != 1 || nodes_.degree(contact.other) != 1) continue;
+    const std::uint32_t end = nodes_.first(contact.node);
+    if (point(end) == point(nodes_.first(contact.other))) move_end(end, contact.other);
   }
 }
 
@@ -224,9 +185,7 @@ void LineMap::add(Stroke stroke, std::uint32_t from_end, std::uint32_t to_end, c
   const std::uint32_t p = new_piece(stroke, static_cast<std::uint32_t>(model_.strokes.size()));
   model_.strokes.push_back(stroke);
   for (const auto& [own, to] : {std::pair(2 * p, from_end), std::pair(2 * p + 1, to_end)}) {
-    if (to == kNone) continue;
-    unlink(own);
-    link(own, node_of_[to]);
+    if (to != kNone) move_end(own, nodes_.of(to));
   }
   added_ += page_length(stroke);
 }
@@ -261,16 +220,9 @@ void LineMap::clear_hidden(std::vector<Stroke>& strokes, double ink, double exac
       return in_ink.from == 0 && in_ink.to == 1;
     });
     if (is_in_ink) return true;
-    // Finds the part along added strokes at each end of the stroke.
-    std::ranges::sort(parts, {}, [](const StrokePart& part) { return std::pair(part.from, part.to); });
-    double from = 0, to = 1;
-    for (const StrokePart& part : parts) {
-      if (part.from <= from) from = std::max(from, part.to);
-    }
-    std::ranges::sort(parts, std::greater<>(), &StrokePart::to);
-    for (const StrokePart& part : parts) {
-      if (part.to >= to) to = std::min(to, part.from);
-    }
+    if (parts.empty()) return false;
+    unite(parts);
+    const double from = parts.front().from == 0 ? parts.front().to : 0, to = parts.back().to == 1 ? parts.back().from : 1;
     if (from >= to) return true;
     s = stroke_piece(s, {from, point_at(s, from)}, {to, point_at(s, to)});
     return s.from == s.to;

@@ -11,8 +11,8 @@
 /// A node joins ends at exactly one lattice point. Contacts join nodes that are merely near each other, so that each rule
 /// can choose its own distance (see Arcs in line_groups.hpp).
 ///
-/// Invariants: an end is in the list of its node, in ascending order, if and only if its piece is alive; the degree of a
-/// node is the length of its list; the pieces of a stroke follow each other without a gap, in the order of the stroke.
+/// Invariants: an end is linked to its node if and only if its piece is alive; the pieces of a stroke follow each other
+/// without a gap, in the order of the stroke.
 
 #include <cstdint>
 #include <functional>
@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "linework/map/line_cells.hpp"
+#include "linework/map/nodes.hpp"
 #include "linework/stroke.hpp"
 #include "linework/stroke_piece.hpp"
 
@@ -65,26 +66,18 @@ class LineMap {
     return end % 2 == 0 ? s.from : s.to;
   }
 
-  std::uint32_t node_of(std::uint32_t end) const { return node_of_[end]; }
-  std::uint32_t degree(std::uint32_t node) const { return degree_[node]; }
-  /// The lowest end at a node.
-  std::uint32_t first_end(std::uint32_t node) const { return first_end_[node]; }
-  bool is_free(std::uint32_t end) const { return degree_[node_of_[end]] == 1; }
+  const Nodes& nodes() const { return nodes_; }
+  bool is_free(std::uint32_t end) const { return nodes_.degree(nodes_.of(end)) == 1; }
   /// The other end at the node if exactly two pieces end there; otherwise kNone.
-  std::uint32_t next(std::uint32_t end) const;
+  std::uint32_t next(std::uint32_t end) const { return nodes_.other(end); }
   /// The pieces of the chain that ends at `end`, from that end on, until their total length exceeds `length`.
   std::vector<std::uint32_t> line_back(std::uint32_t end, double length) const;
-  /// Calls visit(end) for all ends at a node, in ascending order.
-  template <class Visit>
-  void for_each_end(std::uint32_t node, const Visit& visit) const {
-    for (std::uint32_t e = first_end_[node]; e != kNone; e = next_end_[e]) visit(e);
-  }
   const std::vector<Contact>& contacts() const { return contacts_; }
   /// Whether the contact still holds. A contact of a free end holds until the end is joined; any contact holds until
   /// one of its lines is removed.
   bool holds(const Contact& contact) const {
-    const std::uint32_t ends = degree_[contact.node];
-    return degree_[contact.other] > 0 && (meetings_.any_node ? ends > 0 : ends == 1);
+    const std::uint32_t ends = nodes_.degree(contact.node);
+    return nodes_.degree(contact.other) > 0 && (meetings_.any_node ? ends > 0 : ends == 1);
   }
 
   /// Calls visit(piece) for the living pieces within `reach` steps of a segment, for some that are farther away, and for
@@ -121,8 +114,7 @@ class LineMap {
   struct Meeting;
 
   std::uint32_t new_piece(const Stroke& stroke, std::uint32_t of);
-  void link(std::uint32_t end, std::uint32_t node);
-  void unlink(std::uint32_t end);
+  void move_end(std::uint32_t end, std::uint32_t node);
   void file_pieces();
   void find_contacts();
   void find_crossings(std::vector<Meeting>& found);
@@ -137,8 +129,7 @@ class LineMap {
   bool had_hidden_;
   std::uint32_t given_;  ///< number of strokes in the model at first; later ones were added
   std::vector<Piece> pieces_;
-  std::vector<std::uint32_t> node_of_, next_end_;  ///< by end
-  std::vector<std::uint32_t> first_end_, degree_;  ///< by node
+  Nodes nodes_;
   std::vector<Contact> contacts_;
   std::optional<LineCells> cells_;
   double removed_ = 0, added_ = 0;

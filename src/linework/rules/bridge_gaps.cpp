@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "geometry/point_tree.hpp"
 #include "linework/map/line_groups.hpp"
 #include "linework/near_part.hpp"
-#include "linework/point_tree.hpp"
 #include "linework/rules/rules.hpp"
 #include "linework/stroke_geometry.hpp"
 
@@ -57,12 +57,12 @@ class OpenEnds {
       const std::uint32_t chain = chains.of(end / 2);
       ends_.push_back({end, p, double(p.x) - start.x, double(p.y) - start.y, page_length(s), chains[chain].length, chain});
     }
-    std::vector<LatticePoint> points;
+    std::vector<Point2> points;
     points.reserve(ends_.size());
-    for (const OpenEnd& end : ends_) points.push_back(end.point);
-    tree_ = PointTree(points);
+    for (const OpenEnd& end : ends_) points.emplace_back(end.point.x, end.point.y);
+    const PointTree tree(points);
     parallel_blocks(ends_.size(), kSearchBlock, [&](std::size_t begin, std::size_t last) {
-      for (std::size_t e = begin; e < last; ++e) ends_[e].nearest = nearest(static_cast<std::uint32_t>(e));
+      for (std::size_t e = begin; e < last; ++e) ends_[e].nearest = nearest(static_cast<std::uint32_t>(e), tree);
     });
   }
 
@@ -101,36 +101,33 @@ class OpenEnds {
 
   /// Whether leads_to() is false for all points of the box. A line may lead only to points in a cone. Where thousands
   /// of lines end side by side, nearly all ends lie outside of it.
-  static bool leads_away(const OpenEnd& e, const PointBox& box) {
+  static bool leads_away(const OpenEnd& e, const Rect& box) {
     static const double sine = std::sqrt(1 - kLeastCosine * kLeastCosine);
     constexpr double kRounding = 1;  // lattice steps
     for (const double side : {-1.0, 1.0}) {
       // The inner normal of a side of the cone, as long as the stroke.
       const double nx = sine * e.dx - side * kLeastCosine * e.dy, ny = sine * e.dy + side * kLeastCosine * e.dx;
-      const double x = (nx > 0 ? box.high.x : box.low.x) - double(e.point.x);
-      const double y = (ny > 0 ? box.high.y : box.low.y) - double(e.point.y);
+      const double x = (nx > 0 ? box.max.x : box.min.x) - double(e.point.x);
+      const double y = (ny > 0 ? box.max.y : box.min.y) - double(e.point.y);
       if (nx * x + ny * y < -kRounding * e.length) return true;
     }
     return false;
   }
 
-  std::uint32_t nearest(std::uint32_t e) const {
+  std::uint32_t nearest(std::uint32_t e, const PointTree& tree) const {
     const OpenEnd& end = ends_[e];
     const LatticePoint p = end.point;
     std::uint32_t best = kNone;
     double best_distance = wide_;
-    const auto enter = [&](const PointBox& box) {
-      const double squared = box.squared_distance(p);
+    const auto enter = [&](double squared, const Rect& box) {
       if (squared > kAbout * best_distance * best_distance) return false;
       const bool is_apart = end.length > wide_ && squared > kAbout * kRoundedSteps * kRoundedSteps;
       return !is_apart || !leads_away(end, box);
     };
-    tree_.search(p, enter, [&](std::uint32_t o) {
-      if (o == e) return;
+    tree.search({p.x, p.y}, enter, [&](double squared, std::uint32_t o) {
+      if (o == e || squared > kAbout * best_distance * best_distance) return;
       const OpenEnd& other = ends_[o];
       const LatticePoint q = other.point;
-      const double dx = double(q.x) - p.x, dy = double(q.y) - p.y, squared = dx * dx + dy * dy;
-      if (squared > kAbout * best_distance * best_distance) return;
       if (leads_away(end, q, squared) || leads_away(other, p, squared)) return;
       const double away = length(p, q);
       if (away >= wide_ || away > best_distance || (away == best_distance && o > best)) return;
@@ -143,7 +140,6 @@ class OpenEnds {
   }
 
   double gap_, wide_;
-  PointTree tree_;  ///< of the ends
   std::vector<OpenEnd> ends_;
 };
 

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
 #include "linework/map/line_groups.hpp"
+#include "linework/near_part.hpp"
 #include "linework/rules/rules.hpp"
 #include "linework/stroke_geometry.hpp"
 
@@ -34,18 +36,17 @@ struct Undershoot {
 /// end.
 void turn_to(Undershoot& end, const Vector& start, const Vector& u) {
   const Vector& d = end.ahead;
-  double from = 0, to = 1;
+  StrokePart in_wedge{0, 1};
   for (const double side : {-1.0, 1.0}) {
     // The inner normal of one side of the wedge.
     const Vector n{kTurnSine * d.x - side * kTurnCosine * d.y, kTurnSine * d.y + side * kTurnCosine * d.x};
     const double at_start = n.x * start.x + n.y * start.y, slope = n.x * u.x + n.y * u.y;
-    if (slope == 0 && at_start < 0) return;
-    if (slope > 0) from = std::max(from, -at_start / slope);
-    if (slope < 0) to = std::min(to, -at_start / slope);
+    in_wedge.keep(at_start, slope, 0, std::numeric_limits<double>::infinity());
   }
-  if (from > to || (d.x == 0 && d.y == 0)) return;
+  if (in_wedge.empty() || (d.x == 0 && d.y == 0)) return;
   const double square = u.x * u.x + u.y * u.y;
-  const double at = square > 0 ? std::clamp(-(start.x * u.x + start.y * u.y) / square, from, to) : from;
+  const double at =
+      square > 0 ? std::clamp(-(start.x * u.x + start.y * u.y) / square, in_wedge.from, in_wedge.to) : in_wedge.from;
   const Vector turned{start.x + at * u.x, start.y + at * u.y};
   const double part = std::hypot(turned.x, turned.y) / std::hypot(d.x, d.y);
   if (part >= end.turned_part) return;
@@ -112,16 +113,9 @@ class UndershootFinder {
   Vector direction(std::uint32_t end) const {
     const LatticePoint tip = map_.point(end);
     LatticePoint back = tip;
-    std::uint32_t piece = end / 2, near_side = end;
-    for (double left = kDirectionInReaches * reach_;;) {
-      const std::uint32_t far_side = near_side ^ 1;
-      back = map_.point(far_side);
-      left -= page_length(map_.piece(piece));
-      const std::uint32_t junction = arcs_.junction_of(far_side);
-      if (left <= 0 || arcs_.degree(junction) != 2) break;
-      const auto at = arcs_.pieces_at(junction);
-      piece = at[0] == piece ? at[1] : at[0];
-      near_side = arcs_.junction_of(2 * piece) == junction ? 2 * piece : 2 * piece + 1;
+    for (double left = kDirectionInReaches * reach_; end != kNone && left > 0; end = arcs_.next(end ^ 1)) {
+      back = map_.point(end ^ 1);
+      left -= page_length(map_.piece(end / 2));
     }
     const Vector d{double(tip.x) - back.x, double(tip.y) - back.y};
     const double length = std::hypot(d.x, d.y);

@@ -83,9 +83,8 @@ class DanglePruner {
   std::vector<std::uint32_t> junctions_near(const Arcs::Arc& arc, std::size_t side) {
     const std::uint32_t junction = arc.junctions[side];
     if (arcs_.degree(junction) > 1) return {junction};
-    const auto at = arcs_.pieces_at(junction);
-    const std::uint32_t own = *std::ranges::find_if(at, [&](std::uint32_t p) { return arcs_.has(p); });
-    const LatticePoint p = map_.point(arcs_.junction_of(2 * own) == junction ? 2 * own : 2 * own + 1);
+    const auto ends = arcs_.ends_at(junction);
+    const LatticePoint p = map_.point(*std::ranges::find_if(ends, [&](std::uint32_t end) { return arcs_.has(end / 2); }));
     std::vector<std::uint32_t> near;
     map_.near(p, p, gap_, [&](std::uint32_t other) {
       for (const std::uint32_t end : {2 * other, 2 * other + 1}) {
@@ -100,7 +99,8 @@ class DanglePruner {
   }
 
   bool goes_on_without(std::uint32_t junction, const Arcs::Arc& arc) const {
-    return std::ranges::any_of(arcs_.pieces_at(junction), [&](std::uint32_t p) { return arcs_.has(p) && !has(arc, p); });
+    return std::ranges::any_of(arcs_.ends_at(junction),
+                               [&](std::uint32_t end) { return arcs_.has(end / 2) && !has(arc, end / 2); });
   }
 
   /// Whether paths that avoid the arc lead from a junction to each of `to` (sorted), each no longer than kDetour times
@@ -117,10 +117,10 @@ class DanglePruner {
       paths.pop();
       if (std::exchange(done[junction], 0) != kNone) continue;
       if (std::ranges::binary_search(to, junction) && --left == 0) return true;
-      for (const std::uint32_t p : arcs_.pieces_at(junction)) {
-        const double further = length + page_length(map_.piece(p));
-        if (!arcs_.has(p) || further > longest || has(arc, p)) continue;
-        paths.emplace(further, arcs_.junction_of(arcs_.junction_of(2 * p) == junction ? 2 * p + 1 : 2 * p));
+      for (const std::uint32_t end : arcs_.ends_at(junction)) {
+        const double further = length + page_length(map_.piece(end / 2));
+        if (!arcs_.has(end / 2) || further > longest || has(arc, end / 2)) continue;
+        paths.emplace(further, arcs_.junction_of(end ^ 1));
       }
     }
     return false;

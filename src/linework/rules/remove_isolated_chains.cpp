@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -13,19 +12,10 @@
 namespace ligne {
 namespace {
 
-/// Bounding box of lines on the lattice.
-struct Extent {
-  double low_x = std::numeric_limits<double>::max(), low_y = low_x, high_x = -low_x, high_y = -low_x;
-
-  void add(const Stroke& s) {
-    for (const LatticePoint p : {s.from, s.to}) {
-      low_x = std::min<double>(low_x, p.x), high_x = std::max<double>(high_x, p.x);
-      low_y = std::min<double>(low_y, p.y), high_y = std::max<double>(high_y, p.y);
-    }
-  }
-  double side() const { return std::max(high_x - low_x, high_y - low_y); }
-  double diagonal() const { return std::hypot(high_x - low_x, high_y - low_y); }
-};
+/// Extends a bounding box on the lattice.
+void extend(Rect& box, const Stroke& s) {
+  for (const LatticePoint p : {s.from, s.to}) box.extend({p.x, p.y});
+}
 
 /// Clusters of chains that may be removed, and the lines that keep them.
 class IsolatedChains {
@@ -42,13 +32,13 @@ class IsolatedChains {
 
   std::size_t remove() {
     // The three lists are by cluster.
-    std::vector<Extent> extents(map_.piece_count());
+    std::vector<Rect> extents(map_.piece_count());
     std::vector<std::uint8_t> held(map_.piece_count(), 0);
     std::vector<std::uint32_t> ends_held(map_.piece_count(), 0);
     for (std::uint32_t p = 0; p < map_.piece_count(); ++p) {
       if (!is_candidate(p)) continue;
       const std::uint32_t cluster = clusters_.find(chains_.of(p));
-      extents[cluster].add(map_.piece(p));
+      extend(extents[cluster], map_.piece(p));
       held[cluster] |= held_[p];
       ends_held[cluster] += ends_held_[p];
     }
@@ -56,7 +46,8 @@ class IsolatedChains {
     for (std::uint32_t p = 0; p < map_.piece_count(); ++p) {
       if (!is_candidate(p)) continue;
       const std::uint32_t cluster = clusters_.find(chains_.of(p));
-      const bool is_small = extents[cluster].side() <= limits_.longest_mm / map_.step_mm();
+      const Rect& box = extents[cluster];
+      const bool is_small = std::max(box.width(), box.height()) <= limits_.longest_mm / map_.step_mm();
       if (held[cluster] || ends_held[cluster] > limits_.most_ends_on_lines || !is_small) continue;
       removed += chains_.of(p) == p;
       map_.remove(p);
@@ -153,17 +144,17 @@ class IsolatedChains {
 }  // namespace
 
 std::vector<double> body_extents(const LineMap& map, const BodyOf& body_of) {
-  std::vector<Extent> extents;
+  std::vector<Rect> extents;
   for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
     if (!map.is_alive(p)) continue;
     const std::uint32_t body = body_of(map.piece(p));
     if (body == kNone) continue;
     if (body >= extents.size()) extents.resize(body + 1);
-    extents[body].add(map.piece(p));
+    extend(extents[body], map.piece(p));
   }
   std::vector<double> diagonals;
   diagonals.reserve(extents.size());
-  for (const Extent& extent : extents) diagonals.push_back(extent.diagonal());
+  for (const Rect& box : extents) diagonals.push_back(std::hypot(box.width(), box.height()));
   return diagonals;
 }
 

@@ -20,14 +20,14 @@ class CoveredIntervals {
  public:
   void add(const StrokePart& part) {
     parts_.push_back(part);
-    if (parts_.size() >= most_ || (part.from == 0 && part.to == 1)) unite();
+    if (parts_.size() >= most_ || (part.from == 0 && part.to == 1)) unite_parts();
   }
   bool empty() const { return parts_.empty(); }
   bool is_whole() const { return parts_.size() == 1 && parts_[0].from == 0 && parts_[0].to == 1; }
 
   /// Returns the fraction of the piece that no part covers.
   double uncovered() {
-    unite();
+    unite_parts();
     double open = 0, covered_to = 0;
     for (const StrokePart& part : parts_) {
       open += part.from - covered_to;
@@ -37,17 +37,8 @@ class CoveredIntervals {
   }
 
  private:
-  void unite() {
-    std::ranges::sort(parts_, {}, &StrokePart::from);
-    std::size_t last = 0;
-    for (std::size_t i = 1; i < parts_.size(); ++i) {
-      if (parts_[i].from <= parts_[last].to) {
-        parts_[last].to = std::max(parts_[last].to, parts_[i].to);
-      } else {
-        parts_[++last] = parts_[i];
-      }
-    }
-    if (!parts_.empty()) parts_.resize(last + 1);
+  void unite_parts() {
+    unite(parts_);
     most_ = 2 * parts_.size() + 6;
   }
 

@@ -6,12 +6,12 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <utility>
+#include <span>
 #include <vector>
 
-#include "base/key_table.hpp"
 #include "base/no_index.hpp"
 #include "geometry/point.hpp"
+#include "linework/map/continuations.hpp"
 
 namespace ligne {
 namespace {
@@ -110,110 +110,45 @@ class Line {
   bool closed_ = false;
 };
 
-/// End 2 i is the `from` of stroke i, end 2 i + 1 its `to`.
-class LineSmoother {
- public:
-  LineSmoother(std::vector<Stroke>& strokes, const std::function<bool(const Stroke&)>& is_rough) : strokes_(strokes) {
-    for (std::uint32_t i = 0; i < strokes.size(); ++i) {
-      if (is_rough(strokes[i])) rough_.push_back(i);
-    }
-    if (rough_.empty()) return;
-    for (const std::uint32_t i : rough_) {
-      for (const LatticePoint p : {strokes[i].from, strokes[i].to}) {
-        std::uint32_t& node = nodes_[KeyTable::key(p)];
-        if (node != kNone) continue;
-        node = static_cast<std::uint32_t>(arms_.size());
-        arms_.push_back({});
-      }
-    }
-    for (std::uint32_t i = 0; i < strokes.size(); ++i) {
-      add_arm(strokes[i].from, 2 * i);
-      add_arm(strokes[i].to, 2 * i + 1);
-    }
-    is_rough_.assign(strokes.size(), 0);
-    for (const std::uint32_t i : rough_) is_rough_[i] = 1;
+LatticePoint& end_point(std::vector<Stroke>& strokes, std::uint32_t end) {
+  return end % 2 == 0 ? strokes[end / 2].from : strokes[end / 2].to;
+}
+
+/// The ends that continue each other in rough lines: exactly two strokes meet there, both rough and of equal visibility.
+std::vector<std::uint32_t> continuations(const std::vector<Stroke>& strokes, const std::vector<std::uint8_t>& is_rough) {
+  const Nodes nodes(strokes);
+  std::vector<std::uint32_t> partner(nodes.end_count(), kNone);
+  for (std::uint32_t end = 0; end < nodes.end_count(); ++end) {
+    const std::uint32_t other = is_rough[end / 2] ? nodes.other(end) : kNone;
+    if (other == kNone || !is_rough[other / 2] || other / 2 == end / 2) continue;
+    const Stroke &a = strokes[end / 2], &b = strokes[other / 2];
+    if (a.visible == b.visible && a.level == b.level) partner[end] = other;
   }
-
-  /// Returns the number of points moved.
-  std::size_t run() {
-    std::size_t moved = 0;
-    done_.assign(strokes_.size(), 0);
-    for (const std::uint32_t i : rough_) {
-      if (done_[i]) continue;
-      // Goes back to the beginning of the line, or once around the ring.
-      std::uint32_t first = 2 * i;
-      for (std::uint32_t back = next(first); back != kNone; back = next(first)) {
-        first = back ^ 1;
-        if (first == 2 * i) break;
-      }
-      moved += smooth_from(first);
-    }
-    // Moves points only now, because next() finds strokes by the points of their ends.
-    for (const auto& [end, to] : smooth_) point(end) = to;
-    return moved;
-  }
-
- private:
-  struct Arms {
-    std::array<std::uint32_t, 2> ends{};
-    std::uint32_t count = 0;
-  };
-
-  LatticePoint& point(std::uint32_t end) { return end % 2 == 0 ? strokes_[end / 2].from : strokes_[end / 2].to; }
-
-  void add_arm(LatticePoint p, std::uint32_t end) {
-    const std::uint32_t node = nodes_.find(KeyTable::key(p));
-    if (node == kNone) return;
-    if (arms_[node].count < 2) arms_[node].ends[arms_[node].count] = end;
-    ++arms_[node].count;
-  }
-
-  /// Returns the near end of the stroke that continues a rough line at `end`, or kNone.
-  std::uint32_t next(std::uint32_t end) {
-    const Arms& arms = arms_[nodes_.find(KeyTable::key(point(end)))];
-    if (arms.count != 2) return kNone;
-    const std::uint32_t other = arms.ends[0] == end ? arms.ends[1] : arms.ends[0];
-    const Stroke &a = strokes_[end / 2], &b = strokes_[other / 2];
-    const bool alike = is_rough_[other / 2] && a.visible == b.visible && a.level == b.level;
-    return alike && end / 2 != other / 2 ? other : kNone;
-  }
-
-  std::size_t smooth_from(std::uint32_t first) {
-    Line line;
-    std::vector<std::uint32_t> ends;  // the first end of each stroke, in the direction of the line
-    for (std::uint32_t end = first; end != kNone && !done_[end / 2]; end = next(end ^ 1)) {
-      done_[end / 2] = 1;
-      ends.push_back(end);
-      line.add(point(end));
-    }
-    const std::uint32_t last = ends.back() ^ 1;
-    if (next(last) == first) {
-      line.close();
-    } else {
-      line.add(point(last));
-    }
-    line.smooth();
-    std::size_t moved = 0;
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      moved += line.at(i) != point(ends[i]);
-      smooth_.push_back({ends[i], line.at(i)});
-      smooth_.push_back({ends[i] ^ 1, line.at((i + 1) % line.size())});
-    }
-    return moved;
-  }
-
-  std::vector<Stroke>& strokes_;
-  std::vector<std::uint32_t> rough_;
-  std::vector<std::uint8_t> is_rough_, done_;  ///< by stroke
-  KeyTable nodes_;
-  std::vector<Arms> arms_;                                      ///< by node
-  std::vector<std::pair<std::uint32_t, LatticePoint>> smooth_;  ///< ends and their new points
-};
+  return partner;
+}
 
 }  // namespace
 
 std::size_t smooth_lines(StrokeModel& model, const std::function<bool(const Stroke&)>& is_rough) {
-  return LineSmoother(model.strokes, is_rough).run();
+  std::vector<Stroke>& strokes = model.strokes;
+  std::vector<std::uint8_t> rough(strokes.size(), 0);
+  for (std::size_t i = 0; i < strokes.size(); ++i) rough[i] = is_rough(strokes[i]);
+  if (std::ranges::find(rough, 1) == rough.end()) return 0;
+  std::size_t moved = 0;
+  const auto smooth = [&](std::span<const std::uint32_t> ends, bool is_ring) {
+    if (!rough[ends.front() / 2]) return;
+    Line line;
+    for (const std::uint32_t end : ends) line.add(end_point(strokes, end));
+    is_ring ? line.close() : line.add(end_point(strokes, ends.back() ^ 1));
+    line.smooth();
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      moved += line.at(i) != end_point(strokes, ends[i]);
+      end_point(strokes, ends[i]) = line.at(i);
+      end_point(strokes, ends[i] ^ 1) = line.at((i + 1) % line.size());
+    }
+  };
+  for_each_line(continuations(strokes, rough), LineOrder::strokes, smooth);
+  return moved;
 }
 
 }  // namespace ligne

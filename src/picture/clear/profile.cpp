@@ -52,7 +52,7 @@ std::vector<Bit> bits_of(const LineMap& map, std::uint32_t piece, const FreePart
     bits.push_back({map.stroke_number(piece), cut_at(last), cut_at(until), (until - last) * size, is_free});
     last = until;
   };
-  for (const FreePart& open : free.parts) {
+  for (const StrokePart& open : free.parts) {
     add(std::clamp(open.from, from, to), false);
     add(std::clamp(open.to, from, to), true);
   }
@@ -158,7 +158,7 @@ void draw_profiles(StrokeModel& model, const ProjectedScene& projected, const Sc
   for (const Arcs::Arc& arc : arcs.find()) {
     std::vector<Bit> bits;
     double off_mm = 0;
-    for (const std::uint32_t end : arcs.along(arc)) {
+    for (const std::uint32_t end : arc.ends) {
       const FreeParts& parts = free[member_of[map.stroke_number(end / 2)]];
       std::vector<Bit> of_piece = bits_of(map, end / 2, parts);
       if (end % 2 == 1) std::ranges::reverse(of_piece);

@@ -25,7 +25,7 @@ constexpr std::size_t kBlock = 256;
 /// The lines on one side of a stroke along which visibility is tested.
 struct Side {
   LineOnPage close, off;
-  std::vector<FreePart> free{{0, 1}};
+  std::vector<StrokePart> free{{0, 1}};
 };
 
 LatticePoint moved(LatticePoint p, Point2 by) {
@@ -39,36 +39,22 @@ Point2 across(LatticePoint from, LatticePoint to) {
   return size > 0 ? Point2{-d.y / size, d.x / size} : Point2{0, 0};
 }
 
-std::vector<FreePart> common_parts(const std::vector<FreePart>& a, const std::vector<FreePart>& b) {
-  std::vector<FreePart> common;
+std::vector<StrokePart> common_parts(const std::vector<StrokePart>& a, const std::vector<StrokePart>& b) {
+  std::vector<StrokePart> common;
   for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-    const FreePart part{std::max(a[i].from, b[j].from), std::min(a[i].to, b[j].to)};
+    const StrokePart part{std::max(a[i].from, b[j].from), std::min(a[i].to, b[j].to)};
     if (part.from < part.to) common.push_back(part);
     a[i].to < b[j].to ? ++i : ++j;
   }
   return common;
 }
 
-void add_part(std::vector<FreePart>& parts, double from, double to) {
+void add_part(std::vector<StrokePart>& parts, double from, double to) {
   if (!parts.empty() && parts.back().to == from) {
     parts.back().to = to;
   } else if (from < to) {
     parts.push_back({from, to});
   }
-}
-
-std::vector<FreePart> all_parts(std::vector<FreePart> parts, const std::vector<FreePart>& more) {
-  parts.insert(parts.end(), more.begin(), more.end());
-  std::sort(parts.begin(), parts.end(), [](const FreePart& l, const FreePart& r) { return l.from < r.from; });
-  std::vector<FreePart> joined;
-  for (const FreePart& part : parts) {
-    if (!joined.empty() && part.from <= joined.back().to) {
-      joined.back().to = std::max(joined.back().to, part.to);
-    } else {
-      joined.push_back(part);
-    }
-  }
-  return joined;
 }
 
 /// The first two faces of the sources of strokes.
@@ -194,7 +180,7 @@ double distance_mm(const StrokeModel& model, const Stroke& stroke, const Side& s
 }
 
 /// Adds the part of a stretch on which the visible facet lies more than `least_mm` behind the stroke.
-void add_behind(std::vector<FreePart>& parts, const Stroke& stroke, const SeenStretch& stretch, const Facet& facet,
+void add_behind(std::vector<StrokePart>& parts, const Stroke& stroke, const SeenStretch& stretch, const Facet& facet,
                 const ProjectedScene& projected, double least_mm) {
   // The distance of the facet's plane behind the stroke is linear along it.
   const auto behind = [&](double t) {
@@ -251,7 +237,7 @@ std::vector<FreeParts> free_parts(const StrokeModel& model, std::span<const std:
       const Stroke& stroke = model.strokes[members[m]];
       for (Side& side : sides[m]) {
         if (side.free.empty()) continue;
-        std::vector<FreePart> free;
+        std::vector<StrokePart> free;
         for (const SeenStretch& stretch : seen[line]) {
           if (stretch.facet == kNone) {
             add_part(free, stretch.from, stretch.to);
@@ -269,9 +255,10 @@ std::vector<FreeParts> free_parts(const StrokeModel& model, std::span<const std:
   std::vector<FreeParts> free(members.size());
   for (std::size_t m = 0; m < members.size(); ++m) {
     for (const Side& side : sides[m]) {
-      free[m].parts = all_parts(std::move(free[m].parts), side.free);
+      free[m].parts.insert(free[m].parts.end(), side.free.begin(), side.free.end());
       free[m].off_mm = std::max(free[m].off_mm, distance_mm(model, model.strokes[members[m]], side));
     }
+    unite(free[m].parts);
   }
   return free;
 }

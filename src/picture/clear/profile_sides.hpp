@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contours/contour_strokes.hpp"
+#include "linework/near_part.hpp"
 #include "linework/stroke.hpp"
 #include "picture/requests.hpp"
 #include "scene/model/scene.hpp"
@@ -14,15 +15,10 @@
 
 namespace ligne {
 
-/// A part of a stroke, by fractions of its length on the page.
-struct FreePart {
-  double from = 0, to = 1;
-};
-
 /// The parts of a stroke at which the visible object ends.
 struct FreeParts {
-  std::vector<FreePart> parts;  ///< sorted and disjoint
-  double off_mm = 0;            ///< distance of the tested line; contours are drawn beside their mesh
+  std::vector<StrokePart> parts;  ///< sorted and disjoint
+  double off_mm = 0;              ///< distance of the tested line; contours are drawn beside their mesh
 };
 
 /// The kind of profile, and the width of the pen that draws it.

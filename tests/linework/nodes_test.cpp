@@ -1,8 +1,7 @@
 /// The places where strokes end, against a map of all of them.
 
-#include "linework/stroke_nodes.hpp"
 #include "base/no_index.hpp"
-#include "linework/node_pairs.hpp"
+#include "linework/map/continuations.hpp"
 #include "stroke_builder.hpp"
 #include "support/test.hpp"
 
@@ -88,6 +87,48 @@ std::vector<std::uint32_t> paired(const std::vector<LatticePoint>& directions,
 
 using ArmPartners = std::vector<std::uint32_t>;
 constexpr std::uint32_t none = kNone;
+
+/// The lines that partners make, as the first ends of their strokes; a ring ends with kNone.
+std::vector<Ends> lines_of(const Ends& partner, LineOrder order) {
+  std::vector<Ends> lines;
+  for_each_line(partner, order, [&](std::span<const std::uint32_t> ends, bool is_ring) {
+    lines.emplace_back(ends.begin(), ends.end());
+    if (is_ring) lines.back().push_back(kNone);
+  });
+  return lines;
+}
+
+TEST(Continuations, LinesBeginAtLooseEndsOrWithTheirLowestStrokes) {
+  // Strokes 0 and 3 are a ring, strokes 4, 1 and 2 an open line: end 9 is loose, 8 continues 2, 3 continues 5, 4 is loose.
+  Ends partner(10, kNone);
+  const auto pair = [&](std::uint32_t a, std::uint32_t b) { partner[a] = b, partner[b] = a; };
+  pair(1, 6), pair(7, 0), pair(8, 2), pair(3, 5);
+  EXPECT_EQ(lines_of(partner, LineOrder::loose_ends), (std::vector<Ends>{{4, 3, 8}, {0, 6, kNone}}));
+  EXPECT_EQ(lines_of(partner, LineOrder::strokes), (std::vector<Ends>{{0, 6, kNone}, {9, 2, 5}}));
+  EXPECT_TRUE(lines_of({}, LineOrder::strokes).empty());
+}
+
+TEST(Nodes, KeepTheirEndsInOrder) {
+  std::vector<Stroke> strokes(3);
+  for (std::int32_t i = 0; i < 3; ++i) strokes[static_cast<std::size_t>(i)].to = {1 + i, 5};
+  Nodes nodes(strokes);
+  const auto ends_at = [&](std::uint32_t node) {
+    Ends ends;
+    nodes.for_each_end(node, [&](std::uint32_t end) { ends.push_back(end); });
+    EXPECT_EQ(nodes.degree(node), ends.size());
+    return ends;
+  };
+  EXPECT_EQ(ends_at(nodes.of(0)), (Ends{0, 2, 4}));
+  EXPECT_EQ(nodes.other(0), kNone) << "three strokes meet";
+  nodes.unlink(2);
+  EXPECT_EQ(nodes.other(0), 4u);
+  EXPECT_EQ(nodes.other(4), 0u);
+  nodes.unlink(1);
+  nodes.link(1, nodes.of(4));
+  EXPECT_EQ(ends_at(nodes.of(4)), (Ends{0, 1, 4}));
+  nodes.add();
+  EXPECT_EQ(ends_at(nodes.of(6)), (Ends{6}));
+}
 
 TEST(NodePairs, KnownAnswers) {
   EXPECT_EQ(paired({{1, 0}}), (ArmPartners{none}));

@@ -1,11 +1,13 @@
-#include "linework/stroke_nodes.hpp"
+#include "linework/map/nodes.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include "base/hash.hpp"
+#include "base/parallel_counting_sort.hpp"
 
 namespace ligne {
 namespace {
@@ -18,7 +20,7 @@ constexpr unsigned kMostBucketBits = 14;
 constexpr std::size_t kBucketsPerTask = 16;
 constexpr std::size_t kScatteredBlock = 131'072;
 /// Adjustable: above this many ends in a bucket, buckets are chosen by hash.
-constexpr std::uint32_t kMaxBucketSize = 64 * kBucketEnds;
+constexpr std::size_t kMaxBucketSize = 64 * kBucketEnds;
 
 std::uint64_t hash_of(LatticePoint p) { return mix_bits(std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y)); }
 
@@ -29,24 +31,11 @@ class Buckets {
   Buckets(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> members)
       : strokes_(strokes),
         members_(members),
-        row_bits_(std::min<unsigned>(kMostBucketBits, std::bit_width(2 * members.size() / kBucketEnds)) / 2),
-        begin_(count() + 1),
-        ends_(2 * members.size()) {
+        row_bits_(std::min<unsigned>(kMostBucketBits, std::bit_width(2 * members.size() / kBucketEnds)) / 2) {
     find_extent();
-    std::vector<std::uint32_t> next = counts();
-    if (exceeds_limit(next)) {
-      by_hash_ = true;
-      next = counts();
-    }
-    // Each block of strokes has its own place in each bucket, so the ends of a bucket keep their order.
-    const std::size_t blocks = next.size() / count();
-    std::uint32_t sum = 0;
-    for (std::size_t b = 0; b < count(); ++b) {
-      begin_[b] = sum;
-      for (std::size_t block = 0; block < blocks; ++block) sum += std::exchange(next[block * count() + b], sum);
-    }
-    begin_.back() = sum;
-    for_blocks(next, [&](std::uint32_t* own, LatticePoint p, std::uint32_t end) { ends_[own[bucket(p)]++] = {p, end}; });
+    scatter();
+    for (std::size_t b = 0; b < count() && !by_hash_; ++b) by_hash_ = begin_[b + 1] - begin_[b] > kMaxBucketSize;
+    if (by_hash_) scatter();
   }
 
   std::size_t count() const { return std::size_t{1} << (2 * row_bits_); }
@@ -58,75 +47,55 @@ class Buckets {
   std::size_t bucket(LatticePoint p) const {
     if (row_bits_ == 0) return 0;
     if (by_hash_) return hash_of(p) >> (64 - 2 * row_bits_);
-    const auto x = static_cast<std::size_t>((double(p.x) - low_x_) * per_step_x_);
-    const auto y = static_cast<std::size_t>((double(p.y) - low_y_) * per_step_y_);
+    const auto x = static_cast<std::size_t>((p.x - low_.x) * per_step_.x);
+    const auto y = static_cast<std::size_t>((p.y - low_.y) * per_step_.y);
     return y << row_bits_ | x;
   }
 
   void find_extent() {
-    struct Extent {
-      std::int32_t low_x = kLatticeLimit, low_y = kLatticeLimit, high_x = -kLatticeLimit, high_y = -kLatticeLimit;
-      void add(const Extent& o) {
-        low_x = std::min(low_x, o.low_x), low_y = std::min(low_y, o.low_y);
-        high_x = std::max(high_x, o.high_x), high_y = std::max(high_y, o.high_y);
-      }
-    };
-    const Extent all = parallel_reduce(
-        members_.size(), kScatteredBlock, Extent{},
+    const Rect all = parallel_reduce(
+        members_.size(), kScatteredBlock, Rect{},
         [&](std::size_t first, std::size_t last) {
-          Extent extent;
+          Rect part;
           for (std::size_t i = first; i < last; ++i) {
             const Stroke& s = strokes_[members_[i]];
-            extent.add({s.from.x, s.from.y, s.from.x, s.from.y});
-            extent.add({s.to.x, s.to.y, s.to.x, s.to.y});
+            for (const LatticePoint p : {s.from, s.to}) part.extend({p.x, p.y});
           }
-          return extent;
+          return part;
         },
-        [](Extent sum, const Extent& part) {
-          sum.add(part);
+        [](Rect sum, const Rect& part) {
+          sum.extend(part.min);
+          sum.extend(part.max);
           return sum;
         });
     // One step is added to the extent, so that the highest coordinates lie in the last square.
     const double squares = double(std::size_t{1} << row_bits_);
-    low_x_ = all.low_x, low_y_ = all.low_y;
-    per_step_x_ = squares / (double(all.high_x) - low_x_ + 1);
-    per_step_y_ = squares / (double(all.high_y) - low_y_ + 1);
+    low_ = all.min;
+    per_step_ = Point2(squares) / (Point2(all.width(), all.height()) + 1.0);
   }
 
-  template <class Visit>
-  void for_blocks(std::vector<std::uint32_t>& of_blocks, const Visit& visit) const {
-    parallel_blocks(members_.size(), kScatteredBlock, [&](std::size_t first, std::size_t last) {
-      std::uint32_t* const own = of_blocks.data() + first / kScatteredBlock * count();
+  void scatter() {
+    const auto list = [&](std::size_t first, std::size_t last, const auto& take) {
       for (std::size_t i = first; i < last; ++i) {
+        const Stroke& s = strokes_[members_[i]];
         const auto end = static_cast<std::uint32_t>(2 * i);
-        visit(own, strokes_[members_[i]].from, end);
-        visit(own, strokes_[members_[i]].to, end + 1);
+        take(bucket(s.from), s.from, end);
+        take(bucket(s.to), s.to, end + 1);
       }
-    });
-  }
-
-  /// Counts ends by block of strokes and by bucket.
-  std::vector<std::uint32_t> counts() const {
-    std::vector<std::uint32_t> counts(block_count(members_.size(), kScatteredBlock) * count());
-    for_blocks(counts, [&](std::uint32_t* own, LatticePoint p, std::uint32_t) { ++own[bucket(p)]; });
-    return counts;
-  }
-
-  bool exceeds_limit(const std::vector<std::uint32_t>& counts) const {
-    for (std::size_t b = 0; b < count(); ++b) {
-      std::uint32_t ends = 0;
-      for (std::size_t k = b; k < counts.size(); k += count()) ends += counts[k];
-      if (ends > kMaxBucketSize) return true;
-    }
-    return false;
+    };
+    begin_ = parallel_counting_sort(
+        members_.size(), kScatteredBlock, count(), list, [&](std::size_t n) { ends_.resize(n); },
+        [&](std::size_t place, LatticePoint p, std::uint32_t end) {
+          ends_[place] = {p, end};
+        });
   }
 
   const std::vector<Stroke>& strokes_;
   std::span<const std::uint32_t> members_;
   unsigned row_bits_;
   bool by_hash_ = false;
-  double low_x_ = 0, low_y_ = 0, per_step_x_ = 0, per_step_y_ = 0;
-  std::vector<std::uint32_t> begin_;
+  Point2 low_{0, 0}, per_step_{0, 0};
+  std::vector<std::size_t> begin_;
   std::vector<StrokeEnd> ends_;
 };
 
@@ -178,6 +147,50 @@ void for_each_node(const std::vector<Stroke>& strokes, std::span<const std::uint
     NodeSorter sorter;
     for (std::size_t b = first; b < last; ++b) sorter.visit_nodes(buckets[b], visit);
   });
+}
+
+Nodes::Nodes(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> members)
+    : of_(2 * members.size()), next_(of_.size(), kNone), first_(of_.size(), kNone), degree_(of_.size(), 0) {
+  for_each_node(strokes, members, [&](std::span<const StrokeEnd> ends) {
+    const std::uint32_t node = ends[0].end;
+    first_[node] = node;
+    degree_[node] = static_cast<std::uint32_t>(ends.size());
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      of_[ends[k].end] = node;
+      if (k + 1 < ends.size()) next_[ends[k].end] = ends[k + 1].end;
+    }
+  });
+}
+
+Nodes::Nodes(const std::vector<Stroke>& strokes)
+    : Nodes(strokes, [&] {
+        std::vector<std::uint32_t> all(strokes.size());
+        std::iota(all.begin(), all.end(), 0u);
+        return all;
+      }()) {}
+
+void Nodes::add() {
+  const std::uint32_t end = end_count();
+  of_.push_back(end);
+  next_.push_back(kNone);
+  first_.push_back(end);
+  degree_.push_back(1);
+}
+
+void Nodes::link(std::uint32_t end, std::uint32_t node) {
+  std::uint32_t* place = &first_[node];
+  while (*place != kNone && *place < end) place = &next_[*place];
+  next_[end] = std::exchange(*place, end);
+  of_[end] = node;
+  ++degree_[node];
+}
+
+void Nodes::unlink(std::uint32_t end) {
+  const std::uint32_t node = of_[end];
+  std::uint32_t* place = &first_[node];
+  while (*place != end) place = &next_[*place];
+  *place = std::exchange(next_[end], kNone);
+  --degree_[node];
 }
 
 }  // namespace ligne

@@ -8,7 +8,7 @@
 /// them would make a smaller turn. So only neighbours are candidates. When a pair is taken, its four marks leave the
 /// circle, and at most four new pairs of neighbours arise. O(d log d) for d arms.
 
-#include "linework/node_pairs.hpp"
+#include "linework/map/continuations.hpp"
 
 #include <algorithm>
 #include <array>
