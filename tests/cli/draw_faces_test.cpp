@@ -8,22 +8,6 @@
 namespace ligne::test {
 namespace {
 
-/// Shadow lines come with --light, where --edges does not say otherwise; without it by --edges, from the lights of the
-/// scene.
-TEST_F(DrawTest, ShadowLines) {
-  const std::string scene = LIGNE_SOURCE_DIR "/tests/atherton_weiler/scenes/shadow_frame.json";
-  const auto shadows = [&](const Words& options) { return strokes_by_class(drawn(Words{scene} + options))["shadow"]; };
-  EXPECT_EQ(shadows("--view top"), 0);
-  EXPECT_EQ(shadows("--view top --light=2,2,-1"), 8);
-  EXPECT_EQ(shadows("--view top --light=2,2,-1 --edges feature"), 0);
-  EXPECT_GT(shadows("--view top --edges feature,shadow"), 8) << "two lights in the scene";
-  EXPECT_GT(shadows("--view top --edges shadow --method warnock"), 8);
-  expect_error("draw cube.obj --edges shadow -o x.svg", 2,
-               "ligne: --edges: there is no light that casts a shadow: give --light, or lights in the scene\n");
-  expect_error({"draw", scene, "--edges", "shadow", "--method", "appel", "-o", "x.svg"}, 2,
-               "ligne: --edges: needs a method that gives regions: atherton-weiler, warnock, newell, bsp, convex-tree\n");
-}
-
 TEST_F(DrawTest, GlassAndLightGiveTheSameBytesForAnyNumberOfThreads) {
   const std::string scenes = LIGNE_SOURCE_DIR "/tests/atherton_weiler/scenes/",
                     models = LIGNE_SOURCE_DIR "/examples/models/";
@@ -45,21 +29,6 @@ TEST_F(DrawTest, GlassAndLightGiveTheSameBytesForAnyNumberOfThreads) {
       }
     }
   }
-}
-
-TEST_F(DrawTest, WhatIsSeenThroughGlassIsALayer) {
-  const std::string scene = LIGNE_SOURCE_DIR "/tests/atherton_weiler/scenes/transparent_three.json";
-  const json drawing = drawn({scene, "--view", "front", "--method", "atherton-weiler"});
-  int behind = 0;
-  for (const json& stroke : drawing["strokes"]) behind += stroke.value("level", 0) > 0;
-  EXPECT_GT(behind, 6);
-  const auto svg = [&](const Words& arguments) { return run(arguments + "-o - --format svg").out; };
-  const std::string text = svg({"draw", scene, "--view", "front", "--method", "atherton-weiler"});
-  expect_parts(text, {"id=\"behind-glass\""});
-  EXPECT_EQ(svg({"draw", scene, "--view", "front", "--method", "appel"}).find("behind-glass"), std::string::npos)
-      << "it knows no transparency";
-  run_well({"draw", scene, "--view", "front", "--method", "atherton-weiler", "-o", "glass.json"});
-  EXPECT_NE(svg("plot glass.json").find("behind-glass"), std::string::npos);
 }
 
 /// The options of scan lines: the drawing is the same with every span method, the bytes with any number of threads, in every
@@ -105,14 +74,6 @@ TEST_F(DrawTest, SpansInJson) {
   // A cube seen along its diagonal is a regular hexagon, here 190 mm high between two corners.
   EXPECT_NEAR(area, 95 * 95 * 3 * std::sqrt(3) / 2, 150);
   EXPECT_FALSE(drawn("cube.obj --method watkins").contains("spans"));
-}
-
-TEST_F(DrawTest, FacesInGray) {
-  const auto png = [&](const Words& more) {
-    return run("draw cube.obj -o - --format png --method watkins --dpi 30" + more).out;
-  };
-  EXPECT_TRUE(png("--shade --view trimetric") !=
-              png("--view trimetric"));  // seen along its diagonal a cube is as bright as paper
 }
 
 class HatchTest : public DrawTest {
@@ -173,21 +134,6 @@ TEST_F(HatchTest, ContinuousShadesAreTheSameByEveryMethod) {
     EXPECT_NEAR(length_by("warnock"), wanted, 0.1) << view;
     EXPECT_NEAR(length_by("watkins"), wanted, 0.1) << view;
   }
-}
-
-TEST_F(DrawTest, PensByShade) {
-  write(
-      "pens.toml",
-      "[[pen]]\nnumber = 1\nrest = true\n[[pen]]\nnumber = 2\nwidth = 0.5\nshades = [1, 2]\n[[pen]]\nnumber = 3\nwidth = 0.2\nshades = [3, 4]\n");
-  const auto plotted = [&](const Words& more) {
-    return output_of("draw cube.obj -o - --format hpgl --hatch shade --view trimetric -q" + more);
-  };
-  for (const std::string& hpgl :
-       {plotted("--pens pens.toml"),
-        plotted("--pen rest=1 --pen shade:1=2,black,0.5 --pen shade:2=2 --pen shade:3=3,black,0.2 --pen shade:4=3")}) {
-    for (const char* pen : {"SP1;", "SP2;", "SP3;"}) EXPECT_NE(hpgl.find(pen), std::string::npos) << pen;
-  }
-  EXPECT_EQ(plotted("--pens pens.toml"), plotted("--pens pens.toml --threads 1"));
 }
 
 }  // namespace

@@ -11,53 +11,6 @@ namespace {
 
 using nlohmann::json;
 
-TEST_F(ProgramTest, InfoCountsACube) {
-  const Outcome outcome = run_well("info cube.obj --json");
-  EXPECT_EQ(outcome.err, "");
-  const json info = json::parse(outcome.out);
-  EXPECT_EQ(info["format"], "ligne-info");
-  EXPECT_EQ(info["version"], 1);
-  EXPECT_EQ(info["files"][0]["stored"]["faces"], 6);
-  EXPECT_EQ(info["files"][0]["stored"]["triangles"], 12);
-  const json& scene = info["scene"];
-  EXPECT_EQ(scene["vertices"], 8);
-  EXPECT_EQ(scene["faces"], 6);
-  EXPECT_EQ(scene["faces_with_holes"], 0);
-  EXPECT_EQ(scene["edges"], 12);
-  EXPECT_EQ(scene["border_edges"], 0);
-  EXPECT_EQ(scene["bounds"], json::parse("[[-10,-10,-10],[10,10,10]]"));
-  EXPECT_EQ(scene["up_axis"], "y");
-  ASSERT_EQ(scene["objects"].size(), 1u);
-  EXPECT_EQ(scene["objects"][0]["name"], "cube");
-  EXPECT_EQ(scene["objects"][0]["closed"], true);
-  EXPECT_EQ(scene["objects"][0]["windings_agree"], true);
-  // Seen from a corner: six edges around the outline, three before, three behind.
-  EXPECT_EQ(info["view"]["edges"]["outline"], 6);
-  EXPECT_EQ(info["view"]["edges"]["crease"], 6);
-  EXPECT_EQ(info["view"]["edges"]["mesh"], 0);
-  EXPECT_FALSE(info["methods"].empty());
-}
-
-TEST_F(ProgramTest, InfoFollowsTheView) {
-  const Outcome front = run_well("info square.obj --json --view front --scale 1:2 --unit cm --page A3");
-  const json view = json::parse(front.out)["view"];
-  EXPECT_EQ(view["edges"]["border"], 4);
-  EXPECT_NEAR(view["picture_mm"][0].get<double>(), 200, 1e-6);
-  EXPECT_NEAR(view["picture_mm"][1].get<double>(), 50, 1e-6);
-  EXPECT_EQ(view["page_mm"], json::parse("[420,297]"));
-  EXPECT_NEAR(view["mm_per_unit"].get<double>(), 5, 1e-12);
-}
-
-TEST_F(ProgramTest, InfoTellsWhatCullLeavesOut) {
-  const Outcome culled = run_well("info cube.obj square.obj --cull --json");
-  const json view = json::parse(culled.out)["view"];
-  EXPECT_EQ(view["culled"], json::parse(R"({"faces":3,"objects":1,"kept_objects":1})"));
-  EXPECT_EQ(view["edges"]["crease"], 3) << "those behind the cube are gone";
-  expect_parts(culled.err, {"warning: 1 of 2 objects"});
-  EXPECT_NE(run("info cube.obj --cull").out.find("3 left out, of 1 of 1 objects"), std::string::npos);
-  EXPECT_FALSE(json::parse(run("info cube.obj --json").out)["view"].contains("culled"));
-}
-
 TEST_F(ProgramTest, InfoTextNamesEveryMethod) {
   const json methods = json::parse(run("methods --json").out);
   EXPECT_EQ(methods["format"], "ligne-methods");
@@ -81,38 +34,6 @@ TEST_F(ProgramTest, InfoTextNamesEveryMethod) {
   }
   EXPECT_EQ(defaults, 1);
   expect_parts(info.out, {"open: 4 border edges"});
-}
-
-TEST_F(ProgramTest, InfoWritesFilesAndTakesSeveralModels) {
-  const Outcome outcome = run_well("info cube.obj square.obj --format json -o info.txt --up-axis z");
-  EXPECT_EQ(outcome.out, "");
-  const json info = json::parse(contents(file("info.txt")));
-  EXPECT_EQ(info["files"].size(), 2u);
-  EXPECT_EQ(info["scene"]["objects"].size(), 2u);
-  EXPECT_EQ(info["scene"]["up_axis"], "z");
-}
-
-TEST_F(ProgramTest, HelpAndVersion) {
-  const Outcome version = run_well("--version");
-  EXPECT_EQ(version.out.rfind("ligne ", 0), 0u);
-  const Outcome help = run_well("--help");
-  for (const char* command : {"draw", "info", "methods"}) {
-    expect_parts(help.out, {command});
-    const Outcome of_command = run_well({command, "--help"});
-    EXPECT_EQ(of_command.err, "");
-    expect_parts(of_command.out, {"Example"});
-  }
-  const std::string draw = run("draw --help all").out;
-  for (const char* option : {"--view",      "--direction",      "--eye",       "--target",     "--fov",
-                             "--up",        "--up-axis",        "--method",    "--edges",      "--crease",
-                             "--hidden",    "--page",           "--landscape", "--portrait",   "--margin",
-                             "--pen-width", "--scale",          "--unit",      "--output",     "--format",
-                             "--dpi",       "--threads",        "--stats",     "--stats-json", "--progress",
-                             "--quiet",     "--merge-coplanar", "--title",     "--cull",       "--weld"}) {
-    EXPECT_NE(draw.find(option), std::string::npos) << option;
-  }
-  expect_parts(draw, {"svg pdf png json"});
-  EXPECT_EQ(run("info --help").out.find("svg"), std::string::npos) << "info is no drawing";
 }
 
 TEST_F(ProgramTest, CompareAsJsonHasOneSchemaForAllMethods) {
@@ -148,80 +69,6 @@ TEST_F(ProgramTest, CompareOfSomeMethodsAsCsv) {
   // In the order of ligne methods; the option is that of warnock alone.
   EXPECT_EQ(lines[1].rfind("warnock,no,yes,", 0), 0u) << lines[1];
   EXPECT_EQ(lines[2].rfind("newell,yes,yes,", 0), 0u) << lines[2];
-}
-
-TEST_F(ProgramTest, ComparePageNeedsNothingElse) {
-  const Outcome outcome = run_well("compare cube.obj --html cube.html -o table.txt");
-  EXPECT_EQ(outcome.out, "");
-  const std::string page = contents(file("cube.html"));
-  EXPECT_EQ(page.rfind("<!doctype html>", 0), 0u);
-  for (const char* from_outside : {"http:", "https:", "src=", "@import", "<script", "<link"}) {
-    EXPECT_EQ(page.find(from_outside), std::string::npos) << from_outside;
-  }
-  expect_parts(page, {"exact methods draw the same lines", "<svg", "The seven parts",
-                      "<th>sigma<small>strategy</small></th>", "<code>ProjectedScene</code>"});
-  EXPECT_NE(contents(file("table.txt")).find("appel"), std::string::npos);
-}
-
-TEST_F(ProgramTest, CompareRefusesWhatMakesNoSense) {
-  const auto refused = [&](const Words& arguments, const std::string& why) {
-    expect_outcome("compare cube.obj" + arguments, 2, {why});
-  };
-  refused("--methods magic", "--methods: \"magic\" is not one of auto");
-  refused("--methods appel,appel", "--methods: \"appel\" is given twice");
-  refused("--methods auto", "--methods: auto stands for one of the other methods");
-  refused("--hidden dashed:1", "--hidden: only --method appel counts faces");
-  refused("--methods appel --set resolution=64", "--set resolution: no method has this option");
-  refused("--json --csv", "--");
-  EXPECT_EQ(new_files(), Words{});
-}
-
-TEST_F(ProgramTest, StatsSayWhichRuleChose) {
-  const Outcome outcome = run_well("draw cube.obj -o x.svg --stats");
-  expect_parts(outcome.err, {"rule 4: any other scene"});
-}
-
-// ligne study: the names, what is refused, and the files that it writes.
-
-using StudyCommandTest = ProgramTest;
-
-TEST_F(StudyCommandTest, ListsTheExperiments) {
-  const Outcome outcome = run_well("study --list");
-  expect_parts(outcome.out, {"squares", "Boulle 2.3.3.4"});
-}
-
-TEST_F(StudyCommandTest, WritesTablesAndPlots) {
-  const Outcome outcome = run_well("study translation --size small --json t.json --csv t.csv --svg t.svg");
-  expect_parts(outcome.out, {"Figure 2.56"});
-  const auto json = nlohmann::json::parse(contents(file("t.json")));
-  EXPECT_EQ(json["format"], "ligne-study");
-  EXPECT_EQ(json["size"], "small");
-  EXPECT_EQ(json["experiments"].size(), 1u);
-  EXPECT_EQ(contents(file("t.csv")).rfind("experiment,table,row,column,kind,value\n", 0), 0u);
-  const std::string svg = contents(file("t.svg"));
-  expect_parts(svg, {"<svg"});
-  expect_no_parts(svg, {"nan"});
-}
-
-TEST_F(StudyCommandTest, StandardOutputHasWhatWasAskedFor) {
-  const Outcome outcome = run_well("study windows --size small --json -");
-  EXPECT_EQ(nlohmann::json::parse(outcome.out)["experiments"][0]["name"], "windows");
-}
-
-TEST_F(StudyCommandTest, StudiesModelsBesideItsOwnScenes) {
-  const Outcome outcome = run_well("study coherence cube.obj --size small");
-  expect_parts(outcome.out, {"| cube | 256 |"});
-}
-
-TEST_F(StudyCommandTest, RefusesInOneLine) {
-  for (const Words arguments : {"study", "study nothing", "study squares --size huge"}) {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.status, 2) << arguments.back();
-    EXPECT_EQ(outcome.error_lines(), 1u) << outcome.err;
-  }
-  EXPECT_EQ(run("study windows --size small --svg w.svg").status, 1) << "it has no plot";
-  EXPECT_FALSE(exists("w.svg"));
-  EXPECT_EQ(run("study coherence none.obj").status, 1);
 }
 
 /// ligne compile, and ligne draw of what it writes.
@@ -260,32 +107,6 @@ TEST_F(CompileTest, TheTreeDrawsWhatTheModelDraws) {
       EXPECT_EQ(svg("model.tree", "--method appel"), svg(model, "--method appel")) << name;
     }
   }
-}
-
-TEST_F(CompileTest, IsDoneOnce) {
-  compiled("cube.obj");
-  EXPECT_NE(run("draw cube.obj --method bsp --stats -o a.svg").err.find("\n  tree "), std::string::npos);
-  EXPECT_EQ(run("draw model.tree --stats -o a.svg").err.find("\n  tree "), std::string::npos);
-}
-
-TEST_F(CompileTest, TheSameModelGivesTheSameBytes) {
-  const std::string model = (kScenes / "house.json").string();
-  EXPECT_EQ(compiled(model, "--threads 1"), compiled(model, "--threads 3"));
-  EXPECT_NE(compiled(model), compiled(model, "--set partition=faces --set candidates=9"));
-}
-
-TEST_F(CompileTest, WhatItWasCompiledWithStays) {
-  compiled("cube.obj");
-  const std::string again = "model.tree is compiled: use this option with ligne compile\n";
-  EXPECT_EQ(refusal("draw model.tree --weld 1 -o a.svg"), "ligne: --weld: " + again);
-  EXPECT_EQ(refusal("draw model.tree --only x -o a.svg"), "ligne: --only: " + again);
-  EXPECT_EQ(refusal("draw model.tree --set candidates=3 -o a.svg"), "ligne: --set candidates: " + again);
-  EXPECT_EQ(refusal("draw model.tree cube.obj -o a.svg"),
-            "ligne: model.tree is a compiled model and must be the only one\n");
-  EXPECT_EQ(refusal("compile model.tree -o b.tree"), "ligne: model.tree is compiled already\n");
-  EXPECT_EQ(refusal("compile cube.obj --method appel -o b.tree"),
-            "ligne: --method: \"appel\" is not one of bsp or convex-tree\n");
-  EXPECT_EQ(refusal("compile cube.obj"), "ligne: --output: there is no output file: -o FILE\n");
 }
 
 TEST_F(CompileTest, DamagedFilesAreRefused) {

@@ -1,6 +1,5 @@
-/// --max-memory, and values that ask for more than any machine has: a run is done, or ends soon with one line and no file.
+/// --max-memory: a run is done, or ends soon with one line and no file.
 
-#include <chrono>
 #include <cmath>
 
 #include "main/tier.hpp"
@@ -140,74 +139,6 @@ TEST_F(Memory, NoLimitAndTheUsualOneDrawTheSame) {
     EXPECT_EQ(contents(file("a.svg")), contents(file("b.svg"))) << limit;
   }
 }
-
-TEST_F(Memory, LimitStandsInTheHelp) {
-  for (const char* command : {"draw", "surface", "plot", "info"}) {
-    EXPECT_NE(run({"help", command, "all"}).out.find("--max-memory SIZE"), std::string::npos) << command;
-  }
-}
-
-/// A value that no machine can serve, and the option that the line begins with.
-struct Absurd {
-  const char* name;
-  Words arguments;
-  std::string start;
-};
-
-void PrintTo(const Absurd& absurd, std::ostream* out) { *out << absurd.name; }
-
-class AbsurdValues : public ProgramTest, public testing::WithParamInterface<Absurd> {};
-
-TEST_P(AbsurdValues, AreRefusedSoonWithTheOption) {
-  const auto start = std::chrono::steady_clock::now();
-  const Outcome outcome = run(GetParam().arguments);
-  // A fraction of a second; a busy machine takes longer.
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
-  EXPECT_EQ(outcome.status, kUsage) << outcome.err;
-  EXPECT_EQ(outcome.error_lines(), 1u) << outcome.err;
-  EXPECT_EQ(outcome.err.rfind("ligne: " + GetParam().start, 0), 0u) << outcome.err;
-  EXPECT_EQ(new_files(), Words{});
-}
-
-Absurd absurd_draw(const char* name, const Words& options, const std::string& start) {
-  Words arguments = "draw cube.obj -o a.svg" + options;
-  return {name, arguments, start};
-}
-
-Absurd surface(const char* name, const Words& options, const std::string& start) {
-  Words arguments = "surface x*y -o a.svg" + options;
-  return {name, arguments, start};
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Options, AbsurdValues,
-    testing::Values(
-        surface("Samples", "--samples 1000000000", "--samples: "),
-        surface("SamplesSquared", "--samples 1000000", "--samples: gives 1000000 x 1000000 samples, more than 1000000000\n"),
-        surface("SamplesOfMesh", "--samples 1000000 --hidden dashed", "--samples: gives 1000000 x 1000000 "),
-        surface("Curves", "-x 0:1:1000000000", "-x: "), surface("Contours", "--contours 1000000000", "--contours: "),
-        surface("ContourStep", "--contour-step 1e-9", "--contour-step: "),
-        surface("ContourStepTiny", "--contour-step 1e-300", "--contour-step: "),
-        surface("Columns", "--horizon pixels --resolution 1000000000", "--resolution: "),
-        surface("Every", "--every 1000000000", "--every: "),
-        surface("TextHeight", "--axes --text-height 1e9", "--text-height: "),
-        surface("HatchSpacing", "--hatch plain --hatch-spacing 1e-9", "--hatch-spacing: the strokes are too dense"),
-        surface("HatchPage", "--hatch plain --page 99999x99999", "--hatch-spacing: the strokes are too dense"),
-        surface("HatchOfManyFaces", "--hatch plain --hatch-spacing 0.0005", "--hatch-spacing: the strokes are too dense"),
-        absurd_draw("Page", "--page 1e9x1e9", "--page: "), absurd_draw("Dpi", "--format png --dpi 1e6", "--dpi: "),
-        absurd_draw("Pixels", "--format png --dpi 9600", "--dpi: a PNG of 79370 x 112252 pixels is too large\n"),
-        absurd_draw("PixelsOfPage", "--format png --page 99999x99999", "--dpi: a PNG of "),
-        absurd_draw("Resolution", "--method warnock --set resolution=1000000000", "--set resolution: "),
-        absurd_draw("Lines", "--method watkins --lines 1000000000", "--lines: "),
-        absurd_draw("HatchSpacing", "--hatch plain --hatch-spacing 1e-9", "--hatch-spacing: the strokes are too dense"),
-        absurd_draw("HatchUnderPen", "--hatch plain --hatch-spacing 0.001",
-                    "--hatch-spacing: the strokes are too dense: more than 128 under the pen\n"),
-        absurd_draw("HatchBySpans", "--method watkins --hatch plain --hatch-spacing 0.0001",
-                    "--hatch-spacing: the strokes are too dense"),
-        absurd_draw("Threads", "--threads 1000000000", "--threads: "),
-        absurd_draw("Memory", "--max-memory much", "--max-memory: \"much\" is not a size such as 500M or 2G, or none\n"),
-        absurd_draw("MemoryNegative", "--max-memory -1G", "--max-memory: ")),
-    [](const auto& info) { return std::string(info.param.arguments[0]) + info.param.name; });
 
 }  // namespace
 }  // namespace ligne::test

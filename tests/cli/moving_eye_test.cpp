@@ -57,30 +57,5 @@ TEST_F(MovingEyeTest, APathIsWalkedAtOneSpeed) {
   }
 }
 
-TEST_F(MovingEyeTest, PagesOfAFilm) {
-  run_well({"draw", kTower, "-q", "--eye", "40,30,40", "--to", "-40,30,40", "--frames", "3", "--method", "newell", "-o",
-            "w.pdf"});
-  expect_parts(contents(file("w.pdf")), {"/Count 3"});
-}
-
-TEST_F(MovingEyeTest, MistakesAreToldInOneLine) {
-  write("flat.csv", "1,2\n3,4\n");
-  write("words.csv", "here,there\n");
-  const auto refused = [&](const Words& arguments, const std::string& part) {
-    const Outcome outcome = run(Words{"draw", kBricks, "-q"} + arguments + "-o x%d.svg");
-    EXPECT_NE(outcome.status, 0);
-    EXPECT_EQ(outcome.error_lines(), 1u);
-    expect_parts(outcome.err, {part});
-    EXPECT_FALSE(std::filesystem::exists(file("x1.svg")));
-  };
-  refused("--to 1,2,3 --frames 2", "--to: needs --eye");
-  refused("--path flat.csv --frames 2", "--path: needs --eye");
-  refused("--eye 9,9,9 --path flat.csv --frames 2", "flat.csv: has no rows of points X Y Z");
-  refused("--eye 9,9,9 --path nowhere.csv --frames 2", "nowhere.csv");
-  refused("--eye 9,9,9 --to 1,2,3", "--frames");
-  refused("--eye 9,9,9 --to 1,2,3 --frames 2 --turn 90", "--turn");
-  refused("--eye 9,9,9 --path words.csv --frames 2", "words.csv");
-}
-
 }  // namespace
 }  // namespace ligne::test

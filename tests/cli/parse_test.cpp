@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include "cli/memory_limit.hpp"
+#include "cli/options/idle_options.hpp"
 #include "files/message_text.hpp"
 #include "picture/errors.hpp"
 #include "picture/parse/parse.hpp"
@@ -13,15 +14,7 @@ namespace ligne {
 namespace {
 
 /// The complaint of the function about the text, or "" when it takes it.
-template <class Function>
-std::string complaint(Function function) {
-  try {
-    function();
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return "";
-}
+const auto complaint = [](const auto& function) { return test::failure_of(function); };
 
 TEST(ParseNumber, TakesNumbersWholeOnly) {
   EXPECT_EQ(parse_number("12"), 12);
@@ -286,6 +279,14 @@ TEST(MemoryOfTheMachine, IsKnown) {
   const double bytes = usual_memory_limit().bytes;
   EXPECT_GT(bytes, 0);
   EXPECT_TRUE(std::isfinite(bytes));
+}
+
+TEST(IdleOptionTable, TellsWhatIsMissing) {
+  EXPECT_TRUE(idle_options({"draw", {"--dpi", "--hidden"}, OutputFormat::png}).empty());
+  const auto idle = idle_options({"plot", {"--skip", "--dpi"}, OutputFormat::hpgl, true, false});
+  ASSERT_EQ(idle.size(), 2u);
+  EXPECT_EQ(idle[0].option, "--dpi");
+  EXPECT_EQ(idle[1].why, "has no effect without an SVG input");
 }
 
 }  // namespace

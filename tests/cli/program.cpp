@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "cli/command_line.hpp"
+#include "main/script.hpp"
 #include "support/standard.hpp"
 
 namespace ligne::test {
@@ -53,10 +54,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 
 std::size_t Outcome::error_lines() const { return static_cast<std::size_t>(std::count(err.begin(), err.end(), '\n')); }
 
-std::string contents(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+std::string contents(const std::filesystem::path& file) { return bytes_of_file(file); }
 
 namespace {
 
@@ -124,17 +122,7 @@ void flush_all() {
 
 }  // namespace
 
-Words::Words(const char* line) {
-  bool quoted = false, in_word = false;
-  for (; *line; ++line) {
-    const bool is_quote = *line == '\'';
-    if (is_quote) quoted = !quoted;
-    const bool is_gap = *line == ' ' && !quoted;
-    if (!is_gap && !in_word) emplace_back();
-    in_word = !is_gap;
-    if (!is_gap && !is_quote) back() += *line;
-  }
-}
+Words::Words(const char* line) : vector(words_of(line)) {}
 
 Words& Words::operator+=(const Words& more) {
   insert(end(), more.begin(), more.end());

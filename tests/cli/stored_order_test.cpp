@@ -39,36 +39,12 @@ TEST_F(StoredOrderTest, IsPaintedAsByANewStudy) {
   }
 }
 
-TEST_F(StoredOrderTest, HasOtherColoursScalesAndPages) {
-  ASSERT_NE(written("stored.json", {"draw", kStoredScenes + "cube_in_glass.json", "--method", "newell"}), "");
-  const std::string red = written("red.svg", "plot stored.json --fill material --material glass=#ff0000");
-  expect_parts(red, {"fill=\"#f00\" fill-opacity=\"0.4\""});
-  expect_no_parts(written("own.svg", "plot stored.json --fill material"), {"#f00"});
-  expect_parts(written("small.svg", "plot stored.json --fill shade --scale 1:2 --page A5 --landscape"),
-               {"width=\"210mm\" height=\"148mm\""});
-  expect_parts(written("a.pdf", "plot stored.json --fill random"), {"%PDF"});
-  const std::string two = written("two.svg", "plot stored.json stored.json --fill material --grid 2x1 --page A4");
-  EXPECT_EQ(count_of(two, "<path") % 2, 0u);
-  EXPECT_EQ(run("plot stored.json --fill material --material brick=red -o b.svg").error_lines(), 1u);
-}
-
 TEST_F(StoredOrderTest, MistakesAreToldInOneLine) {
-  write("a.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='10mm' height='10mm'><path d='M1 1H5' stroke='red'/></svg>");
-  ASSERT_NE(written("lines.json", {"draw", kStoredScenes + "bricks.json", "--method", "appel"}), "");
   ASSERT_NE(written("stored.json", {"draw", kStoredScenes + "bricks.json", "--method", "newell"}), "");
   const auto refused = [&](const Words& arguments, const std::string& part) {
-    const Outcome outcome = run(arguments + Words("-o x.svg"));
-    EXPECT_NE(outcome.status, 0);
-    EXPECT_EQ(outcome.error_lines(), 1u);
-    expect_parts(outcome.err, {part});
-    EXPECT_FALSE(std::filesystem::exists(file("x.svg")));
+    expect_outcome(arguments + Words("-o x.svg"), kFailed, {part});
+    EXPECT_FALSE(exists("x.svg"));
   };
-  refused("plot lines.json --fill material", "has no painting order; ligne draw --method newell");
-  refused("plot a.svg --fill material", "--fill: paints a ligne-drawing that has an order");
-  refused("plot stored.json --material stone=red", "--material: needs --fill material or shade");
-  refused("plot stored.json --fill material --tile A5", "--tile: can not be combined with --fill");
-  refused("plot stored.json --fill glow", "--fill: ");
-  refused("plot stored.json --fill material --pen outline=1", "--fill: pens draw no filled faces");
   json broken = json::parse(contents(file("stored.json")));
   broken["order"][0]["material"] = 7;
   write("broken.json", broken.dump());

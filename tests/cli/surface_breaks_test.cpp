@@ -153,14 +153,6 @@ TEST_F(SurfaceBreaksTest, AJumpThatRunsIntoTheBorderMakesNoWall) {
   }
 }
 
-TEST_F(SurfaceBreaksTest, SteepIsNoJump) {
-  // As many strokes of the border as of a plain surface: none but the curves at the rim.
-  for (const char* formula : {"tanh(300*x)", "atan(1000*y)", "abs(x)", "sqrt(abs(x*y))", "10*x+y"}) {
-    const auto layer = layers({formula, "-x", "-2:2", "-y", "-2:2", "--aspect", "1:1:1"});
-    EXPECT_EQ(layer.count("border"), 0u) << formula;
-  }
-}
-
 TEST_F(SurfaceBreaksTest, PolesAreCut) {
   for (const char* formula :
        chosen("poles", 3, {"1/x", "1/(x^2+y^2)", "1/(x-0.7)^2", "tan(x)", "1/sin(x*y)", "log(x)", "x/(x^2-y)"})) {
@@ -187,30 +179,6 @@ TEST_F(SurfaceBreaksTest, PolesBetweenAllSamplesCostAFewFacetsEach) {
   for (const char* formula : chosen("many poles", 3, {"tan(x*100)", "tan(x*1e6)", "1/sin(x*1e6)*cos(y*1e5)"})) {
     EXPECT_LT(facets(formula), 8 * plain) << formula;
   }
-}
-
-TEST_F(SurfaceBreaksTest, TheHorizonLeavesOutCellsOfAJump) {
-  // Six curves across, which end at the jump, and none along it but the two beside it.
-  const auto rows = [&](const std::string& formula) {
-    return layers({formula, "-x", "0:1:6", "-y", "0:1:6", "--samples", "6", "--method", "horizon", "--lines", "y", "--view",
-                   "top", "--scale", "100:1"})
-        .at("horizon");
-  };
-  EXPECT_NEAR(rows("x"), 600, 0.01);
-  EXPECT_NEAR(rows("floor(x+0.5)"), 480, 0.01);
-}
-
-TEST_F(SurfaceBreaksTest, GridsHaveASteepestSlope) {
-  write("cliff.csv", "0,0,0,9,9\n0,0,0,9,9\n0,0,0,9,9\n");
-  const auto length = [&](const Words& more) {
-    return layers("--grid cliff.csv --view top --scale 10:1 --lines y" + more).at("horizon");
-  };
-  EXPECT_NEAR(length({}), 3 * 4 * 10, 0.01);
-  EXPECT_NEAR(length("--max-slope 9"), 3 * 4 * 10, 0.01);
-  for (const char* method : {"horizon", "appel"}) {
-    EXPECT_NEAR(length({"--max-slope", "5", "--method", method}), 3 * 3 * 10, 0.01) << method;
-  }
-  fails("x --max-slope 5 -o a.svg", 2, "--max-slope: needs --grid");
 }
 
 TEST_F(SurfaceBreaksTest, FineGridsAreThinned) {

@@ -23,9 +23,13 @@ class SurfaceProgramTest : public ProgramTest {
     const Outcome outcome = surface(arguments, "-o - --format svg");
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
+    return layers_of(outcome.out);
+  }
+  /// Lengths of the layers of an SVG.
+  static std::map<std::string, double> layers_of(const std::string& svg) {
     std::map<std::string, double> lengths;
     std::string layer;
-    std::istringstream lines(outcome.out);
+    std::istringstream lines(svg);
     for (std::string line; std::getline(lines, line);) {
       if (const auto id = line.find(" id=\""); line.starts_with("<g ")) {
         layer = line.substr(id + 5, line.find('"', id + 5) - id - 5);

@@ -99,24 +99,6 @@ TEST_F(ZBufferFileTest, OnlyWhatIsNewIsPainted) {
   expect_parts(outcome.err, {"already in the buffer       3\n", "faces painted                     4\n"});
 }
 
-TEST_F(ZBufferFileTest, WhatItWasDrawnWithStays) {
-  bytes_of("plate.obj --zbuffer-save plate.zbuf --lines 50", "a.svg");
-  const auto added = [&](const Words& options) {
-    return refusal(Words{"stone.obj", "--zbuffer-add", "plate.zbuf", "-o", "b.svg"} + options);
-  };
-  const std::string stays = ": can not be changed after plate.zbuf was drawn\n";
-  EXPECT_EQ(added("--view top"), "ligne: --view" + stays);
-  EXPECT_EQ(added("--eye 9,9,9"), "ligne: --eye" + stays);
-  EXPECT_EQ(added("--page A3"), "ligne: --page" + stays);
-  EXPECT_EQ(added("--scale 1:2"), "ligne: --scale" + stays);
-  EXPECT_EQ(added("--lines 60"), "ligne: --lines" + stays);
-  EXPECT_EQ(added("--frames 3"), "ligne: --zbuffer-add: works for a single view only\n");
-  EXPECT_EQ(added("--method appel"), "ligne: --zbuffer-add: needs --method zbuffer\n");
-  EXPECT_NE(added("--zbuffer-save plate.zbuf").find("plate.zbuf is also an input file"), std::string::npos);
-  EXPECT_EQ(refusal("stone.obj --zbuffer-add plate.obj -o b.svg"), "ligne: plate.obj: not a depth buffer\n");
-  EXPECT_FALSE(exists("b.svg"));
-}
-
 TEST_F(ZBufferFileTest, DamagedAndForgedFilesAreReadOrRefused) {
   bytes_of("plate.obj --zbuffer-save plate.zbuf --lines 5", "a.svg");
   const std::string bytes = contents(file("plate.zbuf"));

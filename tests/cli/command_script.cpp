@@ -1,0 +1,309 @@
+/// Tests of the command that are written as text, in the folder scripts. A step is a command line; the command ends with
+/// status 0, or as the check "exit" says: then it leaves one line on standard error, nothing on standard output and no file.
+///
+///     drawn ARGUMENTS       ligne draw ARGUMENTS -o - --format json, without a word on standard error
+///     surfaced ARGUMENTS    the same for ligne surface
+///     layered ARGUMENTS     ligne surface ARGUMENTS -o - --format svg: lengths of its layers in mm
+///     file NAME = TEXT      writes a file; also file NAME <<
+///     copy FROM TO
+///
+/// {source} is the folder of the project. Checks, where OP is = != < > <= or >=, and = may be followed by "+- TOLERANCE":
+///
+///     exit N; says LINE; begins TEXT; quiet; lines OP N       the line on standard error behind "ligne: "; its start; none
+///     WHERE has TEXT; WHERE has N of TEXT; WHERE lacks TEXT   in out, err or a file; also: begins, is, same FILE, differs
+///     FILE writes FILE...; no FILE; bytes WHERE OP N               the files that there are more than at the start; sizes
+///     keep NAME; as NAME; unlike NAME                         strokes of a drawing, or all that was written to out
+///     keep-json NAME POINTER; as-json ...; unlike-json ...    a part of the JSON
+///     keep-number NAME QUANTITY; beside NAME QUANTITY OP N    a quantity; its difference from the one that was kept
+///     classes CLASS N, ...                                    numbers of strokes by class, all of them; hidden ones: hidden
+///     QUANTITY OP NUMBER     the number of strokes of a class, or strokes; width, height, left, right, top, bottom in mm,
+///                            y/x; mm:CLASS and units:CLASS, the length of its visible lines in mm and in model units;
+///                            most:CLASS:z and least:CLASS:z; a layer's length in mm, all:LAYER, paths:LAYER
+///     POINTER OP JSON; POINTER has KEY; size POINTER OP N     of the JSON in out, or FILE:POINTER
+
+#include "draw_program.hpp"
+#include "main/script.hpp"
+#include "surface_program.hpp"
+
+namespace ligne::test {
+namespace {
+
+struct Extent {
+  double left = 1e300, top = 1e300, right = -1e300, bottom = -1e300;
+};
+
+Extent extent_of(const json& drawing) {
+  Extent box;
+  for (const json& stroke : drawing["strokes"]) {
+    for (const json& point : stroke["points"]) {
+      const double x = point[0], y = point[1];
+      box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x), std::max(box.bottom, y)};
+    }
+  }
+  return box;
+}
+
+/// Length of the visible strokes of a class on the page.
+double length_mm(const json& drawing, const std::string& line_class) {
+  double sum = 0;
+  for (const json& s : drawing["strokes"]) {
+    if (s["class"] != line_class || !s["visible"].get<bool>()) continue;
+    const auto a = s["points"][0].get<std::array<double, 2>>(), b = s["points"][1].get<std::array<double, 2>>();
+    sum += std::hypot(a[0] - b[0], a[1] - b[1]);
+  }
+  return sum;
+}
+
+const std::set<std::string> kKeeping{"keep", "as", "unlike", "keep-json", "as-json", "unlike-json", "keep-number"};
+
+class CommandScript : public SurfaceProgramTest {
+ public:
+  void TestBody() override {}
+  void run_steps(const Script& script) {
+    SetUp();
+    for (const ScriptStep& step : script.steps) {
+      SCOPED_TRACE(step.place + ": " + step.line);
+      do_step(step);
+    }
+    TearDown();
+  }
+
+ private:
+  static std::string with_source(std::string text) {
+    for (std::size_t at; (at = text.find("{source}")) != text.npos;) text.replace(at, 8, LIGNE_SOURCE_DIR);
+    return text;
+  }
+
+  void do_step(const ScriptStep& step) {
+    std::string_view rest = step.line;
+    const std::string verb = take_word(rest);
+    if (verb == "file") {
+      const std::string name = take_word(rest);
+      write(name, take_word(rest) == "=" ? unescaped(rest) : step.text);
+    } else if (verb == "copy") {
+      const std::vector<std::string> names = words_of(rest);
+      std::filesystem::copy_file(file(unescaped(names.at(0))), file(unescaped(names.at(1))));
+    } else {
+      run_command(step, verb, std::string(rest));
+    }
+  }
+
+  void run_command(const ScriptStep& step, const std::string& verb, const std::string& rest) {
+    std::vector<std::string> words;
+    for (const std::string& word : words_of(with_source(step.line))) words.push_back(unescaped(word));
+    const bool is_json = verb == "drawn" || verb == "surfaced", is_layered = verb == "layered";
+    if (is_json || is_layered) {
+      words.front() = verb == "drawn" ? "draw" : "surface";
+      words.insert(words.end(), {"-o", "-", "--format", is_json ? "json" : "svg"});
+    }
+    int status = kDone;
+    for (const std::string& check : step.checks) {
+      if (check.starts_with("exit ")) status = std::stoi(check.substr(5));
+    }
+    const std::vector<std::string> before = new_files();
+    outcome_ = run(words);
+    ASSERT_EQ(outcome_.status, status) << outcome_.err;
+    drawing_ = is_json ? json::parse(outcome_.out) : json();
+    layers_.clear();
+    if (is_layered) layers_ = layers_of(outcome_.out);
+    if (is_json || is_layered) {
+      EXPECT_EQ(outcome_.err, "");
+    }
+    if (status != kDone) {
+      EXPECT_EQ(outcome_.out, "");
+      EXPECT_EQ(outcome_.error_lines(), 1u) << outcome_.err;
+      EXPECT_TRUE(outcome_.err.starts_with("ligne: ")) << outcome_.err;
+      EXPECT_EQ(new_files(), before) << rest;
+    }
+    for (const std::string& check : step.checks) {
+      SCOPED_TRACE(check);
+      do_check(check);
+    }
+  }
+
+  void do_check(const std::string& check) {
+    std::string_view rest = check;
+    const std::string subject = take_word(rest), text = with_source(std::string(rest));
+    if (subject == "exit") return;
+    if (subject == "says") {
+      EXPECT_EQ(outcome_.err, "ligne: " + unescaped(text) + "\n");
+    } else if (subject == "quiet") {
+      EXPECT_EQ(outcome_.err, "");
+    } else if (subject == "begins") {
+      EXPECT_TRUE(outcome_.err.starts_with("ligne: " + unescaped(text))) << outcome_.err;
+      EXPECT_EQ(outcome_.error_lines(), 1u) << outcome_.err;
+    } else if (subject == "writes") {
+      std::vector<std::string> names;
+      for (const std::string& name : words_of(text)) names.push_back(unescaped(name));
+      EXPECT_EQ(new_files(), names);
+    } else if (subject == "no") {
+      EXPECT_FALSE(exists(text));
+    } else if (subject == "bytes") {
+      std::string_view comparison = text;
+      const std::string whole = text_of(take_word(comparison)), op = take_word(comparison);
+      EXPECT_TRUE(holds(static_cast<double>(whole.size()), op, value_of(comparison), 0)) << whole.size();
+    } else if (kKeeping.contains(subject)) {
+      check_kept(subject, text);
+    } else if (subject == "beside") {
+      std::string_view comparison = text;
+      const std::string name = take_word(comparison), what = take_word(comparison), op = take_word(comparison);
+      const double found = quantity(what);
+      EXPECT_TRUE(compares(found - kept_numbers_.at(name), op, std::string(comparison), kMicrometre))
+          << found << ", kept " << kept_numbers_.at(name);
+    } else if (subject == "classes") {
+      check_classes(text);
+    } else if (subject == "size") {
+      std::string_view comparison = text;
+      const std::string pointer = take_word(comparison), op = take_word(comparison);
+      EXPECT_TRUE(holds(static_cast<double>(json_at(pointer).size()), op, value_of(comparison), 0)) << json_at(pointer);
+    } else if (subject.find(":/") != subject.npos || subject.front() == '/') {
+      check_json(subject, text);
+    } else {
+      check_text_or_number(subject, text);
+    }
+  }
+
+  /// Keeps a number, a part of the JSON or all that is comparable, or holds it against what is kept.
+  void check_kept(const std::string& verb, std::string_view rest) {
+    const std::string name = take_word(rest);
+    if (verb == "keep-number") {
+      kept_numbers_[name] = quantity(std::string(rest));
+      return;
+    }
+    std::string now = outcome_.out;
+    if (verb.ends_with("-json")) {
+      now = json_at(std::string(rest)).dump();
+    } else if (drawing_.is_object()) {
+      now = drawing_["strokes"].dump();
+    }
+    if (verb.starts_with("keep")) {
+      kept_[name] = now;
+    } else {
+      EXPECT_EQ(kept_.at(name) == now, verb.starts_with("as")) << now.substr(0, 2000);
+    }
+  }
+
+  std::string text_of(const std::string& place) const {
+    return place == "out" ? outcome_.out : place == "err" ? outcome_.err : contents(file(place));
+  }
+
+  void check_classes(const std::string& text) const {
+    std::map<std::string, int> expected;
+    std::istringstream in(text);
+    std::string line_class;
+    for (std::string number; in >> line_class >> number;) expected[line_class] = std::stoi(number);
+    EXPECT_EQ(strokes_by_class(drawing_), expected);
+  }
+
+  json json_at(const std::string& place) const {
+    const std::size_t colon = place.find(":/");
+    const json whole = json::parse(colon == place.npos ? outcome_.out : contents(file(place.substr(0, colon))));
+    const std::string pointer = unescaped(colon == place.npos ? place : place.substr(colon + 1));
+    return pointer == "/" ? whole : whole.at(json::json_pointer(pointer));
+  }
+
+  void check_json(const std::string& place, std::string_view rest) const {
+    const json found = json_at(place);
+    const std::string op = take_word(rest), text(rest);
+    if (op == "has" || op == "lacks") {
+      EXPECT_EQ(found.contains(text), op == "has") << found;
+    } else if (found.is_number()) {
+      EXPECT_TRUE(compares(found, op, text, 0)) << found;
+    } else {
+      EXPECT_EQ(found == json::parse(text), op == "=") << found;
+    }
+  }
+
+  static bool compares(double found, const std::string& op, const std::string& text, double usual) {
+    const std::size_t sign = text.find(" +- ");
+    return holds(found, op, value_of(text.substr(0, sign)), sign == text.npos ? usual : value_of(text.substr(sign + 4)));
+  }
+
+  void check_text_or_number(const std::string& subject, std::string_view rest) const {
+    const std::string verb = take_word(rest);
+    if (verb.find_first_of("<>=") != verb.npos) {
+      const double found = quantity(subject);
+      EXPECT_TRUE(compares(found, verb, std::string(rest), kMicrometre)) << subject << " is " << found;
+      return;
+    }
+    const std::string whole = text_of(subject), text = unescaped(rest);
+    const std::size_t digits = text.find_first_not_of("0123456789");
+    if (verb == "has" && digits != 0 && digits != text.npos && text.compare(digits, 4, " of ") == 0) {
+      EXPECT_EQ(count_of(whole, text.substr(digits + 4)), std::stoul(text)) << whole.substr(0, 2000);
+    } else if (verb == "has") {
+      expect_parts(whole, {text});
+    } else if (verb == "lacks") {
+      expect_no_parts(whole, {text});
+    } else if (verb == "begins") {
+      EXPECT_TRUE(whole.starts_with(text)) << whole.substr(0, 2000);
+    } else if (verb == "is") {
+      EXPECT_EQ(whole, text);
+    } else if (verb == "same" || verb == "differs") {
+      EXPECT_EQ(whole == contents(file(text)), verb == "same") << whole.substr(0, 2000);
+      EXPECT_FALSE(whole.empty());
+    } else {
+      ADD_FAILURE() << "no check: " << subject << ' ' << verb;
+    }
+  }
+
+  double quantity(const std::string& name) const {
+    if (name == "lines") return static_cast<double>(outcome_.error_lines());
+    if (!drawing_.is_object()) return of_layers(name);
+    if (name.starts_with("mm:")) return length_mm(drawing_, name.substr(3));
+    if (name.starts_with("units:")) return length(drawing_, name.substr(6));
+    if (name == "strokes") return static_cast<double>(drawing_["strokes"].size());
+    if (name.starts_with("most:") || name.starts_with("least:")) return outermost(name);
+    const Extent box = extent_of(drawing_);
+    if (name == "y/x") return (box.bottom - box.top) / (box.right - box.left);
+    if (name == "width") return box.right - box.left;
+    if (name == "height") return box.bottom - box.top;
+    if (name == "left") return box.left;
+    if (name == "right") return box.right;
+    if (name == "top") return box.top;
+    if (name == "bottom") return box.bottom;
+    return strokes_by_class(drawing_)[name];
+  }
+
+  /// The length of a layer; "all:NAME", of the layers NAME-... too; "paths:NAME", the number of its lines.
+  double of_layers(const std::string& name) const {
+    if (name.starts_with("paths:")) {
+      const std::string& svg = outcome_.out;
+      const std::size_t from = svg.find("id=\"" + name.substr(6) + "\"");
+      if (from == svg.npos) return 0;
+      return static_cast<double>(count_of(svg.substr(from, svg.find("</g>", from) - from), "<path"));
+    }
+    double sum = 0;
+    for (const auto& [layer, length] : layers_) {
+      if (name.starts_with("all:") ? layer.substr(0, layer.find('-')) == name.substr(4) : layer == name) sum += length;
+    }
+    return sum;
+  }
+
+  /// "most:CLASS:z": the largest z of the source edges of the class, or of all; "least:CLASS:z", the smallest.
+  double outermost(const std::string& name) const {
+    const std::size_t first = name.find(':'), second = name.find(':', first + 1);
+    const std::string line_class = name.substr(first + 1, second - first - 1);
+    const std::size_t axis = static_cast<std::size_t>(name.back() - 'x');
+    const double sign = name.starts_with("most") ? 1 : -1;
+    double found = -std::numeric_limits<double>::infinity();
+    for (const json& stroke : drawing_["strokes"]) {
+      if (!line_class.empty() && stroke["class"] != line_class) continue;
+      for (const json& end : stroke["source"]["ends"]) found = std::max(found, sign * end[axis].get<double>());
+    }
+    return sign * found;
+  }
+
+  Outcome outcome_;
+  json drawing_;
+  std::map<std::string, double> layers_;
+  std::map<std::string, std::string> kept_;
+  std::map<std::string, double> kept_numbers_;
+};
+
+[[maybe_unused]] const bool scripts_are_added = add_scripts(LIGNE_SOURCE_DIR "/tests/cli/scripts", [](const Script& script) {
+  CommandScript test;
+  test.run_steps(script);
+});
+
+}  // namespace
+}  // namespace ligne::test

@@ -1,0 +1,57 @@
+#pragma once
+/// Tests that are written as text: a file of scripts, each of which is a test of GoogleTest by itself.
+///
+///     suite Draw                         the name of the suite; what stands before the first test is done in each of them
+///     let cell = 0 1 2                   {cell} stands for the text from here on
+///     == ATest                           begins a test
+///     # a remark
+///     a step | check | check             what a step and its checks mean is a matter of the area
+///       | a further check
+///     for x: 1 2 'three words'           the steps below that are indented are done for each, with {x} for the value
+///       a step with {x}
+///     file NAME <<                       a step with a text of several lines
+///     the text
+///     >>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ligne::test {
+
+struct ScriptStep {
+  std::string line, text;  ///< text: what stands between << and >>
+  std::vector<std::string> checks;
+  std::string place;  ///< "draw.txt:12"
+};
+
+struct Script {
+  std::string suite, name;
+  std::filesystem::path file;
+  int line = 0;
+  std::vector<ScriptStep> steps;
+};
+
+std::vector<Script> read_scripts(const std::filesystem::path& file);
+
+/// Makes tests of all scripts of the folder; `run` does the steps of one.
+bool add_scripts(const std::filesystem::path& folder, const std::function<void(const Script&)>& run);
+
+/// The text with characters in place of \n, \t, \r, \s (a space), \\ and \xHH.
+std::string unescaped(std::string_view text);
+
+/// The words of a line. It is taken apart at its spaces, but for what stands in '...'.
+std::vector<std::string> words_of(std::string_view line);
+
+/// Takes the first word off the text, with the spaces behind it.
+std::string take_word(std::string_view& text);
+
+/// The value of a sum of products and quotients of numbers and pi, such as "2*pi*3+1".
+double value_of(std::string_view expression);
+
+/// Compares two numbers by =, !=, <, >, <= or >=; = within the tolerance.
+bool holds(double left, std::string_view comparison, double right, double tolerance);
+
+}  // namespace ligne::test
