@@ -28,27 +28,6 @@ TEST(SvgAreas, PolygonsOfSharedCornersAgreeWithAPicture) { expect_right(polygons
 
 TEST(SvgAreas, ScribblesAgreeWithAPicture) { expect_right(scribbles, 4, 1'000); }
 
-Lines occluded_lines(const std::string& body) {
-  return lines_of(read_svg_drawing(page(body), "a.svg", {}, {FillReading::How::outline, 0.35, true}));
-}
-
-TEST(SvgAreas, LinesOnBordersAreDrawnOnceIfTheyAreSeen) {
-  const std::string square = "<rect x='10' y='10' width='20' height='20' stroke='none' fill='";
-  const std::string outline = "1000,1000 3000,1000 3000,3000 1000,3000 1000,1000 ";
-  const ReadDrawing equal =
-      read_svg_drawing(page(square + "red'/>" + square + "blue'/>"), "a.svg", {}, {FillReading::How::outline, 0.35, true});
-  EXPECT_EQ(lines_of(equal), Lines{outline});
-  EXPECT_EQ(equal.drawing.layers.at(0).name, "#0000ff") << "the upper one";
-  EXPECT_EQ(lines_of(read(square + "red'/>" + square + "white'/>")), Lines{}) << "white covers all of it";
-  const std::string stroked = "<rect x='10' y='10' width='20' height='20' fill='red' stroke-width='";
-  EXPECT_EQ(occluded_lines(stroked + "2'/>" + stroked + "2'/>"), Lines{outline}) << "strokes of one width";
-  EXPECT_EQ(occluded_lines(stroked + "2'/>" + stroked + "1'/>").size(), 2u) << "the wider one sticks out";
-  const std::string line = "<line x1='30' y1='12' x2='30' y2='18'/>";
-  const std::string right = "<rect x='30' y='10' width='20' height='20' stroke='none' fill='white'/>";
-  EXPECT_EQ(lines_of(read(line + square + "white'/>")), Lines{"3000,1200 3000,1800 "}) << "half of its ink is seen";
-  EXPECT_EQ(lines_of(read(line + square + "white'/>" + right)), Lines{}) << "between two areas that abut";
-}
-
 double length_of_borders(const std::string& body) {
   double length = 0;
   for (const Layer& layer :
