@@ -228,24 +228,5 @@ TEST(GltfPose, ErrorsNameTheAnimations) {
   EXPECT_EQ(posed_error(b, ScenePose{"walk", 0}), "M: animation 0, channel 0: sampler names number 7 of 1");
 }
 
-TEST(GltfNodes, HiddenOnesAndThoseBelowThemAreNotDrawn) {
-  Builder b = triangle();
-  b.root["nodes"].push_back({{"mesh", 0}});
-  b.root["nodes"].push_back({{"children", {1}}, {"extensions", {{"KHR_node_visibility", {{"visible", false}}}}}});
-  EXPECT_EQ(read_posed(b.text()).scene.objects.size(), 1u);
-}
-
-TEST(GltfMaterials, GlassLetsLightThrough) {
-  Builder b = triangle();
-  b.root["materials"] = {{{"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 1}}}}}},
-                         {{"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}}}}}},
-                         {{"extensions", {{"KHR_materials_pbrSpecularGlossiness", {{"diffuseFactor", {1, 0, 0, 1}}}}}}}};
-  const auto r = read_posed(b.text());
-  EXPECT_EQ(r.scene.materials[0].opacity, 0.1);
-  EXPECT_EQ(r.scene.materials[1].opacity, 0.5);
-  EXPECT_EQ(r.scene.materials[2].opacity, 1);
-  EXPECT_EQ(r.scene.materials[2].color, Point3(1, 0, 0));
-}
-
 }  // namespace
 }  // namespace ligne

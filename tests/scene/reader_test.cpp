@@ -16,51 +16,6 @@ namespace {
 
 using namespace reader_test;
 
-std::string detected(const std::string& text, std::string_view suffix = "") {
-  std::string found;
-  const std::string error = error_line([&] { found = to_string(detect_format(bytes_of(text), suffix, "M")); });
-  return found.empty() ? error : found;
-}
-
-TEST(DetectFormat, ByContent) {
-  EXPECT_EQ(detected("glTF\x02"), "glTF binary");
-  EXPECT_EQ(detected("ply\r\nformat"), "PLY");
-  EXPECT_EQ(detected(" \n{\"asset\": {\"version\": \"2.0\"}}"), "glTF");
-  EXPECT_EQ(detected("\xEF\xBB\xBF{\"asset\": {}, \"extras\": {\"format\": 1}}"), "glTF");
-  EXPECT_EQ(detected("{\"a\": \"\\\"format\", \"format\" : \"ligne-scene\"}"), "ligne scene");
-  EXPECT_EQ(detected("{\"format\": \"ligne-scene\"}", ".obj"), "ligne scene");
-  EXPECT_EQ(detected("solid x\nfacet"), "STL");
-  EXPECT_EQ(detected("\r\n\r\nsolid\r\n facet"), "STL");
-  EXPECT_EQ(detected("# nothing\n\no a\nv 1 2 3\n"), "OBJ");
-  EXPECT_EQ(detected("mtllib a.mtl\n", ".stl"), "OBJ");
-  EXPECT_EQ(detected("Ambient light color: Red=0.3\r\n"), "3D Studio ASCII");
-  EXPECT_EQ(detected("\n\n  Named object: \"a\"\n", ".txt"), "3D Studio ASCII");
-  EXPECT_EQ(detected(std::string("MM\x0a\0\0\0\2\0\0\0", 10), ".x"), "3D Studio");
-}
-
-TEST(DetectFormat, BySuffixWhereContentDoesNotDecide) {
-  EXPECT_EQ(detected("# nothing", ".OBJ"), "OBJ");
-  EXPECT_EQ(detected(std::string(100, '\0'), ".stl"), "STL binary");
-  EXPECT_EQ(detected("facet", ".stl"), "STL");
-}
-
-TEST(DetectFormat, FilesThatAreNoModels) {
-  const std::string unknown = "M: is not a known model format (glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio, ligne scene)";
-  EXPECT_EQ(detected(""), "M: is empty");
-  EXPECT_EQ(detected("", ".obj"), "M: is empty");
-  EXPECT_EQ(detected(" \r\n\t\n", ".obj"), "M: contains only white space");
-  EXPECT_EQ(detected("\x89PNG\r\n\x1a\n", ".obj"), "M: is a PNG image, not a model");
-  EXPECT_EQ(detected(std::string("II*\0", 4)), "M: is a TIFF image, not a model");
-  EXPECT_EQ(detected("PK\x03\x04"), "M: ZIP: no directory at its end");
-  EXPECT_EQ(detected("\xFF\xFEv\0", ".obj"), "M: is UTF-16 text; UTF-8 is needed");
-  EXPECT_EQ(detected("hello\n", ".txt"), unknown);
-  EXPECT_EQ(detected(std::string("v 0 0 0\n\0", 9), ".obj"), unknown);
-  EXPECT_EQ(detected("hello\n", ".asc"), unknown);
-  EXPECT_EQ(detected("ncols        43\nnrows        89\n", ".asc"),
-            "M: is an ESRI ASCII grid; draw it with: ligne surface --grid");
-  EXPECT_EQ(detected("\r\nNCOLS 43\r\n", ".asc"), "M: is an ESRI ASCII grid; draw it with: ligne surface --grid");
-}
-
 class Files : public testing::Test {
  protected:
   std::string error(const std::filesystem::path& file) const {

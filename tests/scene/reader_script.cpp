@@ -1,0 +1,214 @@
+/// Tests of the readers that are written as text, in the folder scripts. A step is a kind of file, and its text: asc, obj,
+/// off, ply, stl, scene are read by their readers, "file.SUFFIX" as the command reads it, and "model FILE" from the shared
+/// models, where they are; "gltf POINTER = JSON ; -POINTER" changes the unit square as glTF, and json is the text of such a
+/// file; grid; "corpus FILE", a grid of the fuzzers' corpus; formula; "detect.SUFFIX" tells the format. A scene that is read
+/// is sound: see expect_sound. Checks:
+///
+///     fails MESSAGE; begins MESSAGE; has TEXT    the whole error, its beginning, a part of it
+///     is NAME                                    the format that is detected, or why there is none
+///     /POINTER = JSON                            of the scene as JSON: as_json below
+///     bounds X Y Z X Y Z                         of a scene, to four decimals
+///     x 0 1 2; y 0 1; z 1 2; nan 4               positions and rows of heights of a grid
+///     omits LIST; warns N KIND; kinds N          warnings
+///     at X Y VALUE                               the value of a formula
+
+#include <nlohmann/json.hpp>
+
+#include "gltf_builder.hpp"
+#include "height_tools.hpp"
+#include "main/script.hpp"
+#include "scene/readers/gltf/gltf_reader.hpp"
+#include "scene/readers/ligne_scene_reader.hpp"
+#include "scene/readers/obj/obj_reader.hpp"
+#include "scene/readers/off_reader.hpp"
+#include "scene/readers/ply/ply_reader.hpp"
+#include "scene/readers/stl_reader.hpp"
+#include "scene/readers/studio/asc_reader.hpp"
+
+namespace ligne::height_test {
+namespace {
+
+using namespace reader_test;
+using nlohmann::json;
+using test::take_word;
+
+json triple(const Point3& p) { return {p.x, p.y, p.z}; }
+
+/// A scene as JSON: of faces all contours, of objects the ranges of vertices and faces.
+json as_json(const Scene& scene, const ReadReport& report) {
+  json all{{"up", std::string(1, "xyz"[static_cast<int>(scene.up_axis)])}, {"material_of_face", scene.face_material}};
+  all["stored"] = {{"faces", report.faces}, {"triangles", report.triangles}, {"vertices", report.vertices}};
+  all["format"] = to_string(report.format);
+  for (const Point3& p : scene.vertices) all["vertices"].push_back(triple(p));
+  for (std::size_t f = 0; f < scene.faces.size(); ++f) {
+    json face;
+    for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
+      const auto contour = scene.faces.contour(f, c);
+      face.push_back(std::vector<std::uint32_t>(contour.begin(), contour.end()));
+    }
+    all["faces"].push_back(face);
+  }
+  for (const Object& o : scene.objects) {
+    all["objects"].push_back({{"name", o.name},
+                              {"vertices", {o.vertex_begin, o.vertex_end}},
+                              {"faces", {o.face_begin, o.face_end}},
+                              {"precision", o.precision}});
+  }
+  for (const Material& m : scene.materials)
+    all["materials"].push_back({{"name", m.name}, {"color", triple(m.color)}, {"opacity", m.opacity}});
+  for (const Light& l : scene.lights)
+    all["lights"].push_back({{"kind", l.kind == Light::Kind::point ? "point" : "parallel"}, {"vector", triple(l.vector)}});
+  for (const auto& detail : scene.details) {
+    all["details"].push_back({{"face", detail.face}, {"material", detail.material}});
+    for (const Point3& p : detail.contour) all["details"].back()["contour"].push_back(triple(p));
+  }
+  all["hidden_edges"] = std::count(scene.corner_flags.begin(), scene.corner_flags.end(), kCornerFileHidden);
+  all["flags"] = json(std::vector<int>(scene.corner_flags.begin(), scene.corner_flags.end()));
+  for (const char* list : {"vertices", "faces", "objects", "materials", "lights", "details"})
+    all["number"][list] = all.contains(list) ? all[list].size() : 0;
+  return all;
+}
+
+std::vector<double> numbers_of(std::string_view text) {
+  std::vector<double> numbers;
+  for (const std::string& word : test::words_of(text)) numbers.push_back(word == "nan" ? kNaN : test::value_of(word));
+  return numbers;
+}
+
+/// The unit square as glTF, with the changes.
+std::string changed_gltf(std::string_view changes) {
+  gltf_test::Builder square = gltf_test::square();
+  square.text();
+  while (!changes.empty()) {
+    const std::size_t end = std::min(changes.find(" ; "), changes.size());
+    std::string_view change = changes.substr(0, end);
+    changes.remove_prefix(std::min(end + 3, changes.size()));
+    const std::string pointer = take_word(change);
+    if (pointer.starts_with("-")) {
+      const json::json_pointer at(pointer.substr(1));
+      square.root.at(at.parent_pointer()).erase(at.back());
+    } else {
+      take_word(change);
+      square.root[json::json_pointer(pointer == "/" ? "" : pointer)] = json::parse(change);
+    }
+  }
+  return square.root.dump();
+}
+
+class ReaderScript {
+ public:
+  ReaderScript(const std::string& kind, const std::string& text) : kind_(kind), text_(text) {
+    error_ = error_line([&] { read(); });
+    if (error_ == "no error") error_.clear();
+  }
+
+  void check(const std::string& check) const {
+    std::string_view rest = check;
+    const std::string verb = take_word(rest), wanted = test::unescaped(rest);
+    if (verb == "fails") {
+      EXPECT_EQ(error_, wanted);
+    } else if (verb == "begins") {
+      EXPECT_TRUE(error_.starts_with(wanted)) << error_;
+    } else if (verb == "has") {
+      test::expect_parts(error_, {wanted});
+    } else if (verb == "is") {
+      EXPECT_EQ(format_.empty() ? error_ : format_, wanted);
+    } else if (verb == "at") {
+      check_value(numbers_of(rest));
+    } else if (verb.starts_with("/")) {
+      take_word(rest);
+      EXPECT_EQ(json_.at(json::json_pointer(verb)), json::parse(rest)) << error_;
+    } else if (verb == "bounds") {
+      const std::vector<double> b = numbers_of(rest);
+      expect_bounds(scene_, {b.at(0), b.at(1), b.at(2)}, {b.at(3), b.at(4), b.at(5)});
+    } else if (verb == "omits") {
+      EXPECT_EQ(warnings_.left_out().text(), wanted == "nothing" ? "" : wanted);
+    } else if (verb == "warns") {
+      EXPECT_EQ(warnings_.counts().at(wanted.substr(wanted.find(' ') + 1)), std::stoul(wanted));
+    } else if (verb == "kinds") {
+      EXPECT_EQ(warnings_.lines().size(), std::stoul(wanted)) << testing::PrintToString(warnings_.lines());
+    } else {
+      check_grid(verb, wanted);
+    }
+  }
+
+  /// A file that is not read is one whose checks name an error.
+  void expect_error_is_meant(const std::vector<std::string>& checks) const {
+    static const std::set<std::string> meant{"fails", "begins", "has", "is"};
+    const auto names_error = [](const std::string& check) { return meant.contains(check.substr(0, check.find(' '))); };
+    EXPECT_TRUE(error_.empty() || std::ranges::any_of(checks, names_error)) << error_;
+  }
+
+ private:
+  void read() {
+    const auto bytes = bytes_of(text_);
+    const bool is_file = kind_.starts_with("file.");
+    ReadReport report;
+    if (kind_ == "asc") scene_ = read_asc(bytes, "M", report, warnings_);
+    if (kind_ == "obj") scene_ = read_obj({bytes, "M"}, report, warnings_);
+    if (kind_ == "off") scene_ = read_off(bytes, "M", report, warnings_);
+    if (kind_ == "ply") scene_ = read_ply(bytes, "M", report, warnings_);
+    if (kind_ == "stl") scene_ = read_stl_ascii(bytes, "M", report, warnings_);
+    if (kind_ == "scene") scene_ = read_ligne_scene(bytes, "M", report, warnings_);
+    if (kind_ == "gltf") {
+      const std::string text = changed_gltf(text_);
+      scene_ = read_gltf({bytes_of(text), "M", testing::TempDir()}, false, report, warnings_);
+    }
+    if (kind_ == "json") scene_ = read_gltf({bytes, "M"}, false, report, warnings_);
+    if (is_file) {
+      scene_ = read_scene({bytes, "M"}, detect_format(bytes, kind_.substr(4), "M"), {}, warnings_, &report);
+    }
+    if (kind_ == "model") scene_ = read_scene(LIGNE_MODELS_DIR "/" + text_, {}, warnings_, &report);
+    if (kind_ == "grid") grid_ = grid(text_, warnings_);
+    if (kind_ == "corpus") grid_ = grid(corpus_file(text_), warnings_);
+    if (kind_ == "formula") formula_heights(text_, {0, 1}, {0, 1});
+    if (kind_.starts_with("detect")) format_ = to_string(detect_format(bytes, kind_.substr(6), "M"));
+    if (scene_.faces.empty()) return;
+    expect_sound(scene_);
+    json_ = as_json(scene_, report);
+  }
+
+  void check_value(const std::vector<double>& x_y_value) const {
+    const double x = x_y_value.at(0), y = x_y_value.at(1), wanted = x_y_value.at(2);
+    const double found = heights_of(*formula_heights(text_, {x, x + 1}, {y, y + 1}))[0][0];
+    EXPECT_TRUE(found == wanted || (std::isnan(found) && std::isnan(wanted))) << found;
+  }
+
+  void check_grid(const std::string& verb, const std::string& wanted) const {
+    ASSERT_TRUE(grid_) << error_;
+    if (verb == "x") {
+      EXPECT_EQ(grid_->x(), numbers_of(wanted));
+    } else if (verb == "y") {
+      EXPECT_EQ(grid_->y(), numbers_of(wanted));
+    } else if (verb == "z") {
+      std::vector<std::vector<double>> rows;
+      std::istringstream lines(wanted);
+      for (std::string line; std::getline(lines, line, ';');) rows.push_back(numbers_of(line));
+      expect_grid(*grid_, grid_->x(), grid_->y(), rows);
+    } else {
+      ADD_FAILURE() << "no check: " << verb;
+    }
+  }
+
+  std::string kind_, text_, error_, format_;
+  Warnings warnings_;
+  Scene scene_;
+  json json_;
+  std::unique_ptr<HeightSource> grid_;
+};
+
+[[maybe_unused]] const bool scripts_are_added =
+    test::add_scripts(LIGNE_SOURCE_DIR "/tests/scene/scripts", [](const test::Script& script) {
+      for (const test::ScriptStep& step : script.steps) {
+        SCOPED_TRACE(step.place + ": " + step.line);
+        std::string_view text = step.line;
+        const std::string kind = take_word(text);
+        if (kind == "model" && !std::filesystem::is_directory(LIGNE_MODELS_DIR)) continue;
+        const ReaderScript reader(kind, test::unescaped(text));
+        for (const std::string& check : step.checks) reader.check(check);
+        reader.expect_error_is_meant(step.checks);
+      }
+    });
+
+}  // namespace
+}  // namespace ligne::height_test
