@@ -6,8 +6,8 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "geometry/point_tree.hpp"
 #include "linework/map/continuations.hpp"
+#include "plotting/paths/nearest_points.hpp"
 #include "plotting/paths/path_length.hpp"
 
 namespace ligne {
@@ -35,13 +35,13 @@ std::vector<Pair> near_pairs(const Polylines& lines, double tolerance_mm) {
       points.push_back(last ? lines[i].back() : lines[i].front());
     }
   }
-  const PointTree tree(points);
+  const NearestPoints tree(points);
   std::vector<std::vector<Pair>> found(ends.size());
   parallel_blocks(ends.size(), kSearchBlock, [&](std::size_t first, std::size_t last) {
-    std::vector<PointTree::Neighbour> neighbours;
+    std::vector<NearestPoints::Neighbour> neighbours;
     for (std::size_t e = first; e < last; ++e) {
       tree.nearest(points[e], kCandidates + 1, neighbours);
-      for (const PointTree::Neighbour& n : neighbours) {
+      for (const NearestPoints::Neighbour& n : neighbours) {
         if (n.squared > tolerance_mm * tolerance_mm) break;
         if (n.point != e)
           found[e].push_back({n.squared, std::min(ends[e], ends[n.point]), std::max(ends[e], ends[n.point])});

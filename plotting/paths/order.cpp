@@ -6,8 +6,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "geometry/point_tree.hpp"
 #include "plotting/paths/inside_first.hpp"
+#include "plotting/paths/nearest_points.hpp"
 #include "plotting/paths/tour.hpp"
 
 namespace ligne {
@@ -59,7 +59,7 @@ Tour Strokes::nearest_neighbours() {
   }
   first_of.push_back(static_cast<std::uint32_t>(points.size()));
 
-  PointTree tree(points);
+  NearestPoints tree(points);
   Tour tour;
   tour.entries.push_back(2 * count());
   Point2 pen = options_.home;

@@ -18,7 +18,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/parallel.hpp"
-#include "geometry/point_tree.hpp"
+#include "plotting/paths/nearest_points.hpp"
 
 namespace ligne {
 namespace {
@@ -94,14 +94,14 @@ class Improver {
 };
 
 void Improver::find_near() {
-  const PointTree tree(ends_);
+  const NearestPoints tree(ends_);
   near_.resize(ends_.size() * kNear);
   parallel_blocks(ends_.size(), kSearchBlock, [&](std::size_t first, std::size_t last) {
-    std::vector<PointTree::Neighbour> found;
+    std::vector<NearestPoints::Neighbour> found;
     for (std::size_t e = first; e < last; ++e) {
       tree.nearest(ends_[e], kNear + 2, found);
       std::size_t n = 0;
-      for (const PointTree::Neighbour& f : found) {
+      for (const NearestPoints::Neighbour& f : found) {
         if (f.point / 2 != e / 2 && n < kNear) near_[e * kNear + n++] = f.point;
       }
       for (; n < kNear; ++n) near_[e * kNear + n] = static_cast<std::uint32_t>(e);

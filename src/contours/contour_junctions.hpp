@@ -24,12 +24,6 @@ struct OutlineSegment {
   Point2 free_side{0, 0};                 ///< across, away from the body, if it lies on recognised surfaces; else 0
 };
 
-/// An end of a stroke: its index, and whether it is Stroke::from.
-struct EndOfStroke {
-  std::uint32_t stroke = kNone;
-  bool first = false;
-};
-
 /// Finds segments near a query segment, by a grid that has cells only near the queries announced beforehand.
 class SegmentFinder {
  public:

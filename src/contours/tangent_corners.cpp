@@ -7,8 +7,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "geometry/nearest_on_segment.hpp"
+#include "linework/map/nodes.hpp"
 
 namespace ligne {
 namespace {
@@ -58,16 +60,17 @@ bool is_tangent(const Stroke& s) { return s.visible && s.line_class == LineClass
 class TangentJoiner {
  public:
   TangentJoiner(StrokeModel& model, const View& view, std::vector<Corner> corners)
-      : model_(model), view_(view), corners_(std::move(corners)), finder_(model.lattice, kTangentCellMm) {
+      : model_(model),
+        view_(view),
+        corners_(std::move(corners)),
+        tangents_(indices_where(model.strokes.size(), [&](std::size_t i) { return is_tangent(model.strokes[i]); })),
+        nodes_(model.strokes, tangents_),
+        finder_(model.lattice, kTangentCellMm) {
     for (const Corner& corner : corners_) finder_.expect(corner.edge[0], corner.edge[1], kOnEdgeMm);
-    for (std::uint32_t i = 0; i < model.strokes.size(); ++i) {
-      const Stroke& s = model.strokes[i];
-      if (!is_tangent(s)) continue;
+    for (std::uint32_t i = 0; i < tangents_.size(); ++i) {
+      const Stroke& s = model.strokes[tangents_[i]];
       finder_.add({mm(s.from), mm(s.to), s.z_from, s.z_to, i});
-      ends_.push_back(s.from);
-      ends_.push_back(s.to);
     }
-    std::ranges::sort(ends_);
   }
 
   void run() {
@@ -79,28 +82,20 @@ class TangentJoiner {
  private:
   Point2 mm(LatticePoint p) const { return model_.lattice.to_mm(p); }
 
-  LatticePoint place_of(const EndOfStroke& end) const {
-    const Stroke& s = model_.strokes[end.stroke];
-    return end.first ? s.from : s.to;
-  }
-
-  bool is_free(LatticePoint p) const {
-    const auto [first, last] = std::equal_range(ends_.begin(), ends_.end(), p);
-    return last - first == 1;
-  }
+  Stroke& stroke_of(std::uint32_t end) { return model_.strokes[tangents_[end / 2]]; }
+  LatticePoint place_of(std::uint32_t end) { return end % 2 == 0 ? stroke_of(end).from : stroke_of(end).to; }
 
   /// The free end on the edge of the corner that is nearest to it.
-  std::optional<EndOfStroke> nearest_end(const Corner& corner) const {
+  std::optional<std::uint32_t> nearest_end(const Corner& corner) {
     const Point2 a = corner.edge[0], b = corner.edge[1];
-    std::optional<EndOfStroke> best;
+    std::optional<std::uint32_t> best;
     double nearest = 0;
     finder_.near(a, b, kOnEdgeMm, [&](const OutlineSegment& piece) {
-      for (const bool first : {true, false}) {
-        const EndOfStroke end{piece.chain, first};
-        const LatticePoint place = place_of(end);
-        const double distance = glm::distance(mm(place), corner.mm);
-        if (squared_distance(mm(place), a, b) > kOnEdgeMm * kOnEdgeMm || !is_free(place)) continue;
-        if (best && distance >= nearest) continue;
+      for (const std::uint32_t end : {2 * piece.chain, 2 * piece.chain + 1}) {
+        const Point2 place = mm(place_of(end));
+        const double distance = glm::distance(place, corner.mm);
+        const bool is_free = nodes_.degree(nodes_.of(end)) == 1;
+        if (!is_free || squared_distance(place, a, b) > kOnEdgeMm * kOnEdgeMm || (best && distance >= nearest)) continue;
         best = end;
         nearest = distance;
       }
@@ -108,12 +103,13 @@ class TangentJoiner {
     return best;
   }
 
-  void join(const Corner& corner, const EndOfStroke& end) {
-    const Stroke old = model_.strokes[end.stroke];
+  void join(const Corner& corner, std::uint32_t end) {
+    const Stroke old = stroke_of(end);
+    const bool first = end % 2 == 0;
     Stroke s = old;
     s.from = place_of(end);
     s.to = model_.lattice.snap(corner.mm);
-    const Point2 here = mm(s.from), other = mm(end.first ? old.to : old.from);
+    const Point2 here = mm(s.from), other = mm(first ? old.to : old.from);
     if (s.from == s.to) return;
     if (glm::dot(mm(s.to) - here, here - other) < 0) {
       shorten(end, s.to, corner.depth);
@@ -121,9 +117,9 @@ class TangentJoiner {
     }
     s.t_from = 0;
     s.t_to = 1;
-    s.z_from = end.first ? old.z_from : old.z_to;
+    s.z_from = first ? old.z_from : old.z_to;
     s.z_to = static_cast<float>(corner.depth);
-    s.w_from = end.first ? old.w_from : old.w_to;
+    s.w_from = first ? old.w_from : old.w_to;
     if (view_.camera.perspective) s.w_to = static_cast<float>(corner.weight);
     s.source = model_.edge_count + static_cast<std::uint32_t>(model_.intersections.size());
     model_.intersections.push_back({{to_model_point(view_, here, s.z_from), corner.at}, {corner.face, kNone}, false});
@@ -131,22 +127,24 @@ class TangentJoiner {
   }
 
   /// Ends a stroke that runs past a corner there.
-  void shorten(const EndOfStroke& end, LatticePoint place, double depth) {
-    Stroke& s = model_.strokes[end.stroke];
-    const double length = glm::distance(mm(s.from), mm(s.to)),
-                 rest = glm::distance(mm(end.first ? s.to : s.from), mm(place));
+  void shorten(std::uint32_t end, LatticePoint place, double depth) {
+    Stroke& s = stroke_of(end);
+    const bool first = end % 2 == 0;
+    const double length = glm::distance(mm(s.from), mm(s.to)), rest = glm::distance(mm(first ? s.to : s.from), mm(place));
     if (!(rest < length)) return;
-    const double t = source_parameter(s, end.first ? 1 - rest / length : rest / length);
-    (end.first ? s.from : s.to) = place;
-    (end.first ? s.t_from : s.t_to) = t;
-    (end.first ? s.z_from : s.z_to) = static_cast<float>(depth);
+    const double t = source_parameter(s, first ? 1 - rest / length : rest / length);
+    (first ? s.from : s.to) = place;
+    (first ? s.t_from : s.t_to) = t;
+    (first ? s.z_from : s.z_to) = static_cast<float>(depth);
+    nodes_.unlink(end);
   }
 
   StrokeModel& model_;
   const View& view_;
   std::vector<Corner> corners_;
-  SegmentFinder finder_;            ///< of visible tangent lines; OutlineSegment::chain is the stroke
-  std::vector<LatticePoint> ends_;  ///< of these, sorted
+  std::vector<std::uint32_t> tangents_;  ///< strokes
+  Nodes nodes_;                          ///< of these
+  SegmentFinder finder_;                 ///< of these; OutlineSegment::chain is the index in tangents_
 };
 
 }  // namespace

@@ -1,9 +1,10 @@
-/// Joining strokes at their ends: known answers.
+/// Joining strokes at their ends, and the search for near ends: known answers.
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "geometry/nearest_on_segment.hpp"
 #include "plotting/paths/chain_ends.hpp"
+#include "plotting/paths/nearest_points.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "plotting/paths/simplify.hpp"
 #include "sample_drawing.hpp"
@@ -126,6 +127,52 @@ TEST(JoinStrokes, AShapeSmallerThanTheToleranceKeepsItsLength) {
   const Polylines joined = join_strokes(given, {});
   ASSERT_EQ(joined.size(), 1u);
   EXPECT_GE(total_length(joined), 0.999 * total_length(given) - 64 * 1e-6) << "but for rounding to the lattice";
+}
+
+/// Points with whole coordinates, of which many lie in one place.
+std::vector<Point2> crowded_points(std::size_t count, int extent) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> place(-extent, extent);
+  std::vector<Point2> points(count);
+  for (Point2& p : points) p = {double(place(random)), double(place(random))};
+  return points;
+}
+
+TEST(NearestPoints, FindsTheNearestOfTheRemainingPoints) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> place(-20, 20);
+  const std::vector<Point2> points = crowded_points(500, 20);
+  NearestPoints tree(points);
+  std::vector<char> there(points.size(), 1);
+  for (std::size_t removed = 0; removed < points.size(); ++removed) {
+    const Point2 q{place(random) + 0.3, place(random) - 0.2};
+    const std::uint32_t found = tree.nearest(q);
+    double least = 1e300;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (there[i]) least = std::min(least, glm::distance(q, points[i]));
+    }
+    ASSERT_NE(found, kNone);
+    ASSERT_TRUE(there[found]);
+    ASSERT_DOUBLE_EQ(glm::distance(q, points[found]), least);
+    tree.remove(found);
+    there[found] = 0;
+  }
+  EXPECT_EQ(tree.nearest({0, 0}), kNone);
+}
+
+TEST(NearestPoints, FindsTheNearestInTheOrderOfDistanceAndIndex) {
+  const std::vector<Point2> points = crowded_points(800, 12);
+  const NearestPoints tree(points);
+  std::vector<NearestPoints::Neighbour> found;
+  for (int x = -12; x <= 12; ++x) {
+    const Point2 p{double(x), 0.5 * x};
+    std::vector<std::pair<double, std::uint32_t>> expected;
+    for (std::uint32_t k = 0; k < points.size(); ++k) expected.emplace_back(glm::dot(points[k] - p, points[k] - p), k);
+    std::sort(expected.begin(), expected.end());
+    tree.nearest(p, 10, found);
+    ASSERT_EQ(found.size(), 10u);
+    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i].squared, expected[i].first);
+  }
 }
 
 /// Leaving out points of lines: known answers, and what a look at all points finds.

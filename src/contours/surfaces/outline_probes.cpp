@@ -10,6 +10,7 @@
 #include "contours/contour_choice.hpp"
 #include "contours/contour_sights.hpp"
 #include "contours/surfaces/lines_beside.hpp"
+#include "linework/map/nodes.hpp"
 #include "view/clip.hpp"
 
 namespace ligne {
@@ -145,29 +146,26 @@ void look_at(const Candidate& c, const VisibleContours& near, const ProbePage& p
   }
 }
 
-/// The ends of candidates with the indices of these, sorted.
-std::vector<std::pair<LatticePoint, std::uint32_t>> ends_of(const std::vector<Candidate>& candidates) {
-  std::vector<std::pair<LatticePoint, std::uint32_t>> ends;
-  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
-    ends.emplace_back(candidates[i].stroke.from, i);
-    ends.emplace_back(candidates[i].stroke.to, i);
-  }
-  std::sort(ends.begin(), ends.end());
-  return ends;
+/// The nodes of candidates, and after them of others.
+Nodes nodes_of(const std::vector<Candidate>& candidates, const std::vector<Candidate>& others = {}) {
+  std::vector<Stroke> strokes;
+  strokes.reserve(candidates.size() + others.size());
+  for (const Candidate& c : candidates) strokes.push_back(c.stroke);
+  for (const Candidate& c : others) strokes.push_back(c.stroke);
+  return Nodes(strokes);
 }
 
-DisjointSets connected(const std::vector<std::pair<LatticePoint, std::uint32_t>>& ends, std::size_t candidates) {
-  DisjointSets runs(candidates);
-  for (std::size_t i = 1; i < ends.size(); ++i) {
-    if (ends[i].first == ends[i - 1].first) runs.join(ends[i].second, ends[i - 1].second);
-  }
+/// Sets of the first `count` candidates that are connected.
+DisjointSets connected(const Nodes& nodes, std::size_t count) {
+  DisjointSets runs(count);
+  for (std::uint32_t end = 0; end < 2 * count; ++end) runs.join(end / 2, nodes.first(nodes.of(end)) / 2);
   return runs;
 }
 
 /// Removes connected runs of candidates that are shorter than the reach or than Candidate::near_mm, and returns them: ends
 /// moved to crossings leave such remnants.
 std::vector<Candidate> take_short(std::vector<Candidate>& candidates, const Lattice& lattice, double reach_mm) {
-  DisjointSets runs = connected(ends_of(candidates), candidates.size());
+  DisjointSets runs = connected(nodes_of(candidates), candidates.size());
   std::vector<double> length(candidates.size(), 0), least(candidates.size(), reach_mm);
   for (std::uint32_t i = 0; i < candidates.size(); ++i) {
     const Candidate& c = candidates[i];
@@ -199,8 +197,9 @@ LinesBeside outlines_beside(const StrokeModel& model, const std::vector<Candidat
 void keep_between_ends(std::vector<Candidate>& parts, const std::vector<Candidate>& others, const VisibleContours& near,
                        const StrokeModel& model, double pen_width_mm) {
   const LinesBeside outlines = outlines_beside(model, parts);
-  const auto ends = ends_of(parts), other_ends = ends_of(others);
-  DisjointSets runs = connected(ends, parts.size());
+  const Nodes nodes = nodes_of(parts, others);
+  const auto end_count = static_cast<std::uint32_t>(2 * parts.size());
+  DisjointSets runs = connected(nodes, parts.size());
   std::vector<std::uint8_t> apart(parts.size(), 0);
   for (std::uint32_t i = 0; i < parts.size(); ++i) {
     const Stroke& s = parts[i].stroke;
@@ -208,16 +207,15 @@ void keep_between_ends(std::vector<Candidate>& parts, const std::vector<Candidat
     apart[runs.find(i)] |= !outlines.uncovered(from, to, parts[i].near_mm, 0).empty();
   }
   std::vector<std::uint32_t> open(parts.size(), 0), met(parts.size(), 0);
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    const LatticePoint p = ends[i].first;
-    if ((i > 0 && ends[i - 1].first == p) || (i + 1 < ends.size() && ends[i + 1].first == p)) continue;
-    const std::uint32_t run = runs.find(ends[i].second);
+  for (std::uint32_t end = 0; end < end_count; ++end) {
+    bool continues = false, meets_other = false;
+    nodes.for_each_end(nodes.of(end), [&](std::uint32_t e) { (e < end_count ? continues : meets_other) |= e != end; });
+    if (continues) continue;
+    const Candidate& part = parts[end / 2];
+    const std::uint32_t run = runs.find(end / 2);
     ++open[run];
-    const auto other = std::lower_bound(other_ends.begin(), other_ends.end(), std::pair(p, 0u));
-    const Point2 mm = model.lattice.to_mm(p);
-    const Candidate& part = parts[ends[i].second];
-    met[run] += (other != other_ends.end() && other->first == p) ||
-                near.tails().any_within(mm, part.end_reach_mm[part.stroke.from == p ? 0 : 1]) ||
+    const Point2 mm = model.lattice.to_mm(end % 2 == 0 ? part.stroke.from : part.stroke.to);
+    met[run] += meets_other || near.tails().any_within(mm, part.end_reach_mm[end % 2]) ||
                 (apart[run] && outlines.any_within(mm, pen_width_mm / 2));
   }
   std::vector<Candidate> kept;
@@ -291,15 +289,13 @@ void add_missing_outlines(StrokeModel& model, const View& view, const SmoothCont
   parts.insert(parts.end(), remnants.begin(), remnants.end());
   keep_between_ends(parts, missing, near, model, pen_width_mm);
   missing.insert(missing.end(), parts.begin(), parts.end());
-  std::vector<LatticePoint> ends;
-  for (const Candidate& c : missing) ends.insert(ends.end(), {c.stroke.from, c.stroke.to});
-  std::sort(ends.begin(), ends.end());
-  for (Candidate& c : missing) {
-    for (const bool second : {false, true}) {
-      LatticePoint& end = second ? c.stroke.to : c.stroke.from;
-      const auto [first, last] = std::equal_range(ends.begin(), ends.end(), end);
-      if (last - first > 1) continue;
-      if (const auto contour = near.pieces().nearest_end(model.lattice.to_mm(end), c.end_reach_mm[second ? 1 : 0]))
+  const Nodes nodes = nodes_of(missing);
+  for (std::uint32_t i = 0; i < missing.size(); ++i) {
+    Candidate& c = missing[i];
+    for (const std::uint32_t side : {0u, 1u}) {
+      if (nodes.degree(nodes.of(2 * i + side)) > 1) continue;
+      LatticePoint& end = side == 0 ? c.stroke.from : c.stroke.to;
+      if (const auto contour = near.pieces().nearest_end(model.lattice.to_mm(end), c.end_reach_mm[side]))
         end = model.lattice.snap(*contour);
     }
     if (c.stroke.from == c.stroke.to) continue;

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/parallel.hpp"
-#include "geometry/point_tree.hpp"
 #include "linework/map/line_groups.hpp"
 #include "linework/near_part.hpp"
+#include "linework/point_tree.hpp"
 #include "linework/rules/rules.hpp"
 #include "linework/stroke_geometry.hpp"
 
@@ -57,10 +57,10 @@ class OpenEnds {
       const std::uint32_t chain = chains.of(end / 2);
       ends_.push_back({end, p, double(p.x) - start.x, double(p.y) - start.y, page_length(s), chains[chain].length, chain});
     }
-    std::vector<Point2> points;
+    std::vector<TreePoint<2>> points;
     points.reserve(ends_.size());
-    for (const OpenEnd& end : ends_) points.emplace_back(end.point.x, end.point.y);
-    const PointTree tree(points);
+    for (const OpenEnd& end : ends_) points.push_back({end.point.x, end.point.y});
+    const PointTree<2> tree(points);
     parallel_blocks(ends_.size(), kSearchBlock, [&](std::size_t begin, std::size_t last) {
       for (std::size_t e = begin; e < last; ++e) ends_[e].nearest = nearest(static_cast<std::uint32_t>(e), tree);
     });
@@ -101,33 +101,34 @@ class OpenEnds {
 
   /// Whether leads_to() is false for all points of the box. A line may lead only to points in a cone. Where thousands
   /// of lines end side by side, nearly all ends lie outside of it.
-  static bool leads_away(const OpenEnd& e, const Rect& box) {
+  static bool leads_away(const OpenEnd& e, const PointBox<2>& box) {
     static const double sine = std::sqrt(1 - kLeastCosine * kLeastCosine);
     constexpr double kRounding = 1;  // lattice steps
     for (const double side : {-1.0, 1.0}) {
       // The inner normal of a side of the cone, as long as the stroke.
       const double nx = sine * e.dx - side * kLeastCosine * e.dy, ny = sine * e.dy + side * kLeastCosine * e.dx;
-      const double x = (nx > 0 ? box.max.x : box.min.x) - double(e.point.x);
-      const double y = (ny > 0 ? box.max.y : box.min.y) - double(e.point.y);
+      const double x = (nx > 0 ? box.high[0] : box.low[0]) - double(e.point.x);
+      const double y = (ny > 0 ? box.high[1] : box.low[1]) - double(e.point.y);
       if (nx * x + ny * y < -kRounding * e.length) return true;
     }
     return false;
   }
 
-  std::uint32_t nearest(std::uint32_t e, const PointTree& tree) const {
+  std::uint32_t nearest(std::uint32_t e, const PointTree<2>& tree) const {
     const OpenEnd& end = ends_[e];
     const LatticePoint p = end.point;
     std::uint32_t best = kNone;
     double best_distance = wide_;
-    const auto enter = [&](double squared, const Rect& box) {
+    const auto enter = [&](std::uint32_t node, double squared) {
       if (squared > kAbout * best_distance * best_distance) return false;
       const bool is_apart = end.length > wide_ && squared > kAbout * kRoundedSteps * kRoundedSteps;
-      return !is_apart || !leads_away(end, box);
+      return !is_apart || !leads_away(end, tree.box(node));
     };
-    tree.search({p.x, p.y}, enter, [&](double squared, std::uint32_t o) {
-      if (o == e || squared > kAbout * best_distance * best_distance) return;
+    const auto offer = [&](std::uint32_t o) {
       const OpenEnd& other = ends_[o];
       const LatticePoint q = other.point;
+      const double dx = double(q.x) - p.x, dy = double(q.y) - p.y, squared = dx * dx + dy * dy;
+      if (o == e || squared > kAbout * best_distance * best_distance) return;
       if (leads_away(end, q, squared) || leads_away(other, p, squared)) return;
       const double away = length(p, q);
       if (away >= wide_ || away > best_distance || (away == best_distance && o > best)) return;
@@ -135,6 +136,9 @@ class OpenEnds {
       if (!leads_to(end, q, away) || !leads_to(other, p, away)) return;
       best = o;
       best_distance = away;
+    };
+    tree.search_from(p, enter, [&](std::uint32_t first, std::uint32_t last) {
+      for (std::uint32_t i = first; i < last; ++i) offer(tree.order()[i]);
     });
     return best;
   }

@@ -1,0 +1,67 @@
+#include "plotting/paths/nearest_points.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+#include "base/no_index.hpp"
+
+namespace ligne {
+
+NearestPoints::NearestPoints(std::span<const Point2> points)
+    : points_(points.size()), place_of_(points.size()), is_left_(points.size(), 1) {
+  std::vector<TreePoint<2, double>> places;
+  places.reserve(points.size());
+  for (const Point2 p : points) places.push_back({p.x, p.y});
+  tree_ = PointTree<2, double>(places);
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    points_[i] = points[tree_.order()[i]];
+    place_of_[tree_.order()[i]] = i;
+  }
+  for (std::uint32_t node = 0; node < tree_.node_count(); ++node) left_in_.push_back(tree_.size_of(node));
+}
+
+void NearestPoints::remove(std::uint32_t point) {
+  is_left_[place_of_[point]] = 0;
+  tree_.for_each_around(place_of_[point], [&](std::uint32_t node) { --left_in_[node]; });
+}
+
+/// Calls take(squared distance, point) for points of boxes nearer than the limit, which take() may lower. A box as far as
+/// the farthest point found holds nothing nearer, so a thousand points in one place are not all visited.
+template <class Take>
+void NearestPoints::search(Point2 p, const double& limit, const Take& take) const {
+  const auto enter = [&](std::uint32_t node, double squared) { return left_in_[node] > 0 && squared < limit; };
+  tree_.search_from(p, enter, [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const Point2 d = points_[i] - p;
+      const double squared = d.x * d.x + d.y * d.y;
+      if (is_left_[i] && squared < limit) take(squared, tree_.order()[i]);
+    }
+  });
+}
+
+std::uint32_t NearestPoints::nearest(Point2 p) const {
+  double best = std::numeric_limits<double>::infinity();
+  std::uint32_t found = kNone;
+  search(p, best, [&](double squared, std::uint32_t point) {
+    best = squared;
+    found = point;
+  });
+  return found;
+}
+
+void NearestPoints::nearest(Point2 p, std::size_t count, std::vector<Neighbour>& found) const {
+  found.clear();
+  double limit = count > 0 ? std::numeric_limits<double>::infinity() : 0;
+  const auto nearer = [](const Neighbour& l, const Neighbour& r) {
+    return std::tie(l.squared, l.point) < std::tie(r.squared, r.point);
+  };
+  search(p, limit, [&](double squared, std::uint32_t point) {
+    const Neighbour neighbour{squared, point};
+    if (found.size() == count) found.pop_back();
+    found.insert(std::upper_bound(found.begin(), found.end(), neighbour, nearer), neighbour);
+    if (found.size() == count) limit = found.back().squared;
+  });
+}
+
+}  // namespace ligne

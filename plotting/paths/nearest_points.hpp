@@ -1,0 +1,45 @@
+#pragma once
+/// Search for nearest points in a set that shrinks.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/point.hpp"
+#include "linework/point_tree.hpp"
+
+namespace ligne {
+
+/// A set of points, which keep their indices. Points can be removed. The search never enters a subtree without points, so a
+/// query takes logarithmic time even if few points are left. Which of several equally near points is found depends on the
+/// points alone.
+class NearestPoints {
+ public:
+  struct Neighbour {
+    double squared;  ///< square of the distance
+    std::uint32_t point;
+  };
+
+  explicit NearestPoints(std::span<const Point2> points);
+
+  /// Removes a point, which must not have been removed before.
+  void remove(std::uint32_t point);
+
+  /// The nearest of the remaining points; kNone if there is none.
+  std::uint32_t nearest(Point2 p) const;
+
+  /// Finds the `count` remaining points nearest to p, sorted by distance and index.
+  void nearest(Point2 p, std::size_t count, std::vector<Neighbour>& found) const;
+
+ private:
+  template <class Take>
+  void search(Point2 p, const double& limit, const Take& take) const;
+
+  PointTree<2, double> tree_;
+  std::vector<Point2> points_;           ///< in the order of the tree, so that a search reads neighbouring memory
+  std::vector<std::uint32_t> place_of_;  ///< per point: its place in that order
+  std::vector<char> is_left_;            ///< in that order: 1 until the point is removed
+  std::vector<std::uint32_t> left_in_;   ///< by node of the tree: number of points not yet removed
+};
+
+}  // namespace ligne
