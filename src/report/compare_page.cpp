@@ -168,6 +168,14 @@ class ComparisonPage {
     text += row("Faces", grouped(t.faces),
                 grouped(t.front_faces) + " facing the viewer" +
                     (t.transparent_faces > 0 ? ", " + grouped(t.transparent_faces) + " transparent" : ""));
+    text += row("Visible faces", counted(t.visible_faces),
+                "of " + fixed(100 * t.mean_visible_part, 2) + " % of the picture on average, of which " +
+                    fixed(100 * t.covered_part, 1) + " % has a face");
+    text += row("Corners", fixed(t.mean_corners, 2),
+                "of a face on average, " + grouped(t.most_corners) + " at most; " + grouped(t.nonconvex_faces) +
+                    " faces are not convex");
+    text += row("Pairs of faces apart", fixed(100 * t.spread.apart[0], 1) + " % by x",
+                fixed(100 * t.spread.apart[1], 1) + " % by y, " + fixed(100 * t.spread.apart[2], 1) + " % by depth");
     text += row("Convex objects", grouped(t.convex_objects));
     text += row("Zones", grouped(t.zones), "largest of " + grouped(t.largest_zone) + " faces");
     text += row("Overlap", fixed(t.mean_overlap, 2),

@@ -1,5 +1,6 @@
 #include "report/traits_text.hpp"
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "picture/parse/parse.hpp"
@@ -14,6 +15,20 @@ nlohmann::ordered_json json_of(const BoundedCount& count) {
   return {{"at_least", count.n}};
 }
 
+constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
+
+std::string percent(double part) { return rounded(100 * part, 3) + " %"; }
+
+/// The shares of pairs that the axes tell apart, and the privileged axis.
+std::string text_of(const FaceSpread& spread) {
+  std::string text = "pairs of faces apart ";
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    text += std::string(axis > 0 ? ", " : "") + "by " + kAxes[axis] + " " + percent(spread.apart[axis]);
+  }
+  return text + (spread.privileged ? "; privileged: " + std::string(kAxes[static_cast<std::size_t>(*spread.privileged)])
+                                   : "; none is privileged");
+}
+
 std::string plural(std::size_t n, const char* one) { return std::to_string(n) + " " + one + (n == 1 ? "" : "s"); }
 
 }  // namespace
@@ -22,6 +37,12 @@ std::vector<std::pair<std::string, std::string>> lines_of(const SceneTraits& tra
   return {
       {"faces", std::to_string(traits.faces) + " with area on the page, " + std::to_string(traits.front_faces) +
                     " facing the viewer, " + std::to_string(traits.transparent_faces) + " transparent"},
+      {"visible", text_of(traits.visible_faces) + " faces in front somewhere, each of " + percent(traits.mean_visible_part) +
+                      " of the picture on average"},
+      {"area", percent(traits.covered_part) + " of the picture has a face"},
+      {"corners", rounded(traits.mean_corners, 3) + " of a face on average, " + std::to_string(traits.most_corners) +
+                      " at most; " + plural(traits.nonconvex_faces, "face") + " not convex"},
+      {"directions", text_of(traits.spread)},
       {"objects", std::to_string(traits.convex_objects) + " convex"},
       {"zones", std::to_string(traits.zones) + ", the largest of " + plural(traits.largest_zone, "face")},
       {"overlap", rounded(traits.mean_overlap, 3) + " faces over a point of the page on average, " +
@@ -38,6 +59,16 @@ nlohmann::ordered_json json_of(const SceneTraits& traits) {
   json["faces"] = traits.faces;
   json["front_faces"] = traits.front_faces;
   json["transparent_faces"] = traits.transparent_faces;
+  json["visible_faces"] = json_of(traits.visible_faces);
+  json["mean_visible_part"] = traits.mean_visible_part;
+  json["covered_part"] = traits.covered_part;
+  json["mean_corners"] = traits.mean_corners;
+  json["most_corners"] = traits.most_corners;
+  json["nonconvex_faces"] = traits.nonconvex_faces;
+  json["pairs_apart"] = traits.spread.apart;
+  const auto& privileged = traits.spread.privileged;
+  json["privileged_direction"] =
+      privileged ? nlohmann::ordered_json(kAxes[static_cast<std::size_t>(*privileged)]) : nlohmann::ordered_json(nullptr);
   json["convex_objects"] = traits.convex_objects;
   json["zones"] = traits.zones;
   json["largest_zone"] = traits.largest_zone;

@@ -62,6 +62,7 @@ CoverSamples::Cover CoverSamples::cover() const {
     }
   }
   if (covered > 0) cover.mean = static_cast<double>(sum) / static_cast<double>(covered);
+  cover.share = static_cast<double>(covered) / (double(rows_) * columns_);
   return cover;
 }
 

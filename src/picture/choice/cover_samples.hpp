@@ -16,6 +16,7 @@ class CoverSamples {
   struct Cover {
     double mean = 0;         ///< over the points with at least one triangle
     std::uint32_t most = 0;  ///< at any point
+    double share = 0;        ///< share of the points that have a triangle
   };
 
   /// Sample points in `rows` rows over the rectangle. Their columns make the cells square, up to kMostColumns.

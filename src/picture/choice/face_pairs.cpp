@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "view/tolerances.hpp"
-#include "visibility/common/cell_grid.hpp"
 #include "visibility/penetration/penetration.hpp"
 
 namespace ligne {
@@ -80,11 +79,14 @@ class PairSearch {
 
 }  // namespace
 
-FacePairs find_face_pairs(const ProjectedScene& scene, const std::vector<Facet>& facets, double coincidence_steps) {
+CellGrid grid_of_all(const ProjectedScene& scene, const std::vector<Facet>& facets, double coincidence_steps) {
   CellGrid::Options options;
   options.margin_steps = coincidence_steps + 1;
   options.drop_hidden = false;
-  const CellGrid grid(scene, facets, options);
+  return {scene, facets, options};
+}
+
+FacePairs find_face_pairs(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid) {
   PairSearch search(scene, facets, grid);
   for (std::size_t i = 0; i < grid.top_cell_count(); ++i) {
     grid.for_each_leaf_of(i, [&](const Cell& cell, const CellSquare&) { search.look(cell); });

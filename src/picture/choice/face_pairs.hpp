@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "visibility/common/cell_grid.hpp"
 #include "visibility/common/facet.hpp"
 
 namespace ligne {
@@ -15,8 +16,11 @@ struct FacePairs {
   bool complete = true;                    ///< false if there were too many pairs to test all
 };
 
-/// Finds the pairs among the facets of the scene, cell by cell of a grid over the page. Tests a few million pairs of
-/// facets at most.
-FacePairs find_face_pairs(const ProjectedScene& scene, const std::vector<Facet>& facets, double coincidence_steps);
+/// A grid over the page whose lists hold all facets, the hidden ones too.
+CellGrid grid_of_all(const ProjectedScene& scene, const std::vector<Facet>& facets, double coincidence_steps);
+
+/// Finds the pairs among the facets of the scene, cell by cell of grid_of_all(). Tests a few million pairs of facets at
+/// most.
+FacePairs find_face_pairs(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid);
 
 }  // namespace ligne

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <map>
 #include <tuple>
-#include <unordered_map>
 #include <vector>
 
 #include "base/no_index.hpp"
@@ -13,6 +14,10 @@
 #include "geometry/predicates.hpp"
 #include "picture/choice/cover_samples.hpp"
 #include "picture/choice/face_pairs.hpp"
+#include "picture/choice/faces_in_front.hpp"
+#include "scene/model/bounds.hpp"
+#include "scene/model/face_shape.hpp"
+#include "scene/model/planarity.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/common/convex_body.hpp"
 #include "visibility/common/facet.hpp"
@@ -33,28 +38,38 @@ double area_of(const ProjectedScene& scene, const Triangle& t) {
   return orientation(scene.vertices[t.v[0]].p, scene.vertices[t.v[1]].p, scene.vertices[t.v[2]].p);
 }
 
-/// Bounding boxes on the page of the faces of the scene.
+/// The faces with facets, and their extents.
 struct FaceBoxes {
   std::vector<std::uint32_t> faces;
   std::vector<AxisBox> boxes;
+  std::vector<FaceExtent> extents;
+  Rect around{};  ///< of all of them
 };
 
 FaceBoxes boxes_of(const ProjectedScene& scene, const std::vector<Facet>& facets) {
-  constexpr std::uint32_t kNotSeen = 0xffffffffu;
   FaceBoxes found;
   std::vector<std::uint32_t> number;
   for (const Facet& f : facets) {
-    if (f.face >= number.size()) number.resize(f.face + 1, kNotSeen);
-    if (number[f.face] == kNotSeen) {
+    if (f.face >= number.size()) number.resize(f.face + 1, kNone);
+    if (number[f.face] == kNone) {
       number[f.face] = static_cast<std::uint32_t>(found.faces.size());
       found.faces.push_back(f.face);
-      found.boxes.push_back({1e300, 1e300, -1e300, -1e300});
+      found.extents.push_back({{1e300, 1e300, f.z_near}, {-1e300, -1e300, f.z_far}});
     }
-    AxisBox& box = found.boxes[number[f.face]];
+    auto& [low, high] = found.extents[number[f.face]];
+    low[2] = std::min<double>(low[2], f.z_near);
+    high[2] = std::max<double>(high[2], f.z_far);
     for (const std::uint32_t v : f.v) {
       const Point2 p = at(scene.vertices[v].p);
-      box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x), std::max(box.y1, p.y)};
+      low[0] = std::min(low[0], p.x), low[1] = std::min(low[1], p.y);
+      high[0] = std::max(high[0], p.x), high[1] = std::max(high[1], p.y);
     }
+  }
+  for (const auto& [low, high] : found.extents) {
+    if (found.boxes.empty()) found.around = {{low[0], low[1]}, {high[0], high[1]}};
+    found.around = {glm::min(found.around.min, Point2{low[0], low[1]}),
+                    glm::max(found.around.max, Point2{high[0], high[1]})};
+    found.boxes.push_back({low[0], low[1], high[0], high[1]});
   }
   return found;
 }
@@ -69,15 +84,53 @@ void count_zones(const std::vector<AxisBox>& boxes, SceneTraits& traits) {
   }
 }
 
-void count_faces(const ProjectedScene& scene, const std::vector<std::uint32_t>& faces, SceneTraits& traits) {
-  std::unordered_map<std::uint32_t, double> areas;
-  for (const Triangle& t : scene.triangles) areas[t.face] += area_of(scene, t);
-  traits.faces = faces.size();
-  for (const std::uint32_t f : faces) {
+/// Counts the faces by their windings, and the projected area of those that are visible.
+void count_faces(const ProjectedScene& scene, const FaceBoxes& boxes, const FacesInFront& visible, SceneTraits& traits) {
+  std::vector<double> areas(visible.flags.size(), 0);  // twice the area, negative if it faces the viewer
+  for (const Triangle& t : scene.triangles) {
+    if (t.face < areas.size()) areas[t.face] += area_of(scene, t);
+  }
+  double visible_area = 0;
+  traits.faces = boxes.faces.size();
+  for (const std::uint32_t f : boxes.faces) {
     // Counter-clockwise as seen is a negative turn on the page, whose y axis points down.
     traits.front_faces += areas[f] < 0;
     traits.transparent_faces += is_transparent(scene, f);
+    if (!visible.flags[f]) continue;
+    ++traits.visible_faces.n;
+    visible_area += std::abs(areas[f]) / 2;
   }
+  traits.visible_faces.complete = visible.complete;
+  const double picture = boxes.around.width() * boxes.around.height();
+  if (traits.visible_faces.n > 0) traits.mean_visible_part = visible_area / double(traits.visible_faces.n) / picture;
+}
+
+/// Counts corners, and the faces that are not convex.
+void count_corners(const Scene& scene, std::vector<std::uint32_t> faces, SceneTraits& traits) {
+  if (faces.empty()) return;
+  if (scene.faces.all_triangles()) {
+    traits.mean_corners = 3;
+    traits.most_corners = 3;
+    return;
+  }
+  std::sort(faces.begin(), faces.end());
+  std::uint64_t sum = 0;
+  std::size_t next = 0;
+  for (const Object& object : scene.objects) {
+    if (object.face_begin == object.face_end) continue;
+    const auto [low, high] = bounds_of(scene, object.vertex_begin, object.vertex_end);
+    const double tolerance = straightness_tolerance(object.precision, glm::distance(low, high));
+    for (; next < faces.size() && faces[next] < object.face_end; ++next) {
+      std::size_t corners = 0;
+      for (std::size_t c = 0; c < scene.faces.contour_count(faces[next]); ++c) {
+        corners += scene.faces.contour(faces[next], c).size();
+      }
+      sum += corners;
+      traits.most_corners = std::max(traits.most_corners, corners);
+      traits.nonconvex_faces += !is_convex_face(scene, faces[next], tolerance);
+    }
+  }
+  traits.mean_corners = double(sum) / double(faces.size());
 }
 
 /// Counts the vertices that are above, or below, both their neighbours on a contour of a face. Of two vertices at equal
@@ -199,20 +252,16 @@ bool is_height_field(const Scene& scene, const Topology& topology) {
   return samples.cover().most <= 1;
 }
 
-void count_overlap(const ProjectedScene& scene, const std::vector<Facet>& facets, SceneTraits& traits) {
+void count_overlap(const ProjectedScene& scene, const std::vector<Facet>& facets, const Rect& around, SceneTraits& traits) {
   if (facets.empty()) return;
-  const auto corners = [&](const Facet& f) {
-    return std::array{at(scene.vertices[f.v[0]].p), at(scene.vertices[f.v[1]].p), at(scene.vertices[f.v[2]].p)};
-  };
-  Rect around{corners(facets[0])[0], corners(facets[0])[0]};
-  for (const Facet& f : facets) {
-    for (const Point2& p : corners(f)) around = {glm::min(around.min, p), glm::max(around.max, p)};
-  }
   CoverSamples samples(around, kSampleRows);
-  for (const Facet& f : facets) samples.add(corners(f));
+  for (const Facet& f : facets) {
+    samples.add({at(scene.vertices[f.v[0]].p), at(scene.vertices[f.v[1]].p), at(scene.vertices[f.v[2]].p)});
+  }
   const CoverSamples::Cover cover = samples.cover();
   traits.mean_overlap = cover.mean;
   traits.most_overlap = cover.most;
+  traits.covered_part = cover.share;
 }
 
 }  // namespace
@@ -222,12 +271,15 @@ SceneTraits scene_traits(const Scene& scene, const Topology& topology, const Pro
   const double coincidence_steps = coincidence_mm(projected) / projected.lattice.step_mm;
   const std::vector<Facet> facets = make_facets(projected, coincidence_steps).facets;
   const FaceBoxes boxes = boxes_of(projected, facets);
-  count_faces(projected, boxes.faces, traits);
   count_zones(boxes.boxes, traits);
-  count_overlap(projected, facets, traits);
+  count_corners(scene, boxes.faces, traits);
+  traits.spread = spread_of(boxes.extents);
+  count_overlap(projected, facets, boxes.around, traits);
   traits.convex_objects = count_convex_objects(projected);
   traits.turning_vertices = count_turning_vertices(projected, facets);
-  const FacePairs pairs = find_face_pairs(projected, facets, coincidence_steps);
+  const CellGrid grid = grid_of_all(projected, facets, coincidence_steps);
+  count_faces(projected, boxes, find_faces_in_front(projected, facets, grid, boxes.around), traits);
+  const FacePairs pairs = find_face_pairs(projected, facets, grid);
   traits.penetrations = {pairs.penetrating.size(), pairs.complete};
   traits.conflicts = {pairs.overlapping.size(), pairs.complete};
   traits.height_field = is_height_field(scene, topology);

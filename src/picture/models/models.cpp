@@ -76,6 +76,7 @@ Scene choose_and_heal(const ModelRequest& request, ModelFile& file, LoadedModels
   const double scene_unit_mm = models.files.size() > 1 ? models.scene.unit_mm : scene.unit_mm;
   choose_parts(scene, request.parts, first, request.unit_mm.value_or(scene_unit_mm));
   if (request.subdivision) scene.stated = {};  // the limit surface is another shape
+  scene.stated.bits |= request.assumed.bits;
   if (request.quality == Quality::exact || scene.objects.empty()) return scene;
   topology.emplace();
   file.healed = heal(scene, *topology, {request.weld_distance});
