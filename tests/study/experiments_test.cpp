@@ -207,6 +207,31 @@ TEST(Study, WindowCosts) {
   EXPECT_EQ(count_in(depths, 0, "their depths"), 4 * count_in(depths, 1, "their depths"));
 }
 
+// 2.2.3.2, second case: two covers that penetrate take 12 depths an intersector. A square behind two plates that cross is
+// hidden by their farther depth; a square in the notch between them is behind the nearer one only, which takes four depths
+// more, at the two ends of the line in which they cross.
+TEST(Study, WindowCostsOfTwoCovers) {
+  const Table table = run("window-costs").tables[2];
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    EXPECT_LE(count_in(table, i, "their depths"), count_in(table, i, "4 E"));
+    EXPECT_LE(count_in(table, i, "depths with both"), count_in(table, i, "at most"));
+    EXPECT_GT(count_in(table, i, "of two covers"), 0u);
+  }
+  constexpr std::size_t kBehind = 0, kNotch = 3, kFarther = 1, kNearer = 2;  // three rows a scene
+  for (const std::size_t row : {kBehind + kFarther, kBehind + kNearer, kNotch + kNearer}) {
+    EXPECT_EQ(count_in(table, row, "windows"), 1u);
+    EXPECT_EQ(count_in(table, row, "of two covers"), 1u);
+    EXPECT_EQ(count_in(table, row, "surrounders"), 2u);
+    EXPECT_EQ(count_in(table, row, "their depths"), 8u);
+    EXPECT_EQ(count_in(table, row, "4 (E - 1)"), 4u);
+    EXPECT_EQ(count_in(table, row, "intersectors"), 1u);
+    EXPECT_EQ(count_in(table, row, "depths with both"), row < kNotch ? 12u : 16u);
+  }
+  EXPECT_EQ(count_in(table, kBehind + kFarther, "at most"), 12u);
+  EXPECT_GT(count_in(table, kBehind, "windows"), 1u) << "divided";
+  EXPECT_GT(count_in(table, kNotch + kFarther, "windows"), 1u) << "before the farther depth";
+}
+
 // Figures 2.24 and 2.25: the coarser the tests the fewer windows; a precision of one point draws the ring of nine bars
 // without a fault, a hundredth of it does not.
 TEST(Study, PrecisionOfTests) {
