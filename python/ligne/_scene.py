@@ -98,7 +98,7 @@ def read(
     """Reads glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio or ligne-scene files; several make one scene.
 
     `subdivide`: "catmull-clark" or "loop", with ":N" for N levels: the polygons are control meshes.
-    `assume`: facts that spare tests, "no-penetration" and "convex", separated by commas.
+    `assume`: facts that spare tests, "no-penetration", "convex" and "adjacency", separated by commas.
     `groups`: the groups of an OBJ without objects are objects, which draw(group=..., color=...) tell apart. The others are
     the command's. Raises InputError.
     """

@@ -116,7 +116,7 @@ std::string info_json(const LoadedModels& models, const SceneInfo& info) {
   json["scene"] = scene_json(models, info);
   json["view"] = view_json(info);
   json["traits"] = json_of(info.traits);
-
+  json["facts"] = json_of(info.known);
   json["methods"] = Json::array();
   for (const Method* method : all_methods()) {
     const MethodTraits& traits = method->traits();

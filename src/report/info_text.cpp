@@ -188,6 +188,8 @@ std::string info_text(const LoadedModels& models, const SceneInfo& info) {
                                     (info.placement.larger_than_page() ? ", larger than the page" : ""));
   text += "visibility\n";
   for (const auto& [name, value] : lines_of(info.traits)) text += line(name, value);
+  text += "facts\n";
+  for (const auto& [name, value] : lines_of(info.known)) text += line(name, value);
   text += "methods\n";
   for (const Method* method : all_methods()) {
     const MethodTraits& traits = method->traits();

@@ -42,6 +42,7 @@ SceneInfo scene_info(const LoadedModels& models, const ViewRequest& view, const 
   });
   if (!lines.method) info.method = find_method(choice_rules()[choose_rule(facts_of(request, projected))].method);
   info.traits = timed(run.stages, "traits", [&] { return scene_traits(scene, topology, projected); });
+  info.known = timed(run.stages, "facts", [&] { return known_facts(scene, topology, info.traits); });
   return info;
 }
 

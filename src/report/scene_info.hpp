@@ -7,6 +7,7 @@
 #include "picture/choice/scene_traits.hpp"
 #include "picture/models/models.hpp"
 #include "picture/placement.hpp"
+#include "report/known_facts.hpp"
 #include "report/scene_facts.hpp"
 #include "report/surface_facts.hpp"
 #include "view/cull.hpp"
@@ -18,6 +19,7 @@ struct SceneInfo {
   SceneFacts scene;
   ViewFacts view;
   SceneTraits traits;
+  KnownFacts known;
   SurfaceFacts surfaces;            ///< recognised behind the meshes, for clear lines
   std::optional<BackFaces> culled;  ///< only if culling is requested
   Placement placement;

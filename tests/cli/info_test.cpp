@@ -11,6 +11,29 @@ namespace {
 
 using nlohmann::json;
 
+// [Boulle1980] 1.2.2.1: what holds of a scene can be stated of it.
+TEST_F(ProgramTest, InfoTellsTheFactsThatHold) {
+  const json cube = json::parse(run_well("info cube.obj --json").out)["facts"];
+  EXPECT_EQ(cube["assume"], "no-penetration,convex,adjacency");
+  EXPECT_EQ(cube["convex"], json::parse(R"({"holds": true, "stated": false})"));
+  EXPECT_TRUE(cube["separating_planes"].empty());
+  expect_parts(run_well("info cube.obj").out, {"\n  to state       --assume no-penetration,convex,adjacency\n"});
+  const json square = json::parse(run_well("info square.obj --json").out)["facts"];
+  EXPECT_EQ(square["assume"], "no-penetration");
+  EXPECT_EQ(square["adjacency"]["holds"], false);
+  expect_parts(square["adjacency"]["why_not"].get<std::string>(), {"has a border edge"});
+  // The plane between two objects can be copied into a scene.
+  const json two = json::parse(run_well("info cube.obj square.obj --move square=40,0,0 --json").out)["facts"];
+  ASSERT_EQ(two["separating_planes"].size(), 1u);
+  EXPECT_EQ(two["separating_planes"][0]["normal"], json::parse("[1,0,0]"));
+  const std::string plain = run_well("draw cube.obj -o - --format svg").out;
+  EXPECT_EQ(run_well("draw cube.obj -o - --format svg --assume no-penetration,convex,adjacency").out, plain);
+  EXPECT_EQ(json::parse(run_well("info cube.obj --assume adjacency --json").out)["facts"]["adjacency"]["stated"], true);
+  const Outcome refused = run("draw square.obj -o s.svg --assume adjacency");
+  EXPECT_EQ(refused.status, 2);
+  expect_parts(refused.err, {"the fact 'adjacency' is false: object", "has a border edge"});
+}
+
 TEST_F(ProgramTest, InfoTextNamesEveryMethod) {
   const json methods = json::parse(run("methods --json").out);
   EXPECT_EQ(methods["format"], "ligne-methods");

@@ -33,6 +33,7 @@ TEST(StatedFacts, TrueOnesAreAccepted) {
   Scene scene = three_boxes();
   scene.stated.state(StatedFact::no_penetration);
   scene.stated.state(StatedFact::convex);
+  scene.stated.state(StatedFact::adjacency);
   scene.stated.planes = {{{0, 3, 0}, {0, 1, 0}}, {{7, 0, 0}, {1, 0, 0}}};
   EXPECT_EQ(false_fact(scene), "");
 }
@@ -57,6 +58,29 @@ TEST(StatedFacts, FalseOnesNameTheObject) {
   EXPECT_EQ(false_fact(through), "");
   through.stated.state(StatedFact::no_penetration);
   EXPECT_EQ(false_fact(through), "the fact 'no-penetration' is false: objects \"box\" and \"box\" pass through each other");
+}
+
+TEST(StatedFacts, FalseAdjacencyNamesTheObject) {
+  const auto why = [](const std::vector<std::vector<std::uint32_t>>& faces) {
+    Scene scene = three_boxes();
+    begin_object(scene, "added");
+    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+    for (const Point3& p : {Point3{9, 0, 0}, {11, 0, 0}, {9, 2, 0}, {9, 0, 2}, {9, -1, -1}}) scene.vertices.push_back(p);
+    for (std::vector<std::uint32_t> face : faces) {
+      for (std::uint32_t& v : face) v += first;
+      scene.faces.add_face(face);
+    }
+    end_object(scene);
+    scene = finished(scene);
+    scene.stated.state(StatedFact::adjacency);
+    return false_fact(scene);
+  };
+  EXPECT_EQ(why({{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}), "");
+  const std::string begin = "the fact 'adjacency' is false: object \"added\" has ";
+  EXPECT_EQ(why({{0, 2, 1}, {0, 1, 3}, {1, 2, 3}}), begin + "a border edge");
+  EXPECT_EQ(why({{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 3, 0}}), begin + "an edge along which both faces run the same way");
+  EXPECT_EQ(why({{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 1, 4}, {1, 0, 4}}),
+            begin + "an edge of more than two faces");
 }
 
 // Bodies that touch along faces, edges and corners do not pass through each other.

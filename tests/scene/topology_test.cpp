@@ -4,6 +4,7 @@
 #include "base/parallel.hpp"
 #include "even_positions.hpp"
 #include "scene/clean/crossing_edges.hpp"
+#include "scene/model/paired_edges.hpp"
 #include "scene/model/self_contact.hpp"
 #include "scene/model/triangle_contact.hpp"
 #include "scene/surfaces/surface_mesh.hpp"
@@ -275,6 +276,80 @@ TEST(SelfContact, SurfacesAreHeldAgainstThemselvesOnly) {
   EXPECT_EQ(find_self_contacts(torus.vertices, twice, surface, 2), (std::vector<std::uint8_t>{0, 0}));
   std::fill(surface.begin(), surface.end(), 1);
   EXPECT_EQ(find_self_contacts(torus.vertices, twice, surface, 2), (std::vector<std::uint8_t>{0, 1}));
+}
+
+/// A torus of n x n quadrilaterals, some of them cut into two triangles: every edge has two faces.
+Scene closed_mesh(std::uint32_t n) {
+  Scene scene;
+  for (std::uint32_t i = 0; i < n * n; ++i) {
+    const double a = 6.283185307179586 * double(i % n) / n, b = 6.283185307179586 * double(i / n) / n;
+    scene.vertices.push_back({(3 + std::cos(b)) * std::cos(a), (3 + std::cos(b)) * std::sin(a), std::sin(b)});
+  }
+  const auto at = [n](std::uint32_t i, std::uint32_t j) { return j % n * n + i % n; };
+  for (std::uint32_t j = 0; j < n; ++j) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t corners[] = {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};
+      if ((i + j) % 3 != 0) {
+        scene.faces.add_face(corners);
+      } else {
+        scene.faces.add_triangle(corners[0], corners[1], corners[2]);
+        scene.faces.add_triangle(corners[0], corners[2], corners[3]);
+      }
+    }
+  }
+  scene.objects.push_back({"torus", 0, n * n, 0, static_cast<std::uint32_t>(scene.faces.size()), 0});
+  scene.stated.state(StatedFact::adjacency);
+  return scene;
+}
+
+// [Boulle1980] 1.2.2.1: edges of a stated adjacency are those that are found, over several parts of vertices, and round a
+// hub; where the fact is false, they are found after all.
+TEST(Topology, StatedAdjacencyGivesTheSameEdges) {
+  Topology found;
+  const Scene torus = closed_mesh(180);
+  EXPECT_TRUE(find_paired_edges(torus, found));
+  EXPECT_TRUE(is_paired(found));
+  expect_edges(torus);
+
+  // Two fans on one rim.
+  Scene fans;
+  constexpr std::uint32_t kRim = 500;
+  fans.vertices.assign(kRim + 2, {0, 0, 0});
+  for (std::uint32_t i = 0; i < kRim; ++i) {
+    fans.faces.add_triangle(kRim, i, (i + 1) % kRim);
+    fans.faces.add_triangle(kRim + 1, (i + 1) % kRim, i);
+  }
+  fans.objects.push_back({"fans", 0, kRim + 2, 0, 2 * kRim, 0});
+  fans.stated.state(StatedFact::adjacency);
+  EXPECT_TRUE(find_paired_edges(fans, found));
+  expect_edges(fans);
+}
+
+TEST(Topology, FalseAdjacencyIsNoticed) {
+  Topology found;
+  const auto expect_refused = [&](const Scene& scene, const char* why) {
+    SCOPED_TRACE(why);
+    EXPECT_FALSE(find_paired_edges(scene, found));
+    EXPECT_FALSE(is_paired(build_topology(scene)));
+    expect_edges(scene);
+  };
+  Scene scene = closed_mesh(20);
+  scene.faces.add_triangle(0, 1, 300);
+  expect_refused(scene, "a further face at an edge");
+
+  scene = closed_mesh(21);  // its last face is a quadrilateral
+  const std::size_t last = scene.faces.size() - 1, begin = scene.faces.corner_index(last, 0);
+  std::swap(scene.faces.corners()[begin + 1], scene.faces.corners()[begin + 3]);
+  expect_refused(scene, "a face turned round");
+
+  scene = {};
+  scene.vertices.assign(6, {0, 0, 0});
+  for (const std::uint32_t v : {2u, 3u, 4u, 5u}) {
+    scene.faces.add_triangle(v % 2 == 0 ? 0 : 1, v % 2 == 0 ? 1 : 0, v);
+  }
+  scene.objects.push_back({"book", 0, 6, 0, 4, 0});
+  scene.stated.state(StatedFact::adjacency);
+  expect_refused(scene, "four faces at an edge");
 }
 
 }  // namespace

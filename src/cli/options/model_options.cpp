@@ -31,7 +31,7 @@ void add_model_options(CLI::App& app, ModelRequest& request) {
       .add(
           "--assume", "FACT,...", request.assumed, parse_facts,
           "facts about the scene that save tests. no-penetration: no faces pass through each other; convex: every object is "
-          "one closed convex body")
+          "one closed convex body; adjacency: each side of a face is a side of exactly one other face, the other way round")
       .standard("those of the file");
   OptionGroup parts(app, "Parts");
   const auto add_names = [](std::vector<std::string>& target) {

@@ -166,6 +166,23 @@ std::string find_dented_object(const Scene& scene, const Topology& topology, dou
   return {};
 }
 
+// Adjacency.
+
+std::string find_unpaired_object(const Scene& scene, const Topology& topology) {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const EdgeRange edges = edges_of(topology, scene.objects[i]);
+    for (std::uint32_t e = edges.begin; e < edges.end; ++e) {
+      const std::uint16_t flags = topology.edge_flags[e];
+      const char* const why = topology.edges[e].face1 == kNone ? " has a border edge"
+                              : flags & kEdgeManyFaces         ? " has an edge of more than two faces"
+                              : flags & kEdgeUnlikeWound       ? " has an edge along which both faces run the same way"
+                                                               : nullptr;
+      if (why) return "object " + name_of(scene, i) + why;
+    }
+  }
+  return {};
+}
+
 // Penetrations.
 
 using Triangle3 = std::array<Point3, 3>;
@@ -230,23 +247,36 @@ std::string find_penetration(const Scene& scene, const Topology& topology, doubl
 
 }  // namespace
 
+std::string why_false(const Scene& scene, const Topology& topology, StatedFact fact) {
+  const double rounding = kHeightRounding * largest_coordinate(scene);
+  switch (fact) {
+    case StatedFact::no_penetration:
+      return find_penetration(scene, topology, rounding);
+    case StatedFact::convex:
+      return find_dented_object(scene, topology, rounding);
+    case StatedFact::adjacency:
+      return find_unpaired_object(scene, topology);
+  }
+  return {};
+}
+
+bool tests_all_pairs(const Topology& topology) {
+  const std::size_t n = topology.triangles.size();
+  return n * n <= kMostPairs;
+}
+
 std::string find_false_fact(const Scene& scene, const Topology& topology) {
   const StatedFacts& stated = scene.stated;
   if (!stated.any()) return {};
-  const double rounding = kHeightRounding * largest_coordinate(scene);
-  std::string why = find_cut_object(scene, rounding);
-  const auto said = [](StatedFact fact) {
-    return "the fact '" + std::string(kStatedFactNames[static_cast<std::size_t>(fact)]) + "' is false: ";
-  };
-  if (why.empty() && stated.has(StatedFact::convex)) {
-    why = find_dented_object(scene, topology, rounding);
-    if (!why.empty()) return said(StatedFact::convex) + why;
+  std::string why = find_cut_object(scene, kHeightRounding * largest_coordinate(scene));
+  if (!why.empty()) return why;
+  for (const StatedFact fact : {StatedFact::adjacency, StatedFact::convex, StatedFact::no_penetration}) {
+    if (!stated.has(fact)) continue;
+    why = why_false(scene, topology, fact);
+    if (!why.empty())
+      return "the fact '" + std::string(kStatedFactNames[static_cast<std::size_t>(fact)]) + "' is false: " + why;
   }
-  if (why.empty() && stated.has(StatedFact::no_penetration)) {
-    why = find_penetration(scene, topology, rounding);
-    if (!why.empty()) return said(StatedFact::no_penetration) + why;
-  }
-  return why;
+  return {};
 }
 
 }  // namespace ligne

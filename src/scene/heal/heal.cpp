@@ -14,6 +14,7 @@
 #include "scene/heal/face_writer.hpp"
 #include "scene/heal/sew_borders.hpp"
 #include "scene/model/bounds.hpp"
+#include "scene/model/paired_edges.hpp"
 
 namespace ligne {
 namespace {
@@ -140,10 +141,11 @@ void count_edges_left(const Scene& scene, const Topology& topology, HealReport& 
 HealReport heal(Scene& scene, Topology& topology, const HealOptions& options) {
   HealReport report;
   const bool sews = options.sew_distance != 0.0;
-  // Whether `topology` is that of the scene, which has no repeated triangle.
-  bool known = scene.faces.all_triangles() && scene.faces.size() >= options.topology_first_from;
+  // Whether `topology` is that of the scene, which has no repeated face.
+  const bool stated = scene.stated.has(StatedFact::adjacency);
+  bool known = stated || (scene.faces.all_triangles() && scene.faces.size() >= options.topology_first_from);
   if (known) topology = build_topology(scene);
-  known = known && !may_repeat_triangles(topology);
+  known = known && (scene.faces.all_triangles() || is_paired(topology)) && !may_repeat_triangles(topology);
   // Nearly all files have no duplicates, and the borders found in parallel are then right.
   DuplicateFaces duplicates;
   NearBorders near;

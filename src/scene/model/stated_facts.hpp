@@ -15,8 +15,9 @@ namespace ligne {
 enum class StatedFact : std::uint8_t {
   no_penetration,  ///< no two faces pass through each other
   convex,          ///< every object is one closed convex body
+  adjacency,       ///< each side of a face is, in the opposite direction, a side of exactly one other face
 };
-inline constexpr std::array<std::string_view, 2> kStatedFactNames{"no-penetration", "convex"};
+inline constexpr std::array<std::string_view, 3> kStatedFactNames{"no-penetration", "convex", "adjacency"};
 
 /// A plane that has every object wholly on one side.
 struct SeparatingPlane {
@@ -31,13 +32,19 @@ struct StatedFacts {
   std::vector<SeparatingPlane> planes{};
 
   bool has(StatedFact fact) const { return (bits >> static_cast<unsigned>(fact)) & 1; }
-  void state(StatedFact fact) { bits = static_cast<std::uint8_t>(bits | 1u << static_cast<unsigned>(fact)); }
+  void state(StatedFact fact) { bits = static_cast<std::uint8_t>(bits | bit(fact)); }
+  void withdraw(StatedFact fact) { bits = static_cast<std::uint8_t>(bits & ~bit(fact)); }
   bool any() const { return bits != 0 || !planes.empty(); }
+  /// Whether a fact says where faces lie, so that it may be false of a finer mesh of the same surfaces.
+  bool any_of_shape() const { return (bits & ~bit(StatedFact::adjacency)) != 0 || !planes.empty(); }
   /// Withdraws the facts that concern two objects: objects were moved, or others were added.
   void forget_relations() {
-    bits = static_cast<std::uint8_t>(bits & 1u << static_cast<unsigned>(StatedFact::convex));
+    withdraw(StatedFact::no_penetration);
     planes.clear();
   }
+
+ private:
+  static constexpr unsigned bit(StatedFact fact) { return 1u << static_cast<unsigned>(fact); }
 };
 
 }  // namespace ligne

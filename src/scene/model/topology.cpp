@@ -12,6 +12,8 @@
 #include "base/parallel_counting_sort.hpp"
 #include "base/uninitialized_vector.hpp"
 #include "geometry/triangulate.hpp"
+#include "scene/model/half_edges.hpp"
+#include "scene/model/paired_edges.hpp"
 #include "scene/model/triangle_normal.hpp"
 
 // Edges are found by counting sort. Every corner of a contour gives one half-edge, filed under the lower of its two
@@ -24,37 +26,11 @@ namespace {
 
 constexpr std::uint32_t kReversed = 0x80000000u;  ///< the half-edge runs from the higher vertex to the lower
 
-/// Number of faces in a block, and of vertices in a part. Adjustable.
-constexpr std::size_t kFacesPerBlock = 65'536, kVerticesPerPart = 16'384;
-
 struct HalfEdge {
   std::uint32_t other;               ///< the higher vertex
   std::uint32_t face_and_direction;  ///< face, with kReversed where it applies
   std::uint32_t face() const { return face_and_direction & ~kReversed; }
 };
-
-/// Calls visit(from, to, face, corner) for every directed edge of every contour of the faces [begin, end).
-template <class Visit>
-void for_each_half_edge(const PolygonFaces& faces, std::size_t begin, std::size_t end, Visit visit) {
-  if (faces.all_triangles()) {
-    const auto corners = faces.corners();
-    for (std::size_t f = begin, k = 3 * begin; f < end; ++f, k += 3) {
-      visit(corners[k], corners[k + 1], f, k);
-      visit(corners[k + 1], corners[k + 2], f, k + 1);
-      visit(corners[k + 2], corners[k], f, k + 2);
-    }
-    return;
-  }
-  for (std::size_t f = begin; f < end; ++f) {
-    for (std::size_t c = 0; c < faces.contour_count(f); ++c) {
-      const auto contour = faces.contour(f, c);
-      const std::size_t first = faces.corner_index(f, c);
-      for (std::size_t k = 0; k < contour.size(); ++k) {
-        visit(contour[k], contour[k + 1 == contour.size() ? 0 : k + 1], f, first + k);
-      }
-    }
-  }
-}
 
 /// The half-edges by part, within a part in the order of the corners.
 struct Parts {
@@ -306,7 +282,8 @@ EdgeRange edges_of(const Topology& topology, const Object& object) {
 
 Topology build_topology(const Scene& scene) {
   Topology topology;
-  find_edges(scene, topology);
+  const bool paired = scene.stated.has(StatedFact::adjacency) && find_paired_edges(scene, topology);
+  if (!paired) find_edges(scene, topology);
   topology.triangles = triangulate_faces(scene);
   return topology;
 }

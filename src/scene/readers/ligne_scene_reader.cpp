@@ -250,7 +250,7 @@ class SceneReader {
   void read_fact(const Node& node) {
     const std::string name = node.text();
     const auto known = std::ranges::find(kStatedFactNames, name);
-    if (known == kStatedFactNames.end()) throw node.error(shown(name) + " is not 'no-penetration' or 'convex'");
+    if (known == kStatedFactNames.end()) throw node.error(shown(name) + " is not 'no-penetration', 'convex' or 'adjacency'");
     builder_.scene().stated.state(static_cast<StatedFact>(known - kStatedFactNames.begin()));
   }
 

@@ -163,7 +163,7 @@ VisibilityResult NewellMethod::compute_visibility(const ProjectedScene& scene, c
   statistics.count("convex bodies", elements.bodies().count());
   statistics.count("faces of convex bodies", elements.bodies().faces());
   statistics.count("heights computed to find them", elements.bodies().heights());
-  if (scene.model->stated.any()) {
+  if (scene.model->stated.any_of_shape()) {
     statistics.count("pairs across separating planes, not compared", list.counts().separated);
     statistics.count("pairs not compared in reverse", list.counts().one_way);
   }
