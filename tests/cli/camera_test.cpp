@@ -1,9 +1,8 @@
-/// Successive views: --frames, --turn; surfaces among models.
+/// Successive views: --frames, --turn. More of them: scripts/profile.txt.
 
 #include "draw_program.hpp"
 #include "support/pdf_info.hpp"
 #include "support/standard.hpp"
-#include "surface_program.hpp"
 
 namespace ligne::test {
 namespace {
@@ -26,22 +25,6 @@ TEST_F(FramesTest, ArePagesOfOnePdf) {
   EXPECT_NE(pdf_info(pdf).find("Pages:           5\n"), std::string::npos);
 }
 
-/// The statistics say what was made once.
-TEST_F(FramesTest, TellWhatWasSaved) {
-  const auto counts = [&](const std::string& method) {
-    run_well({"draw", "cube.obj", "--frames", "4", "--turn", "12", "--method", method, "--stats-json", "s.json", "-o",
-              "f%d.svg"});
-    return json::parse(contents(file("s.json")))["counts"];
-  };
-  const json appel = counts("appel"), bsp = counts("bsp"), newell = counts("newell");
-  for (const json& method : {appel, bsp, newell}) EXPECT_EQ(method["of these, with the topology of the first"], 3);
-  EXPECT_EQ(bsp["of these, with the tree of the first"], 3);
-  EXPECT_FALSE(appel.contains("of these, with the tree of the first"));
-  EXPECT_EQ(newell["of these, with the list of the previous one"], 3);
-  run_well("draw cube.obj --method bsp --stats-json s.json -o f.svg");
-  EXPECT_EQ(bsp["depth of the tree"], json::parse(contents(file("s.json")))["counts"]["depth of the tree"]);
-}
-
 /// The cube has the same sides after a quarter of a turn; in between it is wider, and has the same scale.
 TEST_F(FramesTest, TurnTheModelAtOneScale) {
   run_well("draw cube.obj --view front --frames 8 --edges all -o f%d.json");
@@ -59,16 +42,6 @@ TEST_F(FramesTest, TurnTheModelAtOneScale) {
     }
     EXPECT_EQ(strokes_by_class(other), strokes_by_class(i % 2 == 1 ? first : frame("f2.json"))) << i;
   }
-}
-
-/// Counter-clockwise as seen from above: what is in front goes to the right.
-TEST_F(FramesTest, TurnToTheRight) {
-  run_well("draw cube.obj --view front --frames 2 --turn 60 -o f%d.json");
-  const json drawing = frame("f2.json");
-  // The y axis is up, and the viewer stands at +z.
-  const double right = matrix(drawing, 0, 2), scale = matrix(drawing, 0, 0);
-  EXPECT_GT(right, 0);
-  EXPECT_NEAR(right / scale, std::tan(30 * 3.14159265358979 / 180), 1e-9);
 }
 
 /// Neither a compiled tree nor the work that all views share changes what is drawn.
@@ -92,67 +65,6 @@ TEST_F(FramesTest, AreTheViewsOneByOne) {
           << method << " " << i;
     }
   }
-}
-
-/// Surfaces among the models of `ligne draw`.
-
-using nlohmann::json;
-
-class MixedSceneTest : public SurfaceProgramTest {
- protected:
-  /// A box of 2 x 2 from z = -1 to 1 round the origin.
-  void write_box(const std::string& name, bool y_up) const {
-    std::string obj;
-    for (const int z : {-1, 1}) {
-      for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-        obj += "v " + std::to_string(x) + " " + std::to_string(y_up ? z : y) + " " + std::to_string(y_up ? -y : z) + "\n";
-      }
-    }
-    write(name, obj + "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
-  }
-  json mixed(const Words& arguments) const {
-    const Outcome outcome = run_well("draw" + arguments + "-o - --format json");
-    return outcome.status == 0 ? json::parse(outcome.out) : json();
-  }
-};
-
-TEST_F(MixedSceneTest, CurvesAndModelsHideEachOtherAndMeetInAFootLine) {
-  // A box that stands half in a plane of 6 x 6, seen from above: its top hides 2 x 2 of the plane's curves.
-  for (const bool y_up : {false, true}) {
-    write_box("box.obj", y_up);
-    const Words scene{"box.obj", "--surface", "0", "-x", "-3:3:7", "-y", "-3:3:7", "--up-axis", y_up ? "y" : "z"};
-    const json above = mixed(scene + "--view top --quality exact");
-    EXPECT_NEAR(length(above, "horizon"), 14 * 6 - 2 * 2 - 8, 1e-3)
-        << "the curves below the box and its outline are not seen";
-    EXPECT_NEAR(length(above, "outline") + length(above, "crease"), 8, 1e-3);
-    // From the front and above the foot line is seen on two sides of four.
-    const json iso = mixed(scene + "--view iso");
-    EXPECT_GT(length(iso, "intersection"), 1);
-    EXPECT_GT(length(iso, "horizon"), 30);
-  }
-}
-
-// [Boulle1980] figure 1.1 has curved surfaces among plane ones. A plane in u and v is that in x and y; a ball round the box
-// hides all of it.
-TEST_F(MixedSceneTest, ParametricSurfacesStandAmongModels) {
-  write_box("box.obj", false);
-  for (const char* view : {"--view top", "--view iso"}) {
-    const Words end = Words{"--up-axis", "z", "--quality", "exact"} + view;
-    const json plane = mixed(Words{"box.obj", "--surface", "0", "-x", "-3:3:7", "-y", "-3:3:7"} + end);
-    const json same = mixed(Words{"box.obj", "--parametric", "u", "v", "0", "-u", "-3:3:7", "-v", "-3:3:7"} + end);
-    for (const char* layer : {"horizon", "outline", "border", "crease", "intersection"})
-      EXPECT_NEAR(length(same, layer), length(plane, layer), 1e-3) << layer;
-  }
-  const Words ball{"box.obj", "--parametric", "2*cos(u)*cos(v)", "2*sin(u)*cos(v)", "2*sin(v)", "-v", "-pi/2:pi/2:9"};
-  EXPECT_EQ(length(mixed(ball + "--view iso"), "crease"), 0);
-}
-
-TEST_F(MixedSceneTest, FormulasTakeTheGroundOfTheModels) {
-  write_box("box.obj", false);
-  const json above = mixed("box.obj --up-axis z --surface 5 --view top");
-  // The box's outline lies under the rim of the surface, and stands for it.
-  EXPECT_NEAR(length(above, "horizon") + length(above, "outline"), 80 * 2, 1e-3);
-  EXPECT_EQ(length(above, "crease"), 0);
 }
 
 }  // namespace

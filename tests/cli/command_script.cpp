@@ -14,15 +14,22 @@
 ///     FILE writes FILE...; no FILE; bytes WHERE OP N               the files that there are more than at the start; sizes
 ///     keep NAME; as NAME; unlike NAME                         strokes of a drawing, or all that was written to out
 ///     keep-json NAME POINTER; as-json ...; unlike-json ...    a part of the JSON
-///     keep-number NAME QUANTITY; beside NAME QUANTITY OP N    a quantity; its difference from the one that was kept
+///     keep-number NAME QUANTITY                               a quantity, which is $NAME in later numbers
+///     beside NAME QUANTITY OP N                               the difference of a quantity from the one that was kept
 ///     classes CLASS N, ...                                    numbers of strokes by class, all of them; hidden ones: hidden
 ///     QUANTITY OP NUMBER     the number of strokes of a class, or strokes; width, height, left, right, top, bottom in mm,
-///                            y/x; mm:CLASS and units:CLASS, the length of its visible lines in mm and in model units;
-///                            most:CLASS:z and least:CLASS:z; a layer's length in mm, all:LAYER, paths:LAYER
+///                            y/x; least-x:CLASS, most-x:CLASS; mm:CLASS, hidden-mm:CLASS and units:CLASS, the length of its
+///                            lines that are seen or hidden, in mm and in model units; most:CLASS:z and least:CLASS:z; a
+///                            layer's length in mm, all:LAYER, paths:LAYER; drawn:FILE and drawn:FILE:LAYER, mm of the lines
+///                            of an SVG; bytes:FILE; count:FILE:TEXT; down, mm on the paper as --report has it; a number of
+///                            the JSON
+///     SUM OP SUM             of products of numbers and quantities: 2*mm:crease+$before
 ///     POINTER OP JSON; POINTER has KEY; size POINTER OP N     of the JSON in out, or FILE:POINTER
 
 #include "draw_program.hpp"
 #include "main/script.hpp"
+#include "plotting/paths/optimize.hpp"
+#include "plotting/readers/drawing_reader.hpp"
 #include "surface_program.hpp"
 
 namespace ligne::test {
@@ -32,9 +39,11 @@ struct Extent {
   double left = 1e300, top = 1e300, right = -1e300, bottom = -1e300;
 };
 
-Extent extent_of(const json& drawing) {
+/// Extent of all strokes, or of those of a class.
+Extent extent_of(const json& drawing, const std::string& line_class) {
   Extent box;
   for (const json& stroke : drawing["strokes"]) {
+    if (!line_class.empty() && stroke["class"] != line_class) continue;
     for (const json& point : stroke["points"]) {
       const double x = point[0], y = point[1];
       box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x), std::max(box.bottom, y)};
@@ -43,11 +52,11 @@ Extent extent_of(const json& drawing) {
   return box;
 }
 
-/// Length of the visible strokes of a class on the page.
-double length_mm(const json& drawing, const std::string& line_class) {
+/// Length of the strokes of a class on the page that are seen, or hidden.
+double length_mm(const json& drawing, const std::string& line_class, bool visible) {
   double sum = 0;
   for (const json& s : drawing["strokes"]) {
-    if (s["class"] != line_class || !s["visible"].get<bool>()) continue;
+    if (s["class"] != line_class || s["visible"].get<bool>() != visible) continue;
     const auto a = s["points"][0].get<std::array<double, 2>>(), b = s["points"][1].get<std::array<double, 2>>();
     sum += std::hypot(a[0] - b[0], a[1] - b[1]);
   }
@@ -55,6 +64,23 @@ double length_mm(const json& drawing, const std::string& line_class) {
 }
 
 const std::set<std::string> kKeeping{"keep", "as", "unlike", "keep-json", "as-json", "unlike-json", "keep-number"};
+
+/// Length of the lines of an SVG, or of those of a layer, mm.
+double drawn_length(const std::string& svg, const std::string& layer) {
+  const ReadDrawing read = read_svg_drawing(svg, "script", {});
+  double length = 0;
+  for (const Layer& l : read.drawing.layers) {
+    if (layer.empty() || l.name == layer) length += measure(l.lines, {0, 0}, false).down_mm;
+  }
+  return length;
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, separator);) parts.push_back(part);
+  return parts;
+}
 
 class CommandScript : public SurfaceProgramTest {
  public:
@@ -214,15 +240,34 @@ class CommandScript : public SurfaceProgramTest {
     }
   }
 
-  static bool compares(double found, const std::string& op, const std::string& text, double usual) {
+  bool compares(double found, const std::string& op, const std::string& text, double usual) const {
     const std::size_t sign = text.find(" +- ");
-    return holds(found, op, value_of(text.substr(0, sign)), sign == text.npos ? usual : value_of(text.substr(sign + 4)));
+    return holds(found, op, sum(text.substr(0, sign)), sign == text.npos ? usual : sum(text.substr(sign + 4)));
+  }
+
+  /// A sum of products of numbers, of quantities and of $NAMES.
+  double sum(const std::string& text) const {
+    if (text.find_first_of("$:/") == text.npos && text.find_first_of("abcdfghjklmnoqrstuvwxyz") == text.npos)
+      return value_of(text);
+    double result = 0;
+    for (const std::string& term : split(text, '+')) {
+      double product = 1;
+      for (const std::string& factor : split(term, '*')) product *= this->factor(factor);
+      result += product;
+    }
+    return result;
+  }
+
+  double factor(const std::string& text) const {
+    if (text.starts_with("$")) return kept_numbers_.at(text.substr(1));
+    if (text == "pi" || text.find_first_of("0123456789.-") == 0) return value_of(text);
+    return quantity(text);
   }
 
   void check_text_or_number(const std::string& subject, std::string_view rest) const {
     const std::string verb = take_word(rest);
     if (verb.find_first_of("<>=") != verb.npos) {
-      const double found = quantity(subject);
+      const double found = sum(subject);
       EXPECT_TRUE(compares(found, verb, std::string(rest), kMicrometre)) << subject << " is " << found;
       return;
     }
@@ -248,12 +293,21 @@ class CommandScript : public SurfaceProgramTest {
 
   double quantity(const std::string& name) const {
     if (name == "lines") return static_cast<double>(outcome_.error_lines());
+    if (name == "down") return down();
+    if (name.find(":/") != name.npos || name.front() == '/') return json_at(name).get<double>();
+    const std::vector<std::string> words = split(name, ':');
+    if (words[0] == "drawn") return drawn_length(contents(file(words.at(1))), words.size() > 2 ? words[2] : "");
+    if (words[0] == "bytes") return static_cast<double>(contents(file(words.at(1))).size());
+    if (words[0] == "count") return static_cast<double>(count_of(contents(file(words.at(1))), unescaped(words.at(2))));
     if (!drawing_.is_object()) return of_layers(name);
-    if (name.starts_with("mm:")) return length_mm(drawing_, name.substr(3));
-    if (name.starts_with("units:")) return length(drawing_, name.substr(6));
+    if (words[0] == "mm") return length_mm(drawing_, words.at(1), true);
+    if (words[0] == "hidden-mm") return length_mm(drawing_, words.at(1), false);
+    if (words[0] == "units") return length(drawing_, words.at(1));
     if (name == "strokes") return static_cast<double>(drawing_["strokes"].size());
     if (name.starts_with("most:") || name.starts_with("least:")) return outermost(name);
-    const Extent box = extent_of(drawing_);
+    const Extent box = extent_of(drawing_, words.size() > 1 ? words[1] : "");
+    if (words[0] == "least-x") return box.left;
+    if (words[0] == "most-x") return box.right;
     if (name == "y/x") return (box.bottom - box.top) / (box.right - box.left);
     if (name == "width") return box.right - box.left;
     if (name == "height") return box.bottom - box.top;
@@ -262,6 +316,13 @@ class CommandScript : public SurfaceProgramTest {
     if (name == "top") return box.top;
     if (name == "bottom") return box.bottom;
     return strokes_by_class(drawing_)[name];
+  }
+
+  double down() const {
+    double mm = 0;
+    const std::size_t before = outcome_.err.find("before");
+    EXPECT_TRUE(before != outcome_.err.npos && std::sscanf(outcome_.err.c_str() + before, "before %*d %lf", &mm) == 1);
+    return mm;
   }
 
   /// The length of a layer; "all:NAME", of the layers NAME-... too; "paths:NAME", the number of its lines.

@@ -4,8 +4,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "plotting/paths/optimize.hpp"
-#include "plotting/readers/drawing_reader.hpp"
 #include "program.hpp"
 
 namespace ligne::test {
@@ -20,17 +18,6 @@ class PlotTest : public ProgramTest {
     return outcome.status == 0 ? contents(file(name)) : "";
   }
 };
-
-TEST_F(PlotTest, DrawingsOfOursComeAsJsonAndAsSvg) {
-  run_well("draw cube.obj --margin 20 -o cube.json");
-  ASSERT_EQ(run("draw cube.obj --margin 20 -o cube.svg").status, 0);
-  const std::string direct = written("direct.hpgl", "draw cube.obj --margin 20 --device hp7475a");
-  const std::string json_way = written("json.hpgl", "plot cube.json --device hp7475a");
-  const std::string svg_way = written("svg.hpgl", "plot cube.svg --device hp7475a");
-  EXPECT_EQ(count_of(direct, "PU"), count_of(json_way, "PU"));
-  EXPECT_EQ(count_of(direct, "PU"), count_of(svg_way, "PU"));
-  EXPECT_EQ(json_way.size(), direct.size());
-}
 
 TEST_F(PlotTest, CurvesWhereThePenArrives) {
   write("round.svg",
@@ -61,71 +48,6 @@ TEST_F(PlotTest, CurvesWhereThePenArrives) {
   EXPECT_LT(written("plain.svg", "plot round.svg --curves on").size() * 2, written("plain-l.svg", "plot round.svg").size());
 }
 
-/// Millimetres of hatching in the layer.
-double hatch_length(const std::string& svg) {
-  const ReadDrawing read = read_svg_drawing(svg, "a.svg", {});
-  double length = 0;
-  for (const Layer& layer : read.drawing.layers) {
-    if (layer.name == "hatch") length += measure(layer.lines, {0, 0}, false).down_mm;
-  }
-  return length;
-}
-
-TEST_F(PlotTest, AStoredStudyIsHatched) {
-  run_well("draw cube.obj --method atherton-weiler --direction 1,2,-1.5 --scale 20:1 -o cube.json");
-  const double plain = hatch_length(written("a.svg", "plot cube.json --fill hatch")),
-               shaded = hatch_length(written("b.svg", "plot cube.json --hatch shade")),
-               wide = hatch_length(written("c.svg", "plot cube.json --hatch plain --hatch-spacing 2")),
-               large = hatch_length(written("d.svg", "plot cube.json --fill hatch --scale 2:1"));
-  EXPECT_GT(shaded, 0);
-  EXPECT_GT(plain, 2 * shaded);
-  EXPECT_NEAR(wide, plain * 0.8 * 0.18 / 2, 0.15 * wide);
-  EXPECT_NEAR(large, 4 * plain, 0.1 * large) << "as close as the pen is wide, whatever the scale";
-  const std::string drawn =
-      written("e.svg", "draw cube.obj --direction 1,2,-1.5 --scale 20:1 --hatch shade --hatch-levels continuous");
-  EXPECT_NEAR(shaded, hatch_length(drawn), 0.1 * shaded) << "as draw does it";
-  run_well("draw cube.obj -o lines.json");
-  const Outcome none = run("plot lines.json --fill hatch -o f.svg");
-  EXPECT_TRUE(none.status == 0 || none.err.find("has no regions to hatch") != std::string::npos) << none.err;
-}
-
-TEST_F(PlotTest, FillsAreHatchedByLayerColourAndTone) {
-  write("a.svg",
-        "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60'>\n"
-        "<rect x='10' y='10' width='20' height='20' fill='red'/><rect x='40' y='10' width='20' height='20' fill='#00f'/>"
-        "<rect x='70' y='10' width='20' height='20' fill='#ddd'/></svg>");
-  const auto lengths = [&](const Words& options) {
-    const ReadDrawing read = read_svg_drawing(written("b.svg", "plot a.svg" + options), "b.svg", {});
-    std::map<std::string, double> by_layer;
-    for (const Layer& layer : read.drawing.layers) by_layer[layer.name] += measure(layer.lines, {0, 0}, false).down_mm - 80;
-    return by_layer;
-  };
-  std::map<std::string, double> found = lengths("--hatch-spacing 2 --hatch-spacing red=1 --hatch-angle red=0");
-  EXPECT_NEAR(found["#ff0000"], 400, 30);
-  EXPECT_NEAR(found["#0000ff"], 200, 30);
-  found = lengths("--hatch shade");
-  EXPECT_NEAR(found["#dddddd"], 400 * 0.133 / 0.35, 40) << "an eighth of the paper is covered";
-  EXPECT_GT(found["#0000ff"], 5 * found["#dddddd"]);
-}
-
-TEST_F(PlotTest, CrossHatchingTakesNoFileForAName) {
-  write("a.svg",
-        "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60'>\n"
-        "<rect x='10' y='10' width='20' height='20' fill='red'/><rect x='40' y='10' width='20' height='20' fill='#00f'/>"
-        "</svg>");
-  const auto length = [&](const Words& options) {
-    const ReadDrawing read = read_svg_drawing(written("b.svg", "plot --hatch-spacing 2" + options), "b.svg", {});
-    double length = 0;
-    for (const Layer& layer : read.drawing.layers) length += measure(layer.lines, {0, 0}, false).down_mm;
-    return length;
-  };
-  const double plain = length("a.svg"), red = length("--hatch-cross=red a.svg");
-  EXPECT_GT(red, plain + 100);
-  EXPECT_NEAR(length("--hatch-cross a.svg"), length("a.svg --hatch-cross"), 1e-9);
-  EXPECT_GT(length("--hatch-cross a.svg"), red + 100) << "all fills";
-  EXPECT_NEAR(length("--hatch-cross=red --hatch-cross=blue a.svg"), length("--hatch-cross a.svg"), 1e-9);
-}
-
 TEST_F(PlotTest, WhatIsResumedIsTheEndOfTheWhole) {
   write(
       "a.svg",
@@ -143,6 +65,24 @@ TEST_F(PlotTest, WhatIsResumedIsTheEndOfTheWhole) {
   EXPECT_EQ(count_of(contents(file("rest.gcode")), "M3 S90"), 3u);
   expect_error("plot a.svg --from-time soon -o a.gcode", kUsage,
                "ligne: --from-time: \"soon\" is not a time such as 90s, 30min, 2h or 12:30\n");
+}
+
+TEST_F(PlotTest, BrokenStoredOrdersAreRefused) {
+  ASSERT_NE(written("stored.json", {"draw", LIGNE_SOURCE_DIR "/tests/corpus/bricks.json", "--method", "newell", "-q"}), "");
+  const auto refused = [&](const Words& arguments, const std::string& part) {
+    expect_outcome(arguments + Words("-o x.svg"), kFailed, {part});
+    EXPECT_FALSE(exists("x.svg"));
+  };
+  json broken = json::parse(contents(file("stored.json")));
+  broken["order"][0]["material"] = 7;
+  write("broken.json", broken.dump());
+  refused("plot broken.json --fill material", "a piece of the order has a missing material");
+  broken["order"][0].erase("material");
+  write("older.json", broken.dump());
+  refused("plot older.json --fill material", "piece 0 of the order: has no material; draw it again");
+  broken["order"][0]["outer"] = json::array();
+  write("empty.json", broken.dump());
+  refused("plot empty.json --fill material", "piece 0 of the order: a contour has fewer than three points");
 }
 
 }  // namespace

@@ -153,34 +153,6 @@ TEST_F(SurfaceBreaksTest, AJumpThatRunsIntoTheBorderMakesNoWall) {
   }
 }
 
-TEST_F(SurfaceBreaksTest, PolesAreCut) {
-  for (const char* formula :
-       chosen("poles", 3, {"1/x", "1/(x^2+y^2)", "1/(x-0.7)^2", "tan(x)", "1/sin(x*y)", "log(x)", "x/(x^2-y)"})) {
-    const Outcome outcome = surface({formula}, "-o a.svg");
-    EXPECT_EQ(outcome.status, 0);
-    expect_parts(outcome.err, {std::string(formula) + " has poles: cut to"});
-  }
-  for (const char* formula :
-       chosen("no poles", 3, {"exp(3*x)", "x^5", "sqrt(x)", "floor(3*x)", "sin(r)/r", "100*exp(-99*r)", "cosh(x*y)"})) {
-    EXPECT_EQ(surface({formula}, "-o a.svg").err, "") << formula;
-  }
-  // Ranges that are asked for stay as they are.
-  EXPECT_EQ(surface("1/x --z-range -9:9", "-o a.svg").err, "");
-}
-
-/// Beside a surface without poles; what stands between the samples is chance, and costs no more than a few of them.
-TEST_F(SurfaceBreaksTest, PolesBetweenAllSamplesCostAFewFacetsEach) {
-  const auto facets = [&](const std::string& formula) {
-    const Outcome outcome = surface({formula, "--samples", "41", "-q"}, "-o - --format json");
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return json::parse(outcome.out)["stats"]["counts"]["facets"].get<int>();
-  };
-  const int plain = facets("x+y");
-  for (const char* formula : chosen("many poles", 3, {"tan(x*100)", "tan(x*1e6)", "1/sin(x*1e6)*cos(y*1e5)"})) {
-    EXPECT_LT(facets(formula), 8 * plain) << formula;
-  }
-}
-
 TEST_F(SurfaceBreaksTest, FineGridsAreThinned) {
   std::string text;
   for (int j = 0; j < 300; ++j) {

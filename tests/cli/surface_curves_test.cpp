@@ -15,7 +15,6 @@ const Words kMap = "-x 0:10:11 -y 0:10:11 --view top --lines none --page 100x100
 
 class TerrainTest : public SurfaceProgramTest {
  protected:
-  std::map<std::string, double> map(const Words& arguments) const { return layers(arguments + kMap); }
   std::string svg(const Words& arguments) const { return surface(arguments + kMap, "-o - --format svg").out; }
 };
 
@@ -51,12 +50,6 @@ TEST_F(TerrainTest, HachuresDownASlopeStayOnTheGround) {
   }
   EXPECT_GE(low, 10 - 1e-3);
   EXPECT_LE(high, 90 + 1e-3);
-}
-
-TEST_F(TerrainTest, BothMethodsLabelTheSameLines) {
-  const Words hill = "exp(-(x-5)^2/9-(y-5)^2/6) --contours 5 --contour-labels all";
-  auto horizon = map(hill);
-  EXPECT_NEAR(map(hill + "--z-range -1:2")["contour"], horizon["contour"], 0.02 * horizon["contour"]);
 }
 
 TEST_F(TerrainTest, AxesOfRidgelinesSayTruePositions) {

@@ -46,28 +46,6 @@ TEST_F(SurfaceLinesTest, TheHorizonAndTheMeshDrawTheSameContours) {
   }
 }
 
-TEST_F(SurfaceLinesTest, ContoursAlongTheSights) {
-  // Seen along the y axis contours that run along it are upright.
-  for (const char* formula : {"2.83*x+1.75*round(y)", "2*x", "x*x"}) {
-    for (const char* azimuth : {"90", "-90"}) {
-      const Words slope{formula,          "-x",  "-3:3:14",   "-y",    "-3:3:10",     "--outline", "off",
-                        "--contour-step", "0.7", "--azimuth", azimuth, "--elevation", "70"};
-      const double horizon = layers(slope).at("contour");
-      EXPECT_GT(horizon, 500) << formula;
-      EXPECT_NEAR(layers_with(slope, "--method appel").at("contour"), horizon, 1e-4 * horizon)
-          << formula << " from " << azimuth;
-    }
-  }
-}
-
-TEST_F(SurfaceLinesTest, HiddenContoursAndBlocks) {
-  const Words hill = "2*exp(-r^2) -x -3:3:20 -y -3:3:20 --contours 5 --elevation 20";
-  const auto seen = layers(hill), block = layers_with(hill, "--skirt"), hidden = layers_with(hill, "--hidden dashed");
-  EXPECT_NEAR(hidden.at("contour"), seen.at("contour"), 1e-4 * seen.at("contour"));
-  EXPECT_GT(hidden.at("hidden"), 10);
-  EXPECT_GT(block.at("contour"), 100);
-}
-
 TEST_F(SurfaceLinesTest, AxesOfTheMeshAreThoseOfTheHorizon) {
   for (const char* style : {"--axes", "--axes=grid", "--axes=box", "--axes=base"}) {
     for (const Words view :
@@ -80,18 +58,6 @@ TEST_F(SurfaceLinesTest, AxesOfTheMeshAreThoseOfTheHorizon) {
       const std::string by_mesh = svg(plot, "--method appel");
       EXPECT_EQ(by_mesh.substr(by_mesh.find("id=\"text\"")), by_horizon.substr(by_horizon.find("id=\"text\""))) << style;
     }
-  }
-}
-
-TEST_F(SurfaceLinesTest, TheHorizonAndTheMeshDrawTheSame) {
-  for (const Words view : {"", "--azimuth 20 --elevation 50", "--eye 30,-20,25"}) {
-    Words arguments = "5*sin(r)/r -x -9:9:60 -y -8:9:55 --z-scale 1" + view;
-    const double horizon = layers(arguments).at("horizon");
-    arguments += "--method appel";
-    const auto mesh = layers(arguments);
-    EXPECT_NEAR(mesh.at("horizon"), horizon, 0.02 * horizon);
-    EXPECT_GT(mesh.at("outline"), 0);
-    EXPECT_EQ(mesh.count("intersection") + mesh.count("mesh") + mesh.count("crease"), 0u);
   }
 }
 
@@ -123,17 +89,6 @@ TEST_F(SurfaceLinesTest, MeshesOverDegreesAreNoThingsInSpace) {
 /// Bad input of `ligne surface`: one line, the exit status and no file, or a right drawing of what there is.
 
 using SurfaceInputTest = SurfaceProgramTest;
-
-TEST_F(SurfaceInputTest, TheHorizonLeavesOutWholeCells) {
-  for (const char* formula : {"sqrt(x-0.1)", "asin(r/2.1)", "if(x < 0.1, sqrt(-1), y)", "floor(x+y)+x"}) {
-    const Words plot{formula, "-x", "-2:2:17", "-y", "-2:2:17", "--samples", "17", "--view", "top", "--scale", "10:1"};
-    Words horizon = plot + "--method horizon";
-    const double seen = layers(horizon).at("horizon"), mesh = layers(plot).at("horizon");
-    EXPECT_GT(seen, 10) << formula;
-    EXPECT_LT(seen, mesh) << formula;
-    EXPECT_GT(seen, 0.5 * mesh) << formula;
-  }
-}
 
 TEST_F(SurfaceInputTest, ContoursWithoutNumberOrMemory) {
   // Ten thousand levels on a steep sheet of two million triangles would cut it into thousands of millions.

@@ -87,18 +87,6 @@ TEST_F(ZBufferFileTest, AddedObjectsGiveThePictureOfAll) {
   }
 }
 
-TEST_F(ZBufferFileTest, GrayFacesOfAll) {
-  bytes_of("plate.obj --zbuffer-save plate.zbuf --shade --dpi 50", "a.png");
-  const std::string added = bytes_of("stone.obj --zbuffer-add plate.zbuf --shade --dpi 50", "a.png");
-  EXPECT_TRUE(added == bytes_of("plate.obj stone.obj --method zbuffer --shade --dpi 50", "a.png"));
-}
-
-TEST_F(ZBufferFileTest, OnlyWhatIsNewIsPainted) {
-  bytes_of("plate.obj --zbuffer-save plate.zbuf", "a.svg");
-  const Outcome outcome = run("draw stone.obj --zbuffer-add plate.zbuf --stats -o a.svg");
-  expect_parts(outcome.err, {"already in the buffer       3\n", "faces painted                     4\n"});
-}
-
 TEST_F(ZBufferFileTest, DamagedAndForgedFilesAreReadOrRefused) {
   bytes_of("plate.obj --zbuffer-save plate.zbuf --lines 5", "a.svg");
   const std::string bytes = contents(file("plate.zbuf"));

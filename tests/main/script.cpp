@@ -73,7 +73,7 @@ class Reader {
         read_loop(line, steps);
       } else if (line.text.starts_with("| ")) {
         if (steps.empty()) throw std::invalid_argument(place(line) + ": a check without a step");
-        add_checks(line.text, steps.back());
+        add_checks(filled(line.text), steps.back());
       } else {
         add_step(line, steps);
       }
@@ -92,29 +92,34 @@ class Reader {
   }
 
   void add_step(const Line& line, std::vector<ScriptStep>& steps) {
-    const std::size_t bar = line.text.find(" | ");
-    steps.push_back({filled(line.text.substr(0, bar)), {}, {}, place(line)});
-    if (bar != std::string::npos) add_checks(line.text.substr(bar), steps.back());
-    if (!line.text.ends_with("<<")) return;
+    const std::string text = filled(line.text);
+    const std::size_t bar = text.find(" | ");
+    steps.push_back({text.substr(0, bar), {}, {}, place(line)});
+    if (bar != std::string::npos) add_checks(text.substr(bar), steps.back());
+    if (!text.ends_with("<<")) return;
     for (; at_ < lines_.size() && lines_[at_].text != ">>"; ++at_) {
       steps.back().text += std::string(lines_[at_].indent, ' ') + filled(lines_[at_].text) + '\n';
     }
     ++at_;
   }
 
-  void add_checks(const std::string& text, ScriptStep& step) const {
+  static void add_checks(const std::string& text, ScriptStep& step) {
     for (std::size_t at = text.find("| "); at != std::string::npos;) {
       const std::size_t next = text.find(" | ", at + 2);
-      step.checks.push_back(filled(text.substr(at + 2, next == std::string::npos ? next : next - at - 2)));
+      step.checks.push_back(text.substr(at + 2, next == std::string::npos ? next : next - at - 2));
       at = next == std::string::npos ? next : next + 1;
     }
   }
 
+  /// The names may stand for others in turn: {size-of-{kind}}.
   std::string filled(std::string text) const {
-    for (const auto& [name, value] : names_) {
-      const std::string sign = "{" + name + "}";
-      for (std::size_t at = text.find(sign); at != std::string::npos; at = text.find(sign, at + value.size())) {
-        text.replace(at, sign.size(), value);
+    for (std::string before; before != text;) {
+      before = text;
+      for (const auto& [name, value] : names_) {
+        const std::string sign = "{" + name + "}";
+        for (std::size_t at = text.find(sign); at != std::string::npos; at = text.find(sign, at + value.size())) {
+          text.replace(at, sign.size(), value);
+        }
       }
     }
     return text;
