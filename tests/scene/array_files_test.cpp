@@ -115,11 +115,6 @@ TEST(Netcdf, CoordinatesScalesAndFillValues) {
 TEST(Netcdf, AxesInAnyOrderAreNotMirrored) {
   const std::vector<std::vector<double>> z{{1, 2, 3}, {4, 5, kNaN}};
   expect_grid(*heights(netcdf('\1', {5, 6, 7}, true)), {5, 6, 7}, {40, 50}, z);
-  expect_grid(*heights("{\"x\": [5, 6, 7], \"y\": [40, 50], \"z\": [[1, 4], [2, 5], [3, null]]}"), {5, 6, 7}, {40, 50}, z);
-  GridChoice choice;
-  choice.using_columns = {"a", "b", "c"};
-  expect_grid(*heights("{\"a\": [5, 6, 7], \"b\": [40, 50], \"c\": [[1, 4], [2, 5], [3, null]]}", choice), {5, 6, 7},
-              {40, 50}, z);
 }
 
 TEST(Netcdf, LongitudesGoOnPastTheLastDegree) {
@@ -144,36 +139,7 @@ TEST(Matlab, MatricesPlainAndCompressed) {
   EXPECT_EQ(error_of(mat_head() + z.substr(0, 40)), "M: MATLAB file: is truncated");
 }
 
-TEST(JsonGrid, RowsTracesColumnsAndRecords) {
-  expect_grid(*heights("[[1, 2, 3], [4, 5, 6]]"), {0, 1, 2}, {0, 1}, kHeights);
-  expect_grid(*heights("[[1, NaN, null], [4, 5, \"6\"]]"), {0, 1, 2}, {0, 1}, {{1, kNaN, kNaN}, {4, 5, 6}});
-  expect_grid(*heights("{\"x\": [5, 6, 7], \"y\": [9, 8], \"z\": [[4, 5, 6], [1, 2, 3]], \"type\": \"surface\"}"), {5, 6, 7},
-              {8, 9}, kHeights);
-  expect_grid(*heights("{\"data\": [{\"z\": [[1, 2, 3], [4, 5, 6]]}], \"layout\": {}}"), {0, 1, 2}, {0, 1}, kHeights);
-  const std::vector<std::vector<double>> square{{1, 2}, {3, 4}};
-  expect_grid(*heights("{\"x\": [0, 1, 0, 1], \"y\": [0, 0, 1, 1], \"z\": [1, 2, 3, 4]}"), {0, 1}, {0, 1}, square);
-  expect_grid(
-      *heights("[{\"x\":0,\"y\":0,\"z\":1},{\"x\":1,\"y\":0,\"z\":2},{\"x\":0,\"y\":1,\"z\":3},{\"x\":1,\"y\":1,\"z\":4}]"),
-      {0, 1}, {0, 1}, square);
-  expect_grid(*heights("{\"columns\":[\"x\",\"y\",\"z\"],\"data\":[[0,0,1],[1,0,2],[0,1,3],[1,1,4]]}"), {0, 1}, {0, 1},
-              square);
-  EXPECT_NE(error_of("{\"a\": [], \"b\": [{}]}").find("is JSON without an array of numbers"), std::string::npos);
-  EXPECT_EQ(error_of("[[1, 2], [3]]"), "M: has rows of 2 and of 1 numbers");
-  EXPECT_EQ(error_of("[[1, 2], [3"), "M: JSON: byte 12 is unexpected");
-  EXPECT_EQ(error_of("{\"a\": 1}"),
-            "M: is JSON without an array of numbers: [[...], [...]], or {\"x\": [...], \"y\": [...], \"z\": [...]}");
-  EXPECT_EQ(error_of("{\"type\": \"FeatureCollection\", \"features\": []}"),
-            "M: is GeoJSON, which is not read: ogr2ogr -f CSV OUT.csv IN -lco GEOMETRY=AS_XYZ");
-  EXPECT_NE(error_of(std::string(100'000, '[')).find("M: JSON"), std::string::npos);
-}
-
-TEST(JsonGrid, MeshesOfPositionsThatVary) {
-  Warnings warnings;
-  const GridSurface found =
-      read("{\"x\": [[0, 1], [0, 2]], \"y\": [[0, 0.1], [1, 1.5]], \"z\": [[1, 2], [3, 4]]}", warnings);
-  ASSERT_TRUE(found.mesh);
-  EXPECT_EQ(found.mesh->points[3], (Point3{2, 1.5, 4}));
-}
+TEST(JsonGrid, DeepOnesAreRefused) { EXPECT_NE(error_of(std::string(100'000, '[')).find("M: JSON"), std::string::npos); }
 
 TEST(Surfer, ThreeForms) {
   const std::string text = "DSAA\n3 2\n5 7\n8 9\n1 6\n1 2 3\n4 5 1.70141e+38\n";

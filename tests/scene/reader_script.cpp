@@ -1,15 +1,19 @@
 /// Tests of the readers that are written as text, in the folder scripts. A step is a kind of file, and its text: asc, obj,
 /// off, ply, stl, scene are read by their readers, "file.SUFFIX" as the command reads it, and "model FILE" from the shared
 /// models, where they are; "gltf POINTER = JSON ; -POINTER" changes the unit square as glTF, and json is the text of such a
-/// file; grid; "corpus FILE", a grid of the fuzzers' corpus; formula; "detect.SUFFIX" tells the format. A scene that is read
-/// is sound: see expect_sound. Checks:
+/// file; grid, also "grid:layout=matrix", "grid:set=1", "grid:using=1,2,4"; "corpus FILE", a grid of the fuzzers' corpus;
+/// formula; "detect.SUFFIX" tells the format. A scene that is read is sound: see expect_sound. Checks:
 ///
 ///     fails MESSAGE; begins MESSAGE; has TEXT    the whole error, its beginning, a part of it
 ///     is NAME                                    the format that is detected, or why there is none
 ///     /POINTER = JSON                            of the scene as JSON: as_json below
 ///     bounds X Y Z X Y Z                         of a scene, to four decimals
 ///     x 0 1 2; y 0 1; z 1 2; nan 4               positions and rows of heights of a grid
-///     omits LIST; warns N KIND; kinds N          warnings
+///     mesh COLUMNS ROWS; point N X Y Z           of the grid's mesh
+///     surfaces N                                 in the file
+///     omits LIST; warns N KIND; kinds N; notes TEXT   warnings; their kinds; a part of one. A grid whose checks have none
+///     of
+///                                                these gives none
 ///     at X Y VALUE                               the value of a formula
 
 #include <nlohmann/json.hpp>
@@ -69,6 +73,11 @@ json as_json(const Scene& scene, const ReadReport& report) {
   return all;
 }
 
+/// NaN is equal to NaN.
+void expect_equal(double found, double wanted) {
+  EXPECT_TRUE(found == wanted || (std::isnan(found) && std::isnan(wanted))) << found << ", not " << wanted;
+}
+
 std::vector<double> numbers_of(std::string_view text) {
   std::vector<double> numbers;
   for (const std::string& word : test::words_of(text)) numbers.push_back(word == "nan" ? kNaN : test::value_of(word));
@@ -125,6 +134,10 @@ class ReaderScript {
       EXPECT_EQ(warnings_.left_out().text(), wanted == "nothing" ? "" : wanted);
     } else if (verb == "warns") {
       EXPECT_EQ(warnings_.counts().at(wanted.substr(wanted.find(' ') + 1)), std::stoul(wanted));
+    } else if (verb == "notes") {
+      EXPECT_TRUE(std::ranges::any_of(warnings_.lines(), [&](const std::string& line) {
+        return line.find(wanted) != line.npos;
+      })) << testing::PrintToString(warnings_.lines());
     } else if (verb == "kinds") {
       EXPECT_EQ(warnings_.lines().size(), std::stoul(wanted)) << testing::PrintToString(warnings_.lines());
     } else {
@@ -132,11 +145,16 @@ class ReaderScript {
     }
   }
 
-  /// A file that is not read is one whose checks name an error.
-  void expect_error_is_meant(const std::vector<std::string>& checks) const {
-    static const std::set<std::string> meant{"fails", "begins", "has", "is"};
-    const auto names_error = [](const std::string& check) { return meant.contains(check.substr(0, check.find(' '))); };
-    EXPECT_TRUE(error_.empty() || std::ranges::any_of(checks, names_error)) << error_;
+  /// A file that is not read is one whose checks name an error; and a grid that is warned of, one whose checks name
+  /// warnings.
+  void expect_all_is_meant(const std::vector<std::string>& checks) const {
+    static const std::set<std::string> errors{"fails", "begins", "has", "is"}, warnings{"omits", "warns", "kinds", "notes"};
+    const auto has_one_of = [&](const std::set<std::string>& verbs) {
+      return std::ranges::any_of(checks, [&](const std::string& c) { return verbs.contains(c.substr(0, c.find(' '))); });
+    };
+    EXPECT_TRUE(error_.empty() || has_one_of(errors)) << error_;
+    EXPECT_TRUE(!is_grid() || !error_.empty() || warnings_.lines().empty() || has_one_of(warnings))
+        << testing::PrintToString(warnings_.lines());
   }
 
  private:
@@ -159,8 +177,10 @@ class ReaderScript {
       scene_ = read_scene({bytes, "M"}, detect_format(bytes, kind_.substr(4), "M"), {}, warnings_, &report);
     }
     if (kind_ == "model") scene_ = read_scene(LIGNE_MODELS_DIR "/" + text_, {}, warnings_, &report);
-    if (kind_ == "grid") grid_ = grid(text_, warnings_);
-    if (kind_ == "corpus") grid_ = grid(corpus_file(text_), warnings_);
+    if (is_grid()) {
+      const std::string file = kind_ == "corpus" ? corpus_file(text_) : text_;
+      surfaces_ = read_surfaces(bytes_of(file), "M", warnings_, {}, nullptr, choice());
+    }
     if (kind_ == "formula") formula_heights(text_, {0, 1}, {0, 1});
     if (kind_.starts_with("detect")) format_ = to_string(detect_format(bytes, kind_.substr(6), "M"));
     if (scene_.faces.empty()) return;
@@ -171,20 +191,53 @@ class ReaderScript {
   void check_value(const std::vector<double>& x_y_value) const {
     const double x = x_y_value.at(0), y = x_y_value.at(1), wanted = x_y_value.at(2);
     const double found = heights_of(*formula_heights(text_, {x, x + 1}, {y, y + 1}))[0][0];
-    EXPECT_TRUE(found == wanted || (std::isnan(found) && std::isnan(wanted))) << found;
+    expect_equal(found, wanted);
+  }
+
+  bool is_grid() const { return kind_ == "corpus" || kind_.starts_with("grid"); }
+
+  GridChoice choice() const {
+    static const std::map<std::string, TableLayout> layouts{
+        {"matrix", TableLayout::matrix}, {"series", TableLayout::series}, {"frame", TableLayout::frame}};
+    GridChoice choice;
+    const std::size_t equals = kind_.find('=');
+    if (equals == kind_.npos) return choice;
+    const std::string what = kind_.substr(5, equals - 5), value = kind_.substr(equals + 1);
+    if (what == "layout") choice.layout = layouts.at(value);
+    if (what == "set") choice.data_set = static_cast<unsigned>(std::stoul(value));
+    std::istringstream names(what == "using" ? value : "");
+    for (std::string name; std::getline(names, name, ',');) choice.using_columns.push_back(name);
+    return choice;
   }
 
   void check_grid(const std::string& verb, const std::string& wanted) const {
-    ASSERT_TRUE(grid_) << error_;
+    ASSERT_FALSE(surfaces_.empty()) << error_;
+    const auto& [heights, mesh] = std::tie(surfaces_[0].heights, surfaces_[0].mesh);
+    if (verb == "surfaces") {
+      EXPECT_EQ(surfaces_.size(), std::stoul(wanted));
+      return;
+    }
+    if (verb == "mesh" || verb == "point") {
+      ASSERT_TRUE(mesh);
+      const std::vector<double> n = numbers_of(wanted);
+      if (verb == "mesh") {
+        EXPECT_TRUE(mesh->parametric && mesh->columns == n.at(0) && mesh->rows == n.at(1));
+      } else {
+        for (int k = 0; k < 3; ++k)
+          expect_equal(mesh->points.at(static_cast<std::size_t>(n[0]))[k], n.at(1 + std::size_t(k)));
+      }
+      return;
+    }
+    ASSERT_TRUE(heights);
     if (verb == "x") {
-      EXPECT_EQ(grid_->x(), numbers_of(wanted));
+      EXPECT_EQ(heights->x(), numbers_of(wanted));
     } else if (verb == "y") {
-      EXPECT_EQ(grid_->y(), numbers_of(wanted));
+      EXPECT_EQ(heights->y(), numbers_of(wanted));
     } else if (verb == "z") {
       std::vector<std::vector<double>> rows;
       std::istringstream lines(wanted);
       for (std::string line; std::getline(lines, line, ';');) rows.push_back(numbers_of(line));
-      expect_grid(*grid_, grid_->x(), grid_->y(), rows);
+      expect_grid(*heights, heights->x(), heights->y(), rows);
     } else {
       ADD_FAILURE() << "no check: " << verb;
     }
@@ -194,7 +247,7 @@ class ReaderScript {
   Warnings warnings_;
   Scene scene_;
   json json_;
-  std::unique_ptr<HeightSource> grid_;
+  std::vector<GridSurface> surfaces_;
 };
 
 [[maybe_unused]] const bool scripts_are_added =
@@ -206,7 +259,7 @@ class ReaderScript {
         if (kind == "model" && !std::filesystem::is_directory(LIGNE_MODELS_DIR)) continue;
         const ReaderScript reader(kind, test::unescaped(text));
         for (const std::string& check : step.checks) reader.check(check);
-        reader.expect_error_is_meant(step.checks);
+        reader.expect_all_is_meant(step.checks);
       }
     });
 

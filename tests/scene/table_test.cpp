@@ -135,5 +135,29 @@ TEST(Names, RolesUnitsAndSeries) {
   EXPECT_EQ(height_test::error_line([&] { column_of(table, "c", "M"); }), "M: has no column 'c': there are a, b");
 }
 
+TEST(TableFiles, OneTerrainInThirteenHabits) {
+  // All files hold these 16 x 12 heights; two are missing in some.
+  const auto plain = height_test::heights_of(*height_test::grid(height_test::corpus_file("csv_quoted.csv")));
+  ASSERT_EQ(plain.size(), 12u);
+  for (const char* file :
+       {"fortran_d.txt", "gp_blocks4.dat", "gp_nonuniform.dat", "json_nested.json", "miss_null.csv", "r_unquoted_header.csv",
+        "surfer_dsaa.grd", "tsv_comma.tsv", "xyz_xtz.csv", "z.npy", "csv_quoted.csv.gz"}) {
+    SCOPED_TRACE(file);
+    Warnings warnings;
+    const auto found = height_test::heights_of(*height_test::grid(height_test::corpus_file(file), warnings));
+    ASSERT_EQ(found.size(), plain.size());
+    std::size_t holes = 0;
+    for (std::size_t j = 0; j < plain.size(); ++j) {
+      ASSERT_EQ(found[j].size(), plain[j].size());
+      for (std::size_t i = 0; i < plain[j].size(); ++i) {
+        holes += std::isnan(found[j][i]);
+        const double height = std::isnan(found[j][i]) ? plain[j][i] : found[j][i];
+        EXPECT_NEAR(height, plain[j][i], 1e-6);
+      }
+    }
+    EXPECT_LE(holes, 12u);
+  }
+}
+
 }  // namespace
 }  // namespace ligne
