@@ -50,6 +50,20 @@ class PointTree {
   /// The number of points in a node.
   std::uint32_t size_of(std::uint32_t node) const { return nodes_[node].end - nodes_[node].begin; }
 
+  /// Calls visit(begin, end) for each leaf for whose box, and for all boxes around it, enter(box) returns true. The points
+  /// of the leaf are order()[begin] to order()[end - 1].
+  template <class Enter, class Visit>
+  void search(const Enter& enter, const Visit& visit) const {
+    for (std::uint32_t node = 0; node < nodes_.size();) {
+      if (!enter(nodes_[node].box)) {
+        node = nodes_[node].after;
+        continue;
+      }
+      if (is_leaf(node)) visit(nodes_[node].begin, nodes_[node].end);
+      ++node;
+    }
+  }
+
   /// Calls visit(begin, end) for each leaf for which, and for all nodes around it, enter(node, squared distance of its box
   /// from p on the page) returns true. The points of the leaf are order()[begin] to order()[end - 1]. Of two nodes the
   /// nearer one comes first.

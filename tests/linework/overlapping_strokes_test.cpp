@@ -1,8 +1,8 @@
 /// The search for overlaps against all pairs.
 
-#include "linework/overlaps/overlapping_strokes.hpp"
+#include "linework/overlaps/overlap_search.hpp"
 #include "linework/overlaps/stroke_difference.hpp"
-#include "linework/overlaps/stroke_directions.hpp"
+#include "linework/overlaps/stroke_end_tree.hpp"
 #include "linework/overlaps/stroke_overlap.hpp"
 #include "main/tier.hpp"
 #include "stroke_builder.hpp"
@@ -13,27 +13,39 @@ namespace {
 
 constexpr double kTolerance = 3;
 
-std::vector<OverlapState> by_all_pairs(const std::vector<Stroke>& strokes) {
-  std::vector<bool> some(strokes.size());
-  for (std::size_t i = 0; i < strokes.size(); ++i)
-    for (std::size_t k = i + 1; k < strokes.size(); ++k) {
-      const Stroke &a = strokes[i], &b = strokes[k];
+std::vector<StrokePair> by_all_pairs(const ComparedStrokes& compared) {
+  std::vector<StrokePair> pairs;
+  for (std::uint32_t i = 0; i < compared.strokes.size(); ++i)
+    for (std::uint32_t k = i + 1; k < compared.strokes.size(); ++k) {
+      const Stroke &a = compared.strokes[i], &b = compared.strokes[k];
+      if (compared.is_gone[i] || compared.is_gone[k]) continue;
       if (!a.needs_overlap_check && !b.needs_overlap_check) continue;
-      if (overlap(a.from, a.to, b.from, b.to, kTolerance)) some[i] = some[k] = true;
+      if (overlap(a.from, a.to, b.from, b.to, kTolerance)) pairs.push_back({i, k});
     }
-  std::vector<OverlapState> result;
-  for (const bool s : some) result.push_back(s ? OverlapState::overlapping : OverlapState::alone);
-  return result;
+  return pairs;
 }
 
-/// Those that can have none count as those that have none.
+/// The first two thirds are searched, then half of the rest is added twice.
 void expect_found(const std::vector<Stroke>& strokes, std::uint32_t seed) {
-  const std::vector<OverlapState> expected = by_all_pairs(strokes), found = find_overlapping_strokes(strokes, kTolerance);
-  ASSERT_EQ(found.size(), expected.size());
-  std::size_t wrong = 0;
-  for (std::size_t i = 0; i < found.size(); ++i)
-    wrong += (found[i] == OverlapState::overlapping) != (expected[i] == OverlapState::overlapping);
-  EXPECT_EQ(wrong, 0u) << "seed " << seed;
+  std::vector<Stroke> first;
+  for (const Stroke& s : strokes)
+    if (page_length(s) > kTolerance && first.size() < 2 * strokes.size() / 3) first.push_back(s);
+  ComparedStrokes compared(first);
+  OverlapSearch search(compared, kTolerance);
+  std::vector<StrokePair> found = search.new_pairs();
+  for (const std::size_t from : {2 * strokes.size() / 3, 5 * strokes.size() / 6}) {
+    CutStroke cut{static_cast<std::uint32_t>(from % first.size())};
+    for (std::size_t i = from; i < from + strokes.size() / 6; ++i)
+      if (page_length(strokes[i]) > kTolerance) cut.rests.push_back(strokes[i]);
+    compared.replace(std::span(&cut, 1));
+    const std::vector<StrokePair> more = search.new_pairs();
+    found.insert(found.end(), more.begin(), more.end());
+  }
+  std::erase_if(found, [&](const StrokePair& p) { return compared.is_gone[p.first] || compared.is_gone[p.second]; });
+  std::sort(found.begin(), found.end());
+  const std::vector<StrokePair> expected = by_all_pairs(compared);
+  EXPECT_EQ(found.size(), expected.size()) << "seed " << seed;
+  EXPECT_TRUE(found == expected) << "seed " << seed;
 }
 
 class Dice {
@@ -109,22 +121,50 @@ TEST(OverlappingStrokes, InACrowdOnALargePage) {
   for (std::uint32_t seed = 1; seed <= kSeeds / 2; ++seed) expect_found(crowded_on_a_large_page(seed), seed);
 }
 
-TEST(OverlappingStrokes, ACrowdOnALargePageIsCrossing) {
-  const auto are_crossing = [](const std::vector<Stroke>& strokes) {
-    std::vector<std::uint32_t> all(strokes.size());
-    std::iota(all.begin(), all.end(), 0u);
-    return stroke_directions::are_crossing(strokes, all);
+/// The ends along one stroke do not grow in number with the strokes that cross it, lie beside it, or end on it.
+TEST(OverlappingStrokes, OfThousandsThroughOnePointAndSideBySideFewAreFound) {
+  constexpr double kStraight = 1;  // the direction of lines along x
+  constexpr int kCount = 20'000, kLength = 1'000'000;
+  std::vector<PlacedEnd> crossing, ending, beside;
+  const auto add = [](std::vector<PlacedEnd>& ends, LatticePoint a, LatticePoint b, int stroke) {
+    ends.push_back({a, b, static_cast<std::uint32_t>(stroke)});
+    ends.push_back({b, a, static_cast<std::uint32_t>(stroke)});
   };
-  EXPECT_TRUE(are_crossing(crowded_on_a_large_page(1)));
-  std::vector<Stroke> mesh;  // of squares, on the same page
-  for (int i = 0; i < 100; ++i)
-    for (int k = 0; k < 100; ++k) {
-      const LatticePoint p{100 * i, 100 * k};
-      mesh.push_back(stroke(p, {p.x + 100, p.y}, LineClass::mesh, 0));
-      mesh.push_back(stroke(p, {p.x, p.y + 100}, LineClass::mesh, 0));
+  for (int i = 0; i < kCount; ++i) {
+    const LatticePoint end{kLength, 3 * i - 3 * kCount / 2};
+    add(crossing, {-end.x, -end.y}, end, i);
+    add(ending, {0, 0}, end, i);
+    add(beside, {0, 20 * i}, {kLength, 20 * i + i % 7}, i);
+  }
+  const StrokeEndTree across(crossing, kStraight, kTolerance), at_point(ending, kStraight, kTolerance),
+      parallel(beside, kStraight, kTolerance);
+  for (int i = 0; i < kCount; i += 100) {
+    std::size_t found[3] = {0, 0, 0};
+    const LatticePoint end = crossing[static_cast<std::size_t>(2 * i + 1)].p;
+    across.for_each_along({{-end.x, -end.y}, end}, [&](const PlacedEnd&) { ++found[0]; });
+    at_point.for_each_along({{-end.x, -end.y}, end}, [&](const PlacedEnd&) { ++found[1]; });
+    parallel.for_each_along({{0, 20 * i}, {kLength, 20 * i + i % 7}}, [&](const PlacedEnd&) { ++found[2]; });
+    for (const std::size_t n : found) EXPECT_LT(n, 128u) << i;
+    EXPECT_GE(found[0], 2u) << i;
+    EXPECT_GE(found[1], 2u) << i;
+    EXPECT_GE(found[2], 2u) << i;
+  }
+}
+
+/// A direction on either side of the axes, where their numbers begin and end.
+TEST(OverlappingStrokes, OfNearlyOneDirectionAreFound) {
+  for (int k = -40; k <= 40; ++k) {
+    const int turn = 700 * k;
+    std::vector<Stroke> strokes;
+    for (const LatticePoint d : {LatticePoint{100'000, turn}, LatticePoint{turn, 100'000},
+                                 LatticePoint{100'000, 100'000 + turn}, LatticePoint{100'000 + turn, -100'000}}) {
+      strokes.push_back(stroke({-d.x, -d.y}, d));
+      strokes.push_back(stroke({d.x / 2, d.y / 2}, {d.x / 3, d.y / 3 + 1}));
     }
-  mesh.push_back(stroke({kLatticeLimit - 1, kLatticeLimit - 1}, {kLatticeLimit - 500, 0}, LineClass::mesh, 0));
-  EXPECT_FALSE(are_crossing(mesh));
+    ComparedStrokes compared(strokes);
+    EXPECT_TRUE(OverlapSearch(compared, kTolerance).new_pairs() == by_all_pairs(compared)) << turn;
+    EXPECT_GE(by_all_pairs(compared).size(), 4u) << turn;
+  }
 }
 
 TEST(OverlappingStrokes, AmongFarStrokesOfWhichFewMayCoincide) {

@@ -1,8 +1,8 @@
 #pragma once
 /// One rule of cleaning, applied to strokes.
 
+#include "linework/map/line_cells.hpp"
 #include "linework/map/line_map.hpp"
-#include "linework/overlaps/stroke_index.hpp"
 #include "linework/rules/rules.hpp"
 #include "linework/stroke_geometry.hpp"
 

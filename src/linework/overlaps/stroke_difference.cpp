@@ -39,10 +39,17 @@ class StrokesByCell {
   }
 
  private:
+  /// About the mean length of a stroke, or the mean distance of strokes if that is smaller.
   static double cell_of(const StrokeModel& model, double tolerance_steps) {
-    std::vector<std::uint32_t> all(model.strokes.size());
-    std::iota(all.begin(), all.end(), 0u);
-    return index_cell(model.strokes, all, tolerance_steps);
+    constexpr double kLeastInTolerances = 8;  // keeps the reach of the tolerance small against the cell
+    LatticePoint low{kLatticeLimit, kLatticeLimit}, high{-kLatticeLimit, -kLatticeLimit};
+    for (const Stroke& s : model.strokes) {
+      low = {std::min({low.x, s.from.x, s.to.x}), std::min({low.y, s.from.y, s.to.y})};
+      high = {std::max({high.x, s.from.x, s.to.x}), std::max({high.y, s.from.y, s.to.y})};
+    }
+    const double side = std::max(double(high.x) - low.x, double(high.y) - low.y);
+    const double apart = side / std::sqrt(static_cast<double>(model.strokes.size()));
+    return walked_cell(model.strokes, std::max(apart, kLeastInTolerances * tolerance_steps));
   }
 
   double tolerance_steps_;

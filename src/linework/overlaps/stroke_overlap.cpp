@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
+
+#include "linework/overlaps/stroke_directions.hpp"
 
 namespace ligne {
 namespace {
@@ -16,7 +19,8 @@ struct Place {
 
 std::optional<StrokeOverlap> overlap(LatticePoint a0, LatticePoint a1, LatticePoint b0, LatticePoint b1, double tolerance) {
   const double a_length = length(a0, a1), b_length = length(b0, b1);
-  const bool swapped = b_length > a_length;
+  // The base of two equally long segments does not depend on their order.
+  const bool swapped = b_length > a_length || (b_length == a_length && std::tie(b0, b1) < std::tie(a0, a1));
   if (swapped) {
     std::swap(a0, b0);
     std::swap(a1, b1);
@@ -41,6 +45,10 @@ std::optional<StrokeOverlap> overlap(LatticePoint a0, LatticePoint a1, LatticePo
   Place first = place(from), last = place(to);
   const auto deviation = [&](const Place& p) { return std::abs(y0 + p.other * (y1 - y0)); };
   if (deviation(first) > tolerance || deviation(last) > tolerance) return std::nullopt;
+  if (std::min(a_length, b_length) > kLongInTolerances * tolerance) {
+    using namespace stroke_directions;
+    if (std::abs(difference(direction(a0, a1), direction(b0, b1))) > kDirectionReach) return std::nullopt;
+  }
 
   if (!swapped) return StrokeOverlap{first.base, last.base, first.other, last.other};
   if (first.other > last.other) std::swap(first, last);

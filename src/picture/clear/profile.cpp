@@ -13,8 +13,8 @@
 #include <tuple>
 
 #include "base/no_index.hpp"
+#include "linework/map/line_cells.hpp"
 #include "linework/map/line_groups.hpp"
-#include "linework/overlaps/stroke_index.hpp"
 #include "linework/stroke_geometry.hpp"
 #include "linework/stroke_piece.hpp"
 #include "picture/clear/profile_sides.hpp"

@@ -8,8 +8,8 @@
 
 #include "base/no_index.hpp"
 #include "linework/clean_lines.hpp"
+#include "linework/map/line_cells.hpp"
 #include "linework/overlaps/coincident_strokes.hpp"
-#include "linework/overlaps/stroke_index.hpp"
 #include "linework/rules/close_short_gaps.hpp"
 #include "linework/rules/smooth_lines.hpp"
 #include "view/tolerances.hpp"

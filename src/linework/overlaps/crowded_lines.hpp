@@ -1,0 +1,13 @@
+#pragma once
+/// Reduces the strokes that lie on one line by the dozen.
+
+#include "linework/overlaps/compared_strokes.hpp"
+
+namespace ligne {
+
+/// Where many strokes of about the same length lie on one line in one place, only the parts stay that no other of these
+/// strokes covers. So the number of pairs that remain for resolve_pairs() grows as n log n. Strokes that need no check
+/// (Stroke::needs_overlap_check) take no part.
+void thin_crowded_lines(ComparedStrokes& strokes, const OverlapTolerance& tolerance);
+
+}  // namespace ligne

@@ -1,0 +1,125 @@
+#pragma once
+/// Finds the ends of strokes that lie along a line.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "linework/overlaps/stroke_directions.hpp"
+#include "linework/point_tree.hpp"
+
+namespace ligne {
+
+/// An end of a stroke.
+struct PlacedEnd {
+  LatticePoint p, far;  ///< the end, and the other end of its stroke
+  std::uint32_t stroke;
+};
+
+/// A segment of the page with its length and direction (stroke_directions::direction()).
+struct DirectedSegment {
+  LatticePoint from, to;
+  double length, direction;
+
+  DirectedSegment(LatticePoint a, LatticePoint b)
+      : from(a), to(b), length(ligne::length(a, b)), direction(stroke_directions::direction(a, b)) {}
+};
+
+/// The ends of strokes in a range of directions, in a tree of boxes. The coordinates of the tree are u and v of the frame of
+/// the range, the direction of the stroke, and the logarithm of its length. u and v separate strokes side by side.
+/// Directions separate strokes that meet in one point: far from the ends of a line, an end of a long stroke is of interest
+/// only if the two have the same direction but for the tolerance over their common interval.
+class StrokeEndTree {
+ public:
+  StrokeEndTree() = default;
+  /// `middle` is the middle of the range of directions, `tolerance` the distance within which a point counts as on a line.
+  StrokeEndTree(const std::vector<PlacedEnd>& ends, double middle, double tolerance);
+
+  /// All ends, leaf by leaf, so that neighbours in the list are mostly neighbours on the page.
+  const std::vector<PlacedEnd>& ends() const { return ends_; }
+
+  /// Calls visit(end) for the ends of all strokes that may overlap the segment and have an end on it that is not an end of
+  /// the segment, and of all strokes between the same two points.
+  template <class Visit>
+  void for_each_along(const DirectedSegment& segment, const Visit& visit) const;
+
+ private:
+  using Box = PointTree<4>::Box;
+
+  /// A segment in the frame of the tree.
+  struct Line {
+    double u0, v0, u1, v1;                    ///< u0 <= u1
+    double slope = 0, v_low = 0, v_high = 0;  ///< v_low + slope u and v_high + slope u bound all points within the reach
+    std::int32_t direction = 0;
+    std::array<std::int32_t, 2> low{}, high{};  ///< box around all points within the reach of the segment
+    std::array<std::int32_t, 2> ends[2]{};
+  };
+
+  static constexpr double kRounding = 2;  ///< lattice steps; more than the rounding error of any position here
+  /// Common intervals above which directions are compared, in tolerances. Adjustable: below, they differ too much.
+  static constexpr double kCompared = 128;
+
+  static std::int32_t rounded(double v) {
+    return static_cast<std::int32_t>(static_cast<std::int64_t>(v + 0x1p31 + 0.5) - (std::int64_t{1} << 31));
+  }
+  std::int32_t rounded_direction(double direction) const {
+    return rounded(stroke_directions::difference(direction, middle_) * steps_per_direction_);
+  }
+  /// Whether all ends are more than the reach away from the box of the segment.
+  bool is_apart(const DirectedSegment& s) const {
+    return std::max(s.from.x, s.to.x) < low_.x || std::min(s.from.x, s.to.x) > high_.x ||
+           std::max(s.from.y, s.to.y) < low_.y || std::min(s.from.y, s.to.y) > high_.y;
+  }
+  Line line_of(const DirectedSegment& segment) const;
+  bool may_hold(const Box& box, const Line& line) const;
+
+  DirectionFrame frame_;
+  double middle_ = 0, reach_ = 0;
+  double steps_per_direction_ = 1;  ///< mean length of the strokes: a turn moves their far ends by as many steps
+  LatticePoint low_, high_;         ///< box around all points within the reach of the ends
+  PointTree<4> tree_;
+  std::vector<PlacedEnd> ends_;
+};
+
+/// Whether the box may hold ends along the line.
+inline bool StrokeEndTree::may_hold(const Box& box, const Line& line) const {
+  const double left = box.low[0], right = box.high[0];
+  if (box.high[0] < line.low[0] || box.low[0] > line.high[0] || box.high[1] < line.low[1] || box.low[1] > line.high[1])
+    return false;
+  const bool rises = line.slope >= 0;
+  if (box.high[1] < line.v_low + line.slope * (rises ? left : right)) return false;
+  if (box.low[1] > line.v_high + line.slope * (rises ? right : left)) return false;
+  if (box.low[0] == box.high[0] && box.low[1] == box.high[1]) {
+    const std::array<std::int32_t, 2> p{box.low[0], box.low[1]};
+    if (p == line.ends[0] || p == line.ends[1]) return box.low[2] <= line.direction && line.direction <= box.high[2];
+  }
+  const double inside = std::min(left - line.u0, line.u1 - right);
+  if (inside < kCompared * reach_) return true;
+  const double common = std::min(inside, static_cast<double>(std::uint32_t{1} << box.low[3]) / 2);
+  if (common < kCompared * reach_) return true;
+  // Over the common interval the distance changes by at most two tolerances, and a direction by at most two angles.
+  const double most = 4 * reach_ / common * steps_per_direction_ + 2;
+  return box.low[2] <= line.direction + most && box.high[2] >= line.direction - most;
+}
+
+template <class Visit>
+void StrokeEndTree::for_each_along(const DirectedSegment& segment, const Visit& visit) const {
+  if (ends_.empty() || is_apart(segment)) return;
+  const Line line = line_of(segment);
+  const LatticePoint from = segment.from, to = segment.to;
+  const double dx = double(to.x) - from.x, dy = double(to.y) - from.y, most = reach_ * segment.length;
+  const auto may_hold_some = [&](const Box& box) { return may_hold(box, line); };
+  tree_.search(may_hold_some, [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t e = begin; e < end; ++e) {
+      const PlacedEnd& other = ends_[e];
+      const double area = dx * (double(other.p.y) - from.y) - dy * (double(other.p.x) - from.x);
+      if (std::abs(area) > most) continue;
+      if ((other.p == from && other.far != to) || (other.p == to && other.far != from)) continue;
+      visit(other);
+    }
+  });
+}
+
+}  // namespace ligne
