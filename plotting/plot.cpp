@@ -155,6 +155,7 @@ void put_in_order(PenLines& pen, const OrderOptions& options) {
   pen.lines = order_strokes(pen.lines, options, &order);
   if (pen.looks.empty()) return;
   std::vector<std::uint32_t> look_of;
+  look_of.reserve(order.size());
   for (const std::uint32_t stroke : order) look_of.push_back(pen.look_of[stroke]);
   pen.look_of = std::move(look_of);
 }

@@ -39,7 +39,7 @@ const StageWords* words_of(const Stage& stage) {
   return found == std::end(kStages) ? nullptr : found;
 }
 
-std::string with_help(std::string text, const StageWords* words) {
+std::string with_help(const std::string& text, const StageWords* words) {
   return words ? text + "; " + std::string(words->help) : text;
 }
 

@@ -187,6 +187,7 @@ PatchGrid sample_patch(const ObjPatch& patch, const std::vector<ObjControlPoint>
   const std::vector<double> us = patch_parameters(patch, 0), vs = patch_parameters(patch, 1);
   const std::size_t columns = patch.control_count(0);
   std::vector<BasisValues> across;
+  across.reserve(us.size());
   for (const double u : us) across.push_back(basis_at(patch.knots[0], patch.degree[0], u));
   PatchGrid grid{us.size(), vs.size(), {}};
   for (const double v : vs) {
