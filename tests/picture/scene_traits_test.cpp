@@ -1,11 +1,14 @@
 // Traits of scenes whose figures are counted by hand, and bounds of the counts.
 
 #include <chrono>
+#include <random>
+#include <set>
 
 #include "picture/choice/scene_traits.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/scenes.hpp"
 #include "support/test.hpp"
+#include "visibility/registry.hpp"
 
 namespace ligne::test {
 namespace {
@@ -113,6 +116,25 @@ TEST(SceneTraits, VisibleFaces) {
   EXPECT_EQ(t.visible_faces.n, 320'000u);
   EXPECT_TRUE(t.visible_faces.complete);
   EXPECT_NEAR(t.covered_part, 1, 1e-9);
+}
+
+// Samples find no face that has no visible region, and few escape them.
+TEST(SceneTraits, VisibleFacesHaveRegions) {
+  Scene scene;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> u(0, 1);
+  for (int i = 0; i < 200; ++i) {
+    add_box(scene, Point3{u(random), u(random), u(random)} * 9.0, {1, 1, 1}, rotation(u(random) * 3, u(random), u(random)));
+  }
+  const SceneTraits t = traits_of(scene, kOblique);
+  const ProjectedScene projected = project_on_a4(scene, along(kOblique));
+  VisibilityOptions options;
+  options.wanted = kRegions;
+  const VisibilityResult result = find_method("atherton-weiler")->compute_visibility(projected, options);
+  std::set<std::uint32_t> faces;
+  for (const Region& region : *result.regions) faces.insert(region.face);
+  EXPECT_LE(t.visible_faces.n, faces.size());
+  EXPECT_GE(double(t.visible_faces.n), 0.95 * double(faces.size()));
 }
 
 TEST(SceneTraits, OfBoxesApartAndThroughEachOther) {
