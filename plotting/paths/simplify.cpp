@@ -14,8 +14,8 @@ namespace {
 /// Segments in a piece. Longer lines are simplified piece by piece, in parallel. Adjustable.
 constexpr std::uint32_t kPiecePoints = 2048;
 
-/// Parts that were divided this many times as often as halving would take are halved, instead of being divided at
-/// their farthest points. So a zigzag, whose farthest points lie near its ends, takes O(n log n), too. Adjustable.
+/// Parts that were divided this many times as often as halving would take are divided in their middle halves from there
+/// on. So a zigzag, whose farthest points lie near its ends, takes O(n log n), too. Adjustable.
 constexpr unsigned kMostDepths = 2;
 
 /// A part of a line that remains to be simplified.
@@ -34,18 +34,21 @@ void simplify_piece(std::span<const Point2> piece, std::uint32_t first, double t
   const auto shortens = [&](std::uint32_t from, std::uint32_t to) {
     return to > from + 1 && glm::distance(piece[from], piece[to]) < (way[to] - way[from]) * (1 - most_lost);
   };
+  const unsigned most_depth = kMostDepths * static_cast<unsigned>(std::bit_width(n));
   std::vector<Part> parts{{n - 1, 0}};
   for (std::uint32_t from = 0; !parts.empty();) {
-    const std::uint32_t to = parts.back().to;
-    double squared = -1;
+    const auto [to, depth] = parts.back();
+    const std::uint32_t quarter = depth < most_depth ? 0 : (to - from) / 4;
+    double farthest = -1, best = -1;
     std::uint32_t at = from;
     for (std::uint32_t i = from + 1; i < to; ++i) {
-      const double here = squared_distance(piece[i], piece[from], piece[to]);
-      if (here > squared) squared = here, at = i;
+      const double squared = squared_distance(piece[i], piece[from], piece[to]);
+      farthest = std::max(farthest, squared);
+      if (squared > best && from + quarter <= i && i + quarter <= to) best = squared, at = i;
     }
-    if (squared > tolerance * tolerance || shortens(from, to)) {
-      const unsigned depth = ++parts.back().depth;
-      parts.push_back({depth > kMostDepths * static_cast<unsigned>(std::bit_width(n)) ? from + (to - from) / 2 : at, depth});
+    if (farthest > tolerance * tolerance || shortens(from, to)) {
+      parts.back().depth = depth + 1;
+      parts.push_back({at, depth + 1});
     } else {
       kept.push_back(first + to);
       from = to;
