@@ -9,6 +9,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "main/tier.hpp"
+
 namespace ligne::test {
 namespace {
 
@@ -82,9 +84,16 @@ class Reader {
 
   void read_loop(const Line& line, std::vector<ScriptStep>& steps) {
     const std::size_t colon = line.text.find(": "), begin = at_;
-    const std::string name = line.text.substr(4, colon - 4);
+    const std::string head = line.text.substr(4, colon - 4), name = head.substr(0, head.find(','));
+    const std::size_t of = head.find(", 1 of "), one_in = of == head.npos ? 1 : std::stoul(head.substr(of + 7));
+    std::size_t number = 0;
     for (const std::string& value : words_of(filled(line.text.substr(colon + 2)))) {
       at_ = begin;
+      if (!is_chosen(place(line), number++, one_in)) {
+        std::vector<ScriptStep> left_out;
+        read_steps(line.indent + 1, left_out);
+        continue;
+      }
       names_[name] = value;
       read_steps(line.indent + 1, steps);
     }

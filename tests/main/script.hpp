@@ -9,6 +9,7 @@
 ///       | a further check
 ///     for x: 1 2 'three words'           the steps below that are indented are done for each, with {x} for the value
 ///       a step with {x}
+///     for x, 1 of 3: a b c               in the first tier one value of three
 ///     file NAME <<                       a step with a text of several lines
 ///     the text
 ///     >>
