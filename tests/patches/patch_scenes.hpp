@@ -153,4 +153,70 @@ inline std::vector<Corners> rounded_box(const Point3& size, int steps) {
   return outward(std::move(polygons));
 }
 
+/// A half space: its inside lies against the direction of the normal.
+struct HalfSpace {
+  Point3 at, normal;
+};
+
+/// The polygons of the convex body that half spaces have in common, as CSG makes it of bodies with flat faces. `size`: more
+/// than the distance of any corner from the origin.
+inline std::vector<Corners> common_body(const std::vector<HalfSpace>& spaces, double size) {
+  const auto rounded = [](const Point3& p) {
+    constexpr double kGrid = 1e-5;  // corners that several polygons share get the same coordinates
+    return Point3(std::round(p.x / kGrid) * kGrid, std::round(p.y / kGrid) * kGrid, std::round(p.z / kGrid) * kGrid);
+  };
+  std::vector<Corners> polygons;
+  for (const HalfSpace& own : spaces) {
+    const Point3 u =
+        glm::normalize(glm::cross(own.normal, std::abs(own.normal.z) < 0.9 ? Point3(0, 0, 1) : Point3(1, 0, 0)));
+    const Point3 v = glm::cross(own.normal, u), middle = own.at - glm::dot(own.at, u) * u - glm::dot(own.at, v) * v;
+    Corners polygon{middle - size * u - size * v, middle + size * u - size * v, middle + size * u + size * v,
+                    middle - size * u + size * v};
+    for (const HalfSpace& other : spaces) {
+      if (&other == &own) continue;
+      Corners kept;
+      for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Point3 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+        const double from = glm::dot(a - other.at, other.normal), to = glm::dot(b - other.at, other.normal);
+        if (from <= 0) kept.push_back(a);
+        if ((from <= 0) != (to <= 0)) kept.push_back(a + from / (from - to) * (b - a));
+      }
+      polygon = kept;
+    }
+    Corners corners;
+    for (const Point3& p : polygon) {
+      if (corners.empty() || rounded(p) != corners.back()) corners.push_back(rounded(p));
+    }
+    if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+    if (corners.size() > 2) polygons.push_back(corners);
+  }
+  return polygons;
+}
+
+/// A ball of flat facets, so many to a turn about z, cut by a prism of as many sides about x: a plug whose corners at the
+/// cuts lie on chords of the sphere or the cylinder.
+inline std::vector<Corners> csg_plug(double ball, double plug, int facets) {
+  std::vector<HalfSpace> spaces;
+  const int rings = facets / 2;
+  const auto at = [&](int ring, int k) {
+    const double angle = kPi * (ring + 0.5) / rings;
+    return on_circle(ball * std::sin(angle), 2 * kPi * k / facets, ball * std::cos(angle));
+  };
+  for (int ring = 0; ring + 1 < rings; ++ring) {
+    for (int k = 0; k < facets; ++k) {
+      const Point3 a = at(ring, k), b = at(ring, k + 1), c = at(ring + 1, k);
+      const Point3 normal = glm::normalize(glm::cross(b - a, c - a));
+      spaces.push_back({a, glm::dot(normal, a) < 0 ? -normal : normal});
+    }
+  }
+  spaces.push_back({at(0, 0), {0, 0, 1}});
+  spaces.push_back({at(rings - 1, 0), {0, 0, -1}});
+  for (int k = 0; k < facets; ++k) {
+    const double angle = 2 * kPi * (k + 0.5) / facets, near = plug * std::cos(kPi / facets);
+    const Point3 normal(0, std::cos(angle), std::sin(angle));
+    spaces.push_back({near * normal, normal});
+  }
+  return common_body(spaces, 2 * ball);
+}
+
 }  // namespace ligne::test

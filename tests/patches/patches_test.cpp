@@ -300,5 +300,21 @@ TEST(Patches, TangentEdgesBetweenCurvedSurfacesThatEndFreelyAreNone) {
   for (int edges = 1; edges < 8; ++edges) EXPECT_EQ(tangents_left(edges, {.is_beside_plane = false}), 0u);
 }
 
+TEST(Patches, AreFoundWhereCsgCutTheirFacets) {
+  for (const int facets : {24, 30, 48}) {
+    const FoundPatches found(csg_plug(25, 12.5, facets));
+    std::map<SurfaceKind, std::size_t> kinds;
+    for (const auto& [patch, faces] : found.faces()) {
+      const PatchSurface& surface = found.patches.list[patch].surface;
+      ++kinds[surface.kind];
+      EXPECT_NEAR(surface.radius, surface.kind == SurfaceKind::sphere ? 25 : 12.5, 1e-3) << facets;
+    }
+    EXPECT_EQ(kinds[SurfaceKind::cylinder], 1u) << facets << " facets to a turn";
+    EXPECT_EQ(kinds[SurfaceKind::sphere], 2u) << facets << " facets to a turn";
+    EXPECT_EQ(kinds.size(), 2u);
+    EXPECT_EQ(std::count(found.patches.patch_of.begin(), found.patches.patch_of.end(), kNone), 0) << facets;
+  }
+}
+
 }  // namespace
 }  // namespace ligne

@@ -12,8 +12,8 @@ RefineLimits limit_of(double most) {
   return {most, [](const Point3&) { return 1.0; }};
 }
 
-/// A turned body: rings of `facets` points about z, closed by polygons at both ends.
-Scene turned(const std::vector<Point2>& profile, int facets) {
+/// The polygons of a turned body: rings of `facets` points about z, closed by polygons at both ends.
+std::vector<Corners> turned_polygons(const std::vector<Point2>& profile, int facets) {
   std::vector<Corners> polygons;
   add_grid(polygons, facets, static_cast<int>(profile.size()) - 1, true, [&](int u, int v) {
     const Point2 p = profile[static_cast<std::size_t>(v)];
@@ -26,7 +26,18 @@ Scene turned(const std::vector<Point2>& profile, int facets) {
   }
   polygons.push_back(bottom);
   polygons.push_back(top);
-  return scene_of(polygons);
+  return polygons;
+}
+
+Scene turned(const std::vector<Point2>& profile, int facets) { return scene_of(turned_polygons(profile, facets)); }
+
+/// Two bodies, the second one moved.
+Scene both(std::vector<Corners> first, const std::vector<Corners>& second, const Point3& by) {
+  for (Corners polygon : second) {
+    for (Point3& p : polygon) p += by;
+    first.push_back(polygon);
+  }
+  return scene_of(first);
 }
 
 struct Refined {
@@ -97,6 +108,57 @@ TEST(RefineScene, LeavesSurfacesWithAnOpenBorderAlone) {
   std::vector<Corners> polygons;
   add_grid(polygons, 16, 1, true, [&](int u, int v) { return on_circle(5, 2 * kPi * (u % 16) / 16, 8.0 * v); });
   EXPECT_FALSE(Refined(scene_of(polygons), 0.01).scene);
+}
+
+TEST(RefineScene, MovesCornersOnChordsOntoBothSurfaces) {
+  constexpr double kMost = 0.02;
+  for (const int facets : {24, 30, 48}) {
+    const Refined refined(scene_of(csg_plug(25, 12.5, facets)), kMost);
+    ASSERT_TRUE(refined.scene) << facets;
+    const Scene& scene = refined.scene->scene;
+    const Topology& topology = refined.scene->topology;
+    std::size_t creases = 0;
+    for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+      const Edge& edge = topology.edges[e];
+      ASSERT_NE(edge.face1, kNone) << "an open edge, " << facets;
+      creases += refined.creases.lines[e] == kCreaseLine;
+      for (const std::uint32_t face : {edge.face0, edge.face1}) {
+        const std::uint32_t patch = refined.creases.patches.patch_of[face];
+        ASSERT_NE(patch, kNone);
+        const PatchSurface& surface = refined.creases.patches.list[patch].surface;
+        EXPECT_LT(std::abs(surface.distance(scene.vertices[edge.v0])), 2e-3) << facets;
+        EXPECT_LT(std::abs(surface.distance(scene.vertices[edge.v1])), 2e-3) << facets;
+      }
+      if (refined.creases.lines[e] != kCreaseLine) continue;
+      // Both rims are circles about x.
+      for (const std::uint32_t v : {edge.v0, edge.v1}) {
+        EXPECT_NEAR(std::hypot(scene.vertices[v].y, scene.vertices[v].z), 12.5, 2e-3);
+        EXPECT_NEAR(std::abs(scene.vertices[v].x), std::sqrt(25 * 25 - 12.5 * 12.5), 2e-3);
+      }
+    }
+    EXPECT_GT(creases, static_cast<std::size_t>(4 * facets));
+  }
+}
+
+TEST(RefineScene, LeavesBodiesThatTouchAlone) {
+  const std::vector<Corners> pin = turned_polygons({{5, 0}, {5, 20}}, 16);
+  // A sleeve, whose bore is the pin's wall turned over.
+  std::vector<Corners> sleeve;
+  const auto add_sleeve = [&](double bore) {
+    sleeve.clear();
+    const std::vector<Point2> profile{{bore, 5}, {9, 5}, {9, 15}, {bore, 15}, {bore, 5}};
+    add_grid(sleeve, 16, 4, true, [&](int u, int v) {
+      const Point2 p = profile[static_cast<std::size_t>(v)];
+      return on_circle(p.x, 2 * kPi * (u % 16) / 16, p.y);
+    });
+  };
+  add_sleeve(5);
+  EXPECT_FALSE(Refined(both(pin, sleeve, Point3(0.0)), 0.01).scene) << "a pin in its bore";
+  add_sleeve(7);
+  EXPECT_TRUE(Refined(both(pin, sleeve, Point3(0.0)), 0.01).scene) << "a pin in a wider bore";
+  EXPECT_TRUE(Refined(both(pin, pin, Point3(6, 0, 5)), 0.01).scene) << "two pins in each other";
+  EXPECT_TRUE(Refined(both(pin, pin, Point3(12, 0, 0)), 0.01).scene) << "two pins beside each other";
+  EXPECT_FALSE(Refined(both(pin, pin, Point3(10, 0, 0)), 0.01).scene) << "two pins that touch";
 }
 
 }  // namespace

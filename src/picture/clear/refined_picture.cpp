@@ -70,6 +70,12 @@ class GivenNumbers {
     return source < number_of_.size() ? number_of_[source] : shifted(source);
   }
 
+  /// Whether the ends of a line are those of a given edge: vertices of refined surfaces may have moved.
+  bool is_in_place(const SourceEdge& line, std::uint32_t e) const {
+    const Point3 &p = given_.scene.vertices[given_.edges[e].v0], &q = given_.scene.vertices[given_.edges[e].v1];
+    return (line.ends[0] == p && line.ends[1] == q) || (line.ends[0] == q && line.ends[1] == p);
+  }
+
   /// Numbers the edges of the refined scene that have strokes: whole given edges by their own number, others as lines that
   /// are no edges.
   void number_edges() {
@@ -84,11 +90,11 @@ class GivenNumbers {
     const auto add = [&](std::uint32_t source) {
       if (source >= edge_of.size() || number_of_[source] != kNone) return;
       const std::uint32_t e = edge_of[source];
-      if (e != kNone && pieces[e] == 1) {
+      SourceEdge line = found_.source(given_.refined.scene, source);
+      if (e != kNone && pieces[e] == 1 && is_in_place(line, e)) {
         number_of_[source] = e;
         return;
       }
-      SourceEdge line = found_.source(given_.refined.scene, source);
       name(line.faces);
       number_of_[source] = first + static_cast<std::uint32_t>(strokes.intersections.size());
       strokes.intersections.push_back(line);

@@ -19,6 +19,12 @@ namespace {
 constexpr double kFlatCosine = 0.999;
 /// Largest number of corners of a facet that may be curved; and the same if all corners lie on two rulings.
 constexpr std::size_t kStripCorners = 4, kMostRulingCorners = 16;
+/// Largest number of corners of a strip that was cut at its ends.
+constexpr std::size_t kMostCutCorners = 64;
+/// Largest ratio of its width to that of a neighbour.
+constexpr double kAlikeWidths = 2;
+/// Largest distance of its rulings from parallel lines, in their length: files print coordinates with six digits.
+constexpr double kParallel = 1e-4;
 
 /// The normal of a face, with twice its area as length.
 Point3 double_area(const Scene& scene, std::uint32_t f) {
@@ -87,6 +93,7 @@ class GraphBuilder {
     join_faces(edge_begin, edge_end);
     for (std::size_t i = 0; i + 1 < graph_.faces.begin.size(); ++i) add_facet(i);
     add_arcs(edge_begin, edge_end);
+    find_cut_strips();
     return std::move(graph_);
   }
 
@@ -169,8 +176,6 @@ class GraphBuilder {
     }
     std::sort(corners_.begin(), corners_.end());
     corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
-    graph_.vertices.values.insert(graph_.vertices.values.end(), corners_.begin(), corners_.end());
-    graph_.vertices.begin.push_back(static_cast<std::uint32_t>(graph_.vertices.values.size()));
     const double length = glm::length(area);
     graph_.frames.push_back({size > 0 ? middle / size : scene_.vertices[corners_[0]],
                              length > 0 ? area / length : Point3(normals_[graph_.faces[facet][0]])});
@@ -178,6 +183,8 @@ class GraphBuilder {
     const double tolerance = 4 * straightness_tolerance(object_.precision, span);
     graph_.is_sliver.push_back(size <= tolerance * span);
     graph_.is_plane.push_back(corners_.size() > kStripCorners && !is_strip(tolerance));
+    graph_.vertices.values.insert(graph_.vertices.values.end(), corners_.begin(), corners_.end());
+    graph_.vertices.begin.push_back(static_cast<std::uint32_t>(graph_.vertices.values.size()));
   }
 
   bool is_strip(double tolerance) const {
@@ -186,6 +193,67 @@ class GraphBuilder {
     points.reserve(corners_.size());
     for (const std::uint32_t v : corners_) points.push_back(scene_.vertices[v]);
     return lie_on_two_lines(points, tolerance);
+  }
+
+  /// Sets corners_ to the ends of the edges at which a plane has arcs, each once. Returns false if these do not lie on two
+  /// parallel lines, at most kMostRulingCorners in all.
+  bool take_rulings(std::uint32_t facet) {
+    const auto arcs = graph_.arcs_of(facet);
+    corners_.clear();
+    if (arcs.size() < 2 || arcs.size() > kMostRulingCorners) return false;
+    const auto end = [&](const FacetGraph::Arc& arc, bool second) -> const Point3& {
+      const Edge& edge = topology_.edges[arc.edge];
+      return scene_.vertices[second ? edge.v1 : edge.v0];
+    };
+    const auto length = [&](const FacetGraph::Arc& arc) { return glm::distance(end(arc, false), end(arc, true)); };
+    const auto& longest = *std::ranges::max_element(arcs, {}, length);
+    const Point3 at = end(longest, false), along = (end(longest, true) - at) / length(longest);
+    const auto off = [&](const Point3& p) { return glm::cross(along, p - at); };
+    const double tolerance =
+        std::max(4 * straightness_tolerance(object_.precision, length(longest)), kParallel * length(longest));
+    Point3 other(0.0);  // the second line, as its distance from the first one
+    for (const FacetGraph::Arc& arc : arcs) {
+      const Point3 from = off(end(arc, false)), to = off(end(arc, true));
+      if (glm::length(from - to) > tolerance) return false;
+      if (glm::length(from) <= tolerance) continue;
+      if (other != Point3(0.0) && glm::length(from - other) > tolerance) return false;
+      if (other == Point3(0.0)) other = from;
+    }
+    if (other == Point3(0.0)) return false;
+    for (const FacetGraph::Arc& arc : arcs) {
+      // Planes beside fillets are wider than these.
+      const Point3 line = off(end(arc, false));
+      double depth = 0;
+      for (const std::uint32_t v : graph_.vertices[arc.facet]) {
+        depth = std::max(depth, glm::length(off(scene_.vertices[v]) - line));
+      }
+      if (kAlikeWidths * depth < glm::length(other)) return false;
+      corners_.insert(corners_.end(), {topology_.edges[arc.edge].v0, topology_.edges[arc.edge].v1});
+    }
+    std::sort(corners_.begin(), corners_.end());
+    corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+    return true;
+  }
+
+  /// Makes strips of the planes that are cut strips.
+  void find_cut_strips() {
+    graph_.is_cut.assign(graph_.size(), 0);
+    IndexLists cut;  // the corners on the rulings of each
+    for (std::uint32_t f = 0; f < graph_.size(); ++f) {
+      if (!graph_.is_plane[f] || graph_.vertices[f].size() > kMostCutCorners || !take_rulings(f)) continue;
+      graph_.is_plane[f] = 0;
+      graph_.is_cut[f] = 1;
+      cut.values.insert(cut.values.end(), corners_.begin(), corners_.end());
+      cut.begin.push_back(static_cast<std::uint32_t>(cut.values.size()));
+    }
+    if (cut.values.empty()) return;
+    IndexLists vertices;
+    for (std::uint32_t f = 0, next = 0; f < graph_.size(); ++f) {
+      const auto of_facet = graph_.is_cut[f] ? cut[next++] : graph_.vertices[f];
+      vertices.values.insert(vertices.values.end(), of_facet.begin(), of_facet.end());
+      vertices.begin.push_back(static_cast<std::uint32_t>(vertices.values.size()));
+    }
+    graph_.vertices = std::move(vertices);
   }
 
   void add_arcs(std::uint32_t edge_begin, std::uint32_t edge_end) {

@@ -98,7 +98,7 @@ bool is_wide(const Scene& scene, const Topology& topology, const FacetGraph& gra
   if (graph.vertices[f].size() < kPlaneCorners) return false;
   const auto arcs = graph.arcs_of(f);
   return std::ranges::all_of(arcs, [&](const FacetGraph::Arc& arc) {
-    if (graph.is_plane[arc.facet] || graph.is_sliver[arc.facet]) return true;
+    if (graph.has_many_corners(arc.facet) || graph.is_sliver[arc.facet]) return true;
     const Edge& edge = topology.edges[arc.edge];
     return depth_behind(scene, graph, f, edge) >= kPlaneDepths * depth_behind(scene, graph, arc.facet, edge);
   });
@@ -110,7 +110,8 @@ std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& to
                                           const std::vector<std::uint32_t>& patch_of) {
   std::vector<std::uint8_t> is_free(graph.size());
   for (std::uint32_t f = 0; f < graph.size(); ++f) {
-    is_free[f] = patch_of[f] == kNone && !graph.is_plane[f] && !graph.is_sliver[f] && !is_wide(scene, topology, graph, f);
+    is_free[f] =
+        patch_of[f] == kNone && !graph.has_many_corners(f) && !graph.is_sliver[f] && !is_wide(scene, topology, graph, f);
   }
   DisjointSets sets(graph.size());
   for (std::uint32_t f = 0; f < graph.size(); ++f) {

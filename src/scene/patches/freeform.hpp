@@ -21,7 +21,7 @@ inline constexpr double kPlaneDepths = 3;
 /// - is a single triangle: planes of machine parts are seldom as small, and many free forms consist of triangles only,
 ///   or
 /// - is connected to at least kFewestFreeform facets without a surface that are no planes, neither by their number of
-///   corners (FacetGraph::is_plane) nor by their extent (kPlaneDepths), or
+///   corners (FacetGraph::has_many_corners) nor by their extent (kPlaneDepths), or
 /// - lies in a regular row: it is as wide as a neighbour, between parallel edges with the same angle in the same sense.
 ///   That is a cylinder whose facets were cut by other bodies, so that their corners lie on no circle.
 std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& topology, const FacetGraph& graph,

@@ -1,8 +1,11 @@
 #include "scene/patches/refine/bodies_apart.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
 #include "base/disjoint_sets.hpp"
@@ -11,44 +14,119 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: number of bodies from which on a scene is not looked at. All pairs of boxes are compared.
-constexpr std::size_t kMostBodies = 64;
+/// Adjustable: number of bodies from which on a scene is not looked at, as all pairs of boxes are compared; and number of
+/// pairs of faces of two bodies from which on these count as touching.
+constexpr std::size_t kMostBodies = 64, kMostFacePairs = 1 << 21;
+/// Faces touch where a corner of one lies nearer to the surface of the other than so many times the sum of both sags, and
+/// both surfaces have one direction by this cosine (15 degrees).
+constexpr double kTouchSags = 1.5, kTouchCosine = 0.966;
 
-struct Box {
+struct BodyBox {
   Point3 low{1e300}, high{-1e300};
 
-  bool meets(const Box& other) const {
-    return glm::all(glm::lessThanEqual(low, other.high)) && glm::all(glm::lessThanEqual(other.low, high));
+  void add(const Point3& p) { low = glm::min(low, p), high = glm::max(high, p); }
+  bool meets(const BodyBox& other, double within) const {
+    return glm::all(glm::lessThanEqual(low - within, other.high)) && glm::all(glm::lessThanEqual(other.low - within, high));
   }
+};
+
+class BodyComparer {
+ public:
+  BodyComparer(const Scene& scene, const Topology& topology, const Patches& patches, const std::vector<std::uint8_t>& levels)
+      : scene_(scene), topology_(topology), patches_(patches), levels_(levels) {}
+
+  bool lie_apart() {
+    if (!find_bodies()) return false;
+    for (const Patch& patch : patches_.list) largest_sag_ = std::max(largest_sag_, patch.sag);
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        if (boxes_[i].meets(boxes_[k], 2 * kTouchSags * largest_sag_) && touch(i, k)) return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  /// Returns whether there are few enough.
+  bool find_bodies() {
+    DisjointSets bodies(scene_.faces.size());
+    for (const Edge& edge : topology_.edges) {
+      if (edge.face1 != kNone) bodies.join(edge.face0, edge.face1);
+    }
+    std::vector<std::uint32_t> number(scene_.faces.size(), kNone);
+    for (std::uint32_t f = 0; f < scene_.faces.size(); ++f) {
+      std::uint32_t& n = number[bodies.find(f)];
+      if (n == kNone) {
+        if (boxes_.size() == kMostBodies) return false;
+        n = static_cast<std::uint32_t>(boxes_.size());
+        boxes_.emplace_back();
+        faces_.emplace_back();
+      }
+      faces_[n].push_back(f);
+      for (const std::uint32_t v : scene_.faces.contour(f, 0)) boxes_[n].add(scene_.vertices[v]);
+    }
+    return true;
+  }
+
+  /// A face near another body.
+  struct NearFace {
+    std::uint32_t face;
+    BodyBox box;
+    double sag;
+    bool is_refined;
+  };
+
+  std::vector<NearFace> faces_near(std::size_t body, const BodyBox& other) const {
+    std::vector<NearFace> found;
+    for (const std::uint32_t f : faces_[body]) {
+      BodyBox box;
+      for (const std::uint32_t v : scene_.faces.contour(f, 0)) box.add(scene_.vertices[v]);
+      if (!box.meets(other, 2 * kTouchSags * largest_sag_)) continue;
+      const std::uint32_t patch = patches_.patch_of[f];
+      found.push_back({f, box, patch == kNone ? 0 : patches_.list[patch].sag, patch != kNone && levels_[patch] > 0});
+    }
+    return found;
+  }
+
+  bool touch(std::size_t a, std::size_t b) const {
+    const std::vector<NearFace> ours = faces_near(a, boxes_[b]), theirs = faces_near(b, boxes_[a]);
+    if (ours.size() * theirs.size() > kMostFacePairs) return true;
+    return std::ranges::any_of(ours, [&](const NearFace& f) {
+      return std::ranges::any_of(theirs, [&](const NearFace& g) {
+        const double within = kTouchSags * (f.sag + g.sag);
+        if ((!f.is_refined && !g.is_refined) || !f.box.meets(g.box, within)) return false;
+        return touches(f.face, g.face, within) || touches(g.face, f.face, within);
+      });
+    });
+  }
+
+  /// Whether a corner of face f lies on the surface of face g, with the same normal up to its sign.
+  bool touches(std::uint32_t f, std::uint32_t g, double within) const {
+    const Point3 normal_f = face_normal(scene_, f), normal_g = face_normal(scene_, g);
+    const std::uint32_t patch = patches_.patch_of[g];
+    const Point3& on_g = scene_.vertices[scene_.faces.contour(g, 0)[0]];
+    return std::ranges::any_of(scene_.faces.contour(f, 0), [&](std::uint32_t v) {
+      const Point3& p = scene_.vertices[v];
+      const double off = patch == kNone ? glm::dot(p - on_g, normal_g) : patches_.list[patch].surface.distance(p);
+      if (!(std::abs(off) <= within)) return false;
+      return std::abs(glm::dot(patches_.normal(f, p, normal_f), patches_.normal(g, p, normal_g))) >= kTouchCosine;
+    });
+  }
+
+  const Scene& scene_;
+  const Topology& topology_;
+  const Patches& patches_;
+  const std::vector<std::uint8_t>& levels_;
+  std::vector<BodyBox> boxes_;                     ///< per body
+  std::vector<std::vector<std::uint32_t>> faces_;  ///< per body
+  double largest_sag_ = 0;
 };
 
 }  // namespace
 
-bool bodies_lie_apart(const Scene& scene, const Topology& topology) {
-  DisjointSets bodies(scene.faces.size());
-  for (const Edge& edge : topology.edges) {
-    if (edge.face1 != kNone) bodies.join(edge.face0, edge.face1);
-  }
-  std::vector<std::uint32_t> number(scene.faces.size(), kNone);
-  std::vector<Box> boxes;
-  for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
-    std::uint32_t& n = number[bodies.find(f)];
-    if (n == kNone) {
-      if (boxes.size() == kMostBodies) return false;
-      n = static_cast<std::uint32_t>(boxes.size());
-      boxes.emplace_back();
-    }
-    for (const std::uint32_t v : scene.faces.contour(f, 0)) {
-      boxes[n].low = glm::min(boxes[n].low, scene.vertices[v]);
-      boxes[n].high = glm::max(boxes[n].high, scene.vertices[v]);
-    }
-  }
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      if (boxes[i].meets(boxes[k])) return false;
-    }
-  }
-  return true;
+bool bodies_lie_apart(const Scene& scene, const Topology& topology, const Patches& patches,
+                      const std::vector<std::uint8_t>& levels) {
+  return BodyComparer(scene, topology, patches, levels).lie_apart();
 }
 
 }  // namespace ligne

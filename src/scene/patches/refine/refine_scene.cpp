@@ -49,17 +49,18 @@ class RefinedSceneBuilder {
     for (std::uint32_t i = 0; i < added.size(); ++i) added[i] = i;
     std::ranges::stable_sort(added, {}, [&](std::uint32_t i) { return object_of(split_.beside[i]); });
     number_.assign(given + added.size(), kNone);
+    const std::vector<Point3>& at = split_.placed.empty() ? scene_.vertices : split_.placed;
     auto next = added.begin();
     std::vector<Point3>& vertices = out_.scene.vertices;
-    const auto place = [&](std::size_t v, const Point3& at) {
+    const auto place = [&](std::size_t v, const Point3& p) {
       number_[v] = static_cast<std::uint32_t>(vertices.size());
-      vertices.push_back(at);
+      vertices.push_back(p);
     };
     for (std::size_t o = 0; o < scene_.objects.size(); ++o) {
       const Object& from = scene_.objects[o];
       Object& to = out_.scene.objects[o];
       to.vertex_begin = static_cast<std::uint32_t>(vertices.size());
-      for (std::uint32_t v = from.vertex_begin; v < from.vertex_end; ++v) place(v, scene_.vertices[v]);
+      for (std::uint32_t v = from.vertex_begin; v < from.vertex_end; ++v) place(v, at[v]);
       for (; next != added.end() && object_of(split_.beside[*next]) == o; ++next) place(given + *next, split_.points[*next]);
       to.vertex_end = static_cast<std::uint32_t>(vertices.size());
     }
@@ -101,10 +102,10 @@ class RefinedSceneBuilder {
     }
   }
 
-  /// Whether none of the parts of a face has a new vertex.
+  /// Whether none of the parts of a face has a new vertex or a turned edge.
   bool is_whole(std::span<const FacePart> parts) const {
     return std::ranges::all_of(parts, [&](const FacePart& part) {
-      return std::ranges::all_of(part.v, [&](std::uint32_t v) { return v < scene_.vertices.size(); });
+      return !part.is_turned && std::ranges::all_of(part.v, [&](std::uint32_t v) { return v < scene_.vertices.size(); });
     });
   }
 
@@ -224,7 +225,7 @@ std::optional<RefinedScene> refine_scene(const Scene& scene, const Topology& top
   const Patches& patches = creases.patches;
   if (patches.list.empty() || scene.stated.any_of_shape() || has_lines_of_its_own(scene)) return std::nullopt;
   const EdgeLevels levels = edge_levels(scene, topology, patches, limits);
-  if (levels.of_patch.empty() || !bodies_lie_apart(scene, topology)) return std::nullopt;
+  if (levels.of_patch.empty() || !bodies_lie_apart(scene, topology, patches, levels.of_patch)) return std::nullopt;
   const PlaneRegions planes = plane_regions(scene, topology, patches, creases.lines, levels.curved);
   const SplitTriangles split = split_triangles(scene, topology, patches, planes, levels);
   if (split.points.empty()) return std::nullopt;

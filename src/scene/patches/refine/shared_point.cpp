@@ -20,17 +20,11 @@ constexpr double kFarthest = 0.5;
 /// Normals that differ by a smaller sine are one: the direction of their difference is rounding.
 constexpr double kSameSine = 1e-7;
 
-double distance(const SideSurface& side, const Point3& p) {
-  return side.surface ? side.surface->distance(p) : glm::dot(p - side.at, side.normal);
-}
-
-Point3 normal_at(const SideSurface& side, const Point3& p) { return side.surface ? side.surface->normal(p) : side.normal; }
-
 double curvature(const SideSurface& side, const Point3& p, const Point3& along) {
   return side.surface ? side.surface->curvature(p, along) : 0;
 }
 
-Point3 nearest(const SideSurface& side, const Point3& p) { return p - distance(side, p) * normal_at(side, p); }
+Point3 nearest(const SideSurface& side, const Point3& p) { return p - side.distance(p) * side.normal_at(p); }
 
 /// The point of a surface halfway between two of its points, along its profile and about its axis. The point nearest to the
 /// middle of a long chord of a thin torus lies elsewhere.
@@ -51,13 +45,13 @@ Point3 halfway(const PatchSurface& surface, const Point3& p, const Point3& q) {
 }
 
 bool are_tangent(const SideSurface& a, const SideSurface& b, const Point3& p) {
-  return std::abs(glm::dot(normal_at(a, p), normal_at(b, p))) >= kTangentCosine;
+  return std::abs(glm::dot(a.normal_at(p), b.normal_at(p))) >= kTangentCosine;
 }
 
 /// One step towards the intersection of both surfaces.
 Point3 step_to_both(const SideSurface& a, const SideSurface& b, const Point3& p) {
-  const Point3 na = normal_at(a, p), nb = normal_at(b, p);
-  const double da = distance(a, p), db = distance(b, p), c = glm::dot(na, nb), s = 1 - c * c;
+  const Point3 na = a.normal_at(p), nb = b.normal_at(p);
+  const double da = a.distance(p), db = b.distance(p), c = glm::dot(na, nb), s = 1 - c * c;
   if (!(s > 0)) return p;
   return p - (da - c * db) / s * na - (db - c * da) / s * nb;
 }
@@ -65,8 +59,8 @@ Point3 step_to_both(const SideSurface& a, const SideSurface& b, const Point3& p)
 /// One step towards the line along which both surfaces have one normal. p lies on b. The angle between the normals
 /// grows across that line with the difference of the curvatures.
 Point3 step_to_contact(const SideSurface& a, const SideSurface& b, const Point3& p) {
-  const Point3 n = normal_at(b, p);
-  Point3 na = normal_at(a, p);
+  const Point3 n = b.normal_at(p);
+  Point3 na = a.normal_at(p);
   const double sign = glm::dot(na, n) < 0 ? -1 : 1;
   na *= sign;
   const double c = glm::dot(na, n);
@@ -80,6 +74,10 @@ Point3 step_to_contact(const SideSurface& a, const SideSurface& b, const Point3&
 }
 
 }  // namespace
+
+double SideSurface::distance(const Point3& p) const { return surface ? surface->distance(p) : glm::dot(p - at, normal); }
+
+Point3 SideSurface::normal_at(const Point3& p) const { return surface ? surface->normal(p) : normal; }
 
 std::optional<Point3> shared_point(const SideSurface& a, const SideSurface& b, const Point3& p, const Point3& q) {
   const Point3 middle = 0.5 * (p + q);
@@ -96,7 +94,7 @@ std::optional<Point3> shared_point(const SideSurface& a, const SideSurface& b, c
     }
     if (!second.surface) at = nearest(second, at);
   }
-  const double off = std::max(std::abs(distance(a, at)), std::abs(distance(b, at)));
+  const double off = std::max(std::abs(a.distance(at)), std::abs(b.distance(at)));
   const double shift = glm::distance(at, middle);
   if (!(off <= kNearer * shift + kAccuracy * length) || !(shift <= kFarthest * length)) return std::nullopt;
   return at;

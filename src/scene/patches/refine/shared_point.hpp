@@ -11,6 +11,11 @@ namespace ligne {
 struct SideSurface {
   const PatchSurface* surface = nullptr;  ///< null: the plane
   Point3 at{0, 0, 0}, normal{0, 0, 1};    ///< a point of the plane and its unit normal
+
+  /// Signed distance of a point, positive on the side of the normal.
+  double distance(const Point3& p) const;
+  /// Unit normal at the nearest point.
+  Point3 normal_at(const Point3& p) const;
 };
 
 /// A point of both surfaces beside the middle of an edge from p to q, whose ends lie on both. If the surfaces join

@@ -10,7 +10,9 @@
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "scene/patches/refine/chord_corners.hpp"
 #include "scene/patches/refine/shared_point.hpp"
+#include "scene/patches/refine/turned_edges.hpp"
 
 namespace ligne {
 namespace {
@@ -20,8 +22,6 @@ constexpr int kMostLevels = 4;
 /// Edges whose middle lies nearer to a surface, in their lengths, are straight: rulings, and edges of circles of more than a
 /// thousand sides.
 constexpr double kStraight = 1e-3;
-/// Least cosine of the angle between a new triangle and its surface (60 degrees).
-constexpr double kLeastCosine = 0.5;
 
 /// A side of a triangle: the key of its edge, and the part.
 struct PartSide {
@@ -43,23 +43,32 @@ class Splitter {
 
   /// Refines, and begins again without the surfaces on which triangles were turned over, and those connected with them.
   SplitTriangles run() {
-    do {
-      out_ = {};
-      beyond_ = {};
-      out_.is_region_split.assign(planes_.list.size(), 0);
-      list_parts();
-      mark_edges();
-      leave_out_surfaces();
-      for (int level = 0; level < kMostLevels && split_edges(level); ++level) split_parts();
-    } while (leave_out_folds());
+    while (!try_levels()) {
+    }
     return std::move(out_);
   }
 
  private:
   static constexpr std::uint32_t kBlocked = kNone - 1;
 
+  /// Returns false if surfaces were left out.
+  bool try_levels() {
+    out_ = {};
+    beyond_ = {};
+    out_.is_region_split.assign(planes_.list.size(), 0);
+    list_parts();
+    mark_edges();
+    join_surfaces();
+    if (!move_corners()) return false;
+    if (turns_edges_) turn_slivers(out_.parts, out_.placed.empty() ? scene_.vertices : out_.placed, scene_, patches_);
+    if (leave_out_surfaces()) return false;
+    for (int level = 0; level < kMostLevels && split_edges(level); ++level) split_parts();
+    return !leave_out_folds();
+  }
+
   const Point3& point(std::uint32_t v) const {
-    return v < scene_.vertices.size() ? scene_.vertices[v] : out_.points[v - scene_.vertices.size()];
+    if (v >= scene_.vertices.size()) return out_.points[v - scene_.vertices.size()];
+    return out_.placed.empty() ? scene_.vertices[v] : out_.placed[v];
   }
 
   std::uint32_t patch_of(const PartSide& side) const { return patches_.patch_of[out_.parts[side.part].face]; }
@@ -129,23 +138,23 @@ class Splitter {
     return glm::distance(at, middle_of_chord(key)) <= kStraight * length;
   }
 
-  /// Cosine of the angle between a triangle and the surface at its middle.
   double cosine(std::uint32_t u, std::uint32_t v, std::uint32_t w, const Patch& patch) const {
-    const Point3 &a = point(u), &b = point(v), &c = point(w), area = glm::cross(b - a, c - a);
-    const double size = glm::length(area);
-    if (!(size > 0)) return 0;
-    return glm::dot(area, patch.surface.normal((a + b + c) / 3.0)) / (patch.outward ? size : -size);
+    return cosine_to_surface(point(u), point(v), point(w), patch);
   }
 
-  /// Leaves out the surfaces of new triangles that stand across them: long slivers fold. Returns whether there are any.
+  /// Leaves out the surfaces of new triangles that stand across them, as long slivers fold, if edges have been turned.
+  /// Returns whether there are any.
   bool leave_out_folds() {
     std::vector<std::uint32_t> left_out;
     for (const FacePart& part : out_.parts) {
       const bool is_new = std::ranges::any_of(part.v, [&](std::uint32_t v) { return v >= scene_.vertices.size(); });
       const std::uint32_t patch = patches_.patch_of[part.face];
-      if (is_new && cosine(part.v[0], part.v[1], part.v[2], patches_.list[patch]) < kLeastCosine) left_out.push_back(patch);
+      if (is_new && cosine(part.v[0], part.v[1], part.v[2], patches_.list[patch]) < kLeastPartCosine)
+        left_out.push_back(patch);
     }
-    leave_out(left_out);
+    // Other edges may do better.
+    if (!left_out.empty() && turns_edges_) leave_out(left_out);
+    turns_edges_ = true;
     return !left_out.empty();
   }
 
@@ -158,20 +167,45 @@ class Splitter {
     }
   }
 
+  bool is_curved(std::span<const PartSide> edge) const {
+    const Point3 middle = middle_of_chord(edge[0].key);
+    return std::ranges::any_of(edge, [&](const PartSide& side) {
+      return !is_straight(edge[0].key, patches_.list[patch_of(side)].surface.nearest(middle));
+    });
+  }
+
+  /// Connects the surfaces on both sides of curved edges.
+  void join_surfaces() {
+    for_edges(sorted_sides(), [&](std::span<const PartSide> edge) {
+      if (!is_curved(edge)) return;
+      for (const PartSide& side : edge) sets_.join(patch_of(side), patch_of(edge[0]));
+    });
+  }
+
+  /// Moves vertices on chords onto their surfaces. Returns false if surfaces are left out because that is not possible.
+  bool move_corners() {
+    const ChordCorners chords = chord_corners(scene_, topology_, patches_, planes_, levels_);
+    if (!chords.patches.empty()) {
+      leave_out(chords.patches);
+      return false;
+    }
+    if (chords.moved.empty()) return true;
+    out_.placed = scene_.vertices;
+    for (std::size_t i = 0; i < chords.moved.size(); ++i) out_.placed[chords.moved[i]] = chords.places[i];
+    for (const std::uint32_t region : chords.regions) out_.is_region_split[region] = 1;
+    turns_edges_ = true;
+    return true;
+  }
+
   /// Leaves out the surfaces with a curved edge that can not be split, and those connected with them by curved edges.
-  void leave_out_surfaces() {
+  /// Returns whether there are any.
+  bool leave_out_surfaces() {
     std::vector<std::uint32_t> left_out;
     for_edges(sorted_sides(), [&](std::span<const PartSide> edge) {
-      const Point3 middle = middle_of_chord(edge[0].key);
-      const bool is_curved = std::ranges::any_of(edge, [&](const PartSide& side) {
-        return !is_straight(edge[0].key, patches_.list[patch_of(side)].surface.nearest(middle));
-      });
-      if (!is_curved) return;
-      for (const PartSide& side : edge) sets_.join(patch_of(side), patch_of(edge[0]));
-      if (!middle_of(edge)) left_out.push_back(patch_of(edge[0]));
+      if (is_curved(edge) && !middle_of(edge)) left_out.push_back(patch_of(edge[0]));
     });
     leave_out(left_out);
-    std::erase_if(out_.parts, [&](const FacePart& part) { return levels_[patches_.patch_of[part.face]] == 0; });
+    return !left_out.empty();
   }
 
   /// Halves the curved edges of the surfaces of a higher level. Returns whether there are any.
@@ -247,6 +281,7 @@ class Splitter {
   DisjointSets sets_;                 ///< of patches that are connected by curved edges
   std::vector<std::uint8_t> levels_;  ///< per patch: how often its edges are halved
   KeyTable beyond_;                   ///< by the key of an edge: the plane region beyond it, or kBlocked
+  bool turns_edges_ = false;          ///< edges of slivers are turned before any is split
   SplitTriangles out_;
 };
 

@@ -21,15 +21,17 @@ struct RefineLimits {
 struct FacePart {
   std::array<std::uint32_t, 3> v{};
   std::uint32_t face = 0;
+  bool is_turned = false;  ///< it has an edge that is none of the given ones, between given vertices
 };
 
 /// The triangles of refined faces. Edges are split at new vertices, which are numbered after those of the scene.
 struct SplitTriangles {
   std::vector<FacePart> parts;                ///< of all faces with a surface that is refined, sorted by face
   std::vector<Point3> points;                 ///< the new vertices
+  std::vector<Point3> placed;                 ///< the places of the given vertices if some have moved, else empty
   std::vector<std::uint32_t> beside;          ///< per new vertex: a vertex of the scene in its object
   KeyTable middles{};                         ///< by the key of an edge: the new vertex that splits it
-  std::vector<std::uint8_t> is_region_split;  ///< per plane region: 1 if its border has new vertices
+  std::vector<std::uint8_t> is_region_split;  ///< per plane region: 1 if its border has new or moved vertices
 
   static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return std::uint64_t{a < b ? a : b} << 32 | (a < b ? b : a); }
   /// Appends the vertices of the pieces of the edge from a to b, without b.
@@ -47,8 +49,8 @@ struct EdgeLevels {
 EdgeLevels edge_levels(const Scene& scene, const Topology& topology, const Patches& patches, const RefineLimits& limits);
 
 /// Halves the curved edges inside a refined surface, between two of them and between a surface and a plane region, and
-/// halves the halves. Connected surfaces are refined only if this is possible along all of their borders: otherwise they
-/// would no longer fit together.
+/// halves the halves. Vertices on chords of the surfaces move onto these (chord_corners.hpp). Connected surfaces are refined
+/// only if this is possible along all of their borders: otherwise they would no longer fit together.
 SplitTriangles split_triangles(const Scene& scene, const Topology& topology, const Patches& patches,
                                const PlaneRegions& planes, const EdgeLevels& levels);
 
