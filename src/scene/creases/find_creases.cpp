@@ -17,6 +17,8 @@
 #include "scene/creases/across_edge.hpp"
 #include "scene/creases/bend.hpp"
 #include "scene/creases/face_normals.hpp"
+#include "scene/creases/parallel_bends.hpp"
+#include "scene/creases/plane_rims.hpp"
 #include "scene/creases/trace_creases.hpp"
 #include "scene/model/bounds.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
@@ -32,8 +34,8 @@ constexpr double kRoundPart = 1.0 / 256;    ///< smaller radii are drawn as the 
 constexpr double kNarrowPart = 1.0 / 96;    ///< as are narrower roundings between wide sides
 constexpr double kShortPart = 1.0 / 16;     ///< shorter chains are dropped
 constexpr double kSpurPart = 1.0 / 64;      ///< longer edges are not spurs
+constexpr std::size_t kCertainEdges = 4;    ///< of creases that are continued over longer ways than themselves
 constexpr double kTurnCosine = 0.70710678;  ///< cosine of 45 degrees: largest turn of a continued crease
-
 /// Allowance for the error of float32 normals of small faces: an edge at exactly the crease angle is not a crease.
 constexpr double kSlackDegrees = 0.01;
 
@@ -88,16 +90,15 @@ class Finder {
     });
     found_.smooth_by_file = counts.smooth;
     found_.sharp_by_file = counts.sharp;
-    std::size_t i = 0;
     SheetEdges sheets = find_sheet_edges(scene_, topology_, limits_.crease);
     const std::vector<std::uint8_t>& bent = sheets.bent;
     found_.walls = std::move(sheets.walls);
-    for (std::size_t e = 0; i < bent.size() && e < bends_.size(); ++e) {
+    for (std::size_t e = 0, i = 0; i < bent.size() && e < bends_.size(); ++e) {
       if (!(topology_.edge_flags[e] & kEdgeManyFaces)) continue;
       bends_[e] = bent[i] ? Bend::firm : Bend::none;
-      found_.straight_sheets += !bent[i];
-      ++i;
+      found_.straight_sheets += !bent[i++];
     }
+    raw_ = bends_;
     decide_by_surfaces(normals);
     TracedCreases traced = trace_creases(scene_, topology_, normals, sizes_, angles_.faces, bends_);
     found_.scans = std::move(traced.scans);
@@ -162,11 +163,6 @@ class Finder {
     return bend < limits_.crease && rounding->in_middle() ? Bend::strong : Bend::none;
   }
 
-  /// One end of an edge that bends.
-  struct End {
-    std::uint32_t vertex, edge;
-    friend bool operator<(const End& a, const End& b) { return std::pair(a.vertex, a.edge) < std::pair(b.vertex, b.edge); }
-  };
   /// A vertex at which such edges end; its entries in ends_ begin at `first`.
   struct Node {
     std::uint32_t vertex, first;
@@ -175,13 +171,15 @@ class Finder {
 
   bool is_crease(std::uint32_t e) const { return bends_[e] >= Bend::strong; }
 
-  /// Collects the edges that may be creases, by vertex.
+  /// Collects the edges that may be creases, or would be without surfaces, by vertex.
   void collect() {
-    for (const std::uint32_t e : indices_where(bends_.size(), [&](std::size_t i) { return bends_[i] != Bend::none; })) {
+    const auto bends = [&](std::size_t e) { return bends_[e] != Bend::none || raw_[e] != Bend::none; };
+    for (const std::uint32_t e : indices_where(bends_.size(), bends)) {
       ends_.push_back({topology_.edges[e].v0, e});
       ends_.push_back({topology_.edges[e].v1, e});
     }
     parallel_sort(ends_.begin(), ends_.end());
+    soften_roundings(scene_, topology_, {ends_, found_.patch_edges}, angles_.faces, bends_);
     for (std::uint32_t k = 0; k < ends_.size(); ++k) {
       if (nodes_.empty() || nodes_.back().vertex != ends_[k].vertex) nodes_.push_back({ends_[k].vertex, k, 0});
       nodes_.back().creases += is_crease(ends_[k].edge);
@@ -194,13 +192,12 @@ class Finder {
     return static_cast<std::uint32_t>(at - nodes_.begin());
   }
 
-  std::span<const End> ends_of(std::uint32_t node) const {
+  std::span<const BendEnd> ends_of(std::uint32_t node) const {
     const std::size_t last = node + 1 == nodes_.size() ? ends_.size() : nodes_[node + 1].first;
     return std::span(ends_).subspan(nodes_[node].first, last - nodes_[node].first);
   }
 
-  /// Connected creases.
-  struct Chain {
+  struct Chain {  ///< connected creases
     double length = 0;
     std::size_t edges = 0;
     bool firm = false, open = false, anchored = false;
@@ -219,7 +216,7 @@ class Finder {
   Chains chains() const {
     Chains found{DisjointSets(nodes_.size()), std::vector<Chain>(nodes_.size()), {}};
     for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
-      for (const End& end : ends_of(node)) {
+      for (const BendEnd& end : ends_of(node)) {
         if (!is_crease(end.edge) || topology_.edges[end.edge].v0 != nodes_[node].vertex) continue;
         found.edges.emplace_back(node, end.edge);
         found.sets.join(node, node_of(topology_.edges[end.edge].v1));
@@ -235,22 +232,30 @@ class Finder {
   }
 
   /// Continues every single crease end over weak edges in its direction, if that leads to another crease over no longer
-  /// a way than either of the two. Only creases by themselves are continued, so the order does not matter.
+  /// a way than either of the two, or over a way that is a line by itself (is_line()), or along the border of a plane. Only
+  /// creases by themselves are continued, so the order does not matter.
   void continue_ends() {
     Chains found = chains();
+    PlaneRims rims(scene_, topology_, found_.patches, found_.patch_edges);
     std::vector<std::uint32_t> joined;
     for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
       if (nodes_[node].creases != 1) continue;
-      for (const End& end : ends_of(node)) {
+      for (const BendEnd& end : ends_of(node)) {
         if (!is_crease(end.edge)) continue;
-        const std::vector<std::uint32_t> way = way_on(node, end.edge, found);
+        std::vector<std::uint32_t> way = way_on(node, end.edge, found);
+        const auto is_at_crease = [&](std::uint32_t v) {
+          const std::uint32_t other = node_of(v);
+          return other < nodes_.size() && nodes_[other].vertex == v && nodes_[other].creases > 0;
+        };
+        if (way.empty() && found.of(node).edges >= kCertainEdges)
+          way = rims.way_on(end.edge, nodes_[node].vertex, found.of(node).length, is_at_crease);
         joined.insert(joined.end(), way.begin(), way.end());
       }
     }
-    std::sort(joined.begin(), joined.end());
-    joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
-    for (const std::uint32_t e : joined) bends_[e] = Bend::strong;
-    found_.continued = joined.size();
+    for (const std::uint32_t e : joined) {
+      found_.continued += bends_[e] != Bend::strong;  // from both of its ends
+      bends_[e] = Bend::strong;
+    }
   }
 
   /// Unit vector along an edge to the vertex of a node.
@@ -260,6 +265,11 @@ class Finder {
     return glm::normalize(scene_.vertices[v] - scene_.vertices[from]);
   }
 
+  /// Whether the way on over an edge behind a node is the only one, and not one of many along a rounding.
+  bool is_line(std::span<const BendEnd> ends, std::uint32_t next) const {
+    return ends.size() == 2 && !is_inside_rounding(scene_, topology_, bends_, ends_, next);
+  }
+
   /// The weak edges by which crease e continues behind a node to another crease; empty if it reaches none.
   std::vector<std::uint32_t> way_on(std::uint32_t node, std::uint32_t e, Chains& found) const {
     // Bounds on the edges of the way and on the edges per vertex, which bound the work per end. Adjustable.
@@ -267,26 +277,28 @@ class Finder {
     std::vector<std::uint32_t> way;
     const double longest = found.of(node).length;
     double length = 0;
-    while (way.size() < kLongestWay) {
+    bool is_clear = found.of(node).edges >= kCertainEdges;
+    while (way.size() < kLongestWay || is_clear) {
       const Point3 direction = direction_to(node, e);
-      const std::span<const End> ends = ends_of(node);
+      const std::span<const BendEnd> ends = ends_of(node);
       if (ends.size() > kMostEnds) return {};
       std::uint32_t best = kNone;
       double best_cosine = kTurnCosine;
-      for (const End& next : ends) {
+      for (const BendEnd& next : ends) {
         if (next.edge == e || bends_[next.edge] != Bend::weak) continue;
         const double cosine = -glm::dot(direction_to(node, next.edge), direction);
         if (cosine > best_cosine) best = next.edge, best_cosine = cosine;
       }
       if (best == kNone) return {};
       way.push_back(best);
+      is_clear = is_clear && is_line(ends, best);
       length += length_of(best);
-      if (length > longest) return {};
+      if (length > longest && !is_clear) return {};
       const Edge& edge = topology_.edges[best];
       node = node_of(edge.v0 == nodes_[node].vertex ? edge.v1 : edge.v0);
       e = best;
       if (nodes_[node].creases > 0) {
-        if (length > found.of(node).length) return {};
+        if (length > found.of(node).length && !(is_clear && found.of(node).edges >= kCertainEdges)) return {};
         return way;
       }
     }
@@ -294,16 +306,15 @@ class Finder {
   }
 
   std::size_t creases_at(std::uint32_t node) const {
-    const std::span<const End> ends = ends_of(node);
     return static_cast<std::size_t>(
-        std::count_if(ends.begin(), ends.end(), [&](const End& end) { return is_crease(end.edge); }));
+        std::ranges::count_if(ends_of(node), [&](const BendEnd& end) { return is_crease(end.edge); }));
   }
 
   /// Marks nodes on borders: a crease that ends at one does not end in the middle of a surface.
   void find_anchors() {
     anchored_.assign(nodes_.size(), 0);
-    const auto is_border = [&](std::size_t e) { return topology_.edges[e].face1 == kNone; };
-    for (const std::uint32_t e : indices_where(topology_.edges.size(), is_border)) {
+    for (const std::uint32_t e :
+         indices_where(topology_.edges.size(), [&](std::size_t i) { return topology_.edges[i].face1 == kNone; })) {
       for (const std::uint32_t v : {topology_.edges[e].v0, topology_.edges[e].v1}) {
         const std::uint32_t node = node_of(v);
         if (node < nodes_.size() && nodes_[node].vertex == v) anchored_[node] = 1;
@@ -318,7 +329,7 @@ class Finder {
     std::vector<std::uint32_t> spurs;
     for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
       if (!is_open(node)) continue;
-      for (const End& end : ends_of(node)) {
+      for (const BendEnd& end : ends_of(node)) {
         if (bends_[end.edge] != Bend::strong) continue;
         const Edge& edge = topology_.edges[end.edge];
         if (length_of(end.edge) >= kSpurPart * sizes_[object_of(edge.v0)]) continue;
@@ -338,8 +349,7 @@ class Finder {
     }
     const auto stays = [&](std::uint32_t root) {
       const Chain& chain = found.list[root];
-      // Three edges in a ring are the rim of a triangle.
-      const bool ends_nowhere = !chain.open && (chain.anchored || chain.edges > 3);
+      const bool ends_nowhere = !chain.open && (chain.anchored || chain.edges > 3);  // three: the rim of a triangle
       return chain.firm || ends_nowhere || chain.length >= kShortPart * sizes_[object_of(nodes_[root].vertex)];
     };
     for (const auto& [node, e] : found.edges) {
@@ -373,9 +383,9 @@ class Finder {
   const Topology& topology_;
   CreaseAngles angles_;
   Limits limits_;
-  std::vector<double> sizes_;  ///< per object
-  std::vector<Bend> bends_;    ///< per edge
-  std::vector<End> ends_;      ///< ends of the edges that bend, sorted
+  std::vector<double> sizes_;      ///< per object
+  std::vector<Bend> bends_, raw_;  ///< per edge; raw: by its faces alone
+  std::vector<BendEnd> ends_;      ///< ends of the edges that bend, sorted
   std::vector<Node> nodes_;
   std::vector<std::uint8_t> anchored_;  ///< per node: 1 on a border
   Creases found_;

@@ -15,9 +15,6 @@ namespace {
 /// Largest sine of the angle between the axes of two bands of one torus, and largest distance of the axes divided by
 /// the larger radius. The axis of a band of few facets is not known more precisely.
 constexpr double kAxisSine = 0.03, kAxisDistance = 0.03;
-/// For adjacent pieces of the tube of a torus: largest relative difference of their radii, and least and largest sine
-/// of the angle between their axes.
-constexpr double kTubePart = 0.1, kLeastPieceSine = 0.02, kMostPieceSine = 0.52;
 
 bool has_axis(const PatchSurface& s) { return s.kind == SurfaceKind::cylinder || s.kind == SurfaceKind::cone; }
 
@@ -26,14 +23,6 @@ bool is_coaxial(const PatchSurface& s, const PatchSurface& other) {
   if (other.kind == SurfaceKind::torus) return false;
   if (has_axis(other) && glm::length(glm::cross(s.axis, other.axis)) > kAxisSine) return false;
   return axis_place(s, other.at).radius <= kAxisDistance * std::max(s.radius, other.radius);
-}
-
-/// Whether both are cylinders that may stand for adjacent pieces of the tube of a torus.
-bool are_pieces(const PatchSurface& s, const PatchSurface& other) {
-  if (s.kind != SurfaceKind::cylinder || other.kind != SurfaceKind::cylinder) return false;
-  if (std::abs(s.radius - other.radius) > kTubePart * s.radius) return false;
-  const double sine = glm::length(glm::cross(s.axis, other.axis));
-  return sine >= kLeastPieceSine && sine <= kMostPieceSine;
 }
 
 /// Computes starting values of a torus from two pieces of its tube and the middles of these pieces.
@@ -74,7 +63,7 @@ void PatchFinder::join_bands(std::vector<Patch>& patches) {
         const std::uint32_t q = patch_of_[arc.facet];
         if (q == kNone || q == p) continue;
         const PatchSurface &here = patches[p].surface, &there = patches[q].surface;
-        if (is_coaxial(here, there) || are_pieces(here, there)) beside.push_back(q);
+        if (is_coaxial(here, there) || are_tube_pieces(here, there)) beside.push_back(q);
       }
     }
     std::sort(beside.begin(), beside.end());
@@ -105,7 +94,7 @@ PatchCandidate PatchFinder::torus_through(const std::vector<Patch>& patches,
   both.insert(both.end(), facets[q].begin(), facets[q].end());
   fetch_points(both);
   const PatchSurface &here = patches[p].surface, &there = patches[q].surface;
-  const bool is_guessed = are_pieces(here, there)
+  const bool is_guessed = are_tube_pieces(here, there)
                               ? guess_from_pieces(here, middle_of(facets[p]), there, middle_of(facets[q]), surface)
                               : guess_torus_about(here, points_, surface);
   if (!is_guessed) return {};

@@ -40,6 +40,9 @@ constexpr std::ptrdiff_t kFewestSuccesses = 4;
 /// The object also gets none if the surfaces of the samples together have fewer facets than one per kLeastShare seeds:
 /// in a free form of a million facets, some rows of ten lie on cylinders.
 constexpr std::size_t kLeastShare = 2000;
+/// Least turn, in radians, of a cylinder of two or three facets that its neighbours continue: a little less than the least
+/// angle of planes that have an edge between them. Nearly flat facets of a free form lie on cylinders by accident.
+constexpr double kLeastTurn = 8 * std::numbers::pi / 180;
 /// Range of the slopes of cones. Over a length of ten radii, a cone of the least slope differs from a cylinder by a
 /// thousandth of the radius, an eighth of the sag at 24 facets per turn. A cone of the largest slope differs from a
 /// plane by half a degree.
@@ -69,6 +72,7 @@ PatchFinder::PatchFinder(const Scene& scene, const Topology& topology, const Obj
       graph_(graph),
       patch_of_(graph.size(), kNone),
       stamp_(graph.size(), 0),
+      best_of_(graph.size(), kNone),
       look_of_(object.vertex_end - object.vertex_begin),
       is_fetched_(look_of_.size() / kWordBits + 1, 0),
       sag_part_(kSagPart) {}
@@ -137,9 +141,18 @@ void PatchFinder::search(std::span<const std::uint32_t> seeds, std::vector<Patch
 /// The surface of the largest area through a facet, from several sets of facets beside it.
 PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
   PatchCandidate best;
+  // Facets of the best surface so far lead to it again.
+  const auto is_known = [&](SurfaceKind kind, std::span<const std::uint32_t> facets) {
+    return !best.facets.empty() && best.patch.surface.kind == kind &&
+           std::ranges::all_of(facets, [&](std::uint32_t f) { return best_of_[f] == seed; });
+  };
   const auto consider = [&](SurfaceKind kind, std::span<const std::uint32_t> facets, double factor) {
+    if (is_known(kind, facets)) return;
     PatchCandidate c = try_surface(kind, seed, facets);
-    if (!c.facets.empty() && c.area > factor * best.area) best = std::move(c);
+    if (c.facets.empty() || c.area <= factor * best.area) return;
+    for (const std::uint32_t f : best.facets) best_of_[f] = kNone;
+    best = std::move(c);
+    for (const std::uint32_t f : best.facets) best_of_[f] = seed;
   };
   std::vector<std::uint32_t> near = around(seed, 1, 8);
   near.erase(near.begin());
@@ -170,11 +183,12 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
   // Where facets form no strips, more of them are needed.
   const std::vector<std::uint32_t> ring = around(seed, 2, 24), wide = around(seed, 10, 28);
   consider(SurfaceKind::cylinder, ring, kSimilarArea);
-  consider(SurfaceKind::cylinder, wide, kSimilarArea);
+  const bool is_wider = wide.size() > ring.size();
+  if (is_wider) consider(SurfaceKind::cylinder, wide, kSimilarArea);
   if (is_settled()) return best;
   for (const auto& set : sets) consider(SurfaceKind::cone, set, kSimilarArea);
   consider(SurfaceKind::cone, ring, kSimilarArea);
-  consider(SurfaceKind::cone, wide, kSimilarArea);
+  if (is_wider) consider(SurfaceKind::cone, wide, kSimilarArea);
   if (is_settled()) return best;
   // A band of a sphere also lies on a cylinder or a cone, and determines the sphere.
   std::vector<std::uint32_t> band = best.facets;
@@ -182,7 +196,7 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
   if (!band.empty()) consider(SurfaceKind::sphere, band, kRoundArea);
   consider(SurfaceKind::sphere, ring, kRoundArea);
   consider(SurfaceKind::torus, ring, kRoundArea);
-  consider(SurfaceKind::torus, wide, kRoundArea);
+  if (is_wider) consider(SurfaceKind::torus, wide, kRoundArea);
   return best;
 }
 
@@ -258,7 +272,8 @@ bool PatchFinder::is_certain(const PatchCandidate& c) {
     case SurfaceKind::cylinder: {
       const std::size_t n = angles_of(surface, false);
       if (n >= 5 && no_accident) return true;
-      return n >= 3 && (n < 5 || all <= kLikelyChance) && is_tangent(c, n - 2);
+      if (n < 3 || (n < 5 ? turn_of_angles() < kLeastTurn : all > kLikelyChance)) return false;
+      return is_tangent(c, n - 2);
     }
     case SurfaceKind::cone: {
       const std::size_t n = angles_of(surface, false);
@@ -291,6 +306,14 @@ std::size_t PatchFinder::angles_of(const PatchSurface& surface, bool about_circl
   std::size_t count = numbers_.front() + kTurn - numbers_.back() > kSame;
   for (std::size_t i = 1; i < numbers_.size(); ++i) count += numbers_[i] - numbers_[i - 1] > kSame;
   return count;
+}
+
+/// The smallest angle about the axis that contains all angles that angles_of() found.
+double PatchFinder::turn_of_angles() const {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  double gap = numbers_.front() + kTurn - numbers_.back();
+  for (std::size_t i = 1; i < numbers_.size(); ++i) gap = std::max(gap, numbers_[i] - numbers_[i - 1]);
+  return kTurn - gap;
 }
 
 /// Whether the neighbours of a strip continue in the direction of its surface, along kSidesToInner times the length of

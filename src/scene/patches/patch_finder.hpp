@@ -67,6 +67,7 @@ class PatchFinder {
   bool lies_on(const Patch& patch, std::uint32_t f, double tolerance, double least_cosine = kNormalCosine);
   bool is_certain(const PatchCandidate& c);
   std::size_t angles_of(const PatchSurface& surface, bool about_circle);
+  double turn_of_angles() const;
   bool is_tangent(const PatchCandidate& c, std::size_t rows);
   bool goes_on(const PatchCandidate& c);
   void join_bands(std::vector<Patch>& patches);
@@ -83,6 +84,7 @@ class PatchFinder {
   const FacetGraph& graph_;
   std::vector<std::uint32_t> patch_of_;  ///< per facet: index of its patch, or kNone
   std::vector<std::uint32_t> stamp_;     ///< per facet: the value of round_ when a search visited it last
+  std::vector<std::uint32_t> best_of_;   ///< per facet: a seed, if it lies on the best surface so far of best_at(seed)
   std::uint32_t round_ = 0;
   std::vector<LookPlace> look_of_;         ///< per vertex of the object
   std::vector<VertexLook> looks_;          ///< of the vertices visited since forget_looks()

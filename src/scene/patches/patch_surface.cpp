@@ -7,6 +7,13 @@
 #include "scene/patches/normal_at.hpp"
 
 namespace ligne {
+namespace {
+
+/// Adjustable. For adjacent pieces of a bent tube: largest relative difference of their radii, and least and largest sine
+/// of the angle between their axes.
+constexpr double kTubePart = 0.1, kLeastPieceSine = 0.02, kMostPieceSine = 0.52;
+
+}  // namespace
 
 std::array<Point3, 2> frame_of(const Point3& axis) {
   const Point3 other = std::abs(axis.x) < 0.6 ? Point3(1, 0, 0) : Point3(0, 1, 0);
@@ -86,6 +93,13 @@ Principal principal_curvatures(const PatchSurface& s, const AxisPlace& place) {
 }
 
 }  // namespace
+
+bool are_tube_pieces(const PatchSurface& s, const PatchSurface& other) {
+  if (s.kind != SurfaceKind::cylinder || other.kind != SurfaceKind::cylinder) return false;
+  if (std::abs(s.radius - other.radius) > kTubePart * s.radius) return false;
+  const double sine = glm::length(glm::cross(s.axis, other.axis));
+  return sine >= kLeastPieceSine && sine <= kMostPieceSine;
+}
 
 double PatchSurface::curvature(const Point3& p, const Point3& along) const {
   const AxisPlace place = axis_place(*this, p);

@@ -36,6 +36,9 @@ struct PatchSurface {
   double largest_curvature(const Point3& p) const;
 };
 
+/// Whether both are cylinders that may stand for adjacent pieces of a bent tube, such as a torus.
+bool are_tube_pieces(const PatchSurface& s, const PatchSurface& other);
+
 /// A point in the cylindrical coordinates of a surface of revolution.
 struct AxisPlace {
   Point3 out{0, 0, 0};           ///< unit vector from the axis to the point

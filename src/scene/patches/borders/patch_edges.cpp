@@ -24,9 +24,6 @@ constexpr double kLeastTurn = 0.01, kTangentSlack = 0.0175, kTangentPart = 0.4;
 /// Adjustable. Normals that differ by more than kTangentSlack plus this fraction of the turn over the first facet are
 /// evidence against a tangent edge. A smaller difference may be the error of a coarse facet.
 constexpr double kApartPart = 1.2;
-/// Least bend between facets that may be a crease by the rules for meshes, in degrees: half of the default angle, at
-/// which creases continue.
-constexpr double kMeshBend = 15;
 /// Adjustable. Least fraction of a chain's length with evidence for a kind that makes the whole chain that kind, and
 /// largest fraction with evidence against it.
 constexpr double kMostOfChain = 0.6, kLittleOfChain = 0.1;
@@ -95,7 +92,7 @@ class EdgeClassifier {
     if (border == patches_.borders.end() || border->edge != e) return BorderEvidence::open;
     if (kind_of(*border) == PatchEdge::tangent) return BorderEvidence::tangent;
     const bool is_against = border->turn > 0 && border->angle > kTangentSlack + kApartPart * border->turn;
-    return is_against && !border->is_fleck ? BorderEvidence::against : BorderEvidence::open;
+    return is_against && !border->is_fleck && !border->is_in_row ? BorderEvidence::against : BorderEvidence::open;
   }
 
  private:
@@ -111,7 +108,8 @@ class EdgeClassifier {
   PatchEdge kind_of(const FreeformBorder& border) const {
     if (border.is_fleck) return PatchEdge::unknown;
     if (border.angle > kTangentSlack + kTangentPart * border.turn) {
-      return !border.is_beside_band && border.angle >= std::acos(sharp_) ? PatchEdge::sharp : PatchEdge::unknown;
+      return !border.is_beside_band && !border.is_in_row && border.angle >= std::acos(sharp_) ? PatchEdge::sharp
+                                                                                              : PatchEdge::unknown;
     }
     // Surfaces that the file shades smooth, such as limit surfaces, have no lines where their patches bend differently.
     const bool is_smooth = topology_.edge_flags[border.edge] & kEdgeSmooth;

@@ -23,6 +23,10 @@ enum class PatchEdge : std::uint8_t {
 /// ones.
 inline constexpr double kSurfaceCreaseDegrees = 10;
 
+/// Least bend between facets that may be a crease by the rules for meshes, in degrees: half of the default angle, at
+/// which creases continue.
+inline constexpr double kMeshBend = 15;
+
 /// Smallest difference of the curvatures across an edge, as a fraction of the largest curvature of both surfaces, that
 /// makes a tangent line between surfaces that join smoothly. A fillet along a curve consists of several tori with
 /// similar curvatures, and gets no lines across it. Taste.

@@ -41,6 +41,8 @@ std::vector<PatchOutline> patch_outlines(const Scene& scene, std::span<const Edg
         const double cosine = glm::dot(patches[patch_of[here]].surface.normal(middle), graph.frames[there].normal);
         if (std::abs(cosine) >= tangent) outline.into_planes += length;
       }
+      if (is_smooth && patch_of[there] != kNone)
+        outline.is_piece |= are_tube_pieces(patches[patch_of[here]].surface, patches[patch_of[there]].surface);
       if (is_smooth && is_freeform[there]) outline.into_freeform += length;
       if (is_smooth && (is_freeform[there] || patch_of[there] != kNone)) outline.into_curved += length;
     }

@@ -25,14 +25,16 @@ struct PatchOutline {
   /// Length along which its surface, not its facets, has the direction of planes beside it. A free form has no such
   /// surfaces by accident.
   double into_planes = 0;
+  bool is_piece = false;  ///< it continues into a piece of the same bent tube (are_tube_pieces())
 
   /// Whether it is a small patch that continues into a free form along most of its outline, and exactly into no plane.
   bool is_speck() const {
     return facets <= kMostSpeckFacets && into_freeform > kMostOfOutline * length &&
            into_planes < kTangentPartOfOutline * length;
   }
-  /// Whether it continues into free forms or other patches along most of its outline, like the bands of a bent tube.
-  bool is_band() const { return into_curved > kMostOfOutline * length; }
+  /// Whether it continues into free forms or other patches along most of its outline, like the bands of a bent tube, or is
+  /// such a band next to another one: most of its outline may lie where the tube was cut.
+  bool is_band() const { return is_piece || into_curved > kMostOfOutline * length; }
 
  private:
   // Adjustable.

@@ -6,7 +6,9 @@
 #include <map>
 
 #include "base/no_index.hpp"
+#include "geometry/degrees.hpp"
 #include "scene/patches/borders/edge_chains.hpp"
+#include "scene/patches/borders/patch_edges.hpp"
 
 namespace ligne {
 namespace {
@@ -21,6 +23,9 @@ constexpr double kOneSide = 0.8;
 /// Least tangent fraction of a chain's length that makes the whole chain tangent, and largest fraction with evidence
 /// against it.
 constexpr double kMostTangent = 0.6, kMostAgainst = 0.1;
+/// Angle between facets, in degrees, from which on the rules for meshes decide: at the sides of coarse fillets, facets bend
+/// by less.
+constexpr double kTooBent = 20;
 
 class WholeBorders {
  public:
@@ -41,6 +46,14 @@ class WholeBorders {
 
   double length_of(std::size_t e) const {
     return glm::distance(scene_.vertices[topology_.edges[e].v0], scene_.vertices[topology_.edges[e].v1]);
+  }
+
+  /// Whether the facets of a free form and of what it borders on bend by kTooBent.
+  bool is_bent(std::size_t e) const {
+    const auto [p, q] = patches_at(e);
+    if (p != kNone && q != kNone) return false;
+    const Edge& edge = topology_.edges[e];
+    return glm::dot(face_normal(scene_, edge.face0), face_normal(scene_, edge.face1)) < mesh_bent_;
   }
 
   void decide_angled() {
@@ -97,8 +110,8 @@ class WholeBorders {
     }
     for (std::uint32_t i = 0; i < sides.size(); ++i) {
       const std::uint32_t e = sides[i].edge;
-      // The rules for meshes decide edges that the file shades smooth.
-      if (edges_[e] != PatchEdge::unknown || (topology_.edge_flags[e] & kEdgeSmooth)) continue;
+      // The rules for meshes decide edges that the file shades smooth, and those that bend as creases may.
+      if (edges_[e] != PatchEdge::unknown || (topology_.edge_flags[e] & kEdgeSmooth) || is_bent(e)) continue;
       const Lengths& sum = lengths[chains.find(i)];
       if (sum.tangent >= kMostTangent * sum.all && sum.against <= kMostAgainst * sum.all) edges_[e] = PatchEdge::tangent;
     }
@@ -109,6 +122,7 @@ class WholeBorders {
   const Patches& patches_;
   std::span<const BorderEvidence> evidence_;
   std::vector<PatchEdge>& edges_;
+  const double mesh_bent_ = sine_cosine_degrees(kTooBent).cosine;
 };
 
 }  // namespace

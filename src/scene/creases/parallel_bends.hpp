@@ -1,0 +1,40 @@
+#pragma once
+/// Edges that bend, by their ends, and rows of parallel ones.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene/creases/bend.hpp"
+#include "scene/model/scene.hpp"
+#include "scene/model/topology.hpp"
+#include "scene/patches/borders/patch_edges.hpp"
+
+namespace ligne {
+
+/// One end of an edge that bends.
+struct BendEnd {
+  std::uint32_t vertex, edge;
+  friend bool operator<(const BendEnd& a, const BendEnd& b) {
+    return a.vertex != b.vertex ? a.vertex < b.vertex : a.edge < b.edge;
+  }
+};
+
+/// Whether an edge lies inside a row of parallel edges, two or more on either side, that bend to the same side: the facets
+/// of a rounding, along which no line runs. `bends`: per edge; `ends`: of the edges that bend, sorted.
+bool is_inside_rounding(const Scene& scene, const Topology& topology, const std::vector<Bend>& bends,
+                        std::span<const BendEnd> ends, std::uint32_t edge);
+
+/// The edges that bend.
+struct BendEnds {
+  std::span<const BendEnd> list;           ///< sorted
+  std::span<const PatchEdge> patch_edges;  ///< per edge of the topology
+};
+
+/// Makes weak bends of strong ones inside roundings of which the recognised surfaces say nothing, as they are no lines:
+/// those that exceed the crease angle by no more than what a coarse mesh of a bent tube does, and those by which a line ends
+/// in the middle of a surface.
+void soften_roundings(const Scene& scene, const Topology& topology, const BendEnds& ends, double crease_degrees,
+                      std::vector<Bend>& bends);
+
+}  // namespace ligne
