@@ -12,6 +12,8 @@ namespace {
 constexpr double kTangentCosine = 0.985;
 /// Number of bisection steps for a fraction of a segment: 2^-30 of one metre is a millionth of a millimetre.
 constexpr int kBisections = 30;
+/// Number of steps of the false position before them.
+constexpr int kFalsePositions = 8;
 
 }  // namespace
 
@@ -73,14 +75,32 @@ std::optional<KnownNormal> known_normal(const Scene& scene, const SmoothPatch& p
 std::optional<double> outline_crossing(const Patch& surface, const Camera& camera, const Point3& p, const Point3& q) {
   const auto facing = [&](double t) {
     const Point3 at = nearest_point(surface, p + t * (q - p));
-    return glm::dot(surface.surface.normal(at), to_eye(camera, at)) >= 0;
+    return glm::dot(surface.surface.normal(at), to_eye(camera, at));
   };
-  const bool first = facing(0);
-  if (facing(1) == first) return std::nullopt;
+  double at_low = facing(0), at_high = facing(1);
+  const bool first = at_low >= 0;
+  if ((at_high >= 0) == first) return std::nullopt;
+  // The false position, with halved values at an end that stays, leaves few of the halvings to be looked at.
+  double left = 0, right = 1;
+  for (int step = 0; step < kFalsePositions; ++step) {
+    const double middle = left + (right - left) * at_low / (at_low - at_high);
+    if (!(middle > left && middle < right)) break;
+    const double here = facing(middle);
+    if ((here >= 0) == first) {
+      left = middle;
+      at_low = here;
+      at_high /= 2;
+    } else {
+      right = middle;
+      at_high = here;
+      at_low /= 2;
+    }
+  }
   double low = 0, high = 1;
   for (int step = 0; step < kBisections; ++step) {
     const double middle = (low + high) / 2;
-    (facing(middle) == first ? low : high) = middle;
+    const bool is_before = middle <= left || (middle < right && (facing(middle) >= 0) == first);
+    (is_before ? low : high) = middle;
   }
   return (low + high) / 2;
 }
