@@ -226,6 +226,36 @@ void keep_between_ends(std::vector<Candidate>& parts, const std::vector<Candidat
   parts = std::move(kept);
 }
 
+/// Removes the runs with an end that meets no other line, all of which lie within the reach of contours: such a run is a
+/// piece of the mesh's outline that turns away from the contour in its place, and ends in the air.
+void drop_tails(std::vector<Candidate>& missing, const VisibleContours& near, const StrokeModel& model, double pen_width_mm,
+                double reach_mm) {
+  const LinesBeside outlines = outlines_beside(model, missing);
+  const Nodes nodes = nodes_of(missing);
+  DisjointSets runs = connected(nodes, missing.size());
+  std::vector<std::uint8_t> is_beside(missing.size(), 1), is_loose(missing.size(), 0);
+  for (std::uint32_t i = 0; i < missing.size(); ++i) {
+    const Stroke& s = missing[i].stroke;
+    for (const Point2 p : {model.lattice.to_mm(s.from), missing[i].middle, model.lattice.to_mm(s.to)}) {
+      if (!near.pieces().any_within(p, reach_mm)) is_beside[runs.find(i)] = 0;
+    }
+  }
+  for (std::uint32_t end = 0; end < nodes.end_count(); ++end) {
+    if (nodes.degree(nodes.of(end)) > 1) continue;
+    const Candidate& part = missing[end / 2];
+    const Point2 mm = model.lattice.to_mm(end % 2 == 0 ? part.stroke.from : part.stroke.to);
+    if (near.tails().any_within(mm, part.end_reach_mm[end % 2])) continue;
+    if (near.pieces().any_within(mm, pen_width_mm / 2) || outlines.any_within(mm, pen_width_mm / 2)) continue;
+    is_loose[runs.find(end / 2)] = 1;
+  }
+  std::vector<Candidate> kept;
+  for (std::uint32_t i = 0; i < missing.size(); ++i) {
+    const std::uint32_t run = runs.find(i);
+    if (!is_beside[run] || !is_loose[run]) kept.push_back(missing[i]);
+  }
+  missing = std::move(kept);
+}
+
 }  // namespace
 
 std::array<Point3, 2> outline_probe(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side,
@@ -289,6 +319,7 @@ void add_missing_outlines(StrokeModel& model, const View& view, const SmoothCont
   parts.insert(parts.end(), remnants.begin(), remnants.end());
   keep_between_ends(parts, missing, near, model, pen_width_mm);
   missing.insert(missing.end(), parts.begin(), parts.end());
+  drop_tails(missing, near, model, pen_width_mm, reach_mm);
   const Nodes nodes = nodes_of(missing);
   for (std::uint32_t i = 0; i < missing.size(); ++i) {
     Candidate& c = missing[i];
