@@ -168,7 +168,7 @@ MeshTriangles mesh_of(const Turning& part, int facets) {
 
 class Lines {
  public:
-  Lines(const Point3& to_viewer, double step) : to_viewer_(to_viewer), step_(step) {}
+  Lines(const Viewer& viewer, double step) : viewer_(viewer), step_(step) {}
 
   std::vector<TruePoint> of(const Extrusion& part) {
     for (const Profile& profile : part.profiles) {
@@ -219,8 +219,9 @@ class Lines {
     std::vector<double> found;
     constexpr int kSteps = 256;
     const auto facing = [&](double t) {
-      const Point2 d = direction_at(profile, i, t);
-      return d.y * to_viewer_.x - d.x * to_viewer_.y;
+      const Point2 d = direction_at(profile, i, t),
+                   way = Point2(viewer_.at) - (viewer_.is_eye ? point_at(profile, i, t) : Point2(0));
+      return d.y * way.x - d.x * way.y;
     };
     for (int k = 0; k < kSteps; ++k) {
       double low = double(k) / kSteps, high = double(k + 1) / kSteps;
@@ -236,12 +237,13 @@ class Lines {
 
   /// The two outlines of the surface that a piece of a profile turns into.
   void add_outlines(const Profile& profile, std::size_t i) {
-    const double across = std::hypot(to_viewer_.x, to_viewer_.y), towards = std::atan2(to_viewer_.y, to_viewer_.x);
+    const Point3& to = viewer_.at;
+    const double across = std::hypot(to.x, to.y), towards = std::atan2(to.y, to.x);
     // Cosine of the angle between the outline and the direction towards the viewer, about z. The normal is (d.y, -d.x) in
     // r and z, and at a right angle to the line of sight.
     const auto cosine = [&](double t) {
-      const Point2 d = direction_at(profile, i, t);
-      return d.x * to_viewer_.z / (d.y * across);
+      const Point2 d = direction_at(profile, i, t), p = viewer_.is_eye ? point_at(profile, i, t) : Point2(0);
+      return (d.y * p.x + d.x * (to.z - p.y)) / (d.y * across);
     };
     const auto has_outline = [&](double t) { return std::abs(cosine(t)) <= 1 && point_at(profile, i, t).x > kNothing; };
     constexpr int kSteps = 4000;
@@ -285,17 +287,20 @@ class Lines {
       const Point3 along = (line[k] - line[since]) / double(steps);
       for (int n = 0; n < steps && length > 0; ++n) {
         const Point3 at = line[since] + (n + 0.5) * along;
-        const bool turns = since > 0 && n == 0 && glm::dot(on_page(points_.back().along), on_page(along)) < 0;
+        const bool turns = since > 0 && n == 0 && glm::dot(on_page(points_.back().along, at), on_page(along, at)) < 0;
         points_.push_back({kind, at, along, std::hypot(at.x, at.y) + radius_of(profile, i), turns});
       }
       since = k;
     }
   }
 
-  /// The part of a vector that is seen in its length.
-  Point3 on_page(const Point3& p) const { return p - glm::dot(p, to_viewer_) * to_viewer_; }
+  /// The part of a vector at a point that is seen in its length.
+  Point3 on_page(const Point3& p, const Point3& at) const {
+    const Point3 to = viewer_.from(at);
+    return p - glm::dot(p, to) * to;
+  }
 
-  Point3 to_viewer_;
+  Viewer viewer_;
   double step_;
   std::vector<TruePoint> points_;
 };
@@ -335,8 +340,10 @@ void write_mesh(const TruePart& part, int facets, const std::filesystem::path& f
   write_stl(std::visit([&](const auto& shape) { return mesh_of(shape, facets); }, part.shape), file);
 }
 
-std::vector<TruePoint> true_lines(const TruePart& part, const Point3& to_viewer, double step) {
-  return std::visit([&](const auto& shape) { return Lines(to_viewer, step).of(shape); }, part.shape);
+Point3 Viewer::from(const Point3& p) const { return glm::normalize(is_eye ? at - p : at); }
+
+std::vector<TruePoint> true_lines(const TruePart& part, const Viewer& viewer, double step) {
+  return std::visit([&](const auto& shape) { return Lines(viewer, step).of(shape); }, part.shape);
 }
 
 }  // namespace ligne::test

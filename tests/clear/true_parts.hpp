@@ -55,8 +55,17 @@ struct TruePoint {
   bool is_cusp = false;   ///< an outline turns back there on the page, and ends in the air if what is before is seen
 };
 
-/// The edges of the part and, for a direction towards the viewer, the outlines of its curved surfaces: all of them, whatever
-/// hides them. `step`: model units between samples.
-std::vector<TruePoint> true_lines(const TruePart& part, const Point3& to_viewer, double step);
+/// The viewer of parallel projection, by the direction towards it, or of perspective, by the eye.
+struct Viewer {
+  Point3 at{0, 0, 1};
+  bool is_eye = false;
+
+  /// Unit vector from a point towards the viewer.
+  Point3 from(const Point3& p) const;
+};
+
+/// The edges of the part and the outlines of its curved surfaces: all of them, whatever hides them. `step`: model units
+/// between samples.
+std::vector<TruePoint> true_lines(const TruePart& part, const Viewer& viewer, double step);
 
 }  // namespace ligne::test
