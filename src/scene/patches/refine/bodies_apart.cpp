@@ -129,4 +129,9 @@ bool bodies_lie_apart(const Scene& scene, const Topology& topology, const Patche
   return BodyComparer(scene, topology, patches, levels).lie_apart();
 }
 
+bool has_few_objects(const Scene& scene) {
+  const auto has_faces = [](const Object& object) { return object.face_begin != object.face_end; };
+  return std::ranges::count_if(scene.objects, has_faces) <= static_cast<std::ptrdiff_t>(kMostBodies);
+}
+
 }  // namespace ligne

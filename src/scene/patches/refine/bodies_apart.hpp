@@ -16,4 +16,7 @@ namespace ligne {
 bool bodies_lie_apart(const Scene& scene, const Topology& topology, const Patches& patches,
                       const std::vector<std::uint8_t>& levels);
 
+/// Whether a scene has so few objects that bodies_lie_apart() may hold: each with faces has a body of its own.
+bool has_few_objects(const Scene& scene);
+
 }  // namespace ligne

@@ -223,7 +223,8 @@ void carry_over(const RefinedScene& refined, Creases& creases) {
 std::optional<RefinedScene> refine_scene(const Scene& scene, const Topology& topology, const RefineLimits& limits,
                                          Creases& creases) {
   const Patches& patches = creases.patches;
-  if (patches.list.empty() || scene.stated.any_of_shape() || has_lines_of_its_own(scene)) return std::nullopt;
+  if (patches.list.empty() || scene.stated.any_of_shape() || !has_few_objects(scene) || has_lines_of_its_own(scene))
+    return std::nullopt;
   const EdgeLevels levels = edge_levels(scene, topology, patches, limits);
   if (levels.of_patch.empty() || !bodies_lie_apart(scene, topology, patches, levels.of_patch)) return std::nullopt;
   const PlaneRegions planes = plane_regions(scene, topology, patches, creases.lines, levels.curved);
