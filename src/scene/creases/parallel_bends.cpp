@@ -85,7 +85,8 @@ class RowWalker {
   std::span<const BendEnd> ends_;
 };
 
-/// Makes weak bends of strong ones from each loose end of a line on, as long as may_soften() holds.
+/// Makes weak bends of the strong ones of each line with two loose ends for all of whose edges may_soften() holds. A line
+/// that leads to another one stays: it may be the rim of a coarse bevel.
 template <class MaySoften>
 void soften_loose_ends(const Topology& topology, std::span<const BendEnd> ends, const MaySoften& may_soften,
                        std::vector<Bend>& bends) {
@@ -109,14 +110,22 @@ void soften_loose_ends(const Topology& topology, std::span<const BendEnd> ends, 
       if (v < on_border.size()) on_border[v] = 1;
     }
   }
+  std::vector<std::uint32_t> line;
   for (std::uint32_t v : loose) {
+    line.clear();
     while (strong[v] == 1 && !on_border[v]) {
       const std::uint32_t e = strong_at(v);
       if (!may_soften(e)) break;
+      line.push_back(e);
       bends[e] = Bend::weak;
       const std::uint32_t other = topology.edges[e].v0 == v ? topology.edges[e].v1 : topology.edges[e].v0;
       --strong[v], --strong[other];
       v = other;
+    }
+    if (strong[v] == 0) continue;
+    for (const std::uint32_t e : line) {
+      bends[e] = Bend::strong;
+      ++strong[topology.edges[e].v0], ++strong[topology.edges[e].v1];
     }
   }
 }

@@ -32,8 +32,8 @@ struct BendEnds {
 };
 
 /// Makes weak bends of strong ones inside roundings of which the recognised surfaces say nothing, as they are no lines:
-/// those that exceed the crease angle by no more than what a coarse mesh of a bent tube does, and those by which a line ends
-/// in the middle of a surface.
+/// those that exceed the crease angle by no more than what a coarse mesh of a bent tube does, and whole lines that meet no
+/// other one.
 void soften_roundings(const Scene& scene, const Topology& topology, const BendEnds& ends, double crease_degrees,
                       std::vector<Bend>& bends);
 
