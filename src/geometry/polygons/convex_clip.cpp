@@ -84,7 +84,7 @@ Range range_inside(const ContourEdge& edge, const std::int8_t* begin, const std:
   Range range{edge.from, edge.to};
   if (edge.reversed) std::swap(begin, end);
   for (std::size_t k = 0; k < contour.size(); ++k) {
-    const auto low = static_cast<int>(begin[k]), high = static_cast<int>(end[k]);
+    const std::int8_t low = begin[k], high = end[k];
     if (low >= 0 && high >= 0 && low + high > 0) continue;
     if (low <= 0 && high <= 0) {
       if (low == 0 && high == 0 && dot(edge, contour[k]) > 0) continue;
