@@ -16,7 +16,6 @@ constexpr std::size_t kMostLooseEdges = 3;
 /// Adjustable. For the side of a strip of a cylinder: largest sine of its angle to the axis (1 degree), and least ratio
 /// of its length to the width of the face beside it.
 constexpr double kStripSine = 0.0175, kStripLength = 4;
-
 /// Adjustable. Largest total length of connected tangent edges that are dropped because they meet no other line, as a
 /// fraction of the diagonal of their object's bounding box. Longer ones tell more of the shape than their loose ends
 /// disturb.
