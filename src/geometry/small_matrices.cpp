@@ -12,38 +12,37 @@ constexpr double kDiagonal = 0x1p-53;
 /// Largest number of sweeps of rotations. They converge quadratically, so few are needed.
 constexpr int kMostSweeps = 12;
 
-/// Applies the rotation that makes the entry (p, q) of the symmetric matrix m zero, to m and to the columns of v.
-void rotate(Matrix3& m, Matrix3& v, std::size_t p, std::size_t q) {
-  if (m[p][q] == 0) return;
-  const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
-  const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::hypot(1.0, theta));
-  const double c = 1 / std::hypot(1.0, t), s = t * c;
+/// Applies the rotation that makes the entry (p, q) of a symmetric matrix zero, to its upper triangle m and to the columns
+/// of v. `rest` is the third index.
+void rotate(Matrix3& m, Matrix3& v, std::size_t p, std::size_t q, std::size_t rest) {
+  const double off = m[p][q];
+  if (off == 0) return;
+  // The square is infinite where the rotation is too small to matter.
+  const double theta = (m[q][q] - m[p][p]) / (2 * off);
+  const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::sqrt(1 + theta * theta));
+  const double c = 1 / std::sqrt(1 + t * t), s = t * c;
   const auto turn = [&](double& x, double& y) {
     const double first = x;
     x = c * first - s * y;
     y = s * first + c * y;
   };
-  for (std::size_t k = 0; k < 3; ++k) turn(m[k][p], m[k][q]);
-  for (std::size_t k = 0; k < 3; ++k) turn(m[p][k], m[q][k]);
+  m[p][p] -= t * off;
+  m[q][q] += t * off;
+  m[p][q] = 0;
+  turn(m[std::min(p, rest)][std::max(p, rest)], m[std::min(q, rest)][std::max(q, rest)]);
   for (std::size_t k = 0; k < 3; ++k) turn(v[k][p], v[k][q]);
 }
 
 }  // namespace
-
-void add_product(Matrix3& m, const Point3& p, const Point3& q) {
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) m[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] += p[i] * q[j];
-  }
-}
 
 Eigen3 symmetric_eigen(Matrix3 m) {
   Matrix3 v{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     const double off = std::abs(m[0][1]) + std::abs(m[0][2]) + std::abs(m[1][2]);
     if (off <= kDiagonal * (std::abs(m[0][0]) + std::abs(m[1][1]) + std::abs(m[2][2]))) break;
-    rotate(m, v, 0, 1);
-    rotate(m, v, 0, 2);
-    rotate(m, v, 1, 2);
+    rotate(m, v, 0, 1, 2);
+    rotate(m, v, 0, 2, 1);
+    rotate(m, v, 1, 2, 0);
   }
   std::array<std::size_t, 3> order{0, 1, 2};
   std::sort(order.begin(), order.end(), [&](std::size_t l, std::size_t r) { return m[l][l] < m[r][r]; });
@@ -63,32 +62,6 @@ std::optional<Point3> solve(const Matrix3& m, const Point3& b) {
   constexpr double kSingular = 1e-12;
   if (!(std::abs(det) > kSingular * glm::length(c0) * glm::length(c1) * glm::length(c2))) return std::nullopt;
   return Point3(glm::dot(b, c12), glm::dot(c0, glm::cross(b, c2)), glm::dot(c0, glm::cross(c1, b))) / det;
-}
-
-bool solve_symmetric(ParameterMatrix a, ParameterRow b, std::size_t n, ParameterRow& x) {
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      double sum = a[i][j];
-      for (std::size_t k = 0; k < j; ++k) sum -= a[i][k] * a[j][k];
-      if (i != j) {
-        a[i][j] = sum / a[j][j];
-      } else if (sum > 0) {
-        a[i][i] = std::sqrt(sum);
-      } else {
-        return false;
-      }
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < i; ++k) b[i] -= a[i][k] * b[k];
-    b[i] /= a[i][i];
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t k = i + 1; k < n; ++k) b[i] -= a[k][i] * b[k];
-    b[i] /= a[i][i];
-  }
-  x = b;
-  return true;
 }
 
 }  // namespace ligne

@@ -26,6 +26,10 @@ constexpr double kAlikeWidths = 2;
 /// Largest distance of its rulings from parallel lines, in their length: files print coordinates with six digits.
 constexpr double kParallel = 1e-4;
 
+bool is_triangle(const Scene& scene, std::uint32_t f) {
+  return scene.faces.contour_count(f) == 1 && scene.faces.contour(f, 0).size() == 3;
+}
+
 /// The normal of a face, with twice its area as length.
 Point3 double_area(const Scene& scene, std::uint32_t f) {
   Point3 sum(0, 0, 0);
@@ -91,7 +95,11 @@ class GraphBuilder {
 
   FacetGraph run(std::uint32_t edge_begin, std::uint32_t edge_end) {
     join_faces(edge_begin, edge_end);
-    for (std::size_t i = 0; i + 1 < graph_.faces.begin.size(); ++i) add_facet(i);
+    reserve_facets(graph_.faces.begin.size() - 1);
+    for (std::size_t i = 0; i + 1 < graph_.faces.begin.size(); ++i) {
+      const auto faces = graph_.faces[i];
+      faces.size() == 1 && is_triangle(scene_, faces[0]) ? add_triangle(faces[0]) : add_facet(i);
+    }
     add_arcs(edge_begin, edge_end);
     find_cut_strips();
     return std::move(graph_);
@@ -107,11 +115,32 @@ class GraphBuilder {
     const double cosine = glm::dot(Point3(normals_[edge.face0]), Point3(normals_[edge.face1]));
     if (cosine < kFlatCosine) return false;
     if (cosine > flat_) return true;
+    if (is_triangle(scene_, edge.face0) && is_triangle(scene_, edge.face1)) return are_flat_triangles(edge);
     const double span = std::max(span_of(scene_, edge.face0), span_of(scene_, edge.face1));
     const double tolerance = planarity_tolerance(object_.precision, span);
     const Point3& at = scene_.vertices[edge.v0];
     return lies_in_plane(scene_, edge.face1, edge.face0, at, tolerance) ||
            lies_in_plane(scene_, edge.face0, edge.face1, at, tolerance);
+  }
+
+  /// The corner of a triangle that is no end of an edge of it.
+  const Point3& corner_beside(std::uint32_t triangle, const Edge& edge) const {
+    const auto corners = scene_.faces.contour(triangle, 0);
+    return scene_.vertices[*std::ranges::find_if(corners, [&](std::uint32_t v) { return v != edge.v0 && v != edge.v1; })];
+  }
+
+  /// is_flat() for two triangles: the third corner of one of them lies in the plane of the other.
+  bool are_flat_triangles(const Edge& edge) const {
+    const Point3& at = scene_.vertices[edge.v0];
+    const Point3 along = scene_.vertices[edge.v1] - at;
+    const Point3 first = corner_beside(edge.face0, edge) - at, second = corner_beside(edge.face1, edge) - at;
+    const Point3 first_area = glm::cross(along, first), second_area = glm::cross(along, second);
+    const double size = std::max(glm::dot(first_area, first_area), glm::dot(second_area, second_area));
+    const auto square = [](const Point3& p) { return glm::dot(p, p); };
+    const double span =
+        std::max({square(along), square(first), square(second), square(first - along), square(second - along)});
+    const double tolerance = planarity_tolerance(object_.precision, std::sqrt(span));
+    return size > 0 && std::abs(glm::dot(first_area, second)) <= tolerance * std::sqrt(size);
   }
 
   void join_faces(std::uint32_t edge_begin, std::uint32_t edge_end) {
@@ -157,6 +186,32 @@ class GraphBuilder {
     order.reserve(count);
     for (const auto& key : keys) order.push_back(key[3]);
     return order;
+  }
+
+  void reserve_facets(std::size_t count) {
+    graph_.frames.reserve(count);
+    graph_.area.reserve(count);
+    graph_.is_sliver.reserve(count);
+    graph_.is_plane.reserve(count);
+    graph_.vertices.begin.reserve(count + 1);
+    graph_.vertices.values.reserve(3 * count);
+  }
+
+  /// add_facet() for a facet of a single triangle.
+  void add_triangle(std::uint32_t f) {
+    const auto corners = scene_.faces.contour(f, 0);
+    const Point3 &a = scene_.vertices[corners[0]], &b = scene_.vertices[corners[1]], &c = scene_.vertices[corners[2]];
+    const Point3 area = glm::cross(b - a, c - a);
+    const double size = glm::length(area);
+    graph_.frames.push_back({size > 0 ? (a + b + c) / 3.0 : a, size > 0 ? area / size : Point3(normals_[f])});
+    graph_.area.push_back(size / 2);
+    const double span = std::sqrt(std::max(glm::dot(b - a, b - a), glm::dot(c - a, c - a)));
+    graph_.is_sliver.push_back(size <= 4 * straightness_tolerance(object_.precision, span) * span);
+    graph_.is_plane.push_back(0);
+    std::array<std::uint32_t, 3> sorted{corners[0], corners[1], corners[2]};
+    std::sort(sorted.begin(), sorted.end());
+    graph_.vertices.values.insert(graph_.vertices.values.end(), sorted.begin(), sorted.end());
+    graph_.vertices.begin.push_back(static_cast<std::uint32_t>(graph_.vertices.values.size()));
   }
 
   void add_facet(std::size_t facet) {

@@ -31,18 +31,14 @@ class RowFinder {
             const std::vector<std::uint32_t>& patch_of)
       : scene_(scene), topology_(topology), graph_(graph), patch_of_(patch_of) {}
 
-  std::vector<std::uint8_t> run() const {
-    std::vector<RowFacet> rows(graph_.size());
-    for (std::uint32_t f = 0; f < graph_.size(); ++f) rows[f] = row_at(f);
-    std::vector<std::uint8_t> in_row(graph_.size(), 0);
-    for (std::uint32_t f = 0; f < graph_.size(); ++f) {
-      if (rows[f].sine == 0) continue;
-      for (const FacetGraph::Arc& arc : graph_.arcs_of(f)) {
-        const RowFacet& next = rows[arc.facet];
-        if (alike(next.sine, rows[f].sine) && alike(next.width, rows[f].width)) in_row[f] = 1;
-      }
-    }
-    return in_row;
+  /// Whether a facet and one beside it are in one row.
+  bool is_in_row(std::uint32_t f) const {
+    const RowFacet row = row_at(f);
+    if (row.sine == 0) return false;
+    return std::ranges::any_of(graph_.arcs_of(f), [&](const FacetGraph::Arc& arc) {
+      const RowFacet next = row_at(arc.facet);
+      return alike(next.sine, row.sine) && alike(next.width, row.width);
+    });
   }
 
  private:
@@ -108,6 +104,14 @@ bool is_wide(const Scene& scene, const Topology& topology, const FacetGraph& gra
 
 std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& topology, const FacetGraph& graph,
                                           const std::vector<std::uint32_t>& patch_of) {
+  std::vector<std::uint8_t> freeform(graph.size());
+  std::vector<std::uint32_t> others;  // facets that the shape of a single one does not decide
+  for (std::uint32_t f = 0; f < graph.size(); ++f) {
+    const bool is_triangle = graph.vertices[f].size() == 3 && graph.faces[f].size() == 1;
+    freeform[f] = patch_of[f] == kNone && (graph.is_sliver[f] || is_triangle);
+    if (patch_of[f] == kNone && !freeform[f]) others.push_back(f);
+  }
+  if (others.empty()) return freeform;
   std::vector<std::uint8_t> is_free(graph.size());
   for (std::uint32_t f = 0; f < graph.size(); ++f) {
     is_free[f] =
@@ -122,11 +126,10 @@ std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& to
   }
   std::vector<std::uint32_t> sizes(graph.size(), 0);
   for (std::uint32_t f = 0; f < graph.size(); ++f) ++sizes[sets.find(f)];
-  std::vector<std::uint8_t> freeform = RowFinder(scene, topology, graph, patch_of).run();
-  for (std::uint32_t f = 0; f < graph.size(); ++f) {
+  const RowFinder rows(scene, topology, graph, patch_of);
+  for (const std::uint32_t f : others) {
     const bool is_region = is_free[f] && sizes[sets.find(f)] >= kFewestFreeform;
-    const bool is_triangle = graph.vertices[f].size() == 3 && graph.faces[f].size() == 1;
-    freeform[f] = patch_of[f] == kNone && (graph.is_sliver[f] || freeform[f] || is_region || is_triangle);
+    freeform[f] = is_region || rows.is_in_row(f);
   }
   return freeform;
 }

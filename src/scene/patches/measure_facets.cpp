@@ -38,6 +38,15 @@ void PatchFinder::fetch_points(std::span<const std::uint32_t> facets) {
   for (std::size_t i = 0; i < vertices_.size(); i += step) points_.push_back(scene_.vertices[vertices_[i]]);
 }
 
+/// Fetches the corners and the frames of the facets of a sample, unless it has them.
+void PatchFinder::complete(FitSample& sample) {
+  if (!sample.frames.empty()) return;
+  fetch_points(sample.facets);
+  sample.points = points_;
+  sample.frames.reserve(sample.facets.size());
+  for (const std::uint32_t f : sample.facets) sample.frames.push_back(graph_.frames[f]);
+}
+
 /// Sorts vertices_ and removes duplicates, with one bit per vertex of the object. `low` and `high`: the least and the
 /// largest of vertices_, counted from the first vertex of the object.
 void PatchFinder::sort_by_bits(std::uint32_t low, std::uint32_t high) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "scene/patches/patch_finder.hpp"
@@ -36,15 +37,23 @@ std::vector<std::uint32_t> PatchFinder::around(std::uint32_t seed, int rings, st
   return facets;
 }
 
+/// Largest distance between two corners of a facet.
+double PatchFinder::longest_diagonal(std::uint32_t f) const {
+  const auto corners = graph_.vertices[f];
+  double square = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const Point3 way = scene_.vertices[corners[i]] - scene_.vertices[corners[k]];
+      square = std::max(square, glm::dot(way, way));
+    }
+  }
+  return std::sqrt(square);
+}
+
 /// The facets of a strip of triangles or quadrilaterals on both sides of a seed. The strip crosses edges about as long
 /// as the seed, and avoids much larger facets, such as the planes beside a fillet.
 std::vector<std::uint32_t> PatchFinder::strip_of(std::uint32_t seed) {
-  double longest = 0;
-  for (const std::uint32_t v : graph_.vertices[seed]) {
-    for (const std::uint32_t w : graph_.vertices[seed]) {
-      longest = std::max(longest, glm::distance(scene_.vertices[v], scene_.vertices[w]));
-    }
-  }
+  const double longest = longest_diagonal(seed);
   std::vector<std::uint32_t> facets{seed};
   if (longest * longest < kLongFacet * 2 * graph_.area[seed]) return facets;
   ++round_;

@@ -1,12 +1,12 @@
 #include "scene/patches/patch_finder.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
 #include "base/no_index.hpp"
+#include "base/parallel.hpp"
 
 namespace ligne {
 namespace {
@@ -104,21 +104,20 @@ std::vector<std::uint32_t> PatchFinder::run(std::vector<Patch>& patches) {
 
 /// Facets that may be curved, the longest first.
 std::vector<std::uint32_t> PatchFinder::seeds() const {
-  std::vector<std::uint32_t> order;
+  struct Seed {
+    double length = 0;  ///< a maximum, not a sum, so it does not depend on the order of the corners
+    std::uint32_t facet = 0;
+    bool operator<(const Seed& o) const { return length != o.length ? length > o.length : facet < o.facet; }
+  };
+  std::vector<Seed> order;
   for (std::uint32_t f = 0; f < graph_.size(); ++f) {
-    if (may_curve(f) && !graph_.arcs_of(f).empty()) order.push_back(f);
+    if (may_curve(f) && !graph_.arcs_of(f).empty()) order.push_back({longest_diagonal(f), f});
   }
-  // The length is a maximum, not a sum, so it does not depend on the order of the corners.
-  std::vector<double> lengths(graph_.size(), 0);
-  for (const std::uint32_t f : order) {
-    for (const std::uint32_t v : graph_.vertices[f]) {
-      for (const std::uint32_t w : graph_.vertices[f]) {
-        lengths[f] = std::max(lengths[f], glm::distance(scene_.vertices[v], scene_.vertices[w]));
-      }
-    }
-  }
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t l, std::uint32_t r) { return lengths[l] > lengths[r]; });
-  return order;
+  parallel_sort(order.begin(), order.end());
+  std::vector<std::uint32_t> facets;
+  facets.reserve(order.size());
+  for (const Seed& seed : order) facets.push_back(seed.facet);
+  return facets;
 }
 
 /// Makes patches from seeds. If a seed fails, its neighbours are not tried as seeds, except for much smaller ones.
@@ -146,9 +145,9 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
     return !best.facets.empty() && best.patch.surface.kind == kind &&
            std::ranges::all_of(facets, [&](std::uint32_t f) { return best_of_[f] == seed; });
   };
-  const auto consider = [&](SurfaceKind kind, std::span<const std::uint32_t> facets, double factor) {
-    if (is_known(kind, facets)) return;
-    PatchCandidate c = try_surface(kind, seed, facets);
+  const auto consider = [&](SurfaceKind kind, auto&& sample, double factor) {
+    if (is_known(kind, sample.facets)) return;
+    PatchCandidate c = try_surface(kind, seed, sample);
     if (c.facets.empty() || c.area <= factor * best.area) return;
     for (const std::uint32_t f : best.facets) best_of_[f] = kNone;
     best = std::move(c);
@@ -158,42 +157,42 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
   near.erase(near.begin());
   if (near.empty()) return best;
   // Three facets of a strip determine a cylinder or a cone exactly. A triangle between three others is in no strip.
-  std::vector<std::vector<std::uint32_t>> sets;
-  if (near.size() == 1) sets.push_back({seed, near[0]});
+  std::vector<FitSample> sets;
+  if (near.size() == 1) sets.push_back({{seed, near[0]}});
   const bool is_strip = graph_.vertices[seed].size() > 3 || near.size() <= 2;
   if (!is_strip) near.clear();
   for (std::size_t i = 0; i < near.size(); ++i) {
-    for (std::size_t j = i + 1; j < near.size() && sets.size() < 3; ++j) sets.push_back({seed, near[i], near[j]});
+    for (std::size_t j = i + 1; j < near.size() && sets.size() < 3; ++j) sets.push_back({{seed, near[i], near[j]}});
   }
   // A strip without curved facets beside it needs no comparison with other surfaces.
   const auto is_settled = [&] { return !best.facets.empty() && !goes_on(best); };
-  for (const auto& set : sets) consider(SurfaceKind::cylinder, set, kSimilarArea);
+  for (FitSample& set : sets) consider(SurfaceKind::cylinder, set, kSimilarArea);
   for (std::size_t i = 0; i < std::min<std::size_t>(near.size(), 2) && best.facets.empty(); ++i) {
-    consider(SurfaceKind::cylinder, std::array{seed, near[i]}, kSimilarArea);
+    consider(SurfaceKind::cylinder, FitSample{{seed, near[i]}}, kSimilarArea);
   }
   if (is_settled()) return best;
   // The corners of triangles between two curves share no rulings, so more triangles are needed.
-  const std::vector<std::uint32_t> strip = strip_of(seed);
-  if (strip.size() >= kFewestStrip && best.facets.size() < strip.size()) {
+  FitSample strip{strip_of(seed)};
+  if (strip.facets.size() >= kFewestStrip && best.facets.size() < strip.facets.size()) {
     sag_part_ = kStripSagPart;
     consider(SurfaceKind::cylinder, strip, kSimilarArea);
     sag_part_ = kSagPart;
     if (is_settled()) return best;
   }
   // Where facets form no strips, more of them are needed.
-  const std::vector<std::uint32_t> ring = around(seed, 2, 24), wide = around(seed, 10, 28);
+  FitSample ring{around(seed, 2, 24)}, wide{around(seed, 10, 28)};
   consider(SurfaceKind::cylinder, ring, kSimilarArea);
-  const bool is_wider = wide.size() > ring.size();
+  const bool is_wider = wide.facets.size() > ring.facets.size();
   if (is_wider) consider(SurfaceKind::cylinder, wide, kSimilarArea);
   if (is_settled()) return best;
-  for (const auto& set : sets) consider(SurfaceKind::cone, set, kSimilarArea);
+  for (FitSample& set : sets) consider(SurfaceKind::cone, set, kSimilarArea);
   consider(SurfaceKind::cone, ring, kSimilarArea);
   if (is_wider) consider(SurfaceKind::cone, wide, kSimilarArea);
   if (is_settled()) return best;
   // A band of a sphere also lies on a cylinder or a cone, and determines the sphere.
-  std::vector<std::uint32_t> band = best.facets;
-  band.resize(std::min(band.size(), kMostBand));
-  if (!band.empty()) consider(SurfaceKind::sphere, band, kRoundArea);
+  FitSample band{best.facets};
+  band.facets.resize(std::min(band.facets.size(), kMostBand));
+  if (!band.facets.empty()) consider(SurfaceKind::sphere, band, kRoundArea);
   consider(SurfaceKind::sphere, ring, kRoundArea);
   consider(SurfaceKind::torus, ring, kRoundArea);
   if (is_wider) consider(SurfaceKind::torus, wide, kRoundArea);
@@ -201,18 +200,16 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
 }
 
 /// Fits a surface to a few facets, and lets it grow from the seed. The result has no facets if this fails.
-PatchCandidate PatchFinder::try_surface(SurfaceKind kind, std::uint32_t seed, std::span<const std::uint32_t> facets) {
+PatchCandidate PatchFinder::try_surface(SurfaceKind kind, std::uint32_t seed, FitSample& sample) {
   PatchCandidate c;
   PatchSurface& surface = c.patch.surface;
-  fetch_points(facets);
-  frames_.clear();
-  for (const std::uint32_t f : facets) frames_.push_back(graph_.frames[f]);
-  if (!guess_surface(kind, frames_, points_, surface)) return {};
-  const double wild = kWildGuess * sag_of(surface, facets) + tolerance_for(kind, 0);
+  complete(sample);
+  if (!guess_surface(kind, sample.frames, sample.points, surface)) return {};
+  const double wild = kWildGuess * sag_of(surface, sample.facets) + tolerance_for(kind, 0);
   const auto is_wild = [&](const Point3& p) { return !(std::abs(surface.distance(p)) <= wild); };
-  if (std::any_of(points_.begin(), points_.end(), is_wild)) return {};
-  c.residual = refine_surface(surface, points_);
-  c.patch.sag = sag_of(surface, facets);
+  if (std::any_of(sample.points.begin(), sample.points.end(), is_wild)) return {};
+  c.residual = refine_surface(surface, sample.points);
+  c.patch.sag = sag_of(surface, sample.facets);
   if (!(c.residual <= tolerance_for(kind, c.patch.sag))) return {};
   c.patch.outward = glm::dot(surface.normal(graph_.frames[seed].middle), graph_.frames[seed].normal) > 0;
   constexpr int kMostRounds = 3;

@@ -46,15 +46,23 @@ class PatchFinder {
     bool is_on = false;
     Point3 normal{0, 0, 0};  ///< normal of the surface there, if is_on
   };
+  /// Facets to which surfaces of several kinds are fitted.
+  struct FitSample {
+    std::vector<std::uint32_t> facets;
+    std::vector<Point3> points{};      ///< the corners; empty until complete()
+    std::vector<FacetFrame> frames{};  ///< per facet; empty until complete()
+  };
   struct LookPlace {
     std::uint32_t round = 0, number = 0;  ///< index into looks_, valid only if round equals look_round_
   };
 
   bool may_curve(std::uint32_t f) const { return !graph_.is_plane[f] && !graph_.is_sliver[f] && patch_of_[f] == kNone; }
+  double longest_diagonal(std::uint32_t f) const;
   std::vector<std::uint32_t> seeds() const;
   void search(std::span<const std::uint32_t> seeds, std::vector<Patch>& patches);
   PatchCandidate best_at(std::uint32_t seed);
-  PatchCandidate try_surface(SurfaceKind kind, std::uint32_t seed, std::span<const std::uint32_t> facets);
+  void complete(FitSample& sample);
+  PatchCandidate try_surface(SurfaceKind kind, std::uint32_t seed, FitSample& sample);
   std::vector<std::uint32_t> grow(const Patch& patch, std::uint32_t seed, bool over_patches = false);
   std::vector<std::uint32_t> around(std::uint32_t seed, int rings, std::size_t most);
   std::vector<std::uint32_t> strip_of(std::uint32_t seed);
@@ -92,7 +100,6 @@ class PatchFinder {
   std::vector<std::uint64_t> is_fetched_;  ///< one bit per vertex of the object; all 0 outside sort_by_bits()
   std::vector<std::uint32_t> vertices_;    ///< result of fetch_points(): vertices of the facets
   std::vector<Point3> points_;             ///< result of fetch_points(): their positions
-  std::vector<FacetFrame> frames_;
   std::vector<double> numbers_;
   double sag_part_;  ///< largest distance of corners from the surface, as a fraction of the sag
 };

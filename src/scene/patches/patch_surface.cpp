@@ -31,20 +31,6 @@ AxisPlace axis_place(const PatchSurface& surface, const Point3& p) {
   return place;
 }
 
-std::size_t parameter_count(SurfaceKind kind) {
-  switch (kind) {
-    case SurfaceKind::cylinder:
-      return 5;
-    case SurfaceKind::cone:
-      return 6;
-    case SurfaceKind::sphere:
-      return 4;
-    case SurfaceKind::torus:
-      return 7;
-  }
-  return 0;
-}
-
 double PatchSurface::distance(const Point3& p) const {
   if (kind == SurfaceKind::sphere) return glm::length(p - at) - radius;
   // As in axis_place(), without the direction away from the axis.

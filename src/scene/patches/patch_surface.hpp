@@ -52,7 +52,19 @@ AxisPlace axis_place(const PatchSurface& surface, const Point3& p);
 std::array<Point3, 2> frame_of(const Point3& axis);
 
 /// Number of free parameters of a surface of that kind.
-std::size_t parameter_count(SurfaceKind kind);
+constexpr std::size_t parameter_count(SurfaceKind kind) {
+  switch (kind) {
+    case SurfaceKind::cylinder:
+      return 5;
+    case SurfaceKind::cone:
+      return 6;
+    case SurfaceKind::sphere:
+      return 4;
+    case SurfaceKind::torus:
+      return 7;
+  }
+  return 0;
+}
 
 /// The properties of a facet that fits use.
 struct FacetFrame {

@@ -76,6 +76,11 @@ class Structure {
   EdgeRange edges_;
 };
 
+/// A hash of the numbers of vertices and faces of an object.
+std::uint64_t size_key(const Object& object) {
+  return extend_hash(extend_hash(0, object.vertex_end - object.vertex_begin), object.face_end - object.face_begin);
+}
+
 std::span<const Point3> vertices_of(const Scene& scene, const Object& object) {
   return {scene.vertices.data() + object.vertex_begin, scene.vertices.data() + object.vertex_end};
 }
@@ -143,8 +148,15 @@ Point3 Similarity::turned(const Point3& direction) const {
 
 std::vector<Repetition> find_repetitions(const Scene& scene, const Topology& topology) {
   const std::size_t n = scene.objects.size();
+  // Only objects of the same numbers of vertices and faces need more than these for a key.
   std::vector<std::uint64_t> keys(n);
-  parallel_tasks(n, [&](std::size_t i) { keys[i] = Structure(scene, topology, scene.objects[i]).hash(); });
+  for (std::size_t i = 0; i < n; ++i) keys[i] = size_key(scene.objects[i]);
+  std::vector<std::uint64_t> sizes = keys;
+  std::ranges::sort(sizes);
+  parallel_tasks(n, [&](std::size_t i) {
+    if (std::ranges::equal_range(sizes, keys[i]).size() == 1) return;
+    keys[i] = Structure(scene, topology, scene.objects[i]).hash();
+  });
   std::vector<std::uint32_t> order(n);
   std::iota(order.begin(), order.end(), 0u);
   std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return keys[i]; });

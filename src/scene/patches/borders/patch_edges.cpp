@@ -167,14 +167,15 @@ std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& 
                                             const Patches& patches, double sharp_degrees) {
   const EdgeClassifier classify(scene, topology, normals, patches, sharp_degrees);
   std::vector<PatchEdge> edges(topology.edges.size());
-  std::vector<BorderEvidence> evidence(edges.size());
+  const bool has_surfaces = !patches.list.empty();
+  std::vector<BorderEvidence> evidence(has_surfaces ? edges.size() : 0);
   parallel_blocks(edges.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
       edges[e] = classify(e);
-      evidence[e] = classify.evidence(e, edges[e]);
+      if (has_surfaces) evidence[e] = classify.evidence(e, edges[e]);
     }
   });
-  if (!patches.list.empty()) decide_by_whole_borders(scene, topology, patches, evidence, edges);
+  if (has_surfaces) decide_by_whole_borders(scene, topology, patches, evidence, edges);
   return edges;
 }
 
