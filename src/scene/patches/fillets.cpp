@@ -48,13 +48,21 @@ PatchTriangles triangles_of_patches(const Topology& topology, const Patches& pat
 /// Reduces a difference of two angles to [-pi, pi].
 double turned(double angle) { return std::remainder(angle, kTurn); }
 
-/// The angle across a strip: about the axis of a cylinder, about the middle circle of a torus.
-double angle_across(const PatchSurface& s, const Point3& p) {
-  const AxisPlace place = axis_place(s, p);
-  if (s.kind == SurfaceKind::torus) return std::atan2(place.along, place.radius - s.radius);
-  const auto [u, v] = frame_of(s.axis);
-  return std::atan2(glm::dot(place.out, v), glm::dot(place.out, u));
-}
+/// Measures the angle across a strip: about the axis of a cylinder, about the middle circle of a torus.
+class AngleAcross {
+ public:
+  explicit AngleAcross(const PatchSurface& surface) : surface_(surface), frame_(frame_of(surface.axis)) {}
+
+  double operator()(const Point3& p) const {
+    const AxisPlace place = axis_place(surface_, p);
+    if (surface_.kind == SurfaceKind::torus) return std::atan2(place.along, place.radius - surface_.radius);
+    return std::atan2(glm::dot(place.out, frame_[1]), glm::dot(place.out, frame_[0]));
+  }
+
+ private:
+  const PatchSurface& surface_;
+  std::array<Point3, 2> frame_;
+};
 
 /// The arc across a patch that its corners span.
 struct Arc {
@@ -79,10 +87,10 @@ class FilletFinder {
     FilletMiddles found{strips_, {}};
     for (std::uint32_t p = 0; p < strips_.size(); ++p) {
       if (!strips_[p]) continue;
-      const PatchSurface& s = patches_.list[p].surface;
+      const AngleAcross angle(patches_.list[p].surface);
       add_zero_lines(
-          scene_, topology_, triangles_.of(p), [&](const Point3& q) { return turned(angle_across(s, q) - arcs_[p].middle); },
-          {}, found.lines);
+          scene_, topology_, triangles_.of(p), [&](const Point3& q) { return turned(angle(q) - arcs_[p].middle); }, {},
+          found.lines);
     }
     add_corners(found);
     return found;
@@ -93,11 +101,14 @@ class FilletFinder {
     return scene_.vertices[topology_.triangles[t].v[corner]];
   }
 
-  Arc arc_of(std::uint32_t p) const {
-    const PatchSurface& s = patches_.list[p].surface;
+  /// `last_patch`: per vertex, the last patch for which it was measured.
+  Arc arc_of(std::uint32_t p, std::vector<std::uint32_t>& last_patch) const {
+    const AngleAcross angle(patches_.list[p].surface);
     std::vector<double> angles;
     for (const std::uint32_t t : triangles_.of(p)) {
-      for (std::size_t k = 0; k < 3; ++k) angles.push_back(angle_across(s, point(t, k)));
+      for (const std::uint32_t v : topology_.triangles[t].v) {
+        if (std::exchange(last_patch[v], p) != p) angles.push_back(angle(scene_.vertices[v]));
+      }
     }
     if (angles.empty()) return {};
     std::sort(angles.begin(), angles.end());
@@ -111,30 +122,39 @@ class FilletFinder {
     return {angles[after] + (kTurn - gap) / 2, kTurn - gap};
   }
 
-  /// Finds the narrow patches that have tangent borders on both sides.
-  void find_strips() {
-    std::vector<std::uint8_t> is_narrow(strips_.size(), 0);
-    for (std::uint32_t p = 0; p < strips_.size(); ++p) {
-      const PatchSurface& s = patches_.list[p].surface;
-      if (s.kind != SurfaceKind::cylinder && s.kind != SurfaceKind::torus) continue;
-      const double radius = s.kind == SurfaceKind::torus ? s.tube : s.radius;
-      arcs_[p] = arc_of(p);
-      is_narrow[p] = arcs_[p].turn <= kMostTurn && arcs_[p].turn * radius <= widest_;
-    }
-    std::vector<std::array<double, 2>> sides(strips_.size(), {0, 0});  // lengths of tangent borders
+  /// Calls visit(patch, edge) for the tangent borders of all patches.
+  template <class Visit>
+  void for_tangent_borders(Visit visit) const {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (edges_[e] != PatchEdge::tangent) continue;
       const Edge& edge = topology_.edges[e];
-      const Point3 &a = scene_.vertices[edge.v0], &b = scene_.vertices[edge.v1];
       for (const std::uint32_t face : {edge.face0, edge.face1}) {
-        const std::uint32_t p = patches_.patch_of[face];
-        if (p == kNone || !is_narrow[p]) continue;
-        const double place = turned(angle_across(patches_.list[p].surface, (a + b) * 0.5) - arcs_[p].middle);
-        // Borders near the middle are the ends of the strip.
-        if (std::abs(place) < arcs_[p].turn / 4) continue;
-        sides[p][place > 0] += glm::distance(a, b);
+        if (const std::uint32_t p = patches_.patch_of[face]; p != kNone) visit(p, edge);
       }
     }
+  }
+
+  /// Finds the narrow patches that have tangent borders on both sides.
+  void find_strips() {
+    std::vector<std::uint8_t> is_narrow(strips_.size(), 0), has_tangent(strips_.size(), 0);
+    std::vector<std::uint32_t> last_patch(scene_.vertices.size(), kNone);
+    for_tangent_borders([&](std::uint32_t p, const Edge&) { has_tangent[p] = 1; });
+    for (std::uint32_t p = 0; p < strips_.size(); ++p) {
+      const PatchSurface& s = patches_.list[p].surface;
+      if (!has_tangent[p] || (s.kind != SurfaceKind::cylinder && s.kind != SurfaceKind::torus)) continue;
+      const double radius = s.kind == SurfaceKind::torus ? s.tube : s.radius;
+      arcs_[p] = arc_of(p, last_patch);
+      is_narrow[p] = arcs_[p].turn <= kMostTurn && arcs_[p].turn * radius <= widest_;
+    }
+    std::vector<std::array<double, 2>> sides(strips_.size(), {0, 0});  // lengths of tangent borders
+    for_tangent_borders([&](std::uint32_t p, const Edge& edge) {
+      if (!is_narrow[p]) return;
+      const Point3 &a = scene_.vertices[edge.v0], &b = scene_.vertices[edge.v1];
+      const double place = turned(AngleAcross(patches_.list[p].surface)((a + b) * 0.5) - arcs_[p].middle);
+      // Borders near the middle are the ends of the strip.
+      if (std::abs(place) < arcs_[p].turn / 4) return;
+      sides[p][place > 0] += glm::distance(a, b);
+    });
     for (std::uint32_t p = 0; p < strips_.size(); ++p) {
       const auto [least, most] = std::minmax(sides[p][0], sides[p][1]);
       strips_[p] = is_narrow[p] && least > 0 && least >= kBothSides * most;

@@ -32,11 +32,15 @@ struct BodyBox {
 
 class BodyComparer {
  public:
-  BodyComparer(const Scene& scene, const Topology& topology, const Patches& patches, const std::vector<std::uint8_t>& levels)
-      : scene_(scene), topology_(topology), patches_(patches), levels_(levels) {}
+  BodyComparer(const Scene& scene, const Bodies& bodies, const Patches& patches, const std::vector<std::uint8_t>& levels)
+      : scene_(scene), bodies_(bodies), patches_(patches), levels_(levels), boxes_(bodies.size()) {}
 
   bool lie_apart() {
-    if (!find_bodies()) return false;
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      for (const std::uint32_t f : bodies_[i]) {
+        for (const std::uint32_t v : scene_.faces.contour(f, 0)) boxes_[i].add(scene_.vertices[v]);
+      }
+    }
     for (const Patch& patch : patches_.list) largest_sag_ = std::max(largest_sag_, patch.sag);
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
       for (std::size_t k = 0; k < i; ++k) {
@@ -47,27 +51,6 @@ class BodyComparer {
   }
 
  private:
-  /// Returns whether there are few enough.
-  bool find_bodies() {
-    DisjointSets bodies(scene_.faces.size());
-    for (const Edge& edge : topology_.edges) {
-      if (edge.face1 != kNone) bodies.join(edge.face0, edge.face1);
-    }
-    std::vector<std::uint32_t> number(scene_.faces.size(), kNone);
-    for (std::uint32_t f = 0; f < scene_.faces.size(); ++f) {
-      std::uint32_t& n = number[bodies.find(f)];
-      if (n == kNone) {
-        if (boxes_.size() == kMostBodies) return false;
-        n = static_cast<std::uint32_t>(boxes_.size());
-        boxes_.emplace_back();
-        faces_.emplace_back();
-      }
-      faces_[n].push_back(f);
-      for (const std::uint32_t v : scene_.faces.contour(f, 0)) boxes_[n].add(scene_.vertices[v]);
-    }
-    return true;
-  }
-
   /// A face near another body.
   struct NearFace {
     std::uint32_t face;
@@ -78,7 +61,7 @@ class BodyComparer {
 
   std::vector<NearFace> faces_near(std::size_t body, const BodyBox& other) const {
     std::vector<NearFace> found;
-    for (const std::uint32_t f : faces_[body]) {
+    for (const std::uint32_t f : bodies_[body]) {
       BodyBox box;
       for (const std::uint32_t v : scene_.faces.contour(f, 0)) box.add(scene_.vertices[v]);
       if (!box.meets(other, 2 * kTouchSags * largest_sag_)) continue;
@@ -114,19 +97,37 @@ class BodyComparer {
   }
 
   const Scene& scene_;
-  const Topology& topology_;
+  const Bodies& bodies_;
   const Patches& patches_;
   const std::vector<std::uint8_t>& levels_;
-  std::vector<BodyBox> boxes_;                     ///< per body
-  std::vector<std::vector<std::uint32_t>> faces_;  ///< per body
+  std::vector<BodyBox> boxes_;  ///< per body
   double largest_sag_ = 0;
 };
 
 }  // namespace
 
-bool bodies_lie_apart(const Scene& scene, const Topology& topology, const Patches& patches,
+std::optional<Bodies> find_few_bodies(const Scene& scene, const Topology& topology) {
+  DisjointSets sets(scene.faces.size());
+  for (const Edge& edge : topology.edges) {
+    if (edge.face1 != kNone) sets.join(edge.face0, edge.face1);
+  }
+  Bodies bodies;
+  std::vector<std::uint32_t> number(scene.faces.size(), kNone);
+  for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
+    std::uint32_t& n = number[sets.find(f)];
+    if (n == kNone) {
+      if (bodies.size() == kMostBodies) return std::nullopt;
+      n = static_cast<std::uint32_t>(bodies.size());
+      bodies.emplace_back();
+    }
+    bodies[n].push_back(f);
+  }
+  return bodies;
+}
+
+bool bodies_lie_apart(const Scene& scene, const Bodies& bodies, const Patches& patches,
                       const std::vector<std::uint8_t>& levels) {
-  return BodyComparer(scene, topology, patches, levels).lie_apart();
+  return BodyComparer(scene, bodies, patches, levels).lie_apart();
 }
 
 bool has_few_objects(const Scene& scene) {

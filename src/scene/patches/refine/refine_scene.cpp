@@ -225,8 +225,10 @@ std::optional<RefinedScene> refine_scene(const Scene& scene, const Topology& top
   const Patches& patches = creases.patches;
   if (patches.list.empty() || scene.stated.any_of_shape() || !has_few_objects(scene) || has_lines_of_its_own(scene))
     return std::nullopt;
+  const std::optional<Bodies> bodies = find_few_bodies(scene, topology);
+  if (!bodies) return std::nullopt;
   const EdgeLevels levels = edge_levels(scene, topology, patches, limits);
-  if (levels.of_patch.empty() || !bodies_lie_apart(scene, topology, patches, levels.of_patch)) return std::nullopt;
+  if (levels.of_patch.empty() || !bodies_lie_apart(scene, *bodies, patches, levels.of_patch)) return std::nullopt;
   const PlaneRegions planes = plane_regions(scene, topology, patches, creases.lines, levels.curved);
   const SplitTriangles split = split_triangles(scene, topology, patches, planes, levels);
   if (split.points.empty()) return std::nullopt;
