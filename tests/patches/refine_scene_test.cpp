@@ -99,6 +99,29 @@ TEST(RefineScene, PutsNewVerticesOnTheSurfacesAndKeepsBodiesClosed) {
   }
 }
 
+TEST(RefineScene, HalvesTheCircleAlongWhichAPlaneTouchesATorus) {
+  // A bolt with a round head: its flat top touches the torus.
+  std::vector<Point2> profile{{20, 0}};
+  for (int k = 0; k <= 4; ++k) {
+    const double turn = kPi / 2 * k / 4;
+    profile.emplace_back(12 + 8 * std::cos(turn), 10 + 8 * std::sin(turn));
+  }
+  constexpr int kSides = 16;
+  const Refined refined(turned(profile, kSides), 0.01);
+  ASSERT_TRUE(refined.scene);
+  const Scene& scene = refined.scene->scene;
+  std::size_t on_top = 0;
+  for (const Edge& edge : refined.scene->topology.edges) {
+    const Point3 &a = scene.vertices[edge.v0], &b = scene.vertices[edge.v1];
+    const bool is_rim = std::abs(a.z - 18) < 1e-4 && std::abs(b.z - 18) < 1e-4;
+    if (!is_rim) continue;
+    ++on_top;
+    EXPECT_NEAR(glm::length(Point2(a)), 12, 1e-4);
+    EXPECT_LE(glm::distance(a, b), 2 * 12 * std::sin(kPi / kSides) / 2);
+  }
+  EXPECT_GE(on_top, std::size_t{4 * kSides});
+}
+
 TEST(RefineScene, LeavesFineMeshesAndPolygonsAlone) {
   EXPECT_FALSE(Refined(turned(column_on_disk(), 24), 10).scene);
   EXPECT_FALSE(Refined(turned({{5, 0}, {5, 8}}, 6), 0.01).scene) << "a hexagonal prism";

@@ -22,6 +22,9 @@ constexpr int kMostLevels = 4;
 /// Edges whose middle lies nearer to a surface, in their lengths, are straight: rulings, and edges of circles of more than a
 /// thousand sides.
 constexpr double kStraight = 1e-3;
+/// A corner of a torus nearer than this to the circle along which a plane touches it lies on that circle, in radii of the
+/// tube: the plane has the direction of the torus there by a thousandth.
+constexpr double kTouchPart = 1e-3;
 
 /// A side of a triangle: the key of its edge, and the part.
 struct PartSide {
@@ -297,6 +300,18 @@ void SplitTriangles::append_pieces(std::uint32_t a, std::uint32_t b, std::vector
   append_pieces(middle, b, to);
 }
 
+/// Distance of the middle of an edge from a surface on which its ends lie. Of an edge along which a plane touches a torus:
+/// from the circle of that line, since the plane leaves the torus only slowly.
+double off_border(const PatchSurface& surface, const Point3& p, const Point3& q) {
+  const Point3 middle = 0.5 * (p + q);
+  const double off = std::abs(surface.distance(middle));
+  if (surface.kind != SurfaceKind::torus) return off;
+  const auto is_on_line = [&](const Point3& end) {
+    return std::abs(axis_place(surface, end).radius - surface.radius) <= kTouchPart * surface.tube;
+  };
+  return is_on_line(p) && is_on_line(q) ? std::max(off, surface.radius - axis_place(surface, middle).radius) : off;
+}
+
 EdgeLevels edge_levels(const Scene& scene, const Topology& topology, const Patches& patches, const RefineLimits& limits) {
   constexpr std::uint8_t kCurved = 1;
   const auto patch_of = [&](std::uint32_t face) { return face == kNone ? kNone : patches.patch_of[face]; };
@@ -307,7 +322,7 @@ EdgeLevels edge_levels(const Scene& scene, const Topology& topology, const Patch
       const Point3 &p = scene.vertices[edge.v0], &q = scene.vertices[edge.v1], middle = 0.5 * (p + q);
       for (const std::uint32_t patch : {patch_of(edge.face0), patch_of(edge.face1)}) {
         if (patch == kNone || patches.list[patch].is_band) continue;
-        const double off = std::abs(patches.list[patch].surface.distance(middle));
+        const double off = off_border(patches.list[patch].surface, p, q);
         if (off <= kStraight * glm::distance(p, q)) continue;
         double mm = off * limits.unit_mm(middle);
         std::uint8_t needed = kCurved;
