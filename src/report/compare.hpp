@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "drawing/drawing.hpp"
-#include "linework/overlaps/stroke_difference.hpp"
 #include "picture/choice/scene_traits.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
+#include "report/stroke_difference.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 #include "visibility/method.hpp"

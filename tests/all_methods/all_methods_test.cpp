@@ -3,8 +3,8 @@
 // found when the program starts: a new one is a new test.
 
 #include "linework/overlaps/coincident_strokes.hpp"
-#include "linework/overlaps/stroke_difference.hpp"
 #include "main/tier.hpp"
+#include "report/stroke_difference.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/comparison.hpp"
 #include "support/corpus_scene.hpp"

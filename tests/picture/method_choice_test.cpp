@@ -1,8 +1,8 @@
 // The choice of auto: always something, never a method for which the scene is not made, and equal lines.
 
 #include "picture/choice/method_choice.hpp"
-#include "linework/overlaps/stroke_difference.hpp"
 #include "picture/scene_visibility.hpp"
+#include "report/stroke_difference.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 /// Segments of the page, by the names of the tests.
 
-#include "linework/overlaps/page_segments.hpp"
+#include "geometry/page_segments.hpp"
 
 namespace ligne::test {
 

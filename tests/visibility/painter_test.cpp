@@ -1,8 +1,8 @@
 // The painter: orders by hand, the cases that planes decide, rings and penetration, faces of one depth each; what it paints
 // against the depth buffer wherever it says that its order is right.
 
-#include "linework/overlaps/stroke_difference.hpp"
 #include "main/tier.hpp"
+#include "report/stroke_difference.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"

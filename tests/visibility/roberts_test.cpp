@@ -2,7 +2,7 @@
 // default method; how many bodies a line is held against.
 
 #include "base/no_index.hpp"
-#include "linework/overlaps/stroke_difference.hpp"
+#include "report/stroke_difference.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/test.hpp"

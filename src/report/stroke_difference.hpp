@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "linework/overlaps/page_segments.hpp"
+#include "geometry/page_segments.hpp"
 #include "linework/stroke.hpp"
 
 namespace ligne {

@@ -1,4 +1,4 @@
-#include "linework/overlaps/stroke_difference.hpp"
+#include "report/stroke_difference.hpp"
 
 #include <algorithm>
 #include <array>
