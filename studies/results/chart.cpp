@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "drawing/ticks.hpp"
 #include "plotting/stroke_text.hpp"
 #include "plotting/writers/writers.hpp"
+#include "view/axes/ticks.hpp"
 
 namespace ligne::studies {
 namespace {

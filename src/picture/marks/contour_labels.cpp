@@ -15,9 +15,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "drawing/ticks.hpp"
 #include "picture/marks/box_grid.hpp"
 #include "picture/marks/halos.hpp"
+#include "view/axes/ticks.hpp"
 
 namespace ligne {
 namespace {

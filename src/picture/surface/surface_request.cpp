@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawing/ticks.hpp"
 #include "geometry/degrees.hpp"
 #include "picture/errors.hpp"
+#include "view/axes/ticks.hpp"
 
 namespace ligne {
 namespace {

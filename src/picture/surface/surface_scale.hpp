@@ -4,13 +4,13 @@
 #include <array>
 #include <string>
 
-#include "drawing/ticks.hpp"
 #include "geometry/point.hpp"
 #include "picture/marks/map_marks.hpp"
 #include "picture/run_report.hpp"
 #include "picture/surface/surface_request.hpp"
 #include "scene/surfaces/height_source.hpp"
 #include "view/axes/axes_box.hpp"
+#include "view/axes/ticks.hpp"
 
 namespace ligne {
 

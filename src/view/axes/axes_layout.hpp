@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "drawing/text_item.hpp"
-#include "drawing/ticks.hpp"
 #include "view/axes/axes_box.hpp"
+#include "view/axes/ticks.hpp"
 
 namespace ligne {
 

@@ -1,4 +1,4 @@
-#include "drawing/ticks.hpp"
+#include "view/axes/ticks.hpp"
 
 #include <algorithm>
 #include <charconv>
