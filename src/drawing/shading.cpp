@@ -7,7 +7,6 @@
 #include "base/parallel.hpp"
 
 namespace ligne {
-namespace {
 
 /// Maps the pixels of a picture to the pixels of a model, along one axis. Lengths are in pixels of the model.
 struct Resampling {
@@ -24,6 +23,8 @@ struct Resampling {
     }
   }
 };
+
+namespace {
 
 std::uint8_t gray_of(double brightness) {
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(brightness, 0.0, 1.0)));
@@ -46,10 +47,21 @@ void put(FacePicture& picture, std::size_t i, const std::array<double, N>& brigh
   for (std::size_t c = 0; c < N; ++c) out[c] = gray_of(brightness[c]);
 }
 
-/// Paints spans. brightness_of(span, x_mm) is called with the middle of the part of the span in a pixel.
-template <std::size_t N, class Brightness>
-FacePicture paint_spans(const SpanModel& spans, std::uint32_t width, std::uint32_t height, double pixels_per_mm,
-                        Brightness brightness_of) {
+/// The colour at the middle of a pixel of a model; white where it shows no face.
+template <std::size_t N>
+std::array<double, N> color_at(const PixelModel& pixels, const ColorAt<N>& at, std::uint32_t column, std::uint32_t row) {
+  const std::size_t i = std::size_t{row} * pixels.width + column;
+  const SeenFace seen{pixels.face[i], pixels.in_front.empty() ? TransparentLayers::kEmptyList : pixels.in_front[i]};
+  std::array<double, N> paper;
+  paper.fill(1);
+  if (seen.face == kNone && seen.in_front == TransparentLayers::kEmptyList) return paper;
+  return at(seen, pixels.corner_mm + pixels.pixel_mm * Point2{column + 0.5, row + 0.5});
+}
+
+}  // namespace
+
+template <std::size_t N>
+FacePicture paint(const SpanModel& spans, ColorAt<N> at, std::uint32_t width, std::uint32_t height, double pixels_per_mm) {
   FacePicture picture = white<N>(width, height);
   const std::vector<Span>& all = spans.spans;
   parallel_blocks(height, kRows, [&](std::size_t begin, std::size_t end) {
@@ -65,7 +77,8 @@ FacePicture paint_spans(const SpanModel& spans, std::uint32_t width, std::uint32
                      to = std::clamp(span->x_to * pixels_per_mm, 0.0, double(width));
         for (auto x = static_cast<std::uint32_t>(from); x < to; ++x) {
           const double left = std::max(from, double(x)), right = std::min(to, x + 1.0);
-          const std::array<double, N> brightness = brightness_of(*span, (left + right) / 2 / pixels_per_mm);
+          const std::array<double, N> brightness =
+              at({span->face, span->in_front}, {(left + right) / 2 / pixels_per_mm, spans.lines.y_mm(line)});
           for (std::size_t c = 0; c < N; ++c) row[x][c] -= (1 - brightness[c]) * (right - left);
         }
       }
@@ -75,10 +88,8 @@ FacePicture paint_spans(const SpanModel& spans, std::uint32_t width, std::uint32
   return picture;
 }
 
-/// Paints the mean of the pixels of a model. brightness_of(column, row) is that of one of them.
-template <std::size_t N, class Brightness>
-FacePicture paint_means(const PixelModel& pixels, std::uint32_t width, std::uint32_t height, double pixels_per_mm,
-                        Brightness brightness_of) {
+template <std::size_t N>
+FacePicture paint(const PixelModel& pixels, ColorAt<N> at, std::uint32_t width, std::uint32_t height, double pixels_per_mm) {
   FacePicture picture = white<N>(width, height);
   const double size = 1 / (pixels_per_mm * pixels.pixel_mm);
   const Resampling columns{-pixels.corner_mm.x / pixels.pixel_mm, size, pixels.width},
@@ -89,7 +100,7 @@ FacePicture paint_means(const PixelModel& pixels, std::uint32_t width, std::uint
       std::fill(dark.begin(), dark.end(), std::array<double, N>{});
       rows.of(static_cast<std::uint32_t>(y), [&](std::uint32_t row, double share) {
         for (std::uint32_t x = 0; x < pixels.width; ++x) {
-          const std::array<double, N> brightness = brightness_of(x, row);
+          const std::array<double, N> brightness = color_at<N>(pixels, at, x, row);
           for (std::size_t c = 0; c < N; ++c) dark[x][c] += share * (1 - brightness[c]);
         }
       });
@@ -106,89 +117,26 @@ FacePicture paint_means(const PixelModel& pixels, std::uint32_t width, std::uint
   return picture;
 }
 
-/// Paints each pixel of the model as one pixel of the picture.
-template <std::size_t N, class Brightness>
-FacePicture paint_each(const PixelModel& pixels, Brightness brightness_of) {
+template <std::size_t N>
+FacePicture paint_each(const PixelModel& pixels, ColorAt<N> at) {
   FacePicture picture = white<N>(pixels.width, pixels.height);
   picture.corner_mm = pixels.corner_mm;
   picture.pixel_mm = pixels.pixel_mm;
   parallel_blocks(pixels.height, kRows, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       for (std::uint32_t x = 0; x < pixels.width; ++x) {
-        put<N>(picture, row * pixels.width + x, brightness_of(x, static_cast<std::uint32_t>(row)));
+        put<N>(picture, row * pixels.width + x, color_at<N>(pixels, at, x, static_cast<std::uint32_t>(row)));
       }
     }
   });
   return picture;
 }
 
-/// The function by which a span is painted in a continuous tone.
-template <class At>
-auto of_span(const SpanModel& spans, At at) {
-  return [&spans, at](const Span& span, double x_mm) {
-    return at({span.face, span.in_front}, {x_mm, spans.lines.y_mm(span.line)});
-  };
-}
-
-/// The function by which the middle of a pixel of a model is painted; white where it shows no face.
-template <std::size_t N, class At>
-auto of_pixel(const PixelModel& pixels, At at) {
-  return [&pixels, at](std::uint32_t column, std::uint32_t row) {
-    const std::size_t i = std::size_t{row} * pixels.width + column;
-    const SeenFace seen{pixels.face[i], pixels.in_front.empty() ? TransparentLayers::kEmptyList : pixels.in_front[i]};
-    std::array<double, N> paper;
-    paper.fill(1);
-    if (seen.face == kNone && seen.in_front == TransparentLayers::kEmptyList) return paper;
-    return at(seen, pixels.corner_mm + pixels.pixel_mm * Point2{column + 0.5, row + 0.5});
-  };
-}
-
-/// One brightness a face; others are white.
-std::array<double, 1> flat(const std::vector<double>& brightness, std::uint32_t face) {
-  return {face < brightness.size() ? brightness[face] : 1};
-}
-
-}  // namespace
-
-FacePicture shade(const SpanModel& spans, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
-                  double pixels_per_mm) {
-  return paint_spans<1>(spans, width, height, pixels_per_mm,
-                        [&](const Span& span, double) { return flat(brightness, span.face); });
-}
-
-FacePicture shade(const SpanModel& spans, ToneAt tone, std::uint32_t width, std::uint32_t height, double pixels_per_mm) {
-  return paint_spans<1>(spans, width, height, pixels_per_mm, of_span(spans, tone));
-}
-
-FacePicture paint(const SpanModel& spans, ColorAt color, std::uint32_t width, std::uint32_t height, double pixels_per_mm) {
-  return paint_spans<3>(spans, width, height, pixels_per_mm, of_span(spans, color));
-}
-
-FacePicture shade(const PixelModel& pixels, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
-                  double pixels_per_mm) {
-  return paint_means<1>(pixels, width, height, pixels_per_mm, [&](std::uint32_t column, std::uint32_t row) {
-    return flat(brightness, pixels.face[std::size_t{row} * pixels.width + column]);
-  });
-}
-
-FacePicture shade(const PixelModel& pixels, ToneAt tone, std::uint32_t width, std::uint32_t height, double pixels_per_mm) {
-  return paint_means<1>(pixels, width, height, pixels_per_mm, of_pixel<1>(pixels, tone));
-}
-
-FacePicture paint(const PixelModel& pixels, ColorAt color, std::uint32_t width, std::uint32_t height, double pixels_per_mm) {
-  return paint_means<3>(pixels, width, height, pixels_per_mm, of_pixel<3>(pixels, color));
-}
-
-FacePicture gray_pixels(const PixelModel& pixels, ToneAt tone) { return paint_each<1>(pixels, of_pixel<1>(pixels, tone)); }
-
-FacePicture color_pixels(const PixelModel& pixels, ColorAt color) {
-  return paint_each<3>(pixels, of_pixel<3>(pixels, color));
-}
-
-FacePicture gray_pixels(const PixelModel& pixels, const std::vector<double>& brightness) {
-  return paint_each<1>(pixels, [&](std::uint32_t column, std::uint32_t row) {
-    return flat(brightness, pixels.face[std::size_t{row} * pixels.width + column]);
-  });
-}
+template FacePicture paint<1>(const SpanModel&, ColorAt<1>, std::uint32_t, std::uint32_t, double);
+template FacePicture paint<3>(const SpanModel&, ColorAt<3>, std::uint32_t, std::uint32_t, double);
+template FacePicture paint<1>(const PixelModel&, ColorAt<1>, std::uint32_t, std::uint32_t, double);
+template FacePicture paint<3>(const PixelModel&, ColorAt<3>, std::uint32_t, std::uint32_t, double);
+template FacePicture paint_each<1>(const PixelModel&, ColorAt<1>);
+template FacePicture paint_each<3>(const PixelModel&, ColorAt<3>);
 
 }  // namespace ligne

@@ -3,6 +3,7 @@
 /// span_areas.hpp, hatching by plotting/hatching/hatch.hpp.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,32 +25,24 @@ struct FacePicture {
   bool empty() const { return gray.empty() && rgb.empty(); }
 };
 
-/// Paints spans with one scan line per row of pixels. A pixel gets the brightness (0 to 1, per face) of the visible
-/// face; at the ends of spans, brightnesses are mixed in proportion to the covered width. Pixels without a face are
-/// white. `pixels_per_mm` is the resolution in both directions.
-FacePicture shade(const SpanModel& spans, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
-                  double pixels_per_mm);
+/// Brightness (N = 1) or colour (N = 3), components 0 to 1, of a visible face at a point of the page that lies on it. Called
+/// by several threads at once.
+template <std::size_t N>
+using ColorAt = FunctionRef<std::array<double, N>(SeenFace seen, Point2 page_mm)>;
 
-/// Paints pixels of any size: every pixel of the picture gets the mean over the pixels of the model that it covers.
-FacePicture shade(const PixelModel& pixels, const std::vector<double>& brightness, std::uint32_t width, std::uint32_t height,
-                  double pixels_per_mm);
+/// Paints spans with one scan line per row of pixels. A pixel gets the colour at the middle of the part of it that a span
+/// covers; at the ends of spans, colours are mixed in proportion to the covered width. Pixels without a face are white.
+/// `pixels_per_mm` is the resolution in both directions.
+template <std::size_t N>
+FacePicture paint(const SpanModel& spans, ColorAt<N> at, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
 
-/// Brightness or colour, 0 to 1, of a visible face at a point of the page that lies on it.
-using ToneAt = FunctionRef<std::array<double, 1>(SeenFace seen, Point2 page_mm)>;
-using ColorAt = FunctionRef<std::array<double, 3>(SeenFace seen, Point2 page_mm)>;
-
-/// Pictures of continuous tone: each pixel gets the tone at its middle, or at the middle of the part of it that a span
-/// covers. `tone` and `color` are called by several threads at once.
-FacePicture shade(const SpanModel& spans, ToneAt tone, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
-FacePicture shade(const PixelModel& pixels, ToneAt tone, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
-FacePicture gray_pixels(const PixelModel& pixels, ToneAt tone);
-
-/// Pictures of continuous tone in colour.
-FacePicture paint(const SpanModel& spans, ColorAt color, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
-FacePicture paint(const PixelModel& pixels, ColorAt color, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
-FacePicture color_pixels(const PixelModel& pixels, ColorAt color);
+/// Paints pixels of any size: every pixel of the picture gets the mean over the pixels of the model that it covers, each
+/// with the colour at its middle.
+template <std::size_t N>
+FacePicture paint(const PixelModel& pixels, ColorAt<N> at, std::uint32_t width, std::uint32_t height, double pixels_per_mm);
 
 /// Paints each pixel of the model as one pixel of the picture, at its position on the page.
-FacePicture gray_pixels(const PixelModel& pixels, const std::vector<double>& brightness);
+template <std::size_t N>
+FacePicture paint_each(const PixelModel& pixels, ColorAt<N> at);
 
 }  // namespace ligne

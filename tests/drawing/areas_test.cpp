@@ -102,7 +102,8 @@ SpanModel spans() {
   return m;
 }
 
-const std::vector<double> kBrightness{0.0, 0.6, 1.0};
+/// Three faces: black, gray and white.
+const auto kTone = [](SeenFace seen, Point2) { return std::array{std::array{0.0, 0.6, 1.0}.at(seen.face)}; };
 using Gray = std::vector<std::uint8_t>;
 
 /// These pixels, each by its number and what it has.
@@ -111,7 +112,7 @@ void expect_pixels(const FacePicture& picture, std::initializer_list<std::pair<s
 }
 
 TEST(Shading, PixelsAreMixedAtTheEndsOfSpans) {
-  const FacePicture p = shade(spans(), kBrightness, 16, 16, 1);
+  const FacePicture p = paint<1>(spans(), kTone, 16, 16, 1);
   ASSERT_EQ(p.gray.size(), 256u);
   // The span covers half of pixel 9.
   expect_pixels(p, {{0, 255}, {2, 0}, {5, 0}, {6, 153}, {9, 204}, {10, 255}, {12, 255}});
@@ -121,30 +122,30 @@ TEST(Shading, SpansBesideThePictureAreCut) {
   SpanModel m;
   m.lines = {0, 1, 9};
   m.spans = {{0, -5, 100, 0}, {7, 0, 1, 0}};
-  const FacePicture p = shade(m, kBrightness, 3, 2, 1);
+  const FacePicture p = paint<1>(m, kTone, 3, 2, 1);
   EXPECT_EQ(p.gray, (Gray{0, 0, 0, 255, 255, 255}));
 }
 
-TEST(Shading, NothingSeenIsWhite) { EXPECT_EQ(shade(SpanModel{}, {}, 2, 1, 1).gray, (Gray{255, 255})); }
+TEST(Shading, NothingSeenIsWhite) { EXPECT_EQ(paint<1>(SpanModel{}, kTone, 2, 1, 1).gray, (Gray{255, 255})); }
 
 /// Two by two pixels of a millimetre, the first at (1, 1) of the page; nothing is seen in the last.
 PixelModel pixels() { return {2, 2, {1, 1}, 1, {0, 1, 2, 0xffffffffu}, {0, 0, 0, 0}}; }
 
 TEST(Shading, PixelsOfTheSameSizeAreCopied) {
-  EXPECT_EQ(shade(pixels(), kBrightness, 4, 3, 1).gray, (Gray{255, 255, 255, 255, 255, 0, 153, 255, 255, 255, 255, 255}));
+  EXPECT_EQ(paint<1>(pixels(), kTone, 4, 3, 1).gray, (Gray{255, 255, 255, 255, 255, 0, 153, 255, 255, 255, 255, 255}));
 }
 
 TEST(Shading, PixelsOfAnotherSizeAreMixed) {
   // The one pixel of 4 mm covers all four: 1 - (1 + 0.4) / 16.
-  EXPECT_EQ(shade(pixels(), kBrightness, 1, 1, 0.25).gray, (Gray{233}));
-  expect_pixels(shade(pixels(), kBrightness, 8, 6, 2),
+  EXPECT_EQ(paint<1>(pixels(), kTone, 1, 1, 0.25).gray, (Gray{233}));
+  expect_pixels(paint<1>(pixels(), kTone, 8, 6, 2),
                 {{2 * 8 + 1, 255}, {2 * 8 + 2, 0}, {3 * 8 + 3, 0}, {3 * 8 + 4, 153}, {3 * 8 + 6, 255}});
 }
 
 TEST(Shading, PixelsThatStayWhereTheyLie) {
   PixelModel model = pixels();
   model.pixel_mm = 0.5;
-  const FacePicture p = gray_pixels(model, kBrightness);
+  const FacePicture p = paint_each<1>(model, kTone);
   EXPECT_EQ(p.gray, (Gray{0, 153, 255, 255}));
   EXPECT_EQ(p.width, 2u);
   EXPECT_EQ(p.corner_mm, (Point2{1, 1}));

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <type_traits>
 
 #include "drawing/span_areas.hpp"
 #include "picture/fills.hpp"
@@ -29,31 +28,17 @@ const TransparentLayers& layers_of(const VisibilityResult& result) {
 }
 
 /// An image of the spans or pixels, with the pixels of the page in PNG and where there are spans, else with those of the
-/// method. at(seen, page_mm) gives one component for gray, or three for colours.
-template <class At>
-FacePicture image_of(const PreparedScene& prepared, const VisibilityResult& result, const PlotOptions& plot, At at) {
-  constexpr bool kColor = std::is_same_v<std::invoke_result_t<At, SeenFace, Point2>, std::array<double, 3>>;
+/// method.
+template <std::size_t N>
+FacePicture image_of(const PreparedScene& prepared, const VisibilityResult& result, const PlotOptions& plot, ColorAt<N> at) {
   const bool png = prepared.request.output.format == OutputFormat::png;
   const PixelSize size = png_size(plot);
   const double pixels_per_mm = plot.dpi / kMmPerInch;
-  const auto of_page = [&](const auto& model) {
-    if constexpr (kColor) {
-      return paint(model, at, size.width, size.height, pixels_per_mm);
-    } else {
-      return shade(model, at, size.width, size.height, pixels_per_mm);
-    }
-  };
-  if (result.spans) {
-    FacePicture picture = of_page(*result.spans);
-    if (!png) picture.pixel_mm = 1 / pixels_per_mm;
-    return picture;
-  }
-  if (png) return of_page(*result.pixels);
-  if constexpr (kColor) {
-    return color_pixels(*result.pixels, at);
-  } else {
-    return gray_pixels(*result.pixels, at);
-  }
+  if (!result.spans && !png) return paint_each<N>(*result.pixels, at);
+  if (!result.spans) return paint<N>(*result.pixels, at, size.width, size.height, pixels_per_mm);
+  FacePicture picture = paint<N>(*result.spans, at, size.width, size.height, pixels_per_mm);
+  if (!png) picture.pixel_mm = 1 / pixels_per_mm;
+  return picture;
 }
 
 /// An image in gray. tone_of(face, page_mm) is the tone of a face.
@@ -62,7 +47,7 @@ FacePicture gray_image(const PreparedScene& prepared, const VisibilityResult& re
                        ToneOf tone_of) {
   const Scene& scene = prepared.scene;
   const auto opacity_of = [&](std::uint32_t face) { return material_of(scene, face).opacity; };
-  return image_of(prepared, result, plot, [&](SeenFace seen, Point2 page_mm) {
+  return image_of<1>(prepared, result, plot, [&](SeenFace seen, Point2 page_mm) {
     const auto of_face = [&](std::uint32_t face) { return std::array{tone_of(face, page_mm)}; };
     return seen_color<1>(layers_of(result), seen, of_face, opacity_of);
   });
@@ -73,7 +58,7 @@ FacePicture color_image(const PreparedScene& prepared, const VisibilityResult& r
   const Scene& scene = prepared.scene;
   const SmoothFillColors colors(scene, prepared.view().camera, prepared.lights);
   const auto opacity_of = [&](std::uint32_t face) { return material_of(scene, face).opacity; };
-  return image_of(prepared, result, plot, [&](SeenFace seen, Point2 page_mm) {
+  return image_of<3>(prepared, result, plot, [&](SeenFace seen, Point2 page_mm) {
     const auto of_face = [&](std::uint32_t face) { return colors.of(face, prepared.tones->surface_at(face, page_mm)); };
     return seen_color<3>(layers_of(result), seen, of_face, opacity_of);
   });
