@@ -1,52 +1,16 @@
 #include "picture/clear/clear_intersections.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <glm/geometric.hpp>
 #include <utility>
 #include <vector>
 
-#include "base/disjoint_sets.hpp"
 #include "picture/clear/rim_lines.hpp"
-#include "scene/clean/near_cells.hpp"
 #include "scene/contacts/chord_errors.hpp"
 #include "scene/contacts/face_contact.hpp"
 
 namespace ligne {
 namespace {
-
-/// Largest distance of two segment ends that coincide, in lattice steps: each end is rounded by itself.
-constexpr double kSameEndSteps = 4;
-/// Adjustable: least part of the length of a chain of intersections that must lie in contacts. Below it the chain stays
-/// whole.
-constexpr double kTangentPart = 0.25;
-
-/// Sets of segments that are connected by their ends.
-DisjointSets connect(const std::vector<SourceEdge>& segments, double distance) {
-  DisjointSets sets(segments.size());
-  std::size_t slots = 1;
-  while (slots < 4 * segments.size()) slots *= 2;
-  // By the cell of the end. An end is twice the number of its segment, plus 0 or 1.
-  std::vector<std::vector<std::uint32_t>> ends(slots);
-  const auto place = [&](std::uint32_t end) { return segments[end / 2].ends[end % 2]; };
-  for (std::uint32_t end = 0; end < 2 * segments.size(); ++end) {
-    const NearCells cells(place(end), distance);
-    if (!cells.finite()) continue;
-    const auto near = cells.slots(slots);
-    for (auto slot = near.begin(); slot != near.end(); ++slot) {
-      if (std::find(near.begin(), slot, *slot) != slot) continue;
-      for (const std::uint32_t other : ends[*slot]) {
-        if (glm::distance(place(end), place(other)) <= distance) sets.join(end / 2, other / 2);
-      }
-    }
-    // Stores one of several coincident ends.
-    auto& own = ends[near[0]];
-    const bool stands = std::any_of(own.begin(), own.end(), [&](std::uint32_t other) { return place(other) == place(end); });
-    if (!stands) own.push_back(end);
-  }
-  return sets;
-}
 
 /// Returns the faces of the intersections, ascending.
 std::vector<std::uint32_t> faces_of(const std::vector<SourceEdge>& segments) {
@@ -70,9 +34,8 @@ std::vector<std::uint32_t> with_neighbours(const Scene& scene, std::vector<std::
   return faces;
 }
 
-/// Per segment whether its faces only touch. It is false for chains of intersections that are tangent only in places.
-std::vector<bool> find_contacts(const Scene& scene, const std::vector<SourceEdge>& segments, const ChordErrors& errors,
-                                double same_end) {
+/// Per segment whether its faces only touch.
+std::vector<bool> find_contacts(const Scene& scene, const std::vector<SourceEdge>& segments, const ChordErrors& errors) {
   std::vector<bool> contact(segments.size(), false);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const SourceEdge& s = segments[i];
@@ -81,20 +44,6 @@ std::vector<bool> find_contacts(const Scene& scene, const std::vector<SourceEdge
     if (error == 0) continue;
     const double precision = object_precision(scene, s.faces[0]) + object_precision(scene, s.faces[1]);
     contact[i] = within_distance(scene, s.faces, s.ends, error + precision);
-  }
-  if (std::find(contact.begin(), contact.end(), true) == contact.end()) return contact;
-  DisjointSets chains = connect(segments, same_end);
-  // By chain: total length, and length in contacts.
-  std::vector<std::array<double, 2>> lengths(segments.size(), {0, 0});
-  for (std::uint32_t i = 0; i < segments.size(); ++i) {
-    const double length = glm::distance(segments[i].ends[0], segments[i].ends[1]);
-    auto& [all, in_contact] = lengths[chains.find(i)];
-    all += length;
-    if (contact[i]) in_contact += length;
-  }
-  for (std::uint32_t i = 0; i < segments.size(); ++i) {
-    const auto [all, in_contact] = lengths[chains.find(i)];
-    if (in_contact < kTangentPart * all) contact[i] = false;
   }
   return contact;
 }
@@ -107,8 +56,7 @@ void clear_intersections(StrokeModel& model, const Scene& scene, const Projected
   std::vector<std::uint32_t> faces = with_neighbours(scene, faces_of(model.intersections));
   const FaceNeighbours neighbours(scene, faces);
   const ChordErrors errors(scene, neighbours, std::move(faces), request.crease_degrees);
-  const std::vector<bool> contact =
-      find_contacts(scene, model.intersections, errors, kSameEndSteps * projected.lattice.step_mm / projected.view.scale);
+  const std::vector<bool> contact = find_contacts(scene, model.intersections, errors);
   const RimLines rims(scene, neighbours, errors, model.intersections, request.crease_degrees);
 
   const std::size_t segments = model.intersections.size();

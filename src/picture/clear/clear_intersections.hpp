@@ -11,9 +11,8 @@ namespace ligne {
 
 /// Removes the strokes of intersections where two surfaces only touch. The triangles of a pin in its bore or a ball in
 /// its race, for example, penetrate each other everywhere. Faces touch where their distance is within the errors of
-/// both faces (chord_errors.hpp). Where surfaces that do intersect are tangent in places, their line stays whole.
-/// Intersections along a rim move onto the rim (rim_lines.hpp). Counts the changes in `run`. Does nothing for exact
-/// lines. docs/clear-lines.md, "Contacts".
+/// both faces (chord_errors.hpp). Intersections along a rim move onto the rim (rim_lines.hpp). Counts the changes in `run`.
+/// Does nothing for exact lines. docs/clear-lines.md, "Contacts".
 void clear_intersections(StrokeModel& model, const Scene& scene, const ProjectedScene& projected, const LineRequest& request,
                          RunReport& run);
 
