@@ -3,8 +3,7 @@
 /// 1. Snaps all points to a lattice far finer than any plotter, so that the equality of points is exact.
 /// 2. Simplifies with a quarter of the tolerance, except at points that lines share. The segments of a curve become
 /// long enough to detect that two of them coincide.
-/// 3. Removes coincident segments (remove_coincident_strokes), except where that only costs lifts (bridge_cuts). Before
-/// this it compares lines as a whole if their segments are shorter than the tolerance (small_doubles).
+/// 3. Removes coincident segments (remove_coincident_strokes), except where that only costs lifts (bridge_cuts).
 /// 4. Pairs ends at one lattice point, the straightest first, the rest in their order. This makes chains and rings. A
 /// ring R that touches another chain C in a node is inserted into it: the pairs (r1, r2) and (c1, c2) become (c1, r1)
 /// and (r2, c2), whichever way the two run.
@@ -12,7 +11,6 @@
 /// tolerance.
 
 #include "plotting/paths/join.hpp"
-#include "linework/overlaps/coincident_strokes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,10 +21,10 @@
 #include "base/key_table.hpp"
 #include "base/no_index.hpp"
 #include "linework/map/continuations.hpp"
+#include "linework/overlaps/coincident_strokes.hpp"
 #include "plotting/paths/bridge_cuts.hpp"
 #include "plotting/paths/chain_ends.hpp"
 #include "plotting/paths/simplify.hpp"
-#include "plotting/paths/small_doubles.hpp"
 
 namespace ligne {
 namespace {
@@ -65,24 +63,6 @@ LatticeLines on_lattice(const Polylines& lines) {
   std::sort(out.dots.begin(), out.dots.end());
   out.dots.erase(std::unique(out.dots.begin(), out.dots.end()), out.dots.end());
   return out;
-}
-
-/// Removes small lines that lie on others.
-void remove_small_doubles(LatticeLines& lines, double tolerance_mm) {
-  std::vector<Point2> places;
-  places.reserve(lines.points.size());
-  for (const LatticePoint p : lines.points) places.push_back(lines.lattice.to_mm(p));
-  const std::vector<char> doubled = small_doubles(places, lines.begin, lines.lattice, tolerance_mm);
-  if (std::ranges::find(doubled, 1) == doubled.end()) return;
-  std::vector<LatticePoint> points;
-  std::vector<std::uint32_t> begin{0};
-  for (std::size_t i = 0; i < doubled.size(); ++i) {
-    if (doubled[i]) continue;
-    points.insert(points.end(), lines.points.begin() + lines.begin[i], lines.points.begin() + lines.begin[i + 1]);
-    begin.push_back(static_cast<std::uint32_t>(points.size()));
-  }
-  lines.points = std::move(points);
-  lines.begin = std::move(begin);
 }
 
 /// Per point: 1 if another point lies on the same lattice point.
@@ -257,9 +237,8 @@ void append(Polylines& out, std::span<const Point2> line, std::span<const std::u
 }  // namespace
 
 Polylines join_strokes(const Polylines& lines, const JoinTolerances& tolerances) {
-  LatticeLines snapped = on_lattice(lines);
+  const LatticeLines snapped = on_lattice(lines);
   const bool once = tolerances.overlap_mm > 0;
-  if (once) remove_small_doubles(snapped, tolerances.overlap_mm);
   const double early = once ? kEarlyPart * tolerances.simplify_mm : 0;
   const double early_loss = once ? kEarlyPart * tolerances.simplify_loss : 0;
   std::vector<std::uint32_t> line_begin;
