@@ -13,8 +13,7 @@
 namespace ligne {
 namespace {
 
-/// Most steps of Newton's method in the two fits. It starts on a side where it is monotone, and stops when rounding
-/// ends its progress.
+/// Most steps of Newton's method. It starts on a side where it is monotone, and stops when rounding ends its progress.
 constexpr int kMostSteps = 100;
 
 /// Largest determinant of a covariance, relative to the square of its trace, that counts as a straight line.
@@ -97,39 +96,22 @@ double angle_of(Point2 unit) { return std::atan2(unit.y, unit.x); }
 bool fit_circle(std::span<const Point2> points, Ellipse& circle) {
   const Point2 mean = mean_of(points);
   const auto n = static_cast<double>(points.size());
-  double squares = 0;
-  for (const Point2 p : points) squares += glm::dot(p - mean, p - mean);
-  const double size = std::sqrt(squares / n);
-  if (!(size > 0)) return false;
-
-  // Moments, z the squared distance from the mean. The mean of z is 1.
-  double xx = 0, yy = 0, xy = 0, xz = 0, yz = 0, zz = 0;
+  // Mean products of the coordinates x and y from the mean, and of their squared distance z.
+  double xx = 0, yy = 0, xy = 0;
+  Point2 pz{0, 0};
   for (const Point2 p : points) {
-    const Point2 q = (p - mean) / size;
-    const double z = glm::dot(q, q);
+    const Point2 q = p - mean;
     xx += q.x * q.x / n;
     yy += q.y * q.y / n;
     xy += q.x * q.y / n;
-    xz += q.x * z / n;
-    yz += q.y * z / n;
-    zz += z * z / n;
+    pz += q * glm::dot(q, q) / n;
   }
-  const double z = xx + yy, covariance = xx * yy - xy * xy, variance = zz - z * z;
-  const double a2 = -3 * z * z - zz, a1 = variance * z + 4 * covariance * z - xz * xz - yz * yz;
-  const double a0 = xz * (xz * yy - yz * xy) + yz * (yz * xx - xz * xy) - variance * covariance;
-  double x = 0, value = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kMostSteps; ++i) {
-    const double here = ((4 * z * x + a2) * x + a1) * x + a0;
-    if (!(std::abs(here) < std::abs(value))) break;
-    value = here;
-    x -= here / ((12 * z * x + 2 * a2) * x + a1);
-  }
-  const double determinant = x * x - x * z + covariance;
-  const Point2 centre = Point2{xz * (yy - x) - yz * xy, yz * (xx - x) - xz * xy} / (2 * determinant);
-  const double radius = size * std::sqrt(glm::dot(centre, centre) + z);
-  if (!std::isfinite(radius)) return false;
-  circle = {mean + centre * size, {radius, radius}, 0};
-  return true;
+  const double determinant = xx * yy - xy * xy;
+  if (!(determinant > kStraight * (xx + yy) * (xx + yy))) return false;
+  const Point2 centre = Point2{yy * pz.x - xy * pz.y, xx * pz.y - xy * pz.x} / (2 * determinant);
+  const double radius = std::sqrt(glm::dot(centre, centre) + xx + yy);
+  circle = {mean + centre, {radius, radius}, 0};
+  return std::isfinite(radius);
 }
 
 bool fit_ellipse(std::span<const Point2> points, Ellipse& ellipse) {

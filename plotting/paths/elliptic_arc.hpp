@@ -49,7 +49,7 @@ struct EllipticArc {
 
 /// Fit the circle or the ellipse that is nearest to the points in algebraic distance. Return false if there is none.
 ///
-/// Circle: [Taubin1991], by Newton's method as in [ChernovLesort2005]. Ellipse: [HalirFlusser1998], the stable form of
+/// Circle: [Kasa1976]. Ellipse: [HalirFlusser1998], the stable form of
 /// [FitzgibbonPiluFisher1999], in coordinates whose covariance is the unit matrix. Affine maps change the constraint
 /// 4ac - b^2 = 1 only by a factor, so the result is the same, and slender or short arcs lose no digits.
 bool fit_circle(std::span<const Point2> points, Ellipse& circle);
