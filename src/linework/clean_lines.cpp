@@ -54,23 +54,18 @@ std::size_t apply_remove_overdrawn_runs(LineMap& map, const CleanOptions& o) {
   return remove_overdrawn_runs(map, {o.least_mm, kLineReachInPens * o.pen_mm, kShownInPens * o.pen_mm});
 }
 
+std::size_t remove_isolated(LineMap& map, const CleanOptions& o, const BodyOf& body_of, double longest_in_pens) {
+  return remove_isolated_chains(
+      map, body_of,
+      {.longest_mm = longest_in_pens * o.pen_mm, .body_part = kMaxIsolatedPart, .ring_width_mm = kRingInPens * o.pen_mm});
+}
+
 std::size_t apply_remove_isolated_of_scans(LineMap& map, const CleanOptions& o) {
-  if (!o.scan_of) return 0;
-  return remove_isolated_chains(map, o.scan_of,
-                                {.longest_mm = kMaxScanIsolatedInPens * o.pen_mm,
-                                 .body_part = kMaxIsolatedPart,
-                                 .touching_mm = kMeetingInPens * o.pen_mm});
+  return o.scan_of ? remove_isolated(map, o, o.scan_of, kMaxScanIsolatedInPens) : 0;
 }
 
 std::size_t apply_remove_isolated_chains(LineMap& map, const CleanOptions& o) {
-  if (!o.has_all_features) return 0;
-  return remove_isolated_chains(map, o.object_of,
-                                {.longest_mm = kLoneInPens * o.pen_mm,
-                                 .body_part = kMaxIsolatedPart,
-                                 .touching_mm = kMeetingInPens * o.pen_mm,
-                                 .classes = LineClasses::features(),
-                                 .most_ends_on_lines = 0,
-                                 .ring_width_mm = kRingInPens * o.pen_mm});
+  return o.has_all_features ? remove_isolated(map, o, o.object_of, kLoneInPens) : 0;
 }
 
 std::size_t apply_extend_undershoots(LineMap& map, const CleanOptions& o) {
@@ -116,7 +111,7 @@ CleanReport clean_lines(StrokeModel& model, const CleanOptions& options) {
       report.rules[r].added_mm += (map.added_steps() - added) * step;
       report.rules[r].removed_mm += (map.removed_steps() - removed) * step;
     }
-    if (!is_clean) map.commit(kLineReachInPens * options.pen_mm / step, kTouchingInPens * options.pen_mm / step);
+    if (!is_clean) map.commit(kLineReachInPens * options.pen_mm / step);
   }
   return report;
 }

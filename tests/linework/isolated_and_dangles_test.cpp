@@ -15,19 +15,19 @@ StrokeModel beside_a_body(const std::string& text) { return scan("0,0 200,0; " +
 std::size_t prune(StrokeModel& m, const DangleLimits& limits) {
   return apply_rule(m, limits.touching_mm, [&](LineMap& map) { return prune_dangles(map, body_of, limits); });
 }
-std::size_t remove_isolated(StrokeModel& m, const IsolatedLimits& limits) {
-  return apply_rule(m, limits.touching_mm, [&](LineMap& map) { return remove_isolated_chains(map, body_of, limits); });
+std::size_t remove_isolated(StrokeModel& m, const IsolatedLimits& limits, double touching_mm) {
+  return apply_rule(m, touching_mm, [&](LineMap& map) { return remove_isolated_chains(map, body_of, limits); });
 }
-std::size_t remove_flecks(StrokeModel& m) {
-  return remove_isolated(m, {.longest_mm = 2, .body_part = 1.0 / 48, .touching_mm = 0.1});
-}
+std::size_t remove_flecks(StrokeModel& m) { return remove_isolated(m, {.longest_mm = 2, .body_part = 1.0 / 48}, 0.1); }
 
-TEST(IsolatedChains, AreShortOpenOutlinesOfRoughBodies) {
-  StrokeModel m = beside_a_body("#1 10,10 11,10 11.5,10.5; #2 20,10 22.5,10; crease#3 30,10 31,10; #100 40,10 41,10");
-  EXPECT_EQ(remove_flecks(m), 1u) << "the second is too long, the last of a body that is not rough";
+TEST(IsolatedChains, AreShortAndOpen) {
+  StrokeModel m = beside_a_body(
+      "#1 10,10 11,10 11.5,10.5; #2 20,10 22.5,10; crease#3 30,10 31,10; #100 40,10 41,10; mesh#4 50,10 51,10");
+  EXPECT_EQ(remove_flecks(m), 2u) << "the second is too long, the fourth of no body, the last no feature";
   EXPECT_EQ(m.strokes.size(), 4u);
   expect_changes({{"large against its body", "0,0 20,0; #1 10,10 11,10", 0},
-                  {"touching, they count together", "0,0 200,0; #1 10,10 11,10; #2 10.5,10.05 10.5,10.6", 2},
+                  {"touching, they count together", "0,0 200,0; #1 10,10 11,10; #2 10.5,10.05 10.5,10.6", 1},
+                  {"together too large", "0,0 200,0; #1 10,10 11.5,10; #2 11.5,10.05 11.5,11.5", 0},
                   {"a small body before the large one", "0,0 200,0; #1 10,10 11,10 10,10.5 10,10", 0}},
                  remove_flecks, scan);
   std::string pieces;  // of an outline; they end on each other
@@ -39,32 +39,23 @@ TEST(IsolatedChains, AreShortOpenOutlinesOfRoughBodies) {
   EXPECT_EQ(remove_flecks(outline), 0u);
 }
 
-TEST(IsolatedChains, EndAtNoMoreThanOneLineAndHideNone) {
-  expect_changes({{"a spur", "#1 10,0 11,1", 1},
+TEST(IsolatedChains, MeetNoLine) {
+  expect_changes({{"a spur", "#1 10,0 11,1", 0},
+                  {"almost", "#1 10,0.05 11,1", 0},
+                  {"it ends before the line", "#1 10,0.2 11,1", 1},
                   {"a bridge", "#1 10,0 10,1.5; #2 5,1.5 15,1.5", 0},
                   {"the second line goes on behind the first", "#1 10,10 11,10; #2 10.5,10 10.5,40", 0}},
                  remove_flecks, beside_a_body);
 }
 
-TEST(IsolatedChains, OfAnyClassMeetNoLine) {
+TEST(IsolatedChains, MayBeNarrowRings) {
   const auto remove_lone = [](StrokeModel& m) {
-    return remove_isolated(m, {.longest_mm = 2,
-                               .body_part = 1.0 / 48,
-                               .touching_mm = 0.1,
-                               .classes = LineClasses::features(),
-                               .most_ends_on_lines = 0,
-                               .ring_width_mm = 0.1});
+    return remove_isolated(m, {.longest_mm = 2, .body_part = 1.0 / 48, .ring_width_mm = 0.1}, 0.1);
   };
-  // The second is 3 mm in a box of 1.5.
-  StrokeModel lone =
-      beside_a_body("crease#1 10,10 11,10; #2 20,10 21.5,10; intersection#3 21.5,10.05 20,10.2; mesh#4 30,10 31,10");
-  EXPECT_EQ(remove_lone(lone), 3u);
-  ASSERT_EQ(lone.strokes.size(), 2u);
-  EXPECT_EQ(lone.strokes[1].line_class, LineClass::mesh);
-  expect_changes({{"each has an end on a line", "crease#1 10,0 11,1; #2 20,0.05 21,1", 0},
-                  {"a narrow ring", "#1 10,10 11.5,10 10.7,10.08 10,10", 1},
+  expect_changes({{"a line there and back", "#1 10,10 11.5,10 10.7,10.08 10,10", 1},
+                  {"beginning in its middle", "#1 10.7,10.08 10,10 11.5,10 10.7,10.08", 1},
                   {"a small hole", "#1 10,10 11.5,10 10.7,10.12 10,10", 0},
-                  {"it lies on a line", "#1 10,0.05 11.5,0.05 10.7,0.13 10,0.05", 0}},
+                  {"too long", "#1 10,10 12.5,10 10.7,10.08 10,10", 0}},
                  remove_lone, beside_a_body);
 }
 
@@ -88,7 +79,7 @@ TEST(IsolatedChains, AreNoneInALineOfFoldsWithoutSpurs) {
                       .touching_mm = 0.35,
                       .gap_mm = 1.4}),
             0u);
-  remove_isolated(m, {.longest_mm = 2.8, .body_part = 1.0 / 48, .touching_mm = 0.35});
+  remove_isolated(m, {.longest_mm = 2.8, .body_part = 1.0 / 48}, 0.35);
   EXPECT_TRUE(
       std::ranges::any_of(m.strokes, [&](const Stroke& s) { return s.source == 2 && m.lattice.to_mm(s.to).y > 31; }));
 }

@@ -15,11 +15,11 @@ inline bool is_no_mesh(const Stroke& s) { return s.line_class != LineClass::mesh
 /// Makes the map of the strokes, with contacts within `reach_mm`, applies the rule, and writes the map back, with hidden
 /// strokes in the ink cleared.
 template <class Rule>
-std::size_t apply_rule(StrokeModel& m, double reach_mm, const Rule& rule, double ink_mm = 0, double exact_mm = 0) {
+std::size_t apply_rule(StrokeModel& m, double reach_mm, const Rule& rule, double ink_mm = 0) {
   const double step = m.lattice.step_mm;
   LineMap map(m, is_no_mesh, {.reach = reach_mm / step}, walked_cell(m.strokes, std::max(4.0, 4 * reach_mm / step)));
   const std::size_t changes = rule(map);
-  map.commit(ink_mm / step, exact_mm / step);
+  map.commit(ink_mm / step);
   return changes;
 }
 

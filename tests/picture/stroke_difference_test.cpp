@@ -1,4 +1,4 @@
-/// What one drawing shows and another lacks.
+/// Parts of lines that one drawing shows and another lacks.
 
 #include "report/stroke_difference.hpp"
 #include "linework/stroke_builder.hpp"

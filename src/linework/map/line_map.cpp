@@ -168,14 +168,6 @@ void LineMap::remove(std::uint32_t piece) {
   removed_ += page_length(pieces_[piece].stroke);
 }
 
-void LineMap::join_contacts() {
-  for (const Contact& contact : contacts_) {
-    if (nodes_.degree(contact.node) != 1 || nodes_.degree(contact.other) != 1) continue;
-    const std::uint32_t end = nodes_.first(contact.node);
-    if (point(end) == point(nodes_.first(contact.other))) move_end(end, contact.other);
-  }
-}
-
 void LineMap::add(Stroke stroke, std::uint32_t from_end, std::uint32_t to_end, const MakeSource& make_source) {
   model_.intersections.push_back(make_source(stroke));
   stroke.source = model_.edge_count + static_cast<std::uint32_t>(model_.intersections.size()) - 1;
@@ -205,21 +197,18 @@ void LineMap::write_stroke(std::uint32_t first_piece, std::vector<Stroke>& out) 
   }
 }
 
-void LineMap::clear_hidden(std::vector<Stroke>& strokes, double ink, double exact) const {
+void LineMap::clear_hidden(std::vector<Stroke>& strokes, double ink) const {
   if (!had_hidden_ || model_.strokes.size() == given_) return;
   const std::span added(model_.strokes.begin() + given_, model_.strokes.end());
   LineCells cells(cell_);
   for (std::uint32_t a = 0; a < added.size(); ++a) cells.insert(a, added[a].from, added[a].to);
-  std::vector<StrokePart> parts;
   std::erase_if(strokes, [&](Stroke& s) {
     if (s.visible || s.from == s.to) return false;
-    parts.clear();
-    const bool is_in_ink = cells.near(s.from, s.to, ink, [&](std::uint32_t a) {
-      const StrokePart in_ink = part_near(s, added[a], ink);
-      if (const StrokePart part = part_near(s, added[a], exact); !part.empty()) parts.push_back(part);
-      return in_ink.from == 0 && in_ink.to == 1;
+    std::vector<StrokePart> parts;
+    cells.near(s.from, s.to, ink, [&](std::uint32_t a) {
+      if (const StrokePart part = part_near(s, added[a], ink); !part.empty()) parts.push_back(part);
+      return false;
     });
-    if (is_in_ink) return true;
     if (parts.empty()) return false;
     unite(parts);
     const double from = parts.front().from == 0 ? parts.front().to : 0, to = parts.back().to == 1 ? parts.back().from : 1;
@@ -229,7 +218,7 @@ void LineMap::clear_hidden(std::vector<Stroke>& strokes, double ink, double exac
   });
 }
 
-void LineMap::commit(double ink, double exact) {
+void LineMap::commit(double ink) {
   std::vector<std::uint32_t> first_piece(model_.strokes.size(), kNone);
   for (std::uint32_t p = piece_count(); p-- > 0;) first_piece[pieces_[p].of] = p;
   std::vector<Stroke> out;
@@ -241,7 +230,7 @@ void LineMap::commit(double ink, double exact) {
       write_stroke(first_piece[i], out);
     }
   }
-  clear_hidden(out, ink, exact);
+  clear_hidden(out, ink);
   model_.strokes = std::move(out);
 }
 

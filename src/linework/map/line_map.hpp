@@ -90,8 +90,6 @@ class LineMap {
 
   /// Removes a piece from the map.
   void remove(std::uint32_t piece);
-  /// Joins a free end with the end of the line on which it lay, where the rest of that line was removed.
-  void join_contacts();
   void set_class(std::uint32_t piece, LineClass line_class) { pieces_[piece].stroke.line_class = line_class; }
   /// Adds a stroke from the node of `from_end` to that of `to_end`. An end that is kNone gets a node of its own.
   void add(Stroke stroke, std::uint32_t from_end, std::uint32_t to_end, const MakeSource& make_source);
@@ -100,9 +98,8 @@ class LineMap {
   double added_steps() const { return added_; }
 
   /// Writes the map back to the model. Removed pieces become hidden strokes, or are left out if the model had none.
-  /// Hidden strokes that lie all along in the ink (within `ink` steps) of added strokes are left out too. Others lose
-  /// the parts at their ends that lie exactly (within `exact` steps) along an added stroke.
-  void commit(double ink, double exact);
+  /// Hidden strokes lose the parts at their ends that lie in the ink (within `ink` steps) of added strokes.
+  void commit(double ink);
 
  private:
   struct Piece {
@@ -121,7 +118,7 @@ class LineMap {
   std::optional<Meeting> nearest_line(std::uint32_t end);
   void cut(std::uint32_t piece, std::span<const StrokeCut> cuts);
   void write_stroke(std::uint32_t first_piece, std::vector<Stroke>& out) const;
-  void clear_hidden(std::vector<Stroke>& strokes, double ink, double exact) const;
+  void clear_hidden(std::vector<Stroke>& strokes, double ink) const;
 
   StrokeModel& model_;
   Meetings meetings_;

@@ -20,9 +20,6 @@ constexpr double kLeastCosine = 0.5, kStraightCosine = 0.94;
 constexpr double kLongInGaps = 2;
 /// Bridges of at least this many gaps are far: their lines must be straighter, and longer in proportion. Taste.
 constexpr double kFarPartInGaps = 3, kFarCosine = 0.985, kLongInFar = 4;
-/// Lines within 4 degrees of one line may be shorter in proportion, for bridges of up to this many gaps. A rim whose
-/// facets are hidden at intervals is a row of such lines. Taste.
-constexpr double kRowInGaps = 6, kRowCosine = 0.9976, kLongInRow = 1.5;
 /// Most rounds of joining: a joined line may have become long enough for another bridge.
 constexpr int kMostBridgingRounds = 3;
 /// Two ends fewer lattice steps apart define no direction, because each is rounded by itself.
@@ -86,17 +83,8 @@ class OpenEnds {
     if (distance <= kRoundedSteps) return true;
     const bool shows = distance >= gap_, far = distance >= kFarPartInGaps * gap_;
     if (e.length <= distance && !shows) return true;
-    const double cosine = along(e, p) / (e.length * distance);
-    const bool in_row = distance < kRowInGaps * gap_ && cosine >= kRowCosine;
-    const double least = !far ? kLongInGaps : in_row ? kLongInRow : kLongInFar;
-    if (shows && e.line_length < least * distance) return false;
-    return cosine >= (far ? kFarCosine : shows ? kStraightCosine : kLeastCosine);
-  }
-
-  /// Quick test that implies !leads_to(). Where thousands of lines end side by side, it rejects nearly all pairs.
-  static bool leads_away(const OpenEnd& e, LatticePoint p, double squared_distance) {
-    return along(e, p) < 0 && e.length * e.length > kAbout * squared_distance &&
-           squared_distance > kAbout * kRoundedSteps * kRoundedSteps;
+    if (shows && e.line_length < (far ? kLongInFar : kLongInGaps) * distance) return false;
+    return along(e, p) >= (far ? kFarCosine : shows ? kStraightCosine : kLeastCosine) * e.length * distance;
   }
 
   /// Whether leads_to() is false for all points of the box. A line may lead only to points in a cone. Where thousands
@@ -127,11 +115,8 @@ class OpenEnds {
     const auto offer = [&](std::uint32_t o) {
       const OpenEnd& other = ends_[o];
       const LatticePoint q = other.point;
-      const double dx = double(q.x) - p.x, dy = double(q.y) - p.y, squared = dx * dx + dy * dy;
-      if (o == e || squared > kAbout * best_distance * best_distance) return;
-      if (leads_away(end, q, squared) || leads_away(other, p, squared)) return;
       const double away = length(p, q);
-      if (away >= wide_ || away > best_distance || (away == best_distance && o > best)) return;
+      if (o == e || away >= wide_ || away > best_distance || (away == best_distance && o > best)) return;
       if (end.chain == other.chain && end.line_length < kRingInGaps * gap_) return;
       if (!leads_to(end, q, away) || !leads_to(other, p, away)) return;
       best = o;

@@ -46,7 +46,6 @@ class DanglePruner {
       }
       if (count == before) break;
     }
-    map_.join_contacts();
     return count;
   }
 

@@ -16,8 +16,8 @@ using BodyOf = std::function<std::uint32_t(const Stroke&)>;
 
 struct GapLimits {
   double gap_mm = 0;  ///< ends nearer than this are joined if their lines point towards each other within 60 degrees
-  /// Longest bridge of long lines within 20 degrees. From three gaps on the limit is 10 degrees; up to six gaps,
-  /// shorter lines within 4 degrees are joined too. The bridge must be clear of other lines.
+  /// Longest bridge of long lines within 20 degrees. From three gaps on the limit is 10 degrees. The bridge must be clear
+  /// of other lines.
   double wide_mm = 0;
   double clear_mm = 0;  ///< least distance of other lines from such a bridge
 };
@@ -57,20 +57,16 @@ struct OverdrawLimits {
   double shown_mm = 0;    ///< a run stays if at least this length lies outside of the ink of other lines
 };
 /// remove_overdrawn_runs: removes short runs that do not show beside the ink of longer ones: dangles beside outlines,
-/// edges seen end on, short lines between lines that nearly touch. Runs whose ends touch are counted together.
+/// edges seen end on, short lines between lines that nearly touch.
 std::size_t remove_overdrawn_runs(LineMap& map, const OverdrawLimits& limits);
 
 struct IsolatedLimits {
-  double longest_mm = 0;   ///< longest side of the bounding box of a removed cluster
-  double body_part = 0;    ///< longest removed chain as part of the extent of its body's lines
-  double touching_mm = 0;  ///< lines meet within this distance
-  LineClasses classes{1u << static_cast<unsigned>(LineClass::outline)};
-  std::uint32_t most_ends_on_lines = 1;
+  double longest_mm = 0;     ///< diagonal of the bounding box of the largest cluster that is removed
+  double body_part = 0;      ///< the same as part of the extent of the lines of its body
   double ring_width_mm = 0;  ///< a ring no wider than this is a line there and back
 };
-/// remove_isolated_chains: removes short open chains of the given classes that stand alone, and rings that are lines
-/// there and back. Chains that touch are counted together. A chain stays if another line ends on it, since that line
-/// passes behind it, or if more than `most_ends_on_lines` of its ends lie on lines.
+/// remove_isolated_chains: removes short clusters of lines. Lines that share a node or have a contact belong to one
+/// cluster. Clusters with rings stay unless all their points lie on one line.
 std::size_t remove_isolated_chains(LineMap& map, const BodyOf& body_of, const IsolatedLimits& limits);
 
 struct UndershootLimits {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -16,99 +15,53 @@
 namespace ligne {
 namespace {
 
-/// Weights of the least-squares parabola through seven equally spaced points: the middle point and those beside it.
-constexpr std::array<double, 4> kParabola{7.0 / 21, 6.0 / 21, 3.0 / 21, -2.0 / 21};
+/// Points before and behind a point over which the turn of the line there is measured.
 constexpr int kReach = 3;
-/// Adjustable: two rounds remove a zigzag from point to point, and a circle of twenty points keeps its radius.
-constexpr int kRounds = 2;
-/// Adjustable: a line has a corner where it turns by more, measured kReach points to either side.
-constexpr double kCornerCosine = 0.70710678;  ///< 45 degrees
+/// Adjustable: the line has a corner where it turns by more than 45 degrees.
+constexpr double kCornerCosine = 0.70710678;
+/// Rounds of smoothing, and the parts of the way to the middle of its neighbours by which a point moves in each: first
+/// towards it, which removes a zigzag from point to point, then back, so that circles keep their radii [Taubin1995].
+/// Adjustable.
+constexpr int kRounds = 8;
+constexpr std::array<double, 2> kParts{0.5, -0.53};
 /// Adjustable: largest shift of a point, as part of the shorter stroke that ends there. A zigzag of equal strokes stays
-/// below it. Where long strokes meet short ones, a parabola overshoots.
+/// below it.
 constexpr double kMostShift = 0.5;
 
-/// Points along a line.
-class Line {
- public:
-  void add(LatticePoint p) { places_.emplace_back(p.x, p.y); }
-  /// Connects the last point to the first one.
-  void close() { closed_ = true; }
-
-  LatticePoint at(std::size_t i) const {
-    return {static_cast<std::int32_t>(std::lround(places_[i].x)), static_cast<std::int32_t>(std::lround(places_[i].y))};
+/// The points of a line, smoothed. A closed line goes on from its last point to its first. Ends and corners stay.
+std::vector<Point2> smoothed(const std::vector<Point2>& given, bool is_closed) {
+  const auto n = static_cast<int>(given.size());
+  const auto index = [&](int i) { return static_cast<std::size_t>((i + n) % n); };
+  const auto may_move = [&](int i) {
+    if (!is_closed && (i < kReach || i + kReach >= n)) return i > 0 && i + 1 < n;
+    const Point2 before = given[index(i)] - given[index(i - kReach)], after = given[index(i + kReach)] - given[index(i)];
+    return glm::dot(before, after) >= kCornerCosine * glm::length(before) * glm::length(after);
+  };
+  std::vector<int> moving;
+  for (int i = 0; n > kReach && i < n; ++i) {
+    if (may_move(i)) moving.push_back(i);
   }
-  std::size_t size() const { return places_.size(); }
-
-  void smooth() {
-    const auto n = static_cast<int>(places_.size());
-    if (n <= kReach) return;
-    // The ends of an open line count as corners.
-    std::vector<int> corners;
-    for (int i = 0; i < n; ++i) {
-      if (is_corner(i)) corners.push_back(i);
-    }
-    // A ring ends where it begins.
-    if (closed_ && !corners.empty()) corners.push_back(corners.front() + n);
-    const std::vector<Point2> given = places_;
-    for (int round = 0; round < kRounds; ++round) {
-      if (corners.empty()) smooth_part(0, n - 1, [&](int i) { return place(i); });
-      for (std::size_t c = 0; c + 1 < corners.size(); ++c) {
-        const int from = corners[c], to = corners[c + 1];
-        if (to - from < kReach) continue;
-        // Reflection in the corners keeps them in place.
-        smooth_part(from, to, [&](int i) {
-          if (i < from) return 2.0 * place(from) - place(2 * from - i);
-          return i > to ? 2.0 * place(to) - place(2 * to - i) : place(i);
-        });
+  std::vector<Point2> places = given;
+  for (int round = 0; round < kRounds; ++round) {
+    for (const double part : kParts) {
+      const std::vector<Point2> old = places;
+      for (const int i : moving) {
+        places[index(i)] += part * ((old[index(i - 1)] + old[index(i + 1)]) * 0.5 - old[index(i)]);
       }
     }
-    limit_shifts(given);
   }
-
- private:
-  std::size_t index(int i) const {
-    const auto n = static_cast<int>(places_.size());
-    return static_cast<std::size_t>((i + n) % n);
+  for (const int i : moving) {
+    const Point2 at = given[index(i)], shift = places[index(i)] - at;
+    const double shorter = std::min(glm::distance(at, given[index(i - 1)]), glm::distance(at, given[index(i + 1)]));
+    const double by = glm::length(shift), most = kMostShift * shorter;
+    if (by > most) places[index(i)] = at + (most / by) * shift;
   }
-  Point2 place(int i) const { return places_[index(i)]; }
+  return places;
+}
 
-  bool is_corner(int i) const {
-    const auto n = static_cast<int>(places_.size());
-    if (!closed_ && (i < kReach || i + kReach >= n)) return i == 0 || i == n - 1;
-    const Point2 before = place(i) - place(i - kReach), after = place(i + kReach) - place(i);
-    return glm::dot(before, after) < kCornerCosine * glm::length(before) * glm::length(after);
-  }
-
-  /// Smooths the points `from` to `to`, both included.
-  template <class PlaceAt>
-  void smooth_part(int from, int to, const PlaceAt& place_at) {
-    std::vector<Point2> smooth;
-    for (int i = from; i <= to; ++i) {
-      Point2 sum = kParabola[0] * place_at(i);
-      for (int k = 1; k <= kReach; ++k) {
-        sum = sum + kParabola[static_cast<std::size_t>(k)] * (place_at(i - k) + place_at(i + k));
-      }
-      smooth.push_back(sum);
-    }
-    for (int i = from; i <= to; ++i) places_[index(i)] = smooth[static_cast<std::size_t>(i - from)];
-  }
-
-  /// Moves points back so that none has moved too far.
-  void limit_shifts(const std::vector<Point2>& given) {
-    const auto n = static_cast<int>(places_.size());
-    for (int i = 0; i < n; ++i) {
-      double shorter = std::numeric_limits<double>::infinity();
-      if (closed_ || i > 0) shorter = glm::length(given[index(i)] - given[index(i - 1)]);
-      if (closed_ || i + 1 < n) shorter = std::min(shorter, glm::length(given[index(i + 1)] - given[index(i)]));
-      const Point2 shift = place(i) - given[index(i)];
-      const double by = glm::length(shift), most = kMostShift * shorter;
-      if (by > most) places_[index(i)] = given[index(i)] + (most / by) * shift;
-    }
-  }
-
-  std::vector<Point2> places_;
-  bool closed_ = false;
-};
+LatticePoint rounded(Point2 p) {
+  return {static_cast<std::int32_t>(std::lround(p.x)), static_cast<std::int32_t>(std::lround(p.y))};
+}
 
 LatticePoint& end_point(std::vector<Stroke>& strokes, std::uint32_t end) {
   return end % 2 == 0 ? strokes[end / 2].from : strokes[end / 2].to;
@@ -137,14 +90,16 @@ std::size_t smooth_lines(StrokeModel& model, const std::function<bool(const Stro
   std::size_t moved = 0;
   const auto smooth = [&](std::span<const std::uint32_t> ends, bool is_ring) {
     if (!rough[ends.front() / 2]) return;
-    Line line;
-    for (const std::uint32_t end : ends) line.add(end_point(strokes, end));
-    is_ring ? line.close() : line.add(end_point(strokes, ends.back() ^ 1));
-    line.smooth();
+    std::vector<Point2> line;
+    const auto add = [&](LatticePoint p) { line.emplace_back(p.x, p.y); };
+    for (const std::uint32_t end : ends) add(end_point(strokes, end));
+    if (!is_ring) add(end_point(strokes, ends.back() ^ 1));
+    line = smoothed(line, is_ring);
     for (std::size_t i = 0; i < ends.size(); ++i) {
-      moved += line.at(i) != end_point(strokes, ends[i]);
-      end_point(strokes, ends[i]) = line.at(i);
-      end_point(strokes, ends[i] ^ 1) = line.at((i + 1) % line.size());
+      const LatticePoint p = rounded(line[i]);
+      moved += p != end_point(strokes, ends[i]);
+      end_point(strokes, ends[i]) = p;
+      end_point(strokes, ends[i] ^ 1) = rounded(line[(i + 1) % line.size()]);
     }
   };
   for_each_line(continuations(strokes, rough), LineOrder::strokes, smooth);

@@ -10,7 +10,6 @@
 #include "linework/clean_lines.hpp"
 #include "linework/map/line_cells.hpp"
 #include "linework/overlaps/coincident_strokes.hpp"
-#include "linework/rules/close_short_gaps.hpp"
 #include "linework/rules/smooth_lines.hpp"
 #include "view/tolerances.hpp"
 
@@ -19,8 +18,6 @@ namespace {
 
 /// Shortest bit of a line that visibility leaves and that is drawn, in pen widths. Taste.
 constexpr double kLeastInPens = 1.5;
-/// Widest gap that the round ends of two strokes close, in pen widths.
-constexpr double kGapInPens = 1;
 
 /// Returns the number of the scan of a stroke, kNone for other objects.
 std::uint32_t scan_of(const std::vector<ScanObject>& scans, const StrokeModel& strokes, const Stroke& s) {
@@ -85,7 +82,7 @@ std::size_t remove_short_bits_of(StrokeModel& strokes, double least_mm,
   const double least = least_mm / strokes.lattice.step_mm;
   LineMap map(strokes, takes_part, {}, walked_cell(strokes.strokes, least));
   const std::size_t removed = remove_short_bits(map, least_mm);
-  map.commit(0, 0);
+  map.commit(0);
   return removed;
 }
 
@@ -112,8 +109,7 @@ CleanReport clean_scene_lines(StrokeModel& strokes, const PreparedScene& prepare
 
 void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport& run) {
   const LineRequest& lines = prepared.request.lines;
-  const double pen_mm = prepared.request.page.pen_width_mm, least_mm = least_bit_mm(prepared);
-  if (least_mm > 0) count(run, "short gaps closed", close_short_gaps(strokes, std::min(least_mm, kGapInPens * pen_mm)));
+  const double least_mm = least_bit_mm(prepared);
   remove_coincident_strokes(strokes, coincidence_mm(prepared.projected));
   if (least_mm == 0) return;
   const auto is_mesh = [](const Stroke& s) { return s.line_class == LineClass::mesh; };
