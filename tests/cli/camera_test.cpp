@@ -44,28 +44,5 @@ TEST_F(FramesTest, TurnTheModelAtOneScale) {
   }
 }
 
-/// Neither a compiled tree nor the work that all views share changes what is drawn.
-TEST_F(FramesTest, AreTheViewsOneByOne) {
-  const auto pieces = [](const json& drawing) {
-    std::multiset<std::string> found;
-    for (const json& stroke : drawing["strokes"]) {
-      const json& interval = stroke["interval"];
-      found.insert(stroke["class"].get<std::string>() + " " + stroke["source"].dump() + " " +
-                   std::to_string(interval[0].get<double>()) + " " + std::to_string(interval[1].get<double>()));
-    }
-    return found;
-  };
-  const std::string model = (std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus/letter_e.json").string();
-  for (const std::string method : {"appel", "bsp", "convex-tree", "newell", "atherton-weiler"}) {
-    run_well({"draw", model, "--direction", "2,3,-1", "--frames", "4", "--method", method, "-o", "f%d.json"});
-    const char* const directions[] = {"2,3,-1", "3,-2,-1", "-2,-3,-1", "-3,2,-1"};
-    for (int i = 0; i < 4; ++i) {
-      EXPECT_EQ(pieces(frame("f" + std::to_string(i + 1) + ".json")),
-                pieces(drawn({model, "--direction=" + std::string(directions[i]), "--method", method})))
-          << method << " " << i;
-    }
-  }
-}
-
 }  // namespace
 }  // namespace ligne::test

@@ -1,11 +1,13 @@
 /// Tests of the command that are written as text, in the folder scripts. A step is a command line; the command ends with
-/// status 0, or as the check "exit" says: then it leaves one line on standard error, nothing on standard output and no file.
+/// status 0, or as the check "exit" says: then it leaves one line on standard error and nothing on standard output, and all
+/// files are as they were.
 ///
 ///     drawn ARGUMENTS       ligne draw ARGUMENTS -o - --format json, without a word on standard error
 ///     surfaced ARGUMENTS    the same for ligne surface
 ///     layered ARGUMENTS     ligne surface ARGUMENTS -o - --format svg: lengths of its layers in mm
 ///     file NAME = TEXT      writes a file; also file NAME <<
-///     copy FROM TO
+///     model NAME = SHAPE    writes a model of model_shapes.hpp
+///     copy FROM TO; link TO NAME; hard-link TO NAME; folder NAME; pipe NAME
 ///
 /// {source} is the folder of the project. Checks, where OP is = != < > <= or >=, and = may be followed by "+- TOLERANCE":
 ///
@@ -14,73 +16,35 @@
 ///     FILE writes FILE...; no FILE; bytes WHERE OP N               the files that there are more than at the start; sizes
 ///     keep NAME; as NAME; unlike NAME                         strokes of a drawing, or all that was written to out
 ///     keep-json NAME POINTER; as-json ...; unlike-json ...    a part of the JSON
-///     keep-number NAME QUANTITY                               a quantity, which is $NAME in later numbers
+///     keep-pieces NAME FILE; as-pieces ...; unlike-pieces ... the lines of a JSON drawing in out or FILE, in any order:
+///     class,
+///                                                             source, and interval to a ten-thousandth
+///     keep-number NAME SUM                                    a sum, which is $NAME in later numbers
 ///     beside NAME QUANTITY OP N                               the difference of a quantity from the one that was kept
 ///     classes CLASS N, ...                                    numbers of strokes by class, all of them; hidden ones: hidden
 ///     QUANTITY OP NUMBER     the number of strokes of a class, or strokes; width, height, left, right, top, bottom in mm,
 ///                            y/x; least-x:CLASS, most-x:CLASS; mm:CLASS, hidden-mm:CLASS and units:CLASS, the length of its
-///                            lines that are seen or hidden, in mm and in model units; most:CLASS:z and least:CLASS:z; a
-///                            layer's length in mm, all:LAYER, paths:LAYER; drawn:FILE and drawn:FILE:LAYER, mm of the lines
-///                            of an SVG; bytes:FILE; count:FILE:TEXT; down, mm on the paper as --report has it; a number of
-///                            the JSON
+///                            lines (mm:all: of all) that are seen or hidden, in mm and in model units; most:CLASS:z and
+///                            least:CLASS:z; a layer's length in mm, all:LAYER, paths:LAYER; drawn:FILE and
+///                            drawn:FILE:LAYER, mm of the lines of an SVG; bytes:FILE; count:FILE:TEXT; down, mm on the
+///                            paper as --report has it; a number of the JSON
 ///     SUM OP SUM             of products of numbers and quantities: 2*mm:crease+$before
-///     POINTER OP JSON; POINTER has KEY; size POINTER OP N     of the JSON in out, or FILE:POINTER
+///     POINTER OP JSON; POINTER has KEY; size POINTER OP N     of the JSON in out, or FILE:POINTER; /a/*/b: b of each part
+///     of a
+
+#include <sys/stat.h>
 
 #include "draw_program.hpp"
+#include "drawing_quantities.hpp"
 #include "main/script.hpp"
-#include "plotting/paths/optimize.hpp"
-#include "plotting/readers/drawing_reader.hpp"
+#include "model_shapes.hpp"
 #include "surface_program.hpp"
 
 namespace ligne::test {
 namespace {
 
-struct Extent {
-  double left = 1e300, top = 1e300, right = -1e300, bottom = -1e300;
-};
-
-/// Extent of all strokes, or of those of a class.
-Extent extent_of(const json& drawing, const std::string& line_class) {
-  Extent box;
-  for (const json& stroke : drawing["strokes"]) {
-    if (!line_class.empty() && stroke["class"] != line_class) continue;
-    for (const json& point : stroke["points"]) {
-      const double x = point[0], y = point[1];
-      box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x), std::max(box.bottom, y)};
-    }
-  }
-  return box;
-}
-
-/// Length of the strokes of a class on the page that are seen, or hidden.
-double length_mm(const json& drawing, const std::string& line_class, bool visible) {
-  double sum = 0;
-  for (const json& s : drawing["strokes"]) {
-    if (s["class"] != line_class || s["visible"].get<bool>() != visible) continue;
-    const auto a = s["points"][0].get<std::array<double, 2>>(), b = s["points"][1].get<std::array<double, 2>>();
-    sum += std::hypot(a[0] - b[0], a[1] - b[1]);
-  }
-  return sum;
-}
-
-const std::set<std::string> kKeeping{"keep", "as", "unlike", "keep-json", "as-json", "unlike-json", "keep-number"};
-
-/// Length of the lines of an SVG, or of those of a layer, mm.
-double drawn_length(const std::string& svg, const std::string& layer) {
-  const ReadDrawing read = read_svg_drawing(svg, "script", {});
-  double length = 0;
-  for (const Layer& l : read.drawing.layers) {
-    if (layer.empty() || l.name == layer) length += measure(l.lines, {0, 0}, false).down_mm;
-  }
-  return length;
-}
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::istringstream in(text);
-  for (std::string part; std::getline(in, part, separator);) parts.push_back(part);
-  return parts;
-}
+const std::set<std::string> kKeeping{"keep",        "as",          "unlike",    "keep-json",     "as-json",
+                                     "unlike-json", "keep-pieces", "as-pieces", "unlike-pieces", "keep-number"};
 
 class CommandScript : public SurfaceProgramTest {
  public:
@@ -104,14 +68,33 @@ class CommandScript : public SurfaceProgramTest {
     std::string_view rest = step.line;
     const std::string verb = take_word(rest);
     if (verb == "file") {
-      const std::string name = take_word(rest);
+      const std::string name = unescaped(take_word(rest));
       write(name, take_word(rest) == "=" ? unescaped(rest) : step.text);
-    } else if (verb == "copy") {
-      const std::vector<std::string> names = words_of(rest);
-      std::filesystem::copy_file(file(unescaped(names.at(0))), file(unescaped(names.at(1))));
-    } else {
+    } else if (verb == "model") {
+      const std::string name = take_word(rest);
+      take_word(rest);
+      write(name, obj_of_shape(words_of(rest)));
+    } else if (!made_file(verb, words_of(rest))) {
       run_command(step, verb, std::string(rest));
     }
+  }
+
+  bool made_file(const std::string& verb, const std::vector<std::string>& names) const {
+    const auto path = [&](std::size_t i) { return file(unescaped(names.at(i))); };
+    if (verb == "copy") return std::filesystem::copy_file(path(0), path(1));
+    if (verb == "folder") return std::filesystem::create_directory(path(0));
+    if (verb == "pipe") return mkfifo(path(0).c_str(), 0600) == 0;
+    if (verb == "link") std::filesystem::create_symlink(names.at(0), path(1));
+    if (verb == "hard-link") std::filesystem::create_hard_link(path(0), path(1));
+    return verb == "link" || verb == "hard-link";
+  }
+
+  /// The bytes of all files, by their paths.
+  std::map<std::string, std::string> all_files() const {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_))
+      files[entry.path().string()] = entry.is_regular_file() ? contents(entry.path()) : "";
+    return files;
   }
 
   void run_command(const ScriptStep& step, const std::string& verb, const std::string& rest) {
@@ -126,7 +109,7 @@ class CommandScript : public SurfaceProgramTest {
     for (const std::string& check : step.checks) {
       if (check.starts_with("exit ")) status = std::stoi(check.substr(5));
     }
-    const std::vector<std::string> before = new_files();
+    const auto before = status == kDone ? std::map<std::string, std::string>() : all_files();
     outcome_ = run(words);
     ASSERT_EQ(outcome_.status, status) << outcome_.err;
     drawing_ = is_json ? json::parse(outcome_.out) : json();
@@ -139,7 +122,7 @@ class CommandScript : public SurfaceProgramTest {
       EXPECT_EQ(outcome_.out, "");
       EXPECT_EQ(outcome_.error_lines(), 1u) << outcome_.err;
       EXPECT_TRUE(outcome_.err.starts_with("ligne: ")) << outcome_.err;
-      EXPECT_EQ(new_files(), before) << rest;
+      EXPECT_EQ(all_files(), before) << rest;
     }
     for (const std::string& check : step.checks) {
       SCOPED_TRACE(check);
@@ -193,12 +176,14 @@ class CommandScript : public SurfaceProgramTest {
   void check_kept(const std::string& verb, std::string_view rest) {
     const std::string name = take_word(rest);
     if (verb == "keep-number") {
-      kept_numbers_[name] = quantity(std::string(rest));
+      kept_numbers_[name] = sum(std::string(rest));
       return;
     }
     std::string now = outcome_.out;
     if (verb.ends_with("-json")) {
       now = json_at(std::string(rest)).dump();
+    } else if (verb.ends_with("-pieces")) {
+      now = pieces_of(json::parse(text_of(std::string(rest))));
     } else if (drawing_.is_object()) {
       now = drawing_["strokes"].dump();
     }
@@ -221,16 +206,21 @@ class CommandScript : public SurfaceProgramTest {
     EXPECT_EQ(strokes_by_class(drawing_), expected);
   }
 
-  json json_at(const std::string& place) const {
+  std::vector<json> jsons_at(const std::string& place) const {
     const std::size_t colon = place.find(":/");
     const json whole = json::parse(colon == place.npos ? outcome_.out : contents(file(place.substr(0, colon))));
-    const std::string pointer = unescaped(colon == place.npos ? place : place.substr(colon + 1));
-    return pointer == "/" ? whole : whole.at(json::json_pointer(pointer));
+    return parts_at(whole, unescaped(colon == place.npos ? place : place.substr(colon + 1)));
   }
+  json json_at(const std::string& place) const { return jsons_at(place).at(0); }
 
   void check_json(const std::string& place, std::string_view rest) const {
-    const json found = json_at(place);
     const std::string op = take_word(rest), text(rest);
+    const std::vector<json> all = jsons_at(place);
+    EXPECT_FALSE(all.empty());
+    for (const json& found : all) check_part(found, op, text);
+  }
+
+  void check_part(const json& found, const std::string& op, const std::string& text) const {
     if (op == "has" || op == "lacks") {
       EXPECT_EQ(found.contains(text), op == "has") << found;
     } else if (found.is_number()) {

@@ -1,8 +1,5 @@
 /// Every option of `ligne draw`, by what it changes.
 
-#include <cmath>
-#include <set>
-
 #include "draw_program.hpp"
 
 namespace ligne::test {
@@ -115,6 +112,26 @@ TEST_F(DrawTest, CurvesWhereLinesAreClear) {
   EXPECT_FALSE(curves("--pen rest=1")) << "pens keep the points";
   EXPECT_EQ(drawn("disc.obj -q --curves on")["strokes"], drawn("disc.obj -q --curves off")["strokes"]);
   EXPECT_EQ(run("draw disc.obj --curves maybe -o x.svg").status, 2);
+}
+
+TEST_F(DrawTest, SpansInJson) {
+  const json cube = drawn("cube.obj --method watkins --lines 100 --landscape");
+  const json& spans = cube["spans"];
+  ASSERT_GT(spans.size(), 80u);
+  double area = 0;
+  for (const json& line : spans) {
+    double x = 0;
+    EXPECT_NEAR(line["y"].get<double>(), (line["line"].get<double>() + 0.5) * 2.1, 1e-9);
+    for (const json& span : line["spans"]) {
+      EXPECT_GE(span[0].get<double>(), x);
+      EXPECT_GT(span[1].get<double>(), span[0].get<double>());
+      x = span[1].get<double>();
+      area += (span[1].get<double>() - span[0].get<double>()) * 2.1;
+    }
+  }
+  // A cube seen along its diagonal is a regular hexagon, here 190 mm high between two corners.
+  EXPECT_NEAR(area, 95 * 95 * 3 * std::sqrt(3) / 2, 150);
+  EXPECT_FALSE(drawn("cube.obj --method watkins").contains("spans"));
 }
 
 }  // namespace

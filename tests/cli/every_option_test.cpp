@@ -1,7 +1,5 @@
 /// Every option of the commands that draw, in every format: it changes what is written, or is refused, or is warned of.
 
-#include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "main/tier.hpp"

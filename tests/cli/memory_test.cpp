@@ -1,7 +1,5 @@
 /// --max-memory: a run is done, or ends soon with one line and no file.
 
-#include <cmath>
-
 #include "main/tier.hpp"
 #include "program.hpp"
 

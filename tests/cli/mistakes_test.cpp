@@ -3,9 +3,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <filesystem>
-
 #include "draw_program.hpp"
 
 namespace ligne::test {

@@ -1,7 +1,5 @@
 /// ligne plot, ligne devices, and the plotter's options of the other commands, as a user runs them.
 
-#include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"

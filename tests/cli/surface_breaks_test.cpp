@@ -1,7 +1,5 @@
 /// Where formulas end and jump: strokes end on the true border, and none goes over a jump.
 
-#include <functional>
-
 #include "surface_program.hpp"
 
 namespace ligne::test {

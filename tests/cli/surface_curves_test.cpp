@@ -1,8 +1,5 @@
 // Fills and terrain maps: what scripts/surface.txt can not measure.
 
-#include <algorithm>
-#include <fstream>
-#include <numbers>
 #include <regex>
 
 #include "surface_program.hpp"

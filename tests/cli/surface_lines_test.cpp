@@ -1,7 +1,6 @@
 /// Contour lines and axes of `ligne surface` by the mesh methods.
 
 #include <chrono>
-#include <numbers>
 
 #include "surface_program.hpp"
 
@@ -22,29 +21,6 @@ class SurfaceLinesTest : public SurfaceProgramTest {
     return layers(arguments + more);
   }
 };
-
-TEST_F(SurfaceLinesTest, TheHorizonAndTheMeshDrawTheSameContours) {
-  const std::vector<Words> surfaces{
-      {"5*sin(r)/r", "-x", "-9:9:60", "-y", "-8:9:55", "--contours", "12"},
-      {"sin(x)*cos(y/2)", "-x", "-5:5:30", "-y", "-5:5:30", "--contour-step", "0.1", "--lines", "x"},
-      {"if(abs(x-1)+abs(y) < 1.5, sqrt(-1), x^2-y^2)", "-x", "-4:4:23", "-y", "-4:4:29", "--contour-step", "0.7"},
-      {"x+y", "-x", "-4:4:9", "-y", "-4:4:9", "--samples", "9", "--contour-step", "1"},  // along the diagonals of the cells
-      {"x-y", "-x", "-4:4:9", "-y", "-4:4:9", "--samples", "9", "--contour-step", "1"},  // through their corners
-  };
-  for (const auto& arguments : surfaces) {
-    // Without outlines: a mesh draws a contour that runs along one, or within the breadth of a coincidence beside it, as
-    // outline alone.
-    for (const Words view :
-         chosen("contours, " + arguments[0], 3, {"", "--azimuth 20 --elevation 50", "--eye 30,-20,25 --z-scale 1"})) {
-      Words by_horizon = arguments + "--outline off";
-      Words by_mesh = by_horizon + "--method appel";
-      const double horizon = layers_with(by_horizon, view).at("contour");
-      EXPECT_GT(horizon, 100);
-      EXPECT_NEAR(layers_with(by_mesh, view).at("contour"), horizon, 1e-5 * horizon)
-          << arguments[0] << (view.empty() ? "" : view[0]);
-    }
-  }
-}
 
 TEST_F(SurfaceLinesTest, AxesOfTheMeshAreThoseOfTheHorizon) {
   for (const char* style : {"--axes", "--axes=grid", "--axes=box", "--axes=base"}) {

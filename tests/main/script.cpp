@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -179,6 +180,49 @@ bool add_scripts(const std::filesystem::path& folder, const std::function<void(c
     }
   }
   return !files.empty();
+}
+
+namespace {
+
+void run_functions(const Script& script, const TextFunctions& functions) {
+  for (const ScriptStep& step : script.steps) {
+    SCOPED_TRACE(step.place + ": " + step.line);
+    std::string_view rest = step.line;
+    const auto& function = functions.at(take_word(rest));
+    std::string found, error;
+    try {
+      found = function(unescaped(rest));
+    } catch (const std::exception& thrown) {
+      error = thrown.what();
+    }
+    ASSERT_FALSE(step.checks.empty());
+    for (const std::string& check : step.checks) {
+      std::string_view text = check;
+      const std::string verb = take_word(text), wanted = unescaped(text);
+      EXPECT_EQ(error.empty(), verb == "=") << error << found;
+      EXPECT_EQ(error.find('\n'), error.npos) << error;
+      if (verb == "=") {
+        EXPECT_EQ(found, wanted);
+      } else if (verb == "says") {
+        EXPECT_EQ(error, wanted);
+      } else if (verb == "tells") {
+        EXPECT_NE(error.find(wanted), error.npos) << error;
+      } else {
+        EXPECT_EQ(verb, "fails");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+bool add_function_scripts(const std::filesystem::path& folder, const TextFunctions& functions) {
+  return add_scripts(folder, [functions](const Script& script) { run_functions(script, functions); });
+}
+
+std::string as_text(double value) {
+  char text[40];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 std::string unescaped(std::string_view text) {

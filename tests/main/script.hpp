@@ -16,6 +16,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,22 @@ std::vector<Script> read_scripts(const std::filesystem::path& file);
 
 /// Makes tests of all scripts of the folder; `run` does the steps of one.
 bool add_scripts(const std::filesystem::path& folder, const std::function<void(const Script&)>& run);
+
+/// Functions of a text, by their names, that give a text. A step is a function and its text, which may be empty; checks:
+///
+///     = TEXT       what it gives, to the letter
+///     fails        it throws, with one line; says LINE: that line; tells PART: a part of it
+using TextFunctions = std::map<std::string, std::function<std::string(const std::string&)>>;
+
+/// Makes tests of all scripts of the folder whose steps are calls of the functions.
+bool add_function_scripts(const std::filesystem::path& folder, const TextFunctions& functions);
+
+/// The shortest text that stands for the number; numbers with spaces between them.
+std::string as_text(double value);
+template <class... Rest>
+std::string as_text(double first, double second, Rest... rest) {
+  return as_text(first) + " " + as_text(second, rest...);
+}
 
 /// The text with characters in place of \n, \t, \r, \s (a space), \\ and \xHH.
 std::string unescaped(std::string_view text);

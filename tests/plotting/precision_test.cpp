@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include "main/script.hpp"
 #include "plotting/page.hpp"
 #include "plotting/stroke_text.hpp"
 #include "plotting/writers/number_text.hpp"
@@ -143,87 +144,36 @@ std::string fixed(std::int64_t value, int decimals, bool bare_point = true) {
   char text[kNumberBytes];
   return {text, write_fixed(text, value, decimals, bare_point)};
 }
-std::string rounded(double value, int decimals) {
-  std::string text;
-  append_rounded(text, value, decimals);
-  return text;
-}
+/// The length but for the rounding of a product.
+double picometres(double mm) { return std::round(mm * 1e12) / 1e12; }
 
-TEST(NumberText, Fixed) {
-  EXPECT_EQ(fixed(0, 4), "0");
-  EXPECT_EQ(fixed(1, 4), ".0001");
-  EXPECT_EQ(fixed(-5000, 4), "-.5");
-  EXPECT_EQ(fixed(-5000, 4, false), "-0.5");
-  EXPECT_EQ(fixed(10000, 4), "1");
-  EXPECT_EQ(fixed(-1234567, 4), "-123.4567");
-  EXPECT_EQ(fixed(1230000, 4), "123");
-  EXPECT_EQ(fixed(1230400, 4), "123.04");
-  EXPECT_EQ(fixed(42, 0), "42");
-  EXPECT_EQ(fixed(std::numeric_limits<std::int64_t>::min(), 4), "-922337203685477.5808");
-}
+/// Texts of numbers, lengths and pages: values/lengths.txt.
+const test::TextFunctions kFunctions{
+    {"fixed", [](auto& t) { return fixed(std::stoll(t), 4); }},
+    {"fixed-with-zero", [](auto& t) { return fixed(std::stoll(t), 4, false); }},
+    {"fixed-whole", [](auto& t) { return fixed(std::stoll(t), 0); }},
+    {"rounded",
+     [](auto& t) {
+       std::string text;
+       append_rounded(text, test::value_of(t), 6);
+       return text;
+     }},
+    {"length", [](auto& t) { return test::as_text(picometres(parse_length_mm(t))); }},
+    {"page",
+     [](auto& t) {
+       EXPECT_EQ(parse_page(t).margin_mm, Page{}.margin_mm);
+       return test::as_text(picometres(parse_page(t).width_mm), picometres(parse_page(t).height_mm));
+     }},
+};
+
+[[maybe_unused]] const bool values_are_added =
+    test::add_function_scripts(LIGNE_SOURCE_DIR "/tests/plotting/values", kFunctions);
 
 TEST(NumberText, FixedAgreesWithTheLibrary) {
   std::mt19937_64 random(3);
   for (int i = 0; i < 20000; ++i) {
     const auto value = static_cast<std::int64_t>(random() % 100000000) - 50000000;
     EXPECT_EQ(std::llround(std::strtod(fixed(value, 4, i % 2).c_str(), nullptr) * 1e4), value);
-  }
-}
-
-TEST(NumberText, Rounded) {
-  EXPECT_EQ(rounded(0.245, 6), "0.245");
-  EXPECT_EQ(rounded(0.7 * 0.35, 6), "0.245");
-  EXPECT_EQ(rounded(-1e-9, 6), "0");
-  EXPECT_EQ(rounded(1e300, 6), "1e+300");
-  EXPECT_EQ(rounded(std::nan(""), 6), "null");
-}
-
-TEST(Length, Units) {
-  EXPECT_EQ(parse_length_mm("12"), 12);
-  EXPECT_EQ(parse_length_mm("12mm"), 12);
-  EXPECT_EQ(parse_length_mm("1.5cm"), 15);
-  EXPECT_EQ(parse_length_mm("0.5in"), 12.7);
-  EXPECT_DOUBLE_EQ(parse_length_mm("72pt"), 25.4);
-  EXPECT_EQ(parse_length_mm(".25"), 0.25);
-  EXPECT_EQ(parse_length_mm("1e2mm"), 100);
-  EXPECT_EQ(parse_length_mm("0"), 0);
-}
-
-TEST(Length, MalformedLengthsAreNamedInOneLine) {
-  for (const std::string text :
-       {"",   "mm",     "a",  "1 mm", " 1",  "1mmm", "1m",    "1MM",   "1,5",  "1.5.2",   "--1", "+1",
-        "-1", "-0.1mm", "-0", "nan",  "inf", "-inf", "infmm", "1e999", "0x10", "1e308in", "1mm2"}) {
-    try {
-      parse_length_mm(text);
-      ADD_FAILURE() << "accepted: " << text;
-    } catch (const std::invalid_argument& error) {
-      const std::string what = error.what();
-      test::expect_parts(what, {text});
-      EXPECT_EQ(what.find('\n'), std::string::npos);
-    }
-  }
-}
-
-TEST(Pages, EveryNameInAnyCase) {
-  const struct {
-    const char* name;
-    double width, height;
-  } pages[] = {{"A0", 841, 1189},       {"A1", 594, 841},           {"A2", 420, 594},         {"A3", 297, 420},
-               {"A4", 210, 297},        {"A5", 148, 210},           {"A6", 105, 148},         {"letter", 215.9, 279.4},
-               {"legal", 215.9, 355.6}, {"tabloid", 279.4, 431.8},  {"a3", 297, 420},         {"LETTER", 215.9, 279.4},
-               {"100x150", 100, 150},   {"10cmx15cm", 100, 150},    {"10cmx150mm", 100, 150}, {"8inx10in", 203.2, 254},
-               {"8x10in", 203.2, 254},  {"72ptx144pt", 25.4, 50.8}, {"100X150", 100, 150}};
-  for (const auto& page : pages) {
-    EXPECT_DOUBLE_EQ(parse_page(page.name).width_mm, page.width) << page.name;
-    EXPECT_DOUBLE_EQ(parse_page(page.name).height_mm, page.height) << page.name;
-    EXPECT_EQ(parse_page(page.name).margin_mm, Page{}.margin_mm);
-  }
-}
-
-TEST(Pages, MalformedPages) {
-  for (const char* text : {"", "A7", "A", "A44", "x", "10x", "x10", "10x10x10", "-10x10", "0x10", "10x0", "10 x 10",
-                           "nanx10", "1e9x10", "10kmx10", "letters", "A4 "}) {
-    EXPECT_THROW(parse_page(text), std::invalid_argument) << text;
   }
 }
 
