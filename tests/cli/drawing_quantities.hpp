@@ -1,5 +1,5 @@
 #pragma once
-/// What tests in text ask of the drawings of a command.
+/// Quantities of the drawings of a command, for tests that are written as text.
 
 #include <nlohmann/json.hpp>
 

@@ -37,7 +37,7 @@ void expect_forgeries_are_refused(const std::string& bytes, Sign sign, Read read
 
 class ForgedFiles : public DrawTest {
  protected:
-  /// What is said of a drawing of files one of which has the bytes.
+  /// The message when files are drawn one of which has the bytes.
   std::string error_of(const std::string& bytes, const Words& files) const {
     write("changed", bytes);
     const Outcome outcome = run("draw" + files + "-o a.svg");

@@ -24,7 +24,7 @@ std::string classes(LineClasses classes) {
 std::string point(const Point3& p) { return test::as_text(p.x, p.y, p.z); }
 std::string format(OutputFormat f) { return std::string(kOutputFormatNames[static_cast<std::size_t>(f)]); }
 
-/// What the texts of options mean: values/options.txt.
+/// The functions of values/options.txt.
 const test::TextFunctions kFunctions{
     {"number", [](auto& t) { return test::as_text(parse_number(t)); }},
     {"between-0-and-180", [](auto& t) { return test::as_text(parse_between(t, 0, 180, "degrees")); }},
