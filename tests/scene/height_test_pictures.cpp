@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <numbers>
 #include <thread>
 
 #include "height_tools.hpp"

@@ -1,13 +1,9 @@
 // Streams of EXT_meshopt_compression: those that the specification gives, those of an independent encoder, and broken ones.
 
-#include <gtest/gtest.h>
-
-#include <cstring>
-#include <random>
-
 #include "gltf_builder.hpp"
 #include "scene/readers/gltf/gltf_reader.hpp"
 #include "scene/readers/gltf/meshopt_codec.hpp"
+#include "support/test.hpp"
 
 #ifdef LIGNE_HAVE_MESHOPTIMIZER
 #include <meshoptimizer.h>

@@ -1,9 +1,5 @@
 // Material libraries and free-form surfaces of OBJ files.
 
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-
 #include "reader_tools.hpp"
 #include "scene/readers/obj/obj_materials.hpp"
 #include "scene/readers/obj/obj_reader.hpp"

@@ -1,8 +1,5 @@
 #include "scene/readers/ply/ply_reader.hpp"
 
-#include <bit>
-#include <cmath>
-
 #include "reader_tools.hpp"
 
 namespace ligne {

@@ -1,8 +1,5 @@
 // Points and lines in files of arrays and archives.
 
-#include <filesystem>
-#include <fstream>
-
 #include "array_builder.hpp"
 #include "deflated.hpp"
 #include "height_tools.hpp"

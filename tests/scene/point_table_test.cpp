@@ -1,8 +1,5 @@
 #include "scene/surfaces/grids/point_table.hpp"
 
-#include <filesystem>
-#include <fstream>
-
 #include "height_tools.hpp"
 
 namespace ligne {

@@ -1,7 +1,5 @@
 // Positions, scales, holes and bands of GeoTIFF.
 
-#include <fstream>
-
 #include "height_tools.hpp"
 #include "scene/surfaces/grids/raster_placement.hpp"
 #include "tiff_builder.hpp"

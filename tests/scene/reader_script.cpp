@@ -1,13 +1,15 @@
 /// Tests of the readers that are written as text, in the folder scripts. A step is a kind of file, and its text: asc, obj,
 /// off, ply, stl, scene are read by their readers, "file.SUFFIX" as the command reads it, and "model FILE" from the shared
-/// models, where they are; "gltf POINTER = JSON ; -POINTER" changes the unit square as glTF, and json is the text of such a
-/// file; grid, also "grid:layout=matrix", "grid:set=1", "grid:using=1,2,4"; "corpus FILE", a grid of the fuzzers' corpus;
-/// formula; "detect.SUFFIX" tells the format. A scene that is read is sound: see expect_sound. Checks:
+/// models, where they are; json is the text of a glTF; "gltf CHANGES" changes the unit square as glTF, "triangle CHANGES" a
+/// triangle, both as gltf_changes.hpp has it, and "triangle@NAME@SECONDS" reads the file at a moment of an animation; grid,
+/// also "grid:layout=matrix", "grid:set=1", "grid:using=1,2,4"; "corpus FILE", a grid of the fuzzers' corpus; formula;
+/// "detect.SUFFIX" tells the format. A scene that is read is sound: see expect_sound. Checks:
 ///
 ///     fails MESSAGE; begins MESSAGE; has TEXT    the whole error, its beginning, a part of it
 ///     is NAME                                    the format that is detected, or why there is none
 ///     /POINTER = JSON                            of the scene as JSON: as_json below
 ///     bounds X Y Z X Y Z                         of a scene, to four decimals
+///     points X Y Z X Y Z ...; near X Y Z ...     the vertices of a scene, to 1e-12; to the precision of float32
 ///     x 0 1 2; y 0 1; z 1 2; nan 4               positions and rows of heights of a grid
 ///     mesh COLUMNS ROWS; point N X Y Z           of the grid's mesh
 ///     surfaces N                                 in the file
@@ -18,7 +20,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "gltf_builder.hpp"
+#include "gltf_changes.hpp"
 #include "height_tools.hpp"
 #include "main/script.hpp"
 #include "scene/readers/gltf/gltf_reader.hpp"
@@ -84,26 +86,6 @@ std::vector<double> numbers_of(std::string_view text) {
   return numbers;
 }
 
-/// The unit square as glTF, with the changes.
-std::string changed_gltf(std::string_view changes) {
-  gltf_test::Builder square = gltf_test::square();
-  square.text();
-  while (!changes.empty()) {
-    const std::size_t end = std::min(changes.find(" ; "), changes.size());
-    std::string_view change = changes.substr(0, end);
-    changes.remove_prefix(std::min(end + 3, changes.size()));
-    const std::string pointer = take_word(change);
-    if (pointer.starts_with("-")) {
-      const json::json_pointer at(pointer.substr(1));
-      square.root.at(at.parent_pointer()).erase(at.back());
-    } else {
-      take_word(change);
-      square.root[json::json_pointer(pointer == "/" ? "" : pointer)] = json::parse(change);
-    }
-  }
-  return square.root.dump();
-}
-
 class ReaderScript {
  public:
   ReaderScript(const std::string& kind, const std::string& text) : kind_(kind), text_(text) {
@@ -130,6 +112,8 @@ class ReaderScript {
     } else if (verb == "bounds") {
       const std::vector<double> b = numbers_of(rest);
       expect_bounds(scene_, {b.at(0), b.at(1), b.at(2)}, {b.at(3), b.at(4), b.at(5)});
+    } else if (verb == "points" || verb == "near") {
+      check_points(numbers_of(rest), verb == "points" ? 1e-12 : 1e-7);
     } else if (verb == "omits") {
       EXPECT_EQ(warnings_.left_out().text(), wanted == "nothing" ? "" : wanted);
     } else if (verb == "warns") {
@@ -168,9 +152,9 @@ class ReaderScript {
     if (kind_ == "ply") scene_ = read_ply(bytes, "M", report, warnings_);
     if (kind_ == "stl") scene_ = read_stl_ascii(bytes, "M", report, warnings_);
     if (kind_ == "scene") scene_ = read_ligne_scene(bytes, "M", report, warnings_);
-    if (kind_ == "gltf") {
-      const std::string text = changed_gltf(text_);
-      scene_ = read_gltf({bytes_of(text), "M", testing::TempDir()}, false, report, warnings_);
+    if (kind_ == "gltf" || kind_.starts_with("triangle")) {
+      const std::string text = gltf_test::changed(kind_ == "gltf" ? gltf_test::square() : gltf_test::triangle(), text_);
+      scene_ = read_gltf({bytes_of(text), "M", testing::TempDir()}, false, report, warnings_, nullptr, pose());
     }
     if (kind_ == "json") scene_ = read_gltf({bytes, "M"}, false, report, warnings_);
     if (is_file) {
@@ -186,6 +170,18 @@ class ReaderScript {
     if (scene_.faces.empty()) return;
     expect_sound(scene_);
     json_ = as_json(scene_, report);
+  }
+
+  std::optional<ScenePose> pose() const {
+    const std::size_t name = kind_.find('@'), seconds = kind_.rfind('@');
+    if (name == kind_.npos) return {};
+    return ScenePose{kind_.substr(name + 1, seconds - name - 1), std::stod(kind_.substr(seconds + 1))};
+  }
+
+  void check_points(const std::vector<double>& wanted, double tolerance) const {
+    ASSERT_EQ(3 * scene_.vertices.size(), wanted.size()) << error_;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      EXPECT_NEAR(scene_.vertices[i / 3][static_cast<int>(i % 3)], wanted[i], tolerance) << "vertex " << i / 3;
   }
 
   void check_value(const std::vector<double>& x_y_value) const {

@@ -4,9 +4,6 @@
 
 #include <unistd.h>
 
-#include <cmath>
-#include <fstream>
-
 #include "reader_tools.hpp"
 #include "scene/model/precision.hpp"
 #include "scene/readers/text_lines.hpp"

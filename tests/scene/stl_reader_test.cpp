@@ -1,8 +1,5 @@
 #include "scene/readers/stl_reader.hpp"
 
-#include <cmath>
-#include <cstring>
-
 #include "reader_tools.hpp"
 
 namespace ligne {

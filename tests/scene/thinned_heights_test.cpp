@@ -2,8 +2,6 @@
 
 #include "scene/surfaces/thinned_heights.hpp"
 
-#include <span>
-
 #include "height_tools.hpp"
 
 namespace ligne {

@@ -1,7 +1,5 @@
 #include "scene/readers/studio/three_ds_reader.hpp"
 
-#include <numbers>
-
 #include "reader_tools.hpp"
 
 namespace ligne {

@@ -8,6 +8,7 @@
 #include "scene/model/self_contact.hpp"
 #include "scene/model/triangle_contact.hpp"
 #include "scene/surfaces/surface_mesh.hpp"
+#include "support/round_bodies.hpp"
 #include "support/test.hpp"
 
 namespace ligne {
@@ -240,17 +241,13 @@ struct Torus {
   std::vector<Triangle> triangles;
 
   Torus(std::uint32_t n, double tube) {
-    for (std::uint32_t i = 0; i < n; ++i) {
-      for (std::uint32_t k = 0; k < n; ++k) {
-        const double u = 2 * std::numbers::pi * i / n, v = 2 * std::numbers::pi * (k + 0.5) / n, r = 1 + tube * std::cos(v);
-        vertices.emplace_back(r * std::cos(u), r * std::sin(u), tube * std::sin(v));
-        const auto at = [&](std::uint32_t a, std::uint32_t b) { return (i + a) % n * n + (k + b) % n; };
-        add({at(0, 0), at(1, 0), at(1, 1)});
-        add({at(0, 0), at(1, 1), at(0, 1)});
-      }
+    const Scene scene = test::torus(1, tube, n, n, 0.5);
+    vertices = scene.vertices;
+    for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
+      const auto corners = scene.faces.contour(f, 0);
+      triangles.push_back({{corners[0], corners[1], corners[2]}, f});
     }
   }
-  void add(const std::array<std::uint32_t, 3>& v) { triangles.push_back({v, static_cast<std::uint32_t>(triangles.size())}); }
 };
 
 TEST(SelfContact, ATorusPenetratesItselfWhenItsTubeIsTooThick) {
