@@ -12,7 +12,8 @@
 /// {source} is the folder of the project. Checks, where OP is = != < > <= or >=, and = may be followed by "+- TOLERANCE":
 ///
 ///     exit N; says LINE; begins TEXT; quiet; lines OP N       the line on standard error behind "ligne: "; its start; none
-///     WHERE has TEXT; WHERE has N of TEXT; WHERE lacks TEXT   in out, err or a file; also: begins, is, same FILE, differs
+///     WHERE has TEXT; WHERE has N of TEXT; WHERE lacks TEXT   in out, err or a file; also: begins, is, same FILE, differs,
+///                                                         matches REGEX, mismatches
 ///     FILE writes FILE...; no FILE; bytes WHERE OP N               the files that there are more than at the start; sizes
 ///     keep NAME; as NAME; unlike NAME                         strokes of a drawing, or all that was written to out
 ///     keep-json NAME POINTER; as-json ...; unlike-json ...    a part of the JSON
@@ -33,6 +34,7 @@
 ///     of a
 
 #include <sys/stat.h>
+#include <regex>
 
 #include "draw_program.hpp"
 #include "drawing_quantities.hpp"
@@ -240,9 +242,9 @@ class CommandScript : public SurfaceProgramTest {
     if (text.find_first_of("$:/") == text.npos && text.find_first_of("abcdfghjklmnoqrstuvwxyz") == text.npos)
       return value_of(text);
     double result = 0;
-    for (const std::string& term : split(text, '+')) {
+    for (const std::string& term : parts_of(text, '+')) {
       double product = 1;
-      for (const std::string& factor : split(term, '*')) product *= this->factor(factor);
+      for (const std::string& factor : parts_of(term, '*')) product *= this->factor(factor);
       result += product;
     }
     return result;
@@ -269,6 +271,8 @@ class CommandScript : public SurfaceProgramTest {
       expect_parts(whole, {text});
     } else if (verb == "lacks") {
       expect_no_parts(whole, {text});
+    } else if (verb == "matches" || verb == "mismatches") {
+      EXPECT_EQ(std::regex_search(whole, std::regex(std::string(rest))), verb == "matches") << whole.substr(0, 2000);
     } else if (verb == "begins") {
       EXPECT_TRUE(whole.starts_with(text)) << whole.substr(0, 2000);
     } else if (verb == "is") {
@@ -285,7 +289,7 @@ class CommandScript : public SurfaceProgramTest {
     if (name == "lines") return static_cast<double>(outcome_.error_lines());
     if (name == "down") return down();
     if (name.find(":/") != name.npos || name.front() == '/') return json_at(name).get<double>();
-    const std::vector<std::string> words = split(name, ':');
+    const std::vector<std::string> words = parts_of(name, ':');
     if (words[0] == "drawn") return drawn_length(contents(file(words.at(1))), words.size() > 2 ? words[2] : "");
     if (words[0] == "bytes") return static_cast<double>(contents(file(words.at(1))).size());
     if (words[0] == "count") return static_cast<double>(count_of(contents(file(words.at(1))), unescaped(words.at(2))));

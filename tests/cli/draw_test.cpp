@@ -91,29 +91,6 @@ TEST_F(DrawTest, OnlyDrawnPartsAreSubdivided) {
       << outcome.err;
 }
 
-TEST_F(DrawTest, CurvesWhereLinesAreClear) {
-  std::string disc, face = "f";
-  constexpr int kCorners = 48;
-  for (int i = 0; i < kCorners; ++i) {
-    const double t = 2 * 3.14159265358979 * i / kCorners;
-    disc += "v " + std::to_string(std::cos(t)) + " " + std::to_string(std::sin(t)) + " 0\n";
-    face += " " + std::to_string(i + 1);
-  }
-  write("disc.obj", disc + face + "\n");
-  const auto curves = [&](const Words& options) {
-    const Outcome outcome = run_well("draw disc.obj --view iso -o - --format svg" + options);
-    const std::string path = outcome.out.substr(outcome.out.find("<path d=\"M") + 9);
-    return path.substr(0, path.find('"')).find_first_of("Cc") != std::string::npos;
-  };
-  EXPECT_TRUE(curves({}));
-  EXPECT_FALSE(curves("--curves off"));
-  EXPECT_FALSE(curves("--quality exact"));
-  EXPECT_TRUE(curves("--quality exact --curves on"));
-  EXPECT_FALSE(curves("--pen rest=1")) << "pens keep the points";
-  EXPECT_EQ(drawn("disc.obj -q --curves on")["strokes"], drawn("disc.obj -q --curves off")["strokes"]);
-  EXPECT_EQ(run("draw disc.obj --curves maybe -o x.svg").status, 2);
-}
-
 TEST_F(DrawTest, SpansInJson) {
   const json cube = drawn("cube.obj --method watkins --lines 100 --landscape");
   const json& spans = cube["spans"];

@@ -73,11 +73,4 @@ inline double drawn_length(const std::string& svg, const std::string& layer) {
   return length;
 }
 
-inline std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::istringstream in(text);
-  for (std::string part; std::getline(in, part, separator);) parts.push_back(part);
-  return parts;
-}
-
 }  // namespace ligne::test

@@ -56,17 +56,5 @@ TEST_F(ProgramTest, CompareAsJsonHasOneSchemaForAllMethods) {
   ASSERT_EQ(found["differences_mm"].size(), methods.size());
 }
 
-TEST_F(ProgramTest, CompareOfSomeMethodsAsCsv) {
-  const Outcome outcome = run_well("compare cube.obj --methods newell,warnock --set resolution=64 --csv");
-  std::vector<std::string> lines;
-  std::istringstream text(outcome.out);
-  for (std::string line; std::getline(text, line);) lines.push_back(line);
-  ASSERT_EQ(lines.size(), 3u);
-  EXPECT_EQ(lines[0].rfind("method,exact,drawn,note,resolution_mm,", 0), 0u);
-  // In the order of ligne methods; the option is that of warnock alone.
-  EXPECT_EQ(lines[1].rfind("warnock,no,yes,", 0), 0u) << lines[1];
-  EXPECT_EQ(lines[2].rfind("newell,yes,yes,", 0), 0u) << lines[2];
-}
-
 }  // namespace
 }  // namespace ligne::test

@@ -1,4 +1,4 @@
-/// Standard input as a model, and names that would change the terminal. Names that are nearly right: scripts/mistakes.txt.
+/// Standard input as a model. More mistakes of newcomers: scripts/mistakes.txt.
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -41,35 +41,6 @@ TEST_F(MistakesOfNewcomers, StandardInputIsAModel) {
   EXPECT_EQ(info.out.substr(0, 15), "standard input\n") << info.err;
   EXPECT_EQ(run_with_input("", "draw - -o a.svg").err, "ligne: standard input: is empty\n");
   EXPECT_EQ(run_with_input("v 0 0 0\nf 1 2 9\n", "draw - -o a.svg").err.rfind("ligne: standard input:2: ", 0), 0u);
-}
-
-TEST_F(MistakesOfNewcomers, NamesAreEscapedWhereverTheyArePrinted) {
-  const std::string bad = "x\x1b]0;pwn\a\x9b.obj";
-  std::filesystem::copy_file(file("cube.obj"), file(bad));
-  for (const Words& arguments : {Words{"info", bad},
-                                 {"draw", bad, "-o", "a.svg", "--stats", "--report"},
-                                 {"draw", bad, "--dpi", "99", "-o", bad + ".svg"},
-                                 {"draw", bad, "--format", "png", "-o", bad + ".svg"},
-                                 {"draw", bad + ".stl", "-o", "a.svg"},
-                                 {"compare", bad, "--methods", "appel"},
-                                 {"help", bad},
-                                 {bad},
-                                 {"plot", bad, "-o", "a.svg"},
-                                 {"surface", "--grid", bad, "-o", "a.svg"},
-                                 {"study", bad},
-                                 {"draw", "cube.obj", bad},
-                                 {"draw", "cube.obj", "--device", bad, "-o", "a.svg"},
-                                 {"draw", "cube.obj", "--view", bad, "-o", "a.svg"},
-                                 {"draw", "cube.obj", "-o", bad},
-                                 {"compile", bad, "-o", "a.tree", "--stats"}}) {
-    const Outcome outcome = run(arguments);
-    for (const std::string& text : {outcome.out, outcome.err}) {
-      EXPECT_EQ(text.find('\x1b'), std::string::npos) << arguments[0];
-      EXPECT_EQ(text.find('\a'), std::string::npos) << arguments[0];
-      EXPECT_EQ(text.find('\x9b'), std::string::npos) << arguments[0];
-    }
-  }
-  EXPECT_EQ(run({"info", bad}).out.rfind("x\\x1b]0;pwn\\x07\\x9b.obj\n", 0), 0u);
 }
 
 }  // namespace

@@ -69,6 +69,11 @@ std::string obj_of_shape(const std::vector<std::string>& words) {
   const auto number = [&](std::size_t i) { return std::stod(words.at(i)); };
   if (name == "torus") return torus(false);
   if (name == "covered-torus") return torus(true);
+  if (name == "disc") {
+    Corners corners;
+    for (int i = 0; i < number(1); ++i) corners.push_back(on_circle(1, 2 * kPi * i / number(1)));
+    return obj_of({corners});
+  }
   if (name == "scanned-ball") return scanned_ball(std::stoi(words.at(1)), number(2));
   if (name == "bored-plate") return obj_of(bored_plate(number(1), number(2)));
   if (name == "turned-part") return obj_of(turned_part());

@@ -1,11 +1,9 @@
-#include <unistd.h>
-
+#include "picture/parse/parse.hpp"
 #include "cli/memory_limit.hpp"
 #include "cli/options/idle_options.hpp"
 #include "files/message_text.hpp"
 #include "main/script.hpp"
 #include "picture/errors.hpp"
-#include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"
 #include "picture/placement.hpp"
 #include "picture/run_report.hpp"
@@ -122,16 +120,11 @@ TEST(Stages, AreTimedAndToldInOrder) {
 /// A folder in the place of "/".
 class ControlGroups : public testing::Test {
  protected:
-  void SetUp() override {
-    root_ = std::filesystem::temp_directory_path() / ("ligne-groups-" + std::to_string(getpid()));
-    std::filesystem::remove_all(root_);
-  }
-  void TearDown() override { std::filesystem::remove_all(root_); }
-  void write(const std::string& name, std::string_view text) const {
+  void write(const std::string& name, const std::string& text) const {
     std::filesystem::create_directories((root_ / name).parent_path());
-    std::ofstream(root_ / name) << text << '\n';
+    root_.write(name, text + '\n');
   }
-  std::filesystem::path root_;
+  test::TemporaryFolder root_;
 };
 
 TEST_F(ControlGroups, AbsentOnesLimitNothing) { EXPECT_EQ(group_memory(root_), std::nullopt); }

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
 
 #include "main/tier.hpp"
@@ -268,6 +269,13 @@ std::vector<std::string> words_of(std::string_view line) {
     if (!is_gap && !is_quote) words.back() += c;
   }
   return words;
+}
+
+std::vector<std::string> parts_of(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, separator);) parts.push_back(part);
+  return parts;
 }
 
 std::string take_word(std::string_view& text) {

@@ -63,6 +63,9 @@ std::string unescaped(std::string_view text);
 /// The words of a line. It is taken apart at its spaces, but for what stands in '...'.
 std::vector<std::string> words_of(std::string_view line);
 
+/// The parts of a text between the separators.
+std::vector<std::string> parts_of(const std::string& text, char separator);
+
 /// Takes the first word off the text, with the spaces behind it.
 std::string take_word(std::string_view& text);
 

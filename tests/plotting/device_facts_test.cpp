@@ -1,18 +1,8 @@
 // Facts about the devices: every number names its source, and agrees with the table of the sources.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <set>
-#include <sstream>
-#include <string>
-#include <vector>
-
+#include "main/script.hpp"
 #include "plotting/devices/device.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {
@@ -50,15 +40,8 @@ TEST(DeviceFacts, EveryNumberNamesItsSource) {
   EXPECT_GT(numbers, 150u);
 }
 
-std::vector<std::string> split(const std::string& text, char by) {
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, by);) parts.push_back(part);
-  return parts;
-}
-
 Point2 point_of(const std::string& text) {
-  const std::vector<std::string> parts = split(text, ' ');
+  const std::vector<std::string> parts = test::parts_of(text, ' ');
   return {std::stod(parts.at(0)), std::stod(parts.at(1))};
 }
 
@@ -76,6 +59,8 @@ void compare(const Device& device, const DevicePaper* paper, const std::string& 
   } else if (fact == "middle") {
     const Point2 middle = *paper->origin_mm + point_of(value) * device.step_mm;
     EXPECT_NEAR(glm::distance(middle, Point2(paper->width_mm, paper->height_mm) * 0.5), 0, 0.01);
+    const Point2 far = *paper->origin_mm + paper->limits.max * device.step_mm;
+    EXPECT_TRUE(far.x < paper->width_mm && far.y < paper->height_mm) << "the reach leaves the paper";
   } else if (fact == "p1" || fact == "p2") {
     const Point2 p = point_of(value);
     EXPECT_TRUE(p.x >= paper->limits.min.x && p.y >= paper->limits.min.y && p.x <= paper->limits.max.x &&
@@ -92,7 +77,7 @@ TEST(DeviceFacts, AgreeWithTheTableOfTheirSources) {
   for (std::string line; std::getline(file, line);) {
     if (line.starts_with('#')) continue;
     SCOPED_TRACE(line);
-    const std::vector<std::string> cells = split(line, ',');
+    const std::vector<std::string> cells = test::parts_of(line, ',');
     ASSERT_EQ(cells.size(), 5u);
     const Device* const device = find_device(cells[0]);
     ASSERT_NE(device, nullptr);
@@ -103,16 +88,6 @@ TEST(DeviceFacts, AgreeWithTheTableOfTheirSources) {
   // GRBL is a controller: its machines have any size.
   for (const Device& device : devices())
     EXPECT_TRUE(told.contains(device.name) || device.name.starts_with("grbl")) << device.name;
-}
-
-TEST(DeviceFacts, SheetsThatNoPaperHoldsAreRefusedOrFitted) {
-  const Page a2{420, 594};
-  try {
-    place_on_device(*find_device("hp7475a"), a2, {}, false);
-    FAIL() << "no error";
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("no paper holds a page of 420 mm x 594 mm"), std::string::npos) << error.what();
-  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 /// Pens, their labels and looks, and dashes.
 
+#include "main/script.hpp"
 #include "main/tier.hpp"
 #include "plotted.hpp"
 #include "plotting/dashes.hpp"
@@ -32,25 +33,6 @@ TEST(Pens, LabelsAreWhatOtherProgramsRead) {
   pen.height = 50;
   pen.delay_ms = 250;
   EXPECT_EQ(layer_label(pen), "%!3+S30+H50+D250 red 0.5");
-}
-
-TEST(Pens, LabelsAreReadAsTheyAreWritten) {
-  const LayerLabel label = parse_layer_label("%!3+S30+H50+D250 red 0.5");
-  EXPECT_EQ(label.number, 3u);
-  EXPECT_TRUE(label.skip && label.pause);
-  EXPECT_EQ(label.speed, 30u);
-  EXPECT_EQ(label.height, 50u);
-  EXPECT_EQ(label.delay_ms, 250u);
-  EXPECT_EQ(label.name, "red 0.5");
-  EXPECT_EQ(parse_layer_label("12-layer").number, 12u);
-  EXPECT_EQ(parse_layer_label("2001 a space odyssey").number, 0u) << "no plotter holds so many";
-  EXPECT_EQ(parse_layer_label("2001 a space odyssey").name, "2001 a space odyssey");
-  EXPECT_EQ(parse_layer_label("99999999999").number, 0u);
-  EXPECT_EQ(parse_layer_label("1+s0+h101+d9999999+x3 y").name, "+x3 y");
-  EXPECT_FALSE(parse_layer_label("1+s0+h101+d9999999+x3 y").speed);
-  EXPECT_FALSE(parse_layer_label("1+s0+h101+d9999999+x3 y").delay_ms);
-  EXPECT_EQ(parse_layer_label("red").name, "red");
-  EXPECT_TRUE(parse_layer_label("").name.empty());
 }
 
 Drawing layers_of(const std::vector<std::string>& names) {
@@ -259,10 +241,6 @@ TEST(Pens, AreReadFromTheCommandLineAndFromAFile) {
   EXPECT_EQ(table.pen_of("!5+S30 mine", ""), 2u) << "rest is all that no other pen has";
   EXPECT_EQ(PenTable().pen_of("!5+S30 mine", ""), 5u) << "a layer that another program numbered";
   EXPECT_EQ(table.pen(4).color, (std::array<double, 3>{0, 1, 0}));
-  for (const char* wrong : {"", "outline", "=1", "outline=0", "outline=1001", "outline=x", "outline=1,reddish",
-                            "outline=1,red,-1", "outline=1,red,0", "outline=1,#12"}) {
-    EXPECT_THROW(add_pen(table, wrong), std::invalid_argument) << wrong;
-  }
   const PenTable file = read_pens(
       "[[pen]]\nnumber = 2\ncolor = \"red\"\nwidth = 0.7\nclasses = [\"outline\", \"border\"]\nmaterials = "
       "[\"glass\"]\nobjects = [\"lid\"]\n"
@@ -273,11 +251,6 @@ TEST(Pens, AreReadFromTheCommandLineAndFromAFile) {
   EXPECT_EQ(file.pen_of("mesh", "", 0, "lid"), 2u);
   EXPECT_EQ(file.pen_of("mesh", ""), 1u);
   EXPECT_TRUE(file.pen(1).skip);
-  for (const char* wrong :
-       {"", "[[pen]]\n", "[[pen]]\nnumber = 0\n", "[[pen]]\nnumber = 1\nwidth = 0\n", "[[pen]]\nnumber = 1\nwidht = 1\n",
-        "[[pen]]\nnumber = 1\n[[pen]]\nnumber = 1\n", "[[pen]]\nnumber = 1\ncolor = \"?\"\n", "[pen]\nnumber = 1\n"}) {
-    EXPECT_THROW(read_pens(wrong, "pens.toml"), std::runtime_error) << wrong;
-  }
 }
 
 /// Two numbered layers, and one pen for all: no change of pens, and the ways that the file has.
@@ -355,31 +328,46 @@ std::string device_with(const std::string& language, const std::string& key, con
   return found || key.empty() ? text : text + key + " = " + value + "\n";
 }
 
-std::string device_error(const std::string& toml) {
-  const std::string error = test::failure_of([&] { read_device(toml, "F"); });
-  return error.empty() ? "no error" : error;
+std::string words_of_label(const LayerLabel& label) {
+  std::string words = std::to_string(label.number) + (label.skip ? " skip" : "") + (label.pause ? " pause" : "");
+  if (label.speed) words += " speed " + std::to_string(*label.speed);
+  if (label.height) words += " height " + std::to_string(*label.height);
+  if (label.delay_ms) words += " delay " + std::to_string(*label.delay_ms);
+  return words + (label.name.empty() ? "" : ": " + label.name);
 }
 
-TEST(DeviceFile, SpeedsAndTimesHaveBounds) {
-  const struct {
-    const char *key, *least, *most;
-    std::vector<const char*> bad;
-    const char* range;
-  } cases[] = {
-      {"speed_down", "0.01", "10000", {"0", "-1", "0.009", "10001", "1e-300", "1e300", "inf", "-inf"}, "0.01 to 10000 mm/s"},
-      {"speed_up", "0.01", "10000", {"0", "-1", "0.009", "10001", "1e-300", "1e300", "inf", "-inf"}, "0.01 to 10000 mm/s"},
-      {"lift_seconds", "0", "600", {"-0.1", "601", "1e300", "inf"}, "0 to 600 s"},
-      {"pen_change_seconds", "0", "86400", {"-0.1", "86401", "1e300", "inf"}, "0 to 86400 s"}};
-  for (const auto& c : cases) {
-    for (const char* good : {c.least, c.most})
-      EXPECT_EQ(device_error(device_with("hpgl", c.key, good)), "no error") << c.key;
-    for (const char* bad : c.bad) {
-      const std::string line = device_error(device_with("hpgl", c.key, bad));
-      EXPECT_TRUE(line.ends_with(std::string(": ") + c.key + " is not from " + c.range)) << bad << ": " << line;
-    }
-    EXPECT_TRUE(device_error(device_with("hpgl", c.key, "nan")).ends_with(" is not a number"));
-  }
+/// A device file with a paper of the given lines, and without limits of its own.
+std::string device_with_paper(const std::string& paper) {
+  std::string text = device_with("hpgl", "", "");
+  text.erase(text.find("limits"), text.find('\n', text.find("limits")) + 1 - text.find("limits"));
+  return text + "[[paper]]\nname = \"p\"\n" + paper;
 }
+
+/// "KEY = VALUE" as a key of the device file.
+std::string read_with(const std::string& language, const std::string& text) {
+  const std::size_t equals = text.find(" = ");
+  read_device(device_with(language, text.substr(0, equals), text.substr(equals + 3)), "F");
+  return "read";
+}
+
+/// The functions of device_values/.
+const TextFunctions kDeviceFunctions{
+    {"label", [](auto& t) { return words_of_label(parse_layer_label(t)); }},
+    {"pen",
+     [](auto& t) {
+       PenTable table;
+       add_pen(table, t);
+       return "read";
+     }},
+    {"pens", [](auto& t) { return read_pens(t, "F"), "read"; }},
+    {"paper", [](auto& t) { return read_device(device_with_paper(t), "F"), "read"; }},
+    {"device", [](auto& t) { return read_device(t, "my.toml"), "read"; }},
+    {"hpgl", [](auto& t) { return read_with("hpgl", t); }},
+    {"gcode", [](auto& t) { return read_with("gcode", t); }},
+};
+
+[[maybe_unused]] const bool device_values_are_added =
+    add_function_scripts(LIGNE_SOURCE_DIR "/tests/plotting/device_values", kDeviceFunctions);
 
 TEST(DeviceFile, NoTimeWithinTheBoundsOverflows) {
   Device device = read_device(device_with("hpgl", "speed_down", "0.01"), "F");
@@ -389,39 +377,6 @@ TEST(DeviceFile, NoTimeWithinTheBoundsOverflows) {
   const std::size_t strokes = std::size_t{1} << 32;
   const double farthest = static_cast<double>(strokes) * 2e6 * std::sqrt(2);
   EXPECT_LT(plot_seconds(device, {strokes, farthest, farthest}, 1000), 9e18);
-}
-
-TEST(DeviceFile, PapersHaveBounds) {
-  const auto with_paper = [](const std::string& paper) {
-    std::string text = device_with("hpgl", "", "");
-    text.erase(text.find("limits"), text.find('\n', text.find("limits")) + 1 - text.find("limits"));
-    return device_error(text + "[[paper]]\nname = \"p\"\n" + paper);
-  };
-  EXPECT_EQ(with_paper("width = 210\nheight = 297\nlimits = [0, 0, 1, 1]\n"), "no error");
-  EXPECT_NE(with_paper("width = 1e300\nheight = 297\nlimits = [0, 0, 1, 1]\n").find("at most 100000 mm"), std::string::npos);
-  EXPECT_NE(with_paper("width = 210\nheight = 297\nlimits = [0, 0, 1e300, 1]\n").find("1e10 units"), std::string::npos);
-  EXPECT_NE(
-      with_paper("width = 210\nheight = 297\nlimits = [0, 0, 1, 1]\norigin = [inf, 0]\n").find("the origin is farther"),
-      std::string::npos);
-  EXPECT_NE(
-      with_paper("width = 210\nheight = 297\nlimits = [0, 0, 1, 1]\nselect = \"PS{x};\"\n").find("select: {x} is unknown"),
-      std::string::npos);
-}
-
-TEST(DeviceFile, WhatIsNotKnownInBracesIsAnErrorThatListsWhatIs) {
-  const auto error = [](const char* key, const char* value, const char* language = "hpgl") {
-    const std::string line = device_error(device_with(language, key, value));
-    const std::size_t cause = line.find(": ");
-    return cause == std::string::npos ? line : line.substr(cause + 2);
-  };
-  EXPECT_EQ(error("travel", "\"U{x},{y}{nonsense};\""), "travel: {nonsense} is unknown here; there is {x}, {y}");
-  EXPECT_EQ(error("draw", "\"D{points}{x};\""), "draw: {x} is unknown here; there is {points}");
-  EXPECT_EQ(error("draw", "\"G1 X{x} Y{y} F{speed}\"", "gcode"), "draw: {speed} is unknown here; there is {x}, {y}, {feed}");
-  EXPECT_EQ(error("begin", "[\"IN;\", \"{Paper}\"]"), "begin: {Paper} is unknown here; there is {paper}");
-  EXPECT_EQ(error("up", "[\"{x}\"]"), "up: {x} is unknown here; the braces are empty");
-  EXPECT_EQ(error("velocity", "\"VS{cm_per_s\""), "velocity: {cm_per_s is unknown here; there is {cm_per_s}");
-  EXPECT_EQ(error("dot", "\"{}\""), "dot: {} is unknown here; the braces are empty");
-  EXPECT_EQ(error("pen_select", "\"SP{pen};PW{width},{pen};\""), "no error");
 }
 
 /// The writer replaces every placeholder that the reader lets pass.

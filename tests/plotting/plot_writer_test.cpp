@@ -126,38 +126,6 @@ TEST(Devices, AMillimetreIsAMillimetreOnThe7475A) {
   EXPECT_NEAR(glm::distance(frame.to_device({105, 148.5}), Point2(148.5 - 9.1, 105 - 2.47)), 0, 1e-9);
 }
 
-/// The manual of the 7475A: its default points P1 and P2 lie about the middle of every paper.
-TEST(Devices, TheMiddleOfP1AndP2IsThatOfThePaperOnThe7475A) {
-  struct Points {
-    const char* paper;
-    Point2 p1, p2;
-  };
-  const Device& device = *find_device("hp7475a");
-  for (const Points& points : {Points{"A4", {603, 521}, {10603, 7721}}, Points{"A3", {170, 602}, {15370, 10602}},
-                               Points{"letter", {250, 596}, {10250, 7796}}, Points{"tabloid", {522, 259}, {15722, 10259}}}) {
-    const auto paper = std::find_if(device.papers.begin(), device.papers.end(),
-                                    [&](const DevicePaper& p) { return p.name == points.paper; });
-    ASSERT_NE(paper, device.papers.end()) << points.paper;
-    const Point2 middle = *paper->origin_mm + (points.p1 + points.p2) * (0.5 * device.step_mm);
-    EXPECT_NEAR(glm::distance(middle, Point2(paper->width_mm, paper->height_mm) * 0.5), 0, 0.01) << points.paper;
-    for (const Point2 p : {points.p1, points.p2}) {
-      EXPECT_TRUE(p.x <= paper->limits.max.x && p.y <= paper->limits.max.y) << points.paper;
-    }
-    const Point2 far = *paper->origin_mm + paper->limits.max * device.step_mm;
-    EXPECT_TRUE(far.x < paper->width_mm && far.y < paper->height_mm) << points.paper;
-  }
-}
-
-TEST(Devices, ErrorsNameFileAndLine) {
-  const auto error_of = [](const std::string& toml) { return failure_of([&] { read_device(toml, "my.toml"); }); };
-  EXPECT_TRUE(error_of("name = ").starts_with("my.toml:1: "));
-  EXPECT_EQ(error_of("name = \"a\"\ntitle = \"b\"\nlanguage = \"dxf\"\n"), "my.toml:3: language is not hpgl, gcode or svg");
-  EXPECT_EQ(error_of("name = \"a\"\ncolour = 3\n"), "my.toml:2: there is no key colour");
-  EXPECT_EQ(error_of("name = \"a\"\ntitle = \"b\"\nlanguage = \"svg\"\nstep = -1\n"),
-            "my.toml:4: step is not from 0.0001 to 10 mm");
-  EXPECT_TRUE(error_of("").starts_with("my.toml"));
-}
-
 /// HPGL as hp2xx reads it, a program that is not ours.
 
 bool hp2xx_is_there() { return std::system("command -v hp2xx >/dev/null 2>&1") == 0; }

@@ -19,10 +19,9 @@ namespace {
 using namespace test;
 
 std::vector<std::string> listed(const std::string& text) {
-  std::vector<std::string> parts;
-  if (text == "none" || text == "nothing") return parts;
-  std::istringstream in(text);
-  for (std::string part; std::getline(in, part, ';');) parts.push_back(part.substr(part.find_first_not_of(' ')));
+  if (text == "none" || text == "nothing") return {};
+  std::vector<std::string> parts = parts_of(text, ';');
+  for (std::string& part : parts) part.erase(0, part.find_first_not_of(' '));
   return parts;
 }
 

@@ -16,8 +16,6 @@ using test::deflated;
 
 class PointFiles : public testing::Test {
  protected:
-  void TearDown() override { std::filesystem::remove(file_); }
-
   void write(const std::string& bytes) {
     std::ofstream(file_, std::ios::binary) << bytes;
     warnings_ = {};
@@ -48,7 +46,8 @@ class PointFiles : public testing::Test {
     EXPECT_EQ(found[0].label, label);
   }
 
-  std::string file_ = (std::filesystem::temp_directory_path() / ("ligne_point_files_" + std::to_string(getpid()))).string();
+  test::TemporaryFolder folder_;
+  std::string file_ = (folder_ / "points").string();
   Warnings warnings_;
 };
 
@@ -79,38 +78,9 @@ TEST_F(PointFiles, Matlab) {
             "arrays lon and lat have different lengths: they are not positions of points");
 }
 
-TEST_F(PointFiles, JsonWithNames) {
-  expect_two(points("[{\"x\": 1, \"y\": 3, \"name\": \"Hof\"}, {\"x\": 2, \"y\": 4, \"name\": null}]"), kNaN, "Hof");
-  expect_two(points("{\"x\": [1, 2], \"y\": [3, 4], \"z\": [9, 8], \"city\": [\"Hof\", \"Ulm\"], \"a\": [\"b\", \"c\"]}"), 9,
-             "Hof");
-  EXPECT_EQ(warnings_.left_out().text(), "left out: 1 column of words (a)");
-  expect_two(points("{\"columns\": [\"x\", \"y\", \"place\"], \"data\": [[1, 3, \"Hof\"], [2, 4, 5]]}"), kNaN, "Hof");
-  expect_two(points("[[1, 3], [2, 4]]"), kNaN, "");
-}
+TEST_F(PointFiles, LinesOfArchives) { EXPECT_EQ(lines(deflated("0 0\n1 0\n\n2 2\n3 3\n", 31)).size(), 2u); }
 
-TEST_F(PointFiles, LinesEndAtMissingPositions) {
-  const auto found = lines("{\"x\": [0, 1, null, 5, 6, 7], \"y\": [0, 0, 0, 1, 1, 1]}");
-  ASSERT_EQ(found.size(), 2u);
-  EXPECT_EQ(found[0].size(), 2u);
-  EXPECT_EQ(found[1].size(), 3u);
-  EXPECT_EQ(warnings_.left_out().text(), "left out: 1 rows without x or y");
-  EXPECT_EQ(lines(deflated("0 0\n1 0\n\n2 2\n3 3\n", 31)).size(), 2u);
-}
-
-TEST_F(PointFiles, OthersAreRefusedByName) {
-  EXPECT_EQ(error("\x89PNG\r\n\x1a\n"), "is a PNG picture, which holds heights and no points: --grid draws it");
-  EXPECT_EQ(error("P5\n2 2\n255\nabcd"), "is a Netpbm picture, which holds heights and no points: --grid draws it");
-  EXPECT_EQ(error("DSAA\n2 2\n0 1\n0 1\n0 1\n1 2\n3 4\n"),
-            "is a grid of Surfer, which holds heights and no points: --grid draws it");
-  EXPECT_EQ(error("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n"),
-            "is an ESRI ASCII grid, which holds heights and no points: --grid draws it");
-  EXPECT_EQ(error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"),
-            "is a model (STL), not a file of points; draw it with: ligne draw");
-  EXPECT_NE(error("PAR1" + std::string(100, '\0')).find("is a Parquet file, which is not read"), std::string::npos);
-  EXPECT_NE(error("\1\2\3" + std::string(10, '\0')).find("is not a known format of points"), std::string::npos);
-  EXPECT_NE(error("{\"type\": \"FeatureCollection\", \"features\": []}").find("is GeoJSON, which is not read"),
-            std::string::npos);
-  EXPECT_EQ(error(""), "is empty");
+TEST_F(PointFiles, RecordsOfFewMembersAreRefused) {
   std::string records = "[{";
   for (int k = 0; k < 1000; ++k) records += (k ? "," : "") + std::string("\"k") + std::to_string(k) + "\":1";
   records += "}";

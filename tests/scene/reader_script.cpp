@@ -1,7 +1,8 @@
 /// Tests of the readers that are written as text, in the folder scripts. A step is a kind of file, and its text: asc, obj,
 /// off, ply, stl, scene are read by their readers, "file.SUFFIX" as the command reads it, and "model FILE" from the shared
 /// models, where they are; json is the text of a glTF; "gltf CHANGES" changes the unit square as glTF, "triangle CHANGES" a
-/// triangle, both as gltf_changes.hpp has it, and "triangle@NAME@SECONDS" reads the file at a moment of an animation; grid,
+/// triangle, both as gltf_changes.hpp has it, and "triangle@NAME@SECONDS" reads the file at a moment of an animation; 3mf is
+/// the main part of such an archive; points and lines are files of those; grid,
 /// also "grid:layout=matrix", "grid:set=1", "grid:using=1,2,4"; "corpus FILE", a grid of the fuzzers' corpus; formula;
 /// "detect.SUFFIX" tells the format. A scene that is read is sound: see expect_sound. Checks:
 ///
@@ -9,6 +10,7 @@
 ///     is NAME                                    the format that is detected, or why there is none
 ///     /POINTER = JSON                            of the scene as JSON: as_json below
 ///     bounds X Y Z X Y Z                         of a scene, to four decimals
+///     vertex X Y Z                               one of the vertices, to 1e-12
 ///     points X Y Z X Y Z ...; near X Y Z ...     the vertices of a scene, to 1e-12; to the precision of float32
 ///     x 0 1 2; y 0 1; z 1 2; nan 4               positions and rows of heights of a grid
 ///     mesh COLUMNS ROWS; point N X Y Z           of the grid's mesh
@@ -30,6 +32,9 @@
 #include "scene/readers/ply/ply_reader.hpp"
 #include "scene/readers/stl_reader.hpp"
 #include "scene/readers/studio/asc_reader.hpp"
+#include "scene/readers/three_mf/three_mf_reader.hpp"
+#include "scene/surfaces/grids/point_table.hpp"
+#include "zip_builder.hpp"
 
 namespace ligne::height_test {
 namespace {
@@ -112,6 +117,10 @@ class ReaderScript {
     } else if (verb == "bounds") {
       const std::vector<double> b = numbers_of(rest);
       expect_bounds(scene_, {b.at(0), b.at(1), b.at(2)}, {b.at(3), b.at(4), b.at(5)});
+    } else if (verb == "vertex") {
+      const std::vector<double> n = numbers_of(rest);
+      EXPECT_TRUE(std::ranges::any_of(
+          scene_.vertices, [&](const Point3& p) { return glm::distance(p, Point3(n.at(0), n.at(1), n.at(2))) < 1e-12; }));
     } else if (verb == "points" || verb == "near") {
       check_points(numbers_of(rest), verb == "points" ? 1e-12 : 1e-7);
     } else if (verb == "omits") {
@@ -156,6 +165,10 @@ class ReaderScript {
       const std::string text = gltf_test::changed(kind_ == "gltf" ? gltf_test::square() : gltf_test::triangle(), text_);
       scene_ = read_gltf({bytes_of(text), "M", testing::TempDir()}, false, report, warnings_, nullptr, pose());
     }
+    if (kind_ == "3mf") {
+      const std::string archive = zip_test::three_mf(text_);
+      scene_ = read_three_mf(bytes_of(archive), "M", report, warnings_);
+    }
     if (kind_ == "json") scene_ = read_gltf({bytes, "M"}, false, report, warnings_);
     if (is_file) {
       scene_ = read_scene({bytes, "M"}, detect_format(bytes, kind_.substr(4), "M"), {}, warnings_, &report);
@@ -165,11 +178,35 @@ class ReaderScript {
       const std::string file = kind_ == "corpus" ? corpus_file(text_) : text_;
       surfaces_ = read_surfaces(bytes_of(file), "M", warnings_, {}, nullptr, choice());
     }
+    if (kind_ == "points" || kind_ == "lines") read_places();
     if (kind_ == "formula") formula_heights(text_, {0, 1}, {0, 1});
     if (kind_.starts_with("detect")) format_ = to_string(detect_format(bytes, kind_.substr(6), "M"));
     if (scene_.faces.empty()) return;
     expect_sound(scene_);
     json_ = as_json(scene_, report);
+  }
+
+  /// Points with their names, or lines, of a file M.
+  void read_places() {
+    const test::TemporaryFolder folder;
+    const std::string file = folder.write("M", text_).string();
+    InputFiles opened;
+    const auto place = [](const Point3& p) { return json{p.x, p.y, std::isnan(p.z) ? json() : json(p.z)}; };
+    const std::string error = error_line([&] {
+      json_ = {{"points", json::array()}, {"lines", json::array()}};
+      if (kind_ == "lines") {
+        for (const std::vector<Point3>& line : read_lines(file, opened, warnings_)) {
+          json_["lines"].push_back(json::array());
+          for (const Point3& p : line) json_["lines"].back().push_back(place(p));
+        }
+      } else {
+        for (const LabelledPoint& point : read_points(file, opened, warnings_)) {
+          json_["points"].push_back(place(point.at));
+          json_["points"].back().push_back(point.label);
+        }
+      }
+    });
+    if (error != "no error") throw InputError("M" + error.substr(file.size()));
   }
 
   std::optional<ScenePose> pose() const {

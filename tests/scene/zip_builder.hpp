@@ -48,4 +48,14 @@ inline std::string zip(const std::vector<std::pair<std::string, std::string>>& e
   return out;
 }
 
+/// A 3MF whose model is the part that the relationships name.
+inline std::string three_mf(const std::string& model, bool packed = true, bool wide = false) {
+  return zip({{"[Content_Types].xml", "<Types/>"},
+              {"_rels/.rels",
+               "<Relationships><Relationship Target='/3D/model one.model' Id='r' "
+               "Type='http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel'/></Relationships>"},
+              {"3D/model one.model", model}},
+             packed, wide);
+}
+
 }  // namespace ligne::zip_test
