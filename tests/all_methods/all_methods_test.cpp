@@ -9,6 +9,7 @@
 #include "support/comparison.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/judge.hpp"
+#include "support/round_bodies.hpp"
 #include "support/scenes.hpp"
 #include "support/test.hpp"
 #include "support/variants.hpp"
@@ -247,33 +248,11 @@ TEST(CullDrawing, ChangesNoSceneOfTheCorpus) {
   EXPECT_GT(faces, 1000u);
 }
 
-/// A ball of n meridians and n - 3 circles of latitude, whose corners move in and out.
-Scene ball(unsigned seed, double least, double most) {
+/// A ball whose corners move in and out.
+Scene rough_ball(unsigned seed, double least, double most) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> radius(least, most);
-  const std::uint32_t n = 8, rings = n - 3;
-  Scene scene;
-  begin_object(scene);
-  const auto corner = [&](double latitude, double longitude) {
-    scene.vertices.push_back(
-        Point3{std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude), std::sin(latitude)} *
-        radius(random));
-  };
-  corner(-std::numbers::pi / 2, 0);
-  for (std::uint32_t ring = 1; ring <= rings; ++ring)
-    for (std::uint32_t i = 0; i < n; ++i)
-      corner(std::numbers::pi * (ring / double(rings + 1) - 0.5), 2 * std::numbers::pi * i / n);
-  corner(std::numbers::pi / 2, 0);
-  const auto at = [&](std::uint32_t ring, std::uint32_t i) { return 1 + ring * n + i % n; };
-  for (std::uint32_t i = 0; i < n; ++i) {
-    scene.faces.add_triangle(0, at(0, i + 1), at(0, i));
-    for (std::uint32_t ring = 0; ring + 1 < rings; ++ring) {
-      scene.faces.add_triangle(at(ring, i), at(ring, i + 1), at(ring + 1, i + 1));
-      scene.faces.add_triangle(at(ring, i), at(ring + 1, i + 1), at(ring + 1, i));
-    }
-    scene.faces.add_triangle(at(rings - 1, i), at(rings - 1, i + 1), 1 + rings * n);
-  }
-  end_object(scene);
+  Scene scene = ball(8, 5, [&](auto, auto) { return radius(random); });
   Warnings warnings;
   finish_scene(scene, warnings);
   return scene;
@@ -283,7 +262,7 @@ TEST(CullDrawing, ChangesNoBall) {
   std::size_t culled = 0, kept = 0;
   for (unsigned seed = 0; seed < 400; seed += runs_all() ? 1 : 2) {
     // From dented ones to some that are inside out here and there.
-    const Scene scene = ball(seed, 1 - 0.006 * seed, 1);
+    const Scene scene = rough_ball(seed, 1 - 0.006 * seed, 1);
     const auto views = standard_views(scene);
     const StandardView& view = views[seed % views.size()];
     const Drawings d = drawings(scene, view.camera);

@@ -108,88 +108,6 @@ TEST(SmoothContours, EndAtTheRimWhereTheOutlineOfTheMeshDoes) {
   EXPECT_NEAR(length_of(smooth), length_of(plain), 0.01 * length_of(plain));
 }
 
-/// A box with its edges and corners rounded, `steps` facets to a quarter of a turn, the flat sides as two triangles each.
-Scene rounded_box(const Point3& half, double radius, int steps) {
-  std::vector<Point3> vertices;
-  std::vector<std::vector<std::uint32_t>> faces;
-  const auto vertex = [&](const Point3& p) {
-    const auto found =
-        std::find_if(vertices.begin(), vertices.end(), [&](const Point3& q) { return glm::length(q - p) < 1e-9; });
-    const auto number = static_cast<std::uint32_t>(found - vertices.begin());
-    if (found == vertices.end()) vertices.push_back(p);
-    return number;
-  };
-  const auto at = [&](int quarter, double step) { return kTurn / 4 * (quarter + step / steps); };
-  struct Angle {
-    double angle;
-    double side[2];  // cosine's and sine's side of the box
-  };
-  std::vector<Angle> round, up;
-  for (int q = 0; q < 4; ++q)
-    for (int k = 0; k <= steps; ++k) round.push_back({at(q, k), {q == 0 || q == 3 ? 1.0 : -1.0, q < 2 ? 1.0 : -1.0}});
-  for (int q = -1; q < 1; ++q)
-    for (int k = 0; k <= steps; ++k) up.push_back({at(q, k), {1, q < 0 ? -1.0 : 1.0}});
-  const auto corner = [&](const Angle& r, const Angle& u) {
-    const Point3 ball{std::cos(r.angle) * std::cos(u.angle), std::sin(r.angle) * std::cos(u.angle), std::sin(u.angle)};
-    return vertex(Point3{half.x * r.side[0], half.y * r.side[1], half.z * u.side[1]} + radius * ball);
-  };
-  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    if (a != b && b != c && c != a) faces.push_back({a, b, c});
-  };
-  for (std::size_t j = 0; j + 1 < up.size(); ++j)
-    for (std::size_t i = 0; i < round.size(); ++i) {
-      const Angle &r = round[i], &s = round[(i + 1) % round.size()];
-      const std::uint32_t a = corner(r, up[j]), b = corner(s, up[j]), c = corner(s, up[j + 1]), d = corner(r, up[j + 1]);
-      add(a, b, c);
-      add(a, c, d);
-    }
-  for (const double side : {-1.0, 1.0}) {
-    std::uint32_t v[4];
-    for (int q = 0; q < 4; ++q)
-      v[q] = vertex({half.x * (q == 0 || q == 3 ? 1 : -1), half.y * (q < 2 ? 1 : -1), side * (half.z + radius)});
-    if (side < 0) std::swap(v[1], v[3]);
-    add(v[0], v[1], v[2]);
-    add(v[0], v[2], v[3]);
-  }
-  return scene_of(std::move(vertices), faces);
-}
-
-/// Means of normals would bend the flat sides, and the outline would bulge.
-TEST(SmoothContours, FlatSidesWithRoundingsDoNotBulge) {
-  for (const int steps : {3, 6}) {
-    const Scene box = rounded_box({50, 40, 30}, 4, steps);
-    for (const Point3& direction : {Point3{-1, 0.06, -0.05}, Point3{-1, 0.2, -0.02}, Point3{-0.05, 1, -0.4}, kIso}) {
-      const auto extent = [&](bool smooth) {
-        Rect all;
-        for (const Point2 p : draw_outlines(box, direction, smooth).lines.points) all.extend(p);
-        return all;
-      };
-      const Rect contour = extent(true), mesh = extent(false);
-      constexpr double kRise = 0.3;  // mm: what the facets of the roundings themselves are short of
-      EXPECT_NEAR(contour.min.x, mesh.min.x, kRise) << steps << " " << direction.y;
-      EXPECT_NEAR(contour.min.y, mesh.min.y, kRise) << steps << " " << direction.y;
-      EXPECT_NEAR(contour.max.x, mesh.max.x, kRise) << steps << " " << direction.y;
-      EXPECT_NEAR(contour.max.y, mesh.max.y, kRise) << steps << " " << direction.y;
-    }
-  }
-}
-
-TEST(SmoothContours, ACoarseRingSeenAlongItsAxisHasTwoClosedOutlines) {
-  const Scene ring =
-      uneven_mesh({"ring",
-                   [](double u, double v) {
-                     const double r = 30 + 12 * std::cos(kTurn * v);
-                     return Point3{r * std::cos(kTurn * u), r * std::sin(kTurn * u), 12 * std::sin(kTurn * v)};
-                   }},
-                  30, 15, 0.2, 1);
-  const Polylines lines = draw_outlines(ring, {0, 0, -1}).lines;
-  ASSERT_EQ(lines.size(), 2u);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    EXPECT_EQ(lines[i].front().x, lines[i].back().x);
-    EXPECT_EQ(lines[i].front().y, lines[i].back().y);
-  }
-}
-
 /// A box with fillets of `n` facets a quarter along all edges: half of its size without them, and their radius.
 Scene filleted_box(const Point3& half, double radius, std::uint32_t n) {
   std::vector<Point3> vertices;
@@ -226,6 +144,42 @@ Scene filleted_box(const Point3& half, double radius, std::uint32_t n) {
   faces.push_back({south + 3, south + 2, south + 1, south});
   faces.push_back({north, north + 1, north + 2, north + 3});
   return scene_of(std::move(vertices), faces);
+}
+
+/// Means of normals would bend the flat sides, and the outline would bulge.
+TEST(SmoothContours, FlatSidesWithRoundingsDoNotBulge) {
+  for (const std::uint32_t steps : {3, 6}) {
+    const Scene box = filleted_box({50, 40, 30}, 4, steps);
+    for (const Point3& direction : {Point3{-1, 0.06, -0.05}, Point3{-1, 0.2, -0.02}, Point3{-0.05, 1, -0.4}, kIso}) {
+      const auto extent = [&](bool smooth) {
+        Rect all;
+        for (const Point2 p : draw_outlines(box, direction, smooth).lines.points) all.extend(p);
+        return all;
+      };
+      const Rect contour = extent(true), mesh = extent(false);
+      constexpr double kRise = 0.3;  // mm: what the facets of the roundings themselves are short of
+      EXPECT_NEAR(contour.min.x, mesh.min.x, kRise) << steps << " " << direction.y;
+      EXPECT_NEAR(contour.min.y, mesh.min.y, kRise) << steps << " " << direction.y;
+      EXPECT_NEAR(contour.max.x, mesh.max.x, kRise) << steps << " " << direction.y;
+      EXPECT_NEAR(contour.max.y, mesh.max.y, kRise) << steps << " " << direction.y;
+    }
+  }
+}
+
+TEST(SmoothContours, ACoarseRingSeenAlongItsAxisHasTwoClosedOutlines) {
+  const Scene ring =
+      uneven_mesh({"ring",
+                   [](double u, double v) {
+                     const double r = 30 + 12 * std::cos(kTurn * v);
+                     return Point3{r * std::cos(kTurn * u), r * std::sin(kTurn * u), 12 * std::sin(kTurn * v)};
+                   }},
+                  30, 15, 0.2, 1);
+  const Polylines lines = draw_outlines(ring, {0, 0, -1}).lines;
+  ASSERT_EQ(lines.size(), 2u);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    EXPECT_EQ(lines[i].front().x, lines[i].back().x);
+    EXPECT_EQ(lines[i].front().y, lines[i].back().y);
+  }
 }
 
 /// Flat sides stay flat, at every accuracy and along every axis: means of normals would make them bulge.

@@ -37,16 +37,28 @@ inline double area_of(const Region& region) {
   return sum;
 }
 
-/// A region or a piece of a face holds the point, by the rule of even and odd over all contours.
-template <class Shape>
-bool holds(const Shape& shape, Point2 p) {
+/// The contours hold the point, by the rule of even and odd over all of them; so does a region or a piece of a face.
+inline bool holds(const std::vector<std::vector<Point2>>& contours, Point2 p) {
   bool inside = false;
-  for (const auto& contour : shape.contours)
+  for (const auto& contour : contours)
     for (std::size_t i = 0; i < contour.size(); ++i) {
       const Point2 a = contour[i], b = contour[(i + 1) % contour.size()];
       if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
     }
   return inside;
+}
+template <class Shape>
+bool holds(const Shape& shape, Point2 p) {
+  return holds(shape.contours, p);
+}
+
+/// The distance of a point from the nearest line, which may be a dot.
+inline double distance_to_lines(Point2 p, const Polylines& lines) {
+  double least = 1e300;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    for (std::size_t k = 0; k < lines[i].size(); ++k)
+      least = std::min(least, distance_to_segment(p, lines[i][k], lines[i][std::min(k + 1, lines[i].size() - 1)]));
+  return least;
 }
 
 /// A contour of it passes within the distance of the point.

@@ -1,6 +1,7 @@
 // Hatching that follows the form: where strokes lie, how far apart, and along what.
 
 #include "base/parallel.hpp"
+#include "drawing/measures.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/drawn_scene.hpp"
 #include "picture/errors.hpp"
@@ -9,7 +10,7 @@
 #include "picture/surface/surface_request.hpp"
 #include "picture/surface/surface_samples.hpp"
 #include "scene/model/topology.hpp"
-#include "support/page_lines.hpp"
+#include "support/round_bodies.hpp"
 #include "support/test.hpp"
 #include "visibility/registry.hpp"
 
@@ -17,27 +18,6 @@ namespace ligne {
 namespace {
 
 constexpr double kPenMm = 0.3, kSpacingMm = 1.5;
-
-/// A torus about the z axis.
-Scene torus(double ring, double tube, unsigned around, unsigned across) {
-  Scene scene;
-  for (unsigned i = 0; i < around; ++i) {
-    for (unsigned j = 0; j < across; ++j) {
-      const double u = 2 * std::numbers::pi * i / around, v = 2 * std::numbers::pi * j / across;
-      scene.vertices.emplace_back((ring + tube * std::cos(v)) * std::cos(u), (ring + tube * std::cos(v)) * std::sin(u),
-                                  tube * std::sin(v));
-    }
-  }
-  for (unsigned i = 0; i < around; ++i) {
-    for (unsigned j = 0; j < across; ++j) {
-      const unsigned next = (i + 1) % around * across, up = (j + 1) % across;
-      scene.faces.add_triangle(i * across + j, next + j, next + up);
-      scene.faces.add_triangle(i * across + j, next + up, i * across + up);
-    }
-  }
-  scene.objects.push_back({"torus", 0, around * across, 0, 2 * around * across, 1e-12});
-  return scene;
-}
 
 PictureRequest request_of(HatchKind kind) {
   PictureRequest request;
@@ -62,35 +42,15 @@ Hatched hatched(const DrawnScene& drawn) {
   return result;
 }
 
-double distance(Point2 p, const Polylines& lines) {
-  double least = 1e300;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (std::size_t k = 1; k < lines[i].size(); ++k)
-      least = std::min(least, test::distance_to_segment(p, lines[i][k - 1], lines[i][k]));
-  }
-  return least;
-}
-
 bool cross(Point2 a, Point2 b, Point2 c, Point2 d) {
   const auto side = [](Point2 p, Point2 q, Point2 r) { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); };
   return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
-bool inside(const Region& region, Point2 p) {
-  bool in = false;
-  for (const auto& contour : region.contours) {
-    for (std::size_t i = 0, j = contour.size() - 1; i < contour.size(); j = i++) {
-      const Point2 a = contour[j], b = contour[i];
-      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) in = !in;
-    }
-  }
-  return in;
-}
-
 class FormHatching : public testing::TestWithParam<const char*> {};
 
 TEST_P(FormHatching, StrokesLieOnWhatIsSeenAndCrossNoRim) {
-  const Scene scene = torus(30, 13, 48, 24);
+  const Scene scene = test::torus(30, 13, 48, 24);
   PictureRequest request = request_of(HatchKind::shade);
   request.lines.method = find_method(GetParam());
   RunReport run;
@@ -107,11 +67,11 @@ TEST_P(FormHatching, StrokesLieOnWhatIsSeenAndCrossNoRim) {
     for (std::size_t k = 0; k < stroke.size(); ++k) {
       ASSERT_TRUE(std::ranges::any_of(regions,
                                       [&](const Region& r) {
-                                        return inside(r, stroke[k]) || inside(r, stroke[k] + Point2{2e-3, 1e-3}) ||
-                                               inside(r, stroke[k] - Point2{2e-3, 1e-3});
+                                        return test::holds(r, stroke[k]) || test::holds(r, stroke[k] + Point2{2e-3, 1e-3}) ||
+                                               test::holds(r, stroke[k] - Point2{2e-3, 1e-3});
                                       }))
           << stroke[k].x << ' ' << stroke[k].y;
-      ASSERT_GE(distance(stroke[k], rims), pen_mm / 2 - kSlackMm);
+      ASSERT_GE(test::distance_to_lines(stroke[k], rims), pen_mm / 2 - kSlackMm);
       for (std::size_t r = 0; k > 0 && r < rims.size(); ++r) {
         for (std::size_t m = 1; m < rims[r].size(); ++m)
           ASSERT_FALSE(cross(stroke[k - 1], stroke[k], rims[r][m - 1], rims[r][m]));
@@ -125,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, FormHatching, testing::Values("atherton-weiler
 
 /// Plain hatching: nowhere is more white than where a stroke just did not fit, and strokes of one direction keep apart.
 TEST(FormHatchingSpacing, IsWithinBounds) {
-  const Scene scene = torus(30, 13, 48, 24);
+  const Scene scene = test::torus(30, 13, 48, 24);
   RunReport run;
   const DrawnScene drawn = draw_lines(scene, request_of(HatchKind::plain), run);
   const auto [strokes, rims] = hatched(drawn);
@@ -136,7 +96,7 @@ TEST(FormHatchingSpacing, IsWithinBounds) {
     for (std::size_t k = 1; k < stroke.size(); ++k) length += glm::distance(stroke[k - 1], stroke[k]);
     EXPECT_GE(length, kSpacingMm * 0.99);
     for (std::size_t k = 1; k + 1 < stroke.size(); ++k) {
-      if (distance(stroke[k], rims) < 2 * kSpacingMm) continue;  // two sheets may meet there
+      if (test::distance_to_lines(stroke[k], rims) < 2 * kSpacingMm) continue;  // two sheets may meet there
       double least = 1e300;
       for (std::size_t j = 0; j < strokes.size(); ++j) {
         for (std::size_t m = 1; j != i && m < strokes[j].size(); ++m)
@@ -151,9 +111,9 @@ TEST(FormHatchingSpacing, IsWithinBounds) {
   std::size_t white = 0, places = 0;
   for (const Region& region : *drawn.visibility().result.regions) {
     const Point2 p = region.contours[0][0];
-    if (distance(p, rims) < 2 * kSpacingMm) continue;
+    if (test::distance_to_lines(p, rims) < 2 * kSpacingMm) continue;
     ++places;
-    white += distance(p, strokes) > 2 * kSpacingMm;
+    white += test::distance_to_lines(p, strokes) > 2 * kSpacingMm;
   }
   EXPECT_GT(places, 300u);
   EXPECT_LE(white, places / 100);
@@ -163,7 +123,7 @@ TEST(FormHatchingStrokes, KeepTheLeastLength) {
   PictureRequest request = request_of(HatchKind::shade);
   request.lines.least_mm = 9;
   RunReport run;
-  const auto [strokes, rims] = hatched(draw_lines(torus(30, 13, 48, 24), request, run));
+  const auto [strokes, rims] = hatched(draw_lines(test::torus(30, 13, 48, 24), request, run));
   ASSERT_GT(strokes.size(), 20u);
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     double length = 0;
@@ -173,7 +133,7 @@ TEST(FormHatchingStrokes, KeepTheLeastLength) {
 }
 
 TEST(FormHatchingBytes, AreTheSameForAnyNumberOfThreads) {
-  const Scene scene = torus(30, 13, 96, 48);
+  const Scene scene = test::torus(30, 13, 96, 48);
   std::vector<std::string> files;
   for (const unsigned threads : {1u, 2u, 8u}) {
     run_with_threads(threads, [&] {
@@ -187,7 +147,7 @@ TEST(FormHatchingBytes, AreTheSameForAnyNumberOfThreads) {
 }
 
 TEST(FormField, FollowsTheTube) {
-  const Scene scene = torus(30, 10, 48, 24);
+  const Scene scene = test::torus(30, 10, 48, 24);
   const FormMesh mesh = form_mesh(scene, build_topology(scene), 30);
   ASSERT_EQ(mesh.points.size(), scene.vertices.size());
   const FormField field = curvature_field(mesh, 1, [](std::uint32_t) { return Point3{0, 0, 0}; });
@@ -201,7 +161,7 @@ TEST(FormField, FollowsTheTube) {
 }
 
 TEST(FormMesh, EndsSurfacesAtCreases) {
-  Scene scene = torus(30, 10, 48, 4);  // the tube is a square
+  Scene scene = test::torus(30, 10, 48, 4);  // the tube is a square
   const FormMesh mesh = form_mesh(scene, build_topology(scene), 30);
   EXPECT_EQ(mesh.points.size(), 2 * scene.vertices.size());
   for (const FormTriangle& triangle : mesh.triangles) {
@@ -273,7 +233,7 @@ TEST(FormHatchingOfSurfaces, FollowsTheCurvesOfParameters) {
 }
 
 TEST(FormHatchingRequests, NameWhatIsMissing) {
-  const Scene scene = torus(30, 13, 24, 12);
+  const Scene scene = test::torus(30, 13, 24, 12);
   const auto field_of_error = [&](PictureRequest request) -> std::string {
     RunReport run;
     try {

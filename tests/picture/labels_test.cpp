@@ -1,8 +1,5 @@
 // Labels of contour lines, on ten terrains at three scales, in both styles of text.
 
-#include <random>
-#include <sstream>
-
 #include "picture/marks/contour_labels.hpp"
 #include "picture/parse/parse_terrain.hpp"
 #include "picture/surface/surface_picture.hpp"

@@ -5,6 +5,7 @@
 #include "report/stroke_difference.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/corpus_scene.hpp"
+#include "support/round_bodies.hpp"
 #include "support/scenes.hpp"
 #include "support/test.hpp"
 #include "visibility/registry.hpp"
@@ -70,36 +71,17 @@ TEST(MethodChoice, IsNeverBeyondItsMethod) {
 }
 
 /// A ball of n meridians whose corners lie in the radius, those of a dent farther in.
-Scene ball(std::uint32_t n, double dent, std::uint32_t dents, bool open = false) {
-  Scene scene;
-  begin_object(scene);
+Scene dented_ball(std::uint32_t n, double dent, std::uint32_t dents, bool open = false) {
   const std::uint32_t rings = n / 2 - 1;
-  scene.vertices.push_back({0, 0, -1});
-  for (std::uint32_t ring = 1; ring <= rings; ++ring) {
-    const double a = std::acos(-1.0) * (ring / double(rings + 1) - 0.5);
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const double b = 2 * std::acos(-1.0) * i / n, r = ring == rings / 2 && i < dents ? 1 - dent : 1;
-      scene.vertices.push_back(Point3{std::cos(a) * std::cos(b), std::cos(a) * std::sin(b), std::sin(a)} * r);
-    }
-  }
-  scene.vertices.push_back({0, 0, 1});
-  const auto at = [&](std::uint32_t ring, std::uint32_t i) { return 1 + (ring - 1) * n + i % n; };
-  for (std::uint32_t i = open ? 1 : 0; i < n; ++i) {
-    scene.faces.add_triangle(0, at(1, i + 1), at(1, i));
-    for (std::uint32_t ring = 1; ring < rings; ++ring) {
-      scene.faces.add_triangle(at(ring, i), at(ring, i + 1), at(ring + 1, i + 1));
-      scene.faces.add_triangle(at(ring, i), at(ring + 1, i + 1), at(ring + 1, i));
-    }
-    scene.faces.add_triangle(at(rings, i), at(rings, i + 1), 1 + rings * n);
-  }
-  end_object(scene);
+  Scene scene = ball(
+      n, rings, [&](std::uint32_t ring, std::uint32_t i) { return ring == rings / 2 && i < dents ? 1 - dent : 1; }, open);
   Warnings warnings;
   finish_scene(scene, warnings);
   return scene;
 }
 
 TEST(MethodChoice, TakesCullingForAConvexBody) {
-  const Studied s = studied(ball(48, 0, 0), kObliqueView);
+  const Studied s = studied(dented_ball(48, 0, 0), kObliqueView);
   EXPECT_EQ(s.by_choice.method->traits().name, "culling");
   EXPECT_EQ(s.by_choice.why, "rule 3: one opaque convex body of many faces");
   EXPECT_LT(s.difference.length_mm, kSameLineMm);
@@ -115,10 +97,10 @@ TEST(MethodChoice, SeesThroughGlass) {
 
 TEST(MethodChoice, TakesTheDefaultForOthers) {
   const auto name = [](const Scene& scene) { return studied(scene, kObliqueView).by_choice.method->traits().name; };
-  EXPECT_EQ(name(ball(8, 0, 0)), "appel") << "small";
-  EXPECT_EQ(name(ball(48, 0, 0, true)), "appel") << "open";
-  EXPECT_EQ(name(ball(48, 0.2, 24)), "appel") << "half a ring of dents";
-  Scene two = ball(48, 0, 0);
+  EXPECT_EQ(name(dented_ball(8, 0, 0)), "appel") << "small";
+  EXPECT_EQ(name(dented_ball(48, 0, 0, true)), "appel") << "open";
+  EXPECT_EQ(name(dented_ball(48, 0.2, 24)), "appel") << "half a ring of dents";
+  Scene two = dented_ball(48, 0, 0);
   add_box(two, {3, 0, 0}, {1, 1, 1});
   Warnings warnings;
   finish_scene(two, warnings);
@@ -128,7 +110,7 @@ TEST(MethodChoice, TakesTheDefaultForOthers) {
 TEST(MethodChoice, FindsADentThatItsSampleMisses) {
   std::set<std::string> whys;
   for (std::uint32_t n = 40; n < 64; n += 2) {
-    const Studied s = studied(ball(n, 0.01, 1), kObliqueView);
+    const Studied s = studied(dented_ball(n, 0.01, 1), kObliqueView);
     EXPECT_EQ(s.by_choice.method->traits().name, "appel") << n;
     whys.insert(s.by_choice.why);
   }

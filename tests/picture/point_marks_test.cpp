@@ -2,8 +2,6 @@
 
 #include "picture/marks/point_marks.hpp"
 
-#include <random>
-
 #include "picture/marks/contour_labels.hpp"
 #include "picture/marks/mark_tree.hpp"
 #include "plotting/stroke_text.hpp"

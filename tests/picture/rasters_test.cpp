@@ -1,7 +1,5 @@
 // The SVG and the PDF are one picture: each is made into pixels by a reader that knows nothing of us, librsvg and Poppler.
 
-#include <unistd.h>
-
 #include "cli/program.hpp"
 #include "main/tier.hpp"
 #include "picture/raster.hpp"
@@ -14,12 +12,6 @@ const std::filesystem::path kSource = LIGNE_SOURCE_DIR;
 
 class Rasters : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("ligne-rasters-" + std::to_string(getpid()));
-    std::filesystem::create_directory(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::string written(const Words& arguments, const std::string& name) const {
     const std::string file = (folder_ / name).string();
     const Outcome outcome = run_ligne(kSource, arguments + Words{"-q", "-o", file});
@@ -36,7 +28,7 @@ class Rasters : public testing::Test {
     return read_raster(png);
   }
 
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 /// Pixels of the first whose colour does not lie between those that the second has in the place and beside it: readers

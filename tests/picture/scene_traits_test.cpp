@@ -1,8 +1,6 @@
 // Traits of scenes whose figures are counted by hand, and bounds of the counts.
 
 #include <chrono>
-#include <random>
-#include <set>
 
 #include "picture/choice/scene_traits.hpp"
 #include "scene/clean/clean.hpp"

@@ -4,6 +4,7 @@
 #include "picture/draw_scene.hpp"
 #include "picture/errors.hpp"
 #include "picture/fills.hpp"
+#include "support/round_bodies.hpp"
 #include "support/test.hpp"
 #include "view/brightness.hpp"
 #include "visibility/registry.hpp"
@@ -13,28 +14,7 @@ namespace {
 
 /// A ball of radius 1 about the origin, of triangles that are a few degrees high.
 Scene fine_ball(unsigned rows) {
-  Scene scene;
-  const unsigned around = 2 * rows;
-  scene.vertices.emplace_back(0, 0, 1);
-  for (unsigned i = 1; i < rows; ++i) {
-    for (unsigned j = 0; j < around; ++j) {
-      const double u = std::numbers::pi * i / rows, v = 2 * std::numbers::pi * j / around;
-      scene.vertices.emplace_back(std::sin(u) * std::cos(v), std::sin(u) * std::sin(v), std::cos(u));
-    }
-  }
-  scene.vertices.emplace_back(0, 0, -1);
-  const unsigned last = 1 + (rows - 1) * around;
-  const auto at = [&](unsigned i, unsigned j) { return 1 + (i - 1) * around + j % around; };
-  for (unsigned j = 0; j < around; ++j) {
-    scene.faces.add_triangle(0, at(1, j), at(1, j + 1));
-    for (unsigned i = 1; i + 1 < rows; ++i) {
-      scene.faces.add_triangle(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-      scene.faces.add_triangle(at(i, j), at(i + 1, j + 1), at(i, j + 1));
-    }
-    scene.faces.add_triangle(last, at(rows - 1, j + 1), at(rows - 1, j));
-  }
-  scene.objects.push_back({"ball", 0, last + 1, 0, static_cast<std::uint32_t>(scene.faces.size()), 1e-12});
-  return scene;
+  return test::ball(2 * rows, rows - 1, [](auto, auto) { return 1.0; });
 }
 
 PictureRequest request_from(const ViewRequest& view) {

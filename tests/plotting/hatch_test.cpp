@@ -1,9 +1,9 @@
 /// Regions filled with strokes.
 
 #include "plotting/hatching/hatch.hpp"
+#include "drawing/measures.hpp"
 #include "main/tier.hpp"
 #include "plotting/paths/optimize.hpp"
-#include "support/page_lines.hpp"
 #include "support/test.hpp"
 
 namespace ligne {
@@ -29,17 +29,6 @@ double border_distance(Point2 p, const Contours& contours) {
   return least;
 }
 
-bool inside(Point2 p, const Contours& contours) {
-  bool in = false;
-  for (const auto& contour : contours) {
-    for (std::size_t i = 0; i < contour.size(); ++i) {
-      const Point2 a = contour[i], b = contour[(i + 1) % contour.size()];
-      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) in = !in;
-    }
-  }
-  return in;
-}
-
 /// A corner that points along the strokes between two lines of the runs is not seen: one of a right angle comes nearer by
 /// half the distance of the lines at most.
 constexpr double kUnseenPens = 0.5 / 6;
@@ -51,7 +40,7 @@ void expect_inside(const Polylines& lines, const Contours& contours, double pen)
     for (std::size_t k = 1; k < line.size(); ++k) {
       for (int s = 0; s <= 20; ++s) {
         const Point2 p = line[k - 1] + (line[k] - line[k - 1]) * (s / 20.0);
-        EXPECT_TRUE(inside(p, contours)) << p.x << " " << p.y;
+        EXPECT_TRUE(test::holds(contours, p)) << p.x << " " << p.y;
         EXPECT_GE(border_distance(p, contours), (0.5 - kUnseenPens) * pen) << p.x << " " << p.y;
       }
     }
@@ -287,12 +276,12 @@ Cover cover_of(const Polylines& strokes, const Contours& area, double pen) {
   constexpr double kStep = 0.05;
   for (double y = box.min.y; y <= box.max.y; y += kStep) {
     for (double x = box.min.x; x <= box.max.x; x += kStep) {
-      if (inside({x, y}, area)) cover.white = std::max(cover.white, ink_distance({x, y}));
+      if (test::holds(area, {x, y})) cover.white = std::max(cover.white, ink_distance({x, y}));
     }
   }
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     for (const Point2 p : strokes[i]) {
-      if (!inside(p, area)) cover.beyond = std::max(cover.beyond, border_distance(p, area));
+      if (!test::holds(area, p)) cover.beyond = std::max(cover.beyond, border_distance(p, area));
     }
   }
   return cover;
@@ -336,7 +325,7 @@ TEST(Hatch, FillsLeaveNothingWhite) {
       Polylines strokes = hatch(area, options);
       for (std::size_t i = 0; i < strokes.size(); ++i) {
         for (const Point2 p : strokes[i]) {
-          EXPECT_TRUE(inside(p, area));
+          EXPECT_TRUE(test::holds(area, p));
           EXPECT_GE(border_distance(p, area), (0.5 - kUnseenPens) * pen);
         }
       }

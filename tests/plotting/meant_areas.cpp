@@ -1,11 +1,7 @@
 #include "plotting/meant_areas.hpp"
 
-#include <algorithm>
-#include <functional>
-#include <random>
-#include <sstream>
-
 #include "geometry/point.hpp"
+#include "support/page_lines.hpp"
 
 namespace ligne::test {
 namespace {
@@ -39,13 +35,6 @@ int top_at(const MeantScene& scene, Point2 p) {
 
 constexpr double kAside = 0.02, kOnLine = 1e-4;
 
-double distance_to(Point2 a, Point2 b, Point2 p) {
-  const Point2 along = b - a;
-  const double squared = glm::dot(along, along);
-  const double t = squared > 0 ? std::clamp(glm::dot(p - a, along) / squared, 0.0, 1.0) : 0;
-  return glm::distance(p, a + along * t);
-}
-
 /// Whether an edge comes near the point in another direction, or ends there.
 bool is_disturbed(const MeantScene& scene, Point2 p, Point2 direction) {
   const auto disturbs = [&](const Contour& contour) {
@@ -55,7 +44,7 @@ bool is_disturbed(const MeantScene& scene, Point2 p, Point2 direction) {
       if (parallel && std::abs(cross(a - p, direction)) < 1e-7 && glm::distance(a, p) > 3 * kAside &&
           glm::distance(b, p) > 3 * kAside)
         continue;
-      if (distance_to(a, b, p) < 3 * kAside) return true;
+      if (distance_to_segment(p, a, b) < 3 * kAside) return true;
     }
     return false;
   };
@@ -68,7 +57,7 @@ bool passes(const Polylines& lines, Point2 p) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto line = lines[i];
     for (std::size_t k = 1; k < line.size(); ++k) {
-      if (distance_to(line[k - 1], line[k], p) <= kOnLine) return true;
+      if (distance_to_segment(p, line[k - 1], line[k]) <= kOnLine) return true;
     }
   }
   return false;
@@ -91,7 +80,7 @@ int own_edges_at(const MeantArea& area, Point2 p) {
   int count = 0;
   for (const Contour& contour : area.contours) {
     for (std::size_t k = 0; k < contour.size(); ++k)
-      count += distance_to(contour[k], contour[(k + 1) % contour.size()], p) <= kOnLine;
+      count += distance_to_segment(p, contour[k], contour[(k + 1) % contour.size()]) <= kOnLine;
   }
   return count;
 }

@@ -2,8 +2,6 @@
 /// Scenes of areas made at random, written as SVG, and the rule for what is seen of them, point by point. The rule works on
 /// the shapes as they were meant, before any transform, and shares nothing with the code under test but points.
 
-#include <random>
-
 #include "plotting/readers/drawing_reader.hpp"
 #include "support/standard.hpp"
 

@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "base/parallel.hpp"
+#include "drawing/measures.hpp"
 #include "main/tier.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "sample_drawing.hpp"
@@ -13,16 +14,6 @@ namespace {
 
 using namespace test;
 
-double distance(Point2 p, const Polylines& lines) {
-  double least = 1e300;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto line = lines[i];
-    for (std::size_t k = 0; k < line.size(); ++k)
-      least = std::min(least, distance_to_segment(p, line[k], line[std::min(k + 1, line.size() - 1)]));
-  }
-  return least;
-}
-
 /// Largest distance of a point of `from`, sampled finely, from `to`.
 double farthest(const Polylines& from, const Polylines& to) {
   double worst = 0;
@@ -30,7 +21,7 @@ double farthest(const Polylines& from, const Polylines& to) {
     const auto line = from[i];
     for (std::size_t k = 0; k < line.size(); ++k) {
       const Point2 next = line[std::min(k + 1, line.size() - 1)];
-      for (int s = 0; s < 7; ++s) worst = std::max(worst, distance(line[k] + (next - line[k]) * (s / 7.0), to));
+      for (int s = 0; s < 7; ++s) worst = std::max(worst, distance_to_lines(line[k] + (next - line[k]) * (s / 7.0), to));
     }
   }
   return worst;

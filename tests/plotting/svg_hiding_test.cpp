@@ -1,13 +1,12 @@
 /// Hiding by clip paths, masks and filled areas of an SVG drawing.
 
 #include <chrono>
-#include <random>
 
+#include "drawing/measures.hpp"
 #include "main/tier.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "plotting/writers/writers.hpp"
 #include "sample_drawing.hpp"
-#include "support/page_lines.hpp"
 #include "support/test.hpp"
 #include "svg_text.hpp"
 
@@ -216,15 +215,6 @@ TEST(JsonDrawingReader, RefusesWhatIsWrong) {
   }
 }
 
-bool lies_on(const Polylines& lines, Point2 p, double near) {
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (std::size_t k = 1; k < lines[i].size(); ++k) {
-      if (test::distance_to_segment(p, lines[i][k - 1], lines[i][k]) <= near) return true;
-    }
-  }
-  return false;
-}
-
 std::string rect_text(const char* name, Point2 at, Point2 size, const std::string& more) {
   std::ostringstream text;
   text << "<" << name << " x='" << at.x << "' y='" << at.y << "' width='" << size.x << "' height='" << size.y << "' "
@@ -268,10 +258,11 @@ int wrong_points_of_frame(std::mt19937& random) {
     const double depth = std::min(std::min(p.x - low.x, high.x - p.x), std::min(p.y - low.y, high.y - p.y));
     // The border of the area hides nothing: half of the ink lies beside it.
     if (depth > kNear && depth < 2 * kNear) continue;
-    wrong += lies_on(lines, p, kNear) == (depth > kNear);
+    wrong += (distance_to_lines(p, lines) <= kNear) == (depth > kNear);
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (std::size_t k = 1; k < lines[i].size(); ++k) wrong += !lies_on(frame, (lines[i][k - 1] + lines[i][k]) / 2.0, kNear);
+    for (std::size_t k = 1; k < lines[i].size(); ++k)
+      wrong += distance_to_lines((lines[i][k - 1] + lines[i][k]) / 2.0, frame) > kNear;
   }
   return wrong;
 }

@@ -1,8 +1,6 @@
 // Skew faces by the slopes of their sides: ends of lines, curves and spans worked out by hand on the ruled surface, and
 // plane faces against their triangles.
 
-#include <random>
-
 #include "scene/clean/clean.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"

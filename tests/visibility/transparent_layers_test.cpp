@@ -1,7 +1,5 @@
 // Spans and pixels with the transparent faces in front of them: worked out by hand, and against a search at single points.
 
-#include <random>
-
 #include "scene/clean/clean.hpp"
 #include "support/scenes.hpp"
 #include "support/test.hpp"

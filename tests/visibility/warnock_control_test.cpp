@@ -12,26 +12,10 @@ namespace {
 using namespace warnock;
 
 TEST(WarnockControl, PiecesShareTheirEndsAndFindTheirChild) {
-  std::mt19937 random(3);
-  std::uniform_int_distribution<int> u(-100, 100);
-  const WindowFrame frame{3, -2};
   const Division division{7, -5, true, true};
-  for (int i = 0; i < 2000; ++i) {
-    const PageLine line({{u(random), u(random)}, 0}, {{u(random), u(random)}, 0}, kNone, kNone);
-    if (line.p0 == line.p1) continue;
-    double end = 0;
-    cut_piece(line, {0, 0, 1}, frame, division, [&](int child, const Piece& piece) {
-      EXPECT_EQ(piece.from, end);
-      EXPECT_LT(piece.from, piece.to);
-      end = piece.to;
-      const double middle = (piece.from + piece.to) / 2;
-      const double mu = frame.u(line.p0) + middle * (frame.u(line.p1) - frame.u(line.p0));
-      const double mv = frame.v(line.p0) + middle * (frame.v(line.p1) - frame.v(line.p0));
-      EXPECT_EQ(child % 2 == 1, mu >= division.u) << mu;
-      EXPECT_EQ(child / 2 == 1, mv >= division.v) << mv;
-    });
-    EXPECT_EQ(end, 1);
-  }
+  expect_pieces_of_children(division, [&](int child, FramePoint p) {
+    return (child % 2 == 1) == (p.u >= division.u) && (child / 2 == 1) == (p.v >= division.v);
+  });
 }
 
 TEST(WarnockControl, WindowsOfAnyWidthAreDivided) {

@@ -57,24 +57,8 @@ TEST(WarnockPolygon, PartsMakeTheWholeAgain) {
 }
 
 TEST(WarnockPolygon, PiecesShareTheirEndsAndFindTheirChild) {
-  std::mt19937 random(3);
-  std::uniform_int_distribution<int> u(-100, 100);
-  const WindowFrame frame{3, -2};
   const Border border({7, -5}, {-20, 31});
-  for (int i = 0; i < 2000; ++i) {
-    const PageLine line({{u(random), u(random)}, 0}, {{u(random), u(random)}, 0}, kNone, kNone);
-    if (line.p0 == line.p1) continue;
-    double end = 0;
-    cut_piece(line, {0, 0, 1}, frame, border, [&](int child, const Piece& piece) {
-      EXPECT_EQ(piece.from, end);
-      EXPECT_LT(piece.from, piece.to);
-      end = piece.to;
-      const double middle = (piece.from + piece.to) / 2;
-      const FramePoint p = frame(line.p0), q = frame(line.p1);
-      EXPECT_EQ(child == 0, border.distance({p.u + middle * (q.u - p.u), p.v + middle * (q.v - p.v)}) >= 0);
-    });
-    EXPECT_EQ(end, 1);
-  }
+  expect_pieces_of_children(border, [&](int child, FramePoint p) { return (child == 0) == (border.distance(p) >= 0); });
 }
 
 TEST(WarnockPolygon, ALineAlongTheBorderBelongsToOneChild) {
