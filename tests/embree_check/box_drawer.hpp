@@ -1,8 +1,6 @@
 #pragma once
 /// Right drawings of scenes of axis-parallel boxes, made by trying every box at many points of every edge.
 
-#include <vector>
-
 #include "drawing_file.hpp"
 #include "geometry/point.hpp"
 #include "scene/model/scene.hpp"

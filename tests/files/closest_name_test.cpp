@@ -1,8 +1,5 @@
 #include "files/closest_name.hpp"
-
-#include <gtest/gtest.h>
-
-#include <vector>
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {

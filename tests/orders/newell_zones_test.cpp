@@ -1,9 +1,5 @@
 // Zones of the method newell, sorted by several threads at the same time ([Boulle1980] 2.6).
 
-#include <random>
-
-#include <glm/geometric.hpp>
-
 #include "base/parallel.hpp"
 #include "newell_sorted.hpp"
 #include "support/test.hpp"

@@ -1,8 +1,6 @@
 #pragma once
 /// An order of painting against the oracle, at points of the page.
 
-#include <string>
-
 #include "drawing/result_models.hpp"
 #include "support/judge.hpp"
 

@@ -1,7 +1,5 @@
 // Facts that a scene states: checked, and what they spare in the list of newell. Convex bodies as elements of it.
 
-#include <random>
-
 #include "newell_sorted.hpp"
 #include "scene/clean/check_facts.hpp"
 #include "scene/clean/clean.hpp"
@@ -171,8 +169,10 @@ VisibilityResult painted(const ProjectedScene& projected, bool bodies) {
 }
 
 std::uint64_t count(const VisibilityResult& result, std::string_view name) {
-  const auto& counts = result.statistics.counts;
-  return std::ranges::find(counts, name, &std::pair<std::string, std::uint64_t>::first)->second;
+  for (const auto& [known, number] : result.statistics.counts)
+    if (known == name) return number;
+  ADD_FAILURE() << "there is no count of " << name;
+  return 0;
 }
 
 /// Per face the area of its regions, mm^2.

@@ -1,10 +1,7 @@
 /// Lines along the middle of fillets.
 
 #include "scene/patches/fillets.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
+#include "support/test.hpp"
 
 #include "patches/patch_scenes.hpp"
 

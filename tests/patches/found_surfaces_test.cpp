@@ -1,10 +1,7 @@
 /// The list of surfaces behind a mesh: which part of each the faces cover.
 
 #include "scene/patches/found_surfaces.hpp"
-
-#include <gtest/gtest.h>
-
-#include <numeric>
+#include "support/test.hpp"
 
 #include "patches/part_scenes.hpp"
 

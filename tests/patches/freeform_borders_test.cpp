@@ -1,8 +1,7 @@
 /// Free forms between planes.
 
 #include "scene/patches/borders/freeform_borders.hpp"
-
-#include <gtest/gtest.h>
+#include "support/test.hpp"
 
 #include "patches/patch_scenes.hpp"
 

@@ -1,11 +1,7 @@
 /// Surfaces found in meshes of known ones.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <random>
-
 #include "patches/patch_scenes.hpp"
+#include "support/test.hpp"
 
 namespace ligne {
 namespace {

@@ -1,8 +1,7 @@
 /// Objects that repeat an earlier one, and the surfaces that they take over from it.
 
 #include "scene/patches/repeated_objects.hpp"
-
-#include <gtest/gtest.h>
+#include "support/test.hpp"
 
 #include "patches/patch_scenes.hpp"
 

@@ -1,8 +1,7 @@
 /// Edges that are decided by the whole border of a patch.
 
 #include "scene/patches/borders/whole_borders.hpp"
-
-#include <gtest/gtest.h>
+#include "support/test.hpp"
 
 #include "patches/part_scenes.hpp"
 #include "patches/patch_scenes.hpp"

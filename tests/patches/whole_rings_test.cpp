@@ -1,7 +1,5 @@
 /// Creases of free forms: whole rings of rims, whole ends of cut tubes, rims of bevels, and nothing inside roundings.
 
-#include <glm/geometric.hpp>
-
 #include "patches/patch_scenes.hpp"
 #include "scene/creases/find_creases.hpp"
 #include "support/test.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 /// A drawing for plotters, what a device is sent for it, and machines that replay that.
 
-#include <string>
 #include "geometry/point.hpp"
 #include "plotting/writers/plot_writers.hpp"
 #include "sample_drawing.hpp"

@@ -3,11 +3,7 @@
 ///
 /// The sides of all rectangles lie on the lines of a grid, so that both results are sets of edges of its cells.
 
-#include <algorithm>
-#include <array>
-#include <map>
 #include <polyclipping/clipper.hpp>
-#include <set>
 
 #include "main/tier.hpp"
 #include "plotting/meant_areas.hpp"

@@ -1,8 +1,5 @@
 // The sweep for the visible pieces of coplanar segments and arcs, against known answers and against two other ways.
 
-#include <cmath>
-#include <random>
-
 #include "studies/operations/visible_sweep.hpp"
 #include "support/test.hpp"
 

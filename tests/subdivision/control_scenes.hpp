@@ -1,8 +1,6 @@
 #pragma once
 /// Control meshes for tests, and what subdivision makes of them.
 
-#include <glm/geometric.hpp>
-
 #include "scene/model/scene_parts.hpp"
 #include "scene/subdivision/subdivide.hpp"
 #include "support/test.hpp"

@@ -1,7 +1,5 @@
 // Meshes that are no surfaces, and what belongs to faces.
 
-#include <random>
-
 #include "control_scenes.hpp"
 #include "scene/clean/clean.hpp"
 

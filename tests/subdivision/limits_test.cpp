@@ -1,8 +1,5 @@
 // Limit positions against values worked out by hand from the masks of the papers, and what holds for any control mesh.
 
-#include <map>
-#include <random>
-
 #include "base/parallel.hpp"
 #include "control_scenes.hpp"
 
