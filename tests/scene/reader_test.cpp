@@ -7,6 +7,7 @@
 #include "reader_tools.hpp"
 #include "scene/model/precision.hpp"
 #include "scene/readers/text_lines.hpp"
+#include "zip_builder.hpp"
 
 namespace ligne {
 namespace {
@@ -54,6 +55,19 @@ TEST_F(Files, ReadsWhatIsThere) {
   ReadReport report;
   read_scene(folder_.write("a.obj", text), {}, warnings, &report);
   EXPECT_EQ(report.faces, (text.size() - 24) / 8);
+}
+
+/// What is said of archives that are known and not read.
+std::string refusal(const std::string& bytes) {
+  return error_line([&] { detect_format(bytes_of(bytes), "", "M"); });
+}
+
+TEST(Strangers, AreNamedWithWhatToDo) {
+  const std::string blender = ", which is not read: open it in Blender and export glTF";
+  EXPECT_EQ(refusal(zip_test::zip({{"scene.usdc", "PXR-USDC"}}, false)), "M: is a USD file" + blender);
+  EXPECT_EQ(refusal(zip_test::zip({{"readme.txt", "hello"}})), "M: is a ZIP archive, not a model");
+  EXPECT_TRUE(refusal(zip_test::zip({{"duck.dae", "<COLLADA>"}})).starts_with("M: is an archive with a COLLADA file, "));
+  EXPECT_TRUE(refusal(zip_test::zip({{"a.3DRep", "<x/>"}})).starts_with("M: is a 3DXML file, which is not read: "));
 }
 
 TEST(ReadScene, ModelFilesThatAreNone) {
