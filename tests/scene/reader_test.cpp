@@ -57,7 +57,7 @@ TEST_F(Files, ReadsWhatIsThere) {
   EXPECT_EQ(report.faces, (text.size() - 24) / 8);
 }
 
-/// What is said of archives that are known and not read.
+/// The message about an archive that is known and not read.
 std::string refusal(const std::string& bytes) {
   return error_line([&] { detect_format(bytes_of(bytes), "", "M"); });
 }
