@@ -82,6 +82,25 @@ TEST(Patches, FindsATorus) {
   EXPECT_EQ(found.count(PatchEdge::inside), found.topology.edges.size());
 }
 
+TEST(Patches, NoLinesBetweenTheBandsOfAnEllipsoid) {
+  // Each band lies on a cone, and some pairs of them on a sphere, by accident.
+  for (const Point3& size : {Point3(60, 40, 30), Point3(60, 40, 40), Point3(30, 30, 50)}) {
+    for (const int facets : {24, 48, 96}) {
+      SCOPED_TRACE(std::to_string(size.x) + ", " + std::to_string(facets));
+      std::vector<Corners> polygons;
+      add_grid(polygons, facets, facets / 2 - 2, true, [&](int u, int v) {
+        const double down = 2 * kPi * (v + 1) / facets, around = 2 * kPi * (u % facets) / facets;
+        return Point3(size.x * std::sin(down) * std::cos(around), size.y * std::sin(down) * std::sin(around),
+                      size.z * std::cos(down));
+      });
+      FoundPatches found(outward(polygons));
+      const std::vector<std::uint8_t> no_lines(found.edges.size(), 0);
+      drop_loose_tangents(found.scene, found.topology, found.patches, no_lines, found.edges);
+      EXPECT_EQ(found.count(PatchEdge::tangent), 0u);
+    }
+  }
+}
+
 /// A strip of planes one behind the other, along y, whose profile turns by these angles (degrees) between lengths.
 std::vector<Corners> bent_strip(const std::vector<double>& lengths, const std::vector<double>& turns) {
   std::vector<Corners> polygons;

@@ -4,6 +4,7 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "scene/patches/borders/facet_rows.hpp"
 #include "scene/patches/borders/patch_outlines.hpp"
 #include "scene/patches/facet_graph.hpp"
 #include "scene/patches/freeform.hpp"
@@ -20,6 +21,7 @@ struct ObjectPatches {
   std::vector<std::uint32_t> patch_of;    ///< per face of the object
   std::vector<std::uint8_t> is_freeform;  ///< per face of the object
   std::vector<FreeformBorder> borders;
+  std::vector<std::uint32_t> row_edges;
 };
 
 ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Object& object,
@@ -37,6 +39,7 @@ ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Obj
     if (of_facet[f] != kNone && outlines[of_facet[f]].is_speck()) freeform[f] = 1;
   }
   found.borders = freeform_borders(scene, topology, graph, {found.patches, of_facet, freeform}, outlines);
+  found.row_edges = row_edges(scene, topology, graph, of_facet);
   for (const std::uint32_t facet : graph.facet_of) {
     found.patch_of.push_back(of_facet[facet]);
     found.is_freeform.push_back(freeform[facet]);
@@ -58,6 +61,7 @@ ObjectPatches moved(ObjectPatches patches, const Similarity& motion, std::uint32
     border.edge += edge_begin - patches.edge_begin;
     border.length *= motion.scale;
   }
+  for (std::uint32_t& edge : patches.row_edges) edge += edge_begin - patches.edge_begin;
   patches.edge_begin = edge_begin;
   return patches;
 }
@@ -91,6 +95,7 @@ Patches find_patches(const Scene& scene, const Topology& topology, std::span<con
     const auto first_chain = static_cast<std::uint32_t>(found.borders.size());
     for (FreeformBorder& border : parts[i].borders) border.chain += first_chain;
     found.borders.insert(found.borders.end(), parts[i].borders.begin(), parts[i].borders.end());
+    found.row_edges.insert(found.row_edges.end(), parts[i].row_edges.begin(), parts[i].row_edges.end());
     found.list.insert(found.list.end(), parts[i].patches.begin(), parts[i].patches.end());
     for (std::uint32_t f = 0; f < parts[i].patch_of.size(); ++f) {
       if (parts[i].patch_of[f] != kNone) found.patch_of[begin + f] = first + parts[i].patch_of[f];

@@ -9,6 +9,7 @@
 #include "base/no_index.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/patches/borders/edge_chains.hpp"
+#include "scene/patches/borders/facet_rows.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
 #include "scene/patches/borders/patch_outlines.hpp"
 #include "scene/patches/find_patches.hpp"
@@ -30,14 +31,9 @@ constexpr double kBeyondDegrees = 15;
 /// Least spread of the facets' middles behind the edge, as a fraction of the first facet's depth. With less, they do
 /// not show how the form turns.
 constexpr double kLeastSpread = 0.25;
-/// Most neighbours of a facet of a row.
-constexpr std::size_t kMostRowArcs = 8;
 /// Largest number of corners of a plane that are tested for its depth, evenly spread: thousands of edges may lie beside
 /// it.
 constexpr std::size_t kMostPlaneCorners = 64;
-/// In a row of facets, edges are parallel by at least this cosine (25 degrees), and the angles at them differ by less than
-/// this factor. Narrower angles, by kRowFold, are those of the triangles of one facet of the row.
-constexpr double kRowCosine = 0.9, kRowFactor = 1.4, kRowFold = 3;
 /// Largest number of edges of a chain that may be a flaw of a smooth mesh.
 constexpr std::uint32_t kFleckEdges = 2;
 
@@ -61,6 +57,7 @@ class BorderFinder {
         patch_of_(surfaces.patch_of),
         patches_(surfaces.patches),
         outlines_(outlines),
+        rows_(scene, topology, graph),
         is_freeform_(surfaces.is_freeform),
         reached_by_(graph.size(), kNone) {}
 
@@ -194,33 +191,6 @@ class BorderFinder {
     return patches_[p].outward ? normal : -normal;
   }
 
-  Point3 direction(std::uint32_t edge) const {
-    return glm::normalize(scene_.vertices[topology_.edges[edge].v1] - scene_.vertices[topology_.edges[edge].v0]);
-  }
-
-  /// The angle at an arc from f: positive where the neighbour falls away.
-  double bend(std::uint32_t f, const FacetGraph::Arc& arc) const {
-    const FacetFrame &here = graph_.frames[f], &there = graph_.frames[arc.facet];
-    const double angle = angle_between(here.normal, there.normal);
-    return glm::dot(there.middle - here.middle, here.normal) < 0 ? angle : -angle;
-  }
-
-  /// Whether a facet beside an edge of a row has another edge of it. `rest`: triangles that may be part of the facet.
-  bool has_next(std::uint32_t f, std::uint32_t edge, double angle, int rest) const {
-    const auto arcs = graph_.arcs_of(f);
-    if (arcs.size() > kMostRowArcs) return false;
-    const auto is_next = [&](const FacetGraph::Arc& arc) {
-      const double other = bend(f, arc);
-      if (arc.edge == edge || other * angle <= 0) return false;
-      return std::abs(glm::dot(direction(arc.edge), direction(edge))) > kRowCosine &&
-             std::abs(other) * kRowFactor > std::abs(angle) && std::abs(other) < kRowFactor * std::abs(angle);
-    };
-    if (std::ranges::any_of(arcs, is_next)) return true;
-    return rest > 0 && std::ranges::any_of(arcs, [&](const FacetGraph::Arc& arc) {
-             return std::abs(bend(f, arc)) * kRowFold < std::abs(angle) && has_next(arc.facet, edge, angle, rest - 1);
-           });
-  }
-
   void add(std::uint32_t f, const FacetGraph::Arc& arc) {
     const Point3 &from = scene_.vertices[topology_.edges[arc.edge].v0], &to = scene_.vertices[topology_.edges[arc.edge].v1];
     const Point3& normal = graph_.frames[f].normal;
@@ -251,8 +221,7 @@ class BorderFinder {
       const double there = patches_[patch].outward ? k : -k;
       border.bends_otherwise = std::abs(here - there) > kUnlikeCurvature * std::max(std::abs(here), std::abs(there));
     }
-    const double angle = bend(f, arc);
-    border.is_in_row = patch != kNone && has_next(f, arc.edge, angle, 1) && has_next(arc.facet, arc.edge, angle, 1);
+    border.is_in_row = patch != kNone && rows_.goes_on(f, arc);
     border.beyond = number_beyond(arc.facet);
     found_.push_back(border);
   }
@@ -275,6 +244,7 @@ class BorderFinder {
   std::span<const std::uint32_t> patch_of_;
   std::span<const Patch> patches_;
   std::span<const PatchOutline> outlines_;
+  FacetRows rows_;
   std::span<const std::uint8_t> is_freeform_;
   std::vector<std::uint32_t> reached_by_;  ///< per facet: the edge from which it was reached last
   std::vector<std::uint32_t> facets_;      ///< result of reach()

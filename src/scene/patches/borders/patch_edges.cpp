@@ -73,7 +73,8 @@ class EdgeClassifier {
       return is_doubtful ? PatchEdge::unknown : PatchEdge::sharp;
     }
     if (p == kNone && q == kNone) return PatchEdge::unknown;
-    return bend_alike(edge, n0) ? PatchEdge::inside : PatchEdge::tangent;
+    const bool is_row = has_surfaces && std::ranges::binary_search(patches_.row_edges, static_cast<std::uint32_t>(e));
+    return is_row || bend_alike(edge, n0) ? PatchEdge::inside : PatchEdge::tangent;
   }
 
   /// The evidence of an edge. `kind`: the class that operator() gives it.
