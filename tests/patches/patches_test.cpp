@@ -82,6 +82,31 @@ TEST(Patches, FindsATorus) {
   EXPECT_EQ(found.count(PatchEdge::inside), found.topology.edges.size());
 }
 
+TEST(Patches, TheFlatRingsOfATorusBelongToIt) {
+  // At the top and at the bottom, the corners on both sides of a ring lie in one plane.
+  std::vector<Corners> polygons;
+  add_grid(polygons, 48, 20, true, [](int u, int v) {
+    const double a = 2 * kPi * (u % 48) / 48, b = 2 * kPi * (v % 20 + 0.5) / 20;
+    return on_circle(10 + 2 * std::cos(b), a, 2 * std::sin(b));
+  });
+  const FoundPatches found(polygons);
+  ASSERT_EQ(found.faces().size(), 1u);
+  EXPECT_EQ(found.only().kind, SurfaceKind::torus);
+  EXPECT_EQ(found.faces().begin()->second, found.scene.faces.size());
+}
+
+TEST(Patches, AFlatRingBetweenTwoFilletsIsAPlane) {
+  // A plate with a round hole: a ring of width 1, and a quarter of a torus on both sides.
+  std::vector<Corners> polygons;
+  add_grid(polygons, 48, 13, true, [](int u, int v) {
+    const double a = 2 * kPi * (u % 48) / 48, t = kPi / 2 * (v < 7 ? v : v - 1) / 6;
+    return on_circle(10 - 2 * std::cos(t) + (v < 7 ? 0 : 1), a, 2 * std::sin(t));
+  });
+  const FoundPatches found(polygons);
+  EXPECT_EQ(found.faces().size(), 2u);
+  EXPECT_EQ(found.count(PatchEdge::tangent), 2u * 48);
+}
+
 TEST(Patches, NoLinesBetweenTheBandsOfAnEllipsoid) {
   // Each band lies on a cone, and some pairs of them on a sphere, by accident.
   for (const Point3& size : {Point3(60, 40, 30), Point3(60, 40, 40), Point3(30, 30, 50)}) {

@@ -26,19 +26,20 @@ void PatchFinder::join_borders(const std::vector<Patch>& patches) {
   join_facets(patches, false);
 }
 
-/// Joins facets to the patches beside them. `slanting`: only triangles whose corners lie on the surface within the
-/// precision of the coordinates, with nearly any normal (kSlantingCosine); otherwise facets near the surface with
-/// nearly its normal.
-void PatchFinder::join_facets(const std::vector<Patch>& patches, bool slanting) {
+/// Joins facets to the patches beside them. `exact`: only facets whose corners lie on the surface within the precision of
+/// the coordinates: triangles with nearly any normal (kSlantingCosine), and polygons, such as the flat ring at the top of a
+/// torus, with nearly that of the surface; otherwise facets near the surface with nearly its normal.
+void PatchFinder::join_facets(const std::vector<Patch>& patches, bool exact) {
   std::vector<std::uint32_t> reached;
   for (std::uint32_t f = 0; f < graph_.size(); ++f) {
     if (patch_of_[f] != kNone) reached.push_back(f);
   }
   const auto try_to_join = [&](std::uint32_t from, std::uint32_t f) {
-    if (patch_of_[f] != kNone || (slanting && graph_.vertices[f].size() != 3)) return;
+    const std::size_t corners = graph_.vertices[f].size();
+    if (patch_of_[f] != kNone || (exact && corners == 4)) return;
     const Patch& patch = patches[patch_of_[from]];
-    const double tolerance = slanting ? tolerance_for(patch.surface.kind, 0) : kJoinedSags * patch.sag;
-    if (!lies_on(patch, f, tolerance, slanting ? kSlantingCosine : kNormalCosine)) return;
+    const double tolerance = exact ? tolerance_for(patch.surface.kind, 0) : kJoinedSags * patch.sag;
+    if (!lies_on(patch, f, tolerance, exact && corners == 3 ? kSlantingCosine : kNormalCosine)) return;
     patch_of_[f] = patch_of_[from];
     reached.push_back(f);
   };
@@ -51,7 +52,7 @@ void PatchFinder::join_facets(const std::vector<Patch>& patches, bool slanting) 
     }
   };
   grow_over_arcs();
-  if (!slanting) return;
+  if (!exact) return;
   for (const auto& [a, b] : graph_.steep) {
     forget_looks();
     if (patch_of_[a] != kNone) try_to_join(a, b);

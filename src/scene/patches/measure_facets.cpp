@@ -94,12 +94,24 @@ const PatchFinder::VertexLook& PatchFinder::look_at(const Patch& patch, std::uin
   return looks_[number];
 }
 
+/// Whether the middle of a facet is at most so far from the surface. A facet of many corners may have a hole in its
+/// middle, so the middles of its faces count.
+bool PatchFinder::is_near(const PatchSurface& surface, std::uint32_t f, double distance) const {
+  if (graph_.vertices[f].size() <= 4) return std::abs(surface.distance(graph_.frames[f].middle)) <= distance;
+  return std::ranges::all_of(graph_.faces[f], [&](std::uint32_t face) {
+    const auto corners = scene_.faces.contour(face, 0);
+    Point3 sum(0.0);
+    for (const std::uint32_t v : corners) sum += scene_.vertices[v];
+    return std::abs(surface.distance(sum / static_cast<double>(corners.size()))) <= distance;
+  });
+}
+
 /// Whether the corners of a facet lie on the surface, and its middle is at most kMostSags sags away. `least_cosine`:
 /// least cosine between its normal and the normals of the surface at its corners.
 bool PatchFinder::lies_on(const Patch& patch, std::uint32_t f, double tolerance, double least_cosine) {
   const bool has_normal = !graph_.is_sliver[f];
   const FacetFrame& frame = graph_.frames[f];
-  if (has_normal && std::abs(patch.surface.distance(frame.middle)) > kMostSags * patch.sag + tolerance) return false;
+  if (has_normal && !is_near(patch.surface, f, kMostSags * patch.sag + tolerance)) return false;
   const Point3 normal = patch.outward ? frame.normal : -frame.normal;
   for (const std::uint32_t v : graph_.vertices[f]) {
     const VertexLook& look = look_at(patch, v, tolerance);

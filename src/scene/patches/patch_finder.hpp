@@ -72,6 +72,7 @@ class PatchFinder {
   double tolerance_for(SurfaceKind kind, double sag) const;
   void forget_looks();
   const VertexLook& look_at(const Patch& patch, std::uint32_t vertex, double tolerance);
+  bool is_near(const PatchSurface& surface, std::uint32_t f, double distance) const;
   bool lies_on(const Patch& patch, std::uint32_t f, double tolerance, double least_cosine = kNormalCosine);
   bool is_certain(const PatchCandidate& c);
   std::size_t angles_of(const PatchSurface& surface, bool about_circle);
@@ -83,7 +84,7 @@ class PatchFinder {
                                std::uint32_t p, std::uint32_t q);
   Point3 middle_of(std::span<const std::uint32_t> facets) const;
   void join_borders(const std::vector<Patch>& patches);
-  void join_facets(const std::vector<Patch>& patches, bool slanting);
+  void join_facets(const std::vector<Patch>& patches, bool exact);
   bool merge_patches(const std::vector<Patch>& patches, const std::vector<std::uint32_t>& found_by);
 
   const Scene& scene_;
