@@ -55,7 +55,7 @@ TEST(IsolatedChains, MayBeNarrowRings) {
   expect_changes({{"a line there and back", "#1 10,10 11.5,10 10.7,10.08 10,10", 1},
                   {"beginning in its middle", "#1 10.7,10.08 10,10 11.5,10 10.7,10.08", 1},
                   {"a small hole", "#1 10,10 11.5,10 10.7,10.12 10,10", 0},
-                  {"too long", "#1 10,10 12.5,10 10.7,10.08 10,10", 0}},
+                  {"too long", "#1 10,10 13.5,10 10.7,10.08 10,10", 0}},
                  remove_lone, beside_a_body);
 }
 
