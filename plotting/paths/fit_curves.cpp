@@ -2,7 +2,8 @@
 /// 1. arcs through many corners that lie on an ellipse up to rounding,
 /// 2. arcs within the tolerance,
 /// 3. arcs through a few corners, up to rounding,
-/// 4. straight pieces within the tolerance.
+/// 4. arcs of known ellipses,
+/// 5. straight pieces within the tolerance.
 ///
 /// Without the first round an arc would begin on the line before it, within the tolerance, and would be bent for it. A
 /// few corners of a noisy circle lie on some ellipse by chance, so round 3 comes after the whole circle.
@@ -33,6 +34,9 @@ constexpr double kRoundingMm = 0.0005;
 
 /// Fewest corners of an arc in rounds 1, 2 and 3. Any five points lie on an ellipse or another conic.
 constexpr std::size_t kMany = 10, kLeastWithin = 8, kFew = 6;
+
+/// Fewest corners of an arc of a known ellipse. Two may be the ends of a line across it.
+constexpr std::size_t kLeastOnKnown = 3;
 
 /// Fewest corners by which an arc is extended within the tolerance: a single corner may be the end of a cut chord.
 constexpr std::size_t kBeyond = 3;
@@ -75,7 +79,8 @@ double rounded(double value) {
 /// The limits of a round.
 struct Round {
   double tolerance;
-  std::size_t least;  ///< fewest corners of a run
+  std::size_t least;      ///< fewest corners of a run
+  bool is_known = false;  ///< the ellipse is not fitted to the corners
 };
 
 /// The pieces of one run of corners that lies on an ellipse: where each ends, and its arc.
@@ -88,8 +93,10 @@ class CurveFit {
 
   CurvedPath run() {
     const double rounding = std::min(kRoundingMm, limits_.tolerance_mm);
-    for (const Round& round : {Round{rounding, kMany}, {limits_.tolerance_mm, kLeastWithin}, {rounding, kFew}})
-      find_arcs(round);
+    find_arcs({rounding, kMany});
+    find_arcs({limits_.tolerance_mm, kLeastWithin});
+    find_arcs({rounding, kFew});
+    if (limits_.known) find_known_arcs();
     CurvedPath path{corners_.front()};
     std::size_t free = 0;  // the corner up to which no arc begins
     for (std::size_t i = 0; i + 1 < corners_.size();) {
@@ -173,6 +180,42 @@ class CurveFit {
     }
   }
 
+  /// Takes the longest arc of a known ellipse from each corner on.
+  void find_known_arcs() {
+    const Round round{limits_.tolerance_mm, kLeastOnKnown, true};
+    for (std::size_t i = 0; i + 1 < corners_.size();) {
+      if (arc_to_[i].first > i) {
+        i = arc_to_[i].first;
+        continue;
+      }
+      std::size_t last = i;
+      Arcs best;
+      for (const std::uint32_t number : limits_.known->near(corners_[i])) {
+        const auto is_on = [&](std::size_t k) { return limits_.known->is_on(number, corners_[k], round.tolerance); };
+        std::size_t end = i;  // the last corner of the run on this ellipse
+        if (!is_on(i)) continue;
+        while (end + 1 < corners_.size() && arc_to_[end].first == 0 && is_on(end + 1)) ++end;
+        if (end <= last) continue;
+        Arcs arcs, longest_arcs;
+        const auto fits = [&](std::size_t to) {
+          if (!accepted(i, to, (*limits_.known)[number], round, arcs)) return false;
+          longest_arcs = arcs;
+          return true;
+        };
+        const std::size_t to = longest(i, end, kLeastOnKnown, fits);
+        if (to <= last) continue;
+        last = to;
+        best = std::move(longest_arcs);
+      }
+      if (i == 0) first_end_ = std::max(first_end_, last);
+      if (last == i) ++i;
+      for (const auto& [to, arc] : best) {
+        arc_to_[i] = {to, arc};
+        i = to;
+      }
+    }
+  }
+
   bool on_ellipse(std::size_t first, std::size_t last, const Round& round, Arcs& arcs) const {
     const std::span<const Point2> run(corners_.data() + first, last - first + 1);
     Ellipse ellipse;
@@ -202,7 +245,7 @@ class CurveFit {
       swept.push_back(swept.back() + std::abs(step));
       unit = next;
     }
-    return swept.back() <= kWholeTurn && (swept.size() >= kMany || even(swept)) &&
+    return swept.back() <= kWholeTurn && (swept.size() >= kMany || round.is_known || even(swept)) &&
            parts(first, swept, ellipse, positive, arcs);
   }
 

@@ -8,6 +8,7 @@
 #include "drawing/drawing.hpp"
 #include "geometry/point.hpp"
 #include "plotting/paths/elliptic_arc.hpp"
+#include "plotting/paths/known_ellipses.hpp"
 
 namespace ligne {
 
@@ -20,7 +21,8 @@ struct CurveLimits {
   /// Largest rise of a circle with the arc's longer radius over a step of the line, mm. Lines that the shape hides end
   /// on its chords: up to the width of the pen their ink still meets the ink of the arc.
   double most_rise_mm = 0.35;
-  bool start_stays = false;  ///< closed lines keep their starting point: the pen arrives there
+  bool start_stays = false;              ///< closed lines keep their starting point: the pen arrives there
+  const KnownEllipses* known = nullptr;  ///< ellipses on which lines are known to lie; null: none
 };
 
 /// One straight line, or one arc of less than half a turn.

@@ -25,13 +25,14 @@ namespace ligne {
 struct PlotOptions {
   Page page;
   double pen_width_mm = 0.35;
-  LineWidths widths_mm{};                 ///< line widths by layer name; they override all other widths
-  bool hidden_solid = false;              ///< hidden lines are not dashed
-  std::string title;                      ///< document title, may be empty
-  double dpi = 150;                       ///< resolution of a PNG
-  bool curves = false;                    ///< fit arcs to polylines that approximate them (paths/fit_curves.hpp)
-  std::optional<double> curve_rise_mm{};  ///< CurveLimits::most_rise_mm; nothing: the pen width
-  bool starts_stay = false;               ///< with `curves`: closed strokes keep their starting points
+  LineWidths widths_mm{};                        ///< line widths by layer name; they override all other widths
+  bool hidden_solid = false;                     ///< hidden lines are not dashed
+  std::string title;                             ///< document title, may be empty
+  double dpi = 150;                              ///< resolution of a PNG
+  bool curves = false;                           ///< fit arcs to polylines that approximate them (paths/fit_curves.hpp)
+  std::optional<double> curve_rise_mm{};         ///< CurveLimits::most_rise_mm; nothing: the pen width
+  bool starts_stay = false;                      ///< with `curves`: closed strokes keep their starting points
+  std::shared_ptr<const KnownEllipses> known{};  ///< with `curves`: CurveLimits::known
   std::function<LineStyle(const std::string&)> style{};  ///< style of a layer by its name; empty: layer_style()
 
   /// Style of the layers of that name.
@@ -51,7 +52,7 @@ struct PlotOptions {
   std::optional<CurveLimits> curves_of(const Layer& layer) const {
     if (!curves || !may_be_curved(layer)) return {};
     // One limit for all layers, whatever their widths: a rim is an outline on one side and a crease on the other.
-    return CurveLimits{kCurveToleranceMm, curve_rise_mm.value_or(pen_width_mm), starts_stay};
+    return CurveLimits{kCurveToleranceMm, curve_rise_mm.value_or(pen_width_mm), starts_stay, known.get()};
   }
 };
 

@@ -1,6 +1,10 @@
 #include "picture/drawn_scene.hpp"
 
+#include <array>
+#include <cmath>
 #include <iterator>
+#include <memory>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -15,6 +19,7 @@
 #include "picture/pages/scene_document.hpp"
 #include "picture/parts.hpp"
 #include "picture/products.hpp"
+#include "plotting/paths/known_ellipses.hpp"
 
 namespace ligne {
 namespace {
@@ -60,6 +65,33 @@ void add_inset(Drawing& drawing, const ScanPlane& plane, const PreparedScene& pr
   Rect area = drawable;
   area.min.y = drawable.max.y - prepared.request.page.inset_part * drawable.height();
   add_scan_plane(drawing, plane, picture, area, kInsetText * text_height_mm(prepared.request.axes, placement.page));
+}
+
+/// The circles of recognised surfaces on the page. Those that reach behind the viewer are left out.
+std::vector<Ellipse> circles_on_page(const PreparedScene& prepared) {
+  // Circles become ellipses in either projection, and any five points tell one.
+  constexpr std::size_t kPoints = 8;
+  std::array<Point2, kPoints> turn;
+  for (std::size_t k = 0; k < kPoints; ++k) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / kPoints;
+    turn[k] = {std::cos(angle), std::sin(angle)};
+  }
+  const View& view = prepared.view();
+  std::vector<Point2> points;
+  std::vector<Ellipse> found;
+  for (const PatchCircle& circle : prepared.circles) {
+    const auto [u, v] = frame_of(circle.axis);
+    points.clear();
+    for (const Point2 way : turn) {
+      const Point3 p = circle.centre + circle.radius * (way.x * u + way.y * v);
+      if (view.camera.perspective && camera_coordinates(view.camera, p).z < view.near_distance) break;
+      const HomogeneousPoint h = to_homogeneous(view, p);
+      points.push_back(Point2(h.x, h.y) / h.w);
+    }
+    Ellipse ellipse;
+    if (points.size() == kPoints && fit_ellipse(points, ellipse)) found.push_back(ellipse);
+  }
+  return found;
 }
 
 /// Makes the areas below all lines from regions, overpainting pieces of faces, or spans.
@@ -119,12 +151,13 @@ void DrawnScene::choose(OutputRequest output, PlotterRequest plotter) {
 }
 
 Picture DrawnScene::write(RunReport& run, PdfDocument* pages) const {
-  const PlotOptions plot = plot_options(request(), parts_.prepared.around.placement.page);
+  PlotOptions plot = plot_options(request(), parts_.prepared.around.placement.page);
   const VisibilityResult& result = parts_.found.result;
   const Stage stage{"write", std::to_string(result.strokes->strokes.size()) + " strokes"};
   return timed(run.stages, stage, [&] {
     if (request().output.format == OutputFormat::json) return Picture{scene_json(*this, plot)};
     const Drawing drawing = compose(run);
+    if (plot.curves) plot.known = std::make_shared<KnownEllipses>(circles_on_page(parts_.prepared), plot.page.sheet());
     const std::optional<FacePicture> faces = face_picture(parts_.prepared, result, plot);
     return write_picture(drawing, plot, request().plotter, {request().output.format, faces ? &*faces : nullptr, pages}, run);
   });

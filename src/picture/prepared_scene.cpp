@@ -128,6 +128,7 @@ void add_lines_of_shape(PreparedScene& prepared, std::vector<ShapeLine> lines, c
 void keep_surfaces(PreparedScene& prepared, Creases creases) {
   prepared.scans = std::move(creases.scans);
   if (creases.patches.list.empty()) return;
+  prepared.circles = patch_circles(prepared.scene, prepared.topology, creases.patches);
   prepared.patches = std::move(creases.patches);
   prepared.patches.is_freeform = {};
   prepared.patches.borders = {};
@@ -215,6 +216,7 @@ PreparedScene with_scene(PreparedScene prepared, const Scene& scene) {
           std::move(prepared.shape_lines),
           std::move(prepared.scans),
           std::move(prepared.patches),
+          std::move(prepared.circles),
           std::move(prepared.object_edge_ends),
           prepared.first_probe,
           std::move(prepared.details),

@@ -15,6 +15,7 @@
 #include "scene/creases/find_creases.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
+#include "scene/patches/patch_circles.hpp"
 #include "view/cull.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/common/facet.hpp"
@@ -41,6 +42,7 @@ struct PreparedScene {
   ShapeLines shape_lines{};   ///< suggestive contours, ridges, valleys, and tangent lines along fillets
   std::vector<ScanObject> scans{};
   Patches patches{};                              ///< analytic surfaces found for clear creases; free forms are emptied
+  std::vector<PatchCircle> circles{};             ///< at which surfaces end
   std::vector<std::uint32_t> object_edge_ends{};  ///< per object: one past its last edge in the topology
   /// Source of the first probe: a short line at a marked point (LineGroups) whose visibility is that of the point.
   std::uint32_t first_probe = 0;

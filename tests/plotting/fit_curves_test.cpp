@@ -92,6 +92,57 @@ TEST(FitCurves, AnArcThatRisesTooMuchStaysAPolygon) {
   EXPECT_EQ(arcs_of(fit_curves(closed(large, 96), {kCurveToleranceMm, 0.02})), 0u);
 }
 
+/// So many corners of an ellipse, from one eccentric angle over equal steps.
+std::vector<Point2> corners_on(const Ellipse& ellipse, double from, double step, int count) {
+  std::vector<Point2> line;
+  for (int k = 0; k < count; ++k) line.push_back(point_at(ellipse, from + k * step));
+  return line;
+}
+
+TEST(FitCurves, AFewCornersOfAKnownEllipseAreAnArc) {
+  const Ellipse other{{60, 70}, {30, 20}, 0.4}, ellipse{{100, 80}, {12, 5}, 0.3};
+  const KnownEllipses known({other, ellipse}, Rect{{0, 0}, {210, 297}});
+  CurveLimits limits;
+  limits.known = &known;
+  for (const double step : {0.1, 0.3, -0.3}) {
+    const std::vector<Point2> line = corners_on(ellipse, 0.7, step, 4);
+    EXPECT_EQ(arcs_of(fit_curves(line, {})), 0u);
+    const CurvedPath path = fit_curves(line, limits);
+    ASSERT_EQ(path.pieces.size(), 1u);
+    ASSERT_TRUE(path.pieces[0].arc);
+    EXPECT_LE(glm::distance(path.pieces[0].arc->ellipse.centre, ellipse.centre), 0.01);
+    expect_sound(line, path);
+  }
+}
+
+TEST(FitCurves, AKnownEllipseBendsNoOtherLines) {
+  const Ellipse ellipse{{100, 80}, {12, 5}, 0.3};
+  const KnownEllipses known({ellipse}, Rect{{0, 0}, {210, 297}});
+  CurveLimits limits;
+  limits.known = &known;
+  // A chord of it, a polygon of eight corners on it, and corners beside it.
+  std::vector<Point2> beside = corners_on(ellipse, 0.7, 0.3, 4);
+  for (Point2& p : beside) p = ellipse.centre + 1.005 * (p - ellipse.centre);
+  for (const std::vector<Point2>& line : {corners_on(ellipse, 0.7, 0.3, 2), corners_on(ellipse, 0.7, kPi / 4, 9), beside}) {
+    EXPECT_EQ(arcs_of(fit_curves(line, limits)), 0u);
+  }
+}
+
+TEST(FitCurves, AKnownEllipseMakesArcsOfParts) {
+  // Lines lead to the arc and on from it.
+  const Ellipse circle{{100, 80}, {5, 5}};
+  const KnownEllipses known({circle}, Rect{{0, 0}, {210, 297}});
+  CurveLimits limits;
+  limits.known = &known;
+  std::vector<Point2> line = corners_on(circle, 0, kPi / 8, 5);
+  line.insert(line.begin(), Point2(105, 60));
+  line.emplace_back(80, 85);
+  const CurvedPath path = fit_curves(line, limits);
+  ASSERT_EQ(path.pieces.size(), 3u);
+  EXPECT_TRUE(!path.pieces[0].arc && path.pieces[1].arc && !path.pieces[2].arc);
+  expect_sound(line, path);
+}
+
 TEST(FitCurves, AStartThatStays) {
   std::vector<Point2> line = in_tenths(closed({{100, 100}, {20, 20}}, 96));
   line.pop_back();
