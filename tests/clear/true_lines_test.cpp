@@ -1,10 +1,10 @@
 /// Clear drawings of parts whose edges and outlines are known: all of these are drawn, and nothing else.
 
+#include "clear/hiding.hpp"
 #include "clear/true_parts.hpp"
 #include "main/tier.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/models/models.hpp"
-#include "scene/model/topology.hpp"
 #include "support/page_lines.hpp"
 #include "support/test.hpp"
 #include "view/view.hpp"
@@ -12,7 +12,7 @@
 namespace ligne::test {
 namespace {
 
-constexpr double kPenMm = 0.35, kSampleMm = 0.2, kHidingCellMm = 2;
+constexpr double kPenMm = 0.35, kSampleMm = 0.2;
 /// How far a line may be drawn from its true place, beside the sag of the mesh there.
 constexpr double kOffMm = 0.1;
 /// Facets to a turn of the mesh that tells what is hidden.
@@ -22,47 +22,6 @@ constexpr double kBesideMm = 0.06;
 /// Faces that hide a point lie nearer to the viewer by more than surfaces through it rise over kBesideMm: steep ones beside
 /// edges, and round ones beside outlines, which rise by the root of twice the radius and kBesideMm; so many times that.
 constexpr double kHiddenEdgeMm = 0.6, kHiddenOutlineRises = 1.4;
-
-/// Tells by a fine mesh of a part which points it hides.
-class Hiding {
- public:
-  Hiding(const Scene& scene, const View& view) : view_(view), cells_(view.window, kHidingCellMm) {
-    for (const Triangle& t : build_topology(scene).triangles) {
-      std::array<Point3, 3> corners;
-      for (std::size_t k = 0; k < 3; ++k) corners[k] = on_page(scene.vertices[t.v[k]]);
-      const auto number = static_cast<std::uint32_t>(triangles_.size());
-      triangles_.push_back(corners);
-      const Point2 a(corners[0]), b(corners[1]), c(corners[2]);
-      cells_.add(glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c), number);
-    }
-  }
-
-  Point3 on_page(const Point3& p) const {
-    const HomogeneousPoint h = to_homogeneous(view_, p);
-    return Point3(h.x, h.y, h.z) / h.w;
-  }
-
-  bool hides(Point2 p, double depth) const {
-    bool hidden = false;
-    cells_.each(p, p, [&](std::uint32_t i) { hidden = hidden || depth_at(triangles_[i], p) < depth; });
-    return hidden;
-  }
-
- private:
-  static double depth_at(const std::array<Point3, 3>& t, Point2 p) {
-    const auto twice_area = [](Point2 a, Point2 b, Point2 c) {
-      return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-    };
-    const Point2 a(t[0]), b(t[1]), c(t[2]);
-    const double u = twice_area(b, c, p), v = twice_area(c, a, p), w = twice_area(a, b, p), sum = u + v + w;
-    const bool is_inside = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
-    return is_inside && sum != 0 ? (u * t[0].z + v * t[1].z + w * t[2].z) / sum : std::numeric_limits<double>::infinity();
-  }
-
-  View view_;
-  std::vector<std::array<Point3, 3>> triangles_;
-  PageCells cells_;
-};
 
 struct Shares {
   double seen_mm = 0, drawn_mm = 0;  ///< of true lines: surely seen, and of these drawn
@@ -232,6 +191,35 @@ TEST_P(TrueLines, AreDrawnInPerspective) {
       expect_true(part, facets, view);
     }
   }
+}
+
+/// Number of curves that begin in the paths of an SVG file.
+std::size_t curves_in(const std::string& svg) {
+  std::size_t count = 0;
+  for (std::size_t at = svg.find(" d=\""); at != std::string::npos; at = svg.find(" d=\"", at)) {
+    const std::size_t begin = at + 4;
+    at = svg.find('"', begin);
+    count += static_cast<std::size_t>(std::count_if(svg.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                    svg.begin() + static_cast<std::ptrdiff_t>(at),
+                                                    [](char c) { return c == 'c' || c == 'C'; }));
+  }
+  return count;
+}
+
+TEST(TruePictures, HaveArcsForQuartersOfCirclesInFourSteps) {
+  // All of its arcs are quarters, and too small for a finer mesh. The circles of their surfaces are known all the same.
+  const std::vector<TruePart> parts = true_parts();
+  const auto angle = std::ranges::find(parts, "angle", &TruePart::name);
+  ASSERT_NE(angle, parts.end());
+  const TemporaryFolder folder;
+  const Scene scene = scene_of(*angle, 16, folder);
+  PictureRequest request;
+  request.page.size = {Page{80, 70, 4}, true};
+  request.view.direction = kSights[0];
+  RunReport run;
+  EXPECT_GE(curves_in(draw_scene(scene, request, run).bytes), std::size_t{9});  // 6 above, and 3 of those below are seen
+  request.output.curves = false;
+  EXPECT_EQ(curves_in(draw_scene(scene, request, run).bytes), std::size_t{0});
 }
 
 INSTANTIATE_TEST_SUITE_P(Parts, TrueLines, testing::ValuesIn(true_parts()),

@@ -87,6 +87,9 @@ Point2 direction_at(const Profile& profile, std::size_t i, double t) {
   return piece.sweep > 0 ? left_of(arm) : -left_of(arm);
 }
 
+/// The normal of the surface over a piece, outwards.
+Point2 normal_at(const Profile& profile, std::size_t i, double t) { return -left_of(direction_at(profile, i, t)); }
+
 /// The corners of a profile, arcs by so many facets to a turn.
 std::vector<Point2> corners_of(const Profile& profile, int facets) {
   std::vector<Point2> corners;
@@ -172,12 +175,20 @@ class Lines {
 
   std::vector<TruePoint> of(const Extrusion& part) {
     for (const Profile& profile : part.profiles) {
+      const auto wall = [&](std::size_t i, double t) { return Point3(normal_at(profile, i, t), 0); };
       for (std::size_t i = 0; i < profile.size(); ++i) {
         for (const double z : {0.0, part.height}) {
-          add(TrueLine::sharp, radius_of(profile, i), [&](double t) { return Point3(point_at(profile, i, t), z); });
+          const Point3 side(0, 0, z > 0 ? 1 : -1);
+          add(
+              TrueLine::sharp, radius_of(profile, i), [&](double t) { return Point3(point_at(profile, i, t), z); },
+              [&](double t) {
+                return std::array{side, wall(i, t)};
+              });
         }
         const auto upright = [&](TrueLine kind, Point2 p, double radius) {
-          add(kind, radius, [&](double t) { return Point3(p, t * part.height); });
+          const std::array<Point3, 2> normals{wall(i, 1), wall((i + 1) % profile.size(), 0)};
+          add(
+              kind, radius, [&](double t) { return Point3(p, t * part.height); }, [&](double) { return normals; });
         };
         if (const auto kind = joint(profile, i)) upright(*kind, profile[i].end, 0);
         if (profile[i].sweep == 0) continue;
@@ -192,9 +203,14 @@ class Lines {
   std::vector<TruePoint> of(const Turning& part) {
     const Profile& profile = part.profile;
     for (std::size_t i = 0; i < profile.size(); ++i) {
-      const Point2 end = profile[i].end;
+      const Point2 end = profile[i].end, in = normal_at(profile, i, 1),
+                   out = normal_at(profile, (i + 1) % profile.size(), 0);
       if (const auto kind = joint(profile, i); kind && end.x > kNothing) {
-        add(*kind, end.x, [&](double t) { return turned(end, kTurn * t); });
+        add(
+            *kind, end.x, [&](double t) { return turned(end, kTurn * t); },
+            [&](double t) {
+              return std::array{turned(in, kTurn * t), turned(out, kTurn * t)};
+            });
       }
       add_outlines(profile, i);
     }
@@ -202,15 +218,16 @@ class Lines {
   }
 
  private:
-  template <class At>
-  void add(TrueLine kind, double radius, const At& at) {
+  /// Adds samples of a curve at(t), t in [0, 1], between surfaces with the normals normals(t).
+  template <class At, class Normals>
+  void add(TrueLine kind, double radius, const At& at, const Normals& normals) {
     double length = 0;
     constexpr int kMeasured = 64;
     for (int k = 0; k < kMeasured; ++k) length += glm::distance(at(double(k) / kMeasured), at(double(k + 1) / kMeasured));
     const int steps = std::max(1, static_cast<int>(std::ceil(length / step_)));
     for (int k = 0; k < steps; ++k) {
       const Point3 from = at(double(k) / steps), to = at(double(k + 1) / steps);
-      points_.push_back({kind, 0.5 * (from + to), to - from, radius});
+      points_.push_back({kind, 0.5 * (from + to), to - from, radius, false, normals((k + 0.5) / steps)});
     }
   }
 

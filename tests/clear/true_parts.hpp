@@ -1,6 +1,7 @@
 #pragma once
 /// Parts whose true edges and outlines are known, with meshes of any accuracy.
 
+#include <array>
 #include <filesystem>
 #include <numbers>
 #include <string>
@@ -53,6 +54,7 @@ struct TruePoint {
   Point3 along{0, 0, 0};  ///< the length of the line that it stands for, in its direction
   double radius = 0;      ///< sum of the radii of the curves there that meshes have chords of, whose sags add up
   bool is_cusp = false;   ///< an outline turns back there on the page, and ends in the air if what is before is seen
+  std::array<Point3, 2> normals{Point3(0.0), Point3(0.0)};  ///< of the surfaces that meet at an edge, outwards
 };
 
 /// The viewer of parallel projection, by the direction towards it, or of perspective, by the eye.
