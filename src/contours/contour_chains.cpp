@@ -152,15 +152,18 @@ class ContourTracer {
       chain.nodes.push_back(end);
     }
     if (path.closed) chain.nodes.back() = chain.nodes.front();
-    if (patch_.surfaces) mark_cusps_between_surfaces(chain);
+    if (patch_.surfaces) {
+      mark_joints(chain);
+      mark_bends(chain);
+    }
     chain.on_surface =
         std::ranges::all_of(path.triangles, [&](std::uint32_t t) { return surface_at(patch_, t) != nullptr; });
     return chain;
   }
 
-  /// Where one surface runs into another, the contour has a corner: as at the foot of a column with a fillet, where it turns
-  /// back on the page. That is a cusp, too.
-  void mark_cusps_between_surfaces(ContourChain& chain) const {
+  /// Marks where one surface runs into another. There the contour may have a corner: as at the foot of a column with a
+  /// fillet, where it turns back on the page. That is a cusp, too.
+  void mark_joints(ContourChain& chain) const {
     std::size_t last = kNone;  // the last segment that has a length
     for (std::size_t i = 0; i < chain.size(); ++i) {
       const ContourNode &from = chain.nodes[i], &to = chain.nodes[i + 1];
@@ -168,6 +171,7 @@ class ContourTracer {
       if (glm::distance(from.on_surface, to.on_surface) <= kNoLengthInSags * std::max(from.sag, to.sag)) continue;
       if (last != kNone && surface_at(patch_, chain.triangles[last]) != surface_at(patch_, chain.triangles[i])) {
         ContourNode& corner = chain.nodes[last + 1];
+        corner.is_joint = true;
         if (corner.meets == kNone && turns_back(chain, last, i)) {
           corner.tangent = glm::normalize(chain.nodes[last + 1].on_surface - chain.nodes[last].on_surface);
           corner.radial = 0;
@@ -178,19 +182,29 @@ class ContourTracer {
     }
   }
 
+  /// Curvature of a surface along the sight, positive where it bends away from the normal of its faces.
+  double bend_along_sight(const Patch& patch, const Point3& at) const {
+    const double k = patch.surface.curvature(at, glm::normalize(to_eye(camera_, at)));
+    return patch.outward ? k : -k;
+  }
+
+  void mark_bends(ContourChain& chain) const {
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const Patch* const surface = surface_at(patch_, chain.triangles[i]);
+      if (!surface) continue;
+      const double from = bend_along_sight(*surface, chain.nodes[i].on_surface),
+                   to = bend_along_sight(*surface, chain.nodes[i + 1].on_surface);
+      chain.nodes[i].bend_ahead = from > 0 && to > 0 ? 1 : from < 0 && to < 0 ? -1 : 0;
+    }
+  }
+
   /// Whether the contour turns back on the page between two segments on different surfaces. It does where the surfaces bend
   /// to different sides along the sight; where one of them is not known, the chords between nodes tell.
   bool turns_back(const ContourChain& chain, std::size_t before, std::size_t after) const {
     const Point3& at = chain.nodes[before + 1].on_surface;
     const Point3 eye = to_eye(camera_, at);
     const Patch *first = surface_at(patch_, chain.triangles[before]), *second = surface_at(patch_, chain.triangles[after]);
-    if (first && second) {
-      const auto bend = [&](const Patch& patch) {
-        const double k = patch.surface.curvature(at, glm::normalize(eye));
-        return patch.outward ? k : -k;
-      };
-      return bend(*first) * bend(*second) < 0;
-    }
+    if (first && second) return bend_along_sight(*first, at) * bend_along_sight(*second, at) < 0;
     const auto on_page = [&](std::size_t k) {
       return glm::cross(chain.nodes[k + 1].on_surface - chain.nodes[k].on_surface, eye);
     };

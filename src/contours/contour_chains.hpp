@@ -31,6 +31,10 @@ struct ContourNode {
   /// The ends of its mesh edge, the one with g >= 0 first; kNone inside a triangle.
   std::array<std::uint32_t, 2> edge{kNone, kNone};
   bool is_corner = false;  ///< whether the contour turns back here, between two surfaces that join smoothly
+  bool is_joint = false;   ///< whether it runs from one recognised surface, or free form, into another here
+  /// 1 if the segment that leaves the node lies on a recognised surface that bends away from its normal along the sight, -1
+  /// if that bends towards it, 0 if neither is known of all of the segment.
+  int bend_ahead = 0;
 
   /// Whether the contour runs along the line of sight here, inside a triangle, or turns back between two surfaces.
   bool is_cusp() const { return radial == 0 && tangent != Point3(0.0); }

@@ -1,12 +1,14 @@
 #include "contours/contour_strokes.hpp"
 
+#include <algorithm>
+
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "contours/contour_junctions.hpp"
 #include "contours/contour_sights.hpp"
 #include "contours/surfaces/outline_evidence.hpp"
 #include "contours/surfaces/outline_probes.hpp"
-#include "contours/tangent_corners.hpp"
+#include "contours/tangent_joints.hpp"
 
 namespace ligne {
 namespace {
@@ -24,6 +26,38 @@ std::vector<Cusp> cusps_of(const ContourChain& chain) {
     if (chain.nodes[i].is_cusp()) cusps.push_back({i, chain.nodes[i].is_corner});
   }
   return cusps;
+}
+
+/// Adjustable: a contour is hidden where its surface bends to the other side than where so many times as much of it is seen.
+constexpr double kMostlyTimes = 4;
+
+/// Calls visit(segment, from, to) for the visible parts of the segments of a chain.
+template <class Visit>
+void for_visible_parts(const ContourChain& chain, const std::vector<ContourRun>& runs, const Visit& visit) {
+  for (const ContourRun& run : runs) {
+    if (run.state < 0) continue;
+    for (auto i = static_cast<std::size_t>(run.from); i < chain.size() && static_cast<double>(i) < run.to; ++i) {
+      const auto at = static_cast<double>(i);
+      visit(i, std::max(run.from, at), std::min(run.to, at + 1));
+    }
+  }
+}
+
+/// A surface that bends towards the viewer along the sight hides its own contour, whatever the mesh says. The body may be
+/// inside out, so the side to which most of the contour bends that is seen tells which side is meant.
+void hide_by_surfaces(const ContourChain& chain, const ContourCurve& curve, std::vector<ContourRun>& runs) {
+  double seen[2] = {0, 0};  // lengths where the surface bends towards its normal, and away from it
+  for_visible_parts(chain, runs, [&](std::size_t i, double from, double to) {
+    const int bend = chain.nodes[i].bend_ahead;
+    if (bend != 0) seen[bend > 0] += curve.point_at(to).length - curve.point_at(from).length;
+  });
+  const int hollow = seen[1] >= seen[0] ? -1 : 1;
+  if (std::min(seen[0], seen[1]) == 0 || std::min(seen[0], seen[1]) * kMostlyTimes > std::max(seen[0], seen[1])) return;
+  std::vector<ContourRun> hidden;
+  for_visible_parts(chain, runs, [&](std::size_t i, double from, double to) {
+    if (chain.nodes[i].bend_ahead == hollow) hidden.push_back({from, to, kHiddenState});
+  });
+  put_in(runs, hidden);
 }
 
 /// Directions on the page from the segments of a chain away from the body.
@@ -59,6 +93,7 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
         const std::vector<ContourNode>& nodes = contours.chains[c].nodes;
         seen[c].beside_mm.push_back(std::max(nodes[i].most_mm, nodes[i + 1].most_mm));
       }
+      hide_by_surfaces(contours.chains[c], seen[c].curve, seen[c].runs);
       drop_short_runs(seen[c].runs, seen[c].curve, options.pen_width_mm);
     }
   });
@@ -70,10 +105,13 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
   for (std::size_t c = 0; c < n; ++c) {
     end_runs_at_cusps(seen[c].runs, found[c], seen[c].curve, cusps_of(contours.chains[c]), reach_mm);
   }
-  for (SeenContour& contour : seen) drop_short_runs(contour.runs, contour.curve, options.pen_width_mm);
+  for (std::size_t c = 0; c < n; ++c) {
+    hide_by_surfaces(contours.chains[c], seen[c].curve, seen[c].runs);
+    drop_short_runs(seen[c].runs, seen[c].curve, options.pen_width_mm);
+  }
   add_missing_outlines(model, view, contours, probes, seen, {options.pen_width_mm, reach_mm});
   move_ends_of_strokes(model, seen, reach_mm);
-  join_tangents_at_corners(model, scene, view, contours, seen);
+  join_tangents_to_contours(model, scene, view, contours, seen);
   CurveWriter writer(model, view, hidden_too, reach_mm);
   for (std::size_t c = 0; c < n; ++c) {
     const ContourChain& chain = contours.chains[c];

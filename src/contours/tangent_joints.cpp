@@ -1,4 +1,4 @@
-#include "contours/tangent_corners.hpp"
+#include "contours/tangent_joints.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,8 +19,8 @@ namespace {
 constexpr double kOnEdgeMm = 0.01;
 constexpr double kTangentCellMm = 2;
 
-/// A place at which a visible contour turns back, and the edge on which it lies.
-struct Corner {
+/// A place at which a visible contour crosses the edge between two surfaces, and that edge.
+struct Joint {
   Point2 mm{0, 0};
   double depth = 0, weight = 1;
   Point3 at{0, 0, 0};
@@ -34,39 +34,39 @@ bool is_seen(const SeenContour& contour, double at) {
   });
 }
 
-std::vector<Corner> seen_corners(const Scene& scene, const View& view, const SmoothContours& contours,
-                                 const std::vector<SeenContour>& seen) {
-  std::vector<Corner> corners;
+std::vector<Joint> seen_joints(const Scene& scene, const View& view, const SmoothContours& contours,
+                               const std::vector<SeenContour>& seen) {
+  std::vector<Joint> joints;
   for (std::size_t c = 0; c < seen.size(); ++c) {
     const ContourChain& chain = contours.chains[c];
     for (std::size_t i = 1; i < chain.size(); ++i) {
       const ContourNode& node = chain.nodes[i];
-      if (!node.is_corner || !is_seen(seen[c], static_cast<double>(i))) continue;
+      if (!node.is_joint || !is_seen(seen[c], static_cast<double>(i))) continue;
       const CurvePoint place = seen[c].curve.point_at(static_cast<double>(i));
       const auto page = [&](std::uint32_t v) { return page_point(view, scene.vertices[v]); };
-      corners.push_back({place.mm,
-                         place.depth,
-                         place.weight,
-                         node.on_surface,
-                         contours.faces[c][i - 1],
-                         {page(node.edge[0]), page(node.edge[1])}});
+      joints.push_back({place.mm,
+                        place.depth,
+                        place.weight,
+                        node.on_surface,
+                        contours.faces[c][i - 1],
+                        {page(node.edge[0]), page(node.edge[1])}});
     }
   }
-  return corners;
+  return joints;
 }
 
 bool is_tangent(const Stroke& s) { return s.visible && s.line_class == LineClass::tangent; }
 
 class TangentJoiner {
  public:
-  TangentJoiner(StrokeModel& model, const View& view, std::vector<Corner> corners)
+  TangentJoiner(StrokeModel& model, const View& view, std::vector<Joint> joints)
       : model_(model),
         view_(view),
-        corners_(std::move(corners)),
+        joints_(std::move(joints)),
         tangents_(indices_where(model.strokes.size(), [&](std::size_t i) { return is_tangent(model.strokes[i]); })),
         nodes_(model.strokes, tangents_),
         finder_(model.lattice, kTangentCellMm) {
-    for (const Corner& corner : corners_) finder_.expect(corner.edge[0], corner.edge[1], kOnEdgeMm);
+    for (const Joint& joint : joints_) finder_.expect(joint.edge[0], joint.edge[1], kOnEdgeMm);
     for (std::uint32_t i = 0; i < tangents_.size(); ++i) {
       const Stroke& s = model.strokes[tangents_[i]];
       finder_.add({mm(s.from), mm(s.to), s.z_from, s.z_to, i});
@@ -74,8 +74,8 @@ class TangentJoiner {
   }
 
   void run() {
-    for (const Corner& corner : corners_) {
-      if (const auto end = nearest_end(corner)) join(corner, *end);
+    for (const Joint& joint : joints_) {
+      if (const auto end = nearest_end(joint)) join(joint, *end);
     }
   }
 
@@ -85,15 +85,15 @@ class TangentJoiner {
   Stroke& stroke_of(std::uint32_t end) { return model_.strokes[tangents_[end / 2]]; }
   LatticePoint place_of(std::uint32_t end) { return end % 2 == 0 ? stroke_of(end).from : stroke_of(end).to; }
 
-  /// The free end on the edge of the corner that is nearest to it.
-  std::optional<std::uint32_t> nearest_end(const Corner& corner) {
-    const Point2 a = corner.edge[0], b = corner.edge[1];
+  /// The free end on the edge of the joint that is nearest to it.
+  std::optional<std::uint32_t> nearest_end(const Joint& joint) {
+    const Point2 a = joint.edge[0], b = joint.edge[1];
     std::optional<std::uint32_t> best;
     double nearest = 0;
     finder_.near(a, b, kOnEdgeMm, [&](const OutlineSegment& piece) {
       for (const std::uint32_t end : {2 * piece.chain, 2 * piece.chain + 1}) {
         const Point2 place = mm(place_of(end));
-        const double distance = glm::distance(place, corner.mm);
+        const double distance = glm::distance(place, joint.mm);
         const bool is_free = nodes_.degree(nodes_.of(end)) == 1;
         if (!is_free || squared_distance(place, a, b) > kOnEdgeMm * kOnEdgeMm || (best && distance >= nearest)) continue;
         best = end;
@@ -103,30 +103,30 @@ class TangentJoiner {
     return best;
   }
 
-  void join(const Corner& corner, std::uint32_t end) {
+  void join(const Joint& joint, std::uint32_t end) {
     const Stroke old = stroke_of(end);
     const bool first = end % 2 == 0;
     Stroke s = old;
     s.from = place_of(end);
-    s.to = model_.lattice.snap(corner.mm);
+    s.to = model_.lattice.snap(joint.mm);
     const Point2 here = mm(s.from), other = mm(first ? old.to : old.from);
     if (s.from == s.to) return;
     if (glm::dot(mm(s.to) - here, here - other) < 0) {
-      shorten(end, s.to, corner.depth);
+      shorten(end, s.to, joint.depth);
       return;
     }
     s.t_from = 0;
     s.t_to = 1;
     s.z_from = first ? old.z_from : old.z_to;
-    s.z_to = static_cast<float>(corner.depth);
+    s.z_to = static_cast<float>(joint.depth);
     s.w_from = first ? old.w_from : old.w_to;
-    if (view_.camera.perspective) s.w_to = static_cast<float>(corner.weight);
+    if (view_.camera.perspective) s.w_to = static_cast<float>(joint.weight);
     s.source = model_.edge_count + static_cast<std::uint32_t>(model_.intersections.size());
-    model_.intersections.push_back({{to_model_point(view_, here, s.z_from), corner.at}, {corner.face, kNone}, false});
+    model_.intersections.push_back({{to_model_point(view_, here, s.z_from), joint.at}, {joint.face, kNone}, false});
     model_.strokes.push_back(s);
   }
 
-  /// Ends a stroke that runs past a corner there.
+  /// Ends a stroke that runs past a joint there.
   void shorten(std::uint32_t end, LatticePoint place, double depth) {
     Stroke& s = stroke_of(end);
     const bool first = end % 2 == 0;
@@ -141,7 +141,7 @@ class TangentJoiner {
 
   StrokeModel& model_;
   const View& view_;
-  std::vector<Corner> corners_;
+  std::vector<Joint> joints_;
   std::vector<std::uint32_t> tangents_;  ///< strokes
   Nodes nodes_;                          ///< of these
   SegmentFinder finder_;                 ///< of these; OutlineSegment::chain is the index in tangents_
@@ -149,10 +149,10 @@ class TangentJoiner {
 
 }  // namespace
 
-void join_tangents_at_corners(StrokeModel& model, const Scene& scene, const View& view, const SmoothContours& contours,
-                              const std::vector<SeenContour>& seen) {
-  std::vector<Corner> corners = seen_corners(scene, view, contours, seen);
-  if (!corners.empty()) TangentJoiner(model, view, std::move(corners)).run();
+void join_tangents_to_contours(StrokeModel& model, const Scene& scene, const View& view, const SmoothContours& contours,
+                               const std::vector<SeenContour>& seen) {
+  std::vector<Joint> joints = seen_joints(scene, view, contours, seen);
+  if (!joints.empty()) TangentJoiner(model, view, std::move(joints)).run();
 }
 
 }  // namespace ligne
