@@ -1,6 +1,10 @@
 // Sharp and semi-sharp edges, and the tags of files that name them.
 
+#include <numbers>
+
 #include "control_scenes.hpp"
+#include "scene/clean/clean.hpp"
+#include "scene/creases/find_creases.hpp"
 #include "scene/readers/reader.hpp"
 
 namespace ligne::subdivision_test {
@@ -81,6 +85,51 @@ TEST(SemiSharpEdges, EndInASmoothSurface) {
   EXPECT_EQ(made.report.sharp_edges, 1u);
   expect_near(made.scene.vertices[7], smooth.scene.vertices[7], 0.02);
   EXPECT_GT(glm::distance(made.scene.vertices[8], smooth.scene.vertices[8]), 0.1);
+}
+
+/// The creases of a clear drawing of a limit surface.
+Creases creases_of(Made made) {
+  Warnings warnings;
+  finish_scene(made.scene, warnings);
+  return find_creases(made.scene, build_topology(made.scene), {});
+}
+
+std::ptrdiff_t crease_count(const Creases& creases) { return std::ranges::count(creases.lines, kCreaseLine); }
+
+/// A bar whose cross section is a star of so many points: its folds stay narrow at a few levels.
+Made star_bar(CreaseTags tags) {
+  constexpr std::uint32_t kCorners = 16, kRings = 5;
+  std::vector<Point3> points;
+  Polygons quads;
+  for (std::uint32_t ring = 0; ring < kRings; ++ring) {
+    for (std::uint32_t k = 0; k < kCorners; ++k) {
+      const double angle = 2 * std::numbers::pi * k / kCorners, r = k % 2 ? 4 : 10;
+      points.emplace_back(r * std::cos(angle), r * std::sin(angle), 8.0 * ring);
+    }
+  }
+  for (std::uint32_t ring = 0; ring + 1 < kRings; ++ring) {
+    for (std::uint32_t k = 0; k < kCorners; ++k) {
+      const std::uint32_t a = ring * kCorners + k, b = ring * kCorners + (k + 1) % kCorners;
+      quads.push_back({a, b, b + kCorners, a + kCorners});
+    }
+  }
+  return subdivided(points, quads, kCatmullClark, 2, std::move(tags));
+}
+
+TEST(CreasesOfLimitSurfaces, AreNoneWithoutSharpEdges) {
+  const Creases creases = creases_of(star_bar({}));
+  EXPECT_EQ(crease_count(creases), 0);
+  EXPECT_TRUE(creases.patches.list.empty());
+  EXPECT_EQ(std::ranges::count(creases.patch_edges, PatchEdge::tangent), 0);
+}
+
+TEST(CreasesOfLimitSurfaces, AreTheSharpEdges) {
+  CreaseTags tags;
+  for (std::uint32_t ring = 0; ring < 4; ++ring) tags.edges.push_back({16 * ring, 16 * (ring + 1), kAlwaysSharp});
+  EXPECT_EQ(crease_count(creases_of(star_bar(tags))), 4 * 4);
+  // Semi-sharp edges that have decayed are creases while they bend.
+  EXPECT_EQ(crease_count(creases_of(subdivided(cube_points(), kCube, kCatmullClark, 4, creased_cube(3.5f)))), 12 * 16);
+  EXPECT_EQ(crease_count(creases_of(subdivided(cube_points(), kCube, kCatmullClark, 4, creased_cube(0.5f)))), 0);
 }
 
 TEST(SharpCorners, StayWhereTheyAre) {

@@ -129,6 +129,7 @@ class Finder {
     if (edge.face1 == kNone || (flags & (kEdgeManyFaces | kEdgeFileHidden | kEdgeInner))) return Bend::none;
     const float turn = flags & kEdgeUnlikeWound ? -1 : 1;
     const float cosine = glm::dot(normals[edge.face0], normals[edge.face1]) * turn;
+    if (flags & kEdgeLimit) return Bend::none;
     if (flags & kEdgeSmooth) {
       if (cosine < limits_.sharp) return Bend::firm;
       if (cosine >= limits_.low) return Bend::none;

@@ -242,7 +242,7 @@ std::vector<Corner> edges_of(const Scene& scene, std::uint32_t f) {
 /// Joins flags of faces of one object. Faces of other objects have their own vertices, and their flags are dropped with
 /// them.
 void join_flags(Scene& scene, std::uint32_t from, std::uint32_t to) {
-  constexpr std::uint8_t kFlagsOfAll = kCornerFileHidden | kCornerInner | kCornerSmooth;
+  constexpr std::uint8_t kFlagsOfAll = kCornerFileHidden | kCornerInner | kCornerSmooth | kCornerLimit;
   const std::vector<Corner> a = edges_of(scene, from), b = edges_of(scene, to);
   for (std::size_t k = 0; k < a.size() && a[k].first == b[k].first; ++k) {
     std::uint8_t& kept = scene.corner_flags[b[k].second];

@@ -65,6 +65,7 @@ enum CornerFlag : std::uint8_t {
   kCornerContour = 16,    ///< part of a contour line: class contour, regardless of its faces
   kCornerSmooth = 32,     ///< the file says that the surface is smooth across this edge; read for clear lines
   kCornerSharp = 64,      ///< the file says that it has a crease at this edge; read for clear lines
+  kCornerLimit = 128,     ///< inside a limit surface of subdivision, which is smooth across this edge whatever it bends by
 };
 
 /// A scene. Indices refer to the arrays of this struct. After finish_scene() (scene/clean/clean.hpp) the vertices of an

@@ -134,8 +134,8 @@ constexpr EdgeFlags kEdgeFlags = [] {
     const auto take = [&](unsigned if_corner, std::uint16_t edge) -> std::uint16_t { return corner & if_corner ? edge : 0; };
     flags.of_any[corner] = take(kCornerCurve, kEdgeCurve) | take(kCornerCrossing, kEdgeCrossing) |
                            take(kCornerContour, kEdgeContour) | take(kCornerSharp, kEdgeSharp);
-    flags.of_all[corner] =
-        take(kCornerFileHidden, kEdgeFileHidden) | take(kCornerInner, kEdgeInner) | take(kCornerSmooth, kEdgeSmooth);
+    flags.of_all[corner] = take(kCornerFileHidden, kEdgeFileHidden) | take(kCornerInner, kEdgeInner) |
+                           take(kCornerSmooth, kEdgeSmooth) | take(kCornerLimit, kEdgeLimit);
   }
   return flags;
 }();

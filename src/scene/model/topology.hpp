@@ -27,6 +27,7 @@ enum EdgeFlag : std::uint16_t {
   kEdgeContour = 64,     ///< part of a contour line
   kEdgeSmooth = 128,     ///< the file says that the surface is smooth across it
   kEdgeSharp = 256,      ///< the file says that it has a crease here
+  kEdgeLimit = 512,      ///< inside a limit surface of subdivision
 };
 
 /// A triangle of a face, with the winding of the face.

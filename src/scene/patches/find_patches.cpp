@@ -1,5 +1,6 @@
 #include "scene/patches/find_patches.hpp"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "base/no_index.hpp"
@@ -24,13 +25,28 @@ struct ObjectPatches {
   std::vector<std::uint32_t> row_edges;
 };
 
+/// Limit surfaces of subdivision are splines: what lies on a cylinder or a sphere there does so by accident.
+/// Each of their triangles has a side inside the surface.
+bool is_limit_surface(const Scene& scene, const Object& object) {
+  if (scene.corner_flags.empty() || object.face_begin == object.face_end) return false;
+  const auto sides =
+      std::span(scene.corner_flags)
+          .subspan(scene.faces.corner_index(object.face_begin, 0), scene.faces.contour(object.face_begin, 0).size());
+  return std::ranges::any_of(sides, [](std::uint8_t flags) { return (flags & kCornerLimit) != 0; });
+}
+
 ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Object& object,
                          std::span<const glm::vec3> normals) {
   const auto [edge_begin, edge_end] = edges_of(topology, object);
-  const FacetGraph graph = facet_graph(scene, topology, object, edge_begin, edge_end, normals);
-  const std::span edges(topology.edges.data() + edge_begin, topology.edges.data() + edge_end);
   ObjectPatches found;
   found.edge_begin = edge_begin;
+  if (is_limit_surface(scene, object)) {
+    found.patch_of.assign(object.face_end - object.face_begin, kNone);
+    found.is_freeform.assign(found.patch_of.size(), 1);
+    return found;
+  }
+  const FacetGraph graph = facet_graph(scene, topology, object, edge_begin, edge_end, normals);
+  const std::span edges(topology.edges.data() + edge_begin, topology.edges.data() + edge_end);
   const std::vector<std::uint32_t> of_facet = PatchFinder(scene, topology, object, graph).run(found.patches);
   std::vector<std::uint8_t> freeform = freeform_facets(scene, topology, graph, of_facet);
   const std::vector<PatchOutline> outlines =

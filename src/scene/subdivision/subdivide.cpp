@@ -67,12 +67,18 @@ unsigned levels_by_size(const std::vector<Surface>& surfaces, SubdivisionScheme 
   return levels;
 }
 
-/// Flags of the side that begins at a corner of the last level.
+/// Flags of an edge inside a limit surface.
+constexpr std::uint8_t kInsideSurface = kCornerSmooth | kCornerLimit;
+
+/// Flags of the side that begins at a corner of the last level. A side whose sharpness has decayed is neither smooth nor
+/// sharp: its angle decides.
 std::uint8_t side_flags(const SubdivisionMesh& mesh, std::uint32_t corner, bool mark_creases) {
   const std::uint32_t e = mesh.corner_edge[corner];
-  const std::uint8_t smooth = mark_creases ? kCornerSmooth : 0, sharp = mark_creases ? kCornerSharp : 0;
+  const std::uint8_t smooth = mark_creases ? kInsideSurface : 0;
   if (e >= mesh.edges.size()) return smooth;
-  return mesh.edge_flags[e] | (mesh.edge_sharpness[e] > 0 ? sharp : smooth);
+  const std::uint8_t flags = mesh.edge_flags[e] & ~kCornerSharp;
+  if (mesh.edge_sharpness[e] > 0) return mark_creases ? flags | kCornerSharp : flags;
+  return mesh.edge_flags[e] & kCornerSharp ? flags : flags | smooth;
 }
 
 /// Cuts the quads of the last level along their shorter diagonals.
@@ -80,7 +86,7 @@ void cut_quads(const SubdivisionMesh& mesh, bool mark_creases, Surface& made) {
   const std::size_t quads = mesh.face_count();
   made.corners.resize(6 * quads);
   made.flags.resize(6 * quads);
-  const std::uint8_t inner = kCornerInner | (mark_creases ? kCornerSmooth : 0);
+  const std::uint8_t inner = kCornerInner | (mark_creases ? kInsideSurface : 0);
   parallel_blocks(quads, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t q = begin; q < end; ++q) {
       const auto corner = [&](std::uint32_t k) { return static_cast<std::uint32_t>(4 * q) + (k & 3u); };

@@ -82,7 +82,8 @@ void connect_edges(SubdivisionMesh& mesh, const SideTags& sides) {
     }
     mesh.edges.push_back(edge);
     mesh.edge_sharpness.push_back(last - first == 2 ? sharpness : kAlwaysSharp);
-    mesh.edge_flags.push_back(static_cast<std::uint8_t>((flags & ~kFlagsOfAll) | common));
+    mesh.edge_flags.push_back(
+        static_cast<std::uint8_t>((flags & ~kFlagsOfAll) | common | (sharpness > 0 ? kCornerSharp : 0)));
   }
   sharpen_where_fans_meet(mesh, fans);
 }

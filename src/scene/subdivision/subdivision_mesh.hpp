@@ -34,7 +34,7 @@ struct SubdivisionMesh {
   std::vector<std::uint32_t> corner_edge;  ///< the edge of each side
   std::vector<SubdivisionEdge> edges;
   std::vector<float> edge_sharpness;     ///< per edge, 0: smooth; kAlwaysSharp on borders and at more than two faces
-  std::vector<std::uint8_t> edge_flags;  ///< CornerFlag per edge
+  std::vector<std::uint8_t> edge_flags;  ///< CornerFlag per edge; kCornerSharp: its control edge has a sharpness
 
   std::size_t face_count() const { return face_size ? corners.size() / face_size : face_begin.size() - 1; }
   std::uint32_t face_of(std::uint32_t corner) const { return face_size ? corner / face_size : corner_face[corner]; }
