@@ -1,25 +1,10 @@
 /// Creases of free forms: whole rings of rims, whole ends of cut tubes, rims of bevels, and nothing inside roundings.
 
-#include "patches/patch_scenes.hpp"
-#include "scene/creases/find_creases.hpp"
+#include "patches/found_creases.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
-
-struct FoundCreases {
-  Scene scene;
-  Topology topology;
-  Creases creases;
-
-  explicit FoundCreases(const std::vector<Corners>& polygons) : scene(scene_of(polygons)), topology(build_topology(scene)) {
-    creases = find_creases(scene, topology, {});
-  }
-  const Point3& end(std::size_t e, bool second) const {
-    return scene.vertices[second ? topology.edges[e].v1 : topology.edges[e].v0];
-  }
-  bool is_crease(std::size_t e) const { return creases.lines[e] == kCreaseLine; }
-};
 
 /// The part of triangles below a plane, closed by a polygon for each loop of the cut.
 std::vector<Corners> cut(const std::vector<Corners>& triangles, const Point3& normal, double most) {

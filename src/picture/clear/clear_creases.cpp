@@ -49,6 +49,7 @@ EdgeSelection select_edges(const Scene& scene, const Topology& topology, const L
   count("creases on no clean line", creases.untraced);
   count("creases traced", creases.traced);
   count("creases continued", creases.continued);
+  count("creases that fade", creases.fading);
   count("creases standing out", creases.spurs);
   count("creases too short", creases.short_chains);
   count("creases of straight sheets", creases.straight_sheets);

@@ -28,13 +28,6 @@ Point3 direction(const Scene& scene, const Edge& edge) {
   return glm::normalize(scene.vertices[edge.v1] - scene.vertices[edge.v0]);
 }
 
-const Edge* find_edge(const Topology& topology, std::pair<std::uint32_t, std::uint32_t> ends) {
-  if (ends.first > ends.second) std::swap(ends.first, ends.second);
-  const auto ends_of = [](const Edge& e) { return std::pair(e.v0, e.v1); };
-  const auto at = std::ranges::lower_bound(topology.edges, ends, {}, ends_of);
-  return at != topology.edges.end() && ends_of(*at) == ends ? &*at : nullptr;
-}
-
 /// The edge of a face, other than the given one, that is most parallel to a direction; null if all run across it.
 const Edge* opposite_edge(const Scene& scene, const Topology& topology, const Edge& edge, std::uint32_t f,
                           const Point3& along) {
@@ -72,6 +65,13 @@ bool find_wide_side(const Scene& scene, const Topology& topology, const Edge& st
 }
 
 }  // namespace
+
+const Edge* find_edge(const Topology& topology, std::pair<std::uint32_t, std::uint32_t> ends) {
+  if (ends.first > ends.second) std::swap(ends.first, ends.second);
+  const auto ends_of = [](const Edge& e) { return std::pair(e.v0, e.v1); };
+  const auto at = std::ranges::lower_bound(topology.edges, ends, {}, ends_of);
+  return at != topology.edges.end() && ends_of(*at) == ends ? &*at : nullptr;
+}
 
 Point3 across_face(const Scene& scene, const Edge& edge, std::uint32_t f) {
   const Point3 along = direction(scene, edge);

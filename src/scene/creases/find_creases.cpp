@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
@@ -17,10 +16,11 @@
 #include "scene/creases/across_edge.hpp"
 #include "scene/creases/bend.hpp"
 #include "scene/creases/face_normals.hpp"
+#include "scene/creases/fading_creases.hpp"
 #include "scene/creases/parallel_bends.hpp"
 #include "scene/creases/plane_rims.hpp"
 #include "scene/creases/trace_creases.hpp"
-#include "scene/model/bounds.hpp"
+#include "scene/model/object_sizes.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
 
 namespace ligne {
@@ -55,13 +55,14 @@ struct Limits {
 class Finder {
  public:
   Finder(const Scene& scene, const Topology& topology, const CreaseAngles& angles)
-      : scene_(scene), topology_(topology), angles_(angles), limits_(angles.faces), sizes_(object_sizes()) {}
+      : scene_(scene), topology_(topology), angles_(angles), limits_(angles.faces), sizes_(object_sizes(scene)) {}
 
   Creases run() {
     classify();
     collect();
     continue_ends();
     find_anchors();
+    drop_fading();
     drop_spurs();
     drop_short();
     found_.lines.assign(bends_.size(), 0);
@@ -149,7 +150,7 @@ class Finder {
 
   /// The bend of an edge that the file calls smooth: a surface too small to be drawn as curved is drawn as an edge.
   Bend bend_of_smooth(const Edge& edge, const std::vector<glm::vec3>& normals, float cosine) const {
-    const double size = sizes_[object_of(edge.v0)];
+    const double size = size_at(edge.v0);
     const auto widths = widths_across(scene_, edge);
     const double narrow = std::min(widths[0], widths[1]);
     // The radius of the arc of which the faces are chords. One of them may be a flat side beside it, so the narrower
@@ -323,6 +324,18 @@ class Finder {
     }
   }
 
+  /// Neither edges that surfaces or the file decide fade nor those of scans, which were traced.
+  void drop_fading() {
+    const auto may_fade = [&](std::uint32_t e) {
+      const auto has_edge = [&](const ScanObject& scan) { return e >= scan.edge_begin && e < scan.edge_end; };
+      return found_.patch_edges[e] == PatchEdge::unknown && !(topology_.edge_flags[e] & kEdgeSharp) &&
+             std::ranges::none_of(found_.scans, has_edge);
+    };
+    const auto is_anchor = [&](std::uint32_t vertex) { return anchored_[node_of(vertex)] != 0; };
+    found_.fading =
+        drop_fading_creases(scene_, topology_, {ends_, sizes_, found_.patches.is_freeform, may_fade, is_anchor}, bends_);
+  }
+
   bool is_open(std::uint32_t node) const { return !anchored_[node] && creases_at(node) == 1; }
 
   /// Drops single short edges that branch off a crease.
@@ -333,7 +346,7 @@ class Finder {
       for (const BendEnd& end : ends_of(node)) {
         if (bends_[end.edge] != Bend::strong) continue;
         const Edge& edge = topology_.edges[end.edge];
-        if (length_of(end.edge) >= kSpurPart * sizes_[object_of(edge.v0)]) continue;
+        if (length_of(end.edge) >= kSpurPart * size_at(edge.v0)) continue;
         const std::uint32_t other = edge.v0 == nodes_[node].vertex ? edge.v1 : edge.v0;
         if (creases_at(node_of(other)) >= 3) spurs.push_back(end.edge);
       }
@@ -351,7 +364,7 @@ class Finder {
     const auto stays = [&](std::uint32_t root) {
       const Chain& chain = found.list[root];
       const bool ends_nowhere = !chain.open && (chain.anchored || chain.edges > 3);  // three: the rim of a triangle
-      return chain.firm || ends_nowhere || chain.length >= kShortPart * sizes_[object_of(nodes_[root].vertex)];
+      return chain.firm || ends_nowhere || chain.length >= kShortPart * size_at(nodes_[root].vertex);
     };
     for (const auto& [node, e] : found.edges) {
       if (!stays(found.sets.find(node))) bends_[e] = Bend::none;
@@ -363,22 +376,7 @@ class Finder {
     }
   }
 
-  std::size_t object_of(std::uint32_t vertex) const {
-    const auto after = std::upper_bound(scene_.objects.begin(), scene_.objects.end(), vertex,
-                                        [](std::uint32_t v, const Object& object) { return v < object.vertex_end; });
-    return static_cast<std::size_t>(after - scene_.objects.begin());
-  }
-
-  std::vector<double> object_sizes() const {
-    std::vector<double> sizes(scene_.objects.size(), 0);
-    parallel_for(sizes.size(), [&](std::size_t i) {
-      const Object& object = scene_.objects[i];
-      if (object.vertex_begin == object.vertex_end) return;
-      const auto [low, high] = bounds_of(scene_, object.vertex_begin, object.vertex_end);
-      sizes[i] = glm::distance(low, high);
-    });
-    return sizes;
-  }
+  double size_at(std::uint32_t vertex) const { return sizes_[object_of_vertex(scene_, vertex)]; }
 
   const Scene& scene_;
   const Topology& topology_;

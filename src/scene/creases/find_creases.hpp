@@ -36,6 +36,7 @@ struct Creases {
   std::size_t untraced = 0;          ///< removed from scans, since they lie on no clean line
   std::size_t traced = 0;            ///< added to scans, since they lie on a clean line
   std::size_t continued = 0;         ///< added between two creases that they join
+  std::size_t fading = 0;            ///< removed, since they end in the middle of a surface and do not stand out
   std::size_t spurs = 0;             ///< removed, since they project from a crease
   std::size_t short_chains = 0;      ///< removed with chains that are short, weak and open
   double short_length = 0;           ///< total length of these chains, model units
@@ -54,7 +55,9 @@ struct Creases {
 ///    smoothly. Where surfaces meet at an angle there is a crease, whatever the angle of the edge.
 /// 4. A crease that ends is continued in its direction over edges above half of `angles.faces`, if that leads to
 ///    another crease and is not longer than either of the two.
-/// 5. Spurs are removed: single edges, shorter than 1/64 of their object, that branch off from a crease. So are
+/// 5. Creases that end in the middle of a surface are cut back, or removed, where they do not stand out
+///    (fading_creases.hpp).
+/// 6. Spurs are removed: single edges, shorter than 1/64 of their object, that branch off from a crease. So are
 ///    connected creases with a total length below 1/16 of their object that end in the middle of a surface. Edges above
 ///    `angles.faces` + 20 degrees, edges marked as sharp, and everything connected to them stay.
 ///

@@ -1,0 +1,225 @@
+#include "scene/creases/fading_creases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "base/no_index.hpp"
+#include "scene/creases/across_edge.hpp"
+#include "scene/model/object_sizes.hpp"
+
+namespace ligne {
+namespace {
+
+/// Adjustable: runs that end freely and are shorter than this part of their object go. Shorter lines inside a surface look
+/// like scratches on it.
+constexpr double kLongRunPart = 1.0 / 8;
+/// Adjustable: least part of the area of an object that free forms have where creases fade. Others are constructed parts.
+constexpr double kFreeformPart = 0.75;
+/// Adjustable: an edge stands out if, on one side of it, the parallel edges bend by less than this part of its own bend.
+constexpr double kBesidePart = 0.5;
+/// Radians: bends of less than eight facets a turn are those of polygons (docs/patches.md).
+constexpr double kPolygonBend = std::numbers::pi / 4;
+/// A rounding has no facets so many times as wide as others beside them.
+constexpr double kWideFactor = 4;
+/// Cosine of 45 degrees: edges of one row deviate from each other by less.
+constexpr double kBesideCosine = 0.70710678;
+
+/// Compares the bend of an edge with those of the edges beside it.
+class Surroundings {
+ public:
+  Surroundings(const Scene& scene, const Topology& topology, const Edge& edge)
+      : scene_(scene), topology_(topology), edge_(edge), along_(direction(edge)), bend_(bend(edge)) {}
+
+  /// Inside a rounding edges bend alike on both sides, at similar distances. The rims of a bevel have each other on one side
+  /// and a plane on the other.
+  bool stands_out() const {
+    if (std::abs(bend_) > kPolygonBend) return true;
+    const double a = distance_of_like(edge_.face0), b = distance_of_like(edge_.face1);
+    return std::max(a, b) >= kWideFactor * std::min(a, b) || std::isinf(std::min(a, b));
+  }
+
+ private:
+  /// Distance to the nearest parallel edge, of a face or of a face beside that, that bends to the same side by nearly as
+  /// much; infinite if there is none.
+  double distance_of_like(std::uint32_t face) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    const auto consider = [&](const Edge* other) {
+      if (!other || !is_like(*other)) return;
+      const Point3 way = (scene_.vertices[other->v0] + scene_.vertices[other->v1]) * 0.5 - scene_.vertices[edge_.v0];
+      nearest = std::min(nearest, glm::length(glm::cross(way, along_)));
+    };
+    for (const Edge* side : sides(face)) {
+      if (!side || side == &edge_) continue;
+      consider(side);
+      const std::uint32_t next = side->face0 == face ? side->face1 : side->face0;
+      if (next != kNone && touches(*side)) std::ranges::for_each(sides(next), consider);
+    }
+    return nearest;
+  }
+
+  std::vector<const Edge*> sides(std::uint32_t face) const {
+    const auto contour = scene_.faces.contour(face, 0);
+    std::vector<const Edge*> found;
+    for (std::size_t k = 0; k < contour.size(); ++k)
+      found.push_back(find_edge(topology_, {contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]}));
+    return found;
+  }
+
+  bool touches(const Edge& other) const {
+    return other.v0 == edge_.v0 || other.v0 == edge_.v1 || other.v1 == edge_.v0 || other.v1 == edge_.v1;
+  }
+
+  bool is_like(const Edge& other) const {
+    if (touches(other) || other.face1 == kNone || std::abs(glm::dot(direction(other), along_)) < kBesideCosine) return false;
+    return bend(other) * bend_ > 0 && std::abs(bend(other)) >= kBesidePart * std::abs(bend_);
+  }
+
+  Point3 direction(const Edge& edge) const { return glm::normalize(scene_.vertices[edge.v1] - scene_.vertices[edge.v0]); }
+
+  /// Angle between the faces, positive where they fall away from each other.
+  double bend(const Edge& edge) const {
+    const Point3 normal = face_normal(scene_, edge.face0);
+    const double angle = std::acos(std::clamp(glm::dot(normal, face_normal(scene_, edge.face1)), -1.0, 1.0));
+    double height = 0;
+    for (const std::uint32_t v : scene_.faces.contour(edge.face1, 0))
+      height += glm::dot(normal, scene_.vertices[v] - scene_.vertices[edge.v0]);
+    return height < 0 ? angle : -angle;
+  }
+
+  const Scene& scene_;
+  const Topology& topology_;
+  const Edge& edge_;
+  Point3 along_;
+  double bend_;
+};
+
+class Fader {
+ public:
+  Fader(const Scene& scene, const Topology& topology, const FadingEdges& edges, std::vector<Bend>& bends)
+      : scene_(scene),
+        topology_(topology),
+        edges_(edges),
+        ends_(edges.ends),
+        bends_(bends),
+        is_freeform_(scene.objects.size()) {}
+
+  std::size_t run() {
+    std::size_t dropped = 0;
+    std::vector<std::uint32_t> tips = free_ends();
+    while (!tips.empty()) {
+      std::vector<std::uint32_t> faded, left;
+      for (const std::uint32_t tip : tips) {
+        if (is_free(tip)) fade(tip, faded, left);
+      }
+      for (const std::uint32_t e : faded) {
+        dropped += is_crease(e);
+        bends_[e] = Bend::weak;
+      }
+      tips = std::move(left);
+    }
+    return dropped;
+  }
+
+ private:
+  bool is_crease(std::uint32_t e) const { return bends_[e] >= Bend::strong; }
+
+  std::vector<std::uint32_t> free_ends() const {
+    std::vector<std::uint32_t> found;
+    for (std::size_t first = 0, last = 0; first < ends_.size(); first = last) {
+      std::size_t creases = 0;
+      for (last = first; last < ends_.size() && ends_[last].vertex == ends_[first].vertex; ++last)
+        creases += is_crease(ends_[last].edge);
+      if (creases == 1) found.push_back(ends_[first].vertex);
+    }
+    return found;
+  }
+
+  /// The only crease at a vertex beside `except`, or kNone.
+  std::uint32_t only_crease_at(std::uint32_t vertex, std::uint32_t except) const {
+    std::uint32_t found = kNone;
+    for (auto end = std::lower_bound(ends_.begin(), ends_.end(), BendEnd{vertex, 0});
+         end != ends_.end() && end->vertex == vertex; ++end) {
+      if (end->edge == except || !is_crease(end->edge)) continue;
+      if (found != kNone) return kNone;
+      found = end->edge;
+    }
+    return found;
+  }
+
+  bool is_free(std::uint32_t vertex) const { return only_crease_at(vertex, kNone) != kNone && !edges_.is_anchor(vertex); }
+
+  bool may_fade(std::uint32_t e) {
+    const Edge& edge = topology_.edges[e];
+    if (edge.face1 == kNone || (topology_.edge_flags[e] & (kEdgeManyFaces | kEdgeUnlikeWound))) return false;
+    if (!edges_.is_freeform[edge.face0] || !edges_.is_freeform[edge.face1] || !edges_.may_fade(e)) return false;
+    return glm::dot(face_normal(scene_, edge.face0), face_normal(scene_, edge.face1)) > 0 &&
+           is_freeform_object(object_of_vertex(scene_, edge.v0));
+  }
+
+  /// Whether most of the area of an object is free forms. Measured once, when it is first asked for.
+  bool is_freeform_object(std::size_t object) {
+    std::optional<bool>& known = is_freeform_[object];
+    if (known) return *known;
+    double free = 0, all = 0;
+    for (std::uint32_t f = scene_.objects[object].face_begin; f < scene_.objects[object].face_end; ++f) {
+      const double area = area_of(f);
+      all += area;
+      if (edges_.is_freeform[f]) free += area;
+    }
+    known = free >= kFreeformPart * all;
+    return *known;
+  }
+
+  double area_of(std::uint32_t face) const {
+    const auto contour = scene_.faces.contour(face, 0);
+    const Point3& from = scene_.vertices[contour[0]];
+    Point3 twice(0.0);
+    for (std::size_t k = 2; k < contour.size(); ++k)
+      twice += glm::cross(scene_.vertices[contour[k - 1]] - from, scene_.vertices[contour[k]] - from);
+    return glm::length(twice) / 2;
+  }
+
+  double length_of(std::uint32_t e) const {
+    return glm::distance(scene_.vertices[topology_.edges[e].v0], scene_.vertices[topology_.edges[e].v1]);
+  }
+
+  /// Adds the edges that go of the run from a free end, and the vertex where they stop.
+  void fade(std::uint32_t tip, std::vector<std::uint32_t>& faded, std::vector<std::uint32_t>& left) {
+    std::vector<std::uint32_t> run;
+    std::uint32_t vertex = tip;
+    for (std::uint32_t e = only_crease_at(tip, kNone); e != kNone && may_fade(e); e = only_crease_at(vertex, e)) {
+      run.push_back(e);
+      vertex = topology_.edges[e].v0 == vertex ? topology_.edges[e].v1 : topology_.edges[e].v0;
+      if (vertex == tip || edges_.is_anchor(vertex)) break;
+    }
+    const auto standing = std::ranges::find_if(
+        run, [&](std::uint32_t e) { return Surroundings(scene_, topology_, topology_.edges[e]).stands_out(); });
+    double length = 0;
+    for (auto e = standing; e != run.end(); ++e) length += length_of(*e);
+    const bool stays = length >= kLongRunPart * edges_.sizes[object_of_vertex(scene_, tip)];
+    if (run.empty() || (stays && standing == run.begin())) return;
+    faded.insert(faded.end(), run.begin(), stays ? standing : run.end());
+    if (!stays) left.push_back(vertex);
+  }
+
+  const Scene& scene_;
+  const Topology& topology_;
+  const FadingEdges& edges_;
+  std::span<const BendEnd> ends_;
+  std::vector<Bend>& bends_;
+  std::vector<std::optional<bool>> is_freeform_;  ///< per object: whether it was found to be mostly free forms
+};
+
+}  // namespace
+
+std::size_t drop_fading_creases(const Scene& scene, const Topology& topology, const FadingEdges& edges,
+                                std::vector<Bend>& bends) {
+  return Fader(scene, topology, edges, bends).run();
+}
+
+}  // namespace ligne
