@@ -91,7 +91,7 @@ Viewer viewer_of(const Camera& camera) {
 /// Directions of sight in which no surface of a part is seen edge on.
 constexpr std::array<Point3, 4> kSights{Point3{-1, 1, -0.8}, {0.6, 1, -0.5}, {-1, 0.4, -0.7}, {0.3, 1, -1.2}};
 /// Eyes of pictures in perspective, model units.
-constexpr std::array<Point3, 2> kEyes{Point3{70, -60, 55}, {85, 40, 60}};
+constexpr std::array<Point3, 4> kEyes{Point3{70, -60, 55}, {85, 40, 60}, {-60, -75, 50}, {20, -90, 75}};
 
 Result compare(const TruePart& part, int facets, const ViewRequest& view) {
   const TemporaryFolder folder;

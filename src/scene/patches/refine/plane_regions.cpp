@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
+#include "scene/creases/face_normals.hpp"
 
 namespace ligne {
 namespace {
 
+/// Least cosine between normals that are one but for the rounding to float.
+constexpr double kSameNormalCosine = 1 - 1e-6;
 /// Least cosine between the normals of two faces of one plane: 0.008 degrees, as roundings to float32 turn small faces.
 constexpr double kInPlaneCosine = 1 - 1e-8;
 
@@ -44,6 +48,26 @@ class RegionFinder {
       const bool is_curved = patches_.patch_of[f] != kNone || (!patches_.is_freeform.empty() && patches_.is_freeform[f]);
       if (!is_curved) normals_[f] = face_normal(scene_, f);
     }
+    take_slivers();
+  }
+
+  /// Counts slivers in a plane as parts of it. Rounding determines their own normals, so that they count as free forms; the
+  /// plane would have a border that it shares with nothing.
+  void take_slivers() {
+    const std::vector<glm::vec3> normals = face_normals(scene_, topology_);
+    const auto is_sliver = [&](std::uint32_t f) {
+      if (is_plane(f) || patches_.patch_of[f] != kNone || scene_.faces.contour(f, 0).size() != 3) return false;
+      return glm::dot(Point3(normals[f]), face_normal(scene_, f)) < kSameNormalCosine;
+    };
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> taken;
+    for (const Edge& edge : topology_.edges) {
+      if (edge.face1 == kNone) continue;
+      for (const auto& [face, plane] : {std::pair(edge.face0, edge.face1), std::pair(edge.face1, edge.face0)}) {
+        if (!is_plane(plane) || !is_sliver(face)) continue;
+        if (glm::dot(Point3(normals[face]), normals_[plane]) >= kSameNormalCosine) taken.emplace_back(face, plane);
+      }
+    }
+    for (const auto& [face, plane] : taken) normals_[face] = normals_[plane];
   }
 
   void join_faces() {
