@@ -1,5 +1,5 @@
 #pragma once
-/// What a fine mesh of a part hides.
+/// Visibility of lines behind a fine mesh of a part.
 
 #include <array>
 #include <limits>
