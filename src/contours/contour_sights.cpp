@@ -21,6 +21,8 @@ constexpr int kOutlineSteps = 3;
 /// cusp is near.
 constexpr double kLeastAcross = 0.5;
 
+constexpr std::size_t kNoNode = static_cast<std::size_t>(-1);
+
 class Sights {
  public:
   Sights(const SightScene& in, const ContourChain& chain, std::vector<ReachedSectors>& reached)
@@ -83,21 +85,49 @@ class Sights {
     return side;
   }
 
-  /// Moves changes of side to a cusp of the fitted surface nearby: averages change a few segments beside it.
-  void move_to_cusps(std::vector<int>& side) const {
-    const std::size_t n = side.size();
-    const std::vector<int> averaged = side;
-    for (std::size_t i = 1; i < n; ++i) {
-      if (averaged[i] == averaged[i - 1]) continue;
-      std::size_t nearest = n;
-      const std::size_t first = i > kSlopeWindow ? i - kSlopeWindow : 1, last = std::min(n - 1, i + kSlopeWindow);
-      for (std::size_t k = first; k <= last; ++k) {
-        const auto away = [&](std::size_t node) { return node > i ? node - i : i - node; };
-        if (chain_.nodes[k].is_cusp() && (nearest == n || away(k) < away(nearest))) nearest = k;
+  /// The node of a number, which may lie beyond the ends of a closed chain; kNoNode beyond those of an open one.
+  std::size_t node_at(std::ptrdiff_t number) const {
+    const auto n = static_cast<std::ptrdiff_t>(chain_.size());
+    if (chain_.closed) return static_cast<std::size_t>((number % n + n) % n);
+    return number < 0 || number > n ? kNoNode : static_cast<std::size_t>(number);
+  }
+
+  /// Whether the contour turns back on the page at a node. The turn may be shared with the node beside it.
+  bool turns_back(std::ptrdiff_t number) const {
+    const std::size_t before = node_at(number - 2), node = node_at(number), after = node_at(number + 2);
+    if (before == kNoNode || node == kNoNode || after == kNoNode) return false;
+    const auto at = [&](std::size_t k) { return page_point(view_, chain_.nodes[k].on_mesh); };
+    return glm::dot(at(node) - at(before), at(after) - at(node)) < 0;
+  }
+
+  /// The number nearest to i for which is_cusp(number) holds, at most kSlopeWindow away; i if there is none.
+  template <class IsCusp>
+  std::ptrdiff_t nearest_cusp(std::ptrdiff_t i, const IsCusp& is_cusp) const {
+    for (std::ptrdiff_t away = 0; away <= static_cast<std::ptrdiff_t>(kSlopeWindow); ++away) {
+      for (const std::ptrdiff_t number : {i - away, i + away}) {
+        if (is_cusp(number)) return number;
       }
-      if (nearest == n) continue;
-      for (std::size_t k = i; k < nearest; ++k) side[k] = averaged[i - 1];
-      for (std::size_t k = nearest; k < i; ++k) side[k] = averaged[i];
+    }
+    return i;
+  }
+
+  /// Moves changes of side to a cusp nearby, since averages change a few segments beside it: to one of the fitted surface,
+  /// else to where the contour turns back on the page.
+  void move_to_cusps(std::vector<int>& side) const {
+    const auto n = static_cast<std::ptrdiff_t>(side.size());
+    if (n <= static_cast<std::ptrdiff_t>(2 * kSlopeWindow)) return;
+    const std::vector<int> averaged = side;
+    const auto is_cusp = [&](std::ptrdiff_t number) {
+      const std::size_t node = node_at(number);
+      return node != kNoNode && chain_.nodes[node].is_cusp();
+    };
+    for (std::ptrdiff_t i = chain_.closed ? 0 : 1; i < n; ++i) {
+      const int before = averaged[node_at(i - 1)], after = averaged[i];
+      if (before == after) continue;
+      std::ptrdiff_t place = nearest_cusp(i, is_cusp);
+      if (!is_cusp(place)) place = nearest_cusp(i, [&](std::ptrdiff_t number) { return turns_back(number); });
+      for (std::ptrdiff_t k = i; k < place && k < i + n; ++k) side[node_at(k)] = before;
+      for (std::ptrdiff_t k = place; k < i; ++k) side[node_at(k)] = after;
     }
   }
 

@@ -7,8 +7,8 @@
 /// near it. No part of the fold is in front of that line, but all other occluders of the contour are.
 ///
 /// The slope of g towards the eye tells the side of the fold: where g grows, the surface curves away from its normal,
-/// and the side of the normal is free. At a cusp the sides change. Where the free side lies inside a solid, the surface
-/// of the solid hides the line, as it should.
+/// and the side of the normal is free. The sides change at a cusp: where the fitted surface has one, else where the contour
+/// turns back on the page. Where the free side lies inside a solid, the surface of the solid hides the line, as it should.
 
 #include <span>
 #include <vector>

@@ -1,13 +1,16 @@
 // Contours of uneven meshes against those of the surfaces on which their vertices lie: five surfaces, twenty views, from
 // 3600 triangles on.
 
+#include "contours/contour_lines.hpp"
 #include "contours/convex_hull.hpp"
 #include "contours/parametric_mesh.hpp"
 #include "contours/surfaces/shallow_islands.hpp"
 #include "contours/surfaces/surface_fits.hpp"
 #include "drawing/measures.hpp"
 #include "main/tier.hpp"
+#include "scene/model/topology.hpp"
 #include "support/page_lines.hpp"
+#include "support/scenes.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
@@ -81,6 +84,61 @@ TEST_P(Surfaces, HasTheCurvesOfTheSurfaceAtEveryRefinement) {
 
 INSTANTIATE_TEST_SUITE_P(Contours, Surfaces, testing::Range(std::size_t{0}, std::size_t{5}),
                          [](const auto& info) { return std::string(test_surfaces()[info.param].name); });
+
+/// A contour, its free sides, and the page.
+struct FoundSides {
+  const ContourChain& chain;
+  const std::vector<int>& sides;
+  const View& view;
+
+  /// The node of a number, which may lie beyond the ends of a closed chain; null beyond those of an open one.
+  const ContourNode* node(std::ptrdiff_t number) const {
+    const auto n = static_cast<std::ptrdiff_t>(chain.size());
+    if (!chain.closed && (number < 0 || number > n)) return nullptr;
+    return &chain.nodes[static_cast<std::size_t>(chain.closed ? (number + n) % n : number)];
+  }
+  bool changes(std::size_t i) const { return sides[i] != sides[i > 0 ? i - 1 : sides.size() - 1]; }
+  bool is_cusp(std::ptrdiff_t number) const { return node(number) && node(number)->is_cusp(); }
+  /// Whether the contour turns back on the page, over two segments on both sides of a node.
+  bool turns_back(std::ptrdiff_t number) const {
+    const ContourNode *before = node(number - 2), *at = node(number), *after = node(number + 2);
+    if (!before || !at || !after) return false;
+    const auto on_page = [&](const ContourNode* n) { return page_point(view, n->on_mesh); };
+    return glm::dot(on_page(at) - on_page(before), on_page(after) - on_page(at)) < 0;
+  }
+};
+
+TEST(FreeSides, ChangeWhereTheContourTurnsBack) {
+  // Beyond a cusp the surface hides its own contour: a hook of one segment is seen where the side changes too late.
+  std::size_t changes = 0;
+  for (const ParametricSurface& surface : test_surfaces()) {
+    for (const Point3& direction : kViewDirections) {
+      for (std::uint32_t seed = 0; seed < 4; ++seed) {
+        const Scene scene = uneven_mesh(surface, 40, 20, 0.3, seed);
+        const View view = view_along(scene, direction);
+        const Topology topology = build_topology(scene);
+        ProjectedScene projected = project(scene, topology, view, {classes("outline")});
+        const std::vector<std::uint8_t> no_creases(topology.edges.size(), 0);
+        const SmoothContours contours = replace_outlines(scene, topology, projected, {{30, &no_creases}});
+        for (std::size_t c = 0; c < contours.chains.size(); ++c) {
+          const FoundSides found{contours.chains[c], contours.sides[c], view};
+          for (std::size_t i = found.chain.closed ? 0 : 1; i < found.sides.size(); ++i) {
+            const auto node = static_cast<std::ptrdiff_t>(i);
+            bool is_known = false, is_near = false;  // within the segments over which slopes are averaged
+            for (std::ptrdiff_t k = node - 3; k <= node + 3; ++k) {
+              is_known |= found.is_cusp(k);
+              is_near |= found.turns_back(k);
+            }
+            if (!found.changes(i) || is_known || !is_near) continue;
+            ++changes;
+            EXPECT_TRUE(found.turns_back(node)) << surface.name << ", seed " << seed << ", node " << node;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(changes, 5u);
+}
 
 // Outlines before the empty sheet have no gaps, however rough the mesh is.
 
