@@ -154,7 +154,8 @@ std::vector<Repetition> find_repetitions(const Scene& scene, const Topology& top
   std::vector<std::uint64_t> sizes = keys;
   std::ranges::sort(sizes);
   parallel_tasks(n, [&](std::size_t i) {
-    if (std::ranges::equal_range(sizes, keys[i]).size() == 1) return;
+    const auto [first, last] = std::equal_range(sizes.begin(), sizes.end(), keys[i]);
+    if (last - first == 1) return;
     keys[i] = Structure(scene, topology, scene.objects[i]).hash();
   });
   std::vector<std::uint32_t> order(n);
