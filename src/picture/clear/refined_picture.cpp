@@ -117,7 +117,9 @@ std::shared_ptr<GivenScene> refine_on_page(const Scene& scene, Topology& topolog
     if (view.camera.perspective && camera_coordinates(view.camera, p).z < view.near_distance) return 0.0;
     return glm::length(page_direction(view, p, view.camera.right));
   };
-  Patches patches{creases.patches.list, creases.patches.patch_of, {}, {}, {}};
+  Patches patches;  // for the names of surfaces; edges are classified already
+  patches.list = creases.patches.list;
+  patches.patch_of = creases.patches.patch_of;
   std::optional<RefinedScene> refined =
       refine_scene(scene, topology, {kMostInPens * request.page.pen_width_mm, unit_mm}, creases);
   if (!refined) return nullptr;

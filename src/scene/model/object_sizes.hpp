@@ -19,15 +19,17 @@ inline std::size_t object_of_vertex(const Scene& scene, std::uint32_t vertex) {
   return static_cast<std::size_t>(after - scene.objects.begin());
 }
 
-/// Per object: the diagonal of its bounding box, 0 if it has no vertices.
+/// Diagonal of the bounding box of an object, 0 if it has no vertices.
+inline double object_size(const Scene& scene, const Object& object) {
+  if (object.vertex_begin == object.vertex_end) return 0;
+  const auto [low, high] = bounds_of(scene, object.vertex_begin, object.vertex_end);
+  return glm::distance(low, high);
+}
+
+/// object_size() of each object.
 inline std::vector<double> object_sizes(const Scene& scene) {
-  std::vector<double> sizes(scene.objects.size(), 0);
-  parallel_for(sizes.size(), [&](std::size_t i) {
-    const Object& object = scene.objects[i];
-    if (object.vertex_begin == object.vertex_end) return;
-    const auto [low, high] = bounds_of(scene, object.vertex_begin, object.vertex_end);
-    sizes[i] = glm::distance(low, high);
-  });
+  std::vector<double> sizes(scene.objects.size());
+  parallel_for(sizes.size(), [&](std::size_t i) { sizes[i] = object_size(scene, scene.objects[i]); });
   return sizes;
 }
 

@@ -4,7 +4,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
-#include "scene/model/bounds.hpp"
+#include "scene/model/object_sizes.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
 
 namespace ligne {
@@ -159,14 +159,10 @@ class TangentChains {
 
   /// Diagonal of the bounding box of the object that a vertex belongs to.
   double size_of_object(std::uint32_t vertex) {
-    const auto object = std::ranges::upper_bound(scene_.objects, vertex, {}, &Object::vertex_end) - scene_.objects.begin();
+    const std::size_t object = object_of_vertex(scene_, vertex);
     sizes_.resize(scene_.objects.size(), -1);
-    double& size = sizes_[object];
-    if (size < 0) {
-      const auto [low, high] = bounds_of(scene_, scene_.objects[object].vertex_begin, scene_.objects[object].vertex_end);
-      size = glm::distance(low, high);
-    }
-    return size;
+    if (sizes_[object] < 0) sizes_[object] = object_size(scene_, scene_.objects[object]);
+    return sizes_[object];
   }
 
   TangentNode* node_at(std::uint32_t v) {
