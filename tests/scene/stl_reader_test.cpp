@@ -37,8 +37,10 @@ TEST(StlReader, BinaryCountsThatLie) {
             "M: binary STL declares 2 triangles, which need 184 bytes, but the file has 134");
   EXPECT_EQ(error_of(read_stl_binary, binary("", 4294967295u, kTriangle)),
             "M: binary STL declares 4294967295 triangles, which need 214748364834 bytes, but the file has 134");
-  EXPECT_EQ(error_of(read_stl_binary, binary("", 0, kTriangle)),
-            "M: binary STL declares 0 triangles, which need 84 bytes, but the file has 134");
+  EXPECT_EQ(read_raw(read_stl_binary, binary("", 0, kTriangle)).report.faces, 1u);  // a count that was never written
+  const Result longer = read_raw(read_stl_binary, binary("", 1, kTriangle) + "comment");
+  EXPECT_EQ(longer.report.faces, 1u);
+  EXPECT_EQ(longer.warnings.lines(), std::vector<std::string>{"left out: 7 bytes behind the triangles"});
   EXPECT_EQ(error_of(read_stl_binary, std::string(50, '\0')), "M: binary STL of 50 bytes, shorter than its header of 84");
   EXPECT_EQ(error_of(read_stl_binary, binary("", 0, {})), "M: holds no faces");
 }

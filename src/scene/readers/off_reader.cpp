@@ -51,9 +51,12 @@ class OffReader {
 
   void read_counts() {
     next_line(true);
+    // In many files the counts follow the word without a space: "OFF490 518 0".
+    const std::size_t end = line_.find("OFF");
     std::string_view rest = line_;
-    const std::string_view word = take_word(rest);
+    const std::string_view word = end == std::string_view::npos ? "" : rest.substr(0, end + 3);
     if (is_off_word(word)) {
+      rest.remove_prefix(word.size());
       if (word.find_first_of("4n") != std::string_view::npos)
         throw error(shown(word) + " has more than three dimensions, and is not read");
       if (starts_with_ignoring_case(trimmed(rest), "BINARY"))

@@ -37,8 +37,9 @@ class Words {
     line_ = {};
     return rest;
   }
-  void expect(std::string_view keyword, const char* where) {
-    const std::string_view word = take();
+  void expect(std::string_view keyword, const char* where) { check(take(), keyword, where); }
+  /// Throws unless `word`, the last one taken, is the keyword.
+  void check(std::string_view word, std::string_view keyword, const char* where) const {
     if (equal_ignoring_case(word, keyword)) return;
     if (word.empty()) throw error(std::string("the file ends ") + where + "; expected '" + std::string(keyword) + "'");
     throw error("expected '" + std::string(keyword) + "' " + where + ", found " + shown(word));
@@ -67,7 +68,7 @@ Point3 take_vertex(Words& words, DecimalPrecision& precision) {
   return p;
 }
 
-/// Whether a word between facets is a foreign keyword, such as a colour: letters, and none of STL's words.
+/// Whether a word between facets or behind a loop is a foreign keyword, such as a colour: letters, and none of STL's words.
 bool is_foreign(std::string_view word) {
   for (const std::string_view own : {"solid", "outer", "loop", "vertex", "endloop", "endfacet", "normal"}) {
     if (equal_ignoring_case(word, own)) return false;
@@ -76,7 +77,7 @@ bool is_foreign(std::string_view word) {
 }
 
 /// Reads a facet after its first word.
-void read_facet(Words& words, SceneBuilder& builder, DecimalPrecision& precision) {
+void read_facet(Words& words, SceneBuilder& builder, DecimalPrecision& precision, Warnings& warnings) {
   // The normal follows from the vertices, and files are careless with it ("nan", missing). So up to kMostNormalWords
   // words before "outer" are skipped.
   constexpr int kMostNormalWords = 4;
@@ -88,7 +89,9 @@ void read_facet(Words& words, SceneBuilder& builder, DecimalPrecision& precision
   std::array<std::uint32_t, 3> corners{};
   for (std::uint32_t& corner : corners) corner = builder.add_vertex(take_vertex(words, precision));
   words.expect("endloop", "after the three vertices of a facet");
-  words.expect("endfacet", "after a facet's loop");
+  word = words.take();
+  for (; !word.empty() && is_foreign(word); word = words.take()) warnings.leave_out("statements " + shown(word));
+  words.check(word, "endfacet", "after a facet's loop");
   builder.add_face(corners);
 }
 
@@ -120,7 +123,7 @@ Scene read_stl_ascii(std::span<const std::byte> bytes, const std::string& name, 
         break;
       }
       if (equal_ignoring_case(word, "facet")) {
-        read_facet(words, builder, precision);
+        read_facet(words, builder, precision, warnings);
       } else if (is_foreign(word)) {
         warnings.leave_out("statements " + shown(word));
         words.take_rest_of_line();
@@ -139,12 +142,16 @@ Scene read_stl_binary(std::span<const std::byte> bytes, const std::string& name,
   if (bytes.size() < kPreambleBytes) {
     throw InputError(name, "binary STL of " + std::to_string(bytes.size()) + " bytes, shorter than its header of 84");
   }
-  const std::size_t n = stl_triangle_count(bytes);
-  if (!is_binary_stl(bytes)) {
+  const std::size_t declared = stl_triangle_count(bytes), room = (bytes.size() - kPreambleBytes) / kTriangleBytes;
+  // Programs that write triangles as they make them may leave the count at 0.
+  const std::size_t n = declared > 0 ? declared : room;
+  if (n > room) {
     throw InputError(name, "binary STL declares " + std::to_string(n) + " triangles, which need " +
                                std::to_string(kPreambleBytes + kTriangleBytes * n) + " bytes, but the file has " +
                                std::to_string(bytes.size()));
   }
+  const std::size_t extra = bytes.size() - kPreambleBytes - kTriangleBytes * n;
+  if (extra > 0) warnings.leave_out("bytes behind the triangles", extra);
   SceneBuilder builder(name, report);
   builder.begin_object("");
   builder.scene().vertices.reserve(3 * n);

@@ -199,8 +199,9 @@ class LeafSearch {
     if (b.z_near > a.z_far) return false;
     if (!a.box.meets(b.box) || a.place.face == b.place.face) return true;
     if (planes_[i].apart(planes_[k], leaf.reach) || (many && planes_[i].group == planes_[k].group)) return true;
-    // A look-up takes longer than the test for an overlap, unless large facets meet in many leaves.
-    if (!many && !PenetrationSearch::overlap(a.place, b.place)) return true;
+    // The test for an overlap comes first: the look-up is a cache miss, and where many facets lie side by side, as along
+    // a rod, nearly all pairs have no overlap.
+    if (!PenetrationSearch::overlap(a.place, b.place)) return true;
     if (own.fruitless.holds(a.place.id, b.place.id)) return true;
     const auto pair_wanted = [&](const PageSegment& s) {
       if (!wanted(s, leaf)) return false;
