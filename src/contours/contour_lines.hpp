@@ -29,7 +29,7 @@ struct SmoothContours {
   std::vector<std::vector<int>> sides;            ///< per chain and segment: ContourSight::side
   std::vector<std::uint32_t> first_source;        ///< per chain: source of its first segment; the others follow
   std::vector<SourceEdge> replaced;               ///< the edges of the mesh that contours replace
-  std::vector<double> replaced_size_mm;           ///< per replaced edge: longest side on the page of its two triangles
+  std::vector<double> replaced_size_mm;           ///< per replaced edge: size of its two triangles on the page
   std::vector<std::uint8_t> bulges;               ///< per replaced edge: 1 if it is convex, by the winding of its faces
   std::uint32_t first_probe = 0;                  ///< source of the probe of the first replaced edge; the others follow
   std::uint32_t first_edge = 0;                   ///< source of the first replaced edge itself; the others follow

@@ -1,6 +1,11 @@
 // How far contours may lie beside the outline of the mesh: to the last digit, on chains made by hand.
 
 #include "contours/contour_support.hpp"
+
+#include <glm/geometric.hpp>
+
+#include "base/no_index.hpp"
+#include "contours/surfaces/outline_probes.hpp"
 #include "support/test.hpp"
 #include "view/view.hpp"
 
@@ -65,6 +70,24 @@ TEST(ContourSupport, EndsContoursWhereChordsLieFartherAway) {
   for (const double sag_mm : {0.0, 0.2, 1.0}) {
     BesideAnEdge beside(2.1 * (sag_mm + kPenWidthMm / 2), sag_mm);
     EXPECT_TRUE(beside.support().supported().empty()) << sag_mm;
+  }
+}
+
+// A contour is near an edge of slender triangles only as far as they are wide, however long they are.
+TEST(OutlineProbes, OfSlenderTrianglesStayNearTheirEdge) {
+  for (const auto& [height, longest] : {std::pair(2.0, 5 * 2.0), std::pair(80.0, 100.0)}) {
+    BesideAnEdge edge(0, 0);
+    edge.scene.vertices[2] = {50, 0, -height};
+    edge.scene.vertices.push_back({50, height / 2, -height / 2});
+    edge.patch.triangles = {{{0, 1, 2}, 0}, {{1, 0, 3}, 1}};
+    edge.patch.across = {3, kNone, kNone, 0, kNone, kNone};
+    const double size_mm = size_on_page(edge.scene, edge.view, edge.patch, 0);
+    EXPECT_NEAR(size_mm, longest * edge.view.scale, 1e-9);
+    const auto probe = outline_probe(edge.scene, edge.view, edge.patch, 0, 100, kPenWidthMm);
+    for (const int end : {0, 1}) {
+      const Point2 off = page_point(edge.view, probe[end]) - page_point(edge.view, edge.scene.vertices[end]);
+      EXPECT_NEAR(glm::length(off), kPenWidthMm + 0.05 * size_mm, 1e-9);
+    }
   }
 }
 

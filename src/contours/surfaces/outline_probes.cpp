@@ -21,11 +21,15 @@ namespace {
 /// edge. Folds of a mesh go back by a triangle or two, and beyond a cusp a surface stays steep for a few more.
 constexpr double kPushedBack = 0.25;
 constexpr double kPushedBackEdges = 10;
-/// Distance of a probe beside its edge on the page, as a fraction of the edge's length there.
+/// Distance of a probe beside its edge on the page, as a fraction of the edge's length there, or of the size of its
+/// triangles if that is less.
 constexpr double kMovedOff = 0.05;
 /// Largest distance of a contour from an edge that it replaces, as a fraction of the size of the triangles there; at
 /// least half a pen width is allowed. Contours rise above chords by less than an eighth of their length.
 constexpr double kNearEdge = 0.2;
+/// Adjustable: longest sides of slender triangles count as no longer than so many times their height above the edge.
+/// Along a cylinder the contour of two such triangles is as near to their edge as they are wide.
+constexpr double kMostSlender = 5;
 /// Length of the tail that counts as the end of a contour, in reaches: a contour may turn inwards before it ends.
 constexpr double kTailInReaches = 2;
 
@@ -269,24 +273,28 @@ std::array<Point3, 2> outline_probe(const Scene& scene, const View& view, const 
   const Point2 inwards =
       page_point(view, point(last_corner(side))) + page_point(view, point(last_corner(patch.across[side]))) - 2.0 * pa;
   if (glm::dot(off, inwards) > 0) off = -off;
+  const double off_mm = slack_mm + kMovedOff * std::min(length, size_on_page(scene, view, patch, side));
   const double back = std::max(kPushedBack * object_size, kPushedBackEdges * glm::length(b - a));
   const auto moved = [&](const Point3& p) {
     const double unit_mm = glm::length(page_direction(view, p, view.camera.right));
-    const double mm = slack_mm + kMovedOff * length;
-    const Point3 beside = p + (mm / unit_mm) * (off.x * view.camera.right + off.y * view.camera.down);
+    const Point3 beside = p + (off_mm / unit_mm) * (off.x * view.camera.right + off.y * view.camera.down);
     return beside - back * glm::normalize(to_eye(view.camera, beside));
   };
   return {moved(a), moved(b)};
 }
 
 double size_on_page(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side) {
-  double longest = 0;
+  const auto point = [&](std::uint32_t corner) { return scene.vertices[patch.triangles[corner / 3].v[corner % 3]]; };
+  const Point3 a = point(side), along = point(next_corner(side)) - a;
+  double longest = 0, height = 0;
   for (const std::uint32_t s : {side, patch.across[side]}) {
     std::array<Point2, 3> p;
-    for (std::uint32_t k = 0; k < 3; ++k) p[k] = page_point(view, scene.vertices[patch.triangles[s / 3].v[k]]);
+    for (std::uint32_t k = 0; k < 3; ++k) p[k] = page_point(view, point(s - s % 3 + k));
     longest = std::max({longest, glm::length(p[1] - p[0]), glm::length(p[2] - p[1]), glm::length(p[0] - p[2])});
+    height = std::max(height, glm::length(glm::cross(along, point(last_corner(s)) - a)));
   }
-  return longest;
+  const double unit_mm = glm::length(page_direction(view, a, view.camera.right)), length = glm::length(along);
+  return length > 0 ? std::min(longest, kMostSlender * unit_mm * height / length) : longest;
 }
 
 void add_missing_outlines(StrokeModel& model, const View& view, const SmoothContours& contours,
