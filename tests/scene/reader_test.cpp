@@ -174,6 +174,30 @@ TEST(Precision, OfDecimalNumbers) {
   EXPECT_EQ(precision({"0.000000"}), 0);
 }
 
+TEST(Precision, OfCoordinatesRoundedToDecimals) {
+  // A ring of 200 points, rounded to a step and then scaled; as float32.
+  const auto ring = [](double step, double radius, double scale = 1) {
+    std::vector<Point3> points;
+    for (int i = 0; i < 200; ++i) {
+      Point3 p(radius * std::cos(0.31 * i), radius * std::sin(0.31 * i), 0.1713 * i);
+      for (int axis = 0; axis < 3; ++axis)
+        p[axis] = static_cast<float>(scale * (step > 0 ? std::round(p[axis] / step) * step : p[axis]));
+      points.push_back(p);
+    }
+    return points;
+  };
+  EXPECT_DOUBLE_EQ(decimal_grid(ring(0.001, 10)), 0.0005);
+  EXPECT_DOUBLE_EQ(decimal_grid(ring(0.1, 400)), 0.05);
+  EXPECT_EQ(decimal_grid(ring(0.001, 10, 1.03)), 0);  // worked on after it was rounded
+  EXPECT_EQ(decimal_grid(ring(0, 10)), 0);            // not rounded
+  EXPECT_EQ(decimal_grid(ring(0.1, 10)), 0);          // as coarse as voxels
+  EXPECT_EQ(decimal_grid(ring(0.00001, 100)), 0);     // as fine as float32
+  EXPECT_EQ(decimal_grid(ring(0.5, 4000)), 0);        // drawn on a grid: the only decimals are 0 and 5
+  EXPECT_EQ(decimal_grid(ring(1, 4000)), 0);          // whole numbers
+  EXPECT_EQ(decimal_grid({}), 0);
+  EXPECT_EQ(decimal_grid(std::vector<Point3>(100, {1e300, 1, 1})), 0);
+}
+
 TEST(Precision, NumbersAsWritten) {
   EXPECT_EQ(number_in("+1.5"), 1.5);
   EXPECT_EQ(number_in("1e-999"), 0.0);

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
+#include <vector>
 
 namespace ligne {
 namespace {
@@ -11,11 +14,47 @@ namespace {
 /// streams.
 constexpr int kFewestDigitsOfWriters = 6;
 
+// Evidence that coordinates were rounded to a decimal grid. Adjustable.
+/// Least step of the grid in units in the last place of a float32 at the largest coordinate, so that few numbers lie on it
+/// by accident.
+constexpr double kLeastStepInUlps = 64;
+/// Most decimals.
+constexpr int kMostDecimals = 6;
+/// Least number of different coordinates, and the largest fraction of them whose last decimal is 0: 1/10 if they are spread
+/// evenly.
+constexpr std::size_t kFewestRounded = 64;
+constexpr double kMostOnCoarserGrid = 0.25;
+/// Number of positions of the sample.
+constexpr std::size_t kSampled = 256;
+/// Least extent of the coordinates in steps of the grid. Voxels and grids of heights have fewer steps.
+constexpr double kLeastExtentInSteps = 2000;
+
 /// Half a unit in the last of `digits` binary digits of a number.
 double half_ulp(double largest, int digits, int smallest_exponent) {
   if (largest == 0 || !std::isfinite(largest)) return 0;
   const int exponent = std::max(std::ilogb(largest) + 1, smallest_exponent);
   return std::ldexp(0.5, exponent - digits);
+}
+
+/// Steps per model unit of the coarsest decimal grid that holds all coordinates.
+std::optional<double> grid_of(std::span<const Point3> positions) {
+  double largest = 0;
+  for (const Point3& p : positions) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  const double ulp = 2 * half_ulp_float32(largest);
+  int decimals = 1;
+  double per_unit = 10;
+  const auto is_fine = [&] { return decimals > kMostDecimals || 1 / per_unit < kLeastStepInUlps * ulp; };
+  if (is_fine()) return std::nullopt;
+  for (const Point3& p : positions) {
+    for (int axis = 0; axis < 3; ++axis) {
+      while (std::abs(p[axis] - std::round(p[axis] * per_unit) / per_unit) > half_ulp_float32(p[axis])) {
+        per_unit *= 10;
+        ++decimals;
+        if (is_fine()) return std::nullopt;
+      }
+    }
+  }
+  return per_unit;
 }
 
 }  // namespace
@@ -42,6 +81,25 @@ double half_ulp_float32(double largest) {
 double half_ulp_double(double largest) {
   using Double = std::numeric_limits<double>;
   return half_ulp(largest, Double::digits, Double::min_exponent);
+}
+
+double decimal_grid(std::span<const Point3> positions) {
+  // A sample shows for most files that there is no grid.
+  std::vector<Point3> sample;
+  const std::size_t stride = positions.size() / kSampled + 1;
+  for (std::size_t i = 0; i < positions.size(); i += stride) sample.push_back(positions[i]);
+  if (!grid_of(sample)) return 0;
+  const std::optional<double> per_unit = grid_of(positions);
+  if (!per_unit) return 0;
+  std::vector<std::int64_t> steps;
+  for (const Point3& p : positions) {
+    for (int axis = 0; axis < 3; ++axis) steps.push_back(std::llround(p[axis] * *per_unit));
+  }
+  std::ranges::sort(steps);
+  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  if (steps.size() < kFewestRounded || double(steps.back() - steps.front()) < kLeastExtentInSteps) return 0;
+  const auto coarser = std::ranges::count_if(steps, [](std::int64_t n) { return n % 10 == 0; });
+  return double(coarser) <= kMostOnCoarserGrid * double(steps.size()) ? 0.5 / *per_unit : 0;
 }
 
 void DecimalPrecision::add(int digits, double value) {

@@ -10,15 +10,27 @@
 ///   decimal, for fixed digits half the last digit of the largest coordinate. Numbers with few digits (0.5, 12.25) and
 ///   whole numbers are assumed to be exact: such objects have the precision of a double.
 ///
+/// - decimals: some programs round coordinates to a few decimals, and then write few digits or store float32. Where all
+///   coordinates of an object lie on one decimal grid, and evidently were rounded to it, the precision is at least half a
+///   step of the grid.
+///
 /// A precision is never below half a unit in the last place of a double, the type in which coordinates are stored.
 
+#include <span>
 #include <string_view>
+
+#include "geometry/point.hpp"
 
 namespace ligne {
 
 /// Half a unit in the last place of a float32, and of a double, at a coordinate of absolute value `largest`.
 double half_ulp_float32(double largest);
 double half_ulp_double(double largest);
+
+/// Half a step of the decimal grid (0.1, 0.01, ...) to which the coordinates were rounded; 0 if there is none. They were
+/// rounded if there are many, the grid is fine against their extent, and their last decimals are spread evenly: those of
+/// a part drawn on a grid are not.
+double decimal_grid(std::span<const Point3> positions);
 
 /// Number of significant digits of a number as written; 0 for whole numbers and zeros. Leading zeros do not count,
 /// trailing zeros do.

@@ -192,7 +192,7 @@ class SceneReader {
       if (given->number() < 0) throw given->error("is negative");
       precision = std::max(precision, given->number());
     }
-    builder_.end_object(precision);
+    builder_.end_object(precision, true);
   }
 
   void read_face(const Node& node) {

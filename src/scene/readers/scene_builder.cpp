@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/no_index.hpp"
+#include "scene/model/precision.hpp"
 
 namespace ligne {
 namespace {
@@ -26,10 +27,11 @@ void SceneBuilder::begin_object(std::string name) {
   object_.face_begin = static_cast<std::uint32_t>(scene_.faces.size());
 }
 
-void SceneBuilder::end_object(double precision) {
+void SceneBuilder::end_object(double precision, bool is_stated) {
   object_.vertex_end = static_cast<std::uint32_t>(scene_.vertices.size());
   object_.face_end = static_cast<std::uint32_t>(scene_.faces.size());
-  object_.precision = precision;
+  const auto positions = std::span(scene_.vertices).subspan(object_.vertex_begin);
+  object_.precision = is_stated ? precision : std::max(precision, decimal_grid(positions));
   if (object_.face_begin == object_.face_end) {
     scene_.vertices.resize(object_.vertex_begin);
     return;

@@ -22,8 +22,9 @@ class SceneBuilder {
   SceneBuilder(const std::string& name, ReadReport& report) : name_(name), report_(report) {}
 
   void begin_object(std::string name);
-  /// Ends the object. An object without faces is dropped with its vertices.
-  void end_object(double precision);
+  /// Ends the object. An object without faces is dropped with its vertices. Unless the precision is stated by the file, it
+  /// is at least that of the decimal grid to which the coordinates were rounded.
+  void end_object(double precision, bool is_stated = false);
   /// Adds a vertex and returns its index in the scene. Throws InputError if indices can not hold it.
   std::uint32_t add_vertex(Point3 position);
   /// Adds a face to the object; corners are indices in the scene. Returns the index of the face.
