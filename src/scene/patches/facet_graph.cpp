@@ -4,12 +4,16 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 #include "base/disjoint_sets.hpp"
+#include "base/indices_where.hpp"
+#include "base/large_vector.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/model/planarity.hpp"
+#include "scene/patches/cut_strips.hpp"
 
 namespace ligne {
 namespace {
@@ -17,14 +21,8 @@ namespace {
 /// Least cosine between the normals of faces that may lie in one plane (2.6 degrees). Beyond it they do not, whatever
 /// the precision.
 constexpr double kFlatCosine = 0.999;
-/// Largest number of corners of a facet that may be curved; and the same if all corners lie on two rulings.
-constexpr std::size_t kStripCorners = 4, kMostRulingCorners = 16;
-/// Largest number of corners of a strip that was cut at its ends.
-constexpr std::size_t kMostCutCorners = 64;
-/// Largest ratio of its width to that of a neighbour.
-constexpr double kAlikeWidths = 2;
-/// Largest distance of its rulings from parallel lines, in their length: files print coordinates with six digits.
-constexpr double kParallel = 1e-4;
+/// Largest number of corners of a facet that may be curved.
+constexpr std::size_t kStripCorners = 4;
 
 bool is_triangle(const Scene& scene, std::uint32_t f) {
   return scene.faces.contour_count(f) == 1 && scene.faces.contour(f, 0).size() == 3;
@@ -95,13 +93,9 @@ class GraphBuilder {
 
   FacetGraph run(std::uint32_t edge_begin, std::uint32_t edge_end) {
     join_faces(edge_begin, edge_end);
-    reserve_facets(graph_.faces.begin.size() - 1);
-    for (std::size_t i = 0; i + 1 < graph_.faces.begin.size(); ++i) {
-      const auto faces = graph_.faces[i];
-      faces.size() == 1 && is_triangle(scene_, faces[0]) ? add_triangle(faces[0]) : add_facet(i);
-    }
+    measure_facets();
     add_arcs(edge_begin, edge_end);
-    find_cut_strips();
+    find_cut_strips(scene_, topology_, object_, graph_);
     return std::move(graph_);
   }
 
@@ -146,76 +140,119 @@ class GraphBuilder {
   void join_faces(std::uint32_t edge_begin, std::uint32_t edge_end) {
     const std::uint32_t first = object_.face_begin, count = object_.face_end - first;
     DisjointSets sets(count);
-    for (std::uint32_t e = edge_begin; e < edge_end; ++e) {
-      const Edge& edge = topology_.edges[e];
-      if (may_be_smooth(e) && is_flat(edge)) sets.join(edge.face0 - first, edge.face1 - first);
+    const auto lies_inside = [&](std::size_t k) {
+      const auto e = static_cast<std::uint32_t>(edge_begin + k);
+      return may_be_smooth(e) && is_flat(topology_.edges[e]);
+    };
+    for (const std::uint32_t k : indices_where(edge_end - edge_begin, lies_inside)) {
+      const Edge& edge = topology_.edges[edge_begin + k];
+      sets.join(edge.face0 - first, edge.face1 - first);
     }
     const std::vector<std::uint32_t> order = faces_by_vertices();
-    graph_.facet_of.resize(count);
-    std::vector<std::uint32_t> facet_of_set(count, kNone), sizes;
+    graph_.facet_of.assign(count, kNone);
+    std::vector<std::uint32_t>& begins = graph_.faces.begin;
+    begins.reserve(count + 1);
     for (const std::uint32_t f : order) {
-      std::uint32_t& facet = facet_of_set[sets.find(f)];
+      std::uint32_t& facet = graph_.facet_of[sets.find(f)];
       if (facet == kNone) {
-        facet = static_cast<std::uint32_t>(sizes.size());
-        sizes.push_back(0);
+        facet = static_cast<std::uint32_t>(begins.size() - 1);
+        begins.push_back(0);
       }
       graph_.facet_of[f] = facet;
-      ++sizes[facet];
+      ++begins[facet + 1];
     }
-    for (const std::uint32_t size : sizes) graph_.faces.begin.push_back(graph_.faces.begin.back() + size);
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
     graph_.faces.values.resize(count);
-    std::vector<std::uint32_t> next(graph_.faces.begin.begin(), graph_.faces.begin.end() - 1);
-    for (const std::uint32_t f : order) graph_.faces.values[next[graph_.facet_of[f]]++] = first + f;
+    for (const std::uint32_t f : order) graph_.faces.values[begins[graph_.facet_of[f]]++] = first + f;
+    // Each of them has moved to where the next one begins.
+    std::copy_backward(begins.begin(), begins.end() - 1, begins.end());
+    begins.front() = 0;
+  }
+
+  /// A face of the object, numbered from 0, behind its three lowest vertices.
+  std::array<std::uint32_t, 4> key_of(std::uint32_t f) const {
+    std::array<std::uint32_t, 4> key{kNone, kNone, kNone, f};
+    for_corners(scene_, object_.face_begin + f, [&](std::uint32_t v) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (v < key[i]) std::swap(v, key[i]);
+      }
+    });
+    return key;
   }
 
   /// The faces of the object, numbered from 0, sorted by their three lowest vertices. Facets are numbered in this
   /// order, so that the order of faces in the file does not matter.
   std::vector<std::uint32_t> faces_by_vertices() const {
-    const std::uint32_t first = object_.face_begin, count = object_.face_end - first;
-    std::vector<std::array<std::uint32_t, 4>> keys(count);
-    for (std::uint32_t f = 0; f < count; ++f) {
-      std::array<std::uint32_t, 4>& key = keys[f] = {kNone, kNone, kNone, f};
-      for_corners(scene_, first + f, [&](std::uint32_t v) {
-        for (std::size_t i = 0; i < 3; ++i) {
-          if (v < key[i]) std::swap(v, key[i]);
-        }
-      });
-    }
-    parallel_sort(keys.begin(), keys.end());
-    std::vector<std::uint32_t> order;
-    order.reserve(count);
-    for (const auto& key : keys) order.push_back(key[3]);
+    const std::uint32_t count = object_.face_end - object_.face_begin;
+    const std::uint32_t vertices = object_.vertex_end - object_.vertex_begin;
+    UninitializedVector<std::uint32_t> lowest(count);
+    parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+      for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f) lowest[f] = key_of(f)[0] - object_.vertex_begin;
+    });
+    // Faces with the same lowest vertex v get the places [begin[v], begin[v + 1]), and are then sorted by themselves.
+    std::vector<std::uint32_t> begin(vertices + 2, 0), order(count);
+    for (std::uint32_t f = 0; f < count; ++f) ++begin[lowest[f] + 2];
+    for (std::size_t v = 2; v < begin.size(); ++v) begin[v] += begin[v - 1];
+    for (std::uint32_t f = 0; f < count; ++f) order[begin[lowest[f] + 1]++] = f;
+    parallel_blocks(vertices, kShortWorkBlock, [&](std::size_t first, std::size_t last) {
+      std::vector<std::array<std::uint32_t, 4>> keys;
+      for (std::size_t v = first; v < last; ++v) {
+        if (begin[v + 1] - begin[v] < 2) continue;
+        keys.clear();
+        for (std::uint32_t k = begin[v]; k < begin[v + 1]; ++k) keys.push_back(key_of(order[k]));
+        std::sort(keys.begin(), keys.end());
+        std::ranges::transform(keys, order.begin() + begin[v], [](const auto& key) { return key[3]; });
+      }
+    });
     return order;
   }
 
-  void reserve_facets(std::size_t count) {
-    graph_.frames.reserve(count);
-    graph_.area.reserve(count);
-    graph_.is_sliver.reserve(count);
-    graph_.is_plane.reserve(count);
-    graph_.vertices.begin.reserve(count + 1);
-    graph_.vertices.values.reserve(3 * count);
+  /// Measures the facets, and lists their corners.
+  void measure_facets() {
+    const std::size_t count = graph_.faces.begin.size() - 1;
+    graph_.frames = UninitializedVector<FacetFrame>(count);
+    graph_.area = UninitializedVector<double>(count);
+    graph_.is_sliver.resize(count);
+    graph_.is_plane.resize(count);
+    std::vector<std::uint32_t>& begins = graph_.vertices.begin;
+    begins.resize(count + 1);
+    std::vector<std::vector<std::uint32_t>> corners(block_count(count, kShortWorkBlock));
+    parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+      std::vector<std::uint32_t>& of_block = corners[begin / kShortWorkBlock];
+      of_block.reserve(3 * (end - begin));
+      for (std::size_t facet = begin; facet < end; ++facet) {
+        const std::size_t before = of_block.size();
+        const auto faces = graph_.faces[facet];
+        faces.size() == 1 && is_triangle(scene_, faces[0]) ? add_triangle(facet, of_block) : add_facet(facet, of_block);
+        begins[facet + 1] = static_cast<std::uint32_t>(of_block.size() - before);
+      }
+    });
+    for (std::size_t i = 1; i < begins.size(); ++i) begins[i] += begins[i - 1];
+    graph_.vertices.values = large_vector<std::uint32_t>(begins.back());
+    parallel_for(corners.size(), [&](std::size_t block) {
+      std::ranges::copy(corners[block], graph_.vertices.values.begin() + begins[block * kShortWorkBlock]);
+    });
   }
 
   /// add_facet() for a facet of a single triangle.
-  void add_triangle(std::uint32_t f) {
+  void add_triangle(std::size_t facet, std::vector<std::uint32_t>& of_block) {
+    const std::uint32_t f = graph_.faces[facet][0];
     const auto corners = scene_.faces.contour(f, 0);
     const Point3 &a = scene_.vertices[corners[0]], &b = scene_.vertices[corners[1]], &c = scene_.vertices[corners[2]];
     const Point3 area = glm::cross(b - a, c - a);
     const double size = glm::length(area);
-    graph_.frames.push_back({size > 0 ? (a + b + c) / 3.0 : a, size > 0 ? area / size : Point3(normals_[f])});
-    graph_.area.push_back(size / 2);
+    graph_.frames[facet] = {size > 0 ? (a + b + c) / 3.0 : a, size > 0 ? area / size : Point3(normals_[f])};
+    graph_.area[facet] = size / 2;
     const double span = std::sqrt(std::max(glm::dot(b - a, b - a), glm::dot(c - a, c - a)));
-    graph_.is_sliver.push_back(size <= 4 * straightness_tolerance(object_.precision, span) * span);
-    graph_.is_plane.push_back(0);
+    graph_.is_sliver[facet] = size <= 4 * straightness_tolerance(object_.precision, span) * span;
     std::array<std::uint32_t, 3> sorted{corners[0], corners[1], corners[2]};
     std::sort(sorted.begin(), sorted.end());
-    graph_.vertices.values.insert(graph_.vertices.values.end(), sorted.begin(), sorted.end());
-    graph_.vertices.begin.push_back(static_cast<std::uint32_t>(graph_.vertices.values.size()));
+    of_block.insert(of_block.end(), sorted.begin(), sorted.end());
   }
 
-  void add_facet(std::size_t facet) {
-    corners_.clear();
+  /// Measures a facet, and adds its corners to the list.
+  void add_facet(std::size_t facet, std::vector<std::uint32_t>& of_block) {
+    const auto before = static_cast<std::ptrdiff_t>(of_block.size());
     Point3 area(0, 0, 0), middle(0, 0, 0);
     double size = 0, span = 0;
     for (const std::uint32_t f : graph_.faces[facet]) {
@@ -227,130 +264,80 @@ class GraphBuilder {
       middle += weight / static_cast<double>(scene_.faces.contour(f, 0).size()) * sum;
       size += weight;
       span = std::max(span, span_of(scene_, f));
-      for_corners(scene_, f, [&](std::uint32_t v) { corners_.push_back(v); });
+      for_corners(scene_, f, [&](std::uint32_t v) { of_block.push_back(v); });
     }
-    std::sort(corners_.begin(), corners_.end());
-    corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+    std::sort(of_block.begin() + before, of_block.end());
+    of_block.erase(std::unique(of_block.begin() + before, of_block.end()), of_block.end());
+    const std::span corners = std::span(of_block).subspan(static_cast<std::size_t>(before));
     const double length = glm::length(area);
-    graph_.frames.push_back({size > 0 ? middle / size : scene_.vertices[corners_[0]],
-                             length > 0 ? area / length : Point3(normals_[graph_.faces[facet][0]])});
-    graph_.area.push_back(size / 2);
+    graph_.frames[facet] = {size > 0 ? middle / size : scene_.vertices[corners[0]],
+                            length > 0 ? area / length : Point3(normals_[graph_.faces[facet][0]])};
+    graph_.area[facet] = size / 2;
     const double tolerance = 4 * straightness_tolerance(object_.precision, span);
-    graph_.is_sliver.push_back(size <= tolerance * span);
-    graph_.is_plane.push_back(corners_.size() > kStripCorners && !is_strip(tolerance));
-    graph_.vertices.values.insert(graph_.vertices.values.end(), corners_.begin(), corners_.end());
-    graph_.vertices.begin.push_back(static_cast<std::uint32_t>(graph_.vertices.values.size()));
+    graph_.is_sliver[facet] = size <= tolerance * span;
+    graph_.is_plane[facet] = corners.size() > kStripCorners && !is_strip(corners, tolerance);
   }
 
-  bool is_strip(double tolerance) const {
-    if (corners_.size() > kMostRulingCorners) return false;
+  bool is_strip(std::span<const std::uint32_t> corners, double tolerance) const {
+    if (corners.size() > kMostRulingCorners) return false;
     std::vector<Point3> points;
-    points.reserve(corners_.size());
-    for (const std::uint32_t v : corners_) points.push_back(scene_.vertices[v]);
+    points.reserve(corners.size());
+    for (const std::uint32_t v : corners) points.push_back(scene_.vertices[v]);
     return lie_on_two_lines(points, tolerance);
   }
 
-  /// Sets corners_ to the ends of the edges at which a plane has arcs, each once. Returns false if these do not lie on two
-  /// parallel lines, at most kMostRulingCorners in all.
-  bool take_rulings(std::uint32_t facet) {
-    const auto arcs = graph_.arcs_of(facet);
-    corners_.clear();
-    if (arcs.size() < 2 || arcs.size() > kMostRulingCorners) return false;
-    const auto end = [&](const FacetGraph::Arc& arc, bool second) -> const Point3& {
-      const Edge& edge = topology_.edges[arc.edge];
-      return scene_.vertices[second ? edge.v1 : edge.v0];
-    };
-    const auto length = [&](const FacetGraph::Arc& arc) { return glm::distance(end(arc, false), end(arc, true)); };
-    const auto& longest = *std::ranges::max_element(arcs, {}, length);
-    const Point3 at = end(longest, false), along = (end(longest, true) - at) / length(longest);
-    const auto off = [&](const Point3& p) { return glm::cross(along, p - at); };
-    const double tolerance =
-        std::max(4 * straightness_tolerance(object_.precision, length(longest)), kParallel * length(longest));
-    Point3 other(0.0);  // the second line, as its distance from the first one
-    for (const FacetGraph::Arc& arc : arcs) {
-      const Point3 from = off(end(arc, false)), to = off(end(arc, true));
-      if (glm::length(from - to) > tolerance) return false;
-      if (glm::length(from) <= tolerance) continue;
-      if (other != Point3(0.0) && glm::length(from - other) > tolerance) return false;
-      if (other == Point3(0.0)) other = from;
-    }
-    if (other == Point3(0.0)) return false;
-    for (const FacetGraph::Arc& arc : arcs) {
-      // Planes beside fillets are wider than these.
-      const Point3 line = off(end(arc, false));
-      double depth = 0;
-      for (const std::uint32_t v : graph_.vertices[arc.facet]) {
-        depth = std::max(depth, glm::length(off(scene_.vertices[v]) - line));
-      }
-      if (kAlikeWidths * depth < glm::length(other)) return false;
-      corners_.insert(corners_.end(), {topology_.edges[arc.edge].v0, topology_.edges[arc.edge].v1});
-    }
-    std::sort(corners_.begin(), corners_.end());
-    corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
-    return true;
+  std::array<std::uint32_t, 2> facets_at(std::uint32_t e) const {
+    const Edge& edge = topology_.edges[e];
+    return {graph_.facet_of[edge.face0 - object_.face_begin], graph_.facet_of[edge.face1 - object_.face_begin]};
   }
 
-  /// Makes strips of the planes that are cut strips.
-  void find_cut_strips() {
-    graph_.is_cut.assign(graph_.size(), 0);
-    IndexLists cut;  // the corners on the rulings of each
-    for (std::uint32_t f = 0; f < graph_.size(); ++f) {
-      if (!graph_.is_plane[f] || graph_.vertices[f].size() > kMostCutCorners || !take_rulings(f)) continue;
-      graph_.is_plane[f] = 0;
-      graph_.is_cut[f] = 1;
-      cut.values.insert(cut.values.end(), corners_.begin(), corners_.end());
-      cut.begin.push_back(static_cast<std::uint32_t>(cut.values.size()));
-    }
-    if (cut.values.empty()) return;
-    IndexLists vertices;
-    for (std::uint32_t f = 0, next = 0; f < graph_.size(); ++f) {
-      const auto of_facet = graph_.is_cut[f] ? cut[next++] : graph_.vertices[f];
-      vertices.values.insert(vertices.values.end(), of_facet.begin(), of_facet.end());
-      vertices.begin.push_back(static_cast<std::uint32_t>(vertices.values.size()));
-    }
-    graph_.vertices = std::move(vertices);
+  enum class Joint : std::uint8_t { none, arc, steep };
+
+  Joint joint_at(std::uint32_t e) const {
+    if (!may_be_smooth(e)) return Joint::none;
+    const auto [a, b] = facets_at(e);
+    if (a == b) return Joint::none;
+    if (graph_.is_sliver[a] || graph_.is_sliver[b]) return Joint::arc;
+    const double least = topology_.edge_flags[e] & kEdgeSmooth ? smooth_cosine_ : cosine_;
+    const double bend = glm::dot(graph_.frames[a].normal, graph_.frames[b].normal);
+    return !(bend < least) ? Joint::arc : bend >= steep_cosine_ ? Joint::steep : Joint::none;
   }
 
   void add_arcs(std::uint32_t edge_begin, std::uint32_t edge_end) {
-    const double cosine = sine_cosine_degrees(kLargestBend).cosine;
-    const double smooth_cosine = sine_cosine_degrees(kLargestSmoothBend).cosine;
-    const double steep_cosine = sine_cosine_degrees(kSteepBend).cosine;
-    struct Pair {
-      std::uint32_t a, b, edge;
-    };
-    std::vector<Pair> pairs;
-    graph_.arc_begin.assign(graph_.size() + 1, 0);
-    for (std::uint32_t e = edge_begin; e < edge_end; ++e) {
-      if (!may_be_smooth(e)) continue;
-      const std::uint32_t a = graph_.facet_of[topology_.edges[e].face0 - object_.face_begin];
-      const std::uint32_t b = graph_.facet_of[topology_.edges[e].face1 - object_.face_begin];
-      if (a == b) continue;
-      const bool by_chance = graph_.is_sliver[a] || graph_.is_sliver[b];
-      const double least = topology_.edge_flags[e] & kEdgeSmooth ? smooth_cosine : cosine;
-      const double bend = glm::dot(graph_.frames[a].normal, graph_.frames[b].normal);
-      if (!by_chance && bend < least) {
-        if (bend >= steep_cosine) graph_.steep.push_back({a, b});
-        continue;
+    std::vector<Joint> joints(edge_end - edge_begin);
+    parallel_blocks(joints.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) joints[k] = joint_at(static_cast<std::uint32_t>(edge_begin + k));
+    });
+    std::vector<std::uint32_t>& begins = graph_.arc_begin;
+    begins.assign(graph_.size() + 2, 0);
+    for (std::uint32_t k = 0; k < joints.size(); ++k) {
+      if (joints[k] == Joint::none) continue;
+      const auto [a, b] = facets_at(edge_begin + k);
+      if (joints[k] == Joint::steep) {
+        graph_.steep.push_back({a, b});
+      } else {
+        ++begins[a + 2], ++begins[b + 2];
       }
-      ++graph_.arc_begin[a + 1], ++graph_.arc_begin[b + 1];
-      pairs.push_back({a, b, e});
     }
-    for (std::size_t i = 0; i < graph_.size(); ++i) graph_.arc_begin[i + 1] += graph_.arc_begin[i];
-    graph_.arcs.resize(2 * pairs.size());
-    std::vector<std::uint32_t> next(graph_.arc_begin.begin(), graph_.arc_begin.end() - 1);
-    for (const Pair& pair : pairs) {
-      graph_.arcs[next[pair.a]++] = {pair.b, pair.edge};
-      graph_.arcs[next[pair.b]++] = {pair.a, pair.edge};
+    for (std::size_t i = 2; i < begins.size(); ++i) begins[i] += begins[i - 1];
+    graph_.arcs = UninitializedVector<FacetGraph::Arc>(begins.back());
+    for (std::uint32_t k = 0; k < joints.size(); ++k) {
+      if (joints[k] != Joint::arc) continue;
+      const auto [a, b] = facets_at(edge_begin + k);
+      graph_.arcs[begins[a + 1]++] = {b, edge_begin + k};
+      graph_.arcs[begins[b + 1]++] = {a, edge_begin + k};
     }
   }
 
   const double flat_ = sine_cosine_degrees(kFlatBend).cosine;
+  const double cosine_ = sine_cosine_degrees(kLargestBend).cosine;
+  const double smooth_cosine_ = sine_cosine_degrees(kLargestSmoothBend).cosine;
+  const double steep_cosine_ = sine_cosine_degrees(kSteepBend).cosine;
   const Scene& scene_;
   const Topology& topology_;
   const Object& object_;
   std::span<const glm::vec3> normals_;
   FacetGraph graph_;
-  std::vector<std::uint32_t> corners_;  ///< corners of the facet that add_facet() adds
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/uninitialized_vector.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 #include "scene/patches/patch_surface.hpp"
@@ -48,19 +49,19 @@ struct FacetGraph {
   std::vector<std::uint32_t> facet_of;  ///< per face of the object, in their order: the index of its facet
   /// Per facet: its faces and, each once, its vertices in the scene, of a cut strip those on its rulings alone.
   IndexLists faces, vertices;
-  std::vector<FacetFrame> frames;      ///< per facet
-  std::vector<double> area;            ///< per facet, square model units
-  std::vector<std::uint8_t> is_plane;  ///< per facet: 1 if it has too many corners to be part of a curved surface
+  UninitializedVector<FacetFrame> frames;  ///< per facet
+  UninitializedVector<double> area;        ///< per facet, square model units
+  std::vector<std::uint8_t> is_plane;      ///< per facet: 1 if it has too many corners to be part of a curved surface
   /// Per facet: 1 if it has arcs only at edges on two parallel lines, and more corners between these, as CSG leaves where it
   /// cuts the ends of strips: the corners on the lines lie on the surface, those between them on chords.
   std::vector<std::uint8_t> is_cut;
-  std::vector<std::uint8_t> is_sliver;  ///< per facet: 1 if it is so narrow that rounding determines its normal
-  std::vector<std::uint32_t> arc_begin;
-  std::vector<Arc> arcs;
+  std::vector<std::uint8_t> is_sliver;   ///< per facet: 1 if it is so narrow that rounding determines its normal
+  std::vector<std::uint32_t> arc_begin;  ///< per facet: its first arc
+  UninitializedVector<Arc> arcs;
   /// Pairs of adjacent facets that would have an arc but for an angle of up to kSteepBend.
   std::vector<std::array<std::uint32_t, 2>> steep;
 
-  std::size_t size() const { return frames.size(); }
+  std::size_t size() const { return is_plane.size(); }
   /// Whether a facet without a surface is a plane by the number of its corners.
   bool has_many_corners(std::uint32_t facet) const { return is_plane[facet] || is_cut[facet]; }
   std::span<const Arc> arcs_of(std::uint32_t facet) const {

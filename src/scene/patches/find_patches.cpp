@@ -49,17 +49,21 @@ ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Obj
   const std::span edges(topology.edges.data() + edge_begin, topology.edges.data() + edge_end);
   const std::vector<std::uint32_t> of_facet = PatchFinder(scene, topology, object, graph).run(found.patches);
   std::vector<std::uint8_t> freeform = freeform_facets(scene, topology, graph, of_facet);
-  const std::vector<PatchOutline> outlines =
-      patch_outlines(scene, edges, object, graph, {found.patches, of_facet, freeform});
+  std::vector<PatchOutline> outlines;
+  if (!found.patches.empty()) outlines = patch_outlines(scene, edges, object, graph, {found.patches, of_facet, freeform});
   for (std::uint32_t f = 0; f < graph.size(); ++f) {
     if (of_facet[f] != kNone && outlines[of_facet[f]].is_speck()) freeform[f] = 1;
   }
   found.borders = freeform_borders(scene, topology, graph, {found.patches, of_facet, freeform}, outlines);
   found.row_edges = row_edges(scene, topology, graph, of_facet);
-  for (const std::uint32_t facet : graph.facet_of) {
-    found.patch_of.push_back(of_facet[facet]);
-    found.is_freeform.push_back(freeform[facet]);
-  }
+  found.patch_of.resize(graph.facet_of.size());
+  found.is_freeform.resize(graph.facet_of.size());
+  parallel_blocks(graph.facet_of.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      found.patch_of[f] = of_facet[graph.facet_of[f]];
+      found.is_freeform[f] = freeform[graph.facet_of[f]];
+    }
+  });
   return found;
 }
 

@@ -68,7 +68,7 @@ constexpr std::size_t parameter_count(SurfaceKind kind) {
 
 /// The properties of a facet that fits use.
 struct FacetFrame {
-  Point3 middle{0, 0, 0}, normal{0, 0, 0};  ///< centre; unit normal
+  Point3 middle, normal;  ///< centre; unit normal
 };
 
 /// Computes starting values for refine_surface() from a few facets and their corners `points`. Returns false if they
