@@ -112,7 +112,7 @@ class Finder {
   void decide_by_surfaces(const std::vector<glm::vec3>& normals) {
     found_.patches = find_patches(scene_, topology_, normals);
     found_.patch_edges = classify_patch_edges(scene_, topology_, normals, found_.patches, angles_.surfaces);
-    mark_bands(topology_, normals, found_.patch_edges, found_.patches);
+    if (!found_.patches.list.empty()) mark_bands(topology_, normals, found_.patch_edges, found_.patches);
     for (std::size_t e = 0; e < bends_.size(); ++e) {
       if (found_.patch_edges[e] == PatchEdge::unknown) continue;
       // A rounding too small to be drawn as a surface is drawn as an edge, whichever surface it belongs to.

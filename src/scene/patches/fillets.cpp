@@ -227,6 +227,7 @@ class FilletFinder {
 
 FilletMiddles fillet_middles(const Scene& scene, const Topology& topology, const Patches& patches,
                              std::span<const PatchEdge> edges, double widest) {
+  if (patches.list.empty()) return {};
   return FilletFinder(scene, topology, patches, edges, widest).run();
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "base/disjoint_sets.hpp"
+#include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 
 namespace ligne {
@@ -100,37 +100,70 @@ bool is_wide(const Scene& scene, const Topology& topology, const FacetGraph& gra
   });
 }
 
+/// Tells which facets belong to regions of kFewestFreeform facets or more that have no surface and are no planes. Visits
+/// only the facets near those asked for.
+class RegionFinder {
+ public:
+  RegionFinder(const Scene& scene, const Topology& topology, const FacetGraph& graph,
+               const std::vector<std::uint32_t>& patch_of)
+      : scene_(scene), topology_(topology), graph_(graph), patch_of_(patch_of), state_(graph.size(), State::unknown) {}
+
+  bool is_in_region(std::uint32_t f) {
+    if (state_[f] == State::unknown) visit_from(f);
+    return state_[f] == State::region;
+  }
+
+ private:
+  enum class State : std::uint8_t { unknown, alone, region };
+
+  bool is_free(std::uint32_t f) const {
+    return patch_of_[f] == kNone && !graph_.has_many_corners(f) && !graph_.is_sliver[f] &&
+           !is_wide(scene_, topology_, graph_, f);
+  }
+
+  /// Decides about a facet and those that are visited from it.
+  void visit_from(std::uint32_t f) {
+    state_[f] = State::alone;
+    if (!is_free(f)) return;
+    visited_.assign(1, f);
+    bool is_region = false;
+    for (std::size_t i = 0; i < visited_.size() && !is_region; ++i) {
+      for (const FacetGraph::Arc& arc : graph_.arcs_of(visited_[i])) {
+        is_region |= state_[arc.facet] == State::region;
+        if (state_[arc.facet] != State::unknown) continue;
+        state_[arc.facet] = State::alone;
+        if (is_free(arc.facet)) visited_.push_back(arc.facet);
+      }
+      is_region |= visited_.size() >= kFewestFreeform;
+    }
+    if (!is_region) return;
+    for (const std::uint32_t visited : visited_) state_[visited] = State::region;
+  }
+
+  const Scene& scene_;
+  const Topology& topology_;
+  const FacetGraph& graph_;
+  const std::vector<std::uint32_t>& patch_of_;
+  std::vector<State> state_;  ///< per facet; alone: in no region
+  std::vector<std::uint32_t> visited_;
+};
+
 }  // namespace
 
 std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& topology, const FacetGraph& graph,
                                           const std::vector<std::uint32_t>& patch_of) {
   std::vector<std::uint8_t> freeform(graph.size());
-  std::vector<std::uint32_t> others;  // facets that the shape of a single one does not decide
-  for (std::uint32_t f = 0; f < graph.size(); ++f) {
+  // Facets that the shape of a single one does not decide.
+  const std::vector<std::uint32_t> others = indices_where(graph.size(), [&](std::size_t i) {
+    const auto f = static_cast<std::uint32_t>(i);
     const bool is_triangle = graph.vertices[f].size() == 3 && graph.faces[f].size() == 1;
     freeform[f] = patch_of[f] == kNone && (graph.is_sliver[f] || is_triangle);
-    if (patch_of[f] == kNone && !freeform[f]) others.push_back(f);
-  }
+    return patch_of[f] == kNone && !freeform[f];
+  });
   if (others.empty()) return freeform;
-  std::vector<std::uint8_t> is_free(graph.size());
-  for (std::uint32_t f = 0; f < graph.size(); ++f) {
-    is_free[f] =
-        patch_of[f] == kNone && !graph.has_many_corners(f) && !graph.is_sliver[f] && !is_wide(scene, topology, graph, f);
-  }
-  DisjointSets sets(graph.size());
-  for (std::uint32_t f = 0; f < graph.size(); ++f) {
-    if (!is_free[f]) continue;
-    for (const FacetGraph::Arc& arc : graph.arcs_of(f)) {
-      if (is_free[arc.facet]) sets.join(f, arc.facet);
-    }
-  }
-  std::vector<std::uint32_t> sizes(graph.size(), 0);
-  for (std::uint32_t f = 0; f < graph.size(); ++f) ++sizes[sets.find(f)];
+  RegionFinder regions(scene, topology, graph, patch_of);
   const RowFinder rows(scene, topology, graph, patch_of);
-  for (const std::uint32_t f : others) {
-    const bool is_region = is_free[f] && sizes[sets.find(f)] >= kFewestFreeform;
-    freeform[f] = is_region || rows.is_in_row(f);
-  }
+  for (const std::uint32_t f : others) freeform[f] = regions.is_in_region(f) || rows.is_in_row(f);
   return freeform;
 }
 

@@ -1,10 +1,15 @@
 #include "scene/patches/patch_finder.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <numbers>
+#include <numeric>
 
+#include "base/indices_where.hpp"
+#include "base/large_vector.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 
@@ -40,6 +45,8 @@ constexpr std::ptrdiff_t kFewestSuccesses = 4;
 /// The object also gets none if the surfaces of the samples together have fewer facets than one per kLeastShare seeds:
 /// in a free form of a million facets, some rows of ten lie on cylinders.
 constexpr std::size_t kLeastShare = 2000;
+/// Logarithm of the number of classes of seeds of similar lengths.
+constexpr int kClassBits = 12;
 /// Least turn, in radians, of a cylinder of two or three facets that its neighbours continue: a little less than the least
 /// angle of planes that have an edge between them. Nearly flat facets of a free form lie on cylinders by accident.
 constexpr double kLeastTurn = 8 * std::numbers::pi / 180;
@@ -78,13 +85,12 @@ PatchFinder::PatchFinder(const Scene& scene, const Topology& topology, const Obj
       sag_part_(kSagPart) {}
 
 std::vector<std::uint32_t> PatchFinder::run(std::vector<Patch>& patches) {
-  const std::vector<std::uint32_t> all = seeds();
+  std::vector<Seed> all = seeds();
   const std::size_t step = all.size() / kSamples;
   if (step >= 2) {
-    std::vector<std::uint32_t> samples;
-    for (std::size_t i = 0; i < all.size(); i += step) samples.push_back(all[i]);
+    const std::vector<Seed> samples = every_seed(all, step);
     search(samples, patches);
-    const auto succeeded = [&](std::uint32_t f) { return patch_of_[f] != kNone; };
+    const auto succeeded = [&](const Seed& seed) { return patch_of_[seed.facet] != kNone; };
     const auto facets =
         static_cast<std::size_t>(std::ranges::count_if(patch_of_, [](std::uint32_t p) { return p != kNone; }));
     if (std::ranges::count_if(samples, succeeded) < kFewestSuccesses || kLeastShare * facets < all.size()) {
@@ -93,6 +99,7 @@ std::vector<std::uint32_t> PatchFinder::run(std::vector<Patch>& patches) {
       return std::move(patch_of_);
     }
   }
+  parallel_sort(all.begin(), all.end());
   search(all, patches);
   join_bands(patches);
   const std::vector<std::uint32_t> found_by = patch_of_;
@@ -102,28 +109,51 @@ std::vector<std::uint32_t> PatchFinder::run(std::vector<Patch>& patches) {
   return std::move(patch_of_);
 }
 
-/// Facets that may be curved, the longest first.
-std::vector<std::uint32_t> PatchFinder::seeds() const {
-  struct Seed {
-    double length = 0;  ///< a maximum, not a sum, so it does not depend on the order of the corners
-    std::uint32_t facet = 0;
-    bool operator<(const Seed& o) const { return length != o.length ? length > o.length : facet < o.facet; }
+/// Facets that may be curved, not sorted.
+std::vector<PatchFinder::Seed> PatchFinder::seeds() const {
+  const std::vector<std::uint32_t> facets = indices_where(graph_.size(), [&](std::size_t i) {
+    const auto f = static_cast<std::uint32_t>(i);
+    return may_curve(f) && !graph_.arcs_of(f).empty();
+  });
+  std::vector<Seed> seeds = large_vector<Seed>(facets.size());
+  parallel_blocks(facets.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) seeds[i] = {longest_diagonal(facets[i]), facets[i]};
+  });
+  return seeds;
+}
+
+/// Every so many seeds in their order, by sorting only those of about the same lengths.
+std::vector<PatchFinder::Seed> PatchFinder::every_seed(std::span<const Seed> seeds, std::size_t step) {
+  // Lengths are not negative, so their bits have their order. Longer seeds get lower numbers.
+  const auto bits = [](const Seed& seed) { return std::bit_cast<std::uint64_t>(seed.length); };
+  const auto [low, high] = std::ranges::minmax(seeds, {}, bits);
+  const std::uint64_t most = bits(high);
+  const int shift = std::max(0, static_cast<int>(std::bit_width(most - bits(low))) - kClassBits);
+  const auto class_of = [&](const Seed& seed) { return (most - bits(seed)) >> shift; };
+  std::vector<std::size_t> after(std::size_t{1} << kClassBits, 0);  // per class: number of seeds in it and before it
+  for (const Seed& seed : seeds) ++after[class_of(seed)];
+  std::partial_sum(after.begin(), after.end(), after.begin());
+  const auto is_asked = [&](std::size_t c) {
+    const std::size_t first = c > 0 ? after[c - 1] : 0;
+    return (first + step - 1) / step * step < after[c];
   };
-  std::vector<Seed> order;
-  for (std::uint32_t f = 0; f < graph_.size(); ++f) {
-    if (may_curve(f) && !graph_.arcs_of(f).empty()) order.push_back({longest_diagonal(f), f});
+  std::vector<Seed> asked;
+  std::ranges::copy_if(seeds, std::back_inserter(asked), [&](const Seed& seed) { return is_asked(class_of(seed)); });
+  parallel_sort(asked.begin(), asked.end());
+  std::vector<Seed> found;
+  std::size_t place = 0;  // of the next seed of `asked` among all
+  for (const Seed& seed : asked) {
+    const std::size_t c = class_of(seed);
+    place = std::max(place, c > 0 ? after[c - 1] : 0);
+    if (place++ % step == 0) found.push_back(seed);
   }
-  parallel_sort(order.begin(), order.end());
-  std::vector<std::uint32_t> facets;
-  facets.reserve(order.size());
-  for (const Seed& seed : order) facets.push_back(seed.facet);
-  return facets;
+  return found;
 }
 
 /// Makes patches from seeds. If a seed fails, its neighbours are not tried as seeds, except for much smaller ones.
-void PatchFinder::search(std::span<const std::uint32_t> seeds, std::vector<Patch>& patches) {
+void PatchFinder::search(std::span<const Seed> seeds, std::vector<Patch>& patches) {
   std::vector<std::uint8_t> failed(graph_.size(), 0);
-  for (const std::uint32_t seed : seeds) {
+  for (const auto& [length, seed] : seeds) {
     if (patch_of_[seed] != kNone || failed[seed]) continue;
     const PatchCandidate best = best_at(seed);
     if (best.facets.empty()) {

@@ -52,14 +52,22 @@ class PatchFinder {
     std::vector<Point3> points{};      ///< the corners; empty until complete()
     std::vector<FacetFrame> frames{};  ///< per facet; empty until complete()
   };
+  /// A facet from which surfaces are tried, and its longest diagonal: a maximum, not a sum, so it does not depend on the
+  /// order of the corners.
+  struct Seed {
+    double length;
+    std::uint32_t facet;
+    bool operator<(const Seed& o) const { return length != o.length ? length > o.length : facet < o.facet; }
+  };
   struct LookPlace {
     std::uint32_t round = 0, number = 0;  ///< index into looks_, valid only if round equals look_round_
   };
 
   bool may_curve(std::uint32_t f) const { return !graph_.is_plane[f] && !graph_.is_sliver[f] && patch_of_[f] == kNone; }
   double longest_diagonal(std::uint32_t f) const;
-  std::vector<std::uint32_t> seeds() const;
-  void search(std::span<const std::uint32_t> seeds, std::vector<Patch>& patches);
+  std::vector<Seed> seeds() const;
+  static std::vector<Seed> every_seed(std::span<const Seed> seeds, std::size_t step);
+  void search(std::span<const Seed> seeds, std::vector<Patch>& patches);
   PatchCandidate best_at(std::uint32_t seed);
   void complete(FitSample& sample);
   PatchCandidate try_surface(SurfaceKind kind, std::uint32_t seed, FitSample& sample);
