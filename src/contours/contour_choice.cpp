@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -10,6 +11,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "contours/contour_support.hpp"
 #include "contours/surfaces/known_surfaces.hpp"
 
@@ -85,6 +87,23 @@ class Chooser {
     return groups;
   }
 
+  /// The contours that replace the outline of a group; nothing if the outline stays. Moves them out of the chains.
+  std::optional<std::vector<ContourChain>> replacement(const Group& group, double pen_width_mm) const {
+    if (outline_is_clean(group) || stands_edge_on(group)) return std::nullopt;
+    std::vector<ContourChain*> chains;
+    std::vector<std::uint32_t> sides;
+    for (const std::uint32_t c : group.chains) chains.push_back(&chains_[c]);
+    for (const std::uint32_t i : group.sides) sides.push_back(sides_[i].side);
+    const ContourSupport support(scene_, view_, patch_, chains, sides, pen_width_mm);
+    const double sag_mm = support.mean_sag_mm();
+    const double beside_mm = support.nodes() > kFewNodes ? support.mean_lift_mm() : sag_mm;
+    const bool is_coarse = (beside_mm > kCoarseInPens * pen_width_mm && !lies_on_one_surface(group)) ||
+                           (sag_mm > kSagInPens * pen_width_mm && !lies_on_surfaces(group));
+    if (is_coarse || support.astray() > kMostAstray) return std::nullopt;
+    return support.supported();
+  }
+
+ private:
   /// Whether the mesh's outline is a simple path between the ends of the group's only contour, with at most one corner.
   bool outline_is_clean(const Group& group) const {
     if (group.chains.size() != 1 || group.sides.empty()) return false;
@@ -93,13 +112,6 @@ class Chooser {
     if (chain.closed || from == kNone || to == kNone || from == to) return false;
     const std::vector<Point2> path = simple_path(group, from, to);
     return !path.empty() && turns(path) <= 1;
-  }
-
-  ContourSupport support(const Group& group, std::vector<ContourChain*>& chains, double pen_width_mm) const {
-    std::vector<std::uint32_t> sides;
-    for (const std::uint32_t i : group.sides) sides.push_back(sides_[i].side);
-    for (const std::uint32_t c : group.chains) chains.push_back(&chains_[c]);
-    return {scene_, view_, patch_, chains, sides, pen_width_mm};
   }
 
   /// Whether all contours of the group lie on recognised surfaces, of which there may be several.
@@ -129,7 +141,6 @@ class Chooser {
     });
   }
 
- private:
   std::uint32_t vertex(std::uint32_t corner) const { return patch_.triangles[corner / 3].v[corner % 3]; }
 
   /// The edges of the group as one path between two vertices; empty if they do not form one.
@@ -195,17 +206,13 @@ ContourChoice choose_contours(const Scene& scene, const View& view, const Smooth
                               std::vector<ContourChain> chains, const std::vector<OutlineSide>& sides, double pen_width_mm) {
   ContourChoice choice;
   Chooser chooser(scene, view, patch, chains, sides);
-  for (const Group& group : chooser.groups()) {
-    if (chooser.outline_is_clean(group) || chooser.stands_edge_on(group)) continue;
-    std::vector<ContourChain*> of_group;
-    const ContourSupport support = chooser.support(group, of_group, pen_width_mm);
-    const double sag_mm = support.mean_sag_mm();
-    const double beside_mm = support.nodes() > kFewNodes ? support.mean_lift_mm() : sag_mm;
-    const bool is_coarse = (beside_mm > kCoarseInPens * pen_width_mm && !chooser.lies_on_one_surface(group)) ||
-                           (sag_mm > kSagInPens * pen_width_mm && !chooser.lies_on_surfaces(group));
-    if (is_coarse || support.astray() > kMostAstray) continue;
-    std::ranges::move(support.supported(), std::back_inserter(choice.chains));
-    choice.sides.insert(choice.sides.end(), group.sides.begin(), group.sides.end());
+  const std::vector<Group> groups = chooser.groups();
+  std::vector<std::optional<std::vector<ContourChain>>> found(groups.size());
+  parallel_for(groups.size(), [&](std::size_t i) { found[i] = chooser.replacement(groups[i], pen_width_mm); });
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (!found[i]) continue;
+    std::ranges::move(*found[i], std::back_inserter(choice.chains));
+    choice.sides.insert(choice.sides.end(), groups[i].sides.begin(), groups[i].sides.end());
   }
   std::sort(choice.sides.begin(), choice.sides.end());
   return choice;

@@ -1,5 +1,6 @@
 #include "contours/contour_junctions.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -140,23 +141,40 @@ void close_gaps(const std::vector<Change>& changes, const std::vector<std::optio
   }
 }
 
+bool contains(const Rect& box, Point2 p) {
+  return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y;
+}
+
 }  // namespace
 
 void SegmentFinder::expect(Point2 from, Point2 to, double reach_mm) {
-  const Point2 reach(reach_mm);
-  for (const Point2 p : {from, to}) box_.extend(p - reach), box_.extend(p + reach);
-  cells_.expect(lattice_.snap(from), lattice_.snap(to), reach_mm / lattice_.step_mm);
+  const Point2 reach(reach_mm), low = glm::min(from, to) - reach, high = glm::max(from, to) + reach;
+  box_.extend(low);
+  box_.extend(high);
+  if (contains(covered_, low) && contains(covered_, high)) return;
+  const Point2 extent = glm::abs(to - from);
+  const double half_mm = std::max(extent.x, extent.y) / 2;
+  if (half_mm > cell_mm_) return cells_.expect(lattice_.snap(from), lattice_.snap(to), reach_mm / lattice_.step_mm);
+  // The queries along a line follow one another. A square somewhat larger than needed serves the next ones, too.
+  const Point2 middle = (from + to) / 2.0;
+  const double more_mm = half_mm + reach_mm + cell_mm_ / 2, sure_mm = more_mm - 2 * lattice_.step_mm;
+  cells_.expect(lattice_.snap(middle), lattice_.snap(middle), more_mm / lattice_.step_mm);
+  covered_ = {middle - Point2(sure_mm), middle + Point2(sure_mm)};
 }
 
 void SegmentFinder::add(const OutlineSegment& segment) {
   const Point2 margin(lattice_.step_mm), along = segment.to - segment.from;
   if (!std::isfinite(along.x) || !std::isfinite(along.y)) return;
-  const auto part = clip_segment({segment.from.x, segment.from.y, 0, 1}, {segment.to.x, segment.to.y, 0, 1},
-                                 {{box_.min - margin, box_.max + margin}});
-  if (!part) return;
+  const Rect box{box_.min - margin, box_.max + margin};
+  std::array<double, 2> range{0, 1};
+  if (!contains(box, segment.from) || !contains(box, segment.to)) {
+    const auto part = clip_segment({segment.from.x, segment.from.y, 0, 1}, {segment.to.x, segment.to.y, 0, 1}, {box});
+    if (!part) return;
+    range = part->range;
+  }
   const auto at = [&](double t) { return lattice_.snap(segment.from + t * along); };
   const auto number = static_cast<std::uint32_t>(segments_.size());
-  if (cells_.insert(number, at(part->range[0]), at(part->range[1]))) segments_.push_back(segment);
+  if (cells_.insert(number, at(range[0]), at(range[1]))) segments_.push_back(segment);
 }
 
 bool crossing(Point2 from, Point2 to, const OutlineSegment& segment, double& fraction, double& depth) {

@@ -5,6 +5,7 @@
 /// up to the height of a chord's arc beside the outline of the mesh. So ends of visible parts are moved along their own
 /// line to the point where it crosses the line that is drawn.
 
+#include <algorithm>
 #include <vector>
 
 #include "base/no_index.hpp"
@@ -22,13 +23,20 @@ struct OutlineSegment {
   double length_from = 0, length_to = 0;  ///< arc lengths along the contour, page mm
   double beside_mm = 0;                   ///< largest distance of the mesh's outline from the contour there
   Point2 free_side{0, 0};                 ///< across, away from the body, if it lies on recognised surfaces; else 0
+
+  /// Whether its bounding box lies within `reach` of p in x and in y: a quick test before its distance is computed.
+  bool may_reach(Point2 p, double reach) const {
+    return std::max(from.x, to.x) >= p.x - reach && std::min(from.x, to.x) <= p.x + reach &&
+           std::max(from.y, to.y) >= p.y - reach && std::min(from.y, to.y) <= p.y + reach;
+  }
 };
 
 /// Finds segments near a query segment, by a grid that has cells only near the queries announced beforehand.
 class SegmentFinder {
  public:
   /// `cell_mm` is the side of a grid cell.
-  SegmentFinder(const Lattice& lattice, double cell_mm) : lattice_(lattice), cells_(cell_mm / lattice.step_mm) {}
+  SegmentFinder(const Lattice& lattice, double cell_mm)
+      : lattice_(lattice), cell_mm_(cell_mm), cells_(cell_mm / lattice.step_mm) {}
 
   /// Announces a query near() with these arguments. To be called before the first add().
   void expect(Point2 from, Point2 to, double reach_mm = 0);
@@ -42,11 +50,19 @@ class SegmentFinder {
       return false;
     });
   }
+  /// As near(), until found(segment) returns true. Returns whether it did.
+  template <class Found>
+  bool any_near(Point2 from, Point2 to, double reach_mm, const Found& found) const {
+    return cells_.near(lattice_.snap(from), lattice_.snap(to), reach_mm / lattice_.step_mm,
+                       [&](std::uint32_t i) { return found(segments_[i]); });
+  }
 
  private:
   Lattice lattice_;
+  double cell_mm_;
   LineCells cells_;
-  Rect box_;  ///< of all expected queries
+  Rect box_;      ///< of all expected queries
+  Rect covered_;  ///< all cells in it were announced by the last call of expect() that announced any
   std::vector<OutlineSegment> segments_;
 };
 

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "contours/contour_junctions.hpp"
 #include "contours/contour_sights.hpp"
 #include "geometry/nearest_on_segment.hpp"
@@ -22,7 +23,8 @@ constexpr double kSearchTimes = 2;
 /// Adjustable. Factor by which the distance of a surface from uneven triangles may exceed their sag. It applies only to
 /// nodes with normals of a fitted surface: on coarse meshes, means of normals are wrong by as much.
 constexpr double kFittedSag = 1.6;
-constexpr double kSupportCellMm = 2;
+/// Least side of the cells of that search, mm. Larger cells have the mean radius as their side.
+constexpr double kLeastCellMm = 1;
 /// Largest sag on the page at which a node is compared with the outline, mm. Larger ones occur close to the eye.
 constexpr double kLargestSagMm = 10;
 
@@ -63,7 +65,7 @@ ContourSupport::ContourSupport(const Scene& scene, const View& view, const Smoot
                                std::span<ContourChain* const> chains, std::span<const std::uint32_t> sides,
                                double pen_width_mm)
     : chains_(chains), view_(view), places_(chains.size()), middles_(chains.size()), pen_width_mm_(pen_width_mm) {
-  SegmentFinder finder(page_lattice(view), kSupportCellMm);
+  std::vector<Place*> places;
   for (std::size_t c = 0; c < chains.size(); ++c) {
     for (const ContourNode& node : chains[c]->nodes) {
       Place& place = places_[c].emplace_back();
@@ -74,35 +76,45 @@ ContourSupport::ContourSupport(const Scene& scene, const View& view, const Smoot
       place.counts = place.sag <= kLargestSagMm && in_window(view, place.mm);
     }
     middles_[c] = middles_of(*chains[c], places_[c]);
-    for (const std::vector<Place>* places : {&places_[c], &middles_[c]}) {
-      for (const Place& place : *places) {
-        if (place.counts) finder.expect(place.mm, place.mm, reach(place));
+    for (std::vector<Place>* of_chain : {&places_[c], &middles_[c]}) {
+      for (Place& place : *of_chain) {
+        if (place.counts) places.push_back(&place);
       }
     }
   }
+  std::vector<std::array<Point2, 2>> outlines;
   for (const std::uint32_t side : sides) {
     const auto end = [&](std::uint32_t corner) {
       return page_point(view, scene.vertices[patch.triangles[corner / 3].v[corner % 3]]);
     };
-    finder.add({end(side), end(next_corner(side)), 0, 0});
+    outlines.push_back({end(side), end(next_corner(side))});
   }
-  const auto measure = [&](Place& place) {
-    if (!place.counts) return;
-    // Most places have an outline within the permitted distance; the wide search is for the others.
-    for (const double radius : {most_away(place), reach(place)}) {
-      place.away = radius;
-      finder.near(place.mm, place.mm, radius, [&](const OutlineSegment& s) {
+  // Most places have an outline within the permitted distance; the wide search is for the others.
+  find_outlines(places, outlines, [&](const Place& place) { return most_away(place); });
+  std::erase_if(places, [&](const Place* place) { return place->away < most_away(*place); });
+  find_outlines(places, outlines, [&](const Place& place) { return reach(place); });
+}
+
+void ContourSupport::find_outlines(std::span<Place* const> places, std::span<const std::array<Point2, 2>> outlines,
+                                   FunctionRef<double(const Place&)> radius) const {
+  if (places.empty()) return;
+  double sum = 0;
+  for (const Place* place : places) sum += radius(*place);
+  SegmentFinder finder(page_lattice(view_), std::max(kLeastCellMm, sum / static_cast<double>(places.size())));
+  for (const Place* place : places) finder.expect(place->mm, place->mm, radius(*place));
+  for (const auto& [from, to] : outlines) finder.add({from, to, 0, 0});
+  parallel_blocks(places.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Place& place = *places[i];
+      place.away = radius(place);
+      finder.near(place.mm, place.mm, place.away, [&](const OutlineSegment& s) {
+        if (!s.may_reach(place.mm, place.away)) return;
         const Point2 nearest = s.from + nearest_on_segment(place.mm, s.from, s.to) * (s.to - s.from);
         const double away = glm::length(nearest - place.mm);
         if (away < place.away) place.away = away, place.outline = nearest;
       });
-      if (place.away < radius) break;
     }
-  };
-  for (std::size_t c = 0; c < chains.size(); ++c) {
-    std::ranges::for_each(places_[c], measure);
-    std::ranges::for_each(middles_[c], measure);
-  }
+  });
 }
 
 std::vector<ContourSupport::Place> ContourSupport::middles_of(const ContourChain& chain,

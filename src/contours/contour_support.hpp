@@ -4,9 +4,11 @@
 /// The distance between the smooth surface and the mesh is at most the sag, and so is the distance between their
 /// outlines on the page. A contour that is farther away results from wrong normals.
 
+#include <array>
 #include <span>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "contours/contour_choice.hpp"
 
 namespace ligne {
@@ -43,6 +45,9 @@ class ContourSupport {
 
   /// The midpoints of the chords between nodes, with the sags of their triangles.
   std::vector<Place> middles_of(const ContourChain& chain, const std::vector<Place>& places) const;
+  /// Sets Place::away and outline to the nearest point of the outlines within a radius, or away to the radius.
+  void find_outlines(std::span<Place* const> places, std::span<const std::array<Point2, 2>> outlines,
+                     FunctionRef<double(const Place&)> radius) const;
   double most_away(const Place& place) const { return place.sag + pen_width_mm_ / 2; }
   double reach(const Place& place) const;
   double mean(double Place::*value) const;

@@ -30,9 +30,8 @@ StrokePart covered_by(const OutlineSegment& s, Point2 from, Point2 to, double re
 }  // namespace
 
 bool LinesBeside::any_within(Point2 p, double reach) const {
-  bool any = false;
-  finder_.near(p, p, reach, [&](const OutlineSegment& s) { any |= squared_distance(p, s.from, s.to) <= reach * reach; });
-  return any;
+  return finder_.any_near(p, p, reach,
+                          [&](const OutlineSegment& s) { return squared_distance(p, s.from, s.to) <= reach * reach; });
 }
 
 std::optional<Point2> LinesBeside::nearest_end(Point2 p, double reach) const {

@@ -13,7 +13,7 @@
 namespace ligne {
 namespace {
 
-constexpr double kEvidenceCellMm = 2;
+constexpr double kEvidenceCellMm = 1;
 /// Step at which contours are compared with the outlines, mm.
 constexpr double kEvidenceStepMm = 1;
 /// Largest distance of an edge that is evidence, mm. The sag on the page is larger only where the eye is right before
@@ -38,8 +38,10 @@ class PagePieces {
   /// The strongest evidence within `reach` of p.
   Evidence at(Point2 p, double reach) const {
     auto strongest = static_cast<std::uint32_t>(Evidence::none);
-    finder_.near(p, p, reach, [&](const OutlineSegment& s) {
-      if (s.chain > strongest && squared_distance(p, s.from, s.to) <= reach * reach) strongest = s.chain;
+    finder_.any_near(p, p, reach, [&](const OutlineSegment& s) {
+      if (s.chain > strongest && s.may_reach(p, reach) && squared_distance(p, s.from, s.to) <= reach * reach)
+        strongest = s.chain;
+      return strongest == static_cast<std::uint32_t>(Evidence::seen);
     });
     return static_cast<Evidence>(strongest);
   }
