@@ -2,6 +2,7 @@
 
 #include <atomic>
 
+#include "base/large_vector.hpp"
 #include "base/parallel.hpp"
 #include "base/portable.hpp"
 
@@ -40,7 +41,7 @@ void drop_unused_vertices(Scene& scene) {
     AtomicRef<std::uint8_t> mark(used[corners[k]]);
     if (!mark.load(std::memory_order_relaxed)) mark.store(1, std::memory_order_relaxed);
   });
-  std::vector<std::uint32_t> new_index(n + 1);
+  std::vector<std::uint32_t> new_index = large_vector<std::uint32_t>(n + 1);
   std::uint32_t count = 0;
   for (std::size_t v = 0; v < n; ++v) {
     new_index[v] = count;

@@ -11,9 +11,11 @@
 #include <span>
 
 #include "base/hash.hpp"
+#include "base/large_vector.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "base/parallel_counting_sort.hpp"
+#include "base/uninitialized_vector.hpp"
 
 namespace ligne {
 namespace {
@@ -41,13 +43,13 @@ struct Entry {
 
 /// The vertices with finite positions, sorted by part, ascending inside a part.
 struct Parts {
-  std::vector<Entry> entries;
+  UninitializedVector<Entry> entries;
   std::vector<std::size_t> begin;  ///< first entry of each part, and the end
 };
 
 Parts sort_into_parts(const std::vector<Point3>& vertices, std::vector<std::uint32_t>& first) {
   const std::size_t n = vertices.size();
-  std::vector<std::uint32_t> hashes(n);
+  UninitializedVector<std::uint32_t> hashes(n);
   parallel_blocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       first[i] = is_finite(vertices[i]) ? static_cast<std::uint32_t>(i) : kNone;
@@ -61,7 +63,7 @@ Parts sort_into_parts(const std::vector<Point3>& vertices, std::vector<std::uint
     }
   };
   parts.begin = parallel_counting_sort(
-      n, kBlock, kParts, list, [&](std::size_t count) { parts.entries.resize(count); },
+      n, kBlock, kParts, list, [&](std::size_t count) { parts.entries = UninitializedVector<Entry>(count); },
       [&](std::size_t place, const Entry& entry) { parts.entries[place] = entry; });
   return parts;
 }
@@ -104,13 +106,13 @@ std::size_t weld_part(const Scene& scene, std::span<const Entry> entries, std::v
 
 Weld weld_vertices(const Scene& scene) {
   Weld weld;
-  weld.first.resize(scene.vertices.size());
+  weld.first = large_vector<std::uint32_t>(scene.vertices.size());
   const Parts parts = sort_into_parts(scene.vertices, weld.first);
-  weld.not_finite = scene.vertices.size() - parts.entries.size();
+  weld.not_finite = scene.vertices.size() - parts.begin.back();
   std::vector<std::size_t> repeated(kParts, 0);
   parallel_for(kParts, [&](std::size_t p) {
-    const std::span entries(parts.entries);
-    repeated[p] = weld_part(scene, entries.subspan(parts.begin[p], parts.begin[p + 1] - parts.begin[p]), weld.first);
+    const std::span<const Entry> entries(parts.entries.data() + parts.begin[p], parts.entries.data() + parts.begin[p + 1]);
+    repeated[p] = weld_part(scene, entries, weld.first);
   });
   weld.repeated = std::accumulate(repeated.begin(), repeated.end(), std::size_t{0});
   return weld;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/large_vector.hpp"
 #include "base/no_index.hpp"
 #include "scene/model/precision.hpp"
 
@@ -43,6 +44,15 @@ std::uint32_t SceneBuilder::add_vertex(Point3 position) {
   const std::uint32_t index = checked_index(scene_.vertices.size(), name_);
   scene_.vertices.push_back(position);
   return index;
+}
+
+std::span<Point3> SceneBuilder::add_vertices(std::size_t n) {
+  const std::size_t first = scene_.vertices.size();
+  checked_index(first + n, name_);
+  scene_.vertices.reserve(first + n);
+  prefault(scene_.vertices.data() + first, n * sizeof(Point3));
+  scene_.vertices.resize(first + n);
+  return std::span(scene_.vertices).subspan(first);
 }
 
 std::uint32_t SceneBuilder::add_face(std::span<const std::uint32_t> outer) {

@@ -27,6 +27,8 @@ class SceneBuilder {
   void end_object(double precision, bool is_stated = false);
   /// Adds a vertex and returns its index in the scene. Throws InputError if indices can not hold it.
   std::uint32_t add_vertex(Point3 position);
+  /// Adds n vertices for the caller to fill, and returns them.
+  std::span<Point3> add_vertices(std::size_t n);
   /// Adds a face to the object; corners are indices in the scene. Returns the index of the face.
   std::uint32_t add_face(std::span<const std::uint32_t> outer);
   /// Adds triangles to the object, three corners each.

@@ -8,8 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <utility>
 
+#include "base/large_vector.hpp"
+#include "base/parallel.hpp"
 #include "scene/model/precision.hpp"
 #include "scene/readers/load_bytes.hpp"
 #include "scene/readers/scene_builder.hpp"
@@ -154,26 +158,34 @@ Scene read_stl_binary(std::span<const std::byte> bytes, const std::string& name,
   if (extra > 0) warnings.leave_out("bytes behind the triangles", extra);
   SceneBuilder builder(name, report);
   builder.begin_object("");
-  builder.scene().vertices.reserve(3 * n);
-  double largest = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::byte* p = bytes.data() + kPreambleBytes + kTriangleBytes * i + kNormalBytes;
-    std::array<std::uint32_t, 3> corners{};
-    for (std::uint32_t& corner : corners) {
-      Point3 position;
-      for (int k = 0; k < 3; ++k, p += sizeof(float)) {
-        position[k] = load_bytes<float>(p, std::endian::little);
-        if (!std::isfinite(position[k])) {
-          throw InputError(name,
-                           "triangle " + std::to_string(i) + " of " + std::to_string(n) + ": a coordinate is not finite");
+  const std::span<Point3> vertices = builder.add_vertices(3 * n);
+  std::vector<std::uint32_t> corners = large_vector<std::uint32_t>(3 * n);
+  struct Found {
+    double largest = 0;
+    std::size_t not_finite = std::numeric_limits<std::size_t>::max();  ///< the first such triangle
+    Found operator+(const Found& o) const { return {std::max(largest, o.largest), std::min(not_finite, o.not_finite)}; }
+  };
+  const Found found = parallel_reduce(n, kShortWorkBlock, Found{}, [&](std::size_t begin, std::size_t end) {
+    Found of_block;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::byte* p = bytes.data() + kPreambleBytes + kTriangleBytes * i + kNormalBytes;
+      for (std::size_t corner = 3 * i; corner < 3 * i + 3; ++corner) {
+        corners[corner] = static_cast<std::uint32_t>(corner);
+        for (int k = 0; k < 3; ++k, p += sizeof(float)) {
+          const double value = vertices[corner][k] = load_bytes<float>(p, std::endian::little);
+          if (!std::isfinite(value)) of_block.not_finite = std::min(of_block.not_finite, i);
+          of_block.largest = std::max(of_block.largest, std::abs(value));
         }
-        largest = std::max(largest, std::abs(position[k]));
       }
-      corner = builder.add_vertex(position);
     }
-    builder.add_face(corners);
+    return of_block;
+  });
+  if (found.not_finite < n) {
+    throw InputError(
+        name, "triangle " + std::to_string(found.not_finite) + " of " + std::to_string(n) + ": a coordinate is not finite");
   }
-  builder.end_object(half_ulp_float32(largest));
+  builder.add_triangles(std::move(corners));
+  builder.end_object(half_ulp_float32(found.largest));
   report.vertices += 3 * n;
   return builder.finish(Axis::z, warnings.left_out());
 }
