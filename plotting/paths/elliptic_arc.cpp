@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -93,6 +92,12 @@ double EllipseFrame::distance(Point2 unit) const {
 
 double angle_of(Point2 unit) { return std::atan2(unit.y, unit.x); }
 
+double nearest_angle(const Ellipse& ellipse, Point2 p) {
+  const double t = angle_of(EllipseFrame(ellipse).to_unit(p));
+  const Point2 tangent = tangent_at(ellipse, t);
+  return t + glm::dot(p - point_at(ellipse, t), tangent) / glm::dot(tangent, tangent);
+}
+
 bool fit_circle(std::span<const Point2> points, Ellipse& circle) {
   const Point2 mean = mean_of(points);
   const auto n = static_cast<double>(points.size());
@@ -167,28 +172,6 @@ bool fit_ellipse(std::span<const Point2> points, Ellipse& ellipse) {
   const glm::dmat2 inverse{1 / l00, -l10 / (l00 * l11), 0, 1 / l11};
   return ellipse_of(mean + Point2{l00 * centre.x, l10 * centre.x + l11 * centre.y},
                     glm::transpose(inverse) * (q / constant) * inverse, ellipse);
-}
-
-EllipticArc arc_between(Point2 from, Point2 to, const Ellipse& size, bool positive) {
-  EllipticArc arc{size, 0, 0};
-  Ellipse& ellipse = arc.ellipse;
-  ellipse.centre = (from + to) / 2.0;
-  // In the frame of the unit circle the centre lies on the bisector of the chord, to its left or right.
-  const EllipseFrame frame(ellipse);
-  Point2 half = (frame.to_unit(to) - frame.to_unit(from)) / 2.0;
-  const double h = glm::length(half);
-  if (h > 1) {
-    ellipse.radii *= h;
-    half /= h;
-  }
-  const double away = std::sqrt(std::max(0.0, 1 - h * h)) / std::max(h, std::numeric_limits<double>::min());
-  const Point2 bisector = positive ? Point2{-half.y, half.x} : Point2{half.y, -half.x};
-  ellipse.centre += turned(bisector * away * ellipse.radii, direction(ellipse.rotation));
-  const EllipseFrame found(ellipse);
-  arc.from = angle_of(found.to_unit(from));
-  arc.sweep = std::remainder(angle_of(found.to_unit(to)) - arc.from, 2 * std::numbers::pi);
-  if (positive ? arc.sweep < 0 : arc.sweep > 0) arc.sweep += positive ? 2 * std::numbers::pi : -2 * std::numbers::pi;
-  return arc;
 }
 
 std::vector<Point2> bezier_points(const EllipticArc& arc, double tolerance) {

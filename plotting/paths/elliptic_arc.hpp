@@ -41,6 +41,10 @@ class EllipseFrame {
 /// Eccentric angle of the point where the ray from the centre through a point of the frame meets the ellipse.
 double angle_of(Point2 unit);
 
+/// Eccentric angle of the point of the ellipse that is nearest to `p`, to first order in its distance, within half a turn of
+/// angle_of().
+double nearest_angle(const Ellipse& ellipse, Point2 p);
+
 /// The part of an ellipse from the eccentric angle `from` over `sweep`, in radians, positive from x towards y.
 struct EllipticArc {
   Ellipse ellipse;
@@ -54,10 +58,6 @@ struct EllipticArc {
 /// 4ac - b^2 = 1 only by a factor, so the result is the same, and slender or short arcs lose no digits.
 bool fit_circle(std::span<const Point2> points, Ellipse& circle);
 bool fit_ellipse(std::span<const Point2> points, Ellipse& ellipse);
-
-/// The shorter arc of an ellipse of this size and direction that begins and ends at exactly these points, as in SVG's
-/// command A. An ellipse that does not reach both points is enlarged. `positive`: the arc turns from x towards y.
-EllipticArc arc_between(Point2 from, Point2 to, const Ellipse& size, bool positive);
 
 /// Cubic Bezier curves within `tolerance` of the arc: three points for each, after the start of the arc.
 std::vector<Point2> bezier_points(const EllipticArc& arc, double tolerance);

@@ -23,7 +23,6 @@
 
 #include "base/parallel.hpp"
 #include "plotting/paths/simplify.hpp"
-#include "plotting/writers/number_text.hpp"
 
 namespace ligne {
 namespace {
@@ -59,10 +58,6 @@ constexpr double kLeastRadius = 4;
 /// written as straight lines.
 constexpr double kLargestRadiusMm = 100'000;
 
-/// Sweep of a written arc, radians: about three arcs to a turn. A reader derives the centre from the two ends, and near
-/// half a turn any rounding of the radii would move it far.
-constexpr double kPartSweep = 2 * std::numbers::pi / 3 + 0.01;
-
 /// Largest sum of sweeps, radians: a whole turn and its rounding.
 constexpr double kWholeTurn = 2 * std::numbers::pi + 1e-3;
 
@@ -71,41 +66,39 @@ constexpr double kWholeTurn = 2 * std::numbers::pi + 1e-3;
 constexpr double kStraightTurn = std::numbers::pi / 180;
 constexpr double kShort = 10;
 
-double rounded(double value) {
-  const auto units = static_cast<double>(power_of_ten(kArcDecimals));
-  return std::round(value * units) / units;
-}
-
 /// The limits of a round.
 struct Round {
   double tolerance;
   std::size_t least;      ///< fewest corners of a run
-  bool is_known = false;  ///< the ellipse is not fitted to the corners
+  bool is_known = false;  ///< tries known ellipses instead of fitting one to the corners
 };
 
-/// The pieces of one run of corners that lies on an ellipse: where each ends, and its arc.
-using Arcs = std::vector<std::pair<std::size_t, EllipticArc>>;
+/// An arc, and the corner at which it ends.
+struct ArcTo {
+  std::size_t last = 0;  ///< 0: there is no arc
+  EllipticArc arc{};
+};
 
 class CurveFit {
  public:
   CurveFit(std::vector<Point2> corners, const CurveLimits& limits)
-      : corners_(std::move(corners)), limits_(limits), arc_to_(corners_.size()) {}
+      : corners_(std::move(corners)), limits_(limits), arcs_(corners_.size()) {}
 
   CurvedPath run() {
     const double rounding = std::min(kRoundingMm, limits_.tolerance_mm);
     find_arcs({rounding, kMany});
     find_arcs({limits_.tolerance_mm, kLeastWithin});
     find_arcs({rounding, kFew});
-    if (limits_.known) find_known_arcs();
+    if (limits_.known) find_arcs({limits_.tolerance_mm, kLeastOnKnown, true});
     CurvedPath path{corners_.front()};
     std::size_t free = 0;  // the corner up to which no arc begins
     for (std::size_t i = 0; i + 1 < corners_.size();) {
-      if (arc_to_[i].first > i) {
-        path.pieces.push_back({corners_[arc_to_[i].first], arc_to_[i].second});
-        i = arc_to_[i].first;
+      if (arcs_[i].last > i) {
+        path.pieces.push_back({corners_[arcs_[i].last], arcs_[i].arc});
+        i = arcs_[i].last;
       } else {
         free = std::max(free, i + 1);
-        while (free + 1 < corners_.size() && arc_to_[free].first == 0) ++free;
+        while (free + 1 < corners_.size() && arcs_[free].last == 0) ++free;
         i = longest(i, free, 2, [&](std::size_t last) { return straight(i, last); });
         path.pieces.push_back({corners_[i]});
       }
@@ -113,8 +106,8 @@ class CurveFit {
     return path;
   }
 
-  /// The last corner of the run of arcs with which the line begins; 0 if it begins straight. Valid after run().
-  std::size_t first_run_end() const { return first_end_; }
+  /// The last corner of the arc with which the line begins; 0 if it begins straight. Valid after run().
+  std::size_t first_arc_end() const { return arcs_.front().last; }
 
  private:
   /// Finds the longest accepted run of at least `least` corners from `first` to at most `end`. Returns its last corner,
@@ -145,144 +138,83 @@ class CurveFit {
   void find_arcs(const Round& round) {
     std::size_t end = 0;  // the corners up to here turn one way, and none is inside an arc
     for (std::size_t i = 0; i + 1 < corners_.size();) {
-      if (arc_to_[i].first > i) {
-        i = arc_to_[i].first;
+      if (arcs_[i].last > i) {
+        i = arcs_[i].last;
         continue;
       }
       const bool new_chain = end < i + 2;
       if (new_chain) {
         end = i + 1;
         const int way = end + 1 < corners_.size() ? turn(end) : 0;
-        while (end + 1 < corners_.size() && arc_to_[end].first == 0 && way != 0 && turn(end) == way) ++end;
+        while (end + 1 < corners_.size() && arcs_[end].last == 0 && way != 0 && turn(end) == way) ++end;
       }
-      Arcs arcs, best;
-      double tolerance = round.tolerance;
-      const auto fits = [&](std::size_t to) {
-        if (!on_ellipse(i, to, {tolerance, round.least}, arcs)) return false;
-        best = arcs;
-        return true;
-      };
-      // The whole chain is tried first: noise bends a short arc more than a whole circle.
-      const bool whole = new_chain && end + 1 >= i + round.least && fits(end);
-      std::size_t last = whole ? end : longest(i, end, round.least, fits);
-      if (last == i) {
-        ++i;
-        continue;
-      }
-      // Where rounding is worse than usual, the arc is extended to corners within the tolerance.
-      tolerance = limits_.tolerance_mm;
-      last = std::max(last, longest(i, end, last - i + 1 + kBeyond, fits));
-      if (i == 0) first_end_ = last;
-      for (const auto& [to, arc] : best) {
-        arc_to_[i] = {to, arc};
-        i = to;
-      }
+      const ArcTo found = round.is_known ? longest_known(i, end, round) : longest_fitted(i, end, new_chain, round);
+      if (found.last > i) arcs_[i] = found;
+      i = std::max(found.last, i + 1);
     }
   }
 
-  /// Takes the longest arc of a known ellipse from each corner on.
-  void find_known_arcs() {
-    const Round round{limits_.tolerance_mm, kLeastOnKnown, true};
-    for (std::size_t i = 0; i + 1 < corners_.size();) {
-      if (arc_to_[i].first > i) {
-        i = arc_to_[i].first;
-        continue;
-      }
-      std::size_t last = i;
-      Arcs best;
-      for (const std::uint32_t number : limits_.known->near(corners_[i])) {
-        const auto is_on = [&](std::size_t k) { return limits_.known->is_on(number, corners_[k], round.tolerance); };
-        std::size_t end = i;  // the last corner of the run on this ellipse
-        if (!is_on(i)) continue;
-        while (end + 1 < corners_.size() && arc_to_[end].first == 0 && is_on(end + 1)) ++end;
-        if (end <= last) continue;
-        Arcs arcs, longest_arcs;
-        const auto fits = [&](std::size_t to) {
-          if (!accepted(i, to, (*limits_.known)[number], round, arcs)) return false;
-          longest_arcs = arcs;
-          return true;
-        };
-        const std::size_t to = longest(i, end, kLeastOnKnown, fits);
-        if (to <= last) continue;
-        last = to;
-        best = std::move(longest_arcs);
-      }
-      if (i == 0) first_end_ = std::max(first_end_, last);
-      if (last == i) ++i;
-      for (const auto& [to, arc] : best) {
-        arc_to_[i] = {to, arc};
-        i = to;
-      }
+  /// The longest arc from the corner `first` to at most `end` that fits the corners.
+  ArcTo longest_fitted(std::size_t first, std::size_t end, bool new_chain, Round round) const {
+    ArcTo best;
+    const auto fits = [&](std::size_t to) {
+      const std::span<const Point2> run(corners_.data() + first, to - first + 1);
+      Ellipse ellipse;
+      std::optional<EllipticArc> arc;
+      if (fit_circle(run, ellipse)) arc = arc_on(ellipse, first, to, round);
+      if (!arc && fit_ellipse(run, ellipse)) arc = arc_on(ellipse, first, to, round);
+      if (arc) best = {to, *arc};
+      return arc.has_value();
+    };
+    // The whole chain is tried first: noise bends a short arc more than a whole circle.
+    const bool whole = new_chain && end + 1 >= first + round.least && fits(end);
+    if (!whole && longest(first, end, round.least, fits) == first) return {};
+    // Where rounding is worse than usual, the arc is extended to corners within the tolerance.
+    round.tolerance = limits_.tolerance_mm;
+    longest(first, end, best.last - first + 1 + kBeyond, fits);
+    return best;
+  }
+
+  /// The longest arc of a known ellipse from the corner `first` to at most `end`.
+  ArcTo longest_known(std::size_t first, std::size_t end, const Round& round) const {
+    ArcTo best;
+    for (const std::uint32_t number : limits_.known->near(corners_[first])) {
+      longest(first, end, round.least, [&](std::size_t to) {
+        const auto arc = arc_on((*limits_.known)[number], first, to, round);
+        if (arc && to > best.last) best = {to, *arc};
+        return arc.has_value();
+      });
     }
+    return best;
   }
 
-  bool on_ellipse(std::size_t first, std::size_t last, const Round& round, Arcs& arcs) const {
-    const std::span<const Point2> run(corners_.data() + first, last - first + 1);
-    Ellipse ellipse;
-    return (fit_circle(run, ellipse) && accepted(first, last, ellipse, round, arcs)) ||
-           (fit_ellipse(run, ellipse) && accepted(first, last, ellipse, round, arcs));
-  }
-
-  bool accepted(std::size_t first, std::size_t last, const Ellipse& ellipse, const Round& round, Arcs& arcs) const {
-    if (ellipse.radii.y < kLeastRadius * round.tolerance || ellipse.radii.x > kLargestRadiusMm) return false;
-    const bool positive = turn(first + 1) > 0;
+  /// The arc of the ellipse that runs along the corners from `first` to `last`, if it keeps the limits.
+  std::optional<EllipticArc> arc_on(const Ellipse& ellipse, std::size_t first, std::size_t last, const Round& round) const {
+    if (ellipse.radii.y < kLeastRadius * round.tolerance || ellipse.radii.x > kLargestRadiusMm) return {};
+    const bool positive = turn(first + 1) > 0, may_be_uneven = round.is_known || last - first + 1 >= kMany;
     const EllipseFrame frame(ellipse);
-    std::vector<double> swept(1, 0.0);
     Point2 unit = frame.to_unit(corners_[first]);
+    EllipticArc arc{ellipse, nearest_angle(ellipse, corners_[first]), 0};
+    arc.sweep = angle_of(unit) - arc.from;
+    double before = 0;  // size of the last step
     for (std::size_t i = first; i <= last; ++i) {
-      if (frame.distance(unit) > round.tolerance) return false;
+      if (frame.distance(unit) > round.tolerance) return {};
       if (i == last) break;
-      const Point2 next = frame.to_unit(corners_[i + 1]);
-      const double from = angle_of(unit);
-      const double step = std::remainder(angle_of(next) - from, 2 * std::numbers::pi);
-      if ((step > 0) != positive || std::abs(step) > kMostStep) return false;
-      const Point2 chord = corners_[i + 1] - corners_[i];
-      Point2 tangent = frame.tangent_at(from + step / 2);
-      if (!positive) tangent = -tangent;
-      if (std::abs(cross(tangent, chord)) > std::tan(kMostTurn) * glm::dot(tangent, chord)) return false;
+      const Point2 next = frame.to_unit(corners_[i + 1]), chord = corners_[i + 1] - corners_[i];
+      const double from = angle_of(unit), step = std::remainder(angle_of(next) - from, 2 * std::numbers::pi);
+      const double size = std::abs(step);
+      if ((step > 0) != positive || size > kMostStep) return {};
+      const Point2 tangent = (positive ? 1.0 : -1.0) * frame.tangent_at(from + step / 2);
+      if (std::abs(cross(tangent, chord)) > std::tan(kMostTurn) * glm::dot(tangent, chord)) return {};
       // The longer radius is used at every step, so that an ellipse becomes an arc as a whole or not at all.
-      if (ellipse.radii.x * (1 - std::cos(step / 2)) > limits_.most_rise_mm) return false;
-      swept.push_back(swept.back() + std::abs(step));
+      if (ellipse.radii.x * (1 - std::cos(step / 2)) > limits_.most_rise_mm) return {};
+      if (!may_be_uneven && i > first && std::max(before, size) > kUneven * std::min(before, size)) return {};
+      arc.sweep += step;
+      before = size;
       unit = next;
     }
-    return swept.back() <= kWholeTurn && (swept.size() >= kMany || round.is_known || even(swept)) &&
-           parts(first, swept, ellipse, positive, arcs);
-  }
-
-  static bool even(const std::vector<double>& swept) {
-    for (std::size_t i = 2; i < swept.size(); ++i) {
-      const double before = swept[i - 1] - swept[i - 2], after = swept[i] - swept[i - 1];
-      if (std::max(before, after) > kUneven * std::min(before, after)) return false;
-    }
-    return true;
-  }
-
-  /// Cuts a run into arcs with the roundings of a file, and tests the corners again: the centre of a slender arc moves
-  /// with its ends.
-  bool parts(std::size_t first, const std::vector<double>& swept, const Ellipse& ellipse, bool positive, Arcs& arcs) const {
-    Ellipse size = ellipse;
-    size.radii = {rounded(size.radii.x), rounded(size.radii.y)};
-    size.rotation = rounded(size.rotation * 180 / std::numbers::pi) * std::numbers::pi / 180;
-    arcs.clear();
-    const double count = std::ceil(swept.back() / kPartSweep);
-    std::size_t from = 0;
-    for (double part = 1; part <= count; ++part) {
-      const double goal = swept.back() * part / count;
-      std::size_t to = from + 1;
-      while (to + 1 < swept.size() && goal - swept[to] > swept[to + 1] - goal) ++to;
-      if (part == count) to = swept.size() - 1;
-      if (to <= from) return false;
-      const EllipticArc arc = arc_between(corners_[first + from], corners_[first + to], size, positive);
-      const EllipseFrame frame(arc.ellipse);
-      for (std::size_t i = from + 1; i < to; ++i) {
-        if (frame.distance(frame.to_unit(corners_[first + i])) > limits_.tolerance_mm) return false;
-      }
-      // This is not the fitted arc: it was enlarged, or is the rest of the ellipse.
-      if (std::abs(std::abs(arc.sweep) - (swept[to] - swept[from])) > kMostStep) return false;
-      arcs.emplace_back(first + to, arc);
-      from = to;
-    }
-    return true;
+    arc.sweep += nearest_angle(ellipse, corners_[last]) - angle_of(unit);
+    return std::abs(arc.sweep) <= kWholeTurn ? std::optional(arc) : std::nullopt;
   }
 
   bool straight(std::size_t first, std::size_t last) const {
@@ -305,9 +237,7 @@ class CurveFit {
 
   std::vector<Point2> corners_;
   CurveLimits limits_;
-  std::size_t first_end_ = 0;
-  std::vector<std::pair<std::size_t, EllipticArc>> arc_to_;  ///< per corner: last corner of the arc that begins there,
-                                                             ///< 0 for none
+  std::vector<ArcTo> arcs_;  ///< by the corner at which they begin
 };
 
 /// Rotates a closed line so that it begins at `corner`.
@@ -355,7 +285,7 @@ CurvedPath fit_curves(std::span<const Point2> line, const CurveLimits& limits) {
   CurvedPath path = fit.run();
   if (closed && path.pieces.front().arc && path.pieces.back().arc) {
     // The line may begin inside an arc. The end of its first arc is inside none, unless the whole line is one arc.
-    begin_at(corners, fit.first_run_end() % (corners.size() - 1));
+    begin_at(corners, fit.first_arc_end() % (corners.size() - 1));
     CurvedPath other = CurveFit(std::move(corners), limits).run();
     if (other.pieces.size() < path.pieces.size()) path = std::move(other);
   }

@@ -25,10 +25,10 @@ struct CurveLimits {
   const KnownEllipses* known = nullptr;  ///< ellipses on which lines are known to lie; null: none
 };
 
-/// One straight line, or one arc of less than half a turn.
+/// One straight line, or one arc of at most a whole turn.
 struct PathPiece {
   Point2 to;
-  std::optional<EllipticArc> arc{};
+  std::optional<EllipticArc> arc{};  ///< its ends lie within the tolerance of those of the piece
 };
 
 /// A path of pieces, each from the end of the one before.
@@ -38,12 +38,9 @@ struct CurvedPath {
   bool closed = false;  ///< the last piece ends at the start
 };
 
-/// The line as straight pieces and arcs that begin and end exactly at its corners. A closed line begins where that
-/// saves pieces, unless `start_stays`. Sizes and directions of the arcs are rounded to kArcDecimals decimals (mm and
-/// degrees), so that a file with these decimals holds exactly the arcs that were checked. Rules: docs/curves.md. Time
-/// O(n log n).
+/// The line as straight pieces and arcs from corner to corner. A closed line begins where that saves pieces, unless
+/// `start_stays`. Rules: docs/curves.md. Time O(n log n).
 CurvedPath fit_curves(std::span<const Point2> line, const CurveLimits& limits);
-inline constexpr int kArcDecimals = 4;
 
 /// Whether the lines of the layer may become arcs: letters, hatching and debug lines may not.
 bool may_be_curved(const Layer& layer);

@@ -3,38 +3,33 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "geometry/point.hpp"
+#include "geometry/lattice.hpp"
+#include "linework/map/line_cells.hpp"
 #include "plotting/paths/elliptic_arc.hpp"
 
 namespace ligne {
 
-/// Ellipses, by the squares of the page through which they run.
+/// Finds ellipses near points of the page.
 class KnownEllipses {
  public:
-  /// Ellipses outside the page are left out.
+  /// Ellipses outside the page are never found.
   KnownEllipses(std::vector<Ellipse> ellipses, const Rect& page);
 
   std::size_t size() const { return ellipses_.size(); }
   const Ellipse& operator[](std::size_t i) const { return ellipses_[i]; }
-  /// Whether a point lies within `tolerance` of an ellipse.
-  bool is_on(std::size_t i, Point2 p, double tolerance) const;
-  /// The ellipses that may run within kNearMm of a point.
-  std::span<const std::uint32_t> near(Point2 p) const;
+  /// The ellipses within kNearMm of a point of the page, and some that are farther away, ascending.
+  std::vector<std::uint32_t> near(Point2 p) const;
   static constexpr double kNearMm = 0.01;
 
  private:
-  template <class Visit>
-  void for_boxes(std::size_t i, const Visit& visit) const;
-  std::size_t square_of(Point2 p) const;
+  void file(std::uint32_t i, const Rect& page);
 
-  Rect page_;
-  double squares_per_mm_;
   std::vector<Ellipse> ellipses_;
-  std::vector<EllipseFrame> frames_;              ///< of the ellipses
-  std::vector<std::uint32_t> begin_, in_square_;  ///< square i: in_square_[begin_[i], begin_[i + 1])
+  Lattice lattice_;
+  LineCells cells_;     ///< of chords of the ellipses
+  double rise_mm_ = 0;  ///< largest distance of an ellipse from its chords
 };
 
 }  // namespace ligne

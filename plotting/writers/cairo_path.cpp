@@ -34,7 +34,8 @@ void add_curves(cairo_t* cairo, const Polylines& lines, const PathForm& form) {
     for (std::size_t i = 0; i < path.pieces.size(); ++i) {
       const PathPiece& piece = path.pieces[i];
       if (piece.arc) {
-        const std::vector<Point2> points = bezier_points(*piece.arc, kBezierPart * form.curves->tolerance_mm);
+        std::vector<Point2> points = bezier_points(*piece.arc, kBezierPart * form.curves->tolerance_mm);
+        points.back() = piece.to;
         for (std::size_t k = 0; k + 2 < points.size(); k += 3) {
           const Point2 a = at(points[k]), b = at(points[k + 1]), c = at(points[k + 2]);
           cairo_curve_to(cairo, a.x, a.y, b.x, b.y, c.x, c.y);
