@@ -12,39 +12,37 @@ namespace {
 
 constexpr double kTolerance = 3;
 
-std::vector<StrokePair> by_all_pairs(const ComparedStrokes& compared) {
+std::vector<StrokePair> by_all_pairs(const std::vector<Stroke>& strokes) {
   std::vector<StrokePair> pairs;
-  for (std::uint32_t i = 0; i < compared.strokes.size(); ++i)
-    for (std::uint32_t k = i + 1; k < compared.strokes.size(); ++k) {
-      const Stroke &a = compared.strokes[i], &b = compared.strokes[k];
-      if (compared.is_gone[i] || compared.is_gone[k]) continue;
+  for (std::uint32_t i = 0; i < strokes.size(); ++i)
+    for (std::uint32_t k = 0; k < i; ++k) {
+      const Stroke &a = strokes[i], &b = strokes[k];
       if (!a.needs_overlap_check && !b.needs_overlap_check) continue;
       if (overlap(a.from, a.to, b.from, b.to, kTolerance)) pairs.push_back({i, k});
     }
   return pairs;
 }
 
-/// The first two thirds are searched, then half of the rest is added twice.
-void expect_found(const std::vector<Stroke>& strokes, std::uint32_t seed) {
-  std::vector<Stroke> first;
-  for (const Stroke& s : strokes)
-    if (page_length(s) > kTolerance && first.size() < 2 * strokes.size() / 3) first.push_back(s);
-  ComparedStrokes compared(first);
-  OverlapSearch search(compared, kTolerance);
-  std::vector<StrokePair> found = search.new_pairs();
-  for (const std::size_t from : {2 * strokes.size() / 3, 5 * strokes.size() / 6}) {
-    CutStroke cut{static_cast<std::uint32_t>(from % first.size())};
-    for (std::size_t i = from; i < from + strokes.size() / 6; ++i)
-      if (page_length(strokes[i]) > kTolerance) cut.rests.push_back(strokes[i]);
-    compared.replace(std::span(&cut, 1));
-    const std::vector<StrokePair> more = search.new_pairs();
-    found.insert(found.end(), more.begin(), more.end());
+/// Every stroke is new, or one in `every` if that is given.
+ComparedStrokes compared(const std::vector<Stroke>& strokes, std::size_t every = 1) {
+  ComparedStrokes all;
+  for (const Stroke& s : strokes) {
+    if (page_length(s) <= kTolerance) continue;
+    all.is_new.push_back(all.strokes.size() % every == 0);
+    all.strokes.push_back(s);
   }
-  std::erase_if(found, [&](const StrokePair& p) { return compared.is_gone[p.first] || compared.is_gone[p.second]; });
-  std::sort(found.begin(), found.end());
-  const std::vector<StrokePair> expected = by_all_pairs(compared);
-  EXPECT_EQ(found.size(), expected.size()) << "seed " << seed;
-  EXPECT_TRUE(found == expected) << "seed " << seed;
+  return all;
+}
+
+void expect_found(const std::vector<Stroke>& strokes, std::uint32_t seed) {
+  for (const std::size_t every : {1, 3, 40}) {
+    const ComparedStrokes all = compared(strokes, every);
+    const std::vector<StrokePair> found = find_new_overlaps(all, kTolerance);
+    std::vector<StrokePair> expected = by_all_pairs(all.strokes);
+    std::erase_if(expected, [&](const StrokePair& p) { return !all.is_new[p.later] && !all.is_new[p.earlier]; });
+    EXPECT_EQ(found.size(), expected.size()) << "seed " << seed << ", one in " << every;
+    EXPECT_TRUE(found == expected) << "seed " << seed << ", one in " << every;
+  }
 }
 
 class Dice {
@@ -160,9 +158,8 @@ TEST(OverlappingStrokes, OfNearlyOneDirectionAreFound) {
       strokes.push_back(stroke({-d.x, -d.y}, d));
       strokes.push_back(stroke({d.x / 2, d.y / 2}, {d.x / 3, d.y / 3 + 1}));
     }
-    ComparedStrokes compared(strokes);
-    EXPECT_TRUE(OverlapSearch(compared, kTolerance).new_pairs() == by_all_pairs(compared)) << turn;
-    EXPECT_GE(by_all_pairs(compared).size(), 4u) << turn;
+    EXPECT_TRUE(find_new_overlaps(compared(strokes), kTolerance) == by_all_pairs(strokes)) << turn;
+    EXPECT_GE(by_all_pairs(strokes).size(), 4u) << turn;
   }
 }
 

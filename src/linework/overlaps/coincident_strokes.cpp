@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/indices_where.hpp"
 #include "base/parallel.hpp"
 #include "linework/overlaps/crowded_lines.hpp"
 #include "linework/overlaps/overlap_search.hpp"
@@ -34,19 +35,26 @@ void sort_by_precedence(const std::vector<Stroke>& strokes, std::vector<std::uin
   for (std::size_t k = 0; k < of.size(); ++k) of[k] = order[k].stroke;
 }
 
-/// Returns, in order, the numbers of the strokes longer than the tolerance that need a check (Stroke::needs_overlap_check)
-/// or pass near one that does.
+/// Returns, ascending, the numbers of the strokes longer than the tolerance that need a check
+/// (Stroke::needs_overlap_check) or pass near one that does.
 std::vector<std::uint32_t> strokes_to_compare(const std::vector<Stroke>& strokes, double tolerance_steps) {
-  std::vector<std::uint32_t> flagged, chosen;
-  for (std::uint32_t i = 0; i < strokes.size(); ++i) {
-    if (strokes[i].needs_overlap_check && page_length(strokes[i]) > tolerance_steps) flagged.push_back(i);
-  }
+  const auto is_long = [&](std::uint32_t i) { return page_length(strokes[i]) > tolerance_steps; };
+  const std::vector<std::uint32_t> flagged =
+      indices_where(strokes.size(), [&](std::size_t i) { return strokes[i].needs_overlap_check && is_long(i); });
   if (flagged.empty()) return flagged;
-  const std::vector<std::uint8_t> is_near = strokes_near(strokes, flagged, tolerance_steps);
-  for (std::uint32_t i = 0; i < strokes.size(); ++i) {
-    if (is_near[i] && page_length(strokes[i]) > tolerance_steps) chosen.push_back(i);
-  }
+  std::vector<std::uint32_t> chosen = strokes_near(strokes, flagged, tolerance_steps);
+  std::erase_if(chosen, [&](std::uint32_t i) { return !is_long(i); });
   return chosen;
+}
+
+/// Cuts strokes until no two overlap. Rests may overlap strokes that their wholes did not, where a wedge has become short
+/// enough.
+void resolve_overlaps(ComparedStrokes& compared, const OverlapTolerance& tolerance) {
+  for (;;) {
+    const std::vector<StrokePair> pairs = find_new_overlaps(compared, tolerance.steps);
+    if (pairs.empty()) return;
+    compared.replace(resolve_pairs(compared.strokes, pairs, tolerance));
+  }
 }
 
 }  // namespace
@@ -67,18 +75,13 @@ void remove_coincident_strokes(StrokeModel& model, double tolerance_mm) {
     }
   }
   sort_by_precedence(strokes, order, tolerance_mm);
-  std::vector<Stroke> in_order(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) in_order[k] = strokes[order[k]];
-
-  ComparedStrokes compared(std::move(in_order));
-  thin_crowded_lines(compared, tolerance);
-  OverlapSearch search(compared, tolerance.steps);
-  for (;;) {
-    const std::vector<StrokePair> pairs = search.new_pairs();
-    if (pairs.empty()) break;
-    resolve_pairs(compared, pairs, tolerance);
-  }
-  compared.append_remaining(others);
+  ComparedStrokes compared;
+  compared.strokes.reserve(order.size());
+  for (const std::uint32_t i : order) compared.strokes.push_back(strokes[i]);
+  compared.replace(thin_crowded_lines(compared.strokes, tolerance));
+  compared.is_new.assign(compared.strokes.size(), 1);
+  resolve_overlaps(compared, tolerance);
+  others.insert(others.end(), compared.strokes.begin(), compared.strokes.end());
   strokes = std::move(others);
 }
 

@@ -1,8 +1,6 @@
 #include "linework/overlaps/compared_strokes.hpp"
 
 #include <algorithm>
-#include <iterator>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -10,12 +8,12 @@
 
 namespace ligne {
 
-void append_rests(const Stroke& stroke, std::vector<CoveredPart>& covered, double tolerance_steps,
-                  std::vector<Stroke>& rests) {
+std::vector<Stroke> rests_of(const Stroke& stroke, std::vector<CoveredPart>& covered, double tolerance_steps) {
   std::sort(covered.begin(), covered.end(), [](const CoveredPart& l, const CoveredPart& r) {
     return std::tie(l.from.fraction, l.to.fraction) < std::tie(r.from.fraction, r.to.fraction);
   });
   const double stroke_length = page_length(stroke);
+  std::vector<Stroke> rests;
   StrokeCut from{0, stroke.from};
   const auto add_rest_to = [&](const StrokeCut& to) {
     if ((to.fraction - from.fraction) * stroke_length <= tolerance_steps) return;
@@ -27,34 +25,27 @@ void append_rests(const Stroke& stroke, std::vector<CoveredPart>& covered, doubl
     if (part.to.fraction > from.fraction) from = part.to;
   }
   add_rest_to({1, stroke.to});
-}
-
-ComparedStrokes::ComparedStrokes(std::vector<Stroke> in_order)
-    : strokes(std::move(in_order)), place(strokes.size()), is_gone(strokes.size(), 0) {
-  std::iota(place.begin(), place.end(), 0u);
+  return rests;
 }
 
 void ComparedStrokes::replace(std::span<const CutStroke> cut) {
-  for (const auto& [number, rests] : cut) {
-    const Stroke whole = strokes[number];
-    if (rests.size() == 1 && rests[0].from == whole.from && rests[0].to == whole.to) continue;
-    is_gone[number] = 1;
-    strokes.insert(strokes.end(), rests.begin(), rests.end());
-    place.insert(place.end(), rests.size(), place[number]);
-    is_gone.insert(is_gone.end(), rests.size(), 0);
-  }
-}
-
-void ComparedStrokes::append_remaining(std::vector<Stroke>& result) const {
-  const auto before = [&](std::uint32_t a, std::uint32_t b) { return comes_before(a, b); };
-  std::vector<std::uint32_t> whole, rests, all;
+  ComparedStrokes changed;
+  changed.strokes.reserve(strokes.size() + cut.size());
+  changed.is_new.reserve(strokes.size() + cut.size());
+  auto next = cut.begin();
   for (std::uint32_t i = 0; i < strokes.size(); ++i) {
-    if (!is_gone[i]) (place[i] == i ? whole : rests).push_back(i);
+    const Stroke& whole = strokes[i];
+    if (next == cut.end() || next->number != i) {
+      changed.strokes.push_back(whole);
+      changed.is_new.push_back(0);
+      continue;
+    }
+    const std::vector<Stroke>& rests = (next++)->rests;
+    const bool is_whole = rests.size() == 1 && rests[0].from == whole.from && rests[0].to == whole.to;
+    changed.strokes.insert(changed.strokes.end(), rests.begin(), rests.end());
+    changed.is_new.insert(changed.is_new.end(), rests.size(), !is_whole);
   }
-  std::sort(rests.begin(), rests.end(), before);
-  all.reserve(whole.size() + rests.size());
-  std::merge(whole.begin(), whole.end(), rests.begin(), rests.end(), std::back_inserter(all), before);
-  for (const std::uint32_t i : all) result.push_back(strokes[i]);
+  *this = std::move(changed);
 }
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Strokes while overlaps are resolved: covered parts are cut away, and rests are added.
+/// Strokes of which parts are covered by others.
 
 #include <cstdint>
 #include <span>
@@ -20,10 +20,9 @@ struct CoveredPart {
   StrokeCut from, to;
 };
 
-/// Appends to `rests` what the covered parts leave of the stroke, in order along it. Rests up to the tolerance vanish.
-/// Sorts the covered parts.
-void append_rests(const Stroke& stroke, std::vector<CoveredPart>& covered, double tolerance_steps,
-                  std::vector<Stroke>& rests);
+/// Returns what the covered parts leave of the stroke, in order along it. Rests up to the tolerance vanish. Sorts the
+/// covered parts.
+std::vector<Stroke> rests_of(const Stroke& stroke, std::vector<CoveredPart>& covered, double tolerance_steps);
 
 /// A stroke, by its number, and what stays of it: parts of it, or all of it.
 struct CutStroke {
@@ -31,24 +30,13 @@ struct CutStroke {
   std::vector<Stroke> rests{};
 };
 
-/// The strokes that are compared, in the order of precedence, followed by the rests of those that were cut. Numbers of
-/// strokes do not change.
+/// Strokes by falling precedence, while overlaps are resolved.
 struct ComparedStrokes {
   std::vector<Stroke> strokes;
-  std::vector<std::uint32_t> place;   ///< by stroke: in the order of precedence; a rest has the place of its stroke
-  std::vector<std::uint8_t> is_gone;  ///< by stroke: whether its rests stand for it
+  std::vector<std::uint8_t> is_new;  ///< by stroke: whether it was not yet compared with the others
 
-  /// `in_order` is sorted by precedence.
-  explicit ComparedStrokes(std::vector<Stroke> in_order);
-
-  /// The order in which strokes are decided: by place, then along the stroke.
-  bool comes_before(std::uint32_t a, std::uint32_t b) const {
-    return place[a] != place[b] ? place[a] < place[b] : strokes[a].t_from < strokes[b].t_from;
-  }
-  /// Adds the rests of strokes that have changed.
+  /// Puts rests in the place of their strokes. Then only the rests of strokes that were cut are new. `cut` is ascending.
   void replace(std::span<const CutStroke> cut);
-  /// Appends what stays, in the order of comes_before().
-  void append_remaining(std::vector<Stroke>& result) const;
 };
 
 }  // namespace ligne

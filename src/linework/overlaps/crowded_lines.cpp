@@ -8,19 +8,15 @@
 #include "linework/overlaps/crowded_lines.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <compare>
 #include <iterator>
 #include <map>
 #include <span>
-#include <tuple>
 #include <utility>
 
-#include "base/hash.hpp"
 #include "base/parallel.hpp"
 #include "linework/overlaps/precedence.hpp"
-#include "linework/overlaps/stroke_directions.hpp"
 
 namespace ligne {
 namespace {
@@ -35,12 +31,6 @@ struct LineKey {
   std::int32_t level = 0;  ///< twice the binary logarithm of the length in tolerances; plus 1 if u is y
   std::int32_t column = 0, slope = 0, offset = 0;
   auto operator<=>(const LineKey&) const = default;
-
-  std::uint64_t hash() const {
-    std::uint64_t h = 0;
-    for (const std::int32_t n : {level, column, slope, offset}) h = extend_hash(h, static_cast<std::uint32_t>(n));
-    return mix_bits(h);
-  }
 };
 
 /// A stroke in the frame of its bucket.
@@ -50,49 +40,32 @@ struct PlacedStroke {
   LineKey key;
 
   PlacedStroke(const Stroke& s, double tolerance_steps) {
-    const auto [frame, slope] = [&] {
-      const double dx = double(s.to.x) - s.from.x, dy = double(s.to.y) - s.from.y;
-      const bool flat = std::abs(dx) >= std::abs(dy);
-      return std::pair(DirectionFrame{flat}, flat ? dy / dx : dx / dy);
-    }();
-    u_from = frame.u(s.from), u_to = frame.u(s.to);
+    const double dx = double(s.to.x) - s.from.x, dy = double(s.to.y) - s.from.y;
+    const bool flat = std::abs(dx) >= std::abs(dy);
+    const double slope = flat ? dy / dx : dx / dy;
+    u_from = flat ? s.from.x : s.from.y, u_to = flat ? s.to.x : s.to.y;
     const int level = std::ilogb(page_length(s) / tolerance_steps);
     const double width = std::ldexp(tolerance_steps, level), column = std::floor((u_from + u_to) / (2 * width));
     middle = (column + 0.5) * width;
-    const double offset = frame.v(s.from) + (middle - u_from) * slope;
+    const double offset = (flat ? s.from.y : s.from.x) + (middle - u_from) * slope;
     const auto rounded = [](double v) { return static_cast<std::int32_t>(std::floor(v)); };
-    key = {2 * level + (frame.flat ? 0 : 1), rounded(column), rounded(kSlopeSteps * slope * width / tolerance_steps),
+    key = {2 * level + (flat ? 0 : 1), rounded(column), rounded(kSlopeSteps * slope * width / tolerance_steps),
            rounded(kOffsetSteps * offset / tolerance_steps)};
   }
 };
 
-/// A stroke in a bucket that may be crowded.
+/// A stroke in its bucket.
 struct Filed {
   LineKey key;
   std::uint32_t stroke;
   auto operator<=>(const Filed&) const = default;
 };
 
-/// The strokes in buckets with more than kFew strokes, and a few others, by bucket. A table of counters by hash finds these
-/// buckets, so that few strokes are sorted.
-std::vector<Filed> file_crowds(const std::vector<Stroke>& strokes, double tolerance_steps) {
-  std::vector<std::uint32_t> hashes(strokes.size());
-  parallel_blocks(strokes.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (strokes[i].needs_overlap_check)
-        hashes[i] = static_cast<std::uint32_t>(PlacedStroke(strokes[i], tolerance_steps).key.hash());
-    }
-  });
-  std::vector<std::uint8_t> count(std::bit_ceil(4 * strokes.size() + 1), 0);
-  const std::size_t mask = count.size() - 1;
-  for (std::size_t i = 0; i < strokes.size(); ++i) {
-    std::uint8_t& n = count[hashes[i] & mask];
-    if (strokes[i].needs_overlap_check && n <= kFew) ++n;
-  }
+/// The strokes that need a check, by bucket.
+std::vector<Filed> filed_by_line(const std::vector<Stroke>& strokes, double tolerance_steps) {
   std::vector<Filed> filed;
   for (std::uint32_t i = 0; i < strokes.size(); ++i) {
-    if (strokes[i].needs_overlap_check && count[hashes[i] & mask] > kFew)
-      filed.push_back({PlacedStroke(strokes[i], tolerance_steps).key, i});
+    if (strokes[i].needs_overlap_check) filed.push_back({PlacedStroke(strokes[i], tolerance_steps).key, i});
   }
   parallel_sort(filed.begin(), filed.end());
   return filed;
@@ -145,45 +118,39 @@ std::vector<CutStroke> thin_line(const std::vector<Stroke>& strokes, std::span<c
   struct Entry {
     std::size_t rank;
     double depth;
-    std::uint32_t place;
+    std::uint32_t stroke;
+    auto operator<=>(const Entry&) const = default;
   };
-  std::vector<PlacedStroke> placed;
   std::vector<Entry> order;
-  for (std::uint32_t i = 0; i < bucket.size(); ++i) {
-    const Stroke& s = strokes[bucket[i].stroke];
-    const PlacedStroke& p = placed.emplace_back(s, tolerance.steps);
+  for (const Filed& filed : bucket) {
+    const Stroke& s = strokes[filed.stroke];
+    const PlacedStroke p(s, tolerance.steps);
     const double z = depth(s, (p.middle - p.u_from) / (p.u_to - p.u_from));
-    order.push_back({rank(s), rounded_depth(z, tolerance.mm), i});
+    order.push_back({rank(s), rounded_depth(z, tolerance.mm), filed.stroke});
   }
-  std::sort(order.begin(), order.end(), [](const Entry& a, const Entry& b) {
-    return std::tie(a.rank, a.depth, a.place) < std::tie(b.rank, b.depth, b.place);
-  });
+  std::ranges::sort(order);
   CoveredLine line(tolerance.steps);
   std::vector<CutStroke> left;
   for (const Entry& e : order) {
-    const Stroke& s = strokes[bucket[e.place].stroke];
-    std::vector<CoveredPart> parts = line.add(s, placed[e.place]);
-    left.push_back({bucket[e.place].stroke});
-    append_rests(s, parts, tolerance.steps, left.back().rests);
+    const Stroke& s = strokes[e.stroke];
+    std::vector<CoveredPart> parts = line.add(s, PlacedStroke(s, tolerance.steps));
+    left.push_back({e.stroke, rests_of(s, parts, tolerance.steps)});
   }
   return left;
 }
 
 }  // namespace
 
-void thin_crowded_lines(ComparedStrokes& strokes, const OverlapTolerance& tolerance) {
-  const std::vector<Filed> filed = file_crowds(strokes.strokes, tolerance.steps);
-  std::vector<std::pair<std::size_t, std::size_t>> crowds;
+std::vector<CutStroke> thin_crowded_lines(const std::vector<Stroke>& strokes, const OverlapTolerance& tolerance) {
+  const std::vector<Filed> filed = filed_by_line(strokes, tolerance.steps);
+  std::vector<CutStroke> cut;
   for (std::size_t begin = 0, end = 0; begin < filed.size(); begin = end) {
     while (end < filed.size() && filed[end].key == filed[begin].key) ++end;
-    if (end - begin > kFew) crowds.emplace_back(begin, end);
+    if (end - begin <= kFew) continue;
+    std::ranges::move(thin_line(strokes, std::span(filed).subspan(begin, end - begin), tolerance), std::back_inserter(cut));
   }
-  std::vector<std::vector<CutStroke>> left(crowds.size());
-  parallel_for(crowds.size(), [&](std::size_t c) {
-    const auto [begin, end] = crowds[c];
-    left[c] = thin_line(strokes.strokes, std::span(filed).subspan(begin, end - begin), tolerance);
-  });
-  for (const std::vector<CutStroke>& of_line : left) strokes.replace(of_line);
+  std::ranges::sort(cut, {}, &CutStroke::number);
+  return cut;
 }
 
 }  // namespace ligne

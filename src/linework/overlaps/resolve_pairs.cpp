@@ -10,8 +10,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/disjoint_sets.hpp"
-#include "base/parallel.hpp"
 #include "linework/overlaps/precedence.hpp"
 
 namespace ligne {
@@ -25,93 +23,33 @@ CoveredPart covered_by(const Stroke& other, double from, double other_from, doub
   return part;
 }
 
-/// Resolves the pairs of one call. Members are the strokes in pairs, in the order in which they are decided; a member's
-/// number is its place in this order.
 class PairResolver {
  public:
-  PairResolver(const ComparedStrokes& strokes, const std::vector<StrokePair>& pairs, const OverlapTolerance& tolerance);
+  PairResolver(const std::vector<Stroke>& strokes, const OverlapTolerance& tolerance)
+      : strokes_(strokes), tolerance_(tolerance), left_(strokes.size()) {}
 
-  /// Decides all members, and returns what is left of them.
-  std::vector<CutStroke> run();
+  /// Decides a stroke. `pairs` are those in which it is the later one; the others in them have been decided.
+  void decide(std::uint32_t number, std::span<const StrokePair> pairs);
+  std::vector<Stroke>& left_of(std::uint32_t number) { return left_[number]; }
 
  private:
-  /// A piece that stays of an earlier partner.
+  /// A piece that stays of an earlier stroke.
   struct Hit {
-    std::uint32_t member, piece;
+    std::uint32_t stroke, piece;
   };
 
-  const Stroke& stroke_of(std::uint32_t member) const { return strokes_[left_[member].number]; }
-  void find_members(const ComparedStrokes& strokes, const std::vector<StrokePair>& pairs);
-  void sort_into_groups(DisjointSets& groups);
-  std::pair<std::uint32_t, std::uint32_t> pieces_beside(const Stroke& stroke, std::uint32_t member) const;
-  void decide(std::uint32_t member);
+  std::pair<std::uint32_t, std::uint32_t> pieces_beside(const Stroke& stroke, std::uint32_t other) const;
   void cut_beaten(const std::vector<Hit>& beaten, const std::vector<Stroke>& rests);
 
   const std::vector<Stroke>& strokes_;
   OverlapTolerance tolerance_;
-  std::vector<CutStroke> left_;               ///< by member
-  std::vector<std::uint32_t> earlier_begin_;  ///< by member: its first partner in earlier_
-  std::vector<std::uint32_t> earlier_;        ///< partners that are decided before the member
-  std::vector<std::uint32_t> by_group_;       ///< members by group, ascending in each group
-  std::vector<std::uint32_t> group_begin_;    ///< by group: its first member in by_group_
+  std::vector<std::vector<Stroke>> left_;  ///< what stays of each stroke that was decided
 };
 
-void PairResolver::find_members(const ComparedStrokes& strokes, const std::vector<StrokePair>& pairs) {
-  std::vector<std::uint32_t> numbers;
-  numbers.reserve(2 * pairs.size());
-  for (const StrokePair& pair : pairs) numbers.insert(numbers.end(), {pair.first, pair.second});
-  parallel_sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  parallel_sort(numbers.begin(), numbers.end(),
-                [&](std::uint32_t a, std::uint32_t b) { return strokes.comes_before(a, b); });
-  left_.reserve(numbers.size());
-  for (const std::uint32_t number : numbers) left_.push_back({number});
-}
-
-PairResolver::PairResolver(const ComparedStrokes& strokes, const std::vector<StrokePair>& pairs,
-                           const OverlapTolerance& tolerance)
-    : strokes_(strokes.strokes), tolerance_(tolerance) {
-  find_members(strokes, pairs);
-  std::vector<std::uint32_t> member_of(strokes_.size());
-  for (std::uint32_t m = 0; m < left_.size(); ++m) member_of[left_[m].number] = m;
-  DisjointSets groups(left_.size());
-  earlier_begin_.assign(left_.size() + 1, 0);
-  for (const StrokePair& pair : pairs) {
-    groups.join(member_of[pair.first], member_of[pair.second]);
-    ++earlier_begin_[std::max(member_of[pair.first], member_of[pair.second]) + 1];
-  }
-  for (std::size_t m = 0; m < left_.size(); ++m) earlier_begin_[m + 1] += earlier_begin_[m];
-  earlier_.resize(pairs.size());
-  std::vector<std::uint32_t> next(earlier_begin_.begin(), earlier_begin_.end() - 1);
-  for (const StrokePair& pair : pairs) {
-    const std::uint32_t a = member_of[pair.first], b = member_of[pair.second];
-    earlier_[next[std::max(a, b)]++] = std::min(a, b);
-  }
-  sort_into_groups(groups);
-}
-
-void PairResolver::sort_into_groups(DisjointSets& groups) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> sorted;  // group, member
-  for (std::uint32_t m = 0; m < left_.size(); ++m) sorted.emplace_back(groups.find(m), m);
-  std::sort(sorted.begin(), sorted.end());
-  for (std::uint32_t i = 0; i < sorted.size(); ++i) {
-    if (i == 0 || sorted[i].first != sorted[i - 1].first) group_begin_.push_back(i);
-    by_group_.push_back(sorted[i].second);
-  }
-  group_begin_.push_back(static_cast<std::uint32_t>(sorted.size()));
-}
-
-std::vector<CutStroke> PairResolver::run() {
-  parallel_for(group_begin_.size() - 1, [&](std::size_t g) {
-    for (std::uint32_t i = group_begin_[g]; i < group_begin_[g + 1]; ++i) decide(by_group_[i]);
-  });
-  return std::move(left_);
-}
-
-/// The range of the pieces of a member beside a stroke. Pieces follow each other along their stroke.
-std::pair<std::uint32_t, std::uint32_t> PairResolver::pieces_beside(const Stroke& stroke, std::uint32_t member) const {
-  const std::vector<Stroke>& pieces = left_[member].rests;
-  const Stroke& whole = stroke_of(member);
+/// The range of the pieces of another stroke beside a stroke. Pieces follow each other along their stroke.
+std::pair<std::uint32_t, std::uint32_t> PairResolver::pieces_beside(const Stroke& stroke, std::uint32_t other) const {
+  const std::vector<Stroke>& pieces = left_[other];
+  const Stroke& whole = strokes_[other];
   const double dx = double(whole.to.x) - whole.from.x, dy = double(whole.to.y) - whole.from.y;
   const auto along = [&](LatticePoint p) { return dx * (double(p.x) - whole.from.x) + dy * (double(p.y) - whole.from.y); };
   const double slack = 2 * tolerance_.steps * page_length(whole);
@@ -124,32 +62,32 @@ std::pair<std::uint32_t, std::uint32_t> PairResolver::pieces_beside(const Stroke
   return {static_cast<std::uint32_t>(first - pieces.begin()), static_cast<std::uint32_t>(last - pieces.begin())};
 }
 
-void PairResolver::decide(std::uint32_t member) {
-  const Stroke& stroke = stroke_of(member);
+void PairResolver::decide(std::uint32_t number, std::span<const StrokePair> pairs) {
+  const Stroke& stroke = strokes_[number];
   std::vector<CoveredPart> covered;
   std::vector<Hit> beaten;
-  for (std::uint32_t e = earlier_begin_[member]; e < earlier_begin_[member + 1]; ++e) {
-    const std::vector<Stroke>& pieces = left_[earlier_[e]].rests;
-    const auto [first, last] = pieces_beside(stroke, earlier_[e]);
+  for (const StrokePair& pair : pairs) {
+    const std::vector<Stroke>& pieces = left_[pair.earlier];
+    const auto [first, last] = pieces_beside(stroke, pair.earlier);
     for (std::uint32_t k = first; k < last; ++k) {
       const auto common = overlap(stroke.from, stroke.to, pieces[k].from, pieces[k].to, tolerance_.steps);
       if (!common) continue;
       if (precedes(stroke, pieces[k], *common, tolerance_.mm)) {
-        beaten.push_back({earlier_[e], k});
+        beaten.push_back({pair.earlier, k});
       } else {
         covered.push_back(covered_by(pieces[k], common->a_from, common->b_from, common->a_to, common->b_to));
       }
     }
   }
-  append_rests(stroke, covered, tolerance_.steps, left_[member].rests);
-  cut_beaten(beaten, left_[member].rests);
+  left_[number] = rests_of(stroke, covered, tolerance_.steps);
+  cut_beaten(beaten, left_[number]);
 }
 
 /// Cuts the pieces that a stroke precedes, by what stays of it.
 void PairResolver::cut_beaten(const std::vector<Hit>& beaten, const std::vector<Stroke>& rests) {
-  // From the last piece of a member to the first, so that the others keep their places.
+  // From the last piece of a stroke to the first, so that the others keep their places.
   for (auto hit = beaten.rbegin(); hit != beaten.rend(); ++hit) {
-    std::vector<Stroke>& pieces = left_[hit->member].rests;
+    std::vector<Stroke>& pieces = left_[hit->stroke];
     const Stroke piece = pieces[hit->piece];
     std::vector<CoveredPart> covered;
     for (const Stroke& rest : rests) {
@@ -157,8 +95,7 @@ void PairResolver::cut_beaten(const std::vector<Hit>& beaten, const std::vector<
       if (common) covered.push_back(covered_by(rest, common->b_from, common->a_from, common->b_to, common->a_to));
     }
     if (covered.empty()) continue;
-    std::vector<Stroke> left;
-    append_rests(piece, covered, tolerance_.steps, left);
+    const std::vector<Stroke> left = rests_of(piece, covered, tolerance_.steps);
     const auto place = pieces.erase(pieces.begin() + hit->piece);
     pieces.insert(place, left.begin(), left.end());
   }
@@ -166,8 +103,21 @@ void PairResolver::cut_beaten(const std::vector<Hit>& beaten, const std::vector<
 
 }  // namespace
 
-void resolve_pairs(ComparedStrokes& strokes, const std::vector<StrokePair>& pairs, const OverlapTolerance& tolerance) {
-  strokes.replace(PairResolver(strokes, pairs, tolerance).run());
+std::vector<CutStroke> resolve_pairs(const std::vector<Stroke>& strokes, std::span<const StrokePair> pairs,
+                                     const OverlapTolerance& tolerance) {
+  std::vector<std::uint8_t> is_in_pair(strokes.size(), 0);
+  for (const StrokePair& pair : pairs) is_in_pair[pair.later] = is_in_pair[pair.earlier] = 1;
+  PairResolver resolver(strokes, tolerance);
+  std::size_t first = 0, last = 0;
+  for (std::uint32_t i = 0; i < strokes.size(); ++i, first = last) {
+    while (last < pairs.size() && pairs[last].later == i) ++last;
+    if (is_in_pair[i]) resolver.decide(i, pairs.subspan(first, last - first));
+  }
+  std::vector<CutStroke> cut;
+  for (std::uint32_t i = 0; i < strokes.size(); ++i) {
+    if (is_in_pair[i]) cut.push_back({i, std::move(resolver.left_of(i))});
+  }
+  return cut;
 }
 
 }  // namespace ligne
