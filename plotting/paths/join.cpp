@@ -174,9 +174,9 @@ class JoinedStrokes {
 
 /// Pairs the straightest ends at a node, then the rest in their order.
 void JoinedStrokes::pair_ends(std::uint32_t node) {
-  NodeArms arms;
-  nodes_.for_each_end(node, [&](std::uint32_t e) { arms.add(point(e), point(e ^ 1), e); });
-  pair_arms(arms.all(), partner_);
+  std::vector<NodeArm> arms;
+  nodes_.for_each_end(node, [&](std::uint32_t e) { arms.push_back(arm_from(point(e), point(e ^ 1), e)); });
+  pair_arms(arms, partner_);
   std::uint32_t waiting = kNone;
   nodes_.for_each_end(node, [&](std::uint32_t e) {
     if (partner_[e] != kNone) return;

@@ -42,18 +42,21 @@ void straighten_seam(std::vector<LatticePoint>& line) {
 
 /// The polylines of one layer.
 Polylines polylines_of(const StrokeModel& model, std::span<const std::uint32_t> members) {
+  const auto point = [&](std::uint32_t end) {
+    const Stroke& s = model.strokes[members[end / 2]];
+    return end % 2 == 0 ? s.from : s.to;
+  };
   std::vector<std::uint32_t> partner(2 * members.size(), kNone);
   for_each_node(model.strokes, members, [&](std::span<const StrokeEnd> ends) {
-    if (ends.size() > 1) pair_arms(NodeArms(model.strokes, members, ends).all(), partner);
+    if (ends.size() < 2) return;
+    std::vector<NodeArm> arms;
+    for (const auto& [p, end] : ends) arms.push_back(arm_from(p, point(end ^ 1), end));
+    pair_arms(arms, partner);
   });
   Polylines out;
   const auto loose = static_cast<std::size_t>(std::count(partner.begin(), partner.end(), kNone));
   out.points.reserve(members.size() + loose / 2);
   out.begin.reserve(loose / 2 + 1);
-  const auto point = [&](std::uint32_t end) {
-    const Stroke& s = model.strokes[members[end / 2]];
-    return end % 2 == 0 ? s.from : s.to;
-  };
   std::vector<LatticePoint> line;
   for_each_line(partner, LineOrder::loose_ends, [&](std::span<const std::uint32_t> ends, bool) {
     line.assign(1, point(ends.front()));

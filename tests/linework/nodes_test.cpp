@@ -56,26 +56,6 @@ TEST(StrokeNodes, AllEndsAreVisitedPlaceByPlace) {
   expect_all_places(300'000, 400);
 }
 
-TEST(StrokeNodes, ArmsLeadAwayFromThePlace) {
-  std::vector<Stroke> strokes(20);
-  for (std::int32_t i = 0; i < 20; ++i) strokes[static_cast<std::size_t>(i)].to = {i, 2 * i};
-  std::vector<std::uint32_t> members(strokes.size());
-  std::iota(members.begin(), members.end(), 0u);
-  std::vector<StrokeEnd> ends;
-  for (std::uint32_t i = 0; i < 20; ++i) ends.push_back({{0, 0}, 2 * i});
-  const NodeArms arms(strokes, members, ends);
-  ASSERT_EQ(arms.all().size(), 20u);
-  for (std::size_t i = 0; i < 20; ++i) {
-    EXPECT_EQ(arms.all()[i].end, 2 * i);
-    EXPECT_EQ(arms.all()[i].direction, strokes[i].to);
-  }
-  NodeArms again = arms;
-  again.clear();
-  again.add(arms.all()[3]);
-  ASSERT_EQ(again.all().size(), 1u);
-  EXPECT_EQ(again.all()[0].end, 6u);
-}
-
 std::vector<std::uint32_t> paired(const std::vector<LatticePoint>& directions,
                                   void (*pair)(std::span<const NodeArm>, std::span<std::uint32_t>) = pair_arms) {
   std::vector<NodeArm> arms;

@@ -1,7 +1,6 @@
 #pragma once
 /// Pairs the ends at a node that continue each other, and follows the lines that the pairs make.
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -19,44 +18,17 @@ struct NodeArm {
   std::uint32_t end = 0;
 };
 
-/// Largest number of arms for which every pair is compared. More arms are paired by a sweep around the node.
-inline constexpr std::size_t kFewArms = 12;
-
-/// Arms of one node. A few arms, the common case, need no memory allocation.
-class NodeArms {
- public:
-  NodeArms() = default;
-  /// The arms of the ends at one node, in their order.
-  NodeArms(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> members, std::span<const StrokeEnd> ends) {
-    for (const auto& [p, end] : ends) {
-      const Stroke& s = strokes[members[end / 2]];
-      add(p, end % 2 == 0 ? s.to : s.from, end);
-    }
-  }
-
-  void add(LatticePoint p, LatticePoint far, std::uint32_t end) { add({{far.x - p.x, far.y - p.y}, end}); }
-  void add(const NodeArm& arm) {
-    if (count_ == few_.size()) many_.assign(few_.begin(), few_.end());
-    if (count_ < few_.size())
-      few_[count_] = arm;
-    else
-      many_.push_back(arm);
-    ++count_;
-  }
-  void clear() { count_ = 0; }
-  std::span<const NodeArm> all() const { return {count_ <= few_.size() ? few_.data() : many_.data(), count_}; }
-
- private:
-  std::array<NodeArm, kFewArms> few_;
-  std::vector<NodeArm> many_;
-  std::size_t count_ = 0;
-};
+/// The arm of a stroke from a node at `p` to its other end.
+inline NodeArm arm_from(LatticePoint p, LatticePoint far, std::uint32_t end) { return {{far.x - p.x, far.y - p.y}, end}; }
 
 /// Pairs the arms of one node: partner[arm.end] becomes the other arm's end. Ends without a partner keep their value.
 /// Two arms are paired at any angle. Of more arms the straightest pair is taken first, then the straightest of the
 /// rest, up to a turn of 90 degrees; equal turns are ordered by the numbers of the ends. `arms` must be in the order of
 /// their ends.
 void pair_arms(std::span<const NodeArm> arms, std::span<std::uint32_t> partner);
+
+/// Largest number of arms for which every pair is compared. More arms are paired by a sweep around the node.
+inline constexpr std::size_t kFewArms = 12;
 
 /// The two algorithms for more than two arms. Their results are equal if no two turns are equal.
 void pair_few_arms(std::span<const NodeArm> arms, std::span<std::uint32_t> partner);

@@ -38,36 +38,21 @@ Chains::Chains(const LineMap& map) : of_(map.piece_count(), kNone), chains_(map.
 
 namespace {
 
-/// The arms of the edges at a node, in the order of their ends.
-NodeArms edge_arms(const LineMap& map, std::uint32_t node) {
-  NodeArms arms;
-  map.nodes().for_each_end(node, [&](std::uint32_t end) {
-    if (is_edge(map.piece(end / 2))) arms.add(map.point(end), map.point(end ^ 1), end);
-  });
-  return arms;
-}
-
 /// Pairs the ends of each class at a node, and then the ends without a partner.
 void pair_ends(const LineMap& map, std::uint32_t node, std::vector<std::uint32_t>& same, std::vector<std::uint32_t>& other) {
-  const NodeArms arms = edge_arms(map, node);
-  const auto class_of = [&](const NodeArm& arm) { return map.piece(arm.end / 2).line_class; };
-  if (arms.all().size() < 2) return;
-  if (std::ranges::all_of(arms.all(), [&](const NodeArm& arm) { return class_of(arm) == class_of(arms.all()[0]); })) {
-    return pair_arms(arms.all(), same);
-  }
-  NodeArms group;
+  std::vector<NodeArm> arms, group;  // those of the edges, in the order of their ends
+  map.nodes().for_each_end(node, [&](std::uint32_t end) {
+    if (is_edge(map.piece(end / 2))) arms.push_back(arm_from(map.point(end), map.point(end ^ 1), end));
+  });
   for (std::size_t c = 0; c < kEdgeClassCount; ++c) {
     group.clear();
-    for (const NodeArm& arm : arms.all()) {
-      if (class_of(arm) == static_cast<LineClass>(c)) group.add(arm);
+    for (const NodeArm& arm : arms) {
+      if (map.piece(arm.end / 2).line_class == static_cast<LineClass>(c)) group.push_back(arm);
     }
-    pair_arms(group.all(), same);
+    pair_arms(group, same);
   }
-  group.clear();
-  for (const NodeArm& arm : arms.all()) {
-    if (same[arm.end] == kNone) group.add(arm);
-  }
-  pair_arms(group.all(), other);
+  std::erase_if(arms, [&](const NodeArm& arm) { return same[arm.end] != kNone; });
+  pair_arms(arms, other);
 }
 
 }  // namespace

@@ -18,10 +18,8 @@ struct StrokeEnd {
 };
 
 /// Calls visit(ends) for each point where strokes of `members` end, with all ends there in ascending order. Calls come
-/// from several threads, in no particular order. O(n).
-///
-/// Distributes the ends over buckets by their position, so that a bucket fits into the cache. In each bucket a small
-/// hash table numbers the positions, and a counting sort groups the ends of each position.
+/// from several threads, in no particular order. Distributes the ends over buckets by a hash of their points, and sorts each
+/// bucket. O(n log d) for points where d ends meet.
 void for_each_node(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> members,
                    FunctionRef<void(std::span<const StrokeEnd>)> visit);
 
