@@ -86,28 +86,6 @@ std::optional<LineMap::Meeting> LineMap::nearest_line(std::uint32_t end) {
   return nearest;
 }
 
-/// Finds the points where two lines cross inside both. The second node of such a contact is that of the later piece.
-void LineMap::find_crossings(std::vector<Meeting>& found) {
-  std::vector<std::uint32_t> met(pieces_.size(), kNone);  // by piece: the last piece that it was compared with
-  const auto given = piece_count();
-  for (std::uint32_t a = 0; a < given; ++a) {
-    const Stroke& s = pieces_[a].stroke;
-    near(s.from, s.to, 0, [&](std::uint32_t b) {
-      if (b <= a || std::exchange(met[b], a) == a) return false;
-      const Stroke& t = pieces_[b].stroke;
-      const double a0 = orientation(t.from, t.to, s.from), a1 = orientation(t.from, t.to, s.to);
-      const double b0 = orientation(s.from, s.to, t.from), b1 = orientation(s.from, s.to, t.to);
-      if (!(a0 * a1 < 0 && b0 * b1 < 0)) return false;
-      const LatticePoint place = point_at(s, a0 / (a0 - a1));
-      const auto contact = static_cast<std::uint32_t>(contacts_.size());
-      contacts_.push_back({kNone, kNone, 0});
-      found.push_back({a, a0 / (a0 - a1), 0, contact, place});
-      found.push_back({b, b0 / (b0 - b1), 0, contact, place});
-      return false;
-    });
-  }
-}
-
 void LineMap::find_contacts() {
   std::vector<Meeting> meetings;
   for (std::uint32_t end = 0; end < nodes_.end_count(); ++end) {
@@ -118,7 +96,6 @@ void LineMap::find_contacts() {
     contacts_.push_back({nodes_.of(end), kNone, meeting->distance});
     meetings.push_back(*meeting);
   }
-  if (meetings_.crossings) find_crossings(meetings);
   std::ranges::sort(meetings, {}, [](const Meeting& m) { return std::tuple(m.piece, m.fraction, m.contact); });
   std::vector<StrokeCut> cuts;
   for (std::size_t first = 0, last = 0; first < meetings.size(); first = last) {
@@ -136,8 +113,7 @@ void LineMap::find_contacts() {
     }
     cut(piece, cuts);
     for (std::size_t m = first; m < last; ++m) {
-      Contact& contact = contacts_[meetings[m].contact];
-      (contact.node == kNone ? contact.node : contact.other) = nodes[m - first];
+      contacts_[meetings[m].contact].other = nodes[m - first];
     }
   }
 }

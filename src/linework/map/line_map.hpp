@@ -39,15 +39,14 @@ struct Contact {
 
 /// Selects the points of lines that become contacts.
 struct Meetings {
-  double reach = 0;        ///< lattice steps; 0: no contacts
-  bool any_node = false;   ///< whether nodes of several ends have contacts too, or only free ends
-  bool crossings = false;  ///< whether two lines that cross are both cut, with a contact between their nodes
+  double reach = 0;       ///< lattice steps; 0: no contacts
+  bool any_node = false;  ///< whether nodes of several ends have contacts too, or only free ends
 };
 
 class LineMap {
  public:
   /// Takes the visible strokes of `model` for which takes_part() returns true, except strokes without length. O(n + m),
-  /// where m counts the cells of side `cell` that lines pass, plus, with crossings, the pairs of lines in one cell.
+  /// where m counts the cells of side `cell` that lines pass.
   LineMap(StrokeModel& model, const std::function<bool(const Stroke&)>& takes_part, const Meetings& meetings, double cell);
   LineMap(const LineMap&) = delete;
   LineMap& operator=(const LineMap&) = delete;
@@ -114,7 +113,6 @@ class LineMap {
   void move_end(std::uint32_t end, std::uint32_t node);
   void file_pieces();
   void find_contacts();
-  void find_crossings(std::vector<Meeting>& found);
   std::optional<Meeting> nearest_line(std::uint32_t end);
   void cut(std::uint32_t piece, std::span<const StrokeCut> cuts);
   void write_stroke(std::uint32_t first_piece, std::vector<Stroke>& out) const;

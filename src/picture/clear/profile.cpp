@@ -151,7 +151,7 @@ void draw_profiles(StrokeModel& model, const ProjectedScene& projected, const Sc
   const double step = model.lattice.step_mm;
   /// Side of the cells for the search of lines, in pen widths. Adjustable.
   constexpr double kCellInPens = 4;
-  const LineMap map(model, is_edge, {.reach = kJunctionMm / step, .any_node = true, .crossings = true},
+  const LineMap map(model, is_edge, {.reach = kJunctionMm / step, .any_node = true},
                     walked_cell(model.strokes, kCellInPens * pen_width_mm / step));
   const Arcs arcs(map, kJunctionMm / step);
   std::vector<Bit> profiles;
