@@ -133,7 +133,7 @@ Tour Strokes::inside_before(const Tour& tour) {
 }
 
 std::vector<Point2> Strokes::ends() const {
-  std::vector<Point2> points(2 * lines_.size() + 4, options_.home);
+  std::vector<Point2> points(2 * lines_.size() + (options_.returns ? 4 : 2), options_.home);
   for (std::uint32_t e = 0; e < 2 * count(); ++e) points[e] = end_point(e);
   return points;
 }
@@ -159,34 +159,6 @@ Polylines Strokes::in_order(const Tour& tour) const {
   return out;
 }
 
-/// Improves a tour after numbering the strokes along it, so that strokes near on the page are near in memory.
-class TourImprover {
- public:
-  explicit TourImprover(const Tour& tour) {
-    for (const std::uint32_t entry : tour.entries) {
-      renumbered_.entries.push_back(2 * static_cast<std::uint32_t>(stroke_of_.size()) + entry % 2);
-      stroke_of_.push_back(entry / 2);
-    }
-  }
-
-  Tour improved(const std::vector<Point2>& ends, bool returns, std::uint64_t& work) {
-    std::vector<Point2> along;
-    for (const std::uint32_t stroke : stroke_of_) along.insert(along.end(), {ends[2 * stroke], ends[2 * stroke + 1]});
-    if (along != along_) near_.clear();
-    along_ = std::move(along);
-    improve(renumbered_, along_, returns, work, near_);
-    Tour tour;
-    for (const std::uint32_t entry : renumbered_.entries) tour.entries.push_back(2 * stroke_of_[entry / 2] + entry % 2);
-    return tour;
-  }
-
- private:
-  std::vector<std::uint32_t> stroke_of_;  ///< per number along the tour: its stroke
-  Tour renumbered_;
-  std::vector<Point2> along_;
-  std::vector<std::uint32_t> near_;
-};
-
 }  // namespace
 
 Polylines order_strokes(const Polylines& lines, const OrderOptions& options, std::vector<std::uint32_t>* order) {
@@ -197,9 +169,8 @@ Polylines order_strokes(const Polylines& lines, const OrderOptions& options, std
   std::uint64_t work = options.most_work;
   // The starts of loops depend on the order, and the order on the starts. Two rounds settle both.
   const auto improved = [&](Tour tour) {
-    TourImprover improver(tour);
     for (int round = 0; round < 2; ++round) {
-      tour = improver.improved(strokes.ends(), options.returns, work);
+      improve(tour, strokes.ends(), options.returns, work);
       strokes.choose_starts(tour);
     }
     return tour;

@@ -33,7 +33,7 @@ constexpr double kLeastGainMm = 1e-9;
 
 class Improver {
  public:
-  Improver(Tour& tour, std::span<const Point2> ends, bool returns, std::uint64_t& work, std::vector<std::uint32_t>& near)
+  Improver(Tour& tour, std::span<const Point2> ends, bool returns, std::uint64_t& work)
       : at_(tour.entries),
         ends_(ends),
         count_(static_cast<std::uint32_t>(tour.entries.size())),
@@ -41,9 +41,9 @@ class Improver {
         work_(work),
         place_(ends.size() / 2),
         waits_(ends.size() / 2, 0),
-        near_(near) {
+        near_(ends.size() * kNear) {
     for (std::uint32_t p = 0; p < count_; ++p) place_[at_[p] / 2] = p;
-    if (near_.empty()) find_near();
+    find_near();
   }
 
   void run() {
@@ -90,12 +90,11 @@ class Improver {
   std::vector<std::uint32_t> place_;
   std::vector<char> waits_;
   std::deque<std::uint32_t> queue_;
-  std::vector<std::uint32_t>& near_;  ///< per end: its kNear nearest ends in order, filled up with the end itself
+  std::vector<std::uint32_t> near_;  ///< per end: its kNear nearest ends in order, filled up with the end itself
 };
 
 void Improver::find_near() {
   const NearestPoints tree(ends_);
-  near_.resize(ends_.size() * kNear);
   parallel_blocks(ends_.size(), kSearchBlock, [&](std::size_t first, std::size_t last) {
     std::vector<NearestPoints::Neighbour> found;
     for (std::size_t e = first; e < last; ++e) {
@@ -202,9 +201,9 @@ void Improver::move(std::uint32_t first, std::uint32_t last, std::uint32_t targe
 
 }  // namespace
 
-void improve(Tour& tour, std::span<const Point2> ends, bool returns, std::uint64_t& work, std::vector<std::uint32_t>& near) {
+void improve(Tour& tour, std::span<const Point2> ends, bool returns, std::uint64_t& work) {
   if (tour.entries.size() < 3) return;
-  Improver(tour, ends, returns, work, near).run();
+  Improver(tour, ends, returns, work).run();
 }
 
 }  // namespace ligne
