@@ -3,7 +3,7 @@
 /// 1. Snaps all points to a lattice far finer than any plotter, so that the equality of points is exact.
 /// 2. Simplifies with a quarter of the tolerance, except at points that lines share. The segments of a curve become
 /// long enough to detect that two of them coincide.
-/// 3. Removes coincident segments (remove_coincident_strokes), except where that only costs lifts (bridge_cuts).
+/// 3. Removes coincident segments (remove_coincident_strokes).
 /// 4. Pairs ends at one lattice point, the straightest first, the rest in their order. This makes chains and rings. A
 /// ring R that touches another chain C in a node is inserted into it: the pairs (r1, r2) and (c1, c2) become (c1, r1)
 /// and (r2, c2), whichever way the two run.
@@ -22,7 +22,6 @@
 #include "base/no_index.hpp"
 #include "linework/map/continuations.hpp"
 #include "linework/overlaps/coincident_strokes.hpp"
-#include "plotting/paths/bridge_cuts.hpp"
 #include "plotting/paths/chain_ends.hpp"
 #include "plotting/paths/simplify.hpp"
 
@@ -77,10 +76,8 @@ std::vector<char> shared_points(const LatticeLines& lines) {
   return shared;
 }
 
-/// The segments of the lines as strokes of a model, numbered by source in order. The strokes of line i begin at
-/// line_begin[i].
-StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm, double most_lost,
-                        std::vector<std::uint32_t>& line_begin) {
+/// The segments of the lines as strokes of a model, numbered by source in order.
+StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm, double most_lost) {
   StrokeModel model;
   model.lattice = lines.lattice;
   const std::vector<char> shared = tolerance_mm > 0 ? shared_points(lines) : std::vector<char>{};
@@ -100,7 +97,6 @@ StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm, double m
   for (std::size_t i = 0; i + 1 < lines.begin.size(); ++i) {
     piece.clear();
     where.clear();
-    line_begin.push_back(static_cast<std::uint32_t>(model.strokes.size()));
     for (std::uint32_t j = lines.begin[i]; j < lines.begin[i + 1]; ++j) {
       piece.push_back(lines.lattice.to_mm(lines.points[j]));
       where.push_back(j);
@@ -112,7 +108,6 @@ StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm, double m
       }
     }
   }
-  line_begin.push_back(static_cast<std::uint32_t>(model.strokes.size()));
   model.edge_count = static_cast<std::uint32_t>(model.strokes.size());
   return model;
 }
@@ -241,20 +236,11 @@ Polylines join_strokes(const Polylines& lines, const JoinTolerances& tolerances)
   const bool once = tolerances.overlap_mm > 0;
   const double early = once ? kEarlyPart * tolerances.simplify_mm : 0;
   const double early_loss = once ? kEarlyPart * tolerances.simplify_loss : 0;
-  std::vector<std::uint32_t> line_begin;
-  StrokeModel model = segments_of(snapped, early, early_loss, line_begin);
+  StrokeModel model = segments_of(snapped, early, early_loss);
   if (once) {
-    const std::vector<Stroke> whole = model.strokes;
     remove_equal(model.strokes);
     remove_coincident_strokes(model, tolerances.overlap_mm);
-    const auto by_place = [](const Stroke& l, const Stroke& r) {
-      return std::tie(l.source, l.t_from) < std::tie(r.source, r.t_from);
-    };
-    std::sort(model.strokes.begin(), model.strokes.end(), by_place);
-    if (bridge_cuts(whole, line_begin, tolerances.lift_mm, model)) {
-      std::sort(model.strokes.begin(), model.strokes.end(), by_place);
-    }
-    std::erase_if(model.strokes, [](const Stroke& s) { return s.from == s.to; });
+    std::ranges::sort(model.strokes, {}, [](const Stroke& s) { return std::tuple(s.source, s.t_from); });
   }
   const Polylines joined = join_near_ends(JoinedStrokes(model).polylines(), tolerances.ends_mm);
 

@@ -8,11 +8,8 @@ namespace ligne {
 /// Tolerances in page mm. They are below what a pen shows: its line is some tenths of a millimetre wide, and the step
 /// of a plotter is 0.025 mm.
 struct JoinTolerances {
-  double ends_mm = 0.05;     ///< ends within this distance are joined by a straight segment
-  double overlap_mm = 0.01;  ///< segments that coincide within this distance are drawn once; 0 keeps all
-  /// A coincident part between two parts of a line that stay is drawn twice, if it is shorter than this and omitting it
-  /// would lift the pen.
-  double lift_mm = 10;
+  double ends_mm = 0.05;      ///< ends within this distance are joined by a straight segment
+  double overlap_mm = 0.01;   ///< segments that coincide within this distance are drawn once; 0 keeps all
   double simplify_mm = 0.01;  ///< largest distance of a removed point from the simplified line; 0 removes only points
                               ///< on straight lines
   /// Largest fraction of its length that a line may lose by simplification, since ink is length times width. A circle
@@ -25,8 +22,6 @@ struct JoinTolerances {
 /// their points. Loose ends within the tolerance are joined, nearest first. So a connected figure takes half as many
 /// strokes as it has points where an odd number of lines meet. The strokes are in the order of the first lines in them.
 /// A line without length stays as a dot of two equal points.
-///
-/// Coincident pieces are cut out of a line only if that saves more time than lifting the pen takes.
 ///
 /// No point of the result is farther from the input, and no point of the input is farther from the result, than the sum
 /// of ends_mm, overlap_mm and simplify_mm.

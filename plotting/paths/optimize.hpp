@@ -37,8 +37,6 @@ struct PathPace {
   double down_mm_s = 40, up_mm_s = 80, lift_s = 0.25;
 
   double seconds(const PathLengths& lengths) const;
-  /// Length of the line that takes as long to draw as lifting and lowering the pen.
-  double lift_mm() const { return lift_s * down_mm_s; }
 };
 
 struct PathOptions {
@@ -46,7 +44,7 @@ struct PathOptions {
   JoinTolerances tolerances;
   OrderOptions order;
   double min_length_mm = 0;  ///< shorter strokes, and dots, are left out; 0 keeps all
-  PathPace pace;             ///< compares plots by their time; tolerances.lift_mm should be pace.lift_mm()
+  PathPace pace;             ///< compares plots by their time
 };
 
 /// Indices of the strokes that are at least this long, ascending.

@@ -98,9 +98,9 @@ TEST(JoinStrokes, SmallCurvesTwiceAreDrawnOnceWhereverTheyBegin) {
     const Polylines joined = join_strokes(polylines_of({one, other, one}), {});
     EXPECT_EQ(joined.size(), 1u) << radius;
     EXPECT_NEAR(total_length(joined), 2 * M_PI * radius, 0.002 * 2 * M_PI * radius) << radius;
-    // Beside each other they are two.
+    // Beside each other they are two, but for the quarter over which they lie within the tolerance.
     for (Point2& p : other) p.x += 0.025;
-    EXPECT_GT(total_length(join_strokes(polylines_of({one, other}), {})), 1.8 * 2 * M_PI * radius) << radius;
+    EXPECT_GT(total_length(join_strokes(polylines_of({one, other}), {})), 1.72 * 2 * M_PI * radius) << radius;
   }
 }
 

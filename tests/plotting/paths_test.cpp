@@ -156,28 +156,15 @@ TEST(OptimizePaths, ADrawingIsTheSameSetOfPoints) {
   }
 }
 
-/// A line that comes back along itself and crosses itself at very small angles: one stroke, and no reason to lift.
-TEST(OptimizePaths, NearTouchesDoNotCutALongStroke) {
-  std::vector<Point2> squiggle;
-  for (int k = 0; k <= 1000; ++k) squiggle.push_back({10 + k * 0.1, 60 + 0.6 * std::sin(k * 0.1)});
-  for (int k = 1000; k >= 0; --k)
-    squiggle.push_back({10 + k * 0.1, 60 + 0.6 * std::sin(k * 0.1) + 0.03 * std::sin(k * 0.3)});
-  const Polylines lines = polylines_of({squiggle});
-  EXPECT_EQ(join_strokes(lines, {}).size(), 1u);
-  JoinTolerances no_lift;
-  no_lift.lift_mm = 0;
-  EXPECT_GT(join_strokes(lines, no_lift).size(), 20u) << "there is something to cut";
-}
-
-TEST(OptimizePaths, LongPiecesAreStillDrawnOnce) {
+TEST(OptimizePaths, CoincidentPiecesAreDrawnOnce) {
   // A bar of 100 mm, and a line that leaves it, lies on it for so long, and leaves it again.
   const auto lines = [](double on) {
     return polylines_of({{{0, 0}, {100, 0}}, {{10, 20}, {20, 0.001}, {20 + on, 0.001}, {30 + on, 20}}});
   };
-  EXPECT_EQ(join_strokes(lines(5), {}).size(), 2u);
-  EXPECT_NEAR(total_length(join_strokes(lines(5), {})), total_length(lines(5)), 0.01);
-  EXPECT_EQ(join_strokes(lines(40), {}).size(), 3u);
-  EXPECT_NEAR(total_length(join_strokes(lines(40), {})), total_length(lines(40)) - 40, 0.01);
+  for (const double on : {5.0, 40.0}) {
+    EXPECT_EQ(join_strokes(lines(on), {}).size(), 3u);
+    EXPECT_NEAR(total_length(join_strokes(lines(on), {})), total_length(lines(on)) - on, 0.01);
+  }
   // A line that is there twice spares nothing by its second time.
   const Polylines twice = polylines_of({{{0, 0}, {5, 0}, {5, 5}}, {{5, 5}, {5, 0}, {0, 0}}});
   EXPECT_NEAR(total_length(join_strokes(twice, {})), 10, 0.01);

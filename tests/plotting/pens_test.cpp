@@ -182,7 +182,6 @@ TEST(Plots, TakeNoLongerThanInTheOrderOfTheDrawing) {
       PlotRequest request;
       request.style.page = {100, 100, 0};
       request.paths.pace = pace_of(device);
-      request.paths.tolerances.lift_mm = request.paths.pace.lift_mm();
       request.paths.order.returns = device.returns;
       for (const Optimize how : {Optimize::order, Optimize::join, Optimize::full}) {
         request.paths.optimize = how;
@@ -194,6 +193,18 @@ TEST(Plots, TakeNoLongerThanInTheOrderOfTheDrawing) {
       }
     }
   }
+}
+
+/// A line that comes back along itself and crosses itself at very small angles: drawing nothing twice would take longer.
+TEST(Plots, ASquiggleThatTouchesItselfStaysOneStroke) {
+  std::vector<Point2> squiggle;
+  for (int k = 0; k <= 1000; ++k) squiggle.push_back({10 + k * 0.1, 60 + 0.6 * std::sin(k * 0.1)});
+  for (int k = 1000; k >= 0; --k)
+    squiggle.push_back({10 + k * 0.1, 60 + 0.6 * std::sin(k * 0.1) + 0.03 * std::sin(k * 0.3)});
+  Drawing drawing = layers_of({"1 all"});
+  drawing.layers[0].lines = polylines_of({squiggle});
+  EXPECT_GT(join_strokes(drawing.layers[0].lines, {}).size(), 20u) << "there is something to cut";
+  EXPECT_EQ(make_plot(drawing, {}).pens.at(0).lines.size(), 1u);
 }
 
 TEST(Plots, StrokesOfOnePenKeepTheirLooks) {

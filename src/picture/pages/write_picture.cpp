@@ -213,7 +213,6 @@ Picture write_by_pens(const Drawing& drawing, const PlotOptions& style, const Pl
       picture_of_pens && device,
       picture_of_pens,
       {plotter.path_work(), plotter.tolerances, {}, plotter.min_length_mm, device ? pace_of(*device) : PathPace{}}};
-  request.paths.tolerances.lift_mm = request.paths.pace.lift_mm();
   check_pens(plotter.asked_pens, drawing);
   check_parts(plotter);
   const Plot before = assign_pens(drawing, request);
