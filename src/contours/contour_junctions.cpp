@@ -2,7 +2,6 @@
 
 #include <array>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -230,18 +229,17 @@ struct MovedEnd {
 
 /// Finds the nearest crossing with a contour in front near an end of a stroke, or beyond the end on its source edge. A
 /// line that runs obliquely into the strip between the contour and the mesh ends farther behind the crossing than the
-/// strip is wide. `passed`: length of the strokes between this one and the end of the line, which go with the part behind
-/// the crossing.
+/// strip is wide.
 std::optional<MovedEnd> moved_end(const StrokeModel& model, std::size_t i, bool first, const SegmentFinder& finder,
-                                  double reach_mm, double passed) {
+                                  double reach_mm) {
   const Stroke& s = model.strokes[i];
   const Point2 end = model.lattice.to_mm(first ? s.from : s.to), other = model.lattice.to_mm(first ? s.to : s.from);
   const double length = glm::length(end - other);
   if (!(length > 0)) return std::nullopt;
   const Point2 along = (end - other) / length;
   const double rest = (first ? s.t_from : 1 - s.t_to) / (s.t_to - s.t_from) * length;
-  const double back = std::min(kMostOblique * reach_mm - passed, length);
-  const double on = passed > 0 ? 0 : std::clamp(rest, 0.0, reach_mm);
+  const double back = std::min(kMostOblique * reach_mm, length);
+  const double on = std::clamp(rest, 0.0, reach_mm);
   const Point2 from = end - back * along, to = end + on * along;
   const double z_end = first ? s.z_from : s.z_to, slope = (first ? s.z_from - s.z_to : s.z_to - s.z_from) / length;
   // A tangent line runs behind a contour on one of its own surfaces, both of which are curved between the two.
@@ -255,48 +253,11 @@ std::optional<MovedEnd> moved_end(const StrokeModel& model, std::size_t i, bool 
     if (depth > z_end + shift * slope + slack || shift <= -length || (best && std::abs(*best) <= std::abs(shift))) return;
     const Point2 contour = piece.to - piece.from;
     const double reach = is_tangent ? std::max(reach_mm, piece.beside_mm) : reach_mm;
-    if (std::abs((shift - passed) * cross(along, contour)) > reach * glm::length(contour)) return;
+    if (std::abs(shift * cross(along, contour)) > reach * glm::length(contour)) return;
     best = shift;
   });
   if (!best) return std::nullopt;
   return MovedEnd{i, first, *best, model.lattice.snap(end + *best * along)};
-}
-
-/// The visible strokes of a model, and where they meet.
-struct VisibleLines {
-  std::vector<std::uint32_t> strokes;
-  Nodes nodes;
-
-  explicit VisibleLines(const StrokeModel& model)
-      : strokes(indices_where(model.strokes.size(), [&](std::size_t i) { return model.strokes[i].visible; })),
-        nodes(model.strokes, strokes) {}
-
-  const Stroke& stroke_at(const StrokeModel& model, std::uint32_t end) const { return model.strokes[strokes[end / 2]]; }
-};
-
-/// Finds the crossing to which the line moves that ends freely at an end of a visible stroke, also on the strokes before
-/// the last. Adds the strokes behind the crossing to `passed`.
-std::optional<MovedEnd> moved_line_end(const StrokeModel& model, const VisibleLines& lines, std::uint32_t end,
-                                       const SegmentFinder& finder, double reach_mm, std::vector<std::size_t>& passed) {
-  std::vector<std::size_t> behind;
-  for (double length = 0; length < kMostOblique * reach_mm;) {
-    const std::size_t i = lines.strokes[end / 2];
-    if (const auto found = moved_end(model, i, end % 2 == 0, finder, reach_mm, length)) {
-      passed.insert(passed.end(), behind.begin(), behind.end());
-      return found;
-    }
-    const std::uint32_t next = lines.nodes.other(end ^ 1U);
-    if (next == kNone) break;
-    const Stroke &s = model.strokes[i], &before = lines.stroke_at(model, next);
-    const Point2 along = model.lattice.to_mm(s.to) - model.lattice.to_mm(s.from),
-                 way = model.lattice.to_mm(before.to) - model.lattice.to_mm(before.from);
-    const double turn = glm::dot(along, way) * (end % 2 == next % 2 ? 1 : -1);
-    if (before.line_class != s.line_class || turn <= 0) break;
-    length += glm::length(along);
-    behind.push_back(i);
-    end = next;
-  }
-  return std::nullopt;
 }
 
 void apply(const MovedEnd& moved, StrokeModel& model) {
@@ -315,17 +276,6 @@ void apply(const MovedEnd& moved, StrokeModel& model) {
   }
 }
 
-void erase_strokes(std::span<const std::size_t> indices, std::vector<Stroke>& strokes) {
-  if (indices.empty()) return;
-  std::vector<std::uint8_t> goes(strokes.size(), 0);
-  for (const std::size_t i : indices) goes[i] = 1;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < strokes.size(); ++i) {
-    if (!goes[i]) strokes[kept++] = strokes[i];
-  }
-  strokes.resize(kept);
-}
-
 }  // namespace
 
 void move_ends_of_strokes(StrokeModel& others, const std::vector<SeenContour>& contours, double reach_mm) {
@@ -336,16 +286,17 @@ void move_ends_of_strokes(StrokeModel& others, const std::vector<SeenContour>& c
   for (std::uint32_t c = 0; c < contours.size(); ++c) {
     for_visible_pieces(contours[c], c, [&](const OutlineSegment& s) { finder.add(s); });
   }
-  // An end at which another stroke continues stays in place.
-  const VisibleLines lines(others);
+  const std::vector<std::uint32_t> visible =
+      indices_where(others.strokes.size(), [&](std::size_t i) { return others.strokes[i].visible; });
+  const Nodes nodes(others.strokes, visible);
   std::vector<MovedEnd> moved;
-  std::vector<std::size_t> passed;
-  for (std::uint32_t end = 0; end < lines.nodes.end_count(); ++end) {
-    if (lines.nodes.degree(lines.nodes.of(end)) > 1 || lines.stroke_at(others, end).line_class == LineClass::axes) continue;
-    if (const auto found = moved_line_end(others, lines, end, finder, reach_mm, passed)) moved.push_back(*found);
+  for (std::uint32_t end = 0; end < nodes.end_count(); ++end) {
+    const std::uint32_t i = visible[end / 2];
+    // An end at which another stroke continues stays in place.
+    if (nodes.degree(nodes.of(end)) > 1 || others.strokes[i].line_class == LineClass::axes) continue;
+    if (const auto found = moved_end(others, i, end % 2 == 0, finder, reach_mm)) moved.push_back(*found);
   }
   for (const MovedEnd& m : moved) apply(m, others);
-  erase_strokes(passed, others.strokes);
 }
 
 }  // namespace ligne

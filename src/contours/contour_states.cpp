@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -91,28 +90,6 @@ void put_in(std::vector<ContourRun>& runs, const std::vector<ContourRun>& change
 void drop_short_runs(std::vector<ContourRun>& runs, const ContourCurve& curve, double shortest_mm) {
   // From the shortest up, so that a crowd of tiny runs does not take a longer one with it.
   for (const double share : {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0}) merge_short(runs, curve, share * shortest_mm);
-}
-
-void end_runs_at_cusps(std::vector<ContourRun>& runs, const std::vector<ContourRun>& found, const ContourCurve& curve,
-                       const std::vector<Cusp>& cusps, double reach_mm) {
-  std::vector<double> lengths;
-  lengths.reserve(cusps.size());
-  for (const Cusp& cusp : cusps) lengths.push_back(curve.point_at(cusp.node).length);
-  for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
-    if ((runs[i].state >= 0) == (runs[i + 1].state >= 0) || runs[i].to != found[i].to) continue;
-    const double from = curve.point_at(runs[i].from).length, at = curve.point_at(runs[i].to).length,
-                 to = curve.point_at(runs[i + 1].to).length;
-    double best = std::numeric_limits<double>::infinity();
-    double place = runs[i].to;
-    for (std::size_t k = 0; k < cusps.size(); ++k) {
-      const double shift = std::abs(lengths[k] - at);
-      const bool is_beside = cusps[k].is_corner && std::abs(runs[i].to - cusps[k].node) <= 1;
-      if (lengths[k] <= from || lengths[k] >= to || shift > best || (shift > reach_mm && !is_beside)) continue;
-      best = shift;
-      place = cusps[k].node;
-    }
-    runs[i].to = runs[i + 1].from = place;
-  }
 }
 
 }  // namespace ligne

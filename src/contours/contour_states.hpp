@@ -30,16 +30,4 @@ void put_in(std::vector<ContourRun>& runs, const std::vector<ContourRun>& change
 /// Gives runs shorter than `shortest_mm` on the page the state of their longer neighbour.
 void drop_short_runs(std::vector<ContourRun>& runs, const ContourCurve& curve, double shortest_mm);
 
-/// A node of a chain at which its contour turns back.
-struct Cusp {
-  std::uint32_t node = 0;
-  bool is_corner = false;  ///< between two surfaces
-};
-
-/// Moves ends of visible runs to a cusp within `reach_mm`, or at a corner within the segment before or behind it, whose
-/// visibility depends on how coarse the mesh is: up to the cusp the contour is visible, and beyond it the surface itself
-/// hides it. Ends that differ from `found`, the runs before they were moved to crossing lines, stay. `cusps`: ascending.
-void end_runs_at_cusps(std::vector<ContourRun>& runs, const std::vector<ContourRun>& found, const ContourCurve& curve,
-                       const std::vector<Cusp>& cusps, double reach_mm);
-
 }  // namespace ligne

@@ -20,14 +20,6 @@ constexpr double kReachInPens = 2;
 /// as long. On rough meshes less is hidden by a hair.
 constexpr double kTestifiedInReaches = 8;
 
-std::vector<Cusp> cusps_of(const ContourChain& chain) {
-  std::vector<Cusp> cusps;
-  for (std::uint32_t i = 1; i < chain.size(); ++i) {
-    if (chain.nodes[i].is_cusp()) cusps.push_back({i, chain.nodes[i].is_corner});
-  }
-  return cusps;
-}
-
 /// Adjustable: a contour is hidden where its surface bends to the other side than where so many times as much of it is seen.
 constexpr double kMostlyTimes = 4;
 
@@ -98,13 +90,7 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
     }
   });
   hold_against_outlines(seen, contours, view, model.lattice, edges, {kTestifiedInReaches * reach_mm, options.pen_width_mm});
-  // A line ends at a line in front that hides it, also where a cusp is near.
-  std::vector<std::vector<ContourRun>> found(n);
-  for (std::size_t c = 0; c < n; ++c) found[c] = seen[c].runs;
   move_ends_of_contours(seen, model, reach_mm);
-  for (std::size_t c = 0; c < n; ++c) {
-    end_runs_at_cusps(seen[c].runs, found[c], seen[c].curve, cusps_of(contours.chains[c]), reach_mm);
-  }
   for (std::size_t c = 0; c < n; ++c) {
     hide_by_surfaces(contours.chains[c], seen[c].curve, seen[c].runs);
     drop_short_runs(seen[c].runs, seen[c].curve, options.pen_width_mm);
