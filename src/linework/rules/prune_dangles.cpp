@@ -24,7 +24,6 @@ class DanglePruner {
         arcs_(map, limits.touching_mm / map.step_mm()),
         limits_(limits),
         beside_(limits.beside_mm / map.step_mm()),
-        gap_(limits.gap_mm / map.step_mm()),
         extents_(body_extents(map, body_of)),
         body_(map.piece_count(), kNone) {
     for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
@@ -61,61 +60,27 @@ class DanglePruner {
     const auto [fewer, more] = std::minmax({arcs_.degree(arc.junctions[0]), arcs_.degree(arc.junctions[1])});
     // Such a junction of two arcs was one of three before a dangle was removed, so this arc is now part of a longer
     // line.
-    if (fewer == 2 || more == 2 || bridges_a_gap(arc)) return false;
+    if (fewer == 2 || more == 2) return false;
     if (arc.length <= longest && fewer == 1 && more > 2) return true;
     return std::ranges::all_of(arc.pieces, [&](std::uint32_t p) { return runs_beside(p, arc); }) &&
-           (fewer == 1 || leads_to_all(arc.junctions[0], {arc.junctions[1]}, arc, beside_));
+           (fewer == 1 || has_detour(arc));
   }
 
   static bool has(const Arcs::Arc& arc, std::uint32_t piece) { return std::ranges::binary_search(arc.pieces, piece); }
 
-  /// Whether lines that end near a free end of the arc have no other path to its other end. They are then one line with
-  /// a gap.
-  bool bridges_a_gap(const Arcs::Arc& arc) {
-    const std::vector<std::uint32_t> at[2] = {junctions_near(arc, 0), junctions_near(arc, 1)};
-    // Each junction is tested by itself: some near an end may belong to lines that connect with the arc anyway.
-    return !at[0].empty() &&
-           std::ranges::any_of(at[1], [&](std::uint32_t junction) { return !leads_to_all(junction, at[0], arc, gap_); });
-  }
-
-  /// The junctions of other lines within a gap of a free end, in order. The end's own junction if it is not free.
-  std::vector<std::uint32_t> junctions_near(const Arcs::Arc& arc, std::size_t side) {
-    const std::uint32_t junction = arc.junctions[side];
-    if (arcs_.degree(junction) > 1) return {junction};
-    const auto ends = arcs_.ends_at(junction);
-    const LatticePoint p = map_.point(*std::ranges::find_if(ends, [&](std::uint32_t end) { return arcs_.has(end / 2); }));
-    std::vector<std::uint32_t> near;
-    map_.near(p, p, gap_, [&](std::uint32_t other) {
-      for (const std::uint32_t end : {2 * other, 2 * other + 1}) {
-        const bool is_near = arcs_.has(other) && length(map_.point(end), p) <= gap_;
-        if (is_near && goes_on_without(arcs_.junction_of(end), arc)) near.push_back(arcs_.junction_of(end));
-      }
-      return false;
-    });
-    std::ranges::sort(near);
-    near.erase(std::unique(near.begin(), near.end()), near.end());
-    return near;
-  }
-
-  bool goes_on_without(std::uint32_t junction, const Arcs::Arc& arc) const {
-    return std::ranges::any_of(arcs_.ends_at(junction),
-                               [&](std::uint32_t end) { return arcs_.has(end / 2) && !has(arc, end / 2); });
-  }
-
-  /// Whether paths that avoid the arc lead from a junction to each of `to` (sorted), each no longer than kDetour times
-  /// the arc plus `more`. Searches for the shortest paths (Dijkstra, A note on two problems in connexion with graphs,
-  /// 1959).
-  bool leads_to_all(std::uint32_t from, const std::vector<std::uint32_t>& to, const Arcs::Arc& arc, double more) const {
-    const double longest = kDetour * (arc.length + more);
+  /// Whether a path that avoids the arc leads from one of its junctions to the other, no longer than kDetour times the arc
+  /// and its distance from the path. Searches for the shortest path (Dijkstra, A note on two problems in connexion with
+  /// graphs, 1959).
+  bool has_detour(const Arcs::Arc& arc) const {
+    const double longest = kDetour * (arc.length + beside_);
     using Path = std::pair<double, std::uint32_t>;  // length of the path, and the junction at its end
-    std::priority_queue<Path, std::vector<Path>, std::greater<>> paths({}, {{0, from}});
+    std::priority_queue<Path, std::vector<Path>, std::greater<>> paths({}, {{0, arc.junctions[0]}});
     KeyTable done;  // junctions
-    std::size_t left = to.size();
     while (!paths.empty()) {
       const auto [length, junction] = paths.top();
       paths.pop();
       if (std::exchange(done[junction], 0) != kNone) continue;
-      if (std::ranges::binary_search(to, junction) && --left == 0) return true;
+      if (junction == arc.junctions[1]) return true;
       for (const std::uint32_t end : arcs_.ends_at(junction)) {
         const double further = length + page_length(map_.piece(end / 2));
         if (!arcs_.has(end / 2) || further > longest || has(arc, end / 2)) continue;
@@ -139,7 +104,7 @@ class DanglePruner {
   LineMap& map_;
   Arcs arcs_;
   DangleLimits limits_;
-  double beside_, gap_;
+  double beside_;
   std::vector<double> extents_;      ///< by body
   std::vector<std::uint32_t> body_;  ///< by piece; kNone except for outlines
 };

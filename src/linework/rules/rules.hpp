@@ -31,14 +31,12 @@ struct DangleLimits {
   double beside_mm = 0;     ///< an arc within this distance of another line runs beside it
   double beside_times = 1;  ///< such an arc may be this many times as long as a dangle
   double touching_mm = 0;   ///< lines meet within this distance
-  double gap_mm = 0;        ///< lines that end within this distance of each other may be one line
 };
 /// prune_dangles: removes outlines of bodies that branch off an outline and lead nowhere. Where a rough surface is seen
 /// nearly edge on, its outline follows many shallow folds, and each ends freely beside the next. The rule removes arcs
 /// (Arcs in line_groups.hpp), the shortest first, if they
 /// - end freely, begin at a junction of two other arcs, and are short; or
 /// - run beside another line all along, and end freely or between two such junctions that stay connected without them.
-/// An arc stays if other lines near its free end have no other path to its other end: they are one line with a gap.
 std::size_t prune_dangles(LineMap& map, const BodyOf& body_of, const DangleLimits& limits);
 
 /// merge_short_runs: gives runs (Runs in line_groups.hpp) shorter than `least_mm` the class of the longest run that
