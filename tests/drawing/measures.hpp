@@ -4,7 +4,6 @@
 #include "drawing/drawing.hpp"
 #include "drawing/result_models.hpp"
 #include "support/page_lines.hpp"
-#include "support/standard.hpp"
 
 namespace ligne::test {
 
@@ -28,6 +27,13 @@ inline double area_of(const std::vector<Point2>& contour) {
     const Point2 a = contour[i] - contour[0], b = contour[i + 1] - contour[0];
     sum += (a.x * b.y - a.y * b.x) / 2;
   }
+  return sum;
+}
+
+/// The area of a shape whose first contour is the outer one, whatever their turns.
+inline double area_within(const std::vector<std::vector<Point2>>& contours) {
+  double sum = 2 * std::abs(area_of(contours.front()));
+  for (const auto& contour : contours) sum -= std::abs(area_of(contour));
   return sum;
 }
 

@@ -61,9 +61,8 @@ double processor_seconds() {
   for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
     rusage used{};
     getrusage(who, &used);
-    for (const timeval& time : {used.ru_utime, used.ru_stime}) {
+    for (const timeval& time : {used.ru_utime, used.ru_stime})
       seconds += static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
-    }
   }
   return seconds;
 }
@@ -79,9 +78,8 @@ class Listener : public testing::EmptyTestEventListener {
 
   void OnTestEnd(const testing::TestInfo& test) override {
     if (test.result()->Failed()) std::cout << alone(test) << std::flush;
-    if (const char* const file = std::getenv("LIGNE_TEST_TIMES")) {
+    if (const char* const file = std::getenv("LIGNE_TEST_TIMES"))
       std::ofstream(file, std::ios::app) << std::to_string(processor_seconds() - begun_at_) + ' ' + full_name(test) + '\n';
-    }
   }
 
   void OnTestProgramEnd(const testing::UnitTest& all) override {

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <map>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
@@ -108,9 +107,8 @@ class Reader {
     steps.push_back({text.substr(0, bar), {}, {}, place(line)});
     if (bar != std::string::npos) add_checks(text.substr(bar), steps.back());
     if (!text.ends_with("<<")) return;
-    for (; at_ < lines_.size() && lines_[at_].text != ">>"; ++at_) {
+    for (; at_ < lines_.size() && lines_[at_].text != ">>"; ++at_)
       steps.back().text += std::string(lines_[at_].indent, ' ') + filled(lines_[at_].text) + '\n';
-    }
     ++at_;
   }
 
@@ -128,9 +126,8 @@ class Reader {
       before = text;
       for (const auto& [name, value] : names_) {
         const std::string sign = "{" + name + "}";
-        for (std::size_t at = text.find(sign); at != std::string::npos; at = text.find(sign, at + value.size())) {
+        for (std::size_t at = text.find(sign); at != std::string::npos; at = text.find(sign, at + value.size()))
           text.replace(at, sign.size(), value);
-        }
       }
     }
     return text;
@@ -175,10 +172,9 @@ bool add_scripts(const std::filesystem::path& folder, const std::function<void(c
   for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   for (const std::filesystem::path& file : files) {
-    for (const Script& script : read_scripts(file)) {
+    for (const Script& script : read_scripts(file))
       testing::RegisterTest(script.suite.c_str(), script.name.c_str(), nullptr, nullptr, script.file.c_str(), script.line,
                             [script, run]() -> ScriptTest* { return new ScriptTest(script, run); });
-    }
   }
   return !files.empty();
 }

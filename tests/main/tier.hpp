@@ -29,9 +29,8 @@ template <class List>
 auto chosen(std::string_view key, std::size_t one_in, const List& list) {
   std::vector<std::decay_t<decltype(*std::begin(list))>> taken;
   std::size_t number = 0;
-  for (const auto& item : list) {
+  for (const auto& item : list)
     if (is_chosen(key, number++, one_in)) taken.push_back(item);
-  }
   return taken;
 }
 template <class Item>

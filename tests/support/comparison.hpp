@@ -2,10 +2,8 @@
 /// One drawing held against what the oracle says of its lines.
 
 #include "drawing/drawing.hpp"
-#include "oracle/oracle.hpp"
 #include "support/judge.hpp"
 #include "support/page_segments.hpp"
-#include "support/standard.hpp"
 
 namespace ligne::test {
 
@@ -89,9 +87,8 @@ std::vector<Segment> open_parts(const Segment& segment, const std::vector<DrawnS
     if (const auto range = along(segment, s.segment, tolerance)) covered.push_back(*range);
   }
   std::vector<Segment> result;
-  for (const Range& gap : gaps(std::move(covered), 0, segment.length())) {
+  for (const Range& gap : gaps(std::move(covered), 0, segment.length()))
     if (gap.length() > tolerance) result.push_back({segment.at(gap.from), segment.at(gap.to)});
-  }
   return result;
 }
 
@@ -113,9 +110,8 @@ class Comparison {
         add(verdict_.drawn_hidden, s.segment, "stroke of an edge that is not in view");
       return;
     }
-    if (deviation(candidate->whole, s.segment) > tolerance_) {
+    if (deviation(candidate->whole, s.segment) > tolerance_)
       add(verdict_.drawn_hidden, s.segment, "stroke beside its " + candidate->words);
-    }
     against_hidden(s, *candidate);
     const EdgeClass expected = candidate->line_class;
     if (expected == EdgeClass::undecided) return;

@@ -1,7 +1,6 @@
 #include "support/corpus_scene.hpp"
 
 #include "scene/readers/reader.hpp"
-#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {
@@ -12,9 +11,8 @@ const std::filesystem::path kFolder = std::filesystem::path(LIGNE_SOURCE_DIR) / 
 
 std::vector<std::filesystem::path> corpus_files(std::uintmax_t most_bytes) {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder))
     if (entry.path().extension() == ".json" && entry.file_size() <= most_bytes) files.push_back(entry.path());
-  }
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -2,11 +2,9 @@
 
 #include <glm/vec4.hpp>
 
-#include "drawing/drawing.hpp"
 #include "linework/overlaps/coincident_strokes.hpp"
 #include "main/checks.hpp"
 #include "support/comparison.hpp"
-#include "support/standard.hpp"
 #include "view/cull.hpp"
 #include "view/tolerances.hpp"
 
@@ -67,9 +65,8 @@ Fault misplaced(const StrokeModel& model, const Scene& scene, const Topology& to
     for (const bool last : {false, true}) {
       const Point2 end = model.lattice.to_mm(last ? s.to : s.from);
       Place place;
-      if (!(distance(view, source, last ? s.t_to : s.t_from, end, tolerance, place) <= 0)) {
+      if (!(distance(view, source, last ? s.t_to : s.t_from, end, tolerance, place) <= 0))
         add(fault, {place.mm, end}, "end of a stroke of edge " + std::to_string(s.source) + " beside its place");
-      }
     }
   }
   return fault;
@@ -156,9 +153,8 @@ bool is_glass(const Scene& scene, std::uint32_t face) {
 }
 
 bool has_glass(const Scene& scene) {
-  for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
+  for (std::uint32_t f = 0; f < scene.faces.size(); ++f)
     if (is_glass(scene, f)) return true;
-  }
   return false;
 }
 
@@ -181,9 +177,7 @@ oracle::View view_of(const StandardView& standard, const View& view, double accu
 }  // namespace
 
 const oracle::Oracle& JudgedView::oracle() const {
-  if (!oracle_) {
-    oracle_ = std::make_unique<oracle::Oracle>(scene_, view_of(standard_, view_, accuracy_mm_), kCreaseDegrees);
-  }
+  if (!oracle_) oracle_ = std::make_unique<oracle::Oracle>(scene_, view_of(standard_, view_, accuracy_mm_), kCreaseDegrees);
   return *oracle_;
 }
 
@@ -258,20 +252,22 @@ bool JudgedView::has_intersections() const {
 
 namespace {
 
+constexpr std::pair<const char*, Fault Verdict::*> kFaults[] = {{"drawn although hidden", &Verdict::drawn_hidden},
+                                                                {"missing", &Verdict::missing},
+                                                                {"drawn twice", &Verdict::twice},
+                                                                {"neither visible nor hidden", &Verdict::uncovered},
+                                                                {"beside its place", &Verdict::misplaced},
+                                                                {"wrong class", &Verdict::wrong_class}};
+
 std::string report(const Verdict& verdict) {
   std::string text;
-  const auto add_fault = [&](const char* name, const Fault& fault) {
-    if (fault.length_mm == 0) return;
+  for (const auto& [name, kind] : kFaults) {
+    const Fault& fault = verdict.*kind;
+    if (fault.length_mm == 0) continue;
     char buffer[96];
     std::snprintf(buffer, sizeof buffer, "  %s: %.4f mm, worst %.4f mm: ", name, fault.length_mm, fault.worst_mm);
     text += buffer + fault.place + "\n";
-  };
-  add_fault("drawn although hidden", verdict.drawn_hidden);
-  add_fault("missing", verdict.missing);
-  add_fault("drawn twice", verdict.twice);
-  add_fault("neither visible nor hidden", verdict.uncovered);
-  add_fault("beside its place", verdict.misplaced);
-  add_fault("wrong class", verdict.wrong_class);
+  }
   return text;
 }
 
@@ -308,12 +304,7 @@ void JudgedView::compare(StrokeModel model, const Lines& lines, const MethodTrai
   count_checks(Check::drawings);
   count_checks(Check::intervals, lines.intervals);
   if (hidden) comparison.uncovered();
-  keep_worse(verdict.drawn_hidden, drawing.drawn_hidden);
-  keep_worse(verdict.missing, drawing.missing);
-  keep_worse(verdict.twice, drawing.twice);
-  keep_worse(verdict.uncovered, drawing.uncovered);
-  keep_worse(verdict.misplaced, drawing.misplaced);
-  keep_worse(verdict.wrong_class, drawing.wrong_class);
+  for (const auto& [name, kind] : kFaults) keep_worse(verdict.*kind, drawing.*kind);
 }
 
 Verdict JudgedView::judge(const Method& method, const std::string& edges, const MethodSettings& settings, Cull cull) const {
@@ -329,9 +320,8 @@ Verdict JudgedView::judge(const Method& method, const std::string& edges, const 
   }
   const bool all = edges == "all";
   EdgeSelection selection{{}, kCreaseDegrees};
-  for (std::size_t c = 0; c < kLineClassCount; ++c) {
+  for (std::size_t c = 0; c < kLineClassCount; ++c)
     if (all || static_cast<LineClass>(c) != LineClass::mesh) selection.classes.add(static_cast<LineClass>(c));
-  }
   ProjectedScene projected = project(scene_, topology_, view_, selection);
   if (cull == Cull::on) ligne::cull(projected, find_back_faces(scene_, topology_, view_));
   ask();

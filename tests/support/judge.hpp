@@ -2,7 +2,6 @@
 /// The judge: any method's drawing of a scene against the oracle.
 
 #include "oracle/answers.hpp"
-#include "support/standard.hpp"
 #include "support/standard_views.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/method.hpp"

@@ -107,9 +107,8 @@ TEST(Judge, FindsStrokesBesideTheirPlaces) {
 
 TEST(Judge, FindsWrongClasses) {
   const SpoiltMethod method([](StrokeModel& m) {
-    for (Stroke& s : m.strokes) {
+    for (Stroke& s : m.strokes)
       if (s.line_class == LineClass::crease) s.line_class = LineClass::outline;
-    }
   });
   EXPECT_GT(judged(method, "all").wrong_class.worst_mm, 0.5);
   EXPECT_GT(judged(method, "feature").wrong_class.worst_mm, 0.5);

@@ -3,7 +3,6 @@
 
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
-#include "support/standard.hpp"
 #include "visibility/watkins/exact/line_study.hpp"
 
 namespace ligne::test {

@@ -41,11 +41,9 @@ class PageCells {
       return static_cast<int>(std::clamp(std::floor(offset / cell_mm_), 0.0, count - 1.0));
     };
     const int last_row = cell(high.y - origin_.y, rows_), last_column = cell(high.x - origin_.x, columns_);
-    for (int y = cell(low.y - origin_.y, rows_); y <= last_row; ++y) {
-      for (int x = cell(low.x - origin_.x, columns_); x <= last_column; ++x) {
+    for (int y = cell(low.y - origin_.y, rows_); y <= last_row; ++y)
+      for (int x = cell(low.x - origin_.x, columns_); x <= last_column; ++x)
         visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x));
-      }
-    }
   }
 
   Point2 origin_;

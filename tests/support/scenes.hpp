@@ -15,9 +15,8 @@ namespace ligne::test {
 inline LineClasses classes(const std::string& names) {
   LineClasses c;
   for (std::size_t i = 0; i < kLineClassCount; ++i) {
-    if (names == "all" || (names == "feature" && i < 4) || names.find(kLineClassNames[i]) != std::string::npos) {
+    if (names == "all" || (names == "feature" && i < 4) || names.find(kLineClassNames[i]) != std::string::npos)
       c.add(static_cast<LineClass>(i));
-    }
   }
   return c;
 }
@@ -36,9 +35,8 @@ struct Picture {
   template <class Counts>
   double length_if(const Counts& counts) const {
     double sum = 0;
-    for (const Stroke& s : model.strokes) {
+    for (const Stroke& s : model.strokes)
       if (counts(s)) sum += glm::length(model.lattice.to_mm(s.to) - model.lattice.to_mm(s.from));
-    }
     return sum;
   }
 };
@@ -78,9 +76,8 @@ inline Picture draw(const Scene& scene, const PictureRequest& request) {
 
 /// The count of the method under that name; 0 when it knows no such count.
 inline std::uint64_t count_of(const Statistics& statistics, std::string_view name) {
-  for (const auto& [known, count] : statistics.counts) {
+  for (const auto& [known, count] : statistics.counts)
     if (known == name) return count;
-  }
   return 0;
 }
 
@@ -100,10 +97,9 @@ inline Scene random_boxes(int count, unsigned seed, double spread, const Point3&
   Scene scene;
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> u(-1, 1);
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count; ++i)
     add_box(scene, Point3{u(random), u(random), u(random)} * spread, size,
             rotation(u(random) * 3, u(random) * 3, u(random) * 3));
-  }
   return scene;
 }
 

@@ -1,7 +1,6 @@
 #include "support/standard_views.hpp"
 
 #include "main/tier.hpp"
-#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {
@@ -71,9 +70,8 @@ StandardView through_a_vertex(const Scene& scene) {
   for (const Point3& v : scene.vertices) heights.push_back(std::abs(glm::dot(v - centre, up)));
   const double height = middle(std::move(heights));
   double depth = 0;
-  for (const Point3& v : scene.vertices) {
+  for (const Point3& v : scene.vertices)
     if (std::abs(glm::dot(v - centre, up)) == height) depth = glm::dot(v - centre, forward);
-  }
   const Point3 eye = centre + forward * (depth - height);
   return perspective_view("fov_border", scene, eye, eye + forward * std::exp2(std::ceil(std::log2(glm::length(high - low)))),
                           90);

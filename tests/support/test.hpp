@@ -37,6 +37,13 @@ inline void expect_no_parts(std::string_view text, std::initializer_list<std::st
   for (const std::string_view part : parts) EXPECT_EQ(text.find(part), text.npos) << "\"" << part << "\" is in: " << text;
 }
 
+/// A test is named by its parameter, which is a file.
+inline constexpr auto kNameOfFile = [](const auto& info) {
+  std::string name = std::filesystem::path(info.param).filename().string();
+  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  return name;
+};
+
 /// A new folder that goes when the test is over.
 class TemporaryFolder {
  public:

@@ -19,9 +19,8 @@ struct Variant {
 /// Gives the settings without which a parameter has no effect.
 inline MethodSettings needed_by(std::string_view parameter) {
   MethodSettings settings;
-  for (const std::string_view of_polygons : {"clip", "zones", "inside"}) {
+  for (const std::string_view of_polygons : {"clip", "zones", "inside"})
     if (parameter == of_polygons) settings.set("study", ParameterWord{1});
-  }
   return settings;
 }
 
