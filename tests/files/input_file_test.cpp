@@ -1,3 +1,5 @@
+#include "files/input_file.hpp"
+
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -5,9 +7,10 @@
 #include <csignal>
 #include <thread>
 
+#include "files/closest_name.hpp"
 #include "files/input_error.hpp"
-#include "files/input_file.hpp"
 #include "files/message_text.hpp"
+#include "files/omissions.hpp"
 #include "support/test.hpp"
 
 namespace ligne {
@@ -143,6 +146,67 @@ TEST(MessageText, AMessageIsOneLineAndLosesItsMiddle) {
 TEST(MessageText, ErrorsOfInputAreSuchLines) {
   EXPECT_STREQ(InputError("a\nb", "is odd").what(), "a\\nb: is odd");
   EXPECT_EQ(std::string(InputError("f", std::string(1000, 'x')).what()).size(), kLongestMessage);
+}
+
+TEST(Omissions, OneLineNamesKindsInTheirOrder) {
+  Omissions omitted;
+  EXPECT_TRUE(omitted.empty());
+  EXPECT_EQ(omitted.text(), "");
+  omitted.count("textures");
+  omitted.count("primitives with EXT_foo", 2);
+  omitted.count("textures", 3);
+  omitted.count("nothing", 0);
+  EXPECT_EQ(omitted.text(), "left out: 4 textures, 2 primitives with EXT_foo");
+  EXPECT_EQ(omitted.of("textures"), 4u);
+  EXPECT_EQ(omitted.of("nothing"), 0u);
+}
+
+TEST(Omissions, NamesOfTheFileAreMadePrintable) {
+  Omissions omitted;
+  omitted.count("statements \x1b[2J\nligne: all is well");
+  EXPECT_EQ(omitted.list(), "1 statements \\x1b[2J\\nligne: all is well");
+}
+
+TEST(Omissions, AMillionKindsAreAFew) {
+  Omissions omitted;
+  for (int i = 0; i < 1'000'000; ++i) omitted.count("statements " + std::to_string(i));
+  EXPECT_EQ(omitted.counts().size(), 17u);
+  EXPECT_EQ(omitted.of("other items"), 999'984u);
+}
+
+const std::vector<std::string_view> kNames{"--hide", "--hidden", "--view", "-x", "--x-ray", "--edges"};
+const std::vector<std::string_view> kViews{"front", "bottom", "iso", "dimetric", "trimetric"};
+
+std::string_view meant(std::string_view word, const std::vector<std::string_view>& names = kNames) {
+  return closest_name(word, names).value_or("");
+}
+
+TEST(ClosestName, IsWhatSlipsOfTheKeysMakeOf) {
+  EXPECT_EQ(meant("--veiw"), "--view");      // exchanged
+  EXPECT_EQ(meant("--vieww"), "--view");     // added
+  EXPECT_EQ(meant("--wiew=top"), "--view");  // replaced
+  EXPECT_EQ(meant("--hiden"), "--hidden");   // left out, sooner than added to --hide
+  EXPECT_EQ(meant("--x"), "-x");
+  EXPECT_EQ(meant("-hidden"), "--hidden");
+  EXPECT_EQ(meant("--hyddin"), "--hidden");
+}
+
+TEST(ClosestName, IsWhatIsWrittenShorterOrLonger) {
+  EXPECT_EQ(meant("isometric", kViews), "iso");
+  EXPECT_EQ(meant("trim", kViews), "trimetric");
+  EXPECT_EQ(meant("bot", kViews), "bottom");
+  EXPECT_EQ(meant("is", kViews), "");  // two letters begin too much
+  EXPECT_EQ(meant("hid"), "--hide");
+}
+
+TEST(ClosestName, IsNoneWhereNoneIsNear) {
+  EXPECT_EQ(meant("--y"), "");
+  EXPECT_EQ(meant("--veeew"), "");
+  EXPECT_EQ(meant("--frobnicate"), "");
+  EXPECT_EQ(meant("--"), "");
+  EXPECT_EQ(meant(""), "");
+  EXPECT_EQ(meant(std::string(100'000, 'x')), "");
+  EXPECT_EQ(closest_name("--view", {}), std::nullopt);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 
 #include "clip_support.hpp"
 #include "main/tier.hpp"
-#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {

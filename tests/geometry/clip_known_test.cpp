@@ -2,8 +2,6 @@
 // case by name.
 
 #include "clip_support.hpp"
-#include "geometry/polygons/clip_contour_by_contour.hpp"
-#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {

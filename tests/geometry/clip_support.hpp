@@ -11,10 +11,9 @@ using Faces = std::vector<ContourFace>;
 /// Length of all contours in steps: what the rounding of corners to the fine lattice can change an area by follows from it.
 inline double contour_length(const Faces& faces) {
   double length = 0;
-  for (const ContourFace& face : faces) {
+  for (const ContourFace& face : faces)
     for (const EdgeLoop& loop : face.contours)
       for (const ContourEdge& e : loop) length += std::hypot(e.dx(), e.dy());
-  }
   return length;
 }
 

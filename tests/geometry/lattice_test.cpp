@@ -1,11 +1,13 @@
+#include "geometry/lattice.hpp"
+
 #include <atomic>
 #include <chrono>
 
 #include "base/stop.hpp"
 #include "geometry/connected_boxes.hpp"
 #include "geometry/degrees.hpp"
-#include "geometry/lattice.hpp"
 #include "geometry/predicates.hpp"
+#include "geometry/small_matrices.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
@@ -51,17 +53,13 @@ TEST(Lattice, SnappingALatticePointChangesNothing) {
   }
 }
 
-TEST(Lattice, FarPointsAreClampedToTheLimit) {
-  const Lattice lattice = Lattice::covering(rect(0, 0, 297, 210));
-  EXPECT_EQ(lattice.snap({1e30, -1e30}), (LatticePoint{kLatticeLimit, -kLatticeLimit}));
-}
-
-TEST(Lattice, PagesWithoutAreaAreWelcome) {
+TEST(Lattice, PagesWithoutAreaAndFarPoints) {
   const Lattice line = Lattice::covering(rect(10, 5, 90, 5));
   EXPECT_EQ(line.to_mm(line.snap({10, 5})), Point2(10, 5));
   const Lattice point = Lattice::covering(rect(7, 7, 7, 7));
   EXPECT_NEAR(point.to_mm(point.snap({7, 7})).x, 7, 1e-9);
   EXPECT_EQ(Lattice::covering(Rect{}).step_mm, 1);
+  EXPECT_EQ(Lattice::covering(rect(0, 0, 297, 210)).snap({1e30, -1e30}), (LatticePoint{kLatticeLimit, -kLatticeLimit}));
 }
 
 TEST(LatticeOrientation, IdentitiesAndExactnessAtTheLimit) {
@@ -96,11 +94,7 @@ TEST(Degrees, OthersAreThoseOfRadians) {
     EXPECT_EQ(opposite.sine, -at.sine) << degrees;
     EXPECT_EQ(opposite.cosine, at.cosine) << degrees;
   }
-}
-
-TEST(Degrees, NoAngleHasNone) {
-  EXPECT_TRUE(std::isnan(sine_cosine_degrees(HUGE_VAL).sine));
-  EXPECT_TRUE(std::isnan(sine_cosine_degrees(std::nan("")).cosine));
+  EXPECT_TRUE(std::isnan(sine_cosine_degrees(HUGE_VAL).sine) && std::isnan(sine_cosine_degrees(std::nan("")).cosine));
 }
 
 void expect_identities(Point2 a, Point2 b, Point2 c) {
@@ -170,7 +164,7 @@ TEST(ConnectedBoxes, AreThoseOfEveryPair) {
   std::size_t sets_in_all = 0;
   for (int round = 0; round < 3000; ++round) {
     // Whole numbers, so that many borders coincide; from boxes that stand alone to one heap.
-    const int n = 1 + static_cast<int>(random() % 40), side = 4 + static_cast<int>(random() % 60);
+    const int n = static_cast<int>(random() % 41), side = 4 + static_cast<int>(random() % 60);
     std::vector<AxisBox> boxes;
     for (int i = 0; i < n; ++i) {
       const double x = random() % side, y = random() % side;
@@ -184,8 +178,6 @@ TEST(ConnectedBoxes, AreThoseOfEveryPair) {
   }
   EXPECT_GT(sets_in_all, 3000u);
 }
-
-TEST(ConnectedBoxes, OfNothing) { connect_boxes({}); }
 
 TEST(ConnectedBoxes, ACrowdCostsNoMoreThanOthers) {
   std::vector<AxisBox> boxes;
@@ -228,9 +220,12 @@ TEST(Stop, LoopsInsideLoopsKnowIt) {
   EXPECT_EQ(inner, 0u);
 }
 
-TEST(Stop, WorkThatIsToldBeforeDoesNotBegin) {
-  const std::atomic<bool> stop = true;
+TEST(Stop, WorkThatIsToldBeforeDoesNotBeginAndSerialLoopsAsk) {
+  std::atomic<bool> stop = true;
   EXPECT_THROW(run_until(stop, [] { FAIL(); }), Stopped);
+  stop = false;
+  EXPECT_THROW(run_until(stop, [&] { check_stop(), stop = true, check_stop(); }), Stopped);
+  EXPECT_TRUE(stop);
 }
 
 TEST(Stop, OtherWorkGoesOn) {
@@ -249,14 +244,69 @@ TEST(Stop, OtherWorkGoesOn) {
   EXPECT_EQ(done, 2000u);
 }
 
-TEST(Stop, SerialLoopsAsk) {
-  std::atomic<bool> stop = false;
-  const auto work = [&] {
-    check_stop();
-    stop = true;
-    check_stop();
-  };
-  EXPECT_THROW(run_until(stop, work), Stopped);
+// Eigenvalues of 3 by 3 matrices, and systems of equations.
+
+/// A symmetric matrix with these eigenvalues.
+Matrix3 matrix_of(const std::array<double, 3>& values, std::mt19937& random) {
+  std::uniform_real_distribution<double> place(-1, 1);
+  const Point3 x = glm::normalize(Point3(place(random), place(random), place(random)));
+  const Point3 y = glm::normalize(glm::cross(x, Point3(place(random), place(random), place(random))));
+  const std::array<Point3, 3> frame{x, y, glm::cross(x, y)};
+  Matrix3 m{};
+  for (std::size_t i = 0; i < 3; ++i) add_product(m, values[i] * frame[i], frame[i]);
+  return m;
+}
+
+Point3 product(const Matrix3& m, const Point3& p) {
+  Point3 sum(0.0);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) sum[i] += m[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] * p[j];
+  return sum;
+}
+
+TEST(SmallMatrices, HaveTheirEigenvaluesAndVectors) {
+  std::mt19937 random(1);
+  for (const std::array<double, 3>& values :
+       {std::array<double, 3>{1, 2, 3}, {0, 1e-6, 1}, {0, 0, 1}, {-2, -2, 5}, {1e-12, 1e-9, 1e-9}, {0, 0, 0}, {4, 4, 4}}) {
+    for (int trial = 0; trial < 20; ++trial) {
+      const Matrix3 m = matrix_of(values, random);
+      const Eigen3 e = symmetric_eigen(m);
+      const double size = std::max(std::abs(values[0]), std::abs(values[2]));
+      for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(e.values[i], values[i], 1e-14 * size);
+        EXPECT_LE(glm::distance(product(m, e.vectors[i]), e.values[i] * e.vectors[i]), 1e-14 * size);
+        for (std::size_t k = 0; k <= i; ++k) EXPECT_NEAR(glm::dot(e.vectors[i], e.vectors[k]), i == k, 1e-14);
+      }
+    }
+  }
+}
+
+TEST(SmallMatrices, SolveSystemsOfFiveEquations) {
+  constexpr std::size_t kSize = 5;
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> place(-1, 1);
+  for (int trial = 0; trial < 20; ++trial) {
+    std::array<std::array<double, kSize>, kSize> a{};
+    std::array<double, kSize> solution{}, right{};
+    for (std::size_t row = 0; row < 2 * kSize; ++row) {
+      std::array<double, kSize> terms{};
+      for (double& term : terms) term = place(random);
+      for (std::size_t i = 0; i < kSize; ++i)
+        for (std::size_t j = 0; j < kSize; ++j) a[i][j] += terms[i] * terms[j];
+    }
+    for (double& x : solution) x = place(random);
+    for (std::size_t i = 0; i < kSize; ++i)
+      for (std::size_t j = 0; j < kSize; ++j) right[i] += a[i][j] * solution[j];
+    ASSERT_TRUE(solve_symmetric(a, right));
+    for (std::size_t i = 0; i < kSize; ++i) EXPECT_NEAR(right[i], solution[i], 1e-12);
+  }
+}
+
+TEST(SmallMatrices, ThatAreNotPositiveDefiniteAreNotSolved) {
+  std::array<std::array<double, 2>, 2> singular{{{1, 0}, {2, 4}}}, negative{{{-1, 0}, {0, 1}}};
+  std::array<double, 2> right{1, 2};
+  EXPECT_FALSE(solve_symmetric(singular, right));
+  EXPECT_FALSE(solve_symmetric(negative, right));
 }
 
 }  // namespace

@@ -36,9 +36,7 @@ Polygon comb(int n) {
   return {c};
 }
 
-/// The comb lying on its side.
-Polygon lying_comb(int n) {
-  Polygon polygon = comb(n);
+Polygon lying(Polygon polygon) {
   for (Point2& p : polygon[0]) p = {p.y, -p.x};
   return polygon;
 }
@@ -59,8 +57,6 @@ Contour round_spiral(int n, double begin) {
   for (int i = 0; i < n; ++i) c.push_back(polar(begin + 0.05 * i, 2 * std::numbers::pi * (i % 128) / 128));
   return c;
 }
-
-Polygon spiral(int n) { return band(round_spiral(n / 2, 10), round_spiral(n / 2, 8)); }
 
 /// Two bands that wind round each other, joined in the middle.
 Polygon double_spiral(int n) {
@@ -84,9 +80,6 @@ Contour right_angled_spiral(int n, double width) {
   return c;
 }
 
-/// All corners on common horizontal and vertical lines, all sides long.
-Polygon square_spiral(int n) { return band(right_angled_spiral(n / 2, 0), right_angled_spiral(n / 2, 0.25)); }
-
 /// Two rows of teeth; `gap` lies between their tips.
 Polygon teeth(int n, double gap) {
   const int count = n / 4;
@@ -96,10 +89,6 @@ Polygon teeth(int n, double gap) {
   for (int i = count; i-- > 0;) c.insert(c.end(), {{2.0 * i + 1, gap / 2}, {2.0 * i, double(count)}});
   return {c};
 }
-
-Polygon saw_teeth(int n) { return teeth(n, 1e-9); }
-Polygon teeth_that_touch(int n) { return teeth(n, 0); }
-Polygon teeth_that_cross(int n) { return teeth(n, -1); }
 
 /// The closed space-filling curve of Moore.
 Contour moore_curve(int n) {
@@ -139,8 +128,6 @@ Contour moore_curve(int n) {
   return c;
 }
 
-Polygon space_filling(int n) { return {moore_curve(n)}; }
-
 /// The corners of the space-filling curve up to `most` beside their places.
 Polygon jittered_curve(int n, double most) {
   std::mt19937_64 random(5);
@@ -149,10 +136,6 @@ Polygon jittered_curve(int n, double most) {
   for (Point2& p : polygon[0]) p += Point2{jitter(random), jitter(random)};
   return polygon;
 }
-
-Polygon random_simple(int n) { return jittered_curve(n, 0.3); }
-/// Its corners leave their cells.
-Polygon tangled(int n) { return jittered_curve(n, 0.6); }
 
 Polygon staircase(int n) {
   const int steps = n / 4;
@@ -181,10 +164,9 @@ Polygon koch(int n) {
 Polygon collinear(int n) {
   const int side = n / 4;
   Contour c;
-  for (int i = 0; i < side; ++i) c.emplace_back(i, 0);
-  for (int i = 0; i < side; ++i) c.emplace_back(side, i);
-  for (int i = 0; i < side; ++i) c.emplace_back(side - i, side);
-  for (int i = 0; i < side; ++i) c.emplace_back(0, side - i);
+  for (const auto& [x, y] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}})
+    for (int i = 0; i < side; ++i)
+      c.push_back(Point2{x * side, y * side} + double(i) * Point2{x == y ? 1 - 2 * x : 0, x == y ? 0 : 2 * x - 1});
   return {c};
 }
 
@@ -198,9 +180,6 @@ Polygon grid_of_holes(int n, double hole_size) {
     }
   return polygon;
 }
-
-Polygon holes(int n) { return grid_of_holes(n, 1); }
-Polygon holes_that_cross(int n) { return grid_of_holes(n, 2.25); }
 
 /// A diagonal of holes, corner to corner.
 Polygon chain_of_holes(int n) {
@@ -287,34 +266,37 @@ Polygon twice_round(int n) {
 }  // namespace
 
 const std::vector<Shape>& all_shapes() {
-  static const std::vector<Shape> shapes{{"star", true, star},
-                                         {"convex", true, convex},
-                                         {"comb", true, comb},
-                                         {"lying_comb", true, lying_comb},
-                                         {"zigzag", true, zigzag},
-                                         {"spiral", true, spiral},
-                                         {"double_spiral", true, double_spiral},
-                                         {"square_spiral", true, square_spiral},
-                                         {"saw_teeth", true, saw_teeth},
-                                         {"teeth_that_touch", true, teeth_that_touch},
-                                         {"space_filling", true, space_filling},
-                                         {"random_simple", true, random_simple},
-                                         {"staircase", true, staircase},
-                                         {"koch", true, koch},
-                                         {"collinear", true, collinear},
-                                         {"holes", true, holes},
-                                         {"chain_of_holes", true, chain_of_holes},
-                                         {"bridged_holes", true, bridged_holes},
-                                         {"beads", true, beads},
-                                         {"petals", true, petals},
-                                         {"fold_back", true, fold_back},
-                                         {"long_folds", true, long_folds},
-                                         {"teeth_that_cross", false, teeth_that_cross},
-                                         {"holes_that_cross", false, holes_that_cross},
-                                         {"tangled", false, tangled},
-                                         {"star_polygon", false, star_polygon},
-                                         {"twice_round", false, twice_round},
-                                         {"random_points", false, random_points}};
+  static const std::vector<Shape> shapes{
+      {"star", true, star},
+      {"convex", true, convex},
+      {"comb", true, comb},
+      {"lying_comb", true, [](int n) { return lying(comb(n)); }},
+      {"zigzag", true, zigzag},
+      {"spiral", true, [](int n) { return band(round_spiral(n / 2, 10), round_spiral(n / 2, 8)); }},
+      {"double_spiral", true, double_spiral},
+      // All corners on common horizontal and vertical lines, all sides long.
+      {"square_spiral", true, [](int n) { return band(right_angled_spiral(n / 2, 0), right_angled_spiral(n / 2, 0.25)); }},
+      {"saw_teeth", true, [](int n) { return teeth(n, 1e-9); }},
+      {"teeth_that_touch", true, [](int n) { return teeth(n, 0); }},
+      {"space_filling", true, [](int n) { return Polygon{moore_curve(n)}; }},
+      {"random_simple", true, [](int n) { return jittered_curve(n, 0.3); }},
+      {"staircase", true, staircase},
+      {"koch", true, koch},
+      {"collinear", true, collinear},
+      {"holes", true, [](int n) { return grid_of_holes(n, 1); }},
+      {"chain_of_holes", true, chain_of_holes},
+      {"bridged_holes", true, bridged_holes},
+      {"beads", true, beads},
+      {"petals", true, petals},
+      {"fold_back", true, fold_back},
+      {"long_folds", true, long_folds},
+      {"teeth_that_cross", false, [](int n) { return teeth(n, -1); }},
+      {"holes_that_cross", false, [](int n) { return grid_of_holes(n, 2.25); }},
+      // Its corners leave their cells.
+      {"tangled", false, [](int n) { return jittered_curve(n, 0.6); }},
+      {"star_polygon", false, star_polygon},
+      {"twice_round", false, twice_round},
+      {"random_points", false, random_points}};
   return shapes;
 }
 

@@ -1,14 +1,21 @@
+#include "geometry/triangulate.hpp"
+
 #include <chrono>
 
+#include "base/no_index.hpp"
+#include "drawing/measures.hpp"
+#include "geometry/delaunay.hpp"
+#include "geometry/morton.hpp"
 #include "geometry/predicates.hpp"
-#include "geometry/triangulate.hpp"
+#include "polygon_shapes.hpp"
 #include "support/test.hpp"
 
 namespace ligne {
 namespace {
 
-using Contour = std::vector<Point2>;
-using Polygon = std::vector<Contour>;
+using shapes::Contour;
+using shapes::Polygon;
+using shapes::rectangle;
 
 struct Flat {
   std::vector<Point2> points;
@@ -24,47 +31,19 @@ Flat flatten(const Polygon& polygon) {
   return flat;
 }
 
-double twice_area(const Contour& c) {
-  double sum = 0;
-  for (std::size_t i = 0; i < c.size(); ++i) {
-    const Point2 a = c[i] - c[0], b = c[(i + 1) % c.size()] - c[0];
-    sum += a.x * b.y - a.y * b.x;
-  }
-  return sum;
-}
-
-double polygon_area(const Polygon& polygon) {
-  double area = std::abs(twice_area(polygon[0]));
-  for (std::size_t i = 1; i < polygon.size(); ++i) area -= std::abs(twice_area(polygon[i]));
-  return area / 2;
-}
-
-/// Even-odd rule over all contours; the point must lie on no edge.
-bool inside(const Polygon& polygon, Point2 p) {
-  bool odd = false;
-  for (const Contour& c : polygon)
-    for (std::size_t i = 0; i < c.size(); ++i) {
-      Point2 a = c[i], b = c[(i + 1) % c.size()];
-      if ((a.y > p.y) == (b.y > p.y)) continue;
-      if (a.y > b.y) std::swap(a, b);
-      odd ^= orientation_sign(a, b, p) > 0;
-    }
-  return odd;
-}
-
 /// Every triangle has area, the winding of the outer contour; areas add up; a sampled point lies in exactly one triangle
 /// when it lies in the polygon and in none otherwise.
 void expect_partition(const Polygon& polygon, int samples = 400) {
   const Flat flat = flatten(polygon);
   const auto triangles = triangulate(flat.points, flat.contour_end);
-  const double direction = twice_area(polygon[0]) < 0 ? -1 : 1;
+  const double direction = test::area_of(polygon[0]) < 0 ? -1 : 1;
   double area = 0;
   for (const auto& t : triangles) {
     const Contour corners{flat.points[t[0]], flat.points[t[1]], flat.points[t[2]]};
     EXPECT_EQ(orientation_sign(corners[0], corners[1], corners[2]), direction);
-    area += std::abs(twice_area(corners)) / 2;
+    area += std::abs(test::area_of(corners));
   }
-  EXPECT_NEAR(area, polygon_area(polygon), 1e-12 * std::abs(twice_area(polygon[0])));
+  EXPECT_NEAR(area, test::area_within(polygon), 2e-12 * std::abs(test::area_of(polygon[0])));
   Rect box;
   for (const Point2 p : polygon[0]) box.extend(p);
   std::mt19937_64 random(7);
@@ -77,7 +56,7 @@ void expect_partition(const Polygon& polygon, int samples = 400) {
       const int ab = orientation_sign(a, b, p), bc = orientation_sign(b, c, p), ca = orientation_sign(c, a, p);
       hits += ab == bc && bc == ca;
     }
-    EXPECT_EQ(hits, inside(polygon, p) ? 1 : 0) << "at " << p.x << ", " << p.y;
+    EXPECT_EQ(hits, test::holds(polygon, p) ? 1 : 0) << "at " << p.x << ", " << p.y;
   }
 }
 
@@ -103,8 +82,6 @@ void expect_partitions(const Polygon& polygon) {
   }
   expect_partition(form);
 }
-
-Contour rectangle(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
 Contour star(std::mt19937_64& random, int corners) {
   std::uniform_real_distribution<double> radius(0.05, 1);
@@ -183,12 +160,10 @@ TEST(Triangulate, RandomStars) {
 
 TEST(Triangulate, Combs) {
   for (const int teeth : {1, 2, 7, 50}) expect_partitions({comb(teeth)});
-}
-
-TEST(Triangulate, CombWithHolesInItsTeeth) {
-  Polygon polygon{comb(12)};
-  for (int i = 0; i < 12; ++i) polygon.push_back({{2 * i + 1.0, -0.9}, {2 * i + 1.4, -0.5}, {2 * i + 0.6, -0.5}});
-  expect_partitions(polygon);
+  Polygon with_holes_in_its_teeth{comb(12)};
+  for (int i = 0; i < 12; ++i)
+    with_holes_in_its_teeth.push_back({{2 * i + 1.0, -0.9}, {2 * i + 1.4, -0.5}, {2 * i + 0.6, -0.5}});
+  expect_partitions(with_holes_in_its_teeth);
 }
 
 TEST(Triangulate, HolesOnAGrid) {
@@ -213,9 +188,10 @@ TEST(Triangulate, HolesThatTouchEachOtherAtCorners) {
   expect_partitions(ring);
 }
 
-TEST(Triangulate, ContoursWithoutAreaGiveNothing) {
-  for (const Contour& contour : {Contour{{0, 0}, {1, 1}, {2, 2}}, Contour{{3, 3}, {3, 3}, {3, 3}}, Contour{{0, 0}, {1, 0}},
-                                 Contour{{0, 0}, {5, 0}, {2, 0}, {7, 0}}, Contour{}}) {
+TEST(Triangulate, ContoursWithoutAreaOrNotFiniteGiveNothing) {
+  for (const Contour& contour :
+       {Contour{{0, 0}, {1, 1}, {2, 2}}, Contour{{3, 3}, {3, 3}, {3, 3}}, Contour{{0, 0}, {1, 0}},
+        Contour{{0, 0}, {5, 0}, {2, 0}, {7, 0}}, Contour{}, Contour{{0, 0}, {NAN, 0}, {1, 1}, {0, 1}}}) {
     const Flat flat = flatten({contour});
     EXPECT_TRUE(triangulate(flat.points, flat.contour_end).empty());
   }
@@ -223,11 +199,6 @@ TEST(Triangulate, ContoursWithoutAreaGiveNothing) {
   EXPECT_TRUE(triangulate(equal.points, equal.contour_end).empty()) << "a hole equal to the outer contour";
   const Flat flat = flatten({rectangle(0, 0, 4, 4), {{1, 1}, {2, 2}, {3, 3}}, {{1, 2}, {1, 2}}});
   EXPECT_EQ(triangulate(flat.points, flat.contour_end).size(), 2u);
-}
-
-TEST(Triangulate, CoordinatesThatAreNotFiniteGiveNothing) {
-  const Flat flat = flatten({{{0, 0}, {NAN, 0}, {1, 1}, {0, 1}}});
-  EXPECT_TRUE(triangulate(flat.points, flat.contour_end).empty());
 }
 
 TEST(Triangulate, VeryLargeAndVerySmallCoordinates) {
@@ -260,10 +231,9 @@ TEST(Triangulate, RandomCellPolygonsThatTouchEverywhere) {
     constexpr int n = 7;
     Polygon polygon{rectangle(0, 0, n, n)};
     std::bernoulli_distribution taken(0.1 + 0.8 * (round % 10) / 10.0);
-    for (int x = 0; x < n; ++x) {
+    for (int x = 0; x < n; ++x)
       for (int y = 0; y < n; ++y)
         if (taken(random)) polygon.push_back(rectangle(x, y, x + 1, y + 1));
-    }
     expect_partition(polygon, 60);
   }
 }
@@ -281,6 +251,118 @@ TEST(Triangulate, TenThousandCornersAreQuick) {
     RecordProperty("seconds", std::to_string(seconds.count()));
     EXPECT_LT(seconds.count(), 30) << "expected well under a second without sanitizers";
     EXPECT_GE(triangles.size(), 9998u);
+  }
+}
+
+// Triangulations of points strewn evenly, in crowds, on grids, on circles and on lines.
+
+__extension__ using Wide = __int128;
+
+std::vector<LatticePoint> in_order(std::vector<LatticePoint> points) {
+  std::sort(points.begin(), points.end(), [](auto p, auto q) { return morton_key(p) < morton_key(q); });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+/// Twice the area of the convex hull, and the number of points on its border (Andrew's chains).
+std::pair<double, std::size_t> hull_of(std::vector<LatticePoint> points) {
+  std::sort(points.begin(), points.end());
+  double area = 0;
+  std::size_t on_border = 0;
+  for (int half = 0; half < 2; ++half) {
+    std::vector<LatticePoint> chain;
+    for (const LatticePoint& p : points) {
+      while (chain.size() > 1 && orientation(chain[chain.size() - 2], chain.back(), p) < 0) chain.pop_back();
+      chain.push_back(p);
+    }
+    for (std::size_t k = 1; k + 1 < chain.size(); ++k) area += orientation(chain[0], chain[k], chain[k + 1]);
+    on_border += chain.size() - 1;
+    std::reverse(points.begin(), points.end());
+  }
+  return {area, on_border};
+}
+
+/// Whether d lies within the circle through a, b, c: by the determinant of four rows, in 128 bits.
+bool within_circle(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint d) {
+  const auto square = [&](LatticePoint p) {
+    const Wide x = Wide{p.x} - d.x, y = Wide{p.y} - d.y;
+    return x * x + y * y;
+  };
+  const auto minor = [&](LatticePoint p, LatticePoint q) {
+    return (Wide{p.x} - d.x) * (Wide{q.y} - d.y) - (Wide{p.y} - d.y) * (Wide{q.x} - d.x);
+  };
+  return square(a) * minor(b, c) - square(b) * minor(a, c) + square(c) * minor(a, b) > 0;
+}
+
+void expect_delaunay(const std::vector<LatticePoint>& points) {
+  const Delaunay mesh = triangulate_delaunay(points);
+  ASSERT_EQ(mesh.triangles.size(), mesh.neighbours.size());
+  const auto [hull_area, on_border] = hull_of(points);
+  double area = 0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& v = mesh.triangles[t];
+    const double turned = orientation(points[v[0]], points[v[1]], points[v[2]]);
+    ASSERT_GT(turned, 0) << t;
+    area += turned;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t beyond = mesh.neighbours[t][k];
+      if (beyond == kNone) continue;
+      const auto& there = mesh.neighbours[beyond];
+      const auto side = static_cast<std::size_t>(std::find(there.begin(), there.end(), t) - there.begin());
+      ASSERT_LT(side, 3u);
+      const auto& w = mesh.triangles[beyond];
+      ASSERT_EQ(w[side], v[(k + 1) % 3]);
+      ASSERT_EQ(w[(side + 1) % 3], v[k]);
+      EXPECT_FALSE(within_circle(points[v[0]], points[v[1]], points[v[2]], points[w[(side + 2) % 3]])) << t;
+    }
+  }
+  EXPECT_EQ(area, hull_area);
+  EXPECT_EQ(mesh.triangles.size(), hull_area == 0 ? 0 : 2 * points.size() - 2 - on_border);
+}
+
+TEST(Delaunay, PointsStrewnEvenly) {
+  std::mt19937 random(20);
+  for (const std::int32_t size : {3, 30, 3000, kLatticeLimit})
+    for (const std::size_t count : {2, 3, 4, 5, 6, 7, 20, 5000}) {
+      std::uniform_int_distribution<std::int32_t> at(-size, size);
+      std::vector<LatticePoint> points(count);
+      for (LatticePoint& p : points) p = {at(random), at(random)};
+      SCOPED_TRACE(std::to_string(count) + " points within " + std::to_string(size));
+      expect_delaunay(in_order(points));
+    }
+}
+
+/// A part of the plane that holds a single point has no edge of its own.
+TEST(Delaunay, CrowdsAndSinglePoints) {
+  std::mt19937 random(21);
+  std::normal_distribution<double> crowd(0, 40);
+  std::vector<LatticePoint> points{{-kLatticeLimit, -kLatticeLimit}, {kLatticeLimit, kLatticeLimit}, {kLatticeLimit, -7}};
+  for (int k = 0; k < 2000; ++k) {
+    points.push_back({1000 + std::int32_t(crowd(random)), -kLatticeLimit / 2 + std::int32_t(crowd(random))});
+    points.push_back({(1 << (k % 25)) - 1, (1 << (k % 23)) - k});
+  }
+  expect_delaunay(in_order(points));
+}
+
+TEST(Delaunay, GridsAndCircles) {
+  std::vector<LatticePoint> grid, circle;
+  for (std::int32_t i = 0; i < 40; ++i)
+    for (std::int32_t j = 0; j < 25; ++j) grid.push_back({i * 1000 - 20'000, j * 1000 - 3});
+  for (int k = 0; k < 360; ++k) {
+    const double angle = k * std::acos(-1) / 180;
+    circle.push_back({std::int32_t(std::lround(1e7 * std::cos(angle))), std::int32_t(std::lround(1e7 * std::sin(angle)))});
+  }
+  expect_delaunay(in_order(grid));
+  expect_delaunay(in_order(circle));
+}
+
+TEST(Delaunay, LinesHaveNoTriangles) {
+  for (const LatticePoint step : {LatticePoint{1, 0}, {0, 1}, {3, 5}, {3, -5}, {-1, 1}}) {
+    std::vector<LatticePoint> line;
+    for (std::int32_t k = -50; k < 50; ++k) line.push_back({k * step.x, k * step.y});
+    EXPECT_TRUE(triangulate_delaunay(in_order(line)).triangles.empty());
+    line.push_back({7, 4});
+    expect_delaunay(in_order(line));
   }
 }
 
