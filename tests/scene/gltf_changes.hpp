@@ -3,8 +3,8 @@
 ///
 ///     POINTER = JSON          sets a part of the file
 ///     -POINTER                leaves it out
-///     + TYPE N [NUMBERS]      adds an accessor of elements of N numbers, which are float, int16 or uint8; with
-///                             "normalized" behind them, such integers
+///     + TYPE N [NUMBERS]      adds an accessor of elements of N numbers, which are float, int16, uint8, uint16 or uint32;
+///                             with "normalized" behind them, such integers
 
 #include "gltf_builder.hpp"
 #include "main/script.hpp"
@@ -26,6 +26,8 @@ inline void add_accessor(Builder& file, std::string_view text) {
   if (type == "float") file.accessor(numbers.get<std::vector<float>>(), components);
   if (type == "int16") file.accessor(numbers.get<std::vector<std::int16_t>>(), components);
   if (type == "uint8") file.accessor(numbers.get<std::vector<std::uint8_t>>(), components);
+  if (type == "uint16") file.accessor(numbers.get<std::vector<std::uint16_t>>(), components);
+  if (type == "uint32") file.accessor(numbers.get<std::vector<std::uint32_t>>(), components);
   json& accessor = file.root["accessors"].back();
   if (components == 4) accessor["type"] = "VEC4";
   if (components == 16) accessor["type"] = "MAT4";
@@ -40,9 +42,8 @@ inline std::string changed(Builder file, std::string_view text) {
     changes.push_back(text.substr(0, end));
     text.remove_prefix(std::min(end + 3, text.size()));
   }
-  for (const std::string_view change : changes) {
+  for (const std::string_view change : changes)
     if (change.starts_with("+ ")) add_accessor(file, change.substr(2));
-  }
   file.text();
   for (std::string_view change : changes) {
     const std::string pointer = test::take_word(change);

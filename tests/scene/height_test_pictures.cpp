@@ -93,29 +93,28 @@ Summary summary_of(const HeightSource& source) {
   return summary;
 }
 
-TEST(SharedGrids, Gully) {
+TEST(SharedGrids, HaveTheirSizesAndHeights) {
   LIGNE_NEED_MODELS(folder);
+  struct Row {
+    const char* file;
+    std::size_t columns, rows;
+    double low, high, within;
+    bool has_holes;
+  };
   Warnings warnings;
-  const auto source = read_grid(folder / "west_bijou_gully.asc", warnings);
-  EXPECT_EQ(source->x().size(), 43u);
-  EXPECT_EQ(source->y().size(), 89u);
-  EXPECT_EQ(source->x().front(), 559706.5);
-  EXPECT_EQ(source->y().front(), 4380221.5);
-  const Summary summary = summary_of(*source);
-  EXPECT_NEAR(summary.low, 1680.8, 0.05);
-  EXPECT_NEAR(summary.high, 1725.4, 0.05);
-  EXPECT_GT(summary.holes, 0u);
-}
-
-TEST(SharedGrids, Jacksboro) {
-  LIGNE_NEED_MODELS(folder);
-  Warnings warnings;
-  const auto source = read_grid(folder / "jacksboro_dem_16bit.png", warnings);
-  EXPECT_EQ(source->x().size(), 403u);
-  EXPECT_EQ(source->y().size(), 344u);
-  const Summary summary = summary_of(*source);
-  EXPECT_EQ(summary.low, 236);
-  EXPECT_EQ(summary.high, 1076);
+  for (const Row& row : {Row{"west_bijou_gully.asc", 43, 89, 1680.8, 1725.4, 0.05, true},
+                         Row{"jacksboro_dem_16bit.png", 403, 344, 236, 1076, 0, false}}) {
+    const auto source = read_grid(folder / row.file, warnings);
+    const Summary summary = summary_of(*source);
+    EXPECT_EQ(source->x().size(), row.columns) << row.file;
+    EXPECT_EQ(source->y().size(), row.rows) << row.file;
+    EXPECT_NEAR(summary.low, row.low, row.within) << row.file;
+    EXPECT_NEAR(summary.high, row.high, row.within) << row.file;
+    EXPECT_EQ(summary.holes > 0, row.has_holes) << row.file;
+  }
+  const auto gully = read_grid(folder / "west_bijou_gully.asc", warnings);
+  EXPECT_EQ(gully->x().front(), 559706.5);
+  EXPECT_EQ(gully->y().front(), 4380221.5);
 }
 
 TEST(SharedGrids, RunoutIsAGeoTiff) {
@@ -207,9 +206,7 @@ TEST(FormulaHeights, Functions) {
       {"sin", std::sin},   {"cos", std::cos},   {"tan", std::tan},     {"asin", std::asin}, {"acos", std::acos},
       {"atan", std::atan}, {"sinh", std::sinh}, {"cosh", std::cosh},   {"tanh", std::tanh}, {"sqrt", std::sqrt},
       {"exp", std::exp},   {"log", std::log},   {"log10", std::log10}, {"log2", std::log2}, {"ln", std::log}};
-  for (const auto& [name, function] : of_x) {
-    EXPECT_DOUBLE_EQ(value(std::string(name) + " ( x )", x, y), function(x)) << name;
-  }
+  for (const auto& [name, function] : of_x) EXPECT_DOUBLE_EQ(value(std::string(name) + " ( x )", x, y), function(x)) << name;
   EXPECT_DOUBLE_EQ(value("atan2(y, x)", x, y), std::atan2(y, x));
   EXPECT_EQ(value("e", 0, 0), std::numbers::e);
 }

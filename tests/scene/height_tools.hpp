@@ -3,7 +3,6 @@
 
 #include "reader_tools.hpp"
 #include "scene/surfaces/grids/grid_formats.hpp"
-#include "support/test.hpp"
 
 namespace ligne::height_test {
 
@@ -48,12 +47,9 @@ inline void expect_grid(const HeightSource& source, const std::vector<double>& x
   ASSERT_EQ(found.size(), z.size());
   for (std::size_t j = 0; j < z.size(); ++j) {
     ASSERT_EQ(found[j].size(), z[j].size());
-    for (std::size_t i = 0; i < z[j].size(); ++i) {
-      if (std::isnan(z[j][i]))
-        EXPECT_TRUE(std::isnan(found[j][i])) << "at " << i << ", " << j;
-      else
-        EXPECT_EQ(found[j][i], z[j][i]) << "at " << i << ", " << j;
-    }
+    for (std::size_t i = 0; i < z[j].size(); ++i)
+      EXPECT_TRUE(std::isnan(z[j][i]) ? std::isnan(found[j][i]) : found[j][i] == z[j][i])
+          << found[j][i] << ", not " << z[j][i] << ", at " << i << ", " << j;
   }
 }
 

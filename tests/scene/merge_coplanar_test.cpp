@@ -13,9 +13,8 @@ Scene grid(
     int columns, int rows, const Keep& keep, bool triangles = false,
     const std::function<double(int, int)>& height = [](int, int) { return 0.0; }) {
   Scene scene;
-  for (int y = 0; y <= rows; ++y) {
+  for (int y = 0; y <= rows; ++y)
     for (int x = 0; x <= columns; ++x) scene.vertices.emplace_back(x, y, height(x, y));
-  }
   for (int y = 0; y < rows; ++y) {
     for (int x = 0; x < columns; ++x) {
       if (!keep(x, y)) continue;
@@ -45,10 +44,11 @@ std::span<const std::uint32_t> contour(const Scene& scene, std::size_t f, std::s
 
 double area(const Scene& scene, std::size_t f, std::size_t c) {
   double sum = 0;
-  const auto corners = contour(scene, f, c);
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Point3 a = scene.vertices[corners[k]], b = scene.vertices[corners[(k + 1) % corners.size()]];
+  Point3 a = scene.vertices[contour(scene, f, c).back()];
+  for (const std::uint32_t v : contour(scene, f, c)) {
+    const Point3 b = scene.vertices[v];
     sum += a.x * b.y - a.y * b.x;
+    a = b;
   }
   return sum / 2;
 }
@@ -80,51 +80,29 @@ TEST(MergeCoplanar, GridWithHole) {
   }
 }
 
-TEST(MergeCoplanar, TwoPiecesAreTwoFaces) {
-  const Scene scene = merged(grid(5, 2, [](int x, int) { return x != 2; }));
-  ASSERT_EQ(scene.faces.size(), 2u);
-  EXPECT_EQ(points(scene, 0, 0), (ContourPoints{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}));
-  EXPECT_EQ(points(scene, 1, 0), (ContourPoints{{3, 0, 0}, {5, 0, 0}, {5, 2, 0}, {3, 2, 0}}));
-}
-
-TEST(MergeCoplanar, PiecesThatTouchInACornerStaySimple) {
-  // Two by two blocks that meet in one vertex.
-  const Scene scene = merged(grid(4, 4, [](int x, int y) { return (x < 2) == (y < 2); }));
-  ASSERT_EQ(scene.faces.size(), 2u);
-  for (std::size_t f = 0; f < 2; ++f) {
-    EXPECT_EQ(contour(scene, f, 0).size(), 4u);
-    EXPECT_EQ(area(scene, f, 0), 4);
+TEST(MergeCoplanar, FacesAreTheConnectedPiecesOfAPicture) {
+  struct Row {
+    const char* name;
+    std::vector<std::string> cells;                                  ///< rows from the lowest y
+    std::vector<std::vector<std::pair<double, std::size_t>>> faces;  ///< area and corners of each contour
+  };
+  for (const Row& row : {Row{"two pieces", {"##.##", "##.##"}, {{{4, 4}}, {{4, 4}}}},
+                         Row{"pieces that touch in a corner", {"##..", "##..", "..##", "..##"}, {{{4, 4}}, {{4, 4}}}},
+                         Row{"holes that share a corner", {"####", "#.##", "##.#", "####"}, {{{16, 4}, {-1, 4}, {-1, 4}}}},
+                         Row{"a hole that touches the border", {".##", "#.#", "###"}, {{{8, 6}, {-1, 4}}}},
+                         Row{"an island in a hole, which is a face of its own",
+                             {"#######", "#.....#", "#.###.#", "#.###.#", "#.###.#", "#.....#", "#######"},
+                             {{{49, 4}, {-25, 4}}, {{9, 4}}}}}) {
+    SCOPED_TRACE(row.name);
+    const Scene scene = merged(grid(static_cast<int>(row.cells[0].size()), static_cast<int>(row.cells.size()),
+                                    [&](int x, int y) { return row.cells[std::size_t(y)][std::size_t(x)] == '#'; }));
+    ASSERT_EQ(scene.faces.size(), row.faces.size());
+    for (std::size_t f = 0; f < row.faces.size(); ++f) {
+      ASSERT_EQ(scene.faces.contour_count(f), row.faces[f].size());
+      for (std::size_t c = 0; c < row.faces[f].size(); ++c)
+        EXPECT_EQ(std::pair(area(scene, f, c), contour(scene, f, c).size()), row.faces[f][c]);
+    }
   }
-}
-
-TEST(MergeCoplanar, HolesThatTouchEachOtherAndTheBorder) {
-  // Holes at (1,1) and (2,2) share a corner; the hole at (0,3) opens the border and touches nothing.
-  const Scene scene = merged(grid(4, 4, [](int x, int y) { return !(x == 1 && y == 1) && !(x == 2 && y == 2); }));
-  ASSERT_EQ(scene.faces.size(), 1u);
-  ASSERT_EQ(scene.faces.contour_count(0), 3u);
-  EXPECT_EQ(area(scene, 0, 0), 16);
-  EXPECT_EQ(area(scene, 0, 1), -1);
-  EXPECT_EQ(area(scene, 0, 2), -1);
-  // A hole that touches the outer contour in one vertex.
-  const Scene pinched = merged(grid(3, 3, [](int x, int y) { return !(x == 0 && y == 0) && !(x == 1 && y == 1); }));
-  ASSERT_EQ(pinched.faces.size(), 1u);
-  ASSERT_EQ(pinched.faces.contour_count(0), 2u);
-  EXPECT_EQ(area(pinched, 0, 0), 8);
-  EXPECT_EQ(area(pinched, 0, 1), -1);
-}
-
-TEST(MergeCoplanar, HoleWithIsland) {
-  // The island is a face of its own; it lies in the hole, not in the face.
-  const Scene scene = merged(grid(7, 7, [](int x, int y) {
-    const int ring = std::max(std::abs(x - 3), std::abs(y - 3));
-    return ring == 3 || ring <= 1;
-  }));
-  ASSERT_EQ(scene.faces.size(), 2u);
-  EXPECT_EQ(scene.faces.contour_count(0), 2u);
-  EXPECT_EQ(area(scene, 0, 0), 49);
-  EXPECT_EQ(area(scene, 0, 1), -25);
-  EXPECT_EQ(scene.faces.contour_count(1), 1u);
-  EXPECT_EQ(area(scene, 1, 0), 9);
 }
 
 TEST(MergeCoplanar, MaterialsStayApart) {
@@ -171,19 +149,14 @@ TEST(MergeCoplanar, GentleCurvesAreNotFlattened) {
   constexpr int kFacets = 400;
   constexpr double kPrecision = 1e-5;
   Scene scene = grid(kFacets, 1, kAll, false, [](int x, int) { return 1e-5 * x * x; });
-  Object object;
-  object.vertex_end = static_cast<std::uint32_t>(scene.vertices.size()), object.face_end = kFacets;
-  object.precision = kPrecision;
-  scene.objects = {object};
+  scene.objects = {{"", 0, static_cast<std::uint32_t>(scene.vertices.size()), 0, kFacets, kPrecision}};
   const Scene out = merged(scene);
   EXPECT_GT(out.faces.size(), 20u);
   EXPECT_LT(out.faces.size(), 400u);
   // And every new contour keeps near the old surface: its chords are short where the curve is.
-  for (std::size_t f = 0; f < out.faces.size(); ++f) {
-    for (const std::uint32_t v : contour(out, f, 0)) {
+  for (std::size_t f = 0; f < out.faces.size(); ++f)
+    for (const std::uint32_t v : contour(out, f, 0))
       EXPECT_DOUBLE_EQ(out.vertices[v].z, 1e-5 * out.vertices[v].x * out.vertices[v].x);
-    }
-  }
 }
 
 TEST(MergeCoplanar, RoundBordersKeepTheirVertices) {
@@ -196,10 +169,8 @@ TEST(MergeCoplanar, RoundBordersKeepTheirVertices) {
     scene.vertices.emplace_back(std::cos(angle), std::sin(angle), 0);
   }
   for (std::uint32_t k = 0; k < kCorners; ++k) scene.faces.add_triangle(0, 1 + k, 1 + (k + 1) % kCorners);
-  Object object;
-  object.vertex_end = kCorners + 1, object.face_end = kCorners;
-  object.precision = 1e-5;  // each vertex alone lies on the chord of its neighbours
-  scene.objects = {object};
+  // With this precision each vertex alone lies on the chord of its neighbours.
+  scene.objects = {{"", 0, kCorners + 1, 0, kCorners, 1e-5}};
   const Scene out = merged(scene);
   ASSERT_EQ(out.faces.size(), 1u);
   EXPECT_EQ(out.faces.contour_count(0), 1u);
@@ -210,20 +181,14 @@ TEST(MergeCoplanar, CubeOfManyFacesIsACube) {
   constexpr int kSide = 5;
   for (const bool triangles : {false, true}) {
     Scene scene;
-    std::map<std::array<int, 3>, std::uint32_t> index;
-    const auto vertex = [&](std::array<int, 3> p) {
-      const auto [it, is_new] = index.try_emplace(p, static_cast<std::uint32_t>(scene.vertices.size()));
-      if (is_new) scene.vertices.emplace_back(p[0], p[1], p[2]);
-      return it->second;
-    };
     for (int axis = 0; axis < 3; ++axis) {
       for (const int side : {0, kSide}) {
         for (int i = 0; i < kSide; ++i) {
           for (int j = 0; j < kSide; ++j) {
             const auto v = [&](int di, int dj) {
-              std::array<int, 3> p{};
+              Point3& p = scene.vertices.emplace_back();
               p[axis] = side, p[(axis + 1) % 3] = i + di, p[(axis + 2) % 3] = j + dj;
-              return vertex(p);
+              return static_cast<std::uint32_t>(scene.vertices.size() - 1);
             };
             Corners face{v(0, 0), v(1, 0), v(1, 1), v(0, 1)};
             if (side == 0) std::reverse(face.begin(), face.end());
@@ -282,9 +247,8 @@ TEST(MergeCoplanar, FlagsOfTheBorderStay) {
   ASSERT_EQ(out.faces.size(), 1u);
   const auto corners = contour(out, 0, 0);
   ASSERT_EQ(corners.size(), 4u);
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < 4; ++k)
     EXPECT_EQ(out.corner_flags[k], out.vertices[corners[k]] == Point3(2, 1, 0) ? kCornerFileHidden : 0);
-  }
   // Where the flags along a straight run differ, the vertex between them stays.
   Scene uneven = grid(2, 1, kAll);
   uneven.corner_flags = {0, 0, 0, 0, 0, 0, kCornerFileHidden, 0};
@@ -301,12 +265,6 @@ TEST(MergeCoplanar, TrianglesWithoutAreaJoin) {
   const Scene out = merged(scene);
   ASSERT_EQ(out.faces.size(), 1u);
   EXPECT_EQ(points(out, 0, 0), (ContourPoints{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}));
-}
-
-TEST(MergeCoplanar, EmptyScene) {
-  Scene scene;
-  merge_coplanar_faces(scene);
-  EXPECT_TRUE(scene.faces.empty());
 }
 
 }  // namespace

@@ -93,9 +93,8 @@ TEST(Meshopt, BrokenStreamsAreRefused) {
   const Bytes good = example_stream();
   EXPECT_EQ(decode({}, view, out), "not of this mode, or of a later version");
   EXPECT_EQ(decode(Bytes{0xa1, 0, 0}, view, out), "not of this mode, or of a later version");
-  for (std::size_t n = 1; n < good.size(); ++n) {
+  for (std::size_t n = 1; n < good.size(); ++n)
     EXPECT_NE(decode(Bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(n)), view, out), "") << n;
-  }
   Bytes longer = good;
   longer.insert(longer.begin() + 5, 0);
   EXPECT_NE(decode(longer, view, out), "");
@@ -195,9 +194,8 @@ TEST(Meshopt, IndicesOfAnotherEncoder) {
     for (std::uint32_t j = 0; j + 1 < n; ++j) {
       for (std::uint32_t i = 0; i + 1 < n; ++i) {
         const std::uint32_t a = j * n + i;
-        for (const std::uint32_t v : {a, a + 1, a + n, a + 1, a + n + 1, a + n}) {
+        for (const std::uint32_t v : {a, a + 1, a + n, a + 1, a + n + 1, a + n})
           indices.push_back(random() % 10 == 0 ? random() % (n * n) : v);
-        }
       }
     }
     Bytes stream(meshopt_encodeIndexBufferBound(indices.size(), n * n));
@@ -209,10 +207,9 @@ TEST(Meshopt, IndicesOfAnotherEncoder) {
       std::uint32_t got[3];
       std::memcpy(got, &out[4 * t], sizeof got);
       bool equal = false;
-      for (std::size_t turn = 0; turn < 3; ++turn) {
+      for (std::size_t turn = 0; turn < 3; ++turn)
         equal = equal ||
                 (got[turn] == indices[t] && got[(turn + 1) % 3] == indices[t + 1] && got[(turn + 2) % 3] == indices[t + 2]);
-      }
       ASSERT_TRUE(equal) << "triangle " << t / 3;
     }
     Bytes sequence(meshopt_encodeIndexSequenceBound(indices.size(), n * n));

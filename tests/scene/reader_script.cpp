@@ -20,11 +20,8 @@
 ///                                                these gives none
 ///     at X Y VALUE                               the value of a formula
 
-#include <nlohmann/json.hpp>
-
 #include "gltf_changes.hpp"
 #include "height_tools.hpp"
-#include "main/script.hpp"
 #include "scene/readers/gltf/gltf_reader.hpp"
 #include "scene/readers/ligne_scene_reader.hpp"
 #include "scene/readers/obj/obj_reader.hpp"
@@ -170,9 +167,7 @@ class ReaderScript {
       scene_ = read_three_mf(bytes_of(archive), "M", report, warnings_);
     }
     if (kind_ == "json") scene_ = read_gltf({bytes, "M"}, false, report, warnings_);
-    if (is_file) {
-      scene_ = read_scene({bytes, "M"}, detect_format(bytes, kind_.substr(4), "M"), {}, warnings_, &report);
-    }
+    if (is_file) scene_ = read_scene({bytes, "M"}, detect_format(bytes, kind_.substr(4), "M"), {}, warnings_, &report);
     if (kind_ == "model") scene_ = read_scene(LIGNE_MODELS_DIR "/" + text_, {}, warnings_, &report);
     if (is_grid()) {
       const std::string file = kind_ == "corpus" ? corpus_file(text_) : text_;

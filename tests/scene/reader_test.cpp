@@ -198,15 +198,5 @@ TEST(Precision, OfCoordinatesRoundedToDecimals) {
   EXPECT_EQ(decimal_grid(std::vector<Point3>(100, {1e300, 1, 1})), 0);
 }
 
-TEST(Precision, NumbersAsWritten) {
-  EXPECT_EQ(number_in("+1.5"), 1.5);
-  EXPECT_EQ(number_in("1e-999"), 0.0);
-  EXPECT_EQ(number_in("0." + std::string(400, '0') + "1"), 0.0);
-  for (const char* word : {"", "+", "-", "+-1", "1e999", "inf", "-nan", "1.5x", "0x1", "1,5", " 1", "1 "})
-    EXPECT_FALSE(number_in(word)) << word;
-  EXPECT_EQ(parse_integer("-7"), -7);
-  for (const char* word : {"", "7.0", "99999999999999999999", "a"}) EXPECT_FALSE(parse_integer(word)) << word;
-}
-
 }  // namespace
 }  // namespace ligne

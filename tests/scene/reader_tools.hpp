@@ -40,29 +40,15 @@ inline std::string error_of(Reader reader, const std::string& text) {
   return error_line([&] { read_raw(reader, text); });
 }
 
-struct Box {
-  Point3 min{1e300, 1e300, 1e300}, max{-1e300, -1e300, -1e300};
-};
-
-inline Box bounds(const Scene& scene) {
-  Box box;
-  for (const Point3& p : scene.vertices) {
-    for (int k = 0; k < 3; ++k) {
-      box.min[k] = std::min(box.min[k], p[k]);
-      box.max[k] = std::max(box.max[k], p[k]);
-    }
-  }
-  return box;
-}
-
 /// Half a unit of the fourth decimal, with which the bounding boxes of the shared models are written down.
 inline constexpr double kBoxTolerance = 0.5001e-4;
 
 inline void expect_bounds(const Scene& scene, Point3 min, Point3 max) {
-  const Box box = bounds(scene);
+  Point3 low(1e300), high(-1e300);
+  for (const Point3& p : scene.vertices) low = glm::min(low, p), high = glm::max(high, p);
   for (int k = 0; k < 3; ++k) {
-    EXPECT_NEAR(box.min[k], min[k], kBoxTolerance) << "axis " << k;
-    EXPECT_NEAR(box.max[k], max[k], kBoxTolerance) << "axis " << k;
+    EXPECT_NEAR(low[k], min[k], kBoxTolerance) << "axis " << k;
+    EXPECT_NEAR(high[k], max[k], kBoxTolerance) << "axis " << k;
   }
 }
 

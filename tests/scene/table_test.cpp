@@ -1,90 +1,13 @@
-// Cells, styles and tables, before anybody asks what they mean.
+// Tables, before anybody asks what they mean; cells and styles: values/cells.txt.
 
 #include "scene/tables/table.hpp"
+
 #include "height_tools.hpp"
+#include "scene/surfaces/thinned_heights.hpp"
 #include "scene/tables/column_names.hpp"
 
 namespace ligne {
 namespace {
-
-double number(std::string_view cell, NumberStyle style = {}) {
-  const CellValue value = cell_value(cell, style);
-  EXPECT_EQ(value.kind, CellKind::number) << cell;
-  return value.value;
-}
-
-CellKind kind(std::string_view cell, NumberStyle style = {}) { return cell_value(cell, style).kind; }
-
-TEST(Cell, Numbers) {
-  EXPECT_EQ(number(" 1.5 "), 1.5);
-  EXPECT_EQ(number("\"1.5\""), 1.5);
-  EXPECT_EQ(number("'+2'"), 2);
-  EXPECT_EQ(number("1.4370D+01"), 14.37);
-  EXPECT_EQ(number("2d-3"), 0.002);
-  EXPECT_EQ(number("\u22123"), -3);
-  for (const char* word : {"1,5", "12:30", "d3", "1.5m", "1 2", "0x10", "2/3", "1e999"})
-    EXPECT_EQ(kind(word), CellKind::word) << word;
-}
-
-TEST(Cell, DecimalCommasAndThousands) {
-  const NumberStyle comma{true, '\0'}, english{false, ','}, german{true, '.'}, french{true, ' '}, swiss{false, '\''};
-  EXPECT_EQ(number("0,5", comma), 0.5);
-  EXPECT_EQ(number("-1,25e3", comma), -1250);
-  EXPECT_EQ(number("1,234,567.5", english), 1234567.5);
-  EXPECT_EQ(number("12", english), 12);
-  EXPECT_EQ(number("1.234,5", german), 1234.5);
-  EXPECT_EQ(number("1 234,5", french), 1234.5);
-  EXPECT_EQ(number("1\u00A0234", french), 1234);
-  EXPECT_EQ(number("1'234.5", swiss), 1234.5);
-  EXPECT_EQ(kind("1,2,3", comma), CellKind::word);
-  EXPECT_EQ(kind("12,34", english), CellKind::word);
-  EXPECT_EQ(kind("1.5", german), CellKind::word) << "neither 1.5 nor 15";
-}
-
-TEST(Cell, SignsOfNoValue) {
-  for (const char* sign :
-       {"",   "nan", "NaN",  "-nan", "NA", "N/A", "#N/A",      "#DIV/0!", "null",    "NULL", "None",   "nil",   "-",
-        "--", "*",   "****", "?",    ".",  "inf", "-Infinity", "1.#QNAN", "-1.#IND", "<NA>", "\"NA\"", "nodata"}) {
-    EXPECT_EQ(kind(sign), CellKind::missing) << sign;
-  }
-  for (const char* word : {"nano", "-1-", "none at all", "#1"}) EXPECT_EQ(kind(word), CellKind::word) << word;
-}
-
-TEST(Style, SeparatorsAndDecimalMarks) {
-  struct Case {
-    const char* text;
-    char separator;
-    bool decimal_comma;
-    char thousands;
-  };
-  for (const Case& c : {Case{"0\t14,37\t2\n1\t2,5\t3\n", '\t', true, '\0'}, Case{"1,2\n3,4\n", ',', false, '\0'},
-                        Case{"0,5;0,5;Bonn\n-1;1;Hof\n", ';', true, '\0'}, Case{"14,37 27,9\n1,5 2\n", ' ', true, '\0'},
-                        Case{"a,\"1,234\",2.5\nb,\"12,345\",3\n", ',', false, ','},
-                        Case{"1.234,5;2\n5.678,25;3\n", ';', true, '.'}, Case{"1 234;2\n5 678;1\n", ';', false, ' '},
-                        Case{"1|2\n3|4\n", '|', false, '\0'}, Case{"1;2\n3;4\n", ';', false, '\0'},
-                        Case{"1, 2\n3 ,4\n", ',', false, '\0'}, Case{"  1  2 \n\t3\t 4\n", ' ', false, '\0'}}) {
-    SCOPED_TRACE(c.text);
-    const CellStyle style = cell_style(c.text);
-    EXPECT_EQ(style.separator, c.separator);
-    EXPECT_EQ(style.numbers.decimal_comma, c.decimal_comma);
-    EXPECT_EQ(style.numbers.thousands, c.thousands);
-    EXPECT_FALSE(style.doubtful_comma);
-  }
-  EXPECT_TRUE(cell_style("1,234;2\n5,678;3\n").doubtful_comma);
-  EXPECT_FALSE(cell_style("1,234;2.5\n5,678;3\n").doubtful_comma) << "the point is the decimal mark";
-}
-
-TEST(Style, CommentsAndQuotes) {
-  EXPECT_EQ(without_comment("1,2 # two", ','), "1,2");
-  EXPECT_EQ(without_comment("# all", ','), "");
-  EXPECT_EQ(without_comment("1,2,Trail #5", ','), "1,2,Trail #5");
-  EXPECT_EQ(without_comment("1,#N/A,3", ','), "1,#N/A,3");
-  EXPECT_EQ(without_comment("1,\"a # b\"", ','), "1,\"a # b\"");
-  EXPECT_EQ(cells_of("1,\"a, \"\"b\"\"\",3", ',').size(), 3u);
-  EXPECT_EQ(cell_text("\"a, \"\"b\"\"\""), "a, \"b\"");
-  EXPECT_EQ(cells_of("5' 7\",2", ',').size(), 2u) << "a quote within a cell is a character";
-  EXPECT_EQ(cells_of("\"open,2", ',').size(), 2u) << "and so is one that is not closed";
-}
 
 Table table_of(const std::string& text, Warnings& warnings) { return read_table(text, "M", warnings); }
 
@@ -156,6 +79,80 @@ TEST(TableFiles, OneTerrainInThirteenHabits) {
       }
     }
     EXPECT_LE(holes, 12u);
+  }
+}
+
+// Grids of more samples than a page has places for.
+
+using namespace height_test;
+
+/// Heights that tell their place: the number of the row before the comma, that of the column behind it.
+class CountedHeights : public HeightSource {
+ public:
+  CountedHeights(std::size_t columns, std::size_t rows) : HeightSource(counted(columns), counted(rows)) {}
+  void read_row(std::size_t j, std::span<double> z) const override {
+    for (std::size_t i = 0; i < z.size(); ++i) z[i] = static_cast<double>(j) + static_cast<double>(i) / 65536;
+  }
+
+ private:
+  static std::vector<double> counted(std::size_t n) {
+    std::vector<double> positions(n);
+    for (std::size_t i = 0; i < n; ++i) positions[i] = 0.5 * static_cast<double>(i);
+    return positions;
+  }
+};
+
+GridChoice thinning(std::optional<unsigned> every = {}) { return {{}, every, true}; }
+
+TEST(ThinnedHeights, AreThoseOfTheGrid) {
+  Warnings warnings;
+  auto whole = std::make_unique<CountedHeights>(9001, 3000);
+  whole->set_unit(GroundUnit::degrees);
+  const auto thinned = thinned_heights(std::move(whole), thinning(), warnings);
+  EXPECT_EQ(thinned->thinned_by(), 2u);
+  EXPECT_EQ(thinned->unit(), GroundUnit::degrees);
+  ASSERT_EQ(thinned->x().size(), 4501u);
+  ASSERT_EQ(thinned->y().size(), 1501u);
+  EXPECT_EQ(thinned->y().back(), 0.5 * 2999);
+  std::vector<double> row(4501);
+  thinned->read_row(1500, row);
+  EXPECT_EQ(row[4500], 2999 + 9000.0 / 65536);
+  thinned->read_row(7, row);
+  EXPECT_EQ(row[3], 14 + 6.0 / 65536);
+  ASSERT_EQ(warnings.counts().size(), 1u);
+  EXPECT_EQ(warnings.counts().begin()->first,
+            "grid of 9001 x 3000 samples thinned: 1 of 2 rows and columns is drawn; -x and -y choose a part");
+}
+
+TEST(ThinnedHeights, SmallGridsStayWhatTheyAre) {
+  EXPECT_EQ(thinning_step(10'000, 10'000, {}), 1u) << "nobody allows it";
+  Warnings warnings;
+  auto whole = std::make_unique<CountedHeights>(90, 30);
+  const HeightSource* const before = whole.get();
+  EXPECT_EQ(thinned_heights(std::move(whole), thinning(), warnings).get(), before);
+  EXPECT_TRUE(warnings.counts().empty());
+}
+
+TEST(ThinnedHeights, PicturesAreThinnedWhileTheyAreRead) {
+  constexpr std::size_t kColumns = 6000, kRows = 5000;
+  std::string text = "P5 6000 5000 255\n";
+  for (std::size_t row = 0; row < kRows; ++row)
+    for (std::size_t column = 0; column < kColumns; ++column) text += static_cast<char>((row * 7 + column * 3) % 251);
+  Warnings warnings;
+  const auto heights = read_grid(reader_test::bytes_of(text), "M", warnings, {}, nullptr, thinning());
+  EXPECT_EQ(heights->thinned_by(), 2u);
+  EXPECT_EQ(heights->x().size(), 3001u);
+  EXPECT_EQ(heights->y().size(), 2501u);
+  EXPECT_EQ(warnings.counts().size(), 1u);
+  std::vector<double> row(3001);
+  for (const std::size_t j : {std::size_t{0}, std::size_t{1}, std::size_t{1300}, std::size_t{2500}}) {
+    heights->read_row(j, row);
+    const auto y = static_cast<std::size_t>(heights->y()[j]);
+    EXPECT_EQ(y, j == 2500 ? kRows - 1 : 2 * j);
+    for (const std::size_t i : {std::size_t{0}, std::size_t{17}, std::size_t{3000}}) {
+      const auto x = static_cast<std::size_t>(heights->x()[i]);
+      EXPECT_EQ(row[i], static_cast<double>(((kRows - 1 - y) * 7 + x * 3) % 251));
+    }
   }
 }
 

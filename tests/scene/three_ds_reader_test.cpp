@@ -1,6 +1,8 @@
 #include "scene/readers/studio/three_ds_reader.hpp"
 
 #include "reader_tools.hpp"
+#include "scene/readers/ply/ply_reader.hpp"
+#include "scene/readers/stl_reader.hpp"
 
 namespace ligne {
 namespace {
@@ -154,6 +156,153 @@ TEST(ThreeDsReader, ErrorsNameTheByte) {
             "M: byte 108: a material names a face that is not there");
   const std::string circle = node("a", 0, 1, {0, 0, 0}) + node("a", 1, 0, {0, 0, 0});
   EXPECT_EQ(error(file(square("a"), circle)), "M: keyframes: node 'a' is its own ancestor");
+}
+
+std::string binary(const std::string& header, std::uint32_t claimed, const std::vector<float>& coordinates) {
+  std::string out = header + std::string(80 - header.size(), '\0');
+  const auto append = [&](const auto& value) { out.append(reinterpret_cast<const char*>(&value), sizeof(value)); };
+  append(claimed);
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    if (i % 9 == 0) out.append(12, '\0');
+    append(coordinates[i]);
+    if (i % 9 == 8) out.append(2, '\0');
+  }
+  return out;
+}
+
+const std::vector<float> kTriangle{0, 0, 0, 1, 0, 0, 0, 1, 0};
+
+TEST(StlReader, BinaryEvenWithAHeaderThatBeginsWithSolid) {
+  const std::string bytes = binary("solid made by a careless exporter", 1, kTriangle);
+  EXPECT_EQ(detect_format(bytes_of(bytes), ".stl", "M"), ModelFormat::stl_binary);
+  const Result r = read_raw(read_stl_binary, bytes);
+  expect_sound(r.scene);
+  EXPECT_EQ(r.scene.vertices[1], Point3(1, 0, 0));
+  EXPECT_EQ(r.scene.objects[0].precision, std::ldexp(1.0, -24));
+  EXPECT_EQ(r.report.vertices, 3u);
+}
+
+TEST(StlReader, BinaryCountsThatLie) {
+  const std::string one = binary("", 2, kTriangle);
+  EXPECT_EQ(error_of(read_stl_binary, one),
+            "M: binary STL declares 2 triangles, which need 184 bytes, but the file has 134");
+  EXPECT_EQ(error_of(read_stl_binary, binary("", 4294967295u, kTriangle)),
+            "M: binary STL declares 4294967295 triangles, which need 214748364834 bytes, but the file has 134");
+  EXPECT_EQ(read_raw(read_stl_binary, binary("", 0, kTriangle)).report.faces, 1u);  // a count that was never written
+  const Result longer = read_raw(read_stl_binary, binary("", 1, kTriangle) + "comment");
+  EXPECT_EQ(longer.report.faces, 1u);
+  EXPECT_EQ(longer.warnings.lines(), std::vector<std::string>{"left out: 7 bytes behind the triangles"});
+  EXPECT_EQ(error_of(read_stl_binary, std::string(50, '\0')), "M: binary STL of 50 bytes, shorter than its header of 84");
+  EXPECT_EQ(error_of(read_stl_binary, binary("", 0, {})), "M: holds no faces");
+}
+
+TEST(StlReader, BinaryCoordinatesThatAreNotFiniteAreErrors) {
+  std::vector<float> two = kTriangle;
+  two.insert(two.end(), {0, 0, 0, NAN, 0, 0, 0, INFINITY, 0});
+  EXPECT_EQ(error_of(read_stl_binary, binary("", 2, two)), "M: triangle 1 of 2: a coordinate is not finite");
+}
+
+/// Without shading.
+Scene plain_ply(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings) {
+  return read_ply(bytes, name, report, warnings);
+}
+
+std::string ply_error(const std::string& text) { return error_of(plain_ply, text); }
+
+std::string header(const std::string& format, const std::string& vertices, const std::string& faces) {
+  return "ply\nformat " + format + " 1.0\ncomment made by hand\nelement vertex " + vertices +
+         "\nproperty float x\nproperty float y\nproperty float z\nelement face " + faces +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+/// Appends a number in the byte order.
+template <typename T>
+void put(std::string& out, std::endian order, T value) {
+  const char* p = reinterpret_cast<const char*>(&value);
+  std::string raw(p, p + sizeof(T));
+  if (order != std::endian::native) std::reverse(raw.begin(), raw.end());
+  out += raw;
+}
+
+TEST(PlyReader, BinaryInBothByteOrders) {
+  for (const std::endian order : {std::endian::little, std::endian::big}) {
+    std::string bytes =
+        "ply\nformat binary_" + std::string(order == std::endian::little ? "little" : "big") +
+        "_endian 1.0\nelement vertex 3\nproperty double x\nproperty float y\nproperty short z\nproperty list ushort uchar "
+        "tags\n"
+        "element face 1\nproperty list uint ushort vertex_indices\nproperty int8 mark\nend_header\n";
+    for (int i = 0; i < 3; ++i) {
+      put(bytes, order, 0.1 * i);
+      put(bytes, order, 1.5f * static_cast<float>(i));
+      put(bytes, order, static_cast<std::int16_t>(-300 * i));
+      put(bytes, order, static_cast<std::uint16_t>(i));
+      bytes += std::string(static_cast<std::size_t>(i), 'x');
+    }
+    put(bytes, order, std::uint32_t{3});
+    for (const std::uint16_t v : {2, 1, 0}) put(bytes, order, v);
+    bytes += '\x07';
+    const Result r = read_raw(plain_ply, bytes);
+    EXPECT_EQ(r.scene.vertices[2], Point3(0.2, 3, -600));
+    EXPECT_EQ(r.scene.faces.corners()[0], 2u);
+    EXPECT_EQ(r.scene.objects[0].precision, std::ldexp(0.5, 10 - 24));
+    EXPECT_EQ(ply_error(bytes + "!"), "M: has 1 bytes more than the header declares");
+    EXPECT_EQ(ply_error(bytes.substr(0, bytes.size() - 1)), "M: the file ends in face 0 of 1");
+    EXPECT_EQ(ply_error(bytes.substr(0, bytes.size() - 20)), "M: the file ends in vertex 2 of 3");
+  }
+}
+
+/// A binary file of `count` triangles in a strip, and a face more with the given corners.
+std::string strip_ply(std::endian order, std::uint32_t count, const std::vector<std::int32_t>& last) {
+  std::string bytes = header(order == std::endian::little ? "binary_little_endian" : "binary_big_endian",
+                             std::to_string(count + 2), std::to_string(count + 1));
+  for (std::uint32_t i = 0; i < count + 2; ++i)
+    for (const std::uint32_t c : {i, i % 2, i % 7}) put(bytes, order, 0.5f * static_cast<float>(c));
+  for (std::uint32_t i = 0; i < count; ++i) {
+    bytes += '\x03';
+    for (const std::uint32_t v : {i, i + 1, i + 2}) put(bytes, order, static_cast<std::int32_t>(v));
+  }
+  bytes += static_cast<char>(last.size());
+  for (const std::int32_t v : last) put(bytes, order, v);
+  return bytes;
+}
+
+TEST(PlyReader, BlocksOfTrianglesAreAsItemsOneByOne) {
+  constexpr std::uint32_t kCount = 40'000;  // several blocks
+  for (const std::endian order : {std::endian::little, std::endian::big}) {
+    const Result blocks = read_raw(plain_ply, strip_ply(order, kCount, {0, 1, 3}));
+    // A face of four corners has all read one by one.
+    const Result items = read_raw(plain_ply, strip_ply(order, kCount, {0, 1, 3, 2}));
+    EXPECT_TRUE(blocks.scene.faces.all_triangles());
+    EXPECT_FALSE(items.scene.faces.all_triangles());
+    EXPECT_EQ(blocks.scene.vertices, items.scene.vertices);
+    EXPECT_EQ(blocks.scene.vertices[kCount], Point3(0.5 * kCount, 0, 0.5 * (kCount % 7)));
+    EXPECT_EQ(blocks.scene.objects[0].precision, items.scene.objects[0].precision);
+    const auto triangles = blocks.scene.faces.corners().first(3 * kCount);
+    EXPECT_TRUE(std::ranges::equal(triangles, items.scene.faces.corners().first(3 * kCount)));
+    EXPECT_EQ(blocks.scene.faces.corners()[3 * kCount + 2], 3u);
+    EXPECT_EQ(blocks.report.faces, kCount + 1);
+    EXPECT_EQ(blocks.report.triangles, kCount + 1);
+    EXPECT_EQ(items.report.triangles, kCount + 2);
+    EXPECT_EQ(blocks.report.vertices, kCount + 2);
+    EXPECT_EQ(blocks.scene.materials.size(), items.scene.materials.size());
+  }
+}
+
+TEST(PlyReader, WhatIsAmissInBlocksIsNamed) {
+  constexpr std::uint32_t kCount = 20'000;
+  const std::endian order = std::endian::native;
+  EXPECT_EQ(ply_error(strip_ply(order, kCount, {0, -1, 3})),
+            "M: face 20000 of 20001: corner of a face is not a vertex index");
+  EXPECT_EQ(ply_error(strip_ply(order, kCount, {0, 1})), "M: face 20000 of 20001: face with 2 corners, needs 3 or more");
+  EXPECT_EQ(ply_error(strip_ply(order, kCount, {0, 1, 20'002})), "M: face 20000 names vertex 20002 of 20002");
+  std::string bytes = strip_ply(order, kCount, {0, 1, 3});
+  EXPECT_EQ(ply_error(bytes.substr(0, bytes.size() - 1)), "M: the file ends in face 20000 of 20001");
+  const float infinite = HUGE_VALF;
+  const std::size_t vertices = bytes.find("end_header\n") + 11;
+  bytes.replace(vertices + 12 * 17'000 + 4, sizeof(float), reinterpret_cast<const char*>(&infinite), sizeof(float));
+  EXPECT_EQ(ply_error(bytes), "M: vertex 17000 of 20002: a coordinate is not finite");
+  const std::string lying = header("binary_little_endian", "4000000000", "1");
+  EXPECT_EQ(ply_error(lying + std::string(30, '\0')), "M: the file ends in vertex 2 of 4000000000");
 }
 
 }  // namespace

@@ -78,9 +78,8 @@ TEST(Topology, EdgesOfManyParts) { expect_edges(random_mesh(60'000, 150'000)); }
 
 TEST(Topology, EdgesWithFlagsOfManyParts) {
   Scene scene = random_mesh(60'000, 150'000);
-  for (std::size_t k = 0; k < scene.faces.corners().size(); ++k) {
+  for (std::size_t k = 0; k < scene.faces.corners().size(); ++k)
     scene.corner_flags.push_back(static_cast<std::uint8_t>(k % 7 == 0 ? kCornerSharp : 0));
-  }
   expect_edges(scene);
 }
 
@@ -341,9 +340,7 @@ TEST(Topology, FalseAdjacencyIsNoticed) {
 
   scene = {};
   scene.vertices.assign(6, {0, 0, 0});
-  for (const std::uint32_t v : {2u, 3u, 4u, 5u}) {
-    scene.faces.add_triangle(v % 2 == 0 ? 0 : 1, v % 2 == 0 ? 1 : 0, v);
-  }
+  for (const std::uint32_t v : {2u, 3u, 4u, 5u}) scene.faces.add_triangle(v % 2 == 0 ? 0 : 1, v % 2 == 0 ? 1 : 0, v);
   scene.objects.push_back({"book", 0, 6, 0, 4, 0});
   scene.stated.state(StatedFact::adjacency);
   expect_refused(scene, "four faces at an edge");

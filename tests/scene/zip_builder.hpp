@@ -1,10 +1,7 @@
 #pragma once
 /// Small ZIP archives, written by the tests themselves.
 
-#include <zlib.h>
-
 #include <cstdint>
-#include <string>
 #include <utility>
 #include <vector>
 

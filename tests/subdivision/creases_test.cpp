@@ -1,7 +1,5 @@
 // Sharp and semi-sharp edges, and the tags of files that name them.
 
-#include <numbers>
-
 #include "control_scenes.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/creases/find_creases.hpp"
@@ -196,6 +194,172 @@ TEST(CreaseTags, ThatAreWrongHaveALine) {
   }
   // A sharpness below 0 is none.
   EXPECT_EQ(read_subdivided(std::string(kObjCube) + "t crease 2/1/0 0 1 -3\n").report.sharp_edges, 0u);
+}
+
+// Meshes that are no surfaces, and what belongs to faces.
+
+/// Points of a surface lie in the box of its control mesh, since all weights of the masks are positive.
+void expect_sane(const Made& made, double reach) {
+  ASSERT_FALSE(made.scene.objects.empty());
+  std::uint32_t vertex = 0, face = 0;
+  for (const Object& object : made.scene.objects) {
+    EXPECT_EQ(object.vertex_begin, vertex);
+    EXPECT_EQ(object.face_begin, face);
+    vertex = object.vertex_end, face = object.face_end;
+    for (std::uint32_t f = object.face_begin; f < object.face_end; ++f)
+      for (const std::uint32_t v : made.scene.faces.contour(f, 0))
+        EXPECT_TRUE(v >= object.vertex_begin && v < object.vertex_end);
+  }
+  EXPECT_EQ(vertex, made.scene.vertices.size());
+  EXPECT_EQ(face, made.scene.faces.size());
+  EXPECT_EQ(made.scene.corner_flags.size(), made.scene.faces.corners().size());
+  for (const Point3& p : made.scene.vertices)
+    EXPECT_TRUE(std::abs(p.x) <= reach && std::abs(p.y) <= reach && std::abs(p.z) <= reach)
+        << p.x << " " << p.y << " " << p.z;
+}
+
+TEST(HostileControlMeshes, GiveFinitePoints) {
+  const std::vector<Point3> cube = cube_points();
+  const std::vector<std::pair<const char*, Polygons>> meshes{
+      {"a triangle", {{0, 1, 2}}},
+      {"three faces at an edge", {{0, 1, 3, 2}, {0, 1, 5, 4}, {0, 1, 7, 6}}},
+      {"three faces at an edge inside", {{0, 1, 3}, {1, 0, 2}, {0, 4, 1}, {0, 3, 2}, {1, 2, 3}}},
+      {"a face twice", {{0, 1, 3, 2}, {0, 1, 3, 2}}},
+      {"a face and its back", {{0, 1, 3, 2}, {2, 3, 1, 0}}},
+      {"a triangle and its back", {{0, 1, 3}, {3, 1, 0}}},
+      {"unlike windings", {{0, 2, 3, 1}, {4, 6, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 4, 6, 2}, {1, 5, 7, 3}}},
+      {"a spike", {{0, 1, 0, 2}, {0, 1, 3, 2}}},
+      {"there and back", {{0, 1, 2, 1}}},
+      {"an eight", {{0, 1, 3, 0, 4, 6}}},
+      {"corners in a row", {{0, 0, 1, 1, 3, 2, 2, 0}}},
+      {"two fans at a vertex", {{0, 1, 3}, {0, 4, 6}}},
+      {"two closed fans at a vertex",
+       {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}}},
+      {"nothing but collapsed faces and a quad", {{0, 0, 1}, {1, 1, 1}, {0, 1, 0}, {4, 5, 7, 6}}},
+      {"all vertices", {{0, 1, 2, 3, 4, 5, 6, 7}, {7, 6, 5, 4, 3, 2, 1, 0}}},
+  };
+  for (const auto& [name, polygons] : meshes) {
+    SCOPED_TRACE(name);
+    for (const SubdivisionScheme scheme : {kCatmullClark, kLoop})
+      for (const float sharpness : {0.0f, 0.5f, kAlwaysSharp}) {
+        const Made made = subdivided(cube, polygons, scheme, 3, sharpness > 0 ? creased_cube(sharpness) : CreaseTags{});
+        expect_sane(made, 1 + 1e-12);
+        EXPECT_EQ(made.scene.faces.empty(), scheme == kLoop && std::string(name) == "there and back");
+      }
+  }
+}
+
+TEST(HostileControlMeshes, RandomSoupGivesFinitePoints) {
+  std::mt19937 random(17);
+  const auto below = [&](std::uint32_t n) { return std::uniform_int_distribution<std::uint32_t>(0, n - 1)(random); };
+  for (int round = 0; round < 200; ++round) {
+    Polygons polygons(1 + below(12));
+    for (auto& polygon : polygons) {
+      polygon.resize(3 + below(5));
+      for (std::uint32_t& v : polygon) v = below(8);
+    }
+    polygons.push_back({0, 1, 2});
+    for (const SubdivisionScheme scheme : {kCatmullClark, kLoop})
+      expect_sane(subdivided(cube_points(), polygons, scheme, 2, creased_cube(0.25f * static_cast<float>(round % 8))),
+                  1 + 1e-12);
+  }
+}
+
+TEST(HostileControlMeshes, WindingsDoNotMatter) {
+  Polygons turned = kCube;
+  for (const std::size_t f : {1u, 4u}) std::ranges::reverse(turned[f]);
+  const Made like = subdivided(cube_points(), kCube, kCatmullClark, 3),
+             unlike = subdivided(cube_points(), turned, kCatmullClark, 3);
+  for (std::size_t v = 0; v < 8; ++v) expect_near(like.scene.vertices[v], unlike.scene.vertices[v], 1e-13);
+}
+
+TEST(HostileControlMeshes, FacesThatAreNotFiniteAreDropped) {
+  std::vector<Point3> points = cube_points();
+  points[7].x = std::numeric_limits<double>::quiet_NaN();
+  const Made made = subdivided(points, kCube, kCatmullClark, 2);
+  EXPECT_EQ(made.scene.faces.size(), 3u * 2u * 16u);
+  EXPECT_EQ(made.warnings.lines(), std::vector<std::string>{std::string("3 ") + kFacesNotFinite});
+  expect_sane(made, 1);
+}
+
+TEST(HostileControlMeshes, DoubledVerticesAreOne) {
+  // Every face with vertices of its own, as files with flat normals have them.
+  std::vector<Point3> points;
+  Polygons polygons;
+  for (const auto& face : kCube) {
+    polygons.emplace_back();
+    for (const std::uint32_t v : face) {
+      polygons.back().push_back(static_cast<std::uint32_t>(points.size()));
+      points.push_back(cube_points()[v]);
+    }
+  }
+  const Made made = subdivided(points, polygons, kCatmullClark, 2);
+  EXPECT_EQ(made.scene.vertices.size(), subdivided(cube_points(), kCube, kCatmullClark, 2).scene.vertices.size());
+}
+
+TEST(HostileControlMeshes, HolesAreCut) {
+  Scene scene =
+      scene_of({{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}, {1, 1, 0}, {1, 2, 0}, {2, 2, 0}, {2, 1, 0}}, {{0, 1, 2, 3}});
+  scene.faces.add_hole(std::vector<std::uint32_t>{4, 5, 6, 7});
+  for (const SubdivisionScheme scheme : {kCatmullClark, kLoop}) {
+    CreaseTags tags;
+    tags.edges = {{4, 5, 1}};
+    const Made made = subdivided(scene, scheme, 2, tags);
+    EXPECT_EQ(made.report.faces, 8u);
+    for (const Point3& p : made.scene.vertices) EXPECT_EQ(p.z, 0);
+    // Nothing lies in the middle of the hole: its border is a spline about it.
+    for (const Point3& p : made.scene.vertices) EXPECT_GT(glm::distance(p, Point3(1.5, 1.5, 0)), 0.4);
+    expect_sane(made, 3);
+  }
+}
+
+TEST(SubdividedScene, KeepsObjectsMaterialsAndSources) {
+  Scene scene = scene_of(cube_points(), kCube);
+  scene.face_material = {0, 1, 0, 1, 0, 1};
+  scene.face_source = {10, 11, 12, 13, 14, 15};
+  scene.materials.resize(2);
+  scene.details.push_back({3, 1, {{0, 0, 1}}});
+  begin_object(scene, "plate");
+  for (const Point3& p : {Point3(5, 0, 0), Point3(6, 0, 0), Point3(6, 1, 0), Point3(5, 1, 0)}) scene.vertices.push_back(p);
+  scene.faces.add_face(std::vector<std::uint32_t>{8, 9, 10, 11});
+  scene.face_material.push_back(0), scene.face_source.push_back(16);
+  end_object(scene);
+  scene.details.push_back({6, 1, {{5, 0, 0}}});
+  for (const bool plate_too : {true, false}) {
+    for (const SubdivisionScheme scheme : {kCatmullClark, kLoop}) {
+      Made made{scene, {}, {}};
+      SubdivisionRequest request{{scheme, 2}, {}, false};
+      if (!plate_too)
+        request.is_wanted = [](const Object& object, std::size_t i) { return i == 0 && object.name == "control"; };
+      made.report = subdivide(made.scene, request, {}, "M", made.warnings);
+      ASSERT_EQ(made.scene.objects.size(), 2u);
+      EXPECT_EQ(made.scene.objects[1].name, "plate");
+      const std::size_t per_face = made.scene.objects[0].face_end / 6;
+      EXPECT_EQ(per_face, 32u);
+      for (std::size_t f = 0; f < 6 * per_face; ++f) {
+        EXPECT_EQ(made.scene.face_source[f], 10 + f / per_face);
+        EXPECT_EQ(made.scene.face_material[f], f / per_face % 2);
+      }
+      EXPECT_EQ(made.scene.objects[1].face_end - made.scene.objects[1].face_begin, plate_too ? per_face : 1u);
+      EXPECT_EQ(made.scene.face_source.back(), 16u);
+      EXPECT_EQ(made.scene.details.size(), plate_too ? 0u : 1u);
+      for (const Detail& detail : made.scene.details) EXPECT_EQ(detail.face, made.scene.objects[1].face_begin);
+      EXPECT_FALSE(made.warnings.lines().empty());
+      Warnings warnings;
+      finish_scene(made.scene, warnings);
+      EXPECT_TRUE(warnings.lines().empty());
+    }
+  }
+}
+
+// The quad that looks up is a crease of another face's edge only where the file says so of all sides.
+TEST(SubdividedScene, KeepsFlagsOfEdges) {
+  Scene scene = grid(2);
+  scene.corner_flags.assign(16, 0);
+  scene.corner_flags[1] = kCornerFileHidden;  // of two sides of an edge one
+  scene.corner_flags[0] = kCornerFileHidden;  // a border
+  const Made made = subdivided(std::move(scene), kCatmullClark, 2);
+  EXPECT_EQ(std::ranges::count_if(made.scene.corner_flags, [](std::uint8_t f) { return f & kCornerFileHidden; }), 4);
 }
 
 }  // namespace
