@@ -5,7 +5,6 @@
 #include <atomic>
 
 #include "sample_drawing.hpp"
-#include "support/test.hpp"
 
 namespace {
 

@@ -2,7 +2,6 @@
 
 #include "plotting/paths/fit_curves.hpp"
 #include "sample_drawing.hpp"
-#include "support/test.hpp"
 
 namespace ligne {
 namespace {
@@ -26,10 +25,9 @@ std::vector<Point2> sampled(const CurvedPath& path) {
   std::vector<Point2> points{path.start};
   constexpr int kSamples = 2000;
   for (const PathPiece& piece : path.pieces) {
-    if (piece.arc) {
+    if (piece.arc)
       for (int i = 1; i < kSamples; ++i)
         points.push_back(point_at(piece.arc->ellipse, piece.arc->from + piece.arc->sweep * i / kSamples));
-    }
     points.push_back(piece.to);
   }
   return points;
@@ -37,14 +35,9 @@ std::vector<Point2> sampled(const CurvedPath& path) {
 
 /// The largest distance of a point of the line from the path.
 double off(std::span<const Point2> line, const CurvedPath& path) {
-  const std::vector<Point2> curve = sampled(path);
+  const Polylines curve = polylines_of({sampled(path)});
   double largest = 0;
-  for (const Point2 p : line) {
-    double least = glm::length(p - curve[0]);
-    for (std::size_t i = 1; i < curve.size(); ++i)
-      least = std::min(least, test::distance_to_segment(p, curve[i - 1], curve[i]));
-    largest = std::max(largest, least);
-  }
+  for (const Point2 p : line) largest = std::max(largest, test::distance_to_lines(p, curve));
   return largest;
 }
 
@@ -124,9 +117,8 @@ TEST(FitCurves, AKnownEllipseBendsNoOtherLines) {
   // A chord of it, a polygon of eight corners on it, and corners beside it.
   std::vector<Point2> beside = corners_on(ellipse, 0.7, 0.3, 4);
   for (Point2& p : beside) p = ellipse.centre + 1.005 * (p - ellipse.centre);
-  for (const std::vector<Point2>& line : {corners_on(ellipse, 0.7, 0.3, 2), corners_on(ellipse, 0.7, kPi / 4, 9), beside}) {
+  for (const std::vector<Point2>& line : {corners_on(ellipse, 0.7, 0.3, 2), corners_on(ellipse, 0.7, kPi / 4, 9), beside})
     EXPECT_EQ(arcs_of(fit_curves(line, limits)), 0u);
-  }
 }
 
 TEST(FitCurves, AKnownEllipseMakesArcsOfParts) {
@@ -206,12 +198,14 @@ TEST(FitCurves, PolygonsAndStarsStay) {
   EXPECT_EQ(arcs_of(fit_curves(star, {})), 0u);
   EXPECT_EQ(fit_curves(star, {}).pieces.size(), 40u);
   EXPECT_EQ(fit_curves(zigzag, {}).pieces.size(), 40u);
-}
-
-TEST(FitCurves, CutCornersStayThoughTheyLieOnAnEllipse) {
-  // A rectangle with cut corners has eight corners on an ellipse; rounded ones of three steps are no arcs either.
+  // A rectangle with cut corners has eight corners on an ellipse.
   const std::vector<Point2> cut{{1, 0}, {19, 0}, {20, 1}, {20, 9}, {19, 10}, {1, 10}, {0, 9}, {0, 1}, {1, 0}};
   EXPECT_EQ(arcs_of(fit_curves(cut, {})), 0u);
+  std::vector<Point2> straight;
+  for (int i = 0; i <= 100; ++i) straight.push_back({i * 1.0, i % 2 * 0.002});
+  straight.push_back({100, 30});
+  expect_sound(straight, fit_curves(straight, {}));
+  EXPECT_EQ(fit_curves(straight, {}).pieces.size(), 2u);
 }
 
 TEST(FitCurves, NoiseBelowAndAboveTheTolerance) {
@@ -311,15 +305,6 @@ TEST(FitCurves, OtherSmoothCurvesStayWithinTheTolerance) {
       EXPECT_GT(glm::dot(in, out), std::cos(3 * kDegree));
     }
   }
-}
-
-TEST(FitCurves, StraightRunsBecomeOneLine) {
-  std::vector<Point2> line;
-  for (int i = 0; i <= 100; ++i) line.push_back({i * 1.0, i % 2 * 0.002});
-  line.push_back({100, 30});
-  const CurvedPath path = fit_curves(line, {});
-  expect_sound(line, path);
-  EXPECT_EQ(path.pieces.size(), 2u);
 }
 
 TEST(FitCurves, DegenerateLines) {

@@ -1,7 +1,5 @@
 #include "plotted.hpp"
 
-#include "support/standard.hpp"
-
 namespace ligne::test {
 namespace {
 

@@ -22,9 +22,8 @@ std::vector<Point2> circle(Point2 c, double r, int n = 90) {
 double border_distance(Point2 p, const Contours& contours) {
   double least = 1e300;
   for (const auto& contour : contours) {
-    for (std::size_t i = 0; i < contour.size(); ++i) {
-      least = std::min(least, test::distance_to_segment(p, contour[i], contour[(i + 1) % contour.size()]));
-    }
+    Point2 before = contour.back();
+    for (const Point2 q : contour) least = std::min(least, test::distance_to_segment(p, std::exchange(before, q), q));
   }
   return least;
 }
@@ -35,16 +34,13 @@ constexpr double kUnseenPens = 0.5 / 6;
 
 /// Every point of every stroke is inside and half a pen from the border.
 void expect_inside(const Polylines& lines, const Contours& contours, double pen) {
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto line = lines[i];
-    for (std::size_t k = 1; k < line.size(); ++k) {
-      for (int s = 0; s <= 20; ++s) {
-        const Point2 p = line[k - 1] + (line[k] - line[k - 1]) * (s / 20.0);
-        EXPECT_TRUE(test::holds(contours, p)) << p.x << " " << p.y;
-        EXPECT_GE(border_distance(p, contours), (0.5 - kUnseenPens) * pen) << p.x << " " << p.y;
-      }
+  test::for_segments(lines, [&](Point2 a, Point2 b) {
+    for (int s = 0; s <= 20; ++s) {
+      const Point2 p = a + (b - a) * (s / 20.0);
+      EXPECT_TRUE(test::holds(contours, p)) << p.x << " " << p.y;
+      EXPECT_GE(border_distance(p, contours), (0.5 - kUnseenPens) * pen) << p.x << " " << p.y;
     }
-  }
+  });
 }
 
 TEST(Hatch, ASquareIsOneStrokeOfRows) {
@@ -61,8 +57,6 @@ TEST(Hatch, ASquareIsOneStrokeOfRows) {
     EXPECT_NEAR(std::abs(a.x - b.x), 19.5, 1e-12);
     if (row > 0) {
       EXPECT_NEAR(std::abs(a.y - lines[0][2 * row - 1].y), 1, 1e-12);
-    }
-    if (row > 0) {
       EXPECT_NEAR(a.x, lines[0][2 * row - 1].x, 1e-12);
     }
   }
@@ -79,15 +73,7 @@ TEST(Hatch, HolesAndCornersStayFree) {
     expect_inside(lines, contours, options.pen_width_mm);
     const PathLengths lengths = measure(lines, {0, 0}, false);
     // The strokes ink about as much as the region has area, less the rim.
-    double area = 0;
-    for (const auto& contour : contours) {
-      double sum = 0;
-      for (std::size_t i = 0; i < contour.size(); ++i) {
-        const Point2 a = contour[i], b = contour[(i + 1) % contour.size()];
-        sum += a.x * b.y - a.y * b.x;
-      }
-      area += &contour == &contours[0] ? std::abs(sum) / 2 : -std::abs(sum) / 2;
-    }
+    const double area = test::area_within(contours);
     EXPECT_NEAR(lengths.down_mm * options.spacing_mm, area, 0.15 * area) << angle;
     // About a hundred spans; beside a round hole the straight way to the next row would come nearer than half a pen, so the
     // pen is lifted there.
@@ -107,9 +93,8 @@ TEST(Hatch, NeighboursShareTheirRows) {
   options.angle_degrees = 0;
   const Contours right{{{20, 0.4}, {40, 0.4}, {40, 19}, {20, 19}}};
   const Polylines a = hatch(Contours{kSquare}, options), b = hatch(right, options);
-  for (const Polylines* lines : {&a, &b}) {
+  for (const Polylines* lines : {&a, &b})
     for (const Point2 p : lines->points) EXPECT_NEAR(p.y, std::round(p.y), 1e-12);
-  }
 }
 
 /// Side by side: the left half with all rows, the right half with some of them.
@@ -130,12 +115,8 @@ struct TwoSurfaces {
   /// How many strokes run through (x, y), pieces of ties left out.
   int rows_at(double x, std::size_t layer = 0) const {
     int count = 0;
-    for (std::size_t i = 0; i < layers[layer].size(); ++i) {
-      const auto line = layers[layer][i];
-      for (std::size_t k = 1; k < line.size(); ++k) {
-        count += std::abs(line[k].y - line[k - 1].y) < 1e-9 && (line[k].x < x) != (line[k - 1].x < x);
-      }
-    }
+    test::for_segments(layers[layer],
+                       [&](Point2 a, Point2 b) { count += std::abs(b.y - a.y) < 1e-9 && (b.x < x) != (a.x < x); });
     return count;
   }
 };
@@ -156,15 +137,12 @@ TEST(Hatch, FewerRowsAreSomeOfTheMore) {
     EXPECT_EQ(two.rows_at(30), static_cast<int>(2 * rows)) << "two cycles";
     EXPECT_EQ(two.rows_at(20), static_cast<int>(2 * rows)) << "the strokes run on";
     expect_inside(two.layers[0], Contours{{{0, 0}, {40, 0}, {40, 32.5}, {0, 32.5}}}, 0.4);
-    for (std::size_t i = 0; i < two.layers[0].size(); ++i) {
-      const auto line = two.layers[0][i];
-      for (std::size_t k = 1; k < line.size(); ++k) {
-        // A piece that is not along a row is a tie, and those lie at the rim.
-        if (std::abs(line[k].y - line[k - 1].y) > 1e-9) {
-          EXPECT_GT(std::abs(line[k].x - 20), 19) << line[k].x;
-        }
+    // A piece that is not along a row is a tie, and those lie at the rim.
+    test::for_segments(two.layers[0], [](Point2 a, Point2 b) {
+      if (std::abs(b.y - a.y) > 1e-9) {
+        EXPECT_GT(std::abs(b.x - 20), 19) << b.x;
       }
-    }
+    });
   }
   TwoSurfaces white;
   white.surfaces[1].rows = 0;
@@ -202,16 +180,12 @@ TEST(Hatch, TiesFollowTheRim) {
   expect_inside(lines, tower, options.pen_width_mm);
   double corner = 0;
   std::size_t ties = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto line = lines[i];
-    for (std::size_t k = 1; k < line.size(); ++k) {
-      if (std::abs(line[k].y - line[k - 1].y) < 1e-9) continue;
-      ++ties;
-      for (const double t : {0.0, 0.5, 1.0})
-        EXPECT_LT(border_distance(line[k - 1] + (line[k] - line[k - 1]) * t, tower), 0.8 * options.pen_width_mm);
-      corner = std::max({corner, line[k - 1].x, line[k].x});
-    }
-  }
+  test::for_segments(lines, [&](Point2 a, Point2 b) {
+    if (std::abs(b.y - a.y) < 1e-9) return;
+    ++ties;
+    for (const double t : {0.0, 0.5, 1.0}) EXPECT_LT(border_distance(a + (b - a) * t, tower), 0.8 * options.pen_width_mm);
+    corner = std::max({corner, a.x, b.x});
+  });
   EXPECT_GT(ties, 1u);
   EXPECT_GT(corner, 13) << "out to the corner";
 }
@@ -222,10 +196,9 @@ TEST(Hatch, CornersBetweenNeighboursMakeNoGaps) {
   const HatchFrame frame({0, 0}, 27);
   const double line_mm = hatch_line_mm(0.9, 0.3);
   std::vector<SurfaceRun> runs;
-  for (std::size_t i = 0; i < rim.size(); ++i) {
+  for (std::size_t i = 0; i < rim.size(); ++i)
     add_runs(Contours{{{20.1, 19.7}, rim[i], rim[(i + 1) % rim.size()]}}, static_cast<std::uint32_t>(i), frame, line_mm,
              runs);
-  }
   const std::vector<SurfaceHatch> surfaces(rim.size(),
                                            {static_cast<std::uint32_t>(std::lround(0.9 / line_mm)), kRowCycle, 0, 0});
   std::vector<double> pens{0.3};
@@ -259,31 +232,15 @@ struct Cover {
 };
 Cover cover_of(const Polylines& strokes, const Contours& area, double pen) {
   Rect box;
-  for (const auto& contour : area) {
+  for (const auto& contour : area)
     for (const Point2 p : contour) box.extend(p);
-  }
-  const auto ink_distance = [&](Point2 p) {
-    double least = 1e300;
-    for (std::size_t i = 0; i < strokes.size(); ++i) {
-      const auto line = strokes[i];
-      for (std::size_t k = 1; k < line.size(); ++k) {
-        least = std::min(least, test::distance_to_segment(p, line[k - 1], line[k]));
-      }
-    }
-    return least - pen / 2;
-  };
   Cover cover;
   constexpr double kStep = 0.05;
-  for (double y = box.min.y; y <= box.max.y; y += kStep) {
-    for (double x = box.min.x; x <= box.max.x; x += kStep) {
-      if (test::holds(area, {x, y})) cover.white = std::max(cover.white, ink_distance({x, y}));
-    }
-  }
-  for (std::size_t i = 0; i < strokes.size(); ++i) {
-    for (const Point2 p : strokes[i]) {
-      if (!test::holds(area, p)) cover.beyond = std::max(cover.beyond, border_distance(p, area));
-    }
-  }
+  for (double y = box.min.y; y <= box.max.y; y += kStep)
+    for (double x = box.min.x; x <= box.max.x; x += kStep)
+      if (test::holds(area, {x, y})) cover.white = std::max(cover.white, test::distance_to_lines({x, y}, strokes) - pen / 2);
+  for (const Point2 p : strokes.points)
+    if (!test::holds(area, p)) cover.beyond = std::max(cover.beyond, border_distance(p, area));
   return cover;
 }
 
@@ -320,21 +277,16 @@ TEST(Hatch, FillsLeaveNothingWhite) {
       HatchOptions options;
       options.pen_width_mm = pen;
       options.spacing_mm = 0.8 * pen;
-      Polylines bare = hatch(area, options);
       options.rim = true;
       Polylines strokes = hatch(area, options);
-      for (std::size_t i = 0; i < strokes.size(); ++i) {
-        for (const Point2 p : strokes[i]) {
-          EXPECT_TRUE(test::holds(area, p));
-          EXPECT_GE(border_distance(p, area), (0.5 - kUnseenPens) * pen);
-        }
+      for (const Point2 p : strokes.points) {
+        EXPECT_TRUE(test::holds(area, p));
+        EXPECT_GE(border_distance(p, area), (0.5 - kUnseenPens) * pen);
       }
       // With the outline, as fills are drawn.
-      for (Polylines* lines : {&strokes, &bare}) {
-        for (std::vector<Point2> contour : area) {
-          contour.push_back(contour.front());
-          lines->add(contour);
-        }
+      for (std::vector<Point2> contour : area) {
+        contour.push_back(contour.front());
+        strokes.add(contour);
       }
       // The lattice can miss 0.035 mm.
       EXPECT_LE(cover_of(strokes, area, pen).white, 0.05 - 0.035) << pen << " mm, area " << (&area - areas);

@@ -1,7 +1,6 @@
 #include "plotting/meant_areas.hpp"
 
-#include "geometry/point.hpp"
-#include "support/page_lines.hpp"
+#include "drawing/measures.hpp"
 
 namespace ligne::test {
 namespace {
@@ -27,9 +26,8 @@ bool is_in(const MeantArea& area, Point2 p) {
 
 /// The area that is painted last over the point; -1: none.
 int top_at(const MeantScene& scene, Point2 p) {
-  for (std::size_t i = scene.areas.size(); i-- > 0;) {
+  for (std::size_t i = scene.areas.size(); i-- > 0;)
     if (is_in(scene.areas[i], p)) return static_cast<int>(i);
-  }
   return -1;
 }
 
@@ -53,22 +51,12 @@ bool is_disturbed(const MeantScene& scene, Point2 p, Point2 direction) {
   });
 }
 
-bool passes(const Polylines& lines, Point2 p) {
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto line = lines[i];
-    for (std::size_t k = 1; k < line.size(); ++k) {
-      if (distance_to_segment(p, line[k - 1], line[k]) <= kOnLine) return true;
-    }
-  }
-  return false;
-}
-
 /// How many pens have lines through the point, and whether this one has.
 std::pair<int, bool> pens_at(const ReadDrawing& drawn, Point2 p, const std::string& own) {
   int all = 0;
   bool is_own = false;
   for (const Layer& layer : drawn.drawing.layers) {
-    if (!passes(layer.lines, p)) continue;
+    if (distance_to_lines(p, layer.lines) > kOnLine) continue;
     ++all;
     is_own |= layer.name == own;
   }
@@ -78,10 +66,9 @@ std::pair<int, bool> pens_at(const ReadDrawing& drawn, Point2 p, const std::stri
 /// How many edges of the area's own contours pass through the point.
 int own_edges_at(const MeantArea& area, Point2 p) {
   int count = 0;
-  for (const Contour& contour : area.contours) {
+  for (const Contour& contour : area.contours)
     for (std::size_t k = 0; k < contour.size(); ++k)
       count += distance_to_segment(p, contour[k], contour[(k + 1) % contour.size()]) <= kOnLine;
-  }
   return count;
 }
 
@@ -227,29 +214,26 @@ MeantScene abutting_rectangles(Dice& dice) {
   return scene;
 }
 
-MeantScene polygons_of_shared_corners(Dice& dice) {
-  const Corners corners(7, 9, dice);
+/// Areas of one contour or two, clipped or not.
+MeantScene polygons(const Corners& corners, std::size_t count, std::uint32_t most_corners, bool doubled, Dice& dice) {
   MeantScene scene;
-  const std::size_t count = 2 + dice() % 4;
   while (scene.areas.size() < count) {
-    MeantArea area{{corners.polygon(3 + dice() % 5, dice)}, dice() % 2 == 0};
-    if (dice() % 3 == 0) area.contours.push_back(corners.polygon(3 + dice() % 5, dice));
-    if (dice() % 3 == 0) area.clips.push_back(corners.polygon(3 + dice() % 5, dice));
+    MeantArea area{{corners.polygon(3 + dice() % most_corners, dice)}, dice() % 2 == 0};
+    if (doubled && dice() % 3 == 0) area.contours.push_back(corners.polygon(3 + dice() % most_corners, dice));
+    if (dice() % 3 == 0) area.clips.push_back(corners.polygon(3 + dice() % most_corners, dice));
     add_area(scene, area, dice);
   }
   return scene;
 }
 
+MeantScene polygons_of_shared_corners(Dice& dice) {
+  const Corners corners(7, 9, dice);
+  return polygons(corners, 2 + dice() % 4, 5, true, dice);
+}
+
 MeantScene scribbles(Dice& dice) {
   const Corners corners(40, 1.5, dice);
-  MeantScene scene;
-  const std::size_t count = 1 + dice() % 3;
-  while (scene.areas.size() < count) {
-    MeantArea area{{corners.polygon(3 + dice() % 120, dice)}, dice() % 2 == 0};
-    if (dice() % 3 == 0) area.clips.push_back(corners.polygon(3 + dice() % 120, dice));
-    add_area(scene, area, dice);
-  }
-  return scene;
+  return polygons(corners, 1 + dice() % 3, 120, false, dice);
 }
 
 int wrong_places(const MeantScene& scene, Dice& dice) {

@@ -4,10 +4,6 @@
 #include "main/tier.hpp"
 #include "plotted.hpp"
 #include "plotting/dashes.hpp"
-#include "plotting/devices/device.hpp"
-#include "plotting/plot.hpp"
-#include "plotting/writers/plot_writers.hpp"
-#include "support/test.hpp"
 
 namespace ligne {
 namespace {
@@ -264,19 +260,13 @@ TEST(Pens, AreReadFromTheCommandLineAndFromAFile) {
   EXPECT_TRUE(file.pen(1).skip);
 }
 
-/// Two numbered layers, and one pen for all: no change of pens, and the ways that the file has.
-TEST(Pens, RestTakesNumberedLayersToo) {
+TEST(Pens, AnotherPenIsNotHomeInBetween) {
   Drawing drawing;
   add_line(drawing, "1-Black", {{10, 10}, {90, 10}});
   add_line(drawing, "2-Red", {{10, 20}, {90, 20}});
-  PlotRequest request;
-  EXPECT_EQ(make_plot(drawing, request).pens.size(), 2u);
-  const PathLengths both = measure_in_turn(assign_pens(drawing, request), {0, 0}, true);
-  EXPECT_NEAR(both.up_mm, std::hypot(10, 10) + std::hypot(80, 10) + std::hypot(90, 20), 1e-9) << "not home in between";
-  add_pen(request.pens, "rest=1");
-  const Plot one = make_plot(drawing, request);
-  EXPECT_EQ(one.pens.size(), 1u);
-  EXPECT_EQ(pen_changes(one), 0u);
+  const Plot plot = assign_pens(drawing, {});
+  EXPECT_EQ(plot.pens.size(), 2u);
+  EXPECT_NEAR(measure_in_turn(plot, {0, 0}, true).up_mm, std::hypot(10, 10) + std::hypot(80, 10) + std::hypot(90, 20), 1e-9);
 }
 
 TEST(Dashes, BeginAndEndWithADash) {
@@ -413,9 +403,8 @@ TEST(DeviceFile, EveryKnownPlaceholderIsReplaced) {
     const Page page{100, 100, 0};
     const std::string commands = write_plot(plot, device, place_on_device(device, page, Rect{{10, 10}, {20, 20}}, false));
     EXPECT_EQ(commands.find_first_of("{}"), std::string::npos) << commands;
-    for (const char* begin : {"a", "b", "c", "d", "e", "f", "g"}) {
+    for (const char* begin : {"a", "b", "c", "d", "e", "f", "g"})
       EXPECT_NE(("\n" + commands).find(std::string("\n") + begin), std::string::npos) << begin << " in " << commands;
-    }
   }
 }
 

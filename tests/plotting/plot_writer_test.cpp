@@ -1,7 +1,8 @@
 /// HPGL and G-code, command by command: goldens of every device, replayed by machines that complain.
 
+#include "main/script.hpp"
 #include "plotted.hpp"
-#include "sample_drawing.hpp"
+#include "plotting/devices/device.hpp"
 #include "support/test.hpp"
 
 namespace ligne {
@@ -11,15 +12,21 @@ using namespace test;
 
 std::vector<std::string> plotters() {
   std::vector<std::string> names;
-  for (const Device& device : devices()) {
+  for (const Device& device : devices())
     if (device.language != DeviceLanguage::svg) names.push_back(device.name);
-  }
   return names;
 }
 
 class EveryPlotter : public testing::TestWithParam<std::string> {
  protected:
   const Device& device() const { return *find_device(GetParam()); }
+  void expect_within_limits(const Replay& got, const DeviceFrame& frame) const {
+    const double step = device().language == DeviceLanguage::hpgl ? 1 : device().step_mm;
+    for (const int axis : {0, 1}) {
+      EXPECT_GE(got.reach.min[axis], frame.limits.min[axis] * step - 1e-9);
+      EXPECT_LE(got.reach.max[axis], frame.limits.max[axis] * step + 1e-9);
+    }
+  }
 };
 
 TEST_P(EveryPlotter, WritesItsGolden) {
@@ -59,11 +66,7 @@ TEST_P(EveryPlotter, DrawsWhatThePlotHolds) {
       }
     }
     EXPECT_EQ(stroke, got.strokes.size());
-    const double step = device().language == DeviceLanguage::hpgl ? 1 : device().step_mm;
-    EXPECT_GE(got.reach.min.x, w.frame.limits.min.x * step - 1e-9);
-    EXPECT_GE(got.reach.min.y, w.frame.limits.min.y * step - 1e-9);
-    EXPECT_LE(got.reach.max.x, w.frame.limits.max.x * step + 1e-9);
-    EXPECT_LE(got.reach.max.y, w.frame.limits.max.y * step + 1e-9);
+    expect_within_limits(got, w.frame);
   }
 }
 
@@ -74,9 +77,7 @@ TEST_P(EveryPlotter, RefusesWhatLeavesTheLimitsOrMakesItFit) {
   expect_parts(error, {" mm ", "--fit-device"});
   const Written w = written(device(), drawing, false, true);
   const Replay got = replay(device(), w.text);
-  const double step = device().language == DeviceLanguage::hpgl ? 1 : device().step_mm;
-  EXPECT_GE(got.reach.min.x, w.frame.limits.min.x * step - 1e-9);
-  EXPECT_LE(got.reach.max.y, w.frame.limits.max.y * step + 1e-9);
+  expect_within_limits(got, w.frame);
   const Point2 across = w.frame.to_device({1, 0}) - w.frame.to_device({0, 0}),
                down = w.frame.to_device({0, 1}) - w.frame.to_device({0, 0});
   EXPECT_NEAR(glm::length(across), glm::length(down), 1e-12) << "made smaller alike in both directions";
@@ -94,9 +95,8 @@ TEST(Devices, ThatTakeSvgWriteTheirGoldens) {
   for (const Device& device : devices()) {
     if (device.language != DeviceLanguage::svg) continue;
     Written w = written(device, plotter_drawing(), true, true);
-    for (PenLines& pen : w.plot.pens) {
+    for (PenLines& pen : w.plot.pens)
       for (Point2& p : pen.lines.points) p = w.frame.fitted(p);
-    }
     PlotOptions options;
     options.style = styles_of(w.plot);
     expect_golden("plot-" + device.name + ".svg", write_svg(drawing_of(w.plot), options));
@@ -166,9 +166,8 @@ TEST_P(Hp2xx, ReadsTheSameDrawingOfTheSameSize) {
   constexpr double kUnitMm = 0.025;
   Rect ours, theirs;
   std::vector<Point2> points;
-  for (const auto& stroke : test::replay_hpgl(w.text).strokes) {
+  for (const auto& stroke : test::replay_hpgl(w.text).strokes)
     for (const Point2 p : stroke) points.push_back(p * kUnitMm);
-  }
   for (const Point2 p : points) ours.extend(p);
   Rect pixels;
   for (const Point2 p : read) pixels.extend(p);
@@ -215,6 +214,91 @@ TEST(Hp2xxGcode, ALineOf25MillimetresIs25Millimetres) {
   }
   ASSERT_EQ(lengths.size(), 2u);
   for (const double length : lengths) EXPECT_NEAR(length, 25, 0.01);
+}
+
+// Facts about the devices: every number names its source, and agrees with the table of the sources.
+
+const std::filesystem::path kDevices = std::filesystem::path(LIGNE_SOURCE_DIR) / "plotting/devices";
+const std::filesystem::path kSources = std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/plotting/device_sources.csv";
+
+/// Keys whose values are measures of the machine or of its paper.
+constexpr std::array<std::string_view, 12> kMeasures{"step",
+                                                     "pens",
+                                                     "limits",
+                                                     "origin",
+                                                     "width",
+                                                     "height",
+                                                     "speed_down",
+                                                     "speed_up",
+                                                     "lift_seconds",
+                                                     "pen_change_seconds",
+                                                     "points_per_command",
+                                                     "at"};
+
+TEST(DeviceFacts, EveryNumberNamesItsSource) {
+  std::size_t numbers = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kDevices)) {
+    if (entry.path().extension() != ".toml") continue;
+    std::ifstream file(entry.path());
+    for (std::string line; std::getline(file, line);) {
+      const std::string key = line.substr(0, line.find(' '));
+      if (std::ranges::find(kMeasures, key) == kMeasures.end() || line.find("= \"") != std::string::npos) continue;
+      ++numbers;
+      const std::size_t comment = line.find("  # ");
+      EXPECT_TRUE(comment != std::string::npos && line.size() > comment + 6) << entry.path().filename() << ": " << line;
+    }
+  }
+  EXPECT_GT(numbers, 150u);
+}
+
+Point2 point_of(const std::string& text) {
+  const std::vector<std::string> parts = test::parts_of(text, ' ');
+  return {std::stod(parts.at(0)), std::stod(parts.at(1))};
+}
+
+void compare(const Device& device, const DevicePaper* paper, const std::string& fact, const std::string& value) {
+  if (fact == "step") {
+    EXPECT_EQ(device.step_mm, std::stod(value));
+  } else if (fact == "reach") {
+    EXPECT_EQ(device.limits_mm.max - device.limits_mm.min, point_of(value));
+  } else if (!paper) {
+    FAIL() << "the device has no such paper";
+  } else if (fact == "limit_x") {
+    EXPECT_EQ(paper->limits.max.x, std::stod(value));
+  } else if (fact == "limit_y") {
+    EXPECT_EQ(paper->limits.max.y, std::stod(value));
+  } else if (fact == "middle") {
+    const Point2 middle = *paper->origin_mm + point_of(value) * device.step_mm;
+    EXPECT_NEAR(glm::distance(middle, Point2(paper->width_mm, paper->height_mm) * 0.5), 0, 0.01);
+    const Point2 far = *paper->origin_mm + paper->limits.max * device.step_mm;
+    EXPECT_TRUE(far.x < paper->width_mm && far.y < paper->height_mm) << "the reach leaves the paper";
+  } else if (fact == "p1" || fact == "p2") {
+    const Point2 p = point_of(value);
+    EXPECT_TRUE(p.x >= paper->limits.min.x && p.y >= paper->limits.min.y && p.x <= paper->limits.max.x &&
+                p.y <= paper->limits.max.y);
+  } else {
+    FAIL() << "no such fact";
+  }
+}
+
+TEST(DeviceFacts, AgreeWithTheTableOfTheirSources) {
+  std::ifstream file(kSources);
+  ASSERT_TRUE(file);
+  std::set<std::string> told;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with('#')) continue;
+    SCOPED_TRACE(line);
+    const std::vector<std::string> cells = test::parts_of(line, ',');
+    ASSERT_EQ(cells.size(), 5u);
+    const Device* const device = find_device(cells[0]);
+    ASSERT_NE(device, nullptr);
+    const auto paper = std::ranges::find(device->papers, cells[1], &DevicePaper::name);
+    compare(*device, paper == device->papers.end() ? nullptr : &*paper, cells[2], cells[3]);
+    told.insert(cells[0]);
+  }
+  // GRBL is a controller: its machines have any size.
+  for (const Device& device : devices())
+    EXPECT_TRUE(told.contains(device.name) || device.name.starts_with("grbl")) << device.name;
 }
 
 }  // namespace

@@ -1,10 +1,8 @@
 #pragma once
 /// A drawing for plotters, what a device is sent for it, and machines that replay that.
 
-#include "geometry/point.hpp"
 #include "plotting/writers/plot_writers.hpp"
 #include "sample_drawing.hpp"
-#include "support/standard.hpp"
 
 namespace ligne::test {
 

@@ -3,11 +3,11 @@
 #include <zlib.h>
 
 #include "main/script.hpp"
-#include "plotting/page.hpp"
+#include "plotting/readers/drawing_reader.hpp"
+#include "plotting/readers/utf8.hpp"
 #include "plotting/stroke_text.hpp"
 #include "plotting/writers/number_text.hpp"
 #include "sample_drawing.hpp"
-#include "support/test.hpp"
 #include "view/axes/axes_layout.hpp"
 #include "view/axes/axis_lines.hpp"
 
@@ -40,9 +40,8 @@ void expect_near(const std::vector<Line>& got, const std::vector<Line>& wanted, 
   double worst = 0;
   for (std::size_t i = 0; i < got.size(); ++i) {
     ASSERT_EQ(got[i].size(), wanted[i].size()) << what << ", line " << i;
-    for (std::size_t j = 0; j < got[i].size(); ++j) {
+    for (std::size_t j = 0; j < got[i].size(); ++j)
       worst = std::max({worst, std::abs(got[i][j].x - wanted[i][j].x), std::abs(got[i][j].y - wanted[i][j].y)});
-    }
   }
   EXPECT_LT(worst, kMicrometre) << what;
 }
@@ -54,9 +53,8 @@ std::vector<Line> svg_lines(const std::string& svg) {
   for (std::size_t at = svg.find(start); at != std::string::npos; at = svg.find(start, at + 1)) {
     std::string data = svg.substr(at + start.size(), svg.find('"', at + start.size()) - at - start.size());
     const bool relative = data.find('l') != std::string::npos, closed = data.back() == 'Z';
-    for (char& c : data) {
+    for (char& c : data)
       if (std::isalpha(static_cast<unsigned char>(c))) c = ' ';
-    }
     std::istringstream in(data);
     Line line;
     for (Point2 p; in >> p.x >> p.y;) line.push_back(relative && !line.empty() ? line.back() + p : p);
@@ -104,26 +102,16 @@ std::vector<Line> pdf_lines(const std::string& pdf) {
   return lines;
 }
 
-class Precision : public ::testing::TestWithParam<const char*> {};
-
-TEST_P(Precision, Svg) {
-  PlotOptions options;
-  options.page = parse_page(GetParam());
-  std::vector<Line> lines;
-  const std::string svg = write_svg(awkward_drawing(options.page, lines), options);
-  expect_near(svg_lines(svg), lines, GetParam());
+TEST(Precision, CoordinatesAreRightOnEveryPage) {
+  for (const std::string page : {"A0", "A3", "A4", "A6", "letter", "20x20", "1189x20000"}) {
+    PlotOptions options;
+    options.page = parse_page(page);
+    std::vector<Line> lines;
+    const Drawing drawing = awkward_drawing(options.page, lines);
+    expect_near(svg_lines(write_svg(drawing, options)), lines, page + ", SVG");
+    expect_near(pdf_lines(write_pdf(drawing, options)), lines, page + ", PDF");
+  }
 }
-
-TEST_P(Precision, Pdf) {
-  PlotOptions options;
-  options.page = parse_page(GetParam());
-  std::vector<Line> lines;
-  const std::string pdf = write_pdf(awkward_drawing(options.page, lines), options);
-  expect_near(pdf_lines(pdf), lines, GetParam());
-}
-
-INSTANTIATE_TEST_SUITE_P(Pages, Precision, ::testing::Values("A0", "A3", "A4", "A6", "letter", "20x20", "1189x20000"),
-                         [](const auto& info) { return "Page" + std::to_string(info.index); });
 
 TEST(PrecisionOfLongLines, RelativeMovesDoNotDrift) {
   Line line;
@@ -134,12 +122,6 @@ TEST(PrecisionOfLongLines, RelativeMovesDoNotDrift) {
   expect_near(got, {line}, "zigzag");
 }
 
-TEST(PrecisionOfLongLines, ClosedLinesComeBack) {
-  Drawing drawing;
-  add_line(drawing, "mesh", {{0, 0}, {10.1235, 0}, {10, 10.00005}, {0, 0}});
-  EXPECT_EQ(svg_lines(write_svg(drawing, {})).at(0).size(), 4u);
-}
-
 std::string fixed(std::int64_t value, int decimals, bool bare_point = true) {
   char text[kNumberBytes];
   return {text, write_fixed(text, value, decimals, bare_point)};
@@ -147,17 +129,62 @@ std::string fixed(std::int64_t value, int decimals, bool bare_point = true) {
 /// The length but for the rounding of a product.
 double picometres(double mm) { return std::round(mm * 1e12) / 1e12; }
 
-/// Texts of numbers, lengths and pages: values/lengths.txt.
+std::string rounded(double value) {
+  std::string text;
+  append_rounded(text, value, 6);
+  return text;
+}
+
+/// The number of characters that are drawn as boxes.
+std::size_t boxes_of(const std::string& text) {
+  Polylines lines;
+  return append_stroke_text({text, {0, 0}, 21, TextAcross::left, TextUp::base, 0}, lines);
+}
+
+/// Lines in words: "0,0 10,0; 5,5 6,6" are two.
+Polylines lines_of_text(const std::string& text) {
+  Polylines lines;
+  for (const std::string& part : test::parts_of(text, ';')) {
+    std::vector<Point2> line;
+    for (const std::string& word : test::words_of(part))
+      line.push_back({std::stod(word), std::stod(word.substr(word.find(',') + 1))});
+    if (!line.empty()) lines.add(line);
+  }
+  return lines;
+}
+std::string text_of_lines(const Polylines& lines) {
+  std::string text;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (i > 0) text += ";";
+    for (const Point2 p : lines[i]) text += (text.empty() ? "" : " ") + rounded(p.x) + "," + rounded(p.y);
+  }
+  return text;
+}
+
+/// The data of the paths of an SVG, each in brackets.
+std::string paths_of(const Polylines& lines) {
+  Drawing drawing;
+  drawing.layers.push_back({"mesh", lines});
+  const std::string svg = write_svg(drawing, {}), start = "<path d=\"";
+  std::string paths;
+  for (std::size_t at = svg.find(start); at != svg.npos; at = svg.find(start, at + 1))
+    paths += "[" + svg.substr(at + start.size(), svg.find('"', at + start.size()) - at - start.size()) + "]";
+  return paths;
+}
+
+/// Texts of numbers, lengths and pages, lines that are joined, and paths of an SVG: the folder values.
 const test::TextFunctions kFunctions{
     {"fixed", [](auto& t) { return fixed(std::stoll(t), 4); }},
     {"fixed-with-zero", [](auto& t) { return fixed(std::stoll(t), 4, false); }},
     {"fixed-whole", [](auto& t) { return fixed(std::stoll(t), 0); }},
-    {"rounded",
-     [](auto& t) {
-       std::string text;
-       append_rounded(text, test::value_of(t), 6);
-       return text;
-     }},
+    {"rounded", [](auto& t) { return rounded(test::value_of(t)); }},
+    {"join", [](auto& t) { return text_of_lines(join_strokes(lines_of_text(t), {})); }},
+    {"join-exact", [](auto& t) { return text_of_lines(join_strokes(lines_of_text(t), {0.0})); }},
+    {"join-ends", [](auto& t) { return text_of_lines(join_near_ends(lines_of_text(t), 0.05)); }},
+    {"path", [](auto& t) { return paths_of(lines_of_text(t)); }},
+    {"json", [](auto& t) { return std::to_string(read_json_drawing(t, "a.json").drawing.layers.size()); }},
+    {"boxes", [](auto& t) { return std::to_string(boxes_of(t)); }},
+    {"utf8", [](auto& t) { return std::to_string(decode_utf8(t).size()) + " " + clean_utf8(t); }},
     {"length", [](auto& t) { return test::as_text(picometres(parse_length_mm(t))); }},
     {"page",
      [](auto& t) {

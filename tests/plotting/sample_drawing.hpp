@@ -1,10 +1,10 @@
 #pragma once
 /// Drawings, lines and texts that several tests of plotting share.
 
+#include "drawing/measures.hpp"
 #include "plotting/paths/elliptic_arc.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "plotting/writers/writers.hpp"
-#include "support/page_lines.hpp"
 #include "support/test.hpp"
 
 namespace ligne {

@@ -52,9 +52,8 @@ ClipperLib::Paths numbered(const MeantScene& scene, const std::vector<Contour>& 
 /// The edges of the cells along contours.
 CellEdges edges_of(const MeantScene& scene, const std::vector<Contour>& contours) {
   CellEdges edges;
-  for (const ClipperLib::Path& path : numbered(scene, contours)) {
+  for (const ClipperLib::Path& path : numbered(scene, contours))
     for (std::size_t k = 0; k < path.size(); ++k) add_edges(edges, path[k], path[(k + 1) % path.size()]);
-  }
   return edges;
 }
 
@@ -79,9 +78,8 @@ std::vector<CellEdges> borders_by_clipper(const MeantScene& scene) {
     ClipperLib::Paths shown = combined(ClipperLib::ctUnion, numbered(scene, area.contours), rule, {});
     for (const Contour& clip : area.clips)
       shown = combined(ClipperLib::ctIntersection, shown, ClipperLib::pftNonZero, numbered(scene, {clip}));
-    for (const ClipperLib::Path& path : combined(ClipperLib::ctDifference, shown, ClipperLib::pftNonZero, painted_over)) {
+    for (const ClipperLib::Path& path : combined(ClipperLib::ctDifference, shown, ClipperLib::pftNonZero, painted_over))
       for (std::size_t k = 0; k < path.size(); ++k) EXPECT_TRUE(add_edges(borders[i], path[k], path[(k + 1) % path.size()]));
-    }
     painted_over = combined(ClipperLib::ctUnion, painted_over, ClipperLib::pftNonZero, shown);
   }
   return borders;
@@ -91,9 +89,8 @@ std::vector<CellEdges> borders_by_clipper(const MeantScene& scene) {
 int wrong_edges(const MeantScene& scene) {
   const std::vector<CellEdges> borders = borders_by_clipper(scene);
   std::set<CellEdge> missing;
-  for (const CellEdges& of_area : borders) {
+  for (const CellEdges& of_area : borders)
     for (const auto& [edge, count] : of_area) missing.insert(edge);
-  }
   int wrong = 0;
   for (const Layer& layer : plotted_borders(scene).drawing.layers) {
     std::size_t area = 0;

@@ -3,7 +3,6 @@
 
 #include "main/tier.hpp"
 #include "plotting/meant_areas.hpp"
-#include "support/test.hpp"
 #include "svg_text.hpp"
 
 namespace ligne {
@@ -31,12 +30,8 @@ TEST(SvgAreas, ScribblesAgreeWithAPicture) { expect_right(scribbles, 4, 1'000); 
 double length_of_borders(const std::string& body) {
   double length = 0;
   for (const Layer& layer :
-       read_svg_drawing(page(body), "a.svg", {}, {FillReading::How::outline, 0.35, true}).drawing.layers) {
-    for (std::size_t i = 0; i < layer.lines.size(); ++i) {
-      const auto line = layer.lines[i];
-      for (std::size_t k = 1; k < line.size(); ++k) length += glm::distance(line[k - 1], line[k]);
-    }
-  }
+       read_svg_drawing(page(body), "a.svg", {}, {FillReading::How::outline, 0.35, true}).drawing.layers)
+    length += length_of(layer.lines);
   return length;
 }
 

@@ -3,6 +3,7 @@
 #include <cctype>
 
 #include "base/parallel.hpp"
+#include "main/script.hpp"
 #include "plotting/readers/drawing_reader.hpp"
 #include "plotting/writers/cairo_svg_parts.hpp"
 #include "plotting/writers/writers.hpp"
@@ -16,36 +17,9 @@ namespace {
 std::string paths_of(const Drawing& drawing, const PlotOptions& options = {}) {
   const std::string svg = write_svg(drawing, options);
   std::string paths;
-  for (std::size_t at = svg.find("<path"); at != std::string::npos; at = svg.find("<path", at + 1)) {
+  for (std::size_t at = svg.find("<path"); at != std::string::npos; at = svg.find("<path", at + 1))
     paths += svg.substr(at, svg.find('\n', at) - at + 1);
-  }
   return paths;
-}
-
-std::string path_of(const std::vector<Point2>& line) {
-  Drawing drawing;
-  add_line(drawing, "mesh", line);
-  return paths_of(drawing);
-}
-
-TEST(SvgPaths, ALineOfNoLengthIsADot) {
-  EXPECT_EQ(path_of({{5, 6}, {5, 6}}), "<path d=\"M5 6h0\"/>\n");
-  EXPECT_EQ(path_of({{5, 6}, {5.00001, 6}}), "") << "shorter than a unit";
-  EXPECT_EQ(path_of({{5, 6}}), "");
-}
-
-TEST(SvgPaths, AClosedLineEndsWithZ) {
-  EXPECT_EQ(path_of({{10, 10}, {20, 10}, {20, 20}, {10, 10}}), "<path d=\"M10 10l10 0 0 10Z\"/>\n");
-  EXPECT_EQ(path_of({{10, 10}, {20, 10}, {10, 10}}), "<path d=\"M10 10l10 0 -10 0\"/>\n") << "there and back";
-}
-
-TEST(SvgPaths, WhatLiesBeyondThePageStays) {
-  Drawing drawing;
-  add_line(drawing, "mesh", {{-30, -40}, {-20, -50}});
-  add_line(drawing, "mesh", {{500, 600}, {700, 800}});
-  add_line(drawing, "outline", {{-3000, 5}, {-2000, 6}});
-  EXPECT_EQ(paths_of(drawing),
-            "<path d=\"M-30 -40l10 -10\"/>\n<path d=\"M500 600L700 800\"/>\n<path d=\"M-3000 5l1000 1\"/>\n");
 }
 
 TEST(SvgPaths, CoordinatesAreRightOnPagesOfAnySize) {
@@ -136,9 +110,8 @@ std::string commands_of(const CairoSvgPart& part) {
   std::string text;
   for_each_command(part, [&](char command, const Point2* points) {
     text += command;
-    for (int i = 0; i < (command == 'Z' ? 0 : command == 'C' ? 3 : 1); ++i) {
+    for (int i = 0; i < (command == 'Z' ? 0 : command == 'C' ? 3 : 1); ++i)
       text += std::to_string(std::lround(points[i].x * 10)) + "," + std::to_string(std::lround(points[i].y * 10)) + " ";
-    }
   });
   return text;
 }
@@ -176,65 +149,22 @@ TEST_P(CairoSvgParts, TheSampleHasItsPartsInOrder) {
 INSTANTIATE_TEST_SUITE_P(Versions, CairoSvgParts, testing::Values("1.16", "1.18"),
                          [](const auto& info) { return info.index == 0 ? "Cairo116" : "Cairo118"; });
 
-std::string cairo_error(std::string document) {
-  return test::failure_of([&] {
-    for (const CairoSvgPart& part : cairo_svg_parts(document, 2000)) commands_of(part);
-  });
+/// The commands of all parts.
+std::string parts_in(std::string document) {
+  std::string text;
+  for (const CairoSvgPart& part : cairo_svg_parts(document, 2000)) text += commands_of(part);
+  return text;
 }
 
-std::string cairo_page(const std::string& body) {
-  return "<svg width='2000pt' height='2000pt' viewBox='0 0 2000 2000'>" + body + "</svg>";
-}
+/// The functions of cairo_values.
+const test::TextFunctions kCairoFunctions{
+    {"document", parts_in},
+    {"body",
+     [](auto& t) { return parts_in("<svg width='2000pt' height='2000pt' viewBox='0 0 2000 2000'>" + t + "</svg>"); }},
+};
 
-const std::string kLook = "fill='none' stroke='rgb(0%, 0%, 0%)' ";
-
-TEST(CairoSvgForms, GroupsMayStandInGroups) {
-  std::string document = cairo_page("<g id='a'><g><path " + kLook + "d='M 1 2 L 3 4 '/></g></g>");
-  const std::vector<CairoSvgPart> parts = cairo_svg_parts(document, 2000);
-  ASSERT_EQ(parts.size(), 1u);
-  EXPECT_EQ(commands_of(parts[0]), "M10,20 L30,40 ");
-}
-
-TEST(CairoSvgForms, TheUnitOfTheWidthDoesNotMatter) {
-  for (const std::string unit : {"", "pt", "mm"}) {
-    EXPECT_EQ(cairo_error("<svg width='2000" + unit + "' viewBox='0 0 2000 2000'/>"), "") << unit;
-  }
-}
-
-TEST(CairoSvgForms, AFormThatIsUnknownIsAnError) {
-  const std::string line = "d='M 1 2 L 3 4 '/>",
-                    image = "<defs><image id='i' width='1' height='1' xlink:href='data:'/></defs>";
-  const std::string unknown[] = {
-      cairo_page("<g clip-path='url(#clip-0)'><path " + kLook + line + "</g>"),
-      cairo_page("<g opacity='0.5'><path " + kLook + line + "</g>"),
-      cairo_page("<use xlink:href='#image-1'/>"),
-      cairo_page(image + "<use xlink:href='#i' mask='url(#m)'/>"),
-      cairo_page(image + "<use xlink:href='#i' transform='rotate(9)'/>"),
-      cairo_page("<defs><image id='i' x='3' xlink:href='data:'/></defs><use xlink:href='#i'/>"),
-      cairo_page("<rect x='0' y='0' width='1' height='1'/>"),
-      cairo_page("<text>a</text>"),
-      cairo_page("letters"),
-      cairo_page("<path fill='url(#pattern-0)' " + line),
-      cairo_page("<path fill='red' " + line),
-      cairo_page("<path fill='rgb(1%, 2%)' " + line),
-      cairo_page("<path fill='rgb(1, 2, 3)' " + line),
-      cairo_page("<path fill-rule='nonzero' fill='rgb(0%, 0%, 0%)' " + line),
-      cairo_page("<path stroke-dashoffset='3' " + kLook + line),
-      cairo_page("<path style='fill:none;colour:none;' " + line),
-      cairo_page("<path style='fill;' " + line),
-      cairo_page("<path transform='turn(3)' " + kLook + line),
-      cairo_page("<path " + kLook + "d='M 1 2 l 3 4 '/>"),
-      cairo_page("<path " + kLook + "d='L 1 2 '/>"),
-      cairo_page("<path " + kLook + "d='M 1 2 L 3 4 Z L 5 6 '/>"),
-      cairo_page("<path " + kLook + "d='M 1 2 L 3 '/>"),
-      cairo_page("<path " + kLook + "d='M 1 2 A 3 3 0 0 0 5 6 '/>"),
-      "<svg width='2000pt' viewBox='0 0 1000 2000'/>",
-      "<svg width='2000pt'/>",
-      "<svg viewBox='0 0 2000 2000'><path",
-      "",
-  };
-  for (const std::string& document : unknown) EXPECT_EQ(cairo_error(document).substr(0, 7), "cairo: ") << document;
-}
+[[maybe_unused]] const bool cairo_values_are_added =
+    test::add_function_scripts(LIGNE_SOURCE_DIR "/tests/plotting/cairo_values", kCairoFunctions);
 
 /// Arcs in files: Bezier curves.
 
@@ -249,9 +179,8 @@ Drawing circle_drawing(const Ellipse& ellipse) {
 std::vector<Point2> followed(const std::string& svg, int& curves) {
   const std::size_t begin = svg.find("<path d=\"") + 9;
   std::string spaced;
-  for (const char c : svg.substr(begin, svg.find('"', begin) - begin)) {
+  for (const char c : svg.substr(begin, svg.find('"', begin) - begin))
     spaced += std::isalpha(static_cast<unsigned char>(c)) ? std::string{' ', c, ' '} : c == '-' ? " -" : std::string{c};
-  }
   std::istringstream in(spaced);
   std::vector<Point2> points;
   char command = 0;
@@ -295,12 +224,8 @@ TEST(CurvesInFiles, SvgCurvesAreTheEllipse) {
       EXPECT_GE(curves, 6) << svg;
       EXPECT_LE(curves, 12) << svg;
       for (const Point2 p : points) EXPECT_LE(distance(ellipse, p), kCurveToleranceMm);
-      for (const Point2 p : closed(ellipse, 60)) {
-        double least = 1;
-        for (std::size_t i = 1; i < points.size(); ++i)
-          least = std::min(least, test::distance_to_segment(p, points[i - 1], points[i]));
-        EXPECT_LE(least, kCurveToleranceMm);
-      }
+      for (const Point2 p : closed(ellipse, 60))
+        EXPECT_LE(test::distance_to_lines(p, polylines_of({points})), kCurveToleranceMm);
     }
   }
 }
@@ -326,11 +251,10 @@ TEST(CurvesInFiles, TheSameForAnyNumberOfThreads) {
     drawing.layers[0].lines.add(closed({{100, 90}, {0.2 + i * 0.1, 0.2 + i * 0.07}, i * 0.1}, 60));
   PlotOptions options;
   options.curves = true;
-  std::string one, four, pdf_one, pdf_four;
-  run_with_threads(1, [&] { one = write_svg(drawing, options), pdf_one = write_pdf(drawing, options); });
-  run_with_threads(4, [&] { four = write_svg(drawing, options), pdf_four = write_pdf(drawing, options); });
-  EXPECT_EQ(one, four);
-  EXPECT_EQ(pdf_one, pdf_four);
+  std::string files[2];
+  for (const unsigned threads : {1u, 4u})
+    run_with_threads(threads, [&] { files[threads / 4] = write_svg(drawing, options) + write_pdf(drawing, options); });
+  EXPECT_TRUE(files[0] == files[1]);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 /// Short SVG texts, read, and what is in them.
 
+#include "drawing/measures.hpp"
 #include "plotting/readers/drawing_reader.hpp"
 #include "support/test.hpp"
 
@@ -33,12 +34,7 @@ inline void expect_points(const std::string& body, const std::vector<Point2>& wa
     EXPECT_NEAR(glm::distance(got[i], wanted[i]), 0, 1e-9) << body << " point " << i;
 }
 
-inline double length_of(const std::string& body) {
-  const std::vector<Point2> line = line_of(body);
-  double length = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
-  return length;
-}
+inline double length_of(const std::string& body) { return length_of(read(body).drawing.layers.at(0).lines); }
 
 /// The error with which strict reading refuses an SVG.
 inline std::string error_of(const std::string& svg) {
