@@ -3,8 +3,6 @@
 #include "report/compare.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
-#include "visibility/registry.hpp"
 
 namespace ligne::test {
 namespace {

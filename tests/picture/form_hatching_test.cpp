@@ -42,6 +42,12 @@ Hatched hatched(const DrawnScene& drawn) {
   return result;
 }
 
+double length_of(std::span<const Point2> line) {
+  double length = 0;
+  for (std::size_t k = 1; k < line.size(); ++k) length += glm::distance(line[k - 1], line[k]);
+  return length;
+}
+
 bool cross(Point2 a, Point2 b, Point2 c, Point2 d) {
   const auto side = [](Point2 p, Point2 q, Point2 r) { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); };
   return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
@@ -72,10 +78,9 @@ TEST_P(FormHatching, StrokesLieOnWhatIsSeenAndCrossNoRim) {
                                       }))
           << stroke[k].x << ' ' << stroke[k].y;
       ASSERT_GE(test::distance_to_lines(stroke[k], rims), pen_mm / 2 - kSlackMm);
-      for (std::size_t r = 0; k > 0 && r < rims.size(); ++r) {
+      for (std::size_t r = 0; k > 0 && r < rims.size(); ++r)
         for (std::size_t m = 1; m < rims[r].size(); ++m)
           ASSERT_FALSE(cross(stroke[k - 1], stroke[k], rims[r][m - 1], rims[r][m]));
-      }
     }
   }
 }
@@ -92,16 +97,13 @@ TEST(FormHatchingSpacing, IsWithinBounds) {
   std::size_t crowded = 0, points = 0;
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     const auto stroke = strokes[i];
-    double length = 0;
-    for (std::size_t k = 1; k < stroke.size(); ++k) length += glm::distance(stroke[k - 1], stroke[k]);
-    EXPECT_GE(length, kSpacingMm * 0.99);
+    EXPECT_GE(length_of(stroke), kSpacingMm * 0.99);
     for (std::size_t k = 1; k + 1 < stroke.size(); ++k) {
       if (test::distance_to_lines(stroke[k], rims) < 2 * kSpacingMm) continue;  // two sheets may meet there
       double least = 1e300;
-      for (std::size_t j = 0; j < strokes.size(); ++j) {
+      for (std::size_t j = 0; j < strokes.size(); ++j)
         for (std::size_t m = 1; j != i && m < strokes[j].size(); ++m)
           least = std::min(least, test::distance_to_segment(stroke[k], strokes[j][m - 1], strokes[j][m]));
-      }
       ++points;
       crowded += least < 0.6 * kSpacingMm;
     }
@@ -125,11 +127,7 @@ TEST(FormHatchingStrokes, KeepTheLeastLength) {
   RunReport run;
   const auto [strokes, rims] = hatched(draw_lines(test::torus(30, 13, 48, 24), request, run));
   ASSERT_GT(strokes.size(), 20u);
-  for (std::size_t i = 0; i < strokes.size(); ++i) {
-    double length = 0;
-    for (std::size_t k = 1; k < strokes[i].size(); ++k) length += glm::distance(strokes[i][k - 1], strokes[i][k]);
-    EXPECT_GE(length, 9 - 0.01);
-  }
+  for (std::size_t i = 0; i < strokes.size(); ++i) EXPECT_GE(length_of(strokes[i]), 9 - 0.01);
 }
 
 TEST(FormHatchingBytes, AreTheSameForAnyNumberOfThreads) {
@@ -164,9 +162,7 @@ TEST(FormMesh, EndsSurfacesAtCreases) {
   Scene scene = test::torus(30, 10, 48, 4);  // the tube is a square
   const FormMesh mesh = form_mesh(scene, build_topology(scene), 30);
   EXPECT_EQ(mesh.points.size(), 2 * scene.vertices.size());
-  for (const FormTriangle& triangle : mesh.triangles) {
-    EXPECT_EQ(std::ranges::count(triangle.across, kNone), 1);
-  }
+  for (const FormTriangle& triangle : mesh.triangles) EXPECT_EQ(std::ranges::count(triangle.across, kNone), 1);
 }
 
 Hatched hatched_surface(const SurfaceRequest& request) {

@@ -1,9 +1,13 @@
 // Labels of contour lines, on ten terrains at three scales, in both styles of text.
 
+#include "drawing/measures.hpp"
+#include "main/script.hpp"
 #include "picture/marks/contour_labels.hpp"
+#include "picture/marks/mark_tree.hpp"
+#include "picture/marks/point_marks.hpp"
 #include "picture/parse/parse_terrain.hpp"
 #include "picture/surface/surface_picture.hpp"
-#include "support/page_lines.hpp"
+#include "plotting/stroke_text.hpp"
 #include "support/test.hpp"
 
 namespace ligne {
@@ -46,20 +50,15 @@ double off_its_line(const Drawing& drawing, const TextItem& label, double step) 
   double nearest = std::numeric_limits<double>::infinity();
   for (const Layer& layer : drawing.layers) {
     if (!layer.height || height_text(*layer.height, step, false) != label.text) continue;
-    for (std::size_t i = 0; i < layer.lines.size(); ++i) {
-      const auto line = layer.lines[i];
-      for (std::size_t k = 1; k < line.size(); ++k)
-        nearest = std::min(nearest, test::distance_to_segment(label.at, line[k - 1], line[k]));
-    }
+    nearest = std::min(nearest, test::distance_to_lines(label.at, layer.lines));
   }
   return nearest;
 }
 
 double step_of(const Drawing& drawing) {
   std::vector<double> heights;
-  for (const Layer& layer : drawing.layers) {
+  for (const Layer& layer : drawing.layers)
     if (layer.height) heights.push_back(*layer.height);
-  }
   std::sort(heights.begin(), heights.end());
   double step = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < heights.size(); ++i) step = std::min(step, heights[i] - heights[i - 1]);
@@ -101,12 +100,9 @@ TEST_P(Labels, KeepApartEachOnItsOwnLine) {
     }
     for (const Layer& layer : drawing.layers) {
       if (!layer.height) continue;
-      for (std::size_t i = 0; i < layer.lines.size(); ++i) {
-        const auto line = layer.lines[i];
-        for (std::size_t k = 1; k < line.size(); ++k) {
-          for (const TextBox& box : boxes) EXPECT_FALSE(is_inside(box, (line[k - 1] + line[k]) / 2.0, 1e-6));
-        }
-      }
+      test::for_segments(layer.lines, [&](Point2 a, Point2 b) {
+        for (const TextBox& box : boxes) EXPECT_FALSE(is_inside(box, (a + b) / 2.0, 1e-6));
+      });
     }
   }
 }
@@ -190,45 +186,25 @@ TEST(Labels, EqualTheirLevelsOnRandomSurfaces) {
   EXPECT_LE(opposite, pairs / 200) << "neighbours are read alike";
 }
 
-TEST(ContourLevels, AreRoundUnlessAsked) {
-  const auto levels = [](const CurveRequest& curves, double low, double high) {
-    return contour_levels(curves, low, high, false);
-  };
+/// "CONTOURS LOW HIGH": the levels.
+std::string levels(const std::string& text) {
+  const std::vector<std::string> words = test::words_of(text);
   CurveRequest curves;
-  curves.contours = 10;
-  EXPECT_EQ(levels(curves, 0.03, 0.97), (std::vector<double>{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}));
-  EXPECT_EQ(levels(curves, -1.03, 1), (std::vector<double>{-1, -0.8, -0.6, -0.4, -0.2, 0, 0.2, 0.4, 0.6, 0.8}));
-  EXPECT_FALSE(std::signbit(levels(curves, -1.03, 1)[5]));
-  EXPECT_EQ(levels(curves, 100, 1100), (std::vector<double>{200, 300, 400, 500, 600, 700, 800, 900, 1000})) << "no ends";
-  curves.contours = 1;
-  EXPECT_EQ(levels(curves, 15.5, 18.4), (std::vector<double>{16, 18})) << "no step has one";
-  EXPECT_EQ(levels(curves, 3, 3).size(), 0u);
-  curves.contours = 3;
-  EXPECT_EQ(levels(curves, 1e15, 1e15 + 4).size(), 3u) << "too near for round numbers";
-  curves.even_contours = true;
-  EXPECT_EQ(levels(curves, 0.5, 1.5), (std::vector<double>{0.75, 1, 1.25}));
-  parse_contours("9:even", curves);
-  EXPECT_EQ(levels(curves, 0, 10).size(), 9u);
-  parse_contours("7,3,5,99", curves);
-  EXPECT_EQ(levels(curves, 0, 10), (std::vector<double>{3, 5, 7}));
-  parse_contours("5,", curves);
-  EXPECT_EQ(levels(curves, 0, 10), (std::vector<double>{5}));
-  EXPECT_THROW(parse_contours("0", curves), std::invalid_argument);
-  EXPECT_THROW(parse_contours("a,b", curves), std::invalid_argument);
+  parse_contours(words.at(0), curves);
+  std::string all;
+  for (const double level : contour_levels(curves, test::value_of(words.at(1)), test::value_of(words.at(2)), false))
+    all += (all.empty() ? "" : " ") + test::as_text(level);
+  return all;
 }
 
-TEST(HeightText, HasTheDigitsThatTellNeighbours) {
-  EXPECT_EQ(height_text(-1e-17, 0.1, false), "0");
-  EXPECT_EQ(height_text(0.125, 0.125, false), "0.125");
-  EXPECT_EQ(height_text(0.12493, 0.125, false), "0.125");
-  EXPECT_EQ(height_text(-2e-5, 2e-5, false), "\u22120.00002");
-  EXPECT_EQ(height_text(112.5, 2.5, false), "112.5");
-  EXPECT_EQ(height_text(3 * 0.1, 0.1, false), "0.3");
-  EXPECT_EQ(height_text(94.4615384615, 8.15, false), "94.5");
-  EXPECT_EQ(height_text(1234567.8, 1000, false), "1234568");
-  EXPECT_EQ(height_text(-50, 10, false), "\u221250");
-  EXPECT_EQ(height_text(-0.0, 10, false), "0");
+/// "HEIGHT STEP"
+std::string height(const std::string& text) {
+  const std::vector<std::string> words = test::words_of(text);
+  return height_text(test::value_of(words.at(0)), test::value_of(words.at(1)), false);
 }
+
+[[maybe_unused]] const bool values_are_added =
+    test::add_function_scripts(LIGNE_SOURCE_DIR "/tests/picture/values", {{"levels", levels}, {"height", height}});
 
 TEST(WithoutBoxes, ARingThatIsCutBecomesOneLine) {
   Polylines ring;
@@ -239,6 +215,93 @@ TEST(WithoutBoxes, ARingThatIsCutBecomesOneLine) {
   EXPECT_EQ(cut[0].front(), (Point2{10, 7}));
   EXPECT_EQ(cut[0].back(), (Point2{10, 3}));
   EXPECT_EQ(cut[0].size(), 6u);
+}
+
+// Marks and labels of points, against a search through all boxes.
+
+constexpr double kHeight = 2.5;
+constexpr double kRadius = 0.45 * kHeight;  ///< half the side of a mark
+
+/// A page seen from above, whose millimetres are those of the model.
+View flat_view() {
+  View view;
+  view.window = {{0, 0}, {200, 200}};
+  return view;
+}
+
+/// `crowd` of the points lie within a millimetre.
+std::vector<MarkedPoint> random_points(std::size_t count, std::size_t crowd) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> page(0, 200), near(0, 1);
+  std::vector<MarkedPoint> points(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    points[i].at = i < crowd ? Point3{90 + near(random), 90 + near(random), 0} : Point3{page(random), page(random), 0};
+    points[i].label = std::string(1 + i % 9, 'n');
+    if (i % 17 == 0) points[i].label.clear();
+  }
+  return points;
+}
+
+TEST(PointMarks, LabelsOverlapNothingAndNoPlaceIsLeft) {
+  const View view = flat_view();
+  const std::vector<MarkedPoint> points = random_points(600, 200);
+  std::vector<std::uint8_t> seen(points.size(), 1);
+  for (std::size_t i = 0; i < seen.size(); i += 13) seen[i] = 0;
+  const std::vector<TextItem> taken{{"taken already", {100, 100}, 5, TextAcross::center, TextUp::middle, 30}};
+  Drawing drawing;
+  const auto labels = mark_points(drawing, points, seen, view, {kHeight, TextStyle::font}, taken);
+  ASSERT_EQ(drawing.layers.size(), 1u);
+  std::vector<TextBox> boxes{text_box(taken[0], text_extent(taken[0].text, taken[0].height_mm, TextStyle::font))};
+  std::size_t marks = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!seen[i]) continue;
+    boxes.push_back({page_point(view, points[i].at), {kRadius, kRadius}, 0});
+    ++marks;
+  }
+  EXPECT_EQ(drawing.layers[0].lines.size(), 2 * marks);
+  EXPECT_GT(labels.size(), 50u);
+  EXPECT_LT(labels.size(), marks);
+  for (const TextItem& label : labels) {
+    const TextBox box = text_box(label, text_extent(label.text, kHeight, TextStyle::font));
+    for (const TextBox& other : boxes) ASSERT_FALSE(overlap(other, box)) << label.text;
+    boxes.push_back(box);
+  }
+  // A point without a label has no place to the right of it, above its middle.
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!seen[i] || points[i].label.empty()) continue;
+    const Point2 p = page_point(view, points[i].at);
+    const bool has_label = next < labels.size() && labels[next].text == points[i].label &&
+                           std::hypot(labels[next].at.x - p.x, labels[next].at.y - p.y) < 0.86 * std::sqrt(2) * kHeight;
+    if (has_label) {
+      ++next;
+      continue;
+    }
+    const TextItem item{points[i].label, p + Point2{0.85, -0.85} * kHeight, kHeight, TextAcross::left, TextUp::base, 0};
+    const TextBox box = text_box(item, text_extent(item.text, kHeight, TextStyle::font));
+    ASSERT_TRUE(std::any_of(boxes.begin(), boxes.end(), [&](const TextBox& other) { return overlap(other, box); })) << i;
+  }
+  EXPECT_EQ(next, labels.size()) << "labels come in the order of their points";
+}
+
+TEST(MarkTree, AgreesWithALookAtAllPoints) {
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> place(0, 40);
+  for (const std::size_t count : {0, 1, 8, 9, 500}) {
+    std::vector<Point2> points;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Point2 p{place(random) * 0.5, place(random) * 0.5};
+      points.insert(points.end(), i % 5 == 0 ? 12 : 1, p);
+    }
+    const MarkTree tree(points);
+    for (int k = 0; k < 2000; ++k) {
+      const Point2 center{place(random) * 0.5, place(random) * 0.5}, half{place(random) * 0.05, place(random) * 0.05};
+      const bool expected = std::any_of(points.begin(), points.end(), [&](Point2 p) {
+        return std::abs(p.x - center.x) < half.x && std::abs(p.y - center.y) < half.y;
+      });
+      ASSERT_EQ(tree.any_within(center, half), expected) << count << ", " << k;
+    }
+  }
 }
 
 }  // namespace

@@ -7,8 +7,6 @@
 #include "support/corpus_scene.hpp"
 #include "support/round_bodies.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
-#include "visibility/registry.hpp"
 
 namespace ligne::test {
 namespace {

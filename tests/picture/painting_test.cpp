@@ -6,7 +6,6 @@
 #include "main/tier.hpp"
 #include "picture/hidden_pieces.hpp"
 #include "picture/raster.hpp"
-#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
@@ -27,9 +26,8 @@ Raster drawn(const std::string& file, const std::string& method, const std::stri
 
 bool are_alike(const std::array<int, 3>& a, const std::array<int, 3>& b) {
   constexpr int kRounding = 4;  // of colours blended along seams
-  for (std::size_t c = 0; c < 3; ++c) {
+  for (std::size_t c = 0; c < 3; ++c)
     if (std::abs(a[c] - b[c]) > kRounding) return false;
-  }
   return true;
 }
 
@@ -38,21 +36,17 @@ constexpr int kBorder = 2;
 
 /// Pixels in the middle of an area of one colour.
 bool is_inside(const Raster& colors, int x, int y) {
-  for (int dy = -kBorder; dy <= kBorder; ++dy) {
-    for (int dx = -kBorder; dx <= kBorder; ++dx) {
+  for (int dy = -kBorder; dy <= kBorder; ++dy)
+    for (int dx = -kBorder; dx <= kBorder; ++dx)
       if (!are_alike(colors.at(x, y), colors.at(x + dx, y + dy))) return false;
-    }
-  }
   return true;
 }
 
 /// Seams between two pieces of a face show, a pixel wide; what is as wide as three is wrong.
 bool differ_around(const Raster& a, const Raster& b, int x, int y) {
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
       if (are_alike(a.at(x + dx, y + dy), b.at(x + dx, y + dy))) return false;
-    }
-  }
   return true;
 }
 
@@ -86,11 +80,7 @@ INSTANTIATE_TEST_SUITE_P(Files, Painting,
                                          "tests/corpus/two_prisms_penetrating.json", "tests/corpus/cube_in_glass.json",
                                          "tests/atherton_weiler/scenes/transparent_layers.json",
                                          "examples/models/gear-pair.json"),
-                         [](const auto& info) {
-                           std::string name = std::filesystem::path(info.param).stem().string();
-                           std::ranges::replace(name, '-', '_');
-                           return name;
-                         });
+                         kNameOfFile);
 
 PaintPiece rectangle(std::uint32_t face, Point2 low, Point2 high) {
   return {face, {{low, {high.x, low.y}, high, {low.x, high.y}}}, {0, 0, 0}};

@@ -7,38 +7,30 @@
 #include "cli/program.hpp"
 #include "picture/z_buffer.hpp"
 #include "scene/readers/reader.hpp"
-#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
 
 const std::filesystem::path kSource = LIGNE_SOURCE_DIR;
 
-struct Case {
-  const char* name;
-  const char* file;
-};
-
 /// No round things of broad facets: between two pixels near their rim whole facets can lie, and a smooth surface jumps
 /// there.
-const Case kCases[] = {
-    {"cube", "tests/corpus/cube.json"},
-    {"letter_e", "tests/corpus/letter_e.json"},
-    {"star_prism", "tests/corpus/star_prism.json"},
-    {"open_box", "tests/corpus/open_box.json"},
-    {"tunnel", "tests/corpus/tunnel.json"},
-    {"plate_many_holes", "tests/corpus/plate_many_holes.json"},
-    {"holes_behind_holes", "tests/corpus/holes_behind_holes.json"},
-    {"cyclic_4", "tests/corpus/cyclic_4.json"},
-    {"two_prisms_penetrating", "tests/corpus/two_prisms_penetrating.json"},
-    {"three_plates_penetrating", "tests/corpus/three_plates_penetrating.json"},
-    {"spiral_stair", "tests/corpus/spiral_stair.json"},
-    {"house", "tests/corpus/house.json"},
-    {"gear_pair", "examples/models/gear-pair.json"},
-    {"pipe_tee", "examples/models/pipe-tee.json"},
-    {"five_cubes", "examples/models/five-cubes.obj"},
-    {"stair_tower", "examples/models/stair-tower.obj"},
-};
+constexpr const char* kFiles[] = {"tests/corpus/cube.json",
+                                  "tests/corpus/letter_e.json",
+                                  "tests/corpus/star_prism.json",
+                                  "tests/corpus/open_box.json",
+                                  "tests/corpus/tunnel.json",
+                                  "tests/corpus/plate_many_holes.json",
+                                  "tests/corpus/holes_behind_holes.json",
+                                  "tests/corpus/cyclic_4.json",
+                                  "tests/corpus/two_prisms_penetrating.json",
+                                  "tests/corpus/three_plates_penetrating.json",
+                                  "tests/corpus/spiral_stair.json",
+                                  "tests/corpus/house.json",
+                                  "examples/models/gear-pair.json",
+                                  "examples/models/pipe-tee.json",
+                                  "examples/models/five-cubes.obj",
+                                  "examples/models/stair-tower.obj"};
 
 std::string text(const Point3& p) {
   char buffer[96];
@@ -57,13 +49,8 @@ NamedView parallel(const Point3& direction) { return {{direction}, {"--direction
 /// From three radii of the bounding box off, at an angle so wide that all is in view.
 NamedView perspective(const Scene& scene, const Point3& towards) {
   Point3 low = scene.vertices[0], high = low;
-  for (const Point3& v : scene.vertices) {
-    low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
-    high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
-  }
-  const Point3 target = (low + high) * 0.5, size = high - low;
-  const double radius = std::sqrt(size.x * size.x + size.y * size.y + size.z * size.z) / 2;
-  const Point3 eye = target - towards * (3 * radius);
+  for (const Point3& v : scene.vertices) low = glm::min(low, v), high = glm::max(high, v);
+  const Point3 target = (low + high) * 0.5, eye = target - towards * (1.5 * glm::distance(low, high));
   return {{target - eye, eye}, {"--eye=" + text(eye), "--target=" + text(target), "--fov=90"}};
 }
 
@@ -95,20 +82,19 @@ class PictureTest : public testing::Test {
   }
 };
 
-class Picture : public PictureTest, public testing::WithParamInterface<Case> {};
+class Picture : public PictureTest, public testing::WithParamInterface<const char*> {};
 
 TEST_P(Picture, ShowsTheSameAsTheDrawing) {
-  const Scene scene = read(GetParam().file);
+  const Scene scene = read(GetParam());
   for (const NamedView& v : {parallel({-0.41, 0.77, -0.49}), perspective(scene, {0.62, 0.54, -0.57})}) {
     std::string command;
-    const Ink ink = drawn(GetParam().file, v.options, &command);
+    const Ink ink = drawn(GetParam(), v.options, &command);
     const Disagreement found = compare(ink, ZBuffer(scene, v.view));
-    EXPECT_TRUE(found.none()) << GetParam().file << ": " << found.words() << "\n  " << command;
+    EXPECT_TRUE(found.none()) << GetParam() << ": " << found.words() << "\n  " << command;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, Picture, testing::ValuesIn(kCases),
-                         [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Files, Picture, testing::ValuesIn(kFiles), kNameOfFile);
 
 /// Drawings that are spoilt on purpose.
 class SpoiltPicture : public PictureTest {
@@ -160,9 +146,8 @@ TEST_F(SpoiltPicture, IsFoundAHundredthTooLarge) {
 }
 
 TEST_F(SpoiltPicture, IsFoundWithoutALayer) {
-  for (const char* rest : {"outline", "crease"}) {
+  for (const char* rest : {"outline", "crease"})
     EXPECT_GT(of(drawn(file_, view_.options + Words{"--edges", rest})).missing, 0u) << rest;
-  }
 }
 
 TEST_F(SpoiltPicture, IsFoundWithHiddenLines) { EXPECT_GT(of(drawn(file_, view_.options + "--hidden solid")).stray, 0u); }

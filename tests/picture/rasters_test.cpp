@@ -3,7 +3,6 @@
 #include "cli/program.hpp"
 #include "main/tier.hpp"
 #include "picture/raster.hpp"
-#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
@@ -41,18 +40,15 @@ std::size_t missing(const Raster& a, const Raster& b) {
       std::array<int, 3> low = b.at(x, y), high = low;
       // Nearly all of a sheet is white in both.
       if (low == a.at(x, y)) continue;
-      for (int dy = -1; dy <= 1; ++dy) {
-        for (int dx = -1; dx <= 1; ++dx) {
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx)
           for (std::size_t c = 0; c < 3; ++c) {
             low[c] = std::min(low[c], b.at(x + dx, y + dy)[c]);
             high[c] = std::max(high[c], b.at(x + dx, y + dy)[c]);
           }
-        }
-      }
       bool between = true;
-      for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t c = 0; c < 3; ++c)
         between = between && low[c] - kSmoothing <= a.at(x, y)[c] && a.at(x, y)[c] <= high[c] + kSmoothing;
-      }
       count += !between;
     }
   }
@@ -104,9 +100,7 @@ TEST_F(Rasters, GrayFacesLookTheSameInSvgAndPng) {
     EXPECT_GT(gray(pixels), 100'000u);
     EXPECT_LE(missing(vector, pixels), gray(pixels) / 1000);
     EXPECT_LE(missing(pixels, vector), gray(pixels) / 1000);
-    std::ostringstream text;
-    text << std::ifstream(svg).rdbuf();
-    EXPECT_EQ(text.str().find("<image ") == std::string::npos, method == "watkins");
+    EXPECT_EQ(bytes_of_file(svg).find("<image ") == std::string::npos, method == "watkins");
   }
 }
 
@@ -122,9 +116,8 @@ std::size_t white_inside(const Raster& a) {
   }
   constexpr int kRim = 2;
   std::size_t count = 0;
-  for (int y = low_y + kRim; y <= high_y - kRim; ++y) {
+  for (int y = low_y + kRim; y <= high_y - kRim; ++y)
     for (int x = low_x + kRim; x <= high_x - kRim; ++x) count += a.at(x, y) == std::array<int, 3>{255, 255, 255};
-  }
   return count;
 }
 

@@ -5,8 +5,6 @@
 #include "picture/choice/scene_traits.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
-#include "visibility/registry.hpp"
 
 namespace ligne::test {
 namespace {
@@ -28,9 +26,8 @@ template <class Height>
 Scene sheet(int n, Height f) {
   Scene scene;
   begin_object(scene);
-  for (int j = 0; j <= n; ++j) {
+  for (int j = 0; j <= n; ++j)
     for (int i = 0; i <= n; ++i) scene.vertices.push_back(f(double(i) / n, double(j) / n));
-  }
   const auto at = [n](int i, int j) { return static_cast<std::uint32_t>(j * (n + 1) + i); };
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
@@ -121,9 +118,8 @@ TEST(SceneTraits, VisibleFacesHaveRegions) {
   Scene scene;
   std::mt19937 random(5);
   std::uniform_real_distribution<double> u(0, 1);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 200; ++i)
     add_box(scene, Point3{u(random), u(random), u(random)} * 9.0, {1, 1, 1}, rotation(u(random) * 3, u(random), u(random)));
-  }
   const SceneTraits t = traits_of(scene, kOblique);
   const ProjectedScene projected = project_on_a4(scene, along(kOblique));
   VisibilityOptions options;

@@ -2,7 +2,6 @@
 
 #include "report/stroke_difference.hpp"
 #include "linework/stroke_builder.hpp"
-#include "support/test.hpp"
 
 namespace ligne {
 namespace {

@@ -1,6 +1,5 @@
 #include "picture/z_buffer.hpp"
 #include <cairo.h>
-#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {
@@ -49,17 +48,15 @@ ZBuffer::ZBuffer(const Scene& scene, const ViewPoint& view)
     Point3 normal{0, 0, 0};
     const auto outer = scene.faces.contour(f, 0);
     const Point3 origin = scene.vertices[outer[0]];
-    for (std::size_t i = 0; i < outer.size(); ++i) {
+    for (std::size_t i = 0; i < outer.size(); ++i)
       normal += glm::cross(scene.vertices[outer[i]] - origin, scene.vertices[outer[(i + 1) % outer.size()]] - origin);
-    }
     if (glm::length(normal) == 0) continue;
     normal = glm::normalize(normal);
     const Point3 sight = perspective_ ? glm::normalize(origin - eye) : forward;
     if (glm::dot(normal, sight) > 0) normal = -normal;
     if (-glm::dot(normal, sight) < kEdgeOnSine) continue;
-    for (std::size_t c = 0; c < contours.size(); ++c) {
+    for (std::size_t c = 0; c < contours.size(); ++c)
       for (const std::uint32_t v : scene.faces.contour(f, c)) contours[c].push_back(vertices_[v]);
-    }
     // In camera coordinates the plane is n.x X + n.y Y + n.z W = e. With X = u W and Y = v W in a perspective, e / W is
     // linear in the page.
     const Point3 n{glm::dot(normal, right), glm::dot(normal, down), glm::dot(normal, forward)};
@@ -177,9 +174,8 @@ std::vector<std::uint8_t> grown(const std::vector<std::uint8_t>& mask) {
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       if (!mask[index(x, y)]) continue;
-      for (int v = std::max(0, y - kNear); v <= std::min(kHeight - 1, y + kNear); ++v) {
+      for (int v = std::max(0, y - kNear); v <= std::min(kHeight - 1, y + kNear); ++v)
         for (int u = std::max(0, x - kNear); u <= std::min(kWidth - 1, x + kNear); ++u) result[index(u, v)] = 1;
-      }
     }
   }
   return result;
@@ -191,16 +187,14 @@ Ink read_ink(const std::filesystem::path& png) {
   const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
       cairo_image_surface_create_from_png(png.c_str()), cairo_surface_destroy);
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) throw std::runtime_error(png.string() + ": no PNG");
-  if (cairo_image_surface_get_width(surface.get()) != kWidth || cairo_image_surface_get_height(surface.get()) != kHeight) {
+  if (cairo_image_surface_get_width(surface.get()) != kWidth || cairo_image_surface_get_height(surface.get()) != kHeight)
     throw std::runtime_error(png.string() + ": not of the size that was asked for");
-  }
   constexpr unsigned char kHalf = 128;
   Ink ink(static_cast<std::size_t>(kWidth) * kHeight, 0);
   const unsigned char* const data = cairo_image_surface_get_data(surface.get());
   const int stride = cairo_image_surface_get_stride(surface.get());
-  for (int y = 0; y < kHeight; ++y) {
+  for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) ink[index(x, y)] = data[y * stride + 4 * x + 1] < kHalf;
-  }
   return ink;
 }
 

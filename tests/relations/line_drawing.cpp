@@ -1,7 +1,7 @@
 #include "main/checks.hpp"
 #include "relations/relations.hpp"
+#include "support/scene_json.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
 
 namespace ligne::test {
 
@@ -47,41 +47,6 @@ Scene to_scene(const PlainScene& plain) {
     scene.objects.push_back(object);
   }
   return scene;
-}
-
-std::string to_json(const PlainScene& plain) {
-  constexpr const char* kAxisNames[] = {"x", "y", "z"};
-  const auto number = [](double value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.17g", value);
-    return std::string(buffer);
-  };
-  std::string text = std::string("{\"format\": \"ligne-scene\", \"version\": 1, \"up\": \"") +
-                     kAxisNames[static_cast<std::size_t>(plain.up_axis)] + "\", \"objects\": [";
-  const char* next_object = "\n";
-  for (const PlainObject& o : plain.objects) {
-    std::string vertices, faces;
-    std::size_t count = 0;
-    for (const PlainFace& face : o.faces) {
-      std::string contours;
-      for (const Contour& contour : face.contours) {
-        std::string corners;
-        for (const Point3& p : contour) {
-          vertices += (count ? ", [" : "[") + number(p.x) + ", " + number(p.y) + ", " + number(p.z) + "]";
-          corners += (corners.empty() ? "" : ", ") + std::to_string(count++);
-        }
-        const bool outer = &contour == &face.contours.front();
-        const bool first_hole = !outer && &contour == &face.contours[1];
-        contours += (outer ? "\"outer\": [" : first_hole ? ", \"holes\": [[" : ", [") + corners + "]";
-      }
-      if (face.contours.size() > 1) contours += "]";
-      faces += (faces.empty() ? "{" : ",\n  {") + contours + "}";
-    }
-    text += next_object +
-            ("{\"precision\": " + number(o.precision) + ", \"vertices\": [" + vertices + "],\n \"faces\": [" + faces + "]}");
-    next_object = ",\n";
-  }
-  return text + "]}\n";
 }
 
 namespace {
@@ -159,7 +124,7 @@ std::string options(const CameraRequest& camera) {
 
 std::string command(const std::string& stem, const Sight& sight, const Method& method) {
   const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / ("ligne-" + stem + ".json");
-  std::ofstream(file, std::ios::binary) << to_json(sight.scene);
+  std::ofstream(file, std::ios::binary) << scene_json(to_scene(sight.scene));
   return "  ligne draw " + file.string() + options(sight.camera) + " --landscape --quality exact --method " +
          std::string(method.traits().name) + " -o " + stem + ".svg\n";
 }

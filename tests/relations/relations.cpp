@@ -1,8 +1,5 @@
 #include "relations/relations.hpp"
 
-#include "scene/model/topology.hpp"
-#include "support/standard.hpp"
-
 namespace ligne::test {
 namespace {
 
@@ -43,10 +40,9 @@ double rounding_of(const PlainObject& object) {
 template <class Function>
 PlainScene with_points(PlainScene scene, const Function& function) {
   for (PlainObject& object : scene.objects)
-    for (PlainFace& face : object.faces) {
+    for (PlainFace& face : object.faces)
       for (Contour& contour : face.contours)
         for (Point3& p : contour) p = function(p);
-    }
   return scene;
 }
 
@@ -68,10 +64,9 @@ PlainScene with_faces(PlainScene scene, const std::function<std::vector<PlainFac
 }
 
 PlainScene reversed(PlainScene scene) {
-  for (PlainObject& object : scene.objects) {
+  for (PlainObject& object : scene.objects)
     for (PlainFace& face : object.faces)
       for (Contour& contour : face.contours) std::reverse(contour.begin(), contour.end());
-  }
   return scene;
 }
 

@@ -31,9 +31,6 @@ PlainScene plain(const Scene& scene);
 /// Vertices are numbered as the faces of an object name them; equal points of an object are one vertex.
 Scene to_scene(const PlainScene& plain);
 
-/// The scene in the format ligne-scene; numbers read back as the same doubles.
-std::string to_json(const PlainScene& plain);
-
 // Pairs of scenes whose drawings are the same.
 
 /// A scene and from where it is seen.

@@ -8,7 +8,6 @@
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
-#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {

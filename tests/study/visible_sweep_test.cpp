@@ -97,9 +97,8 @@ long double depth_at(const PlaneCurve& c, long double x) {
 bool check_at(const Curves& curves, const Pieces& pieces, long double x) {
   constexpr long double kClose = 1e-7L, kEqual = 1e-12L;
   std::vector<std::uint32_t> over;
-  for (std::uint32_t i = 0; i < curves.size(); ++i) {
+  for (std::uint32_t i = 0; i < curves.size(); ++i)
     if (curves[i].left < x && x < curves[i].right) over.push_back(i);
-  }
   std::ranges::sort(over, [&](std::uint32_t a, std::uint32_t b) {
     const long double p = depth_at(curves[a], x), q = depth_at(curves[b], x);
     return std::abs(p - q) < kEqual ? a < b : p < q;
@@ -113,9 +112,8 @@ bool check_at(const Curves& curves, const Pieces& pieces, long double x) {
     expected.emplace_back(over[level], level);
     if (!curves[over[level]].is_transparent) break;
   }
-  for (const VisiblePiece& p : pieces) {
+  for (const VisiblePiece& p : pieces)
     if (p.from.value() < x && x < p.to.value()) found.emplace_back(p.curve, p.level);
-  }
   std::ranges::sort(expected);
   std::ranges::sort(found);
   EXPECT_EQ(found, expected) << static_cast<double>(x);
@@ -152,9 +150,8 @@ TEST(VisibleSweep, IsWhatAllPairsGive) {
     const Pieces pieces = swept(curves);
     ASSERT_TRUE(pieces == visible_by_pairs(curves));
     for (const VisiblePiece& p : pieces) EXPECT_TRUE(p.from < p.to);
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < 40; ++i)
       checked += check_at(curves, pieces, std::uniform_real_distribution<double>(-size, 2.0 * size)(random));
-    }
   }
   EXPECT_GT(checked, 15000);
 }
