@@ -108,9 +108,8 @@ class CommandScript : public SurfaceProgramTest {
       words.insert(words.end(), {"-o", "-", "--format", is_json ? "json" : "svg"});
     }
     int status = kDone;
-    for (const std::string& check : step.checks) {
+    for (const std::string& check : step.checks)
       if (check.starts_with("exit ")) status = std::stoi(check.substr(5));
-    }
     const auto before = status == kDone ? std::map<std::string, std::string>() : all_files();
     outcome_ = run(words);
     ASSERT_EQ(outcome_.status, status) << outcome_.err;
@@ -328,9 +327,8 @@ class CommandScript : public SurfaceProgramTest {
       return static_cast<double>(count_of(svg.substr(from, svg.find("</g>", from) - from), "<path"));
     }
     double sum = 0;
-    for (const auto& [layer, length] : layers_) {
+    for (const auto& [layer, length] : layers_)
       if (name.starts_with("all:") ? layer.substr(0, layer.find('-')) == name.substr(4) : layer == name) sum += length;
-    }
     return sum;
   }
 

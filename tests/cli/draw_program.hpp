@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
-#include "support/standard.hpp"
 
 namespace ligne::test {
 
@@ -23,9 +22,8 @@ class DrawTest : public ProgramTest {
 /// Numbers of strokes by class; hidden ones under "hidden".
 inline std::map<std::string, int> strokes_by_class(const json& drawing) {
   std::map<std::string, int> counts;
-  for (const json& stroke : drawing["strokes"]) {
+  for (const json& stroke : drawing["strokes"])
     ++counts[stroke["visible"].get<bool>() ? stroke["class"].get<std::string>() : "hidden"];
-  }
   return counts;
 }
 

@@ -1,6 +1,10 @@
 /// Every option of `ligne draw`, by what it changes.
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "draw_program.hpp"
+#include "support/pdf_info.hpp"
 
 namespace ligne::test {
 namespace {
@@ -109,6 +113,132 @@ TEST_F(DrawTest, SpansInJson) {
   // A cube seen along its diagonal is a regular hexagon, here 190 mm high between two corners.
   EXPECT_NEAR(area, 95 * 95 * 3 * std::sqrt(3) / 2, 150);
   EXPECT_FALSE(drawn("cube.obj --method watkins").contains("spans"));
+}
+
+// Successive views: --frames, --turn. More of them: scripts/profile.txt.
+
+/// A number of the matrix from the model to the page.
+double matrix(const json& drawing, int row, int column) {
+  return drawing["view"]["matrix"][static_cast<std::size_t>(4 * row + column)].get<double>();
+}
+
+class FramesTest : public DrawTest {
+ protected:
+  json frame(const std::string& name) const { return json::parse(contents(file(name))); }
+};
+
+TEST_F(FramesTest, ArePagesOfOnePdf) {
+  run_well("draw cube.obj --frames 5 -o f.pdf");
+  const std::string pdf = contents(file("f.pdf"));
+  EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
+  if (!pdf_info_is_there()) GTEST_SKIP() << "pdfinfo (poppler-utils) is not here";
+  EXPECT_NE(pdf_info(pdf).find("Pages:           5\n"), std::string::npos);
+}
+
+/// The cube has the same sides after a quarter of a turn; in between it is wider, and has the same scale.
+TEST_F(FramesTest, TurnTheModelAtOneScale) {
+  run_well("draw cube.obj --view front --frames 8 --edges all -o f%d.json");
+  const json first = frame("f1.json");
+  for (int i = 2; i <= 8; ++i) {
+    const json other = frame("f" + std::to_string(i) + ".json");
+    EXPECT_EQ(other["page"], first["page"]);
+    for (const int row : {0, 1}) {
+      const auto length = [&](const json& drawing) {
+        double sum = 0;
+        for (int k = 0; k < 3; ++k) sum += std::pow(matrix(drawing, row, k), 2);
+        return std::sqrt(sum);
+      };
+      EXPECT_NEAR(length(other), length(first), 1e-9);
+    }
+    EXPECT_EQ(strokes_by_class(other), strokes_by_class(i % 2 == 1 ? first : frame("f2.json"))) << i;
+  }
+}
+
+// Standard input as a model. More mistakes of newcomers: scripts/mistakes.txt.
+
+class MistakesOfNewcomers : public DrawTest {
+ protected:
+  /// Standard input is what stands in a file, through a pipe.
+  Outcome run_with_input(const std::string& bytes, const Words& arguments) const {
+    int ends[2];
+    EXPECT_EQ(pipe2(ends, O_CLOEXEC), 0);
+    EXPECT_EQ(write_all(ends[1], bytes), bytes.size());
+    close(ends[1]);
+    const int before = dup(STDIN_FILENO);
+    dup2(ends[0], STDIN_FILENO);
+    close(ends[0]);
+    const Outcome outcome = run(arguments);
+    dup2(before, STDIN_FILENO);
+    close(before);
+    return outcome;
+  }
+
+ private:
+  static std::size_t write_all(int descriptor, const std::string& bytes) {
+    return static_cast<std::size_t>(::write(descriptor, bytes.data(), bytes.size()));
+  }
+};
+
+TEST_F(MistakesOfNewcomers, StandardInputIsAModel) {
+  const std::string expected = contents(file("cube.obj"));
+  const Outcome named = run("draw cube.obj -o - --format json");
+  const Outcome piped = run_with_input(expected, "draw - -o - --format json");
+  EXPECT_EQ(piped.status, kDone) << piped.err;
+  EXPECT_EQ(json::parse(piped.out)["strokes"].size(), json::parse(named.out)["strokes"].size());
+  const Outcome info = run_with_input(expected, "info -");
+  EXPECT_EQ(info.out.substr(0, 15), "standard input\n") << info.err;
+  EXPECT_EQ(run_with_input("", "draw - -o a.svg").err, "ligne: standard input: is empty\n");
+  EXPECT_EQ(run_with_input("v 0 0 0\nf 1 2 9\n", "draw - -o a.svg").err.rfind("ligne: standard input:2: ", 0), 0u);
+}
+
+using nlohmann::json;
+
+TEST_F(ProgramTest, InfoTextNamesEveryMethod) {
+  const json methods = json::parse(run("methods --json").out);
+  EXPECT_EQ(methods["format"], "ligne-methods");
+  ASSERT_FALSE(methods["methods"].empty());
+  const Outcome info = run_well("info square.obj --stats");
+  expect_parts(info.err, {"topology"});
+  const std::string list = run("methods").out;
+  int defaults = 0;
+  for (const json& method : methods["methods"]) {
+    const std::string name = method["name"];
+    expect_parts(info.out, {"\n  " + name + " "});
+    expect_parts(list, {name, method["paper"].get<std::string>()});
+    defaults += method["default"].get<bool>();
+    ASSERT_EQ(method["parts"].size(), 7u) << name;
+    std::string symbols;
+    for (const json& part : method["parts"]) {
+      symbols += part["symbol"].get<std::string>() + ' ';
+      EXPECT_FALSE(part["text"].get<std::string>().empty()) << name;
+    }
+    EXPECT_EQ(symbols, "MD Td Psi sigma Ti RI MV ");
+  }
+  EXPECT_EQ(defaults, 1);
+  expect_parts(info.out, {"open: 4 border edges"});
+}
+
+TEST_F(ProgramTest, CompareAsJsonHasOneSchemaForAllMethods) {
+  const Outcome outcome = run_well("compare cube.obj --json");
+  EXPECT_EQ(outcome.err, "");
+  const json found = json::parse(outcome.out);
+  EXPECT_EQ(found["format"], "ligne-compare");
+  EXPECT_EQ(found["version"], 1);
+  EXPECT_EQ(found["reference"], "appel");
+  EXPECT_EQ(found["traits"]["faces"], 6);
+  EXPECT_EQ(found["auto"]["method"], "appel");
+  const json& methods = found["methods"];
+  ASSERT_GT(methods.size(), 5u);
+  for (const json& m : methods) {
+    EXPECT_TRUE(m["drawn"]) << m["name"];
+    ASSERT_EQ(m.size(), methods[0].size()) << m["name"];
+    for (const auto& [key, value] : methods[0].items()) EXPECT_TRUE(m.contains(key)) << m["name"] << " " << key;
+    for (const auto& [key, value] : methods[0]["operations"].items()) EXPECT_TRUE(m["operations"].contains(key));
+    if (m["exact"] == true) {
+      EXPECT_EQ(m["differs_mm"], 0) << m["name"];
+    }
+  }
+  ASSERT_EQ(found["differences_mm"].size(), methods.size());
 }
 
 }  // namespace

@@ -57,9 +57,8 @@ inline std::vector<json> parts_at(const json& whole, const std::string& pointer)
   const std::size_t star = pointer.find("/*");
   if (star == pointer.npos) return {pointer == "/" ? whole : whole.at(json::json_pointer(pointer))};
   std::vector<json> all;
-  for (const json& part : whole.at(json::json_pointer(pointer.substr(0, star)))) {
+  for (const json& part : whole.at(json::json_pointer(pointer.substr(0, star))))
     for (json& found : parts_at(part, pointer.substr(star + 2))) all.push_back(std::move(found));
-  }
   return all;
 }
 
@@ -67,9 +66,8 @@ inline std::vector<json> parts_at(const json& whole, const std::string& pointer)
 inline double drawn_length(const std::string& svg, const std::string& layer) {
   const ReadDrawing read = read_svg_drawing(svg, "script", {});
   double length = 0;
-  for (const Layer& l : read.drawing.layers) {
+  for (const Layer& l : read.drawing.layers)
     if (layer.empty() || l.name == layer) length += measure(l.lines, {0, 0}, false).down_mm;
-  }
   return length;
 }
 

@@ -51,11 +51,9 @@ std::vector<OptionRow> rows_of(const std::string& command) {
 Json prism(const std::string& name, int sides, double radius, double x, double bottom, double top) {
   Json vertices = Json::array(), faces = Json::array(), lower = Json::array(), upper = Json::array();
   constexpr double kTurn = 6.283185307179586;
-  for (const double z : {bottom, top}) {
-    for (int k = 0; k < sides; ++k) {
+  for (const double z : {bottom, top})
+    for (int k = 0; k < sides; ++k)
       vertices.push_back({x + radius * std::cos(kTurn * k / sides), radius * std::sin(kTurn * k / sides), z});
-    }
-  }
   for (int k = 0; k < sides; ++k) {
     const int next = (k + 1) % sides;
     faces.push_back({{"outer", {k, next, sides + next, sides + k}}});
@@ -164,10 +162,9 @@ class EveryOption : public ProgramTest {
     const std::vector<OptionRow> rows = rows_of(command.front());
     const std::vector<std::string> listed = options_of(command.front());
     EXPECT_GT(listed.size(), 20u);
-    for (const std::string& option : listed) {
+    for (const std::string& option : listed)
       EXPECT_TRUE(std::ranges::any_of(rows, [&](const OptionRow& row) { return row.option == option; }))
           << command.front() << ' ' << option << " has no row";
-    }
     for (std::size_t k = 0; k < rows.size(); ++k) {
       if (!is_chosen("every option", k, kRowsByChosen)) continue;
       EXPECT_EQ(rows[k].silent_formats.empty(), rows[k].reason.empty());

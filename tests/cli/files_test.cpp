@@ -1,10 +1,14 @@
 /// Signals leave no file behind, and messages are short lines. More of the files of a run: scripts/files.txt.
 
 #include <fcntl.h>
+#include <grp.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <csignal>
+#include <exception>
+#include <new>
 
 #include "main/script.hpp"
 #include "program.hpp"
@@ -152,6 +156,133 @@ TEST_F(Messages, MutatedFiles) {
       is_one_line("draw mutated.json -o x.svg", mutated.substr(0, 2000));
     }
   }
+}
+
+// Failures where processes matter: a full device, a reader that went away, limits. Mistakes: scripts/mistakes.txt.
+
+const std::vector<Words> kWritersToStandardOutput{
+    "draw cube.obj -o - --format svg", "info cube.obj", {"methods"}, {"--help"}};
+
+TEST_F(ProgramTest, FullDeviceIsAFailure) {
+  for (const Words& arguments : kWritersToStandardOutput) {
+    const int full = open("/dev/full", O_WRONLY | O_CLOEXEC);
+    if (full < 0) return;  // not every system has one
+    const Outcome outcome = run_program(folder_, arguments, full);
+    EXPECT_EQ(outcome.status, kFailed) << arguments[0];
+    EXPECT_EQ(outcome.error_lines(), 1u) << outcome.err;
+  }
+}
+
+TEST_F(ProgramTest, ReaderThatWentAwayIsAFailureWithoutASignal) {
+  for (const Words& arguments : kWritersToStandardOutput) {
+    int ends[2];
+    ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
+    close(ends[0]);
+    const Outcome outcome = run_program(folder_, arguments, ends[1]);
+    EXPECT_EQ(outcome.status, kFailed) << arguments[0];
+    EXPECT_EQ(outcome.error_lines(), 1u) << outcome.err;
+    EXPECT_EQ(outcome.err.rfind("ligne: ", 0), 0u) << outcome.err;
+  }
+}
+
+/// The other tests call the command in their own process.
+TEST_F(ProgramTest, TheProgramDoesWhatTheCommandDoes) {
+  for (const Words arguments :
+       {"draw cube.obj -o - --format json", "draw broken.obj -o x.svg", "draw cube.obj --crease much -o x.svg",
+        "info square.obj", "surface x*y -o - --format svg --stats", "plot none.svg -o x.svg", "--version", ""}) {
+    const Outcome here = run(arguments), there = run_program(folder_, arguments);
+    const std::string what = arguments.empty() ? "no command" : arguments.back();
+    EXPECT_EQ(here.status, there.status) << what;
+    EXPECT_EQ(here.out, there.out) << what;
+    if (what != "--stats") {  // times
+      EXPECT_EQ(here.err, there.err) << what;
+    }
+  }
+}
+
+TEST_F(ProgramTest, TheCommandLeavesNoLimitAndNoHandlerBehind) {
+  rlimit before{}, after{};
+  ASSERT_EQ(getrlimit(RLIMIT_DATA, &before), 0);
+  const std::new_handler new_handler = std::get_new_handler();
+  const std::terminate_handler terminate_handler = std::get_terminate();
+  EXPECT_EQ(run("draw cube.obj --dpi 1200 --max-memory 64M -o x.png").status, kFailed);
+  run_well("draw cube.obj --max-memory 500M --threads 3 -o x.svg");
+  ASSERT_EQ(getrlimit(RLIMIT_DATA, &after), 0);
+  EXPECT_EQ(after.rlim_cur, before.rlim_cur);
+  EXPECT_EQ(after.rlim_max, before.rlim_max);
+  EXPECT_EQ(std::get_new_handler(), new_handler);
+  EXPECT_EQ(std::get_terminate(), terminate_handler);
+  EXPECT_EQ(run("draw cube.obj -o x.svg").err, "");
+}
+
+// ligne.sh in a tree where nothing can be written, and in one whose programs are built when they are first asked for.
+
+namespace fs = std::filesystem;
+
+TEST_F(ProgramTest, LigneShInAReadOnlyTreeSaysSoInOneLine) {
+  const fs::path tree = file("tree");
+  fs::create_directories(tree / "scripts");
+  for (const char* folder : {"src", "plotting", "cmake"}) fs::create_directory(tree / folder);
+  for (const char* name : {"ligne.sh", "CMakeLists.txt", "scripts/setup.sh"})
+    fs::copy_file(fs::path(LIGNE_SOURCE_DIR) / name, tree / name);
+  for (const auto& entry : fs::recursive_directory_iterator(tree))
+    fs::permissions(entry.path(), fs::perms::owner_write, fs::perm_options::remove);
+  fs::permissions(tree, fs::perms::owner_write, fs::perm_options::remove);
+  fs::permissions(folder_, fs::perms::all);
+
+  const std::string script = (tree / "ligne.sh").string(), messages = file("messages").string();
+  const pid_t child = fork();
+  if (child == 0) {
+    // Permissions stop nobody who is root.
+    constexpr uid_t kNobody = 65534;
+    if (geteuid() == 0 && (setgroups(0, nullptr) != 0 || setgid(kNobody) != 0 || setuid(kNobody) != 0)) _exit(126);
+    if (!freopen(messages.c_str(), "w", stderr)) _exit(125);
+    execl("/bin/bash", "bash", script.c_str(), "--version", nullptr);
+    _exit(127);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  fs::permissions(tree, fs::perms::owner_write, fs::perm_options::add);
+  for (const auto& entry : fs::recursive_directory_iterator(tree))
+    fs::permissions(entry.path(), fs::perms::owner_write, fs::perm_options::add);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_EQ(contents(messages), "ligne.sh: " + fs::canonical(tree).string() +
+                                    "/build/release: can not be written, and the program in it is not built; build it as "
+                                    "somebody who may, or in a copy\n");
+}
+
+/// A project with the two programs as scripts that say their names.
+constexpr std::string_view kTwoPrograms = R"(cmake_minimum_required(VERSION 3.25)
+project(two NONE)
+foreach(name ligne ligne-study)
+  file(WRITE ${CMAKE_BINARY_DIR}/${name}.sh "#!/bin/sh\necho ${name} $*\n")
+  file(CHMOD ${CMAKE_BINARY_DIR}/${name}.sh PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+  add_custom_target(${name} ALL COMMAND ${CMAKE_COMMAND} -E make_directory src/cli
+                    COMMAND ${CMAKE_COMMAND} -E copy ${name}.sh src/cli/${name})
+endforeach()
+add_dependencies(ligne-study ligne)
+)";
+
+TEST_F(ProgramTest, LigneShBuildsTheStudyWhenItIsFirstAskedFor) {
+  const fs::path tree = file("tree");
+  for (const char* folder : {"src", "plotting", "cmake", "studies", "scripts"}) fs::create_directories(tree / folder);
+  for (const char* name : {"ligne.sh", "scripts/setup.sh"}) fs::copy_file(fs::path(LIGNE_SOURCE_DIR) / name, tree / name);
+  write("tree/CMakeLists.txt", kTwoPrograms);
+  const auto said_by = [&](const std::string& arguments) {
+    const std::string command =
+        "bash '" + (tree / "ligne.sh").string() + "' " + arguments + " >'" + file("said").string() + "'";
+    EXPECT_EQ(std::system(command.c_str()), 0) << arguments;
+    return contents(file("said"));
+  };
+  const fs::path study = tree / "build/release/src/cli/ligne-study";
+  EXPECT_EQ(said_by("draw a"), "ligne draw a\n");
+  EXPECT_FALSE(fs::exists(study)) << "whoever draws does not wait for it";
+  EXPECT_EQ(said_by("study --list"), "ligne study --list\n") << "the program runs the other one";
+  ASSERT_TRUE(fs::exists(study));
+  fs::remove(study);
+  EXPECT_EQ(said_by("draw a"), "ligne draw a\n");
+  EXPECT_FALSE(fs::exists(study));
 }
 
 }  // namespace

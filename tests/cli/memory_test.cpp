@@ -19,11 +19,10 @@ constexpr bool kOwnAllocator = false;
 std::string sheet(int n) {
   std::string text;
   for (int j = 0; j <= n; ++j) {
-    for (int i = 0; i <= n; ++i) {
+    for (int i = 0; i <= n; ++i)
       text += "v " + std::to_string(i) + " " +
               std::to_string(std::lround(300 * std::sin(i * 0.2) * std::cos(j * 0.3)) / 100.0) + " " + std::to_string(j) +
               "\n";
-    }
   }
   const auto corner = [n](int i, int j) { return " " + std::to_string(1 + i + j * (n + 1)); };
   for (int j = 0; j < n; ++j) {

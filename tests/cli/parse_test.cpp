@@ -14,9 +14,8 @@ namespace {
 
 std::string classes(LineClasses classes) {
   std::string names;
-  for (std::size_t i = 0; i < kLineClassCount; ++i) {
+  for (std::size_t i = 0; i < kLineClassCount; ++i)
     if (classes.has(static_cast<LineClass>(i))) names += (names.empty() ? "" : " ") + std::string(kLineClassNames[i]);
-  }
   return names;
 }
 std::string point(const Point3& p) { return test::as_text(p.x, p.y, p.z); }

@@ -7,7 +7,6 @@
 
 #include "cli/command_line.hpp"
 #include "main/script.hpp"
-#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {

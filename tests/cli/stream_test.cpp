@@ -2,7 +2,6 @@
 
 #include "draw_program.hpp"
 #include "main/tier.hpp"
-#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {
@@ -21,9 +20,8 @@ Mesh grid(std::uint32_t around, std::uint32_t along, bool closed_u, bool closed_
           const std::function<Corner(double, double)>& place) {
   Mesh mesh;
   const std::uint32_t columns = closed_u ? around : around + 1, rows = closed_v ? along : along + 1;
-  for (std::uint32_t j = 0; j < rows; ++j) {
+  for (std::uint32_t j = 0; j < rows; ++j)
     for (std::uint32_t i = 0; i < columns; ++i) mesh.vertices.push_back(place(double(i) / around, double(j) / along));
-  }
   for (std::uint32_t j = 0; j < along; ++j) {
     for (std::uint32_t i = 0; i < around; ++i) {
       const std::uint32_t i1 = (i + 1) % columns, j1 = (j + 1) % rows;
@@ -77,9 +75,8 @@ Mesh soup(std::size_t n, double size, unsigned seed) {
   Mesh mesh;
   for (std::uint32_t i = 0; i < n; ++i) {
     const Corner p{10 * uniform(), 10 * uniform(), 10 * uniform()};
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
       mesh.vertices.push_back({p[0] + size * uniform(), p[1] + size * uniform(), p[2] + size * uniform()});
-    }
     mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
   return mesh;
@@ -97,9 +94,8 @@ std::string stl(const Mesh& mesh) {
   put(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
   for (const auto& t : mesh.triangles) {
     for (int k = 0; k < 3; ++k) put(bytes, 0.0f);
-    for (const std::uint32_t v : t) {
+    for (const std::uint32_t v : t)
       for (const double c : mesh.vertices[v]) put(bytes, static_cast<float>(c));
-    }
     put(bytes, std::uint16_t{0});
   }
   return bytes;
@@ -110,9 +106,8 @@ std::string ply(const Mesh& mesh, const std::string& type = "float") {
                       "\nproperty " + type + " x\nproperty " + type + " y\nproperty " + type + " z\nelement face " +
                       std::to_string(mesh.triangles.size()) +
                       "\nproperty uchar shade\nproperty list uchar int vertex_indices\nend_header\n";
-  for (const Corner& p : mesh.vertices) {
+  for (const Corner& p : mesh.vertices)
     for (const double c : p) type == "double" ? put(bytes, c) : put(bytes, static_cast<float>(c));
-  }
   for (const auto& t : mesh.triangles) {
     put(bytes, std::uint8_t{7});
     put(bytes, std::uint8_t{3});

@@ -1,5 +1,8 @@
 /// Where formulas end and jump: strokes end on the true border, and none goes over a jump.
 
+#include <chrono>
+#include <regex>
+
 #include "surface_program.hpp"
 
 namespace ligne::test {
@@ -153,9 +156,8 @@ TEST_F(SurfaceBreaksTest, AJumpThatRunsIntoTheBorderMakesNoWall) {
 
 TEST_F(SurfaceBreaksTest, FineGridsAreThinned) {
   std::string text;
-  for (int j = 0; j < 300; ++j) {
+  for (int j = 0; j < 300; ++j)
     for (int i = 0; i < 450; ++i) text += std::to_string(i * j % 7) + (i == 449 ? "\n" : " ");
-  }
   write("fine.txt", text);
   const auto curves = [&](const Words& more) {
     return layers("--grid fine.txt --z-scale 0.001 --view top --page 200x150 --margin 10 --pen-width 0.3" + more)
@@ -180,6 +182,144 @@ TEST_F(SurfaceBreaksTest, ScatteredPointsComeFromStandardInputToo) {
             "ligne: points.csv: warning: 400 scattered points: heights are linear in their Delaunay triangles\n"
             "ligne: points.csv: warning: left out: 1 column (id)\n");
   EXPECT_EQ(surface("--grid - --axes", "-o a.svg").status, 1) << "there is nothing on it";
+}
+
+// Contour lines and axes of `ligne surface` by the mesh methods.
+
+class SurfaceLinesTest : public SurfaceProgramTest {
+ protected:
+  std::string svg(const Words& arguments, const Words& more = {}) const {
+    const Outcome outcome = surface(arguments + more, "-o - --format svg");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return outcome.out;
+  }
+};
+
+TEST_F(SurfaceLinesTest, AxesOfTheMeshAreThoseOfTheHorizon) {
+  for (const char* style : {"--axes", "--axes=grid", "--axes=box", "--axes=base"}) {
+    for (const Words view :
+         chosen(std::string("views, ") + style, 3, {"", "--azimuth 20 --elevation -35", "--eye 30,-20,25"})) {
+      Words plot = Words{"5*sin(r)/r", "-x", "-9:9:30", "-y", "-8:9:30", "--z-scale", "1", style, "--title", "hat"} + view;
+      const std::string by_horizon = svg(plot), by_mesh = svg(plot, "--method appel");
+      const double horizon = layers_of(by_horizon).at("axes");
+      EXPECT_NEAR(layers_of(by_mesh).at("axes"), horizon, 1e-3 * horizon) << style;
+      EXPECT_EQ(by_mesh.substr(by_mesh.find("id=\"text\"")), by_horizon.substr(by_horizon.find("id=\"text\""))) << style;
+    }
+  }
+}
+
+TEST_F(SurfaceLinesTest, Logarithms) {
+  const json heights = drawn("10^x -x 0:2:3 -y 0:1:2 --log-z --z-scale 1");
+  for (const json& stroke : heights["strokes"])
+    for (const json& end : stroke["source"]["ends"]) EXPECT_NEAR(end[2].get<double>(), end[0].get<double>(), 1e-12);
+  EXPECT_GT(layers("x --log-z -x -1:1:20").at("horizon"), 0) << "by the horizon, too; half of it are holes";
+}
+
+TEST_F(SurfaceLinesTest, MeshesOverDegreesAreNoThingsInSpace) {
+  write("mesh.dat", "0 0 0\n1 0.1 0\n2 0 0\n\n0.1 1 0\n1.1 1.1 12\n2.1 1 0\n\n0 2 0\n1 2.1 0\n2 2 0\n");
+  const auto highest = [&](const Words& more) {
+    const Outcome outcome = surface(Words("--grid mesh.dat --as-mesh") + more, {"-o", "mesh.obj"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    std::istringstream text(contents(file("mesh.obj")));
+    double z = 0;
+    for (std::string line; std::getline(text, line);)
+      if (line.starts_with("v ")) z = std::max(z, std::stod(line.substr(line.rfind(' '))));
+    return z;
+  };
+  EXPECT_DOUBLE_EQ(highest({}), 12);
+  EXPECT_DOUBLE_EQ(highest("--ground metres"), 12);
+  EXPECT_LT(highest("--ground degrees"), 2);
+}
+
+/// Bad input of `ligne surface`: one line, the exit status and no file, or a right drawing of what there is.
+
+using SurfaceInputTest = SurfaceProgramTest;
+
+TEST_F(SurfaceInputTest, ContoursWithoutNumberOrMemory) {
+  // Ten thousand levels on a steep sheet of two million triangles would cut it into thousands of millions.
+  const auto begin = std::chrono::steady_clock::now();
+  fails("sin(50*x)*sin(50*y) -x 0:1:500 -y 0:1:500 --samples 1000 --contours 10000 --skirt -o out.svg", 1,
+        "sin(50*x)*sin(50*y): has too many contour lines: they cut it into more than 12 million triangles\n");
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+  EXPECT_FALSE(exists("out.svg"));
+  fails({"x", "--axes", "--x-label", std::string(1000, 'n'), "-o", "a.svg"}, 2,
+        "--page: numbers and names of the axes leave no drawable area");
+}
+
+// Fills and terrain maps: what scripts/surface.txt can not measure.
+
+/// Seen from above, ten units of the ground are 80 mm.
+const Words kMap = "-x 0:10:11 -y 0:10:11 --view top --lines none --page 100x100 --margin 10 --scale 8:1";
+
+class TerrainTest : public SurfaceProgramTest {
+ protected:
+  std::string svg(const Words& arguments) const { return surface(arguments + kMap, "-o - --format svg").out; }
+};
+
+TEST_F(TerrainTest, FillsShowTheBandsInTheirColours) {
+  const Words bands = "x -x 0:10:11 -y 0:10:3 --bands 0,2,5 --fill material --colors red,lime,blue --legend --lines y";
+  const Outcome outcome = surface(bands, "-o - --format svg");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const std::size_t fill = outcome.out.find("inkscape:label=\"fill\""),
+                    lines = outcome.out.find("inkscape:label=\"horizon\"");
+  ASSERT_NE(fill, std::string::npos);
+  ASSERT_NE(lines, std::string::npos);
+  for (const char* color : {"\"#f00\"", "\"#0f0\"", "\"#00f\""}) {
+    const std::size_t at = outcome.out.find(color);
+    EXPECT_TRUE(fill < at && at < lines) << color << " is that of an area";
+    EXPECT_EQ(outcome.out.find(color, lines), std::string::npos) << "lines on areas are black";
+  }
+  EXPECT_NE(outcome.out.find("inkscape:label=\"legend\""), std::string::npos) << "samples have a frame";
+  expect_parts(outcome.out, {">2 \u2013 5</text>"});
+  for (const char* format : {"pdf", "png"}) EXPECT_EQ(surface(bands, {"-o", "-", "--format", format}).status, 0) << format;
+}
+
+TEST_F(TerrainTest, HachuresDownASlopeStayOnTheGround) {
+  const std::string out = svg("sin(x)*cos(y)+0.1*sin(7*x)*sin(5*y) --hachures slope --outline off");
+  double low = 1e9, high = -1e9;
+  for (std::size_t at = out.find("<path d=\"M"); at != std::string::npos; at = out.find("<path d=\"M", at + 1)) {
+    std::string path = out.substr(at + 9, out.find('"', at + 9) - at - 9);
+    for (char& c : path) c = c == 'M' || c == 'L' || c == ',' || c == 'H' || c == 'V' || c == 'Z' ? ' ' : c;
+    std::istringstream numbers(path);
+    for (double value = 0; numbers >> value;) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  EXPECT_GE(low, 10 - 1e-3);
+  EXPECT_LE(high, 90 + 1e-3);
+}
+
+TEST_F(TerrainTest, AxesOfRidgelinesSayTruePositions) {
+  const auto drawn = [&](const std::vector<std::string>& more) {
+    return surface({"sin(x)+0.1*y", "-x", "-6:6", "-y", "0:10:20", "--ridgeline", "-o", "-", "--format", "svg"}, more).out;
+  };
+  for (const char* style : {"--axes", "--axes=box", "--axes=base", "--axes=grid"}) {
+    const std::string out = drawn({style});
+    expect_parts(out, {">−6</text>", ">−2</text>", ">6</text>", ">10</text>", ">7</text>", ">1.5</text>"});
+    expect_no_parts(out, {">0.35</text>", ">1.2</text>", ">0.9</text>"});
+    // Lines of the axes that no longer path holds: ticks, and lines of the grid over the last row.
+    const std::string axes = out.substr(out.find("id=\"axes\""));
+    const std::regex straight("<path d=\"M(\\S+) (\\S+)l(\\S+) (\\S+)\"/>");
+    for (std::sregex_iterator line(axes.begin(), axes.end(), straight), end; line != end; ++line) {
+      const double dx = std::stod((*line)[3]), y = std::stod((*line)[2]);
+      if (std::abs(dx) < 100) continue;
+      EXPECT_TRUE(y > 230 || y < 90 || style == std::string("--axes=grid")) << style << ": crosses the rows at " << y;
+    }
+  }
+  EXPECT_EQ(layers({"x*0", "-x", "0:9", "-y", "0:1:4", "--ridgeline", "--axes"}).count("axes"), 1u) << "flat rows";
+}
+
+TEST_F(TerrainTest, UnevenRowsOfRidgelinesStandAtTheirPositions) {
+  write("rows.csv", ",0,1,2\n0,5,5,5\n1,5,5,5\n10,5,5,6\n");
+  const std::string out = surface({"--grid", "rows.csv", "--ridgeline", "1"}, {"-o", "-", "--format", "svg"}).out;
+  std::vector<double> y;
+  const std::regex path("<path d=\"M\\S+ (\\S+)l");
+  for (std::sregex_iterator line(out.begin(), out.end(), path), end; line != end; ++line) y.push_back(std::stod((*line)[1]));
+  ASSERT_EQ(y.size(), 3u);
+  std::sort(y.begin(), y.end());
+  EXPECT_NEAR((y[1] - y[0]) / (y[2] - y[1]), 9, 0.01);
 }
 
 }  // namespace

@@ -1,11 +1,9 @@
 #pragma once
 /// Runs `ligne surface` and measures what it draws.
 
-#include <nlohmann/json.hpp>
-
+#include "drawing_quantities.hpp"
 #include "main/tier.hpp"
 #include "program.hpp"
-#include "support/standard.hpp"
 
 namespace ligne::test {
 
@@ -50,9 +48,8 @@ class SurfaceProgramTest : public ProgramTest {
   /// "x y l dx dy dx dy ..." or "x y L x y x y ...", with or without Z at the end.
   static double path_length(std::string d) {
     const bool closed = d.back() == 'Z', relative = d.find('l') != std::string::npos;
-    for (char& c : d) {
+    for (char& c : d)
       if (c == 'l' || c == 'L' || c == 'Z') c = ' ';
-    }
     std::istringstream numbers(d);
     double x = 0, y = 0, last_x = 0, last_y = 0, length = 0;
     numbers >> last_x >> last_y;
@@ -71,14 +68,7 @@ class SurfaceProgramTest : public ProgramTest {
 /// Page length of the visible strokes of a class, in model units of a parallel view.
 inline double length(const nlohmann::json& drawing, const std::string& line_class) {
   const auto& m = drawing["view"]["matrix"];
-  const double scale = std::hypot(m[0].get<double>(), m[1].get<double>(), m[2].get<double>());
-  double sum = 0;
-  for (const nlohmann::json& stroke : drawing["strokes"]) {
-    if (stroke["class"] != line_class || !stroke["visible"].get<bool>()) continue;
-    const auto& p = stroke["points"];
-    sum += std::hypot(p[1][0].get<double>() - p[0][0].get<double>(), p[1][1].get<double>() - p[0][1].get<double>());
-  }
-  return sum / scale;
+  return length_mm(drawing, line_class, true) / std::hypot(m[0].get<double>(), m[1].get<double>(), m[2].get<double>());
 }
 
 }  // namespace ligne::test
