@@ -17,18 +17,16 @@ std::size_t expect_clean(const Scene& scene, const std::string& view, const std:
   const DrawnScene drawn = draw_lines(scene, request, run);
   StrokeModel strokes = *drawn.visibility().result.strokes;
   const std::size_t before = strokes.strokes.size();
-  for (const RuleReport& report : clean_scene_lines(strokes, drawn.prepared(), least_bit_mm(drawn.prepared())).rules) {
+  for (const RuleReport& report : clean_scene_lines(strokes, drawn.prepared(), least_bit_mm(drawn.prepared())).rules)
     EXPECT_EQ(report.count, 0u) << name << ", " << view << ": " << report.changes;
-  }
   EXPECT_EQ(strokes.strokes.size(), before);
   return before;
 }
 
 TEST(CleanAgain, ChangesNoSceneOfTheCorpus) {
   std::size_t strokes = 0;
-  for (const std::filesystem::path& file : test::corpus_files(test::kLargeSceneBytes)) {
+  for (const std::filesystem::path& file : test::corpus_files(test::kLargeSceneBytes))
     strokes += expect_clean(test::scene_of_file(file), "iso", file.filename().string());
-  }
   EXPECT_GT(strokes, 1000u);
 }
 

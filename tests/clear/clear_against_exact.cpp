@@ -109,9 +109,8 @@ constexpr double kWidthRatio = 4;
 
 double width_across(const Scene& scene, std::uint32_t face, const Point3& from, const Point3& along) {
   double widest = 0;
-  for (const std::uint32_t v : scene.faces.contour(face, 0)) {
+  for (const std::uint32_t v : scene.faces.contour(face, 0))
     widest = std::max(widest, glm::length(glm::cross(along, scene.vertices[v] - from)));
-  }
   return widest;
 }
 
@@ -182,11 +181,10 @@ ClearDifferences compare_clear(const std::filesystem::path& file, std::string_vi
 
 std::string text_of(const std::vector<Run>& runs) {
   std::ostringstream out;
-  for (const Run& run : runs) {
+  for (const Run& run : runs)
     out << "  " << run.layer << " " << run.length_mm << " mm long, " << run.farthest_mm << " mm off, on " << run.segments
         << " segments, " << (run.before_the_sheet ? "before the sheet, " : "") << "from " << run.from.x << "," << run.from.y
         << " to " << run.to.x << "," << run.to.y << "\n";
-  }
   return out.str();
 }
 

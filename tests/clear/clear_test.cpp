@@ -4,9 +4,7 @@
 #include "clear/clear_against_exact.hpp"
 #include "clear/write_stl.hpp"
 #include "main/tier.hpp"
-#include "scene/model/topology.hpp"
 #include "support/test.hpp"
-#include "view/view.hpp"
 
 namespace ligne::test {
 namespace {
@@ -176,10 +174,9 @@ void expect_close(const fs::path& file, const std::string& view, Kind kind,
     EXPECT_GT(found.clear_mm, 0);
   }
   EXPECT_TRUE(found.outside.empty()) << "ink outside the body:\n" << text_of(found.outside);
-  for (const Run& run : found.added) {
+  for (const Run& run : found.added)
     EXPECT_TRUE(run.length_mm <= kLongestBridgeMm && run.farthest_mm <= kFarthestBridgeMm) << "ink where no line is:\n"
                                                                                            << text_of({run});
-  }
   for (const Run& run : found.left_out) {
     if (run.layer != "outline") continue;
     const bool is_bit = run.length_mm <= (kind == Kind::scan ? kLongestSpurMm : kLongestBitMm);
@@ -235,20 +232,15 @@ INSTANTIATE_TEST_SUITE_P(ClearAgainstExact, SharedModel,
                                          "no_indices_3storybuilding.glb", "octagonal_pocket.ply", "quadknot.obj",
                                          "rocker-arm.obj", "simple_pole.glb", "spider.obj", "stanford-bunny.obj",
                                          "teapot.obj"),
-                         [](const auto& info) {
-                           std::string name = info.param;
-                           for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-                           return name;
-                         });
+                         kNameOfFile);
 
 /// A prism of n sides stands for a cylinder, from which the middles of its sides lie r (1 - cos(pi / n)) away.
 TEST(MeshSags, OfAPrismIsThatOfItsCylinder) {
   constexpr int kSides = 16;
   constexpr double kRadius = 10, kTurn = 2 * 3.14159265358979323846 / kSides;
   Scene scene;
-  for (int i = 0; i < 2 * kSides; ++i) {
+  for (int i = 0; i < 2 * kSides; ++i)
     scene.vertices.push_back({kRadius * std::cos(kTurn * (i / 2)), kRadius * std::sin(kTurn * (i / 2)), i % 2 ? 30.0 : 0.0});
-  }
   for (std::uint32_t i = 0; i < kSides; ++i) {
     const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % kSides);
     scene.faces.add_face(std::array{a, b, b + 1, a + 1});

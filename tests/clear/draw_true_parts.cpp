@@ -1,16 +1,6 @@
 /// Draws parts whose true lines are known three times: with the creases of a coarse mesh, as that mesh is drawn by default,
 /// and by the true lines. docs/patches.md shows the pictures; draw_true_parts FOLDER makes them.
 
-#include <algorithm>
-#include <array>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <string>
-#include <string_view>
-
-#include <glm/geometric.hpp>
-
 #include "clear/hiding.hpp"
 #include "clear/true_parts.hpp"
 #include "picture/draw_scene.hpp"
@@ -60,9 +50,8 @@ Polylines joined(const std::vector<std::vector<Point2>>& pieces) {
     after->insert(after->begin(), lines[i].begin(), lines[i].end() - 1);
     lines[i].clear();
   }
-  for (const auto& line : lines) {
+  for (const auto& line : lines)
     if (!line.empty()) found.add(line);
-  }
   return found;
 }
 
@@ -85,9 +74,8 @@ Drawing true_drawing(const TruePart& part, const Scene& fine, const View& view) 
     last_layer = layer;
   }
   Drawing drawing;
-  for (const std::string_view layer : {"tangent", "crease", "outline"}) {
+  for (const std::string_view layer : {"tangent", "crease", "outline"})
     drawing.layers.push_back({std::string(layer), joined(lines[layer])});
-  }
   return drawing;
 }
 
@@ -131,7 +119,6 @@ int main(int argc, char** argv) {
     std::cerr << "usage: draw_true_parts FOLDER\n";
     return 2;
   }
-  for (const TruePart& part : true_parts()) {
+  for (const TruePart& part : true_parts())
     if (std::ranges::count(kDrawn, part.name) > 0) draw(part, argv[1]);
-  }
 }

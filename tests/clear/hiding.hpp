@@ -1,10 +1,6 @@
 #pragma once
 /// Visibility of lines behind a fine mesh of a part.
 
-#include <array>
-#include <limits>
-#include <vector>
-
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 #include "support/page_lines.hpp"

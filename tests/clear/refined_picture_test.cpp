@@ -29,9 +29,7 @@ TEST(RefinedPicture, NamesGivenFacesAndEdges) {
     }
     for (const Stroke& s : model.strokes) {
       const SourceEdge source = found.source(scene, s.source);
-      for (const std::uint32_t face : source.faces) {
-        EXPECT_TRUE(face == kNone || face < scene.faces.size()) << part.name;
-      }
+      for (const std::uint32_t face : source.faces) EXPECT_TRUE(face == kNone || face < scene.faces.size()) << part.name;
       if (s.source >= found.edges.size()) continue;
       const Point2 from = page_point(drawn.prepared().view(), source.ends[0]),
                    to = page_point(drawn.prepared().view(), source.ends[1]);

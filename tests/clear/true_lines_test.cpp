@@ -2,12 +2,11 @@
 
 #include "clear/hiding.hpp"
 #include "clear/true_parts.hpp"
+#include "drawing/measures.hpp"
 #include "main/tier.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/models/models.hpp"
-#include "support/page_lines.hpp"
 #include "support/test.hpp"
-#include "view/view.hpp"
 
 namespace ligne::test {
 namespace {
@@ -53,21 +52,16 @@ double distance_from_rest(std::span<const Point2> line) {
 
 std::vector<Point2> loose_ends(const Drawing& drawing, std::span<const Point2> cusps) {
   std::vector<std::vector<Point2>> lines;
-  for (const Layer& layer : drawing.layers) {
-    for (std::size_t i = 0; i < layer.lines.size(); ++i) {
-      lines.emplace_back();
-      for (std::size_t k = 0; k < layer.lines[i].size(); ++k) lines.back().push_back(layer.lines[i][k]);
-    }
-  }
+  for (const Layer& layer : drawing.layers)
+    for (std::size_t i = 0; i < layer.lines.size(); ++i) lines.emplace_back(layer.lines[i].begin(), layer.lines[i].end());
   std::vector<Point2> loose;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (int end = 0; end < 2; ++end, std::ranges::reverse(lines[i])) {
       const Point2 p = lines[i].front();
       const auto meets = [&](const std::vector<Point2>& line) {
         if (&line == &lines[i]) return distance_from_rest(line) <= kMeetsMm;
-        for (std::size_t k = 1; k < line.size(); ++k) {
+        for (std::size_t k = 1; k < line.size(); ++k)
           if (distance_to_segment(p, line[k - 1], line[k]) <= kMeetsMm) return true;
-        }
         return false;
       };
       const bool is_cusp = std::ranges::any_of(cusps, [&](Point2 cusp) { return glm::distance(p, cusp) < kCuspMm; });
@@ -107,11 +101,7 @@ Result compare(const TruePart& part, int facets, const ViewRequest& view) {
   const Hiding hiding(fine, on_page);
   const Rect sheet{{0, 0}, {297, 297}};
   PageLines ink(sheet, kHidingCellMm);
-  for (const Layer& layer : drawing.layers) {
-    for (std::size_t i = 0; i < layer.lines.size(); ++i) {
-      for (std::size_t k = 1; k < layer.lines[i].size(); ++k) ink.add(layer.lines[i][k - 1], layer.lines[i][k]);
-    }
-  }
+  for (const Layer& layer : drawing.layers) for_segments(layer.lines, [&](Point2 a, Point2 b) { ink.add(a, b); });
   Result result;
   double largest_off = 0;
   std::vector<Point2> cusps;
@@ -123,9 +113,8 @@ Result compare(const TruePart& part, int facets, const ViewRequest& view) {
     const double rise = std::sqrt(2 * kBesideMm * point.radius * on_page.scale);
     const double depth = p.z - (point.kind == TrueLine::outline ? kHiddenOutlineRises * rise : kHiddenEdgeMm);
     int seen = 0;
-    for (const Point2 beside : {Point2(0, 0), Point2(1, 0), Point2(0, 1), Point2(-1, 0), Point2(0, -1)}) {
+    for (const Point2 beside : {Point2(0, 0), Point2(1, 0), Point2(0, 1), Point2(-1, 0), Point2(0, -1)})
       seen += !hiding.hides(at + kBesideMm * beside, depth);
-    }
     const double off = kOffMm + point.radius * (1 - std::cos(std::numbers::pi / facets)) * on_page.scale;
     largest_off = std::max(largest_off, off);
     if (seen > 0) may_be_seen.add(at - 0.5 * along, at + 0.5 * along);
@@ -136,62 +125,49 @@ Result compare(const TruePart& part, int facets, const ViewRequest& view) {
   }
   result.loose = loose_ends(drawing, cusps);
   for (const Layer& layer : drawing.layers) {
-    for (std::size_t i = 0; i < layer.lines.size(); ++i) {
-      for (std::size_t k = 1; k < layer.lines[i].size(); ++k) {
-        const Point2 a = layer.lines[i][k - 1], b = layer.lines[i][k];
-        const double length = glm::distance(a, b);
-        const int steps = std::max(1, static_cast<int>(std::ceil(length / kSampleMm)));
-        for (int m = 0; m < steps; ++m) {
-          result.ink_mm += length / steps;
-          const Point2 p = a + (b - a) * ((m + 0.5) / steps);
-          if (may_be_seen.distance(p, largest_off) < largest_off) result.true_mm += length / steps;
-        }
+    for_segments(layer.lines, [&](Point2 a, Point2 b) {
+      const double length = glm::distance(a, b);
+      const int steps = std::max(1, static_cast<int>(std::ceil(length / kSampleMm)));
+      for (int m = 0; m < steps; ++m) {
+        result.ink_mm += length / steps;
+        const Point2 p = a + (b - a) * ((m + 0.5) / steps);
+        if (may_be_seen.distance(p, largest_off) < largest_off) result.true_mm += length / steps;
       }
-    }
+    });
   }
   return result;
 }
 
-/// Parts of what is surely seen that is drawn, by TrueLine, and of what is drawn that is true.
-constexpr double kLeastDrawn[] = {0.99, 0.99, 0.99}, kLeastTrue = 0.99;
+/// Part of what is surely seen that is drawn, of each kind, and of what is drawn that is true.
+constexpr double kLeast = 0.99;
 class TrueLines : public testing::TestWithParam<TruePart> {};
 
 void expect_true(const TruePart& part, int facets, const ViewRequest& view) {
   const Result result = compare(part, facets, view);
   const char* const kNames[] = {"sharp", "tangent", "outline"};
-  for (std::size_t kind = 0; kind < 3; ++kind) {
-    EXPECT_GE(result.kinds[kind].share(), kLeastDrawn[kind])
-        << kNames[kind] << ", of " << result.kinds[kind].seen_mm << " mm";
-  }
-  EXPECT_GE(result.true_mm, kLeastTrue * result.ink_mm) << "of " << result.ink_mm << " mm drawn";
+  for (std::size_t kind = 0; kind < 3; ++kind)
+    EXPECT_GE(result.kinds[kind].share(), kLeast) << kNames[kind] << ", of " << result.kinds[kind].seen_mm << " mm";
+  EXPECT_GE(result.true_mm, kLeast * result.ink_mm) << "of " << result.ink_mm << " mm drawn";
   for (const Point2 p : result.loose) ADD_FAILURE() << "an end in the air at " << p.x << ", " << p.y;
 }
 
-TEST_P(TrueLines, AreDrawnAndNothingElse) {
-  const TruePart& part = GetParam();
+/// Compares meshes of four accuracies in the views whose member `given` is one of the points; in the first tier in one of
+/// two.
+void expect_true_from(const TruePart& part, std::span<const Point3> points, std::optional<Point3> ViewRequest::*given) {
   for (const int facets : {12, 16, 24, 48}) {
-    for (std::size_t sight = 0; sight < kSights.size(); ++sight) {
-      if (!is_chosen(part.name + std::to_string(facets), sight, 2)) continue;
-      SCOPED_TRACE(part.name + ", " + std::to_string(facets) + " facets, sight " + std::to_string(sight));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!is_chosen(part.name + std::to_string(facets), i, 2)) continue;
+      SCOPED_TRACE(part.name + ", " + std::to_string(facets) + " facets, view " + std::to_string(i));
       ViewRequest view;
-      view.direction = kSights[sight];
+      view.*given = points[i];
       expect_true(part, facets, view);
     }
   }
 }
 
-TEST_P(TrueLines, AreDrawnInPerspective) {
-  const TruePart& part = GetParam();
-  for (const int facets : {12, 16, 24, 48}) {
-    for (std::size_t eye = 0; eye < kEyes.size(); ++eye) {
-      if (!is_chosen(part.name + std::to_string(facets), eye, 2)) continue;
-      SCOPED_TRACE(part.name + ", " + std::to_string(facets) + " facets, eye " + std::to_string(eye));
-      ViewRequest view;
-      view.eye = kEyes[eye];
-      expect_true(part, facets, view);
-    }
-  }
-}
+TEST_P(TrueLines, AreDrawnAndNothingElse) { expect_true_from(GetParam(), kSights, &ViewRequest::direction); }
+
+TEST_P(TrueLines, AreDrawnInPerspective) { expect_true_from(GetParam(), kEyes, &ViewRequest::eye); }
 
 /// Number of curves that begin in the paths of an SVG file.
 std::size_t curves_in(const std::string& svg) {

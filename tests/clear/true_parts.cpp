@@ -1,7 +1,6 @@
 #include "clear/true_parts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -57,9 +56,8 @@ Profile rectangle(Point2 low, Point2 high, double radius) {
 
 Profile hole(Profile way) {
   Profile back;
-  for (std::size_t i = way.size(); i-- > 0;) {
+  for (std::size_t i = way.size(); i-- > 0;)
     back.push_back({way[(i + way.size() - 1) % way.size()].end, way[i].centre, -way[i].sweep});
-  }
   return back;
 }
 
@@ -145,9 +143,8 @@ MeshTriangles mesh_of(const Extrusion& part, int facets) {
   Warnings warnings;
   finish_scene(scene, warnings);
   MeshTriangles triangles;
-  for (const Triangle& t : build_topology(scene).triangles) {
+  for (const Triangle& t : build_topology(scene).triangles)
     triangles.push_back({scene.vertices[t.v[0]], scene.vertices[t.v[1]], scene.vertices[t.v[2]]});
-  }
   return triangles;
 }
 
@@ -192,9 +189,8 @@ class Lines {
         };
         if (const auto kind = joint(profile, i)) upright(*kind, profile[i].end, 0);
         if (profile[i].sweep == 0) continue;
-        for (const double t : turning_points(profile, i)) {
+        for (const double t : turning_points(profile, i))
           upright(TrueLine::outline, point_at(profile, i, t), radius_of(profile, i));
-        }
       }
     }
     return std::move(points_);

@@ -5,6 +5,7 @@
 #include "contours/parametric_mesh.hpp"
 #include "contours/surfaces/smooth_patch.hpp"
 #include "drawing/measures.hpp"
+#include "support/round_bodies.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
@@ -213,36 +214,19 @@ TEST(SmoothContours, FlatSidesBesideFilletsStayFlat) {
 /// across the strip between the two.
 TEST(SmoothContours, LinesBehindThemEndThereAtAnyAngle) {
   constexpr double kRadius = 40;
-  constexpr std::uint32_t kSectors = 28, kRings = 15;
-  std::vector<Point3> vertices;
-  std::vector<std::vector<std::uint32_t>> faces;
-  for (std::uint32_t r = 1; r < kRings; ++r)
-    for (std::uint32_t i = 0; i < kSectors; ++i) {
-      const double turn = kTurn * (i + 0.3) / kSectors, height = kTurn * (double(r) / kRings - 0.5) / 2;
-      vertices.push_back(kRadius *
-                         Point3(std::cos(turn) * std::cos(height), std::sin(turn) * std::cos(height), std::sin(height)));
-    }
-  vertices.push_back({0, 0, -kRadius});
-  vertices.push_back({0, 0, kRadius});
-  const std::uint32_t south = (kRings - 1) * kSectors, north = south + 1;
-  for (std::uint32_t i = 0; i < kSectors; ++i) {
-    const std::uint32_t j = (i + 1) % kSectors;
-    faces.push_back({j, i, south});
-    for (std::uint32_t r = 0; r + 2 < kRings; ++r) {
-      const std::uint32_t a = r * kSectors + i, b = r * kSectors + j;
-      faces.push_back({a, b, b + kSectors});
-      faces.push_back({a, b + kSectors, a + kSectors});
-    }
-    faces.push_back({(kRings - 2) * kSectors + i, (kRings - 2) * kSectors + j, north});
-  }
+  Scene scene = ball(28, 14, [](std::uint32_t, std::uint32_t) { return kRadius; });
+  scene.objects.clear();
+  const double turn = kTurn * 0.3 / 28;
+  for (Point3& p : scene.vertices)
+    p = {p.x * std::cos(turn) - p.y * std::sin(turn), p.x * std::sin(turn) + p.y * std::cos(turn), p.z};
   // Behind it a pyramid: its outline passes behind the ball at a small angle.
-  const auto first = static_cast<std::uint32_t>(vertices.size());
-  vertices.insert(vertices.end(), {{-60, 60, 33}, {60, 60, 37}, {60, 60, -35}, {30, 80, 20}});
+  const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+  scene.vertices.insert(scene.vertices.end(), {{-60, 60, 33}, {60, 60, 37}, {60, 60, -35}, {30, 80, 20}});
   const auto side = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    faces.push_back({first + a, first + b, first + c});
+    scene.faces.add_triangle(first + a, first + b, first + c);
   };
   side(0, 2, 1), side(0, 1, 3), side(1, 2, 3), side(2, 0, 3);
-  const DrawnOutlines drawn = draw_outlines(scene_of(std::move(vertices), faces), {0, 1, 0});
+  const DrawnOutlines drawn = draw_outlines(as_one_object(std::move(scene)), {0, 1, 0});
   const Point2 centre = page_point(drawn.view, {0, 0, 0});
   double deepest = 0;
   for (const Point2 p : drawn.lines.points)

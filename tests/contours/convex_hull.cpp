@@ -1,6 +1,5 @@
 #include "contours/convex_hull.hpp"
 
-#include "base/no_index.hpp"
 #include "contours/parametric_mesh.hpp"
 
 namespace ligne::test {

@@ -1,10 +1,7 @@
 #include "contours/parametric_mesh.hpp"
-#include "linework/overlaps/coincident_strokes.hpp"
 
 #include "contours/contour_strokes.hpp"
-#include "scene/model/topology.hpp"
 #include "support/scenes.hpp"
-#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {

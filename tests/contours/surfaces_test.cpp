@@ -8,10 +8,7 @@
 #include "contours/surfaces/surface_fits.hpp"
 #include "drawing/measures.hpp"
 #include "main/tier.hpp"
-#include "scene/model/topology.hpp"
-#include "support/page_lines.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
@@ -333,10 +330,9 @@ TEST(SurfaceFits, RefuseWhatIsNoSurfaceOfDegreeThree) {
   EXPECT_FALSE(fit_surface({0, 0, 0}, kUp, rings(1, ball), fit)) << "coarse";
   EXPECT_TRUE(fit_surface({0, 0, 0}, kUp, rings(0.25, ball), fit)) << "fine";
   std::vector<Point3> rows;
-  for (int i = -4; i <= 4; ++i) {
+  for (int i = -4; i <= 4; ++i)
     for (const double y : {0.0, 30.0})
       if (i != 0 || y > 0) rows.push_back({std::sin(0.1 * i), y, std::cos(0.1 * i) - 1});
-  }
   EXPECT_FALSE(fit_surface({0, 0, 0}, kUp, rows, fit)) << "two rows";
   EXPECT_FALSE(fit_surface({0, 0, 0}, kUp, std::vector<Point3>(20, Point3{0, 0, 0}), fit)) << "one place";
 }
