@@ -198,6 +198,7 @@ TEST_F(ProgramTest, TheProgramDoesWhatTheCommandDoes) {
       EXPECT_EQ(here.err, there.err) << what;
     }
   }
+  expect_outcome({}, kUsage, {"ligne: there is no command"});
 }
 
 TEST_F(ProgramTest, TheCommandLeavesNoLimitAndNoHandlerBehind) {
