@@ -1,9 +1,8 @@
-/// Pens, their labels and looks, and dashes.
+/// Pens, their labels and looks.
 
 #include "main/script.hpp"
 #include "main/tier.hpp"
 #include "plotted.hpp"
-#include "plotting/dashes.hpp"
 
 namespace ligne {
 namespace {
@@ -267,40 +266,6 @@ TEST(Pens, AnotherPenIsNotHomeInBetween) {
   const Plot plot = assign_pens(drawing, {});
   EXPECT_EQ(plot.pens.size(), 2u);
   EXPECT_NEAR(measure_in_turn(plot, {0, 0}, true).up_mm, std::hypot(10, 10) + std::hypot(80, 10) + std::hypot(90, 20), 1e-9);
-}
-
-TEST(Dashes, BeginAndEndWithADash) {
-  Polylines line;
-  line.points = {{0, 0}, {10, 0}, {10, 20}};
-  line.begin = {0, 3};
-  const std::vector<double> pattern{3, 1};
-  const Polylines cut = cut_dashes(line, pattern, 0.5);
-  ASSERT_GT(cut.size(), 4u);
-  EXPECT_EQ(cut[0].front(), Point2(0, 0));
-  EXPECT_NEAR(glm::distance(cut[cut.size() - 1].back(), Point2(10, 20)), 0, 1e-9);
-  // 8 dashes of 2.5 and 7 gaps of 1.5, pressed or stretched into 30 mm.
-  const double stretch = 30 / (7 * 4 + 2.5);
-  EXPECT_EQ(cut.size(), 8u);
-  const PathLengths lengths = measure(cut, {0, 0}, false);
-  EXPECT_NEAR(lengths.down_mm, 8 * 2.5 * stretch, 1e-9);
-  // A short line is one dash, and lines without a pattern stay.
-  line.points = {{0, 0}, {2, 0}};
-  line.begin = {0, 2};
-  EXPECT_EQ(cut_dashes(line, pattern, 0.5).size(), 1u);
-  EXPECT_EQ(cut_dashes(line, {}, 0.5).points, line.points);
-}
-
-TEST(Dashes, PatternsOfSvgAreCutAsTheyAre) {
-  Polylines line;
-  line.points = {{0, 0}, {10, 0}};
-  line.begin = {0, 2};
-  const Polylines cut = cut_pattern(line, std::vector<double>{2}, 1);
-  // Marks of 2 and gaps of 2 from 1 mm into the first mark: [0,1], [3,5], [7,9].
-  ASSERT_EQ(cut.size(), 3u);
-  EXPECT_EQ(cut[0][1], Point2(1, 0));
-  EXPECT_EQ(cut[1][0], Point2(3, 0));
-  EXPECT_EQ(cut[2][1], Point2(9, 0));
-  EXPECT_EQ(cut_pattern(line, std::vector<double>{0, 0}, 1).points, line.points);
 }
 
 /// Device files: numbers within their bounds, and nothing in braces that would reach the machine.

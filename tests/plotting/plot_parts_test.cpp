@@ -123,20 +123,6 @@ TEST(PlotParts, ActionsPausesAndPlacesInGcode) {
             "G0 X0 Y0\nM2\n");
 }
 
-TEST(Tiles, LinesAreCutAtTheBox) {
-  Polylines lines;
-  lines.add(std::array{Point2{-5, 5}, Point2{15, 5}, Point2{15, 8}, Point2{-5, 8}});
-  lines.add(std::array{Point2{3, 3}, Point2{3, 3}});
-  lines.add(std::array{Point2{20, 0}, Point2{20, 9}});
-  lines.add(std::array{Point2{5, 15}, Point2{10, 10}, Point2{15, 5}});
-  const Polylines kept = clip_to_box(lines, {{0, 0}, {10, 10}});
-  ASSERT_EQ(kept.size(), 3u);
-  EXPECT_EQ(kept[0].front(), (Point2{0, 5}));
-  EXPECT_EQ(kept[0].back(), (Point2{10, 5}));
-  EXPECT_EQ(kept[1].front(), (Point2{10, 8}));
-  EXPECT_EQ(kept[2].size(), 2u) << "a dot stays; a corner that is only touched is nothing";
-}
-
 TEST(Tiles, SheetsTogetherAreTheDrawing) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> x(0, 500), y(0, 330);

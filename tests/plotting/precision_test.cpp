@@ -3,9 +3,11 @@
 #include <zlib.h>
 
 #include "main/script.hpp"
+#include "plotting/dashes.hpp"
 #include "plotting/readers/drawing_reader.hpp"
 #include "plotting/readers/utf8.hpp"
 #include "plotting/stroke_text.hpp"
+#include "plotting/tiles.hpp"
 #include "plotting/writers/number_text.hpp"
 #include "sample_drawing.hpp"
 #include "view/axes/axes_layout.hpp"
@@ -161,6 +163,17 @@ std::string text_of_lines(const Polylines& lines) {
   return text;
 }
 
+constexpr Rect kSheet{{0, 0}, {10, 10}};
+
+/// "NUMBERS: LINES": the lines cut by the numbers.
+template <class Cut>
+std::string cut_by(const std::string& text, const Cut& cut) {
+  const std::size_t colon = text.find(':');
+  std::vector<double> lengths;
+  for (const std::string& word : test::words_of(text.substr(0, colon))) lengths.push_back(std::stod(word));
+  return text_of_lines(cut(lines_of_text(text.substr(colon + 1)), lengths));
+}
+
 /// The data of the paths of an SVG, each in brackets.
 std::string paths_of(const Polylines& lines) {
   Drawing drawing;
@@ -172,7 +185,7 @@ std::string paths_of(const Polylines& lines) {
   return paths;
 }
 
-/// Texts of numbers, lengths and pages, lines that are joined, and paths of an SVG: the folder values.
+/// Texts of numbers, lengths and pages, lines that are joined or dashed, and paths of an SVG: the folder values.
 const test::TextFunctions kFunctions{
     {"fixed", [](auto& t) { return fixed(std::stoll(t), 4); }},
     {"fixed-with-zero", [](auto& t) { return fixed(std::stoll(t), 4, false); }},
@@ -181,6 +194,9 @@ const test::TextFunctions kFunctions{
     {"join", [](auto& t) { return text_of_lines(join_strokes(lines_of_text(t), {})); }},
     {"join-exact", [](auto& t) { return text_of_lines(join_strokes(lines_of_text(t), {0.0})); }},
     {"join-ends", [](auto& t) { return text_of_lines(join_near_ends(lines_of_text(t), 0.05)); }},
+    {"dashes", [](auto& t) { return cut_by(t, [](auto lines, auto cut) { return cut_dashes(lines, cut, 0.5); }); }},
+    {"marks", [](auto& t) { return cut_by(t, [](auto lines, auto cut) { return cut_pattern(lines, cut, 1); }); }},
+    {"within-10", [](auto& t) { return text_of_lines(clip_to_box(lines_of_text(t), kSheet)); }},
     {"path", [](auto& t) { return paths_of(lines_of_text(t)); }},
     {"json", [](auto& t) { return std::to_string(read_json_drawing(t, "a.json").drawing.layers.size()); }},
     {"boxes", [](auto& t) { return std::to_string(boxes_of(t)); }},
