@@ -5,13 +5,9 @@
 #include "main/tier.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/readers/reader.hpp"
-#include "support/scene_parts.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
-#include "view/projected_scene.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
 #include "visibility/edges/appel.hpp"
-#include "visibility/registry.hpp"
 
 namespace ligne::test {
 namespace {

@@ -9,7 +9,6 @@
 #include "support/corpus_scene.hpp"
 #include "support/judge.hpp"
 #include "support/test.hpp"
-#include "view/projected_scene.hpp"
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
 #include "visibility/registry.hpp"
 

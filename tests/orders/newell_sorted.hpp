@@ -1,11 +1,17 @@
 #pragma once
 /// The list of the method newell, sorted for a scene and a view.
 
+#include "drawing/measures.hpp"
 #include "studies/scenes/generators.hpp"
 #include "support/scenes.hpp"
 #include "visibility/newell/priority_list.hpp"
 
 namespace ligne::test {
+
+/// The picture of which the method makes its list, one millimetre a unit.
+inline Picture listed(const Scene& scene, const Point3& direction = {0, 1, 0}) {
+  return draw(scene, {along(direction), "all", false, 1, "appel"});
+}
 
 /// A list and how it came about. The viewer looks along +y: x to the right, z up, what has the larger y is farther.
 struct Sorted {
@@ -13,8 +19,8 @@ struct Sorted {
   newell::ListCounts counts;
 };
 
-inline Sorted sorted(const Scene& scene, const CameraRequest& camera = along({0, 1, 0})) {
-  const Picture picture = draw(scene, {camera, "all", false, 1, "appel"});
+inline Sorted sorted(const Scene& scene, const Point3& direction = {0, 1, 0}) {
+  const Picture picture = listed(scene, direction);
   newell::PaintElements elements(picture.projected);
   newell::PriorityList list(elements);
   Sorted result;

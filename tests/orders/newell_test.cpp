@@ -2,8 +2,6 @@
 
 #include "base/parallel.hpp"
 #include "newell_sorted.hpp"
-#include "support/test.hpp"
-#include "visibility/registry.hpp"
 
 namespace ligne::test {
 namespace {
@@ -15,10 +13,10 @@ using studies::ring;
 // Plates that overlap in a strip narrower than a step of the lattice: a line on the strip is hidden with it, so they have an
 // order. Pieces smaller than a step have none: nothing can be seen of them.
 TEST(Newell, NarrowStripsHaveAnOrder) {
-  const double step = draw(ring(3), {along({0, 1, 0}), "all", false, 1, "appel"}).projected.lattice.step_mm;
+  const double step = listed(ring(3)).projected.lattice.step_mm;
   const auto disjoint = [](double overlap, double size) {
     const Scene scene = plates({{0, 10, 0, 10, 5, 5}, {10 - overlap, 10 - overlap + size, 2, 2 + size, 2, 2}});
-    const Picture picture = draw(scene, {along({0, 1, 0}), "all", false, 1, "appel"});
+    const Picture picture = listed(scene);
     return PaintElements(picture.projected).disjoint(0, 1);
   };
   EXPECT_FALSE(disjoint(10 * step, 5));
@@ -55,54 +53,36 @@ TEST(Newell, SiblingsAreNotCompared) {
   EXPECT_EQ(sorted(scene).faces.size(), 1u);
 }
 
-double area(const PaintPiece& piece) {
-  double sum = 0;
-  for (const std::vector<Point2>& contour : piece.contours) {
-    double of_contour = 0;
-    for (std::size_t i = 2; i < contour.size(); ++i)
-      of_contour += cross(contour[i - 1] - contour[0], contour[i] - contour[0]) / 2;
-    sum += &contour == &piece.contours.front() ? std::abs(of_contour) : -std::abs(of_contour);
-  }
-  return sum;
-}
-
 // 2.5.2.1: the model of visibility is the faces in another order. A face with a hole is one piece of two contours, and a
 // face that was cut gives as many pieces as connected parts, with the area of the whole.
 TEST(Newell, TheOrderHoldsWholeFaces) {
   Scene scene;
   add_face(scene, {{{0, 0, 0}, {9, 0, 0}, {9, 0, 9}, {0, 0, 9}}, {{3, 0, 3}, {3, 0, 6}, {6, 0, 6}, {6, 0, 3}}});
   const auto order_of = [](const Scene& s, const Point3& direction) {
-    const Picture picture = draw(s, {along(direction), "all", false, 1, "appel"});
+    const Picture picture = listed(s, direction);
     return *find_method("newell")->compute_visibility(picture.projected, {}).order;
   };
   const PaintOrder whole = order_of(scene, {0, 1, 0});
   ASSERT_EQ(whole.pieces.size(), 1u);
   ASSERT_EQ(whole.pieces[0].contours.size(), 2u);
   EXPECT_EQ(whole.pieces[0].contours[0].size(), 4u);
-  EXPECT_NEAR(area(whole.pieces[0]), 72, 1e-9);
+  EXPECT_NEAR(area_within(whole.pieces[0].contours), 72, 1e-9);
 
   Scene bar = scene;  // goes through the hole of the face and through its rim
   add_face(bar, {{{1, -4, 4}, {8, -4, 4}, {8, 4, 5}, {1, 4, 5}}});
   const PaintOrder cut = order_of(bar, {0, 1, 0});
   double of_plate = 0, of_bar = 0;
-  for (const PaintPiece& piece : cut.pieces) (piece.face == 0 ? of_plate : of_bar) += area(piece);
+  for (const PaintPiece& piece : cut.pieces) (piece.face == 0 ? of_plate : of_bar) += area_within(piece.contours);
   EXPECT_GT(cut.pieces.size(), 2u);
   EXPECT_NEAR(of_plate, 72, 1e-6);
   EXPECT_NEAR(of_bar, 7, 1e-6);
 }
 
 /// Boxes that penetrate each other.
-Scene crowd_of_boxes(int count) {
-  Scene scene;
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> u(-1, 1);
-  for (int i = 0; i < count; ++i)
-    add_box(scene, Point3{u(random), u(random), u(random)} * 4.0, {2, 2, 2}, rotation(u(random) * 3, u(random), u(random)));
-  return scene;
-}
+Scene crowd_of_boxes() { return random_boxes(40, 3, 4, {2, 2, 2}); }
 
 TEST(Newell, IsTheSameEveryTimeWithAnyNumberOfThreads) {
-  const Scene scene = crowd_of_boxes(40);
+  const Scene scene = crowd_of_boxes();
   const Sorted first = sorted(scene);
   for (const unsigned threads : {1u, 4u})
     run_with_threads(threads, [&] {
@@ -117,7 +97,7 @@ TEST(Newell, IsTheSameEveryTimeWithAnyNumberOfThreads) {
 TEST(Newell, FacesOfAConvexBodyAreNotCompared) {
   Scene scene;
   add_box(scene, {0, 0, 0}, {2, 2, 2}, rotation(0.4, 0.5, 0.6));
-  const Picture picture = draw(scene, {along({0, 1, 0}), "all", false, 1, "appel"});
+  const Picture picture = listed(scene);
   const PaintElements elements(picture.projected);
   EXPECT_EQ(elements.bodies().count(), 1u);
   EXPECT_EQ(elements.bodies().faces(), 6u);
@@ -138,27 +118,24 @@ TEST(Newell, AZigzagIsNoConvexBody) {
     for (const Point3& p : {Point3{0, 0, z}, Point3{2, 2, z}, Point3{4, 0, z}, Point3{6, 2, z}}) scene.vertices.push_back(p);
   for (std::uint32_t i = 0; i < 3; ++i) scene.faces.add_face(std::vector<std::uint32_t>{i, i + 1, i + 5, i + 4});
   end_object(scene);
-  const Picture picture = draw(scene, {along({0.3, 1, 0}), "all", false, 1, "appel"});
+  const Picture picture = listed(scene, {0.3, 1, 0});
   EXPECT_EQ(PaintElements(picture.projected).bodies().count(), 0u);
 }
 
 // The list of a view, with its pieces, is a good beginning for that of a similar one: hardly anything is moved or cut. The
 // strokes are the same either way.
 TEST(Newell, TakesOverTheListOfASimilarView) {
-  const Scene scene = crowd_of_boxes(40);
+  const Scene scene = crowd_of_boxes();
   const Method& newell = *find_method("newell");
   const auto study = [&](double degrees, const KeptVisibility* earlier) {
     const double turn = degrees * std::numbers::pi / 180;
-    const Picture picture = draw(scene, {along({std::sin(turn), std::cos(turn), -0.3}), "all", false, 1, "appel"});
+    const Picture picture = listed(scene, {std::sin(turn), std::cos(turn), -0.3});
     VisibilityOptions options;
     options.keep = Keep::for_next_view;
     options.earlier = earlier;
     return newell.compute_visibility(picture.projected, options);
   };
-  const auto count = [](const VisibilityResult& result, std::string_view name) {
-    const auto& counts = result.statistics.counts;
-    return std::ranges::find(counts, name, &std::pair<std::string, std::uint64_t>::first)->second;
-  };
+  const auto count = [](const VisibilityResult& result, const char* name) { return count_of(result.statistics, name); };
   const auto length = [](const VisibilityResult& result) {
     double sum = 0;
     for (const Stroke& s : result.strokes->strokes) sum += std::hypot(double(s.to.x) - s.from.x, double(s.to.y) - s.from.y);
@@ -190,17 +167,15 @@ TEST(Newell, Figure272) {
 }
 
 // Figure 2.81 a: P has the farther point and hides Q. P: from depth 9 at x = 0 to 1 at x = 10; Q: depth 6, x from 7 to 9,
-// where P is at 3.4 to 1.8. Q is moved to the head.
-TEST(Newell, Figure281a) {
+// where P is at 3.4 to 1.8. Q is moved to the head. Figure 2.81 b: both reach as far, to 8. The list begins with either; P
+// (0) hides Q at x = 8..9, where it is at 1.6 to 0.8 and Q, which is level, at 8.
+TEST(Newell, Figure281aAndB) {
   const Sorted s = sorted(plates({{0, 10, 0, 10, 9, 1}, {7, 9, 3, 6, 6, 6}}));
   EXPECT_EQ(s.faces, (Order{1, 0}));
   EXPECT_EQ(s.counts.moved, 1u);
   EXPECT_EQ(s.counts.plane_cuts + s.counts.page_cuts, 0u);
+  EXPECT_EQ(sorted(plates({{0, 10, 0, 10, 8, 0}, {8, 9, 3, 6, 8, 8}})).faces, (Order{1, 0}));
 }
-
-// Figure 2.81 b: both reach as far, to 8. The list begins with either; P (0) hides Q at x = 8..9, where it is at 1.6 to 0.8
-// and Q, which is level, at 8.
-TEST(Newell, Figure281b) { EXPECT_EQ(sorted(plates({{0, 10, 0, 10, 8, 0}, {8, 9, 3, 6, 8, 8}})).faces, (Order{1, 0})); }
 
 // Figure 2.81 c: they pass through each other along x = 5. One is cut: three elements, the halves of one on both sides of
 // the other.
@@ -298,7 +273,7 @@ void add_zigzag(Scene& scene, int r, double x0, double lean) {
 // sides. A comb of t teeth has 4 t corners; a cut through the teeth leaves its back and t points.
 TEST(Newell, Figure285PiecesOfACut) {
   const auto pieces = [](const Scene& scene, const ModelPlane& plane) {
-    const Picture picture = draw(scene, {along({0, 1, 0}), "all", false, 1, "appel"});
+    const Picture picture = listed(scene);
     PaintElements elements(picture.projected);
     return elements.cut(0, plane).size();
   };

@@ -2,7 +2,6 @@
 
 #include "base/parallel.hpp"
 #include "newell_sorted.hpp"
-#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
@@ -93,9 +92,8 @@ TEST(NewellZones, AZoneIsSortedAsItIsAlone) {
         piece.face += static_cast<std::uint32_t>(first_face - 2);
         expected.push_back(piece);
       }
-      for (const PaintPiece& piece : all.order->pieces) {
+      for (const PaintPiece& piece : all.order->pieces)
         if (piece.face >= first_face && piece.face < first_face + count) found.push_back(piece);
-      }
       EXPECT_GT(found.size(), count / 2);
       ASSERT_EQ(found.size(), expected.size());
       EXPECT_TRUE(std::ranges::equal(found, expected, is_same));
@@ -108,7 +106,7 @@ TEST(NewellZones, AZoneIsSortedAsItIsAlone) {
 // alone.
 TEST(NewellZones, ListsAddUp) {
   const Scene scene = zones_apart({12, 3, 12});
-  const Picture picture = draw(scene, {along({0, 1, 0}), "all", false, 1, "appel"});
+  const Picture picture = listed(scene);
   newell::PaintElements elements(picture.projected);
   newell::PriorityList list(elements);
   list.sort();
@@ -139,9 +137,7 @@ TEST(NewellZones, TheNextViewTakesOverPiecesOfAllZones) {
     options.earlier = earlier;
     return find_method("newell")->compute_visibility(picture.projected, options);
   };
-  const auto count = [](const VisibilityResult& result, std::string_view name) {
-    return std::ranges::find(result.statistics.counts, name, &std::pair<std::string, std::uint64_t>::first)->second;
-  };
+  const auto count = [](const VisibilityResult& result, const char* name) { return count_of(result.statistics, name); };
   const VisibilityResult first = study(0, nullptr);
   ASSERT_GT(count(first, "final elements"), count(first, "faces in the list") + 100);
   const VisibilityResult again = study(0, first.kept.get());

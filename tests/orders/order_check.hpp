@@ -1,7 +1,6 @@
 #pragma once
 /// An order of painting against the oracle, at points of the page.
 
-#include "drawing/result_models.hpp"
 #include "support/judge.hpp"
 
 namespace ligne::test {

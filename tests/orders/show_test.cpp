@@ -1,22 +1,19 @@
 // Debug layers that --show draws of a method: numbers of an order, planes of a tree, zones and slabs, spans, clipped
 // polygons.
 
-#include "drawing/measures.hpp"
 #include "main/tier.hpp"
 #include "newell_sorted.hpp"
 #include "support/corpus_scene.hpp"
-#include "support/scenes.hpp"
 #include "support/standard_views.hpp"
 #include "support/test.hpp"
 #include "support/variants.hpp"
-#include "visibility/registry.hpp"
 
 namespace ligne::test {
 namespace {
 
 /// The viewer looks along +y: what has the larger y is farther.
 VisibilityResult shown(const Scene& scene, const char* method, std::string_view what) {
-  const Picture picture = draw(scene, {along({0, 1, 0}), "all", false, 1, "appel"});
+  const Picture picture = listed(scene);
   VisibilityOptions options;
   const auto parameters = find_method(method)->traits().parameters;
   const auto show = std::ranges::find(parameters, "show", &MethodParameter::name);
@@ -132,9 +129,8 @@ std::string bytes_of(const VisibilityResult& result) {
     add_contours(p.contours);
   }
   for (const Span& s : result.spans ? result.spans->spans : std::vector<Span>{}) add(s.line, s.x_from, s.x_to, s.face);
-  if (result.pixels) {
+  if (result.pixels)
     for (const std::uint32_t face : result.pixels->face) add(face);
-  }
   return bytes + result.unsupported_reason + result.left_out;
 }
 

@@ -3,9 +3,6 @@
 #include "newell_sorted.hpp"
 #include "scene/clean/check_facts.hpp"
 #include "scene/clean/clean.hpp"
-#include "support/scenes.hpp"
-#include "support/test.hpp"
-#include "visibility/registry.hpp"
 
 namespace ligne::test {
 namespace {
@@ -115,12 +112,12 @@ TEST(StatedFacts, SeparatingPlanesSpareComparisons) {
   // The depths of the boxes overlap as they are seen.
   const Point3 aslant{0.5, 1, -0.4};
   Scene scene = three_boxes();
-  const Sorted without = sorted(scene, along(aslant));
+  const Sorted without = sorted(scene, aslant);
   scene.stated.planes = {{{0, 3, 0}, {0, -1, 0}}, {{3, 0, 0}, {1, 0, 0}}};
   EXPECT_NE(false_fact(scene), "") << "the third box reaches through x = 3";
   scene.stated.planes.pop_back();
   EXPECT_EQ(false_fact(scene), "");
-  const Sorted with = sorted(scene, along(aslant));
+  const Sorted with = sorted(scene, aslant);
   EXPECT_LT(with.counts.compared + with.counts.one_body, without.counts.compared + without.counts.one_body);
   ASSERT_EQ(with.faces.size(), 18u);
   for (std::size_t i = 0; i < 6; ++i) EXPECT_GE(with.faces[i], 12u) << "the box behind is painted first";
@@ -141,7 +138,7 @@ TEST(StatedFacts, ConvexFacesThatDoNotPenetrateHideOneWay) {
 TEST(StatedFacts, ConvexBodiesTakeOneHeightATriangle) {
   Scene scene = three_boxes();
   const auto heights = [](const Scene& s) {
-    const Picture picture = draw(s, {along({0.5, 1, -0.4}), "all", false, 1, "appel"});
+    const Picture picture = listed(s, {0.5, 1, -0.4});
     const newell::PaintElements elements(picture.projected);
     EXPECT_EQ(elements.bodies().count(), 3u);
     return elements.bodies().heights();
@@ -151,61 +148,26 @@ TEST(StatedFacts, ConvexBodiesTakeOneHeightATriangle) {
   EXPECT_EQ(heights(scene), 3u * 12);
 }
 
-Scene crowd_of_boxes(int n, double apart) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> u(0, 1);
-  Scene scene;
-  for (int i = 0; i < n; ++i) {
-    add_box(scene, Point3{u(random), u(random), u(random)} * apart, {2, 2, 2},
-            rotation(u(random) * 3, u(random), u(random)));
-  }
-  return finished(scene);
-}
-
 VisibilityResult painted(const ProjectedScene& projected, bool bodies) {
   VisibilityOptions options;
   if (bodies) options.settings.set("newell-elements", ParameterWord{1});
   return find_method("newell")->compute_visibility(projected, options);
 }
 
-std::uint64_t count(const VisibilityResult& result, std::string_view name) {
-  for (const auto& [known, number] : result.statistics.counts)
-    if (known == name) return number;
-  ADD_FAILURE() << "there is no count of " << name;
-  return 0;
-}
+std::uint64_t count(const VisibilityResult& result, const char* name) { return count_of(result.statistics, name); }
 
 /// Per face the area of its regions, mm^2.
 std::vector<double> visible_areas(const VisibilityResult& result, const Scene& scene) {
   std::vector<double> areas(scene.faces.size(), 0);
-  for (const Region& region : *result.regions) {
-    for (const std::vector<Point2>& c : region.contours) {
-      double twice = 0;
-      for (std::size_t i = 2; i < c.size(); ++i) twice += cross(c[i - 1] - c[0], c[i] - c[0]);
-      areas[region.face] += (&c == &region.contours.front() ? 0.5 : -0.5) * std::abs(twice);
-    }
-  }
+  for (const Region& region : *result.regions) areas[region.face] += area_within(region.contours);
   return areas;
-}
-
-/// Whether a point lies inside the contours of a piece, by the parity of their sides beyond it.
-bool contains(const PaintPiece& piece, Point2 p) {
-  bool inside = false;
-  for (const std::vector<Point2>& c : piece.contours) {
-    for (std::size_t i = 0; i < c.size(); ++i) {
-      const Point2 a = c[i], b = c[i + 1 == c.size() ? 0 : i + 1];
-      if ((a.x <= p.x) != (b.x <= p.x)) inside ^= a.y + (b.y - a.y) * (p.x - a.x) / (b.x - a.x) > p.y;
-    }
-  }
-  return inside;
 }
 
 /// The face that is painted last at a point, or kNone.
 std::uint32_t last_at(const PaintOrder& order, Point2 p) {
   std::uint32_t face = kNone;
-  for (const PaintPiece& piece : order.pieces) {
-    if (contains(piece, p)) face = piece.face;
-  }
+  for (const PaintPiece& piece : order.pieces)
+    if (holds(piece, p)) face = piece.face;
   return face;
 }
 
@@ -213,7 +175,7 @@ std::uint32_t last_at(const PaintOrder& order, Point2 p) {
 // less is compared where most bodies are apart; where they pass through each other they are opened, which spares nothing.
 TEST(NewellBodies, PaintTheSame) {
   for (const double apart : {20.0, 4.0}) {
-    const Scene scene = crowd_of_boxes(40, apart);
+    const Scene scene = finished(random_boxes(40, 7, apart / 2, {2, 2, 2}));
     const Picture picture = draw(scene, {along({0.3, 1, -0.4}), "all", false, 0, "appel"});
     const VisibilityResult faces = painted(picture.projected, false), bodies = painted(picture.projected, true);
     EXPECT_EQ(count(bodies, "elements in the list"), 40u);
@@ -246,7 +208,7 @@ TEST(NewellBodies, NestedBodiesAreOpened) {
   add_box(scene, {0, 0, 0}, {6, 6, 6});
   add_box(scene, {2, 2, 2}, {2, 2, 2});
   scene = finished(scene);
-  const Picture picture = draw(scene, {along({0.3, 1, -0.4}), "all", false, 1, "appel"});
+  const Picture picture = listed(scene, {0.3, 1, -0.4});
   const VisibilityResult bodies = painted(picture.projected, true), faces = painted(picture.projected, false);
   EXPECT_EQ(count(bodies, "bodies kept as one element"), 2u);
   EXPECT_GE(count(bodies, "bodies opened"), 1u);

@@ -5,7 +5,6 @@
 #include "studies/scenes/generators.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
 #include "visibility/bsp/bsp.hpp"
 #include "visibility/convex_tree/convex_tree_method.hpp"
 
@@ -179,13 +178,6 @@ TEST(Bsp, KeepsFacesOfOnePlaneInOneNode) {
   }
 }
 
-TEST(Bsp, AConvexBodyIsNotCut) {
-  Scene box;
-  add_box(box, {0, 0, 0}, {1, 2, 3});
-  EXPECT_EQ(BspTree(box, {}).counts().splits, 0u);
-  EXPECT_EQ(BspTree(box, {}).counts().nodes, 6u);
-}
-
 // With planes of faces only, each plane of a ball has all the rest behind it: as deep as there are faces, and neither the
 // building nor the walk may need the stack for it.
 TEST(Bsp, DeepTreesNeedNoStack) {
@@ -203,11 +195,7 @@ TEST(Bsp, DeepTreesNeedNoStack) {
 }
 
 TEST(Bsp, IsTheSameEveryTime) {
-  Scene scene;
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> u(-1, 1);
-  for (int i = 0; i < 40; ++i)
-    add_box(scene, Point3{u(random), u(random), u(random)} * 4.0, {2, 2, 2}, rotation(u(random) * 3, u(random), u(random)));
+  const Scene scene = random_boxes(40, 3, 4, {2, 2, 2});
   const BspTree a(scene, {}), b(scene, {});
   EXPECT_EQ(a.counts().splits, b.counts().splits);
   EXPECT_EQ(painted(a, eye_at({9, 8, 7})), painted(b, eye_at({9, 8, 7})));

@@ -1,14 +1,8 @@
 // Which faces are back faces is worked out by hand; and leaving them out changes no drawing of solids.
 
 #include "view/cull.hpp"
-#include "drawing/drawing.hpp"
-#include "linework/overlaps/coincident_strokes.hpp"
 #include "scene/clean/clean.hpp"
-#include "support/scene_parts.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
-#include "view/tolerances.hpp"
-#include "visibility/registry.hpp"
 
 namespace ligne::test {
 namespace {
@@ -52,14 +46,8 @@ TEST(Cull, BackFacesOfABox) {
   EXPECT_EQ(oblique.faces, 3u);
   EXPECT_EQ(oblique.objects, 1u);
   EXPECT_EQ(oblique.kept_objects, 0u);
-}
-
-TEST(Cull, FacesSeenEdgeOnStay) {
-  EXPECT_EQ(back_faces(box(), along({0, 1, 0})).culled, (std::vector<std::uint8_t>{0, 0, 0, 1, 0, 0}));
-}
-
-TEST(Cull, TheSignOfTheVolumeTellsWhatIsOutside) {
-  EXPECT_EQ(back_faces(turned_round(box())).culled, back_faces(box()).culled);
+  EXPECT_EQ(back_faces(turned_round(box())).culled, oblique.culled) << "the sign of the volume tells what is outside";
+  EXPECT_EQ(back_faces(box(), along({0, 1, 0})).culled, (std::vector<std::uint8_t>{0, 0, 0, 1, 0, 0})) << "edge on";
 }
 
 TEST(Cull, EveryShellOfAnObjectHasASignOfItsOwn) {
@@ -274,16 +262,16 @@ TEST(Coincident, CopiesAreStudiedOnce) {
 }
 
 TEST(Coincident, CopiesAreDrawnAsOneByEveryMethod) {
-  Scene one, many;
-  for (int i = 0; i < 7; ++i) {
-    Scene& scene = many;
-    add_pyramid(scene);
-    add_box(scene, {0.25, -1, 0.125}, {0.5, 3, 0.25});
-  }
-  add_pyramid(one);
-  add_box(one, {0.25, -1, 0.125}, {0.5, 3, 0.25});
+  const auto copies = [](int n) {
+    Scene scene;
+    for (int i = 0; i < n; ++i) {
+      add_pyramid(scene);
+      add_box(scene, {0.25, -1, 0.125}, {0.5, 3, 0.25});
+    }
+    return scene;
+  };
   for (const Method* method : all_methods())
-    EXPECT_EQ(lines_of(many, *method), lines_of(one, *method)) << method->traits().name;
+    EXPECT_EQ(lines_of(copies(7), *method), lines_of(copies(1), *method)) << method->traits().name;
 }
 
 TEST(Coincident, EveryTransparentPaneStays) {
@@ -340,12 +328,9 @@ TEST(Coincident, ACrowdOfNearlyEqualCubesIsOne) {
   const Method* appel = find_method("appel");
   ASSERT_NE(appel, nullptr);
   EXPECT_EQ(lines_of(crowd, *appel).size(), lines_of(one, *appel).size());
-}
-
-TEST(Coincident, AFewNearlyEqualCubesStayAsTheyAre) {
-  Scene scene;
-  for (int i = 0; i < 3; ++i) add_box(scene, {i * 1e-8, 0, 0}, {1, 1, 1});
-  EXPECT_EQ(projected(scene).triangles.size(), 36u);
+  Scene few;
+  for (int i = 0; i < 3; ++i) add_box(few, {i * 1e-8, 0, 0}, {1, 1, 1});
+  EXPECT_EQ(projected(few).triangles.size(), 36u) << "a few stay as they are";
 }
 
 }  // namespace

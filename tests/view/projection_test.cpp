@@ -3,13 +3,9 @@
 
 #include <glm/vec4.hpp>
 
-#include "scene/model/topology.hpp"
-#include "support/scene_parts.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
 #include "view/clip.hpp"
 #include "view/edge_on.hpp"
-#include "view/projected_scene.hpp"
 
 namespace ligne::test {
 namespace {

@@ -44,10 +44,9 @@ TEST(Ticks, TheExtremesOfDoublesEndInTime) {
                                  {-largest, 0.0},
                                  {largest / 2, largest},
                                  {-1.0, largest}}) {
-    for (const std::size_t most : {1u, 2u, 5u, 11u}) {
+    for (const std::size_t most : {1u, 2u, 5u, 11u})
       for (const TickScale scale : {TickScale::linear, TickScale::decades})
         for (const Tick& tick : round_ticks(scale, from, to, most)) EXPECT_TRUE(from <= tick.at && tick.at <= to);
-    }
   }
 }
 

@@ -2,10 +2,8 @@
 // double.
 
 #include "visibility/horizon/horizon.hpp"
-#include "base/parallel.hpp"
 #include "height_functions.hpp"
 #include "main/tier.hpp"
-#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
@@ -99,9 +97,8 @@ double brute_force(const HeightSource& source, const Drawn& picture) {
   for (std::size_t j = 0; j < ny; ++j) {
     source.read_row(j, row);
     const auto point = [&](std::size_t i, std::size_t k, double z) { return Point3{source.x()[i], source.y()[k], z}; };
-    if (j > 0) {
+    if (j > 0)
       for (std::size_t i = 0; i < nx; ++i) take(point(i, j - 1, before[i]), point(i, j, row[i]));
-    }
     for (std::size_t i = 1; i < nx; ++i) take(point(i - 1, j, row[i - 1]), point(i, j, row[i]));
     before = row;
   }

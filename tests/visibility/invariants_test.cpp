@@ -2,7 +2,6 @@
 
 #include "scene/clean/clean.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
 #include "visibility/edges/line_strokes.hpp"
 #include "visibility/order/model_pieces.hpp"
 #include "visibility/watkins/exact/crossing_queue.hpp"

@@ -6,8 +6,6 @@
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
-#include "support/test.hpp"
-#include "view/tolerances.hpp"
 #include "visibility/painter/paint_sequence.hpp"
 
 namespace ligne::test {

@@ -2,9 +2,7 @@
 // method are what the source says of them.
 
 #include "visibility/watkins/scan_plane.hpp"
-#include "base/no_index.hpp"
 #include "support/line_scans.hpp"
-#include "support/test.hpp"
 
 namespace ligne::watkins {
 namespace {
@@ -70,9 +68,8 @@ TEST_P(ScanPlanes, TheStackHoldsAllOtherSegments) {
     if (current.row != 0) continue;
     const double x = (current.x0 + current.x1) / 2;
     std::vector<std::uint32_t> expected, found;
-    for (std::uint32_t i = 0; i < plane.segments.size(); ++i) {
+    for (std::uint32_t i = 0; i < plane.segments.size(); ++i)
       if (plane.segments[i].x0 < x && x < plane.segments[i].x1) expected.push_back(i);
-    }
     for (const ScanPlane::Run& bar : plane.bars) {
       const bool lives = plane.segments[bar.segment].x1 > x;  // ended ones may still lie there
       if (bar.x0 == current.x0 && bar.x1 == current.x1 && lives) found.push_back(bar.segment);

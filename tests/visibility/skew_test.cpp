@@ -5,8 +5,6 @@
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
-#include "support/test.hpp"
-#include "visibility/registry.hpp"
 #include "visibility/watkins/skew_faces.hpp"
 
 namespace ligne::watkins::skew_test {
@@ -16,6 +14,9 @@ using namespace ligne::test;
 
 /// A square of 80 with one corner raised by 40: between its left and right sides the height is x y / 160.
 const std::vector<Point3> kTwisted = {{0, 0, 0}, {80, 0, 0}, {80, 80, 40}, {0, 80, 0}};
+
+/// Across it at the height 10.
+const std::vector<Point3> kPlate = {{-5, 30, 10}, {85, 30, 10}, {85, 50, 10}, {-5, 50, 10}};
 
 Scene with_twisted(const std::vector<std::vector<Point3>>& others) {
   std::vector<std::vector<Point3>> faces = {kTwisted};
@@ -60,7 +61,7 @@ constexpr double kLatticeMm = 1e-5;
 /// A plate at the height 10 with two edges across the square. On the ruled surface an edge at y is hidden where x > 1600 /
 /// y; on triangles the diagonal from (0, 0) to (80, 80), or the other, bends the surface, and the ends are elsewhere.
 TEST(SkewFaces, HideByTheRuledSurface) {
-  const Scene scene = with_twisted({{{-5, 30, 10}, {85, 30, 10}, {85, 50, 10}, {-5, 50, 10}}});
+  const Scene scene = with_twisted({kPlate});
   ASSERT_EQ(scene.faces.size(), 3u) << "the reader cuts the square in two";
   const ProjectedScene projected = from_above(scene);
   const Point2 origin = origin_of(projected);
@@ -104,7 +105,7 @@ TEST(SkewFaces, HideObliqueEdges) {
 
 /// The plate at the height 10 penetrates along x y = 1600, drawn from line to line.
 TEST(SkewFaces, PenetrateAlongCurves) {
-  const Scene scene = with_twisted({{{-5, 30, 10}, {85, 30, 10}, {85, 50, 10}, {-5, 50, 10}}});
+  const Scene scene = with_twisted({kPlate});
   const ProjectedScene projected = from_above(scene);
   const Point2 origin = origin_of(projected);
   const VisibilityResult result = study(projected, true);
@@ -128,7 +129,7 @@ TEST(SkewFaces, PenetrateAlongCurves) {
 
 /// The spans of a line change at the same places.
 TEST(SkewFaces, SpansEndOnTheRuledSurface) {
-  const Scene scene = with_twisted({{{-5, 30, 10}, {85, 30, 10}, {85, 50, 10}, {-5, 50, 10}}});
+  const Scene scene = with_twisted({kPlate});
   const ProjectedScene projected = from_above(scene);
   const Point2 origin = origin_of(projected);
   const VisibilityResult result = study(projected, true);
@@ -224,12 +225,9 @@ TEST(RuledParts, LinesAreHiddenWhereTheyAreFarther) {
     if (round % 5 == 0) to.p.y = from.p.y;
     const PageLine line(from, to, kNone, kNone);
     std::vector<HiddenInterval> hidden;
-    for (const RuledPart& part : parts) {
-      for (const HiddenInterval& h : behind_ruled_part(line, part, 1e-9)) {
-        if (h.sides == HiddenSides::none) continue;
-        hidden.push_back(h);
-      }
-    }
+    for (const RuledPart& part : parts)
+      for (const HiddenInterval& h : behind_ruled_part(line, part, 1e-9))
+        if (h.sides != HiddenSides::none) hidden.push_back(h);
     for (double t = 0.003; t < 1; t += 0.01) {
       const double x = line.p0.x + t * line.dx, y = line.p0.y + t * line.dy;
       const auto surface = depth_over(parts, x, y);

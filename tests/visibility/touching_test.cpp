@@ -1,7 +1,6 @@
 // Solids that touch: every line once, and all of it.
 
 #include "support/scenes.hpp"
-#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
@@ -66,38 +65,6 @@ TEST(TouchingCubes, SeenStraightOn) {
   front.named_view = "front";
   const Picture p = draw(scene, {front, "all", false, 10});
   EXPECT_NEAR(p.length(), 2 * (kSide + 1) * kSide * 10, 0.001 * 2 * (kSide + 1) * kSide);
-}
-
-TEST(Touching, BoxOnAPlateShowsItsFoot) {
-  Scene scene;
-  add_box(scene, {-10, -10, -1}, {20, 20, 1});
-  add_box(scene, {-2, -2, 0}, {4, 4, 4});
-  const Picture p = draw(scene, {along({-1, 1, -1}), "feature", false, 1});
-  // Plate and box show nine edges each; the box hides parts of the plate's two back edges? No: the plate reaches 8 units
-  // beyond the box on every side, and the box is 4 high: all of the plate's edges are seen.
-  const double unit = std::sqrt(2.0 / 3);
-  EXPECT_NEAR(p.length(), unit * (3 * 20 + 3 * 20 + 3 * 1 + 9 * 4), 0.02);
-  EXPECT_NEAR(p.length_of(LineClass::intersection), 0, 0.001) << "what touches does not penetrate";
-}
-
-TEST(Touching, CoplanarPlatesHideNothingOfEachOther) {
-  const Scene scene =
-      scene_of_faces({{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}, {{5, 5, 0}, {15, 5, 0}, {15, 15, 0}, {5, 15, 0}}});
-  const Picture p = draw(scene, {along({0.1, 0.3, -1}), "feature", false, 1});
-  const Scene one = scene_of_faces({{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}});
-  const Picture first = draw(one, {along({0.1, 0.3, -1}), "feature", false, 1});
-  EXPECT_NEAR(p.length(), 2 * first.length(), 0.01);
-}
-
-TEST(Touching, DuplicateFacesAreDrawnOnce) {
-  Scene scene;
-  for (int i = 0; i < 3; ++i) add_box(scene, {0, 0, 0}, {10, 10, 10});
-  const Picture p = draw(scene, {along({-1, 2, -1}), "all", true, 1});
-  Scene one;
-  add_box(one, {0, 0, 0}, {10, 10, 10});
-  const Picture q = draw(one, {along({-1, 2, -1}), "all", true, 1});
-  EXPECT_NEAR(p.length(), q.length(), 0.001);
-  EXPECT_NEAR(p.length(false), q.length(false), 0.001);
 }
 
 // A corner beside a facet sees the errors of the facet's corners enlarged: the fourth corner of a parallelogram three times.

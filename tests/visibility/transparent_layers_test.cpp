@@ -2,8 +2,6 @@
 
 #include "scene/clean/clean.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
-#include "visibility/registry.hpp"
 
 namespace ligne::test::transparent_layers_test {
 namespace {
@@ -55,9 +53,8 @@ struct PanesScene {
 };
 
 Seen span_at(const SpanModel& model, std::uint32_t line, double x) {
-  for (const Span& s : model.spans) {
+  for (const Span& s : model.spans)
     if (s.line == line && s.x_from <= x && x < s.x_to) return seen_of(model.layers, s.face, s.in_front);
-  }
   return {};
 }
 

@@ -80,39 +80,25 @@ TEST(WarnockAnalysis, RelationsOfAFaceWithAHole) {
   EXPECT_EQ(relation({-2000, 2000, -2000, 2000}), Relation::intersector) << "the face lies in the window";
 }
 
-TEST(WarnockAnalysis, RelationsOfAFaceThatIsNotConvex) {
-  Stage stage;
+TEST(WarnockAnalysis, RelationsOfAFaceThatIsNotConvexAndInTurnedWindows) {
+  const auto relation = [](const Stage& stage, const FaceTable& table, const Window& w) {
+    AnalysisCounts counts;
+    std::uint32_t side = 0;
+    return relation_to(table, stage.face(0), w, side, counts);
+  };
   // An arrow head: the fan from its inner corner covers it.
-  const auto number = stage.add({{0, 0, 1}, {1000, -1000, 1}, {0, 2000, 1}, {-1000, -1000, 1}});
-  const FaceTable& table = stage.table();
-  AnalysisCounts counts;
-  std::uint32_t side = 0;
-  EXPECT_EQ(relation_to(table, stage.face(number), {-50, 50, -600, -500}, side, counts), Relation::disjoint)
-      << "in the notch";
-  EXPECT_EQ(relation_to(table, stage.face(number), {-50, 50, 300, 400}, side, counts), Relation::surrounder);
-}
-
-TEST(WarnockAnalysis, RelationsHoldInTurnedWindows) {
-  Stage stage;
-  const auto number = stage.add_rectangle(-1000, -1000, 1000, 1000, 1);
-  const FaceTable& table = stage.table({3, 4});  // 25 frame units are 5 steps
-  AnalysisCounts counts;
-  std::uint32_t side = 0;
-  EXPECT_EQ(relation_to(table, stage.face(number), {-2500, 2500, -2500, 2500}, side, counts), Relation::surrounder);
-  EXPECT_EQ(relation_to(table, stage.face(number), {3500, 4500, 3500, 4500}, side, counts), Relation::intersector);
-  EXPECT_EQ(relation_to(table, stage.face(number), {5500, 6500, 5500, 6500}, side, counts), Relation::disjoint);
+  Stage arrow("face 0,0,1 1000,-1000,1 0,2000,1 -1000,-1000,1"), turned("rectangle -1000 -1000 1000 1000 1");
+  const FaceTable& table = arrow.table();
+  EXPECT_EQ(relation(arrow, table, {-50, 50, -600, -500}), Relation::disjoint) << "in the notch";
+  EXPECT_EQ(relation(arrow, table, {-50, 50, 300, 400}), Relation::surrounder);
+  const FaceTable& other = turned.table({3, 4});  // 25 frame units are 5 steps
+  EXPECT_EQ(relation(turned, other, {-2500, 2500, -2500, 2500}), Relation::surrounder);
+  EXPECT_EQ(relation(turned, other, {3500, 4500, 3500, 4500}), Relation::intersector);
+  EXPECT_EQ(relation(turned, other, {5500, 6500, 5500, 6500}), Relation::disjoint);
 }
 
 TEST(WarnockAnalysis, TheRememberedSideIsTriedFirst) {
-  Stage stage;
-  stage.add({{-1000, -1000, 1},
-             {0, -1400, 1},
-             {1000, -1000, 1},
-             {1400, 0, 1},
-             {1000, 1000, 1},
-             {0, 1400, 1},
-             {-1000, 1000, 1},
-             {-1400, 0, 1}});
+  Stage stage("face -1000,-1000,1 0,-1400,1 1000,-1000,1 1400,0,1 1000,1000,1 0,1400,1 -1000,1000,1 -1400,0,1");
   const FaceTable& table = stage.table();
   const Analysis analysis(table, 1, true);
   AnalysisCounts counts;

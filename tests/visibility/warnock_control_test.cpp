@@ -3,7 +3,6 @@
 #include "base/parallel.hpp"
 #include "studies/scenes/generators.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
 #include "visibility/warnock_tools.hpp"
 
 namespace ligne::test {

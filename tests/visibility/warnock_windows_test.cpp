@@ -1,5 +1,9 @@
 // Windows with borders in any direction, of the method warnock.
 
+#include "drawing/measures.hpp"
+#include "support/corpus_scene.hpp"
+#include "support/scenes.hpp"
+#include "support/standard_views.hpp"
 #include "support/test.hpp"
 #include "visibility/warnock_tools.hpp"
 
@@ -199,6 +203,130 @@ TEST(WarnockPolygon, DivisionAlongSidesSavesWindowsInEveryView) {
     if (view.name != "iso") continue;
     EXPECT_EQ(sides, 35u);
     EXPECT_EQ(windows_of(projected, kVertex), 769u);
+  }
+}
+
+// Areas of the method warnock: no overlap, no gap, and each shows the face that is in front.
+
+struct Areas {
+  ProjectedScene projected;
+  std::vector<Region> regions;
+};
+
+Areas areas_of(const Scene& scene, const CameraRequest& camera, const MethodSettings& settings = {}) {
+  Areas result{project_on_a4(scene, camera), {}};
+  VisibilityOptions options;
+  options.settings = settings;
+  result.regions = *find_method("warnock")->compute_visibility(result.projected, options).regions;
+  return result;
+}
+
+/// Depths of all opaque faces at a page point, by their triangles.
+std::map<std::uint32_t, double> depths_of_faces_at(const ProjectedScene& scene, Point2 mm) {
+  std::map<std::uint32_t, double> depths;
+  const Point2 p = (mm - scene.lattice.origin_mm) / scene.lattice.step_mm;
+  for_triangles_at(scene, p, [&](const Triangle& t, double z, double least) {
+    if (least < 0 || (!scene.face_is_transparent.empty() && scene.face_is_transparent[t.face])) return;
+    const auto found = depths.try_emplace(t.face, z).first;
+    found->second = std::min(found->second, z);
+  });
+  return depths;
+}
+
+class WarnockRegions : public testing::TestWithParam<std::filesystem::path> {};
+
+TEST_P(WarnockRegions, ShowTheFaceInFrontEverywhereOnce) {
+  const Scene scene = scene_of_file(GetParam());
+  for (const StandardView& view : standard_views(scene)) {
+    if (view.name != "odd" && view.name != "near" && view.name != "front") continue;
+    const Areas areas = areas_of(scene, view.camera);
+    constexpr int kColumns = 61, kRows = 43;
+    constexpr double kDepthMm = 0.002;  // nearer to each other than this faces touch
+    std::vector<Rect> boxes;
+    for (const Region& r : areas.regions) {
+      EXPECT_GT(area_of(r), 0);
+      Rect box;
+      for (const Point2 p : r.contours[0]) box.extend(p);
+      boxes.push_back(box);
+      for (std::size_t k = 1; k < r.contours.size(); ++k) EXPECT_LT(area_of(r.contours[k]), 0) << "hole";
+    }
+    int wrong = 0, asked = 0;
+    std::string first;
+    for (int row = 0; row < kRows; ++row) {
+      for (int column = 0; column < kColumns; ++column) {
+        const Point2 p{kPageWidth * (column + 0.4137) / kColumns, kPageHeight * (row + 0.5793) / kRows};
+        bool near = false;
+        std::vector<std::uint32_t> shown;
+        for (std::size_t i = 0; i < areas.regions.size(); ++i) {
+          const Rect& b = boxes[i];
+          if (p.x < b.min.x - 1 || p.x > b.max.x + 1 || p.y < b.min.y - 1 || p.y > b.max.y + 1) continue;
+          near = near || is_near_side(areas.regions[i], p, 0.002);
+          if (holds(areas.regions[i], p)) shown.push_back(areas.regions[i].face);
+        }
+        if (near) continue;
+        ++asked;
+        const auto depths = depths_of_faces_at(areas.projected, p);
+        bool right = shown.size() == (depths.empty() ? 0u : 1u);
+        if (right && !shown.empty()) {
+          const auto own = depths.find(shown[0]);
+          const double nearest =
+              std::min_element(depths.begin(), depths.end(), [](auto& a, auto& b) { return a.second < b.second; })->second;
+          right = own != depths.end() && own->second <= nearest + kDepthMm;
+        }
+        if (right) continue;
+        ++wrong;
+        if (first.empty()) {
+          first = "at " + std::to_string(p.x) + ", " + std::to_string(p.y) + ": shown";
+          for (const auto f : shown) first += " " + std::to_string(f);
+          first += "; there are";
+          for (const auto& [f, z] : depths) first += " " + std::to_string(f) + " (" + std::to_string(z) + ")";
+        }
+      }
+    }
+    EXPECT_EQ(wrong, 0) << view.name << ", of " << asked << ", first " << first;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, WarnockRegions, testing::ValuesIn(corpus_files(kLargeSceneBytes)),
+                         [](const auto& info) { return info.param.stem().string(); });
+
+/// A plate of 4 x 3 behind a cube: what is seen of both together is the plate, seen from above.
+TEST(WarnockAreas, AddUpToThePlateBehind) {
+  Scene scene;
+  add_face(scene, {{{-4, -3, 0}, {4, -3, 0}, {4, 3, 0}, {-4, 3, 0}}});
+  add_box(scene, {0, 0, 2}, {2, 2, 1}, rotation(0.3, 0.2, 0.4));
+  add_box(scene, {1, 0, 2}, {2, 1, 1}, rotation(0.1, -0.6, 0.2));  // penetrates the other
+  for (const unsigned window : {0u, 1u, 2u}) {                     // screen, bounding, principal
+    for (const unsigned split : {0u, 1u}) {
+      MethodSettings settings;
+      settings.set("warnock-window", ParameterWord{window});
+      settings.set("warnock-split", ParameterWord{split});
+      const Areas areas = areas_of(scene, along({0, 0, -1}), settings);
+      double total = 0;
+      for (const Region& r : areas.regions) total += area_of(r);
+      const double scale = areas.projected.view.scale;
+      // Every corner is rounded to the lattice: half a step along the rim.
+      EXPECT_NEAR(total, 48 * scale * scale, 28 * scale * areas.projected.lattice.step_mm) << window << " " << split;
+      const auto of_plate =
+          std::count_if(areas.regions.begin(), areas.regions.end(), [](const Region& r) { return r.face == 0; });
+      EXPECT_EQ(of_plate, 1);
+      EXPECT_EQ(areas.regions[0].contours.size(), 2u) << "the plate has one hole, where the boxes are";
+    }
+  }
+}
+
+/// A bar before a plate cuts it in two; a plate with a hole shows what is behind.
+TEST(WarnockAreas, OneRegionForEachPieceWithItsHoles) {
+  const Scene scene =
+      scene_of_faces({{{-4, -3, 0}, {4, -3, 0}, {4, 3, 0}, {-4, 3, 0}}, {{-1, -5, 1}, {1, -5, 1}, {1, 5, 1}, {-1, 5, 1}}});
+  const Areas cut = areas_of(scene, along({0, 0, -1}));
+  ASSERT_EQ(cut.regions.size(), 3u);
+  EXPECT_EQ(cut.regions[0].face, 0u);
+  EXPECT_EQ(cut.regions[1].face, 0u);
+  EXPECT_EQ(cut.regions[2].face, 1u);
+  for (const Region& r : cut.regions) {
+    EXPECT_EQ(r.contours.size(), 1u);
+    EXPECT_EQ(r.contours[0].size(), 4u) << "no corners but the four";
   }
 }
 

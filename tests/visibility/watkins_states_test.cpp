@@ -3,8 +3,6 @@
 
 #include "scene/clean/clean.hpp"
 #include "support/line_scans.hpp"
-#include "support/test.hpp"
-#include "visibility/registry.hpp"
 
 namespace ligne::watkins {
 namespace {

@@ -1,11 +1,8 @@
 // The exact scan: its list, its stops, its bands.
 
-#include "drawing/drawing.hpp"
-#include "linework/overlaps/coincident_strokes.hpp"
 #include "linework/overlaps/stroke_overlap.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
 #include "visibility/watkins/exact/exact_study.hpp"
 
 namespace ligne::watkins {

@@ -6,7 +6,6 @@
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
-#include "support/test.hpp"
 #include "visibility/raster/depth_buffer.hpp"
 #include "visibility/zbuffer/edge_sampling.hpp"
 
@@ -71,10 +70,9 @@ TEST(ZBuffer, AHoleShowsWhatIsBehind) {
   for (const Filling filling : kFillings) {
     const DepthBuffer buffer = painted(projected(scene, view_at(from_above(), scene)), 100, filling);
     std::array<int, 2> pixels{0, 0};
-    for (std::uint32_t row = 0; row < 100; ++row) {
+    for (std::uint32_t row = 0; row < 100; ++row)
       for (std::uint32_t column = 0; column < 100; ++column)
         if (const std::uint32_t face = buffer.face(column, row); face < 2) ++pixels[face];
-    }
     EXPECT_EQ(pixels[0], 80 * 80 - 40 * 40);
     EXPECT_EQ(pixels[1], 40 * 40);
   }
