@@ -1,7 +1,6 @@
 #include "box_drawer.hpp"
 
 #include "scene/model/scene_parts.hpp"
-#include "support/standard.hpp"
 
 namespace ligne::check {
 
@@ -58,10 +57,9 @@ class Drawer {
 
   DrawingFile draw() {
     for (const Box& box : boxes_)
-      for (unsigned v = 0; v < 8; ++v) {
+      for (unsigned v = 0; v < 8; ++v)
         for (unsigned axis = 0; axis < 3; ++axis)
           if (!(v >> axis & 1)) draw_edge(box, v, axis);
-      }
     return std::move(drawing_);
   }
 

@@ -2,8 +2,6 @@
 /// Right drawings of scenes of axis-parallel boxes, made by trying every box at many points of every edge.
 
 #include "drawing_file.hpp"
-#include "geometry/point.hpp"
-#include "scene/model/scene.hpp"
 
 namespace ligne::check {
 

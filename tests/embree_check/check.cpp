@@ -2,8 +2,6 @@
 
 #include "base/parallel.hpp"
 #include "intersections_seen.hpp"
-#include "page_map.hpp"
-#include "sight.hpp"
 #include "support/page_lines.hpp"
 
 namespace ligne::check {

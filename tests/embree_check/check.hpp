@@ -8,9 +8,7 @@
 /// Undecided: blocked here and visible there within the tolerance. A stroke of this kind is right where another edge that
 /// should be drawn is visible within the tolerance: lines that coincide are drawn once, as either.
 
-#include "checked_scene.hpp"
 #include "drawing_file.hpp"
-#include "support/standard.hpp"
 
 namespace ligne::check {
 

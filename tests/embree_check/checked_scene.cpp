@@ -1,7 +1,5 @@
 #include "checked_scene.hpp"
 
-#include "support/standard.hpp"
-
 namespace ligne::check {
 
 namespace {

@@ -1,7 +1,6 @@
 #pragma once
 /// The scene in the unit box, with edges of its own making.
 
-#include "geometry/point.hpp"
 #include "page_map.hpp"
 #include "scene/model/scene.hpp"
 #include "support/standard.hpp"

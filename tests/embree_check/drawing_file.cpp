@@ -2,8 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "support/standard.hpp"
-
 namespace ligne::check {
 
 namespace {

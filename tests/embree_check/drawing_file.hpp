@@ -2,9 +2,6 @@
 /// The JSON drawing, as a stranger reads it: docs/drawing-format.md.
 
 #include "checked_scene.hpp"
-#include "geometry/point.hpp"
-#include "page_map.hpp"
-#include "support/standard.hpp"
 
 namespace ligne::check {
 

@@ -2,7 +2,6 @@
 
 #include "base/parallel.hpp"
 #include "support/page_lines.hpp"
-#include "support/standard.hpp"
 
 namespace ligne::check {
 

@@ -4,8 +4,6 @@
 /// beyond that place, one can have come before the other only by passing through it.
 
 #include "check.hpp"
-#include "checked_scene.hpp"
-#include "page_map.hpp"
 #include "sight.hpp"
 
 namespace ligne::check {

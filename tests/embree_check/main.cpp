@@ -5,7 +5,6 @@
 
 #include "check.hpp"
 #include "scene/readers/reader.hpp"
-#include "support/standard.hpp"
 
 namespace {
 

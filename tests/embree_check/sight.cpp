@@ -1,7 +1,5 @@
 #include "sight.hpp"
 
-#include "support/standard.hpp"
-
 #include "rays_of_embree.hpp"
 
 namespace ligne::check {

@@ -3,9 +3,6 @@
 /// is then decided in double arithmetic on the polygon itself, with its holes, so no triangulation is needed.
 
 #include "checked_scene.hpp"
-#include "geometry/point.hpp"
-#include "page_map.hpp"
-#include "support/standard.hpp"
 
 namespace ligne::check {
 

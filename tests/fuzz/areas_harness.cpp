@@ -1,7 +1,5 @@
 #include "areas_harness.hpp"
 
-#include <sstream>
-
 #include "need.hpp"
 #include "plotting/meant_areas.hpp"
 

@@ -4,7 +4,6 @@
 #include "support/judge.hpp"
 #include "support/scene_json.hpp"
 #include "support/scene_parts.hpp"
-#include "support/standard.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne::test {
@@ -99,9 +98,8 @@ void add_prism(Scene& scene, ByteStream& bytes) {
     const std::uint32_t k = (i + 1) % n;
     faces.push_back({i, k, n + k, n + i});
   }
-  if (volume < 0) {
+  if (volume < 0)
     for (auto& face : faces) std::reverse(face.begin(), face.end());
-  }
   add_object(scene, base, faces);
 }
 

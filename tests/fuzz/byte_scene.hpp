@@ -1,8 +1,6 @@
 #pragma once
 /// Scenes made of bytes, for the fuzzer of the visibility and the replay of its corpus.
 
-#include "scene/model/scene.hpp"
-#include "support/standard.hpp"
 #include "support/standard_views.hpp"
 
 namespace ligne::test {

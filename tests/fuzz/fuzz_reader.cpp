@@ -1,4 +1,3 @@
-#include <cstdint>
 
 #include "reader_harness.hpp"
 

@@ -1,8 +1,5 @@
 // The default method on scenes made of bytes, against the oracle. What it finds is shown as a scene that `ligne draw` reads.
 
-#include <cstdio>
-#include <cstdlib>
-
 #include "byte_scene.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -14,7 +14,6 @@
 #include "scene/readers/reader.hpp"
 #include "scene/surfaces/grids/grid_formats.hpp"
 #include "scene/surfaces/grids/point_table.hpp"
-#include "support/standard.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
