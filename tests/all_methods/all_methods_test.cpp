@@ -2,19 +2,15 @@
 // is drawn, against the oracle: nothing hidden is drawn, nothing visible is missing, nothing is drawn twice. The scenes are
 // found when the program starts: a new one is a new test.
 
-#include "linework/overlaps/coincident_strokes.hpp"
 #include "main/tier.hpp"
 #include "report/stroke_difference.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/comparison.hpp"
 #include "support/corpus_scene.hpp"
-#include "support/judge.hpp"
 #include "support/round_bodies.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
 #include "support/variants.hpp"
 #include "view/cull.hpp"
-#include "visibility/registry.hpp"
 
 namespace ligne::test {
 namespace {

@@ -1,17 +1,13 @@
 // The method warnock on the corpus and on crowds of boxes: as many strokes as the default method, whatever the windows; and
 // with a limit of resolution, errors that shrink in proportion.
 
-#include <initializer_list>
-
-#include "linework/overlaps/coincident_strokes.hpp"
+#include "visibility/warnock/warnock.hpp"
 #include "main/tier.hpp"
 #include "scene/clean/clean.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/judge.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
 #include "visibility/common/opaque_scene.hpp"
-#include "visibility/warnock/warnock.hpp"
 
 namespace ligne::test {
 namespace {

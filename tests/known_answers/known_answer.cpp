@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/readers/reader.hpp"
-#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {

@@ -4,7 +4,6 @@
 #include "known_answer.hpp"
 #include "main/checks.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {

@@ -3,8 +3,6 @@
 #include <unistd.h>
 #include <type_traits>
 
-#include "support/standard.hpp"
-
 namespace oracle {
 namespace {
 
@@ -90,9 +88,8 @@ Answers answers_of(const Oracle& oracle) {
   answers.edges.assign(oracle.edges().begin(), oracle.edges().end());
   answers.intersections.assign(oracle.intersections().begin(), oracle.intersections().end());
   for (std::size_t i = 0; i < answers.edges.size(); ++i) answers.edge_intervals.push_back(oracle.visible_intervals(i));
-  for (std::size_t i = 0; i < answers.intersections.size(); ++i) {
+  for (std::size_t i = 0; i < answers.intersections.size(); ++i)
     answers.intersection_intervals.push_back(oracle.intersection_intervals(i));
-  }
   return answers;
 }
 
@@ -101,9 +98,7 @@ std::string answers_name(const ligne::Scene& scene, const View& view, double cre
   key.text = LIGNE_ORACLE_SOURCE;
   key.add(scene.vertices);
   key.add(scene.corner_flags);
-  for (const ligne::Object& o : scene.objects) {
-    key.add(o.face_begin), key.add(o.face_end), key.add(o.precision);
-  }
+  for (const ligne::Object& o : scene.objects) key.add(o.face_begin), key.add(o.face_end), key.add(o.precision);
   for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
     for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
       key.add(scene.faces.contour(f, c).size());

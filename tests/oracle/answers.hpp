@@ -3,7 +3,6 @@
 /// of the time of a small scene.
 
 #include "oracle/oracle.hpp"
-#include "support/standard.hpp"
 
 namespace oracle {
 

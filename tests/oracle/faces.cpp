@@ -1,5 +1,4 @@
 #include "oracle/parts.hpp"
-#include "support/standard.hpp"
 
 namespace oracle {
 namespace {
@@ -13,9 +12,8 @@ using Contour = std::vector<SightPoint>;
 
 Contour contour_of(const ligne::Scene& scene, std::size_t face, std::size_t contour, const Projection& projection) {
   Contour points;
-  for (const std::uint32_t v : scene.faces.contour(face, contour)) {
+  for (const std::uint32_t v : scene.faces.contour(face, contour))
     points.push_back(projection.sight_point(exact(scene.vertices[v])));
-  }
   return points;
 }
 

@@ -1,8 +1,5 @@
 // Segments that two faces have in common inside of both.
 
-#include <algorithm>
-#include <cmath>
-
 #include "oracle/parts.hpp"
 
 namespace oracle {
@@ -17,16 +14,14 @@ constexpr double kShortestLineMm = 2.5 * kMicrometre;
 constexpr double kShortestPartMm = 0.1 * kMicrometre;
 
 bool covers(const FaceOverLine& face, double tau, double from, double to) {
-  for (const auto& [first, second] : face.cover(tau)) {
+  for (const auto& [first, second] : face.cover(tau))
     if (first <= from && second >= to) return true;
-  }
   return false;
 }
 
 bool covers_both_banks(const FaceOverLine& face, double tau) {
-  for (const auto& [first, second] : face.cover(tau)) {
+  for (const auto& [first, second] : face.cover(tau))
     if (first < 0 && second > 0) return true;
-  }
   return false;
 }
 

@@ -1,8 +1,5 @@
 #include "oracle/parts.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace oracle {
 
 Line::Line(const PagePoint& from, const PagePoint& to, const Projection& projection)
@@ -111,15 +108,13 @@ void add_changes(const FaceOverLine& over, double reach, std::vector<double>& pl
   };
   for (const auto& [i, k] : over.face->sides) {
     const Corner &p = over.corners[i], &q = over.corners[k];
-    for (const double level : {-reach, 0.0, reach}) {
+    for (const double level : {-reach, 0.0, reach})
       if ((p.s_rounded < level) != (q.s_rounded < level)) add(tau_at(p, q, level));
-    }
     if (std::abs(p.s_rounded) <= reach) add(p.tau_rounded);
   }
   const double behind_a = to_double(over.behind_a), behind_b = to_double(over.behind_b);
-  for (const double level : {-over.delta, 0.0, over.delta}) {
+  for (const double level : {-over.delta, 0.0, over.delta})
     if ((behind_a < level) != (behind_b < level)) add((level - behind_a) / (behind_b - behind_a));
-  }
 }
 
 void add_crossings(const std::vector<FaceOverLine>& faces, double reach, double longest, std::vector<double>& places) {
@@ -149,9 +144,8 @@ std::vector<std::array<double, 2>> parts_between(std::vector<double> places, dou
   places.insert(places.end(), {0.0, 1.0});
   std::sort(places.begin(), places.end());
   std::vector<std::array<double, 2>> parts;
-  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < places.size(); ++i)
     if (places[i + 1] - places[i] > shortest) parts.push_back({places[i], places[i + 1]});
-  }
   return parts;
 }
 

@@ -1,8 +1,5 @@
 #include "oracle/oracle.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "oracle/parts.hpp"
 
 namespace oracle {
@@ -84,11 +81,9 @@ Oracle::State::State(const ligne::Scene& scene, const View& v, double crease_deg
       edges(make_edges(scene, faces, crease_degrees)),
       touch_distance(kTouchPart * size_of(scene)),
       input_error_mm(v.scale * input_error(scene)) {
-  if (glass == Glass::is_clear) {
-    for (std::size_t f = 0; f < scene.face_material.size(); ++f) {
+  if (glass == Glass::is_clear)
+    for (std::size_t f = 0; f < scene.face_material.size(); ++f)
       faces[f].clear = scene.materials[scene.face_material[f]].opacity < 1;
-    }
-  }
   find_intersections();
 }
 

@@ -27,9 +27,8 @@ View along(const Point3& direction, const Point3& up = {0, 0, 1}) {
 /// Index of the edge between the two points, of the first object that has it.
 std::size_t edge_between(const Oracle& oracle, Point3 a, Point3 b) {
   const auto edges = oracle.edges();
-  for (std::size_t i = 0; i < edges.size(); ++i) {
+  for (std::size_t i = 0; i < edges.size(); ++i)
     if ((edges[i].a == a && edges[i].b == b) || (edges[i].a == b && edges[i].b == a)) return i;
-  }
   ADD_FAILURE() << "there is no such edge";
   return 0;
 }

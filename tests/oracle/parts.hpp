@@ -3,9 +3,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
-#include "geometry/point.hpp"
 #include "oracle/oracle.hpp"
-#include "support/standard.hpp"
 
 namespace oracle {
 

@@ -1,7 +1,5 @@
 #include "oracle/parts.hpp"
 
-#include <cmath>
-
 namespace oracle {
 namespace {
 
