@@ -4,15 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <utility>
 
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 
 namespace ligne {
-
-/// The edge between two vertices; null if there is none.
-const Edge* find_edge(const Topology& topology, std::pair<std::uint32_t, std::uint32_t> ends);
 
 /// The vector from an edge to the farthest corner of a face, perpendicular to the edge.
 Point3 across_face(const Scene& scene, const Edge& edge, std::uint32_t f);

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
 
 #include "base/no_index.hpp"
-#include "scene/creases/across_edge.hpp"
 #include "scene/model/object_sizes.hpp"
 
 namespace ligne {
@@ -20,83 +18,10 @@ namespace {
 constexpr double kLongRunPart = 1.0 / 8;
 /// Adjustable: least part of the area of an object that free forms have where creases fade. Others are constructed parts.
 constexpr double kFreeformPart = 0.75;
-/// Adjustable: an edge stands out if, on one side of it, the parallel edges bend by less than this part of its own bend.
-constexpr double kBesidePart = 0.5;
-/// Radians: bends of less than eight facets a turn are those of polygons (docs/patches.md).
-constexpr double kPolygonBend = std::numbers::pi / 4;
-/// A rounding has no facets so many times as wide as others beside them.
-constexpr double kWideFactor = 4;
-/// Cosine of 45 degrees: edges of one row deviate from each other by less.
-constexpr double kBesideCosine = 0.70710678;
-
-/// Compares the bend of an edge with those of the edges beside it.
-class Surroundings {
- public:
-  Surroundings(const Scene& scene, const Topology& topology, const Edge& edge)
-      : scene_(scene), topology_(topology), edge_(edge), along_(direction(edge)), bend_(bend(edge)) {}
-
-  /// Inside a rounding edges bend alike on both sides, at similar distances. The rims of a bevel have each other on one side
-  /// and a plane on the other.
-  bool stands_out() const {
-    if (std::abs(bend_) > kPolygonBend) return true;
-    const double a = distance_of_like(edge_.face0), b = distance_of_like(edge_.face1);
-    return std::max(a, b) >= kWideFactor * std::min(a, b) || std::isinf(std::min(a, b));
-  }
-
- private:
-  /// Distance to the nearest parallel edge, of a face or of a face beside that, that bends to the same side by nearly as
-  /// much; infinite if there is none.
-  double distance_of_like(std::uint32_t face) const {
-    double nearest = std::numeric_limits<double>::infinity();
-    const auto consider = [&](const Edge* other) {
-      if (!other || !is_like(*other)) return;
-      const Point3 way = (scene_.vertices[other->v0] + scene_.vertices[other->v1]) * 0.5 - scene_.vertices[edge_.v0];
-      nearest = std::min(nearest, glm::length(glm::cross(way, along_)));
-    };
-    for (const Edge* side : sides(face)) {
-      if (!side || side == &edge_) continue;
-      consider(side);
-      const std::uint32_t next = side->face0 == face ? side->face1 : side->face0;
-      if (next != kNone && touches(*side)) std::ranges::for_each(sides(next), consider);
-    }
-    return nearest;
-  }
-
-  std::vector<const Edge*> sides(std::uint32_t face) const {
-    const auto contour = scene_.faces.contour(face, 0);
-    std::vector<const Edge*> found;
-    for (std::size_t k = 0; k < contour.size(); ++k)
-      found.push_back(find_edge(topology_, {contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]}));
-    return found;
-  }
-
-  bool touches(const Edge& other) const {
-    return other.v0 == edge_.v0 || other.v0 == edge_.v1 || other.v1 == edge_.v0 || other.v1 == edge_.v1;
-  }
-
-  bool is_like(const Edge& other) const {
-    if (touches(other) || other.face1 == kNone || std::abs(glm::dot(direction(other), along_)) < kBesideCosine) return false;
-    return bend(other) * bend_ > 0 && std::abs(bend(other)) >= kBesidePart * std::abs(bend_);
-  }
-
-  Point3 direction(const Edge& edge) const { return glm::normalize(scene_.vertices[edge.v1] - scene_.vertices[edge.v0]); }
-
-  /// Angle between the faces, positive where they fall away from each other.
-  double bend(const Edge& edge) const {
-    const Point3 normal = face_normal(scene_, edge.face0);
-    const double angle = std::acos(std::clamp(glm::dot(normal, face_normal(scene_, edge.face1)), -1.0, 1.0));
-    double height = 0;
-    for (const std::uint32_t v : scene_.faces.contour(edge.face1, 0))
-      height += glm::dot(normal, scene_.vertices[v] - scene_.vertices[edge.v0]);
-    return height < 0 ? angle : -angle;
-  }
-
-  const Scene& scene_;
-  const Topology& topology_;
-  const Edge& edge_;
-  Point3 along_;
-  double bend_;
-};
+/// Adjustable, radians: creases do not end with edges that bend by less, half of the least angle between surfaces.
+constexpr double kFlatEnd = 5 * std::numbers::pi / 180;
+/// Adjustable: creases may end with such edges where these are longer than this part of their object.
+constexpr double kLongFlatPart = 1.0 / 32;
 
 class Fader {
  public:
@@ -109,7 +34,7 @@ class Fader {
         is_freeform_(scene.objects.size()) {}
 
   std::size_t run() {
-    std::size_t dropped = 0;
+    std::size_t dropped = drop_flat_ends();
     std::vector<std::uint32_t> tips = free_ends();
     while (!tips.empty()) {
       std::vector<std::uint32_t> faded, left;
@@ -126,6 +51,32 @@ class Fader {
   }
 
  private:
+  /// Takes back edges at free ends that hardly bend, where they are short.
+  std::size_t drop_flat_ends() {
+    std::size_t dropped = 0;
+    for (std::uint32_t tip : free_ends()) {
+      double rest = kLongFlatPart * edges_.sizes[object_of_vertex(scene_, tip)];
+      std::vector<std::uint32_t> flat;
+      std::uint32_t e = only_crease_at(tip, kNone);
+      for (std::uint32_t vertex = tip; e != kNone && rest >= 0 && is_flat(e); e = only_crease_at(vertex, e)) {
+        flat.push_back(e);
+        rest -= length_of(e);
+        vertex = topology_.edges[e].v0 == vertex ? topology_.edges[e].v1 : topology_.edges[e].v0;
+        if (edges_.is_anchor(vertex)) break;
+      }
+      if (rest < 0 || edges_.is_anchor(tip)) continue;
+      for (const std::uint32_t edge : flat) bends_[edge] = Bend::weak;
+      dropped += flat.size();
+    }
+    return dropped;
+  }
+
+  bool is_flat(std::uint32_t e) const {
+    const bool is_marked = topology_.edge_flags[e] & (kEdgeManyFaces | kEdgeUnlikeWound | kEdgeSharp);
+    const std::uint32_t face = topology_.edges[e].face0;
+    return topology_.edges[e].face1 != kNone && !is_marked && std::abs(edges_.rows.bend(e, face)) < kFlatEnd;
+  }
+
   bool is_crease(std::uint32_t e) const { return bends_[e] >= Bend::strong; }
 
   std::vector<std::uint32_t> free_ends() const {
@@ -197,8 +148,7 @@ class Fader {
       vertex = topology_.edges[e].v0 == vertex ? topology_.edges[e].v1 : topology_.edges[e].v0;
       if (vertex == tip || edges_.is_anchor(vertex)) break;
     }
-    const auto standing = std::ranges::find_if(
-        run, [&](std::uint32_t e) { return Surroundings(scene_, topology_, topology_.edges[e]).stands_out(); });
+    const auto standing = std::ranges::find_if(run, [&](std::uint32_t e) { return stands_out(edges_.rows, e); });
     double length = 0;
     for (auto e = standing; e != run.end(); ++e) length += length_of(*e);
     const bool stays = length >= kLongRunPart * edges_.sizes[object_of_vertex(scene_, tip)];

@@ -9,6 +9,7 @@
 
 #include "scene/creases/bend.hpp"
 #include "scene/creases/parallel_bends.hpp"
+#include "scene/model/edge_rows.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 
@@ -16,6 +17,7 @@ namespace ligne {
 
 /// The edges that bend, and which of them may fade.
 struct FadingEdges {
+  const EdgeRows& rows;
   std::span<const BendEnd> ends;                        ///< sorted
   std::span<const double> sizes;                        ///< per object: diagonal of its box
   std::span<const std::uint8_t> is_freeform;            ///< per face
@@ -30,8 +32,8 @@ struct FadingEdges {
 /// A run leads from a free end to the next vertex of three creases or more, to an anchored one, or to an edge that does not
 /// fade, as those above a right angle and those beside planes. It is cut back to the first of its edges that stands out:
 /// because it bends by more than a turn of eight facets does, or because on one side of it no parallel edge bends to the
-/// same side by half as much or more, or four times as far away as on the other. It goes if what stays is shorter than an
-/// eighth of its object. This is repeated at the ends that it leaves. Edges that go are weak then. Returns their number.
+/// same side by two fifths as much or more, or four times as far away as on the other. It goes if what stays is shorter than
+/// an eighth of its object. This is repeated at the ends that it leaves. Edges that go are weak then. Returns their number.
 /// Independent of the order of edges: each pass judges the creases that the last one left.
 std::size_t drop_fading_creases(const Scene& scene, const Topology& topology, const FadingEdges& edges,
                                 std::vector<Bend>& bends);

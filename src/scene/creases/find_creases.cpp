@@ -79,13 +79,12 @@ class Finder {
   };
 
   void classify() {
-    const std::vector<glm::vec3> normals = face_normals(scene_, topology_);
     bends_.assign(topology_.edges.size(), Bend::none);
     const Counts counts = parallel_reduce(bends_.size(), kShortWorkBlock, Counts{}, [&](std::size_t begin, std::size_t end) {
       Counts sum;
       for (std::size_t e = begin; e < end; ++e) {
-        prefetch_faces(normals, topology_.edges, e);
-        bends_[e] = bend_of(e, normals, sum);
+        prefetch_faces(normals_, topology_.edges, e);
+        bends_[e] = bend_of(e, sum);
       }
       return sum;
     });
@@ -100,8 +99,8 @@ class Finder {
       found_.straight_sheets += !bent[i++];
     }
     raw_ = bends_;
-    decide_by_surfaces(normals);
-    TracedCreases traced = trace_creases(scene_, topology_, normals, sizes_, angles_.faces, bends_);
+    decide_by_surfaces();
+    TracedCreases traced = trace_creases(scene_, topology_, normals_, sizes_, angles_.faces, bends_);
     found_.scans = std::move(traced.scans);
     found_.untraced = traced.left_out;
     found_.traced = traced.continued;
@@ -109,10 +108,10 @@ class Finder {
 
   /// Edges inside one surface are not creases, at any angle of its facets. Edges at which surfaces meet at an angle are
   /// creases.
-  void decide_by_surfaces(const std::vector<glm::vec3>& normals) {
-    found_.patches = find_patches(scene_, topology_, normals);
-    found_.patch_edges = classify_patch_edges(scene_, topology_, normals, found_.patches, angles_.surfaces);
-    if (!found_.patches.list.empty()) mark_bands(topology_, normals, found_.patch_edges, found_.patches);
+  void decide_by_surfaces() {
+    found_.patches = find_patches(scene_, topology_, normals_);
+    found_.patch_edges = classify_patch_edges(scene_, topology_, normals_, found_.patches, angles_.surfaces);
+    if (!found_.patches.list.empty()) mark_bands(topology_, normals_, found_.patch_edges, found_.patches);
     for (std::size_t e = 0; e < bends_.size(); ++e) {
       if (found_.patch_edges[e] == PatchEdge::unknown) continue;
       // A rounding too small to be drawn as a surface is drawn as an edge, whichever surface it belongs to.
@@ -124,17 +123,17 @@ class Finder {
     }
   }
 
-  Bend bend_of(std::size_t e, const std::vector<glm::vec3>& normals, Counts& counts) const {
+  Bend bend_of(std::size_t e, Counts& counts) const {
     const Edge& edge = topology_.edges[e];
     const auto flags = topology_.edge_flags[e];
     if (edge.face1 == kNone || (flags & (kEdgeManyFaces | kEdgeFileHidden | kEdgeInner))) return Bend::none;
     const float turn = flags & kEdgeUnlikeWound ? -1 : 1;
-    const float cosine = glm::dot(normals[edge.face0], normals[edge.face1]) * turn;
+    const float cosine = glm::dot(normals_[edge.face0], normals_[edge.face1]) * turn;
     if (flags & kEdgeLimit) return Bend::none;
     if (flags & kEdgeSmooth) {
       if (cosine < limits_.sharp) return Bend::firm;
       if (cosine >= limits_.low) return Bend::none;
-      const Bend bend = bend_of_smooth(edge, normals, cosine);
+      const Bend bend = bend_of_smooth(edge, cosine);
       counts.smooth += bend < Bend::strong && cosine < limits_.crease;
       return bend;
     }
@@ -149,7 +148,7 @@ class Finder {
   }
 
   /// The bend of an edge that the file calls smooth: a surface too small to be drawn as curved is drawn as an edge.
-  Bend bend_of_smooth(const Edge& edge, const std::vector<glm::vec3>& normals, float cosine) const {
+  Bend bend_of_smooth(const Edge& edge, float cosine) const {
     const double size = size_at(edge.v0);
     const auto widths = widths_across(scene_, edge);
     const double narrow = std::min(widths[0], widths[1]);
@@ -161,7 +160,7 @@ class Finder {
     if (widths[0] + widths[1] >= kNarrowPart * size) return Bend::none;
     const auto rounding = rounding_at(scene_, topology_, edge, narrow);
     if (!rounding || rounding->width() >= kNarrowPart * size) return Bend::none;
-    const float bend = glm::dot(normals[rounding->sides[0]], normals[rounding->sides[1]]);
+    const float bend = glm::dot(normals_[rounding->sides[0]], normals_[rounding->sides[1]]);
     return bend < limits_.crease && rounding->in_middle() ? Bend::strong : Bend::none;
   }
 
@@ -181,7 +180,7 @@ class Finder {
       ends_.push_back({topology_.edges[e].v1, e});
     }
     parallel_sort(ends_.begin(), ends_.end());
-    soften_roundings(scene_, topology_, {ends_, found_.patch_edges}, angles_.faces, bends_);
+    soften_roundings(scene_, topology_, {ends_, found_.patch_edges, rows_}, angles_.faces, bends_);
     for (std::uint32_t k = 0; k < ends_.size(); ++k) {
       if (nodes_.empty() || nodes_.back().vertex != ends_[k].vertex) nodes_.push_back({ends_[k].vertex, k, 0});
       nodes_.back().creases += is_crease(ends_[k].edge);
@@ -234,7 +233,7 @@ class Finder {
   }
 
   /// Continues every single crease end over weak edges in its direction, if that leads to another crease over no longer
-  /// a way than either of the two, or over a way that is a line by itself (is_line()), or along the border of a plane. Only
+  /// a way than either of the two, or over a clear way, or along the border of a plane. Only
   /// creases by themselves are continued, so the order does not matter.
   void continue_ends() {
     Chains found = chains();
@@ -245,6 +244,7 @@ class Finder {
       for (const BendEnd& end : ends_of(node)) {
         if (!is_crease(end.edge)) continue;
         std::vector<std::uint32_t> way = way_on(node, end.edge, found);
+        if (!is_line(scene_, topology_, rows_, way)) way.clear();
         const auto is_at_crease = [&](std::uint32_t v) {
           const std::uint32_t other = node_of(v);
           return other < nodes_.size() && nodes_[other].vertex == v && nodes_[other].creases > 0;
@@ -265,11 +265,6 @@ class Finder {
     const Edge& edge = topology_.edges[e];
     const std::uint32_t v = nodes_[node].vertex, from = edge.v0 == v ? edge.v1 : edge.v0;
     return glm::normalize(scene_.vertices[v] - scene_.vertices[from]);
-  }
-
-  /// Whether the way on over an edge behind a node is the only one, and not one of many along a rounding.
-  bool is_line(std::span<const BendEnd> ends, std::uint32_t next) const {
-    return ends.size() == 2 && !is_inside_rounding(scene_, topology_, bends_, ends_, next);
   }
 
   /// The weak edges by which crease e continues behind a node to another crease; empty if it reaches none.
@@ -293,7 +288,8 @@ class Finder {
       }
       if (best == kNone) return {};
       way.push_back(best);
-      is_clear = is_clear && is_line(ends, best);
+      // The way on is clear where it is the only one, and not one of many along a rounding.
+      is_clear = is_clear && ends.size() == 2 && !is_inside_rounding(rows_, best);
       length += length_of(best);
       if (length > longest && !is_clear) return {};
       const Edge& edge = topology_.edges[best];
@@ -332,8 +328,8 @@ class Finder {
              std::ranges::none_of(found_.scans, has_edge);
     };
     const auto is_anchor = [&](std::uint32_t vertex) { return anchored_[node_of(vertex)] != 0; };
-    found_.fading =
-        drop_fading_creases(scene_, topology_, {ends_, sizes_, found_.patches.is_freeform, may_fade, is_anchor}, bends_);
+    found_.fading = drop_fading_creases(scene_, topology_,
+                                        {rows_, ends_, sizes_, found_.patches.is_freeform, may_fade, is_anchor}, bends_);
   }
 
   bool is_open(std::uint32_t node) const { return !anchored_[node] && creases_at(node) == 1; }
@@ -382,7 +378,9 @@ class Finder {
   const Topology& topology_;
   CreaseAngles angles_;
   Limits limits_;
-  std::vector<double> sizes_;      ///< per object
+  std::vector<double> sizes_;  ///< per object
+  std::vector<glm::vec3> normals_ = face_normals(scene_, topology_);
+  EdgeRows rows_{scene_, topology_, normals_};
   std::vector<Bend> bends_, raw_;  ///< per edge; raw: by its faces alone
   std::vector<BendEnd> ends_;      ///< ends of the edges that bend, sorted
   std::vector<Node> nodes_;

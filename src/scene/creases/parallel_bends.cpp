@@ -11,79 +11,17 @@
 namespace ligne {
 namespace {
 
+/// A rounding has no facets so many times as wide as others beside them.
+constexpr double kWideFactor = 4;
 /// Adjustable: number of parallel edges on either side of an edge inside a rounding.
 constexpr int kRowsBeside = 2;
-/// Least cosine of the angle between edges of one row (25 degrees).
-constexpr double kRowCosine = 0.9;
 /// Adjustable, degrees: edges inside a rounding are no lines up to so much above the crease angle. Tubes of twelve sides
 /// bend by a little more than 30 degrees where they are bent themselves.
 constexpr double kMoreDegrees = 1;
-/// Most edges that bend at a vertex at which a row is followed.
-constexpr std::size_t kMostRowEnds = 64;
 
-class RowWalker {
- public:
-  RowWalker(const Scene& scene, const Topology& topology, const std::vector<Bend>& bends, std::span<const BendEnd> ends)
-      : scene_(scene), topology_(topology), bends_(bends), ends_(ends) {}
-
-  /// Whether so many edges follow in a row behind a face of an edge.
-  bool goes_on(std::uint32_t e, std::uint32_t face) const {
-    const bool convex = is_convex(e);
-    for (int row = 0; row < kRowsBeside; ++row) {
-      const std::uint32_t next = next_in_row(e, face, convex);
-      if (next == kNone) return false;
-      const Edge& edge = topology_.edges[next];
-      const Point3 &at = scene_.vertices[topology_.edges[e].v0], along = direction(e);
-      const auto depth = [&](std::uint32_t f) { return glm::length(glm::cross(middle(f) - at, along)); };
-      face = depth(edge.face0) > depth(edge.face1) ? edge.face0 : edge.face1;
-      e = next;
-    }
-    return true;
-  }
-
- private:
-  Point3 direction(std::uint32_t e) const {
-    return glm::normalize(scene_.vertices[topology_.edges[e].v1] - scene_.vertices[topology_.edges[e].v0]);
-  }
-
-  Point3 middle(std::uint32_t face) const {
-    const auto corners = scene_.faces.contour(face, 0);
-    Point3 sum(0.0);
-    for (const std::uint32_t v : corners) sum += scene_.vertices[v];
-    return sum / static_cast<double>(corners.size());
-  }
-
-  bool is_convex(std::uint32_t e) const {
-    const Edge& edge = topology_.edges[e];
-    return glm::dot(face_normal(scene_, edge.face0), middle(edge.face1) - scene_.vertices[edge.v0]) < 0;
-  }
-
-  /// The edge most nearly parallel to e at a corner of the face, that bends to the same side and is no corner by itself.
-  std::uint32_t next_in_row(std::uint32_t e, std::uint32_t face, bool convex) const {
-    const Edge& edge = topology_.edges[e];
-    const Point3 along = direction(e);
-    std::uint32_t best = kNone;
-    double best_cosine = kRowCosine;
-    for (const std::uint32_t v : scene_.faces.contour(face, 0)) {
-      if (v == edge.v0 || v == edge.v1) continue;
-      const auto first = std::lower_bound(ends_.begin(), ends_.end(), BendEnd{v, 0});
-      auto end = first;
-      for (; end != ends_.end() && end->vertex == v && end - first < std::ptrdiff_t{kMostRowEnds}; ++end) {
-        const Edge& other = topology_.edges[end->edge];
-        const bool touches = other.v0 == edge.v0 || other.v1 == edge.v0 || other.v0 == edge.v1 || other.v1 == edge.v1;
-        if (touches || other.face1 == kNone || bends_[end->edge] == Bend::firm || is_convex(end->edge) != convex) continue;
-        const double cosine = std::abs(glm::dot(direction(end->edge), along));
-        if (cosine > best_cosine) best = end->edge, best_cosine = cosine;
-      }
-    }
-    return best;
-  }
-
-  const Scene& scene_;
-  const Topology& topology_;
-  const std::vector<Bend>& bends_;
-  std::span<const BendEnd> ends_;
-};
+/// Edges that rows do not decide. Those that the file calls smooth are strong where a rounding is too small for a surface,
+/// and is drawn as an edge.
+constexpr std::uint16_t kNotByRows = kEdgeManyFaces | kEdgeUnlikeWound | kEdgeSmooth;
 
 /// Makes weak bends of the strong ones of each line with two loose ends for all of whose edges may_soften() holds. A line
 /// that leads to another one stays: it may be the rim of a coarse bevel.
@@ -132,30 +70,45 @@ void soften_loose_ends(const Topology& topology, std::span<const BendEnd> ends, 
 
 }  // namespace
 
-bool is_inside_rounding(const Scene& scene, const Topology& topology, const std::vector<Bend>& bends,
-                        std::span<const BendEnd> ends, std::uint32_t edge) {
-  const RowWalker walker(scene, topology, bends, ends);
-  const Edge& at = topology.edges[edge];
-  return at.face1 != kNone && walker.goes_on(edge, at.face0) && walker.goes_on(edge, at.face1);
+bool is_inside_rounding(const EdgeRows& rows, std::uint32_t edge) {
+  const auto beside = rows.beside(edge, kRoundingBends);
+  return beside && std::ranges::all_of(*beside, [&](EdgeRows::Step step) {
+           for (int row = 1; row < kRowsBeside && step; ++row) step = rows.next(step, kRoundingBends);
+           return static_cast<bool>(step);
+         });
+}
+
+bool stands_out(const EdgeRows& rows, std::uint32_t edge, const RowBends& bends) {
+  const auto beside = rows.beside(edge, bends);
+  if (!beside) return true;
+  const auto [near, far] = std::minmax((*beside)[0].distance, (*beside)[1].distance);
+  return far >= kWideFactor * near;
+}
+
+bool is_line(const Scene& scene, const Topology& topology, const EdgeRows& rows, std::span<const std::uint32_t> way) {
+  double standing = 0;
+  for (const std::uint32_t e : way) {
+    const double length = glm::distance(scene.vertices[topology.edges[e].v0], scene.vertices[topology.edges[e].v1]);
+    standing += stands_out(rows, e, kEvenBends) ? length : -length;
+  }
+  return standing >= 0;
 }
 
 void soften_roundings(const Scene& scene, const Topology& topology, const BendEnds& at, double crease_degrees,
                       std::vector<Bend>& bends) {
-  const std::span<const BendEnd> ends = at.list;
   const auto may_soften = [&](std::uint32_t e) {
     return bends[e] == Bend::strong && at.patch_edges[e] == PatchEdge::unknown && topology.edges[e].face1 != kNone &&
-           !(topology.edge_flags[e] & (kEdgeManyFaces | kEdgeUnlikeWound)) &&
-           is_inside_rounding(scene, topology, bends, ends, e);
+           !(topology.edge_flags[e] & kNotByRows) && is_inside_rounding(at.rows, e);
   };
   const double least = std::cos((crease_degrees + kMoreDegrees) * std::numbers::pi / 180);
   std::vector<std::uint32_t> soft;
-  for (const BendEnd& end : ends) {
+  for (const BendEnd& end : at.list) {
     const Edge& edge = topology.edges[end.edge];
     if (edge.v0 != end.vertex || !may_soften(end.edge)) continue;
     if (glm::dot(face_normal(scene, edge.face0), face_normal(scene, edge.face1)) >= least) soft.push_back(end.edge);
   }
   for (const std::uint32_t e : soft) bends[e] = Bend::weak;
-  soften_loose_ends(topology, ends, may_soften, bends);
+  soften_loose_ends(topology, at.list, may_soften, bends);
 }
 
 }  // namespace ligne

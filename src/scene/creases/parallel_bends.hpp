@@ -1,11 +1,12 @@
 #pragma once
-/// Edges that bend, by their ends, and rows of parallel ones.
+/// Edges that bend, by their ends, and those inside roundings.
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "scene/creases/bend.hpp"
+#include "scene/model/edge_rows.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
@@ -21,14 +22,22 @@ struct BendEnd {
 };
 
 /// Whether an edge lies inside a row of parallel edges, two or more on either side, that bend to the same side: the facets
-/// of a rounding, along which no line runs. `bends`: per edge; `ends`: of the edges that bend, sorted.
-bool is_inside_rounding(const Scene& scene, const Topology& topology, const std::vector<Bend>& bends,
-                        std::span<const BendEnd> ends, std::uint32_t edge);
+/// of a rounding, along which no line runs.
+bool is_inside_rounding(const EdgeRows& rows, std::uint32_t edge);
+
+/// Whether an edge is no part of a rounding: inside one, the edges beside it bend alike on both sides, at similar distances.
+/// The rims of a bevel have each other on one side and a plane on the other.
+bool stands_out(const EdgeRows& rows, std::uint32_t edge, const RowBends& bends = kRoundingBends);
+
+/// Whether a way over edges stands out from even rows along half of its length or more. Otherwise it is one of many along a
+/// rounding.
+bool is_line(const Scene& scene, const Topology& topology, const EdgeRows& rows, std::span<const std::uint32_t> way);
 
 /// The edges that bend.
 struct BendEnds {
   std::span<const BendEnd> list;           ///< sorted
   std::span<const PatchEdge> patch_edges;  ///< per edge of the topology
+  const EdgeRows& rows;
 };
 
 /// Makes weak bends of strong ones inside roundings of which the recognised surfaces say nothing, as they are no lines:

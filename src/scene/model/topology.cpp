@@ -280,6 +280,13 @@ EdgeRange edges_of(const Topology& topology, const Object& object) {
   return {first_from(object.vertex_begin), first_from(object.vertex_end)};
 }
 
+const Edge* find_edge(const Topology& topology, std::pair<std::uint32_t, std::uint32_t> ends) {
+  if (ends.first > ends.second) std::swap(ends.first, ends.second);
+  const auto ends_of = [](const Edge& e) { return std::pair(e.v0, e.v1); };
+  const auto at = std::ranges::lower_bound(topology.edges, ends, {}, ends_of);
+  return at != topology.edges.end() && ends_of(*at) == ends ? &*at : nullptr;
+}
+
 Topology build_topology(const Scene& scene) {
   Topology topology;
   const bool paired = scene.stated.has(StatedFact::adjacency) && find_paired_edges(scene, topology);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "base/no_index.hpp"
@@ -49,6 +50,9 @@ struct EdgeRange {
 
 /// The edges of an object, which are consecutive since edges are sorted by their vertices. O(log n).
 EdgeRange edges_of(const Topology& topology, const Object& object);
+
+/// The edge between two vertices; null if there is none. O(log n).
+const Edge* find_edge(const Topology& topology, std::pair<std::uint32_t, std::uint32_t> ends);
 
 /// Finds the edges and triangulates the faces of a scene after finish_scene(). Takes time proportional to the number of
 /// corners.

@@ -5,7 +5,6 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "scene/patches/borders/facet_rows.hpp"
 #include "scene/patches/borders/patch_outlines.hpp"
 #include "scene/patches/facet_graph.hpp"
 #include "scene/patches/freeform.hpp"
@@ -22,7 +21,6 @@ struct ObjectPatches {
   std::vector<std::uint32_t> patch_of;    ///< per face of the object
   std::vector<std::uint8_t> is_freeform;  ///< per face of the object
   std::vector<FreeformBorder> borders;
-  std::vector<std::uint32_t> row_edges;
 };
 
 /// Limit surfaces of subdivision are splines: what lies on a cylinder or a sphere there does so by accident.
@@ -48,14 +46,13 @@ ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Obj
   const FacetGraph graph = facet_graph(scene, topology, object, edge_begin, edge_end, normals);
   const std::span edges(topology.edges.data() + edge_begin, topology.edges.data() + edge_end);
   const std::vector<std::uint32_t> of_facet = PatchFinder(scene, topology, object, graph).run(found.patches);
-  std::vector<std::uint8_t> freeform = freeform_facets(scene, topology, graph, of_facet);
+  std::vector<std::uint8_t> freeform = freeform_facets(scene, topology, graph, of_facet, EdgeRows(scene, topology, normals));
   std::vector<PatchOutline> outlines;
   if (!found.patches.empty()) outlines = patch_outlines(scene, edges, object, graph, {found.patches, of_facet, freeform});
   for (std::uint32_t f = 0; f < graph.size(); ++f) {
     if (of_facet[f] != kNone && outlines[of_facet[f]].is_speck()) freeform[f] = 1;
   }
   found.borders = freeform_borders(scene, topology, graph, {found.patches, of_facet, freeform}, outlines);
-  found.row_edges = row_edges(scene, topology, graph, of_facet);
   found.patch_of.resize(graph.facet_of.size());
   found.is_freeform.resize(graph.facet_of.size());
   parallel_blocks(graph.facet_of.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
@@ -81,7 +78,6 @@ ObjectPatches moved(ObjectPatches patches, const Similarity& motion, std::uint32
     border.edge += edge_begin - patches.edge_begin;
     border.length *= motion.scale;
   }
-  for (std::uint32_t& edge : patches.row_edges) edge += edge_begin - patches.edge_begin;
   patches.edge_begin = edge_begin;
   return patches;
 }
@@ -115,7 +111,6 @@ Patches find_patches(const Scene& scene, const Topology& topology, std::span<con
     const auto first_chain = static_cast<std::uint32_t>(found.borders.size());
     for (FreeformBorder& border : parts[i].borders) border.chain += first_chain;
     found.borders.insert(found.borders.end(), parts[i].borders.begin(), parts[i].borders.end());
-    found.row_edges.insert(found.row_edges.end(), parts[i].row_edges.begin(), parts[i].row_edges.end());
     found.list.insert(found.list.end(), parts[i].patches.begin(), parts[i].patches.end());
     for (std::uint32_t f = 0; f < parts[i].patch_of.size(); ++f) {
       if (parts[i].patch_of[f] != kNone) found.patch_of[begin + f] = first + parts[i].patch_of[f];

@@ -29,8 +29,7 @@ struct Patches {
   std::vector<std::uint32_t> patch_of;  ///< per face: index into `list`, kNone if no surface was found
   /// Per face: 1 if no surface was found but the face belongs to a smooth free-form surface (freeform.hpp).
   std::vector<std::uint8_t> is_freeform;
-  std::vector<FreeformBorder> borders;   ///< sorted by edge; FreeformBorder::chain is less than borders.size()
-  std::vector<std::uint32_t> row_edges;  ///< of row_edges(), sorted
+  std::vector<FreeformBorder> borders;  ///< sorted by edge; FreeformBorder::chain is less than borders.size()
 
   /// Unit normal at p of the surface of a face; `face_normal` if the face has no surface.
   Point3 normal(std::uint32_t face, const Point3& p, const Point3& face_normal) const;

@@ -17,6 +17,10 @@ constexpr double kParallelSine = 0.01, kEqualPart = 0.02;
 constexpr double kLeastRowSine = 0.01;
 /// Largest number of arcs of a facet in a row. The search compares all pairs of them.
 constexpr std::size_t kMostRowArcs = 16;
+/// Most corners of a piece that cuts left of a facet of four.
+constexpr std::size_t kMostPieceCorners = 6;
+/// Least part of the border of a few facets with patches at which the rows of these go on, where the facets are no planes.
+constexpr double kMostOfBorder = 0.5;
 /// Least number of corners of a facet that may be a plane by its depth: free forms have triangles of any shape.
 constexpr std::size_t kPlaneCorners = 4;
 
@@ -106,24 +110,33 @@ class RegionFinder {
  public:
   RegionFinder(const Scene& scene, const Topology& topology, const FacetGraph& graph,
                const std::vector<std::uint32_t>& patch_of)
-      : scene_(scene), topology_(topology), graph_(graph), patch_of_(patch_of), state_(graph.size(), State::unknown) {}
+      : scene_(scene),
+        topology_(topology),
+        graph_(graph),
+        patch_of_(patch_of),
+        state_(graph.size(), State::unknown),
+        group_(graph.size()) {}
 
   bool is_in_region(std::uint32_t f) {
     if (state_[f] == State::unknown) visit_from(f);
     return state_[f] == State::region;
   }
 
- private:
-  enum class State : std::uint8_t { unknown, alone, region };
+  /// A facet that stands for the connected ones of a facet in no region, after is_in_region().
+  std::uint32_t group_of(std::uint32_t f) const { return group_[f]; }
 
   bool is_free(std::uint32_t f) const {
     return patch_of_[f] == kNone && !graph_.has_many_corners(f) && !graph_.is_sliver[f] &&
            !is_wide(scene_, topology_, graph_, f);
   }
 
+ private:
+  enum class State : std::uint8_t { unknown, alone, region };
+
   /// Decides about a facet and those that are visited from it.
   void visit_from(std::uint32_t f) {
     state_[f] = State::alone;
+    group_[f] = f;
     if (!is_free(f)) return;
     visited_.assign(1, f);
     bool is_region = false;
@@ -132,7 +145,9 @@ class RegionFinder {
         is_region |= state_[arc.facet] == State::region;
         if (state_[arc.facet] != State::unknown) continue;
         state_[arc.facet] = State::alone;
-        if (is_free(arc.facet)) visited_.push_back(arc.facet);
+        const bool joins = is_free(arc.facet);
+        group_[arc.facet] = joins ? f : arc.facet;
+        if (joins) visited_.push_back(arc.facet);
       }
       is_region |= visited_.size() >= kFewestFreeform;
     }
@@ -145,13 +160,36 @@ class RegionFinder {
   const FacetGraph& graph_;
   const std::vector<std::uint32_t>& patch_of_;
   std::vector<State> state_;  ///< per facet; alone: in no region
-  std::vector<std::uint32_t> visited_;
+  std::vector<std::uint32_t> group_, visited_;
+};
+
+/// The border between a few facets without a surface and the patches around them.
+struct RowBorder {
+  double length = 0, in_row = 0;  ///< of all edges; of those at which the rows of the patches go on
+
+  void add(const Scene& scene, const Topology& topology, const FacetGraph& graph, const std::vector<std::uint32_t>& patch_of,
+           const EdgeRows& rows, std::uint32_t f) {
+    for (const FacetGraph::Arc& arc : graph.arcs_of(f)) {
+      if (patch_of[arc.facet] == kNone) continue;
+      const Edge& edge = topology.edges[arc.edge];
+      const auto faces = graph.faces[arc.facet];
+      const std::uint32_t beyond = std::ranges::find(faces, edge.face0) != faces.end() ? edge.face0 : edge.face1;
+      const double part = glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]);
+      length += part;
+      const EdgeRows::Step step = rows.next({arc.edge, beyond}, kEvenBends);
+      const auto is_inside = [&](const FacetGraph::Arc& next) {
+        return next.edge == step.edge && patch_of[next.facet] != kNone;
+      };
+      if (step && std::ranges::any_of(graph.arcs_of(arc.facet), is_inside)) in_row += part;
+    }
+  }
+  bool is_row() const { return length > 0 && in_row >= kMostOfBorder * length; }
 };
 
 }  // namespace
 
 std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& topology, const FacetGraph& graph,
-                                          const std::vector<std::uint32_t>& patch_of) {
+                                          const std::vector<std::uint32_t>& patch_of, const EdgeRows& edge_rows) {
   std::vector<std::uint8_t> freeform(graph.size());
   // Facets that the shape of a single one does not decide.
   const std::vector<std::uint32_t> others = indices_where(graph.size(), [&](std::size_t i) {
@@ -163,7 +201,16 @@ std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& to
   if (others.empty()) return freeform;
   RegionFinder regions(scene, topology, graph, patch_of);
   const RowFinder rows(scene, topology, graph, patch_of);
-  for (const std::uint32_t f : others) freeform[f] = regions.is_in_region(f) || rows.is_in_row(f);
+  std::vector<RowBorder> borders(graph.size());  // by group
+  const auto may_be_cut = [&](std::uint32_t f) {
+    return graph.vertices[f].size() <= kMostPieceCorners && !is_wide(scene, topology, graph, f);
+  };
+  for (const std::uint32_t f : others) {
+    if (!regions.is_in_region(f) && (regions.is_free(f) || may_be_cut(f)))
+      borders[regions.group_of(f)].add(scene, topology, graph, patch_of, edge_rows, f);
+  }
+  for (const std::uint32_t f : others)
+    freeform[f] = regions.is_in_region(f) || borders[regions.group_of(f)].is_row() || rows.is_in_row(f);
   return freeform;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "scene/model/edge_rows.hpp"
 #include "scene/patches/facet_graph.hpp"
 
 namespace ligne {
@@ -23,8 +24,10 @@ inline constexpr double kPlaneDepths = 3;
 /// - is connected to at least kFewestFreeform facets without a surface that are no planes, neither by their number of
 ///   corners (FacetGraph::has_many_corners) nor by their extent (kPlaneDepths), or
 /// - lies in a regular row: it is as wide as a neighbour, between parallel edges with the same angle in the same sense.
-///   That is a cylinder whose facets were cut by other bodies, so that their corners lie on no circle.
+///   That is a cylinder whose facets were cut by other bodies, so that their corners lie on no circle, or
+/// - belongs to fewer such facets at which the rows of the surfaces around them go on: a cut has left them of a tube, whose
+///   bands lie on cones. A plane runs into a surface by half the angle of its facets.
 std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& topology, const FacetGraph& graph,
-                                          const std::vector<std::uint32_t>& patch_of);
+                                          const std::vector<std::uint32_t>& patch_of, const EdgeRows& edge_rows);
 
 }  // namespace ligne

@@ -9,7 +9,6 @@
 #include "base/no_index.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/patches/borders/edge_chains.hpp"
-#include "scene/patches/borders/facet_rows.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
 #include "scene/patches/borders/patch_outlines.hpp"
 #include "scene/patches/find_patches.hpp"
@@ -57,7 +56,6 @@ class BorderFinder {
         patch_of_(surfaces.patch_of),
         patches_(surfaces.patches),
         outlines_(outlines),
-        rows_(scene, topology, graph),
         is_freeform_(surfaces.is_freeform),
         reached_by_(graph.size(), kNone) {}
 
@@ -221,7 +219,6 @@ class BorderFinder {
       const double there = patches_[patch].outward ? k : -k;
       border.bends_otherwise = std::abs(here - there) > kUnlikeCurvature * std::max(std::abs(here), std::abs(there));
     }
-    border.is_in_row = patch != kNone && rows_.goes_on(f, arc);
     border.beyond = number_beyond(arc.facet);
     found_.push_back(border);
   }
@@ -244,7 +241,6 @@ class BorderFinder {
   std::span<const std::uint32_t> patch_of_;
   std::span<const Patch> patches_;
   std::span<const PatchOutline> outlines_;
-  FacetRows rows_;
   std::span<const std::uint8_t> is_freeform_;
   std::vector<std::uint32_t> reached_by_;  ///< per facet: the edge from which it was reached last
   std::vector<std::uint32_t> facets_;      ///< result of reach()

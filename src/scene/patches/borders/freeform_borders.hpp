@@ -27,7 +27,6 @@ struct FreeformBorder {
   double turn = 0;
   bool is_beside_band = false;  ///< the other side is a patch that may be part of the free form (see is_band())
   bool is_fleck = false;        ///< a short chain at an isolated free-form facet that joins some neighbour smoothly
-  bool is_in_row = false;       ///< the facets bend by like angles at the parallel edges before and behind it: one surface
   /// The other side is a surface whose curvature across the edge clearly differs from that of the free form.
   bool bends_otherwise = false;
   bool is_beside_plane = false;  ///< the other side is a plane much wider than the first facet

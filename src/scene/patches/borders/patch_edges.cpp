@@ -8,6 +8,7 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "geometry/degrees.hpp"
+#include "scene/model/edge_rows.hpp"
 #include "scene/patches/borders/whole_borders.hpp"
 #include "scene/patches/facet_graph.hpp"
 
@@ -28,6 +29,9 @@ constexpr double kApartPart = 1.2;
 /// largest fraction with evidence against it.
 constexpr double kMostOfChain = 0.6, kLittleOfChain = 0.1;
 
+/// Adjustable. Most facets across a patch whose curvature in this direction may be an accident.
+constexpr int kMostShallowFacets = 2;
+
 class EdgeClassifier {
  public:
   EdgeClassifier(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals, const Patches& patches,
@@ -36,6 +40,7 @@ class EdgeClassifier {
         topology_(topology),
         normals_(normals),
         patches_(patches),
+        rows_(scene, topology, normals),
         sharp_(sine_cosine_degrees(std::min(180.0, sharp_degrees + kSlackDegrees)).cosine),
         flat_(sine_cosine_degrees(kFlatBend).cosine),
         bent_(sine_cosine_degrees(kLargestBend).cosine),
@@ -73,8 +78,8 @@ class EdgeClassifier {
       return is_doubtful ? PatchEdge::unknown : PatchEdge::sharp;
     }
     if (p == kNone && q == kNone) return PatchEdge::unknown;
-    const bool is_row = has_surfaces && std::ranges::binary_search(patches_.row_edges, static_cast<std::uint32_t>(e));
-    return is_row || bend_alike(edge, n0) ? PatchEdge::inside : PatchEdge::tangent;
+    const bool is_inside = bend_alike(edge, n0) || (has_surfaces && is_between_bands(static_cast<std::uint32_t>(e)));
+    return is_inside ? PatchEdge::inside : PatchEdge::tangent;
   }
 
   /// The evidence of an edge. `kind`: the class that operator() gives it.
@@ -93,7 +98,7 @@ class EdgeClassifier {
     if (border == patches_.borders.end() || border->edge != e) return BorderEvidence::open;
     if (kind_of(*border) == PatchEdge::tangent) return BorderEvidence::tangent;
     const bool is_against = border->turn > 0 && border->angle > kTangentSlack + kApartPart * border->turn;
-    return is_against && !border->is_fleck && !border->is_in_row ? BorderEvidence::against : BorderEvidence::open;
+    return is_against && !border->is_fleck && !is_in_row(*border) ? BorderEvidence::against : BorderEvidence::open;
   }
 
  private:
@@ -109,8 +114,8 @@ class EdgeClassifier {
   PatchEdge kind_of(const FreeformBorder& border) const {
     if (border.is_fleck) return PatchEdge::unknown;
     if (border.angle > kTangentSlack + kTangentPart * border.turn) {
-      return !border.is_beside_band && !border.is_in_row && border.angle >= std::acos(sharp_) ? PatchEdge::sharp
-                                                                                              : PatchEdge::unknown;
+      const bool is_sharp = !border.is_beside_band && border.angle >= std::acos(sharp_) && !is_in_row(border);
+      return is_sharp ? PatchEdge::sharp : PatchEdge::unknown;
     }
     // Surfaces that the file shades smooth, such as limit surfaces, have no lines where their patches bend differently.
     const bool is_smooth = topology_.edge_flags[border.edge] & kEdgeSmooth;
@@ -131,6 +136,36 @@ class EdgeClassifier {
     }
     const bool is_sharp = chain.sharp >= most && chain.tangent <= little && !(topology_.edge_flags[e] & kEdgeSmooth);
     return is_sharp ? PatchEdge::sharp : PatchEdge::unknown;
+  }
+
+  /// Whether one row of facets goes on from the free form into a surface. A cut may have left of the free form what has no
+  /// next edge: then it is one facet deep, and tells nothing of its angle at the border.
+  bool is_in_row(const FreeformBorder& border) const {
+    const Edge& edge = topology_.edges[border.edge];
+    const auto [free, beyond] = patches_.is_freeform[edge.face0] ? std::pair(edge.face0, edge.face1)
+                                                                 : std::pair(edge.face1, edge.face0);
+    if (patches_.patch_of[beyond] == kNone || !rows_.next({border.edge, beyond}, kEvenBends)) return false;
+    return rows_.next({border.edge, free}, kEvenBends) || !rows_.next({border.edge, free}, kRoundingBends);
+  }
+
+  /// Whether one row of facets, alike in width, goes on between two patches of which one is one or two facets deep. The
+  /// bands of an ellipsoid are such patches: each lies on some cone or sphere by accident, and tells nothing of the
+  /// curvature across its borders.
+  bool is_between_bands(std::uint32_t e) const {
+    const auto beside = rows_.beside(e, kEvenBends);
+    if (!beside) return false;
+    const auto [near, far] = std::minmax((*beside)[0].distance, (*beside)[1].distance);
+    return far < kEvenBends.most * near &&
+           (is_shallow(e, topology_.edges[e].face0) || is_shallow(e, topology_.edges[e].face1));
+  }
+
+  bool is_shallow(std::uint32_t e, std::uint32_t face) const {
+    EdgeRows::Step step{e, face};
+    for (int k = 0; k < kMostShallowFacets; ++k) {
+      step = rows_.next(step, kEvenBends);
+      if (!step || patches_.patch_of[step.face] != patches_.patch_of[face]) return true;
+    }
+    return false;
   }
 
   struct Bent {
@@ -158,6 +193,7 @@ class EdgeClassifier {
   const Topology& topology_;
   std::span<const glm::vec3> normals_;
   const Patches& patches_;
+  EdgeRows rows_;
   double sharp_, flat_, bent_, mesh_bent_;  ///< cosines
   std::vector<Chain> chains_;
 };
