@@ -37,6 +37,30 @@ std::vector<std::uint32_t> PatchFinder::around(std::uint32_t seed, int rings, st
   return facets;
 }
 
+/// Up to seven neighbours of a facet that may be curved.
+std::vector<std::uint32_t> PatchFinder::beside(std::uint32_t seed) {
+  std::vector<std::uint32_t> near = around(seed, 1, 8);
+  near.erase(near.begin());
+  return near;
+}
+
+/// A facet with two of its neighbours, those behind its longest sides. At the end of a strip, any other pair may hold a
+/// facet of the corner.
+std::vector<std::uint32_t> PatchFinder::across_long_sides(std::uint32_t seed, std::vector<std::uint32_t> near) const {
+  const auto side = [&](std::uint32_t f) {
+    double most = 0;
+    for (const FacetGraph::Arc& arc : graph_.arcs_of(seed)) {
+      const Edge& edge = topology_.edges[arc.edge];
+      if (arc.facet == f) most = std::max(most, glm::distance(scene_.vertices[edge.v0], scene_.vertices[edge.v1]));
+    }
+    return most;
+  };
+  std::ranges::stable_sort(near, std::ranges::greater{}, side);
+  near.resize(std::min<std::size_t>(near.size(), 2));
+  near.insert(near.begin(), seed);
+  return near;
+}
+
 /// Largest distance between two corners of a facet.
 double PatchFinder::longest_diagonal(std::uint32_t f) const {
   const auto corners = graph_.vertices[f];

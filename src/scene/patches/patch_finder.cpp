@@ -59,6 +59,10 @@ constexpr double kLeastSlope = 1e-4, kLargestSlope = 100;
 /// than a fifteenth of the tube's radius over ten times that radius.
 constexpr double kLeastRing = 0.02, kLargestRing = 200;
 
+/// Largest sag of a torus, as a fraction of its outer radius: that of eight facets around the axis. Near the top of its tube
+/// the normals tell nothing of the turn about the axis: the four upper strips of a rounded box would lie on one.
+constexpr double kLargestRingSag = 0.08;
+
 }  // namespace
 
 bool is_plausible(const PatchSurface& s) {
@@ -183,8 +187,7 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
     best = std::move(c);
     for (const std::uint32_t f : best.facets) best_of_[f] = seed;
   };
-  std::vector<std::uint32_t> near = around(seed, 1, 8);
-  near.erase(near.begin());
+  std::vector<std::uint32_t> near = beside(seed);
   if (near.empty()) return best;
   // Three facets of a strip determine a cylinder or a cone exactly. A triangle between three others is in no strip.
   std::vector<FitSample> sets;
@@ -202,7 +205,8 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
   }
   if (is_settled()) return best;
   // The corners of triangles between two curves share no rulings, so more triangles are needed.
-  FitSample strip{strip_of(seed)};
+  FitSample strip{strip_of(seed)}, across{across_long_sides(seed, near)};
+  if (best.facets.empty() && near.size() > 2) consider(SurfaceKind::cylinder, across, kSimilarArea);
   if (strip.facets.size() >= kFewestStrip && best.facets.size() < strip.facets.size()) {
     sag_part_ = kStripSagPart;
     consider(SurfaceKind::cylinder, strip, kSimilarArea);
@@ -309,6 +313,7 @@ bool PatchFinder::is_certain(const PatchCandidate& c) {
     case SurfaceKind::sphere:
       return no_accident && c.facets.size() >= 6;
     case SurfaceKind::torus: {
+      if (c.patch.sag > kLargestRingSag * (surface.radius + surface.tube)) return false;
       if (!no_accident || c.facets.size() < 6 || angles_of(surface, false) < 4) return false;
       const std::size_t n = angles_of(surface, true);
       return n >= 4 || (n == 3 && is_tangent(c, 1));
