@@ -1,3 +1,5 @@
+// Readers of binary formats: 3D Studio, STL, PLY.
+
 #include "scene/readers/studio/three_ds_reader.hpp"
 
 #include "reader_tools.hpp"
