@@ -73,16 +73,22 @@ TEST(ContourSupport, EndsContoursWhereChordsLieFartherAway) {
   }
 }
 
-// A contour is near an edge of slender triangles only as far as they are wide, however long they are.
+// A contour is near an edge of slender triangles only as far as they are wide and the surface rises, however long they are.
 TEST(OutlineProbes, OfSlenderTrianglesStayNearTheirEdge) {
-  for (const auto& [height, longest] : {std::pair(2.0, 5 * 2.0), std::pair(80.0, 100.0)}) {
+  struct Case {
+    double height, turn, size;  // of the triangles; of the normals along the edge; expected, model units
+  };
+  for (const auto& [height, turn, size] : {Case{2, 0, 5 * 2}, Case{2, 0.08, 5 * (2 + 100 * 0.08 / 8)}, Case{80, 0, 100}}) {
     BesideAnEdge edge(0, 0);
     edge.scene.vertices[2] = {50, 0, -height};
     edge.scene.vertices.push_back({50, height / 2, -height / 2});
     edge.patch.triangles = {{{0, 1, 2}, 0}, {{1, 0, 3}, 1}};
     edge.patch.across = {3, kNone, kNone, 0, kNone, kNone};
+    edge.patch.sector = {0, 1, 2, 1, 0, 3};
+    edge.patch.normals.assign(4, {0, 0, 1});
+    edge.patch.normals[1].x = turn;
     const double size_mm = size_on_page(edge.scene, edge.view, edge.patch, 0);
-    EXPECT_NEAR(size_mm, longest * edge.view.scale, 1e-9);
+    EXPECT_NEAR(size_mm, size * edge.view.scale, 1e-9);
     const auto probe = outline_probe(edge.scene, edge.view, edge.patch, 0, 100, kPenWidthMm);
     for (const int end : {0, 1}) {
       const Point2 off = page_point(edge.view, probe[end]) - page_point(edge.view, edge.scene.vertices[end]);

@@ -21,7 +21,7 @@ std::array<Point3, 2> outline_probe(const Scene& scene, const View& view, const 
                                     double object_size, double slack_mm);
 
 /// Size on the page, mm, of the two triangles at a side of the patch: their longest side, or a multiple of their height
-/// above this side, if that is less.
+/// above this side and of the rise of the surface above it, if that is less.
 double size_on_page(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side);
 
 /// Lengths on the page, mm.
