@@ -51,7 +51,7 @@ filter_of() {
   case $1 in
     methods_test) echo "$general" ;;
     contours_test/clear) echo '*CleanAgain*:ClearAgainstExact*:MeshSags*' ;;
-    contours_test/contours) echo 'ContourSupport*:OutlineGaps*:ShallowIslands*:*ShapeLines*:SmoothContours*:SmoothPatch*:SurfaceFits*:*Surfaces.*' ;;
+    contours_test/contours) echo 'ContourSupport*:OutlineProbes*:OutlineGaps*:ShallowIslands*:*ShapeLines*:SmoothContours*:SmoothPatch*:SurfaceFits*:*Surfaces.*' ;;
     contours_test/heal) echo 'ClearDrawing*:Contacts*:Creases*:*Defect*:EdgeTree*:Heal*:SegmentCells*' ;;
     cli_test)
       case $2 in
