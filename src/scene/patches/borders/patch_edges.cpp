@@ -142,8 +142,8 @@ class EdgeClassifier {
   /// next edge: then it is one facet deep, and tells nothing of its angle at the border.
   bool is_in_row(const FreeformBorder& border) const {
     const Edge& edge = topology_.edges[border.edge];
-    const auto [free, beyond] = patches_.is_freeform[edge.face0] ? std::pair(edge.face0, edge.face1)
-                                                                 : std::pair(edge.face1, edge.face0);
+    const auto [free, beyond] =
+        patches_.is_freeform[edge.face0] ? std::pair(edge.face0, edge.face1) : std::pair(edge.face1, edge.face0);
     if (patches_.patch_of[beyond] == kNone || !rows_.next({border.edge, beyond}, kEvenBends)) return false;
     return rows_.next({border.edge, free}, kEvenBends) || !rows_.next({border.edge, free}, kRoundingBends);
   }
