@@ -43,14 +43,14 @@ std::optional<double> grid_of(std::span<const Point3> positions) {
   const double ulp = 2 * half_ulp_float32(largest);
   int decimals = 1;
   double per_unit = 10;
-  const auto is_fine = [&] { return decimals > kMostDecimals || 1 / per_unit < kLeastStepInUlps * ulp; };
-  if (is_fine()) return std::nullopt;
+  const auto is_too_fine = [&] { return decimals > kMostDecimals || 1 / per_unit < kLeastStepInUlps * ulp; };
+  if (is_too_fine()) return std::nullopt;
   for (const Point3& p : positions) {
     for (int axis = 0; axis < 3; ++axis) {
       while (std::abs(p[axis] - std::round(p[axis] * per_unit) / per_unit) > half_ulp_float32(p[axis])) {
         per_unit *= 10;
         ++decimals;
-        if (is_fine()) return std::nullopt;
+        if (is_too_fine()) return std::nullopt;
       }
     }
   }
