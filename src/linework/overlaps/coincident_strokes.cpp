@@ -39,7 +39,7 @@ void sort_by_precedence(const std::vector<Stroke>& strokes, std::vector<std::uin
 /// (Stroke::needs_overlap_check) or pass near one that does.
 std::vector<std::uint32_t> strokes_to_compare(const std::vector<Stroke>& strokes, double tolerance_steps) {
   const auto is_long = [&](std::uint32_t i) { return page_length(strokes[i]) > tolerance_steps; };
-  const std::vector<std::uint32_t> flagged =
+  std::vector<std::uint32_t> flagged =
       indices_where(strokes.size(), [&](std::size_t i) { return strokes[i].needs_overlap_check && is_long(i); });
   if (flagged.empty()) return flagged;
   std::vector<std::uint32_t> chosen = strokes_near(strokes, flagged, tolerance_steps);
