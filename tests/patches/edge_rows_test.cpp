@@ -65,10 +65,7 @@ TEST_P(EdgeRowsOf, GoOnWhereEdgesBendAlike) {
 TEST_P(EdgeRowsOf, EndAtCornersOfPolygonsAndBorders) {
   const Strip strip({25, 25, 50, 25}, GetParam());
   const EdgeRows rows = strip.rows();
-  EXPECT_FALSE(rows.beside(strip.edge(1), kRoundingBends));
-  EXPECT_FALSE(rows.beside(strip.edge(2), kRoundingBends));
-  EXPECT_FALSE(rows.beside(strip.edge(3), kRoundingBends));
-  EXPECT_FALSE(rows.beside(strip.edge(4), kRoundingBends));
+  for (const int k : {1, 2, 3, 4}) EXPECT_FALSE(rows.beside(strip.edge(k), kRoundingBends)) << k;
 }
 
 TEST_P(EdgeRowsOf, CompareAllEdgesWithTheFirst) {

@@ -1,7 +1,5 @@
-// Readers of text formats: faults that every reader finds, OBJ with its libraries, 3MF and its archive.
-
-/// Faults that every format can have, and that are told alike in all of them: coordinates that are no finite numbers, and
-/// files without a face. docs/scene-format.md, "Faults".
+// Readers of text formats: OBJ with its libraries, 3MF and its archive; and the faults that every format can have, told
+// alike in all of them: coordinates that are no finite numbers, and files without a face (docs/scene-format.md, "Faults").
 
 #include "gltf_builder.hpp"
 #include "reader_tools.hpp"
