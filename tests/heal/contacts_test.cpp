@@ -82,6 +82,7 @@ TEST(Contacts, ChordErrorIsTheHeightOfTheArc) {
     const double height = 10 * (1 - std::cos(std::numbers::pi / n));
     EXPECT_NEAR(errors.of(0), height, 1e-6 * height);
     EXPECT_NEAR(errors.of(3), height, 1e-6 * height);
+    EXPECT_NEAR(errors.bend(3), 2 * std::numbers::pi / n, 1e-9);
     EXPECT_EQ(ChordErrors(scene, neighbours, {0}, 360.0 / n - 1).of(0), 0) << "creases are no part of a smooth surface";
   }
 }
@@ -133,6 +134,23 @@ TEST(Contacts, APinInItsBoreHasNoIntersections) {
   add_tube(scene, 31, 10, {0, 0, -5}, {0, 0, 40}, 0.05);
   EXPECT_GT(intersections(scene, Quality::exact), 500);
   EXPECT_EQ(intersections(scene, Quality::clear), 0);
+}
+
+/// Tubes that lie inside each other but for their sag cross at less than their facets bend: a comb of lines along these.
+TEST(Contacts, TubesSideBySideHaveNoComb) {
+  for (const double aside : {0.1, 0.2, 0.3}) {
+    Scene scene;
+    add_tube(scene, 64, 10, {0, 0, 0}, {0, 0, 30}, 0);
+    add_tube(scene, 71, 10, {aside, 0, -5}, {0, 0, 40}, 0.05);
+    EXPECT_GT(intersections(scene, Quality::exact), 100);
+    EXPECT_EQ(intersections(scene, Quality::clear), 0) << aside;
+  }
+  Scene scene;
+  add_tube(scene, 64, 10, {0, 0, 0}, {0, 0, 30}, 0);
+  add_tube(scene, 71, 10, {4, 0, -5}, {0, 0, 40}, 0.05);
+  const double exact = intersections(scene, Quality::exact);
+  EXPECT_GT(exact, 50);
+  EXPECT_DOUBLE_EQ(intersections(scene, Quality::clear), exact) << "two tubes";
 }
 
 /// Where tubes of one radius cross at a right angle they are tangent at two points: the line goes on there.

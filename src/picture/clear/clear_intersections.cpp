@@ -1,13 +1,18 @@
 #include "picture/clear/clear_intersections.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
+#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "picture/clear/rim_lines.hpp"
 #include "scene/contacts/chord_errors.hpp"
 #include "scene/contacts/face_contact.hpp"
+#include "scene/model/topology.hpp"
 
 namespace ligne {
 namespace {
@@ -34,6 +39,20 @@ std::vector<std::uint32_t> with_neighbours(const Scene& scene, std::vector<std::
   return faces;
 }
 
+/// Adjustable, 10 degrees in radians: surfaces that cross at a larger angle have a line there, as planes do that meet at it.
+constexpr double kEdgeAngle = std::numbers::pi / 18;
+/// Distance of two chords of width w that cross at twice their bend b within their width, 2 w b, by the sum of their
+/// errors, 2 w/2 tan(b/4).
+constexpr double kGrazingErrors = 8;
+
+/// Whether two faces cross at an angle no larger than the bends on either side: the shapes behind them may run side by side,
+/// and the line of crossing jumps from facet to facet.
+bool grazes(const Scene& scene, const std::array<std::uint32_t, 2>& faces, const ChordErrors& errors) {
+  const double bends = errors.bend(faces[0]) + errors.bend(faces[1]);
+  const double sine = glm::length(glm::cross(face_normal(scene, faces[0]), face_normal(scene, faces[1])));
+  return sine <= std::sin(std::min(bends, kEdgeAngle));
+}
+
 /// Per segment whether its faces only touch.
 std::vector<bool> find_contacts(const Scene& scene, const std::vector<SourceEdge>& segments, const ChordErrors& errors) {
   std::vector<bool> contact(segments.size(), false);
@@ -43,7 +62,8 @@ std::vector<bool> find_contacts(const Scene& scene, const std::vector<SourceEdge
     const double error = errors.of(s.faces[0]) + errors.of(s.faces[1]);
     if (error == 0) continue;
     const double precision = object_precision(scene, s.faces[0]) + object_precision(scene, s.faces[1]);
-    contact[i] = within_distance(scene, s.faces, s.ends, error + precision);
+    const double distance = (grazes(scene, s.faces, errors) ? kGrazingErrors : 1) * error + precision;
+    contact[i] = within_distance(scene, s.faces, s.ends, distance);
   }
   return contact;
 }

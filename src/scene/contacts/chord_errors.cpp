@@ -30,7 +30,7 @@ double width_from(const Scene& scene, std::uint32_t face, const Point3& normal, 
 
 ChordErrors::ChordErrors(const Scene& scene, const FaceNeighbours& neighbours, std::vector<std::uint32_t> faces,
                          double smooth_degrees)
-    : faces_(std::move(faces)), errors_(faces_.size(), 0) {
+    : faces_(std::move(faces)), errors_(faces_.size(), 0), bends_(faces_.size(), 0) {
   neighbours.for_each_pair([&](std::uint32_t a, std::uint32_t b, std::uint32_t v0, std::uint32_t v1) {
     add(scene, a, b, v0, v1, smooth_degrees);
     add(scene, b, a, v0, v1, smooth_degrees);
@@ -48,14 +48,22 @@ void ChordErrors::add(const Scene& scene, std::uint32_t face, std::uint32_t neig
   if (sine > sine_cosine_degrees(smooth_degrees / 2).sine) return;
   double width = width_from(scene, face, n, v0, v1);
   const double beside = width_from(scene, neighbour, m, v0, v1);
-  if (width > kUneven * beside) width = beside;
-  double& error = errors_[static_cast<std::size_t>(place - faces_.begin())];
+  const auto at = static_cast<std::size_t>(place - faces_.begin());
+  if (width > kUneven * beside) {
+    width = beside;
+  } else {
+    bends_[at] = std::max(bends_[at], 2 * std::asin(sine));
+  }
+  double& error = errors_[at];
   error = std::max(error, width / 2 * sine / (1 + std::sqrt(1 - sine * sine)));
 }
 
-double ChordErrors::of(std::uint32_t face) const {
-  const auto place = std::lower_bound(faces_.begin(), faces_.end(), face);
-  return errors_[static_cast<std::size_t>(place - faces_.begin())];
+std::size_t ChordErrors::place_of(std::uint32_t face) const {
+  return static_cast<std::size_t>(std::lower_bound(faces_.begin(), faces_.end(), face) - faces_.begin());
 }
+
+double ChordErrors::of(std::uint32_t face) const { return errors_[place_of(face)]; }
+
+double ChordErrors::bend(std::uint32_t face) const { return bends_[place_of(face)]; }
 
 }  // namespace ligne

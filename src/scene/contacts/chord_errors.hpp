@@ -21,13 +21,18 @@ class ChordErrors {
 
   /// The estimate in model units; 0 for a face that no neighbour joins smoothly. `face` must be one of those given.
   double of(std::uint32_t face) const;
+  /// Largest angle to a neighbour of which the face is the next chord, in radians; 0 as above. The normal of the shape
+  /// differs from that of the face by up to half of it. `face` must be one of those given.
+  double bend(std::uint32_t face) const;
 
  private:
   void add(const Scene& scene, std::uint32_t face, std::uint32_t neighbour, std::uint32_t v0, std::uint32_t v1,
            double smooth_degrees);
 
+  std::size_t place_of(std::uint32_t face) const;
+
   std::vector<std::uint32_t> faces_;
-  std::vector<double> errors_;
+  std::vector<double> errors_, bends_;
 };
 
 }  // namespace ligne
