@@ -288,6 +288,7 @@ struct TangentChain {
   double width = 1;        ///< of both faces
   double object_size = 0;  ///< length of the object along the chain; 0: that of the chain
   bool is_ring = false;    ///< whether the last edge ends where the first one begins; otherwise both ends are free
+  double step = 0;         ///< length of the fourth edge across the chain; 0: it goes straight on
 };
 
 /// Number of tangent edges that are left of a chain of so many.
@@ -297,9 +298,9 @@ std::size_t tangents_left(int edges, const TangentChain& chain = {}) {
   for (int i = 0; i < edges; ++i) {
     const auto v = static_cast<std::uint32_t>(i);
     topology.edges.push_back({v, chain.is_ring && i + 1 == edges ? 0 : v + 1, 0, 1});
-    scene.vertices.emplace_back(i, 0, 0);
+    scene.vertices.emplace_back(chain.step > 0 && i > 3 ? i - 1 : i, i > 3 ? chain.step : 0, 0);
   }
-  scene.vertices.emplace_back(edges, 0, 0);
+  scene.vertices.emplace_back(edges, chain.step, 0);
   scene.vertices.emplace_back(0, chain.width, 0);
   scene.vertices.emplace_back(0, -chain.width, 0);
   scene.vertices.emplace_back(chain.object_size, 0, 0);
@@ -328,6 +329,16 @@ TEST(Patches, TangentEdgesThatMeetNoLineAreNoneInAMuchLongerObject) {
   EXPECT_EQ(tangents_left(6, {.object_size = 22}), 6u);
   EXPECT_EQ(tangents_left(6, {.object_size = 26}), 0u);
   EXPECT_EQ(tangents_left(6, {.object_size = 26, .is_ring = true}), 6u) << "a ring encloses something";
+}
+
+TEST(Patches, TangentEdgesThatFollowTheFacetsOfAFreeFormInStepsAreNone) {
+  const auto ring_with_step = [](double step) {
+    return tangents_left(8, {.is_beside_plane = false, .is_ring = true, .step = step});
+  };
+  EXPECT_EQ(ring_with_step(0), 8u);
+  EXPECT_EQ(ring_with_step(1), 0u);
+  EXPECT_EQ(ring_with_step(40), 8u) << "a side as long as several facets are deep";
+  EXPECT_EQ(tangents_left(8, {.is_ring = true, .step = 1}), 8u) << "between a surface and a plane";
 }
 
 TEST(Patches, LongTangentEdgesBesideNarrowFacesAreKeptWhereTheyEndFreely) {

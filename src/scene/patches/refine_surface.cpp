@@ -71,8 +71,8 @@ class SurfaceFit {
     return sum;
   }
 
-  /// Derivatives of the signed distance of a point with respect to each parameter. A motion of the surface changes it by -n
-  /// . (motion of the point), where n is the normal; a turn of the axis towards x moves the point by (along, 0, -x).
+  /// Derivatives of the signed distance of a point with respect to each parameter. A motion of the surface changes it by
+  /// -n . (motion of the point), where n is the normal; a turn of the axis towards x moves the point by (along, 0, -x).
   Row derivatives(const PlacedPoint& p) const {
     const bool is_off_axis = p.radius > 0;
     if constexpr (kKind == SurfaceKind::sphere) {

@@ -5,6 +5,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
 #include "scene/model/object_sizes.hpp"
+#include "scene/model/topology.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
 
 namespace ligne {
@@ -21,12 +22,17 @@ constexpr double kStripSine = 0.0175, kStripLength = 4;
 /// disturb.
 constexpr double kLongestLoneTree = 0.25;
 
+/// Adjustable. Of a tooth in a border beside a free form or between curved surfaces: the largest cosine of the turn at
+/// either end (40 degrees), and its largest length, in depths of the facet behind it.
+constexpr double kToothCosine = 0.77, kToothDepths = 3;
+
 /// A vertex at which tangent edges end: their number, the exclusive or of their indices (the index itself if one edge
 /// is left), and whether another line ends there too.
 struct TangentNode {
   std::uint32_t vertex = 0, count = 0, numbers = 0;
   bool is_held = false;
   bool is_loose() const { return count == 1 && !is_held; }
+  bool is_passed() const { return count == 2 && !is_held; }  ///< a line goes on there
 };
 
 /// Connected tangent edges. They form a tree if they have one node more than edges.
@@ -70,19 +76,37 @@ class TangentChains {
     }
   }
 
+  /// Drops the lines with teeth. A border that turns to one side and back within a facet follows the facets, as it does
+  /// where a surface or plane was found by accident, and not the shape.
+  void drop_jagged() {
+    std::vector<std::uint32_t> teeth, line;
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+      if (edges_[e] == PatchEdge::tangent && is_tooth(e)) teeth.push_back(e);
+    }
+    for (const std::uint32_t tooth : teeth) {
+      if (edges_[tooth] != PatchEdge::tangent) continue;
+      line.assign(1, tooth);
+      for (const std::uint32_t v : ends_of(tooth)) {
+        std::uint32_t e = tooth;
+        for (const TangentNode* node = node_at(v); node->is_passed(); node = other_end(e, *node)) {
+          e ^= node->numbers;
+          if (e == tooth) break;
+          line.push_back(e);
+        }
+        if (line.size() > 1 && e == tooth) break;  // a ring
+      }
+      for (const std::uint32_t e : line) drop(e);
+    }
+  }
+
   /// Drops loose edges between two curved surfaces, and then the edges that become loose without them.
   void drop_between_curved() {
-    const auto is_curved = [&](std::uint32_t f) { return patches_.patch_of[f] != kNone || patches_.is_freeform[f]; };
     for (TangentNode& first : nodes_) {
       for (TangentNode* node = &first; node->is_loose();) {
         const std::uint32_t e = node->numbers;
         if (!is_curved(topology_.edges[e].face0) || !is_curved(topology_.edges[e].face1)) break;
-        edges_[e] = PatchEdge::inside;
         TangentNode* next = other_end(e, *node);
-        for (TangentNode* end : {node, next}) {
-          --end->count;
-          end->numbers ^= e;
-        }
+        drop(e);
         node = next;
       }
     }
@@ -124,7 +148,7 @@ class TangentChains {
       if (!first.is_loose()) continue;
       chain.assign(1, first.numbers);
       const TangentNode* node = other_end(chain.back(), first);
-      while (node->count == 2 && !node->is_held && chain.size() <= kMostLooseEdges) {
+      while (node->is_passed() && chain.size() <= kMostLooseEdges) {
         chain.push_back(node->numbers ^ chain.back());  // the other one of the two edges
         node = other_end(chain.back(), *node);
       }
@@ -136,6 +160,41 @@ class TangentChains {
 
  private:
   std::array<std::uint32_t, 2> ends_of(std::uint32_t e) const { return {topology_.edges[e].v0, topology_.edges[e].v1}; }
+
+  void drop(std::uint32_t e) {
+    edges_[e] = PatchEdge::inside;
+    for (const std::uint32_t v : ends_of(e)) {
+      TangentNode& node = *node_at(v);
+      --node.count;
+      node.numbers ^= e;
+    }
+  }
+
+  bool is_curved(std::uint32_t face) const { return patches_.patch_of[face] != kNone || patches_.is_freeform[face]; }
+
+  /// Whether the line turns to one side and back at the ends of an edge, see kToothDepths.
+  bool is_tooth(std::uint32_t e) {
+    const Edge& edge = topology_.edges[e];
+    const TangentNode &first = *node_at(edge.v0), &last = *node_at(edge.v1);
+    if (!first.is_passed() || !last.is_passed()) return false;
+    const Point3 &from = scene_.vertices[edge.v0], &to = scene_.vertices[edge.v1], way = to - from;
+    const double squared = glm::dot(way, way);
+    const auto is_short = [&](std::uint32_t face, std::uint32_t beyond) {
+      if (!patches_.is_freeform[face] && !(is_curved(face) && is_curved(beyond))) return false;
+      return std::ranges::any_of(scene_.faces.contour(face, 0), [&](std::uint32_t v) {
+        return squared <= kToothDepths * glm::length(glm::cross(way, scene_.vertices[v] - from));
+      });
+    };
+    if (!is_short(edge.face0, edge.face1) && !is_short(edge.face1, edge.face0)) return false;
+    const Point3 before = from - scene_.vertices[other_end(first.numbers ^ e, first)->vertex];
+    const Point3 behind = scene_.vertices[other_end(last.numbers ^ e, last)->vertex] - to;
+    const auto turns = [&](const Point3& a, const Point3& b) {
+      return glm::dot(a, b) <= kToothCosine * glm::length(a) * glm::length(b);
+    };
+    const Point3 normal = face_normal(scene_, edge.face0) + face_normal(scene_, edge.face1);
+    const double left = glm::dot(glm::cross(before, way), normal), back = glm::dot(glm::cross(way, behind), normal);
+    return turns(before, way) && turns(way, behind) && left * back < 0;
+  }
 
   /// Whether an edge is a side of a strip of a cylinder. If the file shades the edge smooth, the rules for meshes
   /// decide.
@@ -195,6 +254,7 @@ void drop_loose_tangents(const Scene& scene, const Topology& topology, const Pat
   TangentChains chains(scene, topology, patches, edges);
   if (chains.empty()) return;
   chains.hold(is_line);
+  chains.drop_jagged();
   chains.drop_between_curved();
   chains.drop_flecks();
   chains.drop_lone_trees();
