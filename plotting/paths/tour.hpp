@@ -18,8 +18,7 @@ struct Tour {
 
 /// Shortens the gaps between the strokes of a tour. The first stroke stays in place (the home position); so does the
 /// last if `returns`, else the way after the last stroke costs nothing. `ends` holds the points of all ends of the
-/// strokes in the tour. Stops when
-/// no move gains, or when `work` (strokes moved and pairs tried) is used up.
+/// strokes in the tour. Stops when no move gains, or when `work` (strokes moved and pairs tried) is used up.
 void improve(Tour& tour, std::span<const Point2> ends, bool returns, std::uint64_t& work);
 
 }  // namespace ligne

@@ -3,10 +3,8 @@
 /// segment is a quotient of two exact determinants.
 ///
 /// Notation: the point of segment s at the parameter t is s.a + t (s.b - s.a). A parameter is num / den with whole
-/// numbers, den > 0,
-/// num
-/// and den at most 2^53, so both are exact doubles. Products of two of them have 106 bits. Each sign below is first
-/// computed in doubles; if they leave it open, 128-bit whole numbers decide.
+/// numbers, den > 0, the size of num and den at most 2^53, so both are exact doubles. Products of two of them have 106
+/// bits. Each sign below is first computed in doubles; if they leave it open, 128-bit whole numbers decide.
 
 #include <cmath>
 #include <compare>

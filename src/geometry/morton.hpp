@@ -7,9 +7,8 @@
 
 namespace ligne {
 
-/// Interleaves the bits of x and y, the bit of y above that of x. Points with
-/// coordinate
-/// <= kLatticeLimit have equal keys only if they are equal. Let b be the highest bit that differs within a set of keys.
+/// Interleaves the bits of x and y, the bit of y above that of x. Points whose coordinates have a size of at most
+/// kLatticeLimit have equal keys only if they are equal. Let b be the highest bit that differs within a set of keys.
 /// Points with a 0 there all have a smaller x than points with a 1 if b is even, and a smaller y if b is odd.
 inline std::uint64_t morton_key(LatticePoint p) {
   const auto spread = [](std::int32_t coordinate) {

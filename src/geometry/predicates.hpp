@@ -17,12 +17,9 @@ namespace ligne {
 /// robust geometric predicates", sections 2.2 to 2.4 and 4.2).
 int orientation_sign(Point2 a, Point2 b, Point2 c);
 
-/// Error bound of the rounded determinant, relative to
-/// left product
-/// +
-/// right product
-/// . Each product carries three roundings of u = 2^-53 (two differences, one product) and the last difference one more,
-/// which Shewchuk bounds by (3 + 16 u) u relative to the rounded sum of sizes.
+/// Error bound of the rounded determinant, relative to the sum of the sizes of both products. Each product
+/// carries three roundings of u = 2^-53 (two differences, one product) and the last difference one more, which Shewchuk
+/// bounds by (3 + 16 u) u relative to the rounded sum of sizes.
 inline constexpr double kOrientationErrorBound = (3.0 + 16.0 * 0x1p-53) * 0x1p-53;
 
 }  // namespace ligne

@@ -39,8 +39,8 @@ Outcome run_program(const std::filesystem::path& folder, const Words& arguments,
 /// The bytes of a file.
 std::string contents(const std::filesystem::path& file);
 
-/// A fresh folder per test, with models in it: cube.obj (edge 20, y up), square.obj (open),
-/// and broken.obj.
+/// A fresh folder per test, with models in it: cube.obj (edge 20, y up), square.obj (open), and
+/// broken.obj.
 class ProgramTest : public testing::Test {
  protected:
   void SetUp() override;

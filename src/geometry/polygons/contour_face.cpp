@@ -5,9 +5,8 @@
 namespace ligne {
 namespace {
 
-/// Twice the area of the loop about its first corner.
-/// coordinates
-/// < 2^43, so a product has 88 bits, and the sum of some thousand million products 120.
+/// Twice the area of the loop about its first corner. Coordinates relative to it have a size below 2^43, so a product has 88
+/// bits, and the sum of some thousand million products 120.
 Int128 exact_twice_area(const EdgeLoop& loop) {
   if (loop.empty()) return 0;
   const FinePoint origin = loop.front().begin();

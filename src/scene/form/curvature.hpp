@@ -32,11 +32,9 @@ struct FormLink {
 
 std::vector<FormLink> form_links(const FormMesh& mesh, const std::vector<TangentFrame>& frames);
 
-/// Smooths values of nodes: returns the z that minimise sum weight_i
-/// z_i - wanted_i
-/// ^2 + length^2 sum w
-/// z_i - turn^symmetry z_j
-/// ^2. `symmetry` is the rotational symmetry of values that turn with the frames, and 0 for others.
+/// Smooths values of nodes: returns the z that minimise sum weight_i abs(z_i - wanted_i)^2 + length^2 sum w
+/// abs(z_i - turn^symmetry z_j)^2. `symmetry` is the rotational symmetry of values that turn with the frames, and 0 for
+/// others.
 std::vector<Complex> evened(const std::vector<double>& weights, const std::vector<Complex>& wanted,
                             const std::vector<FormLink>& links, double length, int symmetry);
 

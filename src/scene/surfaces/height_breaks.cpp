@@ -12,9 +12,8 @@ namespace {
 
 /// Number of halvings down to the resolution of doubles.
 constexpr int kMostHalvings = 60;
-/// Number of halvings that distinguish a jump from a slope.
-/// x
-/// ^(1/5), the steepest slope expected in a formula, has then shrunk to a 256th, and a slope of ten million to nothing.
+/// Number of halvings that distinguish a jump from a slope. The fifth root of x at 0, the steepest slope expected in a
+/// formula, has then shrunk to a 256th, and a slope of ten million to nothing.
 constexpr int kJumpHalvings = 40;
 /// Smallest part of a change that must remain after halving its interval for a jump.
 constexpr double kJumpPart = 1. / 64;

@@ -170,8 +170,8 @@ bool FacetClip::covers(std::span<const Number> list, const Window& window) {
         const std::uint32_t partner = sides_.partner(patch_[n], k);
         if (partner != kNone && listed_[partner] == reached) continue;
         if (beside(part.edges[k].segment, window) || !passes_over_subject(part.edges[k])) continue;
-        rim = partner == kNone || listed_[partner] != listed;  // the partner is not listed, or belongs to a patch with
-                                                               // a rim
+        // The partner is not listed, or belongs to a patch with a rim.
+        rim = partner == kNone || listed_[partner] != listed;
         if (rim) break;
         listed_[partner] = reached;
         patch_.push_back(partner);

@@ -280,9 +280,8 @@ void plant_trees(Bodies& bodies) {
     body.has_tree = true;
   }
   boxes.clear();
-  for (const Body& body : bodies.list)
-    boxes.push_back(body.box);  // a body without a front has no depth, so no line is
-                                // behind it
+  // A body without a front has no depth, so no line is behind it.
+  for (const Body& body : bodies.list) boxes.push_back(body.box);
   bodies.root = bodies.forest.add_tree(boxes);
 }
 
