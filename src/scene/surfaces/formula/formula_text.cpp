@@ -55,6 +55,8 @@ constexpr auto kFunctions = std::to_array<FormulaFunction>({
     {"erf", +[](double a) { return std::erf(a); }},
     {"erfc", +[](double a) { return std::erfc(a); }},
     {"gamma", +[](double a) { return std::tgamma(a); }},
+    {"j0", +[](double a) { return ::j0(a); }},  // Bessel functions of the first kind, of order 0 and 1
+    {"j1", +[](double a) { return ::j1(a); }},
     {"cbrt", +[](double a) { return std::cbrt(a); }},
     {"sqrt", +[](double a) { return std::sqrt(a); }},
     {"exp", +[](double a) { return std::exp(a); }},
