@@ -297,7 +297,7 @@ pugi::xml_node SvgReader::target_of(const pugi::xml_node& use) {
   if (target.empty()) target = use.attribute("xlink:href").value();
   if (target.empty()) return {};
   if (!target.starts_with('#')) {
-    omit("<use> elements that lead out of the file", use, "<use> leads out of the file");
+    omit("<use> elements of other files", use, "<use> leads out of the file");
     return {};
   }
   const auto found = ids_.find(std::string(target.substr(1)));
@@ -309,7 +309,7 @@ void SvgReader::follow_use(const pugi::xml_node& node, const Context& context) {
   if (!target) return;
   const OpenElement open(open_, node);
   if (context.links >= kMostLinks || !open.is_new() || open_.contains(target.internal_object())) {
-    return omit("<use> elements that lead back to themselves", node,
+    return omit("self-referring <use> elements", node,
                 "<use> leads on more than " + std::to_string(kMostLinks) + " times, or back to itself");
   }
   if (context.depth > kDeepest) return omit_deep(node);

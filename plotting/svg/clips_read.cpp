@@ -162,7 +162,7 @@ ClipPointer SvgReader::mask_of(const std::string& id, const pugi::xml_node& node
   const pugi::xml_node& mask = found->second;
   const OpenElement open(open_clips_, mask);
   if (!open.is_new() || open_clips_.size() > kMostLinks) {
-    omit("masks that refer to themselves", node, "has masks that refer to other masks or to themselves");
+    omit("self-referring masks", node, "has masks that refer to other masks or to themselves");
     return context.clip;
   }
   Context inside = context;

@@ -12,7 +12,7 @@ namespace {
 std::string noun_of(std::string_view name, const pugi::xml_node& node) {
   if (name == "text") return "<" + printable(node.name()) + "> elements in texts";
   if (name == "image") return "images";
-  if (name == "clip-path") return "clip paths that are not shapes";
+  if (name == "clip-path") return "clip paths that are no shape";
   if (name == "mask") return "masks that are not shapes of one colour";
   if (name == "filter") return "filters";
   if (name == "foreignObject") return "foreignObject elements";

@@ -51,7 +51,7 @@ void SvgReader::draw_marker(const pugi::xml_node& marker, const pugi::xml_node& 
                             const Context& around) {
   if (!marker.first_child()) return;
   if (around.links >= kMostLinks || open_.contains(marker.internal_object())) {
-    return omit("markers that refer to themselves", node,
+    return omit("self-referring markers", node,
                 "has markers that lead on more than " + std::to_string(kMostLinks) + " times, or back to themselves");
   }
   Context context = around;

@@ -1,5 +1,6 @@
 #include "files/message_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdio>
@@ -63,6 +64,15 @@ std::string_view end_of(std::string_view text, std::size_t most) {
   return end;
 }
 
+/// The singular of a plural noun; any other word unchanged.
+std::string singular(const std::string& word) {
+  const auto without = [&](std::size_t letters) { return word.substr(0, word.size() - letters); };
+  if (word.starts_with('@') || word.ends_with("us") || word.ends_with("ss") || !word.ends_with('s')) return word;
+  if (word.ends_with("ies")) return without(3) + "y";
+  if (word.ends_with("vertices")) return without(4) + "ex";
+  return without(word.ends_with("shes") ? 2 : 1);
+}
+
 }  // namespace
 
 std::string printable(std::string_view text, std::size_t longest) {
@@ -111,6 +121,24 @@ std::string rounded(double value, int digits) {
   std::array<char, 64> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, value);
   return buffer.data();
+}
+
+std::string counted(std::size_t n, std::string_view plural) {
+  if (n != 1) return std::to_string(n) + " " + std::string(plural);
+  constexpr int kMostWords = 3;
+  std::string text = "1";
+  for (int words = 1; !plural.empty(); ++words) {
+    const std::size_t end = std::min(plural.find(' '), plural.size());
+    const std::string word(plural.substr(0, end)), noun = singular(word);
+    text += " " + noun;
+    plural.remove_prefix(std::min(end + 1, plural.size()));
+    if (noun != word || word == "of" || words == kMostWords) break;
+  }
+  if (!plural.empty()) text.append(" ").append(plural);
+  constexpr std::string_view kThatAre = " that are ", kThatIs = " that is ";
+  const std::size_t clause = text.find(kThatAre);
+  if (clause != std::string::npos) text.replace(clause, kThatAre.size(), kThatIs);
+  return text;
 }
 
 std::string duration(double seconds) {

@@ -36,6 +36,10 @@ std::string shortest(double value);
 /// The number with `digits` significant digits: for people, not for programs.
 std::string rounded(double value, int digits = 6);
 
+/// "3 faces with holes", "1 face with holes". `plural` begins with a plural noun, behind two words at most
+/// ("missing libraries"); " that are " in it becomes " that is ".
+std::string counted(std::size_t n, std::string_view plural);
+
 /// Seconds as "12.3 ms" or "4.56 s".
 std::string duration(double seconds);
 

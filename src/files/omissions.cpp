@@ -39,7 +39,7 @@ std::size_t Omissions::of(std::string_view what) const {
 
 std::string Omissions::list() const {
   std::string text;
-  for (const auto& [kind, n] : counts_) text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + kind;
+  for (const auto& [kind, n] : counts_) text += (text.empty() ? "" : ", ") + counted(n, kind);
   return text;
 }
 

@@ -88,6 +88,21 @@ TEST_F(InputFile, EndlessPipesEnd) {
   writer.join();
 }
 
+TEST(MessageText, OneIsSingular) {
+  EXPECT_EQ(counted(2, "faces with holes"), "2 faces with holes");
+  EXPECT_EQ(counted(0, "vertices"), "0 vertices");
+  const char* const singular[][2] = {{"faces with holes", "1 face with holes"},
+                                     {"missing libraries 'a b'", "1 missing library 'a b'"},
+                                     {"vertices", "1 vertex"},
+                                     {"meshes with EXT_foo", "1 mesh with EXT_foo"},
+                                     {"self-referring <use> elements", "1 self-referring <use> element"},
+                                     {"values of x that are not known", "1 value of x that is not known"},
+                                     {"column of words", "1 column of words"},
+                                     {"@supports rules", "1 @supports rule"},
+                                     {"ambiguous number format", "1 ambiguous number format"}};
+  for (const auto& [plural, text] : singular) EXPECT_EQ(counted(1, plural), text);
+}
+
 TEST(MessageText, PlainTextStaysAsItIs) {
   EXPECT_EQ(printable(""), "");
   EXPECT_EQ(printable("a b\\n'\"?"), "a b\\n'\"?");
@@ -164,7 +179,7 @@ TEST(Omissions, OneLineNamesKindsInTheirOrder) {
 TEST(Omissions, NamesOfTheFileAreMadePrintable) {
   Omissions omitted;
   omitted.count("statements \x1b[2J\nligne: all is well");
-  EXPECT_EQ(omitted.list(), "1 statements \\x1b[2J\\nligne: all is well");
+  EXPECT_EQ(omitted.list(), "1 statement \\x1b[2J\\nligne: all is well");
 }
 
 TEST(Omissions, AMillionKindsAreAFew) {

@@ -190,7 +190,7 @@ TEST(SvgReader, DeepElementsAreLeftOut) {
   for (int i = 0; i < 5000; ++i) deep += "<g>", end += "</g>";
   const ReadDrawing drawing = read(deep + "<line x2='9'/>" + end + "<line x2='5'/>");
   EXPECT_EQ(lines_of(drawing), Lines{"0,0 500,0 "});
-  EXPECT_EQ(drawing.omitted.list(), "1 elements nested deeper than 200 elements");
+  EXPECT_EQ(drawing.omitted.list(), "1 element nested deeper than 200 elements");
 }
 
 TEST(SvgReader, ManyShapesOfAClipPathAreClippedOneByOne) {
@@ -224,7 +224,7 @@ TEST(SvgDocuments, InternalEntitiesAreExpanded) {
                     "<![CDATA[&shapes;]]><!-- &shapes; --></svg>");
   EXPECT_EQ(lines_of(read), (Lines{"0,0 500,0 ", "0,0 600,0 "}));
   EXPECT_EQ(read.drawing.layers.at(0).name, "#ed1c24");
-  EXPECT_EQ(read.omitted.list(), "1 entities of other files");
+  EXPECT_EQ(read.omitted.list(), "1 entity of other files");
 }
 
 TEST(SvgDocuments, EntitiesDoNotMoveLines) {
@@ -265,7 +265,7 @@ TEST(SvgDocuments, VariablesDoNotGrowWithoutBounds) {
     bomb += "--a" + std::to_string(i) + ":" + before + before + ";";
   }
   EXPECT_EQ(read("<line x2='5' style='" + bomb + "stroke:var(--a39)'/>").omitted.list(),
-            "1 values of stroke that are not known");
+            "1 value of stroke that is not known");
 }
 
 TEST(SvgDocuments, UnitsOfLengths) {

@@ -44,7 +44,7 @@ TEST(Npy, LayersPointsAndErrors) {
   const std::string layers = npy("|u1", "2, 2, 3", numbers<std::uint8_t>({0, 0, 0, 0, 0, 9, 1, 2, 3, 4, 5, 6}));
   Warnings warnings;
   read(layers, warnings);
-  EXPECT_EQ(warnings.left_out().text(), "left out: 1 layers of its array");
+  EXPECT_EQ(warnings.left_out().text(), "left out: 1 layer of its array");
   GridChoice second;
   second.data_set = 1;
   expect_grid(*heights(layers, second), {0, 1, 2}, {0, 1}, kHeights);

@@ -109,7 +109,7 @@ TEST(ThreeDsReader, MaterialsAndSmoothingGroups) {
   EXPECT_EQ(scene.materials[scene.face_material[0]].name, "");
   EXPECT_EQ(shading.face_groups, (std::vector<std::uint32_t>{1, 0x80000002}));
   EXPECT_TRUE(shading.groups_are_bits);
-  EXPECT_EQ(warnings.left_out().text(), "left out: 1 textures");
+  EXPECT_EQ(warnings.left_out().text(), "left out: 1 texture");
 }
 
 TEST(ThreeDsReader, LightsAndCameras) {

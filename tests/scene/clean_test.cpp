@@ -10,7 +10,7 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr char kDegenerate[] = "faces with fewer than three distinct vertices dropped";
 constexpr char kNotFinite[] = "faces with vertices that are not finite dropped";
-constexpr char kNotPlanar[] = "faces that are not planar cut into triangles";
+constexpr char kNotPlanar[] = "non-planar faces cut into triangles";
 
 using Corners = std::vector<std::uint32_t>;
 using Points = std::vector<Point3>;

@@ -98,16 +98,16 @@ TEST(GeoTiff, MasksMakeHoles) {
   expect_grid(*grid(tiff.bytes()), {0, 1, 2}, {0, 1}, {{4, 5, kNaN}, {1, kNaN, 3}});
   TiffBuilder pages(3, 2, kSix, kFloat);
   pages.then(TiffBuilder(3, 2, kSix, kFloat));
-  EXPECT_EQ(warnings_of(pages), std::vector<std::string>{"left out: 1 pages after the first"});
+  EXPECT_EQ(warnings_of(pages), std::vector<std::string>{"left out: 1 page after the first"});
 }
 
 TEST(GeoTiff, VoidsWithoutNoData) {
   TiffBuilder tiff(2, 2, std::vector<std::int16_t>{10, 20, -32768, 40}, kSigned);
   Warnings warnings;
   expect_grid(*grid(tiff.bytes(), warnings), {0, 1}, {0, 1}, {{kNaN, 40}, {10, 20}});
-  EXPECT_EQ(warnings.lines(), std::vector<std::string>{"1 heights of -32768 read as NODATA"});
+  EXPECT_EQ(warnings.lines(), std::vector<std::string>{"1 height of -32768 read as NODATA"});
   TiffBuilder floats(2, 2, std::vector<float>{10, -3.4028235e38f, 30, 40}, kFloat);
-  EXPECT_EQ(warnings_of(floats), std::vector<std::string>{"1 heights below -1e38 read as NODATA"});
+  EXPECT_EQ(warnings_of(floats), std::vector<std::string>{"1 height below -1e38 read as NODATA"});
 }
 
 TEST(GeoTiff, NoDataOfFloatsHasOtherDigits) {
@@ -119,7 +119,7 @@ TEST(GeoTiff, NoDataOfFloatsHasOtherDigits) {
 
 TEST(GeoTiff, BandsAreChosen) {
   TiffBuilder tiff(2, 2, std::vector<std::int16_t>{1, 10, 2, 20, 3, 30, 4, 40}, kSigned, 2);
-  EXPECT_EQ(warnings_of(tiff), std::vector<std::string>{"left out: 1 bands after the first, which --band N chooses"});
+  EXPECT_EQ(warnings_of(tiff), std::vector<std::string>{"left out: 1 band after the first, which --band N chooses"});
   GridChoice second;
   second.band = 2;
   Warnings warnings;

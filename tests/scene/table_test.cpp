@@ -21,7 +21,7 @@ TEST(Table, HeadsNamesBlocksAndDataSets) {
   ASSERT_EQ(table.data_sets().size(), 2u);
   EXPECT_EQ(table.data_sets()[1].begin, 3u);
   EXPECT_EQ(table.line(2), 6u);
-  EXPECT_EQ(warnings.left_out().text(), "left out: 1 lines above the first row, 1 head rows of data sets");
+  EXPECT_EQ(warnings.left_out().text(), "left out: 1 line above the first row, 1 head row of data sets");
 }
 
 TEST(Table, NamesOfOneColumnLessThanTheRows) {

@@ -138,7 +138,7 @@ TEST(Faults, FilesWithoutAFaceAreErrors) {
     // A glTF names points as such.
     const bool points = std::string(format.name).starts_with("Gl");
     EXPECT_EQ(outcome(format, format.write(kGood, false)),
-              std::string("M: holds no faces") + (points ? "; left out: 1 primitives of points" : ""))
+              std::string("M: holds no faces") + (points ? "; left out: 1 primitive of points" : ""))
         << format.name;
   }
 }
@@ -176,7 +176,7 @@ class ObjLibraries : public testing::Test {
 
 TEST_F(ObjLibraries, GiveColourAndOpacity) {
   write("red glass.mtl", "# by hand\nnewmtl glass\nKd 1 0 0.25\nd 0.5\nTr 0.9\nillum 2\nnewmtl\ttinted\nKd 0.5\nTr 0.25\n");
-  const Result r = read("mtllib red glass.mtl\n" + square_ + "usemtl glass\nf 1 2 3\nusemtl tinted\nf 1 3 4\n");
+  const Result r = read("mtllib red glass.mtl # comment\n" + square_ + "usemtl glass\nf 1 2 3\nusemtl tinted\nf 1 3 4\n");
   ASSERT_EQ(r.scene.materials.size(), 2u);
   EXPECT_EQ(r.scene.materials[0].name, "glass");
   EXPECT_EQ(r.scene.materials[0].color, Point3(1, 0, 0.25));
@@ -192,8 +192,8 @@ TEST_F(ObjLibraries, NameWhatIsLeftOut) {
   write("a.mtl", "newmtl m\nKd 1 1 1\nmap_Kd wood.png\nmap_Kd -s 2 2 wood.png\nnorm n.png\nwobble 1\n");
   const Result r = read("mtllib a.mtl missing.mtl ../a.mtl\n" + square_ + "usemtl m\nf 1 2 3\n");
   EXPECT_EQ(r.warnings.left_out().text(),
-            "left out: 2 textures (map_Kd), 1 textures (norm), 1 statements 'wobble' of materials, 1 missing libraries "
-            "'missing.mtl', 1 missing libraries '../a.mtl'");
+            "left out: 2 textures (map_Kd), 1 texture (norm), 1 statement 'wobble' of materials, 1 missing library "
+            "'missing.mtl', 1 missing library '../a.mtl'");
 }
 
 TEST_F(ObjLibraries, BrokenNumbersNameTheLine) {

@@ -173,7 +173,7 @@ TEST(CreaseTags, AreLeftOutWithoutSubdivision) {
   const std::string text = std::string(kObjCube) + "t crease 2/1/0 0 1 10\n";
   Warnings warnings;
   read_scene({std::as_bytes(std::span(text)), "M"}, ModelFormat::obj, {}, warnings);
-  expect_parts(warnings.lines().at(0), {"left out: 1 tags of subdivision (t), which --subdivide reads"});
+  expect_parts(warnings.lines().at(0), {"left out: 1 tag of subdivision (t), which --subdivide reads"});
 }
 
 TEST(CreaseTags, ThatNameNothingAreCounted) {
@@ -181,7 +181,7 @@ TEST(CreaseTags, ThatNameNothingAreCounted) {
       read_subdivided(std::string(kObjCube) + "t crease 2/1/0 0 7 3\nt crease 2/1/0 100 200 3\nt hole 1/0/0 3\n");
   EXPECT_EQ(made.report.sharp_edges, 0u);
   EXPECT_EQ(made.warnings.lines(),
-            (std::vector<std::string>{"2 crease tags name no edge of the model", "left out: 1 tags 'hole'"}));
+            (std::vector<std::string>{"2 crease tags name no edge of the model", "left out: 1 tag 'hole'"}));
 }
 
 TEST(CreaseTags, ThatAreWrongHaveALine) {

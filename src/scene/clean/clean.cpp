@@ -18,9 +18,9 @@
 namespace ligne {
 namespace {
 
-constexpr char kNoArea[] = "faces that are not planar and have no area dropped";
+constexpr char kNoArea[] = "non-planar faces without an area dropped";
 constexpr char kHole[] = "holes with fewer than three distinct vertices dropped";
-constexpr char kNotPlanar[] = "faces that are not planar cut into triangles";
+constexpr char kNotPlanar[] = "non-planar faces cut into triangles";
 constexpr char kCrossing[] = "faces whose contours cross, or with holes outside, are not filled as a whole";
 
 /// Dropped faces, by cause.

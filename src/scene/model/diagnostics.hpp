@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "files/input_error.hpp"
+#include "files/message_text.hpp"
 #include "files/omissions.hpp"
 
 namespace ligne {
@@ -29,7 +30,7 @@ class Warnings {
   /// One line per kind, and one line with all omissions.
   std::vector<std::string> lines() const {
     std::vector<std::string> lines;
-    for (const auto& [kind, n] : counts_) lines.push_back(std::to_string(n) + " " + kind);
+    for (const auto& [kind, n] : counts_) lines.push_back(counted(n, kind));
     if (!left_out_.empty()) lines.push_back(left_out_.text());
     return lines;
   }

@@ -124,7 +124,7 @@ class OffReader {
     }
     if (n == 0) return builder_.use_material(kNone);
     if (n < 3) {
-      warnings_.leave_out("colours by their number");
+      warnings_.leave_out("numbered colours");
       return builder_.use_material(kNone);
     }
     const double most = whole ? 255 : 1;

@@ -24,7 +24,8 @@ namespace {
 
 constexpr std::size_t kHeaderBytes = 80, kPreambleBytes = 84, kTriangleBytes = 50, kNormalBytes = 12;
 
-/// Splits a text into words. Line ends are white space, except that a name extends to the end of its line.
+/// Splits a text into words. Line ends are white space, except that a name extends to the end of its line. A word that
+/// begins with "#" begins a comment, which some programs and people write.
 class Words {
  public:
   Words(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
@@ -32,12 +33,13 @@ class Words {
   /// The next word; empty at the end of the file.
   std::string_view take() {
     for (;;) {
-      const std::string_view word = take_word(line_);
+      std::string_view word = take_word(line_);
+      if (word.starts_with('#')) word = line_ = {};
       if (!word.empty() || !lines_.next(line_)) return word;
     }
   }
   std::string_view take_rest_of_line() {
-    const std::string_view rest = trimmed(line_);
+    const std::string_view rest = trimmed(without_comment(line_));
     line_ = {};
     return rest;
   }

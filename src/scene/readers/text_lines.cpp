@@ -53,6 +53,14 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+std::string_view without_comment(std::string_view text) {
+  for (std::size_t i = text.find('#'); i != std::string_view::npos; i = text.find('#', i + 1)) {
+    const bool begins = i == 0 || is_blank(text[i - 1]), ends = i + 1 == text.size() || is_blank(text[i + 1]);
+    if (begins && ends) return text.substr(0, i);
+  }
+  return text;
+}
+
 std::string_view take_word(std::string_view& line) {
   std::size_t begin = 0;
   while (begin < line.size() && is_blank(line[begin])) ++begin;

@@ -35,6 +35,8 @@ constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c
 std::string_view trimmed(std::string_view text);
 /// Takes the next word off the front of a line; empty if there is none.
 std::string_view take_word(std::string_view& line);
+/// The text before a comment, which begins with a "#" that stands alone. A name may contain one ("#3", "a#b").
+std::string_view without_comment(std::string_view text);
 /// Compares letters without regard to case (ASCII).
 bool equal_ignoring_case(std::string_view a, std::string_view b);
 bool starts_with_ignoring_case(std::string_view text, std::string_view beginning);

@@ -25,7 +25,7 @@ class MtlReader {
       if (rest.empty() || rest[0] == '#') continue;
       const std::string_view keyword = take_word(rest);
       if (keyword == "newmtl") {
-        begin(std::string(trimmed(rest)));
+        begin(std::string(trimmed(without_comment(rest))));
       } else if (current_) {
         take(keyword, rest);
       }

@@ -117,7 +117,7 @@ bool ObjStatements::delivered() {
   }
   if (keyword == "g" || keyword == "o" || keyword == "usemtl") return take_name(keyword, rest);
   if (keyword == "mtllib") {
-    libraries_.emplace_back(trimmed(rest));
+    libraries_.emplace_back(trimmed(without_comment(rest)));
     return false;
   }
   std::string cause;
@@ -133,8 +133,9 @@ bool ObjStatements::delivered() {
 }
 
 bool ObjStatements::take_name(std::string_view keyword, std::string_view rest) {
+  const std::string_view name = trimmed(without_comment(rest));
   if (keyword == "g") {
-    std::string group(trimmed(rest).empty() ? "default" : trimmed(rest));
+    std::string group(name.empty() ? "default" : name);
     statement_ = "o " + group;
     if (std::find(group_names_.begin(), group_names_.end(), group) == group_names_.end()) {
       group_names_.push_back(std::move(group));
@@ -143,7 +144,7 @@ bool ObjStatements::take_name(std::string_view keyword, std::string_view rest) {
   }
   has_objects_ = has_objects_ || keyword == "o";
   // A tab after the keyword, or a missing name, would hide the statement from the library.
-  statement_.assign(keyword).append(1, ' ').append(trimmed(rest));
+  statement_.assign(keyword).append(1, ' ').append(name);
   return true;
 }
 

@@ -36,7 +36,7 @@ class PlyTextData {
   void begin_item(const PlyElement& element, std::uint64_t item) {
     do {
       if (!lines_.next(line_)) throw error("the file ends before " + of_element(element, item));
-    } while (trimmed(line_).empty());
+    } while (!has_numbers());
   }
   PlyValue take(PlyType type) {
     const std::string_view word = take_word(line_);
@@ -59,7 +59,7 @@ class PlyTextData {
   }
   void end() {
     while (lines_.next(line_)) {
-      if (!trimmed(line_).empty()) throw error("more lines than the header declares elements");
+      if (has_numbers()) throw error("more lines than the header declares elements");
     }
   }
   InputError error(const std::string& cause) const { return error_at_line(name_, header_lines_ + lines_.number(), cause); }
@@ -67,6 +67,13 @@ class PlyTextData {
   void skip(const PlyRecords&) {}
 
  private:
+  /// Whether the line is neither blank nor a comment.
+  bool has_numbers() const {
+    std::string_view rest = line_;
+    const std::string_view word = take_word(rest);
+    return !word.empty() && word != "comment";
+  }
+
   LineReader lines_;
   std::size_t header_lines_;
   const std::string& name_;
