@@ -95,7 +95,7 @@ ChosenCreases find_lines(const Scene*& scene, PreparedScene& prepared, RunReport
   const LineRequest& lines = prepared.request.lines;
   ChosenCreases found;
   found.decide = select_edges(*scene, prepared.topology, lines, lines.studied(), found.creases, run).creases != nullptr;
-  leave_out_walls_behind(*scene, prepared.topology, prepared.view().camera, found.creases);
+  decide_sheets_by_view(*scene, prepared.topology, prepared.view().camera, found.creases);
   if (draws_contours(lines)) {
     if (auto given = refine_on_page(*scene, prepared.topology, prepared.view(), prepared.request, found.creases)) {
       scene = &given->refined.scene;

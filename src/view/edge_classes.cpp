@@ -120,7 +120,8 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
         result = LineClass::border;
       } else if (flags & kEdgeManyFaces) {
         // Only two of its faces are stored, and which ones depends on the file, so they can not decide on an outline.
-        result = !creases || (*creases)[e] == kCreaseLine ? LineClass::crease : LineClass::mesh;
+        const std::uint8_t line = creases ? (*creases)[e] : kCreaseLine;
+        result = line == kCreaseLine ? LineClass::crease : line == kFoldLine ? LineClass::outline : LineClass::mesh;
       } else {
         const int turn = flags & kEdgeUnlikeWound ? -1 : 1;
         if (sides.facing[edge.face0] != sides.facing[edge.face1] * turn) {

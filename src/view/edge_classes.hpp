@@ -29,7 +29,7 @@ std::vector<std::int8_t> face_facings(const Scene& scene, const Camera& camera);
 ///   not creases.
 ///
 /// If the windings of two faces contradict each other, one is treated as reversed. A face without area takes the normal
-/// of its neighbour across its longest edge. If `creases` is given (per edge kCreaseLine, kTangentLine or 0, see
+/// of its neighbour across its longest edge. If `creases` is given (per edge kCreaseLine, kTangentLine, kFoldLine or 0, see
 /// scene/creases/crease_lines.hpp), it decides on creases and tangent lines instead of the angle and the number of
 /// faces.
 std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topology, const Camera& camera,

@@ -36,7 +36,7 @@ inline constexpr std::uint8_t kClearFace = 2;
 struct EdgeSelection {
   LineClasses classes;
   double crease_degrees = 30;
-  const std::vector<std::uint8_t>* creases = nullptr;  ///< per edge kCreaseLine, kTangentLine or 0; null: by angle
+  const std::vector<std::uint8_t>* creases = nullptr;  ///< per edge, see crease_lines.hpp; null: by angle
 };
 
 /// The scene as the camera sees it. Vertices are renumbered along a Morton curve over the page; faces and source edges

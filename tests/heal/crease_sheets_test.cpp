@@ -1,5 +1,6 @@
 /// Creases where more than two faces meet, and where faces are too thin to have a normal of their own.
 
+#include "drawn_lengths.hpp"
 #include "heal/found_creases.hpp"
 #include "scene/creases/face_normals.hpp"
 #include "support/test.hpp"
@@ -64,6 +65,31 @@ TEST(Creases, AWallInsideABodyIsSeenFromItsSideAlone) {
   const auto touching = find(read(slab_with("f 2 3 7 6\nf 2 6 7 3\n"), ModelFormat::obj));
   EXPECT_EQ(touching.count(), 20u);
   EXPECT_TRUE(touching.creases.walls.empty());
+}
+
+/// An open tube of 16 sides as an OBJ file, its sides cut along one diagonal, and with `twice` along the other one too.
+std::string tube(bool twice) {
+  std::ostringstream obj;
+  for (int i = 0; i < 16; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 16;
+    for (const int z : {0, 4}) obj << "v " << std::cos(angle) << " " << std::sin(angle) << " " << z << "\n";
+  }
+  for (int i = 0; i < 16; ++i) {
+    const int a = 2 * i + 1, d = a + 1, b = 2 * ((i + 1) % 16) + 1, c = b + 1;
+    obj << "f " << a << " " << b << " " << c << "\nf " << a << " " << c << " " << d << "\n";
+    if (twice) obj << "f " << a << " " << b << " " << d << "\nf " << b << " " << c << " " << d << "\n";
+  }
+  return obj.str();
+}
+
+TEST(Creases, DoubledSheetsHaveTheOutlineOfOne) {
+  const auto drawn = [](bool twice) {
+    PictureRequest request;
+    request.view.up_axis = Axis::z;
+    return test::length_of_all(test::drawn_lengths(read(tube(twice), ModelFormat::obj), request));
+  };
+  EXPECT_GT(drawn(false), 100);
+  EXPECT_NEAR(drawn(true), drawn(false), 0.1);
 }
 
 TEST(Creases, WhereAllFacesAreThinnerThanThePrecisionTheirNormalsCount) {

@@ -58,11 +58,24 @@ EdgeSelection select_edges(const Scene& scene, const Topology& topology, const L
   return selection;
 }
 
-void leave_out_walls_behind(const Scene& scene, const Topology& topology, const Camera& camera, Creases& creases) {
+void decide_sheets_by_view(const Scene& scene, const Topology& topology, const Camera& camera, Creases& creases) {
+  const auto sight_from = [&](std::uint32_t e) {
+    const Edge& edge = topology.edges[e];
+    return to_eye(camera, 0.5 * (scene.vertices[edge.v0] + scene.vertices[edge.v1]));
+  };
   for (const WallEdge& wall : creases.walls) {
-    const Edge& edge = topology.edges[wall.edge];
-    const Point3 middle = 0.5 * (scene.vertices[edge.v0] + scene.vertices[edge.v1]);
-    if (glm::dot(wall.side, to_eye(camera, middle)) <= 0) creases.lines[wall.edge] = 0;
+    if (glm::dot(wall.side, sight_from(wall.edge)) <= 0) creases.lines[wall.edge] = 0;
+  }
+  for (auto sheet = creases.folds.begin(); sheet != creases.folds.end();) {
+    const std::uint32_t e = sheet->edge;
+    const Point3 sight = sight_from(e);
+    bool turns_left = false, turns_right = false;
+    for (; sheet != creases.folds.end() && sheet->edge == e; ++sheet) {
+      const double side = glm::dot(sheet->normal, sight);
+      turns_left |= side > 0;
+      turns_right |= side < 0;
+    }
+    if (turns_left != turns_right && creases.lines[e] == 0) creases.lines[e] = kFoldLine;
   }
 }
 

@@ -19,8 +19,10 @@ bool needs_creases(LineClasses classes);
 EdgeSelection select_edges(const Scene& scene, const Topology& topology, const LineRequest& request, LineClasses classes,
                            Creases& creases, RunReport& run);
 
-/// Removes edges of `creases` that are visible from one side only (WallEdge) if the viewer is on the other side.
-void leave_out_walls_behind(const Scene& scene, const Topology& topology, const Camera& camera, Creases& creases);
+/// Decides on edges of more than two faces. Removes those of `creases` that are visible from one side only (WallEdge) if
+/// the viewer is on the other side. Marks as kFoldLine those that are no creases where all of their faces lie on one side
+/// of them on the page (FoldSheet): there the sheets turn away from the viewer.
+void decide_sheets_by_view(const Scene& scene, const Topology& topology, const Camera& camera, Creases& creases);
 
 /// Marks in `creases` the borders between surfaces that join smoothly, where LineRequest::tangent draws them. Returns
 /// the lines along the middle of fillets that replace the borders of these fillets.

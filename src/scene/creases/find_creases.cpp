@@ -93,6 +93,7 @@ class Finder {
     SheetEdges sheets = find_sheet_edges(scene_, topology_, limits_.crease);
     const std::vector<std::uint8_t>& bent = sheets.bent;
     found_.walls = std::move(sheets.walls);
+    found_.folds = std::move(sheets.folds);
     for (std::size_t e = 0, i = 0; i < bent.size() && e < bends_.size(); ++e) {
       if (!(topology_.edge_flags[e] & kEdgeManyFaces)) continue;
       bends_[e] = bent[i] ? Bend::firm : Bend::none;

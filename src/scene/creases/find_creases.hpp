@@ -25,6 +25,7 @@ struct Creases {
   std::vector<PatchEdge> patch_edges;  ///< per edge of the topology
   Patches patches;                     ///< the recognised surfaces
   std::vector<WallEdge> walls;         ///< creases that are visible from one side only
+  std::vector<FoldSheet> folds;        ///< faces at edges of more than two that are no creases, see SheetEdges
   std::vector<ScanObject> scans;       ///< objects whose creases were traced, ascending
 
   // Differences from the simple rule that an edge is a crease if the angle of its faces exceeds the limit or if it has

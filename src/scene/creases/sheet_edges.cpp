@@ -93,11 +93,14 @@ SheetEdges find_sheet_edges(const Scene& scene, const Topology& topology, float 
   for (auto begin = sheets.begin(); begin != sheets.end();) {
     const auto end = std::find_if(begin, sheets.end(), [&](const Sheet& s) { return s.edge != begin->edge; });
     const std::span<const Sheet> group(begin, end);
+    const auto e = static_cast<std::uint32_t>(wanted[begin->edge].second);
     found.bent[begin->edge] = is_bent(group, crease_cosine);
     if (found.bent[begin->edge]) {
-      if (const auto side = side_of_walls(group, crease_cosine)) {
-        found.walls.push_back({static_cast<std::uint32_t>(wanted[begin->edge].second), *side});
-      }
+      if (const auto side = side_of_walls(group, crease_cosine)) found.walls.push_back({e, *side});
+    } else {
+      const Edge& edge = topology.edges[e];
+      const Point3 along = glm::normalize(scene.vertices[edge.v1] - scene.vertices[edge.v0]);
+      for (const Sheet& sheet : group) found.folds.push_back({e, glm::cross(along, sheet.across)});
     }
     begin = end;
   }

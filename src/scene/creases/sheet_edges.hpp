@@ -16,12 +16,20 @@ struct WallEdge {
   Point3 side{0, 0, 0};    ///< unit normal of the two smooth faces, towards the side of the walls
 };
 
+/// A face at an edge of more than two that is no line. `normal` is a unit vector, turned as if all faces traversed the edge
+/// in one direction: where the normals of all faces at an edge turn to one side, the sheets fold over there.
+struct FoldSheet {
+  std::uint32_t edge = 0;  ///< index in the topology
+  Point3 normal{0, 0, 0};
+};
+
 struct SheetEdges {
   /// Per edge of more than two faces, in ascending order of these edges: 1 if it is a line. It is one if two of its
   /// faces leave it in directions that are neither equal nor opposite, or if all leave it in the same direction, so
   /// that the sheets end there.
   std::vector<std::uint8_t> bent;
-  std::vector<WallEdge> walls;  ///< those of them that are wall edges, ascending
+  std::vector<WallEdge> walls;   ///< those of them that are wall edges, ascending
+  std::vector<FoldSheet> folds;  ///< the faces at edges that are no lines, those of one edge after each other, ascending
 };
 
 /// Examines all edges of more than two faces. `crease_cosine`: cosine of the smallest angle of different directions.
