@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "linework/stroke_geometry.hpp"
+
 namespace ligne {
 
 void unite(std::vector<StrokePart>& parts) {
@@ -29,7 +31,7 @@ StrokePart part_near(const Stroke& bit, const Stroke& line, double reach) {
     const double half = std::sqrt((reach - beside) * (reach + beside) / square);
     part.add(middle - half, middle + half);
   }
-  const double ux = double(line.to.x) - line.from.x, uy = double(line.to.y) - line.from.y, length = std::hypot(ux, uy);
+  const double ux = double(line.to.x) - line.from.x, uy = double(line.to.y) - line.from.y, length = page_length(line);
   if (length == 0) return part;
   // Clips to the fractions at which the distances along and across the other stroke are in range. Both are linear in
   // the fraction.

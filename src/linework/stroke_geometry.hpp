@@ -49,7 +49,8 @@ inline FootPoint foot_on(const Stroke& s, LatticePoint p) {
   const double dx = double(s.to.x) - s.from.x, dy = double(s.to.y) - s.from.y;
   const double px = double(p.x) - s.from.x, py = double(p.y) - s.from.y, square = dx * dx + dy * dy;
   const double t = square > 0 ? std::clamp((px * dx + py * dy) / square, 0.0, 1.0) : 0;
-  return {t, std::hypot(px - t * dx, py - t * dy)};
+  const double x = px - t * dx, y = py - t * dy;
+  return {t, std::sqrt(x * x + y * y)};
 }
 
 }  // namespace ligne

@@ -40,8 +40,19 @@ namespace {
 
 /// Pairs the ends of each class at a node, and then the ends without a partner.
 void pair_ends(const LineMap& map, std::uint32_t node, std::vector<std::uint32_t>& same, std::vector<std::uint32_t>& other) {
+  const Nodes& nodes = map.nodes();
+  if (nodes.degree(node) == 1) return;
+  const std::uint32_t first = nodes.first(node), second = nodes.other(first);
+  if (second != kNone) {  // the only pair
+    const Stroke &s = map.piece(first / 2), &t = map.piece(second / 2);
+    if (!is_edge(s) || !is_edge(t)) return;
+    std::vector<std::uint32_t>& partner = s.line_class == t.line_class ? same : other;
+    partner[first] = second;
+    partner[second] = first;
+    return;
+  }
   std::vector<NodeArm> arms, group;  // those of the edges, in the order of their ends
-  map.nodes().for_each_end(node, [&](std::uint32_t end) {
+  nodes.for_each_end(node, [&](std::uint32_t end) {
     if (is_edge(map.piece(end / 2))) arms.push_back(arm_from(map.point(end), map.point(end ^ 1), end));
   });
   for (std::size_t c = 0; c < kEdgeClassCount; ++c) {

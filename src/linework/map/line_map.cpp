@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/indices_where.hpp"
+#include "base/parallel.hpp"
 #include "linework/near_part.hpp"
 #include "linework/stroke_geometry.hpp"
 
@@ -87,14 +89,21 @@ std::optional<LineMap::Meeting> LineMap::nearest_line(std::uint32_t end) {
 }
 
 void LineMap::find_contacts() {
+  file_pieces();
+  const std::vector<std::uint32_t> ends = indices_where(nodes_.end_count(), [&](std::size_t i) {
+    const auto end = static_cast<std::uint32_t>(i);
+    return meetings_.any_node ? nodes_.first(nodes_.of(end)) == end : is_free(end);
+  });
+  std::vector<std::optional<Meeting>> nearest(ends.size());
+  parallel_blocks(ends.size(), kSearchBlock, [&](std::size_t begin, std::size_t last) {
+    for (std::size_t i = begin; i < last; ++i) nearest[i] = nearest_line(ends[i]);
+  });
   std::vector<Meeting> meetings;
-  for (std::uint32_t end = 0; end < nodes_.end_count(); ++end) {
-    if (meetings_.any_node ? nodes_.first(nodes_.of(end)) != end : !is_free(end)) continue;
-    auto meeting = nearest_line(end);
-    if (!meeting) continue;
-    meeting->contact = static_cast<std::uint32_t>(contacts_.size());
-    contacts_.push_back({nodes_.of(end), kNone, meeting->distance});
-    meetings.push_back(*meeting);
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (!nearest[i]) continue;
+    nearest[i]->contact = static_cast<std::uint32_t>(contacts_.size());
+    contacts_.push_back({nodes_.of(ends[i]), kNone, nearest[i]->distance});
+    meetings.push_back(*nearest[i]);
   }
   std::ranges::sort(meetings, {}, [](const Meeting& m) { return std::tuple(m.piece, m.fraction, m.contact); });
   std::vector<StrokeCut> cuts;
@@ -178,8 +187,13 @@ void LineMap::clear_hidden(std::vector<Stroke>& strokes, double ink) const {
   const std::span added(model_.strokes.begin() + given_, model_.strokes.end());
   LineCells cells(cell_);
   for (std::uint32_t a = 0; a < added.size(); ++a) cells.insert(a, added[a].from, added[a].to);
-  std::erase_if(strokes, [&](Stroke& s) {
-    if (s.visible || s.from == s.to) return false;
+  // Only strokes of which an end lies in the ink lose a part.
+  const auto lies_in_ink = [&](LatticePoint p) {
+    constexpr double kRounding = 1;  // lattice steps
+    return cells.near(p, p, ink, [&](std::uint32_t a) { return foot_on(added[a], p).distance <= ink + kRounding; });
+  };
+  const auto is_gone = [&](Stroke& s) {
+    if (s.visible || s.from == s.to || !(lies_in_ink(s.from) || lies_in_ink(s.to))) return false;
     std::vector<StrokePart> parts;
     cells.near(s.from, s.to, ink, [&](std::uint32_t a) {
       if (const StrokePart part = part_near(s, added[a], ink); !part.empty()) parts.push_back(part);
@@ -191,7 +205,16 @@ void LineMap::clear_hidden(std::vector<Stroke>& strokes, double ink) const {
     if (from >= to) return true;
     s = stroke_piece(s, {from, point_at(s, from)}, {to, point_at(s, to)});
     return s.from == s.to;
+  };
+  std::vector<std::uint8_t> stays(strokes.size(), 1);
+  parallel_blocks(strokes.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) stays[i] = !is_gone(strokes[i]);
   });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    if (stays[i]) strokes[kept++] = strokes[i];
+  }
+  strokes.resize(kept);
 }
 
 void LineMap::commit(double ink) {

@@ -30,8 +30,6 @@ constexpr double kRingInGaps = 4;
 constexpr double kOwnLineInClears = 4;
 /// Factor above the rounding errors of a squared distance.
 constexpr double kAbout = 1 + 0x1p-40;
-/// Adjustable: ends for which one task searches.
-constexpr std::size_t kSearchBlock = 64;
 
 /// A free end of an edge.
 struct OpenEnd {

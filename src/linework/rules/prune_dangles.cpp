@@ -24,10 +24,10 @@ class DanglePruner {
         arcs_(map, limits.touching_mm / map.step_mm()),
         limits_(limits),
         beside_(limits.beside_mm / map.step_mm()),
-        extents_(body_extents(map, body_of)),
-        body_(map.piece_count(), kNone) {
+        body_(bodies_of(map, body_of)),
+        extents_(body_extents(map, body_)) {
     for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
-      if (map.is_alive(p) && map.piece(p).line_class == LineClass::outline) body_[p] = body_of(map.piece(p));
+      if (map.piece(p).line_class != LineClass::outline) body_[p] = kNone;
     }
   }
 
@@ -105,8 +105,8 @@ class DanglePruner {
   Arcs arcs_;
   DangleLimits limits_;
   double beside_;
-  std::vector<double> extents_;      ///< by body
   std::vector<std::uint32_t> body_;  ///< by piece; kNone except for outlines
+  std::vector<double> extents_;      ///< by body
 };
 
 }  // namespace

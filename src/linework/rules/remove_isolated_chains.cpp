@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "linework/rules/rules.hpp"
 #include "linework/stroke_geometry.hpp"
 
@@ -13,7 +15,7 @@ namespace {
 /// A ring that is removed may be longer by so much: it is a sliver, of which either side may be such a chain. Taste.
 constexpr double kRingTimes = 1.5;
 
-double diagonal(const Rect& box) { return std::hypot(box.width(), box.height()); }
+double diagonal(const Rect& box) { return std::sqrt(box.width() * box.width() + box.height() * box.height()); }
 
 /// Lines that are connected by nodes and contacts.
 struct Cluster {
@@ -36,11 +38,20 @@ bool lie_on_one_line(const std::vector<LatticePoint>& points, double width) {
 
 }  // namespace
 
-std::vector<double> body_extents(const LineMap& map, const BodyOf& body_of) {
+std::vector<std::uint32_t> bodies_of(const LineMap& map, const BodyOf& body_of) {
+  std::vector<std::uint32_t> bodies(map.piece_count(), kNone);
+  parallel_blocks(bodies.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (auto p = static_cast<std::uint32_t>(begin); p < end; ++p) {
+      if (map.is_alive(p)) bodies[p] = body_of(map.piece(p));
+    }
+  });
+  return bodies;
+}
+
+std::vector<double> body_extents(const LineMap& map, std::span<const std::uint32_t> bodies) {
   std::vector<Rect> extents;
   for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
-    if (!map.is_alive(p)) continue;
-    const std::uint32_t body = body_of(map.piece(p));
+    const std::uint32_t body = bodies[p];
     if (body == kNone) continue;
     if (body >= extents.size()) extents.resize(body + 1);
     for (const LatticePoint end : {map.piece(p).from, map.piece(p).to}) extents[body].extend({end.x, end.y});
@@ -65,14 +76,23 @@ std::size_t remove_isolated_chains(LineMap& map, const BodyOf& body_of, const Is
   for (const Contact& contact : map.contacts()) {
     if (map.holds(contact)) connect(contact.node, contact.other);
   }
-  std::vector<Cluster> clusters(nodes.end_count());
-  const auto cluster_of = [&](std::uint32_t p) -> Cluster& { return clusters[sets.find(nodes.of(2 * p))]; };
-  for (const std::uint32_t node : in_rings) clusters[sets.find(node)].has_ring = true;
-  const std::vector<double> extents = body_extents(map, body_of);
+  std::vector<std::uint32_t> number(nodes.end_count(), kNone);  // by the node that stands for a cluster
+  std::vector<Cluster> clusters;
+  for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
+    if (!map.is_alive(p)) continue;
+    std::uint32_t& n = number[sets.find(nodes.of(2 * p))];
+    if (n != kNone) continue;
+    n = static_cast<std::uint32_t>(clusters.size());
+    clusters.emplace_back();
+  }
+  const auto cluster_of = [&](std::uint32_t p) -> Cluster& { return clusters[number[sets.find(nodes.of(2 * p))]]; };
+  for (const std::uint32_t node : in_rings) clusters[number[sets.find(node)]].has_ring = true;
+  const std::vector<std::uint32_t> bodies = bodies_of(map, body_of);
+  const std::vector<double> extents = body_extents(map, bodies);
   for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
     if (!map.is_alive(p)) continue;
     Cluster& cluster = cluster_of(p);
-    const std::uint32_t body = is_feature(map.piece(p)) ? body_of(map.piece(p)) : kNone;
+    const std::uint32_t body = is_feature(map.piece(p)) ? bodies[p] : kNone;
     const double longest = body == kNone ? 0 : std::min(limits.longest_mm / map.step_mm(), limits.body_part * extents[body]);
     cluster.longest = std::min(cluster.longest, cluster.has_ring ? kRingTimes * longest : longest);
     for (const LatticePoint end : {map.piece(p).from, map.piece(p).to}) {

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
+#include <vector>
 
 #include "base/no_index.hpp"
 #include "linework/map/line_map.hpp"
@@ -76,7 +78,10 @@ struct UndershootLimits {
 /// The line must be several times as long as the extension. Adds one stroke for each end.
 std::size_t extend_undershoots(LineMap& map, const UndershootLimits& limits, const MakeSource& make_source);
 
-/// Diagonals of the bounding boxes of the pieces of each body, in lattice steps.
-std::vector<double> body_extents(const LineMap& map, const BodyOf& body_of);
+/// The body of each piece; kNone for removed pieces and those that `body_of` ignores. Runs in parallel.
+std::vector<std::uint32_t> bodies_of(const LineMap& map, const BodyOf& body_of);
+
+/// Diagonals of the bounding boxes of the pieces of each body, in lattice steps. `bodies`: by piece.
+std::vector<double> body_extents(const LineMap& map, std::span<const std::uint32_t> bodies);
 
 }  // namespace ligne
