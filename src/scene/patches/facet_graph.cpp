@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <utility>
 
 #include "base/disjoint_sets.hpp"
 #include "base/indices_where.hpp"
@@ -148,7 +149,7 @@ class GraphBuilder {
       const Edge& edge = topology_.edges[edge_begin + k];
       sets.join(edge.face0 - first, edge.face1 - first);
     }
-    const std::vector<std::uint32_t> order = faces_by_vertices();
+    const std::vector<std::uint32_t> order = faces_by_edges(edge_begin, edge_end);
     graph_.facet_of.assign(count, kNone);
     std::vector<std::uint32_t>& begins = graph_.faces.begin;
     begins.reserve(count + 1);
@@ -180,30 +181,33 @@ class GraphBuilder {
     return key;
   }
 
-  /// The faces of the object, numbered from 0, sorted by their three lowest vertices. Facets are numbered in this
-  /// order, so that the order of faces in the file does not matter.
-  std::vector<std::uint32_t> faces_by_vertices() const {
-    const std::uint32_t count = object_.face_end - object_.face_begin;
-    const std::uint32_t vertices = object_.vertex_end - object_.vertex_begin;
-    UninitializedVector<std::uint32_t> lowest(count);
-    parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-      for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f) lowest[f] = key_of(f)[0] - object_.vertex_begin;
-    });
-    // Faces with the same lowest vertex v get the places [begin[v], begin[v + 1]), and are then sorted by themselves.
-    std::vector<std::uint32_t> begin(vertices + 2, 0), order(count);
-    for (std::uint32_t f = 0; f < count; ++f) ++begin[lowest[f] + 2];
-    for (std::size_t v = 2; v < begin.size(); ++v) begin[v] += begin[v - 1];
-    for (std::uint32_t f = 0; f < count; ++f) order[begin[lowest[f] + 1]++] = f;
-    parallel_blocks(vertices, kShortWorkBlock, [&](std::size_t first, std::size_t last) {
-      std::vector<std::array<std::uint32_t, 4>> keys;
-      for (std::size_t v = first; v < last; ++v) {
-        if (begin[v + 1] - begin[v] < 2) continue;
-        keys.clear();
-        for (std::uint32_t k = begin[v]; k < begin[v + 1]; ++k) keys.push_back(key_of(order[k]));
-        std::sort(keys.begin(), keys.end());
-        std::ranges::transform(keys, order.begin() + begin[v], [](const auto& key) { return key[3]; });
+  /// The faces of the object, numbered from 0, in the order of their lowest edges, and at one edge by their vertices. Facets
+  /// are numbered in this order, so that the order of faces in the file does not matter. Faces that share all their edges
+  /// with two others or more come last.
+  std::vector<std::uint32_t> faces_by_edges(std::uint32_t edge_begin, std::uint32_t edge_end) const {
+    const std::uint32_t first = object_.face_begin, count = object_.face_end - first;
+    std::vector<std::uint32_t> order = large_vector<std::uint32_t>(count);
+    std::vector<std::uint8_t> is_listed(count, 0);
+    std::uint32_t listed = 0;
+    const auto list = [&](std::uint32_t f) {
+      if (!std::exchange(is_listed[f], 1)) order[listed++] = f;
+    };
+    for (std::uint32_t e = edge_begin; e < edge_end; ++e) {
+      if (topology_.edge_flags[e] & kEdgeManyFaces) continue;
+      const Edge& edge = topology_.edges[e];
+      const std::uint32_t f = edge.face0 - first;
+      if (edge.face1 == kNone) {
+        list(f);
+        continue;
       }
-    });
+      const std::uint32_t g = edge.face1 - first;
+      if (!is_listed[f] && !is_listed[g] && key_of(g) < key_of(f)) list(g);
+      list(f);
+      list(g);
+    }
+    const std::uint32_t rest = listed;
+    for (std::uint32_t f = 0; f < count && listed < count; ++f) list(f);
+    std::sort(order.begin() + rest, order.end(), [&](std::uint32_t f, std::uint32_t g) { return key_of(f) < key_of(g); });
     return order;
   }
 

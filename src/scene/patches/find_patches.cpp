@@ -112,10 +112,12 @@ Patches find_patches(const Scene& scene, const Topology& topology, std::span<con
     for (FreeformBorder& border : parts[i].borders) border.chain += first_chain;
     found.borders.insert(found.borders.end(), parts[i].borders.begin(), parts[i].borders.end());
     found.list.insert(found.list.end(), parts[i].patches.begin(), parts[i].patches.end());
-    for (std::uint32_t f = 0; f < parts[i].patch_of.size(); ++f) {
-      if (parts[i].patch_of[f] != kNone) found.patch_of[begin + f] = first + parts[i].patch_of[f];
-      found.is_freeform[begin + f] = parts[i].is_freeform[f];
-    }
+    parallel_blocks(parts[i].patch_of.size(), kShortWorkBlock, [&](std::size_t from, std::size_t to) {
+      for (std::size_t f = from; f < to; ++f) {
+        if (parts[i].patch_of[f] != kNone) found.patch_of[begin + f] = first + parts[i].patch_of[f];
+        found.is_freeform[begin + f] = parts[i].is_freeform[f];
+      }
+    });
   }
   return found;
 }

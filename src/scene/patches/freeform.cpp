@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <unordered_map>
 
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
@@ -201,7 +202,7 @@ std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& to
   if (others.empty()) return freeform;
   RegionFinder regions(scene, topology, graph, patch_of);
   const RowFinder rows(scene, topology, graph, patch_of);
-  std::vector<RowBorder> borders(graph.size());  // by group
+  std::unordered_map<std::uint32_t, RowBorder> borders;  // by group
   const auto may_be_cut = [&](std::uint32_t f) {
     return graph.vertices[f].size() <= kMostPieceCorners && !is_wide(scene, topology, graph, f);
   };

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/patches/borders/edge_chains.hpp"
@@ -56,14 +57,19 @@ class BorderFinder {
         patch_of_(surfaces.patch_of),
         patches_(surfaces.patches),
         outlines_(outlines),
-        is_freeform_(surfaces.is_freeform),
-        reached_by_(graph.size(), kNone) {}
+        is_freeform_(surfaces.is_freeform) {}
 
   std::vector<FreeformBorder> run() {
-    for (std::uint32_t f = 0; f < graph_.size(); ++f) {
-      if (!is_freeform_[f] || graph_.is_sliver[f]) continue;
+    const auto ends = [&](const FacetGraph::Arc& arc) { return !is_freeform_[arc.facet]; };
+    const std::vector<std::uint32_t> at_border = indices_where(graph_.size(), [&](std::size_t f) {
+      return is_freeform_[f] && !graph_.is_sliver[f] &&
+             std::ranges::any_of(graph_.arcs_of(static_cast<std::uint32_t>(f)), ends);
+    });
+    if (at_border.empty()) return {};
+    reached_by_.assign(graph_.size(), kNone);
+    for (const std::uint32_t f : at_border) {
       for (const FacetGraph::Arc& arc : graph_.arcs_of(f)) {
-        if (!is_freeform_[arc.facet]) add(f, arc);
+        if (ends(arc)) add(f, arc);
       }
     }
     std::ranges::sort(found_, {}, &Found::edge);

@@ -124,6 +124,8 @@ class EdgeClassifier {
   }
 
   PatchEdge border_of_freeform(std::size_t e) const {
+    if (patches_.is_freeform[topology_.edges[e].face0] && patches_.is_freeform[topology_.edges[e].face1])
+      return PatchEdge::unknown;
     const auto border = std::ranges::lower_bound(patches_.borders, e, {}, &FreeformBorder::edge);
     if (border == patches_.borders.end() || border->edge != e) return PatchEdge::unknown;
     const Chain& chain = chains_[border->chain];
