@@ -23,7 +23,7 @@ constexpr double kSearchTimes = 2;
 /// Adjustable. Factor by which the distance of a surface from uneven triangles may exceed their sag. It applies only to
 /// nodes with normals of a fitted surface: on coarse meshes, means of normals are wrong by as much.
 constexpr double kFittedSag = 1.6;
-/// Least side of the cells of that search, mm. Larger cells have the mean radius as their side.
+/// Least side of the cells of that search, mm. Larger cells have the mean of the largest permitted distances as their side.
 constexpr double kLeastCellMm = 1;
 /// Largest sag on the page at which a node is compared with the outline, mm. Larger ones occur close to the eye.
 constexpr double kLargestSagMm = 10;
@@ -89,30 +89,30 @@ ContourSupport::ContourSupport(const Scene& scene, const View& view, const Smoot
     };
     outlines.push_back({end(side), end(next_corner(side))});
   }
-  // Most places have an outline within the permitted distance; the wide search is for the others.
-  find_outlines(places, outlines, [&](const Place& place) { return most_away(place); });
-  std::erase_if(places, [&](const Place* place) { return place->away < most_away(*place); });
-  find_outlines(places, outlines, [&](const Place& place) { return reach(place); });
+  find_outlines(places, outlines);
 }
 
-void ContourSupport::find_outlines(std::span<Place* const> places, std::span<const std::array<Point2, 2>> outlines,
-                                   FunctionRef<double(const Place&)> radius) const {
+void ContourSupport::find_outlines(std::span<Place* const> places, std::span<const std::array<Point2, 2>> outlines) const {
   if (places.empty()) return;
   double sum = 0;
-  for (const Place* place : places) sum += radius(*place);
+  for (const Place* place : places) sum += most_away(*place);
   SegmentFinder finder(page_lattice(view_), std::max(kLeastCellMm, sum / static_cast<double>(places.size())));
-  for (const Place* place : places) finder.expect(place->mm, place->mm, radius(*place));
+  for (const Place* place : places) finder.expect(place->mm, place->mm, reach(*place));
   for (const auto& [from, to] : outlines) finder.add({from, to, 0, 0});
   parallel_blocks(places.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       Place& place = *places[i];
-      place.away = radius(place);
-      finder.near(place.mm, place.mm, place.away, [&](const OutlineSegment& s) {
-        if (!s.may_reach(place.mm, place.away)) return;
-        const Point2 nearest = s.from + nearest_on_segment(place.mm, s.from, s.to) * (s.to - s.from);
-        const double away = glm::length(nearest - place.mm);
-        if (away < place.away) place.away = away, place.outline = nearest;
-      });
+      // Most places have an outline within the permitted distance; the wide search is for the others.
+      for (const double radius : {most_away(place), reach(place)}) {
+        place.away = radius;
+        finder.near(place.mm, place.mm, radius, [&](const OutlineSegment& s) {
+          if (!s.may_reach(place.mm, place.away)) return;
+          const Point2 nearest = s.from + nearest_on_segment(place.mm, s.from, s.to) * (s.to - s.from);
+          const double away = glm::length(nearest - place.mm);
+          if (away < place.away) place.away = away, place.outline = nearest;
+        });
+        if (place.away < radius) break;
+      }
     }
   });
 }

@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "base/parallel.hpp"
 #include "contours/contour_choice.hpp"
 
 namespace ligne {
@@ -45,9 +44,9 @@ class ContourSupport {
 
   /// The midpoints of the chords between nodes, with the sags of their triangles.
   std::vector<Place> middles_of(const ContourChain& chain, const std::vector<Place>& places) const;
-  /// Sets Place::away and outline to the nearest point of the outlines within a radius, or away to the radius.
-  void find_outlines(std::span<Place* const> places, std::span<const std::array<Point2, 2>> outlines,
-                     FunctionRef<double(const Place&)> radius) const;
+  /// Sets Place::outline to the nearest point of the outlines and Place::away to its distance, or to reach() if that is
+  /// less.
+  void find_outlines(std::span<Place* const> places, std::span<const std::array<Point2, 2>> outlines) const;
   double most_away(const Place& place) const { return place.sag + pen_width_mm_ / 2; }
   double reach(const Place& place) const;
   double mean(double Place::*value) const;
