@@ -25,7 +25,7 @@ CleanOptions options_for(std::uint32_t given_sources) {
 }
 
 /// Random polylines over a page of 100 mm, some nearly straight, with gaps; dangles that leave them; lines that end just
-/// before them; hidden strokes in some of the gaps.
+/// before them; spurs in the ink of lines; hidden strokes in some of the gaps.
 class RandomLines {
  public:
   explicit RandomLines(unsigned seed) : random_(seed) {}
@@ -36,7 +36,8 @@ class RandomLines {
     for (std::uint32_t line = 0; line < 24; ++line) add_line(m, line);
     const std::vector<Stroke> lines = m.strokes;
     for (std::uint32_t k = 0; k < 40; ++k) add_beside(m, lines[k * lines.size() / 40], 24 + k);
-    m.edge_count = 64;
+    for (std::uint32_t k = 0; k < 8; ++k) add_spur(m, lines[k * lines.size() / 8], 64 + k);
+    m.edge_count = 72;
     return m;
   }
 
@@ -72,6 +73,13 @@ class RandomLines {
     const Point2 along = (to - from) / std::max(glm::length(to - from), 1e-9), aside{-along.y, along.x};
     const Point2 start = foot + number(0, 0.8) * aside;
     add(m, start, start + number(0.1, 6) * (number(-1, 1) * along + number(0.05, 1) * aside), source);
+  }
+
+  /// A line from the end of the stroke that its ink hides.
+  void add_spur(StrokeModel& m, const Stroke& of, std::uint32_t source) {
+    const Point2 from = m.lattice.to_mm(of.from), to = m.lattice.to_mm(of.to);
+    const Point2 along = (to - from) / std::max(glm::length(to - from), 1e-9), aside{-along.y, along.x};
+    add(m, to, to + number(0.05, 0.15) * aside, source);
   }
 
   std::mt19937 random_;
@@ -112,6 +120,18 @@ TEST(CleanLines, IsIdempotent) {
     EXPECT_TRUE(all_shown(m.strokes) == once) << "scene " << seed;
   }
   EXPECT_GT(changes, 10 * kScenes);
+}
+
+TEST(CleanLines, LeadsAnEndToItsOwnLineOnce) {
+  // The line returns to its first part at a small angle. A line that ends at its other side makes arcs of the two.
+  for (int lean = 0; lean < 100; ++lean) {
+    StrokeModel m =
+        sketch("outline#6 0.1,3 0.1,0.405; outline#1 " + std::to_string(lean * kStep) + ",-1 0,0.4 0.15,0.4 0.03,0.05",
+               LineClass::outline, kStep);
+    m.edge_count = 7;
+    const CleanReport report = clean_lines(m, options_for(m.edge_count));
+    EXPECT_LE(report.passes, 3) << lean;
+  }
 }
 
 TEST(CleanLines, EveryRuleChangesSomething) {

@@ -51,6 +51,9 @@ TEST(OverdrawnRuns, AreWhatTheInkOfOtherLinesHides) {
        {"a small thing by itself: bits have no ink that hides bits", "0,0 15,0 0,12 0,0", 0},
        {"a run of two pieces counts as a whole", "0,0 600,0; crease 300,0 300,20 300,40", 0}},
       [](StrokeModel& m) { return remove_overdrawn(m, kLimits); }, outlines);
+  StrokeModel joint = outlines("0,0 600,0; crease 300,0 300,20");
+  joint.strokes.back().is_joint = true;  // the rule that added it would add it again
+  EXPECT_EQ(remove_overdrawn(joint, kLimits), 0u);
   StrokeModel spur = outlines("0,0 300,0 600,0; 300,0 330,12");
   EXPECT_EQ(remove_overdrawn(spur, kLimits), 1u);
   EXPECT_EQ(spur.strokes.size(), 2u);

@@ -96,7 +96,8 @@ class UndershootFinder {
     });
     if (shoot.straight > 1 && shoot.turned_part > 1) return {};
     const LatticePoint to = moved(p, shoot.straight > 1 ? shoot.turned : shoot.straight * shoot.ahead);
-    return to == p ? std::nullopt : std::optional(to);
+    // An end that lies on a line but for its rounding would creep along it, step by step in each pass.
+    return length(p, to) <= touching_ ? std::nullopt : std::optional(to);
   }
 
  private:

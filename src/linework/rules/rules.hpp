@@ -57,7 +57,7 @@ struct OverdrawLimits {
   double shown_mm = 0;    ///< a run stays if at least this length lies outside of the ink of other lines
 };
 /// remove_overdrawn_runs: removes short runs that do not show beside the ink of longer ones: dangles beside outlines,
-/// edges seen end on, short lines between lines that nearly touch.
+/// edges seen end on, short lines between lines that nearly touch. Strokes that rules added stay where they are alone.
 std::size_t remove_overdrawn_runs(LineMap& map, const OverdrawLimits& limits);
 
 struct IsolatedLimits {
