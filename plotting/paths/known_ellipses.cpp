@@ -36,9 +36,11 @@ void KnownEllipses::file(std::uint32_t i, const Rect& page) {
   const double count = std::clamp(std::ceil(2 * std::numbers::pi * e.radii.x / cell_mm), kLeastChords, kMostChords);
   const double step = 2 * std::numbers::pi / count, rise = e.radii.x * (1 - std::cos(step / 2));
   rise_mm_ = std::max(rise_mm_, rise);
+  const Point2 margin(rise + kNearMm);
+  Point2 from, to = point_at(e, 0);
   for (double k = 0; k < count; ++k) {
     Rect chord;
-    const Point2 from = point_at(e, k * step), to = point_at(e, (k + 1) * step), margin(rise + kNearMm);
+    from = std::exchange(to, point_at(e, (k + 1) * step));
     for (const Point2 p : {from, to}) chord.extend(p - margin), chord.extend(p + margin);
     const bool is_outside =
         chord.max.x < page.min.x || chord.max.y < page.min.y || chord.min.x > page.max.x || chord.min.y > page.max.y;
