@@ -188,12 +188,15 @@ TEST(Precision, OfCoordinatesRoundedToDecimals) {
   };
   EXPECT_DOUBLE_EQ(decimal_grid(ring(0.001, 10)), 0.0005);
   EXPECT_DOUBLE_EQ(decimal_grid(ring(0.1, 400)), 0.05);
-  EXPECT_EQ(decimal_grid(ring(0.001, 10, 1.03)), 0);  // worked on after it was rounded
-  EXPECT_EQ(decimal_grid(ring(0, 10)), 0);            // not rounded
-  EXPECT_EQ(decimal_grid(ring(0.1, 10)), 0);          // as coarse as voxels
-  EXPECT_EQ(decimal_grid(ring(0.00001, 100)), 0);     // as fine as float32
-  EXPECT_EQ(decimal_grid(ring(0.5, 4000)), 0);        // drawn on a grid: the only decimals are 0 and 5
-  EXPECT_EQ(decimal_grid(ring(1, 4000)), 0);          // whole numbers
+  EXPECT_DOUBLE_EQ(decimal_grid(ring(0.001, 10, 2)), 0.001);          // doubled after it was rounded
+  EXPECT_DOUBLE_EQ(decimal_grid(ring(0.001, 10, 1 + 1e-7)), 0.0005);  // moved by a unit in the last place
+  EXPECT_EQ(decimal_grid(ring(0.001, 10, 1.00001)), 0);               // by more than the roundings of a float32
+  EXPECT_EQ(decimal_grid(ring(0.001, 10, 1.03)), 0);                  // scaled after it was rounded
+  EXPECT_EQ(decimal_grid(ring(0, 10)), 0);                            // not rounded
+  EXPECT_EQ(decimal_grid(ring(0.1, 10)), 0);                          // as coarse as voxels
+  EXPECT_EQ(decimal_grid(ring(0.00001, 100)), 0);                     // as fine as float32
+  EXPECT_EQ(decimal_grid(ring(0.5, 4000)), 0);                        // drawn on a grid: the only decimals are 0 and 5
+  EXPECT_EQ(decimal_grid(ring(1, 4000)), 0);                          // whole numbers
   EXPECT_EQ(decimal_grid({}), 0);
   EXPECT_EQ(decimal_grid(std::vector<Point3>(100, {1e300, 1, 1})), 0);
 }

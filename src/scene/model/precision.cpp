@@ -18,6 +18,9 @@ constexpr int kFewestDigitsOfWriters = 6;
 /// Least step of the grid in units in the last place of a float32 at the largest coordinate, so that few numbers lie on it
 /// by accident.
 constexpr double kLeastStepInUlps = 64;
+/// Largest distance of a coordinate from the grid, in the same unit: files that were moved or scaled in float32 after
+/// their coordinates were rounded to the grid have a few roundings more.
+constexpr double kMostUlpsOffGrid = 2;
 /// Most decimals.
 constexpr int kMostDecimals = 6;
 /// Least number of different coordinates, and the largest fraction of them whose last decimal is 0: 1/10 if they are spread
@@ -47,7 +50,7 @@ std::optional<double> grid_of(std::span<const Point3> positions) {
   if (is_too_fine()) return std::nullopt;
   for (const Point3& p : positions) {
     for (int axis = 0; axis < 3; ++axis) {
-      while (std::abs(p[axis] - std::round(p[axis] * per_unit) / per_unit) > half_ulp_float32(p[axis])) {
+      while (std::abs(p[axis] - std::round(p[axis] * per_unit) / per_unit) > kMostUlpsOffGrid * ulp) {
         per_unit *= 10;
         ++decimals;
         if (is_too_fine()) return std::nullopt;
@@ -99,7 +102,12 @@ double decimal_grid(std::span<const Point3> positions) {
   steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
   if (steps.size() < kFewestRounded || double(steps.back() - steps.front()) < kLeastExtentInSteps) return 0;
   const auto coarser = std::ranges::count_if(steps, [](std::int64_t n) { return n % 10 == 0; });
-  return double(coarser) <= kMostOnCoarserGrid * double(steps.size()) ? 0.5 / *per_unit : 0;
+  if (double(coarser) > kMostOnCoarserGrid * double(steps.size())) return 0;
+  // Coordinates that were doubled or multiplied by five after they were rounded have a coarser step.
+  const auto all_divide = [&](std::int64_t by) {
+    return std::ranges::all_of(steps, [by](std::int64_t n) { return n % by == 0; });
+  };
+  return (all_divide(2) ? 2 : all_divide(5) ? 5 : 1) * 0.5 / *per_unit;
 }
 
 void DecimalPrecision::add(int digits, double value) {

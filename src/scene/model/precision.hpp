@@ -27,9 +27,9 @@ namespace ligne {
 double half_ulp_float32(double largest);
 double half_ulp_double(double largest);
 
-/// Half a step of the decimal grid (0.1, 0.01, ...) to which the coordinates were rounded; 0 if there is none. They were
-/// rounded if there are many, the grid is fine against their extent, and their last decimals are spread evenly: those of
-/// a part drawn on a grid are not.
+/// Half a step of the decimal grid (0.1, 0.01, ..., or twice or five times that) to which the coordinates were rounded; 0
+/// if there is none. They may have moved by some roundings of a float32 since. They were rounded if there are many, the
+/// grid is fine against their extent, and their last decimals are spread evenly: those of a part drawn on a grid are not.
 double decimal_grid(std::span<const Point3> positions);
 
 /// Number of significant digits of a number as written; 0 for whole numbers and zeros. Leading zeros do not count,

@@ -7,7 +7,6 @@
 #include <numeric>
 #include <utility>
 
-#include "base/disjoint_sets.hpp"
 #include "base/indices_where.hpp"
 #include "base/large_vector.hpp"
 #include "base/no_index.hpp"
@@ -15,6 +14,7 @@
 #include "geometry/degrees.hpp"
 #include "scene/model/planarity.hpp"
 #include "scene/patches/cut_strips.hpp"
+#include "scene/patches/flat_sets.hpp"
 
 namespace ligne {
 namespace {
@@ -140,21 +140,20 @@ class GraphBuilder {
 
   void join_faces(std::uint32_t edge_begin, std::uint32_t edge_end) {
     const std::uint32_t first = object_.face_begin, count = object_.face_end - first;
-    DisjointSets sets(count);
     const auto lies_inside = [&](std::size_t k) {
       const auto e = static_cast<std::uint32_t>(edge_begin + k);
       return may_be_smooth(e) && is_flat(topology_.edges[e]);
     };
-    for (const std::uint32_t k : indices_where(edge_end - edge_begin, lies_inside)) {
-      const Edge& edge = topology_.edges[edge_begin + k];
-      sets.join(edge.face0 - first, edge.face1 - first);
-    }
+    const std::vector<std::uint32_t> joints = indices_where(edge_end - edge_begin, lies_inside);
     const std::vector<std::uint32_t> order = faces_by_edges(edge_begin, edge_end);
+    const std::span edges(topology_.edges.data() + edge_begin, topology_.edges.data() + edge_end);
+    const FlatSets sets = flat_sets(scene_, object_, edges, joints, order);
+    graph_.has_small_faces = sets.has_small_faces;
     graph_.facet_of.assign(count, kNone);
     std::vector<std::uint32_t>& begins = graph_.faces.begin;
     begins.reserve(count + 1);
     for (const std::uint32_t f : order) {
-      std::uint32_t& facet = graph_.facet_of[sets.find(f)];
+      std::uint32_t& facet = graph_.facet_of[sets.set_of[f]];
       if (facet == kNone) {
         facet = static_cast<std::uint32_t>(begins.size() - 1);
         begins.push_back(0);
@@ -345,6 +344,20 @@ class GraphBuilder {
 };
 
 }  // namespace
+
+std::vector<std::uint32_t> edges_inside_planes(const Topology& topology, const Object& object, const FacetGraph& graph,
+                                               std::uint32_t edge_begin, std::uint32_t edge_end,
+                                               std::span<const glm::vec3> normals) {
+  std::vector<std::uint32_t> found;
+  if (!graph.has_small_faces) return found;
+  for (std::uint32_t e = edge_begin; e < edge_end; ++e) {
+    const Edge& edge = topology.edges[e];
+    if (edge.face1 == kNone) continue;
+    if (graph.facet_of[edge.face0 - object.face_begin] != graph.facet_of[edge.face1 - object.face_begin]) continue;
+    if (glm::dot(Point3(normals[edge.face0]), Point3(normals[edge.face1])) < kFlatCosine) found.push_back(e);
+  }
+  return found;
+}
 
 FacetGraph facet_graph(const Scene& scene, const Topology& topology, const Object& object, std::uint32_t edge_begin,
                        std::uint32_t edge_end, std::span<const glm::vec3> normals) {

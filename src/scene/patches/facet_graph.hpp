@@ -49,6 +49,7 @@ struct FacetGraph {
   std::vector<std::uint32_t> facet_of;  ///< per face of the object, in their order: the index of its facet
   /// Per facet: its faces and, each once, its vertices in the scene, of a cut strip those on its rulings alone.
   IndexLists faces, vertices;
+  bool has_small_faces = false;            ///< some facets may have faces that rounding has turned (FlatSets)
   UninitializedVector<FacetFrame> frames;  ///< per facet
   UninitializedVector<double> area;        ///< per facet, square model units
   std::vector<std::uint8_t> is_plane;      ///< per facet: 1 if it has too many corners to be part of a curved surface
@@ -68,6 +69,12 @@ struct FacetGraph {
     return {arcs.data() + arc_begin[facet], arcs.data() + arc_begin[facet + 1]};
   }
 };
+
+/// The edges inside facets whose faces bend by more than those that are joined by themselves: rounding turns small faces
+/// of a plane. Ascending.
+std::vector<std::uint32_t> edges_inside_planes(const Topology& topology, const Object& object, const FacetGraph& graph,
+                                               std::uint32_t edge_begin, std::uint32_t edge_end,
+                                               std::span<const glm::vec3> normals);
 
 /// The graph of one object. [edge_begin, edge_end) are its edges in the topology; `normals` are those of
 /// face_normals().

@@ -20,6 +20,7 @@ struct ObjectPatches {
   std::vector<Patch> patches;
   std::vector<std::uint32_t> patch_of;    ///< per face of the object
   std::vector<std::uint8_t> is_freeform;  ///< per face of the object
+  std::vector<std::uint32_t> plane_edges;
   std::vector<FreeformBorder> borders;
 };
 
@@ -44,6 +45,7 @@ ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Obj
     return found;
   }
   const FacetGraph graph = facet_graph(scene, topology, object, edge_begin, edge_end, normals);
+  found.plane_edges = edges_inside_planes(topology, object, graph, edge_begin, edge_end, normals);
   const std::span edges(topology.edges.data() + edge_begin, topology.edges.data() + edge_end);
   const std::vector<std::uint32_t> of_facet = PatchFinder(scene, topology, object, graph).run(found.patches);
   std::vector<std::uint8_t> freeform = freeform_facets(scene, topology, graph, of_facet, EdgeRows(scene, topology, normals));
@@ -78,6 +80,7 @@ ObjectPatches moved(ObjectPatches patches, const Similarity& motion, std::uint32
     border.edge += edge_begin - patches.edge_begin;
     border.length *= motion.scale;
   }
+  for (std::uint32_t& edge : patches.plane_edges) edge += edge_begin - patches.edge_begin;
   patches.edge_begin = edge_begin;
   return patches;
 }
@@ -111,6 +114,7 @@ Patches find_patches(const Scene& scene, const Topology& topology, std::span<con
     const auto first_chain = static_cast<std::uint32_t>(found.borders.size());
     for (FreeformBorder& border : parts[i].borders) border.chain += first_chain;
     found.borders.insert(found.borders.end(), parts[i].borders.begin(), parts[i].borders.end());
+    found.plane_edges.insert(found.plane_edges.end(), parts[i].plane_edges.begin(), parts[i].plane_edges.end());
     found.list.insert(found.list.end(), parts[i].patches.begin(), parts[i].patches.end());
     parallel_blocks(parts[i].patch_of.size(), kShortWorkBlock, [&](std::size_t from, std::size_t to) {
       for (std::size_t f = from; f < to; ++f) {

@@ -29,6 +29,8 @@ struct Patches {
   std::vector<std::uint32_t> patch_of;  ///< per face: index into `list`, kNone if no surface was found
   /// Per face: 1 if no surface was found but the face belongs to a smooth free-form surface (freeform.hpp).
   std::vector<std::uint8_t> is_freeform;
+  /// Edges inside planes whose faces differ by more than rounding would turn a face of their size: sorted.
+  std::vector<std::uint32_t> plane_edges;
   std::vector<FreeformBorder> borders;  ///< sorted by edge; FreeformBorder::chain is less than borders.size()
 
   /// Unit normal at p of the surface of a face; `face_normal` if the face has no surface.

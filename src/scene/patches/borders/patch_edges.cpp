@@ -215,6 +215,7 @@ std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& 
     }
   });
   if (has_surfaces) decide_by_whole_borders(scene, topology, patches, evidence, edges);
+  for (const std::uint32_t e : patches.plane_edges) edges[e] = PatchEdge::inside;
   return edges;
 }
 
