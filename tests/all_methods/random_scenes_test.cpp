@@ -4,8 +4,8 @@
 
 #include "main/tier.hpp"
 #include "scene/clean/clean.hpp"
+#include "scene/surfaces/mesh_writer.hpp"
 #include "support/judge.hpp"
-#include "support/scene_json.hpp"
 #include "support/scene_parts.hpp"
 #include "support/test.hpp"
 #include "support/variants.hpp"
@@ -93,7 +93,7 @@ void expect_agreement(Scene scene, const std::string& name, const ViewOf& view, 
     }
   }
   const std::string file = testing::TempDir() + name + ".json";
-  std::ofstream(file) << scene_json(scene);
+  std::ofstream(file) << write_ligne_scene(scene);
   ADD_FAILURE() << faults << "\nThe scene, made as small as it fails, is in " << file;
 }
 

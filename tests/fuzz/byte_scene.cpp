@@ -1,8 +1,8 @@
 #include "byte_scene.hpp"
 
 #include "scene/clean/clean.hpp"
+#include "scene/surfaces/mesh_writer.hpp"
 #include "support/judge.hpp"
-#include "support/scene_json.hpp"
 #include "support/scene_parts.hpp"
 #include "visibility/registry.hpp"
 
@@ -210,7 +210,7 @@ std::string faults_of(const ByteScene& scene) {
   // The judge speaks of a scene of the corpus; this one is to be saved first.
   const std::string folder = "tests/corpus/" + name;
   for (std::size_t at; (at = faults.find(folder)) != std::string::npos;) faults.replace(at, folder.size(), name);
-  return faults + "scene.json:\n" + scene_json(scene.scene);
+  return faults + "scene.json:\n" + write_ligne_scene(scene.scene);
 }
 
 }  // namespace ligne::test

@@ -2,7 +2,7 @@
 
 #include "byte_scene.hpp"
 #include "scene/readers/reader.hpp"
-#include "support/scene_json.hpp"
+#include "scene/surfaces/mesh_writer.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
@@ -34,7 +34,7 @@ TEST_P(GeometryReplay, AgreesWithTheOracle) {
 // Otherwise a failure could not be looked at.
 TEST_P(GeometryReplay, IsReadBackAsItIsShown) {
   const Scene scene = scene_of_file(GetParam()).scene;
-  const std::string text = scene_json(scene);
+  const std::string text = write_ligne_scene(scene);
   Warnings warnings;
   const Scene again = read_scene({std::as_bytes(std::span(text)), "scene"}, ModelFormat::ligne_scene, {}, warnings);
   EXPECT_EQ(again.vertices, scene.vertices);

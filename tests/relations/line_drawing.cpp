@@ -1,6 +1,6 @@
 #include "main/checks.hpp"
 #include "relations/relations.hpp"
-#include "support/scene_json.hpp"
+#include "scene/surfaces/mesh_writer.hpp"
 #include "support/scenes.hpp"
 
 namespace ligne::test {
@@ -124,7 +124,7 @@ std::string options(const CameraRequest& camera) {
 
 std::string command(const std::string& stem, const Sight& sight, const Method& method) {
   const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / ("ligne-" + stem + ".json");
-  std::ofstream(file, std::ios::binary) << scene_json(to_scene(sight.scene));
+  std::ofstream(file, std::ios::binary) << write_ligne_scene(to_scene(sight.scene));
   return "  ligne draw " + file.string() + options(sight.camera) + " --landscape --quality exact --method " +
          std::string(method.traits().name) + " -o " + stem + ".svg\n";
 }
