@@ -21,13 +21,6 @@ Polygon star(int n) {
   return {c};
 }
 
-Polygon convex(int n) {
-  Contour c;
-  for (int i = 0; i < n; ++i) c.push_back(polar(1000, 2 * std::numbers::pi * i / n));
-  c.emplace_back(900, 0);  // but for one corner
-  return {c};
-}
-
 Polygon comb(int n) {
   const int teeth = n / 2;
   Contour c{{0, -1}, {2.0 * teeth, -1}};
@@ -41,33 +34,10 @@ Polygon lying(Polygon polygon) {
   return polygon;
 }
 
-/// A band that goes to and fro, and up.
-Polygon zigzag(int n) {
-  const int turns = n / 4;
-  Contour there, back;
-  for (int i = 0; i < turns; ++i) {
-    there.insert(there.end(), {{0, 4.0 * i}, {double(turns), 4.0 * i + 2}});
-    back.insert(back.end(), {{1, 4.0 * i}, {turns + 1.0, 4.0 * i + 2}});
-  }
-  return band(there, back);
-}
-
 Contour round_spiral(int n, double begin) {
   Contour c;
   for (int i = 0; i < n; ++i) c.push_back(polar(begin + 0.05 * i, 2 * std::numbers::pi * (i % 128) / 128));
   return c;
-}
-
-/// Two bands that wind round each other, joined in the middle.
-Polygon double_spiral(int n) {
-  const Contour inner = round_spiral(n / 4, 10), outer = round_spiral(n / 4, 11);
-  Contour c(inner.rbegin(), inner.rend());
-  c.emplace_back(-11, 1);
-  for (const Point2 p : outer) c.push_back(-p);
-  for (auto p = inner.rbegin(); p != inner.rend(); ++p) c.push_back(-*p);
-  c.emplace_back(11, -1);
-  c.insert(c.end(), outer.begin(), outer.end());
-  return {c};
 }
 
 Contour right_angled_spiral(int n, double width) {
@@ -137,39 +107,6 @@ Polygon jittered_curve(int n, double most) {
   return polygon;
 }
 
-Polygon staircase(int n) {
-  const int steps = n / 4;
-  Contour there, back;
-  for (int i = 0; i < steps; ++i) {
-    there.insert(there.end(), {{double(i), double(i)}, {i + 1.0, double(i)}});
-    back.insert(back.end(), {{double(i), i + 2.0}, {i + 1.0, i + 2.0}});
-  }
-  return band(there, back);
-}
-
-Polygon koch(int n) {
-  Contour c{{0, 0}, {500, 866.0254037844386}, {1000, 0}};
-  while (c.size() * 4 <= static_cast<std::size_t>(n)) {
-    Contour finer;
-    for (std::size_t i = 0; i < c.size(); ++i) {
-      const Point2 a = c[i], d = (c[(i + 1) % c.size()] - a) / 3.0;
-      const Point2 tip = Point2{d.x / 2 - d.y * std::sqrt(0.75), d.x * std::sqrt(0.75) + d.y / 2};
-      finer.insert(finer.end(), {a, a + d, a + d + tip, a + 2.0 * d});
-    }
-    c = finer;
-  }
-  return {c};
-}
-
-Polygon collinear(int n) {
-  const int side = n / 4;
-  Contour c;
-  for (const auto& [x, y] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}})
-    for (int i = 0; i < side; ++i)
-      c.push_back(Point2{x * side, y * side} + double(i) * Point2{x == y ? 1 - 2 * x : 0, x == y ? 0 : 2 * x - 1});
-  return {c};
-}
-
 Polygon grid_of_holes(int n, double hole_size) {
   const int side = static_cast<int>(std::sqrt(n / 4.0));
   Polygon polygon{rectangle(0, 0, 2 * side + 1, 2 * side + 1)};
@@ -187,16 +124,6 @@ Polygon chain_of_holes(int n) {
   Polygon polygon{rectangle(0, 0, count + 2, count + 2)};
   for (int i = 1; i <= count; ++i) polygon.push_back(rectangle(i, i, i + 1, i + 1));
   return polygon;
-}
-
-/// A row of holes joined to each other and to the outer contour by slits, all one contour.
-Polygon bridged_holes(int n) {
-  const int count = n / 8;
-  Contour c{{0, 1}};
-  for (int i = 0; i < count; ++i) c.insert(c.end(), {{3.0 * i + 1, 1}, {3.0 * i + 2, 0.5}, {3.0 * i + 3, 1}});
-  for (int i = count; i-- > 0;) c.insert(c.end(), {{3.0 * i + 3, 1}, {3.0 * i + 2, 1.5}, {3.0 * i + 1, 1}});
-  c.insert(c.end(), {{0, 1}, {0, 3}, {3.0 * count + 1, 3}, {3.0 * count + 1, 0}, {0, 0}});
-  return {c};
 }
 
 /// A row of squares, corner to corner, that is one contour.
@@ -222,15 +149,6 @@ Polygon petals(int n) {
   return {c};
 }
 
-/// The lower side goes two steps forward and one back, on one line.
-Polygon fold_back(int n) {
-  const int count = n / 2;
-  Contour c;
-  for (int i = 0; i < count; ++i) c.insert(c.end(), {{2.0 * i, 0}, {2.0 * i + 5, 0}});
-  c.insert(c.end(), {{2.0 * count, 0}, {2.0 * count, 10}, {0, 10}});
-  return {c};
-}
-
 /// The lower side runs the whole way to and fro between all of its corners.
 Polygon long_folds(int n) {
   const int count = n / 2;
@@ -248,13 +166,6 @@ Polygon random_points(int n) {
   return {c};
 }
 
-/// A star drawn without lifting the pen: all sides cross many others, and the middle is wound round often.
-Polygon star_polygon(int n) {
-  Contour c;
-  for (int i = 0; i < n; ++i) c.push_back(polar(1000, 2 * std::numbers::pi * (7.0 * i) / (n + 1)));
-  return {c};
-}
-
 /// The outer contour taken twice.
 Polygon twice_round(int n) {
   Contour c = star(n / 2)[0];
@@ -268,33 +179,24 @@ Polygon twice_round(int n) {
 const std::vector<Shape>& all_shapes() {
   static const std::vector<Shape> shapes{
       {"star", true, star},
-      {"convex", true, convex},
       {"comb", true, comb},
       {"lying_comb", true, [](int n) { return lying(comb(n)); }},
-      {"zigzag", true, zigzag},
       {"spiral", true, [](int n) { return band(round_spiral(n / 2, 10), round_spiral(n / 2, 8)); }},
-      {"double_spiral", true, double_spiral},
       // All corners on common horizontal and vertical lines, all sides long.
       {"square_spiral", true, [](int n) { return band(right_angled_spiral(n / 2, 0), right_angled_spiral(n / 2, 0.25)); }},
       {"saw_teeth", true, [](int n) { return teeth(n, 1e-9); }},
       {"teeth_that_touch", true, [](int n) { return teeth(n, 0); }},
       {"space_filling", true, [](int n) { return Polygon{moore_curve(n)}; }},
       {"random_simple", true, [](int n) { return jittered_curve(n, 0.3); }},
-      {"staircase", true, staircase},
-      {"koch", true, koch},
-      {"collinear", true, collinear},
       {"holes", true, [](int n) { return grid_of_holes(n, 1); }},
       {"chain_of_holes", true, chain_of_holes},
-      {"bridged_holes", true, bridged_holes},
       {"beads", true, beads},
       {"petals", true, petals},
-      {"fold_back", true, fold_back},
       {"long_folds", true, long_folds},
       {"teeth_that_cross", false, [](int n) { return teeth(n, -1); }},
       {"holes_that_cross", false, [](int n) { return grid_of_holes(n, 2.25); }},
       // Its corners leave their cells.
       {"tangled", false, [](int n) { return jittered_curve(n, 0.6); }},
-      {"star_polygon", false, star_polygon},
       {"twice_round", false, twice_round},
       {"random_points", false, random_points}};
   return shapes;
