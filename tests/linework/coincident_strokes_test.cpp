@@ -35,40 +35,6 @@ void expect(const std::vector<Stroke>& got, const std::vector<Expected>& wanted)
 
 constexpr LatticePoint a{0, 0}, b{1000, 0};
 
-TEST(CoincidentStrokes, ClassesGoByPrecedence) {
-  const LineClass order[] = {LineClass::outline, LineClass::border, LineClass::intersection, LineClass::crease,
-                             LineClass::mesh};
-  for (std::size_t i = 0; i < 5; ++i)
-    for (std::size_t j = i + 1; j < 5; ++j)
-      expect(removed({stroke(a, b, order[j], 0), stroke(b, a, order[i], 1)}), {{1, b, a}});
-}
-
-/// Strokes in words, and what is left of them in words.
-struct Removal {
-  const char *name, *strokes, *left;
-};
-
-TEST(CoincidentStrokes, OneStandsForAll) {
-  for (const Removal& r : {
-           Removal{"visible before hidden", "hidden outline#0 0,0 1000,0; #1 0,0 1000,0", "#1 0,0 1000,0"},
-           {"then the lower source", "#7 0,0 1000,0; #3 0,0 1000,0", "#3 0,0 1000,0"},
-           {"remnants within the tolerance vanish", "#0 0,0 1000,0; outline#1 1,0 999,0", "#1 1,0 999,0"},
-           {"longer ones stay", "#0 0,0 1000,0; outline#1 3,0 997,0", "#0 0,0 3,0; #0 997,0 1000,0; #1 3,0 997,0"},
-           {"whole strokes within the tolerance stay", "#0 0,0 2,0; outline#1 0,0 1000,0", "#0 0,0 2,0; #1 0,0 1000,0"},
-           {"a wedge stays", "#0 0,0 1000,0; outline#1 0,0 1000,3", "#0 0,0 1000,0; #1 0,0 1000,3"},
-       }) {
-    SCOPED_TRACE(std::string(r.name) + ": " + r.strokes);
-    std::vector<Expected> wanted;
-    for (const Stroke& s : sketch(r.left).strokes) wanted.push_back({s.source, s.from, s.to});
-    expect(removed(sketch(r.strokes).strokes), wanted);
-  }
-}
-
-TEST(CoincidentStrokes, NearerBeforeFarther) {
-  expect(removed({at_depth(stroke(a, b, LineClass::mesh, 0), 50, 50), at_depth(stroke(a, b, LineClass::mesh, 1), 9, 9)}),
-         {{1, a, b}});
-}
-
 TEST(CoincidentStrokes, DepthCountsInTheMiddleOfTheOverlap) {
   // The long one is farther on the whole, and nearer where the short one lies.
   expect(removed({at_depth(stroke(a, b, LineClass::mesh, 0), 0, 1000),
@@ -114,17 +80,6 @@ TEST(CoincidentStrokes, ParametersFollowThePerspective) {
     EXPECT_NEAR(got[i].w_from, 1 + 3 * got[i].t_from, 1e-6);
     EXPECT_NEAR(got[i].w_to, 1 + 3 * got[i].t_to, 1e-6);
   }
-}
-
-TEST(CoincidentStrokes, ALongStrokeUnderManyShortOnesIsAbsorbed) {
-  std::vector<Stroke> strokes{stroke({0, 0}, {3000000, 1000000}, LineClass::mesh, 0)};
-  std::vector<Expected> wanted;
-  for (std::uint32_t i = 0; i < 10000; ++i) {
-    const int x = 300 * int(i), y = 100 * int(i);
-    strokes.push_back(stroke({x, y}, {x + 300, y + 100}, LineClass::outline, i + 1));
-    wanted.push_back({i + 1, {x, y}, {x + 300, y + 100}});
-  }
-  expect(removed(strokes), wanted);
 }
 
 TEST(CoincidentStrokes, StrokesWithoutTheFlagAreHeldAgainstFlaggedOnesOnly) {
@@ -224,25 +179,6 @@ TEST(CoincidentStrokesRandom, StrokesOnALineKeepTheirUnion) {
       EXPECT_LE(farthest(m.strokes, before), most) << "invented, jitter " << jitter << ", seed " << seed;
       expect_no_overlap(m.strokes);
     }
-  }
-}
-
-TEST(CoincidentStrokesRandom, OfOneClassAndDepthTheLengthIsThatOfTheUnion) {
-  std::mt19937 random(5);
-  for (int round = 0; round < 50; ++round) {
-    std::vector<Stroke> strokes;
-    std::vector<bool> covered(1000);
-    for (std::uint32_t i = 0; i < 30; ++i) {
-      const int from = int(random() % 900), to = from + 1 + int(random() % 99);
-      std::fill(covered.begin() + from, covered.begin() + to, true);
-      // One unit is longer than the tolerance, so that no remnant vanishes.
-      strokes.push_back(stroke({40 * from, 30 * from}, {40 * to, 30 * to}, LineClass::crease, i));
-    }
-    StrokeModel m = model(strokes);
-    remove_coincident_strokes(m, kApart);
-    double sum = 0;
-    for (const Stroke& s : m.strokes) sum += length(s.from, s.to);
-    EXPECT_NEAR(sum, 50.0 * double(std::count(covered.begin(), covered.end(), true)), 1e-6) << "round " << round;
   }
 }
 

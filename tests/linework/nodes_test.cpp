@@ -88,28 +88,6 @@ TEST(Continuations, LinesBeginAtLooseEndsOrWithTheirLowestStrokes) {
   EXPECT_TRUE(lines_of({}, LineOrder::strokes).empty());
 }
 
-TEST(Nodes, KeepTheirEndsInOrder) {
-  std::vector<Stroke> strokes(3);
-  for (std::int32_t i = 0; i < 3; ++i) strokes[static_cast<std::size_t>(i)].to = {1 + i, 5};
-  Nodes nodes(strokes);
-  const auto ends_at = [&](std::uint32_t node) {
-    Ends ends;
-    nodes.for_each_end(node, [&](std::uint32_t end) { ends.push_back(end); });
-    EXPECT_EQ(nodes.degree(node), ends.size());
-    return ends;
-  };
-  EXPECT_EQ(ends_at(nodes.of(0)), (Ends{0, 2, 4}));
-  EXPECT_EQ(nodes.other(0), kNone) << "three strokes meet";
-  nodes.unlink(2);
-  EXPECT_EQ(nodes.other(0), 4u);
-  EXPECT_EQ(nodes.other(4), 0u);
-  nodes.unlink(1);
-  nodes.link(1, nodes.of(4));
-  EXPECT_EQ(ends_at(nodes.of(4)), (Ends{0, 1, 4}));
-  nodes.add();
-  EXPECT_EQ(ends_at(nodes.of(6)), (Ends{6}));
-}
-
 TEST(NodePairs, KnownAnswers) {
   EXPECT_EQ(paired({{1, 0}}), (ArmPartners{none}));
   EXPECT_EQ(paired({{1, 0}, {1, 1}}), (ArmPartners{1, 0})) << "two arms are paired at any angle";
@@ -137,19 +115,6 @@ TEST(NodePairs, FewAndManyArmsAgree) {
     }
     EXPECT_EQ(paired(directions, pair_few_arms), paired(directions, pair_many_arms)) << "round " << round;
   }
-}
-
-TEST(NodePairs, ManyArmsGoStraightAcross) {
-  constexpr std::uint32_t half = 50000;
-  std::vector<LatticePoint> directions(2 * half);
-  for (std::uint32_t i = 0; i < half; ++i) {
-    const double angle = M_PI * (i + 0.5) / half;
-    const LatticePoint d{int(2e7 * std::cos(angle)), int(2e7 * std::sin(angle))};
-    directions[i] = d;
-    directions[half + i] = {-d.x, -d.y};
-  }
-  const ArmPartners partner = paired(directions);
-  for (std::uint32_t i = 0; i < half; ++i) ASSERT_EQ(partner[i], half + i);
 }
 
 TEST(NodePairs, ManyArmsOnTwoFansStayFast) {

@@ -46,35 +46,6 @@ TEST(PointTree, VisitsTheLeavesOfTheBoxesThatAreEntered) {
   }
 }
 
-TEST(PointTree, FindsPointsOfSeveralCoordinates) {
-  std::mt19937 random(7);
-  std::uniform_int_distribution<int> place(-50, 50);  // many points in one place
-  using Tree = PointTree<3>;
-  std::vector<Tree::Point> points(3000);
-  for (Tree::Point& p : points) p = {place(random), place(random), place(random)};
-  const Tree tree(points);
-  for (int reach = 0; reach < 50; ++reach) {
-    const Tree::Point p{place(random), place(random), place(random)};
-    const auto is_near = [&](const Tree::Box& box) {
-      for (std::size_t k = 0; k < 3; ++k)
-        if (box.high[k] < p[k] - reach || box.low[k] > p[k] + reach) return false;
-      return true;
-    };
-    std::vector<std::uint32_t> found, expected;
-    tree.search(is_near, [&](std::uint32_t begin, std::uint32_t end) {
-      found.insert(found.end(), tree.order().begin() + begin, tree.order().begin() + end);
-    });
-    std::sort(found.begin(), found.end());
-    EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
-    for (std::uint32_t k = 0; k < points.size(); ++k)
-      if (is_near({points[k], points[k]})) expected.push_back(k);
-    EXPECT_TRUE(std::includes(found.begin(), found.end(), expected.begin(), expected.end()));
-    if (reach < 5) {
-      EXPECT_LT(found.size(), points.size() / 4);
-    }
-  }
-}
-
 TEST(PointTree, EveryPointIsInTheNodesAroundIt) {
   const std::vector<TreePoint<2>> points = crowded_points(500, 8);
   const PointTree<2> tree(points);

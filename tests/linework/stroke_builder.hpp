@@ -61,26 +61,4 @@ inline StrokeModel sketch(const std::string& text, LineClass usual = LineClass::
   return m;
 }
 
-/// Outlines of scans, in words, with steps of 1/1000 mm. Sources below 100 are of one rough body.
-inline StrokeModel scan(const std::string& text) {
-  StrokeModel m = sketch(text, LineClass::outline, 0.001);
-  m.edge_count = 1000;
-  return m;
-}
-
-/// Strokes in words, and how many changes are to be made to them.
-struct StrokeCase {
-  const char* name;
-  const char* strokes;
-  std::size_t changes;
-};
-
-template <class Change>
-void expect_changes(std::initializer_list<StrokeCase> cases, const Change& change, StrokeModel (*read)(const std::string&)) {
-  for (const auto& [name, strokes, changes] : cases) {
-    StrokeModel m = read(strokes);
-    EXPECT_EQ(change(m), changes) << name << ": " << strokes;
-  }
-}
-
 }  // namespace ligne

@@ -1,6 +1,5 @@
-/// Pieces of lines that do not show beside others, and pieces of another class than their line.
+/// Runs that do not show beside the ink of other lines, against a plain search for them.
 
-#include "drawing/drawing.hpp"
 #include "linework/map/line_groups.hpp"
 #include "linework/near_part.hpp"
 #include "rule_runner.hpp"
@@ -11,59 +10,17 @@ namespace ligne {
 namespace {
 
 constexpr auto kCrease = LineClass::crease, kOutline = LineClass::outline;
-constexpr OverdrawLimits kLimits{50, 17, 17};  // steps; a pen of about a third of a millimetre with steps of 0.01 mm
 
-std::size_t merge(StrokeModel& m) {
-  return apply_rule(m, 0, [](LineMap& map) { return merge_short_runs(map, 50); });
-}
 std::size_t remove_overdrawn(StrokeModel& m, const OverdrawLimits& limits) {
   return apply_rule(m, 0, [&](LineMap& map) { return remove_overdrawn_runs(map, limits); });
 }
 
-StrokeModel outlines(const std::string& text) { return sketch(text, kOutline); }
-
-TEST(ShortRuns, BecomeThoseOfTheirLine) {
-  StrokeModel m = outlines("0,0 300,0; crease 300,0 320,5; 320,5 800,20");
-  EXPECT_EQ(merge(m), 1u);
-  ASSERT_EQ(make_drawing(m).layers.size(), 1u);
-  EXPECT_EQ(make_drawing(m).layers[0].lines.size(), 1u);
-}
-
-TEST(ShortRuns, GoOnThroughOtherShortOnes) {
-  StrokeModel m = outlines("0,0 300,0; crease 300,0 320,5; intersection 320,5 330,9");
-  EXPECT_EQ(merge(m), 2u);
-  for (const Stroke& s : m.strokes) EXPECT_EQ(s.line_class, kOutline);
-}
-
-TEST(ShortRuns, OfARunOfTheClassStay) {
-  expect_changes({{"together they are long enough", "0,0 300,0; crease 300,0 330,0 360,0; 360,0 800,0", 0},
-                  {"the outline goes on by itself", "0,0 300,0 600,0; crease 300,0 300,40", 0},
-                  {"mesh", "mesh 0,0 300,0; crease 300,0 340,0", 0}},
-                 merge, outlines);
-}
-
-TEST(OverdrawnRuns, AreWhatTheInkOfOtherLinesHides) {
-  expect_changes(
-      {{"rungs between lines that nearly touch go", "0,0 300,0; 0,45 300,45; crease 100,0 100,45", 1},
-       {"edges seen end on go", "0,0 300,0 600,0; crease 300,0 300,1", 1},
-       {"23 steps of it show", "0,0 600,0; crease 300,0 300,40", 0},
-       {"alone", "0,0 600,0; crease 300,90 300,100", 0},
-       {"a small thing by itself: bits have no ink that hides bits", "0,0 15,0 0,12 0,0", 0},
-       {"a run of two pieces counts as a whole", "0,0 600,0; crease 300,0 300,20 300,40", 0}},
-      [](StrokeModel& m) { return remove_overdrawn(m, kLimits); }, outlines);
-  StrokeModel joint = outlines("0,0 600,0; crease 300,0 300,20");
-  joint.strokes.back().is_joint = true;  // the rule that added it would add it again
-  EXPECT_EQ(remove_overdrawn(joint, kLimits), 0u);
-  StrokeModel spur = outlines("0,0 300,0 600,0; 300,0 330,12");
-  EXPECT_EQ(remove_overdrawn(spur, kLimits), 1u);
-  EXPECT_EQ(spur.strokes.size(), 2u);
-}
-
-TEST(OverdrawnRuns, BecomeHiddenWhereHiddenLinesAreDrawn) {
-  StrokeModel m = outlines("0,0 600,0; crease 300,0 300,20; hidden crease 0,80 600,80");
-  EXPECT_EQ(remove_overdrawn(m, kLimits), 1u);
-  ASSERT_EQ(m.strokes.size(), 3u);
-  EXPECT_FALSE(m.strokes[1].visible);
+TEST(OverdrawnRuns, OfAddedStrokesAloneStay) {
+  for (const bool is_added : {false, true}) {
+    StrokeModel m = sketch("0,0 600,0; crease 300,0 300,20", kOutline);
+    m.strokes.back().is_joint = is_added;  // the rule that added it would add it again
+    EXPECT_EQ(remove_overdrawn(m, {50, 17, 17}), is_added ? 0u : 1u);
+  }
 }
 
 /// A plain search for the same: every bit against every line.
@@ -96,7 +53,7 @@ std::vector<Stroke> left_by_all_pairs(StrokeModel m, const OverdrawLimits& limit
   return left;
 }
 
-TEST(OverdrawnRuns, AreThoseOfAllPairs) {
+TEST(OverdrawnRunsRandom, AreThoseOfAllPairs) {
   std::mt19937 random(7);
   std::size_t dropped = 0, kept = 0;
   // A pen that is narrow, and wide, against the lines.
