@@ -174,6 +174,25 @@ TEST(Precision, OfDecimalNumbers) {
   EXPECT_EQ(precision({"0.000000"}), 0);
 }
 
+TEST(Precision, OfFloat32NumbersAsText) {
+  // Coordinates of a part far from the origin, as float32 and as double, with so many decimals.
+  const auto precision = [](bool as_float32, const char* format, double step) {
+    DecimalPrecision p;
+    for (int i = 0; i < 64; ++i) {
+      const double place = 150 + std::sin(i), value = step > 0 ? std::round(place / step) * step : place;
+      std::array<char, 32> word{};
+      std::snprintf(word.data(), word.size(), format, as_float32 ? static_cast<double>(static_cast<float>(value)) : value);
+      p.add(word.data(), *number_in(word.data()));
+    }
+    return p.value();
+  };
+  EXPECT_EQ(precision(true, "%.6f", 0), half_ulp_float32(150));
+  EXPECT_EQ(precision(true, "%.17g", 0), half_ulp_float32(150));
+  EXPECT_DOUBLE_EQ(precision(false, "%.6f", 0), 0.5e-6);
+  EXPECT_DOUBLE_EQ(precision(true, "%.5f", 0), 0.5e-5) << "too few decimals to tell";
+  EXPECT_DOUBLE_EQ(precision(false, "%.6f", 0.125), 0.5e-6) << "eighths are exact in any format";
+}
+
 TEST(Precision, OfCoordinatesRoundedToDecimals) {
   // A ring of 200 points, rounded to a step and then scaled; as float32.
   const auto ring = [](double step, double radius, double scale = 1) {

@@ -14,6 +14,16 @@ namespace {
 /// streams.
 constexpr int kFewestDigitsOfWriters = 6;
 
+// Evidence that decimal numbers are float32 numbers. Adjustable.
+/// Least number of significant digits, and of units of the last one in a unit in the last place of a float32: other numbers
+/// are those of a float32 by accident, as one in four is here.
+constexpr int kFewestDigitsOfFloat32 = 8;
+constexpr double kStepsPerUlp = 8;
+/// Multiples of 1/1024 are float32 numbers, however they were made.
+constexpr double kStepsByHand = 1024;
+/// Least number of such numbers, and the number from which on no more are compared.
+constexpr int kFewestFloat32 = 32, kMostFloat32 = 4096;
+
 // Evidence that coordinates were rounded to a decimal grid. Adjustable.
 /// Least step of the grid in units in the last place of a float32 at the largest coordinate, so that few numbers lie on it
 /// by accident.
@@ -113,11 +123,24 @@ double decimal_grid(std::span<const Point3> positions) {
 void DecimalPrecision::add(int digits, double value) {
   largest_ = std::max(largest_, std::abs(value));
   most_digits_ = std::max(most_digits_, digits);
+  const bool is_open = may_be_float32_ && float32_numbers_ < kMostFloat32;
+  if (is_open && digits >= kFewestDigitsOfFloat32 && largest_ < std::numeric_limits<float>::max()) {
+    check_float32(digits, value);
+  }
+}
+
+void DecimalPrecision::check_float32(int digits, double value) {
+  const double step = std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits);
+  const double by_hand = value * kStepsByHand;
+  if (!(kStepsPerUlp * step <= 2 * half_ulp_float32(value)) || by_hand == std::round(by_hand)) return;
+  may_be_float32_ = std::abs(value - static_cast<double>(static_cast<float>(value))) <= step;
+  ++float32_numbers_;
 }
 
 double DecimalPrecision::value() const {
   const double stored = half_ulp_double(largest_);
   if (largest_ == 0 || most_digits_ < kFewestDigitsOfWriters) return stored;
+  if (may_be_float32_ && float32_numbers_ >= kFewestFloat32) return half_ulp_float32(largest_);
   const double exponent = std::floor(std::log10(largest_));
   return std::max(stored, 0.5 * std::pow(10.0, exponent + 1 - most_digits_));
 }

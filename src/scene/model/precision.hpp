@@ -36,7 +36,8 @@ double decimal_grid(std::span<const Point3> positions);
 /// trailing zeros do.
 int significant_digits(std::string_view word);
 
-/// Derives the precision of one object from its coordinates as written.
+/// Derives the precision of one object from its coordinates as written. If they have more digits than a float32, and all of
+/// them are those of float32 numbers, it is that of float32: most programs keep such coordinates.
 class DecimalPrecision {
  public:
   /// Adds a coordinate: `word` is the text of the number, `value` its value.
@@ -46,8 +47,12 @@ class DecimalPrecision {
   double value() const;
 
  private:
+  void check_float32(int digits, double value);
+
   double largest_ = 0;
   int most_digits_ = 0;
+  bool may_be_float32_ = true;
+  int float32_numbers_ = 0;
 };
 
 }  // namespace ligne
