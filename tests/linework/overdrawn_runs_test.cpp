@@ -15,7 +15,7 @@ std::size_t remove_overdrawn(StrokeModel& m, const OverdrawLimits& limits) {
   return apply_rule(m, 0, [&](LineMap& map) { return remove_overdrawn_runs(map, limits); });
 }
 
-TEST(OverdrawnRuns, OfAddedStrokesAloneStay) {
+TEST(AddedRuns, AreNotOverdrawn) {
   for (const bool is_added : {false, true}) {
     StrokeModel m = sketch("0,0 600,0; crease 300,0 300,20", kOutline);
     m.strokes.back().is_joint = is_added;  // the rule that added it would add it again

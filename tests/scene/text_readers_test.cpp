@@ -3,6 +3,7 @@
 
 #include "gltf_builder.hpp"
 #include "reader_tools.hpp"
+#include "scene/model/precision.hpp"
 #include "scene/readers/ligne_scene_reader.hpp"
 #include "scene/readers/obj/obj_materials.hpp"
 #include "scene/readers/obj/obj_reader.hpp"
@@ -212,6 +213,18 @@ TEST(ObjReader, NumbersAreRoundedCorrectly) {
     const Result r = read_raw(plain, "v " + word + " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     EXPECT_EQ(r.scene.vertices[0].x, std::strtod(word.c_str(), nullptr)) << word;
   }
+}
+
+TEST(ObjReader, KnowsFloat32NumbersOfDifferentSizes) {
+  std::string text, face = "f";
+  for (int i = 1; i <= 32; ++i) {
+    std::array<char, 64> line{};
+    std::snprintf(line.data(), line.size(), "v %.6f %.6f 0\n", static_cast<float>(150 + std::sin(i)),
+                  static_cast<float>(10 + std::cos(i)));
+    text += line.data();
+    face += " " + std::to_string(i);
+  }
+  EXPECT_EQ(read_raw(plain, text + face + "\n").scene.objects[0].precision, half_ulp_float32(150));
 }
 
 TEST(ObjReader, LongWordsAreShownByTheirBeginnings) {

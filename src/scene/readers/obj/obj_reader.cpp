@@ -62,7 +62,7 @@ class ObjScene {
     for (const std::size_t index : patch.control) {
       const ObjVertex& vertex = stream_.vertices()[index];
       control.push_back(vertex);
-      for (int k = 0; k < 3; ++k) precision_.add(vertex.digits, vertex.position[k]);
+      for (int k = 0; k < 3; ++k) precision_.add(vertex.digits[k], vertex.position[k]);
     }
     const PatchGrid grid = sample_patch(patch, control);
     for (const Point3& p : grid.points) {
@@ -115,7 +115,7 @@ class ObjScene {
     std::uint32_t& known = scene_index_[index];
     if (known == kNone) {
       const ObjVertex& vertex = stream_.vertices()[index];
-      for (int k = 0; k < 3; ++k) precision_.add(vertex.digits, vertex.position[k]);
+      for (int k = 0; k < 3; ++k) precision_.add(vertex.digits[k], vertex.position[k]);
       known = add_vertex(vertex.position, static_cast<std::uint32_t>(index));
       used_.push_back(index);
     }

@@ -169,7 +169,7 @@ void ObjStatements::add_vertex(std::string_view rest) {
     if (!value && !(is_color && is_no_finite_number(word))) return fail(shown(word) + " is not a coordinate of a vertex");
     if (n < 3) {
       vertex.position[n] = *value;
-      vertex.digits = std::max(vertex.digits, significant_digits(word));
+      vertex.digits[n] = static_cast<std::uint8_t>(std::min(significant_digits(word), 255));
     }
     if (n == 3) weight = value.value_or(1);
     if (++n > kMostNumbers) return fail("vertex with more than 8 numbers");

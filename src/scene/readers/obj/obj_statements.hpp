@@ -1,6 +1,7 @@
 #pragma once
 /// Delivers the statements of an OBJ file one at a time to the library that parses them.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -18,7 +19,7 @@
 namespace ligne {
 
 struct ObjVertex : ObjControlPoint {
-  int digits = 0;  ///< largest number of significant digits of a coordinate
+  std::array<std::uint8_t, 3> digits{};  ///< numbers of significant digits of the coordinates, up to 255
 };
 
 /// Delivers the statements to the library, one line each, and keeps the vertices itself.
