@@ -8,6 +8,7 @@
 
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "linework/map/nodes.hpp"
 #include "view/clip.hpp"
 
@@ -204,9 +205,10 @@ void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel
     if (may_hide(s)) finder.add({others.lattice.to_mm(s.from), others.lattice.to_mm(s.to), s.z_from, s.z_to});
   }
   std::vector<std::optional<double>> moved(changes.size());
-  for (std::size_t i = 0; i < changes.size(); ++i) {
-    moved[i] = nearest_crossing(changes[i], contours[changes[i].contour].curve, finder);
-  }
+  parallel_blocks(changes.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      moved[i] = nearest_crossing(changes[i], contours[changes[i].contour].curve, finder);
+  });
   for (std::size_t i = 0; i < changes.size(); ++i) {
     if (!moved[i]) continue;
     SeenContour& contour = contours[changes[i].contour];
@@ -289,14 +291,18 @@ void move_ends_of_strokes(StrokeModel& others, const std::vector<SeenContour>& c
   const std::vector<std::uint32_t> visible =
       indices_where(others.strokes.size(), [&](std::size_t i) { return others.strokes[i].visible; });
   const Nodes nodes(others.strokes, visible);
-  std::vector<MovedEnd> moved;
-  for (std::uint32_t end = 0; end < nodes.end_count(); ++end) {
-    const std::uint32_t i = visible[end / 2];
-    // An end at which another stroke continues stays in place.
-    if (nodes.degree(nodes.of(end)) > 1 || others.strokes[i].line_class == LineClass::axes) continue;
-    if (const auto found = moved_end(others, i, end % 2 == 0, finder, reach_mm)) moved.push_back(*found);
+  std::vector<std::optional<MovedEnd>> moved(nodes.end_count());
+  parallel_blocks(moved.size(), kSearchBlock, [&](std::size_t begin, std::size_t last) {
+    for (auto end = static_cast<std::uint32_t>(begin); end < last; ++end) {
+      const std::uint32_t i = visible[end / 2];
+      // An end at which another stroke continues stays in place.
+      if (nodes.degree(nodes.of(end)) > 1 || others.strokes[i].line_class == LineClass::axes) continue;
+      moved[end] = moved_end(others, i, end % 2 == 0, finder, reach_mm);
+    }
+  });
+  for (const std::optional<MovedEnd>& end : moved) {
+    if (end) apply(*end, others);
   }
-  for (const MovedEnd& m : moved) apply(m, others);
 }
 
 }  // namespace ligne

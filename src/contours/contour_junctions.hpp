@@ -40,6 +40,8 @@ class SegmentFinder {
 
   /// Announces a query near() with these arguments. To be called before the first add().
   void expect(Point2 from, Point2 to, double reach_mm = 0);
+  /// Instead of expect(): announces any queries within a box, for many queries and segments that are mostly near them.
+  void expect_within(const Rect& box) { box_ = box; }
   /// Stores a segment, unless it passes no cell of an expected query. Segments may be long and far outside the page.
   void add(const OutlineSegment& segment);
   /// Calls found(segment) for all segments within the reach of from-to; for some of them more than once.

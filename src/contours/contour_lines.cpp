@@ -147,9 +147,10 @@ OutlineReplacement replacement_of(const Scene& scene, const Topology& topology, 
       const auto end = [&](std::uint32_t corner) { return scene.vertices[patch.triangles[corner / 3].v[corner % 3]]; };
       // The edge gets the direction of its probe, so that both have the same parameters.
       contours.replaced[k] = {{end(side), end(next_corner(side))}, {edge.face0, edge.face1}, false};
-      contours.replaced_size_mm[k] = size_on_page(scene, view, patch, side);
+      const double size_mm = size_on_page(scene, view, patch, side);
+      contours.replaced_size_mm[k] = size_mm;
       contours.bulges[k] = bulges(scene, patch, side);
-      lines[first_line + k] = outline_probe(scene, view, patch, side, object_size(edge.face0), slack_mm);
+      lines[first_line + k] = outline_probe(scene, view, patch, side, {size_mm, object_size(edge.face0), slack_mm});
       lines[first_line + count + k] = contours.replaced[k].ends;
     }
   });

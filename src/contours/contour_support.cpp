@@ -95,9 +95,14 @@ ContourSupport::ContourSupport(const Scene& scene, const View& view, const Smoot
 void ContourSupport::find_outlines(std::span<Place* const> places, std::span<const std::array<Point2, 2>> outlines) const {
   if (places.empty()) return;
   double sum = 0;
-  for (const Place* place : places) sum += most_away(*place);
+  Rect box;
+  for (const Place* place : places) {
+    sum += most_away(*place);
+    box.extend(place->mm - reach(*place));
+    box.extend(place->mm + reach(*place));
+  }
   SegmentFinder finder(page_lattice(view_), std::max(kLeastCellMm, sum / static_cast<double>(places.size())));
-  for (const Place* place : places) finder.expect(place->mm, place->mm, reach(*place));
+  finder.expect_within(box);
   for (const auto& [from, to] : outlines) finder.add({from, to, 0, 0});
   parallel_blocks(places.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

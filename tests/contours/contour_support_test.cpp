@@ -89,7 +89,7 @@ TEST(OutlineProbes, OfSlenderTrianglesStayNearTheirEdge) {
     edge.patch.normals[1].x = turn;
     const double size_mm = size_on_page(edge.scene, edge.view, edge.patch, 0);
     EXPECT_NEAR(size_mm, size * edge.view.scale, 1e-9);
-    const auto probe = outline_probe(edge.scene, edge.view, edge.patch, 0, 100, kPenWidthMm);
+    const auto probe = outline_probe(edge.scene, edge.view, edge.patch, 0, {size_mm, 100, kPenWidthMm});
     for (const int end : {0, 1}) {
       const Point2 off = page_point(edge.view, probe[end]) - page_point(edge.view, edge.scene.vertices[end]);
       EXPECT_NEAR(glm::length(off), kPenWidthMm + 0.05 * size_mm, 1e-9);

@@ -32,6 +32,7 @@ class PagePieces {
   explicit PagePieces(const Lattice& lattice) : finder_(lattice, kEvidenceCellMm) {}
 
   void expect(Point2 p, double reach) { finder_.expect(p, p, reach); }
+  void expect_within(const Rect& box) { finder_.expect_within(box); }
   void add(Point2 from, Point2 to, Evidence evidence) {
     finder_.add({from, to, 0, 0, static_cast<std::uint32_t>(evidence)});
   }
@@ -163,18 +164,24 @@ void hold_against_outlines(std::vector<SeenContour>& seen, const SmoothContours&
   const double shortest_mm = sizes.shortest_mm, clear_mm = sizes.clear_mm;
   const PartsOfRuns visible = parts_of_runs(seen, contours, true), hidden = parts_of_runs(seen, contours, false);
   PagePieces outlines(lattice), drawn(lattice);
-  const auto expect = [&](const PartsOfRuns& parts, PagePieces& pieces) {
+  const auto for_parts = [&](const PartsOfRuns& parts, const auto& visit) {
     for (const auto& of_contour : parts) {
       for (const std::vector<Part>& of_run : of_contour) {
         for (const Part& part : of_run) {
-          if (in_window(view, part.middle)) pieces.expect(part.middle, part.reach + clear_mm);
+          if (in_window(view, part.middle)) visit(part.middle, part.reach + clear_mm);
         }
       }
     }
   };
-  expect(visible, outlines);
-  expect(hidden, outlines);
-  expect(hidden, drawn);
+  Rect box;
+  const auto extend = [&](Point2 p, double reach) {
+    box.extend(p - reach);
+    box.extend(p + reach);
+  };
+  for_parts(visible, extend);
+  for_parts(hidden, extend);
+  outlines.expect_within(box);
+  for_parts(hidden, [&](Point2 p, double reach) { drawn.expect(p, reach); });
   auto stroke = edges.begin();
   for (std::size_t k = 0; k < contours.replaced.size(); ++k) {
     const auto& ends = contours.replaced[k].ends;

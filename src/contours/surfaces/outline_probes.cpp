@@ -264,7 +264,7 @@ void drop_tails(std::vector<Candidate>& missing, const VisibleContours& near, co
 }  // namespace
 
 std::array<Point3, 2> outline_probe(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side,
-                                    double object_size, double slack_mm) {
+                                    const ProbeOffsets& offsets) {
   const auto point = [&](std::uint32_t corner) { return scene.vertices[patch.triangles[corner / 3].v[corner % 3]]; };
   const Point3 a = point(side), b = point(next_corner(side));
   const Point2 pa = page_point(view, a), d = page_point(view, b) - pa;
@@ -274,8 +274,8 @@ std::array<Point3, 2> outline_probe(const Scene& scene, const View& view, const 
   const Point2 inwards =
       page_point(view, point(last_corner(side))) + page_point(view, point(last_corner(patch.across[side]))) - 2.0 * pa;
   if (glm::dot(off, inwards) > 0) off = -off;
-  const double off_mm = slack_mm + kMovedOff * std::min(length, size_on_page(scene, view, patch, side));
-  const double back = std::max(kPushedBack * object_size, kPushedBackEdges * glm::length(b - a));
+  const double off_mm = offsets.slack_mm + kMovedOff * std::min(length, offsets.size_mm);
+  const double back = std::max(kPushedBack * offsets.object_size, kPushedBackEdges * glm::length(b - a));
   const auto moved = [&](const Point3& p) {
     const double unit_mm = glm::length(page_direction(view, p, view.camera.right));
     const Point3 beside = p + (off_mm / unit_mm) * (off.x * view.camera.right + off.y * view.camera.down);

@@ -15,10 +15,16 @@
 
 namespace ligne {
 
-/// The probe of a side of the patch, in model space. `object_size`: diagonal of the bounding box of its object;
-/// `slack_mm`: least distance from the edge on the page.
+/// Lengths that place the probe of a side.
+struct ProbeOffsets {
+  double size_mm;      ///< size_on_page() of the side
+  double object_size;  ///< diagonal of the bounding box of its object, model units
+  double slack_mm;     ///< least distance from the edge on the page
+};
+
+/// The probe of a side of the patch, in model space.
 std::array<Point3, 2> outline_probe(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side,
-                                    double object_size, double slack_mm);
+                                    const ProbeOffsets& offsets);
 
 /// Size on the page, mm, of the two triangles at a side of the patch: their longest side, or a multiple of their height
 /// above this side and of the rise of the surface above it, if that is less.
