@@ -14,7 +14,7 @@ namespace {
 /// take as long as filling them.
 void keep_freed_memory() {
 #if defined(__GLIBC__)
-  constexpr int kLargestKept = 32 << 20, kMostKept = 0x7fff'ffff;  // bytes
+  constexpr int kLargestKept = 32 << 20, kMostKept = 64 << 20;  // bytes
   mallopt(M_MMAP_THRESHOLD, kLargestKept);
   mallopt(M_TRIM_THRESHOLD, kMostKept);
 #endif
