@@ -13,8 +13,8 @@
 #include "base/parallel.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/model/planarity.hpp"
-#include "scene/patches/cut_strips.hpp"
-#include "scene/patches/flat_sets.hpp"
+#include "scene/patches/facets/cut_strips.hpp"
+#include "scene/patches/facets/flat_sets.hpp"
 
 namespace ligne {
 namespace {

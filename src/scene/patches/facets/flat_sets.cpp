@@ -1,4 +1,4 @@
-#include "scene/patches/flat_sets.hpp"
+#include "scene/patches/facets/flat_sets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,7 @@ class FlatSetFinder {
   }
 
  private:
-  /// What is known of a set of three faces or more.
+  /// Judgement of a set of three faces or more.
   enum class State : std::uint8_t { flat, doubtful, uneven };
 
   struct Set {
@@ -335,7 +335,7 @@ class FlatSetFinder {
         reached_[next] = round_;
         const double far = distance(next, plane);
         if (far <= wide) members_.push_back(next);
-        // Of a face that leaves the plane, about this part lies within the tolerance.
+        // If a face leaves the plane, about this part of it lies within the tolerance.
         added += far <= wide ? area_[next] : wide / far * area_[next];
       }
     }

@@ -1,4 +1,4 @@
-#include "scene/patches/cut_strips.hpp"
+#include "scene/patches/facets/cut_strips.hpp"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
