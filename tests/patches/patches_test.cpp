@@ -341,6 +341,36 @@ TEST(Patches, TangentEdgesThatFollowTheFacetsOfAFreeFormInStepsAreNone) {
   EXPECT_EQ(tangents_left(8, {.is_ring = true, .step = 1}), 8u) << "between a surface and a plane";
 }
 
+/// Number of tangent edges that are left of a line that turns a corner behind its first eight edges, goes on for `beyond`
+/// edges of length 0.5 and ends freely at both ends, beside a plane and wide faces.
+std::size_t tangents_left_at_hook(int beyond) {
+  Topology topology;
+  Scene scene;
+  for (int i = 0; i <= 8 + beyond; ++i) scene.vertices.emplace_back(3 * std::min(i, 8), 0.5 * std::max(0, i - 8), 0);
+  for (std::uint32_t v = 0; v + 1 < scene.vertices.size(); ++v) topology.edges.push_back({v, v + 1, 0, 1});
+  scene.objects.resize(1);
+  scene.objects[0].vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
+  scene.faces.add_face(std::array{0u, 1u, scene.objects[0].vertex_end - 1});
+  scene.faces.add_face(std::array{0u, scene.objects[0].vertex_end - 1, 1u});
+  topology.edge_flags.assign(topology.edges.size(), 0);
+  Patches patches;
+  patches.patch_of = {kNone, kNone};
+  patches.is_freeform = {1, 0};
+  std::vector<PatchEdge> kinds(topology.edges.size(), PatchEdge::tangent);
+  drop_loose_tangents(scene, topology, patches, std::vector<std::uint8_t>(kinds.size(), 0), kinds);
+  return static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), PatchEdge::tangent));
+}
+
+TEST(Patches, HooksAtTheEndsOfTangentLinesAreNone) {
+  for (const int edges : {1, 2, 3}) EXPECT_EQ(tangents_left_at_hook(edges), 8u);
+  for (const int edges : {4, 8}) EXPECT_EQ(tangents_left_at_hook(edges), 8u + edges) << "a line of its own";
+}
+
+TEST(Patches, SmallRingsOfTangentEdgesThatMeetNoLineAreNone) {
+  EXPECT_EQ(tangents_left(4, {.object_size = 180, .is_ring = true}), 4u);
+  EXPECT_EQ(tangents_left(4, {.object_size = 210, .is_ring = true}), 0u);
+}
+
 TEST(Patches, LongTangentEdgesBesideNarrowFacesAreKeptWhereTheyEndFreely) {
   EXPECT_EQ(tangents_left(1, {.width = 0.3}), 0u);
   EXPECT_EQ(tangents_left(1, {.width = 0.2}), 1u) << "a side of a strip that runs into a free form at both ends";

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
+#include <span>
 
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
@@ -14,6 +15,11 @@ namespace {
 /// Adjustable. Largest number of edges of a chain of tangent edges that is dropped if no other line begins at its end.
 /// Chains with the side of a strip of a cylinder are kept.
 constexpr std::size_t kMostLooseEdges = 3;
+/// Adjustable. Least cosine between consecutive edges of one line: 45 degrees. Behind a sharper turn another line begins.
+constexpr double kTurnCosine = 0.70710678;
+/// Adjustable. Longest line of up to kMostLooseEdges edges from a free end to a corner that is dropped as a hook at the
+/// line beyond, as a fraction of the diagonal of its object's bounding box.
+constexpr double kLongestHook = 1.0 / 16;
 /// Adjustable. For the side of a strip of a cylinder: largest sine of its angle to the axis (1 degree), and least ratio
 /// of its length to the width of the face beside it.
 constexpr double kStripSine = 0.0175, kStripLength = 4;
@@ -21,6 +27,9 @@ constexpr double kStripSine = 0.0175, kStripLength = 4;
 /// fraction of the diagonal of their object's bounding box. Longer ones tell more of the shape than their loose ends
 /// disturb.
 constexpr double kLongestLoneTree = 0.25;
+/// Adjustable. The same of those that enclose something. They are the borders of facets in the midst of a surface that
+/// are no part of it by accident, or of dimples that are too small to be seen.
+constexpr double kLongestLoneLoop = 1.0 / 32;
 
 /// Adjustable. Of a tooth in a border beside a free form or between curved surfaces: the largest cosine of the turn at
 /// either end (40 degrees), and its largest length, in depths of the facet behind it.
@@ -112,8 +121,8 @@ class TangentChains {
     }
   }
 
-  /// Drops connected tangent edges that meet no other line, enclose nothing (they form a tree) and are short for their
-  /// object. Those with a side of a strip are kept.
+  /// Drops connected tangent edges that meet no other line and are short for their object, shorter where they enclose
+  /// something than where they form a tree. Those with a side of a strip are kept.
   void drop_lone_trees() {
     std::vector<std::uint32_t> tangent;
     for (std::uint32_t e = 0; e < edges_.size(); ++e) {
@@ -135,27 +144,35 @@ class TangentChains {
     }
     for (const std::uint32_t e : tangent) {
       TangentTree& tree = trees[sets.find(end_number(e, 0))];
-      if (tree.is_kept || tree.nodes_less_edges != 1) continue;
-      tree.is_kept = tree.length > kLongestLoneTree * size_of_object(ends_of(e)[0]);
+      if (tree.is_kept) continue;
+      const double longest = tree.nodes_less_edges == 1 ? kLongestLoneTree : kLongestLoneLoop;
+      tree.is_kept = tree.length > longest * size_of_object(ends_of(e)[0]);
       if (!tree.is_kept) edges_[e] = PatchEdge::inside;
     }
   }
 
-  /// Drops loose chains of up to kMostLooseEdges edges, except sides of strips.
+  /// Drops loose chains of up to kMostLooseEdges edges, except sides of strips, and of longer ones the hooks at their ends.
   void drop_flecks() {
-    std::vector<std::uint32_t> chain;
+    std::vector<std::uint32_t> chain, loose;
     for (const TangentNode& first : nodes_) {
       if (!first.is_loose()) continue;
       chain.assign(1, first.numbers);
+      std::size_t hook = 0;  // number of edges up to the first corner
       const TangentNode* node = other_end(chain.back(), first);
       while (node->is_passed() && chain.size() <= kMostLooseEdges) {
-        chain.push_back(node->numbers ^ chain.back());  // the other one of the two edges
+        const std::uint32_t next = node->numbers ^ chain.back();  // the other one of the two edges
+        if (hook == 0 && is_corner(chain.back(), next, node->vertex)) hook = chain.size();
+        chain.push_back(next);
         node = other_end(chain.back(), *node);
       }
-      if (chain.size() > kMostLooseEdges || std::ranges::any_of(chain, [&](std::uint32_t e) { return is_of_strip(e); }))
-        continue;
-      for (const std::uint32_t e : chain) edges_[e] = PatchEdge::inside;
+      const auto is_strip = [&](std::uint32_t e) { return is_of_strip(e); };
+      if (chain.size() > kMostLooseEdges || std::ranges::any_of(chain, is_strip)) {
+        chain.resize(hook);
+        if (chain.empty() || std::ranges::any_of(chain, is_strip) || !is_short(chain)) continue;
+      }
+      loose.insert(loose.end(), chain.begin(), chain.end());
     }
+    for (const std::uint32_t e : loose) edges_[e] = PatchEdge::inside;
   }
 
  private:
@@ -194,6 +211,25 @@ class TangentChains {
     const Point3 normal = face_normal(scene_, edge.face0) + face_normal(scene_, edge.face1);
     const double left = glm::dot(glm::cross(before, way), normal), back = glm::dot(glm::cross(way, behind), normal);
     return turns(before, way) && turns(way, behind) && left * back < 0;
+  }
+
+  /// Whether a chain is a hook by its length.
+  bool is_short(std::span<const std::uint32_t> chain) {
+    double length = 0;
+    for (const std::uint32_t e : chain) {
+      length += glm::distance(scene_.vertices[ends_of(e)[0]], scene_.vertices[ends_of(e)[1]]);
+    }
+    return length <= kLongestHook * size_of_object(ends_of(chain[0])[0]);
+  }
+
+  /// Whether two edges that meet at a vertex belong to different lines.
+  bool is_corner(std::uint32_t e, std::uint32_t next, std::uint32_t vertex) const {
+    const auto away = [&](std::uint32_t edge) {
+      const auto ends = ends_of(edge);
+      return scene_.vertices[ends[0] == vertex ? ends[1] : ends[0]] - scene_.vertices[vertex];
+    };
+    const Point3 from = away(e), to = away(next);
+    return -glm::dot(from, to) < kTurnCosine * glm::length(from) * glm::length(to);
   }
 
   /// Whether an edge is a side of a strip of a cylinder. If the file shades the edge smooth, the rules for meshes
