@@ -7,7 +7,7 @@ namespace ligne::test {
 namespace {
 
 /// A wire of radius 2 wound about z by four turns, with a radius of 10 and a pitch of 6.
-std::vector<Corners> spring(int facets, int sides) {
+std::vector<Corners> spring(int facets, int sides, bool triangles) {
   const auto at = [&](int u, int v) {
     const double angle = 2 * kPi * v / facets, around = 2 * kPi * (u % sides) / sides;
     const Point3 along = glm::normalize(Point3(-10 * std::sin(angle), 10 * std::cos(angle), 3 / kPi));
@@ -15,7 +15,7 @@ std::vector<Corners> spring(int facets, int sides) {
     return on_circle(10, angle, 6.0 * v / facets) + 2.0 * (std::cos(around) * out + std::sin(around) * up);
   };
   std::vector<Corners> polygons;
-  add_grid(polygons, sides, 4 * facets, true, at);
+  add_grid(polygons, sides, 4 * facets, triangles, at);
   Corners first, last;
   for (int u = 0; u < sides; ++u) {
     first.push_back(at(u, 0));
@@ -65,15 +65,17 @@ TEST_P(CutSprings, HaveCreasesAtTheCutAlone) {
   const Point3 up = glm::normalize(GetParam());
   const double height = up.z > 0.9 ? 14 : 3;
   for (const auto& [facets, sides] : {std::pair{48, 16}, {72, 24}}) {
-    SCOPED_TRACE(sides);
-    const FoundCreases found(below(spring(facets, sides), up, height));
-    for (std::size_t e = 0; e < found.topology.edges.size(); ++e) {
-      if (!found.is_crease(e)) continue;
-      const Point3 middle = 0.5 * (found.end(e, false) + found.end(e, true));
-      const bool is_at_end = std::abs(middle.y) < 0.6 && middle.x > 7 && (middle.z < 3 || middle.z > 21);
-      const bool is_at_cut = std::max(std::abs(glm::dot(found.end(e, false), up) - height),
-                                      std::abs(glm::dot(found.end(e, true), up) - height)) < 1e-4;
-      EXPECT_TRUE(is_at_end || is_at_cut) << middle.x << ' ' << middle.y << ' ' << middle.z;
+    for (const bool triangles : {false, true}) {
+      SCOPED_TRACE(testing::Message() << sides << (triangles ? " triangles" : " quadrilaterals"));
+      const FoundCreases found(below(spring(facets, sides, triangles), up, height));
+      for (std::size_t e = 0; e < found.topology.edges.size(); ++e) {
+        if (!found.is_crease(e)) continue;
+        const Point3 middle = 0.5 * (found.end(e, false) + found.end(e, true));
+        const bool is_at_end = std::abs(middle.y) < 0.6 && middle.x > 7 && (middle.z < 3 || middle.z > 21);
+        const bool is_at_cut = std::max(std::abs(glm::dot(found.end(e, false), up) - height),
+                                        std::abs(glm::dot(found.end(e, true), up) - height)) < 1e-4;
+        EXPECT_TRUE(is_at_end || is_at_cut) << middle.x << ' ' << middle.y << ' ' << middle.z;
+      }
     }
   }
 }

@@ -19,6 +19,10 @@ constexpr int kRowsBeside = 2;
 /// bend by a little more than 30 degrees where they are bent themselves.
 constexpr double kMoreDegrees = 1;
 
+/// Adjustable: evidence for a line of an edge that a cut may have made the last one of its row, where an edge that surely
+/// stands out has 1. The rims of bevels look like this, too.
+constexpr double kCutEvidence = 0.5;
+
 /// Edges that rows do not decide. Those that the file calls smooth are strong where a rounding is too small for a surface,
 /// and is drawn as an edge.
 constexpr std::uint16_t kNotByRows = kEdgeManyFaces | kEdgeUnlikeWound | kEdgeSmooth;
@@ -68,6 +72,17 @@ void soften_loose_ends(const Topology& topology, std::span<const BendEnd> ends, 
   }
 }
 
+/// Whether an even row of edges goes on from an edge to one side, and a cut may have left no edge of the row on the other.
+bool is_beside_cut(const Topology& topology, const EdgeRows& rows, std::uint32_t e) {
+  const Edge& edge = topology.edges[e];
+  if (edge.face1 == kNone) return false;
+  const auto goes_on = [&](std::uint32_t face, const RowBends& bends) {
+    return static_cast<bool>(rows.next({e, face}, bends));
+  };
+  return (goes_on(edge.face0, kEvenBends) && !goes_on(edge.face1, kRoundingBends)) ||
+         (goes_on(edge.face1, kEvenBends) && !goes_on(edge.face0, kRoundingBends));
+}
+
 }  // namespace
 
 bool is_inside_rounding(const EdgeRows& rows, std::uint32_t edge) {
@@ -89,7 +104,11 @@ bool is_line(const Scene& scene, const Topology& topology, const EdgeRows& rows,
   double standing = 0;
   for (const std::uint32_t e : way) {
     const double length = glm::distance(scene.vertices[topology.edges[e].v0], scene.vertices[topology.edges[e].v1]);
-    standing += stands_out(rows, e, kEvenBends) ? length : -length;
+    if (!stands_out(rows, e, kEvenBends)) {
+      standing -= length;
+    } else {
+      standing += is_beside_cut(topology, rows, e) ? kCutEvidence * length : length;
+    }
   }
   return standing >= 0;
 }

@@ -30,7 +30,7 @@ bool is_inside_rounding(const EdgeRows& rows, std::uint32_t edge);
 bool stands_out(const EdgeRows& rows, std::uint32_t edge, const RowBends& bends = kRoundingBends);
 
 /// Whether a way over edges stands out from even rows along half of its length or more. Otherwise it is one of many along a
-/// rounding.
+/// rounding. Edges count half that a cut may have made the last ones of their rows.
 bool is_line(const Scene& scene, const Topology& topology, const EdgeRows& rows, std::span<const std::uint32_t> way);
 
 /// The edges that bend.
