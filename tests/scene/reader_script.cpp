@@ -1,10 +1,11 @@
-/// Tests of the readers that are written as text, in the folder scripts. A step is a kind of file, and its text: asc, obj,
-/// off, ply, stl, scene are read by their readers, "file.SUFFIX" as the command reads it, and "model FILE" from the shared
-/// models, where they are; json is the text of a glTF; "gltf CHANGES" changes the unit square as glTF, "triangle CHANGES" a
-/// triangle, both as gltf_changes.hpp has it, and "triangle@NAME@SECONDS" reads the file at a moment of an animation; 3mf is
-/// the main part of such an archive; points and lines are files of those; grid,
-/// also "grid:layout=matrix", "grid:set=1", "grid:using=1,2,4"; "corpus FILE", a grid of the fuzzers' corpus; formula;
-/// "detect.SUFFIX" tells the format. A scene that is read is sound: see expect_sound. Checks:
+/// Tests of the readers that are written as text, in the folder scripts. A step is a kind of file, and its text: 3ds, asc,
+/// obj, off, ply, stl, binary-stl, scene are read by their readers, "file.SUFFIX" as the command reads it, and "model FILE"
+/// from the shared models, where they are; json is the text of a glTF; "gltf CHANGES" changes the unit square as glTF,
+/// "triangle CHANGES" a triangle, both as gltf_changes.hpp has it, and "triangle@NAME@SECONDS" reads the file at a moment of
+/// an animation; 3mf is the main part of such an archive; points and lines are files of those; grid, also
+/// "grid:layout=matrix", "grid:set=1", "grid:using=1,2,4"; "corpus FILE", a grid of the fuzzers' corpus; formula;
+/// "detect.SUFFIX" tells the format. Behind "bin-", as in "bin-3ds", the text is of a binary file: see binary_text.hpp. A
+/// scene that is read is sound: see expect_sound. Checks:
 ///
 ///     fails MESSAGE; begins MESSAGE; has TEXT    the whole error, its beginning, a part of it
 ///     is NAME                                    the format that is detected, or why there is none
@@ -13,13 +14,14 @@
 ///     vertex X Y Z                               one of the vertices, to 1e-12
 ///     points X Y Z X Y Z ...; near X Y Z ...     the vertices of a scene, to 1e-12; to the precision of float32
 ///     x 0 1 2; y 0 1; z 1 2; nan 4               positions and rows of heights of a grid
+///     unit degrees                               of a grid's positions
 ///     mesh COLUMNS ROWS; point N X Y Z           of the grid's mesh
 ///     surfaces N                                 in the file
 ///     omits LIST; warns N KIND; kinds N; notes TEXT   warnings; their kinds; a part of one. A grid whose checks have none
-///     of
-///                                                these gives none
+///                                                of these gives none
 ///     at X Y VALUE                               the value of a formula
 
+#include "binary_text.hpp"
 #include "gltf_changes.hpp"
 #include "height_tools.hpp"
 #include "scene/readers/gltf/gltf_reader.hpp"
@@ -29,6 +31,7 @@
 #include "scene/readers/ply/ply_reader.hpp"
 #include "scene/readers/stl_reader.hpp"
 #include "scene/readers/studio/asc_reader.hpp"
+#include "scene/readers/studio/three_ds_reader.hpp"
 #include "scene/readers/three_mf/three_mf_reader.hpp"
 #include "scene/surfaces/grids/point_table.hpp"
 #include "zip_builder.hpp"
@@ -66,6 +69,12 @@ json as_json(const Scene& scene, const ReadReport& report) {
     all["materials"].push_back({{"name", m.name}, {"color", triple(m.color)}, {"opacity", m.opacity}});
   for (const Light& l : scene.lights)
     all["lights"].push_back({{"kind", l.kind == Light::Kind::point ? "point" : "parallel"}, {"vector", triple(l.vector)}});
+  for (const SceneCamera& c : scene.cameras) {
+    // Angles and directions are worked out.
+    const auto rounded = [](double v) { return std::round(v * 1e9) / 1e9 + 0.0; };
+    all["cameras"].push_back({{"forward", triple(c.forward)}, {"fov", rounded(c.fov_degrees)}});
+    if (c.up) all["cameras"].back()["up"] = {rounded(c.up->x), rounded(c.up->y), rounded(c.up->z)};
+  }
   for (const auto& detail : scene.details) {
     all["details"].push_back({{"face", detail.face}, {"material", detail.material}});
     for (const Point3& p : detail.contour) all["details"].back()["contour"].push_back(triple(p));
@@ -90,7 +99,9 @@ std::vector<double> numbers_of(std::string_view text) {
 
 class ReaderScript {
  public:
-  ReaderScript(const std::string& kind, const std::string& text) : kind_(kind), text_(text) {
+  ReaderScript(const std::string& kind, std::string_view text)
+      : kind_(kind.starts_with("bin-") ? kind.substr(4) : kind),
+        text_(kind_ == kind ? test::unescaped(text) : test::binary_of(text)) {
     error_ = error_line([&] { read(); });
     if (error_ == "no error") error_.clear();
   }
@@ -157,6 +168,9 @@ class ReaderScript {
     if (kind_ == "off") scene_ = read_off(bytes, "M", report, warnings_);
     if (kind_ == "ply") scene_ = read_ply(bytes, "M", report, warnings_);
     if (kind_ == "stl") scene_ = read_stl_ascii(bytes, "M", report, warnings_);
+    if (kind_ == "binary-stl") scene_ = read_stl_binary(bytes, "M", report, warnings_);
+    FileShading shading;
+    if (kind_ == "3ds") scene_ = read_3ds(bytes, "M", report, warnings_, &shading);
     if (kind_ == "scene") scene_ = read_ligne_scene(bytes, "M", report, warnings_);
     if (kind_ == "gltf" || kind_.starts_with("triangle")) {
       const std::string text = gltf_test::changed(kind_ == "gltf" ? gltf_test::square() : gltf_test::triangle(), text_);
@@ -179,6 +193,7 @@ class ReaderScript {
     if (scene_.faces.empty()) return;
     expect_sound(scene_);
     json_ = as_json(scene_, report);
+    json_["smoothing"] = {{"groups", shading.face_groups}, {"bits", shading.groups_are_bits}};
   }
 
   /// Points with their names, or lines, of a file M.
@@ -257,7 +272,9 @@ class ReaderScript {
       return;
     }
     ASSERT_TRUE(heights);
-    if (verb == "x") {
+    if (verb == "unit") {
+      EXPECT_EQ(heights->unit() == GroundUnit::degrees, wanted == "degrees");
+    } else if (verb == "x") {
       EXPECT_EQ(heights->x(), numbers_of(wanted));
     } else if (verb == "y") {
       EXPECT_EQ(heights->y(), numbers_of(wanted));
@@ -285,7 +302,7 @@ class ReaderScript {
         std::string_view text = step.line;
         const std::string kind = take_word(text);
         if (kind == "model" && !std::filesystem::is_directory(LIGNE_MODELS_DIR)) continue;
-        const ReaderScript reader(kind, test::unescaped(text));
+        const ReaderScript reader(kind, text);
         for (const std::string& check : step.checks) reader.check(check);
         reader.expect_all_is_meant(step.checks);
       }
