@@ -81,17 +81,6 @@ TEST(Newell, TheOrderHoldsWholeFaces) {
 /// Boxes that penetrate each other.
 Scene crowd_of_boxes() { return random_boxes(40, 3, 4, {2, 2, 2}); }
 
-TEST(Newell, IsTheSameEveryTimeWithAnyNumberOfThreads) {
-  const Scene scene = crowd_of_boxes();
-  const Sorted first = sorted(scene);
-  for (const unsigned threads : {1u, 4u})
-    run_with_threads(threads, [&] {
-      const Sorted again = sorted(scene);
-      EXPECT_EQ(again.faces, first.faces);
-      EXPECT_EQ(again.counts.compared, first.counts.compared);
-    });
-}
-
 // [Boulle1980], front and back partition: of a box three faces look at the viewer and three do not. Of the 15 pairs the six
 // of one kind are never compared, nor is a face at the back with one at the front.
 TEST(Newell, FacesOfAConvexBodyAreNotCompared) {

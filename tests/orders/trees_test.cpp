@@ -194,13 +194,6 @@ TEST(Bsp, DeepTreesNeedNoStack) {
   EXPECT_LT(mixed.pieces().pieces().size(), 2 * mixed.counts().triangles);
 }
 
-TEST(Bsp, IsTheSameEveryTime) {
-  const Scene scene = random_boxes(40, 3, 4, {2, 2, 2});
-  const BspTree a(scene, {}), b(scene, {});
-  EXPECT_EQ(a.counts().splits, b.counts().splits);
-  EXPECT_EQ(painted(a, eye_at({9, 8, 7})), painted(b, eye_at({9, 8, 7})));
-}
-
 TEST(Bsp, OneTreeServesAnyViewpoint) {
   expect_right_from_100_viewpoints<BspMethod, BspTree>(11, 5, {-0.5, -0.5, 0}, {1, 1, 1}, {1, 8, 8, 8});
 }

@@ -177,38 +177,6 @@ TEST(MergeCoplanar, RoundBordersKeepTheirVertices) {
   EXPECT_EQ(contour(out, 0, 0).size(), kCorners);
 }
 
-TEST(MergeCoplanar, CubeOfManyFacesIsACube) {
-  constexpr int kSide = 5;
-  for (const bool triangles : {false, true}) {
-    Scene scene;
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const int side : {0, kSide}) {
-        for (int i = 0; i < kSide; ++i) {
-          for (int j = 0; j < kSide; ++j) {
-            const auto v = [&](int di, int dj) {
-              Point3& p = scene.vertices.emplace_back();
-              p[axis] = side, p[(axis + 1) % 3] = i + di, p[(axis + 2) % 3] = j + dj;
-              return static_cast<std::uint32_t>(scene.vertices.size() - 1);
-            };
-            Corners face{v(0, 0), v(1, 0), v(1, 1), v(0, 1)};
-            if (side == 0) std::reverse(face.begin(), face.end());
-            if (triangles) {
-              scene.faces.add_triangle(face[0], face[1], face[2]);
-              scene.faces.add_triangle(face[0], face[2], face[3]);
-            } else {
-              scene.faces.add_face(face);
-            }
-          }
-        }
-      }
-    }
-    const Scene out = merged(scene);
-    EXPECT_EQ(out.vertices.size(), 8u);
-    ASSERT_EQ(out.faces.size(), 6u);
-    for (std::size_t f = 0; f < 6; ++f) EXPECT_EQ(contour(out, f, 0).size(), 4u);
-  }
-}
-
 TEST(MergeCoplanar, VerticesThatOthersUseStay) {
   // A wall of one face stands on the middle of the border of a plate of two.
   Scene scene = grid(2, 1, kAll);

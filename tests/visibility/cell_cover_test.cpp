@@ -80,45 +80,12 @@ struct Mesh {
   }
 };
 
-TEST(CellCover, OneFacet) {
-  Mesh mesh;
-  mesh.add_facet(mesh.add_vertex(-1000, -1000, 1), mesh.add_vertex(3000, -1000, 1), mesh.add_vertex(-1000, 3000, 1));
-  EXPECT_NEAR(mesh.cover({0, 0, 100}).value(), 1, 1e-5);
-  EXPECT_FALSE(mesh.cover({900, 900, 200}).has_value()) << "the long side passes through";
-  EXPECT_FALSE(mesh.cover({2000, 2000, 200}).has_value()) << "beyond it";
-}
-
-TEST(CellCover, TwoFacetsWithACommonSide) {
-  Mesh mesh;
-  const auto a = mesh.add_vertex(0, 0, 5), b = mesh.add_vertex(1000, 0, 1), c = mesh.add_vertex(1000, 1000, 3),
-             d = mesh.add_vertex(0, 1000, 1);
-  mesh.add_facet(a, b, c);
-  EXPECT_FALSE(mesh.cover({400, 400, 200}).has_value());
-  mesh.add_facet(a, c, d);
-  const auto depth = mesh.cover({400, 400, 200});
-  ASSERT_TRUE(depth.has_value());
-  EXPECT_GE(*depth, 4.2);
-  EXPECT_LE(*depth, 5.01);
-  EXPECT_FALSE(mesh.cover({-50, -50, 200}).has_value()) << "at the corner";
-}
-
 TEST(CellCover, AFoldCoversNothing) {
   Mesh mesh;
   const auto a = mesh.add_vertex(0, 0, 1), b = mesh.add_vertex(1000, 1000, 1);
   mesh.add_facet(a, b, mesh.add_vertex(0, 1000, 1));
   mesh.add_facet(a, b, mesh.add_vertex(200, 900, 2));
   EXPECT_FALSE(mesh.cover({400, 400, 200}).has_value()) << "both facets lie on one side of their common side";
-}
-
-TEST(CellCover, NearerOfTwoSheets) {
-  std::mt19937 rng(1);
-  Mesh mesh;
-  mesh.add_sheet(0, 0, 12, 100, 10, 1, 0, rng);
-  mesh.add_sheet(0, 0, 12, 100, 20, 1, 0, rng);
-  const auto depth = mesh.cover({400, 400, 300});
-  ASSERT_TRUE(depth.has_value());
-  EXPECT_GE(*depth, 10);
-  EXPECT_LE(*depth, 11.001);
 }
 
 TEST(CellCover, WhatLiesBehindTheCoverChangesNothing) {
@@ -148,20 +115,6 @@ TEST(CellCover, FacetsOfBodiesThatTouch) {
   EXPECT_FALSE(mesh.cover({400, 400, 200}).has_value()) << "nothing says that the sides are one";
   mesh.scene.first_at_place = {a, b, c, d, a, c};
   EXPECT_NEAR(mesh.cover({400, 400, 200}).value(), 1, 1e-5);
-}
-
-TEST(CellCover, NearerOfTwoSheetsThatMeetInASide) {
-  Mesh mesh;
-  const auto a = mesh.add_vertex(0, 0, 1), b = mesh.add_vertex(0, 1000, 1);
-  const auto near_left = mesh.add_vertex(-1000, 500, 2), near_right = mesh.add_vertex(1000, 500, 2);
-  const auto far_left = mesh.add_vertex(-1000, 500, 9), far_right = mesh.add_vertex(1000, 500, 9);
-  mesh.add_facet(a, b, far_left);
-  mesh.add_facet(a, b, far_right);
-  mesh.add_facet(a, b, near_left);
-  mesh.add_facet(a, b, near_right);
-  const CellSquare cell{-100, 400, 200};
-  ASSERT_TRUE(mesh.cover(cell).has_value());
-  EXPECT_LE(*mesh.cover(cell), 1.2) << "where the near ones are a tenth of the way to their third corner";
 }
 
 /// Whatever is taken for covered is covered, and whatever is taken for hidden lies behind the nearest facet.

@@ -18,30 +18,6 @@ void expect_spans(const std::vector<Span>& spans, const std::vector<Span>& expec
   }
 }
 
-TEST(ExactEnvelope, FirstLineIsAboveNothing) {
-  for (const std::size_t cells : {1, 3, 10}) {
-    ExactEnvelope envelope(0, 10, cells);
-    EXPECT_EQ(envelope.height(3), kNothing);
-    expect_spans(raised(envelope, {2, 1, 8, 4}), {{2, 8}});
-    EXPECT_DOUBLE_EQ(envelope.height(4), 2);
-    EXPECT_EQ(envelope.height(1), kNothing);
-  }
-}
-
-TEST(ExactEnvelope, ALineIsCutWhereItGoesUnder) {
-  for (const std::size_t cells : {1, 3, 10}) {
-    ExactEnvelope envelope(0, 10, cells);
-    raised(envelope, {0, 0, 5, 5});
-    raised(envelope, {5, 5, 10, 0});
-    // A roof: level at height 3 is seen to its left and right, from 0 to 3 and from 7 to 10.
-    expect_spans(raised(envelope, {0, 3, 10, 3}), {{0, 3}, {7, 10}});
-    EXPECT_DOUBLE_EQ(envelope.height(1), 3);
-    EXPECT_DOUBLE_EQ(envelope.height(5), 5);
-    expect_spans(raised(envelope, {0, 3, 10, 3}), {});
-    expect_spans(raised(envelope, {1, 2, 9, 2}), {});
-  }
-}
-
 TEST(ExactEnvelope, BandsTogetherFindWhatTheWholeFinds) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> at(0, 10);
@@ -94,13 +70,6 @@ TEST(ExactEnvelope, EndsOfLinesAreTheirVeryEnds) {
     EXPECT_EQ(above[0].from, line.u0);
     EXPECT_EQ(above[0].to, line.u1);
   }
-}
-
-TEST(ExactEnvelope, GapsAreOpen) {
-  ExactEnvelope envelope(0, 10, 4);
-  raised(envelope, {0, 5, 3, 5});
-  raised(envelope, {6, 5, 10, 5});
-  expect_spans(raised(envelope, {1, 2, 9, 2}), {{3, 6}});
 }
 
 /// Random lines against all lines before them, sampled; the number of cells changes nothing.

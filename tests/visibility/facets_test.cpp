@@ -3,10 +3,8 @@
 #include "support/scenes.hpp"
 #include "support/test.hpp"
 #include "visibility/common/facet.hpp"
-#include "visibility/common/hidden_interval.hpp"
 #include "visibility/edges/nearest_along.hpp"
 #include "visibility/penetration/facet_tree.hpp"
-#include "visibility/penetration/penetration.hpp"
 
 namespace ligne::test {
 namespace {
@@ -131,12 +129,6 @@ std::size_t pairs_of_skins(int n) {
 
 TEST(FacetTree, TellsSkinsOfAnOnionApart) { EXPECT_LT(double(pairs_of_skins(64)), 2.7 * double(pairs_of_skins(32))); }
 
-TEST(FacetTree, ComparesNoFacetsOfOneFace) {
-  FacetScene s;
-  for (int i = 0; i < 1000; ++i) s.add({Point3{0, 0, 0}, {100, 0.1 * i, 0}, {100, 0.1 * (i + 1), 0}}, 7);
-  EXPECT_TRUE(reached_pairs(FacetTree(s.scene, s.facets)).empty());
-}
-
 // Rounding of depths to float.
 
 void expect_rounded(double v) {
@@ -156,75 +148,6 @@ TEST(Facet, DepthsAreRoundedOutwards) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> exponent(-50, 40);
   for (int i = 0; i < 20'000; ++i) expect_rounded((i % 2 ? 1 : -1) * std::pow(10, exponent(random)));
-}
-
-Facet triangle_of(std::uint32_t face, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  return {{a, b, c}, face, 0, 0, 0, 1};
-}
-
-TEST(CutSides, AreThoseOfTwoFacetsOfOneFace) {
-  // A square of two facets, a triangle of another face on its side 0-1, and a square cut into four.
-  const std::vector<Facet> facets{triangle_of(3, 0, 1, 2), triangle_of(5, 1, 0, 4), triangle_of(3, 2, 3, 0),
-                                  triangle_of(7, 5, 6, 9), triangle_of(7, 6, 7, 9), triangle_of(7, 7, 8, 9),
-                                  triangle_of(7, 8, 5, 9)};
-  const CutSides sides(facets);
-  EXPECT_TRUE(sides.has(3, 0, 2));
-  EXPECT_TRUE(sides.has(3, 2, 0));
-  EXPECT_FALSE(sides.has(3, 0, 1));
-  EXPECT_FALSE(sides.has(5, 0, 1));
-  EXPECT_FALSE(sides.has(5, 0, 2));
-  for (std::uint32_t v = 5; v < 9; ++v) EXPECT_TRUE(sides.has(7, 9, v)) << v;
-  EXPECT_FALSE(sides.has(7, 5, 6));
-}
-
-// The elementary operation: what one facet hides of one line.
-
-/// A facet 100 steps wide at depth 0 that touches whatever is less than 1 behind it.
-constexpr std::array<ProjectedVertex, 3> kCorners{ProjectedVertex{{0, -100}, 0}, {{100, 0}, 0}, {{0, 100}, 0}};
-constexpr Facet kFacet{{0, 1, 2}, 7, 0, 0, 1, 200};
-
-HiddenInterval hidden(const PageLine& line, double from, double to) {
-  bool near_side = false;
-  return hidden_interval(line, kFacet, kCorners.data(), {from, to}, 0, near_side);
-}
-
-PageLine line_of_depths(double z0, double z1) { return {{{0, 0}, z0}, {{100, 0}, z1}, kNone, kNone}; }
-
-TEST(HiddenInterval, OfALineInPiecesIsThatOfTheLine) {
-  // Touching at both ends; behind at the far end, touching at the near one; passing through.
-  for (const auto& [z0, z1] : {std::pair(0.25, 0.75), std::pair(0.0, 2.0), std::pair(2.0, 0.0), std::pair(-3.0, 1.5)}) {
-    const PageLine line = line_of_depths(z0, z1);
-    const HiddenInterval whole = hidden(line, 0, 1);
-    for (const double middle : {0.125, 0.5, 0.875})
-      for (const auto& [from, to] : {std::pair(0.0, middle), std::pair(middle, 1.0)}) {
-        const HiddenInterval piece = hidden(line, from, to);
-        const double expected_from = std::max(from, whole.from), expected_to = std::min(to, whole.to);
-        if (whole.sides == HiddenSides::none || expected_from >= expected_to) {
-          EXPECT_EQ(piece.sides, HiddenSides::none) << z0 << ' ' << z1 << ' ' << from << ' ' << to;
-          continue;
-        }
-        EXPECT_EQ(piece.sides, whole.sides) << z0 << ' ' << z1 << ' ' << from << ' ' << to;
-        EXPECT_EQ(piece.from, expected_from);
-        EXPECT_EQ(piece.to, expected_to);
-      }
-  }
-}
-
-TEST(HiddenInterval, ReachesWhereTheLineTouches) {
-  const HiddenInterval i = hidden(line_of_depths(0, 2), 0, 1);
-  EXPECT_EQ(i.sides, HiddenSides::both);
-  EXPECT_EQ(i.from, 0);
-  EXPECT_EQ(i.to, 1);
-}
-
-TEST(HiddenInterval, IsNoneWhereTheLineTouchesAllAlong) {
-  EXPECT_EQ(hidden(line_of_depths(0.25, 0.75), 0, 1).sides, HiddenSides::none);
-}
-
-TEST(HiddenInterval, BeginsWhereTheLinePassesThrough) {
-  const HiddenInterval i = hidden(line_of_depths(-2, 2), 0, 1);
-  EXPECT_EQ(i.from, 0.5);
-  EXPECT_EQ(i.to, 1);
 }
 
 // Facets seen along lines, against every facet at many places.
@@ -296,19 +219,6 @@ TEST(NearestAlong, IsWhatAPlainSearchFinds) {
       }
     }
   }
-}
-
-TEST(NearestAlong, ShowsNoSheetBetweenNeighbours) {
-  Facing scene;
-  scene.add({0, 0}, {1000, 7}, {333, 1000}, 1);
-  scene.add({1000, 7}, {333, 1000}, {1200, 1300}, 1);
-  const auto seen = nearest_along(scene.vertices, scene.facets, {{LatticePoint{300, 300}, LatticePoint{1000, 1000}}}, true);
-  ASSERT_EQ(seen[0].size(), 1u);
-  EXPECT_NE(seen[0][0].facet, kNone);
-  EXPECT_TRUE(nearest_along(scene.vertices, scene.facets, {}, true).empty());
-  const auto none = nearest_along(scene.vertices, {}, {{LatticePoint{0, 0}, LatticePoint{5, 5}}}, true);
-  ASSERT_EQ(none[0].size(), 1u);
-  EXPECT_EQ(none[0][0].facet, kNone);
 }
 
 }  // namespace

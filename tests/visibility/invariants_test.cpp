@@ -51,33 +51,6 @@ TEST_F(Invariants, PartsOfALineAscend) {
   EXPECT_DEATH(add({{0.5, 1, 0}, {0, 0.25, 0}}), "are_ascending");
 }
 
-TEST_F(Invariants, SpansOfALineGoFromLeftToRight) {
-  using Spans = std::vector<watkins::VisibleSpan>;
-  EXPECT_TRUE(watkins::are_left_to_right(Spans{{0, 1, 7}, {1, 3, 5}, {4, 5, 7}}));
-  EXPECT_FALSE(watkins::are_left_to_right(Spans{{0, 1, 7}, {0.5, 3, 5}}));
-  EXPECT_FALSE(watkins::are_left_to_right(Spans{{1, 1, 7}}));
-}
-
-TEST_F(Invariants, TheScanMeetsPointsAndEdgesInOrder) {
-  watkins::SweepScene scene;
-  scene.points = {{0, 0}, {4, 0}, {2, 3}};
-  scene.edges.resize(2);
-  scene.edges[0] = {{0, 0}, {2, 3}, 0, 2, 0, 0, 0, 0};
-  scene.edges[1] = {{4, 0}, {2, 3}, 1, 2, 0, 0, 0, 0};
-  EXPECT_EQ(watkins::make_bands(scene).size(), 1u);
-  watkins::SweepScene points = scene, edges = scene;
-  std::swap(points.points[0], points.points[1]);
-  EXPECT_DEATH(watkins::make_bands(points), "is_in_scan_order");
-  std::swap(edges.edges[0], edges.edges[1]);
-  EXPECT_DEATH(watkins::make_bands(edges), "is_in_scan_order");
-}
-
-TEST_F(Invariants, FencesOfTheCrossingsAscend) {
-  watkins::CrossingQueue queue;
-  queue.reset({{5, 1}, {0, 2}}, true);
-  EXPECT_DEATH(queue.reset({{0, 2}, {5, 1}}, true), "is_sorted");
-}
-
 TEST_F(Invariants, APieceIsCutByAPlaneThatPassesThroughIt) {
   Scene scene;
   add_face(scene, {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}});

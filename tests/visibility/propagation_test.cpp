@@ -50,34 +50,7 @@ std::vector<std::string> words_of(const StrokeModel& model) {
   return words;
 }
 
-/// Plates of 4, 3 and 2 units before a line of 6: behind three, two and one of them.
-TEST(Propagation, CountsTheFacesBeforeEachPart) {
-  const Scene scene = scene_of_faces({{{-3, 9, 0}, {3, 9, 0}, {3, 9, 8}, {-3, 9, 8}},
-                                      {{-2, 3, -1}, {2, 3, -1}, {2, 3, 1}, {-2, 3, 1}},
-                                      {{-1.5, 2, -1}, {1.5, 2, -1}, {1.5, 2, 1}, {-1.5, 2, 1}},
-                                      {{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}}});
-  const ProjectedScene projected = project_on_a4(scene, along({0, 1, 0}), "all");
-  for (const Word word : {kTest, kCount, kNature, kPath}) {
-    const VisibilityResult result = carried(projected, word);
-    std::map<unsigned, double> share;  // of the lowest edge of the farthest plate, by faces before it
-    double total = 0;
-    const Topology topology = build_topology(scene);
-    for (const Stroke& s : result.strokes->strokes) {
-      const Edge& edge = topology.edges[s.source];
-      if (scene.vertices[edge.v0].y != 9 || scene.vertices[edge.v0].z != 0 || scene.vertices[edge.v1].z != 0) continue;
-      share[s.level] += s.t_to - s.t_from;
-      total += s.t_to - s.t_from;
-      EXPECT_EQ(s.visible, s.level == 0);
-    }
-    EXPECT_NEAR(total, 1, 1e-6);
-    EXPECT_NEAR(share[0], 2.0 / 6, 1e-6);
-    EXPECT_NEAR(share[1], 1.0 / 6, 1e-6);
-    EXPECT_NEAR(share[2], 1.0 / 6, 1e-6);
-    EXPECT_NEAR(share[3], 2.0 / 6, 1e-6);
-  }
-}
-
-/// The plates of the test above, by number from the farthest: the sets grow by one plate at each end.
+/// Four plates one behind the other, by number from the farthest: the sets grow by one plate at each end.
 TEST(Propagation, NamesTheFacesBeforeEachPart) {
   const Scene scene = scene_of_faces({{{-3, 9, 0}, {3, 9, 0}, {3, 9, 8}, {-3, 9, 8}},
                                       {{-2, 3, -1}, {2, 3, -1}, {2, 3, 1}, {-2, 3, 1}},

@@ -19,30 +19,6 @@ const PolygonRun* run_on(const std::vector<PolygonRun>& runs, std::uint32_t line
   return nullptr;
 }
 
-TEST(ScanConversion, SquareCoversItsLinesOnce) {
-  const std::vector<GridPoint> square{{1, 1, 0}, {5, 1, 0}, {5, 4, 3}, {1, 4, 3}};
-  const std::vector<std::uint32_t> end{4};
-  const auto runs = scan_polygon(square, end, 10);
-  ASSERT_EQ(runs.size(), 3u);  // lines 1, 2, 3: the lower side belongs to what lies below it
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(runs[i].line, i + 1);
-    EXPECT_EQ(runs[i].u0, 1);
-    EXPECT_EQ(runs[i].u1, 5);
-    EXPECT_EQ(runs[i].z0, i);
-  }
-}
-
-TEST(ScanConversion, HoleIsLeftOut) {
-  const std::vector<GridPoint> points{{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0},
-                                      {3, 3, 0}, {3, 6, 0}, {6, 6, 0}, {6, 3, 0}};
-  const std::vector<std::uint32_t> end{4, 8};
-  const auto runs = scan_polygon(points, end, 9);
-  EXPECT_EQ(covered(runs), 9 * 9 - 3 * 3);
-  ASSERT_NE(run_on(runs, 4, 1), nullptr);
-  EXPECT_EQ(run_on(runs, 4, 0)->u1, 3);
-  EXPECT_EQ(run_on(runs, 4, 1)->u0, 6);
-}
-
 /// Vertices exactly on lines: a peak up, a peak down, a bend, a horizontal step.
 TEST(ScanConversion, VerticesOnLines) {
   const std::vector<GridPoint> points{{0, 0, 0}, {4, 4, 0}, {8, 0, 0}, {8, 6, 0}, {6, 6, 0}, {6, 8, 0}, {0, 8, 0}};
@@ -54,22 +30,6 @@ TEST(ScanConversion, VerticesOnLines) {
   EXPECT_EQ(run_on(runs, 4, 0)->u1 - run_on(runs, 4, 0)->u0, 8);  // the valley closes
   EXPECT_EQ(run_on(runs, 7, 0)->u1, 6);
   EXPECT_EQ(run_on(runs, 8), nullptr);
-}
-
-TEST(ScanConversion, HorizontalAndTinyEdgesBoundNothing) {
-  const std::vector<std::uint32_t> end{3};
-  EXPECT_TRUE(scan_polygon(std::vector<GridPoint>{{0, 2, 0}, {5, 2, 0}, {9, 2, 0}}, end, 9).empty());
-  EXPECT_TRUE(scan_polygon(std::vector<GridPoint>{{0, 2.2, 0}, {5, 2.4, 0}, {9, 2.9, 0}}, end, 9).empty());
-  EXPECT_TRUE(scan_polygon(std::vector<GridPoint>{}, std::vector<std::uint32_t>{}, 9).empty());
-}
-
-/// Lines outside the grid are no lines.
-TEST(ScanConversion, PolygonLargerThanTheGrid) {
-  const std::vector<GridPoint> points{{0, -50, 0}, {10, -50, 0}, {10, 50, 0}, {0, 50, 0}};
-  const std::vector<std::uint32_t> end{4};
-  const auto runs = scan_polygon(points, end, 7);
-  EXPECT_EQ(runs.size(), 7u);
-  EXPECT_EQ(covered(runs), 70);
 }
 
 /// Random polygons: the runs' sum comes to the area, and each lies where the sides are.
@@ -108,16 +68,6 @@ TEST(ScanConversion, AccumulatorsDoNotDrift) {
   }
 }
 
-TEST(ScanConversion, WholeGridRoundsPoints) {
-  LineGrid grid;
-  grid.spacing = 10;
-  grid.whole = true;
-  EXPECT_EQ(grid.u(14.9), 1);
-  EXPECT_EQ(grid.u(15), 2);
-  EXPECT_EQ(grid.v(-16), -2);
-  EXPECT_EQ(grid.x(2), 20);
-}
-
 // Filling in fixed point: the same columns as scan conversion in real numbers, neighbours without gap or overlap.
 
 struct Row {
@@ -135,27 +85,6 @@ std::vector<Row> rows_of(const std::vector<std::array<double, 2>>& corners, std:
     if (from < to) rows.push_back({line, from, to});
   });
   return rows;
-}
-
-TEST(ConvexFiller, SquareWithItsCornersOnCentres) {
-  EXPECT_EQ(rows_of({{1, 1}, {5, 1}, {5, 3}, {1, 3}}), (std::vector<Row>{{1, 1, 5}, {2, 1, 5}}));
-  EXPECT_EQ(rows_of({{1, 3}, {5, 3}, {5, 1}, {1, 1}}), (std::vector<Row>{{1, 1, 5}, {2, 1, 5}})) << "turned round";
-}
-
-TEST(ConvexFiller, HexagonAndNothing) {
-  EXPECT_EQ(rows_of({{2, 0}, {4, 0}, {6, 2}, {4, 4}, {2, 4}, {0, 2}}),
-            (std::vector<Row>{{0, 2, 4}, {1, 1, 5}, {2, 0, 6}, {3, 1, 5}}));
-  EXPECT_TRUE(rows_of({{1, 2.2}, {5, 2.4}, {9, 2.9}}).empty());
-  EXPECT_TRUE(rows_of({}).empty());
-}
-
-TEST(ConvexFiller, LinesOfABandAreThoseOfTheWhole) {
-  const std::vector<std::array<double, 2>> corners{{-3, -7.5}, {41.3, 20.2}, {10, 96.7}};
-  const std::vector<Row> whole = rows_of(corners, -100, 1000);
-  std::vector<Row> parts = rows_of(corners, -100, 13);
-  for (const Row& r : rows_of(corners, 13, 1000)) parts.push_back(r);
-  EXPECT_EQ(parts, whole);
-  EXPECT_LT(whole.front().line, 0);
 }
 
 /// The largest places and the flattest side.
@@ -187,36 +116,6 @@ TEST(ConvexFiller, AgreesWithScanConversion) {
   }
   // Corners are rounded to 2^-16 of a pixel.
   EXPECT_LT(unlike, columns / 100'000);
-}
-
-/// A plate of triangles whose corners are moved at random: each centre is in one of them.
-TEST(ConvexFiller, NeighboursShareNothingAndLeaveNothingOut) {
-  constexpr int kCells = 24, kSize = 97;
-  std::mt19937 random(11);
-  std::uniform_real_distribution<double> move(-0.9, 0.9);
-  std::vector<std::array<double, 2>> corner;
-  for (int j = 0; j <= kCells; ++j)
-    for (int i = 0; i <= kCells; ++i) {
-      const bool inside = i > 0 && j > 0 && i < kCells && j < kCells;
-      const double step = double(kSize) / kCells;
-      corner.push_back({i * step + (inside ? move(random) : 0), j * step + (inside ? move(random) : 0)});
-    }
-  std::vector<int> painted(kSize * kSize, 0);
-  ConvexFiller filler;
-  const auto fill = [&](int a, int b, int c) {
-    std::vector<FixedCorner> t;
-    for (const int k : {a, b, c}) t.push_back(FixedCorner::at(corner[std::size_t(k)][0], corner[std::size_t(k)][1]));
-    filler.fill(t, 0, kSize, [&](std::int64_t line, std::int64_t from, std::int64_t to) {
-      for (std::int64_t i = from; i < to; ++i) ++painted[std::size_t(line * kSize + i)];
-    });
-  };
-  for (int j = 0; j < kCells; ++j)
-    for (int i = 0; i < kCells; ++i) {
-      const int a = j * (kCells + 1) + i, b = a + 1, c = a + kCells + 1, d = c + 1;
-      fill(a, b, c);
-      fill(b, d, c);
-    }
-  for (const int n : painted) ASSERT_EQ(n, 1);
 }
 
 }  // namespace

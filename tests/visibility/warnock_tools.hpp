@@ -58,35 +58,12 @@ class Stage {
     return add({{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}});
   }
 
-  /// A rectangle with a rectangular hole: eight triangles round it.
-  std::uint32_t add_frame(std::int32_t outer, std::int32_t inner, double z) {
-    const std::uint32_t face = faces_++;
-    const auto v = static_cast<std::uint32_t>(scene_.vertices.size());
-    for (const std::int32_t r : {outer, inner})
-      for (const auto& [sx, sy] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
-        scene_.vertices.push_back({{sx * r, sy * r}, z});
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      const std::uint32_t k = (i + 1) % 4;
-      scene_.triangles.push_back({{v + i, v + k, v + 4 + i}, face});
-      scene_.triangles.push_back({{v + k, v + 4 + k, v + 4 + i}, face});
-    }
-    return face;
-  }
-
   /// Call once, when all faces are there.
   const warnock::FaceTable& table(const warnock::WindowFrame& frame = {}) {
     facets_ = make_facets(scene_, 1);
     table_ = warnock::make_faces(scene_, facets_.facets, frame);
     return table_;
   }
-
-  const warnock::Face& face(std::uint32_t number) const {
-    for (const warnock::Face& f : table_.faces)
-      if (f.face == number) return f;
-    return table_.faces.front();
-  }
-
-  ProjectedScene& scene() { return scene_; }
 
  private:
   ProjectedScene scene_;

@@ -21,22 +21,6 @@ double area(const ConvexWindow& w) {
   return twice / 2;
 }
 
-TEST(WarnockPolygon, CornersAndBoxOfATriangle) {
-  const ConvexWindow triangle = ConvexWindow(Window{0, 100, 0, 100}).part(Border({100, 0}, {0, 100}));
-  ASSERT_EQ(triangle.size(), 3u) << "the lower left half of a square";
-  EXPECT_EQ(area(triangle), 5000);
-  EXPECT_TRUE(triangle.holds({1, 1}));
-  EXPECT_FALSE(triangle.holds({99, 99}));
-  EXPECT_EQ(triangle.middle(), (FramePoint{33, 33}));
-  EXPECT_TRUE(triangle.part(Border({0, 0}, {0, 1})).empty()) << "all of it lies on the other side";
-  const ConvexWindow half = triangle.part(Border({50, 0}, {50, 1}));
-  EXPECT_EQ(half.box().u1, 50);
-  EXPECT_EQ(area(half), 3750);
-  const ConvexWindow inner = triangle.shrunk(10);
-  EXPECT_NEAR(area(inner), 0.5 * std::pow(80 - 10 * std::numbers::sqrt2, 2), 1e-9) << "its short sides";
-  EXPECT_TRUE(triangle.shrunk(40).empty()) << "the radius of the inscribed circle is 29";
-}
-
 TEST(WarnockPolygon, PartsMakeTheWholeAgain) {
   std::mt19937 random(7);
   std::uniform_int_distribution<int> u(0, 1 << 20);
@@ -63,47 +47,6 @@ TEST(WarnockPolygon, PartsMakeTheWholeAgain) {
 TEST(WarnockPolygon, PiecesShareTheirEndsAndFindTheirChild) {
   const Border border({7, -5}, {-20, 31});
   expect_pieces_of_children(border, [&](int child, FramePoint p) { return (child == 0) == (border.distance(p) >= 0); });
-}
-
-TEST(WarnockPolygon, ALineAlongTheBorderBelongsToOneChild) {
-  const PageLine line({{-40, 12}, 0}, {{80, 48}, 0}, kNone, kNone);
-  for (const bool turned : {false, true}) {
-    const Border border = turned ? Border({20, 30}, {30, 33}) : Border({30, 33}, {20, 30});
-    int pieces = 0;
-    cut_piece(line, {0, 0.25, 0.5}, {}, border, [&](int child, const Piece& piece) {
-      ++pieces;
-      EXPECT_EQ(child, 0);
-      EXPECT_EQ(piece.from, 0.25);
-      EXPECT_EQ(piece.to, 0.5);
-    });
-    EXPECT_EQ(pieces, 1);
-  }
-}
-
-/// The window is the lower left half of the square from -1000 to 1000.
-ConvexWindow lower_left() {
-  return ConvexWindow(Window{-1000, 1000, -1000, 1000}).part(Border({1000, -1000}, {-1000, 1000}));
-}
-
-TEST(WarnockPolygon, FacesLieToATriangleAsTheyAre) {
-  Stage stage;
-  const auto corner = stage.add_rectangle(300, 300, 900, 900, 1);
-  const auto cover = stage.add_rectangle(-3000, -3000, 3000, 3000, 2);
-  const auto tip = stage.add_rectangle(-100, -100, 900, 900, 3);
-  const auto near = stage.add({{1, 0, 1}, {1001, -1000, 1}, {900, 900, 1}});
-  const auto frame = stage.add_frame(5000, 2000, 4);
-  const FaceTable& table = stage.table();
-  AnalysisCounts counts;
-  const auto relation = [&](std::uint32_t face, double margin) {
-    std::uint32_t side = 0;
-    return relation_to(table, stage.face(face), lower_left(), margin, side, counts);
-  };
-  EXPECT_EQ(relation(corner, 1), Relation::disjoint) << "in the box of the window, not in the window";
-  EXPECT_EQ(relation(cover, 1), Relation::surrounder);
-  EXPECT_EQ(relation(tip, 1), Relation::intersector);
-  EXPECT_EQ(relation(near, 0), Relation::disjoint) << "its side runs beside the border, 0.7 from it";
-  EXPECT_EQ(relation(near, 1), Relation::intersector) << "within the margin";
-  EXPECT_EQ(relation(frame, 1), Relation::disjoint) << "the window lies in the hole";
 }
 
 TEST(WarnockPolygon, ListsOfAWindowHoldAllThatMeetsIt) {
@@ -139,47 +82,6 @@ TEST(WarnockPolygon, ListsOfAWindowHoldAllThatMeetsIt) {
       EXPECT_FALSE(inside < points && relation == Relation::surrounder);
     }
   }
-}
-
-TEST(WarnockPolygon, DividedAlongTheSideThatStandsInTheWay) {
-  Stage stage("face -900,-800,1 -100,-600,1 -500,-100,1; rectangle -600 -600 -200 -200 2");
-  const FaceTable& table = stage.table();
-  AnalysisCounts counts;
-  const Analysis analysis(table, 1, true);
-  const Window whole{-1000, 1000, -1000, 1000};
-  const ConvexWindow window(whole);
-  const auto border = [&](const ConvexWindow& w, const std::vector<Element>& elements, double limit) {
-    Lists lists;
-    lists.elements = elements;
-    return dividing_border(table, lists, w, w.shrunk(1), 1, limit);
-  };
-  const std::vector<Element> elements = analysis.begin(whole, counts).elements;
-  const std::optional<Border> side = border(window, elements, 0);
-  ASSERT_TRUE(side);
-  EXPECT_EQ(side->side({-900, -800}), 0) << "of the nearer face the side that passes nearest to the middle";
-  EXPECT_EQ(side->side({-500, -100}), 0);
-  // Inside that side the other two divide, then none of the face does.
-  ConvexWindow rest = window;
-  for (int i = 0; i < 3; ++i) {
-    const std::optional<Border> next = border(rest, {elements.front()}, 0);
-    ASSERT_TRUE(next);
-    rest = rest.part(next->side({-500, -500}) > 0 ? *next : next->opposite());
-  }
-  EXPECT_NEAR(area(rest), 240000, 1e-6) << "the triangle itself";
-  EXPECT_NEAR(border(rest, {elements.front()}, 0)->distance({-500, -450}), 0, 1) << "across the middle of its box";
-  EXPECT_FALSE(border(window, elements, 2000)) << "at the limit of resolution";
-}
-
-TEST(WarnockPolygon, PartsOfADivisionAreWiderThanTheMargin) {
-  Stage stage("face -990,-2000,1 -990,2000,1 3000,0,1");
-  const FaceTable& table = stage.table();
-  AnalysisCounts counts;
-  const Window whole{-1000, 1000, -1000, 1000};
-  const ConvexWindow window(whole);
-  const Lists lists = Analysis(table, 1, true).begin(whole, counts);
-  EXPECT_EQ(dividing_border(table, lists, window, window.shrunk(1), 1, 0)->side({-990, 0}), 0);
-  EXPECT_NE(dividing_border(table, lists, window, window.shrunk(3), 3, 0)->side({-990, 0}), 0)
-      << "10 steps are less than four margins of 3";
 }
 
 /// Windows studied at a limit of resolution of 1024.

@@ -96,13 +96,6 @@ TYPED_TEST(WatkinsSpans, RandomSegments) {
   }
 }
 
-TYPED_TEST(WatkinsSpans, NothingAndSegmentsWithoutLength) {
-  for (const SpanMethodKind kind : kKinds) {
-    EXPECT_TRUE(spans<TypeParam>(kind, {}).empty());
-    EXPECT_TRUE(spans<TypeParam>(kind, {{3, 3, 1, 2, 0}}).empty());
-  }
-}
-
 /// Figure 2.45: one long segment behind, two short ones before it.
 TYPED_TEST(WatkinsSpans, FigureOfTheThesis) {
   const Segments<TypeParam> segments{{0, 10, 5, 5, 0}, {1, 4, 2, 2, 1}, {3, 8, 1, 3, 2}};
@@ -113,25 +106,6 @@ TYPED_TEST(WatkinsSpans, FigureOfTheThesis) {
     EXPECT_EQ(ends, (std::vector<std::pair<std::uint32_t, double>>{{0, 1}, {1, 3}, {2, 8}, {0, 10}}))
         << static_cast<int>(kind);
   }
-}
-
-/// Two that penetrate: the place is computed, with reals and, but for points, with whole numbers too.
-TYPED_TEST(WatkinsSpans, Penetration) {
-  const Segments<TypeParam> segments{{0, 10, 0, 10, 0}, {0, 10, 6, 6, 1}};
-  for (const SpanMethodKind kind : kKinds) {
-    SpanCounts counts;
-    const auto found = spans(kind, segments, &counts);
-    ASSERT_EQ(found.size(), 2u);
-    EXPECT_EQ(found[0].segment, 0u);
-    EXPECT_EQ(found[1].segment, 1u);
-    EXPECT_NEAR(found[0].x1, 6, 1e-12);
-  }
-}
-
-/// Three planes through one point, all at once.
-TYPED_TEST(WatkinsSpans, ThreePenetrateInOnePlace) {
-  const Segments<TypeParam> segments{{0, 8, 0, 8, 0}, {0, 8, 8, 0, 1}, {0, 8, 4, 4, 2}};
-  for (const SpanMethodKind kind : kKinds) expect_right(segments, spans(kind, segments), 1e-9, "three");
 }
 
 /// A screen segment hides everything: the box method sees that at once, the stack goes through all ([Boulle1980] end
@@ -146,30 +120,6 @@ TYPED_TEST(WatkinsSpans, ScreenSegmentIsTheBoxMethodsBest) {
   ASSERT_EQ(spans(SpanMethodKind::stack, segments, &stack).size(), 1u);
   EXPECT_EQ(box.boxes, 1u);
   EXPECT_LT(box.total(), stack.total());
-}
-
-TYPED_TEST(WatkinsSpans, SortedSegmentsCostTheMergeLess) {
-  Segments<TypeParam> segments;
-  for (int i = 0; i < 60; ++i)
-    segments.push_back({static_cast<TypeParam>(i), static_cast<TypeParam>(i + 20), double(i % 7), double(i % 5),
-                        static_cast<std::uint32_t>(i)});
-  SpanCounts sorted, backwards;
-  spans(SpanMethodKind::merge, segments, &sorted);
-  std::reverse(segments.begin(), segments.end());
-  spans(SpanMethodKind::merge, segments, &backwards);
-  EXPECT_NE(sorted.total(), backwards.total());
-}
-
-/// Each method counts what it does and nothing that it does not do.
-TYPED_TEST(WatkinsSpans, CountsAreTheMethodsOwn) {
-  const Segments<TypeParam> segments{{0, 10, 5, 5, 0}, {1, 4, 2, 2, 1}, {3, 8, 1, 3, 2}};
-  for (std::size_t kind = 0; kind < std::size(kKinds); ++kind) {
-    SpanCounts counts;
-    spans(kKinds[kind], segments, &counts);
-    const std::uint64_t by_kind[] = {counts.insertions, counts.pushes, counts.boxes, counts.points};
-    const std::size_t own = kKinds[kind] == SpanMethodKind::remembered ? 2 : kind;  // the boxes
-    for (std::size_t k = 0; k < std::size(by_kind); ++k) EXPECT_EQ(by_kind[k] > 0, k == own) << kind << ", count " << k;
-  }
 }
 
 /// Divisions of the line before, moved to where their segments are now: right while the segments move, cross, vanish and

@@ -9,14 +9,6 @@ namespace {
 
 using namespace ligne::test;
 
-/// A rectangle of 10 by 4, upright, seen from the front.
-Scene upright_plate() {
-  Scene scene = scene_of_faces({{{0, 0, 0}, {10, 0, 0}, {10, 0, 4}, {0, 0, 4}}});
-  Warnings warnings;
-  finish_scene(scene, warnings);
-  return scene;
-}
-
 LineStudyResult by_states(const PreparedScan& p, std::uint32_t lines, std::uint32_t group, std::uint32_t ahead = 0,
                           bool whole = false) {
   LineStudyOptions options = p.options(kRecognising, group);
@@ -29,33 +21,6 @@ LineStudyResult by_states(const PreparedScan& p, std::uint32_t lines, std::uint3
 double line_at(const PreparedScan& p, const LineGrid& grid, std::size_t line, double t) {
   const double a = grid.v(p.lines[line].from.p.y), b = grid.v(p.lines[line].to.p.y);
   return a + t * (b - a);
-}
-
-/// An upright edge is drawn from the first line that meets it to the last; a horizontal one is missing.
-TEST(WatkinsStates, AnEdgeIsDrawnFromLineToLine) {
-  const PreparedScan p(upright_plate(), along({0, 1, 0}));
-  ASSERT_EQ(p.lines.size(), 4u);
-  for (const std::uint32_t count : {37u, 64u, 501u}) {
-    const LineGrid grid = grid_of_lines(p.projected, count);
-    const LineStudyResult found = by_states(p, count, 8);
-    std::size_t upright = 0;
-    for (std::size_t i = 0; i < p.lines.size(); ++i) {
-      const auto parts = found.by_states.visible_parts(i, PartEnd::last_visible);
-      const double top = std::min(line_at(p, grid, i, 0), line_at(p, grid, i, 1)),
-                   bottom = std::max(line_at(p, grid, i, 0), line_at(p, grid, i, 1));
-      if (bottom - top < 1) {
-        EXPECT_TRUE(parts.empty());
-        continue;
-      }
-      ++upright;
-      ASSERT_EQ(parts.size(), 1u);
-      double from = line_at(p, grid, i, parts[0].from), to = line_at(p, grid, i, parts[0].to);
-      if (from > to) std::swap(from, to);
-      EXPECT_NEAR(from, std::ceil(top), 1e-9);
-      EXPECT_NEAR(to, std::ceil(bottom) - 1, 1e-9);
-    }
-    EXPECT_EQ(upright, 2u);
-  }
 }
 
 /// Ends are off by no more than a line, before the true end or, where edges run on to the line on which they are hidden,

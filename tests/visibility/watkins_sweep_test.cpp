@@ -1,4 +1,4 @@
-// The exact scan: its list, its stops, its bands.
+// The exact scan: its stops, its bands.
 
 #include "linework/overlaps/stroke_overlap.hpp"
 #include "scene/clean/clean.hpp"
@@ -9,66 +9,6 @@ namespace ligne::watkins {
 namespace {
 
 using namespace ligne::test;
-
-SweepNode upright(std::int32_t x) {
-  SweepNode n;
-  n.top = {x, 0};
-  n.bottom = {x, 1000};
-  return n;
-}
-
-/// Many edges put in anywhere: found again by search, and in order.
-TEST(WatkinsStatus, ListStaysInOrder) {
-  SweepStatus status;
-  std::mt19937 random(1);
-  std::vector<std::int32_t> places;
-  for (std::int32_t i = 0; i < 1000; ++i) places.push_back(2 * i);
-  std::shuffle(places.begin(), places.end(), random);
-  std::vector<std::uint32_t> slots;
-  for (const std::int32_t x : places) {
-    const std::uint32_t left = status.last_left_of({x, 500});
-    const std::uint32_t slot = status.insert_after(left);
-    const std::uint32_t node = status.make_node();
-    const SweepNode n = upright(x);
-    status.node(node).top = n.top;
-    status.node(node).bottom = n.bottom;
-    status.put(slot, node);
-    slots.push_back(slot);
-  }
-  for (std::int32_t x = -1; x < 2000; x += 2) {
-    const std::uint32_t left = status.last_left_of({x, 500});
-    EXPECT_EQ(left == SweepStatus::kLeftEnd, x < 0);
-    if (x > 0) {
-      EXPECT_EQ(status.node(status.node_at(left)).top.x, x - 1);
-    }
-  }
-  for (std::size_t i = 0; i < slots.size(); i += 2) {
-    status.free_node(status.node_at(slots[i]));
-    status.erase(slots[i]);
-  }
-  std::int32_t last = -1;
-  std::size_t count = 0;
-  for (std::uint32_t s = status.next(SweepStatus::kLeftEnd); s != SweepStatus::kLeftEnd; s = status.next(s), ++count) {
-    EXPECT_GT(status.node(status.node_at(s)).top.x, last);
-    last = status.node(status.node_at(s)).top.x;
-    EXPECT_EQ(status.next(status.previous(s)), s);
-  }
-  EXPECT_EQ(count, 500u);
-  for (std::size_t i = 1; i < slots.size(); i += 2) status.erase(slots[i]);
-  EXPECT_EQ(status.next(SweepStatus::kLeftEnd), SweepStatus::kLeftEnd);
-  EXPECT_EQ(status.last_left_of({5, 5}), SweepStatus::kLeftEnd);
-  EXPECT_NE(status.insert_after(SweepStatus::kLeftEnd), SweepStatus::kLeftEnd);  // and begins anew
-}
-
-TEST(WatkinsStatus, ToggleIsItsOwnInverse) {
-  Cover cover;
-  for (const std::uint32_t f : {1u, 2u, 3u}) toggle(cover, f);
-  toggle(cover, 1);
-  EXPECT_EQ(cover.size(), 2u);
-  toggle(cover, 2);
-  toggle(cover, 3);
-  EXPECT_TRUE(cover.empty());
-}
 
 struct Prepared {
   ProjectedScene projected;
@@ -183,19 +123,6 @@ TEST(WatkinsSweep, LeavesOutWhatConnectedFacetsHideTogether) {
   EXPECT_EQ(count("facets"), 12u * kBoxes);
   EXPECT_GT(count("facets in front of all covers"), 0u);
   EXPECT_LT(count("facets in front of all covers"), 12u * kBoxes / 8);
-}
-
-/// Pairs that penetrate: every crossing of two plates, found where they begin to overlap on the page.
-TEST(WatkinsSweep, FindsWhatPenetrates) {
-  const Scene scene =
-      scene_of_faces({{{0, -5, 0}, {10, 5, 0}, {10, 5, 10}, {0, -5, 10}}, {{0, 5, 2}, {10, -5, 2}, {10, -5, 8}, {0, 5, 8}}});
-  const Prepared p = prepare(scene, along({0, 1, 0}));
-  ExactResult r = study(p, SpanMethodKind::stack, true);
-  double sum = 0;
-  for (const Intersection& i : take_intersections(r, p.projected.vertices, p.facets.facets, 1))
-    sum += std::hypot(double(i.to.p.x) - i.from.p.x, double(i.to.p.y) - i.from.p.y);
-  const double unit = p.projected.view.scale / p.projected.lattice.step_mm;
-  EXPECT_NEAR(sum, 6 * unit, 4);
 }
 
 /// Length of all visible strokes of the scene, by class.

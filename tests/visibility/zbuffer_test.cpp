@@ -58,26 +58,6 @@ TEST(ZBuffer, ARampByHand) {
   }
 }
 
-TEST(ZBuffer, AHoleShowsWhatIsBehind) {
-  Scene scene;
-  begin_object(scene);
-  scene.vertices = {{0, 0, 10},   {80, 0, 10},  {80, 80, 10}, {0, 80, 10},
-                    {20, 20, 10}, {20, 60, 10}, {60, 60, 10}, {60, 20, 10}};
-  scene.faces.add_face(std::vector<std::uint32_t>{0, 1, 2, 3});
-  scene.faces.add_hole(std::vector<std::uint32_t>{4, 5, 6, 7});
-  end_object(scene);
-  add_face(scene, {{{0, 0, -10}, {80, 0, -10}, {80, 80, -10}, {0, 80, -10}}});
-  for (const Filling filling : kFillings) {
-    const DepthBuffer buffer = painted(projected(scene, view_at(from_above(), scene)), 100, filling);
-    std::array<int, 2> pixels{0, 0};
-    for (std::uint32_t row = 0; row < 100; ++row)
-      for (std::uint32_t column = 0; column < 100; ++column)
-        if (const std::uint32_t face = buffer.face(column, row); face < 2) ++pixels[face];
-    EXPECT_EQ(pixels[0], 80 * 80 - 40 * 40);
-    EXPECT_EQ(pixels[1], 40 * 40);
-  }
-}
-
 /// Section 5.1 of the lecture: z_a = z_3 - (z_3 - z_1)(y_3 - y_s)/(y_3 - y_1), z_b = z_3 - (z_3 - z_2)(y_3 - y_s)/(y_3 -
 /// y_2), z_p = z_b - (z_b - z_a)(x_b - x_p)/(x_b - x_a); the fourth corner makes the face skew.
 TEST(ZBuffer, DepthOfASkewFaceIsInterpolated) {
@@ -91,26 +71,6 @@ TEST(ZBuffer, DepthOfASkewFaceIsInterpolated) {
       const double share = (column + 0.5 - 10) / 80;
       EXPECT_NEAR(buffer.depth(column, row), 20 - share * s / 2, 1e-4) << column << ", " << row;
     }
-  }
-}
-
-TEST(ZBuffer, PerspectiveDepthIsLinearOnThePage) {
-  Scene scene;
-  add_face(scene, {{{-40, -40, 0}, {40, -40, 30}, {40, 40, 30}, {-40, 40, 0}}});
-  const CameraRequest camera = from_eye({0, 0, 200}, {0, 0, 0}, 40);
-  const View view = view_at(camera, scene, 1);
-  for (const Filling filling : kFillings) {
-    const DepthBuffer buffer = painted(projected(scene, view), 200, filling);
-    std::size_t pixels = 0;
-    for (std::uint32_t row = 0; row < buffer.grid().height; ++row)
-      for (std::uint32_t column = 0; column < buffer.grid().width; ++column) {
-        if (buffer.face(column, row) == DepthBuffer::kNothing) continue;
-        ++pixels;
-        const Point2 at = buffer.grid().corner_mm + Point2(column + 0.5, row + 0.5) * buffer.grid().pixel_mm;
-        const Point3 p = to_model_point(view, at, buffer.depth(column, row));
-        EXPECT_NEAR(p.z, (p.x + 40) * 30 / 80, 1e-3);
-      }
-    EXPECT_GT(pixels, 1000u);
   }
 }
 
@@ -246,14 +206,6 @@ TEST(ZBuffer, WholeDepths) {
     EXPECT_EQ(painted(page, 100, Filling::table, {nearest - 1, 1}).face(50, 50), distance == 1 ? 1u : 0u);
     EXPECT_EQ(painted(page, 100).face(50, 50), 1u);
   }
-}
-
-TEST(ZBuffer, TransparentFacesAreNotInTheWay) {
-  Scene scene = scene_of_faces(
-      {{{0, 0, 0}, {80, 0, 0}, {80, 80, 0}, {0, 80, 0}}, {{20, 20, 9}, {60, 20, 9}, {60, 60, 9}, {20, 60, 9}}});
-  scene.materials = {{"plain", {0.8, 0.8, 0.8}, 1}, {"glass", {0.5, 0.7, 0.9}, 0.4}};
-  scene.face_material = {0, 1};
-  EXPECT_EQ(painted(projected(scene, view_at(from_above(), scene)), 100).face(50, 50), 0u);
 }
 
 /// A line that crosses a plate: hidden behind it but for a pixel at each rim.
