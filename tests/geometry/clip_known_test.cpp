@@ -1,7 +1,8 @@
-// The clip on faces that are worked out by hand: the configurations of [Boulle1980], section 3.2.3.4, and every singular
-// case by name.
+// The clip on faces that are worked out by hand. The configurations of [Boulle1980], section 3.2.3.4, and every singular
+// case by name: clips/known.txt.
 
 #include "clip_support.hpp"
+#include "contour_text.hpp"
 
 namespace ligne::test {
 namespace {
@@ -28,64 +29,31 @@ Shape shape(const Faces& faces) {
   return s;
 }
 
-struct Case {
-  const char* name;
-  ContourFace subject, clip;
-  Shape inside, outside;
-};
-
-std::vector<Case> cases() {
-  const ContourFace square = face({rectangle(0, 0, 8, 8)});
-  const ContourFace framed = face({rectangle(0, 0, 8, 8), rectangle(2, 2, 6, 6)});
-  std::vector<Case> c;
-  c.push_back({"apart", square, face({rectangle(10, 0, 12, 8)}), {}, {64, 1, 0}});
-  c.push_back({"clip face holds the subject", square, face({rectangle(-1, -1, 9, 9)}), {64, 1, 0}, {}});
-  c.push_back({"subject in a hole of the clip face", face({rectangle(3, 3, 5, 5)}), framed, {}, {4, 1, 0}});
-  c.push_back({"hole of the clip face in the subject", square, framed, {48, 1, 1}, {16, 1, 0}});
-  c.push_back({"clip face in the subject", square, face({rectangle(2, 2, 6, 6)}), {16, 1, 0}, {48, 1, 1}});
-  c.push_back({"clip face in a hole of the subject", framed, face({rectangle(3, 3, 5, 5)}), {}, {48, 1, 1}});
-  c.push_back({"clip face is the hole of the subject", framed, face({rectangle(2, 2, 6, 6)}), {}, {48, 1, 1}});
-  c.push_back({"outer contours cross", square, face({rectangle(4, 4, 12, 12)}), {16, 1, 0}, {48, 1, 0}});
-  c.push_back({"subject falls apart", square, face({rectangle(3, -1, 5, 9)}), {16, 1, 0}, {48, 2, 0}});
-  c.push_back({"clip face across the hole", framed, face({rectangle(3, -1, 5, 9)}), {8, 2, 0}, {40, 2, 0}});
-  c.push_back({"by itself", framed, framed, {48, 1, 1}, {}});
-  c.push_back({"edge along an edge, outside", square, face({rectangle(8, 2, 12, 6)}), {}, {64, 1, 0}});
-  c.push_back({"edge along an edge, inside", square, face({rectangle(4, 2, 8, 6)}), {16, 1, 0}, {48, 1, 0}});
-  c.push_back({"whole edge in common", square, face({rectangle(0, 0, 8, 4)}), {32, 1, 0}, {32, 1, 0}});
-  c.push_back({"corner on a corner", square, face({rectangle(8, 8, 12, 12)}), {}, {64, 1, 0}});
-  c.push_back({"corner on an edge from outside", square, face({{{8, 4}, {12, 0}, {12, 8}}}), {}, {64, 1, 0}});
-  c.push_back({"corner on an edge from inside", square, face({{{8, 4}, {4, 6}, {4, 2}}}), {8, 1, 0}, {56, 1, 1}});
-  c.push_back({"two corners on edges: the rest is two faces",
-               square,
-               face({{{0, 4}, {4, 0}, {8, 4}, {4, 8}}}),
-               {32, 1, 0},
-               {32, 4, 0}});
-  c.push_back({"hole that touches the outer contour",
-               face({rectangle(0, 0, 8, 8), {{0, 4}, {4, 6}, {4, 2}}}),
-               face({rectangle(0, 0, 8, 4)}),
-               {28, 1, 0},
-               {28, 1, 0}});
-  c.push_back({"holes that overlap", framed, face({rectangle(0, 0, 8, 8), rectangle(4, 2, 8, 6)}), {40, 1, 0}, {8, 1, 0}});
-  c.push_back({"figure 3.24: every edge cuts every edge",
-               face({{{0, 1}, {9, 1}, {9, 2}, {1, 2}, {1, 3}, {9, 3}, {9, 4}, {0, 4}}}),
-               face({{{2, 0}, {3, 0}, {3, 5}, {5, 5}, {5, 0}, {6, 0}, {6, 6}, {2, 6}}}),
-               {4, 4, 0},
-               {15, 5, 0}});
-  return c;
-}
-
-TEST(ClipKnown, EveryConfiguration) {
-  for (const Case& c : cases()) {
-    SCOPED_TRACE(c.name);
-    const ClipResult result = clip_contour_by_contour(c.subject, c.clip);
-    EXPECT_EQ(shape(result.inside), c.inside);
-    EXPECT_EQ(shape(result.outside), c.outside);
-    expect_well_formed(result.inside);
-    expect_well_formed(result.outside);
+/// "SUBJECT / CLIP FACE": what is inside, and what outside.
+std::string clipped(const std::string& text) {
+  std::vector<ContourFace> faces;
+  for (const std::string& part : parts_of(text, '/')) {
+    std::vector<Points> contours;
+    for (const std::vector<Point2>& contour : contours_of(part)) {
+      Points& points = contours.emplace_back();
+      for (const Point2 p : contour) points.push_back({static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y)});
+    }
+    faces.push_back(face(contours));
   }
+  const ClipResult result = clip_contour_by_contour(faces.at(0), faces.at(1));
+  expect_well_formed(result.inside);
+  expect_well_formed(result.outside);
+  const auto words = [](const Faces& parts) {
+    const Shape s = shape(parts);
+    return as_text(s.area, double(s.faces), double(s.holes));
+  };
+  return words(result.inside) + "; " + words(result.outside);
 }
 
-TEST(ClipKnown, BordersAreLedBackToTheirSources) {
+[[maybe_unused]] const bool clips_are_added =
+    add_function_scripts(LIGNE_SOURCE_DIR "/tests/geometry/clips", {{"clip", clipped}});
+
+TEST(ClipByHand, BordersAreLedBackToTheirSources) {
   const ContourFace subject = make_contour_face(std::vector<Points>{rectangle(0, 0, 8, 8)}, 100);
   const ContourFace clip = make_contour_face(std::vector<Points>{{{4, -1}, {12, 4}, {4, 9}}}, 200);
   const ClipResult result = clip_contour_by_contour(subject, clip);
@@ -96,7 +64,7 @@ TEST(ClipKnown, BordersAreLedBackToTheirSources) {
   EXPECT_EQ(sources, (std::vector<std::uint32_t>{100, 101, 102, 200, 201, 202}));
 }
 
-TEST(ClipKnown, NeighboursHaveTheSameCorners) {
+TEST(ClipByHand, NeighboursHaveTheSameCorners) {
   // Three lines through one point that is on no lattice: (1/3, 1/3).
   const ContourFace a = face({{{0, 0}, {1, 1}, {0, 1}}}), b = face({{{0, 1}, {0, -3}, {1, -1}}}),
                     c = face({{{1, 0}, {-1, 1}, {-1, 5}}});
@@ -109,7 +77,7 @@ TEST(ClipKnown, NeighboursHaveTheSameCorners) {
   expect_well_formed(ac.outside);
 }
 
-TEST(ClipKnown, AHoleIsGivenToTheFaceRightRoundIt) {
+TEST(ClipByHand, AHoleIsGivenToTheFaceRightRoundIt) {
   // A frame leaves its inside of 8 x 8 as a face of its own; the hole of 2 x 2 in that lies in the square of 20 x 20 too.
   const Faces square{face({rectangle(0, 0, 20, 20)})};
   const Faces clips{face({rectangle(4, 4, 16, 16), rectangle(6, 6, 14, 14)}), face({rectangle(9, 9, 11, 11)})};
@@ -120,7 +88,7 @@ TEST(ClipKnown, AHoleIsGivenToTheFaceRightRoundIt) {
   EXPECT_EQ(areas, (std::vector<double>{64 - 4, 400 - 144}));
 }
 
-TEST(ClipKnown, FacesWithoutAreaClipNothing) {
+TEST(ClipByHand, FacesWithoutAreaClipNothing) {
   const ContourFace square = face({rectangle(0, 0, 8, 8)});
   for (const Points& flat : {Points{{1, 1}, {5, 1}}, Points{{0, 0}, {8, 8}, {4, 4}}, Points{{3, 3}}, Points{}}) {
     const ClipResult result = clip_contour_by_contour(square, face({flat}));

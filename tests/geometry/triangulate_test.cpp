@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "base/no_index.hpp"
+#include "contour_text.hpp"
 #include "drawing/measures.hpp"
 #include "geometry/delaunay.hpp"
 #include "geometry/morton.hpp"
@@ -93,45 +94,16 @@ Contour star(std::mt19937_64& random, int corners) {
   return c;
 }
 
-TEST(Triangulate, KnownPolygons) {
-  const struct {
-    const char* name;
-    Polygon polygon;
-  } rows[] = {
-      {"triangle", {{{0, 0}, {1, 0}, {0, 1}}}},
-      {"rectangle", {rectangle(0, 0, 2, 1)}},
-      {"notch", {{{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}}},
-      {"corners on sides", {{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {3, 3}, {1, 3}, {0, 3}, {0, 2}}}},
-      {"holes along an edge", {rectangle(0, 0, 6, 4), rectangle(1, 1, 3, 3), rectangle(3, 1, 5, 3)}},
-      {"holes along part of an edge", {rectangle(0, 0, 6, 6), rectangle(1, 1, 3, 3), rectangle(3, 2, 5, 5)}},
-      {"hole at a corner of the outer contour", {rectangle(0, 0, 4, 4), {{0, 0}, {3, 1}, {1, 3}}}},
-      {"hole at the middle of an outer edge", {rectangle(0, 0, 4, 4), {{2, 0}, {3, 2}, {1, 2}}}},
-      {"hole along an outer edge", {rectangle(0, 0, 4, 4), rectangle(1, 0, 2, 2)}},
-      {"hole that cuts it in two", {rectangle(0, 0, 4, 4), rectangle(1, 0, 2, 4)}},
-      {"hole along a whole edge", {rectangle(0, 0, 4, 4), rectangle(0, 0, 4, 1)}},
-      {"hole that leaves four corners", {rectangle(0, 0, 4, 4), {{2, 0}, {4, 2}, {2, 4}, {0, 2}}}},
-      {"a corner on an edge", {{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}}},
-      {"two parts, one corner", {{{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}}},
-      {"keyhole", {{{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {1, 2}, {1, 5}, {4, 4}}}},
-      {"hole joined by a slit",
-       {{{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 3}, {2, 3}, {2, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 3}, {0, 3}}}},
-      {"spike outward", {{{0, 0}, {4, 0}, {7, 0}, {4, 0}, {4, 4}, {0, 4}}}},
-      {"spike inward", {{{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 1}, {2, 4}, {0, 4}}}},
-      {"folds back past its start", {{{0, 0}, {4, 0}, {9, 0}, {3, 0}, {4, 4}, {0, 4}}}},
-      {"repeated corners", {{{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4}, {4, 4}}}},
-      // The nearest corner to the left of the right hole is the tip of the left one, on the other side of a wall.
-      {"bridges do not cross walls",
-       {{{0, 0}, {5, 0}, {5, 9}, {5.2, 9}, {5.2, 0}, {20, 0}, {20, 10}, {0, 10}},
-        {{4.8, 4}, {2, 5}, {2, 3}},
-        {{5.4, 4}, {8, 3}, {8, 5}}}},
-  };
-  for (const auto& [name, polygon] : rows) {
-    SCOPED_TRACE(name);
-    expect_partitions(polygon);
-  }
+std::string partition(const std::string& text) {
+  const Polygon polygon = test::contours_of(text);
+  expect_partitions(polygon);
+  return std::to_string(polygon.size());
 }
 
-TEST(Triangulate, TriangleCountOfSimplePolygons) {
+[[maybe_unused]] const bool polygons_are_added =
+    test::add_function_scripts(LIGNE_SOURCE_DIR "/tests/geometry/polygons", {{"partition", partition}});
+
+TEST(Triangulation, TriangleCountOfSimplePolygons) {
   std::mt19937_64 random(11);
   for (int corners = 3; corners < 60; ++corners) {
     const Flat flat = flatten({star(random, corners)});
@@ -142,12 +114,12 @@ TEST(Triangulate, TriangleCountOfSimplePolygons) {
   EXPECT_EQ(triangulate(flat.points, flat.contour_end).size(), 4u + 2 * (4 + 2) - 2);
 }
 
-TEST(Triangulate, RandomStars) {
+TEST(Triangulation, RandomStars) {
   std::mt19937_64 random(5);
   for (int i = 0; i < 60; ++i) expect_partitions({star(random, 5 + 3 * i)});
 }
 
-TEST(Triangulate, ContoursWithoutAreaOrNotFiniteGiveNothing) {
+TEST(Triangulation, ContoursWithoutAreaOrNotFiniteGiveNothing) {
   for (const Contour& contour :
        {Contour{{0, 0}, {1, 1}, {2, 2}}, Contour{{3, 3}, {3, 3}, {3, 3}}, Contour{{0, 0}, {1, 0}},
         Contour{{0, 0}, {5, 0}, {2, 0}, {7, 0}}, Contour{}, Contour{{0, 0}, {NAN, 0}, {1, 1}, {0, 1}}}) {
@@ -160,7 +132,7 @@ TEST(Triangulate, ContoursWithoutAreaOrNotFiniteGiveNothing) {
   EXPECT_EQ(triangulate(flat.points, flat.contour_end).size(), 2u);
 }
 
-TEST(Triangulate, VeryLargeAndVerySmallCoordinates) {
+TEST(Triangulation, VeryLargeAndVerySmallCoordinates) {
   for (const double size : {1e-300, 1e-30, 1e30, 1e300}) {
     const Flat flat = flatten({{{0, 0}, {size, 0}, {size, size}, {size / 2, size / 4}, {0, size}}});
     EXPECT_EQ(triangulate(flat.points, flat.contour_end).size(), 3u) << size;
@@ -168,7 +140,7 @@ TEST(Triangulate, VeryLargeAndVerySmallCoordinates) {
 }
 
 // No promise but termination and triangles of the right winding.
-TEST(Triangulate, CrossingContoursTerminate) {
+TEST(Triangulation, CrossingContoursTerminate) {
   std::mt19937_64 random(13);
   std::uniform_int_distribution<int> coordinate(0, 12), count(1, 4), corners(0, 14);
   for (int i = 0; i < 4000; ++i) {
@@ -184,7 +156,7 @@ TEST(Triangulate, CrossingContoursTerminate) {
 }
 
 // Random unions of grid cells, taken as outer contour and holes by following their border: all sorts of touching.
-TEST(Triangulate, RandomCellPolygonsThatTouchEverywhere) {
+TEST(Triangulation, RandomCellPolygonsThatTouchEverywhere) {
   std::mt19937_64 random(17);
   for (int round = 0; round < 300; ++round) {
     constexpr int n = 7;
@@ -197,7 +169,7 @@ TEST(Triangulate, RandomCellPolygonsThatTouchEverywhere) {
   }
 }
 
-TEST(Triangulate, TenThousandCornersAreQuick) {
+TEST(Triangulation, TenThousandCornersAreQuick) {
   for (const shapes::Shape& shape : shapes::all_shapes()) {
     if (!shape.simple) continue;
     const Flat flat = flatten(shape.make(10'000));

@@ -3,6 +3,7 @@
 #include "scene/model/topology.hpp"
 #include "base/parallel.hpp"
 #include "even_positions.hpp"
+#include "main/script.hpp"
 #include "scene/clean/crossing_edges.hpp"
 #include "scene/model/paired_edges.hpp"
 #include "scene/model/self_contact.hpp"
@@ -95,9 +96,7 @@ TEST(Topology, AHubOfManyFaces) {
   expect_edges(scene);
 }
 
-/// Edges along which surfaces pass through each other.
-
-/// Number of edges that are marked, over all objects.
+/// The number of edges that are marked, over all objects, along which surfaces pass through each other.
 int crossing_edges(Scene scene) {
   double precision = 0;
   for (const Object& object : scene.objects) precision = std::max(precision, object.precision);
@@ -108,60 +107,26 @@ int crossing_edges(Scene scene) {
   return count;
 }
 
-/// The number of crossing edges of surfaces over [-1, 1] x [-1, 1] with four cells along each side.
-int of_formulas(const std::vector<std::string>& formulas) {
+/// "Z; Z; ...": surfaces over [-1, 1] x [-1, 1] with four cells along each side.
+std::string crossing_of_formulas(const std::string& text) {
   std::vector<SurfaceMesh> meshes;
-  for (const std::string& formula : formulas) {
+  for (const std::string& formula : test::parts_of(text, ';')) {
     SurfacePoints points = points_of(*formula_heights(formula, evenly(-1, 1, 4), evenly(-1, 1, 4)));
     points.from_formula = true;
     meshes.push_back(make_surface_mesh(points));
   }
-  return crossing_edges(surface_scene(meshes, {1, 1, 1}, {}));
+  return std::to_string(crossing_edges(surface_scene(meshes, {1, 1, 1}, {})));
 }
 
-int of_parametric(const std::array<std::string, 3>& formulas, const std::vector<double>& u, const std::vector<double>& v) {
-  const SurfaceMesh mesh = make_surface_mesh(parametric_points(formulas, u, v));
-  return crossing_edges(surface_scene(std::span(&mesh, 1), {1, 1, 1}, {}));
-}
-
-TEST(CrossingEdges, PlanesThatCrossAlongAColumn) {
-  EXPECT_EQ(of_formulas({"x", "0-x"}), 2 * 4);
-  EXPECT_EQ(of_formulas({"x", "2*x"}), 2 * 4) << "at a small angle";
-  EXPECT_EQ(of_formulas({"x", "1e-9-x"}), 0) << "not where the edges are";
-  EXPECT_EQ(of_formulas({"x+1e-14", "0-x"}), 2 * 4) << "within the rounding";
-  EXPECT_EQ(of_formulas({"x", "0-x", "0"}), 3 * 4);
-}
-
-TEST(CrossingEdges, RowsColumnsAndDiagonals) {
-  // Two triangles at the origin lie in the plane.
-  EXPECT_EQ(of_formulas({"x*y", "0"}), 2 * 4);
-  EXPECT_EQ(of_formulas({"x+y", "0"}), 2 * 4) << "along the diagonals of the cells";
-  EXPECT_EQ(of_formulas({"x-y", "0"}), 0) << "across them: there faces penetrate";
-}
-
-TEST(CrossingEdges, WhatTouchesDoesNotCross) {
-  EXPECT_EQ(of_formulas({"abs(x)", "0-abs(x)"}), 0) << "folds";
-  EXPECT_EQ(of_formulas({"abs(x)", "0"}), 0);
-  EXPECT_EQ(of_formulas({"max(x,0)", "0"}), 0) << "one on one side";
-  EXPECT_EQ(of_formulas({"x*y", "x*y"}), 0) << "one everywhere";
-  EXPECT_EQ(of_formulas({"abs(x)", "2*abs(x)"}), 0) << "one fold in another";
-}
-
-TEST(CrossingEdges, SurfacesThatCrossThemselves) {
-  const auto full = evenly(0, 2 * std::numbers::pi, 12);
-  const std::array<std::string, 3> klein{"(3+cos(u/2)*sin(v)-sin(u/2)*sin(2*v))*cos(u)",
-                                         "(3+cos(u/2)*sin(v)-sin(u/2)*sin(2*v))*sin(u)",
-                                         "sin(u/2)*sin(v)+cos(u/2)*sin(2*v)"};
-  EXPECT_EQ(of_parametric(klein, full, full), 12) << "the circle in the middle of the eight";
-  EXPECT_EQ(of_parametric({"sin(u)*cos(v)", "sin(u)*sin(v)", "cos(u)"}, evenly(0, std::numbers::pi, 6), full), 0) << "poles";
-  EXPECT_EQ(of_parametric({"(3+cos(v))*cos(u)", "(3+cos(v))*sin(u)", "sin(v)"}, evenly(0, 4 * std::numbers::pi, 24), full),
-            0)
-      << "twice round";
+/// "X; Y; Z; MOST U; CELLS; MOST V; CELLS": a surface with itself; u and v from 0.
+std::string crossing_of_parametric(const std::string& text) {
+  const std::vector<std::string> parts = test::parts_of(text, ';');
+  const auto places = [&](std::size_t i) { return evenly(0, test::value_of(parts.at(i)), std::stoul(parts.at(i + 1))); };
+  const SurfaceMesh mesh = make_surface_mesh(parametric_points({parts.at(0), parts[1], parts[2]}, places(3), places(5)));
+  return std::to_string(crossing_edges(surface_scene(std::span(&mesh, 1), {1, 1, 1}, {})));
 }
 
 /// Surfaces that run into themselves, and the pairs of triangles that this is decided by.
-
-const Corners3 kFlat{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
 
 /// The answer for the pair, which must not depend on the order of the two, nor on how they are wound.
 bool apart(Corners3 t, Corners3 u, int shared) {
@@ -171,6 +136,19 @@ bool apart(Corners3 t, Corners3 u, int shared) {
   EXPECT_EQ(are_apart(t, u, shared), answer);
   return answer;
 }
+
+/// "SHARED X,Y,Z X,Y,Z X,Y,Z": the triangle and a flat one that shares so many corners with it.
+std::string apart_from_flat(const std::string& text) {
+  const std::vector<std::string> words = test::words_of(text);
+  Corners3 triangle;
+  for (std::size_t i = 0; i < 3; ++i)
+    std::sscanf(words.at(1 + i).c_str(), "%lf,%lf,%lf", &triangle[i].x, &triangle[i].y, &triangle[i].z);
+  return apart({{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}, triangle, std::stoi(words[0])) ? "apart" : "meet";
+}
+
+[[maybe_unused]] const bool contacts_are_added = test::add_function_scripts(
+    LIGNE_SOURCE_DIR "/tests/scene/contacts",
+    {{"crossing", crossing_of_formulas}, {"crossing-itself", crossing_of_parametric}, {"flat-and", apart_from_flat}});
 
 TEST(PlaneSide, Identities) {
   EXPECT_EQ(plane_side({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}), 1);
@@ -190,35 +168,7 @@ TEST(PlaneSide, Identities) {
   }
 }
 
-TEST(TriangleContact, TrianglesWithoutCommonCorners) {
-  EXPECT_TRUE(apart(kFlat, {{{0, 0, 1}, {4, 0, 1}, {0, 4, 2}}}, 0)) << "above";
-  EXPECT_FALSE(apart(kFlat, {{{1, 1, -1}, {1, 1, 1}, {1, 2, 1}}}, 0)) << "pierced";
-  EXPECT_TRUE(apart(kFlat, {{{5, 5, -1}, {5, 5, 1}, {5, 6, 1}}}, 0)) << "beside, across the plane";
-  EXPECT_FALSE(apart(kFlat, {{{1, 1, 0}, {1, 1, 1}, {1, 2, 1}}}, 0)) << "a corner on the face";
-  EXPECT_FALSE(apart(kFlat, {{{1, 0, 0}, {1, 0, 1}, {1, -2, 1}}}, 0)) << "a corner on a side";
-  EXPECT_FALSE(apart(kFlat, {{{1, -1, -1}, {1, 1, 1}, {1, -5, 1}}}, 0)) << "a side through a side";
-  EXPECT_FALSE(apart(kFlat, {{{1, 1, 0}, {9, 1, 0}, {9, 2, 0}}}, 0)) << "coplanar, overlapping";
-  EXPECT_TRUE(apart(kFlat, {{{3, 3, 0}, {9, 3, 0}, {9, 4, 0}}}, 0)) << "coplanar, beside";
-  EXPECT_FALSE(apart(kFlat, {{{0.5, 0.5, 0}, {1, 0.5, 0}, {0.5, 1, 0}}}, 0)) << "coplanar, within";
-}
-
-TEST(TriangleContact, TrianglesWithACommonCorner) {
-  EXPECT_TRUE(apart(kFlat, {{{0, 0, 0}, {1, 1, 1}, {2, 1, 1}}}, 1));
-  EXPECT_FALSE(apart(kFlat, {{{0, 0, 0}, {2, 1, 1}, {2, 1, -1}}}, 1)) << "cuts into it";
-  EXPECT_TRUE(apart(kFlat, {{{0, 0, 0}, {-2, 1, 1}, {-2, 1, -1}}}, 1)) << "across its plane, on the other side";
-  EXPECT_FALSE(apart(kFlat, {{{0, 0, 0}, {2, 0, 0}, {2, 0, 1}}}, 1)) << "along a part of a side";
-  EXPECT_TRUE(apart(kFlat, {{{0, 0, 0}, {-4, 0, 0}, {0, -4, 0}}}, 1)) << "coplanar, opposite";
-  EXPECT_FALSE(apart(kFlat, {{{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}}}, 1)) << "coplanar, overlapping";
-}
-
-TEST(TriangleContact, TrianglesWithACommonSide) {
-  EXPECT_TRUE(apart(kFlat, {{{0, 0, 0}, {4, 0, 0}, {0, 1, 1}}}, 2));
-  EXPECT_TRUE(apart(kFlat, {{{0, 0, 0}, {4, 0, 0}, {0, -1, 0}}}, 2)) << "coplanar";
-  EXPECT_FALSE(apart(kFlat, {{{0, 0, 0}, {4, 0, 0}, {1, 1, 0}}}, 2)) << "folded onto it";
-  EXPECT_FALSE(apart(kFlat, kFlat, 3)) << "twice the same";
-}
-
-TEST(TriangleContact, CoplanarTrianglesThatAreTurnedDoNotMeet) {
+TEST(TrianglePairs, CoplanarTrianglesThatAreTurnedDoNotMeet) {
   // Rounding leaves their corners beside the plane; the projections tell them apart.
   const Point3 x = Point3{0.6, 0.48, 0.64}, y{-0.8, 0.36, 0.48};
   const auto at = [&](double a, double b) { return x * a + y * b; };
@@ -229,7 +179,7 @@ TEST(TriangleContact, CoplanarTrianglesThatAreTurnedDoNotMeet) {
   }
 }
 
-TEST(TriangleContact, AreaIsTold) {
+TEST(TrianglePairs, AreaIsTold) {
   EXPECT_TRUE(has_no_area({{{0, 0, 0}, {1, 2, 3}, {2, 4, 6}}}));
   EXPECT_FALSE(has_no_area({{{0, 0, 0}, {1, 2, 3}, {2, 4, 6.5}}}));
 }
