@@ -85,5 +85,41 @@ INSTANTIATE_TEST_SUITE_P(Directions, CutSprings,
                                          Point3(1, 0.4, 0.3), Point3(0.3, 1, -0.5), Point3(0, 0.2, 1),
                                          Point3(0.8, -0.6, 0.1)));
 
+TEST(CutSpring, HasWholeCreasesAtItsCut) {
+  struct Cut {
+    Point3 normal;
+    double most;
+    double least_drawn, most_inside;  ///< as parts of the length of the ends
+  };
+  // Along the axis the plane cuts obliquely, and few-sided pieces of facets beside the cut count as planes.
+  for (const Cut& plane :
+       {Cut{{1, 0, 0}, 3, 1, 0}, Cut{{0, 0, 1}, 18.3, 0.99, 0.06}, Cut{glm::normalize(Point3(1, 0.4, 0.2)), 4, 1, 0.03}}) {
+    const Point3& normal = plane.normal;
+    const double most = plane.most;
+    SCOPED_TRACE(std::to_string(normal.x) + ", " + std::to_string(normal.y) + ", " + std::to_string(normal.z));
+    const FoundCreases found(below(spring(32, 16), normal, most));
+    const auto is_on_cut = [&](std::size_t e) {
+      return std::abs(glm::dot(found.end(e, false), normal) - most) < 1e-5 &&
+             std::abs(glm::dot(found.end(e, true), normal) - most) < 1e-5;
+    };
+    double whole = 0, drawn = 0, inside = 0;  // lengths: of the ends, of their creases, and of others
+    for (std::size_t e = 0; e < found.topology.edges.size(); ++e) {
+      const Edge& edge = found.topology.edges[e];
+      ASSERT_NE(edge.face1, kNone);
+      const double bend = glm::dot(face_normal(found.scene, edge.face0), face_normal(found.scene, edge.face1));
+      const double length = glm::distance(found.end(e, false), found.end(e, true));
+      if (is_on_cut(e) && bend < 0.999) {
+        whole += length;
+        if (found.is_crease(e)) drawn += length;
+      } else if (bend > 0.8 && found.is_crease(e)) {
+        inside += length;
+      }
+    }
+    EXPECT_GT(whole, 40);
+    EXPECT_GE(drawn, plane.least_drawn * whole);
+    EXPECT_LE(inside, plane.most_inside * whole);
+  }
+}
+
 }  // namespace
 }  // namespace ligne::test

@@ -38,14 +38,15 @@ inline std::vector<Corners> bored_plate(double left_radius, double right_radius)
 }
 
 /// A closed body of revolution about z: rings of facets between circles, each of a radius and a height, with flat ends.
-inline std::vector<Corners> turned_body(int facets, const std::vector<Point2>& circles) {
+/// `triangles`: the rings are of triangles.
+inline std::vector<Corners> turned_body(int facets, const std::vector<Point2>& circles, bool triangles = false) {
   std::vector<Corners> polygons;
   const auto at = [&](int u, int v) {
     const Point2 circle = circles[static_cast<std::size_t>(v)];
     return on_circle(circle.x, 2 * kPi * (u % facets) / facets, circle.y);
   };
   const int rows = static_cast<int>(circles.size()) - 1;
-  add_grid(polygons, facets, rows, false, at);
+  add_grid(polygons, facets, rows, triangles, at);
   Corners bottom, top;
   for (int u = 0; u < facets; ++u) {
     bottom.push_back(at(facets - u, 0));

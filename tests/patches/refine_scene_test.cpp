@@ -2,7 +2,7 @@
 
 #include "scene/patches/refine/refine_scene.hpp"
 #include "base/no_index.hpp"
-#include "patches/patch_scenes.hpp"
+#include "patches/part_scenes.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
@@ -12,21 +12,8 @@ RefineLimits limit_of(double most) {
   return {most, [](const Point3&) { return 1.0; }};
 }
 
-/// The polygons of a turned body: rings of `facets` points about z, closed by polygons at both ends.
 std::vector<Corners> turned_polygons(const std::vector<Point2>& profile, int facets) {
-  std::vector<Corners> polygons;
-  add_grid(polygons, facets, static_cast<int>(profile.size()) - 1, true, [&](int u, int v) {
-    const Point2 p = profile[static_cast<std::size_t>(v)];
-    return on_circle(p.x, 2 * kPi * (u % facets) / facets, p.y);
-  });
-  Corners bottom, top;
-  for (int u = 0; u < facets; ++u) {
-    bottom.push_back(on_circle(profile.front().x, 2 * kPi * ((facets - u) % facets) / facets, profile.front().y));
-    top.push_back(on_circle(profile.back().x, 2 * kPi * u / facets, profile.back().y));
-  }
-  polygons.push_back(bottom);
-  polygons.push_back(top);
-  return polygons;
+  return turned_body(facets, profile, true);
 }
 
 Scene turned(const std::vector<Point2>& profile, int facets) { return scene_of(turned_polygons(profile, facets)); }
