@@ -97,7 +97,7 @@ TEST(CutSpring, HasWholeCreasesAtItsCut) {
     const Point3& normal = plane.normal;
     const double most = plane.most;
     SCOPED_TRACE(std::to_string(normal.x) + ", " + std::to_string(normal.y) + ", " + std::to_string(normal.z));
-    const FoundCreases found(below(spring(32, 16), normal, most));
+    const FoundCreases found(below(spring(32, 16, true), normal, most));
     const auto is_on_cut = [&](std::size_t e) {
       return std::abs(glm::dot(found.end(e, false), normal) - most) < 1e-5 &&
              std::abs(glm::dot(found.end(e, true), normal) - most) < 1e-5;
