@@ -21,8 +21,8 @@ constexpr double kCollectErrors = 2;
 /// grows then. A part of a cylinder becomes twice as large, a part of a sphere four times.
 constexpr double kWider = 4, kMostGrowth = 1.25;
 /// Factor of the tolerance up to which a face beside a plane may be a part of the same surface. Such a face lies within
-/// the wider tolerance with half of its area or more.
-constexpr double kDoubtful = 2 * kWider;
+/// the wider tolerance with two thirds of its area or more.
+constexpr double kDoubtful = 1.5 * kWider;
 /// Largest factor of the least tolerance at which the faces of a plane are collected.
 constexpr double kWidest = 4;
 /// Most fits of the plane of one set.
@@ -61,6 +61,10 @@ class FlatSetFinder {
       list_neighbours();
       keep_flat_sets();
       divide(order);
+      // One of two faces may be left without the one that names their set.
+      for (std::uint32_t f = 0; f < set_of_.size(); ++f) {
+        if (set_of_[set_of_[f]] != set_of_[f]) set_of_[f] = f;
+      }
     }
     return {std::move(set_of_), has_small_faces_};
   }
@@ -237,6 +241,7 @@ class FlatSetFinder {
       std::erase_if(members[set], [&](std::uint32_t f) { return rejections_[f] == kMostRejections; });
       if (members[set].empty()) continue;
       if (collect_plane(members[set], tolerance_of(sets_[set].range))) {
+        has_small_faces_ = has_small_faces_ || members_.size() > members[set].size();
         keep(members[set][0]);
       } else {
         sets_[set].state = State::uneven;
@@ -247,7 +252,6 @@ class FlatSetFinder {
   /// Makes one set of the members.
   void keep(std::uint32_t set) {
     for (const std::uint32_t f : members_) set_of_[f] = set, rejections_[f] = kMostRejections;
-    has_small_faces_ = true;
   }
 
   bool is_uneven(std::uint32_t f) const { return number_[f] != kNone && sets_[number_[f]].state == State::uneven; }
@@ -262,6 +266,7 @@ class FlatSetFinder {
     for (const std::uint32_t seed : seeds) {
       if (rejections_[seed] != 0) continue;
       if (collect_plane(std::span(&seed, 1), tolerance())) {
+        has_small_faces_ = true;
         keep(seed);
       } else {
         for (const std::uint32_t f : members_) ++rejections_[f];
