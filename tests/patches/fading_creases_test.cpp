@@ -59,6 +59,27 @@ TEST(FadingCreases, GoInACoarseSmoothBody) {
   }
 }
 
+TEST(FadingCreases, GoWhateverElseTheObjectHas) {
+  constexpr double kSize = 38;  // of the diagonal of the body's box, at least
+  for (const auto& [columns, rows] : {std::pair{10, 7}, {12, 8}, {14, 9}, {16, 10}}) {
+    SCOPED_TRACE(columns);
+    std::vector<Corners> polygons = potato(columns, rows);
+    std::vector<Corners> box = outward({{{-9, -9, -9}, {9, -9, -9}, {9, 9, -9}, {-9, 9, -9}},
+                                        {{-9, -9, 9}, {9, -9, 9}, {9, 9, 9}, {-9, 9, 9}},
+                                        {{-9, -9, -9}, {9, -9, -9}, {9, -9, 9}, {-9, -9, 9}},
+                                        {{-9, 9, -9}, {9, 9, -9}, {9, 9, 9}, {-9, 9, 9}},
+                                        {{-9, -9, -9}, {-9, 9, -9}, {-9, 9, 9}, {-9, -9, 9}},
+                                        {{9, -9, -9}, {9, 9, -9}, {9, 9, 9}, {9, -9, 9}}});
+    for (Corners& side : box) {
+      for (Point3& p : side) p.x += 30;
+      polygons.push_back(side);
+    }
+    const FoundCreases found(polygons);
+    EXPECT_GT(found.creases.fading, 0u);
+    for (const double length : loose_lines(found)) EXPECT_GT(length, kSize / 8);
+  }
+}
+
 /// A bowed sheet, folded along its middle by an angle that falls from `most` degrees at one end to 0 at the other.
 std::vector<Corners> fold(double most, int columns, int rows = 12) {
   std::vector<Corners> polygons;

@@ -27,10 +27,6 @@ constexpr double kMovedOff = 0.05;
 /// Largest distance of a contour from an edge that it replaces, as a fraction of the size of the triangles there; at
 /// least half a pen width is allowed. Contours rise above chords by less than an eighth of their length.
 constexpr double kNearEdge = 0.2;
-/// Adjustable: longest sides of slender triangles count as no longer than so many times their height above the edge and the
-/// rise of the surface above it. Along a cylinder the contour of two such triangles is as near to their edge as they are
-/// wide.
-constexpr double kMostSlender = 5;
 /// Length of the tail that counts as the end of a contour, in reaches: a contour may turn inwards before it ends.
 constexpr double kTailInReaches = 2;
 
@@ -299,7 +295,8 @@ double size_on_page(const Scene& scene, const View& view, const SmoothPatch& pat
   // The surface rises above its chord by an eighth of the length times the turn of the normals along it.
   const Point3 turn = patch.normals[patch.sector[next_corner(side)]] - patch.normals[patch.sector[side]];
   const double rise = std::abs(glm::dot(turn, along)) / 8;
-  return std::min(longest, kMostSlender * unit_mm * (height / length + rise));
+  // The contour of two slender triangles, as along a cylinder, is as near to their edge as they are wide and it rises.
+  return std::min(longest, unit_mm * (height / length + rise) / kNearEdge);
 }
 
 void add_missing_outlines(StrokeModel& model, const View& view, const SmoothContours& contours,

@@ -1,12 +1,14 @@
 #include "scene/creases/fading_creases.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <numbers>
-#include <optional>
 #include <utility>
 
+#include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
 #include "scene/model/object_sizes.hpp"
 
@@ -16,7 +18,8 @@ namespace {
 /// Adjustable: runs that end freely and are shorter than this part of their object go. Shorter lines inside a surface look
 /// like scratches on it.
 constexpr double kLongRunPart = 1.0 / 8;
-/// Adjustable: least part of the area of an object that free forms have where creases fade. Others are constructed parts.
+/// Adjustable: least part of the area of a free form in itself and what it borders on, where creases fade. The others are
+/// parts of constructed bodies.
 constexpr double kFreeformPart = 0.75;
 /// Adjustable, radians: creases do not end with edges that bend by less, half of the least angle between surfaces.
 constexpr double kFlatEnd = 5 * std::numbers::pi / 180;
@@ -31,7 +34,7 @@ class Fader {
         edges_(edges),
         ends_(edges.ends),
         bends_(bends),
-        is_freeform_(scene.objects.size()) {}
+        regions_(scene.objects.size()) {}
 
   std::size_t run() {
     std::size_t dropped = drop_flat_ends();
@@ -108,22 +111,60 @@ class Fader {
     const Edge& edge = topology_.edges[e];
     if (edge.face1 == kNone || (topology_.edge_flags[e] & (kEdgeManyFaces | kEdgeUnlikeWound))) return false;
     if (!edges_.is_freeform[edge.face0] || !edges_.is_freeform[edge.face1] || !edges_.may_fade(e)) return false;
-    return glm::dot(face_normal(scene_, edge.face0), face_normal(scene_, edge.face1)) > 0 &&
-           is_freeform_object(object_of_vertex(scene_, edge.v0));
+    return glm::dot(face_normal(scene_, edge.face0), face_normal(scene_, edge.face1)) > 0 && is_in_large_region(edge);
   }
 
-  /// Whether most of the area of an object is free forms. Measured once, when it is first asked for.
-  bool is_freeform_object(std::size_t object) {
-    std::optional<bool>& known = is_freeform_[object];
-    if (known) return *known;
-    double free = 0, all = 0;
-    for (std::uint32_t f = scene_.objects[object].face_begin; f < scene_.objects[object].face_end; ++f) {
-      const double area = area_of(f);
-      all += area;
-      if (edges_.is_freeform[f]) free += area;
+  bool is_in_large_region(const Edge& edge) {
+    const std::size_t number = object_of_vertex(scene_, edge.v0);
+    const Object& object = scene_.objects[number];
+    if (regions_[number].empty()) regions_[number] = large_regions(object);
+    return regions_[number][edge.face0 - object.face_begin] != 0;
+  }
+
+  /// Per face of an object: 1 if the object is mostly free forms, or if the face lies in a region of free forms, connected
+  /// over edges, that is large for what it borders on. That has the area of a disc as long about as the border, for each
+  /// connected part of the border. Open borders of the object are none.
+  std::vector<std::uint8_t> large_regions(const Object& object) const {
+    const std::uint32_t first = object.face_begin, first_vertex = object.vertex_begin;
+    std::vector<double> areas(object.face_end - first);
+    double all_free = 0, all = 0;
+    for (std::uint32_t f = 0; f < areas.size(); ++f) {
+      areas[f] = area_of(first + f);
+      all += areas[f];
+      if (edges_.is_freeform[first + f]) all_free += areas[f];
     }
-    known = free >= kFreeformPart * all;
-    return *known;
+    if (all_free >= kFreeformPart * all) return std::vector<std::uint8_t>(areas.size(), 1);
+    DisjointSets regions(object.face_end - first), borders(object.vertex_end - first_vertex);
+    const auto [begin, end] = edges_of(topology_, object);
+    std::vector<std::uint32_t> border_edges;
+    for (std::uint32_t e = begin; e < end; ++e) {
+      const Edge& edge = topology_.edges[e];
+      if (edge.face1 == kNone) continue;
+      const bool is_free = edges_.is_freeform[edge.face0];
+      if (is_free != static_cast<bool>(edges_.is_freeform[edge.face1])) {
+        border_edges.push_back(e);
+        borders.join(edge.v0 - first_vertex, edge.v1 - first_vertex);
+      } else if (is_free) {
+        regions.join(edge.face0 - first, edge.face1 - first);
+      }
+    }
+    std::map<std::array<std::uint32_t, 2>, double> lengths;  // by region and connected part of its border
+    for (const std::uint32_t e : border_edges) {
+      const Edge& edge = topology_.edges[e];
+      const std::uint32_t face = edges_.is_freeform[edge.face0] ? edge.face0 : edge.face1;
+      lengths[{regions.find(face - first), borders.find(edge.v0 - first_vertex)}] += length_of(e);
+    }
+    std::vector<double> free(areas.size(), 0), beside(areas.size(), 0);
+    for (std::uint32_t f = 0; f < areas.size(); ++f) {
+      if (edges_.is_freeform[first + f]) free[regions.find(f)] += areas[f];
+    }
+    for (const auto& [key, length] : lengths) beside[key[0]] += length * length / (4 * std::numbers::pi);
+    std::vector<std::uint8_t> is_large(free.size());
+    for (std::uint32_t f = 0; f < free.size(); ++f) {
+      const std::uint32_t region = regions.find(f);
+      is_large[f] = free[region] > 0 && free[region] >= kFreeformPart * (free[region] + beside[region]);
+    }
+    return is_large;
   }
 
   double area_of(std::uint32_t face) const {
@@ -162,7 +203,8 @@ class Fader {
   const FadingEdges& edges_;
   std::span<const BendEnd> ends_;
   std::vector<Bend>& bends_;
-  std::vector<std::optional<bool>> is_freeform_;  ///< per object: whether it was found to be mostly free forms
+  /// Per object, where they were asked for: whether a face lies in a region of free forms that is large for its borders.
+  std::vector<std::vector<std::uint8_t>> regions_;
 };
 
 }  // namespace
