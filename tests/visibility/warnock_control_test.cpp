@@ -34,6 +34,44 @@ TEST(WarnockControl, WindowsOfAnyWidthAreDivided) {
   EXPECT_TRUE(division({0, 31, 0, 20}).across);
 }
 
+TEST(WarnockControl, DivisionAtAVertexThatStandsInTheWay) {
+  Stage stage;
+  stage.add({{-900, 30, 1}, {40, 20, 1}, {-900, 900, 1}});
+  const FaceTable& table = stage.table();
+  Rules rules;
+  rules.split = SplitChoice::vertex;
+  AnalysisCounts counts;
+  const Analysis analysis(table, 1, true);
+  const Window whole{-1000, 1000, -1000, 1000};
+  const Division d = divide(table, analysis.begin(whole, counts), whole, rules);
+  EXPECT_EQ(d.u, 40);
+  EXPECT_EQ(d.v, 20);
+  const Window between{-300, 0, -200, 100};  // only the side from (-900, 30) to (40, 20) passes
+  const Division e = divide(table, analysis.begin(between, counts), between, rules);
+  EXPECT_EQ(e.u, -150);
+  EXPECT_NEAR(e.v, 22, 1) << "the middle of the side in the window";
+}
+
+TEST(WarnockControl, DivisionAlongASideThatRunsAsTheBordersDo) {
+  Stage stage;
+  stage.add({{-900, 30, 1}, {40, 20, 1}, {40, 900, 1}, {-900, 900, 1}});
+  const FaceTable& table = stage.table();
+  Rules rules;
+  rules.split = SplitChoice::side;
+  AnalysisCounts counts;
+  const Analysis analysis(table, 1, true);
+  const auto division = [&](const Window& w) { return divide(table, analysis.begin(w, counts), w, rules); };
+  const Division across = division({-100, 100, 100, 300});
+  EXPECT_TRUE(across.across && !across.down) << "the upright side alone meets the window";
+  EXPECT_EQ(across.u, 40);
+  const Division corner = division({-100, 1000, 800, 1000});
+  EXPECT_TRUE(corner.across && corner.down);
+  EXPECT_EQ(corner.u, 40);
+  EXPECT_EQ(corner.v, 900);
+  const Division vertex = division({-300, 30, -200, 100});
+  EXPECT_TRUE(vertex.across && vertex.down) << "only the slanted side meets the window: its middle";
+}
+
 TEST(WarnockControl, SceneWithoutAnything) {
   ProjectedScene scene;
   scene.lattice.step_mm = 0x1p-17;

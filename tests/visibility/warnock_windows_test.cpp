@@ -21,6 +21,35 @@ double area(const ConvexWindow& w) {
   return twice / 2;
 }
 
+TEST(WarnockPolygon, DividedAlongTheSideThatStandsInTheWay) {
+  Stage stage("face -900,-800,1 -100,-600,1 -500,-100,1; rectangle -600 -600 -200 -200 2");
+  const FaceTable& table = stage.table();
+  AnalysisCounts counts;
+  const Analysis analysis(table, 1, true);
+  const Window whole{-1000, 1000, -1000, 1000};
+  const ConvexWindow window(whole);
+  const auto border = [&](const ConvexWindow& w, const std::vector<Element>& elements, double limit) {
+    Lists lists;
+    lists.elements = elements;
+    return dividing_border(table, lists, w, w.shrunk(1), 1, limit);
+  };
+  const std::vector<Element> elements = analysis.begin(whole, counts).elements;
+  const std::optional<Border> side = border(window, elements, 0);
+  ASSERT_TRUE(side);
+  EXPECT_EQ(side->side({-900, -800}), 0) << "of the nearer face the side that passes nearest to the middle";
+  EXPECT_EQ(side->side({-500, -100}), 0);
+  // Inside that side the other two divide, then none of the face does.
+  ConvexWindow rest = window;
+  for (int i = 0; i < 3; ++i) {
+    const std::optional<Border> next = border(rest, {elements.front()}, 0);
+    ASSERT_TRUE(next);
+    rest = rest.part(next->side({-500, -500}) > 0 ? *next : next->opposite());
+  }
+  EXPECT_NEAR(area(rest), 240000, 1e-6) << "the triangle itself";
+  EXPECT_NEAR(border(rest, {elements.front()}, 0)->distance({-500, -450}), 0, 1) << "across the middle of its box";
+  EXPECT_FALSE(border(window, elements, 2000)) << "at the limit of resolution";
+}
+
 TEST(WarnockPolygon, PartsMakeTheWholeAgain) {
   std::mt19937 random(7);
   std::uniform_int_distribution<int> u(0, 1 << 20);
