@@ -153,9 +153,10 @@ const std::map<std::string, RuleOfText> kRules = {
 
 test::TextFunctions functions() {
   test::TextFunctions functions;
-  for (const auto& [name, rule] : kRules) {
-    functions[name] = [&rule](const std::string& text) { return changed(rule, text); };
-    functions[name + "-lines"] = [&rule](const std::string& text) { return lines_drawn(rule, text); };
+  for (const auto& entry : kRules) {
+    const RuleOfText& rule = entry.second;
+    functions[entry.first] = [&rule](const std::string& text) { return changed(rule, text); };
+    functions[entry.first + "-lines"] = [&rule](const std::string& text) { return lines_drawn(rule, text); };
   }
   return functions;
 }
