@@ -20,8 +20,9 @@ constexpr int kRowsBeside = 2;
 constexpr double kMoreDegrees = 1;
 
 /// Adjustable: evidence for a line of an edge that a cut may have made the last one of its row, where an edge that surely
-/// stands out has 1. The rims of bevels look like this, too.
-constexpr double kCutEvidence = 0.5;
+/// stands out has 1. The rims of bevels and the ridges of coarse hulls look like this, too: the latter need more than a
+/// half.
+constexpr double kCutEvidence = 0.55;
 
 /// Edges that rows do not decide. Those that the file calls smooth are strong where a rounding is too small for a surface,
 /// and is drawn as an edge.
