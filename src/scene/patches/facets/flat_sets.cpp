@@ -119,22 +119,29 @@ class FlatSetFinder {
   double tolerance() const { return kCollectErrors * std::sqrt(3.0) * object_.precision; }
   double tolerance_of(const FlatRange& plane) const { return std::max(tolerance(), plane.width() / 2); }
 
-  /// Largest distance of a corner of a face from a plane.
+  /// Largest distance from a plane of some corners of a face, evenly spread: a large polygon may lie beside many planes.
   double distance(std::uint32_t f, const FlatRange& plane) const {
+    constexpr std::size_t kMostCorners = 64;
+    const auto contour = scene_.faces.contour(object_.face_begin + f, 0);
+    const std::size_t step = contour.size() / kMostCorners + 1;
     double most = 0;
-    for_corners(
-        f, [&](std::uint32_t v) { most = std::max(most, std::abs(glm::dot(scene_.vertices[v] - plane.at, plane.normal))); });
+    for (std::size_t i = 0; i < contour.size(); i += step) {
+      most = std::max(most, std::abs(glm::dot(scene_.vertices[contour[i]] - plane.at, plane.normal)));
+    }
     return most;
   }
 
-  /// Whether a face beside an edge of a plane lies within `tolerance` of it.
-  bool lies_within(std::uint32_t f, const Edge& edge, const FlatRange& plane, double tolerance) const {
-    bool all = true;
-    for_corners(f, [&](std::uint32_t v) {
-      if (!all || v == edge.v0 || v == edge.v1) return;
-      all = std::abs(glm::dot(scene_.vertices[v] - plane.at, plane.normal)) <= tolerance;
-    });
-    return all;
+  /// Whether all corners of a face lie within `tolerance` of a plane. Stops at the first that does not.
+  bool lies_within(std::uint32_t f, const FlatRange& plane, double tolerance) const {
+    const auto is_near = [&](std::uint32_t v) {
+      return std::abs(glm::dot(scene_.vertices[v] - plane.at, plane.normal)) <= tolerance;
+    };
+    const std::uint32_t face = object_.face_begin + f;
+    if (all_triangles_) return std::ranges::all_of(corners_.subspan(3 * std::size_t{face}, 3), is_near);
+    for (std::size_t c = 0; c < scene_.faces.contour_count(face); ++c) {
+      if (!std::ranges::all_of(scene_.faces.contour(face, c), is_near)) return false;
+    }
+    return true;
   }
 
   /// Finds the planes of the sets of three faces or more. Two faces are flat if they say so.
@@ -187,10 +194,10 @@ class FlatSetFinder {
   /// Finds the sets that lie in no plane, and those whose plane may go on beyond them. Whether there are any.
   bool find_doubtful_sets() {
     find_uneven_sets();
-    const auto look = [&](const Edge& edge, std::uint32_t f, std::uint32_t beside) {
+    const auto look = [&](std::uint32_t f, std::uint32_t beside) {
       if (number_[f] == kNone) return;
       Set& set = sets_[number_[f]];
-      if (set.state == State::flat && lies_within(beside, edge, set.range, set.doubtful)) {
+      if (set.state == State::flat && lies_within(beside, set.range, set.doubtful)) {
         set.state = State::doubtful;
       }
     };
@@ -198,8 +205,8 @@ class FlatSetFinder {
       if (edge.face1 == kNone) continue;
       const std::uint32_t a = local(edge.face0), b = local(edge.face1);
       if (number_[a] == number_[b]) continue;
-      look(edge, a, b);
-      look(edge, b, a);
+      look(a, b);
+      look(b, a);
     }
     return std::ranges::any_of(sets_, [](const Set& set) { return set.state != State::flat; });
   }
@@ -312,7 +319,7 @@ class FlatSetFinder {
       for (std::size_t k = 0; k < members_.size(); ++k) {
         for (const std::uint32_t next : neighbours_of(members_[k])) {
           if (reached_[next] == round_ || rejections_[next] >= kMostRejections) continue;
-          if (distance(next, plane) > tolerance) continue;
+          if (!lies_within(next, plane, tolerance)) continue;
           reached_[next] = round_;
           members_.push_back(next);
         }
@@ -338,10 +345,10 @@ class FlatSetFinder {
       for (const std::uint32_t next : neighbours_of(members_[i])) {
         if (reached_[next] == round_) continue;
         reached_[next] = round_;
-        const double far = distance(next, plane);
-        if (far <= wide) members_.push_back(next);
+        const bool is_near = lies_within(next, plane, wide);
+        if (is_near) members_.push_back(next);
         // If a face leaves the plane, about this part of it lies within the tolerance.
-        added += far <= wide ? area_[next] : wide / far * area_[next];
+        added += is_near ? area_[next] : wide / std::max(wide, distance(next, plane)) * area_[next];
       }
     }
     members_.resize(count);
