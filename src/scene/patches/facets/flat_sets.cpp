@@ -27,6 +27,10 @@ constexpr double kDoubtful = 1.5 * kWider;
 constexpr double kWidest = 4;
 /// Most fits of the plane of one set.
 constexpr int kMostFits = 24;
+/// Work on an object after which no more planes are collected, in faces that are looked at: so many for each of its faces,
+/// and so many in all, which take two or three seconds. 3DBenchy needs 230 for each of its 225,000 faces. On rough ground of
+/// half a million, whose heights are some roundings, every face would collect thousands of others in vain.
+constexpr std::uint64_t kMostLooks = 32, kLooksInAll = 64'000'000;
 /// Number of rejected sets that may collect the same face.
 constexpr std::uint8_t kMostRejections = 4;
 
@@ -245,6 +249,7 @@ class FlatSetFinder {
     }
     std::ranges::stable_sort(doubtful, [&](std::uint32_t a, std::uint32_t b) { return areas[a] > areas[b]; });
     for (const std::uint32_t set : doubtful) {
+      if (is_worked_out()) return;
       std::erase_if(members[set], [&](std::uint32_t f) { return rejections_[f] == kMostRejections; });
       if (members[set].empty()) continue;
       if (collect_plane(members[set], tolerance_of(sets_[set].range))) {
@@ -255,6 +260,8 @@ class FlatSetFinder {
       }
     }
   }
+
+  bool is_worked_out() const { return looks_ > kLooksInAll + kMostLooks * set_of_.size(); }
 
   /// Makes one set of the members.
   void keep(std::uint32_t set) {
@@ -271,6 +278,7 @@ class FlatSetFinder {
     }
     std::ranges::stable_sort(seeds, [&](std::uint32_t a, std::uint32_t b) { return area_[a] > area_[b]; });
     for (const std::uint32_t seed : seeds) {
+      if (is_worked_out()) return;
       if (rejections_[seed] != 0) continue;
       if (collect_plane(std::span(&seed, 1), tolerance())) {
         has_small_faces_ = true;
@@ -318,6 +326,7 @@ class FlatSetFinder {
       for (const std::uint32_t f : seeds) reached_[f] = round_;
       for (std::size_t k = 0; k < members_.size(); ++k) {
         for (const std::uint32_t next : neighbours_of(members_[k])) {
+          ++looks_;
           if (reached_[next] == round_ || rejections_[next] >= kMostRejections) continue;
           if (!lies_within(next, plane, tolerance)) continue;
           reached_[next] = round_;
@@ -371,6 +380,7 @@ class FlatSetFinder {
   std::vector<std::uint32_t> reached_;    ///< per face: the last round that reached it
   std::vector<std::uint32_t> members_;
   std::uint32_t round_ = 0;
+  std::uint64_t looks_ = 0;
   bool has_small_faces_ = false;
 };
 
