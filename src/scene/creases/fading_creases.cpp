@@ -10,6 +10,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
+#include "scene/model/face_area.hpp"
 #include "scene/model/object_sizes.hpp"
 
 namespace ligne {
@@ -167,14 +168,7 @@ class Fader {
     return is_large;
   }
 
-  double area_of(std::uint32_t face) const {
-    const auto contour = scene_.faces.contour(face, 0);
-    const Point3& from = scene_.vertices[contour[0]];
-    Point3 twice(0.0);
-    for (std::size_t k = 2; k < contour.size(); ++k)
-      twice += glm::cross(scene_.vertices[contour[k - 1]] - from, scene_.vertices[contour[k]] - from);
-    return glm::length(twice) / 2;
-  }
+  double area_of(std::uint32_t face) const { return glm::length(double_area(scene_, face)) / 2; }
 
   double length_of(std::uint32_t e) const {
     return glm::distance(scene_.vertices[topology_.edges[e].v0], scene_.vertices[topology_.edges[e].v1]);

@@ -12,6 +12,7 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "geometry/degrees.hpp"
+#include "scene/model/face_area.hpp"
 #include "scene/model/planarity.hpp"
 #include "scene/patches/facets/cut_strips.hpp"
 #include "scene/patches/facets/flat_sets.hpp"
@@ -27,19 +28,6 @@ constexpr std::size_t kStripCorners = 4;
 
 bool is_triangle(const Scene& scene, std::uint32_t f) {
   return scene.faces.contour_count(f) == 1 && scene.faces.contour(f, 0).size() == 3;
-}
-
-/// The normal of a face, with twice its area as length.
-Point3 double_area(const Scene& scene, std::uint32_t f) {
-  Point3 sum(0, 0, 0);
-  for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
-    const auto contour = scene.faces.contour(f, c);
-    const Point3& a = scene.vertices[contour[0]];
-    for (std::size_t k = 2; k < contour.size(); ++k) {
-      sum += glm::cross(scene.vertices[contour[k - 1]] - a, scene.vertices[contour[k]] - a);
-    }
-  }
-  return sum;
 }
 
 template <class Visit>

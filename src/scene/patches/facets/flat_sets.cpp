@@ -8,6 +8,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
 #include "geometry/degrees.hpp"
+#include "scene/model/face_area.hpp"
 #include "scene/model/planarity.hpp"
 #include "scene/patches/facet_graph.hpp"
 
@@ -104,15 +105,7 @@ class FlatSetFinder {
       const Point3& a = scene_.vertices[corners_[3 * face]];
       return glm::cross(scene_.vertices[corners_[3 * face + 1]] - a, scene_.vertices[corners_[3 * face + 2]] - a);
     }
-    Point3 sum(0, 0, 0);
-    for (std::size_t c = 0; c < scene_.faces.contour_count(face); ++c) {
-      const auto contour = scene_.faces.contour(face, c);
-      const Point3& a = scene_.vertices[contour[0]];
-      for (std::size_t k = 2; k < contour.size(); ++k) {
-        sum += glm::cross(scene_.vertices[contour[k - 1]] - a, scene_.vertices[contour[k]] - a);
-      }
-    }
-    return sum;
+    return double_area(scene_, face);
   }
 
   const Point3& first_corner(std::uint32_t f) const {
