@@ -7,9 +7,6 @@
 namespace ligne {
 namespace {
 
-/// Least cosine between consecutive edges of a chain: 45 degrees.
-constexpr double kChainCosine = 0.7;
-
 bool go_straight_on(const Scene& scene, const Edge& a, const Edge& b, std::uint32_t vertex) {
   const auto away = [&](const Edge& edge) {
     return glm::normalize(scene.vertices[edge.v0 == vertex ? edge.v1 : edge.v0] - scene.vertices[vertex]);

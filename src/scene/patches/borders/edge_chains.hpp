@@ -11,6 +11,10 @@
 
 namespace ligne {
 
+/// Adjustable. Least cosine between consecutive edges of one line along a border: 45 degrees. Behind a sharper turn another
+/// line begins.
+inline constexpr double kChainCosine = 0.70710678;
+
 /// An edge on the border of something: a patch, or the faces beyond a free form.
 struct BorderEdge {
   std::uint32_t edge, owner;

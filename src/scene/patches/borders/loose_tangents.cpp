@@ -7,6 +7,7 @@
 #include "base/no_index.hpp"
 #include "scene/model/object_sizes.hpp"
 #include "scene/model/topology.hpp"
+#include "scene/patches/borders/edge_chains.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
 
 namespace ligne {
@@ -15,8 +16,6 @@ namespace {
 /// Adjustable. Largest number of edges of a chain of tangent edges that is dropped if no other line begins at its end.
 /// Chains with the side of a strip of a cylinder are kept.
 constexpr std::size_t kMostLooseEdges = 3;
-/// Adjustable. Least cosine between consecutive edges of one line: 45 degrees. Behind a sharper turn another line begins.
-constexpr double kTurnCosine = 0.70710678;
 /// Adjustable. Longest line of up to kMostLooseEdges edges from a free end to a corner that is dropped as a hook at the
 /// line beyond, as a fraction of the diagonal of its object's bounding box.
 constexpr double kLongestHook = 1.0 / 16;
@@ -229,7 +228,7 @@ class TangentChains {
       return scene_.vertices[ends[0] == vertex ? ends[1] : ends[0]] - scene_.vertices[vertex];
     };
     const Point3 from = away(e), to = away(next);
-    return -glm::dot(from, to) < kTurnCosine * glm::length(from) * glm::length(to);
+    return -glm::dot(from, to) < kChainCosine * glm::length(from) * glm::length(to);
   }
 
   /// Whether an edge is a side of a strip of a cylinder. If the file shades the edge smooth, the rules for meshes

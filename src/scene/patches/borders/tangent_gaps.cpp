@@ -6,13 +6,12 @@
 #include <utility>
 
 #include "base/no_index.hpp"
+#include "scene/patches/borders/edge_chains.hpp"
 
 namespace ligne {
 namespace {
 
 // Adjustable.
-/// Least cosine between consecutive edges of a gap: 45 degrees.
-constexpr double kStraightCosine = 0.70710678;
 /// Longest gap that is closed, as a fraction of the line that leads to it.
 constexpr double kLargestGapPart = 0.5;
 /// Most edges of a gap, and of a line whose length is compared with it.
@@ -85,7 +84,7 @@ class GapCloser {
   std::uint32_t next_open(std::uint32_t e, std::uint32_t vertex) const {
     const Point3 back = glm::normalize(way_from(e, vertex));
     std::uint32_t best = kNone;
-    double best_cosine = kStraightCosine;
+    double best_cosine = kChainCosine;
     for (const End& end : ends_at(vertex)) {
       if (end.kind != Kind::open || end.edge == e) continue;
       const double cosine = -glm::dot(glm::normalize(way_from(end.edge, vertex)), back);
