@@ -174,7 +174,7 @@ bool add_scripts(const std::filesystem::path& folder, const std::function<void(c
   for (const std::filesystem::path& file : files) {
     for (const Script& script : read_scripts(file))
       testing::RegisterTest(script.suite.c_str(), script.name.c_str(), nullptr, nullptr, script.file.c_str(), script.line,
-                            [script, run]() -> ScriptTest* { return new ScriptTest(script, run); });
+                            [script, run]() -> testing::Test* { return new ScriptTest(script, run); });
   }
   return !files.empty();
 }

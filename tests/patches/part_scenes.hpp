@@ -92,11 +92,10 @@ inline std::vector<Corners> ball() {
 inline std::string obj_of(const std::vector<Corners>& polygons) {
   std::ostringstream obj;
   obj.precision(9);
-  std::size_t corner = 0;
   for (const Corners& polygon : polygons) {
     for (const Point3& p : polygon) obj << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
     obj << 'f';
-    for (std::size_t i = 0; i < polygon.size(); ++i) obj << ' ' << ++corner;
+    for (std::size_t i = polygon.size(); i > 0; --i) obj << " -" << i;
     obj << '\n';
   }
   return obj.str();

@@ -26,30 +26,6 @@ std::vector<std::size_t> ring_of(const FoundPatches& found) {
   return ring;
 }
 
-TEST(WholeBorders, CylinderAndConeMeetInASharpEdge) {
-  for (const int facets : {12, 24, 48}) {
-    for (const double degrees : {12, 20, 29}) {
-      SCOPED_TRACE(std::to_string(facets) + " facets, " + std::to_string(degrees) + " degrees");
-      const FoundPatches found(pointed_shaft(facets, degrees));
-      for (const std::size_t e : ring_of(found)) EXPECT_EQ(found.edges[e], PatchEdge::sharp);
-      EXPECT_EQ(found.count(PatchEdge::sharp), static_cast<std::size_t>(facets));
-    }
-  }
-}
-
-TEST(WholeBorders, ANarrowTipIsNoBand) {
-  const FoundPatches found(turned_body(24, {{10, -20}, {10, 0}, {1, 9 / std::tan(20 * kPi / 180)}}));
-  for (const std::size_t e : ring_of(found)) EXPECT_EQ(found.edges[e], PatchEdge::sharp);
-}
-
-TEST(WholeBorders, RingsOfACoarseDomeHaveNoEdges) {
-  std::vector<Point2> circles;
-  for (int k = 0; k <= 3; ++k) circles.push_back(Point2(20 * std::cos(k * kPi / 12), 12 * std::sin(k * kPi / 12)));
-  const FoundPatches found(turned_body(24, circles));
-  ASSERT_GE(found.faces().size(), 3u);
-  EXPECT_EQ(found.count(PatchEdge::sharp), 0u);
-}
-
 /// The ring of a shaft where so many edges have evidence of a kind, and all others are tangent.
 std::vector<PatchEdge> ring_with(std::size_t count, BorderEvidence kind) {
   FoundPatches found(pointed_shaft(24, 20));

@@ -6,34 +6,6 @@
 namespace ligne::test {
 namespace {
 
-TEST(WholeRings, OfARimBetween18And34Degrees) {
-  constexpr int kSides = 96;
-  const std::array<std::array<double, 3>, 3> rings{{{24, 18, 0}, {24, 18, 6}, {23, 16, 9}}};
-  std::vector<Corners> polygons;
-  const auto at = [&](int k, int ring) {
-    const double angle = 2 * kPi * (k % kSides) / kSides;
-    const auto& [a, b, z] = rings[static_cast<std::size_t>(ring)];
-    return Point3(a * std::cos(angle), b * std::sin(angle), z);
-  };
-  add_grid(polygons, kSides, 2, true, at);
-  Corners bottom, top;
-  for (int k = 0; k < kSides; ++k) {
-    top.push_back(at(k, 2));
-    bottom.insert(bottom.begin(), at(k, 0));
-  }
-  polygons.push_back(bottom);
-  polygons.push_back(top);
-  const FoundCreases found(polygons);
-  std::array<std::size_t, 3> counts{};
-  for (std::size_t e = 0; e < found.topology.edges.size(); ++e) {
-    const double from = found.end(e, false).z, to = found.end(e, true).z;
-    if (!found.is_crease(e)) continue;
-    ASSERT_EQ(from, to) << "a crease across the wall";
-    ++counts[from == 0 ? 0 : from == 6 ? 1 : 2];
-  }
-  for (const std::size_t count : counts) EXPECT_EQ(count, std::size_t{kSides});
-}
-
 /// A coarse bevel: two wide sides at an angle of 110 degrees, with four narrow strips between them. It bends along the five
 /// rulings, most along the middle one: by middle_degrees(y) there, and evenly along the others. At y = 0 a wall closes it,
 /// at an angle of 90 degrees.
@@ -79,21 +51,6 @@ TEST(WholeRings, OfABevelKeepARimThatLeadsToAnotherCrease) {
 TEST(WholeRings, OfABevelHaveNoLineThatMeetsNoOther) {
   const FoundCreases found(bevel([](double y) { return 42 - (y - 12) * (y - 12) / 4; }));
   EXPECT_EQ(middle_crease(found), 0);
-}
-
-TEST(WholeRings, NoneInsideACoarseEllipsoid) {
-  std::vector<Corners> polygons;
-  const auto at = [](int k, int ring) {
-    const double down = kPi * ring / 12, around = 2 * kPi * (k % 24) / 24;
-    const double out = ring % 12 == 0 ? 0 : std::sin(down);
-    return Point3(16 * out * std::cos(around), 10 * out * std::sin(around), 7 * std::cos(down));
-  };
-  add_grid(polygons, 24, 12, true, at);
-  std::erase_if(polygons, [](const Corners& c) {
-    return glm::distance(c[0], c[1]) < 1e-9 || glm::distance(c[1], c[2]) < 1e-9 || glm::distance(c[2], c[0]) < 1e-9;
-  });
-  const FoundCreases found(outward(polygons));
-  for (std::size_t e = 0; e < found.topology.edges.size(); ++e) EXPECT_FALSE(found.is_crease(e)) << e;
 }
 
 }  // namespace

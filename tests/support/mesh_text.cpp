@@ -1,0 +1,193 @@
+#include "support/mesh_text.hpp"
+
+#include <memory>
+#include <random>
+#include <stdexcept>
+
+#include "main/script.hpp"
+#include "patches/part_scenes.hpp"
+#include "patches/springs.hpp"
+#include "scene/surfaces/formula/formula_evaluator.hpp"
+#include "scene/surfaces/surface_points.hpp"
+
+namespace ligne::test {
+namespace {
+
+constexpr std::array<std::string_view, 2> kGridVariables{"u", "v"};
+constexpr std::array<std::string_view, 1> kFanVariables{"k"};
+constexpr std::array<std::string_view, 3> kPlaceVariables{"x", "y", "z"};
+
+std::vector<Corners> shape_of(const std::vector<std::string>& words) {
+  const std::string& name = words.at(0);
+  const auto number = [&](std::size_t i) { return number_of(words.at(i)); };
+  const auto whole = [&](std::size_t i) { return static_cast<int>(number(i)); };
+  const bool triangles = words.back() == "triangles";
+  if (name == "bored-plate") return bored_plate(number(1), number(2));
+  if (name == "turned-part") return turned_part();
+  if (name == "ball") return ball();
+  if (name == "rounded-box") return rounded_box({number(1), number(2), number(3)}, whole(4));
+  if (name == "csg-plug") return csg_plug(number(1), number(2), whole(3));
+  if (name == "spring") return spring(whole(1), whole(2), triangles);
+  if (name == "turned-body") {  // facets, and circles as RADIUS,Z
+    std::vector<Point2> circles;
+    for (std::size_t i = 2; i < words.size() - triangles; ++i) circles.push_back(Point2(point_of(words[i] + ",0")));
+    return turned_body(whole(1), circles, triangles);
+  }
+  throw std::invalid_argument(name + " is no shape");
+}
+
+}  // namespace
+
+double number_of(const std::string& formula) { return constant_of(formula); }
+
+Point3 point_of(const std::string& text) {
+  const std::vector<std::string> parts = parts_of(text, ',');
+  return {number_of(parts.at(0)), number_of(parts.at(1)), number_of(parts.at(2))};
+}
+
+std::function<Point3(std::initializer_list<double>)> place_formula(const std::string& text,
+                                                                   std::span<const std::string_view> variables) {
+  std::vector<std::shared_ptr<FormulaEvaluator>> formulas;
+  for (const std::string& part : parts_of(text, ';'))
+    formulas.push_back(std::make_shared<FormulaEvaluator>(prepare_formula(part, {variables})));
+  if (formulas.size() != 3) throw std::invalid_argument("three formulas: " + text);
+  return [formulas](std::initializer_list<double> values) {
+    const std::span<const double> all(values.begin(), values.size());
+    return Point3((*formulas[0])(all), (*formulas[1])(all), (*formulas[2])(all));
+  };
+}
+
+void MeshText::add_grid(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::vector<std::string> words = words_of(text.substr(0, colon));
+  const auto is = [&](const char* word) { return std::ranges::find(words, word) != words.end(); };
+  const int columns = static_cast<int>(number_of(words.at(0))), rows = static_cast<int>(number_of(words.at(2)));
+  const bool round = is("round"), ring = is("ring");
+  const auto place = place_formula(text.substr(colon + 1), kGridVariables);
+  ligne::test::add_grid(objects_.back(), columns, rows, is("triangles"), [&](int u, int v) {
+    return place({double(round ? u % columns : u), double(ring ? v % rows : v)});
+  });
+}
+
+void MeshText::add_fan(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const auto place = place_formula(text.substr(colon + 1), kFanVariables);
+  Corners corners;
+  for (int k = 0; k < number_of(text.substr(0, colon)); ++k) corners.push_back(place({double(k)}));
+  objects_.back().push_back(corners);
+}
+
+void MeshText::add_strip(const std::vector<std::string>& words) {
+  const auto slash = std::ranges::find(words, "/");
+  Point3 at(0, 0, 0);
+  double angle = 0;
+  for (auto length = words.begin(), turn = slash + 1; length != slash; ++length) {
+    const Point3 next = at + number_of(*length) * Point3(std::cos(angle), 0, std::sin(angle));
+    objects_.back().push_back({at, next, next + Point3(0, 10, 0), at + Point3(0, 10, 0)});
+    at = next;
+    if (turn != words.end()) angle += number_of(*turn++) * kPi / 180;
+  }
+}
+
+void MeshText::add_box(const Point3& least, const Point3& size) {
+  constexpr int kSides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  for (const auto& side : kSides) {
+    Corners& corners = objects_.back().emplace_back();
+    for (const int i : side) corners.push_back(least + size * Point3(i & 1, i >> 1 & 1, i >> 2));
+  }
+}
+
+void MeshText::change(const std::string& verb, const std::vector<std::string>& words) {
+  std::vector<Corners>& polygons = objects_.back();
+  const auto number = [&] { return static_cast<std::size_t>(number_of(words.at(0))); };
+  if (verb == "outward") {
+    polygons = outward(std::move(polygons));
+  } else if (verb == "reversed") {
+    for (Corners& polygon : polygons) std::ranges::reverse(polygon);
+  } else if (verb == "shuffled") {
+    std::mt19937 random(static_cast<unsigned>(number()));
+    std::ranges::shuffle(polygons, random);
+  } else if (verb == "backwards") {
+    std::ranges::reverse(polygons);
+  } else if (verb == "without" && words.at(0) == "doubled") {
+    std::erase_if(polygons, [](const Corners& c) {
+      for (std::size_t i = 0; i < c.size(); ++i)
+        if (glm::distance(c[i], c[(i + 1) % c.size()]) < 1e-9) return true;
+      return false;
+    });
+  } else if (verb == "without") {
+    std::size_t i = 0;
+    std::erase_if(polygons, [&](const Corners&) { return i++ % 12 == number(); });
+  } else if (verb == "below") {
+    up_ = glm::normalize(point_of(words.at(0)));
+    height_ = number_of(words.at(1));
+    polygons = ligne::test::below(polygons, up_, height_);
+  } else if (verb == "precision") {
+    precision_ = number_of(words.at(0));
+  } else {
+    throw std::invalid_argument(verb + " is nothing to do with a mesh");
+  }
+}
+
+void MeshText::add(const std::string& line) {
+  std::string_view rest = line;
+  const std::string verb = take_word(rest), text(rest);
+  const std::vector<std::string> words = words_of(text);
+  if (verb == "grid") {
+    add_grid(text);
+  } else if (verb == "fan") {
+    add_fan(text);
+  } else if (verb == "strip") {
+    add_strip(words);
+  } else if (verb == "face" || verb == "plate") {
+    if (verb == "plate" && !objects_.back().empty()) objects_.emplace_back();
+    Corners corners;
+    for (const std::string& word : words) corners.push_back(point_of(word));
+    objects_.back().push_back(corners);
+  } else if (verb == "box") {
+    add_box(point_of(words.at(0)), point_of(words.at(1)));
+  } else if (verb == "shape") {
+    for (Corners& polygon : shape_of(words)) objects_.back().push_back(std::move(polygon));
+  } else if (verb == "object") {
+    objects_.emplace_back();
+  } else if (verb == "copy") {
+    const std::vector<Corners> copied = objects_.at(std::stoul(text));
+    objects_.back().insert(objects_.back().end(), copied.begin(), copied.end());
+  } else if (verb == "map:") {
+    const auto place = place_formula(text, kPlaceVariables);
+    for (Corners& polygon : objects_.back())
+      for (Point3& p : polygon) p = place({p.x, p.y, p.z});
+  } else {
+    change(verb, words);
+  }
+}
+
+std::string MeshText::obj() const {
+  std::string all;
+  for (std::size_t i = 0; i < objects_.size(); ++i) all += "o part" + std::to_string(i) + '\n' + obj_of(objects_[i]);
+  return all;
+}
+
+Scene MeshText::scene() const {
+  Scene scene;
+  for (const std::vector<Corners>& polygons : objects_) {
+    const Scene one = scene_of(polygons);
+    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+    Object object = one.objects.front();
+    object.vertex_begin = first;
+    object.face_begin = static_cast<std::uint32_t>(scene.faces.size());
+    scene.vertices.insert(scene.vertices.end(), one.vertices.begin(), one.vertices.end());
+    for (std::size_t f = 0; f < one.faces.size(); ++f) {
+      std::vector<std::uint32_t> corners;
+      for (const std::uint32_t v : one.faces.contour(f, 0)) corners.push_back(first + v);
+      scene.faces.add_face(corners);
+    }
+    object.vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
+    object.face_end = static_cast<std::uint32_t>(scene.faces.size());
+    if (precision_ > 0) object.precision = precision_;
+    scene.objects.push_back(object);
+  }
+  return scene;
+}
+
+}  // namespace ligne::test
