@@ -6,7 +6,7 @@
 ///     surfaced ARGUMENTS    the same for ligne surface
 ///     layered ARGUMENTS     ligne surface ARGUMENTS -o - --format svg: lengths of its layers in mm
 ///     file NAME = TEXT      writes a file; also file NAME <<
-///     model NAME = SHAPE    writes a model of model_shapes.hpp
+///     model NAME = LINE     writes an OBJ of a line of mesh_text.hpp, or of several: model NAME <<
 ///     copy FROM TO; link TO NAME; hard-link TO NAME; folder NAME; pipe NAME
 ///
 /// {source} is the folder of the project. Checks, where OP is = != < > <= or >=, and = may be followed by "+- TOLERANCE":
@@ -39,7 +39,7 @@
 #include "draw_program.hpp"
 #include "drawing_quantities.hpp"
 #include "main/script.hpp"
-#include "model_shapes.hpp"
+#include "support/mesh_text.hpp"
 #include "surface_program.hpp"
 
 namespace ligne::test {
@@ -74,8 +74,10 @@ class CommandScript : public SurfaceProgramTest {
       write(name, take_word(rest) == "=" ? unescaped(rest) : step.text);
     } else if (verb == "model") {
       const std::string name = take_word(rest);
-      take_word(rest);
-      write(name, obj_of_shape(words_of(rest)));
+      if (take_word(rest) == "=")
+        write(name, obj_of_mesh(std::string(rest)));
+      else
+        write(name, obj_of_mesh(step.text));
     } else if (!made_file(verb, words_of(rest))) {
       run_command(step, verb, std::string(rest));
     }

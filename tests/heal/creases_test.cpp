@@ -85,20 +85,6 @@ TEST(Creases, FileShadingIsReadWhereItIsAskedForAlone) {
   EXPECT_TRUE(without.corner_flags.empty());
 }
 
-TEST(Creases, PlyNormals) {
-  // Two quadrilaterals that bend by 45 degrees, and one upright on the second; the vertices of the last edge are split.
-  const std::string head =
-      "ply\nformat ascii 1.0\nelement vertex 10\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\n"
-      "property float ny\nproperty float nz\nelement face 3\nproperty list uchar int vertex_index\nend_header\n";
-  const std::string text = head +
-                           "0 0 0 0 0 1\n0 1 0 0 0 1\n1 0 0 -0.38 0 0.92\n1 1 0 -0.38 0 0.92\n2 0 1 -0.5 0 0.87\n"
-                           "2 1 1 -0.5 0 0.87\n2 0 1 -1 0 0\n2 1 1 -1 0 0\n2 0 3 -1 0 0\n2 1 3 -1 0 0\n"
-                           "4 0 2 3 1\n4 2 4 5 3\n4 6 8 9 7\n";
-  const Found found = find(read(text, ModelFormat::ply));
-  EXPECT_EQ(found.count(), 1u) << "the split edge alone";
-  EXPECT_EQ(found.creases.smooth_by_file, 1u);
-}
-
 std::string in_base64(std::span<const std::byte> bytes) {
   constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
@@ -135,24 +121,6 @@ TEST(Creases, GltfNormals) {
   }
 }
 
-/// A step whose lower edge has a chamfer of that width at 45 degrees, shaded as a rounding; its upper edge is sharp.
-std::string step_with_chamfer(double width) {
-  std::ostringstream obj;
-  const double x = 1 + width;
-  for (const auto& [u, v] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {x, width}, {x, x}, {1 + x, x}})
-    obj << "v " << u << " 0 " << v << "\nv " << u << " 3 " << v << '\n';
-  obj << "vn 0 0 1\nvn -0.38 0 0.92\nvn -0.92 0 0.38\nvn -0.98 0 0.2\n"
-      << "f 1//1 3//2 4//2 2//1\nf 3//2 5//3 6//3 4//2\nf 5//3 7//4 8//4 6//3\nf 7//1 9//1 10//1 8//1\n";
-  return obj.str();
-}
-
-TEST(Creases, SmallRoundingsAreDrawnAsTheEdgesThatTheyRound) {
-  const Found wide = find(read(step_with_chamfer(0.5), ModelFormat::obj));
-  EXPECT_EQ(wide.count(), 1u) << "the sharp edge alone";
-  EXPECT_EQ(wide.creases.smooth_by_file, 2u);
-  EXPECT_EQ(find(read(step_with_chamfer(0.005), ModelFormat::obj)).count(), 3u);
-}
-
 /// A floor and a wall at an angle, with a rounding between them of that radius in two facets, all shaded smoothly; or, as a
 /// channel, facets of the same kind on and on.
 std::string rounded_corner(double degrees, double radius, int facets, bool sides) {
@@ -184,20 +152,6 @@ TEST(Creases, ANarrowRoundingBetweenSidesIsDrawnAsTheEdgeInItsMiddle) {
   EXPECT_EQ(count(rounded_corner(210, 0.02, 6, false)), 0u) << "a rod has no sides";
 }
 
-TEST(Creases, AscSmoothingGroups) {
-  const auto asc = [](const char* first, const char* second) {
-    return std::string(
-               "Named object: \"roof\"\nTri-mesh, Vertices: 5  Faces: 3\nVertex list:\n"
-               "Vertex 0: X: 0 Y: 0 Z: 0\nVertex 1: X: 0 Y: 1 Z: 0\nVertex 2: X: 1 Y: 0 Z: 0\n"
-               "Vertex 3: X: 1 Y: 1 Z: 1\nVertex 4: X: 3 Y: 0 Z: -1\nFace list:\n"
-               "Face 0: A:0 B:2 C:1 AB:1 BC:1 CA:1\nSmoothing: ") +
-           first + "\nFace 1: A:2 B:3 C:1 AB:1 BC:1 CA:1\nSmoothing: " + second +
-           "\nFace 2: A:2 B:4 C:3 AB:1 BC:1 CA:1\nSmoothing: 9\n";
-  };
-  EXPECT_EQ(find(read(asc("1, 2", "2, 3"), ModelFormat::asc_3d_studio)).creases.smooth_by_file, 1u);
-  EXPECT_EQ(find(read(asc("1", "2"), ModelFormat::asc_3d_studio)).creases.smooth_by_file, 0u);
-}
-
 TEST(Creases, PackedDirectionsAreRightToATenthOfADegree) {
   EXPECT_EQ(packed_direction({0, 0, 0}), 0u);
   for (int i = 0; i < 1000; ++i) {
@@ -207,42 +161,6 @@ TEST(Creases, PackedDirectionsAreRightToATenthOfADegree) {
     const double cosine = (direction.x * back.x + direction.y * back.y + direction.z * back.z) / length;
     EXPECT_LT(std::acos(std::min(1.0, cosine)) * 180 / std::numbers::pi, 0.15);
   }
-}
-
-/// A long strip of `n` rows, bent along its middle line by the angle of each row, degrees.
-Scene bent_strip(const std::vector<double>& bends, double width = 0.25) {
-  std::ostringstream obj;
-  const int n = static_cast<int>(bends.size());
-  for (int i = 0; i <= n; ++i) {
-    const double bend = (i == 0 ? bends[0] : i == n ? bends[n - 1] : (bends[i - 1] + bends[i]) / 2) * std::numbers::pi / 180;
-    obj << "v " << -width << ' ' << i << " 0\nv 0 " << i << " 0\nv " << width * std::cos(bend) << ' ' << i << ' '
-        << -width * std::sin(bend) << '\n';
-  }
-  for (int i = 0; i < n; ++i) {
-    const int v = 3 * i + 1;
-    obj << "f " << v << ' ' << v + 1 << ' ' << v + 4 << "\nf " << v << ' ' << v + 4 << ' ' << v + 3 << '\n';
-    obj << "f " << v + 1 << ' ' << v + 2 << ' ' << v + 5 << "\nf " << v + 1 << ' ' << v + 5 << ' ' << v + 4 << '\n';
-  }
-  return read(obj.str(), ModelFormat::obj);
-}
-
-TEST(Creases, AGapBetweenTwoCreasesCloses) {
-  const std::vector<double> bends{38, 38, 38, 38, 38, 38, 24, 24, 24, 38, 38, 38, 38, 38, 38};
-  // The flat side and the other one meet as surfaces at any bend above their own angle.
-  EXPECT_EQ(find(bent_strip(bends)).count(), bends.size());
-  const Found found = find(bent_strip(bends), 30, 30);
-  EXPECT_EQ(found.count(), bends.size());
-  EXPECT_GE(found.creases.continued, 2u);
-}
-
-TEST(Creases, AFleckInASmoothBendFallsAndACornerStays) {
-  std::vector<double> bends(40, 10);
-  bends[20] = 40;
-  EXPECT_EQ(find(bent_strip(bends)).count(), 0u);
-  bends[19] = bends[20] = bends[21] = 80;
-  EXPECT_GE(find(bent_strip(bends)).count(), 3u);
-  // A short crease of a wide sheet, from border to border, does not end in the middle of a surface.
-  EXPECT_EQ(find(bent_strip({40, 40}, 50)).count(), 2u);
 }
 
 /// Triangles all of whose edges are marked, and vertices at which more than two are.
@@ -310,20 +228,6 @@ TEST(Creases, OfAScanAreLongOnARoundingAndMayBeShortOnAnEdge) {
   EXPECT_GT(find(short_ridge(14, 0)).count(), 8u);
   EXPECT_EQ(find(short_ridge(14, 0.6)).count(), 0u);
   EXPECT_GT(find(short_ridge(40, 0.6)).count(), 20u);
-}
-
-TEST(Creases, CleanShapesOfTheCorpusAreThoseOfTheAngle) {
-  for (const char* name :
-       {"cube", "hexagonal_prism", "octahedron", "l_block", "gear", "house", "stair", "letter_e", "pocket", "tunnel",
-        "torus", "low_sphere", "round_hole", "open_box", "book_four", "moebius_strip"}) {
-    Warnings warnings;
-    const Found found = find(
-        read_scene(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus" / (std::string(name) + ".json"), {}, warnings));
-    const Creases& c = found.creases;
-    EXPECT_EQ(c.untraced + c.traced, 0u) << name;
-    EXPECT_EQ(c.smooth_by_file + c.sharp_by_file + c.continued + c.spurs + c.short_chains + c.straight_sheets, 0u) << name;
-    EXPECT_GT(found.count(), 0u) << name;
-  }
 }
 
 }  // namespace

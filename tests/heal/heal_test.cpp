@@ -92,14 +92,6 @@ TEST(Heal, OfTheCorpusOnlyTheDefectsAreChanged) {
   EXPECT_EQ(changed, defects);
 }
 
-TEST(Heal, FacesStoredTwiceCountOnceInWhateverWinding) {
-  const Healed twice = healed(corpus("cube_stored_twice"));
-  EXPECT_EQ(twice.report.faces_twice, 12u);
-  EXPECT_EQ(twice.scene.faces.size(), 12u);
-  EXPECT_EQ(border_edges(twice.topology), 0u);
-  for (const std::uint16_t flags : twice.topology.edge_flags) EXPECT_EQ(flags, 0);
-}
-
 TEST(Heal, FacesStoredTwiceWhereManyOthersHaveTheirLowestVertex) {
   constexpr std::uint32_t n = 40;
   Scene scene;
@@ -155,13 +147,6 @@ TEST(Heal, AnObjectThatLiesExactlyOnAnotherIsLeftEmptyAndKeepsItsName) {
   EXPECT_EQ(twice.scene.objects[1].vertex_begin, twice.scene.objects[1].vertex_end);
 }
 
-TEST(Heal, BodiesThatStandOnEachOtherKeepTheFaceThatTheyHaveInCommon) {
-  Scene scene;
-  test::add_box(scene, {0, 0, 0}, {1, 1, 1});
-  test::add_box(scene, {0, 0, 1}, {1, 1, 1});
-  EXPECT_TRUE(healed(scene).report.nothing());
-}
-
 TEST(Heal, ThreeThousandEqualCubesAreOne) {
   Scene as_objects, as_one;
   for (int i = 0; i < 3000; ++i) test::add_box(as_objects, {0, 0, 0}, {1, 2, 3});
@@ -200,13 +185,6 @@ TEST(Heal, NothingMovesFurtherThanTheDistance) {
   EXPECT_EQ(after.report.vertices_moved, 4u);
   for (const Point3& p : after.scene.vertices)
     EXPECT_NE(std::find(before.vertices.begin(), before.vertices.end(), p), before.vertices.end());
-}
-
-TEST(Heal, WhatIsApartStaysApart) {
-  EXPECT_TRUE(healed(corpus("cubes_a_crack_apart")).report.nothing());
-  EXPECT_TRUE(healed(corpus("open_boxes_apart")).report.nothing());
-  EXPECT_EQ(border_edges(healed(corpus("open_boxes_apart"), {0.125}).topology), 0u) << "unless it is asked for";
-  EXPECT_TRUE(healed(corpus("cube_with_crack"), {0.0}).report.nothing()) << "--weld off";
 }
 
 TEST(Heal, ASecondTimeChangesNothing) {
@@ -251,35 +229,6 @@ TEST(Heal, SameSceneForAnyNumberOfThreads) {
   EXPECT_EQ(scenes[0].vertices, scenes[1].vertices);
   EXPECT_TRUE(std::ranges::equal(std::as_const(scenes[0]).faces.corners(), std::as_const(scenes[1]).faces.corners()));
   EXPECT_EQ(scenes[0].corner_flags, scenes[1].corner_flags);
-}
-
-TEST(Heal, PatchesOfUnlikeTessellationsClose) {
-  // Two strips along the same half circle, one of 24 and one of 40 pieces, their vertices rounded to float32.
-  Scene scene;
-  test::begin_object(scene);
-  const auto strip = [&](int pieces, double far) {
-    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
-    for (int i = 0; i <= pieces; ++i) {
-      const double angle = std::numbers::pi * i / pieces;
-      for (const double y : {0.0, far})
-        scene.vertices.emplace_back(static_cast<float>(40 * std::cos(angle)), y, static_cast<float>(40 * std::sin(angle)));
-    }
-    for (std::uint32_t i = first; i < first + 2 * static_cast<std::uint32_t>(pieces); i += 2) {
-      scene.faces.add_triangle(i, i + 1, i + 3);
-      scene.faces.add_triangle(i, i + 3, i + 2);
-    }
-  };
-  strip(96, -20);
-  strip(160, 20);
-  test::end_object(scene);
-  scene.objects[0].precision = 2e-6;
-  Warnings warnings;
-  finish_scene(scene, warnings);
-  const Healed after = healed(scene);
-  std::size_t at_seam = 0;
-  for (const Edge& edge : after.topology.edges)
-    at_seam += edge.face1 == kNone && after.scene.vertices[edge.v0].y == 0 && after.scene.vertices[edge.v1].y == 0;
-  EXPECT_EQ(at_seam, 0u);
 }
 
 TEST(Heal, CrowdsTakeNoTimeWithoutBound) {
@@ -330,28 +279,6 @@ TEST(Heal, WindingsAgree) {
     const bool flagged = topology.edges[e].v0 == 0 && topology.edges[e].v1 == 1;
     EXPECT_EQ((topology.edge_flags[e] & kEdgeFileHidden) != 0, flagged);
   }
-  EXPECT_EQ(heal(scene, topology, {}).faces_turned, 0u);
-}
-
-TEST(Heal, ASheetWithOneSideStaysAsItIs) {
-  Scene scene;
-  test::begin_object(scene);
-  constexpr std::uint32_t kParts = 12;
-  for (std::uint32_t i = 0; i < kParts; ++i) {
-    const double a = 2 * std::numbers::pi * i / kParts;
-    for (const double r : {-0.3, 0.3}) {
-      const double w = 2 + r * std::cos(a / 2);
-      scene.vertices.push_back({w * std::cos(a), w * std::sin(a), r * std::sin(a / 2)});
-    }
-  }
-  for (std::uint32_t i = 0; i < kParts; ++i) {
-    const bool last = i + 1 == kParts;
-    const std::uint32_t a = 2 * i, b = 2 * i + 1, c = last ? 0 : 2 * i + 3, d = last ? 1 : 2 * i + 2;
-    scene.faces.add_triangle(a, b, c);
-    scene.faces.add_triangle(a, c, d);
-  }
-  test::end_object(scene);
-  Topology topology = build_topology(scene);
   EXPECT_EQ(heal(scene, topology, {}).faces_turned, 0u);
 }
 

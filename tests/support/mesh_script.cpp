@@ -256,15 +256,11 @@ class MeshScript {
     const HealReport report = heal(scene, topology, options);
     for (const Edge& edge : topology.edges)
       if (edge.face1 == kNone) sets_["borders"].push_back(edge_item(scene, edge));
-    numbers_ = {{"faces", scene.faces.size()},
-                {"vertices", scene.vertices.size()},
-                {"faces-twice", report.faces_twice},
-                {"objects-twice", report.objects_twice},
-                {"vertices-moved", report.vertices_moved},
-                {"edges-split", report.edges_split},
-                {"faces-turned", report.faces_turned},
-                {"objects-sewn", report.sewn.size()},
-                {"changed", !report.nothing()}};
+    // clang-format off
+    numbers_ = {{"faces", scene.faces.size()}, {"vertices", scene.vertices.size()}, {"faces-twice", report.faces_twice},
+                {"objects-twice", report.objects_twice}, {"changed", !report.nothing()},
+                {"flagged-edges", std::ranges::count_if(topology.edge_flags, [](std::uint16_t flags) { return flags != 0; })}};
+    // clang-format on
   }
 
   /// The text with the numbers that were kept in place of their names.
@@ -298,7 +294,7 @@ class MeshScript {
     ADD_FAILURE() << "no check";
   }
 
-  /// What a check is of: the number of things, or a number of each.
+  /// The values that a check compares: the number of things, or a number of each.
   std::vector<double> values_of(const std::string& text) const {
     const std::size_t where = text.find(" where ");
     const Words words = words_of(text.substr(0, where));

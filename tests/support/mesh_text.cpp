@@ -38,6 +38,13 @@ std::vector<Corners> shape_of(const std::vector<std::string>& words) {
 
 }  // namespace
 
+MeshText mesh_of(const std::string& lines) {
+  MeshText mesh;
+  for (const std::string& line : parts_of(lines, '\n'))
+    mesh.add(line.substr(std::min(line.find_first_not_of(' '), line.size())));
+  return mesh;
+}
+
 double number_of(const std::string& formula) { return constant_of(formula); }
 
 Point3 point_of(const std::string& text) {

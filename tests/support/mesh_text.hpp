@@ -44,6 +44,10 @@ class MeshText {
   Point3 up_{0, 0, 0};
 };
 
+/// The mesh of lines, and the OBJ of it.
+MeshText mesh_of(const std::string& lines);
+inline std::string obj_of_mesh(const std::string& lines) { return mesh_of(lines).obj(); }
+
 /// The value of a formula of numbers.
 double number_of(const std::string& formula);
 /// "X,Y,Z", each a formula of numbers.
