@@ -4,8 +4,9 @@
 /// "triangle CHANGES" a triangle, both as gltf_changes.hpp has it, and "triangle@NAME@SECONDS" reads the file at a moment of
 /// an animation; 3mf is the main part of such an archive; points and lines are files of those; grid, also
 /// "grid:layout=matrix", "grid:set=1", "grid:using=1,2,4"; "corpus FILE", a grid of the fuzzers' corpus; formula;
-/// "detect.SUFFIX" tells the format. Behind "bin-", as in "bin-3ds", the text is of a binary file: see binary_text.hpp. A
-/// scene that is read is sound: see expect_sound. Checks:
+/// clean, merge and "weld:DISTANCE" are small scenes that are mended, see mended_scene.hpp; "detect.SUFFIX" tells the
+/// format. Behind "bin-", as in "bin-3ds", the text is of a binary file: see binary_text.hpp. A scene that is read is sound:
+/// see expect_sound. Checks:
 ///
 ///     fails MESSAGE; begins MESSAGE; has TEXT    the whole error, its beginning, a part of it
 ///     is NAME                                    the format that is detected, or why there is none
@@ -17,13 +18,14 @@
 ///     unit degrees                               of a grid's positions
 ///     mesh COLUMNS ROWS; point N X Y Z           of the grid's mesh
 ///     surfaces N                                 in the file
-///     omits LIST; warns N KIND; kinds N; notes TEXT   warnings; their kinds; a part of one. A grid whose checks have none
-///                                                of these gives none
+///     omits LIST; warns N KIND; lacks KIND; kinds N; notes TEXT   warnings; their kinds; a part of one. A grid whose checks
+///                                                have none of these gives none
 ///     at X Y VALUE                               the value of a formula
 
 #include "binary_text.hpp"
 #include "gltf_changes.hpp"
 #include "height_tools.hpp"
+#include "mended_scene.hpp"
 #include "scene/readers/gltf/gltf_reader.hpp"
 #include "scene/readers/ligne_scene_reader.hpp"
 #include "scene/readers/obj/obj_reader.hpp"
@@ -40,7 +42,6 @@ namespace ligne::height_test {
 namespace {
 
 using namespace reader_test;
-using nlohmann::json;
 using test::take_word;
 
 json triple(const Point3& p) { return {p.x, p.y, p.z}; }
@@ -135,6 +136,8 @@ class ReaderScript {
       EXPECT_EQ(warnings_.left_out().text(), wanted == "nothing" ? "" : wanted);
     } else if (verb == "warns") {
       EXPECT_EQ(warnings_.counts().at(wanted.substr(wanted.find(' ') + 1)), std::stoul(wanted));
+    } else if (verb == "lacks") {
+      EXPECT_FALSE(warnings_.counts().contains(wanted));
     } else if (verb == "notes") {
       EXPECT_TRUE(std::ranges::any_of(warnings_.lines(), [&](const std::string& line) {
         return line.find(wanted) != line.npos;
@@ -146,15 +149,15 @@ class ReaderScript {
     }
   }
 
-  /// A file that is not read is one whose checks name an error; and a grid that is warned of, one whose checks name
-  /// warnings.
+  /// A file that is not read is one whose checks name an error; and a grid that is warned of, or a merged scene, one whose
+  /// checks name warnings.
   void expect_all_is_meant(const std::vector<std::string>& checks) const {
     static const std::set<std::string> errors{"fails", "begins", "has", "is"}, warnings{"omits", "warns", "kinds", "notes"};
     const auto has_one_of = [&](const std::set<std::string>& verbs) {
       return std::ranges::any_of(checks, [&](const std::string& c) { return verbs.contains(c.substr(0, c.find(' '))); });
     };
     EXPECT_TRUE(error_.empty() || has_one_of(errors)) << error_;
-    EXPECT_TRUE(!is_grid() || !error_.empty() || warnings_.lines().empty() || has_one_of(warnings))
+    EXPECT_TRUE(!(is_grid() || kind_ == "merge") || !error_.empty() || warnings_.lines().empty() || has_one_of(warnings))
         << testing::PrintToString(warnings_.lines());
   }
 
@@ -190,9 +193,12 @@ class ReaderScript {
     if (kind_ == "points" || kind_ == "lines") read_places();
     if (kind_ == "formula") formula_heights(text_, {0, 1}, {0, 1});
     if (kind_.starts_with("detect")) format_ = to_string(detect_format(bytes, kind_.substr(6), "M"));
-    if (scene_.faces.empty()) return;
-    expect_sound(scene_);
+    const bool is_mended = kind_ == "clean" || kind_ == "merge" || kind_.starts_with("weld:");
+    if (is_mended) scene_ = mended(kind_, text_, warnings_);
+    if (scene_.faces.empty() && !is_mended) return;
+    if (!is_mended) expect_sound(scene_);
     json_ = as_json(scene_, report);
+    if (is_mended) add_contours(scene_, json_);
     json_["smoothing"] = {{"groups", shading.face_groups}, {"bits", shading.groups_are_bits}};
   }
 
