@@ -1,23 +1,26 @@
 /// Cleaning is idempotent on real drawings too: scenes of the corpus, and models where they are at hand.
 
 #include "picture/clear/tidy_strokes.hpp"
-#include "picture/draw_scene.hpp"
 #include "picture/models/models.hpp"
+#include "picture/scene_visibility.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/test.hpp"
 
 namespace ligne {
 namespace {
 
-/// Draws the scene and cleans its lines once more. Returns the number of strokes.
+/// Finds the lines of the scene and cleans them once more, while the projected scene, which cleaning reads, is still there.
+/// Returns the number of strokes.
 std::size_t expect_clean(const Scene& scene, const std::string& view, const std::string& name) {
   PictureRequest request;
   request.view.named_view = view;
   RunReport run;
-  const DrawnScene drawn = draw_lines(scene, request, run);
-  StrokeModel strokes = *drawn.visibility().result.strokes;
+  PreparedScene prepared = prepare(scene, request, std::nullopt, run);
+  SceneVisibility found = compute_visibility(prepared, std::nullopt, false, run);
+  finish_lines(found, prepared, run);
+  StrokeModel& strokes = *found.result.strokes;
   const std::size_t before = strokes.strokes.size();
-  for (const RuleReport& report : clean_scene_lines(strokes, drawn.prepared(), least_bit_mm(drawn.prepared())).rules)
+  for (const RuleReport& report : clean_scene_lines(strokes, prepared, least_bit_mm(prepared)).rules)
     EXPECT_EQ(report.count, 0u) << name << ", " << view << ": " << report.changes;
   EXPECT_EQ(strokes.strokes.size(), before);
   return before;
