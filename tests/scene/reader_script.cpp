@@ -4,9 +4,9 @@
 /// "triangle CHANGES" a triangle, both as gltf_changes.hpp has it, and "triangle@NAME@SECONDS" reads the file at a moment of
 /// an animation; 3mf is the main part of such an archive; points and lines are files of those; grid, also
 /// "grid:layout=matrix", "grid:set=1", "grid:using=1,2,4"; "corpus FILE", a grid of the fuzzers' corpus; formula;
-/// clean, merge and "weld:DISTANCE" are small scenes that are mended, see mended_scene.hpp; "detect.SUFFIX" tells the
-/// format. Behind "bin-", as in "bin-3ds", the text is of a binary file: see binary_text.hpp. A scene that is read is sound:
-/// see expect_sound. Checks:
+/// "subdivided" is an OBJ that is subdivided three times; clean, merge and "weld:DISTANCE" are small scenes that are mended,
+/// see mended_scene.hpp; "detect.SUFFIX" tells the format. Behind "bin-", as in "bin-3ds", the text is of a binary file: see
+/// binary_text.hpp. A scene that is read is sound: see expect_sound. Checks:
 ///
 ///     fails MESSAGE; begins MESSAGE; has TEXT    the whole error, its beginning, a part of it
 ///     is NAME                                    the format that is detected, or why there is none
@@ -168,6 +168,10 @@ class ReaderScript {
     ReadReport report;
     if (kind_ == "asc") scene_ = read_asc(bytes, "M", report, warnings_);
     if (kind_ == "obj") scene_ = read_obj({bytes, "M"}, report, warnings_);
+    if (kind_ == "subdivided") {
+      const ReadOptions options{.shading = true, .subdivision = Subdivision{SubdivisionScheme::catmull_clark, 3}};
+      scene_ = read_scene({bytes, "M"}, ModelFormat::obj, options, warnings_, &report);
+    }
     if (kind_ == "off") scene_ = read_off(bytes, "M", report, warnings_);
     if (kind_ == "ply") scene_ = read_ply(bytes, "M", report, warnings_);
     if (kind_ == "stl") scene_ = read_stl_ascii(bytes, "M", report, warnings_);
@@ -199,6 +203,7 @@ class ReaderScript {
     if (!is_mended) expect_sound(scene_);
     json_ = as_json(scene_, report);
     if (is_mended) add_contours(scene_, json_);
+    json_["sharp_edges"] = report.subdivision.sharp_edges;
     json_["smoothing"] = {{"groups", shading.face_groups}, {"bits", shading.groups_are_bits}};
   }
 

@@ -3,7 +3,6 @@
 #include "control_scenes.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/creases/find_creases.hpp"
-#include "scene/readers/reader.hpp"
 
 namespace ligne::subdivision_test {
 namespace {
@@ -138,62 +137,6 @@ TEST(SharpCorners, StayWhereTheyAre) {
   EXPECT_EQ(made.scene.vertices[7], Point3(1, 1, 1));
   EXPECT_GT(glm::length(made.scene.vertices[0]), glm::length(smooth.scene.vertices[0]) + 0.1);
   EXPECT_LT(glm::length(made.scene.vertices[0]), std::sqrt(3.0));
-}
-
-constexpr char kObjCube[] =
-    "v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
-    "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
-
-Made read_subdivided(const std::string& text, unsigned levels = 3) {
-  Made made;
-  ReadReport report;
-  ReadOptions options;
-  options.shading = true;
-  options.subdivision = Subdivision{kCatmullClark, levels};
-  made.scene = read_scene({std::as_bytes(std::span(text)), "M"}, ModelFormat::obj, options, made.warnings, &report);
-  made.report = report.subdivision;
-  return made;
-}
-
-TEST(CreaseTags, OfAnObjNumberVerticesFromZero) {
-  const Made made = read_subdivided(std::string(kObjCube) +
-                                    "t crease 2/1/0 0 1 10\nt crease 5/4/0 1 3 2 0 1 9 0.5 0.5 2\nt corner 1/1/0 7 12\n");
-  EXPECT_EQ(made.report.sharp_edges, 4u);
-  EXPECT_EQ(std::ranges::count(made.scene.vertices, Point3(1, 1, 1)), 1);
-  EXPECT_TRUE(made.warnings.lines().empty());
-}
-
-TEST(CreaseTags, HoldInEveryObject) {
-  const std::string tags = "t crease 2/1/0 0 1 10\n";
-  const std::string text = tags + "o one\n" + kObjCube + "o two\nf 1 3 4 2\nf 1 2 6 5\n";
-  EXPECT_EQ(read_subdivided(text).report.sharp_edges, 2u);
-}
-
-TEST(CreaseTags, AreLeftOutWithoutSubdivision) {
-  const std::string text = std::string(kObjCube) + "t crease 2/1/0 0 1 10\n";
-  Warnings warnings;
-  read_scene({std::as_bytes(std::span(text)), "M"}, ModelFormat::obj, {}, warnings);
-  expect_parts(warnings.lines().at(0), {"left out: 1 tag of subdivision (t), which --subdivide reads"});
-}
-
-TEST(CreaseTags, ThatNameNothingAreCounted) {
-  const Made made =
-      read_subdivided(std::string(kObjCube) + "t crease 2/1/0 0 7 3\nt crease 2/1/0 100 200 3\nt hole 1/0/0 3\n");
-  EXPECT_EQ(made.report.sharp_edges, 0u);
-  EXPECT_EQ(made.warnings.lines(),
-            (std::vector<std::string>{"2 crease tags name no edge of the model", "left out: 1 tag 'hole'"}));
-}
-
-TEST(CreaseTags, ThatAreWrongHaveALine) {
-  for (const std::string wrong :
-       {"t crease", "t crease 2/1", "t crease 2/1/0 1", "t crease 2/1/0 1 2", "t crease 2/1/0 1 2 x",
-        "t crease 2/2/0 1 2 3 4", "t crease 0/0/0", "t crease 1/1/0 1 2", "t crease 2/1/0 -1 2 3",
-        "t crease 99999999999999999999/1/0 1 2 3", "t crease 4294967290/1/0 1 2 3", "t corner 1/0/0 1"}) {
-    const std::string failure = failure_of([&] { read_subdivided(kObjCube + wrong + "\n"); });
-    expect_parts(failure, {"M:15: tag that is not of the form t c"});
-  }
-  // A sharpness below 0 is none.
-  EXPECT_EQ(read_subdivided(std::string(kObjCube) + "t crease 2/1/0 0 1 -3\n").report.sharp_edges, 0u);
 }
 
 // Meshes that are no surfaces, and what belongs to faces.

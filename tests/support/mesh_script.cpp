@@ -7,6 +7,7 @@
 #include "scene/patches/fillets.hpp"
 #include "scene/patches/found_surfaces.hpp"
 #include "scene/patches/patch_circles.hpp"
+#include "scene/patches/repeated_objects.hpp"
 #include "scene/readers/reader.hpp"
 #include "support/mesh_text.hpp"
 #include "support/test.hpp"
@@ -101,10 +102,11 @@ class MeshScript {
   using Words = std::vector<std::string>;
   using Measure = void (MeshScript::*)(const Words&);
   static const std::map<std::string, Measure>& measures() {
-    static const std::map<std::string, Measure> all{{"patches", &MeshScript::patches}, {"surfaces", &MeshScript::surfaces},
-                                                    {"circles", &MeshScript::circles}, {"fillets", &MeshScript::fillets},
-                                                    {"facets", &MeshScript::facets},   {"creases", &MeshScript::creases},
-                                                    {"healed", &MeshScript::healed}};
+    static const std::map<std::string, Measure> all{
+        {"patches", &MeshScript::patches},         {"surfaces", &MeshScript::surfaces},
+        {"circles", &MeshScript::circles},         {"fillets", &MeshScript::fillets},
+        {"repetitions", &MeshScript::repetitions}, {"facets", &MeshScript::facets},
+        {"creases", &MeshScript::creases},         {"healed", &MeshScript::healed}};
     return all;
   }
 
@@ -182,6 +184,12 @@ class MeshScript {
     const FacetGraph graph = facet_graph(*scene_, topology, scene_->objects[0], begin, end, face_normals(*scene_, topology));
     for (std::size_t i = 0; i < graph.size(); ++i)
       sets_["facets"].push_back({{Point3(0)}, {{"size", graph.faces[i].size()}, {"area", graph.area[i]}}});
+  }
+
+  void repetitions(const Words&) {
+    const auto found = find_repetitions(*scene_, build_topology(*scene_));
+    for (std::size_t i = 0; i < found.size(); ++i) numbers_["original-" + std::to_string(i)] = found[i].original;
+    numbers_["objects"] = static_cast<double>(found.size());
   }
 
   void circles(const Words&) {

@@ -9,6 +9,7 @@
 ///     surfaces               the list of surfaces
 ///     facets                 sets of faces in one plane
 ///     circles                the circles at which surfaces end
+///     repetitions            of each object N the object original-N that it repeats
 ///     fillets WIDTH          lines along the middle of fillets that are no wider
 ///     creases [DEGREES [SURFACES]]   edges that are creases; loose: lines of creases from their free ends to a junction
 ///     healed [DISTANCE]      edges of border, and what was changed

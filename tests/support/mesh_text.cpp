@@ -156,7 +156,7 @@ void MeshText::add(const std::string& line) {
   } else if (verb == "shape") {
     for (Corners& polygon : shape_of(words)) objects_.back().push_back(std::move(polygon));
   } else if (verb == "object") {
-    objects_.emplace_back();
+    if (!objects_.back().empty()) objects_.emplace_back();
   } else if (verb == "copy") {
     const std::vector<Corners> copied = objects_.at(std::stoul(text));
     objects_.back().insert(objects_.back().end(), copied.begin(), copied.end());

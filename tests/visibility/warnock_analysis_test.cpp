@@ -1,5 +1,6 @@
 // Windows and the module of analysis of the method warnock.
 
+#include "main/script.hpp"
 #include "support/test.hpp"
 #include "visibility/warnock_tools.hpp"
 
@@ -103,7 +104,7 @@ struct StudiedWindow {
   Covers covers;
 };
 
-/// Questions about a window, by the names of the table below.
+/// Questions about a window, by their names in values/warnock.txt.
 const std::map<std::string, bool (*)(const StudiedWindow&)> kQuestions{
     {"surrounder", [](const auto& s) { return surrounder_before_everything(s.situation, s.covers); }},
     {"penetrating", [](const auto& s) { return penetrating_surrounders_before_everything(s.situation, s.covers); }},
@@ -115,63 +116,22 @@ const std::map<std::string, bool (*)(const StudiedWindow&)> kQuestions{
     {"vertex", [](const auto& s) { return seen_edges_meet_in_one_vertex(s.situation, s.intersectors()); }},
     {"apart", [](const auto& s) { return seen_intersectors_apart(s.situation, s.intersectors()); }}};
 
-struct WindowCase {
-  const char *name, *faces, *answers;  // "!line vertex": no to the one question, yes to the other
-  std::optional<Understood> understood;
-};
+constexpr std::array kUnderstood{"no",         "surrounder", "penetrating-surrounders", "one-line", "single-intersector",
+                                 "one-vertex", "apart"};
 
-TEST(WarnockUnderstanding, KnowsEachCaseAndWhatIsNone) {
-  const WindowCase cases[] = {
-      {"a surrounder before one whose depths overlap its own, and before a face that is behind it where it is",
-       "cover 1 3; cover 2 4; face -500,0,3 500,0,3.5 0,500,3", "surrounder", Understood::surrounder},
-      {"the rim of what lies on it is drawn", "cover 1; rectangle -100 -100 100 100 1", "!surrounder",
-       Understood::single_intersector},
-      {"a surrounder whose rim runs along the window", "rectangle -1000 -1000 1000 1000 1; face -500,0,3 500,0,3.5 0,500,3",
-       "surrounder", std::nullopt},
-      {"two that penetrate before everything", "cover 1 3; cover 3 1; cover 4; face -500,0,3 500,0,3.5 0,500,3",
-       "!surrounder penetrating", Understood::penetrating_surrounders},
-      {"two that penetrate, with something before them", "cover 1 3; cover 3 1; face -100,0,1.5 100,0,1.5 0,100,1.5",
-       "!penetrating", Understood::no},
-      {"three that penetrate", "cover 1 3; cover 3 1; cover 1.99", "failed", Understood::no},
-      {"two faces of a solid with a common edge, and one behind the cover",
-       "cover 5; face -5000,100,1 5000,100,1 5000,5000,2 -5000,5000,2; face -5000,100,1 5000,100,1 5000,5000,1.5 -5000,5000,1.5;"
-       "rectangle -100 -100 100 100 6",
-       "two line", Understood::one_line},
-      {"edges in two lines",
-       "face -5000,100,1 5000,100,1 5000,5000,2 -5000,5000,2; face -5000,101,1 5000,101,1 5000,5000,1.5 -5000,5000,1.5",
-       "!line", std::nullopt},
-      {"edges in one line, of faces that cross",
-       "face -5000,100,1 5000,100,3 5000,5000,3 -5000,5000,1; face -5000,100,3 5000,100,1 5000,5000,1 -5000,5000,3",
-       "two !line", Understood::no},
-      {"a single intersector, and a hidden one", "cover 5; face -500,0,3 500,0,3.5 0,500,3; rectangle -100 -100 100 100 6",
-       "single", Understood::single_intersector},
-      {"through the cover", "cover 3; face -500,0,2 500,0,4 0,500,2", "!seen", Understood::no},
-      {"the corner of a solid: three faces round a vertex",
-       "cover 9; face 10,20,1 5000,0,4 -5000,5000,4; face 10,20,1 -5000,5000,4 -5000,-5000,4; face 10,20,1 -5000,-5000,4 5000,0,4",
-       "!line vertex", Understood::one_vertex},
-      {"two vertices", "face 0,0,1 5000,0,4 -5000,5000,4; face 0,1,2 5000,1,4 -5000,5000,4", "!vertex", std::nullopt},
-      {"a vertex outside the window", "face 1500,0,1 -5000,100,4 -5000,300,4; face 1500,0,1 -5000,-100,4 -5000,-300,4",
-       "!vertex", std::nullopt},
-      {"apart, two of them with a common side",
-       "cover 9; rectangle -500 -500 -100 500 1; rectangle 100 -300 400 500 2; rectangle 400 -300 600 500 3", "apart",
-       Understood::apart},
-      {"over each other", "rectangle -500 -500 101 500 1; rectangle 100 -300 400 500 2", "!apart", Understood::no},
-  };
-  for (const WindowCase& c : cases) {
-    StudiedWindow s(c.faces);
-    std::istringstream answers(c.answers);
-    for (std::string answer; answers >> answer;) {
-      const bool expected = answer[0] != '!';
-      EXPECT_EQ(kQuestions.at(answer.substr(expected ? 0 : 1))(s), expected) << c.name << ", " << answer << ": " << c.faces;
-    }
-    if (c.understood) {
-      EXPECT_EQ(understand(s.situation), *c.understood) << c.name << ": " << c.faces;
-    }
-    if (&c == cases) {
-      EXPECT_EQ(s.covers.front->face->face, 0u) << "the first face is the front one";
-    }
-  }
+/// The functions of values/warnock.txt: of faces in words.
+TextFunctions window_functions() {
+  TextFunctions functions{
+      {"understood",
+       [](auto& t) { return kUnderstood.at(static_cast<std::size_t>(understand(StudiedWindow(t).situation))); }},
+      {"front-face", [](auto& t) { return std::to_string(StudiedWindow(t).covers.front->face->face); }}};
+  for (const auto& [name, ask] : kQuestions)
+    functions[name] = [ask = ask](const std::string& faces) { return ask(StudiedWindow(faces)) ? "yes" : "no"; };
+  return functions;
 }
+
+[[maybe_unused]] const bool windows_are_added =
+    add_function_scripts(LIGNE_SOURCE_DIR "/tests/visibility/values", window_functions());
 
 // [Boulle1980]'s case 3: the planes change places at the corners of the window, the faces do not where the intersector is.
 TEST(WarnockUnderstanding, DepthIsComparedWhereTheIntersectorIs) {
