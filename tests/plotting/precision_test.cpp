@@ -4,6 +4,7 @@
 
 #include "main/script.hpp"
 #include "plotting/dashes.hpp"
+#include "plotting/paths/chain_ends.hpp"
 #include "plotting/readers/drawing_reader.hpp"
 #include "plotting/readers/utf8.hpp"
 #include "plotting/stroke_text.hpp"

@@ -1,7 +1,9 @@
 // Which faces are back faces is worked out by hand; and leaving them out changes no drawing of solids.
 
 #include "view/cull.hpp"
+#include "main/script.hpp"
 #include "scene/clean/clean.hpp"
+#include "support/mesh_text.hpp"
 #include "support/scenes.hpp"
 
 namespace ligne::test {
@@ -24,94 +26,26 @@ Scene turned_round(const Scene& scene, std::size_t first = 0) {
   return turned;
 }
 
-/// Puts all objects together into one.
-Scene as_one_object(Scene scene) {
-  Object all = scene.objects.front();
-  all.vertex_end = scene.objects.back().vertex_end;
-  all.face_end = scene.objects.back().face_end;
-  scene.objects = {all};
-  return scene;
-}
-
 Scene box() {
   Scene scene;
   add_box(scene, {0, 0, 0}, {10, 10, 10});
   return scene;
 }
 
-/// The faces of add_box() lie at low z, high z, low y, high y, low x, high x.
-TEST(Cull, BackFacesOfABox) {
-  const BackFaces oblique = back_faces(box());  // seen from high x, low y, high z
-  EXPECT_EQ(oblique.culled, (std::vector<std::uint8_t>{1, 0, 0, 1, 1, 0}));
-  EXPECT_EQ(oblique.faces, 3u);
-  EXPECT_EQ(oblique.objects, 1u);
-  EXPECT_EQ(oblique.kept_objects, 0u);
-  EXPECT_EQ(back_faces(turned_round(box())).culled, oblique.culled) << "the sign of the volume tells what is outside";
-  EXPECT_EQ(back_faces(box(), along({0, 1, 0})).culled, (std::vector<std::uint8_t>{0, 0, 0, 1, 0, 0})) << "edge on";
+/// For culls/solids.txt: "X,Y,Z LINES", the faces of a mesh in the order of its lines, seen along that direction. The culled
+/// ones are 1; then the objects that keep theirs.
+std::string culled(const std::string& text) {
+  const std::size_t space = text.find(' ');
+  const Scene scene = mesh_of(text.substr(space + 1)).scene();
+  const BackFaces found = back_faces(scene, along(point_of(text.substr(0, space))));
+  std::string faces;
+  for (const std::uint8_t face : found.culled) faces += face ? '1' : '0';
+  EXPECT_EQ(found.faces, static_cast<std::size_t>(std::ranges::count(faces, '1')));
+  return faces + " kept " + std::to_string(found.kept_objects) + " of " + std::to_string(scene.objects.size());
 }
 
-TEST(Cull, EveryShellOfAnObjectHasASignOfItsOwn) {
-  Scene scene = box();
-  add_box(scene, {20, 0, 0}, {5, 5, 5});
-  const Scene one = as_one_object(turned_round(scene, 6));
-  EXPECT_EQ(back_faces(one).culled, (std::vector<std::uint8_t>{1, 0, 0, 1, 1, 0, 1, 0, 0, 1, 1, 0}));
-  EXPECT_EQ(back_faces(one).kept_objects, 0u);
-}
-
-TEST(Cull, ObjectsThatAreNoSolidsKeepTheirFaces) {
-  const Scene closed = box();
-  Scene open = closed;
-  open.faces = {};
-  for (std::size_t f = 0; f + 1 < closed.faces.size(); ++f) open.faces.add_face(closed.faces.contour(f, 0));
-  open.objects[0].face_end = 5;
-  EXPECT_EQ(back_faces(open).kept_objects, 1u) << "a border";
-  EXPECT_EQ(back_faces(open).faces, 0u);
-
-  EXPECT_EQ(back_faces(turned_round(box(), 5)).kept_objects, 1u) << "a face wound against the others";
-
-  Scene fin = box();
-  fin.vertices.push_back({20, 20, 20});
-  ++fin.objects[0].vertex_end;
-  fin.faces.add_face(std::vector<std::uint32_t>{0, 1, 8});
-  ++fin.objects[0].face_end;
-  EXPECT_EQ(back_faces(fin).kept_objects, 1u) << "an edge of three faces";
-}
-
-TEST(Cull, ShellsWithoutVolumeKeepTheirFaces) {
-  Scene sheet;
-  begin_object(sheet);
-  sheet.vertices = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
-  sheet.faces.add_face(std::vector<std::uint32_t>{0, 1, 2, 3});
-  sheet.faces.add_face(std::vector<std::uint32_t>{3, 2, 1, 0});
-  end_object(sheet);
-  EXPECT_EQ(back_faces(sheet).kept_objects, 1u);
-
-  Scene thin;
-  add_box(thin, {0, 0, 0}, {10, 10, 1e-4});
-  EXPECT_EQ(back_faces(thin).kept_objects, 0u);
-  thin.objects[0].precision = 1e-3;
-  EXPECT_EQ(back_faces(thin).kept_objects, 1u) << "the coordinates' error can turn it inside out";
-}
-
-TEST(Cull, ShellsThatPenetrateThemselvesKeepTheirFaces) {
-  // A box whose floor is dented through its roof, and a box beside it in the same object.
-  Scene dented = box();
-  dented.faces = {};
-  for (const std::uint32_t f : {1u, 2u, 3u, 4u, 5u}) dented.faces.add_face(box().faces.contour(f, 0));
-  dented.vertices.push_back({4, 5, 8});
-  for (const auto& [a, b] : {std::array{0u, 2u}, std::array{2u, 3u}, std::array{3u, 1u}, std::array{1u, 0u}})
-    dented.faces.add_triangle(a, b, 8);
-  dented.objects[0].vertex_end = 9;
-  dented.objects[0].face_end = 9;
-  add_box(dented, {20, 0, 0}, {5, 5, 5});
-  EXPECT_EQ(back_faces(as_one_object(dented)).kept_objects, 0u) << "the dent ends below the roof";
-  dented.vertices[8].z = 12;
-  const BackFaces through = back_faces(as_one_object(dented));
-  EXPECT_EQ(through.kept_objects, 1u);
-  EXPECT_EQ(through.culled, (std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0}));
-  dented.vertices[8].z = 10;
-  EXPECT_EQ(back_faces(as_one_object(dented)).kept_objects, 1u) << "it touches the roof";
-}
+[[maybe_unused]] const bool culls_are_added =
+    add_function_scripts(LIGNE_SOURCE_DIR "/tests/view/culls", {{"culled", culled}});
 
 TEST(Cull, TransparentShellsKeepTheirFaces) {
   Scene scene = box();
