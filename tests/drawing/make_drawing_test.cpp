@@ -1,4 +1,5 @@
 #include "base/parallel.hpp"
+#include "drawing/drawing.hpp"
 #include "drawing/text_item.hpp"
 #include "linework/stroke_builder.hpp"
 #include "support/test.hpp"
