@@ -1,5 +1,6 @@
 /// Tangent edges that are dropped: chains that end freely, hooks, small rings, steps from facet to facet.
 
+#include "main/script.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
 #include "support/test.hpp"
 
@@ -46,26 +47,6 @@ std::size_t tangents_left(int edges, const TangentChain& chain = {}) {
   return static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), PatchEdge::tangent));
 }
 
-TEST(LooseTangents, AreShortChainsThatEndFreely) {
-  for (int edges = 1; edges < 8; ++edges) EXPECT_EQ(tangents_left(edges), edges <= 3 ? 0 : std::size_t(edges));
-}
-
-TEST(LooseTangents, MeetNoLineInAMuchLongerObject) {
-  EXPECT_EQ(tangents_left(6, {.object_size = 22}), 6u);
-  EXPECT_EQ(tangents_left(6, {.object_size = 26}), 0u);
-  EXPECT_EQ(tangents_left(6, {.object_size = 26, .is_ring = true}), 6u) << "a ring encloses something";
-}
-
-TEST(LooseTangents, FollowTheFacetsOfAFreeFormInSteps) {
-  const auto ring_with_step = [](double step) {
-    return tangents_left(8, {.is_beside_plane = false, .is_ring = true, .step = step});
-  };
-  EXPECT_EQ(ring_with_step(0), 8u);
-  EXPECT_EQ(ring_with_step(1), 0u);
-  EXPECT_EQ(ring_with_step(40), 8u) << "a side as long as several facets are deep";
-  EXPECT_EQ(tangents_left(8, {.is_ring = true, .step = 1}), 8u) << "between a surface and a plane";
-}
-
 /// Number of tangent edges that are left of a line that turns a corner behind its first eight edges, goes on for `beyond`
 /// edges of length 0.5 and ends freely at both ends, beside a plane and wide faces.
 std::size_t tangents_left_at_hook(int beyond) {
@@ -86,25 +67,24 @@ std::size_t tangents_left_at_hook(int beyond) {
   return static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), PatchEdge::tangent));
 }
 
-TEST(LooseTangents, AreHooksAtTheEndsOfLines) {
-  for (const int edges : {1, 2, 3}) EXPECT_EQ(tangents_left_at_hook(edges), 8u);
-  for (const int edges : {4, 8}) EXPECT_EQ(tangents_left_at_hook(edges), 8u + edges) << "a line of its own";
+/// For loose/loose_tangents.txt: "EDGES", of a chain, and "free-forms", "ring", "width=W", "object=LENGTH" or "step=LENGTH".
+std::string left_of_chain(const std::string& text) {
+  TangentChain chain;
+  for (const std::string& word : test::words_of(text)) {
+    const std::size_t equals = word.find('=');
+    const double value = equals == word.npos ? 0 : std::stod(word.substr(equals + 1));
+    if (word == "free-forms") chain.is_beside_plane = false;
+    if (word == "ring") chain.is_ring = true;
+    if (word.starts_with("width")) chain.width = value;
+    if (word.starts_with("object")) chain.object_size = value;
+    if (word.starts_with("step")) chain.step = value;
+  }
+  return std::to_string(tangents_left(std::stoi(text), chain));
 }
 
-TEST(LooseTangents, AreSmallRingsThatMeetNoLine) {
-  EXPECT_EQ(tangents_left(4, {.object_size = 180, .is_ring = true}), 4u);
-  EXPECT_EQ(tangents_left(4, {.object_size = 210, .is_ring = true}), 0u);
-}
-
-TEST(LooseTangents, AreNoLongEdgesBesideNarrowFaces) {
-  EXPECT_EQ(tangents_left(1, {.width = 0.3}), 0u);
-  EXPECT_EQ(tangents_left(1, {.width = 0.2}), 1u) << "a side of a strip that runs into a free form at both ends";
-  EXPECT_EQ(tangents_left(1, {.width = 0.2, .object_size = 26}), 1u);
-}
-
-TEST(LooseTangents, EndFreelyBetweenCurvedSurfaces) {
-  for (int edges = 1; edges < 8; ++edges) EXPECT_EQ(tangents_left(edges, {.is_beside_plane = false}), 0u);
-}
+[[maybe_unused]] const bool loose_are_added = test::add_function_scripts(
+    LIGNE_SOURCE_DIR "/tests/patches/loose",
+    {{"chain", left_of_chain}, {"hook", [](auto& t) { return std::to_string(tangents_left_at_hook(std::stoi(t))); }}});
 
 }  // namespace
 }  // namespace ligne

@@ -1,9 +1,11 @@
-/// Gaps in tangent lines are closed where they are shorter than the line, and the line goes where they are longer.
+/// For gaps/tangent_gaps.txt: gaps in tangent lines are closed where they are shorter than the line, and the line goes where
+/// they are longer.
 
 #include "scene/patches/borders/tangent_gaps.hpp"
 
 #include <string>
 
+#include "main/script.hpp"
 #include "patches/patch_scenes.hpp"
 #include "support/test.hpp"
 
@@ -50,23 +52,8 @@ std::string closed(const std::string& border) {
   return after;
 }
 
-TEST(TangentGaps, AreClosedWhereTheyAreHalfAsLongAsTheLine) {
-  EXPECT_EQ(closed("ttttuutttt"), "tttttttttt");
-  EXPECT_EQ(closed("ltttuul"), "ltttuul") << "the gap is longer";
-  EXPECT_EQ(closed("lttttuul"), "lttttttl");
-  EXPECT_EQ(closed("uttttu"), "uttttu") << "the border leads to no line";
-}
-
-TEST(TangentGaps, LeaveOutLinesThatAreMostlyUnsupported) {
-  EXPECT_EQ(closed("lttuuul"), "liiuuul");
-  EXPECT_EQ(closed("lttuuuttttttl"), "ltttttttttttl") << "the longer line closes it";
-}
-
-TEST(TangentGaps, GoStraightOn) {
-  EXPECT_EQ(closed("lttt/uul"), "lttt/uul");
-  EXPECT_EQ(closed("lttttuu/l"), "ltttttt/l");
-  EXPECT_EQ(closed("ltttiul"), "ltttiul") << "nothing goes on";
-}
+[[maybe_unused]] const bool gaps_are_added =
+    add_function_scripts(LIGNE_SOURCE_DIR "/tests/patches/gaps", {{"closed", closed}});
 
 }  // namespace
 }  // namespace ligne::test
