@@ -111,42 +111,6 @@ TEST(Heal, FacesStoredTwiceWhereManyOthersHaveTheirLowestVertex) {
   EXPECT_EQ(after.scene.faces.size(), n);
 }
 
-TEST(Heal, HolesAndFlagsAndDetailsOfFacesStoredTwice) {
-  Scene scene;
-  test::begin_object(scene);
-  scene.vertices = {{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}, {2, 2, 0}, {4, 2, 0}, {4, 4, 0}, {2, 4, 0}};
-  using Corners = std::vector<std::uint32_t>;
-  scene.faces.add_face(Corners{0, 1, 2, 3});
-  scene.faces.add_hole(Corners{4, 7, 6, 5});
-  scene.faces.add_face(Corners{1, 0, 3, 2});  // the same outer contour, without the hole: another face
-  scene.faces.add_face(Corners{2, 1, 0, 3});  // the first one turned over, its hole begun elsewhere
-  scene.faces.add_hole(Corners{5, 4, 7, 6});
-  scene.corner_flags = {
-      kCornerInner, kCornerInner, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, kCornerInner, 0, kCornerCurve, 0, 0, 0, 0};
-  scene.details.push_back({2, 0, {{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}});
-  test::end_object(scene);
-  const Healed once = healed(scene);
-  ASSERT_EQ(once.scene.faces.size(), 2u);
-  EXPECT_EQ(once.report.faces_twice, 1u);
-  EXPECT_EQ(once.scene.faces.contour_count(0), 2u);
-  EXPECT_EQ(once.scene.faces.contour_count(1), 1u);
-  // Edge 0-1 is inner in both; 1-2 in one alone; edge 2-3 is a curve in one.
-  EXPECT_EQ(once.scene.corner_flags[0], kCornerInner);
-  EXPECT_EQ(once.scene.corner_flags[1], 0);
-  EXPECT_EQ(once.scene.corner_flags[2], kCornerCurve);
-  ASSERT_EQ(once.scene.details.size(), 1u);
-  EXPECT_EQ(once.scene.details[0].face, 0u);
-}
-
-TEST(Heal, AnObjectThatLiesExactlyOnAnotherIsLeftEmptyAndKeepsItsName) {
-  const Healed twice = healed(corpus("duplicate_objects"));
-  EXPECT_EQ(twice.report.objects_twice, 1u);
-  ASSERT_EQ(twice.scene.objects.size(), 2u);
-  EXPECT_EQ(twice.scene.objects[1].name, "the same cube");
-  EXPECT_EQ(twice.scene.objects[1].face_begin, twice.scene.objects[1].face_end);
-  EXPECT_EQ(twice.scene.objects[1].vertex_begin, twice.scene.objects[1].vertex_end);
-}
-
 TEST(Heal, ThreeThousandEqualCubesAreOne) {
   Scene as_objects, as_one;
   for (int i = 0; i < 3000; ++i) test::add_box(as_objects, {0, 0, 0}, {1, 2, 3});
@@ -252,34 +216,6 @@ TEST(Heal, CrowdsTakeNoTimeWithoutBound) {
   }
   grid.objects[0].face_end = static_cast<std::uint32_t>(grid.faces.size());
   EXPECT_EQ(healed(grid).report.faces_twice, faces);
-}
-
-/// A closed box of triangles of which some are wound the other way: the fewer are turned round, edges keep their flags.
-TEST(Heal, WindingsAgree) {
-  Scene scene;
-  test::begin_object(scene);
-  for (int i = 0; i < 8; ++i) scene.vertices.push_back({double(i & 1), double(i >> 1 & 1), double(i >> 2)});
-  const std::uint32_t squares[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  std::size_t k = 0;
-  for (const auto& q : squares) {
-    std::vector<std::uint32_t> corners(q, q + 4);
-    if (k++ % 3 == 1) std::reverse(corners.begin(), corners.end());
-    scene.faces.add_face(corners);
-    for (std::size_t i = 0; i < 4; ++i) {  // the edge from vertex 0 to vertex 1 carries a flag
-      const auto [low, high] = std::minmax(corners[i], corners[(i + 1) % 4]);
-      scene.corner_flags.push_back(low == 0 && high == 1 ? kCornerFileHidden : 0);
-    }
-  }
-  test::end_object(scene);
-  Topology topology = build_topology(scene);
-  const HealReport report = heal(scene, topology, {});
-  EXPECT_EQ(report.faces_turned, 2u);
-  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
-    EXPECT_FALSE(topology.edge_flags[e] & kEdgeUnlikeWound);
-    const bool flagged = topology.edges[e].v0 == 0 && topology.edges[e].v1 == 1;
-    EXPECT_EQ((topology.edge_flags[e] & kEdgeFileHidden) != 0, flagged);
-  }
-  EXPECT_EQ(heal(scene, topology, {}).faces_turned, 0u);
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 #pragma once
-/// Small scenes as JSON, and what cleaning and merging make of them. A scene has, of which all but vertices and faces may be
-/// absent:
+/// Small scenes as JSON, and what cleaning, merging and healing make of them. A scene has, of which all but vertices and
+/// faces may be absent:
 ///
 ///     "vertices": [[x, y, z], ...]          null is no number
 ///     "faces": [[0, 1, 2], [[0, 1, 2, 3], [4, 5, 6]], ...]      corners, or contours: the outer one first
 ///     "flags", "materials", "details"       of corners; of faces; [face, material] each
-///     "objects": [[vertices, faces], ...]   where each ends; otherwise all is one
+///     "objects": [[vertices, faces], ...]   where each ends, named by its number; otherwise all is one
 ///     "precision"                           of the objects
 ///
 /// or "cells": rows of unit squares of a grid, from the lowest y, # where there is a face; "triangles": true cuts them,
@@ -15,6 +15,7 @@
 
 #include "scene/clean/clean.hpp"
 #include "scene/clean/weld_near.hpp"
+#include "scene/heal/heal.hpp"
 #include "support/standard.hpp"
 
 namespace ligne::reader_test {
@@ -63,7 +64,8 @@ inline Scene small_scene(const json& text) {
     scene.details.push_back({detail[0].get<std::uint32_t>(), detail[1].get<std::uint32_t>(), {}});
   std::uint32_t vertex = 0, face = 0;
   for (const auto& [vertices, faces] : text.value("objects", std::vector<std::pair<std::uint32_t, std::uint32_t>>())) {
-    scene.objects.push_back({"", vertex, vertices, face, faces, text.value("precision", 0.0)});
+    scene.objects.push_back(
+        {std::to_string(scene.objects.size()), vertex, vertices, face, faces, text.value("precision", 0.0)});
     vertex = vertices, face = faces;
   }
   return scene;
@@ -79,6 +81,20 @@ inline Scene mended(const std::string& how, const std::string& text, Warnings& w
   finish_scene(scene, warnings);
   if (how == "merge") merge_coplanar_faces(scene);
   return scene;
+}
+
+/// What healing made of a scene. It is cleaned first.
+inline json healed(Scene& scene, Warnings& warnings) {
+  finish_scene(scene, warnings);
+  Topology topology = build_topology(scene);
+  const HealReport report = heal(scene, topology, {});
+  const auto has = [](std::uint16_t flag) { return [flag](std::uint16_t flags) { return (flags & flag) != 0; }; };
+  return {{"objects_twice", report.objects_twice},
+          {"faces_twice", report.faces_twice},
+          {"faces_turned", report.faces_turned},
+          {"unlike_edges", std::ranges::count_if(topology.edge_flags, has(kEdgeUnlikeWound))},
+          {"hidden_edges", std::ranges::count_if(topology.edge_flags, has(kEdgeFileHidden))},
+          {"turned_again", heal(scene, topology, {}).faces_turned}};
 }
 
 /// The contours of a scene as points, each begun at its least one, their numbers of corners, and their areas from above.

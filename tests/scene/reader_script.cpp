@@ -4,9 +4,9 @@
 /// "triangle CHANGES" a triangle, both as gltf_changes.hpp has it, and "triangle@NAME@SECONDS" reads the file at a moment of
 /// an animation; 3mf is the main part of such an archive; points and lines are files of those; grid, also
 /// "grid:layout=matrix", "grid:set=1", "grid:using=1,2,4"; "corpus FILE", a grid of the fuzzers' corpus; formula;
-/// "subdivided" is an OBJ that is subdivided three times; clean, merge and "weld:DISTANCE" are small scenes that are mended,
-/// see mended_scene.hpp; "detect.SUFFIX" tells the format. Behind "bin-", as in "bin-3ds", the text is of a binary file: see
-/// binary_text.hpp. A scene that is read is sound: see expect_sound. Checks:
+/// "subdivided" is an OBJ that is subdivided three times; clean, merge, heal and "weld:DISTANCE" are small scenes that are
+/// mended, see mended_scene.hpp; "detect.SUFFIX" tells the format. Behind "bin-", as in "bin-3ds", the text is of a binary
+/// file: see binary_text.hpp. A scene that is read is sound: see expect_sound. Checks:
 ///
 ///     fails MESSAGE; begins MESSAGE; has TEXT    the whole error, its beginning, a part of it
 ///     is NAME                                    the format that is detected, or why there is none
@@ -197,12 +197,15 @@ class ReaderScript {
     if (kind_ == "points" || kind_ == "lines") read_places();
     if (kind_ == "formula") formula_heights(text_, {0, 1}, {0, 1});
     if (kind_.starts_with("detect")) format_ = to_string(detect_format(bytes, kind_.substr(6), "M"));
-    const bool is_mended = kind_ == "clean" || kind_ == "merge" || kind_.starts_with("weld:");
-    if (is_mended) scene_ = mended(kind_, text_, warnings_);
+    const bool is_mended = kind_ == "clean" || kind_ == "merge" || kind_ == "heal" || kind_.starts_with("weld:");
+    if (kind_ == "heal") scene_ = small_scene(json::parse(text_));
+    const json healing = kind_ == "heal" ? healed(scene_, warnings_) : json();
+    if (is_mended && kind_ != "heal") scene_ = mended(kind_, text_, warnings_);
     if (scene_.faces.empty() && !is_mended) return;
     if (!is_mended) expect_sound(scene_);
     json_ = as_json(scene_, report);
     if (is_mended) add_contours(scene_, json_);
+    json_["healed"] = healing;
     json_["sharp_edges"] = report.subdivision.sharp_edges;
     json_["smoothing"] = {{"groups", shading.face_groups}, {"bits", shading.groups_are_bits}};
   }
