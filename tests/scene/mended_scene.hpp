@@ -83,7 +83,7 @@ inline Scene mended(const std::string& how, const std::string& text, Warnings& w
   return scene;
 }
 
-/// What healing made of a scene. It is cleaned first.
+/// Heals a scene after cleaning it, and gives the counts of the report.
 inline json healed(Scene& scene, Warnings& warnings) {
   finish_scene(scene, warnings);
   Topology topology = build_topology(scene);
