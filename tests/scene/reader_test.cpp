@@ -150,30 +150,6 @@ TEST(AppendScene, ToNothingAndTrianglesToPolygons) {
   EXPECT_EQ(triangle.faces.contour(1, 0)[0], 4u);
 }
 
-TEST(Precision, OfBinaryNumbers) {
-  EXPECT_EQ(half_ulp_float32(1), std::ldexp(1.0, -24));
-  EXPECT_EQ(half_ulp_float32(1.999), std::ldexp(1.0, -24));
-  EXPECT_EQ(half_ulp_float32(2), std::ldexp(1.0, -23));
-  EXPECT_EQ(half_ulp_double(1), std::ldexp(1.0, -53));
-  EXPECT_EQ(half_ulp_double(0), 0);
-  EXPECT_GT(half_ulp_double(5e-324), -1);
-}
-
-TEST(Precision, OfDecimalNumbers) {
-  const auto precision = [](std::initializer_list<const char*> words) {
-    DecimalPrecision p;
-    for (const char* word : words) p.add(word, *number_in(word));
-    return p.value();
-  };
-  EXPECT_DOUBLE_EQ(precision({"-2598.325684", "16.175011", "-2500"}), 0.5e-6);    // six decimals
-  EXPECT_DOUBLE_EQ(precision({"0.187321", "0.00447467", "-0.0378297"}), 0.5e-6);  // six digits
-  EXPECT_DOUBLE_EQ(precision({"3.556000e+002", "1.5e-17"}), 0.5e-4);
-  EXPECT_EQ(precision({"1", "0.5", "12.25"}), half_ulp_double(12.25));  // by hand
-  EXPECT_EQ(precision({"1000000", "5"}), half_ulp_double(1e6));         // whole numbers
-  EXPECT_EQ(precision({"0.1234567890123456789"}), half_ulp_double(0.123));
-  EXPECT_EQ(precision({"0.000000"}), 0);
-}
-
 TEST(Precision, OfFloat32NumbersAsText) {
   // Coordinates of a part far from the origin, as float32 and as double, with so many decimals.
   const auto precision = [](bool as_float32, const char* format, double step) {

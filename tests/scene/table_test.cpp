@@ -1,62 +1,12 @@
-// Tables, before anybody asks what they mean; cells and styles: values/cells.txt.
+// Tables of files, and thinned ones; cells, styles and names of columns: values/tables.txt.
 
 #include "scene/tables/table.hpp"
 
 #include "height_tools.hpp"
 #include "scene/surfaces/thinned_heights.hpp"
-#include "scene/tables/column_names.hpp"
 
 namespace ligne {
 namespace {
-
-Table table_of(const std::string& text, Warnings& warnings) { return read_table(text, "M", warnings); }
-
-TEST(Table, HeadsNamesBlocksAndDataSets) {
-  Warnings warnings;
-  const std::string text = "Made by hand, in 2020\nx,\"y, north\",z\n1,2,3\n4,5,6\n\n7,8,9\n\n\nx,y,z\n1,2,3\n";
-  const Table table = table_of(text, warnings);
-  EXPECT_EQ(table.names(), (std::vector<std::string>{"x", "y, north", "z"}));
-  EXPECT_EQ(table.rows(), 4u);
-  EXPECT_EQ(table.blocks().size(), 3u);
-  ASSERT_EQ(table.data_sets().size(), 2u);
-  EXPECT_EQ(table.data_sets()[1].begin, 3u);
-  EXPECT_EQ(table.line(2), 6u);
-  EXPECT_EQ(warnings.left_out().text(), "left out: 1 line above the first row, 1 head row of data sets");
-}
-
-TEST(Table, NamesOfOneColumnLessThanTheRows) {
-  Warnings warnings;
-  const Table table = table_of("\"V1\" \"V2\"\n\"a\" 1 2\n\"b\" 3 4\n", warnings);
-  EXPECT_TRUE(table.has_unnamed_first());
-  EXPECT_EQ(table.names(), (std::vector<std::string>{"", "V1", "V2"}));
-  EXPECT_TRUE(table.column(0).is_text());
-}
-
-TEST(Table, ACommentNamesTheColumns) {
-  Warnings warnings;
-  EXPECT_EQ(table_of("# made today\n# lon lat height\n1 2 3\n", warnings).names(),
-            (std::vector<std::string>{"lon", "lat", "height"}));
-  EXPECT_TRUE(table_of("# a comment of many words\n1 2 3\n", warnings).names().empty());
-}
-
-TEST(Names, RolesUnitsAndSeries) {
-  const NamedColumns found = named_columns({"id", "Longitude (deg)", "LAT", "elevation_m", "Station"});
-  EXPECT_EQ(found.x, 1u);
-  EXPECT_EQ(found.y, 2u);
-  EXPECT_EQ(found.z, 3u);
-  EXPECT_EQ(found.label, 4u);
-  EXPECT_EQ(positions_in_names({"Jan", "Feb", "mar"}), (std::vector<double>{1, 2, 3}));
-  EXPECT_EQ(positions_in_names({"X1990", "X1991"}), (std::vector<double>{1990, 1991}));
-  EXPECT_FALSE(positions_in_names({"3", "1", "2"}));
-  EXPECT_FALSE(positions_in_names({"a", "b"}));
-  EXPECT_TRUE(are_numbered({"V1", "V2", "V10"}));
-  EXPECT_FALSE(are_numbered({"V1", "W2"}));
-  Warnings warnings;
-  const Table table = table_of("a,b\n1,2\n", warnings);
-  EXPECT_EQ(column_of(table, "B", "M"), 1u);
-  EXPECT_EQ(column_of(table, "1", "M"), 0u);
-  EXPECT_EQ(height_test::error_line([&] { column_of(table, "c", "M"); }), "M: has no column 'c': there are a, b");
-}
 
 TEST(TableFiles, OneTerrainInThirteenHabits) {
   // All files hold these 16 x 12 heights; two are missing in some.
