@@ -49,7 +49,7 @@ std::string parametric(const std::string& text) {
   return "read";
 }
 
-/// What a table says of itself: names, lines of rows, blocks, rows at which data sets begin, and what is left out.
+/// Describes a table: names, lines of rows, blocks, rows at which data sets begin, and what is left out.
 std::string table(const std::string& text) {
   Warnings warnings;
   const Table table = read_table(text, "M", warnings);
