@@ -112,7 +112,7 @@ inline void add_contours(const Scene& scene, json& all) {
         area += (a.x * b.y - a.y * b.x) / 2;
         a = b;
       }
-      std::ranges::rotate(points, std::ranges::min_element(points));
+      std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
       contours.push_back(points);
       corners.push_back(points.size());
       areas.push_back(area);
