@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
+#include <utility>
 
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
@@ -11,6 +11,7 @@
 #include "scene/model/face_area.hpp"
 #include "scene/model/planarity.hpp"
 #include "scene/patches/facet_graph.hpp"
+#include "scene/patches/facets/flat_range.hpp"
 
 namespace ligne {
 namespace {
@@ -32,25 +33,10 @@ constexpr int kMostFits = 24;
 /// and so many in all, which take two or three seconds. 3DBenchy needs 230 for each of its 225,000 faces. On rough ground of
 /// half a million, whose heights are some roundings, every face would collect thousands of others in vain.
 constexpr std::uint64_t kMostLooks = 32, kLooksInAll = 64'000'000;
+/// Limits of the looks by sets that are rejected, and how many more each face of a plane allows.
+constexpr std::uint64_t kMostVainLooks = 8, kVainLooksInAll = 4'000'000, kVainLooksPerFace = 4096;
 /// Number of rejected sets that may collect the same face.
 constexpr std::uint8_t kMostRejections = 4;
-
-/// A plane with the range of its points along the normal.
-struct FlatRange {
-  Point3 at{0, 0, 0}, normal{0, 0, 0};
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-
-  void add(const Point3& p) {
-    const double height = glm::dot(p - at, normal);
-    low = std::min(low, height), high = std::max(high, height);
-  }
-  double width() const { return high - low; }
-  void turn_to_unit() {
-    if (const double length = glm::length(normal); length > 0) normal /= length;
-  }
-  /// Moves the point of the plane to the middle of the range.
-  void move_to_middle() { at += (low + high) / 2 * normal; }
-};
 
 class FlatSetFinder {
  public:
@@ -71,7 +57,7 @@ class FlatSetFinder {
         if (set_of_[set_of_[f]] != set_of_[f]) set_of_[f] = f;
       }
     }
-    return {std::move(set_of_), has_small_faces_};
+    return {std::move(set_of_), has_small_faces_, looks_};
   }
 
  private:
@@ -242,7 +228,10 @@ class FlatSetFinder {
     }
     std::ranges::stable_sort(doubtful, [&](std::uint32_t a, std::uint32_t b) { return areas[a] > areas[b]; });
     for (const std::uint32_t set : doubtful) {
-      if (is_worked_out()) return;
+      if (is_worked_out()) {
+        sets_[set].state = State::uneven;
+        continue;
+      }
       std::erase_if(members[set], [&](std::uint32_t f) { return rejections_[f] == kMostRejections; });
       if (members[set].empty()) continue;
       if (collect_plane(members[set], tolerance_of(sets_[set].range))) {
@@ -254,10 +243,14 @@ class FlatSetFinder {
     }
   }
 
-  bool is_worked_out() const { return looks_ > kLooksInAll + kMostLooks * set_of_.size(); }
+  bool is_worked_out() const {
+    const std::uint64_t vain = kVainLooksInAll + kMostVainLooks * set_of_.size() + kVainLooksPerFace * faces_of_planes_;
+    return vain_looks_ > vain || looks_ > kLooksInAll + kMostLooks * set_of_.size();
+  }
 
   /// Makes one set of the members.
   void keep(std::uint32_t set) {
+    faces_of_planes_ += members_.size();
     for (const std::uint32_t f : members_) set_of_[f] = set, rejections_[f] = kMostRejections;
   }
 
@@ -270,7 +263,9 @@ class FlatSetFinder {
       if (rejections_[f] == 0 && is_uneven(f)) seeds.push_back(f), set_of_[f] = f;
     }
     std::ranges::stable_sort(seeds, [&](std::uint32_t a, std::uint32_t b) { return area_[a] > area_[b]; });
+    bool has_sampled = false;
     for (const std::uint32_t seed : seeds) {
+      if (is_worked_out() && !std::exchange(has_sampled, true)) foresee_planes(seeds);
       if (is_worked_out()) return;
       if (rejections_[seed] != 0) continue;
       if (collect_plane(std::span(&seed, 1), tolerance())) {
@@ -279,6 +274,14 @@ class FlatSetFinder {
       } else {
         for (const std::uint32_t f : members_) ++rejections_[f];
       }
+    }
+  }
+
+  /// Counts the faces of planes of some seeds, spread evenly over all: planes may have smaller faces than rough ground.
+  void foresee_planes(std::span<const std::uint32_t> seeds) {
+    constexpr std::size_t kSamples = 128;
+    for (std::size_t i = 0; i < seeds.size(); i += seeds.size() / kSamples + 1) {
+      if (rejections_[seeds[i]] == 0 && collect_plane(seeds.subspan(i, 1), tolerance())) faces_of_planes_ += members_.size();
     }
   }
 
@@ -296,6 +299,7 @@ class FlatSetFinder {
   /// Collects the faces of the plane of some, at the first of several tolerances at which they are flat. If there is none,
   /// the members are those of the least tolerance.
   bool collect_plane(std::span<const std::uint32_t> seeds, double tolerance) {
+    const std::uint64_t before = looks_;
     std::vector<std::uint32_t> first;
     do {
       const FlatRange plane = collect(seeds, tolerance);
@@ -304,6 +308,7 @@ class FlatSetFinder {
       tolerance *= 2;
     } while (tolerance <= kWidest * this->tolerance());
     members_ = first;
+    vain_looks_ += looks_ - before;
     return false;
   }
 
@@ -373,7 +378,8 @@ class FlatSetFinder {
   std::vector<std::uint32_t> reached_;    ///< per face: the last round that reached it
   std::vector<std::uint32_t> members_;
   std::uint32_t round_ = 0;
-  std::uint64_t looks_ = 0;
+  std::uint64_t looks_ = 0, vain_looks_ = 0;  ///< faces looked at; those of them by sets that were rejected
+  std::uint64_t faces_of_planes_ = 0;         ///< found or, when the work is to end, foreseen
   bool has_small_faces_ = false;
 };
 
