@@ -88,6 +88,13 @@ class GraphBuilder {
     return std::move(graph_);
   }
 
+  std::vector<std::uint32_t> flat_joints(std::uint32_t edge_begin, std::uint32_t edge_end) const {
+    return indices_where(edge_end - edge_begin, [&](std::size_t k) {
+      const auto e = static_cast<std::uint32_t>(edge_begin + k);
+      return may_be_smooth(e) && is_flat(topology_.edges[e]);
+    });
+  }
+
  private:
   bool may_be_smooth(std::uint32_t e) const {
     constexpr std::uint16_t kNotSmooth = kEdgeManyFaces | kEdgeUnlikeWound | kEdgeSharp | kEdgeCrossing;
@@ -128,11 +135,7 @@ class GraphBuilder {
 
   void join_faces(std::uint32_t edge_begin, std::uint32_t edge_end) {
     const std::uint32_t first = object_.face_begin, count = object_.face_end - first;
-    const auto lies_inside = [&](std::size_t k) {
-      const auto e = static_cast<std::uint32_t>(edge_begin + k);
-      return may_be_smooth(e) && is_flat(topology_.edges[e]);
-    };
-    const std::vector<std::uint32_t> joints = indices_where(edge_end - edge_begin, lies_inside);
+    const std::vector<std::uint32_t> joints = flat_joints(edge_begin, edge_end);
     const std::vector<std::uint32_t> order = faces_by_edges(edge_begin, edge_end);
     const std::span edges(topology_.edges.data() + edge_begin, topology_.edges.data() + edge_end);
     const FlatSets sets = flat_sets(scene_, object_, edges, joints, order);
@@ -345,6 +348,12 @@ std::vector<std::uint32_t> edges_inside_planes(const Topology& topology, const O
     if (glm::dot(Point3(normals[edge.face0]), Point3(normals[edge.face1])) < kFlatCosine) found.push_back(e);
   }
   return found;
+}
+
+std::vector<std::uint32_t> flat_joints(const Scene& scene, const Topology& topology, const Object& object,
+                                       std::uint32_t edge_begin, std::uint32_t edge_end,
+                                       std::span<const glm::vec3> normals) {
+  return GraphBuilder(scene, topology, object, normals).flat_joints(edge_begin, edge_end);
 }
 
 FacetGraph facet_graph(const Scene& scene, const Topology& topology, const Object& object, std::uint32_t edge_begin,

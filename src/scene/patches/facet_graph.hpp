@@ -76,6 +76,11 @@ std::vector<std::uint32_t> edges_inside_planes(const Topology& topology, const O
                                                std::uint32_t edge_begin, std::uint32_t edge_end,
                                                std::span<const glm::vec3> normals);
 
+/// The edges of an object at which two faces lie in one plane, as far as these two tell: indices from `edge_begin` on,
+/// ascending.
+std::vector<std::uint32_t> flat_joints(const Scene& scene, const Topology& topology, const Object& object,
+                                       std::uint32_t edge_begin, std::uint32_t edge_end, std::span<const glm::vec3> normals);
+
 /// The graph of one object. [edge_begin, edge_end) are its edges in the topology; `normals` are those of
 /// face_normals().
 FacetGraph facet_graph(const Scene& scene, const Topology& topology, const Object& object, std::uint32_t edge_begin,

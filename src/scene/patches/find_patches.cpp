@@ -8,6 +8,7 @@
 #include "scene/patches/borders/patch_outlines.hpp"
 #include "scene/patches/facet_graph.hpp"
 #include "scene/patches/freeform.hpp"
+#include "scene/patches/parts/large_freeform.hpp"
 #include "scene/patches/patch_finder.hpp"
 #include "scene/patches/repeated_objects.hpp"
 
@@ -42,6 +43,13 @@ ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Obj
   if (is_limit_surface(scene, object)) {
     found.patch_of.assign(object.face_end - object.face_begin, kNone);
     found.is_freeform.assign(found.patch_of.size(), 1);
+    return found;
+  }
+  if (auto free = find_large_freeform({scene, topology, object, {edge_begin, edge_end}, normals})) {
+    found.patch_of.assign(free->is_freeform.size(), kNone);
+    found.is_freeform = std::move(free->is_freeform);
+    found.plane_edges = std::move(free->plane_edges);
+    found.borders = std::move(free->borders);
     return found;
   }
   const FacetGraph graph = facet_graph(scene, topology, object, edge_begin, edge_end, normals);

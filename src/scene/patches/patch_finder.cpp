@@ -92,12 +92,7 @@ std::vector<std::uint32_t> PatchFinder::run(std::vector<Patch>& patches) {
   std::vector<Seed> all = seeds();
   const std::size_t step = all.size() / kSamples;
   if (step >= 2) {
-    const std::vector<Seed> samples = every_seed(all, step);
-    search(samples, patches);
-    const auto succeeded = [&](const Seed& seed) { return patch_of_[seed.facet] != kNone; };
-    const auto facets =
-        static_cast<std::size_t>(std::ranges::count_if(patch_of_, [](std::uint32_t p) { return p != kNone; }));
-    if (std::ranges::count_if(samples, succeeded) < kFewestSuccesses || kLeastShare * facets < all.size()) {
+    if (find_few(every_seed(all, step), all.size(), patches)) {
       patches.clear();
       patch_of_.assign(graph_.size(), kNone);
       return std::move(patch_of_);
@@ -113,12 +108,30 @@ std::vector<std::uint32_t> PatchFinder::run(std::vector<Patch>& patches) {
   return std::move(patch_of_);
 }
 
+/// Searches from samples of `count` seeds. Whether they get so few surfaces that the object gets none.
+bool PatchFinder::find_few(std::span<const Seed> samples, std::size_t count, std::vector<Patch>& patches) {
+  search(samples, patches);
+  const auto succeeded = [&](const Seed& seed) { return patch_of_[seed.facet] != kNone; };
+  const auto facets = static_cast<std::size_t>(std::ranges::count_if(patch_of_, [](std::uint32_t p) { return p != kNone; }));
+  return std::ranges::count_if(samples, succeeded) < kFewestSuccesses || kLeastShare * facets < count;
+}
+
+bool PatchFinder::seems_free(std::span<const std::uint32_t> facets, std::size_t count) {
+  constexpr double kNearlyAll = 7.0 / 8;
+  std::vector<Seed> samples;
+  for (const std::uint32_t f : facets) {
+    if (may_be_seed(f)) samples.push_back({longest_diagonal(f), f});
+  }
+  if (static_cast<double>(samples.size()) < kNearlyAll * static_cast<double>(facets.size())) return false;
+  std::sort(samples.begin(), samples.end());
+  std::vector<Patch> patches;
+  return find_few(samples, count, patches);
+}
+
 /// Facets that may be curved, not sorted.
 std::vector<PatchFinder::Seed> PatchFinder::seeds() const {
-  const std::vector<std::uint32_t> facets = indices_where(graph_.size(), [&](std::size_t i) {
-    const auto f = static_cast<std::uint32_t>(i);
-    return may_curve(f) && !graph_.arcs_of(f).empty();
-  });
+  const std::vector<std::uint32_t> facets =
+      indices_where(graph_.size(), [&](std::size_t f) { return may_be_seed(static_cast<std::uint32_t>(f)); });
   std::vector<Seed> seeds = large_vector<Seed>(facets.size());
   parallel_blocks(facets.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) seeds[i] = {longest_diagonal(facets[i]), facets[i]};

@@ -31,6 +31,10 @@ class PatchFinder {
   /// Fills `patches`. Returns the index of the patch of each facet, or kNone.
   std::vector<std::uint32_t> run(std::vector<Patch>& patches);
 
+  /// Whether so few surfaces are found on some facets that an object of `count` facets has none. Nearly all of them must be
+  /// facets that may be curved.
+  bool seems_free(std::span<const std::uint32_t> facets, std::size_t count);
+
  private:
   static constexpr std::uint32_t kWordBits = 64;  ///< bits of a word of is_fetched_
   /// Adjustable. A facet on which no surface was found excludes its neighbours of at least this part of its area as seeds;
@@ -65,6 +69,8 @@ class PatchFinder {
 
   bool may_curve(std::uint32_t f) const { return !graph_.is_plane[f] && !graph_.is_sliver[f] && patch_of_[f] == kNone; }
   double longest_diagonal(std::uint32_t f) const;
+  bool may_be_seed(std::uint32_t f) const { return may_curve(f) && !graph_.arcs_of(f).empty(); }
+  bool find_few(std::span<const Seed> samples, std::size_t count, std::vector<Patch>& patches);
   std::vector<Seed> seeds() const;
   static std::vector<Seed> every_seed(std::span<const Seed> seeds, std::size_t step);
   void search(std::span<const Seed> seeds, std::vector<Patch>& patches);

@@ -1,0 +1,97 @@
+#include "scene/patches/parts/mesh_part.hpp"
+
+#include <array>
+
+#include "base/parallel.hpp"
+#include "base/uninitialized_vector.hpp"
+
+namespace ligne {
+namespace {
+
+void sort_and_thin(std::vector<std::uint32_t>& values) {
+  parallel_sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+/// The numbers of things in a part, by their numbers in the whole less `first`. Others have any number.
+class Numbers {
+ public:
+  Numbers(std::span<const std::uint32_t> things, std::uint32_t first, std::uint32_t end)
+      : first_(first), numbers_(end - first) {
+    for (std::uint32_t i = 0; i < things.size(); ++i) numbers_[things[i] - first] = i;
+  }
+  std::uint32_t operator[](std::uint32_t thing) const { return numbers_[thing - first_]; }
+
+ private:
+  std::uint32_t first_;
+  UninitializedVector<std::uint32_t> numbers_;
+};
+
+}  // namespace
+
+FaceWalk::FaceWalk(const TriangleObject& whole)
+    : whole_(whole), first_edge_(whole.object.vertex_end - whole.object.vertex_begin, whole.edge_count()) {
+  const std::uint32_t first = whole.object.vertex_begin;
+  parallel_blocks(whole.edge_count(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::uint32_t v = whole.edge(k).v0;
+      if (k == 0 || whole.edge(k - 1).v0 != v) first_edge_[v - first] = static_cast<std::uint32_t>(k);
+    }
+  });
+}
+
+void FaceSet::add_rings(const FaceWalk& walk, int rings) {
+  std::size_t begin = 0;
+  for (int ring = 0; ring < rings; ++ring) {
+    for (const std::size_t end = faces.size(); begin < end; ++begin) {
+      walk.for_neighbours(faces[begin], [&](std::uint32_t f) { add(f); });
+    }
+  }
+}
+
+MeshPart part_of(const FaceWalk& walk, const FaceSet& set) {
+  const TriangleObject& whole = walk.whole();
+  const Object& object = whole.object;
+  const std::uint32_t first_face = object.face_begin;
+  const auto holds = [&](std::uint32_t face) { return face != kNone && set.holds[face - first_face] != 0; };
+  MeshPart part;
+  part.faces = set.faces;
+  parallel_sort(part.faces.begin(), part.faces.end());
+  std::vector<std::uint32_t> vertices;
+  for (const std::uint32_t f : part.faces) {
+    const auto contour = whole.scene.faces.contour(first_face + f, 0);
+    vertices.insert(vertices.end(), contour.begin(), contour.end());
+    walk.for_edges(f, [&](std::uint32_t k) { part.edges.push_back(whole.edges.begin + k); });
+  }
+  sort_and_thin(vertices);
+  sort_and_thin(part.edges);
+  const Numbers number_of_vertex(vertices, object.vertex_begin, object.vertex_end);
+  const Numbers number_of_face(part.faces, 0, whole.face_count());
+
+  for (const std::uint32_t v : vertices) part.scene.vertices.push_back(whole.scene.vertices[v]);
+  for (const std::uint32_t f : part.faces) {
+    std::array<std::uint32_t, 3> corners{};
+    const auto contour = whole.scene.faces.contour(first_face + f, 0);
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = number_of_vertex[contour[k]];
+    part.scene.faces.add_face(corners);
+    part.normals.push_back(whole.normals[first_face + f]);
+  }
+  for (const std::uint32_t e : part.edges) {
+    Edge edge = whole.topology.edges[e];
+    if (!holds(edge.face0)) std::swap(edge.face0, edge.face1);
+    edge.v0 = number_of_vertex[edge.v0];
+    edge.v1 = number_of_vertex[edge.v1];
+    edge.face0 = holds(edge.face0) ? number_of_face[edge.face0 - first_face] : kNone;
+    edge.face1 = holds(edge.face1) ? number_of_face[edge.face1 - first_face] : kNone;
+    part.topology.edges.push_back(edge);
+    part.topology.edge_flags.push_back(whole.topology.edge_flags[e]);
+  }
+  Object own = object;
+  own.vertex_begin = own.face_begin = 0;
+  own.vertex_end = static_cast<std::uint32_t>(vertices.size());
+  own.face_end = static_cast<std::uint32_t>(part.faces.size());
+  part.scene.objects.push_back(std::move(own));
+  return part;
+}
+
+}  // namespace ligne

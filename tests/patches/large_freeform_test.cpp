@@ -1,0 +1,95 @@
+/// Large free forms, recognised by samples.
+
+#include "scene/patches/parts/large_freeform.hpp"
+#include "patches/patch_scenes.hpp"
+#include "scene/patches/borders/patch_outlines.hpp"
+#include "scene/patches/find_patches.hpp"
+#include "scene/patches/freeform.hpp"
+#include "support/test.hpp"
+
+namespace ligne {
+namespace {
+
+using namespace test;
+
+/// A mesh of one object, with what find_patches() computes first.
+struct Mesh {
+  explicit Mesh(const std::vector<Corners>& polygons)
+      : scene(scene_of(polygons)), topology(build_topology(scene)), normals(face_normals(scene, topology)) {}
+
+  TriangleObject object() const {
+    const Object& first = scene.objects[0];
+    return {scene, topology, first, edges_of(topology, first), normals};
+  }
+
+  Scene scene;
+  Topology topology;
+  std::vector<glm::vec3> normals;
+};
+
+/// Wavy ground of n x n squares, with a level square and a level strip.
+std::vector<Corners> waves(int n) {
+  std::vector<Corners> polygons;
+  add_grid(polygons, n, n, true, [](int u, int v) {
+    const bool is_level = (u >= 100 && u <= 125 && v >= 100 && v <= 120) || (u >= 20 && u <= 22 && v >= 30 && v <= 50);
+    const double z = 2 * std::sin(0.31 * u + 0.15 * v) + 2 * std::sin(0.33 * v - 0.14 * u) + std::sin(0.21 * u - 0.19 * v);
+    return Point3(u, v, is_level ? 2 : z);
+  });
+  return polygons;
+}
+
+TEST(LargeFreeform, HasTheFindingsOfAllFacets) {
+  const Mesh mesh(waves(300));
+  const TriangleObject whole = mesh.object();
+  const auto found = find_large_freeform(whole);
+  ASSERT_TRUE(found.has_value());
+
+  const FacetGraph graph =
+      facet_graph(mesh.scene, mesh.topology, whole.object, whole.edges.begin, whole.edges.end, mesh.normals);
+  const std::vector<std::uint32_t> patch_of(graph.size(), kNone);
+  const std::vector<std::uint8_t> freeform =
+      freeform_facets(mesh.scene, mesh.topology, graph, patch_of, EdgeRows(mesh.scene, mesh.topology, mesh.normals));
+  std::size_t in_planes = 0;
+  for (std::uint32_t f = 0; f < whole.face_count(); ++f) {
+    ASSERT_EQ(found->is_freeform[f], freeform[graph.facet_of[f]]) << f;
+    in_planes += found->is_freeform[f] == 0;
+  }
+  EXPECT_GE(in_planes, 2u * 25 * 20);
+  EXPECT_EQ(found->plane_edges,
+            edges_inside_planes(mesh.topology, whole.object, graph, whole.edges.begin, whole.edges.end, mesh.normals));
+  const std::vector<FreeformBorder> borders =
+      freeform_borders(mesh.scene, mesh.topology, graph, {{}, patch_of, freeform}, {});
+  EXPECT_GE(borders.size(), 20u);
+  ASSERT_EQ(found->borders.size(), borders.size());
+  for (std::size_t i = 0; i < borders.size(); ++i) {
+    EXPECT_EQ(found->borders[i].edge, borders[i].edge);
+    EXPECT_EQ(found->borders[i].angle, borders[i].angle);
+    EXPECT_EQ(found->borders[i].turn, borders[i].turn);
+    EXPECT_EQ(found->borders[i].is_fleck, borders[i].is_fleck);
+    EXPECT_EQ(found->borders[i].is_beside_plane, borders[i].is_beside_plane);
+    const bool same_chain = i > 0 && borders[i].chain == borders[i - 1].chain;
+    EXPECT_EQ(i > 0 && found->borders[i].chain == found->borders[i - 1].chain, same_chain);
+  }
+}
+
+TEST(LargeFreeform, IsNoMeshOfCylinders) {
+  std::vector<Corners> polygons;
+  for (int tube = 0; tube < 20; ++tube) {
+    add_grid(polygons, 64, 80, true, [&](int u, int v) {
+      const double angle = 2 * kPi * (u % 64) / 64;
+      return Point3(3 * tube + std::cos(angle), std::sin(angle), 0.05 * v);
+    });
+  }
+  const Mesh mesh(polygons);
+  ASSERT_GE(mesh.scene.faces.size(), 150'000u);
+  EXPECT_FALSE(find_large_freeform(mesh.object()).has_value());
+}
+
+TEST(LargeFreeform, IsNoMeshThatMostlyLiesInPlanes) {
+  std::vector<Corners> polygons;
+  add_grid(polygons, 300, 300, true, [](int u, int v) { return Point3(u, v, u < 200 ? 1 : std::sin(0.1 * u + 0.03 * v)); });
+  EXPECT_FALSE(find_large_freeform(Mesh(polygons).object()).has_value());
+}
+
+}  // namespace
+}  // namespace ligne
