@@ -71,14 +71,15 @@ class ContourTracer {
         nodes[i] = node(sides[i], std::max(sags[i], beyond));
       }
     });
-    std::vector<ContourChain> chains;
-    std::size_t first = 0;
-    for (const Path& path : paths) {
-      const std::size_t count = path.sides.size();
-      for (std::size_t i = first; i + 1 < first + count; ++i) nodes[i].sag_ahead = sags[i + 1];
-      chains.push_back(chain_of(path, {nodes.data() + first, count}));
-      first += count;
-    }
+    std::vector<std::size_t> first(paths.size() + 1, 0);  // node of each path
+    for (std::size_t p = 0; p < paths.size(); ++p) first[p + 1] = first[p] + paths[p].sides.size();
+    std::vector<ContourChain> chains(paths.size());
+    parallel_blocks(paths.size(), kChainsPerTask, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end; ++p) {
+        for (std::size_t i = first[p]; i + 1 < first[p + 1]; ++i) nodes[i].sag_ahead = sags[i + 1];
+        chains[p] = chain_of(paths[p], {nodes.data() + first[p], first[p + 1] - first[p]});
+      }
+    });
     return chains;
   }
 

@@ -15,6 +15,9 @@
 
 namespace ligne {
 
+/// Number of chains of contours per task of a parallel loop. Adjustable.
+inline constexpr std::size_t kChainsPerTask = 8;
+
 /// A point of the zero set on the side of a triangle.
 struct ContourNode {
   std::uint32_t side = kNone;   ///< side of the patch, in the triangle of the segment that leaves it or that ends there

@@ -17,7 +17,6 @@
 namespace ligne {
 namespace {
 
-constexpr std::size_t kChainsPerTask = 8;
 /// Distance of sights and probes beyond the mesh, in lattice steps. It exceeds two roundings plus the depth tolerance
 /// of a facet.
 constexpr double kSlackSteps = 8;

@@ -74,7 +74,6 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
   const std::vector<Stroke> strokes = take_strokes(model, first, contours.first_probe - first);
   const double reach_mm = kReachInPens * options.pen_width_mm;
   std::vector<SeenContour> seen(n);
-  constexpr std::size_t kChainsPerTask = 8;
   parallel_blocks(n, kChainsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
       seen[c].curve = contour_curve(scene, view, contours.chains[c], kCurveFlatnessMm);
@@ -91,10 +90,12 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
   });
   hold_against_outlines(seen, contours, view, model.lattice, edges, {kTestifiedInReaches * reach_mm, options.pen_width_mm});
   move_ends_of_contours(seen, model, reach_mm);
-  for (std::size_t c = 0; c < n; ++c) {
-    hide_by_surfaces(contours.chains[c], seen[c].curve, seen[c].runs);
-    drop_short_runs(seen[c].runs, seen[c].curve, options.pen_width_mm);
-  }
+  parallel_blocks(n, kChainsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      hide_by_surfaces(contours.chains[c], seen[c].curve, seen[c].runs);
+      drop_short_runs(seen[c].runs, seen[c].curve, options.pen_width_mm);
+    }
+  });
   add_missing_outlines(model, view, contours, probes, seen, {options.pen_width_mm, reach_mm});
   move_ends_of_strokes(model, seen, reach_mm);
   join_tangents_to_contours(model, scene, view, contours, seen);

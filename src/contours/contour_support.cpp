@@ -65,31 +65,40 @@ ContourSupport::ContourSupport(const Scene& scene, const View& view, const Smoot
                                std::span<ContourChain* const> chains, std::span<const std::uint32_t> sides,
                                double pen_width_mm)
     : chains_(chains), view_(view), places_(chains.size()), middles_(chains.size()), pen_width_mm_(pen_width_mm) {
+  parallel_blocks(chains.size(), kChainsPerTask, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      for (const ContourNode& node : chains[c]->nodes) places_[c].push_back(place_of(scene, node));
+      middles_[c] = middles_of(*chains[c], places_[c]);
+    }
+  });
   std::vector<Place*> places;
   for (std::size_t c = 0; c < chains.size(); ++c) {
-    for (const ContourNode& node : chains[c]->nodes) {
-      Place& place = places_[c].emplace_back();
-      place.mm = page_point(view, node.meets != kNone ? scene.vertices[node.meets] : node.on_surface);
-      const double unit_mm = glm::length(page_direction(view, node.on_mesh, view.camera.right));
-      place.sag = (node.tangent != Point3(0.0) ? kFittedSag : 1) * node.sag * unit_mm;
-      place.lift = glm::length(page_point(view, node.on_surface) - page_point(view, node.on_mesh));
-      place.counts = place.sag <= kLargestSagMm && in_window(view, place.mm);
-    }
-    middles_[c] = middles_of(*chains[c], places_[c]);
     for (std::vector<Place>* of_chain : {&places_[c], &middles_[c]}) {
       for (Place& place : *of_chain) {
         if (place.counts) places.push_back(&place);
       }
     }
   }
-  std::vector<std::array<Point2, 2>> outlines;
-  for (const std::uint32_t side : sides) {
-    const auto end = [&](std::uint32_t corner) {
-      return page_point(view, scene.vertices[patch.triangles[corner / 3].v[corner % 3]]);
-    };
-    outlines.push_back({end(side), end(next_corner(side))});
-  }
+  std::vector<std::array<Point2, 2>> outlines(sides.size());
+  parallel_blocks(sides.size(), kSearchBlock, [&](std::size_t begin, std::size_t end_of_block) {
+    for (std::size_t i = begin; i < end_of_block; ++i) {
+      const auto end = [&](std::uint32_t corner) {
+        return page_point(view, scene.vertices[patch.triangles[corner / 3].v[corner % 3]]);
+      };
+      outlines[i] = {end(sides[i]), end(next_corner(sides[i]))};
+    }
+  });
   find_outlines(places, outlines);
+}
+
+ContourSupport::Place ContourSupport::place_of(const Scene& scene, const ContourNode& node) const {
+  Place place;
+  place.mm = page_point(view_, node.meets != kNone ? scene.vertices[node.meets] : node.on_surface);
+  const double unit_mm = glm::length(page_direction(view_, node.on_mesh, view_.camera.right));
+  place.sag = (node.tangent != Point3(0.0) ? kFittedSag : 1) * node.sag * unit_mm;
+  place.lift = glm::length(page_point(view_, node.on_surface) - page_point(view_, node.on_mesh));
+  place.counts = place.sag <= kLargestSagMm && in_window(view_, place.mm);
+  return place;
 }
 
 void ContourSupport::find_outlines(std::span<Place* const> places, std::span<const std::array<Point2, 2>> outlines) const {

@@ -43,6 +43,7 @@ class ContourSupport {
   };
 
   /// The midpoints of the chords between nodes, with the sags of their triangles.
+  Place place_of(const Scene& scene, const ContourNode& node) const;
   std::vector<Place> middles_of(const ContourChain& chain, const std::vector<Place>& places) const;
   /// Sets Place::outline to the nearest point of the outlines and Place::away to its distance, or to reach() if that is
   /// less.

@@ -157,6 +157,25 @@ void change_runs(std::vector<SeenContour>& seen, const PartsOfRuns& parts, const
   });
 }
 
+/// Adds the replaced edges, each part with its visibility. `edges`: the strokes of these edges.
+void add_outlines(PagePieces& outlines, const SmoothContours& contours, const View& view, const Lattice& lattice,
+                  const std::vector<Stroke>& edges) {
+  auto stroke = edges.begin();
+  for (std::size_t k = 0; k < contours.replaced.size(); ++k) {
+    const auto& ends = contours.replaced[k].ends;
+    const auto place = [&](double t) { return page_point(view, ends[0] + t * (ends[1] - ends[0])); };
+    const Evidence unseen = contours.bulges[k] ? Evidence::hidden : Evidence::hollow;
+    double hidden_from = 0;
+    for (; stroke != edges.end() && stroke->source == contours.first_edge + k; ++stroke) {
+      if (!stroke->visible) continue;
+      if (hidden_from < stroke->t_from) outlines.add(place(hidden_from), place(stroke->t_from), unseen);
+      outlines.add(lattice.to_mm(stroke->from), lattice.to_mm(stroke->to), Evidence::seen);
+      hidden_from = stroke->t_to;
+    }
+    if (hidden_from < 1) outlines.add(place(hidden_from), place(1), unseen);
+  }
+}
+
 }  // namespace
 
 void hold_against_outlines(std::vector<SeenContour>& seen, const SmoothContours& contours, const View& view,
@@ -181,21 +200,13 @@ void hold_against_outlines(std::vector<SeenContour>& seen, const SmoothContours&
   for_parts(visible, extend);
   for_parts(hidden, extend);
   outlines.expect_within(box);
-  for_parts(hidden, [&](Point2 p, double reach) { drawn.expect(p, reach); });
-  auto stroke = edges.begin();
-  for (std::size_t k = 0; k < contours.replaced.size(); ++k) {
-    const auto& ends = contours.replaced[k].ends;
-    const auto place = [&](double t) { return page_point(view, ends[0] + t * (ends[1] - ends[0])); };
-    const Evidence unseen = contours.bulges[k] ? Evidence::hidden : Evidence::hollow;
-    double hidden_from = 0;
-    for (; stroke != edges.end() && stroke->source == contours.first_edge + k; ++stroke) {
-      if (!stroke->visible) continue;
-      if (hidden_from < stroke->t_from) outlines.add(place(hidden_from), place(stroke->t_from), unseen);
-      outlines.add(lattice.to_mm(stroke->from), lattice.to_mm(stroke->to), Evidence::seen);
-      hidden_from = stroke->t_to;
+  parallel_tasks(2, [&](std::size_t task) {
+    if (task == 0) {
+      for_parts(hidden, [&](Point2 p, double reach) { drawn.expect(p, reach); });
+    } else {
+      add_outlines(outlines, contours, view, lattice, edges);
     }
-    if (hidden_from < 1) outlines.add(place(hidden_from), place(1), unseen);
-  }
+  });
   change_runs(seen, visible,
               [&](std::span<const Part> parts) { return hidden_parts(parts, outlines, shortest_mm, clear_mm); });
   for (const SeenContour& contour : seen) {
