@@ -1,6 +1,7 @@
 #pragma once
 /// Ellipses on which lines of a drawing are known to lie, such as the circles at which recognised surfaces end.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -24,7 +25,12 @@ class KnownEllipses {
   static constexpr double kNearMm = 0.01;
 
  private:
-  void file(std::uint32_t i, const Rect& page);
+  struct Chords {
+    std::vector<std::array<LatticePoint, 2>> on_page;
+    double rise_mm;  ///< largest distance of the ellipse from a chord
+  };
+
+  Chords chords_of(const Ellipse& ellipse, const Rect& page) const;
 
   std::vector<Ellipse> ellipses_;
   Lattice lattice_;

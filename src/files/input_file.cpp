@@ -1,6 +1,7 @@
 #include "files/input_file.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <iterator>
 #include <system_error>
@@ -10,6 +11,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/large_vector.hpp"
+#include "base/parallel.hpp"
 #include "files/file_error.hpp"
 #include "files/named_input.hpp"
 
@@ -18,6 +21,8 @@ namespace {
 
 /// Time to wait for a writer of a pipe: the two ends of a named pipe are opened by two programs.
 constexpr int kWaitForWriterMs = 1000;
+/// Least size of a file that all threads read, in bytes: page faults of the memory take half of the time. Adjustable.
+constexpr std::size_t kLargeFile = std::size_t{1} << 23;
 
 std::string cause_of(int error) { return std::generic_category().message(error); }
 
@@ -56,6 +61,24 @@ class OpenInput {
   /// Size reported by the file system; 0 if it has none.
   std::uintmax_t size() const { return size_; }
 
+  /// Fills `to` with the first bytes of a regular file, with all threads. Returns false if the file has fewer or can not be
+  /// read; else read() goes on behind them.
+  bool read_first(std::span<std::byte> to) {
+    std::atomic<bool> is_complete{true};
+    parallel_blocks(to.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+      while (begin < end) {
+        const ssize_t n = ::pread(descriptor_, to.data() + begin, end - begin, static_cast<off_t>(begin));
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) {
+          is_complete = false;
+          return;
+        }
+        begin += static_cast<std::size_t>(n);
+      }
+    });
+    return is_complete && ::lseek(descriptor_, static_cast<off_t>(to.size()), SEEK_SET) >= 0;
+  }
+
   /// Fills the front of `to`. Returns the number of bytes, 0 at the end of the file.
   std::size_t read(std::span<std::byte> to) {
     for (;;) {
@@ -74,6 +97,7 @@ class OpenInput {
 
  private:
   static constexpr int kForEver = -1;
+  static constexpr std::size_t kBlock = std::size_t{1} << 22;  ///< bytes that a task reads. Adjustable
 
   /// Waits until there are bytes to read or the last writer is gone; false if the time is up.
   bool wait(int milliseconds) {
@@ -103,7 +127,14 @@ std::vector<std::byte> read_input(const std::filesystem::path& file, const std::
   const std::uintmax_t unsized = std::min(most, kLargestUnsized);
   if (in.size() > most) throw InputError(name, "is larger than " + size_text(most));
   std::vector<std::byte> bytes;
-  bytes.reserve(static_cast<std::size_t>(in.size()) + 1);
+  const auto size = static_cast<std::size_t>(in.size());
+  if (size >= kLargeFile) {
+    bytes = large_vector<std::byte>(size + 1);
+    bytes.resize(size);
+    if (!in.read_first(bytes)) bytes.clear();
+  } else {
+    bytes.reserve(size + 1);
+  }
   // Reads in pieces: files in /proc and pipes have no size.
   constexpr std::size_t kPiece = std::size_t{1} << 20;
   for (std::size_t read = 1; read > 0;) {

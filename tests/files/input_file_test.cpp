@@ -47,6 +47,15 @@ TEST_F(InputFile, ReadsWholeFiles) {
   EXPECT_EQ(read(folder_ / "large", 1 << 20), "F: is larger than 1 MiB");
 }
 
+TEST_F(InputFile, ReadsTheSameBytesWithAllThreads) {
+  for (const std::size_t size : {(1u << 23) - 1, 1u << 23, 9'500'001u, (1u << 24) + 5}) {
+    std::string text(size, 0);
+    for (std::size_t i = 0; i < size; ++i) text[i] = static_cast<char>(i * 2654435761u >> 24);
+    std::ofstream(folder_ / "large", std::ios::binary) << text;
+    EXPECT_TRUE(read(folder_ / "large") == text) << size;
+  }
+}
+
 TEST_F(InputFile, NamesPointersOfGitLfs) {
   std::ofstream(folder_ / "pointer") << "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a2146\nsize 12345\n";
   EXPECT_EQ(read(folder_ / "pointer"), "F: is a pointer of Git LFS, not the file: git lfs pull fetches that");

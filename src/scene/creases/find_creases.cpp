@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -182,17 +181,19 @@ class Finder {
     }
     parallel_sort(ends_.begin(), ends_.end());
     soften_roundings(scene_, topology_, {ends_, found_.patch_edges, rows_}, angles_.faces, bends_);
+    node_of_vertex_.assign(scene_.vertices.size(), kNone);
     for (std::uint32_t k = 0; k < ends_.size(); ++k) {
-      if (nodes_.empty() || nodes_.back().vertex != ends_[k].vertex) nodes_.push_back({ends_[k].vertex, k, 0});
+      std::uint32_t& node = node_of_vertex_[ends_[k].vertex];
+      if (node == kNone) {
+        node = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.push_back({ends_[k].vertex, k, 0});
+      }
       nodes_.back().creases += is_crease(ends_[k].edge);
     }
   }
 
-  std::uint32_t node_of(std::uint32_t v) const {
-    const auto at = std::lower_bound(nodes_.begin(), nodes_.end(), v,
-                                     [](const Node& node, std::uint32_t vertex) { return node.vertex < vertex; });
-    return static_cast<std::uint32_t>(at - nodes_.begin());
-  }
+  /// The node of a vertex, or kNone.
+  std::uint32_t node_of(std::uint32_t v) const { return node_of_vertex_[v]; }
 
   std::span<const BendEnd> ends_of(std::uint32_t node) const {
     const std::size_t last = node + 1 == nodes_.size() ? ends_.size() : nodes_[node + 1].first;
@@ -248,7 +249,7 @@ class Finder {
         if (!is_line(scene_, topology_, rows_, way)) way.clear();
         const auto is_at_crease = [&](std::uint32_t v) {
           const std::uint32_t other = node_of(v);
-          return other < nodes_.size() && nodes_[other].vertex == v && nodes_[other].creases > 0;
+          return other != kNone && nodes_[other].creases > 0;
         };
         if (way.empty() && found.of(node).edges >= kCertainEdges)
           way = rims.way_on(end.edge, nodes_[node].vertex, found.of(node).length, is_at_crease);
@@ -316,7 +317,7 @@ class Finder {
          indices_where(topology_.edges.size(), [&](std::size_t i) { return topology_.edges[i].face1 == kNone; })) {
       for (const std::uint32_t v : {topology_.edges[e].v0, topology_.edges[e].v1}) {
         const std::uint32_t node = node_of(v);
-        if (node < nodes_.size() && nodes_[node].vertex == v) anchored_[node] = 1;
+        if (node != kNone) anchored_[node] = 1;
       }
     }
   }
@@ -385,7 +386,8 @@ class Finder {
   std::vector<Bend> bends_, raw_;  ///< per edge; raw: by its faces alone
   std::vector<BendEnd> ends_;      ///< ends of the edges that bend, sorted
   std::vector<Node> nodes_;
-  std::vector<std::uint8_t> anchored_;  ///< per node: 1 on a border
+  std::vector<std::uint32_t> node_of_vertex_;  ///< per vertex: index into nodes_, or kNone
+  std::vector<std::uint8_t> anchored_;         ///< per node: 1 on a border
   Creases found_;
 };
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/no_index.hpp"
+#include "base/parallel.hpp"
 
 namespace ligne {
 namespace {
@@ -25,23 +26,35 @@ struct EdgeCircle {
   }
 };
 
+/// The circles on which edges between patches lie, in the order of the edges.
+std::vector<EdgeCircle> circles_of_edges(const Scene& scene, const Topology& topology, const Patches& patches) {
+  std::vector<std::vector<EdgeCircle>> found(block_count(topology.edges.size(), kShortWorkBlock));
+  const auto add = [&](const Edge& edge, std::uint32_t patch, std::vector<EdgeCircle>& circles) {
+    // A sphere is round about any axis.
+    if (patch == kNone || patches.list[patch].surface.kind == SurfaceKind::sphere) return;
+    const AxisPlace from = axis_place(patches.list[patch].surface, scene.vertices[edge.v0]);
+    const AxisPlace to = axis_place(patches.list[patch].surface, scene.vertices[edge.v1]);
+    const EdgeCircle circle{patch, (from.along + to.along) / 2, (from.radius + to.radius) / 2};
+    if (circle.radius > 0 && circle.is_same({patch, from.along, from.radius})) circles.push_back(circle);
+  };
+  parallel_blocks(topology.edges.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      const Edge& edge = topology.edges[e];
+      const std::uint32_t first = patches.patch_of[edge.face0];
+      const std::uint32_t second = edge.face1 == kNone ? kNone : patches.patch_of[edge.face1];
+      if (first == second) continue;
+      for (const std::uint32_t patch : {first, second}) add(edge, patch, found[begin / kShortWorkBlock]);
+    }
+  });
+  std::vector<EdgeCircle> all;
+  for (const std::vector<EdgeCircle>& circles : found) all.insert(all.end(), circles.begin(), circles.end());
+  return all;
+}
+
 }  // namespace
 
 std::vector<PatchCircle> patch_circles(const Scene& scene, const Topology& topology, const Patches& patches) {
-  std::vector<EdgeCircle> found;
-  for (const Edge& edge : topology.edges) {
-    const std::uint32_t first = patches.patch_of[edge.face0];
-    const std::uint32_t second = edge.face1 == kNone ? kNone : patches.patch_of[edge.face1];
-    if (first == second) continue;
-    for (const std::uint32_t patch : {first, second}) {
-      // A sphere is round about any axis.
-      if (patch == kNone || patches.list[patch].surface.kind == SurfaceKind::sphere) continue;
-      const AxisPlace from = axis_place(patches.list[patch].surface, scene.vertices[edge.v0]);
-      const AxisPlace to = axis_place(patches.list[patch].surface, scene.vertices[edge.v1]);
-      const EdgeCircle circle{patch, (from.along + to.along) / 2, (from.radius + to.radius) / 2};
-      if (circle.radius > 0 && circle.is_same({patch, from.along, from.radius})) found.push_back(circle);
-    }
-  }
+  std::vector<EdgeCircle> found = circles_of_edges(scene, topology, patches);
   std::sort(found.begin(), found.end());
   std::vector<PatchCircle> circles;
   std::vector<EdgeCircle> kept;  // of the last patch, by their places along its axis
