@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "base/parallel.hpp"
+
 namespace ligne {
 namespace {
 
@@ -31,8 +33,8 @@ constexpr double kLeastStepInUlps = 64;
 /// Largest distance of a coordinate from the grid, in the same unit: files that were moved or scaled in float32 after
 /// their coordinates were rounded to the grid have a few roundings more.
 constexpr double kMostUlpsOffGrid = 2;
-/// Most decimals.
-constexpr int kMostDecimals = 6;
+/// Most steps per unit: six decimals.
+constexpr double kMostPerUnit = 1e6;
 /// Least number of different coordinates, and the largest fraction of them whose last decimal is 0: 1/10 if they are spread
 /// evenly.
 constexpr std::size_t kFewestRounded = 64;
@@ -51,23 +53,67 @@ double half_ulp(double largest, int digits, int smallest_exponent) {
 
 /// Steps per model unit of the coarsest decimal grid that holds all coordinates.
 std::optional<double> grid_of(std::span<const Point3> positions) {
-  double largest = 0;
-  for (const Point3& p : positions) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  const double ulp = 2 * half_ulp_float32(largest);
-  int decimals = 1;
-  double per_unit = 10;
-  const auto is_too_fine = [&] { return decimals > kMostDecimals || 1 / per_unit < kLeastStepInUlps * ulp; };
-  if (is_too_fine()) return std::nullopt;
-  for (const Point3& p : positions) {
-    for (int axis = 0; axis < 3; ++axis) {
-      while (std::abs(p[axis] - std::round(p[axis] * per_unit) / per_unit) > kMostUlpsOffGrid * ulp) {
-        per_unit *= 10;
-        ++decimals;
-        if (is_too_fine()) return std::nullopt;
-      }
-    }
-  }
+  const auto larger = [](double a, double b) { return std::max(a, b); };
+  const double largest = parallel_reduce(
+      positions.size(), kShortWorkBlock, 0.0,
+      [&](std::size_t begin, std::size_t end) {
+        double most = 0;
+        for (const Point3& p : positions.subspan(begin, end - begin))
+          most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+        return most;
+      },
+      larger);
+  const double ulp = 2 * half_ulp_float32(largest), finest = std::min(1 / (kLeastStepInUlps * ulp), kMostPerUnit);
+  const double per_unit = parallel_reduce(
+      positions.size(), kShortWorkBlock, 10.0,
+      [&](std::size_t begin, std::size_t end) {
+        double steps = 10;
+        for (const Point3& p : positions.subspan(begin, end - begin)) {
+          for (int axis = 0; axis < 3; ++axis) {
+            while (steps <= finest && std::abs(p[axis] - std::round(p[axis] * steps) / steps) > kMostUlpsOffGrid * ulp)
+              steps *= 10;
+          }
+          if (!(steps <= finest)) break;
+        }
+        return steps;
+      },
+      larger);
+  if (!(per_unit <= finest)) return std::nullopt;
   return per_unit;
+}
+
+/// The different steps of all coordinates, ascending. A grid that grid_of() finds has up to 2^19 of them, since the largest
+/// coordinate has 2^24 units in the last place.
+std::vector<std::int64_t> steps_of(std::span<const Point3> positions, double per_unit) {
+  struct Range {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    Range operator+(const Range& o) const { return {std::min(low, o.low), std::max(high, o.high)}; }
+  };
+  const auto step = [&](double coordinate) { return std::llround(coordinate * per_unit); };
+  const Range range = parallel_reduce(positions.size(), kShortWorkBlock, Range{}, [&](std::size_t begin, std::size_t end) {
+    Range own;
+    for (const Point3& p : positions.subspan(begin, end - begin))
+      own = own + Range{std::min({p.x, p.y, p.z}), std::max({p.x, p.y, p.z})};
+    return own;
+  });
+  std::vector<std::int64_t> steps;
+  if (positions.empty()) return steps;
+  const std::int64_t first = step(range.low), count = step(range.high) - first + 1;
+  constexpr std::size_t kParts = 16;
+  const std::size_t part = positions.size() / kParts + 1;
+  std::vector<std::vector<std::uint8_t>> is_taken(block_count(positions.size(), part));  // per part and step
+  parallel_blocks(positions.size(), part, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint8_t>& own = is_taken[begin / part];
+    own.assign(static_cast<std::size_t>(count), 0);
+    for (const Point3& p : positions.subspan(begin, end - begin)) {
+      for (int axis = 0; axis < 3; ++axis) own[static_cast<std::size_t>(step(p[axis]) - first)] = 1;
+    }
+  });
+  for (std::int64_t i = 0; i < count; ++i) {
+    if (std::ranges::any_of(is_taken, [i](const auto& own) { return own[static_cast<std::size_t>(i)] != 0; }))
+      steps.push_back(first + i);
+  }
+  return steps;
 }
 
 }  // namespace
@@ -104,12 +150,7 @@ double decimal_grid(std::span<const Point3> positions) {
   if (!grid_of(sample)) return 0;
   const std::optional<double> per_unit = grid_of(positions);
   if (!per_unit) return 0;
-  std::vector<std::int64_t> steps;
-  for (const Point3& p : positions) {
-    for (int axis = 0; axis < 3; ++axis) steps.push_back(std::llround(p[axis] * *per_unit));
-  }
-  std::ranges::sort(steps);
-  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  const std::vector<std::int64_t> steps = steps_of(positions, *per_unit);
   if (steps.size() < kFewestRounded || double(steps.back() - steps.front()) < kLeastExtentInSteps) return 0;
   const auto coarser = std::ranges::count_if(steps, [](std::int64_t n) { return n % 10 == 0; });
   if (double(coarser) > kMostOnCoarserGrid * double(steps.size())) return 0;
