@@ -14,6 +14,8 @@ namespace {
 constexpr double kMostSags = 4;
 /// Largest number of points of a patch to which a surface is fitted.
 constexpr std::size_t kMostPoints = 96;
+/// Fractional part of the golden ratio: its multiples are spread evenly over a unit, without a period.
+constexpr double kGoldenPart = 0.6180339887498949;
 /// Least number of vertices that are sorted by bits. For fewer, sorting by comparisons costs no more.
 constexpr std::size_t kFewVertices = 64;
 
@@ -35,7 +37,13 @@ void PatchFinder::fetch_points(std::span<const std::uint32_t> facets) {
     sort_by_bits(low - object_.vertex_begin, high - object_.vertex_begin);
   }
   const std::size_t step = vertices_.size() / kMostPoints + 1;
-  for (std::size_t i = 0; i < vertices_.size(); i += step) points_.push_back(scene_.vertices[vertices_[i]]);
+  // One of every `step`, but not every step-th: where the two ends of strips alternate, all points would lie on one of them.
+  double part = 0;
+  for (std::size_t i = 0; i < vertices_.size(); i += step) {
+    const std::size_t k = i + static_cast<std::size_t>(part * static_cast<double>(step));
+    points_.push_back(scene_.vertices[vertices_[std::min(k, vertices_.size() - 1)]]);
+    part += part < kGoldenPart ? 1 - kGoldenPart : -kGoldenPart;
+  }
 }
 
 /// Fetches the corners and the frames of the facets of a sample, unless it has them.

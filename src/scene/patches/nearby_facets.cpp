@@ -44,9 +44,9 @@ std::vector<std::uint32_t> PatchFinder::beside(std::uint32_t seed) {
   return near;
 }
 
-/// A facet with two of its neighbours, those behind its longest sides. At the end of a strip, any other pair may hold a
-/// facet of the corner.
-std::vector<std::uint32_t> PatchFinder::across_long_sides(std::uint32_t seed, std::vector<std::uint32_t> near) const {
+/// Sorts neighbours of a facet by the lengths of the sides they share with it, the longest first: those of one strip come
+/// before those at its ends.
+void PatchFinder::sort_by_sides(std::uint32_t seed, std::vector<std::uint32_t>& near) const {
   const auto side = [&](std::uint32_t f) {
     double most = 0;
     for (const FacetGraph::Arc& arc : graph_.arcs_of(seed)) {
@@ -56,9 +56,6 @@ std::vector<std::uint32_t> PatchFinder::across_long_sides(std::uint32_t seed, st
     return most;
   };
   std::ranges::stable_sort(near, std::ranges::greater{}, side);
-  near.resize(std::min<std::size_t>(near.size(), 2));
-  near.insert(near.begin(), seed);
-  return near;
 }
 
 /// Largest distance between two corners of a facet.

@@ -22,11 +22,6 @@ namespace {
 /// is small. The fraction for long strips is larger, since many corners are evidence all the same: programs approximate
 /// the curves at which fillets end to a thousandth of a millimetre or worse.
 constexpr double kPrecisions = 8, kSagPart = 0.03, kSphereSagPart = 0.002, kStripSagPart = 0.25;
-/// Largest probability that the corners lie on the surface by accident. Each corner beyond the number of the surface's
-/// parameters does so with a probability of twice the largest distance divided by the sag.
-constexpr double kLargestChance = 1e-7;
-/// Largest such probability for a cylinder that its neighbours on both sides continue smoothly.
-constexpr double kLikelyChance = 1e-3;
 /// Largest distance, in sags, of a corner from the surface of the starting values. If one is farther away, the values
 /// are rejected.
 constexpr double kWildGuess = 1.5;
@@ -47,9 +42,6 @@ constexpr std::ptrdiff_t kFewestSuccesses = 4;
 constexpr std::size_t kLeastShare = 2000;
 /// Logarithm of the number of classes of seeds of similar lengths.
 constexpr int kClassBits = 12;
-/// Least turn, in radians, of a cylinder of two or three facets that its neighbours continue: a little less than the least
-/// angle of planes that have an edge between them. Nearly flat facets of a free form lie on cylinders by accident.
-constexpr double kLeastTurn = 8 * std::numbers::pi / 180;
 /// Range of the slopes of cones. Over a length of ten radii, a cone of the least slope differs from a cylinder by a
 /// thousandth of the radius, an eighth of the sag at 24 facets per turn. A cone of the largest slope differs from a
 /// plane by half a degree.
@@ -58,10 +50,6 @@ constexpr double kLeastSlope = 1e-4, kLargestSlope = 100;
 /// from a sphere by less than a fiftieth of the tube's radius. Above it, the torus bends away from a cylinder by less
 /// than a fifteenth of the tube's radius over ten times that radius.
 constexpr double kLeastRing = 0.02, kLargestRing = 200;
-
-/// Largest sag of a torus, as a fraction of its outer radius: that of eight facets around the axis. Near the top of its tube
-/// the normals tell nothing of the turn about the axis: the four upper strips of a rounded box would lie on one.
-constexpr double kLargestRingSag = 0.08;
 
 }  // namespace
 
@@ -205,21 +193,21 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
   // Three facets of a strip determine a cylinder or a cone exactly. A triangle between three others is in no strip.
   std::vector<FitSample> sets;
   if (near.size() == 1) sets.push_back({{seed, near[0]}});
-  const bool is_strip = graph_.vertices[seed].size() > 3 || near.size() <= 2;
-  if (!is_strip) near.clear();
+  if (graph_.vertices[seed].size() == 3 && near.size() > 2) near.clear();
   for (std::size_t i = 0; i < near.size(); ++i) {
     for (std::size_t j = i + 1; j < near.size() && sets.size() < 3; ++j) sets.push_back({{seed, near[i], near[j]}});
   }
+  sort_by_sides(seed, near);
   // A strip without curved facets beside it needs no comparison with other surfaces.
   const auto is_settled = [&] { return !best.facets.empty() && !goes_on(best); };
   for (FitSample& set : sets) consider(SurfaceKind::cylinder, set, kSimilarArea);
-  for (std::size_t i = 0; i < std::min<std::size_t>(near.size(), 2) && best.facets.empty(); ++i) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(near.size(), 2) && best.facets.empty(); ++i)
     consider(SurfaceKind::cylinder, FitSample{{seed, near[i]}}, kSimilarArea);
-  }
+  if (best.facets.empty() && near.size() > 2)
+    consider(SurfaceKind::cylinder, FitSample{{seed, near[0], near[1]}}, kSimilarArea);
   if (is_settled()) return best;
   // The corners of triangles between two curves share no rulings, so more triangles are needed.
-  FitSample strip{strip_of(seed)}, across{across_long_sides(seed, near)};
-  if (best.facets.empty() && near.size() > 2) consider(SurfaceKind::cylinder, across, kSimilarArea);
+  FitSample strip{strip_of(seed)};
   if (strip.facets.size() >= kFewestStrip && best.facets.size() < strip.facets.size()) {
     sag_part_ = kStripSagPart;
     consider(SurfaceKind::cylinder, strip, kSimilarArea);
@@ -259,8 +247,9 @@ PatchCandidate PatchFinder::try_surface(SurfaceKind kind, std::uint32_t seed, Fi
   c.patch.sag = sag_of(surface, sample.facets);
   if (!(c.residual <= tolerance_for(kind, c.patch.sag))) return {};
   c.patch.outward = glm::dot(surface.normal(graph_.frames[seed].middle), graph_.frames[seed].normal) > 0;
-  constexpr int kMostRounds = 3;
-  for (int round = 0; round < kMostRounds; ++round) {
+  // Few fine facets tell little of a surface that goes far beyond them. Each round about doubles their extent.
+  constexpr int kMostRounds = 3, kMostFineRounds = 12;
+  for (int round = 0; round < (is_fine(c.patch) ? kMostFineRounds : kMostRounds); ++round) {
     std::vector<std::uint32_t> grown = grow(c.patch, seed);
     if (grown.size() <= c.facets.size()) break;
     c.facets = std::move(grown);
@@ -275,12 +264,13 @@ PatchCandidate PatchFinder::try_surface(SurfaceKind kind, std::uint32_t seed, Fi
   }
   if (c.facets.empty() || !is_plausible(surface) || !is_certain(c)) return {};
   for (const std::uint32_t f : c.facets) c.area += graph_.area[f];
-  return c;
+  return has_firm_border(c) ? c : PatchCandidate{};
 }
 
 /// The facets on the surface that are connected to the seed; facets of other patches only if `over_patches`.
 std::vector<std::uint32_t> PatchFinder::grow(const Patch& patch, std::uint32_t seed, bool over_patches) {
   const double tolerance = tolerance_for(patch.surface.kind, patch.sag);
+  const bool over_planes = is_fine(patch);  // several fine facets may seem to be a plane
   std::vector<std::uint32_t> facets;
   forget_looks();
   if (!lies_on(patch, seed, tolerance)) return facets;
@@ -289,7 +279,7 @@ std::vector<std::uint32_t> PatchFinder::grow(const Patch& patch, std::uint32_t s
   stamp_[seed] = round_;
   for (std::size_t i = 0; i < facets.size(); ++i) {
     for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[i])) {
-      if (stamp_[arc.facet] == round_ || graph_.is_plane[arc.facet]) continue;
+      if (stamp_[arc.facet] == round_ || (graph_.is_plane[arc.facet] && !over_planes)) continue;
       if (patch_of_[arc.facet] != kNone && !over_patches) continue;
       if (!lies_on(patch, arc.facet, tolerance)) continue;
       stamp_[arc.facet] = round_;
@@ -301,99 +291,6 @@ std::vector<std::uint32_t> PatchFinder::grow(const Patch& patch, std::uint32_t s
 
 double PatchFinder::tolerance_for(SurfaceKind kind, double sag) const {
   return std::max(kPrecisions * object_.precision, (kind == SurfaceKind::sphere ? kSphereSagPart : sag_part_) * sag);
-}
-
-/// Whether the facets of a candidate, whose corners fetch_points() has fetched, can not lie on its surface by accident.
-bool PatchFinder::is_certain(const PatchCandidate& c) {
-  const PatchSurface& surface = c.patch.surface;
-  const double spare = static_cast<double>(points_.size()) - static_cast<double>(parameter_count(surface.kind));
-  const double chance = std::min(1.0, std::max(c.residual * 2, kPrecisions * object_.precision) / c.patch.sag);
-  const double all = spare >= 2 ? std::pow(chance, spare) : 1;
-  const bool no_accident = all <= kLargestChance;
-  // Symmetry must be ruled out too: a flat side between two equal chamfers lies on a cylinder. Four facets in a row are
-  // a surface, and fewer are if their neighbours on both sides continue in its direction.
-  switch (surface.kind) {
-    case SurfaceKind::cylinder: {
-      const std::size_t n = angles_of(surface, false);
-      if (n >= 5 && no_accident) return true;
-      if (n < 3 || (n < 5 ? turn_of_angles() < kLeastTurn : all > kLikelyChance)) return false;
-      return is_tangent(c, n - 2);
-    }
-    case SurfaceKind::cone: {
-      const std::size_t n = angles_of(surface, false);
-      return n >= 5 ? no_accident : n == 4 && is_tangent(c, 2);
-    }
-    case SurfaceKind::sphere:
-      return no_accident && c.facets.size() >= 6;
-    case SurfaceKind::torus: {
-      if (c.patch.sag > kLargestRingSag * (surface.radius + surface.tube)) return false;
-      if (!no_accident || c.facets.size() < 6 || angles_of(surface, false) < 4) return false;
-      const std::size_t n = angles_of(surface, true);
-      return n >= 4 || (n == 3 && is_tangent(c, 1));
-    }
-  }
-  return false;
-}
-
-/// Number of angles, different by more than a thousandth of a turn, at which points_ lie about the axis, or about the middle
-/// circle of a torus.
-std::size_t PatchFinder::angles_of(const PatchSurface& surface, bool about_circle) {
-  constexpr double kTurn = 2 * std::numbers::pi, kSame = kTurn / 1000;
-  const Point3 u = frame_of(surface.axis)[0];
-  const Point3 v = frame_of(surface.axis)[1];
-  numbers_.clear();
-  for (const Point3& p : points_) {
-    const AxisPlace place = axis_place(surface, p);
-    numbers_.push_back(about_circle ? std::atan2(place.along, place.radius - surface.radius)
-                                    : std::atan2(glm::dot(place.out, v), glm::dot(place.out, u)));
-  }
-  std::sort(numbers_.begin(), numbers_.end());
-  std::size_t count = numbers_.front() + kTurn - numbers_.back() > kSame;
-  for (std::size_t i = 1; i < numbers_.size(); ++i) count += numbers_[i] - numbers_[i - 1] > kSame;
-  return count;
-}
-
-/// The smallest angle about the axis that contains all angles that angles_of() found.
-double PatchFinder::turn_of_angles() const {
-  constexpr double kTurn = 2 * std::numbers::pi;
-  double gap = numbers_.front() + kTurn - numbers_.back();
-  for (std::size_t i = 1; i < numbers_.size(); ++i) gap = std::max(gap, numbers_[i] - numbers_[i - 1]);
-  return kTurn - gap;
-}
-
-/// Whether the neighbours of a strip continue in the direction of its surface, along kSidesToInner times the length of
-/// a row of inner edges. `rows`: the number of these rows.
-bool PatchFinder::is_tangent(const PatchCandidate& c, std::size_t rows) {
-  constexpr double kSidesToInner = 1.6, kTangentPart = 0.15, kLeastTurn = 0.01;
-  ++round_;
-  for (const std::uint32_t f : c.facets) stamp_[f] = round_;
-  const auto angle = [](const Point3& l, const Point3& r) { return std::acos(std::min(1.0, std::abs(glm::dot(l, r)))); };
-  double tangent = 0, inner = 0;
-  for (const std::uint32_t f : c.facets) {
-    for (const FacetGraph::Arc& arc : graph_.arcs_of(f)) {
-      const Edge& edge = topology_.edges[arc.edge];
-      const Point3 &a = scene_.vertices[edge.v0], &b = scene_.vertices[edge.v1];
-      const Point3& beyond = graph_.frames[arc.facet].normal;
-      const double turn = angle(graph_.frames[f].normal, beyond);
-      if (stamp_[arc.facet] == round_) {
-        if (turn > kLeastTurn) inner += glm::distance(a, b) / 2;
-      } else if (angle(c.patch.surface.normal((a + b) * 0.5), beyond) < kTangentPart * turn) {
-        tangent += glm::distance(a, b);
-      }
-    }
-  }
-  return tangent * static_cast<double>(rows) >= kSidesToInner * inner;
-}
-
-/// Whether facets that may be curved lie beside the facets of a candidate.
-bool PatchFinder::goes_on(const PatchCandidate& c) {
-  ++round_;
-  for (const std::uint32_t f : c.facets) stamp_[f] = round_;
-  return std::any_of(c.facets.begin(), c.facets.end(), [&](std::uint32_t f) {
-    const auto arcs = graph_.arcs_of(f);
-    return std::any_of(arcs.begin(), arcs.end(),
-                       [&](const FacetGraph::Arc& arc) { return stamp_[arc.facet] != round_ && may_curve(arc.facet); });
-  });
 }
 
 }  // namespace ligne

@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "scene/patches/patch_finder.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable parameters.
+/// Largest probability that the corners lie on the surface by accident. Each corner beyond the number of the surface's
+/// parameters does so with a probability of twice the largest distance divided by the sag.
+constexpr double kLargestChance = 1e-7;
+/// Largest such probability for a cylinder that its neighbours on both sides continue smoothly.
+constexpr double kLikelyChance = 1e-3;
+/// Part of the sag from which on the tolerance of rounding hides it. Surfaces are found by accident then, in any free form.
+constexpr double kFinePart = 0.1;
+/// Factor of the tolerance at which a surface grows once more, and the largest factor by which its area grows then. Where a
+/// free form leaves a surface, the distance grows with the second to fourth power of the way, so a piece of it becomes
+/// larger by 1.4 to 2.
+constexpr double kWider = 4, kMostGrowth = 1.25;
+/// Least turn, in radians, of a cylinder of two or three facets that its neighbours continue: a little less than the least
+/// angle of planes that have an edge between them. Nearly flat facets of a free form lie on cylinders by accident.
+constexpr double kLeastTurn = 8 * std::numbers::pi / 180;
+/// Largest sag of a torus, as a fraction of its outer radius: that of eight facets around the axis. Near the top of its tube
+/// the normals tell nothing of the turn about the axis: the four upper strips of a rounded box would lie on one.
+constexpr double kLargestRingSag = 0.08;
+
+}  // namespace
+
+/// Whether the facets of a candidate, whose corners fetch_points() has fetched, can not lie on its surface by accident.
+bool PatchFinder::is_certain(const PatchCandidate& c) {
+  const PatchSurface& surface = c.patch.surface;
+  const double spare = static_cast<double>(points_.size()) - static_cast<double>(parameter_count(surface.kind));
+  const double chance = std::min(1.0, std::max(c.residual * 2, tolerance_for(surface.kind, 0)) / c.patch.sag);
+  const double all = spare >= 2 ? std::pow(chance, spare) : 1;
+  const bool no_accident = all <= kLargestChance;
+  // Symmetry must be ruled out too: a flat side between two equal chamfers lies on a cylinder. Four facets in a row are
+  // a surface, and fewer are if their neighbours on both sides continue in its direction.
+  switch (surface.kind) {
+    case SurfaceKind::cylinder: {
+      const std::size_t n = angles_of(surface, false);
+      if (n >= 5 && (no_accident || explains_rise(c))) return true;
+      if (n < 3 || (n < 5 ? turn_of_angles() < kLeastTurn : all > kLikelyChance)) return false;
+      return is_tangent(c, n - 2);
+    }
+    case SurfaceKind::cone: {
+      const std::size_t n = angles_of(surface, false);
+      return n >= 5 ? no_accident || explains_rise(c) : n == 4 && is_tangent(c, 2);
+    }
+    case SurfaceKind::sphere:
+      return no_accident && c.facets.size() >= 6;
+    case SurfaceKind::torus: {
+      if (c.patch.sag > kLargestRingSag * (surface.radius + surface.tube)) return false;
+      if (!no_accident || c.facets.size() < 6 || angles_of(surface, false) < 4) return false;
+      const std::size_t n = angles_of(surface, true);
+      return n >= 4 || (n == 3 && is_tangent(c, 1));
+    }
+  }
+  return false;
+}
+
+/// Whether the facets of a patch are so fine that rounding hides kFinePart of their sag or more.
+bool PatchFinder::is_fine(const Patch& patch) const {
+  const double least = tolerance_for(patch.surface.kind, 0);
+  return tolerance_for(patch.surface.kind, patch.sag) <= least && least >= kFinePart * patch.sag;
+}
+
+/// is_certain() for facets whose sag rounding hides, after angles_of(): as if each half turn were divided into fewer steps,
+/// whose sag is a larger fraction of its rise. Each ruling between steps has two corners.
+bool PatchFinder::explains_rise(const PatchCandidate& c) const {
+  if (!is_fine(c.patch)) return false;
+  const PatchSurface& surface = c.patch.surface;
+  const double turn = turn_of_angles(), half_turns = std::max(1.0, turn / std::numbers::pi);
+  const double rise = surface.radius * (1 - std::cos(std::min(turn, std::numbers::pi) / 2));
+  const double tolerance = std::max(c.residual * 2, tolerance_for(surface.kind, 0));
+  const auto rulings = static_cast<double>(points_.size() / 2);
+  for (double steps = 4; steps * half_turns < rulings; ++steps) {
+    const double chance = tolerance * steps * steps / rise;
+    if (!(chance < 1)) return false;
+    const double spare = 2 * (steps * half_turns + 1) - static_cast<double>(parameter_count(surface.kind));
+    if (std::pow(chance, spare) <= kLargestChance) return true;
+  }
+  return false;
+}
+
+/// Number of angles, different by more than a thousandth of a turn, at which points_ lie about the axis, or about the middle
+/// circle of a torus.
+std::size_t PatchFinder::angles_of(const PatchSurface& surface, bool about_circle) {
+  constexpr double kTurn = 2 * std::numbers::pi, kSame = kTurn / 1000;
+  const Point3 u = frame_of(surface.axis)[0];
+  const Point3 v = frame_of(surface.axis)[1];
+  numbers_.clear();
+  for (const Point3& p : points_) {
+    const AxisPlace place = axis_place(surface, p);
+    numbers_.push_back(about_circle ? std::atan2(place.along, place.radius - surface.radius)
+                                    : std::atan2(glm::dot(place.out, v), glm::dot(place.out, u)));
+  }
+  std::sort(numbers_.begin(), numbers_.end());
+  std::size_t count = numbers_.front() + kTurn - numbers_.back() > kSame;
+  for (std::size_t i = 1; i < numbers_.size(); ++i) count += numbers_[i] - numbers_[i - 1] > kSame;
+  return count;
+}
+
+/// The smallest angle about the axis that contains all angles that angles_of() found.
+double PatchFinder::turn_of_angles() const {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  double gap = numbers_.front() + kTurn - numbers_.back();
+  for (std::size_t i = 1; i < numbers_.size(); ++i) gap = std::max(gap, numbers_[i] - numbers_[i - 1]);
+  return kTurn - gap;
+}
+
+/// Whether the neighbours of a strip continue in the direction of its surface, along kSidesToInner times the length of
+/// a row of inner edges. `rows`: the number of these rows.
+bool PatchFinder::is_tangent(const PatchCandidate& c, std::size_t rows) {
+  constexpr double kSidesToInner = 1.6, kTangentPart = 0.15, kLeastTurn = 0.01;
+  ++round_;
+  for (const std::uint32_t f : c.facets) stamp_[f] = round_;
+  const auto angle = [](const Point3& l, const Point3& r) { return std::acos(std::min(1.0, std::abs(glm::dot(l, r)))); };
+  double tangent = 0, inner = 0;
+  for (const std::uint32_t f : c.facets) {
+    for (const FacetGraph::Arc& arc : graph_.arcs_of(f)) {
+      const Edge& edge = topology_.edges[arc.edge];
+      const Point3 &a = scene_.vertices[edge.v0], &b = scene_.vertices[edge.v1];
+      const Point3& beyond = graph_.frames[arc.facet].normal;
+      const double turn = angle(graph_.frames[f].normal, beyond);
+      if (stamp_[arc.facet] == round_) {
+        if (turn > kLeastTurn) inner += glm::distance(a, b) / 2;
+      } else if (angle(c.patch.surface.normal((a + b) * 0.5), beyond) < kTangentPart * turn) {
+        tangent += glm::distance(a, b);
+      }
+    }
+  }
+  return tangent * static_cast<double>(rows) >= kSidesToInner * inner;
+}
+
+/// Whether facets that may be curved lie beside the facets of a candidate.
+bool PatchFinder::goes_on(const PatchCandidate& c) {
+  ++round_;
+  for (const std::uint32_t f : c.facets) stamp_[f] = round_;
+  return std::any_of(c.facets.begin(), c.facets.end(), [&](std::uint32_t f) {
+    const auto arcs = graph_.arcs_of(f);
+    return std::any_of(arcs.begin(), arcs.end(),
+                       [&](const FacetGraph::Arc& arc) { return stamp_[arc.facet] != round_ && may_curve(arc.facet); });
+  });
+}
+
+/// Whether a candidate ends where its corners leave the surface by more than rounding: where the tolerance is due to the
+/// rounding, it hardly grows when this is larger. A piece of a free form leaves the surface slowly.
+bool PatchFinder::has_firm_border(const PatchCandidate& c) {
+  if (!is_fine(c.patch)) return true;
+  const double tolerance = tolerance_for(c.patch.surface.kind, c.patch.sag);
+  const double most = (kMostGrowth - 1) * c.area;
+  forget_looks();
+  ++round_;
+  std::vector<std::uint32_t> facets = c.facets;
+  for (const std::uint32_t f : facets) stamp_[f] = round_;
+  double added = 0;
+  for (std::size_t i = 0; i < facets.size() && added <= most; ++i) {
+    for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[i])) {
+      if (stamp_[arc.facet] == round_) continue;
+      stamp_[arc.facet] = round_;
+      if (!lies_on(c.patch, arc.facet, kWider * tolerance)) continue;
+      facets.push_back(arc.facet);
+      added += graph_.area[arc.facet];
+    }
+  }
+  return added <= most;
+}
+
+}  // namespace ligne
