@@ -52,6 +52,19 @@ TEST_P(FineSurfaces, TubesOfFloat32FarFromTheOriginAreTwoCylinders) {
 
 INSTANTIATE_TEST_SUITE_P(Sides, FineSurfaces, testing::Values(100, 600));
 
+TEST(FineSurfaces, ARoundedRowOfTrianglesIsNoSphere) {
+  // Both circles of a row on a cone lie on a sphere, too.
+  for (const int sides : {120, 170, 240}) {
+    std::vector<Corners> polygons;
+    add_grid(polygons, sides, 1, true,
+             [&](int u, int v) { return on_circle(6 - 1.5 * v, 2 * kPi * (u % sides) / sides, 2 * v); });
+    const FoundPatches found(rounded_scene(polygons, 0.002));
+    for (const auto& [patch, count] : found.faces())
+      EXPECT_NE(found.patches.list[patch].surface.kind, SurfaceKind::sphere) << sides;
+    EXPECT_EQ(found.count(PatchEdge::tangent) + found.count(PatchEdge::sharp), 0u) << sides;
+  }
+}
+
 TEST(FineSurfaces, TheSidesOfAThreadAreNoSurfaces) {
   // Pieces of a helicoid lie on cylinders and tori within some roundings, and leave them slowly.
   std::vector<Corners> polygons;

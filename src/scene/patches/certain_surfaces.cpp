@@ -149,8 +149,10 @@ bool PatchFinder::goes_on(const PatchCandidate& c) {
 /// Whether a candidate ends where its corners leave the surface by more than rounding: where the tolerance is due to the
 /// rounding, it hardly grows when this is larger. A piece of a free form leaves the surface slowly.
 bool PatchFinder::has_firm_border(const PatchCandidate& c) {
-  if (!is_fine(c.patch)) return true;
   const double tolerance = tolerance_for(c.patch.surface.kind, c.patch.sag);
+  // One row of facets of a cone lies on spheres, whose sag is large then.
+  const bool may_be_row = c.patch.surface.kind == SurfaceKind::sphere && tolerance <= tolerance_for(SurfaceKind::sphere, 0);
+  if (!is_fine(c.patch) && !may_be_row) return true;
   const double most = (kMostGrowth - 1) * c.area;
   forget_looks();
   ++round_;

@@ -252,12 +252,17 @@ PatchCandidate PatchFinder::try_surface(SurfaceKind kind, std::uint32_t seed, Fi
   for (int round = 0; round < (is_fine(c.patch) ? kMostFineRounds : kMostRounds); ++round) {
     std::vector<std::uint32_t> grown = grow(c.patch, seed);
     if (grown.size() <= c.facets.size()) break;
-    c.facets = std::move(grown);
+    c.facets.swap(grown);
     PatchSurface refined = surface;
     fetch_points(c.facets);
     const double next = refine_surface(refined, points_);
     const double sag = sag_of(refined, c.facets);
-    if (!(next <= tolerance_for(kind, sag))) return {};
+    if (!(next <= tolerance_for(kind, sag))) {
+      if (round < kMostRounds) return {};
+      c.facets.swap(grown);  // has_firm_border() decides whether the surface ends there
+      fetch_points(c.facets);
+      break;
+    }
     surface = refined;
     c.patch.sag = sag;
     c.residual = next;
