@@ -1,4 +1,4 @@
-/// Surfaces whose facets are hardly larger than the rounding of their coordinates.
+/// Surfaces of few facets, and of facets that are hardly larger than the rounding of their coordinates.
 
 #include "patches/rounded_scenes.hpp"
 #include "support/test.hpp"
@@ -51,6 +51,22 @@ TEST_P(FineSurfaces, TubesOfFloat32FarFromTheOriginAreTwoCylinders) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sides, FineSurfaces, testing::Values(100, 600));
+
+TEST(ShortFillets, AreCylindersWhateverTheOrderOfFaces) {
+  const std::vector<Corners> box = rounded_box({4, 3, 2.5}, 3);
+  for (std::size_t first = 0; first < box.size(); first += 7) {
+    for (const bool turned : {false, true}) {
+      std::vector<Corners> polygons(box.begin() + static_cast<std::ptrdiff_t>(first), box.end());
+      polygons.insert(polygons.end(), box.begin(), box.begin() + static_cast<std::ptrdiff_t>(first));
+      if (turned) std::reverse(polygons.begin(), polygons.end());
+      const FoundPatches found(polygons);
+      std::size_t cylinders = 0;
+      for (const auto& [patch, count] : found.faces())
+        cylinders += found.patches.list[patch].surface.kind == SurfaceKind::cylinder;
+      EXPECT_EQ(cylinders, 12u) << first << turned;
+    }
+  }
+}
 
 TEST(FineSurfaces, ARoundedRowOfTrianglesIsNoSphere) {
   // Both circles of a row on a cone lie on a sphere, too.

@@ -172,6 +172,17 @@ void PatchFinder::search(std::span<const Seed> seeds, std::vector<Patch>& patche
   }
 }
 
+/// A facet with two of its neighbours, three times at most, or with the only one. Three facets of a strip determine a
+/// cylinder or a cone exactly.
+std::vector<PatchFinder::FitSample> PatchFinder::strip_samples(std::uint32_t seed, std::span<const std::uint32_t> near) {
+  std::vector<FitSample> sets;
+  if (near.size() == 1) sets.push_back({{seed, near[0]}});
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    for (std::size_t j = i + 1; j < near.size() && sets.size() < 3; ++j) sets.push_back({{seed, near[i], near[j]}});
+  }
+  return sets;
+}
+
 /// The surface of the largest area through a facet, from several sets of facets beside it.
 PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
   PatchCandidate best;
@@ -190,21 +201,21 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
   };
   std::vector<std::uint32_t> near = beside(seed);
   if (near.empty()) return best;
-  // Three facets of a strip determine a cylinder or a cone exactly. A triangle between three others is in no strip.
-  std::vector<FitSample> sets;
-  if (near.size() == 1) sets.push_back({{seed, near[0]}});
-  if (graph_.vertices[seed].size() == 3 && near.size() > 2) near.clear();
-  for (std::size_t i = 0; i < near.size(); ++i) {
-    for (std::size_t j = i + 1; j < near.size() && sets.size() < 3; ++j) sets.push_back({{seed, near[i], near[j]}});
-  }
-  sort_by_sides(seed, near);
+  if (graph_.vertices[seed].size() == 3 && near.size() > 2) near.clear();  // in no strip
+  std::vector<FitSample> sets = strip_samples(seed, near);
   // A strip without curved facets beside it needs no comparison with other surfaces.
   const auto is_settled = [&] { return !best.facets.empty() && !goes_on(best); };
   for (FitSample& set : sets) consider(SurfaceKind::cylinder, set, kSimilarArea);
-  for (std::size_t i = 0; i < std::min<std::size_t>(near.size(), 2) && best.facets.empty(); ++i)
-    consider(SurfaceKind::cylinder, FitSample{{seed, near[i]}}, kSimilarArea);
-  if (best.facets.empty() && near.size() > 2)
+  const auto consider_pairs = [&] {
+    for (std::size_t i = 0; i < std::min<std::size_t>(near.size(), 2) && best.facets.empty(); ++i)
+      consider(SurfaceKind::cylinder, FitSample{{seed, near[i]}}, kSimilarArea);
+  };
+  consider_pairs();
+  if (near.size() > 2 && best.facets.empty()) {
+    sort_by_sides(seed, near);
     consider(SurfaceKind::cylinder, FitSample{{seed, near[0], near[1]}}, kSimilarArea);
+    consider_pairs();
+  }
   if (is_settled()) return best;
   // The corners of triangles between two curves share no rulings, so more triangles are needed.
   FitSample strip{strip_of(seed)};

@@ -81,6 +81,7 @@ class PatchFinder {
   std::vector<std::uint32_t> around(std::uint32_t seed, int rings, std::size_t most);
   std::vector<std::uint32_t> strip_of(std::uint32_t seed);
   std::vector<std::uint32_t> beside(std::uint32_t seed);
+  static std::vector<FitSample> strip_samples(std::uint32_t seed, std::span<const std::uint32_t> near);
   void sort_by_sides(std::uint32_t seed, std::vector<std::uint32_t>& near) const;
   void fetch_points(std::span<const std::uint32_t> facets);
   void sort_by_bits(std::uint32_t low, std::uint32_t high);
