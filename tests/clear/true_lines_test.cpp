@@ -1,37 +1,16 @@
 /// Clear drawings of parts whose edges and outlines are known: all of these are drawn, and nothing else.
 
-#include "clear/hiding.hpp"
-#include "clear/true_parts.hpp"
-#include "drawing/measures.hpp"
+#include "clear/true_comparison.hpp"
 #include "main/tier.hpp"
-#include "picture/draw_scene.hpp"
 #include "picture/models/models.hpp"
+#include "support/page_lines.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
 
-constexpr double kPenMm = 0.35, kSampleMm = 0.2;
-/// How far a line may be drawn from its true place, beside the sag of the mesh there.
-constexpr double kOffMm = 0.1;
 /// Facets to a turn of the mesh that tells what is hidden.
 constexpr int kFineFacets = 240;
-/// A true point is surely seen when all points so far round it are, and may be seen when one of them is.
-constexpr double kBesideMm = 0.06;
-/// Faces that hide a point lie nearer to the viewer by more than surfaces through it rise over kBesideMm: steep ones beside
-/// edges, and round ones beside outlines, which rise by the root of twice the radius and kBesideMm; so many times that.
-constexpr double kHiddenEdgeMm = 0.6, kHiddenOutlineRises = 1.4;
-
-struct Shares {
-  double seen_mm = 0, drawn_mm = 0;  ///< of true lines: surely seen, and of these drawn
-  double share() const { return seen_mm > 0 ? drawn_mm / seen_mm : 1; }
-};
-
-struct Result {
-  Shares kinds[3];                 ///< by TrueLine
-  double ink_mm = 0, true_mm = 0;  ///< drawn, and of this on a true line that may be seen
-  std::vector<Point2> loose;       ///< ends that meet nothing, but for those at cusps of outlines
-};
 
 /// Ends of lines nearer to another line meet it.
 constexpr double kMeetsMm = 0.05;
@@ -77,65 +56,19 @@ Scene scene_of(const TruePart& part, int facets, const TemporaryFolder& folder) 
   return load_models({.files = {file.string()}}).scene;
 }
 
-Viewer viewer_of(const Camera& camera) {
-  if (camera.perspective) return {camera.eye, true};
-  return {glm::normalize(to_eye(camera, {0, 0, 0})), false};
-}
-
 /// Directions of sight in which no surface of a part is seen edge on.
 constexpr std::array<Point3, 4> kSights{Point3{-1, 1, -0.8}, {0.6, 1, -0.5}, {-1, 0.4, -0.7}, {0.3, 1, -1.2}};
 /// Eyes of pictures in perspective, model units.
 constexpr std::array<Point3, 4> kEyes{Point3{70, -60, 55}, {85, 40, 60}, {-60, -75, 50}, {20, -90, 75}};
 
-Result compare(const TruePart& part, int facets, const ViewRequest& view) {
+Comparison compare(const TruePart& part, int facets, const ViewRequest& view) {
   const TemporaryFolder folder;
-  const Scene scene = scene_of(part, facets, folder), fine = scene_of(part, kFineFacets, folder);
-  PictureRequest request;
-  request.view = view;
-  request.page.pen_width_mm = kPenMm;
-  request.lines.tangent = TangentLines::borders;
-  RunReport run;
-  const DrawnScene drawn = draw_lines(scene, request, run);
-  const Drawing drawing = drawn.compose(run);
-  const View& on_page = drawn.prepared().view();
-  const Hiding hiding(fine, on_page);
-  const Rect sheet{{0, 0}, {297, 297}};
-  PageLines ink(sheet, kHidingCellMm);
-  for (const Layer& layer : drawing.layers) for_segments(layer.lines, [&](Point2 a, Point2 b) { ink.add(a, b); });
-  Result result;
-  double largest_off = 0;
-  std::vector<Point2> cusps;
-  PageLines may_be_seen(sheet, kHidingCellMm);
-  for (const TruePoint& point : true_lines(part, viewer_of(on_page.camera), kSampleMm / on_page.scale)) {
-    const Point3 p = hiding.on_page(point.at);
-    if (point.is_cusp) cusps.emplace_back(p);
-    const Point2 at(p), along = Point2(hiding.on_page(point.at + point.along)) - at;
-    const double rise = std::sqrt(2 * kBesideMm * point.radius * on_page.scale);
-    const double depth = p.z - (point.kind == TrueLine::outline ? kHiddenOutlineRises * rise : kHiddenEdgeMm);
-    int seen = 0;
-    for (const Point2 beside : {Point2(0, 0), Point2(1, 0), Point2(0, 1), Point2(-1, 0), Point2(0, -1)})
-      seen += !hiding.hides(at + kBesideMm * beside, depth);
-    const double off = kOffMm + point.radius * (1 - std::cos(std::numbers::pi / facets)) * on_page.scale;
-    largest_off = std::max(largest_off, off);
-    if (seen > 0) may_be_seen.add(at - 0.5 * along, at + 0.5 * along);
-    if (seen < 5) continue;
-    Shares& shares = result.kinds[static_cast<std::size_t>(point.kind)];
-    shares.seen_mm += glm::length(along);
-    if (ink.distance(at, off) < off) shares.drawn_mm += glm::length(along);
-  }
-  result.loose = loose_ends(drawing, cusps);
-  for (const Layer& layer : drawing.layers) {
-    for_segments(layer.lines, [&](Point2 a, Point2 b) {
-      const double length = glm::distance(a, b);
-      const int steps = std::max(1, static_cast<int>(std::ceil(length / kSampleMm)));
-      for (int m = 0; m < steps; ++m) {
-        result.ink_mm += length / steps;
-        const Point2 p = a + (b - a) * ((m + 0.5) / steps);
-        if (may_be_seen.distance(p, largest_off) < largest_off) result.true_mm += length / steps;
-      }
-    });
-  }
-  return result;
+  const TrueScene scene{scene_of(part, facets, folder), scene_of(part, kFineFacets, folder),
+                        [&](const Viewer& viewer, double step) {
+                          return KnownLines{true_lines(part, viewer, step), {}};
+                        },
+                        [&](const TruePoint& p) { return p.radius * (1 - std::cos(std::numbers::pi / facets)); }};
+  return compare_with_truth(scene, view);
 }
 
 /// Part of what is surely seen that is drawn, of each kind, and of what is drawn that is true.
@@ -143,12 +76,13 @@ constexpr double kLeast = 0.99;
 class TrueLines : public testing::TestWithParam<TruePart> {};
 
 void expect_true(const TruePart& part, int facets, const ViewRequest& view) {
-  const Result result = compare(part, facets, view);
+  const Comparison result = compare(part, facets, view);
   const char* const kNames[] = {"sharp", "tangent", "outline"};
   for (std::size_t kind = 0; kind < 3; ++kind)
-    EXPECT_GE(result.kinds[kind].share(), kLeast) << kNames[kind] << ", of " << result.kinds[kind].seen_mm << " mm";
+    EXPECT_GE(result.kinds[kind].part(), kLeast) << kNames[kind] << ", of " << result.kinds[kind].seen_mm << " mm";
   EXPECT_GE(result.true_mm, kLeast * result.ink_mm) << "of " << result.ink_mm << " mm drawn";
-  for (const Point2 p : result.loose) ADD_FAILURE() << "an end in the air at " << p.x << ", " << p.y;
+  for (const Point2 p : loose_ends(result.drawing, result.cusps))
+    ADD_FAILURE() << "an end in the air at " << p.x << ", " << p.y;
 }
 
 /// Compares meshes of four accuracies in the views whose member `given` is one of the points; in the first tier in one of
