@@ -1,20 +1,37 @@
 #pragma once
 /// Meshes as text. Each line adds polygons, or changes those of the object that is made:
 ///
-///     grid N x M [triangles] [round] [ring]: X; Y; Z   N x M squares of a surface, whose corners are formulas of u and v,
-///                                    0 to N and 0 to M. Of a round one u = N is u = 0, of a ring v = M is v = 0
-///     face X,Y,Z X,Y,Z ...           a polygon
-///     plate X,Y,Z X,Y,Z ...          a polygon that is an object of its own
-///     box X,Y,Z DX,DY,DZ             the six sides of a box, from its least corner
-///     fan N: X; Y; Z                 a polygon of N corners, which are formulas of k
-///     shape NAME NUMBERS...          one of the shapes of tests/patches, by its name with hyphens
-///     strip LENGTHS... / DEGREES...  planes one behind the other, 10 wide along y, that turn by so much from one to the
-///     next object                         what follows is another object copy OBJECT                    the polygons of an
-///     earlier object, from 0 map: X; Y; Z                   corners are moved to formulas of x, y and z outward; reversed
-///     the polygons of a convex body about the origin look away from it; all are turned over shuffled SEED; backwards the
-///     order of the polygons without N; without doubled     polygon N is left out, and every twelfth one behind it; those
-///     with two equal corners below X,Y,Z HEIGHT             what lies below a plane, closed by polygons in it precision P
-///     what the scene says of its coordinates; otherwise that of float32
+///     grid N x M [triangles] [round] [ring]: X; Y; Z
+///         N x M squares of a surface, whose corners are formulas of u and v, 0 to N and 0 to M. Of a round one u = N is
+///         u = 0, of a ring v = M is v = 0.
+///     face X,Y,Z X,Y,Z ...
+///         a polygon
+///     plate X,Y,Z X,Y,Z ...
+///         a polygon that is an object of its own
+///     box X,Y,Z DX,DY,DZ
+///         the six sides of a box, from its least corner
+///     fan N: X; Y; Z
+///         a polygon of N corners, which are formulas of k
+///     shape NAME NUMBERS...
+///         one of the shapes of tests/patches, by its name with hyphens
+///     strip LENGTHS... / DEGREES...
+///         planes one behind the other, 10 wide along y, that turn by so much from one to the next
+///     object
+///         what follows is another object
+///     copy OBJECT
+///         the polygons of an earlier object, from 0
+///     map: X; Y; Z
+///         corners are moved to formulas of x, y and z
+///     outward; reversed
+///         the polygons of a convex body about the origin look away from it; all are turned over
+///     shuffled SEED; backwards
+///         the order of the polygons
+///     without N; without doubled
+///         polygon N is left out, and every twelfth one behind it; those with two equal corners
+///     below X,Y,Z HEIGHT
+///         what lies below a plane, closed by polygons in it
+///     precision P
+///         what the scene says of its coordinates; otherwise that of float32
 
 #include "patches/patch_scenes.hpp"
 
