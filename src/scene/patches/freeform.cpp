@@ -1,6 +1,7 @@
 #include "scene/patches/freeform.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <unordered_map>
@@ -25,9 +26,12 @@ constexpr double kMostOfBorder = 0.5;
 /// Least number of corners of a facet that may be a plane by its depth: free forms have triangles of any shape.
 constexpr std::size_t kPlaneCorners = 4;
 
-/// A facet between two parallel edges with equal bends.
-struct RowFacet {
-  double sine = 0, width = 0;  ///< sine of the bend, positive where the body bulges, 0 if the facet is in no row; width
+/// Two parallel edges of a facet with equal bends.
+struct RowEdges {
+  FacetGraph::Arc one, other;
+  double sine = 0, width = 0;  ///< sine of the bends, positive where the body bulges; distance of the edges
+
+  bool has(std::uint32_t edge) const { return one.edge == edge || other.edge == edge; }
 };
 
 class RowFinder {
@@ -36,13 +40,15 @@ class RowFinder {
             const std::vector<std::uint32_t>& patch_of)
       : scene_(scene), topology_(topology), graph_(graph), patch_of_(patch_of) {}
 
-  /// Whether a facet and one beside it are in one row.
+  /// Whether a facet and one behind such an edge are in one row. By symmetry, a plane between fillets and the facets of
+  /// these at its ends have equal edges too, but no common one.
   bool is_in_row(std::uint32_t f) const {
-    const RowFacet row = row_at(f);
-    if (row.sine == 0) return false;
-    return std::ranges::any_of(graph_.arcs_of(f), [&](const FacetGraph::Arc& arc) {
-      const RowFacet next = row_at(arc.facet);
-      return alike(next.sine, row.sine) && alike(next.width, row.width);
+    return any_row(f, [&](const RowEdges& row) {
+      return std::ranges::any_of(std::array{row.one, row.other}, [&](const FacetGraph::Arc& arc) {
+        return any_row(arc.facet, [&](const RowEdges& next) {
+          return next.has(arc.edge) && alike(next.sine, row.sine) && alike(next.width, row.width);
+        });
+      });
     });
   }
 
@@ -60,9 +66,11 @@ class RowFinder {
     return glm::dot(there.middle - here.middle, here.normal) < 0 ? sine : -sine;
   }
 
-  RowFacet row_at(std::uint32_t f) const {
+  /// Whether two edges of a facet are such and fulfil a condition.
+  template <class Condition>
+  bool any_row(std::uint32_t f, const Condition& condition) const {
     const auto arcs = graph_.arcs_of(f);
-    if (patch_of_[f] != kNone || graph_.is_sliver[f] || arcs.size() < 2 || arcs.size() > kMostRowArcs) return {};
+    if (patch_of_[f] != kNone || graph_.is_sliver[f] || arcs.size() < 2 || arcs.size() > kMostRowArcs) return false;
     for (std::size_t i = 0; i < arcs.size(); ++i) {
       const double sine = bend(f, arcs[i]);
       if (std::abs(sine) < kLeastRowSine) continue;
@@ -71,10 +79,11 @@ class RowFinder {
         if (arcs[j].facet == arcs[i].facet || !alike(bend(f, arcs[j]), sine)) continue;
         if (glm::length(glm::cross(direction, along(arcs[j].edge))) > kParallelSine) continue;
         const Point3 way = scene_.vertices[topology_.edges[arcs[j].edge].v0] - at;
-        return {sine, glm::length(way - glm::dot(way, direction) * direction)};
+        const double width = glm::length(way - glm::dot(way, direction) * direction);
+        if (condition(RowEdges{arcs[i], arcs[j], sine, width})) return true;
       }
     }
-    return {};
+    return false;
   }
 
   const Scene& scene_;

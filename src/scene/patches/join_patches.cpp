@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <numeric>
 #include <utility>
 
@@ -12,10 +14,15 @@ namespace {
 /// Where faceted bodies were cut by each other, corners lie on chords, as far away as the largest sag, which for
 /// triangles is 1.5 times the median one.
 constexpr double kJoinedSags = 1.6;
+/// Least cosine between the axis of a cylinder or cone and an edge along it.
+constexpr double kAlongCosine = 0.7;
 /// Least cosine between the normals of a triangle and of the surface on which its corners lie exactly.
 constexpr double kSlantingCosine = 0.5;
 /// Largest distance, in sags, between the corners of a patch and the surface of a larger patch into which it is merged.
-constexpr double kMergedSags = 0.2;
+constexpr double kMergedSags = 0.5;
+/// Largest sag of the facets of such a patch, in sags of the larger one. Tessellators make rows at the border of a torus up
+/// to five times as wide as the others, and each row by itself lies on a cone.
+constexpr double kMergedRowSags = 25;
 
 }  // namespace
 
@@ -26,6 +33,20 @@ void PatchFinder::join_borders(const std::vector<Patch>& patches) {
   join_facets(patches, false);
 }
 
+/// Per patch, whether it lies beside another piece of the same bent tube.
+std::vector<std::uint8_t> PatchFinder::tube_pieces(const std::vector<Patch>& patches) const {
+  std::vector<std::uint8_t> is_piece(patches.size(), 0);
+  for (std::uint32_t f = 0; f < graph_.size(); ++f) {
+    const std::uint32_t p = patch_of_[f];
+    if (p == kNone || is_piece[p]) continue;
+    for (const FacetGraph::Arc& arc : graph_.arcs_of(f)) {
+      const std::uint32_t q = patch_of_[arc.facet];
+      if (q != kNone && q != p && are_tube_pieces(patches[p].surface, patches[q].surface)) is_piece[p] = 1;
+    }
+  }
+  return is_piece;
+}
+
 /// Joins facets to the patches beside them. `exact`: only facets whose corners lie on the surface within the precision of
 /// the coordinates: triangles with nearly any normal (kSlantingCosine), and polygons, such as the flat ring at the top of a
 /// torus, with nearly that of the surface; otherwise facets near the surface with nearly its normal.
@@ -34,12 +55,15 @@ void PatchFinder::join_facets(const std::vector<Patch>& patches, bool exact) {
   for (std::uint32_t f = 0; f < graph_.size(); ++f) {
     if (patch_of_[f] != kNone) reached.push_back(f);
   }
-  const auto try_to_join = [&](std::uint32_t from, std::uint32_t f) {
+  // Such pieces are approximations, which facets of the tube leave to both sides.
+  const std::vector<std::uint8_t> is_piece = exact ? std::vector<std::uint8_t>{} : tube_pieces(patches);
+  const auto try_to_join = [&](std::uint32_t from, std::uint32_t f, std::uint32_t edge) {
     const std::size_t corners = graph_.vertices[f].size();
     if (patch_of_[f] != kNone || (exact && corners == 4)) return;
     const Patch& patch = patches[patch_of_[from]];
     const double tolerance = exact ? tolerance_for(patch.surface.kind, 0) : kJoinedSags * patch.sag;
     if (!lies_on(patch, f, tolerance, exact && corners == 3 ? kSlantingCosine : kNormalCosine)) return;
+    if (!exact && !is_piece[patch_of_[from]] && !is_along(patch.surface, edge) && !lies_on_chords(patch, f)) return;
     patch_of_[f] = patch_of_[from];
     reached.push_back(f);
   };
@@ -48,17 +72,35 @@ void PatchFinder::join_facets(const std::vector<Patch>& patches, bool exact) {
     for (; next < reached.size(); ++next) {
       const std::uint32_t from = reached[next];
       forget_looks();
-      for (const FacetGraph::Arc& arc : graph_.arcs_of(from)) try_to_join(from, arc.facet);
+      for (const FacetGraph::Arc& arc : graph_.arcs_of(from)) try_to_join(from, arc.facet, arc.edge);
     }
   };
   grow_over_arcs();
   if (!exact) return;
   for (const auto& [a, b] : graph_.steep) {
     forget_looks();
-    if (patch_of_[a] != kNone) try_to_join(a, b);
-    if (patch_of_[b] != kNone) try_to_join(b, a);
+    if (patch_of_[a] != kNone) try_to_join(a, b, kNone);
+    if (patch_of_[b] != kNone) try_to_join(b, a, kNone);
   }
   grow_over_arcs();
+}
+
+/// Whether an edge of a cylinder or a cone has about the direction of its axis. Strips go on across such edges, and programs
+/// approximate the curves at which these end.
+bool PatchFinder::is_along(const PatchSurface& surface, std::uint32_t edge) const {
+  if (surface.kind != SurfaceKind::cylinder && surface.kind != SurfaceKind::cone) return false;
+  const Point3 way = scene_.vertices[topology_.edges[edge].v1] - scene_.vertices[topology_.edges[edge].v0];
+  return std::abs(glm::dot(way, surface.axis)) >= kAlongCosine * glm::length(way);
+}
+
+/// Whether the corners of a facet near a surface may lie on its chords. Those of a surface without saddles lie towards its
+/// axis: on the other side are the corners of the first row of a hollow fillet.
+bool PatchFinder::lies_on_chords(const Patch& patch, std::uint32_t f) const {
+  const PatchSurface& surface = patch.surface;
+  if (surface.kind == SurfaceKind::torus) return true;
+  const double tolerance = tolerance_for(surface.kind, patch.sag);
+  return std::ranges::all_of(graph_.vertices[f],
+                             [&](std::uint32_t v) { return surface.distance(scene_.vertices[v]) <= tolerance; });
 }
 
 /// Merges adjacent patches if the facets by which the smaller one was found lie on the surface of the larger one.
@@ -77,7 +119,7 @@ bool PatchFinder::merge_patches(const std::vector<Patch>& patches, const std::ve
   const auto try_to_merge = [&](std::uint32_t p, std::uint32_t q) {
     if (p == kNone || q == kNone || q == p || facets[q].size() > facets[p].size()) return;
     const auto lies_on_p = [&](std::uint32_t f) {
-      return lies_on(patches[p], f, kMergedSags * patches[p].sag, kSlantingCosine);
+      return lies_on(patches[p], f, kMergedSags * patches[p].sag, kSlantingCosine, kMergedRowSags);
     };
     if (!std::all_of(core[q].begin(), core[q].end(), lies_on_p)) return;
     for (const std::uint32_t f : facets[q]) patch_of_[f] = p;

@@ -9,9 +9,6 @@ namespace ligne {
 namespace {
 
 // Adjustable parameters.
-/// Largest ratio of a facet's sag to the median. Tessellators keep to one sag; a flat side between roundings exceeds
-/// it.
-constexpr double kMostSags = 4;
 /// Largest number of points of a patch to which a surface is fitted.
 constexpr std::size_t kMostPoints = 96;
 /// Fractional part of the golden ratio: its multiples are spread evenly over a unit, without a period.
@@ -114,12 +111,12 @@ bool PatchFinder::is_near(const PatchSurface& surface, std::uint32_t f, double d
   });
 }
 
-/// Whether the corners of a facet lie on the surface, and its middle is at most kMostSags sags away. `least_cosine`:
-/// least cosine between its normal and the normals of the surface at its corners.
-bool PatchFinder::lies_on(const Patch& patch, std::uint32_t f, double tolerance, double least_cosine) {
+/// Whether the corners of a facet lie on the surface, and its middle is at most so many sags away. `least_cosine`: least
+/// cosine between its normal and the normals of the surface at its corners.
+bool PatchFinder::lies_on(const Patch& patch, std::uint32_t f, double tolerance, double least_cosine, double most_sags) {
   const bool has_normal = !graph_.is_sliver[f];
   const FacetFrame& frame = graph_.frames[f];
-  if (has_normal && !is_near(patch.surface, f, kMostSags * patch.sag + tolerance)) return false;
+  if (has_normal && !is_near(patch.surface, f, most_sags * patch.sag + tolerance)) return false;
   const Point3 normal = patch.outward ? frame.normal : -frame.normal;
   for (const std::uint32_t v : graph_.vertices[f]) {
     const VertexLook& look = look_at(patch, v, tolerance);

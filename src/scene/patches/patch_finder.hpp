@@ -41,6 +41,9 @@ class PatchFinder {
   /// smaller ones may belong to a fillet beside a plane. A neighbour of less than this part of a facet's area is not in one
   /// strip with it.
   static constexpr double kLikeArea = 0.25;
+  /// Largest ratio of a facet's sag to the median. Tessellators keep to one sag; a flat side between roundings exceeds
+  /// it.
+  static constexpr double kMostSags = 4;
   /// Adjustable. Least cosine between the normals of a facet and of its surface at its corners. It admits half of the
   /// diagonal of a square facet on a surface with twelve facets per turn.
   static constexpr double kNormalCosine = 0.92;
@@ -91,7 +94,8 @@ class PatchFinder {
   void forget_looks();
   const VertexLook& look_at(const Patch& patch, std::uint32_t vertex, double tolerance);
   bool is_near(const PatchSurface& surface, std::uint32_t f, double distance) const;
-  bool lies_on(const Patch& patch, std::uint32_t f, double tolerance, double least_cosine = kNormalCosine);
+  bool lies_on(const Patch& patch, std::uint32_t f, double tolerance, double least_cosine = kNormalCosine,
+               double most_sags = kMostSags);
   bool is_certain(const PatchCandidate& c);
   bool is_fine(const Patch& patch) const;
   bool explains_rise(const PatchCandidate& c) const;
@@ -105,6 +109,9 @@ class PatchFinder {
   Point3 middle_of(std::span<const std::uint32_t> facets) const;
   void join_borders(const std::vector<Patch>& patches);
   void join_facets(const std::vector<Patch>& patches, bool exact);
+  std::vector<std::uint8_t> tube_pieces(const std::vector<Patch>& patches) const;
+  bool is_along(const PatchSurface& surface, std::uint32_t edge) const;
+  bool lies_on_chords(const Patch& patch, std::uint32_t f) const;
   bool merge_patches(const std::vector<Patch>& patches, const std::vector<std::uint32_t>& found_by);
 
   const Scene& scene_;

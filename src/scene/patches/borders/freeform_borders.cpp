@@ -28,6 +28,8 @@ constexpr std::size_t kMostFacets = 24;
 /// Largest angle, in degrees, between a facet of a free form and a surface on its far side that continues it: half of
 /// the default crease angle.
 constexpr double kBeyondDegrees = 15;
+/// Facets beyond the ends of an edge count up to so many of its lengths away.
+constexpr double kBesideLengths = 1;
 /// Least spread of the facets' middles behind the edge, as a fraction of the first facet's depth. With less, they do
 /// not show how the form turns.
 constexpr double kLeastSpread = 0.25;
@@ -83,28 +85,51 @@ class BorderFinder {
     std::uint32_t beyond = 0;  ///< see number_beyond()
   };
 
-  /// How far the corners of a facet lie behind an edge.
-  struct Depths {
-    double low, high;
+  /// Part of a line.
+  struct Interval {
+    double low = 1e300, high = -1e300;
+
+    void add(double x) {
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
     double middle() const { return (low + high) / 2; }
   };
 
-  Depths depths(std::uint32_t f, const Point3& from, const Point3& inwards) const {
-    Depths d{1e300, -1e300};
-    for (const std::uint32_t v : graph_.vertices[f]) {
-      const double depth = glm::dot(scene_.vertices[v] - from, inwards);
-      d.low = std::min(d.low, depth);
-      d.high = std::max(d.high, depth);
+  /// An edge of a free form: its ends, and the unit vectors along it and into the first facet.
+  struct Side {
+    Point3 from, to, along{0, 0, 0}, inwards{0, 0, 0};
+    double length() const { return glm::distance(from, to); }
+
+    /// How far points lie behind the edge.
+    double depth(const Point3& p) const { return glm::dot(p - from, inwards); }
+
+    /// The weight of what lies beside the edge, continued at both ends: its length along the edge. The small facets round
+    /// the end of a fillet tell little of the side of its long ones.
+    double weight(const Interval& along_edge) const {
+      const double size = length(), low = -kBesideLengths * size, high = (1 + kBesideLengths) * size;
+      return std::max(0.0, std::min(along_edge.high, high) - std::max(along_edge.low, low));
     }
-    return d;
+  };
+
+  Interval depths(std::uint32_t f, const Side& side) const {
+    Interval depths;
+    for (const std::uint32_t v : graph_.vertices[f]) depths.add(side.depth(scene_.vertices[v]));
+    return depths;
+  }
+
+  double weight(std::span<const std::uint32_t> vertices, const Side& side) const {
+    Interval along;
+    for (const std::uint32_t v : vertices) along.add(glm::dot(scene_.vertices[v] - side.from, side.along));
+    return side.weight(along);
   }
 
   /// Whether a plane beyond an edge is much deeper than the first facet of the free form.
-  bool is_deep(std::uint32_t plane, const Point3& from, const Point3& inwards, double first) const {
+  bool is_deep(std::uint32_t plane, const Side& side, double first) const {
     const auto corners = graph_.vertices[plane];
     const std::size_t step = corners.size() / kMostPlaneCorners + 1;
     for (std::size_t i = 0; i < corners.size(); i += step) {
-      if (glm::dot(scene_.vertices[corners[i]] - from, inwards) <= -kPlaneDepths * first) return true;
+      if (side.depth(scene_.vertices[corners[i]]) <= -kPlaneDepths * first) return true;
     }
     return false;
   }
@@ -127,6 +152,25 @@ class BorderFinder {
     }
   }
 
+  /// The line of least squares through normals over depths.
+  struct Line {
+    double count = 0, sum = 0, squares = 0;
+    Point3 normals{0, 0, 0}, products{0, 0, 0};
+
+    void add(double weight, double depth, const Point3& normal) {
+      count += weight;
+      sum += weight * depth;
+      squares += weight * depth * depth;
+      normals += weight * normal;
+      products += weight * depth * normal;
+    }
+    /// Sum of the squares of the distances of the depths from their mean, and the mean of these; 0 without samples.
+    double total_spread() const { return count > 0 ? squares - sum * sum / count : 0; }
+    double spread() const { return count > 0 ? total_spread() / count : 0; }
+    Point3 slope() const { return (products - sum / count * normals) / total_spread(); }
+    Point3 begin() const { return (normals - sum * slope()) / count; }
+  };
+
   /// Unit normal at an edge, and its change per unit of distance behind the edge.
   struct Continued {
     Point3 normal, slope{0, 0, 0};
@@ -134,43 +178,38 @@ class BorderFinder {
 
   /// Extrapolates the normal of the free form to an edge, by least squares. The data are the normals of the facets near
   /// f, each at the middle of its depths, and the normals of other surfaces that continue the form on its far side,
-  /// since it may be only one facet deep. A facet alone counts as flat. If its neighbours do not show how the form
-  /// turns, the turn is kUnknownTurn. `opposite`: number_beyond() of the facet on the other side of the edge.
-  Continued continued(std::uint32_t f, std::uint32_t edge, std::uint32_t opposite, const Point3& from, const Point3& inwards,
-                      double first) {
+  /// since it may be only one facet deep. Each counts by its weight(), or all alike if those of weight are of one depth. A
+  /// facet alone counts as flat. If its neighbours do not show how the form turns, the turn is kUnknownTurn. `opposite`:
+  /// number_beyond() of the facet on the other side of the edge.
+  Continued continued(std::uint32_t f, std::uint32_t edge, std::uint32_t opposite, const Side& side, double first) {
     reach(f, edge);
-    double count = 0, sum = 0, squares = 0;
-    Point3 normals(0.0), products(0.0);
+    Line weighted, equal;
+    const auto add_sample = [&](double weight, double depth, const Point3& normal) {
+      weighted.add(weight, depth, normal);
+      equal.add(1, depth, normal);
+    };
     for (std::size_t i = 0; i < facets_.size(); ++i) {
       const std::uint32_t g = facets_[i];
-      const double s = depths(g, from, inwards).middle();
+      const double s = depths(g, side).middle();
       if (s < 0 || (i >= near_ && s > kLookInDepths * first)) continue;
-      count += 1;
-      sum += s;
-      squares += s * s;
-      normals += graph_.frames[g].normal;
-      products += s * graph_.frames[g].normal;
+      add_sample(weight(graph_.vertices[g], side), s, graph_.frames[g].normal);
       for (const FacetGraph::Arc& arc : graph_.arcs_of(g)) {
         const std::uint32_t beyond = arc.edge == edge ? opposite : number_beyond(arc.facet);
         if (is_freeform_[arc.facet] || beyond == opposite) continue;
         if (glm::dot(graph_.frames[g].normal, graph_.frames[arc.facet].normal) < beyond_cosine_) continue;
         const Edge& far = topology_.edges[arc.edge];
         const Point3 at = 0.5 * (scene_.vertices[far.v0] + scene_.vertices[far.v1]);
-        const double depth = glm::dot(at - from, inwards);
+        const double depth = side.depth(at);
         if (depth < s || depth > kLookInDepths * first) continue;
-        const Point3 normal = other_normal(arc.facet, at);
-        count += 1;
-        sum += depth;
-        squares += depth * depth;
-        normals += normal;
-        products += depth * normal;
+        add_sample(weight(std::array{far.v0, far.v1}, side), depth, other_normal(arc.facet, at));
       }
     }
-    const Continued none{graph_.frames[f].normal, facets_.size() > 1 ? kUnknownTurn / first * inwards : Point3(0, 0, 0)};
-    if (count == 0) return none;
-    const double spread = squares - sum * sum / count, least = kLeastSpread * first;
-    if (!(spread > least * least)) return none;
-    const Point3 slope = (products - sum / count * normals) / spread, begins = (normals - sum * slope) / count;
+    const Continued none{graph_.frames[f].normal,
+                         facets_.size() > 1 ? kUnknownTurn / first * side.inwards : Point3(0, 0, 0)};
+    const double least = kLeastSpread * first;
+    const Line& line = weighted.spread() > least * least ? weighted : equal;
+    if (!(line.total_spread() > least * least)) return none;
+    const Point3 slope = line.slope(), begins = line.begin();
     const double size = glm::length(begins);
     return size > 0 ? Continued{begins / size, slope} : none;
   }
@@ -196,20 +235,20 @@ class BorderFinder {
   }
 
   void add(std::uint32_t f, const FacetGraph::Arc& arc) {
-    const Point3 &from = scene_.vertices[topology_.edges[arc.edge].v0], &to = scene_.vertices[topology_.edges[arc.edge].v1];
-    const Point3& normal = graph_.frames[f].normal;
-    Point3 inwards = glm::cross(normal, to - from);
-    if (glm::dot(inwards, graph_.frames[f].middle - from) < 0) inwards = -inwards;
-    const double size = glm::length(inwards);
+    Side side{scene_.vertices[topology_.edges[arc.edge].v0], scene_.vertices[topology_.edges[arc.edge].v1]};
+    side.inwards = glm::cross(graph_.frames[f].normal, side.to - side.from);
+    if (glm::dot(side.inwards, graph_.frames[f].middle - side.from) < 0) side.inwards = -side.inwards;
+    const double size = glm::length(side.inwards);
     if (!(size > 0)) return;
-    inwards /= size;
-    const double first = depths(f, from, inwards).high;
-    const Continued free = continued(f, arc.edge, number_beyond(arc.facet), from, inwards, first);
-    const Point3 other = other_normal(arc.facet, 0.5 * (from + to));
+    side.inwards /= size;
+    side.along = glm::normalize(side.to - side.from);
+    const double first = depths(f, side).high;
+    const Continued free = continued(f, arc.edge, number_beyond(arc.facet), side, first);
+    const Point3 middle = 0.5 * (side.from + side.to), other = other_normal(arc.facet, middle);
     Found border;
     border.edge = arc.edge;
     border.facet = f;
-    border.length = glm::distance(from, to);
+    border.length = side.length();
     border.turn = glm::length(free.slope) * first;
     border.angle = angle_between(free.normal, other);
     if (border.turn > 0) {
@@ -219,9 +258,9 @@ class BorderFinder {
     }
     const std::uint32_t patch = patch_of_[arc.facet];
     border.is_beside_band = patch != kNone && outlines_[patch].is_band();
-    border.is_beside_plane = patch == kNone && is_deep(arc.facet, from, inwards, first);
+    border.is_beside_plane = patch == kNone && is_deep(arc.facet, side, first);
     if (patch != kNone && border.turn > 0 && border.turn <= kLargestTurn) {
-      const double here = glm::dot(free.slope, inwards), k = patches_[patch].surface.curvature(0.5 * (from + to), inwards);
+      const double here = glm::dot(free.slope, side.inwards), k = patches_[patch].surface.curvature(middle, side.inwards);
       const double there = patches_[patch].outward ? k : -k;
       border.bends_otherwise = std::abs(here - there) > kUnlikeCurvature * std::max(std::abs(here), std::abs(there));
     }

@@ -93,7 +93,8 @@ class EdgeClassifier {
       return BorderEvidence::none;
     if (kind == PatchEdge::tangent) return BorderEvidence::tangent;
     if (kind != PatchEdge::unknown) return BorderEvidence::against;
-    if (p != kNone && q != kNone) return BorderEvidence::angled;
+    if (p != kNone && q != kNone)
+      return ends_rows(static_cast<std::uint32_t>(e)) ? BorderEvidence::alone : BorderEvidence::angled;
     const auto border = std::ranges::lower_bound(patches_.borders, e, {}, &FreeformBorder::edge);
     if (border == patches_.borders.end() || border->edge != e) return BorderEvidence::open;
     if (kind_of(*border) == PatchEdge::tangent) return BorderEvidence::tangent;
@@ -148,6 +149,12 @@ class EdgeClassifier {
         patches_.is_freeform[edge.face0] ? std::pair(edge.face0, edge.face1) : std::pair(edge.face1, edge.face0);
     if (patches_.patch_of[beyond] == kNone || !rows_.next({border.edge, beyond}, kEvenBends)) return false;
     return rows_.next({border.edge, free}, kEvenBends) || !rows_.next({border.edge, free}, kRoundingBends);
+  }
+
+  /// Whether no edge beside an edge bends as it does: it is none of those between the bands of a free form.
+  bool ends_rows(std::uint32_t e) const {
+    const Edge& edge = topology_.edges[e];
+    return !rows_.next({e, edge.face0}, kRoundingBends) && !rows_.next({e, edge.face1}, kRoundingBends);
   }
 
   /// Whether one row of facets, alike in width, goes on between two patches of which one is one or two facets deep. The

@@ -20,6 +20,8 @@ constexpr double kMostCurved = 0.6;
 /// A patch is no band if it meets one other patch along this fraction of the border that has evidence. The cone at the
 /// tip of a shaft does, since it has only one side.
 constexpr double kOneSide = 0.8;
+/// Least part of the common border of two patches that is alone, where it is a sharp edge whatever these patches are.
+constexpr double kMostAlone = 0.9;
 /// Least tangent fraction of a chain's length that makes the whole chain tangent, and largest fraction with evidence
 /// against it.
 constexpr double kMostTangent = 0.6, kMostAgainst = 0.1;
@@ -56,13 +58,20 @@ class WholeBorders {
     return glm::dot(face_normal(scene_, edge.face0), face_normal(scene_, edge.face1)) < mesh_bent_;
   }
 
+  static bool is_angled(BorderEvidence evidence) {
+    return evidence == BorderEvidence::angled || evidence == BorderEvidence::alone;
+  }
+
   void decide_angled() {
-    if (std::ranges::find(evidence_, BorderEvidence::angled) == evidence_.end()) return;
+    if (std::ranges::none_of(evidence_, is_angled)) return;
     struct Border {
       double length = 0, curved = 0;  ///< of all edges; of the edges that have evidence
     };
+    struct Shared {
+      double length = 0, angled = 0, alone = 0;  ///< of the edges with evidence, and of those that meet at an angle
+    };
     std::vector<Border> borders(patches_.list.size());
-    std::map<std::array<std::uint32_t, 2>, double> shared;  // by two patches, the lower number first
+    std::map<std::array<std::uint32_t, 2>, Shared> shared;  // by two patches, the lower number first
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (topology_.edges[e].face1 == kNone) continue;
       const auto [p, q] = patches_at(e);
@@ -73,17 +82,21 @@ class WholeBorders {
         borders[patch].length += length;
         borders[patch].curved += curved;
       }
-      if (curved > 0 && p != kNone && q != kNone) shared[{std::min(p, q), std::max(p, q)}] += length;
+      if (curved == 0 || p == kNone || q == kNone) continue;
+      Shared& both = shared[{std::min(p, q), std::max(p, q)}];
+      both.length += length;
+      if (is_angled(evidence_[e])) both.angled += length;
+      if (evidence_[e] == BorderEvidence::alone) both.alone += length;
     }
     for (std::size_t e = 0; e < edges_.size(); ++e) {
-      if (evidence_[e] != BorderEvidence::angled || edges_[e] != PatchEdge::unknown) continue;
+      if (!is_angled(evidence_[e]) || edges_[e] != PatchEdge::unknown) continue;
       const auto [p, q] = patches_at(e);
-      const double both = shared[{std::min(p, q), std::max(p, q)}];
+      const Shared& both = shared[{std::min(p, q), std::max(p, q)}];
       const auto may_be_band = [&](std::uint32_t patch) {
         const Border& border = borders[patch];
-        return border.curved > kMostCurved * border.length && both < kOneSide * border.curved;
+        return border.curved > kMostCurved * border.length && both.length < kOneSide * border.curved;
       };
-      if (!may_be_band(p) && !may_be_band(q)) edges_[e] = PatchEdge::sharp;
+      if (both.alone >= kMostAlone * both.angled || (!may_be_band(p) && !may_be_band(q))) edges_[e] = PatchEdge::sharp;
     }
   }
 
@@ -106,7 +119,7 @@ class WholeBorders {
       Lengths& sum = lengths[chains.find(i)];
       sum.all += length;
       if (evidence == BorderEvidence::tangent) sum.tangent += length;
-      if (evidence == BorderEvidence::against || evidence == BorderEvidence::angled) sum.against += length;
+      if (evidence == BorderEvidence::against || is_angled(evidence)) sum.against += length;
     }
     for (std::uint32_t i = 0; i < sides.size(); ++i) {
       const std::uint32_t e = sides[i].edge;
