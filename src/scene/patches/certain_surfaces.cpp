@@ -75,7 +75,7 @@ bool PatchFinder::explains_rise(const PatchCandidate& c) const {
   const double turn = turn_of_angles(), half_turns = std::max(1.0, turn / std::numbers::pi);
   const double rise = surface.radius * (1 - std::cos(std::min(turn, std::numbers::pi) / 2));
   const double tolerance = std::max(c.residual * 2, tolerance_for(surface.kind, 0));
-  const auto rulings = static_cast<double>(points_.size() / 2);
+  const std::size_t rulings = points_.size() / 2;
   for (double steps = 4; steps * half_turns < rulings; ++steps) {
     const double chance = tolerance * steps * steps / rise;
     if (!(chance < 1)) return false;
