@@ -118,10 +118,15 @@ bool PatchFinder::merge_patches(const std::vector<Patch>& patches, const std::ve
   bool is_merged = false;
   const auto try_to_merge = [&](std::uint32_t p, std::uint32_t q) {
     if (p == kNone || q == kNone || q == p || facets[q].size() > facets[p].size()) return;
-    const auto lies_on_p = [&](std::uint32_t f) {
-      return lies_on(patches[p], f, kMergedSags * patches[p].sag, kSlantingCosine, kMergedRowSags);
+    const PatchSurface& surface = patches[p].surface;
+    const auto lie_on_p = [&](double tolerance, double most_sags) {
+      forget_looks();
+      return std::all_of(core[q].begin(), core[q].end(),
+                         [&](std::uint32_t f) { return lies_on(patches[p], f, tolerance, kSlantingCosine, most_sags); });
     };
-    if (!std::all_of(core[q].begin(), core[q].end(), lies_on_p)) return;
+    if (!lie_on_p(kMergedSags * patches[p].sag, kMostSags) &&
+        !lie_on_p(tolerance_for(surface.kind, patches[p].sag), kMergedRowSags))
+      return;
     for (const std::uint32_t f : facets[q]) patch_of_[f] = p;
     facets[p].insert(facets[p].end(), facets[q].begin(), facets[q].end());
     facets[q].clear();

@@ -207,8 +207,9 @@ class BorderFinder {
     const Continued none{graph_.frames[f].normal,
                          facets_.size() > 1 ? kUnknownTurn / first * side.inwards : Point3(0, 0, 0)};
     const double least = kLeastSpread * first;
-    const Line& line = weighted.spread() > least * least ? weighted : equal;
-    if (!(line.total_spread() > least * least)) return none;
+    const bool is_spread = weighted.spread() > least * least;
+    if (!is_spread && !(equal.total_spread() > least * least)) return none;
+    const Line& line = is_spread ? weighted : equal;
     const Point3 slope = line.slope(), begins = line.begin();
     const double size = glm::length(begins);
     return size > 0 ? Continued{begins / size, slope} : none;

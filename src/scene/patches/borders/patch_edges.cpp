@@ -19,8 +19,8 @@ namespace {
 /// angle make no edge.
 constexpr double kSlackDegrees = 0.01;
 /// Adjustable, radians. A free form that turns by less than kLeastTurn over its first facet counts as flat, and has no
-/// tangent line. A free form joins a surface smoothly if their normals differ by at most kTangentSlack (1 degree) plus
-/// the fraction kTangentPart of that turn.
+/// tangent line at a plane. A free form joins a surface smoothly if their normals differ by at most kTangentSlack (1 degree)
+/// plus the fraction kTangentPart of that turn.
 constexpr double kLeastTurn = 0.01, kTangentSlack = 0.0175, kTangentPart = 0.4;
 /// Adjustable. Normals that differ by more than kTangentSlack plus this fraction of the turn over the first facet are
 /// evidence against a tangent edge. A smaller difference may be the error of a coarse facet.
@@ -121,7 +121,8 @@ class EdgeClassifier {
     // Surfaces that the file shades smooth, such as limit surfaces, have no lines where their patches bend differently.
     const bool is_smooth = topology_.edge_flags[border.edge] & kEdgeSmooth;
     const bool has_line = border.is_beside_plane || (border.bends_otherwise && !is_smooth);
-    return border.turn >= kLeastTurn && has_line ? PatchEdge::tangent : PatchEdge::unknown;
+    const bool turns = border.turn >= kLeastTurn || border.bends_otherwise;
+    return turns && has_line ? PatchEdge::tangent : PatchEdge::unknown;
   }
 
   PatchEdge border_of_freeform(std::size_t e) const {
@@ -154,7 +155,24 @@ class EdgeClassifier {
   /// Whether no edge beside an edge bends as it does: it is none of those between the bands of a free form.
   bool ends_rows(std::uint32_t e) const {
     const Edge& edge = topology_.edges[e];
-    return !rows_.next({e, edge.face0}, kRoundingBends) && !rows_.next({e, edge.face1}, kRoundingBends);
+    return std::ranges::none_of(std::array{edge.face0, edge.face1}, [&](std::uint32_t face) {
+      return rows_.next({e, face}, kRoundingBends) || is_in_fan(e, face);
+    });
+  }
+
+  /// Whether an edge that shares an end with another one, as those at the tip of a cone do, bends on behind a face.
+  bool is_in_fan(std::uint32_t e, std::uint32_t face) const {
+    const auto along = [&](const Edge& edge) { return glm::normalize(scene_.vertices[edge.v1] - scene_.vertices[edge.v0]); };
+    const double angle = rows_.bend(e, face);
+    const auto contour = scene_.faces.contour(face, 0);
+    for (std::size_t k = 0; k < contour.size(); ++k) {
+      const Edge* side = find_edge(topology_, {contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]});
+      if (!side || side == &topology_.edges[e] || side->face1 == kNone) continue;
+      const auto number = static_cast<std::uint32_t>(side - topology_.edges.data());
+      const bool is_like = rows_.bend(number, face) * angle >= kRoundingBends.least * angle * angle;
+      if (is_like && std::abs(glm::dot(along(*side), along(topology_.edges[e]))) > kRoundingBends.cosine) return true;
+    }
+    return false;
   }
 
   /// Whether one row of facets, alike in width, goes on between two patches of which one is one or two facets deep. The
