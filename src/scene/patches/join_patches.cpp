@@ -20,8 +20,9 @@ constexpr double kAlongCosine = 0.7;
 constexpr double kSlantingCosine = 0.5;
 /// Largest distance, in sags, between the corners of a patch and the surface of a larger patch into which it is merged.
 constexpr double kMergedSags = 0.5;
-/// Largest sag of the facets of such a patch, in sags of the larger one. Tessellators make rows at the border of a torus up
-/// to five times as wide as the others, and each row by itself lies on a cone.
+/// Largest sag of the facets of such a patch, in sags of the larger one, if its corners lie on that as exactly as those by
+/// which it was found. Tessellators make rows at the border of a torus up to five times as wide as the others, and each row
+/// by itself lies on a cone.
 constexpr double kMergedRowSags = 25;
 
 }  // namespace

@@ -29,6 +29,9 @@ constexpr double kApartPart = 1.2;
 /// largest fraction with evidence against it.
 constexpr double kMostOfChain = 0.6, kLittleOfChain = 0.1;
 
+/// Adjustable. Most sides of a face of a fan. Beside a polygon of n sides, the search for its sides would take n^2.
+constexpr std::size_t kMostFanSides = 4;
+
 /// Adjustable. Most facets across a patch whose curvature in this direction may be an accident.
 constexpr int kMostShallowFacets = 2;
 
@@ -163,8 +166,9 @@ class EdgeClassifier {
   /// Whether an edge that shares an end with another one, as those at the tip of a cone do, bends on behind a face.
   bool is_in_fan(std::uint32_t e, std::uint32_t face) const {
     const auto along = [&](const Edge& edge) { return glm::normalize(scene_.vertices[edge.v1] - scene_.vertices[edge.v0]); };
-    const double angle = rows_.bend(e, face);
     const auto contour = scene_.faces.contour(face, 0);
+    if (contour.size() > kMostFanSides) return false;
+    const double angle = rows_.bend(e, face);
     for (std::size_t k = 0; k < contour.size(); ++k) {
       const Edge* side = find_edge(topology_, {contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]});
       if (!side || side == &topology_.edges[e] || side->face1 == kNone) continue;
