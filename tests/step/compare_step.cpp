@@ -7,6 +7,8 @@
 /// extra in blue. Ends with 1 if a sum is below what is asked for, and with 77, which ctest takes for skipped, if FOLDER is
 /// empty.
 
+#include <unistd.h>
+
 #include "clear/true_comparison.hpp"
 #include "clear/write_stl.hpp"
 #include "drawing/measures.hpp"
