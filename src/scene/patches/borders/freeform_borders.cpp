@@ -39,6 +39,10 @@ constexpr std::size_t kMostPlaneCorners = 64;
 /// Largest number of edges of a chain that may be a flaw of a smooth mesh.
 constexpr std::uint32_t kFleckEdges = 2;
 
+/// Least bend, in radians (0.14 degrees), at the border of a plane: what bends less is a part of the plane of which a
+/// decimation has moved corners. A form that turns by so little over half of its first facet has no tangent line either.
+constexpr double kLeastBend = 0.0025;
+
 /// Least difference between the curvatures of a free form and a surface that counts, as a fraction of the larger one. A
 /// smaller one may be an error of the first facets of a free form that the surface is a part of.
 constexpr double kUnlikeCurvature = 0.5;
@@ -62,16 +66,19 @@ class BorderFinder {
         is_freeform_(surfaces.is_freeform) {}
 
   std::vector<FreeformBorder> run() {
-    const auto ends = [&](const FacetGraph::Arc& arc) { return !is_freeform_[arc.facet]; };
-    const std::vector<std::uint32_t> at_border = indices_where(graph_.size(), [&](std::size_t f) {
+    const auto ends = [&](std::uint32_t f, const FacetGraph::Arc& arc) {
+      return !is_freeform_[arc.facet] && !continues_plane(f, arc.facet);
+    };
+    const std::vector<std::uint32_t> at_border = indices_where(graph_.size(), [&](std::size_t i) {
+      const auto f = static_cast<std::uint32_t>(i);
       return is_freeform_[f] && !graph_.is_sliver[f] &&
-             std::ranges::any_of(graph_.arcs_of(static_cast<std::uint32_t>(f)), ends);
+             std::ranges::any_of(graph_.arcs_of(f), [&](const FacetGraph::Arc& arc) { return ends(f, arc); });
     });
     if (at_border.empty()) return {};
     reached_by_.assign(graph_.size(), kNone);
     for (const std::uint32_t f : at_border) {
       for (const FacetGraph::Arc& arc : graph_.arcs_of(f)) {
-        if (ends(arc)) add(f, arc);
+        if (ends(f, arc)) add(f, arc);
       }
     }
     std::ranges::sort(found_, {}, &Found::edge);
@@ -213,6 +220,11 @@ class BorderFinder {
     const Point3 slope = line.slope(), begins = line.begin();
     const double size = glm::length(begins);
     return size > 0 ? Continued{begins / size, slope} : none;
+  }
+
+  /// Whether a facet lies in the plane beside it but for corners that a decimation has moved.
+  bool continues_plane(std::uint32_t f, std::uint32_t beyond) const {
+    return patch_of_[beyond] == kNone && angle_between(graph_.frames[f].normal, graph_.frames[beyond].normal) < kLeastBend;
   }
 
   /// Whether a facet meets all others at an angle.
