@@ -10,9 +10,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json healed_json(const HealReport& healed) {
-  Json json{{"objects_twice", healed.objects_twice},   {"faces_twice", healed.faces_twice},
-            {"border_edges", healed.border_edges},     {"border_edges_sewn", healed.edges_sewn()},
-            {"vertices_moved", healed.vertices_moved}, {"edges_split", healed.edges_split},
+  Json json{{"vertices_collapsed", healed.vertices_collapsed},
+            {"objects_twice", healed.objects_twice},
+            {"faces_twice", healed.faces_twice},
+            {"border_edges", healed.border_edges},
+            {"border_edges_sewn", healed.edges_sewn()},
+            {"vertices_moved", healed.vertices_moved},
+            {"edges_split", healed.edges_split},
             {"faces_turned", healed.faces_turned}};
   json["sewn"] = Json::array();
   for (const SewnBorders& sewn : healed.sewn) {

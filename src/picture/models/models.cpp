@@ -238,9 +238,10 @@ void require_no_parameters(const LoadedModels& models, const std::vector<std::st
 }
 
 void report_healing(const LoadedModels& models, const ModelRequest& request, RunReport& run) {
-  std::size_t faces = 0, objects = 0, moved = 0, split = 0, sewn = 0, turned = 0;
+  std::size_t collapsed = 0, faces = 0, objects = 0, moved = 0, split = 0, sewn = 0, turned = 0;
   for (const ModelFile& file : models.files) {
     const HealReport& healed = file.healed;
+    collapsed += healed.vertices_collapsed;
     faces += healed.faces_twice;
     objects += healed.objects_twice;
     moved += healed.vertices_moved;
@@ -262,6 +263,7 @@ void report_healing(const LoadedModels& models, const ModelRequest& request, Run
   const auto count = [&](const char* name, std::size_t n) {
     if (n > 0) run.clear.count(name, n);
   };
+  count("vertices collapsed", collapsed);
   count("objects stored twice", objects);
   count("faces stored twice", faces);
   count("border edges sewn", sewn);

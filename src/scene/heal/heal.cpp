@@ -10,6 +10,7 @@
 #include "scene/heal/agree_windings.hpp"
 #include "scene/heal/border_edges.hpp"
 #include "scene/heal/border_gaps.hpp"
+#include "scene/heal/collapse_edges.hpp"
 #include "scene/heal/duplicate_faces.hpp"
 #include "scene/heal/face_writer.hpp"
 #include "scene/heal/sew_borders.hpp"
@@ -140,6 +141,7 @@ void count_edges_left(const Scene& scene, const Topology& topology, HealReport& 
 
 HealReport heal(Scene& scene, Topology& topology, const HealOptions& options) {
   HealReport report;
+  report.vertices_collapsed = collapse_short_edges(scene);
   const bool sews = options.sew_distance != 0.0;
   // Whether `topology` is that of the scene, which has no repeated face.
   const bool stated = scene.stated.has(StatedFact::adjacency);

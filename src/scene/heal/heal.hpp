@@ -1,5 +1,5 @@
 #pragma once
-/// Heals meshes: removes duplicate faces, sews cracks, and makes windings agree.
+/// Heals meshes: collapses rounding errors, removes duplicate faces, sews cracks, and makes windings agree.
 
 #include <cstddef>
 #include <optional>
@@ -29,13 +29,14 @@ struct SewnBorders {
 };
 
 struct HealReport {
-  std::size_t objects_twice = 0;   ///< objects that coincide with another one; their faces are removed
-  std::size_t faces_twice = 0;     ///< removed faces with the same vertices as another one, objects_twice included
-  std::size_t vertices_moved = 0;  ///< border vertices that were merged with another one
-  std::size_t edges_split = 0;     ///< splits of border edges on which a vertex of another one lies (T-junctions)
-  std::size_t faces_turned = 0;    ///< faces reversed so that windings agree
-  std::size_t border_edges = 0;    ///< border edges of the scene as stored, without duplicates
-  std::vector<SewnBorders> sewn;   ///< the objects whose borders were sewn
+  std::size_t vertices_collapsed = 0;  ///< vertices that were merged because edges between them are rounding errors
+  std::size_t objects_twice = 0;       ///< objects that coincide with another one; their faces are removed
+  std::size_t faces_twice = 0;         ///< removed faces with the same vertices as another one, objects_twice included
+  std::size_t vertices_moved = 0;      ///< border vertices that were merged with another one
+  std::size_t edges_split = 0;         ///< splits of border edges on which a vertex of another one lies (T-junctions)
+  std::size_t faces_turned = 0;        ///< faces reversed so that windings agree
+  std::size_t border_edges = 0;        ///< border edges of the scene as stored, without duplicates
+  std::vector<SewnBorders> sewn;       ///< the objects whose borders were sewn
 
   std::size_t edges_sewn() const {
     std::size_t n = 0;
@@ -44,16 +45,17 @@ struct HealReport {
   }
 
   /// Whether nothing was changed.
-  bool nothing() const { return objects_twice + faces_twice + faces_turned + sewn.size() == 0; }
+  bool nothing() const { return vertices_collapsed + objects_twice + faces_twice + faces_turned + sewn.size() == 0; }
 };
 
 /// Heals a scene after finish_scene() (scene/clean/clean.hpp):
 ///
-/// 1. It removes the faces of objects that coincide exactly with an earlier object. If faces of one object have the
+/// 1. It collapses edges that are shorter than a step of the coordinates (collapse_edges.hpp).
+/// 2. It removes the faces of objects that coincide exactly with an earlier object. If faces of one object have the
 ///    same vertices, in any winding, only the first stays; its edges keep the flags that all of them have, and details
 ///    move to it (duplicate_faces.hpp).
-/// 2. Within each object, it sews borders that are closer to each other than a distance (sew_borders.hpp).
-/// 3. It makes the windings of neighbours agree (agree_windings.hpp).
+/// 3. Within each object, it sews borders that are closer to each other than a distance (sew_borders.hpp).
+/// 4. It makes the windings of neighbours agree (agree_windings.hpp).
 ///
 /// The scene keeps the invariants of finish_scene(). `topology` becomes that of the healed scene. The result does not
 /// depend on the number of threads. O(n log n) time, O(n) memory.
