@@ -23,8 +23,6 @@ namespace {
 /// Least cosine between the normals of faces that may lie in one plane (2.6 degrees). Beyond it they do not, whatever
 /// the precision.
 constexpr double kFlatCosine = 0.999;
-/// Largest number of corners of a facet that may be curved.
-constexpr std::size_t kStripCorners = 4;
 
 bool is_triangle(const Scene& scene, std::uint32_t f) {
   return scene.faces.contour_count(f) == 1 && scene.faces.contour(f, 0).size() == 3;
