@@ -21,10 +21,13 @@ namespace {
 /// of the sag. The sag counts because surfaces between free forms are approximated; spheres are not, so their fraction
 /// is small. The fraction for long strips is larger, since many corners are evidence all the same: programs approximate
 /// the curves at which fillets end to a thousandth of a millimetre or worse.
-constexpr double kPrecisions = 8, kSagPart = 0.03, kSphereSagPart = 0.002, kStripSagPart = 0.25;
+constexpr double kPrecisions = 8, kSagPart = 0.03, kExactSagPart = 0.002, kStripSagPart = 0.25;
 /// Largest distance, in sags, of a corner from the surface of the starting values. If one is farther away, the values
 /// are rejected.
 constexpr double kWildGuess = 1.5;
+/// Arcs from a seed to the facets of the smaller and of the larger sample around it, and largest numbers of these facets.
+constexpr int kRingSteps = 2, kWideSteps = 10;
+constexpr std::size_t kMostRing = 24, kMostWide = 28;
 /// Largest number of facets of a band from which a sphere is fitted.
 constexpr std::size_t kMostBand = 24;
 /// Least number of facets of a strip that is tried by itself. Fewer prove nothing at a tolerance of kStripSagPart.
@@ -183,6 +186,18 @@ std::vector<PatchFinder::FitSample> PatchFinder::strip_samples(std::uint32_t see
   return sets;
 }
 
+/// Facets on all sides of a facet: nearby ones, more of them, and those reached without crossing edges.
+std::vector<PatchFinder::FitSample> PatchFinder::round_samples(std::uint32_t seed) {
+  std::vector<FitSample> samples;
+  samples.push_back({around(seed, kRingSteps, kMostRing)});
+  std::vector<std::uint32_t> wide = around(seed, kWideSteps, kMostWide);
+  std::vector<std::uint32_t> smooth = smooth_around(seed, wide);
+  const std::size_t size = samples[0].facets.size();
+  if (wide.size() > size) samples.push_back({std::move(wide)});
+  if (!smooth.empty()) samples.push_back({std::move(smooth)});
+  return samples;
+}
+
 /// The surface of the largest area through a facet, from several sets of facets beside it.
 PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
   PatchCandidate best;
@@ -193,7 +208,9 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
   };
   const auto consider = [&](SurfaceKind kind, auto&& sample, double factor) {
     if (is_known(kind, sample.facets)) return;
+    const double sag_part = sag_part_;
     PatchCandidate c = try_surface(kind, seed, sample);
+    sag_part_ = sag_part;
     if (c.facets.empty() || c.area <= factor * best.area) return;
     for (const std::uint32_t f : best.facets) best_of_[f] = kNone;
     best = std::move(c);
@@ -226,37 +243,56 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
     if (is_settled()) return best;
   }
   // Where facets form no strips, more of them are needed.
-  FitSample ring{around(seed, 2, 24)}, wide{around(seed, 10, 28)};
-  consider(SurfaceKind::cylinder, ring, kSimilarArea);
-  const bool is_wider = wide.facets.size() > ring.facets.size();
-  if (is_wider) consider(SurfaceKind::cylinder, wide, kSimilarArea);
+  std::vector<FitSample> round = round_samples(seed);
+  for (FitSample& sample : round) consider(SurfaceKind::cylinder, sample, kSimilarArea);
   if (is_settled()) return best;
   for (FitSample& set : sets) consider(SurfaceKind::cone, set, kSimilarArea);
-  consider(SurfaceKind::cone, ring, kSimilarArea);
-  if (is_wider) consider(SurfaceKind::cone, wide, kSimilarArea);
+  for (FitSample& sample : round) consider(SurfaceKind::cone, sample, kSimilarArea);
   if (is_settled()) return best;
   // A band of a sphere also lies on a cylinder or a cone, and determines the sphere.
   FitSample band{best.facets};
   band.facets.resize(std::min(band.facets.size(), kMostBand));
   if (!band.facets.empty()) consider(SurfaceKind::sphere, band, kRoundArea);
-  consider(SurfaceKind::sphere, ring, kRoundArea);
-  consider(SurfaceKind::torus, ring, kRoundArea);
-  if (is_wider) consider(SurfaceKind::torus, wide, kRoundArea);
+  consider(SurfaceKind::sphere, round.front(), kRoundArea);
+  for (FitSample& sample : round) consider(SurfaceKind::torus, sample, kRoundArea);
   return best;
+}
+
+/// Fits a surface to a sample. Returns whether the sample lies on it, and sets the surface, the sag and the residual of `c`.
+/// Lowers sag_part_ if the normals give no useful starting values: such facets lie on a surface exactly or by accident.
+bool PatchFinder::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate& c) {
+  complete(sample);
+  PatchSurface& surface = c.patch.surface;
+  const auto is_wild = [&] {
+    const double wild = kWildGuess * sag_of(surface, sample.facets) + tolerance_for(kind, 0);
+    return std::ranges::any_of(sample.points, [&](const Point3& p) { return !(std::abs(surface.distance(p)) <= wild); });
+  };
+  const auto refine = [&] {
+    c.residual = refine_surface(surface, sample.points);
+    c.patch.sag = sag_of(surface, sample.facets);
+    return c.residual <= tolerance_for(kind, c.patch.sag);
+  };
+  const bool is_guessed = guess_surface(kind, sample.frames, sample.points, surface);
+  const bool is_useful = is_guessed && !is_wild();
+  if (kind == SurfaceKind::cylinder && is_guessed) {
+    if (!is_useful) sag_part_ = kExactSagPart;
+    const bool lies_on_it = refine();
+    sample.cylinder = surface;
+    return lies_on_it;
+  }
+  if (is_useful && refine()) return true;
+  if (kind != SurfaceKind::cone || !sample.cylinder) return false;
+  // The normals of irregular triangles tell little of a cone, but it has the rulings and the curvature of a cylinder.
+  sag_part_ = kExactSagPart;
+  surface = cone_from_cylinder(*sample.cylinder, sample.points);
+  return !is_wild() && refine();
 }
 
 /// Fits a surface to a few facets, and lets it grow from the seed. The result has no facets if this fails.
 PatchCandidate PatchFinder::try_surface(SurfaceKind kind, std::uint32_t seed, FitSample& sample) {
   PatchCandidate c;
   PatchSurface& surface = c.patch.surface;
-  complete(sample);
-  if (!guess_surface(kind, sample.frames, sample.points, surface)) return {};
-  const double wild = kWildGuess * sag_of(surface, sample.facets) + tolerance_for(kind, 0);
-  const auto is_wild = [&](const Point3& p) { return !(std::abs(surface.distance(p)) <= wild); };
-  if (std::any_of(sample.points.begin(), sample.points.end(), is_wild)) return {};
-  c.residual = refine_surface(surface, sample.points);
-  c.patch.sag = sag_of(surface, sample.facets);
-  if (!(c.residual <= tolerance_for(kind, c.patch.sag))) return {};
+  if (!fit_sample(kind, sample, c)) return {};
   c.patch.outward = glm::dot(surface.normal(graph_.frames[seed].middle), graph_.frames[seed].normal) > 0;
   // Few fine facets tell little of a surface that goes far beyond them. Each round about doubles their extent.
   constexpr int kMostRounds = 3, kMostFineRounds = 12;
@@ -306,7 +342,7 @@ std::vector<std::uint32_t> PatchFinder::grow(const Patch& patch, std::uint32_t s
 }
 
 double PatchFinder::tolerance_for(SurfaceKind kind, double sag) const {
-  return std::max(kPrecisions * object_.precision, (kind == SurfaceKind::sphere ? kSphereSagPart : sag_part_) * sag);
+  return std::max(kPrecisions * object_.precision, (kind == SurfaceKind::sphere ? kExactSagPart : sag_part_) * sag);
 }
 
 }  // namespace ligne

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -56,8 +57,9 @@ class PatchFinder {
   /// Facets to which surfaces of several kinds are fitted.
   struct FitSample {
     std::vector<std::uint32_t> facets;
-    std::vector<Point3> points{};      ///< the corners; empty until complete()
-    std::vector<FacetFrame> frames{};  ///< per facet; empty until complete()
+    std::vector<Point3> points{};            ///< the corners; empty until complete()
+    std::vector<FacetFrame> frames{};        ///< per facet; empty until complete()
+    std::optional<PatchSurface> cylinder{};  ///< the cylinder of least squares, once it was fitted
   };
   /// A facet from which surfaces are tried, and its longest diagonal: a maximum, not a sum, so it does not depend on the
   /// order of the corners.
@@ -79,9 +81,12 @@ class PatchFinder {
   void search(std::span<const Seed> seeds, std::vector<Patch>& patches);
   PatchCandidate best_at(std::uint32_t seed);
   void complete(FitSample& sample);
+  bool fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate& c);
   PatchCandidate try_surface(SurfaceKind kind, std::uint32_t seed, FitSample& sample);
   std::vector<std::uint32_t> grow(const Patch& patch, std::uint32_t seed, bool over_patches = false);
   std::vector<std::uint32_t> around(std::uint32_t seed, int rings, std::size_t most);
+  std::vector<std::uint32_t> smooth_around(std::uint32_t seed, std::span<const std::uint32_t> others);
+  std::vector<FitSample> round_samples(std::uint32_t seed);
   std::vector<std::uint32_t> strip_of(std::uint32_t seed);
   std::vector<std::uint32_t> beside(std::uint32_t seed);
   static std::vector<FitSample> strip_samples(std::uint32_t seed, std::span<const std::uint32_t> near);

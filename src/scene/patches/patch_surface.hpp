@@ -86,6 +86,11 @@ bool guess_surface(SurfaceKind kind, std::span<const FacetFrame> facets, std::sp
 /// false if they lie on no circle in the half plane beside the axis.
 bool guess_torus_about(const PatchSurface& round, std::span<const Point3> points, PatchSurface& torus);
 
+/// Computes starting values of a cone from a cylinder that was fitted to its points: fits a cone that touches it there, by
+/// its place, ruling, curvature and angle in the midst of the points [MarshallLukacsMartin2001]. The axis and the apex of a
+/// part of a cone depend on each other so strongly that refine_surface() does not come from the one to the other.
+PatchSurface cone_from_cylinder(const PatchSurface& cylinder, std::span<const Point3> points);
+
 /// Fits the surface to the points: minimises the sum of their squared distances [Levenberg1944, Marquardt1963]. Returns
 /// the largest remaining distance of a point.
 double refine_surface(PatchSurface& surface, std::span<const Point3> points);

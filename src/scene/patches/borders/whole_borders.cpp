@@ -20,6 +20,9 @@ constexpr double kMostCurved = 0.6;
 /// A patch is no band if it meets one other patch along this fraction of the border that has evidence. The cone at the
 /// tip of a shaft does, since it has only one side.
 constexpr double kOneSide = 0.8;
+/// A patch is no band beside another one if it is deeper than one row along this fraction of their common border: where a
+/// free form bends between rows, each of them is a band.
+constexpr double kMostDeep = 0.5;
 /// Least part of the common border of two patches that is alone, where it is a sharp edge whatever these patches are.
 constexpr double kMostAlone = 0.9;
 /// Least tangent fraction of a chain's length that makes the whole chain tangent, and largest fraction with evidence
@@ -62,6 +65,28 @@ class WholeBorders {
     return evidence == BorderEvidence::angled || evidence == BorderEvidence::alone;
   }
 
+  /// Per vertex: 1 if all faces around it belong to one patch.
+  std::vector<std::uint8_t> inner_vertices() const {
+    constexpr std::uint32_t kMixed = kNone - 1;
+    std::vector<std::uint32_t> of_vertex(scene_.vertices.size(), kNone);
+    for (std::uint32_t f = 0; f < scene_.faces.size(); ++f) {
+      for (std::size_t c = 0; c < scene_.faces.contour_count(f); ++c) {
+        for (const std::uint32_t v : scene_.faces.contour(f, c)) {
+          const std::uint32_t patch = patches_.patch_of[f] == kNone ? kMixed : patches_.patch_of[f];
+          of_vertex[v] = of_vertex[v] == kNone || of_vertex[v] == patch ? patch : kMixed;
+        }
+      }
+    }
+    std::vector<std::uint8_t> inner(of_vertex.size());
+    for (std::size_t v = 0; v < inner.size(); ++v) inner[v] = of_vertex[v] != kNone && of_vertex[v] != kMixed;
+    return inner;
+  }
+
+  /// Whether a patch is more than one row of facets deep at a face on its border.
+  bool is_deep(const std::vector<std::uint8_t>& inner, std::uint32_t face) const {
+    return std::ranges::any_of(scene_.faces.contour(face, 0), [&](std::uint32_t v) { return inner[v]; });
+  }
+
   void decide_angled() {
     if (std::ranges::none_of(evidence_, is_angled)) return;
     struct Border {
@@ -69,8 +94,10 @@ class WholeBorders {
     };
     struct Shared {
       double length = 0, angled = 0, alone = 0;  ///< of the edges with evidence, and of those that meet at an angle
+      std::array<double, 2> deep{};              ///< of those beside which the one and the other patch is_deep()
     };
     std::vector<Border> borders(patches_.list.size());
+    const std::vector<std::uint8_t> inner = inner_vertices();
     std::map<std::array<std::uint32_t, 2>, Shared> shared;  // by two patches, the lower number first
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (topology_.edges[e].face1 == kNone) continue;
@@ -85,6 +112,9 @@ class WholeBorders {
       if (curved == 0 || p == kNone || q == kNone) continue;
       Shared& both = shared[{std::min(p, q), std::max(p, q)}];
       both.length += length;
+      const Edge& edge = topology_.edges[e];
+      for (const std::uint32_t face : {edge.face0, edge.face1})
+        if (is_deep(inner, face)) both.deep[patches_.patch_of[face] == std::max(p, q)] += length;
       if (is_angled(evidence_[e])) both.angled += length;
       if (evidence_[e] == BorderEvidence::alone) both.alone += length;
     }
@@ -94,7 +124,8 @@ class WholeBorders {
       const Shared& both = shared[{std::min(p, q), std::max(p, q)}];
       const auto may_be_band = [&](std::uint32_t patch) {
         const Border& border = borders[patch];
-        return border.curved > kMostCurved * border.length && both.length < kOneSide * border.curved;
+        return border.curved > kMostCurved * border.length && both.length < kOneSide * border.curved &&
+               both.deep[patch == std::max(p, q)] < kMostDeep * both.length;
       };
       if (both.alone >= kMostAlone * both.angled || (!may_be_band(p) && !may_be_band(q))) edges_[e] = PatchEdge::sharp;
     }
