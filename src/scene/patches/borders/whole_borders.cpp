@@ -82,8 +82,10 @@ class WholeBorders {
     return inner;
   }
 
-  /// Whether a patch is more than one row of facets deep at a face on its border.
+  /// Whether a face on the border of a cylinder or a cone is in one of several rows of facets that lie in one direction.
   bool is_deep(const std::vector<std::uint8_t>& inner, std::uint32_t face) const {
+    const SurfaceKind kind = patches_.list[patches_.patch_of[face]].surface.kind;
+    if (kind != SurfaceKind::cylinder && kind != SurfaceKind::cone) return false;
     return std::ranges::any_of(scene_.faces.contour(face, 0), [&](std::uint32_t v) { return inner[v]; });
   }
 
@@ -124,10 +126,11 @@ class WholeBorders {
       const Shared& both = shared[{std::min(p, q), std::max(p, q)}];
       const auto may_be_band = [&](std::uint32_t patch) {
         const Border& border = borders[patch];
-        return border.curved > kMostCurved * border.length && both.length < kOneSide * border.curved &&
-               both.deep[patch == std::max(p, q)] < kMostDeep * both.length;
+        return border.curved > kMostCurved * border.length && both.length < kOneSide * border.curved;
       };
-      if (both.alone >= kMostAlone * both.angled || (!may_be_band(p) && !may_be_band(q))) edges_[e] = PatchEdge::sharp;
+      const bool is_between_bands =
+          std::ranges::max(both.deep) < kMostDeep * both.length && (may_be_band(p) || may_be_band(q));
+      if (both.alone >= kMostAlone * both.angled || !is_between_bands) edges_[e] = PatchEdge::sharp;
     }
   }
 
