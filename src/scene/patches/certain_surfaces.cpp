@@ -23,6 +23,10 @@ constexpr double kWider = 4, kMostGrowth = 1.25;
 /// Least turn, in radians, of a cylinder of two or three facets that its neighbours continue: a little less than the least
 /// angle of planes that have an edge between them. Nearly flat facets of a free form lie on cylinders by accident.
 constexpr double kLeastTurn = 8 * std::numbers::pi / 180;
+/// Angles about an axis that differ by no more, in radians, are one.
+constexpr double kSameAngle = 2 * std::numbers::pi / 1000;
+/// Largest relative difference between the turns of the facets of an evenly divided cylinder.
+constexpr double kEqualSteps = 0.01;
 /// Largest sag of a torus, as a fraction of its outer radius: that of eight facets around the axis. Near the top of its tube
 /// the normals tell nothing of the turn about the axis: the four upper strips of a rounded box would lie on one.
 constexpr double kLargestRingSag = 0.08;
@@ -42,6 +46,7 @@ bool PatchFinder::is_certain(const PatchCandidate& c) {
     case SurfaceKind::cylinder: {
       const std::size_t n = angles_of(surface, false);
       if (n >= 5 && (no_accident || explains_rise(c))) return true;
+      if (n == 4 && no_accident && has_equal_steps()) return turn_of_angles() >= kLeastTurn;
       if (n < 3 || (n < 5 ? turn_of_angles() < kLeastTurn : all > kLikelyChance)) return false;
       return is_tangent(c, n - 2);
     }
@@ -88,7 +93,7 @@ bool PatchFinder::explains_rise(const PatchCandidate& c) const {
 /// Number of angles, different by more than a thousandth of a turn, at which points_ lie about the axis, or about the middle
 /// circle of a torus.
 std::size_t PatchFinder::angles_of(const PatchSurface& surface, bool about_circle) {
-  constexpr double kTurn = 2 * std::numbers::pi, kSame = kTurn / 1000;
+  constexpr double kTurn = 2 * std::numbers::pi;
   const Point3 u = frame_of(surface.axis)[0];
   const Point3 v = frame_of(surface.axis)[1];
   numbers_.clear();
@@ -98,8 +103,8 @@ std::size_t PatchFinder::angles_of(const PatchSurface& surface, bool about_circl
                                     : std::atan2(glm::dot(place.out, v), glm::dot(place.out, u)));
   }
   std::sort(numbers_.begin(), numbers_.end());
-  std::size_t count = numbers_.front() + kTurn - numbers_.back() > kSame;
-  for (std::size_t i = 1; i < numbers_.size(); ++i) count += numbers_[i] - numbers_[i - 1] > kSame;
+  std::size_t count = numbers_.front() + kTurn - numbers_.back() > kSameAngle;
+  for (std::size_t i = 1; i < numbers_.size(); ++i) count += numbers_[i] - numbers_[i - 1] > kSameAngle;
   return count;
 }
 
@@ -109,6 +114,19 @@ double PatchFinder::turn_of_angles() const {
   double gap = numbers_.front() + kTurn - numbers_.back();
   for (std::size_t i = 1; i < numbers_.size(); ++i) gap = std::max(gap, numbers_[i] - numbers_[i - 1]);
   return kTurn - gap;
+}
+
+/// Whether the facets between the angles that angles_of() found all turn alike.
+bool PatchFinder::has_equal_steps() const {
+  const double turn = turn_of_angles(), gap = 2 * std::numbers::pi - turn;
+  std::vector<double> steps;
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    const double step = i > 0 ? numbers_[i] - numbers_[i - 1] : numbers_.front() + 2 * std::numbers::pi - numbers_.back();
+    if (step > kSameAngle && step < gap) steps.push_back(step);
+  }
+  if (steps.empty()) return false;
+  const auto [least, most] = std::ranges::minmax(steps);
+  return most - least <= kEqualSteps * most;
 }
 
 /// Whether the neighbours of a strip continue in the direction of its surface, along kSidesToInner times the length of

@@ -25,6 +25,8 @@ constexpr double kPrecisions = 8, kSagPart = 0.03, kExactSagPart = 0.002, kStrip
 /// Largest distance, in sags, of a corner from the surface of the starting values. If one is farther away, the values
 /// are rejected.
 constexpr double kWildGuess = 1.5;
+/// Least number of corners of a sample for a cone that the normals do not tell: twice that of its parameters.
+constexpr std::size_t kFewestConePoints = 2 * parameter_count(SurfaceKind::cone);
 /// Arcs from a seed to the facets of the smaller and of the larger sample around it, and largest numbers of these facets.
 constexpr int kRingSteps = 2, kWideSteps = 10;
 constexpr std::size_t kMostRing = 24, kMostWide = 28;
@@ -281,7 +283,7 @@ bool PatchFinder::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate
     return lies_on_it;
   }
   if (is_useful && refine()) return true;
-  if (kind != SurfaceKind::cone || !sample.cylinder) return false;
+  if (kind != SurfaceKind::cone || !sample.cylinder || sample.points.size() < kFewestConePoints) return false;
   // The normals of irregular triangles tell little of a cone, but it has the rulings and the curvature of a cylinder.
   sag_part_ = kExactSagPart;
   surface = cone_from_cylinder(*sample.cylinder, sample.points);

@@ -106,6 +106,7 @@ class PatchFinder {
   bool explains_rise(const PatchCandidate& c) const;
   std::size_t angles_of(const PatchSurface& surface, bool about_circle);
   double turn_of_angles() const;
+  bool has_equal_steps() const;
   bool is_tangent(const PatchCandidate& c, std::size_t rows);
   bool goes_on(const PatchCandidate& c);
   void join_bands(std::vector<Patch>& patches);
