@@ -11,6 +11,7 @@
 #include "scene/model/edge_rows.hpp"
 #include "scene/patches/borders/whole_borders.hpp"
 #include "scene/patches/facet_graph.hpp"
+#include "scene/patches/freeform.hpp"
 
 namespace ligne {
 namespace {
@@ -155,9 +156,21 @@ class EdgeClassifier {
     return rows_.next({border.edge, free}, kEvenBends) || !rows_.next({border.edge, free}, kRoundingBends);
   }
 
-  /// Whether no edge beside an edge bends as it does: it is none of those between the bands of a free form.
+  double depth_behind(const Edge& edge, std::uint32_t face) const {
+    const Point3& from = scene_.vertices[edge.v0];
+    const Point3 along = glm::normalize(scene_.vertices[edge.v1] - from);
+    double depth = 0;
+    for (const std::uint32_t v : scene_.faces.contour(face, 0))
+      depth = std::max(depth, glm::length(glm::cross(along, scene_.vertices[v] - from)));
+    return depth;
+  }
+
+  /// Whether an edge is none of those between the bands of a free form: no edge beside it bends as it does, or the facet on
+  /// one side is much deeper than that on the other. Tessellators make rows that bend alike of like depths.
   bool ends_rows(std::uint32_t e) const {
     const Edge& edge = topology_.edges[e];
+    const auto [near, far] = std::minmax({depth_behind(edge, edge.face0), depth_behind(edge, edge.face1)});
+    if (far >= kPlaneDepths * near) return true;
     return std::ranges::none_of(std::array{edge.face0, edge.face1}, [&](std::uint32_t face) {
       return rows_.next({e, face}, kRoundingBends) || is_in_fan(e, face);
     });
