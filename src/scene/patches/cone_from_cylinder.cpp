@@ -10,10 +10,10 @@ namespace ligne {
 namespace {
 
 // Adjustable. Steps at most, and attempts at one step, each of which multiplies the damping by kDampingFactor.
-constexpr int kMostConeSteps = 20, kMostConeAttempts = 8;
+constexpr int kMostConeSteps = 12, kMostConeAttempts = 5;
 constexpr double kDampingFactor = 10, kDampingBegin = 1e-4;
 /// A step that leaves more than this fraction of the sum of squares is the last one.
-constexpr double kConeSettled = 0.9;
+constexpr double kConeSettled = 0.7;
 /// Largest angle between the axis and the rulings, in radians: 80 degrees.
 constexpr double kLargestConeAngle = 80 * std::numbers::pi / 180;
 

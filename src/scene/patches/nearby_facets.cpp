@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <queue>
 
 #include "scene/patches/patch_finder.hpp"
 
@@ -36,50 +35,6 @@ std::vector<std::uint32_t> PatchFinder::around(std::uint32_t seed, int rings, st
     }
   }
   return facets;
-}
-
-/// As many facets as `others`, a sample around the seed that may cross edges, but those that are reached over the smallest
-/// bends. Bends up to the median one of `others` count alike, so the facets lie on all sides of the seed. Returns none if
-/// these are the same facets.
-std::vector<std::uint32_t> PatchFinder::smooth_around(std::uint32_t seed, std::span<const std::uint32_t> others) {
-  const auto bend_of = [&](std::uint32_t f, std::uint32_t g) {
-    return 1 - glm::dot(graph_.frames[f].normal, graph_.frames[g].normal);
-  };
-  // stamp_ still marks `others`, which around() has found.
-  const std::uint32_t others_round = round_;
-  std::vector<double> bends;
-  for (const std::uint32_t f : others) {
-    for (const FacetGraph::Arc& arc : graph_.arcs_of(f)) {
-      if (stamp_[arc.facet] == others_round) bends.push_back(bend_of(f, arc.facet));
-    }
-  }
-  if (bends.empty()) return {};
-  const auto middle = bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 2);
-  std::nth_element(bends.begin(), middle, bends.end());
-  struct Reached {
-    double bend;  ///< the largest on the way
-    std::uint32_t order, facet;
-    bool operator<(const Reached& o) const { return bend != o.bend ? bend > o.bend : order > o.order; }
-  };
-  std::priority_queue<Reached> queue;
-  std::vector<std::uint32_t> facets;
-  std::uint32_t order = 0;
-  bool is_other = false;
-  queue.push({*middle, order, seed});
-  ++round_;
-  while (!queue.empty() && facets.size() < others.size()) {
-    const auto [bend, number, f] = queue.top();
-    queue.pop();
-    if (stamp_[f] == round_) continue;
-    is_other |= stamp_[f] != others_round;
-    stamp_[f] = round_;
-    facets.push_back(f);
-    for (const FacetGraph::Arc& arc : graph_.arcs_of(f)) {
-      if (stamp_[arc.facet] == round_ || !may_curve(arc.facet)) continue;
-      queue.push({std::max(bend, bend_of(f, arc.facet)), ++order, arc.facet});
-    }
-  }
-  return is_other ? facets : std::vector<std::uint32_t>{};
 }
 
 /// Up to seven neighbours of a facet that may be curved.

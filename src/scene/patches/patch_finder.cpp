@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -23,8 +24,8 @@ namespace {
 /// the curves at which fillets end to a thousandth of a millimetre or worse.
 constexpr double kPrecisions = 8, kSagPart = 0.03, kExactSagPart = 0.002, kStripSagPart = 0.25;
 /// Largest distance, in sags, of a corner from the surface of the starting values. If one is farther away, the values
-/// are rejected.
-constexpr double kWildGuess = 1.5;
+/// are rejected. Cylinders that may turn into cones, and those of irregular triangles, may be farther away.
+constexpr double kWildGuess = 1.5, kWilderGuess = 4;
 /// Least number of corners of a sample for a cone that the normals do not tell: twice that of its parameters.
 constexpr std::size_t kFewestConePoints = 2 * parameter_count(SurfaceKind::cone);
 /// Arcs from a seed to the facets of the smaller and of the larger sample around it, and largest numbers of these facets.
@@ -188,15 +189,12 @@ std::vector<PatchFinder::FitSample> PatchFinder::strip_samples(std::uint32_t see
   return sets;
 }
 
-/// Facets on all sides of a facet: nearby ones, more of them, and those reached without crossing edges.
+/// Facets on all sides of a facet: nearby ones, and more of them.
 std::vector<PatchFinder::FitSample> PatchFinder::round_samples(std::uint32_t seed) {
   std::vector<FitSample> samples;
   samples.push_back({around(seed, kRingSteps, kMostRing)});
   std::vector<std::uint32_t> wide = around(seed, kWideSteps, kMostWide);
-  std::vector<std::uint32_t> smooth = smooth_around(seed, wide);
-  const std::size_t size = samples[0].facets.size();
-  if (wide.size() > size) samples.push_back({std::move(wide)});
-  if (!smooth.empty()) samples.push_back({std::move(smooth)});
+  if (wide.size() > samples.front().facets.size()) samples.push_back({std::move(wide)});
   return samples;
 }
 
@@ -265,9 +263,17 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
 bool PatchFinder::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate& c) {
   complete(sample);
   PatchSurface& surface = c.patch.surface;
-  const auto is_wild = [&] {
-    const double wild = kWildGuess * sag_of(surface, sample.facets) + tolerance_for(kind, 0);
-    return std::ranges::any_of(sample.points, [&](const Point3& p) { return !(std::abs(surface.distance(p)) <= wild); });
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  // Largest distance of a corner beyond the precision, in sags
+  const auto wildness = [&] {
+    double most = 0;
+    for (const Point3& p : sample.points) {
+      const double distance = std::abs(surface.distance(p));
+      if (!(distance < kInfinity)) return kInfinity;
+      most = std::max(most, distance);
+    }
+    const double beyond = most - tolerance_for(kind, 0);
+    return beyond > 0 ? beyond / sag_of(surface, sample.facets) : 0;
   };
   const auto refine = [&] {
     c.residual = refine_surface(surface, sample.points);
@@ -275,19 +281,20 @@ bool PatchFinder::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate
     return c.residual <= tolerance_for(kind, c.patch.sag);
   };
   const bool is_guessed = guess_surface(kind, sample.frames, sample.points, surface);
-  const bool is_useful = is_guessed && !is_wild();
-  if (kind == SurfaceKind::cylinder && is_guessed) {
-    if (!is_useful) sag_part_ = kExactSagPart;
+  const double guess_wildness = is_guessed ? wildness() : kInfinity;
+  if (kind == SurfaceKind::cylinder) {
+    if (!(guess_wildness <= kWilderGuess)) return false;
+    if (guess_wildness > kWildGuess) sag_part_ = kExactSagPart;
     const bool lies_on_it = refine();
-    sample.cylinder = surface;
+    if (c.residual <= kWilderGuess * c.patch.sag) sample.cylinder = surface;
     return lies_on_it;
   }
-  if (is_useful && refine()) return true;
+  if (guess_wildness <= kWildGuess && refine()) return true;
   if (kind != SurfaceKind::cone || !sample.cylinder || sample.points.size() < kFewestConePoints) return false;
   // The normals of irregular triangles tell little of a cone, but it has the rulings and the curvature of a cylinder.
   sag_part_ = kExactSagPart;
   surface = cone_from_cylinder(*sample.cylinder, sample.points);
-  return !is_wild() && refine();
+  return wildness() <= kWildGuess && refine();
 }
 
 /// Fits a surface to a few facets, and lets it grow from the seed. The result has no facets if this fails.

@@ -85,7 +85,6 @@ class PatchFinder {
   PatchCandidate try_surface(SurfaceKind kind, std::uint32_t seed, FitSample& sample);
   std::vector<std::uint32_t> grow(const Patch& patch, std::uint32_t seed, bool over_patches = false);
   std::vector<std::uint32_t> around(std::uint32_t seed, int rings, std::size_t most);
-  std::vector<std::uint32_t> smooth_around(std::uint32_t seed, std::span<const std::uint32_t> others);
   std::vector<FitSample> round_samples(std::uint32_t seed);
   std::vector<std::uint32_t> strip_of(std::uint32_t seed);
   std::vector<std::uint32_t> beside(std::uint32_t seed);
