@@ -10,7 +10,7 @@ namespace ligne {
 namespace {
 
 // Adjustable. Steps at most, and attempts at one step, each of which multiplies the damping by kDampingFactor.
-constexpr int kMostConeSteps = 12, kMostConeAttempts = 5;
+constexpr int kMostConeSteps = 8, kMostConeAttempts = 3;
 constexpr double kDampingFactor = 10, kDampingBegin = 1e-4;
 /// A step that leaves more than this fraction of the sum of squares is the last one.
 constexpr double kConeSettled = 0.7;

@@ -25,7 +25,7 @@ namespace {
 constexpr double kPrecisions = 8, kSagPart = 0.03, kExactSagPart = 0.002, kStripSagPart = 0.25;
 /// Largest distance, in sags, of a corner from the surface of the starting values. If one is farther away, the values
 /// are rejected. Cylinders that may turn into cones, and those of irregular triangles, may be farther away.
-constexpr double kWildGuess = 1.5, kWilderGuess = 4;
+constexpr double kWildGuess = 1.5, kWilderGuess = 3;
 /// Least number of corners of a sample for a cone that the normals do not tell: twice that of its parameters.
 constexpr std::size_t kFewestConePoints = 2 * parameter_count(SurfaceKind::cone);
 /// Arcs from a seed to the facets of the smaller and of the larger sample around it, and largest numbers of these facets.
@@ -266,14 +266,15 @@ bool PatchFinder::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   // Largest distance of a corner beyond the precision, in sags
   const auto wildness = [&] {
+    const double sag = sag_of(surface, sample.facets), wild = kWilderGuess * sag + tolerance_for(kind, 0);
     double most = 0;
     for (const Point3& p : sample.points) {
       const double distance = std::abs(surface.distance(p));
-      if (!(distance < kInfinity)) return kInfinity;
+      if (!(distance <= wild)) return kInfinity;
       most = std::max(most, distance);
     }
     const double beyond = most - tolerance_for(kind, 0);
-    return beyond > 0 ? beyond / sag_of(surface, sample.facets) : 0;
+    return beyond > 0 ? beyond / sag : 0;
   };
   const auto refine = [&] {
     c.residual = refine_surface(surface, sample.points);
