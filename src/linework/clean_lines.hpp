@@ -6,15 +6,13 @@
 /// - No end of a line moves. Strokes of their own join and extend lines; they are no longer than the widest gap of a
 ///   rule.
 /// - Nothing longer than the longest removal of a rule is removed.
-/// - Every change is counted by rule, with the length that it adds or removes: the sum is the difference of the
-///   drawings.
+/// - Every change is counted by rule.
 /// - No free end points at another line within the reach of extend_undershoots, if its line is long enough to be
 ///   extended.
 /// - The order of the strokes, turns by quarters and mirrors do not matter.
 /// - The number of threads does not matter.
 
 #include <cstddef>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -33,26 +31,14 @@ struct CleanOptions {
   MakeSource make_source;  ///< makes the sources of strokes that join lines
 };
 
-/// A rule with its parameters.
-struct CleaningRule {
-  std::string_view name;     ///< the name of its function in rules.hpp
-  std::string_view changes;  ///< its changes, for reports
-  /// Applies the rule to the map. Returns the number of changes.
-  std::size_t (*apply)(LineMap& map, const CleanOptions& options);
-};
-
-/// The rules in the order in which they are applied.
-std::span<const CleaningRule> cleaning_rules();
-
 /// The changes of one rule.
 struct RuleReport {
-  std::string_view name, changes;  ///< see CleaningRule
+  std::string_view changes;  ///< what the rule does, in words
   std::size_t count = 0;
-  double added_mm = 0, removed_mm = 0;  ///< lengths on the page
 };
 
 struct CleanReport {
-  std::vector<RuleReport> rules;  ///< in the order of cleaning_rules()
+  std::vector<RuleReport> rules;  ///< in the order in which they are applied; those that the options leave out are missing
   int passes = 0;                 ///< the last one changed nothing unless it is number kMostCleanPasses
 };
 

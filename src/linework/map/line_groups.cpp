@@ -14,30 +14,6 @@ namespace {
 /// Adjustable: number of ends that one task pairs.
 constexpr std::size_t kPairedBlock = 16'384;
 
-}  // namespace
-
-Chains::Chains(const LineMap& map) : of_(map.piece_count(), kNone), chains_(map.piece_count()) {
-  DisjointSets sets(map.piece_count());
-  for (std::uint32_t end = 0; end < 2 * map.piece_count(); ++end) {
-    if (!map.is_alive(end / 2)) continue;
-    if (const std::uint32_t next = map.next(end); next != kNone) sets.join(end / 2, next / 2);
-  }
-  for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
-    if (!map.is_alive(p)) continue;
-    of_[p] = sets.find(p);
-    const Stroke& s = map.piece(p);
-    Chain& chain = chains_[of_[p]];
-    chain.length += page_length(s);
-    chain.only_edges &= is_edge(s);
-    chain.only_intersections &= s.line_class == LineClass::intersection;
-    const bool from_free = map.is_free(2 * p), to_free = map.is_free(2 * p + 1);
-    chain.free_ends += from_free + to_free;
-    chain.cut_ends += (from_free && s.t_from > 0) + (to_free && s.t_to < 1);
-  }
-}
-
-namespace {
-
 /// Pairs the ends of each class at a node, and then the ends without a partner.
 void pair_ends(const LineMap& map, std::uint32_t node, std::vector<std::uint32_t>& same, std::vector<std::uint32_t>& other) {
   const Nodes& nodes = map.nodes();

@@ -1,5 +1,5 @@
 #pragma once
-/// Three ways to follow a line through the nodes of a LineMap. Each is a snapshot: later edits of the map do not change
+/// Two ways to follow a line through the nodes of a LineMap. Each is a snapshot: later edits of the map do not change
 /// it, except where noted.
 
 #include <cstdint>
@@ -10,26 +10,6 @@
 #include "linework/map/line_map.hpp"
 
 namespace ligne {
-
-/// Chains: two pieces continue each other where exactly two pieces end. A chain is identified by its lowest piece.
-class Chains {
- public:
-  struct Chain {
-    double length = 0;            ///< lattice steps
-    std::uint32_t free_ends = 0;  ///< 0 for a ring, or if the chain ends at ends of other chains
-    std::uint32_t cut_ends = 0;   ///< free ends inside an edge: visibility ends the line there
-    bool only_edges = true, only_intersections = true;
-  };
-
-  /// O(n).
-  explicit Chains(const LineMap& map);
-  std::uint32_t of(std::uint32_t piece) const { return of_[piece]; }
-  const Chain& operator[](std::uint32_t lowest) const { return chains_[lowest]; }
-
- private:
-  std::vector<std::uint32_t> of_;
-  std::vector<Chain> chains_;
-};
 
 /// Runs: pieces of one class that are drawn as one line. At each node the ends of each class are paired, the
 /// straightest pair first; then the remaining ends of edges are paired across classes in the same way. A run is
@@ -53,7 +33,8 @@ class Runs {
 };
 
 /// Arcs: lines from one junction to the next. A line that ends within `reach` of the side of another makes a junction
-/// there. Pieces whose two ends belong to one junction belong to no arc.
+/// there. Pieces whose two ends belong to one junction belong to no arc. Arcs without contacts are called chains: there two
+/// pieces continue each other where exactly two pieces end.
 class Arcs {
  public:
   struct Arc {
@@ -62,6 +43,9 @@ class Arcs {
     double length = 0;                     ///< lattice steps
     std::vector<std::uint32_t> junctions;  ///< its two junctions; none for a ring
   };
+
+  /// No contact is within this reach.
+  static constexpr double kNoContacts = -1;
 
   /// O(n).
   Arcs(const LineMap& map, double reach);
@@ -86,6 +70,23 @@ class Arcs {
   std::vector<std::uint32_t> degree_;                  ///< by junction
   std::vector<std::uint32_t> first_at_, at_junction_;  ///< for each junction the index of its first end; the ends
   std::vector<std::uint8_t> is_left_;                  ///< by piece
+};
+
+/// The arcs of a map, by piece.
+class ArcsOfPieces {
+ public:
+  explicit ArcsOfPieces(const LineMap& map, const Arcs& arcs) : arcs_(arcs.find()), of_(map.piece_count(), kNone) {
+    for (std::uint32_t a = 0; a < arcs_.size(); ++a) {
+      for (const std::uint32_t p : arcs_[a].pieces) of_[p] = a;
+    }
+  }
+  /// The number of the arc of a piece; kNone if the piece belongs to none.
+  std::uint32_t of(std::uint32_t piece) const { return of_[piece]; }
+  const Arcs::Arc& operator[](std::uint32_t arc) const { return arcs_[arc]; }
+
+ private:
+  std::vector<Arcs::Arc> arcs_;
+  std::vector<std::uint32_t> of_;
 };
 
 }  // namespace ligne

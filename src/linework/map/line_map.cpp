@@ -150,7 +150,6 @@ void LineMap::remove(std::uint32_t piece) {
   pieces_[piece].alive = false;
   nodes_.unlink(2 * piece);
   nodes_.unlink(2 * piece + 1);
-  removed_ += page_length(pieces_[piece].stroke);
 }
 
 void LineMap::add(Stroke stroke, std::uint32_t from_end, std::uint32_t to_end, const MakeSource& make_source) {
@@ -164,7 +163,6 @@ void LineMap::add(Stroke stroke, std::uint32_t from_end, std::uint32_t to_end, c
   for (const auto& [own, to] : {std::pair(2 * p, from_end), std::pair(2 * p + 1, to_end)}) {
     if (to != kNone) move_end(own, nodes_.of(to));
   }
-  added_ += page_length(stroke);
 }
 
 /// Writes adjacent removed parts of a stroke as one hidden stroke, and adjacent remaining parts as one visible stroke.

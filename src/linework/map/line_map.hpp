@@ -93,9 +93,6 @@ class LineMap {
   /// Adds a stroke from the node of `from_end` to that of `to_end`. An end that is kNone gets a node of its own.
   void add(Stroke stroke, std::uint32_t from_end, std::uint32_t to_end, const MakeSource& make_source);
 
-  double removed_steps() const { return removed_; }
-  double added_steps() const { return added_; }
-
   /// Writes the map back to the model. Removed pieces become hidden strokes, or are left out if the model had none.
   /// Hidden strokes lose the parts at their ends that lie in the ink (within `ink` steps) of added strokes.
   void commit(double ink);
@@ -127,7 +124,6 @@ class LineMap {
   Nodes nodes_;
   std::vector<Contact> contacts_;
   std::optional<LineCells> cells_;
-  double removed_ = 0, added_ = 0;
 };
 
 }  // namespace ligne

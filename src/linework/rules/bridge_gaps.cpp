@@ -44,7 +44,7 @@ struct OpenEnd {
 class OpenEnds {
  public:
   OpenEnds(const LineMap& map, double gap, double wide) : gap_(gap), wide_(wide) {
-    const Chains chains(map);
+    const ArcsOfPieces chains(map, Arcs(map, Arcs::kNoContacts));
     for (std::uint32_t end = 0; end < 2 * map.piece_count(); ++end) {
       if (!map.is_alive(end / 2) || !is_feature(map.piece(end / 2)) || !map.is_free(end)) continue;
       const Stroke& s = map.stroke_of(end / 2);

@@ -75,22 +75,16 @@ class UndershootFinder {
         reach_(limits.reach_mm / map.step_mm()),
         touching_(limits.touching_mm / map.step_mm()),
         arcs_(map, touching_),
-        arc_of_(map.piece_count(), kNone) {
-    const std::vector<Arcs::Arc> arcs = arcs_.find();
-    for (std::uint32_t a = 0; a < arcs.size(); ++a) {
-      for (const std::uint32_t p : arcs[a].pieces) arc_of_[p] = a;
-      lengths_.push_back(arcs[a].length);
-    }
-  }
+        by_piece_(map, arcs_) {}
 
   /// Returns the point to which the line at a free end is extended, if there is one.
   std::optional<LatticePoint> target_of(std::uint32_t end) {
     const std::uint32_t piece = end / 2;
     if (!arcs_.has(piece) || !is_feature(map_.piece(piece)) || arcs_.degree(arcs_.junction_of(end)) != 1) return {};
-    Undershoot shoot{.ahead = std::min(reach_, lengths_[arc_of_[piece]] / kLongInWays) * direction(end)};
+    Undershoot shoot{.ahead = std::min(reach_, by_piece_[by_piece_.of(piece)].length / kLongInWays) * direction(end)};
     const LatticePoint p = map_.point(end);
     map_.near(p, moved(p, shoot.ahead), touching_ + kTurnSine * reach_, [&](std::uint32_t other) {
-      const bool leads = arcs_.has(other) && arc_of_[other] != arc_of_[piece] && is_feature(map_.piece(other));
+      const bool leads = arcs_.has(other) && by_piece_.of(other) != by_piece_.of(piece) && is_feature(map_.piece(other));
       if (leads) lead_to(shoot, p, map_.piece(other));
       return false;
     });
@@ -115,8 +109,7 @@ class UndershootFinder {
   LineMap& map_;
   double reach_, touching_;
   Arcs arcs_;
-  std::vector<std::uint32_t> arc_of_;  ///< by piece
-  std::vector<double> lengths_;        ///< by arc
+  ArcsOfPieces by_piece_;
 };
 
 }  // namespace

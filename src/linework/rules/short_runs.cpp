@@ -1,9 +1,10 @@
 /// Rules for runs and chains that are too short to be seen as lines of their own.
 
-#include <vector>
+#include <algorithm>
 
 #include "linework/map/line_groups.hpp"
 #include "linework/rules/rules.hpp"
+#include "linework/stroke_geometry.hpp"
 
 namespace ligne {
 namespace {
@@ -36,15 +37,23 @@ std::size_t merge_short_runs(LineMap& map, double least_mm) {
 }
 
 std::size_t remove_short_bits(LineMap& map, double least_mm) {
-  const Chains chains(map);
+  const auto is_short = [&](const Arcs::Arc& chain) { return chain.length < least_mm / map.step_mm(); };
+  const auto is_loose = [&](const Arcs::Arc& chain) {
+    return chain.junctions.size() == 2 && map.is_free(chain.ends.front()) && map.is_free(chain.ends.back() ^ 1);
+  };
+  const auto is_cut = [&](std::uint32_t end) {
+    return end % 2 == 0 ? map.piece(end / 2).t_from > 0 : map.piece(end / 2).t_to < 1;
+  };
+  const auto all = [&](const Arcs::Arc& chain, const auto& holds) {
+    return std::ranges::all_of(chain.pieces, [&](std::uint32_t p) { return holds(map.piece(p)); });
+  };
+  const auto is_intersection = [](const Stroke& s) { return s.line_class == LineClass::intersection; };
   std::size_t removed = 0;
-  for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
-    if (!map.is_alive(p)) continue;
-    const Chains::Chain& chain = chains[chains.of(p)];
-    if (!chain.only_edges || chain.length >= least_mm / map.step_mm() || chain.free_ends != 2) continue;
-    if (chain.cut_ends == 0 && !chain.only_intersections) continue;
-    removed += chains.of(p) == p;
-    map.remove(p);
+  for (const Arcs::Arc& chain : Arcs(map, Arcs::kNoContacts).find()) {
+    if (!is_short(chain) || !is_loose(chain) || !all(chain, is_edge)) continue;
+    if (!is_cut(chain.ends.front()) && !is_cut(chain.ends.back() ^ 1) && !all(chain, is_intersection)) continue;
+    for (const std::uint32_t p : chain.pieces) map.remove(p);
+    ++removed;
   }
   return removed;
 }
