@@ -21,15 +21,13 @@ struct Pair {
   std::uint32_t a, b;  ///< loose ends, a < b
 };
 
-bool closed(std::span<const Point2> line) { return line.size() > 2 && line.front() == line.back(); }
-
 /// Pairs of loose ends within the tolerance, the nearest first. End 2 i is the first point of line i, end 2 i + 1 its
 /// last.
 std::vector<Pair> near_pairs(const Polylines& lines, double tolerance_mm) {
   std::vector<std::uint32_t> ends;
   std::vector<Point2> points;
   for (std::uint32_t i = 0; i < lines.size(); ++i) {
-    if (closed(lines[i])) continue;
+    if (is_loop(lines[i])) continue;
     for (const bool last : {false, true}) {
       ends.push_back(2 * i + last);
       points.push_back(last ? lines[i].back() : lines[i].front());

@@ -66,20 +66,15 @@ bool ellipse_of(Point2 centre, const glm::dmat2& q, Ellipse& ellipse) {
 
 }  // namespace
 
-Point2 point_at(const Ellipse& e, double t) {
-  return e.centre + turned({e.radii.x * std::cos(t), e.radii.y * std::sin(t)}, direction(e.rotation));
-}
-
-Point2 tangent_at(const Ellipse& e, double t) { return EllipseFrame(e).tangent_at(t); }
-
-double distance(const Ellipse& ellipse, Point2 p) {
-  const EllipseFrame frame(ellipse);
-  return frame.distance(frame.to_unit(p));
-}
+Point2 point_at(const Ellipse& ellipse, double t) { return EllipseFrame(ellipse).point_at(t); }
 
 EllipseFrame::EllipseFrame(const Ellipse& ellipse) : ellipse_(ellipse), axis_(direction(ellipse.rotation)) {}
 
 Point2 EllipseFrame::to_unit(Point2 p) const { return turned_back(p - ellipse_.centre, axis_) / ellipse_.radii; }
+
+Point2 EllipseFrame::point_at(double t) const {
+  return ellipse_.centre + turned({ellipse_.radii.x * std::cos(t), ellipse_.radii.y * std::sin(t)}, axis_);
+}
 
 Point2 EllipseFrame::tangent_at(double t) const {
   return turned({-ellipse_.radii.x * std::sin(t), ellipse_.radii.y * std::cos(t)}, axis_);
@@ -92,10 +87,10 @@ double EllipseFrame::distance(Point2 unit) const {
 
 double angle_of(Point2 unit) { return std::atan2(unit.y, unit.x); }
 
-double nearest_angle(const Ellipse& ellipse, Point2 p) {
-  const double t = angle_of(EllipseFrame(ellipse).to_unit(p));
-  const Point2 tangent = tangent_at(ellipse, t);
-  return t + glm::dot(p - point_at(ellipse, t), tangent) / glm::dot(tangent, tangent);
+double EllipseFrame::nearest_angle(Point2 p) const {
+  const double t = angle_of(to_unit(p));
+  const Point2 tangent = tangent_at(t);
+  return t + glm::dot(p - point_at(t), tangent) / glm::dot(tangent, tangent);
 }
 
 bool fit_circle(std::span<const Point2> points, Ellipse& circle) {
@@ -181,13 +176,14 @@ std::vector<Point2> bezier_points(const EllipticArc& arc, double tolerance) {
   const double wanted = quarters * std::pow(kQuarterError * arc.ellipse.radii.x / tolerance, 1.0 / 6);
   const int count = std::max({1, static_cast<int>(std::ceil(wanted)), static_cast<int>(std::ceil(quarters))});
   const double step = arc.sweep / count, handle = 4.0 / 3 * std::tan(step / 4);
+  const EllipseFrame frame(arc.ellipse);
   std::vector<Point2> points;
   points.reserve(3 * static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     const double t0 = arc.from + i * step, t1 = arc.from + (i + 1) * step;
-    const Point2 end = point_at(arc.ellipse, t1);
-    points.push_back(point_at(arc.ellipse, t0) + handle * tangent_at(arc.ellipse, t0));
-    points.push_back(end - handle * tangent_at(arc.ellipse, t1));
+    const Point2 end = frame.point_at(t1);
+    points.push_back(frame.point_at(t0) + handle * frame.tangent_at(t0));
+    points.push_back(end - handle * frame.tangent_at(t1));
     points.push_back(end);
   }
   return points;

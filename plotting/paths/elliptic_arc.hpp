@@ -17,10 +17,6 @@ struct Ellipse {
 };
 
 Point2 point_at(const Ellipse& ellipse, double t);
-/// Derivative of point_at.
-Point2 tangent_at(const Ellipse& ellipse, double t);
-/// Distance of `p` from the ellipse, to first order: valid for points much nearer than the radius of curvature.
-double distance(const Ellipse& ellipse, Point2 p);
 
 /// An ellipse prepared for many queries. In its frame the ellipse is the unit circle.
 class EllipseFrame {
@@ -28,10 +24,15 @@ class EllipseFrame {
   explicit EllipseFrame(const Ellipse& ellipse);
 
   Point2 to_unit(Point2 p) const;
+  Point2 point_at(double t) const;
   /// Derivative of point_at.
   Point2 tangent_at(double t) const;
-  /// Distance from the ellipse, to first order, of a point given in the frame.
+  /// Distance of a point given in the frame from the ellipse, to first order: valid for points much nearer than the radius
+  /// of curvature.
   double distance(Point2 unit) const;
+  /// Eccentric angle of the point of the ellipse that is nearest to `p`, to first order in its distance, within half a turn
+  /// of angle_of().
+  double nearest_angle(Point2 p) const;
 
  private:
   Ellipse ellipse_;
@@ -40,10 +41,6 @@ class EllipseFrame {
 
 /// Eccentric angle of the point where the ray from the centre through a point of the frame meets the ellipse.
 double angle_of(Point2 unit);
-
-/// Eccentric angle of the point of the ellipse that is nearest to `p`, to first order in its distance, within half a turn of
-/// angle_of().
-double nearest_angle(const Ellipse& ellipse, Point2 p);
 
 /// The part of an ellipse from the eccentric angle `from` over `sweep`, in radians, positive from x towards y.
 struct EllipticArc {

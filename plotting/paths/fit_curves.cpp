@@ -194,7 +194,7 @@ class CurveFit {
     const bool positive = turn(first + 1) > 0, may_be_uneven = round.is_known || last - first + 1 >= kMany;
     const EllipseFrame frame(ellipse);
     Point2 unit = frame.to_unit(corners_[first]);
-    EllipticArc arc{ellipse, nearest_angle(ellipse, corners_[first]), 0};
+    EllipticArc arc{ellipse, frame.nearest_angle(corners_[first]), 0};
     arc.sweep = angle_of(unit) - arc.from;
     double before = 0;  // size of the last step
     for (std::size_t i = first; i <= last; ++i) {
@@ -213,7 +213,7 @@ class CurveFit {
       before = size;
       unit = next;
     }
-    arc.sweep += nearest_angle(ellipse, corners_[last]) - angle_of(unit);
+    arc.sweep += frame.nearest_angle(corners_[last]) - angle_of(unit);
     return std::abs(arc.sweep) <= kWholeTurn ? std::optional(arc) : std::nullopt;
   }
 

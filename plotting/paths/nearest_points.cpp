@@ -4,8 +4,6 @@
 #include <limits>
 #include <tuple>
 
-#include "base/no_index.hpp"
-
 namespace ligne {
 
 NearestPoints::NearestPoints(std::span<const Point2> points)
@@ -26,41 +24,23 @@ void NearestPoints::remove(std::uint32_t point) {
   tree_.for_each_around(place_of_[point], [&](std::uint32_t node) { --left_in_[node]; });
 }
 
-/// Calls take(squared distance, point) for points of boxes nearer than the limit, which take() may lower. A box as far as
-/// the farthest point found holds nothing nearer, so a thousand points in one place are not all visited.
-template <class Take>
-void NearestPoints::search(Point2 p, const double& limit, const Take& take) const {
-  const auto enter = [&](std::uint32_t node, double squared) { return left_in_[node] > 0 && squared < limit; };
-  tree_.search_from(p, enter, [&](std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t i = begin; i < end; ++i) {
-      const Point2 d = points_[i] - p;
-      const double squared = d.x * d.x + d.y * d.y;
-      if (is_left_[i] && squared < limit) take(squared, tree_.order()[i]);
-    }
-  });
-}
-
-std::uint32_t NearestPoints::nearest(Point2 p) const {
-  double best = std::numeric_limits<double>::infinity();
-  std::uint32_t found = kNone;
-  search(p, best, [&](double squared, std::uint32_t point) {
-    best = squared;
-    found = point;
-  });
-  return found;
-}
-
 void NearestPoints::nearest(Point2 p, std::size_t count, std::vector<Neighbour>& found) const {
   found.clear();
   double limit = count > 0 ? std::numeric_limits<double>::infinity() : 0;
   const auto nearer = [](const Neighbour& l, const Neighbour& r) {
     return std::tie(l.squared, l.point) < std::tie(r.squared, r.point);
   };
-  search(p, limit, [&](double squared, std::uint32_t point) {
-    const Neighbour neighbour{squared, point};
-    if (found.size() == count) found.pop_back();
-    found.insert(std::upper_bound(found.begin(), found.end(), neighbour, nearer), neighbour);
-    if (found.size() == count) limit = found.back().squared;
+  // A box as far as the farthest point found holds nothing nearer, so a thousand points in one place are not all visited.
+  const auto enter = [&](std::uint32_t node, double squared) { return left_in_[node] > 0 && squared < limit; };
+  tree_.search_from(p, enter, [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const Point2 d = points_[i] - p;
+      const Neighbour neighbour{d.x * d.x + d.y * d.y, tree_.order()[i]};
+      if (!is_left_[i] || !(neighbour.squared < limit)) continue;
+      if (found.size() == count) found.pop_back();
+      found.insert(std::upper_bound(found.begin(), found.end(), neighbour, nearer), neighbour);
+      if (found.size() == count) limit = found.back().squared;
+    }
   });
 }
 

@@ -25,16 +25,10 @@ class NearestPoints {
   /// Removes a point, which must not have been removed before.
   void remove(std::uint32_t point);
 
-  /// The nearest of the remaining points; kNone if there is none.
-  std::uint32_t nearest(Point2 p) const;
-
-  /// Finds the `count` remaining points nearest to p, sorted by distance and index.
+  /// Finds the `count` remaining points nearest to p, sorted by distance and index; fewer where fewer remain.
   void nearest(Point2 p, std::size_t count, std::vector<Neighbour>& found) const;
 
  private:
-  template <class Take>
-  void search(Point2 p, const double& limit, const Take& take) const;
-
   PointTree<2, double> tree_;
   std::vector<Point2> points_;           ///< in the order of the tree, so that a search reads neighbouring memory
   std::vector<std::uint32_t> place_of_;  ///< per point: its place in that order

@@ -1,4 +1,5 @@
 #include "plotting/paths/optimize.hpp"
+#include "plotting/paths/path_length.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -7,10 +8,7 @@ namespace ligne {
 std::vector<std::uint32_t> long_strokes(const Polylines& lines, double min_length_mm) {
   std::vector<std::uint32_t> kept;
   for (std::uint32_t i = 0; i < lines.size(); ++i) {
-    const auto line = lines[i];
-    double length = 0;
-    for (std::size_t k = 1; k < line.size() && length < min_length_mm; ++k) length += glm::distance(line[k - 1], line[k]);
-    if (length >= min_length_mm) kept.push_back(i);
+    if (path_length(lines[i]) >= min_length_mm) kept.push_back(i);
   }
   return kept;
 }
@@ -48,7 +46,7 @@ PathLengths measure(const Polylines& lines, Point2 home, bool returns) {
     if (line.empty()) continue;
     ++lengths.strokes;
     lengths.up_mm += glm::distance(pen, line.front());
-    for (std::size_t k = 1; k < line.size(); ++k) lengths.down_mm += glm::distance(line[k - 1], line[k]);
+    lengths.down_mm += path_length(line);
     pen = line.back();
   }
   if (returns && lengths.strokes > 0) lengths.up_mm += glm::distance(pen, home);

@@ -8,12 +8,11 @@
 
 #include "plotting/paths/inside_first.hpp"
 #include "plotting/paths/nearest_points.hpp"
+#include "plotting/paths/path_length.hpp"
 #include "plotting/paths/tour.hpp"
 
 namespace ligne {
 namespace {
-
-bool is_loop(std::span<const Point2> line) { return line.size() > 2 && line.front() == line.back(); }
 
 /// The strokes, the point at which each loop is entered, and the home position as one stroke after all others.
 class Strokes {
@@ -60,12 +59,13 @@ Tour Strokes::nearest_neighbours() {
   first_of.push_back(static_cast<std::uint32_t>(points.size()));
 
   NearestPoints tree(points);
+  std::vector<NearestPoints::Neighbour> nearest;
   Tour tour;
-  tour.entries.push_back(2 * count());
+  tour.push_back(2 * count());
   Point2 pen = options_.home;
   for (std::uint32_t n = 0; n < count(); ++n) {
-    const std::uint32_t found = tree.nearest(pen);
-    const std::uint32_t stroke = stroke_of[found];
+    tree.nearest(pen, 1, nearest);
+    const std::uint32_t found = nearest[0].point, stroke = stroke_of[found];
     std::uint32_t entry = 2 * stroke;
     if (is_loop(lines_[stroke])) {
       start_[stroke] = found - first_of[stroke];
@@ -73,10 +73,10 @@ Tour Strokes::nearest_neighbours() {
       entry += found - first_of[stroke];
     }
     for (std::uint32_t p = first_of[stroke]; p < first_of[stroke + 1]; ++p) tree.remove(p);
-    tour.entries.push_back(entry);
+    tour.push_back(entry);
     pen = end_point(entry ^ 1);
   }
-  if (options_.returns) tour.entries.push_back(2 * count() + 2);
+  if (options_.returns) tour.push_back(2 * count() + 2);
   return tour;
 }
 
@@ -84,30 +84,29 @@ Tour Strokes::nearest_neighbours() {
 Tour Strokes::as_given() {
   std::fill(start_.begin(), start_.end(), 0);
   Tour tour;
-  tour.entries.push_back(2 * count());
-  for (std::uint32_t s = 0; s < count(); ++s) tour.entries.push_back(2 * s);
-  if (options_.returns) tour.entries.push_back(2 * count() + 2);
+  tour.push_back(2 * count());
+  for (std::uint32_t s = 0; s < count(); ++s) tour.push_back(2 * s);
+  if (options_.returns) tour.push_back(2 * count() + 2);
   return tour;
 }
 
 double Strokes::way_up(const Tour& tour) const {
   double way = 0;
-  for (std::size_t i = 1; i < tour.entries.size(); ++i)
-    way += glm::distance(end_point(tour.entries[i - 1] ^ 1), end_point(tour.entries[i]));
+  for (std::size_t i = 1; i < tour.size(); ++i) way += glm::distance(end_point(tour[i - 1] ^ 1), end_point(tour[i]));
   return way;
 }
 
 /// Enters each loop at the point that is best between its neighbours in the tour.
 void Strokes::choose_starts(const Tour& tour) {
-  for (std::size_t i = 1; i < tour.entries.size(); ++i) {
-    const std::uint32_t stroke = tour.entries[i] / 2;
+  for (std::size_t i = 1; i < tour.size(); ++i) {
+    const std::uint32_t stroke = tour[i] / 2;
     if (stroke >= count() || !is_loop(lines_[stroke])) continue;
     const auto line = lines_[stroke];
-    const Point2 from = end_point(tour.entries[i - 1] ^ 1);
+    const Point2 from = end_point(tour[i - 1] ^ 1);
     double best = std::numeric_limits<double>::infinity();
     for (std::uint32_t p = 0; p + 1 < line.size(); ++p) {
-      const double way = glm::distance(from, line[p]) +
-                         (i + 1 < tour.entries.size() ? glm::distance(line[p], end_point(tour.entries[i + 1])) : 0);
+      const double way =
+          glm::distance(from, line[p]) + (i + 1 < tour.size() ? glm::distance(line[p], end_point(tour[i + 1])) : 0);
       if (way < best) {
         best = way;
         start_[stroke] = p;
@@ -119,15 +118,15 @@ void Strokes::choose_starts(const Tour& tour) {
 /// Moves the strokes inside a closed stroke before it.
 Tour Strokes::inside_before(const Tour& tour) {
   std::vector<std::uint32_t> order, entry_of(count());
-  for (const std::uint32_t entry : tour.entries) {
+  for (const std::uint32_t entry : tour) {
     if (entry / 2 >= count()) continue;
     order.push_back(entry / 2);
     entry_of[entry / 2] = entry;
   }
   Tour changed;
-  changed.entries.push_back(tour.entries.front());
-  for (const std::uint32_t stroke : inside_first(lines_, order)) changed.entries.push_back(entry_of[stroke]);
-  if (options_.returns) changed.entries.push_back(tour.entries.back());
+  changed.push_back(tour.front());
+  for (const std::uint32_t stroke : inside_first(lines_, order)) changed.push_back(entry_of[stroke]);
+  if (options_.returns) changed.push_back(tour.back());
   choose_starts(changed);
   return changed;
 }
@@ -142,7 +141,7 @@ Polylines Strokes::in_order(const Tour& tour) const {
   Polylines out;
   out.points.reserve(lines_.points.size());
   out.begin.reserve(lines_.begin.size());
-  for (const std::uint32_t entry : tour.entries) {
+  for (const std::uint32_t entry : tour) {
     const std::uint32_t stroke = entry / 2;
     if (stroke >= count()) continue;
     const auto line = lines_[stroke];
@@ -183,7 +182,7 @@ Polylines order_strokes(const Polylines& lines, const OrderOptions& options, std
   }
   if (options.inside_first) tour = strokes.inside_before(tour);
   if (order) {
-    for (const std::uint32_t entry : tour.entries) {
+    for (const std::uint32_t entry : tour) {
       if (entry / 2 < lines.size()) order->push_back(entry / 2);
     }
   }

@@ -1,5 +1,5 @@
 #pragma once
-/// The length of a path.
+/// The length of a path, and whether it is closed.
 
 #include <cstddef>
 #include <span>
@@ -16,5 +16,8 @@ inline double path_length(std::span<const Point2> line) {
   for (std::size_t i = 1; i < line.size(); ++i) sum += glm::distance(line[i - 1], line[i]);
   return sum;
 }
+
+/// Whether a polyline returns to its first point.
+inline bool is_loop(std::span<const Point2> line) { return line.size() > 2 && line.front() == line.back(); }
 
 }  // namespace ligne

@@ -34,9 +34,9 @@ constexpr double kLeastGainMm = 1e-9;
 class Improver {
  public:
   Improver(Tour& tour, std::span<const Point2> ends, bool returns, std::uint64_t& work)
-      : at_(tour.entries),
+      : at_(tour),
         ends_(ends),
-        count_(static_cast<std::uint32_t>(tour.entries.size())),
+        count_(static_cast<std::uint32_t>(tour.size())),
         last_(returns ? count_ - 1 : count_),
         work_(work),
         place_(ends.size() / 2),
@@ -83,7 +83,7 @@ class Improver {
   bool try_insert(std::uint32_t end, std::uint32_t first, std::uint32_t last);
   void move(std::uint32_t first, std::uint32_t last, std::uint32_t gap_before, bool turned);
 
-  std::vector<std::uint32_t>& at_;
+  Tour& at_;
   std::span<const Point2> ends_;
   std::uint32_t count_, last_;  ///< places [1, last_) may change
   std::uint64_t& work_;
@@ -202,7 +202,7 @@ void Improver::move(std::uint32_t first, std::uint32_t last, std::uint32_t targe
 }  // namespace
 
 void improve(Tour& tour, std::span<const Point2> ends, bool returns, std::uint64_t& work) {
-  if (tour.entries.size() < 3) return;
+  if (tour.size() < 3) return;
   Improver(tour, ends, returns, work).run();
 }
 

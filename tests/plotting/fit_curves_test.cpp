@@ -298,7 +298,7 @@ TEST(FitCurves, OtherSmoothCurvesStayWithinTheTolerance) {
       const PathPiece &before = path.pieces[i - 1], &after = path.pieces[i];
       if (!before.arc || !after.arc) continue;
       const auto direction = [](const EllipticArc& arc, double t) {
-        return glm::normalize(tangent_at(arc.ellipse, t)) * (arc.sweep > 0 ? 1.0 : -1.0);
+        return glm::normalize(EllipseFrame(arc.ellipse).tangent_at(t)) * (arc.sweep > 0 ? 1.0 : -1.0);
       };
       const Point2 in = direction(*before.arc, before.arc->from + before.arc->sweep),
                    out = direction(*after.arc, after.arc->from);

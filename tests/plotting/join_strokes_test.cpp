@@ -83,19 +83,22 @@ TEST(NearestPoints, FindsTheNearestOfTheRemainingPoints) {
   const std::vector<Point2> points = crowded_points(500, 20);
   NearestPoints tree(points);
   std::vector<char> there(points.size(), 1);
+  std::vector<NearestPoints::Neighbour> nearest;
   for (std::size_t removed = 0; removed < points.size(); ++removed) {
     const Point2 q{place(random) + 0.3, place(random) - 0.2};
-    const std::uint32_t found = tree.nearest(q);
+    tree.nearest(q, 1, nearest);
+    ASSERT_EQ(nearest.size(), 1u);
+    const std::uint32_t found = nearest[0].point;
     double least = 1e300;
     for (std::size_t i = 0; i < points.size(); ++i)
       if (there[i]) least = std::min(least, glm::distance(q, points[i]));
-    ASSERT_NE(found, kNone);
     ASSERT_TRUE(there[found]);
     ASSERT_DOUBLE_EQ(glm::distance(q, points[found]), least);
     tree.remove(found);
     there[found] = 0;
   }
-  EXPECT_EQ(tree.nearest({0, 0}), kNone);
+  tree.nearest({0, 0}, 1, nearest);
+  EXPECT_TRUE(nearest.empty());
 }
 
 TEST(NearestPoints, FindsTheNearestInTheOrderOfDistanceAndIndex) {

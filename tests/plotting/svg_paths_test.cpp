@@ -223,7 +223,8 @@ TEST(CurvesInFiles, SvgCurvesAreTheEllipse) {
       const std::vector<Point2> points = followed(svg, curves);
       EXPECT_GE(curves, 6) << svg;
       EXPECT_LE(curves, 12) << svg;
-      for (const Point2 p : points) EXPECT_LE(distance(ellipse, p), kCurveToleranceMm);
+      const EllipseFrame frame(ellipse);
+      for (const Point2 p : points) EXPECT_LE(frame.distance(frame.to_unit(p)), kCurveToleranceMm);
       for (const Point2 p : closed(ellipse, 60))
         EXPECT_LE(test::distance_to_lines(p, polylines_of({points})), kCurveToleranceMm);
     }
