@@ -153,12 +153,7 @@ class ContourTracer {
       chain.nodes.push_back(end);
     }
     if (path.closed) chain.nodes.back() = chain.nodes.front();
-    if (patch_.surfaces) {
-      mark_joints(chain);
-      mark_bends(chain);
-    }
-    chain.on_surface =
-        std::ranges::all_of(path.triangles, [&](std::uint32_t t) { return surface_at(patch_, t) != nullptr; });
+    if (patch_.surfaces) mark_joints(chain);
     return chain;
   }
 
@@ -187,16 +182,6 @@ class ContourTracer {
   double bend_along_sight(const Patch& patch, const Point3& at) const {
     const double k = patch.surface.curvature(at, glm::normalize(to_eye(camera_, at)));
     return patch.outward ? k : -k;
-  }
-
-  void mark_bends(ContourChain& chain) const {
-    for (std::size_t i = 0; i < chain.size(); ++i) {
-      const Patch* const surface = surface_at(patch_, chain.triangles[i]);
-      if (!surface) continue;
-      const double from = bend_along_sight(*surface, chain.nodes[i].on_surface),
-                   to = bend_along_sight(*surface, chain.nodes[i + 1].on_surface);
-      chain.nodes[i].bend_ahead = from > 0 && to > 0 ? 1 : from < 0 && to < 0 ? -1 : 0;
-    }
   }
 
   /// Whether the contour turns back on the page between two segments on different surfaces. It does where the surfaces bend

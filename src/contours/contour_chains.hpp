@@ -35,9 +35,6 @@ struct ContourNode {
   std::array<std::uint32_t, 2> edge{kNone, kNone};
   bool is_corner = false;  ///< whether the contour turns back here, between two surfaces that join smoothly
   bool is_joint = false;   ///< whether it runs from one recognised surface, or free form, into another here
-  /// 1 if the segment that leaves the node lies on a recognised surface that bends away from its normal along the sight, -1
-  /// if that bends towards it, 0 if neither is known of all of the segment.
-  int bend_ahead = 0;
 
   /// Whether the contour runs along the line of sight here, inside a triangle, or turns back between two surfaces.
   bool is_cusp() const { return radial == 0 && tangent != Point3(0.0); }
@@ -67,7 +64,6 @@ struct ContourChain {
   std::vector<ContourNode> nodes;
   std::vector<std::uint32_t> triangles;  ///< of the patch, per segment
   bool closed = false;
-  bool on_surface = false;  ///< whether all of it lies on recognised surfaces
 
   std::size_t size() const { return triangles.size(); }
 };

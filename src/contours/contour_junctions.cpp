@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -10,15 +11,15 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "linework/map/nodes.hpp"
+#include "linework/stroke_piece.hpp"
 #include "view/clip.hpp"
 
 namespace ligne {
 namespace {
 
 constexpr double kCellMm = 2;
-/// Adjustable. Longest move that shortens a visible part, in reaches; on recognised surfaces also one that lengthens it.
-/// If it is longer than one reach, the end must lie within one reach, or within the sag of recognised surfaces, beside
-/// the line that hides it.
+/// Adjustable. Longest move that shortens a visible part, in reaches. If it is longer than one reach, the end must lie
+/// within one reach beside the line that hides it.
 constexpr double kMostOblique = 4;
 /// Number of segments before and behind a place over which the length of the chain's segments is averaged.
 constexpr int kSizeWindow = 3;
@@ -46,8 +47,7 @@ void for_visible_pieces(const SeenContour& contour, std::uint32_t c, Visit visit
       const CurvePoint &a = points[i - 1], &b = points[i];
       const auto segment = static_cast<std::size_t>(a.at);
       const double beside_mm = segment < contour.beside_mm.size() ? contour.beside_mm[segment] : 0;
-      visit(OutlineSegment{a.mm, b.mm, a.depth, b.depth, c, a.length, b.length, beside_mm,
-                           segment < contour.free_sides.size() ? contour.free_sides[segment] : Point2(0)});
+      visit(OutlineSegment{a.mm, b.mm, a.depth, b.depth, c, a.length, b.length, beside_mm});
     }
   }
 }
@@ -57,20 +57,14 @@ struct Change {
   std::uint32_t contour;
   std::size_t run;  ///< index of the run that ends there
   double length, reach;
-  double from, to;   ///< arc lengths
-  bool on_surface;   ///< whether the contour lies on recognised surfaces
-  bool hides_ahead;  ///< whether the run that begins there is hidden
+  double from, to;  ///< arc lengths
 
-  /// Whether a crossing at the arc length `at` may be the true end of the run: it lies within reach along the curve, or
-  /// the present end lies within reach beside the crossing line.
-  bool may_move_to(double at, const Point2& direction, const OutlineSegment& line) const {
-    const double shift = std::abs(at - length);
-    if (shift <= reach) return true;
-    const Point2 along = line.to - line.from;
-    // Both lines are exact, and the mesh is off by its sag. A line becomes hidden where it enters the body.
-    const bool enters = glm::dot(hides_ahead ? direction : -direction, line.free_side) < 0;
-    const double beside = on_surface && enters ? std::max(reach, line.beside_mm) : reach;
-    return shift * std::abs(cross(direction, along)) <= beside * glm::length(direction) * glm::length(along);
+  std::vector<CurvePoint> part_of(const ContourCurve& curve) const {
+    return curve.part(curve.point_at_length(from).at, curve.point_at_length(to).at);
+  }
+  /// Whether a segment is the part of the curve that is searched, which does not hide itself.
+  bool is_of_part(const OutlineSegment& s) const {
+    return s.chain == contour && s.length_to > from - reach && s.length_from < to + reach;
   }
 };
 
@@ -82,52 +76,37 @@ std::vector<Change> changes_of(const std::vector<SeenContour>& contours, double 
     for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
       const double at = runs[i].to;
       const double length = curve.point_at(at).length, reach = reach_at(curve, at, reach_mm);
-      const double oblique = kMostOblique * reach, on = contours[c].on_surface() ? oblique : reach;
-      const double before = runs[i].state == 0 ? oblique : on, after = runs[i + 1].state == 0 ? oblique : on;
-      changes.push_back({c, i, length, reach, std::max(0.0, length - before), std::min(curve.length(), length + after),
-                         contours[c].on_surface(), runs[i + 1].state < 0});
+      const auto longest = [&](const ContourRun& run) { return run.state == 0 ? kMostOblique * reach : reach; };
+      changes.push_back({c, i, length, reach, std::max(0.0, length - longest(runs[i])),
+                         std::min(curve.length(), length + longest(runs[i + 1]))});
     }
   }
   return changes;
 }
 
-/// Arc length of the crossing with a line in front that is nearest to the change.
-std::optional<double> nearest_crossing(const Change& change, const ContourCurve& curve, const SegmentFinder& finder) {
+/// The crossing of a part of a line with a line in front that is nearest to the end of what is visible, as lengths along the
+/// line. Lines up to `slack_mm` behind count as in front. The end must lie within reach_of(segment in front) beside that
+/// line; none does if that is below zero.
+template <class ReachOf>
+std::optional<double> nearest_crossing(std::span<const CurvePoint> part, double end, double slack_mm,
+                                       const SegmentFinder& finder, const ReachOf& reach_of) {
   std::optional<double> best;
-  const std::vector<CurvePoint> points =
-      curve.part(curve.point_at_length(change.from).at, curve.point_at_length(change.to).at);
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const CurvePoint &a = points[i - 1], &b = points[i];
+  for (std::size_t i = 1; i < part.size(); ++i) {
+    const CurvePoint &a = part[i - 1], &b = part[i];
+    const Point2 along = b.mm - a.mm;
     finder.near(a.mm, b.mm, 0, [&](const OutlineSegment& s) {
-      // The finder also returns the searched part of the curve, which does not hide itself.
-      if (s.chain == change.contour && s.length_to > change.from - change.reach &&
-          s.length_from < change.to + change.reach) {
-        return;
-      }
       double fraction = 0, depth = 0;
-      if (!crossing(a.mm, b.mm, s, fraction, depth)) return;
-      if (depth > a.depth + fraction * (b.depth - a.depth)) return;
-      const double length = a.length + fraction * (b.length - a.length);
-      if (!change.may_move_to(length, b.mm - a.mm, s)) return;
-      if (!best || std::abs(length - change.length) < std::abs(*best - change.length)) best = length;
+      if (!crossing(a.mm, b.mm, s, fraction, depth) || depth > a.depth + fraction * (b.depth - a.depth) + slack_mm) return;
+      const double at = a.length + fraction * (b.length - a.length), shift = std::abs(at - end);
+      const Point2 line = s.to - s.from;
+      if (shift * std::abs(cross(along, line)) > reach_of(s) * glm::length(along) * glm::length(line)) return;
+      if (!best || shift < std::abs(*best - end)) best = at;
     });
   }
   return best;
 }
 
-/// Whether the sights of at least half of the run lie on the other side than the sight before it. Such a run is the
-/// hidden part between two cusps.
-bool is_beyond_cusp(const SeenContour& contour, const ContourRun& run) {
-  const std::vector<int>& sides = contour.sides;
-  const auto before = static_cast<std::size_t>(std::max(run.from - 1, 0.0));
-  const auto first = static_cast<std::size_t>(run.from),
-             last = std::min(static_cast<std::size_t>(std::ceil(run.to)), sides.size());
-  std::size_t turned = 0;
-  for (std::size_t i = first; i < last; ++i) turned += sides[i] != sides[before];
-  return 2 * turned >= last - first;
-}
-
-/// Makes short hidden runs visible if no crossing explains either of their ends and they do not lie between two cusps.
+/// Makes short hidden runs visible if no crossing explains either of their ends.
 void close_gaps(const std::vector<Change>& changes, const std::vector<std::optional<double>>& moved,
                 std::vector<SeenContour>& contours) {
   for (std::size_t i = 1; i < changes.size(); ++i) {
@@ -137,7 +116,7 @@ void close_gaps(const std::vector<Change>& changes, const std::vector<std::optio
     ContourRun& run = contour.runs[to.run];
     const int state = contour.runs[to.run - 1].state;
     if (run.state >= 0 || state < 0 || state != contour.runs[to.run + 1].state) continue;
-    if (to.length - from.length < 2 * std::min(from.reach, to.reach) && !is_beyond_cusp(contour, run)) run.state = state;
+    if (to.length - from.length < 2 * std::min(from.reach, to.reach)) run.state = state;
   }
 }
 
@@ -147,20 +126,10 @@ bool contains(const Rect& box, Point2 p) {
 
 }  // namespace
 
-void SegmentFinder::expect(Point2 from, Point2 to, double reach_mm) {
-  const Point2 reach(reach_mm), low = glm::min(from, to) - reach, high = glm::max(from, to) + reach;
-  box_.extend(low);
-  box_.extend(high);
-  if (contains(covered_, low) && contains(covered_, high)) return;
-  const Point2 extent = glm::abs(to - from);
-  const double half_mm = std::max(extent.x, extent.y) / 2;
-  if (half_mm > cell_mm_) return cells_.expect(lattice_.snap(from), lattice_.snap(to), reach_mm / lattice_.step_mm);
-  // The queries along a line follow one another. A square somewhat larger than needed serves the next ones, too.
-  const Point2 middle = (from + to) / 2.0;
-  const double more_mm = half_mm + reach_mm + cell_mm_ / 2, sure_mm = more_mm - 2 * lattice_.step_mm;
-  cells_.expect(lattice_.snap(middle), lattice_.snap(middle), more_mm / lattice_.step_mm);
-  covered_ = {middle - Point2(sure_mm), middle + Point2(sure_mm)};
-}
+SegmentFinder::SegmentFinder(const Lattice& lattice, double cell_mm)
+    : lattice_(lattice),
+      cells_(cell_mm / lattice.step_mm),
+      box_{lattice.to_mm({-kLatticeLimit, -kLatticeLimit}), lattice.to_mm({kLatticeLimit, kLatticeLimit})} {}
 
 void SegmentFinder::add(const OutlineSegment& segment) {
   const Point2 margin(lattice_.step_mm), along = segment.to - segment.from;
@@ -173,8 +142,8 @@ void SegmentFinder::add(const OutlineSegment& segment) {
     range = part->range;
   }
   const auto at = [&](double t) { return lattice_.snap(segment.from + t * along); };
-  const auto number = static_cast<std::uint32_t>(segments_.size());
-  if (cells_.insert(number, at(range[0]), at(range[1]))) segments_.push_back(segment);
+  cells_.insert(static_cast<std::uint32_t>(segments_.size()), at(range[0]), at(range[1]));
+  segments_.push_back(segment);
 }
 
 bool crossing(Point2 from, Point2 to, const OutlineSegment& segment, double& fraction, double& depth) {
@@ -192,12 +161,6 @@ void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel
   const std::vector<Change> changes = changes_of(contours, reach_mm);
   if (changes.empty()) return;
   SegmentFinder finder(others.lattice, kCellMm);
-  for (const Change& change : changes) {
-    const ContourCurve& curve = contours[change.contour].curve;
-    const std::vector<CurvePoint> points =
-        curve.part(curve.point_at_length(change.from).at, curve.point_at_length(change.to).at);
-    for (std::size_t i = 1; i < points.size(); ++i) finder.expect(points[i - 1].mm, points[i].mm);
-  }
   for (std::uint32_t c = 0; c < contours.size(); ++c) {
     for_visible_pieces(contours[c], c, [&](const OutlineSegment& s) { finder.add(s); });
   }
@@ -206,8 +169,11 @@ void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel
   }
   std::vector<std::optional<double>> moved(changes.size());
   parallel_blocks(changes.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      moved[i] = nearest_crossing(changes[i], contours[changes[i].contour].curve, finder);
+    for (std::size_t i = begin; i < end; ++i) {
+      const Change& change = changes[i];
+      const auto reach_of = [&](const OutlineSegment& s) { return change.is_of_part(s) ? -1 : change.reach; };
+      moved[i] = nearest_crossing(change.part_of(contours[change.contour].curve), change.length, 0, finder, reach_of);
+    }
   });
   for (std::size_t i = 0; i < changes.size(); ++i) {
     if (!moved[i]) continue;
@@ -242,21 +208,18 @@ std::optional<MovedEnd> moved_end(const StrokeModel& model, std::size_t i, bool 
   const double rest = (first ? s.t_from : 1 - s.t_to) / (s.t_to - s.t_from) * length;
   const double back = std::min(kMostOblique * reach_mm, length);
   const double on = std::clamp(rest, 0.0, reach_mm);
-  const Point2 from = end - back * along, to = end + on * along;
   const double z_end = first ? s.z_from : s.z_to, slope = (first ? s.z_from - s.z_to : s.z_to - s.z_from) / length;
+  std::array<CurvePoint, 2> part;
+  for (const bool behind : {false, true}) {
+    const double shift = behind ? on : -back;
+    part[behind].mm = end + shift * along;
+    part[behind].depth = z_end + shift * slope;
+    part[behind].length = shift;
+  }
   // A tangent line runs behind a contour on one of its own surfaces, both of which are curved between the two.
   const bool is_tangent = s.line_class == LineClass::tangent;
-  const double slack = is_tangent ? back : 0;
-  std::optional<double> best;
-  finder.near(from, to, 0, [&](const OutlineSegment& piece) {
-    double fraction = 0, depth = 0;
-    if (!crossing(from, to, piece, fraction, depth)) return;
-    const double shift = fraction * (back + on) - back;
-    if (depth > z_end + shift * slope + slack || shift <= -length || (best && std::abs(*best) <= std::abs(shift))) return;
-    const Point2 contour = piece.to - piece.from;
-    const double reach = is_tangent ? std::max(reach_mm, piece.beside_mm) : reach_mm;
-    if (std::abs(shift * cross(along, contour)) > reach * glm::length(contour)) return;
-    best = shift;
+  const auto best = nearest_crossing(part, 0, is_tangent ? back : 0, finder, [&](const OutlineSegment& contour) {
+    return is_tangent ? std::max(reach_mm, contour.beside_mm) : reach_mm;
   });
   if (!best) return std::nullopt;
   return MovedEnd{i, first, *best, model.lattice.snap(end + *best * along)};
@@ -264,27 +227,15 @@ std::optional<MovedEnd> moved_end(const StrokeModel& model, std::size_t i, bool 
 
 void apply(const MovedEnd& moved, StrokeModel& model) {
   Stroke& s = model.strokes[moved.stroke];
-  const double length = glm::length(model.lattice.to_mm(s.to) - model.lattice.to_mm(s.from));
-  if (!(moved.shift > -length) || moved.to == (moved.first ? s.to : s.from)) return;
-  const double share = moved.shift / length, dt = share * (s.t_to - s.t_from), dz = share * (double(s.z_to) - s.z_from);
-  if (moved.first) {
-    s.from = moved.to;
-    s.t_from = std::max(0.0, s.t_from - dt);
-    s.z_from = static_cast<float>(s.z_from - dz);
-  } else {
-    s.to = moved.to;
-    s.t_to = std::min(1.0, s.t_to + dt);
-    s.z_to = static_cast<float>(s.z_to + dz);
-  }
+  const double share = moved.shift / glm::length(model.lattice.to_mm(s.to) - model.lattice.to_mm(s.from));
+  if (!(share > -1) || moved.to == (moved.first ? s.to : s.from)) return;
+  move_end(s, moved.first, {moved.first ? -share : 1 + share, moved.to});
 }
 
 }  // namespace
 
 void move_ends_of_strokes(StrokeModel& others, const std::vector<SeenContour>& contours, double reach_mm) {
   SegmentFinder finder(others.lattice, kCellMm);
-  for (std::uint32_t c = 0; c < contours.size(); ++c) {
-    for_visible_pieces(contours[c], c, [&](const OutlineSegment& s) { finder.expect(s.from, s.to); });
-  }
   for (std::uint32_t c = 0; c < contours.size(); ++c) {
     for_visible_pieces(contours[c], c, [&](const OutlineSegment& s) { finder.add(s); });
   }

@@ -22,7 +22,6 @@ struct OutlineSegment {
   std::uint32_t chain = kNone;            ///< index of its contour; kNone if it is another line
   double length_from = 0, length_to = 0;  ///< arc lengths along the contour, page mm
   double beside_mm = 0;                   ///< largest distance of the mesh's outline from the contour there
-  Point2 free_side{0, 0};                 ///< across, away from the body, if it lies on recognised surfaces; else 0
 
   /// Whether its bounding box lies within `reach` of p in x and in y: a quick test before its distance is computed.
   bool may_reach(Point2 p, double reach) const {
@@ -31,24 +30,20 @@ struct OutlineSegment {
   }
 };
 
-/// Finds segments near a query segment, by a grid that has cells only near the queries announced beforehand.
+/// Finds segments near a query segment, by a grid.
 class SegmentFinder {
  public:
   /// `cell_mm` is the side of a grid cell.
-  SegmentFinder(const Lattice& lattice, double cell_mm)
-      : lattice_(lattice), cell_mm_(cell_mm), cells_(cell_mm / lattice.step_mm) {}
-
-  /// Announces a query near() with these arguments. To be called before the first add().
-  void expect(Point2 from, Point2 to, double reach_mm = 0);
-  /// Instead of expect(): announces any queries within a box, for many queries and segments that are mostly near them.
+  SegmentFinder(const Lattice& lattice, double cell_mm);
+  /// Limits the queries to a box. To be called before the first add().
   void expect_within(const Rect& box) { box_ = box; }
-  /// Stores a segment, unless it passes no cell of an expected query. Segments may be long and far outside the page.
+  /// Stores a segment, unless it lies outside the box of the queries. Segments may be long and far outside the page.
   void add(const OutlineSegment& segment);
   /// Calls found(segment) for all segments within the reach of from-to; for some of them more than once.
   template <class Found>
   void near(Point2 from, Point2 to, double reach_mm, const Found& found) const {
-    cells_.near(lattice_.snap(from), lattice_.snap(to), reach_mm / lattice_.step_mm, [&](std::uint32_t i) {
-      found(segments_[i]);
+    any_near(from, to, reach_mm, [&](const OutlineSegment& s) {
+      found(s);
       return false;
     });
   }
@@ -61,10 +56,8 @@ class SegmentFinder {
 
  private:
   Lattice lattice_;
-  double cell_mm_;
   LineCells cells_;
-  Rect box_;      ///< of all expected queries
-  Rect covered_;  ///< all cells in it were announced by the last call of expect() that announced any
+  Rect box_;  ///< of all queries; at first the extent of the lattice
   std::vector<OutlineSegment> segments_;
 };
 
@@ -76,19 +69,12 @@ bool crossing(Point2 from, Point2 to, const OutlineSegment& segment, double& fra
 struct SeenContour {
   ContourCurve curve;
   std::vector<ContourRun> runs;
-  std::vector<int> sides;            ///< per segment: see ContourSight::side
-  std::vector<double> beside_mm;     ///< per segment: largest distance of the mesh's outline; empty: 0
-  std::vector<Point2> free_sides{};  ///< per segment: direction on the page away from the body; empty unless on_surface()
-
-  /// Whether it lies on recognised surfaces (ContourChain::on_surface).
-  bool on_surface() const { return !free_sides.empty(); }
+  std::vector<double> beside_mm;  ///< per segment: largest distance of the mesh's outline; empty: 0
 };
 
 /// Moves the ends of the visible runs of contours onto visible lines in front that cross them. The reach of a move is
-/// `reach_mm`, or half a segment of the contour if that is longer. Between contours on recognised surfaces an end may also
-/// move farther, if it stays within the sag of the mesh beside the line in front and enters its body. A hidden run
-/// shorter than twice the reach becomes visible if no line crosses its ends and it is not the part between two cusps: it is
-/// an artefact of the mesh.
+/// `reach_mm`, or half a segment of the contour if that is longer. A hidden run shorter than twice the reach becomes visible
+/// if no line crosses its ends: it is an artefact of the mesh.
 void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel& others, double reach_mm);
 
 /// Moves the ends at which other visible strokes become hidden onto visible contours in front of them.

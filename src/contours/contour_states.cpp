@@ -1,9 +1,6 @@
 #include "contours/contour_states.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include <glm/geometric.hpp>
 
 namespace ligne {
 namespace {
@@ -15,39 +12,6 @@ void append(std::vector<ContourRun>& runs, const ContourRun& run) {
   } else {
     runs.push_back(run);
   }
-}
-
-/// A hidden run near a cusp goes to and fro, so that it is as short as the distance of its ends, unless it is this many
-/// times longer.
-constexpr double kToAndFro = 4;
-
-double weighed_length(const ContourRun& run, const ContourCurve& curve) {
-  const CurvePoint from = curve.point_at(run.from), to = curve.point_at(run.to);
-  const double length = to.length - from.length;
-  return run.state < 0 ? std::max(glm::length(to.mm - from.mm), length / kToAndFro) : length;
-}
-
-/// One pass: runs shorter than the limit take the state of the longer neighbour.
-void merge_short(std::vector<ContourRun>& runs, const ContourCurve& curve, double limit) {
-  const std::size_t n = runs.size();
-  if (n < 2) return;
-  std::vector<double> lengths(n);
-  for (std::size_t i = 0; i < n; ++i) lengths[i] = weighed_length(runs[i], curve);
-  if (curve.closed && n > 2 && runs.front().state == runs.back().state) {
-    lengths.front() = lengths.back() = lengths.front() + lengths.back();
-  }
-  std::vector<ContourRun> merged;
-  std::vector<int> states(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    states[i] = runs[i].state;
-    if (lengths[i] >= limit) continue;
-    const bool first = i == 0, last = i + 1 == n;
-    const std::size_t before = first ? (curve.closed ? n - 1 : 1) : i - 1;
-    const std::size_t after = last ? (curve.closed ? 0 : n - 2) : i + 1;
-    states[i] = lengths[before] >= lengths[after] ? runs[before].state : runs[after].state;
-  }
-  for (std::size_t i = 0; i < n; ++i) append(merged, {runs[i].from, runs[i].to, states[i]});
-  runs = std::move(merged);
 }
 
 }  // namespace
@@ -88,8 +52,21 @@ void put_in(std::vector<ContourRun>& runs, const std::vector<ContourRun>& change
 }
 
 void drop_short_runs(std::vector<ContourRun>& runs, const ContourCurve& curve, double shortest_mm) {
-  // From the shortest up, so that a crowd of tiny runs does not take a longer one with it.
-  for (const double share : {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0}) merge_short(runs, curve, share * shortest_mm);
+  const std::size_t n = runs.size();
+  if (n < 2) return;
+  std::vector<double> lengths(n);
+  for (std::size_t i = 0; i < n; ++i) lengths[i] = curve.point_at(runs[i].to).length - curve.point_at(runs[i].from).length;
+  if (curve.closed && n > 2 && runs.front().state == runs.back().state) {
+    lengths.front() = lengths.back() = lengths.front() + lengths.back();
+  }
+  std::vector<ContourRun> merged;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t before = i > 0 ? i - 1 : curve.closed ? n - 1 : 1;
+    const std::size_t after = i + 1 < n ? i + 1 : curve.closed ? 0 : n - 2;
+    const std::size_t longer = lengths[before] >= lengths[after] ? before : after;
+    append(merged, {runs[i].from, runs[i].to, runs[lengths[i] < shortest_mm ? longer : i].state});
+  }
+  runs = std::move(merged);
 }
 
 }  // namespace ligne

@@ -37,7 +37,6 @@ std::vector<ContourChain> parts_of(const ContourChain& chain, const std::vector<
   std::vector<ContourChain> parts;
   ContourChain part;
   const auto finish = [&] {
-    part.on_surface = chain.on_surface;
     if (part.size() > 0) parts.push_back(std::move(part));
     part = {};
   };

@@ -11,6 +11,7 @@
 #include "base/no_index.hpp"
 #include "geometry/nearest_on_segment.hpp"
 #include "linework/map/nodes.hpp"
+#include "linework/stroke_piece.hpp"
 
 namespace ligne {
 namespace {
@@ -66,7 +67,6 @@ class TangentJoiner {
         tangents_(indices_where(model.strokes.size(), [&](std::size_t i) { return is_tangent(model.strokes[i]); })),
         nodes_(model.strokes, tangents_),
         finder_(model.lattice, kTangentCellMm) {
-    for (const Joint& joint : joints_) finder_.expect(joint.edge[0], joint.edge[1], kOnEdgeMm);
     for (std::uint32_t i = 0; i < tangents_.size(); ++i) {
       const Stroke& s = model.strokes[tangents_[i]];
       finder_.add({mm(s.from), mm(s.to), s.z_from, s.z_to, i});
@@ -112,7 +112,7 @@ class TangentJoiner {
     const Point2 here = mm(s.from), other = mm(first ? old.to : old.from);
     if (s.from == s.to) return;
     if (glm::dot(mm(s.to) - here, here - other) < 0) {
-      shorten(end, s.to, joint.depth);
+      shorten(end, s.to);
       return;
     }
     s.t_from = 0;
@@ -127,15 +127,12 @@ class TangentJoiner {
   }
 
   /// Ends a stroke that runs past a joint there.
-  void shorten(std::uint32_t end, LatticePoint place, double depth) {
+  void shorten(std::uint32_t end, LatticePoint place) {
     Stroke& s = stroke_of(end);
     const bool first = end % 2 == 0;
     const double length = glm::distance(mm(s.from), mm(s.to)), rest = glm::distance(mm(first ? s.to : s.from), mm(place));
     if (!(rest < length)) return;
-    const double t = source_parameter(s, first ? 1 - rest / length : rest / length);
-    (first ? s.from : s.to) = place;
-    (first ? s.t_from : s.t_to) = t;
-    (first ? s.z_from : s.z_to) = static_cast<float>(depth);
+    move_end(s, first, {first ? 1 - rest / length : rest / length, place});
     nodes_.unlink(end);
   }
 

@@ -246,7 +246,6 @@ TEST(SmoothContours, ACurveDoesNotShortenItself) {
     contour.curve.points.push_back(point);
   }
   contour.runs = {{0, 30, 0}, {30, 60, kHiddenState}};
-  contour.sides.assign(60, 1);
   std::vector<SeenContour> contours{contour};
   move_ends_of_contours(contours, {}, 1);
   EXPECT_EQ(contours[0].runs[0].to, 30);

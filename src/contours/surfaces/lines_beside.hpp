@@ -9,13 +9,11 @@
 
 namespace ligne {
 
-/// Segments of the page, searched near edges that are announced beforehand. Lengths are in mm.
+/// Segments of the page. Lengths are in mm.
 class LinesBeside {
  public:
   explicit LinesBeside(const Lattice& lattice) : finder_(lattice, kCellMm) {}
 
-  /// Announces queries within the reach of from-to. To be called before the first add().
-  void expect(Point2 from, Point2 to, double reach) { finder_.expect(from, to, reach); }
   void add(Point2 from, Point2 to) { finder_.add({from, to, 0, 0}); }
 
   /// Whether a segment passes within the reach of the point.

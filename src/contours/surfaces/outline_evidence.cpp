@@ -31,7 +31,6 @@ class PagePieces {
  public:
   explicit PagePieces(const Lattice& lattice) : finder_(lattice, kEvidenceCellMm) {}
 
-  void expect(Point2 p, double reach) { finder_.expect(p, p, reach); }
   void expect_within(const Rect& box) { finder_.expect_within(box); }
   void add(Point2 from, Point2 to, Evidence evidence) {
     finder_.add({from, to, 0, 0, static_cast<std::uint32_t>(evidence)});
@@ -200,13 +199,7 @@ void hold_against_outlines(std::vector<SeenContour>& seen, const SmoothContours&
   for_parts(visible, extend);
   for_parts(hidden, extend);
   outlines.expect_within(box);
-  parallel_tasks(2, [&](std::size_t task) {
-    if (task == 0) {
-      for_parts(hidden, [&](Point2 p, double reach) { drawn.expect(p, reach); });
-    } else {
-      add_outlines(outlines, contours, view, lattice, edges);
-    }
-  });
+  add_outlines(outlines, contours, view, lattice, edges);
   change_runs(seen, visible,
               [&](std::span<const Part> parts) { return hidden_parts(parts, outlines, shortest_mm, clear_mm); });
   for (const SeenContour& contour : seen) {

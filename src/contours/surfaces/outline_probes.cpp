@@ -34,15 +34,8 @@ constexpr double kTailInReaches = 2;
 class VisibleContours {
  public:
   VisibleContours(const std::vector<SeenContour>& seen, const Lattice& lattice, double reach_mm)
-      : seen_(seen), reach_mm_(reach_mm), pieces_(lattice), tails_(lattice) {}
-
-  /// Announces queries within these distances of from-to.
-  void expect(Point2 from, Point2 to, double beside_mm, double end_reach_mm) {
-    pieces_.expect(from, to, std::max(beside_mm, end_reach_mm));
-    tails_.expect(from, to, end_reach_mm);
-  }
-  void prepare() {
-    for (const SeenContour& contour : seen_) {
+      : reach_mm_(reach_mm), pieces_(lattice), tails_(lattice) {
+    for (const SeenContour& contour : seen) {
       const ContourCurve& curve = contour.curve;
       const std::size_t n = contour.runs.size();
       for (std::size_t r = 0; r < n; ++r) {
@@ -75,7 +68,6 @@ class VisibleContours {
     }
   }
 
-  const std::vector<SeenContour>& seen_;
   double reach_mm_;
   LinesBeside pieces_, tails_;
 };
@@ -181,23 +173,16 @@ std::vector<Candidate> take_short(std::vector<Candidate>& candidates, const Latt
   return taken;
 }
 
-/// The visible outlines of the mesh near parts of edges.
-LinesBeside outlines_beside(const StrokeModel& model, const std::vector<Candidate>& parts) {
-  LinesBeside found(model.lattice);
-  if (parts.empty()) return found;
-  for (const Candidate& c : parts)
-    found.expect(model.lattice.to_mm(c.stroke.from), model.lattice.to_mm(c.stroke.to), c.near_mm);
-  for (const Stroke& s : model.strokes) {
-    if (s.visible && s.line_class == LineClass::outline) found.add(model.lattice.to_mm(s.from), model.lattice.to_mm(s.to));
-  }
-  return found;
-}
-
 /// Keeps the runs whose two ends both meet an end of a contour, an end of `others`, or a visible outline of the mesh.
 /// Outlines do not count if they run beside the whole run.
 void keep_between_ends(std::vector<Candidate>& parts, const std::vector<Candidate>& others, const VisibleContours& near,
                        const StrokeModel& model, double pen_width_mm) {
-  const LinesBeside outlines = outlines_beside(model, parts);
+  if (parts.empty()) return;
+  LinesBeside outlines(model.lattice);
+  for (const Stroke& s : model.strokes) {
+    if (s.visible && s.line_class == LineClass::outline)
+      outlines.add(model.lattice.to_mm(s.from), model.lattice.to_mm(s.to));
+  }
   const Nodes nodes = nodes_of(parts, others);
   const auto end_count = static_cast<std::uint32_t>(2 * parts.size());
   DisjointSets runs = connected(nodes, parts.size());
@@ -225,36 +210,6 @@ void keep_between_ends(std::vector<Candidate>& parts, const std::vector<Candidat
     if (open[run] == 2 && met[run] == 2) kept.push_back(parts[i]);
   }
   parts = std::move(kept);
-}
-
-/// Removes the runs with an end that meets no other line, all of which lie within the reach of contours: such a run is a
-/// piece of the mesh's outline that turns away from the contour in its place, and ends in the air.
-void drop_tails(std::vector<Candidate>& missing, const VisibleContours& near, const StrokeModel& model, double pen_width_mm,
-                double reach_mm) {
-  const LinesBeside outlines = outlines_beside(model, missing);
-  const Nodes nodes = nodes_of(missing);
-  DisjointSets runs = connected(nodes, missing.size());
-  std::vector<std::uint8_t> is_beside(missing.size(), 1), is_loose(missing.size(), 0);
-  for (std::uint32_t i = 0; i < missing.size(); ++i) {
-    const Stroke& s = missing[i].stroke;
-    for (const Point2 p : {model.lattice.to_mm(s.from), missing[i].middle, model.lattice.to_mm(s.to)}) {
-      if (!near.pieces().any_within(p, reach_mm)) is_beside[runs.find(i)] = 0;
-    }
-  }
-  for (std::uint32_t end = 0; end < nodes.end_count(); ++end) {
-    if (nodes.degree(nodes.of(end)) > 1) continue;
-    const Candidate& part = missing[end / 2];
-    const Point2 mm = model.lattice.to_mm(end % 2 == 0 ? part.stroke.from : part.stroke.to);
-    if (near.tails().any_within(mm, part.end_reach_mm[end % 2])) continue;
-    if (near.pieces().any_within(mm, pen_width_mm / 2) || outlines.any_within(mm, pen_width_mm / 2)) continue;
-    is_loose[runs.find(end / 2)] = 1;
-  }
-  std::vector<Candidate> kept;
-  for (std::uint32_t i = 0; i < missing.size(); ++i) {
-    const std::uint32_t run = runs.find(i);
-    if (!is_beside[run] || !is_loose[run]) kept.push_back(missing[i]);
-  }
-  missing = std::move(kept);
 }
 
 }  // namespace
@@ -304,17 +259,13 @@ void add_missing_outlines(StrokeModel& model, const View& view, const SmoothCont
   const double pen_width_mm = sizes.pen_width_mm, reach_mm = sizes.reach_mm;
   const ProbePage page{contours, view, model.lattice, pen_width_mm, reach_mm};
   std::vector<Candidate> candidates;
-  VisibleContours near(seen, model.lattice, reach_mm);
   for (const Stroke& probe : probes) {
     if (!probe.visible) continue;
     candidates.push_back(candidate(probe, probe.source - contours.first_probe, contours, view, model.lattice, pen_width_mm));
     candidates.back().end_reach_mm = {reach_mm, reach_mm};
-    const Candidate& c = candidates.back();
-    const Point2 from = model.lattice.to_mm(c.stroke.from), to = model.lattice.to_mm(c.stroke.to);
-    near.expect(from, to, c.near_mm, std::max(reach_mm, c.near_mm));
   }
   if (candidates.empty()) return;
-  near.prepare();
+  const VisibleContours near(seen, model.lattice, reach_mm);
   std::vector<Missing> found(block_count(candidates.size(), kSearchBlock));
   parallel_blocks(candidates.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) look_at(candidates[i], near, page, found[begin / kSearchBlock]);
@@ -329,7 +280,6 @@ void add_missing_outlines(StrokeModel& model, const View& view, const SmoothCont
   parts.insert(parts.end(), remnants.begin(), remnants.end());
   keep_between_ends(parts, missing, near, model, pen_width_mm);
   missing.insert(missing.end(), parts.begin(), parts.end());
-  drop_tails(missing, near, model, pen_width_mm, reach_mm);
   const Nodes nodes = nodes_of(missing);
   for (std::uint32_t i = 0; i < missing.size(); ++i) {
     Candidate& c = missing[i];
