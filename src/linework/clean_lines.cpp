@@ -64,7 +64,7 @@ CleanReport clean_lines(StrokeModel& model, const CleanOptions& options) {
   const double step = model.lattice.step_mm, reach = kMeetingInPens * options.pen_mm / step;
   /// Side of the cells in which rules look for lines, in pen widths. Adjustable.
   constexpr double kCellInPens = 4;
-  const double cell = walked_cell(model.strokes, kCellInPens * options.pen_mm / step);
+  const double cell = kCellInPens * options.pen_mm / step;
   bool is_clean = false;
   while (!is_clean && report.passes < kMostCleanPasses) {
     ++report.passes;

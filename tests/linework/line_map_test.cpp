@@ -154,7 +154,7 @@ TEST(LineMapTest, ACrowdAtOnePointCostsLittle) {
   constexpr std::int32_t kArms = 20'000;
   StrokeModel star = model({});
   for (std::int32_t i = 0; i < kArms; ++i) star.strokes.push_back(stroke({0, 0}, {100'000, i}, LineClass::outline));
-  LineMap map(star, is_no_mesh, {.reach = 2}, walked_cell(star.strokes, 50));
+  LineMap map(star, is_no_mesh, {.reach = 2}, 50);
   EXPECT_EQ(map.nodes().degree(map.nodes().of(0)), std::uint32_t(kArms));
   EXPECT_EQ(Arcs(map, 0).find().size(), std::size_t(kArms));
   for (std::uint32_t p = 0; p < map.piece_count(); ++p) map.remove(p);

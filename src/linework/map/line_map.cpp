@@ -24,7 +24,7 @@ LineMap::LineMap(StrokeModel& model, const std::function<bool(const Stroke&)>& t
                  double cell)
     : model_(model),
       meetings_(meetings),
-      cell_(cell),
+      cell_(walked_cell(model.strokes, cell)),
       had_hidden_(any_hidden(model.strokes)),
       given_(static_cast<std::uint32_t>(model.strokes.size())) {
   std::vector<std::uint32_t> members;

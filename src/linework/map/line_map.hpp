@@ -46,7 +46,7 @@ struct Meetings {
 class LineMap {
  public:
   /// Takes the visible strokes of `model` for which takes_part() returns true, except strokes without length. O(n + m),
-  /// where m counts the cells of side `cell` that lines pass.
+  /// where m counts the cells that lines pass. Their side is `cell`, but walked_cell() limits their number.
   LineMap(StrokeModel& model, const std::function<bool(const Stroke&)>& takes_part, const Meetings& meetings, double cell);
   LineMap(const LineMap&) = delete;
   LineMap& operator=(const LineMap&) = delete;

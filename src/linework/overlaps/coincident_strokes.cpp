@@ -16,23 +16,15 @@ namespace {
 
 /// Sorts the strokes numbered in `of` by falling precedence, with the depths in their middles.
 void sort_by_precedence(const std::vector<Stroke>& strokes, std::vector<std::uint32_t>& of, double tolerance_mm) {
-  struct Entry {
-    std::size_t rank;
-    double depth;
-    std::uint32_t stroke;
-  };
+  using Entry = std::pair<PrecedenceKey, std::uint32_t>;
   std::vector<Entry> order(of.size());
-  for (std::size_t k = 0; k < of.size(); ++k) {
-    const Stroke& s = strokes[of[k]];
-    order[k] = {rank(s), rounded_depth(depth(s, 0.5), tolerance_mm), of[k]};
-  }
+  for (std::size_t k = 0; k < of.size(); ++k) order[k] = {precedence_key(strokes[of[k]], 0.5, tolerance_mm), of[k]};
   parallel_sort(order.begin(), order.end(), [&](const Entry& a, const Entry& b) {
-    if (a.rank != b.rank) return a.rank < b.rank;
-    if (a.depth != b.depth) return a.depth < b.depth;
-    const Stroke &l = strokes[a.stroke], &r = strokes[b.stroke];
-    return std::tie(l.source, l.t_from, l.t_to, a.stroke) < std::tie(r.source, r.t_from, r.t_to, b.stroke);
+    if (a.first != b.first) return a.first < b.first;
+    const Stroke &l = strokes[a.second], &r = strokes[b.second];
+    return std::tie(l.source, l.t_from, l.t_to, a.second) < std::tie(r.source, r.t_from, r.t_to, b.second);
   });
-  for (std::size_t k = 0; k < of.size(); ++k) of[k] = order[k].stroke;
+  for (std::size_t k = 0; k < of.size(); ++k) of[k] = order[k].second;
 }
 
 /// Returns, ascending, the numbers of the strokes longer than the tolerance that need a check

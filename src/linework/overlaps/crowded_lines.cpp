@@ -115,26 +115,19 @@ std::vector<CoveredPart> CoveredLine::add(const Stroke& stroke, const PlacedStro
 /// Returns the rests of the strokes of one bucket.
 std::vector<CutStroke> thin_line(const std::vector<Stroke>& strokes, std::span<const Filed> bucket,
                                  const OverlapTolerance& tolerance) {
-  struct Entry {
-    std::size_t rank;
-    double depth;
-    std::uint32_t stroke;
-    auto operator<=>(const Entry&) const = default;
-  };
-  std::vector<Entry> order;
+  std::vector<std::pair<PrecedenceKey, std::uint32_t>> order;
   for (const Filed& filed : bucket) {
     const Stroke& s = strokes[filed.stroke];
     const PlacedStroke p(s, tolerance.steps);
-    const double z = depth(s, (p.middle - p.u_from) / (p.u_to - p.u_from));
-    order.push_back({rank(s), rounded_depth(z, tolerance.mm), filed.stroke});
+    order.emplace_back(precedence_key(s, (p.middle - p.u_from) / (p.u_to - p.u_from), tolerance.mm), filed.stroke);
   }
   std::ranges::sort(order);
   CoveredLine line(tolerance.steps);
   std::vector<CutStroke> left;
-  for (const Entry& e : order) {
-    const Stroke& s = strokes[e.stroke];
+  for (const auto& [key, number] : order) {
+    const Stroke& s = strokes[number];
     std::vector<CoveredPart> parts = line.add(s, PlacedStroke(s, tolerance.steps));
-    left.push_back({e.stroke, rests_of(s, parts, tolerance.steps)});
+    left.push_back({number, rests_of(s, parts, tolerance.steps)});
   }
   return left;
 }

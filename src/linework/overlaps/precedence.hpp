@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "linework/overlaps/stroke_overlap.hpp"
 #include "linework/stroke.hpp"
@@ -22,6 +23,12 @@ inline double depth(const Stroke& s, double fraction) { return (1 - fraction) * 
 inline double rounded_depth(double depth, double tolerance_mm) {
   const double rounded = std::floor(depth / tolerance_mm);
   return std::isfinite(rounded) ? rounded : 0;
+}
+
+/// The first key by which strokes on one line are sorted: their rank, and their depth at a fraction of their length.
+using PrecedenceKey = std::pair<std::size_t, double>;
+inline PrecedenceKey precedence_key(const Stroke& s, double fraction, double tolerance_mm) {
+  return {rank(s), rounded_depth(depth(s, fraction), tolerance_mm)};
 }
 
 /// The order of strokes of one rank and depth.

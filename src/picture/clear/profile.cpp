@@ -13,7 +13,6 @@
 #include <tuple>
 
 #include "base/no_index.hpp"
-#include "linework/map/line_cells.hpp"
 #include "linework/map/line_groups.hpp"
 #include "linework/stroke_geometry.hpp"
 #include "linework/stroke_piece.hpp"
@@ -151,8 +150,7 @@ void draw_profiles(StrokeModel& model, const ProjectedScene& projected, const Sc
   const double step = model.lattice.step_mm;
   /// Side of the cells for the search of lines, in pen widths. Adjustable.
   constexpr double kCellInPens = 4;
-  const LineMap map(model, is_edge, {.reach = kJunctionMm / step, .any_node = true},
-                    walked_cell(model.strokes, kCellInPens * pen_width_mm / step));
+  const LineMap map(model, is_edge, {.reach = kJunctionMm / step, .any_node = true}, kCellInPens * pen_width_mm / step);
   const Arcs arcs(map, kJunctionMm / step);
   std::vector<Bit> profiles;
   for (const Arcs::Arc& arc : arcs.find()) {

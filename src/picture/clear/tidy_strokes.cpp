@@ -8,7 +8,6 @@
 
 #include "base/no_index.hpp"
 #include "linework/clean_lines.hpp"
-#include "linework/map/line_cells.hpp"
 #include "linework/overlaps/coincident_strokes.hpp"
 #include "linework/rules/smooth_lines.hpp"
 #include "view/tolerances.hpp"
@@ -79,8 +78,7 @@ void count(RunReport& run, std::string_view name, std::size_t n) {
 /// Removes short bits among the strokes for which takes_part() returns true.
 std::size_t remove_short_bits_of(StrokeModel& strokes, double least_mm,
                                  const std::function<bool(const Stroke&)>& takes_part) {
-  const double least = least_mm / strokes.lattice.step_mm;
-  LineMap map(strokes, takes_part, {}, walked_cell(strokes.strokes, least));
+  LineMap map(strokes, takes_part, {}, least_mm / strokes.lattice.step_mm);
   const std::size_t removed = remove_short_bits(map, least_mm);
   map.commit(0);
   return removed;
