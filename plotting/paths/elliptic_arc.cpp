@@ -24,11 +24,25 @@ Point2 direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 Point2 turned(Point2 p, Point2 axis) { return {axis.x * p.x - axis.y * p.y, axis.y * p.x + axis.x * p.y}; }
 Point2 turned_back(Point2 p, Point2 axis) { return {axis.x * p.x + axis.y * p.y, axis.x * p.y - axis.y * p.x}; }
 
-Point2 mean_of(std::span<const Point2> points) {
-  Point2 sum{0, 0};
-  for (const Point2 p : points) sum += p;
-  return sum / static_cast<double>(points.size());
-}
+/// Mean and covariance of points.
+struct Spread {
+  Point2 mean{0, 0};
+  double xx = 0, xy = 0, yy = 0;
+
+  explicit Spread(std::span<const Point2> points) {
+    const auto n = static_cast<double>(points.size());
+    for (const Point2 p : points) mean += p;
+    mean /= n;
+    for (const Point2 p : points) {
+      const Point2 d = p - mean;
+      xx += d.x * d.x / n;
+      xy += d.x * d.y / n;
+      yy += d.y * d.y / n;
+    }
+  }
+  double determinant() const { return xx * yy - xy * xy; }
+  bool is_straight() const { return !(determinant() > kStraight * (xx + yy) * (xx + yy)); }
+};
 
 /// The largest root of x^3 - trace x^2 + minors x - determinant, whose roots are all real. Newton's method descends to
 /// it from above.
@@ -94,39 +108,27 @@ double EllipseFrame::nearest_angle(Point2 p) const {
 }
 
 bool fit_circle(std::span<const Point2> points, Ellipse& circle) {
-  const Point2 mean = mean_of(points);
-  const auto n = static_cast<double>(points.size());
-  // Mean products of the coordinates x and y from the mean, and of their squared distance z.
-  double xx = 0, yy = 0, xy = 0;
-  Point2 pz{0, 0};
+  const Spread spread(points);
+  if (spread.is_straight()) return false;
+  const auto& [mean, xx, xy, yy] = spread;
+  Point2 pz{0, 0};  // mean products of the coordinates from the mean and of their squared distance
   for (const Point2 p : points) {
     const Point2 q = p - mean;
-    xx += q.x * q.x / n;
-    yy += q.y * q.y / n;
-    xy += q.x * q.y / n;
-    pz += q * glm::dot(q, q) / n;
+    pz += q * glm::dot(q, q) / static_cast<double>(points.size());
   }
-  const double determinant = xx * yy - xy * xy;
-  if (!(determinant > kStraight * (xx + yy) * (xx + yy))) return false;
-  const Point2 centre = Point2{yy * pz.x - xy * pz.y, xx * pz.y - xy * pz.x} / (2 * determinant);
+  const Point2 centre = Point2{yy * pz.x - xy * pz.y, xx * pz.y - xy * pz.x} / (2 * spread.determinant());
   const double radius = std::sqrt(glm::dot(centre, centre) + xx + yy);
   circle = {mean + centre, {radius, radius}, 0};
   return std::isfinite(radius);
 }
 
 bool fit_ellipse(std::span<const Point2> points, Ellipse& ellipse) {
-  const Point2 mean = mean_of(points);
+  const Spread spread(points);
+  if (spread.is_straight()) return false;
+  const Point2 mean = spread.mean;
   const auto n = static_cast<double>(points.size());
-  double xx = 0, xy = 0, yy = 0;
-  for (const Point2 p : points) {
-    const Point2 d = p - mean;
-    xx += d.x * d.x / n;
-    xy += d.x * d.y / n;
-    yy += d.y * d.y / n;
-  }
-  if (!(xx * yy - xy * xy > kStraight * (xx + yy) * (xx + yy))) return false;
   // p = mean + lower q, where the covariance of q is the unit matrix.
-  const double l00 = std::sqrt(xx), l10 = xy / l00, l11 = std::sqrt(yy - l10 * l10);
+  const double l00 = std::sqrt(spread.xx), l10 = spread.xy / l00, l11 = std::sqrt(spread.yy - l10 * l10);
   const auto white = [&](Point2 p) {
     const double x = (p.x - mean.x) / l00;
     return Point2{x, (p.y - mean.y - l10 * x) / l11};

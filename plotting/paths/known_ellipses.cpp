@@ -5,8 +5,6 @@
 #include <numbers>
 #include <utility>
 
-#include "base/parallel.hpp"
-
 namespace ligne {
 namespace {
 
@@ -23,29 +21,22 @@ Lattice lattice_around(const Rect& page) {
 
 /// Least and largest number of chords of an ellipse.
 constexpr double kLeastChords = 16, kMostChords = 4096;
-constexpr std::size_t kEllipsesPerTask = 16;
 
 }  // namespace
 
 KnownEllipses::KnownEllipses(std::vector<Ellipse> ellipses, const Rect& page)
     : ellipses_(std::move(ellipses)), lattice_(lattice_around(page)), cells_(side_of(page) / kCells / lattice_.step_mm) {
-  std::vector<Chords> chords(ellipses_.size());
-  parallel_blocks(chords.size(), kEllipsesPerTask, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) chords[i] = chords_of(ellipses_[i], page);
-  });
-  for (std::uint32_t i = 0; i < chords.size(); ++i) {
-    rise_mm_ = std::max(rise_mm_, chords[i].rise_mm);
-    for (const auto& [from, to] : chords[i].on_page) cells_.insert(i, from, to);
-  }
+  for (std::uint32_t i = 0; i < ellipses_.size(); ++i) file(i, page);
 }
 
-/// The chords of an ellipse that may meet the page, about one for each cell that it passes.
-KnownEllipses::Chords KnownEllipses::chords_of(const Ellipse& e, const Rect& page) const {
+/// Files the chords of an ellipse that may meet the page, about one for each cell that it passes.
+void KnownEllipses::file(std::uint32_t ellipse, const Rect& page) {
+  const Ellipse& e = ellipses_[ellipse];
   const double cell_mm = side_of(page) / kCells;
   const double count = std::clamp(std::ceil(2 * std::numbers::pi * e.radii.x / cell_mm), kLeastChords, kMostChords);
-  const double step = 2 * std::numbers::pi / count;
-  Chords found{{}, e.radii.x * (1 - std::cos(step / 2))};
-  const Point2 margin(found.rise_mm + kNearMm);
+  const double step = 2 * std::numbers::pi / count, rise_mm = e.radii.x * (1 - std::cos(step / 2));
+  rise_mm_ = std::max(rise_mm_, rise_mm);
+  const Point2 margin(rise_mm + kNearMm);
   Point2 from, to = point_at(e, 0);
   for (double k = 0; k < count; ++k) {
     Rect chord;
@@ -53,9 +44,8 @@ KnownEllipses::Chords KnownEllipses::chords_of(const Ellipse& e, const Rect& pag
     for (const Point2 p : {from, to}) chord.extend(p - margin), chord.extend(p + margin);
     const bool is_outside =
         chord.max.x < page.min.x || chord.max.y < page.min.y || chord.min.x > page.max.x || chord.min.y > page.max.y;
-    if (!is_outside) found.on_page.push_back({lattice_.snap(from), lattice_.snap(to)});
+    if (!is_outside) cells_.insert(ellipse, lattice_.snap(from), lattice_.snap(to));
   }
-  return found;
 }
 
 std::vector<std::uint32_t> KnownEllipses::near(Point2 p) const {

@@ -1,7 +1,6 @@
 #pragma once
 /// Ellipses on which lines of a drawing are known to lie, such as the circles at which recognised surfaces end.
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -25,12 +24,7 @@ class KnownEllipses {
   static constexpr double kNearMm = 0.01;
 
  private:
-  struct Chords {
-    std::vector<std::array<LatticePoint, 2>> on_page;
-    double rise_mm;  ///< largest distance of the ellipse from a chord
-  };
-
-  Chords chords_of(const Ellipse& ellipse, const Rect& page) const;
+  void file(std::uint32_t ellipse, const Rect& page);
 
   std::vector<Ellipse> ellipses_;
   Lattice lattice_;
