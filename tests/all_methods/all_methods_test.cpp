@@ -4,7 +4,6 @@
 
 #include "main/tier.hpp"
 #include "report/stroke_difference.hpp"
-#include "scene/clean/clean.hpp"
 #include "support/comparison.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/round_bodies.hpp"
@@ -249,8 +248,7 @@ Scene rough_ball(unsigned seed, double least, double most) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> radius(least, most);
   Scene scene = ball(8, 5, [&](auto, auto) { return radius(random); });
-  Warnings warnings;
-  finish_scene(scene, warnings);
+  finish(scene);
   return scene;
 }
 

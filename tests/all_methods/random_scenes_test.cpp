@@ -3,7 +3,6 @@
 // of them. A scene that fails is made small and written to a file that `ligne` reads.
 
 #include "main/tier.hpp"
-#include "scene/clean/clean.hpp"
 #include "scene/surfaces/mesh_writer.hpp"
 #include "support/judge.hpp"
 #include "support/scene_parts.hpp"
@@ -32,8 +31,7 @@ ViewOf standard_view(std::size_t number) {
 /// Describes the faults of all methods in the view; empty if there are none. One further variant of each is asked, too. In
 /// the first tier a method draws all edges of one scene and the features of the next.
 std::string faults_in(Scene scene, const std::string& name, const ViewOf& view, std::size_t number) {
-  Warnings warnings;
-  finish_scene(scene, warnings);
+  finish(scene);
   if (scene.faces.size() == 0) return "";
   const JudgedView judged(scene, name, view(scene));
   std::string faults;

@@ -3,7 +3,6 @@
 
 #include "visibility/warnock/warnock.hpp"
 #include "main/tier.hpp"
-#include "scene/clean/clean.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/judge.hpp"
 #include "support/scenes.hpp"
@@ -98,8 +97,7 @@ TEST(WarnockCrowds, AsManyStrokesAsTheDefaultMethod) {
       const Point3 corner{place(random), place(random), place(random)};
       add_box(scene, corner, i % 2 == 0 ? Point3{9, 0.5, 9} : Point3{0.5, 9, 9});
     }
-    Warnings warnings;
-    finish_scene(scene, warnings);
+    finish(scene);
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_as_many_strokes(scene, "crowd " + std::to_string(seed), true);
   }
@@ -116,8 +114,7 @@ TEST(WarnockCrowds, BarsThroughASlantedWallHaveAsManyStrokes) {
       add_box(scene, {x, -3 + 0.37 * ((i * 5 + k * 3) % 8), z}, {0.4, 2, 0.4});
     }
   }
-  Warnings warnings;
-  finish_scene(scene, warnings);
+  finish(scene);
   expect_as_many_strokes(scene, "bars through a wall", false, 7);
 }
 

@@ -146,8 +146,7 @@ TEST(PolygonStudy, CostlierTestsFindMoreZones) {
               {"frames in each other", nested_frames(), {1, 1, 1, 3}}};
   for (const auto& row : rows) {
     Scene scene = row.scene;
-    Warnings warnings;
-    finish_scene(scene, warnings);
+    finish(scene);
     const auto wanted = areas(compute_visibility(scene, "front", kFaces));
     for (unsigned test = 0; test < 4; ++test) {
       SCOPED_TRACE(std::string(row.name) + ", test " + std::to_string(test));
@@ -250,8 +249,7 @@ TEST(PolygonStudy, AHoleIsInTheRegionRightRoundIt) {
   test::add_face(scene, {square(0, 20, 6)});
   test::add_face(scene, {square(4, 16, 3), square(6, 14, 3)});
   test::add_face(scene, {square(9, 11, 3)});
-  Warnings warnings;
-  finish_scene(scene, warnings);
+  finish(scene);
   for (const unsigned how : {kFaces, kPolygons, kSilhouettes}) {
     std::vector<double> of_wall;
     double all = 0;
@@ -284,8 +282,7 @@ TEST(PolygonStudy, CrowdsAreTheSame) {
       test::add_box(scene, Point3{along(basis[0]), along(basis[1]), along(basis[2])} - size * 0.5, size, basis);
       scene.face_material.resize(scene.faces.size(), i % 4 == 3 ? 1 : 0);
     }
-    Warnings warnings;
-    finish_scene(scene, warnings);
+    finish(scene);
     const auto wanted = areas(compute_visibility(scene, "iso", kFaces));
     EXPECT_GT(wanted.size(), 150u);
     for (std::size_t i = 0; i < kEverySetting.size(); ++i) {

@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 
 #include "clear/write_stl.hpp"
-#include "scene/clean/clean.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
+#include "support/scene_parts.hpp"
 
 namespace ligne::test {
 namespace {
@@ -140,8 +140,7 @@ MeshTriangles mesh_of(const Extrusion& part, int facets) {
   scene.objects.push_back({});
   scene.objects.back().vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
   scene.objects.back().face_end = static_cast<std::uint32_t>(scene.faces.size());
-  Warnings warnings;
-  finish_scene(scene, warnings);
+  finish(scene);
   MeshTriangles triangles;
   for (const Triangle& t : build_topology(scene).triangles)
     triangles.push_back({scene.vertices[t.v[0]], scene.vertices[t.v[1]], scene.vertices[t.v[2]]});

@@ -91,15 +91,6 @@ SegmentKey segment_key(const Point3& a, const Point3& b) {
   return key;
 }
 
-/// Fields of view are as wide by their height as an A sheet that lies.
-constexpr double kFieldAspect = 1.41421356;
-
-Rect window_of(const DrawingFile& drawing, const CheckOptions& options) {
-  if (drawing.window) return *drawing.window;
-  const Rect sheet{{0, 0}, {drawing.width_mm, drawing.height_mm}};
-  return field_of_view(drawing.model_to_page, sheet, options.fov_degrees, kFieldAspect);
-}
-
 class Checker {
  public:
   Checker(const Scene& scene, const DrawingFile& drawing, const CheckOptions& options)
@@ -107,7 +98,7 @@ class Checker {
         drawing_(drawing),
         options_(options),
         checked_(make_checked_scene(scene)),
-        map_(drawing.model_to_page, checked_.box, window_of(drawing, options), drawing.near_distance),
+        map_(drawing.model_to_page, checked_.box, drawing.window, drawing.near_distance),
         sight_(checked_, map_),
         kinds_(checked_.edges.size()) {
     parallel_for(kinds_.size(), [&](std::size_t e) {

@@ -15,7 +15,6 @@ namespace ligne::check {
 struct CheckOptions {
   std::uint8_t kinds = kFeatureKinds;  ///< classes that the drawing should hold
   double crease_degrees = 30;
-  double fov_degrees = 35;  ///< for perspective drawings that do not name their window
   double tolerance_mm = 0.02;
   double step_mm = 0.1;       ///< from sample to sample
   double seen_step_mm = 0.5;  ///< from sample to sample in the search for intersections

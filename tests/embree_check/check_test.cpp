@@ -38,7 +38,7 @@ DrawingFile draw_boxes(const std::vector<Box>& boxes, const std::string& options
 }
 
 Point2 page_point(const DrawingFile& drawing, const Point3& p) {
-  return PageMap(drawing.model_to_page, {}, drawing.window.value(), drawing.near_distance).page(p);
+  return PageMap(drawing.model_to_page, {}, drawing.window, drawing.near_distance).page(p);
 }
 
 /// Draws the part of the edge on the page that its ends and its interval say.
@@ -183,12 +183,13 @@ TEST(EmbreeCheck, FindsIntersectionsThatAreNotDrawn) {
 
 TEST(EmbreeCheck, ReadsDrawings) {
   const DrawingFile drawing = parse_drawing(R"({"format":"ligne-drawing","version":2,
-    "page":{"width_mm":297,"height_mm":210},"view":{"matrix":[1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16],"perspective":true},
+    "view":{"matrix":[1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16],"perspective":true,"window":[1,2,30,40],"near":0.5},
     "strokes":[{"class":"border","visible":false,"source":{"edge":7,"ends":[[1,2,3],[4,5,6]],"faces":[3,null]},
     "interval":[0.25,0.5],"points":[[10,20],[30,40]]},
     {"class":"intersection","visible":true,"source":{"edge":null,"ends":[[1,2,3],[4,5,6]],"faces":[3,4]},
     "interval":[0,1],"points":[[1,2],[3,4]]}]})");
-  EXPECT_EQ(drawing.width_mm, 297);
+  EXPECT_EQ(drawing.window.max.y, 40);
+  EXPECT_EQ(drawing.near_distance, 0.5);
   EXPECT_EQ(drawing.model_to_page[2][1], 10);
   ASSERT_EQ(drawing.strokes.size(), 2u);
   EXPECT_EQ(drawing.strokes[0].kind, kBorder);

@@ -34,14 +34,11 @@ DrawingFile from_json(const Json& j) {
   if (j.at("format") != "ligne-drawing" || j.at("version") != 2)
     throw std::runtime_error("not a ligne-drawing of version 2");
   DrawingFile drawing;
-  drawing.width_mm = j.at("page").at("width_mm").get<double>();
-  drawing.height_mm = j.at("page").at("height_mm").get<double>();
   const Json& view = j.at("view");
   for (std::size_t i = 0; i < 16; ++i) drawing.model_to_page[i / 4][i % 4] = view.at("matrix").at(i).get<double>();
-  if (const auto w = view.find("window"); w != view.end())
-    drawing.window =
-        Rect{{w->at(0).get<double>(), w->at(1).get<double>()}, {w->at(2).get<double>(), w->at(3).get<double>()}};
-  if (const auto n = view.find("near"); n != view.end()) drawing.near_distance = n->get<double>();
+  const Json& w = view.at("window");
+  drawing.window = {{w.at(0).get<double>(), w.at(1).get<double>()}, {w.at(2).get<double>(), w.at(3).get<double>()}};
+  if (view.at("perspective").get<bool>()) drawing.near_distance = view.at("near").get<double>();
   for (const Json& stroke : j.at("strokes")) drawing.strokes.push_back(read_stroke(stroke));
   return drawing;
 }

@@ -16,10 +16,9 @@ struct DrawnStroke {
 };
 
 struct DrawingFile {
-  double width_mm = 210, height_mm = 297;
   Rows model_to_page{};
-  std::optional<Rect> window;           ///< page mm; the sheet where the drawing names none
-  std::optional<double> near_distance;  ///< smallest W that is drawn
+  Rect window;               ///< page mm
+  double near_distance = 0;  ///< smallest W that is drawn; in a perspective
   std::vector<DrawnStroke> strokes;
 };
 

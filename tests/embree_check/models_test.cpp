@@ -11,7 +11,6 @@ namespace {
 
 /// Largest part of the drawn length that may be wrong, and that may be not drawn.
 constexpr double kLimit = 0.0005;
-constexpr double kFov = 50;
 
 struct View {
   const char* name;
@@ -89,14 +88,11 @@ TEST_P(ModelDrawing, IsRight) {
   if (!std::filesystem::exists(LIGNE_MODELS_DIR)) GTEST_SKIP() << "shared models are absent";
   const test::TemporaryFolder folder;
   const std::filesystem::path drawing = folder / (name_of_case(c) + ".json");
-  std::string command = std::string("\"") + LIGNE_PROGRAM + "\" draw -q \"" + model.string() + "\" " + c.view.options +
-                        " --quality exact --edges " + c.edges + " -o \"" + drawing.string() + "\"";
+  const std::string fov = std::string_view(c.view.options).starts_with("--eye") ? " --fov 50" : "";
+  const std::string command = std::string("\"") + LIGNE_PROGRAM + "\" draw -q \"" + model.string() + "\" " + c.view.options +
+                              fov + " --quality exact --edges " + c.edges + " -o \"" + drawing.string() + "\"";
   CheckOptions options;
   options.kinds = std::string_view(c.edges) == "all" ? kAllKinds : kFeatureKinds;
-  if (command.find("--eye") != std::string::npos) {
-    command += " --fov " + std::to_string(kFov);
-    options.fov_degrees = kFov;
-  }
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
   Warnings warnings;
   const Scene scene = read_scene(model, {}, warnings);

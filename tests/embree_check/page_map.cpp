@@ -9,15 +9,13 @@ namespace ligne::check {
 
 namespace {
 
-/// Near plane of drawings that do not name theirs, as a part of the distance to the plane of depth 0.
-constexpr double kNearPart = 1e-3;
 /// Radius of a ball round the unit box.
 constexpr double kBoxReach = 0.9;
 
 }  // namespace
 
-PageMap::PageMap(const Rows& model_to_page, const UnitBox& box, const Rect& window, std::optional<double> near_distance)
-    : window_(window) {
+PageMap::PageMap(const Rows& model_to_page, const UnitBox& box, const Rect& window, double near_distance)
+    : window_(window), near_(near_distance) {
   for (std::size_t i = 0; i < 4; ++i) {
     const auto& row = model_to_page[i];
     for (std::size_t k = 0; k < 3; ++k) to_page_[i][k] = row[k] * box.size;
@@ -38,10 +36,6 @@ PageMap::PageMap(const Rows& model_to_page, const UnitBox& box, const Rect& wind
   const Point3 far{-to_box_[0][2], -to_box_[1][2], -to_box_[2][2]};
   if (perspective_) {
     viewer_ = far / -to_box_[3][2];
-    // At the eye Z is minus (scale D) D, and the slope of Z along the sight is scale D.
-    const glm::dvec3 z_row{to_page_[2][0], to_page_[2][1], to_page_[2][2]}, w{w_row[0], w_row[1], w_row[2]};
-    const double distance = -homogeneous(viewer_).z * glm::length(w) / glm::length(z_row);
-    near_ = near_distance ? *near_distance : kNearPart * std::abs(distance);
   } else {
     viewer_ = glm::normalize(far * (w_row[3] < 0 ? -1.0 : 1.0));
   }
@@ -88,19 +82,6 @@ std::pair<Point3, Point3> PageMap::sight_through(Point2 mm) const {
   const Point3 at_near = on_plane + (viewer_ - on_plane) * (1 - near_ / homogeneous(on_plane).w);
   const double along = glm::dot(-at_near, away) - kBoxReach;
   return {at_near + away * std::max(0.0, along), away};
-}
-
-Rect field_of_view(const Rows& m, const Rect& sheet, double fov_degrees, double aspect) {
-  const auto axis = [&](std::size_t i) { return Point3{m[i][0], m[i][1], m[i][2]}; };
-  const Point3 forward = axis(3);
-  const double length2 = glm::dot(forward, forward);
-  if (length2 == 0) return sheet;
-  const Point2 middle{glm::dot(axis(0), forward) / length2, glm::dot(axis(1), forward) / length2};
-  // The rest of the second row is (scale distance) down: page mm by the tangent of the angle with the sight.
-  const double mm_by_tangent = glm::length(axis(1) - forward * middle.y) / std::sqrt(length2);
-  const double half = std::tan(fov_degrees * 3.14159265358979323846 / 360) * mm_by_tangent;
-  return {glm::max(sheet.min, middle - Point2{half * aspect, half}),
-          glm::min(sheet.max, middle + Point2{half * aspect, half})};
 }
 
 std::optional<Part> PageMap::clip(const Point3& a, const Point3& b, double margin_mm) const {

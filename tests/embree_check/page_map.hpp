@@ -39,10 +39,9 @@ using Rows = std::array<std::array<double, 4>, 4>;
 class PageMap {
  public:
   /// `model_to_page` maps (x, y, z, 1) to (X, Y, Z, W): page mm (X/W, Y/W), depth Z/W growing away from the viewer. `window`
-  /// is the part of the page on which something can be drawn. `near_distance` is the smallest W in perspective; without one
-  /// it is a thousandth of the distance from the eye to the plane of depth 0. Throws std::runtime_error when the matrix can
-  /// not be inverted.
-  PageMap(const Rows& model_to_page, const UnitBox& box, const Rect& window, std::optional<double> near_distance);
+  /// is the part of the page on which something can be drawn. `near_distance` is the smallest W in perspective. Throws
+  /// std::runtime_error when the matrix can not be inverted.
+  PageMap(const Rows& model_to_page, const UnitBox& box, const Rect& window, double near_distance);
 
   bool perspective() const { return perspective_; }
   const Rect& window() const { return window_; }
@@ -67,10 +66,6 @@ class PageMap {
   double near_ = 0;
   Point3 viewer_{0, 0, 0};  ///< the eye, or the direction to the viewer
 };
-
-/// The part of the sheet that a field of view fills in perspective; `aspect` is its width by its height. In parallel
-/// projection the sheet itself.
-Rect field_of_view(const Rows& model_to_page, const Rect& sheet, double fov_degrees, double aspect);
 
 /// Parameter on the segment in space of the point at parameter u of its image, wa and wb being W at its ends.
 inline double parameter_in_space(double u, double wa, double wb) { return u * wa / (u * wa + (1 - u) * wb); }

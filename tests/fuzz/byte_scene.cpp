@@ -1,6 +1,5 @@
 #include "byte_scene.hpp"
 
-#include "scene/clean/clean.hpp"
 #include "scene/surfaces/mesh_writer.hpp"
 #include "support/judge.hpp"
 #include "support/scene_parts.hpp"
@@ -194,8 +193,7 @@ ByteScene scene_of_bytes(std::span<const std::uint8_t> bytes) {
   while (stream.more() && result.scene.faces.size() < kMostFaces) add_element(result.scene, stream);
   if (turned % 4 == 3) turn(result.scene, rotation(0.3 + turned, 0.7, 1.1 * turned));
   if (result.scene.faces.empty()) return result;
-  Warnings warnings;
-  finish_scene(result.scene, warnings);
+  finish(result.scene);
   if (view < kStandardViews) result.view = standard_views(result.scene)[static_cast<std::size_t>(view)];
   return result;
 }

@@ -1,8 +1,8 @@
 /// Clear drawings of meshes with defects against those of the shapes that they stand for.
 
-#include "drawn_lengths.hpp"
 #include "main/tier.hpp"
 #include "picture/models/models.hpp"
+#include "picture/scene_visibility.hpp"
 #include "scene/heal/border_edges.hpp"
 #include "scene/heal/duplicate_faces.hpp"
 #include "scene/heal/heal.hpp"
@@ -15,16 +15,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string corpus_file(const std::string& name) { return LIGNE_SOURCE_DIR "/tests/corpus/" + name + ".json"; }
+/// Drawn length of each class, mm.
+using Lengths = std::array<double, kLineClassCount>;
 
-using test::Lengths;
+double length_of_all(const Lengths& lengths) { return std::accumulate(lengths.begin(), lengths.end(), 0.0); }
+
+std::string corpus_file(const std::string& name) { return LIGNE_SOURCE_DIR "/tests/corpus/" + name + ".json"; }
 
 Lengths lengths(const Scene& scene, Quality quality, const std::string& view, double crease_degrees = 30) {
   PictureRequest request;
   request.lines.quality = quality;
   request.lines.crease_degrees = crease_degrees;
   request.view.named_view = view;
-  return test::drawn_lengths(scene, request);
+  RunReport run;
+  PreparedScene prepared = prepare(scene, request, std::nullopt, run);
+  SceneVisibility found = compute_visibility(prepared, std::nullopt, false, run);
+  finish_lines(found, prepared, run);
+  const StrokeModel& model = *found.result.strokes;
+  Lengths sum{};
+  for (const Stroke& s : model.strokes)
+    if (s.visible)
+      sum[static_cast<std::size_t>(s.line_class)] += glm::distance(model.lattice.to_mm(s.from), model.lattice.to_mm(s.to));
+  return sum;
 }
 
 Lengths drawn(const std::string& file, Quality quality, const std::string& view, double crease_degrees = 30) {
@@ -68,7 +80,7 @@ TEST(ClearDrawing, KeepsTheLinesOfTheCorpus) {
       // Planes that meet at less than 30 degrees have a crease from 10 degrees on.
       const Lengths more = drawn(file.string(), Quality::exact, view, kSurfaceCreaseDegrees);
       for (std::size_t c = 0; c < kLineClassCount; ++c) {
-        const double all = test::length_of_all(exact);
+        const double all = length_of_all(exact);
         const double tolerance = kShortBits.contains(name) ? all / 100 : 1e-3;
         const double most = static_cast<LineClass>(c) == LineClass::crease ? more[c] : exact[c];
         EXPECT_GE(clear[c], exact[c] - tolerance) << name << " " << view << ", " << kLineClassNames[c];
@@ -84,7 +96,7 @@ TEST(ClearDrawing, DrawsNothingRoundTheTipsOfFaces) {
   for (const char* view : {"iso", "front"}) {
     const Lengths exact = drawn(corpus_file("crumpled_ball"), Quality::exact, view),
                   clear = drawn(corpus_file("crumpled_ball"), Quality::clear, view);
-    EXPECT_NEAR(test::length_of_all(clear), test::length_of_all(exact), 2) << view;
+    EXPECT_NEAR(length_of_all(clear), length_of_all(exact), 2) << view;
   }
 }
 
@@ -131,32 +143,6 @@ TEST(ClearDrawing, TheOrderOfFacesDoesNotMatter) {
 
 // Meshes so large that their topology is built first: what is mended in them, and what their topology is.
 
-/// Columns and rows of the sheet; its triangles are more than those of a small mesh.
-constexpr std::uint32_t kSide = 330;
-
-std::uint32_t vertex_at(std::uint32_t i, std::uint32_t j) { return i * (kSide + 1) + j; }
-
-/// A sheet of triangles with a little relief, as one object that is not ended. Where `crack` says so its two halves have
-/// vertices of their own along the middle, a little apart.
-Scene begun_sheet(bool crack) {
-  constexpr std::uint32_t kMiddle = kSide / 2;
-  Scene scene;
-  test::begin_object(scene);
-  const auto place = [](std::uint32_t i, std::uint32_t j) { return Point3(i, j, 0.25 * ((i * 7 + j * 3) % 5)); };
-  for (std::uint32_t i = 0; i <= kSide; ++i)
-    for (std::uint32_t j = 0; j <= kSide; ++j) scene.vertices.push_back(place(i, j));
-  const auto second_edge = static_cast<std::uint32_t>(scene.vertices.size());
-  for (std::uint32_t j = 0; crack && j <= kSide; ++j) scene.vertices.push_back(place(kMiddle, j) + Point3(1e-4, 0, 0));
-  for (std::uint32_t i = 0; i < kSide; ++i)
-    for (std::uint32_t j = 0; j < kSide; ++j) {
-      const bool behind = crack && i == kMiddle;
-      const std::uint32_t a = behind ? second_edge + j : vertex_at(i, j), b = vertex_at(i + 1, j);
-      scene.faces.add_triangle(a, b, b + 1);
-      scene.faces.add_triangle(a, b + 1, a + 1);
-    }
-  return scene;
-}
-
 struct HealedSheet {
   Scene scene;
   Topology topology;
@@ -164,13 +150,6 @@ struct HealedSheet {
 };
 
 HealOptions with_topology_first_from(std::size_t triangles) { return {std::nullopt, triangles}; }
-
-HealedSheet healed_sheet(Scene scene) {
-  test::end_object(scene);
-  HealedSheet sheet{std::move(scene), {}, {}};
-  sheet.report = heal(sheet.scene, sheet.topology, {});
-  return sheet;
-}
 
 void expect_own_topology(const HealedSheet& sheet) {
   const Topology own = build_topology(sheet.scene);
@@ -180,49 +159,6 @@ void expect_own_topology(const HealedSheet& sheet) {
   EXPECT_TRUE(std::ranges::equal(sheet.topology.edges, own.edges, same_edge));
   EXPECT_EQ(sheet.topology.edge_flags, own.edge_flags);
   EXPECT_EQ(sheet.topology.triangles.size(), own.triangles.size());
-}
-
-TEST(HealLargeMesh, NothingToMend) {
-  const HealedSheet sheet = healed_sheet(begun_sheet(false));
-  EXPECT_TRUE(sheet.report.nothing());
-  EXPECT_EQ(sheet.scene.faces.size(), 2u * kSide * kSide);
-  expect_own_topology(sheet);
-}
-
-TEST(HealLargeMesh, TrianglesStoredTwice) {
-  Scene scene = begun_sheet(false);
-  scene.faces.add_triangle(vertex_at(8, 6), vertex_at(7, 5), vertex_at(8, 5));   // as it stands, begun elsewhere
-  scene.faces.add_triangle(vertex_at(9, 5), vertex_at(9, 6), vertex_at(10, 6));  // turned over
-  const HealedSheet sheet = healed_sheet(std::move(scene));
-  EXPECT_EQ(sheet.report.faces_twice, 2u);
-  EXPECT_EQ(sheet.scene.faces.size(), 2u * kSide * kSide);
-  expect_own_topology(sheet);
-}
-
-TEST(HealLargeMesh, ATriangleOfItsOwnStoredTwice) {
-  Scene scene = begun_sheet(false);
-  const auto v = static_cast<std::uint32_t>(scene.vertices.size());
-  scene.vertices.insert(scene.vertices.end(), {{0, 0, 9}, {1, 0, 9}, {0, 1, 9}});
-  scene.faces.add_triangle(v, v + 1, v + 2);
-  scene.faces.add_triangle(v, v + 2, v + 1);  // none of their edges has more than two faces
-  const HealedSheet sheet = healed_sheet(std::move(scene));
-  EXPECT_EQ(sheet.report.faces_twice, 1u);
-  expect_own_topology(sheet);
-}
-
-TEST(HealLargeMesh, ACrackIsSewn) {
-  const HealedSheet sheet = healed_sheet(begun_sheet(true));
-  EXPECT_EQ(sheet.report.vertices_moved, kSide + 1);
-  EXPECT_EQ(sheet.scene.vertices.size(), std::size_t{kSide + 1} * (kSide + 1));
-  const auto borders = std::ranges::count_if(sheet.topology.edges, [](const Edge& edge) { return edge.face1 == kNone; });
-  EXPECT_EQ(borders, 4 * kSide);
-  expect_own_topology(sheet);
-}
-
-TEST(HealLargeMesh, TheTopologyKnowsTheEndsOfBorders) {
-  Scene scene = begun_sheet(true);
-  test::end_object(scene);
-  EXPECT_EQ(ends_of_odd_edges(scene, build_topology(scene)), ends_of_odd_edges(scene));
 }
 
 enum class Faults { none, cracks, all };
@@ -273,6 +209,9 @@ TEST(HealLargeMesh, HealsAsSmallOnes) {
     HealedSheet small = start, large = start;
     small.report = heal(small.scene, small.topology, with_topology_first_from(small.scene.faces.size() + 1));
     large.report = heal(large.scene, large.topology, with_topology_first_from(0));
+    if (round % 3 != 2) {  // no edge of three faces, of which a topology names two
+      EXPECT_EQ(ends_of_odd_edges(start.scene, build_topology(start.scene)), ends_of_odd_edges(start.scene)) << round;
+    }
     EXPECT_EQ(large.scene.vertices, small.scene.vertices) << round;
     EXPECT_TRUE(std::ranges::equal(std::as_const(large.scene).faces.corners(), std::as_const(small.scene).faces.corners()))
         << round;

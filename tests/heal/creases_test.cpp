@@ -1,18 +1,65 @@
 /// Creases by what the file says, and by what the mesh shows.
 
-#include "heal/found_creases.hpp"
 #include "scene/creases/face_normals.hpp"
 #include "scene/creases/file_shading.hpp"
+#include "scene/creases/find_creases.hpp"
+#include "scene/readers/reader.hpp"
+#include "support/mesh_script.hpp"
+#include "support/standard.hpp"
 #include "support/test.hpp"
 
 namespace ligne {
 namespace {
 
-using test::find;
-using test::Found;
-using test::read;
-using test::rounded_ridge;
-using test::write_triangles;
+Scene read(const std::string& text, ModelFormat format, bool shading = true) {
+  Warnings warnings;
+  return read_scene({std::as_bytes(std::span(text)), "model"}, format, {.shading = shading}, warnings);
+}
+
+struct Found {
+  Scene scene;
+  Topology topology;
+  Creases creases;
+  std::size_t count() const { return std::accumulate(creases.lines.begin(), creases.lines.end(), std::size_t{0}); }
+};
+
+Found find(Scene scene, double degrees = 30, double surface_degrees = kSurfaceCreaseDegrees) {
+  Found found{std::move(scene), {}, {}};
+  found.topology = build_topology(found.scene);
+  found.creases = find_creases(found.scene, found.topology, {degrees, surface_degrees});
+  return found;
+}
+
+/// The faces of rows of n + 1 vertices, of which every other row is shifted by half a step.
+void write_triangles(std::ostream& obj, int n) {
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n; ++k) {
+      const int v = i * (n + 1) + k + 1, up = v + n + 1;
+      if (i % 2 == 0) obj << "f " << v << ' ' << v + 1 << ' ' << up << "\nf " << v + 1 << ' ' << up + 1 << ' ' << up << '\n';
+      if (i % 2 == 1) obj << "f " << v << ' ' << v + 1 << ' ' << up + 1 << "\nf " << v << ' ' << up + 1 << ' ' << up << '\n';
+    }
+}
+
+/// A steep ridge, rounded over about `round`, that runs across an uneven mesh of triangles with edges of about 1; `turned`
+/// radians from the direction to which the triangles are perpendicular. Its heights are noisy.
+Scene rounded_ridge(int n, double round, double turned) {
+  std::ostringstream obj;
+  std::uint32_t state = 7;
+  const auto noise = [&] {
+    state = state * 1664525u + 1013904223u;
+    return (state >> 8) / 16777216.0 - 0.5;
+  };
+  for (int i = 0; i <= n; ++i)
+    for (int k = 0; k <= n; ++k) {
+      const double x = k - n / 2.0 + (i % 2) * 0.5 + 0.25 * noise(), y = (i - n / 2.0) * 0.866 + 0.25 * noise();
+      const double across = x * std::cos(turned) + y * std::sin(turned);
+      obj << "v " << x << ' ' << y << ' ' << 0.3 * noise() - 2 * std::sqrt(across * across + round * round) << '\n';
+    }
+  write_triangles(obj, n);
+  return read(obj.str(), ModelFormat::obj);
+}
+
+// Creases by what the file says, and by what the mesh shows.
 
 enum class Shading { none, smooth, averaged, flat, groups, one_group };
 
@@ -229,6 +276,52 @@ TEST(Creases, OfAScanAreLongOnARoundingAndMayBeShortOnAnEdge) {
   EXPECT_EQ(find(short_ridge(14, 0.6)).count(), 0u);
   EXPECT_GT(find(short_ridge(40, 0.6)).count(), 20u);
 }
+
+// Creases where more than two faces meet, and where faces are too thin to have a normal of their own.
+
+TEST(Creases, ASliverTakesTheNormalOfItsNeighbour) {
+  // A flat square with a triangle of no height along its diagonal, off the plane by the rounding of its writer.
+  const std::string text =
+      "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 5.000000 5.000000 0.000001\nf 1 2 3\nf 1 3 5\nf 1 5 4\nf 5 3 4\n";
+  Scene scene = read(text, ModelFormat::obj);
+  EXPECT_GT(scene.objects[0].precision, 1e-7);
+  EXPECT_EQ(find(scene).count(), 0u);
+  for (const auto& normal : face_normals(scene, build_topology(scene))) EXPECT_NEAR(normal.z, 1, 1e-6);
+}
+
+TEST(Creases, WhereAllFacesAreThinnerThanThePrecisionTheirNormalsCount) {
+  // Northings of six digits, in steps of the last of them: each triangle is as high as what its writer rounded away.
+  std::ostringstream obj;
+  const int n = 12;
+  for (int i = 0; i <= n; ++i)
+    for (int k = 0; k <= n; ++k) {
+      const double height = 6 * std::exp(-(i - 6) * (i - 6) / 20.0 - (k - 6) * (k - 6) / 20.0);
+      obj << "v " << 581311 + 10 * k << ' ' << 4.78527 + 0.00001 * i << "e+06 " << height << '\n';
+    }
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n; ++k) {
+      const int v = i * (n + 1) + k + 1, up = v + n + 1;
+      obj << "f " << v << ' ' << v + 1 << ' ' << up + 1 << "\nf " << v << ' ' << up + 1 << ' ' << up << '\n';
+    }
+  const Scene scene = read(obj.str(), ModelFormat::obj);
+  ASSERT_GT(scene.objects[0].precision, 1);
+  EXPECT_EQ(find(scene).count(), 0u);
+}
+
+TEST(Creases, AStrayTriangleDoesNotSpoilAScan) {
+  Scene clean = rounded_ridge(40, 0.3, 0.15), with_fin = clean;
+  const auto& corners = with_fin.faces.contour(100, 0);
+  const std::uint32_t a = corners[0], b = corners[1];
+  with_fin.vertices.push_back(with_fin.vertices[a] + Point3(0, 0, 3));
+  with_fin.faces.add_face(std::vector<std::uint32_t>{a, b, static_cast<std::uint32_t>(with_fin.vertices.size() - 1)});
+  with_fin.objects[0].vertex_end += 1;
+  with_fin.objects[0].face_end += 1;
+  const auto found = find(with_fin);
+  EXPECT_EQ(found.creases.scans.size(), 1u);
+  EXPECT_NEAR(double(found.count()), double(find(clean).count()), 3);
+}
+
+[[maybe_unused]] const bool scripts_are_added = test::add_mesh_scripts(LIGNE_SOURCE_DIR "/tests/heal/scripts");
 
 }  // namespace
 }  // namespace ligne

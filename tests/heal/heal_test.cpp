@@ -118,8 +118,7 @@ TEST(Heal, ThreeThousandEqualCubesAreOne) {
   Object whole = as_one.objects[0];
   whole.vertex_end = as_one.objects.back().vertex_end, whole.face_end = as_one.objects.back().face_end;
   as_one.objects = {whole};
-  Warnings warnings;
-  finish_scene(as_one, warnings);
+  test::finish(as_one);
   const Healed of_objects = healed(as_objects), of_one = healed(as_one);
   EXPECT_EQ(of_objects.report.objects_twice, 2999u);
   EXPECT_EQ(of_objects.scene.faces.size(), 6u);

@@ -2,14 +2,13 @@
 
 #include "newell_sorted.hpp"
 #include "scene/clean/check_facts.hpp"
-#include "scene/clean/clean.hpp"
+#include "support/scene_parts.hpp"
 
 namespace ligne::test {
 namespace {
 
 Scene finished(Scene scene) {
-  Warnings warnings;
-  finish_scene(scene, warnings);
+  finish(scene);
   return scene;
 }
 

@@ -11,9 +11,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "scene/clean/clean.hpp"
 #include "scene/creases/face_normals.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
+#include "support/scene_parts.hpp"
 
 namespace ligne::test {
 
@@ -38,8 +38,7 @@ inline Scene scene_of(const std::vector<Corners>& polygons) {
   for (const Point3& p : scene.vertices) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   object.precision = largest * 0x1p-25;
   scene.objects.push_back(object);
-  Warnings warnings;
-  finish_scene(scene, warnings);
+  finish(scene);
   return scene;
 }
 

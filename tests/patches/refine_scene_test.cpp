@@ -3,6 +3,7 @@
 #include "scene/patches/refine/refine_scene.hpp"
 #include "base/no_index.hpp"
 #include "patches/part_scenes.hpp"
+#include "support/mesh_script.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
@@ -170,6 +171,8 @@ TEST(RefineScene, LeavesBodiesThatTouchAlone) {
   EXPECT_TRUE(Refined(both(pin, pin, Point3(12, 0, 0)), 0.01).scene) << "two pins beside each other";
   EXPECT_FALSE(Refined(both(pin, pin, Point3(10, 0, 0)), 0.01).scene) << "two pins that touch";
 }
+
+[[maybe_unused]] const bool scripts_are_added = add_mesh_scripts(LIGNE_SOURCE_DIR "/tests/patches/scripts");
 
 }  // namespace
 }  // namespace ligne::test

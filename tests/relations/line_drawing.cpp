@@ -74,6 +74,23 @@ std::string not_covered(const LineDrawing& a, const LineDrawing& b, double toler
   return text;
 }
 
+/// The view as options of `ligne draw`.
+std::string options(const CameraRequest& camera) {
+  std::string text;
+  const auto add = [&](const char* name, const std::optional<Point3>& p) {
+    if (!p) return;
+    char buffer[128];
+    std::snprintf(buffer, sizeof buffer, " --%s=%.17g,%.17g,%.17g", name, p->x, p->y, p->z);
+    text += buffer;
+  };
+  add("direction", camera.direction);
+  add("eye", camera.eye);
+  add("target", camera.target);
+  add("up", camera.up);
+  if (camera.eye) text += " --fov=" + std::to_string(camera.fov_degrees);
+  return text;
+}
+
 }  // namespace
 
 LineDrawing drawn(const Method& method, const Sight& sight) {
@@ -103,22 +120,6 @@ std::string differences(const LineDrawing& expected, const LineDrawing& found, d
   const std::string extra = not_covered(found, expected, tolerance, shortest_mm);
   if (!missing.empty()) text += "  no longer drawn:\n" + missing;
   if (!extra.empty()) text += "  newly drawn:\n" + extra;
-  return text;
-}
-
-std::string options(const CameraRequest& camera) {
-  std::string text;
-  const auto add = [&](const char* name, const std::optional<Point3>& p) {
-    if (!p) return;
-    char buffer[128];
-    std::snprintf(buffer, sizeof buffer, " --%s=%.17g,%.17g,%.17g", name, p->x, p->y, p->z);
-    text += buffer;
-  };
-  add("direction", camera.direction);
-  add("eye", camera.eye);
-  add("target", camera.target);
-  add("up", camera.up);
-  if (camera.eye) text += " --fov=" + std::to_string(camera.fov_degrees);
   return text;
 }
 

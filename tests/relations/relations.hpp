@@ -83,9 +83,6 @@ std::string differences(const LineDrawing& expected, const LineDrawing& found, d
 /// Writes the scene beside other temporary files, and tells the command that draws it.
 std::string command(const std::string& stem, const Sight& sight, const Method& method);
 
-/// The view as options of `ligne draw`.
-std::string options(const CameraRequest& camera);
-
 /// The methods for any scene that are exact and give strokes.
 std::vector<const Method*> exact_methods();
 

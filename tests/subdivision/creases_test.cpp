@@ -3,6 +3,7 @@
 #include "control_scenes.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/creases/find_creases.hpp"
+#include "support/scene_parts.hpp"
 
 namespace ligne::subdivision_test {
 namespace {
@@ -86,8 +87,7 @@ TEST(SemiSharpEdges, EndInASmoothSurface) {
 
 /// The creases of a clear drawing of a limit surface.
 Creases creases_of(Made made) {
-  Warnings warnings;
-  finish_scene(made.scene, warnings);
+  test::finish(made.scene);
   return find_creases(made.scene, build_topology(made.scene), {});
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Small scenes for tests, made of faces and boxes.
 
+#include "scene/clean/clean.hpp"
 #include "scene/model/scene_parts.hpp"
 
 namespace ligne::test {
@@ -18,6 +19,12 @@ inline Scene scene_of_faces(const std::vector<std::vector<Point3>>& faces) {
   Scene scene;
   for (const auto& face : faces) add_face(scene, {face});
   return scene;
+}
+
+/// Cleans a scene as after reading, without its warnings.
+inline void finish(Scene& scene) {
+  Warnings warnings;
+  finish_scene(scene, warnings);
 }
 
 }  // namespace ligne::test

@@ -86,7 +86,8 @@ inline void expect_same_strokes(const StrokeModel& a, const StrokeModel& b) {
   ASSERT_EQ(a.strokes.size(), b.strokes.size());
   for (std::size_t i = 0; i < a.strokes.size(); ++i) {
     const Stroke &s = a.strokes[i], &t = b.strokes[i];
-    ASSERT_TRUE(s.from == t.from && s.to == t.to && s.t_from == t.t_from && s.t_to == t.t_to && s.source == t.source &&
+    ASSERT_TRUE(s.from == t.from && s.to == t.to && s.t_from == t.t_from && s.t_to == t.t_to && s.z_from == t.z_from &&
+                s.z_to == t.z_to && s.w_from == t.w_from && s.w_to == t.w_to && s.source == t.source &&
                 s.line_class == t.line_class && s.visible == t.visible && s.needs_overlap_check == t.needs_overlap_check)
         << "stroke " << i;
   }

@@ -2,7 +2,6 @@
 
 #include "view/cull.hpp"
 #include "main/script.hpp"
-#include "scene/clean/clean.hpp"
 #include "support/mesh_text.hpp"
 #include "support/scenes.hpp"
 

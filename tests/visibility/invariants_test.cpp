@@ -1,6 +1,5 @@
 // The promises of the studies to each other are asserted: a planted breach ends the program.
 
-#include "scene/clean/clean.hpp"
 #include "support/scenes.hpp"
 #include "visibility/edges/line_strokes.hpp"
 #include "visibility/order/model_pieces.hpp"
@@ -33,8 +32,7 @@ TEST_F(Invariants, PartsOfALineAscend) {
 
   Scene scene;
   add_face(scene, {{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}}});
-  Warnings warnings;
-  finish_scene(scene, warnings);
+  finish(scene);
   const ProjectedScene projected = project_on_a4(scene, along({0, 1, 0}));
   const Facets facets = make_facets(projected, 1);
   const auto add = [&](const Parts& found) {

@@ -171,15 +171,11 @@ TEST_P(Determinism, OneThreadAndManyGiveTheSameStrokes) {
   // Hidden lines and intersections cost a method the more, the more boxes hide each other.
   const int part = runs_all() ? 1 : 3;
   for (const auto& [boxes, hidden] : {std::pair(1500 / part, false), std::pair(500 / part, true)}) {
+    const PictureRequest request{along({-1, 2, -1}), "all", hidden, 0, std::string(GetParam()->traits().name)};
     const Scene scene = random_boxes(boxes, 7, 10, {2, 2, 2});
-    const auto with_threads = [&, hidden = hidden](int n) {
-      Picture picture;
-      run_with_threads(n, [&] {
-        picture = draw(scene, {along({-1, 2, -1}), "all", hidden, 0, std::string(GetParam()->traits().name)});
-      });
-      return picture;
-    };
-    const Picture one = with_threads(1), four = with_threads(4);
+    Picture one, four;
+    run_with_threads(1, [&] { one = draw(scene, request); });
+    run_with_threads(4, [&] { four = draw(scene, request); });
     ASSERT_GT(one.model.strokes.size(), 1000u);
     expect_same_strokes(one.model, four.model);
   }

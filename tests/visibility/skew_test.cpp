@@ -1,7 +1,6 @@
 // Skew faces by the slopes of their sides: ends of lines, curves and spans worked out by hand on the ruled surface, and
 // plane faces against their triangles.
 
-#include "scene/clean/clean.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
@@ -22,8 +21,7 @@ Scene with_twisted(const std::vector<std::vector<Point3>>& others) {
   std::vector<std::vector<Point3>> faces = {kTwisted};
   faces.insert(faces.end(), others.begin(), others.end());
   Scene scene = scene_of_faces(faces);
-  Warnings warnings;
-  finish_scene(scene, warnings);
+  finish(scene);
   return scene;
 }
 

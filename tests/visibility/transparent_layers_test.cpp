@@ -1,6 +1,5 @@
 // Spans and pixels with the transparent faces in front of them: worked out by hand, and against a search at single points.
 
-#include "scene/clean/clean.hpp"
 #include "support/scenes.hpp"
 
 namespace ligne::test::transparent_layers_test {
@@ -37,8 +36,7 @@ struct PanesScene {
     scene.materials = {{"plain", {0.8, 0.8, 0.8}, 1}, {"glass", {0.5, 0.7, 0.9}, 0.4}};
     scene.face_material.assign(faces.size(), 0);
     for (const std::uint32_t f : transparent) scene.face_material[f] = 1;
-    Warnings warnings;
-    finish_scene(scene, warnings);
+    finish(scene);
     const View view =
         make_view(scene, make_camera(along({0, 0, -1}), scene), {{{0, 0}, {100, 100}}}, {{0, 0}, {100, 100}}, 1);
     projected = project(scene, build_topology(scene), view, {classes("all"), 30});

@@ -2,7 +2,6 @@
 // the classical precision.
 
 #include "main/tier.hpp"
-#include "scene/clean/clean.hpp"
 #include "support/line_scans.hpp"
 #include "visibility/watkins/watkins.hpp"
 
@@ -161,8 +160,7 @@ TEST(WatkinsScan, WholeNumbers) {
 TEST(WatkinsScan, HorizontalAndFlatEdgesAreDrawn) {
   Scene scene = scene_of_faces(
       {{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}, {0, 0, 10}}, {{12, 0, 5}, {20, 0, 5.001}, {20, 0, 5.002}, {12, 0, 5.003}}});
-  Warnings warnings;
-  finish_scene(scene, warnings);
+  finish(scene);
   const PreparedScan p(scene, along({0, 1, 0}));
   const LineStudyResult r = p.study(64, kRecognising);
   OpenParts open;

@@ -2,7 +2,6 @@
 
 #include "base/parallel.hpp"
 #include "main/tier.hpp"
-#include "scene/clean/clean.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
