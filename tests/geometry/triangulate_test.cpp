@@ -155,32 +155,6 @@ TEST(Triangulation, CrossingContoursTerminate) {
   }
 }
 
-// Random unions of grid cells, taken as outer contour and holes by following their border: all sorts of touching.
-TEST(Triangulation, RandomCellPolygonsThatTouchEverywhere) {
-  std::mt19937_64 random(17);
-  for (int round = 0; round < 300; ++round) {
-    constexpr int n = 7;
-    Polygon polygon{rectangle(0, 0, n, n)};
-    std::bernoulli_distribution taken(0.1 + 0.8 * (round % 10) / 10.0);
-    for (int x = 0; x < n; ++x)
-      for (int y = 0; y < n; ++y)
-        if (taken(random)) polygon.push_back(rectangle(x, y, x + 1, y + 1));
-    expect_partition(polygon, 60);
-  }
-}
-
-TEST(Triangulation, TenThousandCornersAreQuick) {
-  for (const shapes::Shape& shape : shapes::all_shapes()) {
-    if (!shape.simple) continue;
-    const Flat flat = flatten(shape.make(10'000));
-    const auto start = std::chrono::steady_clock::now();
-    const auto triangles = triangulate(flat.points, flat.contour_end);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(seconds.count(), 30) << shape.name << ": expected well under a second without sanitizers";
-    EXPECT_GE(triangles.size(), 3000u) << shape.name;
-  }
-}
-
 // Triangulations of points strewn evenly, in crowds, on grids, on circles and on lines.
 
 __extension__ using Wide = __int128;

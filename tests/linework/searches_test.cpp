@@ -165,7 +165,7 @@ std::vector<Stroke> clustered(std::uint32_t seed, int count, int page, int short
   return strokes;
 }
 
-const std::uint32_t kSeeds = test::runs_all() ? 10 : 4;
+const std::uint32_t kSeeds = test::runs_all() ? 10 : 2;
 
 TEST(OverlappingStrokes, AreThoseOfAllPairs) {
   const struct {

@@ -53,29 +53,6 @@ TEST(GridFile, WithoutAFile) {
             "absent.csv: there is no such file");
 }
 
-TEST(SharedGrids, Volcano) {
-  LIGNE_NEED_MODELS(folder);
-  Warnings warnings;
-  const auto matrix = read_grid(folder / "volcano.csv", warnings), points = read_grid(folder / "volcano.dat", warnings);
-  EXPECT_EQ(matrix->x().size(), 61u);
-  EXPECT_EQ(matrix->y().size(), 87u);
-  EXPECT_EQ(points->x().size(), 87u);
-  EXPECT_EQ(points->x().back(), 860);
-  EXPECT_EQ(points->y().back(), 600);
-  EXPECT_TRUE(warnings.counts().empty());
-  const auto a = heights_of(*matrix), b = heights_of(*points);
-  double low = a[0][0], high = low;
-  for (std::size_t j = 0; j < a.size(); ++j) {
-    for (std::size_t i = 0; i < a[j].size(); ++i) {
-      EXPECT_EQ(a[j][i], b[i][j]);
-      low = std::min(low, a[j][i]);
-      high = std::max(high, a[j][i]);
-    }
-  }
-  EXPECT_EQ(low, 94);
-  EXPECT_EQ(high, 195);
-}
-
 struct Summary {
   double low = 1e300, high = -1e300;
   std::size_t holes = 0;

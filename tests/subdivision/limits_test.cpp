@@ -130,33 +130,6 @@ TEST(LimitSurface, BorderIsASpline) {
   }
 }
 
-/// Largest angle between the normals of triangles that share an edge.
-double largest_bend(const Scene& scene) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Point3> normals;
-  double least_cosine = 1;
-  for (std::size_t f = 0; f < scene.faces.size(); ++f) {
-    const auto t = scene.faces.contour(f, 0);
-    const Point3& a = scene.vertices[t[0]];
-    const Point3 normal = glm::normalize(glm::cross(scene.vertices[t[1]] - a, scene.vertices[t[2]] - a));
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [entry, is_new] = normals.try_emplace(std::minmax({t[k], t[(k + 1) % 3]}), normal);
-      if (!is_new) least_cosine = std::min(least_cosine, glm::dot(normal, entry->second));
-    }
-  }
-  return std::acos(least_cosine);
-}
-
-TEST(LimitSurface, IsSmooth) {
-  for (const SubdivisionScheme scheme : {kCatmullClark, kLoop}) {
-    double before = largest_bend(subdivided(cube_points(), kCube, scheme, 2).scene);
-    for (unsigned levels = 3; levels <= 6; ++levels) {
-      const double bend = largest_bend(subdivided(cube_points(), kCube, scheme, levels).scene);
-      EXPECT_LT(bend, 0.7 * before) << levels;
-      before = bend;
-    }
-  }
-}
-
 TEST(LimitSurface, SharesItsVertices) {
   for (const SubdivisionScheme scheme : {kCatmullClark, kLoop}) {
     const Made made = subdivided(cube_points(), kCube, scheme, 3);

@@ -132,21 +132,6 @@ TEST(Horizon, SidesAreAlike) {
   EXPECT_NEAR(drawn(heights(half, 25), along({-1, -0.7, -0.5})).length(), full, 1e-3);
 }
 
-TEST(Horizon, FromAboveAllIsSeen) {
-  const FunctionHeights source = heights(waves, 15);
-  const Drawn picture = drawn(source, along({0, 0, -1}));
-  EXPECT_EQ(picture.lines.size(), 30u);
-  EXPECT_NEAR(picture.length(), 30 * 190, 1e-6);  // a square as high as the frame
-}
-
-TEST(Horizon, AlongAnAxisCurvesAreUprightLines) {
-  // A ramp that rises away from the viewer: its far half is seen as its near half is.
-  const FunctionHeights source = heights([](double, double y) { return 0.5 * y; }, 9);
-  const Drawn picture = drawn(source, along({0, 1, 0}));
-  // 9 level lines of width 2 and 9 upright ones of height 1, fitted to a width of 277 mm.
-  EXPECT_NEAR(picture.length(), 277 * (9 + 9 * 0.5), 1e-6);
-}
-
 TEST(Horizon, TheEyeOverTheGroundSeesAllOfAFlatOne) {
   const FunctionHeights source = heights([](double, double) { return 0.0; }, 11);
   const auto whole = [&](const Point3& eye) {
@@ -218,13 +203,6 @@ TEST(Horizon, HolesEndCurves) {
 TEST(Horizon, NothingToSee) {
   const FunctionHeights source = heights([](double, double) { return kNaN; }, 5);
   EXPECT_EQ(drawn(source, along({1, 1, -1})).lines.size(), 0u);
-}
-
-TEST(Horizon, StridesLeaveOutCurvesNotSamples) {
-  HorizonOptions options;
-  options.x_stride = 0;
-  options.y_stride = 4;
-  EXPECT_EQ(drawn(heights(waves, 10), along({0, 0, -1}), options).lines.size(), 4u);  // rows 0, 4, 8 and the last
 }
 
 }  // namespace

@@ -72,23 +72,13 @@ TEST(Propagation, NamesTheFacesBeforeEachPart) {
 
 /// Whether a face has a triangle over the page point whose depth there is less; both with some slack for points of edges.
 bool is_before(const ProjectedScene& scene, std::uint32_t face, Point2 at, double depth) {
-  for (const Triangle& triangle : scene.triangles) {
-    if (triangle.face != face) continue;
-    std::array<Point2, 3> p;
-    for (std::size_t i = 0; i < 3; ++i) p[i] = scene.lattice.to_mm(scene.vertices[triangle.v[i]].p);
-    const auto cross = [](Point2 a, Point2 b, Point2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); };
-    const double area = cross(p[0], p[1], p[2]);
-    if (area == 0) continue;
-    double z = 0, least = 1;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double weight = cross(at, p[(i + 1) % 3], p[(i + 2) % 3]) / area;
-      least = std::min(least, weight);
-      z += weight * scene.vertices[triangle.v[i]].z;
-    }
-    constexpr double kSlack = 1e-3;
-    if (least > -kSlack && z < depth + kSlack) return true;
-  }
-  return false;
+  constexpr double kSlack = 1e-3;
+  bool found = false;
+  for_triangles_at(scene, (at - scene.lattice.origin_mm) / scene.lattice.step_mm,
+                   [&](const Triangle& triangle, double z, double least) {
+                     found |= triangle.face == face && least > -kSlack && z < depth + kSlack;
+                   });
+  return found;
 }
 
 /// Every set has as many faces as were counted, each of them once, and before the middle of the part.

@@ -144,35 +144,6 @@ TEST(SkewFaces, SpansEndOnTheRuledSurface) {
   EXPECT_GT(lines, 150u);
 }
 
-/// The edge between the two triangles is no edge of the skew face.
-TEST(SkewFaces, HaveNoInnerEdges) {
-  const Scene scene = with_twisted({});
-  const ProjectedScene projected = from_above(scene);
-  const auto slanted = [](Point2 p, Point2 q) { return std::abs(p.x - q.x) > 1 && std::abs(p.y - q.y) > 1; };
-  EXPECT_EQ(visible_x(study(projected, false), origin_of(projected), slanted).size(), 1u);
-  EXPECT_EQ(visible_x(study(projected, true), origin_of(projected), slanted).size(), 0u);
-}
-
-/// From the side the square folds over along the diagonal by which it was cut: one triangle shows its upper side, the other
-/// its lower. The outline stays closed.
-TEST(SkewFaces, KeepOutlinesWhereTheyFold) {
-  const Scene scene = with_twisted({});
-  std::size_t folded = 0;
-  for (const Point3 direction : {Point3{-1, -1, -0.5}, Point3{-1, 1, -0.2}}) {  // for one diagonal and for the other
-    const ProjectedScene projected = project_on_a4(scene, along(direction));
-    if (std::ranges::count(projected.edges, LineClass::outline, &ProjectedEdge::line_class) == 0) continue;
-    ++folded;
-    const VisibilityResult result = study(projected, true);
-    double outline_mm = 0;
-    for (const Stroke& s : result.strokes->strokes) {
-      if (!s.visible || s.line_class != LineClass::outline) continue;
-      outline_mm += glm::length(result.strokes->lattice.to_mm(s.to) - result.strokes->lattice.to_mm(s.from));
-    }
-    EXPECT_GT(outline_mm, 10);
-  }
-  EXPECT_EQ(folded, 1u);
-}
-
 /// Plane faces stay as they are: a scene without skew faces gives the strokes of its triangles.
 TEST(SkewFaces, PlaneFacesDoNotChange) {
   for (const char* name : {"bricks", "house", "cyclic_5", "two_prisms_penetrating"}) {

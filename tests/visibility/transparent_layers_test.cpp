@@ -90,24 +90,6 @@ TEST(TransparentFaces, ListsAreFromFrontToBack) {
   EXPECT_NEAR(first->x_to, 30, 1e-6);
 }
 
-/// Two panes that cross at x = 40 above a ramp that comes through the lower one at x = 60.
-TEST(TransparentFaces, PenetrationsEndSpans) {
-  const PanesScene s({plate(0, 80, -25, 15), plate(0, 80, 10, 0), plate(0, 80, 0, 10)}, {1, 2});
-  const VisibilityResult spans = s.result("watkins"), pixels = s.result("zbuffer");
-  // Pane 1: 10 - x/8, pane 2: x/8, ramp: -25 + x/2. The ramp meets pane 1 at x = 56 and pane 2 at x = 200/3.
-  const std::vector<std::pair<double, Seen>> expected = {
-      {20, {{1, 2}, 0}}, {50, {{2, 1}, 0}}, {60, {{2}, 0}}, {75, {{}, 0}}};
-  for (const auto& [x, seen] : expected) {
-    EXPECT_EQ(span_at(*spans.spans, 100, 10 + x), seen) << x;
-    EXPECT_EQ(pixel_at(*pixels.pixels, {10 + x, 50.25}), seen) << x;
-  }
-  for (const double end : {50.0, 66.0, 10 + 200.0 / 3}) {
-    EXPECT_TRUE(std::ranges::any_of(spans.spans->spans, [&](const Span& span) {
-      return span.line == 100 && std::abs(span.x_to - end) < 1e-5;
-    })) << end;
-  }
-}
-
 /// Panes of one plane: the lower number is in front on every line. A pane in the plane of an opaque face likewise.
 TEST(TransparentFaces, TouchingFacesKeepOneOrder) {
   const PanesScene s({plate(0, 80, 3, 7), plate(10, 70, 3.5, 6.5), plate(20, 60, 4, 6)}, {0, 2});

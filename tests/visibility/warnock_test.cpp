@@ -154,13 +154,6 @@ TEST(WarnockUnderstanding, DepthIsComparedWhereTheIntersectorIs) {
 
 // The module of control of the method warnock: the first window, divisions, and the findings of [Boulle1980].
 
-TEST(WarnockControl, PiecesShareTheirEndsAndFindTheirChild) {
-  const Division division{7, -5, true, true};
-  expect_pieces_of_children(division, [&](int child, FramePoint p) {
-    return (child % 2 == 1) == (p.u >= division.u) && (child / 2 == 1) == (p.v >= division.v);
-  });
-}
-
 TEST(WarnockControl, WindowsOfAnyWidthAreDivided) {
   Stage stage;
   stage.add_rectangle(-100, -100, 100, 100, 1);

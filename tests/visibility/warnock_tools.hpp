@@ -72,27 +72,4 @@ class Stage {
   std::uint32_t faces_ = 0;
 };
 
-/// Cuts lines at random at a division or a border: their pieces share their ends, make the whole line, and each lies in the
-/// child of its middle, of which `belongs` decides.
-template <class Cut, class Belongs>
-void expect_pieces_of_children(const Cut& cut, const Belongs& belongs) {
-  std::mt19937 random(3);
-  std::uniform_int_distribution<int> u(-100, 100);
-  const warnock::WindowFrame frame{3, -2};
-  for (int i = 0; i < 2000; ++i) {
-    const PageLine line({{u(random), u(random)}, 0}, {{u(random), u(random)}, 0}, kNone, kNone);
-    if (line.p0 == line.p1) continue;
-    double end = 0;
-    cut_piece(line, {0, 0, 1}, frame, cut, [&](int child, const warnock::Piece& piece) {
-      EXPECT_EQ(piece.from, end);
-      EXPECT_LT(piece.from, piece.to);
-      end = piece.to;
-      const double middle = (piece.from + piece.to) / 2;
-      const warnock::FramePoint p = frame(line.p0), q = frame(line.p1);
-      EXPECT_TRUE(belongs(child, warnock::FramePoint{p.u + middle * (q.u - p.u), p.v + middle * (q.v - p.v)})) << child;
-    });
-    EXPECT_EQ(end, 1);
-  }
-}
-
 }  // namespace ligne::test

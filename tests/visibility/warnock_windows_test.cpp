@@ -50,69 +50,6 @@ TEST(WarnockPolygon, DividedAlongTheSideThatStandsInTheWay) {
   EXPECT_FALSE(border(window, elements, 2000)) << "at the limit of resolution";
 }
 
-TEST(WarnockPolygon, PartsMakeTheWholeAgain) {
-  std::mt19937 random(7);
-  std::uniform_int_distribution<int> u(0, 1 << 20);
-  for (int round = 0; round < 200; ++round) {
-    std::vector<ConvexWindow> windows{ConvexWindow(Window{0, 1 << 20, 0, 1 << 20})};
-    for (int cuts = 0; cuts < 6; ++cuts) {
-      const FramePoint p{double(u(random)), double(u(random))}, q{double(u(random)), double(u(random))};
-      if (p == q) continue;
-      std::vector<ConvexWindow> parts;
-      for (const ConvexWindow& w : windows) {
-        for (const Border& border : {Border(p, q), Border(q, p)}) {
-          if (ConvexWindow part = w.part(border); !part.empty()) parts.push_back(std::move(part));
-        }
-      }
-      windows = std::move(parts);
-    }
-    double sum = 0;
-    for (const ConvexWindow& w : windows) sum += area(w);
-    EXPECT_NEAR(sum, 0x1p40, 0x1p40 * 1e-12);
-    EXPECT_LE(windows.size(), 22u) << "six lines make no more parts";
-  }
-}
-
-TEST(WarnockPolygon, PiecesShareTheirEndsAndFindTheirChild) {
-  const Border border({7, -5}, {-20, 31});
-  expect_pieces_of_children(border, [&](int child, FramePoint p) { return (child == 0) == (border.distance(p) >= 0); });
-}
-
-TEST(WarnockPolygon, ListsOfAWindowHoldAllThatMeetsIt) {
-  std::mt19937 random(19);
-  std::uniform_int_distribution<int> at(-1000, 1000);
-  for (int round = 0; round < 100; ++round) {
-    Stage stage;
-    for (int i = 0; i < 6; ++i)
-      stage.add({{at(random), at(random), 1}, {at(random), at(random), 1}, {at(random), at(random), 1}});
-    const FaceTable& table = stage.table();
-    ConvexWindow window(Window{-1000, 1000, -1000, 1000});
-    for (int cut = 0; cut < 5; ++cut) {
-      const FramePoint p{double(at(random)), double(at(random))}, q{double(at(random)), double(at(random))};
-      if (p == q) continue;
-      const Border border(p, q);
-      if (ConvexWindow part = window.part(border.side(window.middle()) >= 0 ? border : border.opposite()); !part.empty())
-        window = part;
-    }
-    AnalysisCounts counts;
-    for (const Face& face : table.faces) {
-      std::uint32_t side = 0;
-      const Relation relation = relation_to(table, face, window, 1, side, counts);
-      std::size_t inside = 0, points = 0;
-      for (int k = 0; k < 400; ++k) {
-        const FramePoint r{double(at(random)), double(at(random))};
-        if (!window.holds(r)) continue;
-        int turns = 0;
-        for (const Side& s : table.sides_of(face)) turns += winding(table.at(s.v0), table.at(s.v1), r);
-        ++points;
-        inside += turns != 0;
-      }
-      EXPECT_FALSE(inside > 0 && relation == Relation::disjoint);
-      EXPECT_FALSE(inside < points && relation == Relation::surrounder);
-    }
-  }
-}
-
 /// Windows studied at a limit of resolution of 1024.
 std::uint64_t windows_of(const ProjectedScene& projected, unsigned split) {
   VisibilityOptions options;
@@ -243,21 +180,6 @@ TEST(WarnockAreas, AddUpToThePlateBehind) {
       EXPECT_EQ(of_plate, 1);
       EXPECT_EQ(areas.regions[0].contours.size(), 2u) << "the plate has one hole, where the boxes are";
     }
-  }
-}
-
-/// A bar before a plate cuts it in two; a plate with a hole shows what is behind.
-TEST(WarnockAreas, OneRegionForEachPieceWithItsHoles) {
-  const Scene scene =
-      scene_of_faces({{{-4, -3, 0}, {4, -3, 0}, {4, 3, 0}, {-4, 3, 0}}, {{-1, -5, 1}, {1, -5, 1}, {1, 5, 1}, {-1, 5, 1}}});
-  const Areas cut = areas_of(scene, along({0, 0, -1}));
-  ASSERT_EQ(cut.regions.size(), 3u);
-  EXPECT_EQ(cut.regions[0].face, 0u);
-  EXPECT_EQ(cut.regions[1].face, 0u);
-  EXPECT_EQ(cut.regions[2].face, 1u);
-  for (const Region& r : cut.regions) {
-    EXPECT_EQ(r.contours.size(), 1u);
-    EXPECT_EQ(r.contours[0].size(), 4u) << "no corners but the four";
   }
 }
 

@@ -173,19 +173,10 @@ double depth_at(const ScanPlane::Segment& s, double x) { return s.z0 + (s.z1 - s
 /// Depth of the nearest facet on the page at (x, y).
 double nearest_facet(const ProjectedScene& scene, double x, double y) {
   double nearest = 1e300;
-  for (const Triangle& t : scene.triangles) {
-    Point3 p[3];
-    for (int k = 0; k < 3; ++k) {
-      const Point2 q = scene.lattice.to_mm(scene.vertices[t.v[k]].p);
-      p[k] = {q.x, q.y, scene.vertices[t.v[k]].z};
-    }
-    const double area = cross(Point2(p[1]) - Point2(p[0]), Point2(p[2]) - Point2(p[0]));
-    if (area == 0) continue;
-    const double b = cross(Point2(x, y) - Point2(p[0]), Point2(p[2]) - Point2(p[0])) / area;
-    const double c = cross(Point2(p[1]) - Point2(p[0]), Point2(x, y) - Point2(p[0])) / area;
-    if (b < 0 || c < 0 || b + c > 1) continue;
-    nearest = std::min(nearest, p[0].z + b * (p[1].z - p[0].z) + c * (p[2].z - p[0].z));
-  }
+  for_triangles_at(scene, (Point2(x, y) - scene.lattice.origin_mm) / scene.lattice.step_mm,
+                   [&](const Triangle&, double z, double least) {
+                     if (least >= 0) nearest = std::min(nearest, z);
+                   });
   return nearest;
 }
 

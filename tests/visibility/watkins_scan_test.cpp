@@ -60,28 +60,6 @@ TEST(WatkinsScan, LinesPassedOverHaveTheSpansOfAStudyOnAllScenes) {
   EXPECT_GT(scenes, 100u);
 }
 
-/// A corner of a face on a scan line: nothing of the face is seen on that line, and all of it on the next one.
-TEST(WatkinsScan, FacesBeginOnTheLineBelowACorner) {
-  const PreparedScan p(corpus_scene("holes_behind_holes"), along({-1, 1, -1}));
-  constexpr std::uint32_t kLines = 4200;  // the highest corner of a plate lies on one of them
-  const LineStudyResult every = p.study(kLines, kEveryLine), recognising = p.study(kLines, kRecognising);
-  EXPECT_LT(difference(every.spans, recognising.spans), 1e-6 * length(every.spans));
-}
-
-/// All span methods see the same.
-TEST(WatkinsScan, SpanMethodsAgree) {
-  for (const char* name : {"bricks", "penetrating_plates_with_holes", "gear"}) {
-    const PreparedScan p(corpus_scene(name), kOdd);
-    const LineStudyResult stack = p.study(400, kRecognising);
-    for (const SpanMethodKind kind : {SpanMethodKind::merge, SpanMethodKind::box, SpanMethodKind::point}) {
-      ScanOptions scan = kRecognising;
-      scan.kind = kind;
-      EXPECT_LT(difference(stack.spans, p.study(400, scan).spans), 1e-3 * length(stack.spans))
-          << name << ' ' << static_cast<int>(kind);
-    }
-  }
-}
-
 /// Figure 2.59: three faces where points and exchanges alter nothing, seen along the sight of the figure (the sheets face
 /// the viewer).
 TEST(WatkinsScan, HiddenChangesAreRecognised) {
