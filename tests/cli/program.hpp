@@ -47,9 +47,8 @@ class ProgramTest : public testing::Test {
   void TearDown() override;
 
   Outcome run(const Words& arguments) const { return run_ligne(folder_, arguments); }
-  /// Runs, and expects that it is done; the second gives its standard output.
+  /// Runs, and expects that it is done.
   Outcome run_well(const Words& arguments) const;
-  std::string output_of(const Words& arguments) const { return run_well(arguments).out; }
   /// Runs, and looks at the status and at parts of what stands on standard error; or at all of that.
   void expect_outcome(const Words& arguments, int status, std::initializer_list<std::string_view> parts) const;
   void expect_error(const Words& arguments, int status, const std::string& error) const;

@@ -27,13 +27,6 @@ inline std::vector<Point2> line_of(const std::string& body) {
   return {line.begin(), line.end()};
 }
 
-inline void expect_points(const std::string& body, const std::vector<Point2>& wanted) {
-  const std::vector<Point2> got = line_of(body);
-  ASSERT_EQ(got.size(), wanted.size()) << body;
-  for (std::size_t i = 0; i < got.size(); ++i)
-    EXPECT_NEAR(glm::distance(got[i], wanted[i]), 0, 1e-9) << body << " point " << i;
-}
-
 inline double length_of(const std::string& body) { return length_of(read(body).drawing.layers.at(0).lines); }
 
 /// The error with which strict reading refuses an SVG.

@@ -183,5 +183,20 @@ TEST(WarnockAreas, AddUpToThePlateBehind) {
   }
 }
 
+/// A bar before a plate cuts it in two; a plate with a hole shows what is behind.
+TEST(WarnockAreas, OneRegionForEachPieceWithItsHoles) {
+  const Scene scene =
+      scene_of_faces({{{-4, -3, 0}, {4, -3, 0}, {4, 3, 0}, {-4, 3, 0}}, {{-1, -5, 1}, {1, -5, 1}, {1, 5, 1}, {-1, 5, 1}}});
+  const Areas cut = areas_of(scene, along({0, 0, -1}));
+  ASSERT_EQ(cut.regions.size(), 3u);
+  EXPECT_EQ(cut.regions[0].face, 0u);
+  EXPECT_EQ(cut.regions[1].face, 0u);
+  EXPECT_EQ(cut.regions[2].face, 1u);
+  for (const Region& r : cut.regions) {
+    EXPECT_EQ(r.contours.size(), 1u);
+    EXPECT_EQ(r.contours[0].size(), 4u) << "no corners but the four";
+  }
+}
+
 }  // namespace
 }  // namespace ligne::test
