@@ -23,6 +23,8 @@ constexpr double kWider = 4, kMostGrowth = 1.25;
 /// Least turn, in radians, of a cylinder of two or three facets that its neighbours continue: a little less than the least
 /// angle of planes that have an edge between them. Nearly flat facets of a free form lie on cylinders by accident.
 constexpr double kLeastTurn = 8 * std::numbers::pi / 180;
+/// Least ratio of the square of the longest diagonal of a long facet to its area; it is 2 for a square.
+constexpr double kLongInRow = 20;
 /// Angles about an axis that differ by no more, in radians, are one.
 constexpr double kSameAngle = 2 * std::numbers::pi / 1000;
 /// Largest relative difference between the turns of the facets of an evenly divided cylinder.
@@ -47,7 +49,7 @@ bool PatchFinder::is_certain(const PatchCandidate& c) {
       const std::size_t n = angles_of(surface, false);
       if (n >= 5 && (no_accident || explains_rise(c))) return true;
       if (n == 4 && no_accident && has_equal_steps()) return turn_of_angles() >= kLeastTurn;
-      if (n < 3 || (n < 5 ? turn_of_angles() < kLeastTurn : all > kLikelyChance)) return false;
+      if (n < 3 || c.facets.size() < 2 || (n < 5 ? turn_of_angles() < kLeastTurn : all > kLikelyChance)) return false;
       return is_tangent(c, n - 2);
     }
     case SurfaceKind::cone: {
@@ -55,7 +57,8 @@ bool PatchFinder::is_certain(const PatchCandidate& c) {
       return n >= 5 ? no_accident || explains_rise(c) : n == 4 && is_tangent(c, 2);
     }
     case SurfaceKind::sphere:
-      return no_accident && c.facets.size() >= 6;
+      // The corners of one row of long facets between two curves lie on a sphere whose sag is large.
+      return no_accident && c.facets.size() >= 6 && (c.residual <= tolerance_for(surface.kind, 0) || !is_long_row(c));
     case SurfaceKind::torus: {
       if (c.patch.sag > kLargestRingSag * (surface.radius + surface.tube)) return false;
       if (!no_accident || c.facets.size() < 6 || angles_of(surface, false) < 4) return false;
@@ -64,6 +67,18 @@ bool PatchFinder::is_certain(const PatchCandidate& c) {
     }
   }
   return false;
+}
+
+/// Whether the facets of a candidate, whose corners fetch_points() has fetched, are long and in one row: those in more rows
+/// have corners inside their border, by Euler's formula more than two if they are a disc.
+bool PatchFinder::is_long_row(const PatchCandidate& c) const {
+  std::size_t triangles = 0;
+  for (const std::uint32_t f : c.facets) {
+    const double longest = longest_diagonal(f);
+    if (longest * longest < kLongInRow * graph_.area[f]) return false;
+    triangles += graph_.vertices[f].size() - 2;
+  }
+  return triangles <= vertices_.size();
 }
 
 /// Whether the facets of a patch are so fine that rounding hides kFinePart of their sag or more.

@@ -94,7 +94,8 @@ const PatchFinder::VertexLook& PatchFinder::look_at(const Patch& patch, std::uin
     number = static_cast<std::uint32_t>(looks_.size());
     const Point3& p = scene_.vertices[vertex];
     const bool is_on = std::abs(patch.surface.distance(p)) <= tolerance;
-    looks_.push_back({is_on, is_on ? patch.surface.normal(p) : Point3(0, 0, 0)});
+    const bool is_tip = patch.surface.kind == SurfaceKind::cone && axis_place(patch.surface, p).radius <= tolerance;
+    looks_.push_back({is_on, is_on && !is_tip ? patch.surface.normal(p) : Point3(0, 0, 0)});
   }
   return looks_[number];
 }
@@ -121,7 +122,7 @@ bool PatchFinder::lies_on(const Patch& patch, std::uint32_t f, double tolerance,
   for (const std::uint32_t v : graph_.vertices[f]) {
     const VertexLook& look = look_at(patch, v, tolerance);
     if (!look.is_on) return false;
-    if (has_normal && !(glm::dot(look.normal, normal) >= least_cosine)) return false;
+    if (has_normal && look.normal != Point3(0.0) && !(glm::dot(look.normal, normal) >= least_cosine)) return false;
   }
   return true;
 }

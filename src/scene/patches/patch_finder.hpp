@@ -52,7 +52,7 @@ class PatchFinder {
   /// Whether a vertex lies on the surface that is tried, remembered because several facets share it.
   struct VertexLook {
     bool is_on = false;
-    Point3 normal{0, 0, 0};  ///< normal of the surface there, if is_on
+    Point3 normal{0, 0, 0};  ///< normal of the surface there, if is_on; 0 at the tip of a cone, which has none
   };
   /// Facets to which surfaces of several kinds are fitted.
   struct FitSample {
@@ -101,6 +101,7 @@ class PatchFinder {
   bool lies_on(const Patch& patch, std::uint32_t f, double tolerance, double least_cosine = kNormalCosine,
                double most_sags = kMostSags);
   bool is_certain(const PatchCandidate& c);
+  bool is_long_row(const PatchCandidate& c) const;
   bool is_fine(const Patch& patch) const;
   bool explains_rise(const PatchCandidate& c) const;
   std::size_t angles_of(const PatchSurface& surface, bool about_circle);
