@@ -26,6 +26,16 @@ constexpr double kMostOfBorder = 0.5;
 /// Least number of corners of a facet that may be a plane by its depth: free forms have triangles of any shape.
 constexpr std::size_t kPlaneCorners = 4;
 
+/// Largest distance of a facet's corners from the line of an edge.
+double depth_behind(const Scene& scene, const FacetGraph& graph, std::uint32_t f, const Edge& edge) {
+  const Point3& from = scene.vertices[edge.v0];
+  const Point3 along = glm::normalize(scene.vertices[edge.v1] - from);
+  double depth = 0;
+  for (const std::uint32_t v : graph.vertices[f])
+    depth = std::max(depth, glm::length(glm::cross(along, scene.vertices[v] - from)));
+  return depth;
+}
+
 /// Two parallel edges of a facet with equal bends.
 struct RowEdges {
   FacetGraph::Arc one, other;
@@ -49,6 +59,15 @@ class RowFinder {
           return next.has(arc.edge) && alike(next.sine, row.sine) && alike(next.width, row.width);
         });
       });
+    });
+  }
+
+  /// Whether a facet is the last one of a row, as wide as that behind it. It meets a plane at half of the row's bend.
+  bool ends_row(std::uint32_t f) const {
+    return std::ranges::any_of(graph_.arcs_of(f), [&](const FacetGraph::Arc& arc) {
+      const double width = depth_behind(scene_, graph_, f, topology_.edges[arc.edge]);
+      const auto is_behind = [&](const RowEdges& row) { return row.has(arc.edge) && alike(width, row.width); };
+      return any_row(arc.facet, is_behind) && is_in_row(arc.facet);
     });
   }
 
@@ -91,16 +110,6 @@ class RowFinder {
   const FacetGraph& graph_;
   const std::vector<std::uint32_t>& patch_of_;
 };
-
-/// Largest distance of a facet's corners from the line of an edge.
-double depth_behind(const Scene& scene, const FacetGraph& graph, std::uint32_t f, const Edge& edge) {
-  const Point3& from = scene.vertices[edge.v0];
-  const Point3 along = glm::normalize(scene.vertices[edge.v1] - from);
-  double depth = 0;
-  for (const std::uint32_t v : graph.vertices[f])
-    depth = std::max(depth, glm::length(glm::cross(along, scene.vertices[v] - from)));
-  return depth;
-}
 
 /// Whether a facet of four corners or more is a plane beside narrow facets of fillets and free forms: it is much deeper than
 /// each of them.
@@ -220,7 +229,7 @@ std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& to
       borders[regions.group_of(f)].add(scene, topology, graph, patch_of, edge_rows, f);
   }
   for (const std::uint32_t f : others)
-    freeform[f] = regions.is_in_region(f) || borders[regions.group_of(f)].is_row() || rows.is_in_row(f);
+    freeform[f] = regions.is_in_region(f) || borders[regions.group_of(f)].is_row() || rows.is_in_row(f) || rows.ends_row(f);
   return freeform;
 }
 
