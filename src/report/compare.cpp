@@ -216,7 +216,8 @@ void look_at_scene(const Scene& scene, const Topology& topology, PictureRequest 
   RunReport run;
   const PreparedScene prepared = prepare(scene, picture, {}, run, topology);
   comparison.page = prepared.around.placement.page;
-  comparison.traits = scene_traits(prepared.scene, prepared.topology, prepared.projected);
+  comparison.traits =
+      scene_traits(prepared.scene, prepared.topology, prepared.projected, picture.view.up_axis.value_or(scene.up_axis));
   const ChoiceRule& rule = choice_rules()[choose_rule(facts_of(picture, prepared.projected))];
   comparison.chosen = rule.method;
   comparison.why_chosen = rule.when;

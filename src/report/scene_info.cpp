@@ -41,7 +41,7 @@ SceneInfo scene_info(const LoadedModels& models, const ViewRequest& view, const 
     info.view = view_facts(scene, projected);
   });
   if (!lines.method) info.method = find_method(choice_rules()[choose_rule(facts_of(request, projected))].method);
-  info.traits = timed(run.stages, "traits", [&] { return scene_traits(scene, topology, projected); });
+  info.traits = timed(run.stages, "traits", [&] { return scene_traits(scene, topology, projected, info.up_axis); });
   info.known = timed(run.stages, "facts", [&] { return known_facts(scene, topology, info.traits); });
   return info;
 }

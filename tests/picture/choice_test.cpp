@@ -20,7 +20,7 @@ SceneTraits traits_of(Scene& scene, const Point3& direction) {
   finish(scene);
   const Topology topology = build_topology(scene);
   const View view = view_on_a4(scene, along(direction));
-  return scene_traits(scene, topology, project(scene, topology, view, {classes("all"), 30}));
+  return scene_traits(scene, topology, project(scene, topology, view, {classes("all"), 30}), scene.up_axis);
 }
 
 const Point3 kOblique{-0.37, 0.83, -0.41};

@@ -221,13 +221,13 @@ Point2 in_plan(const Point3& p, Axis up) {
 
 /// Whether no vertical line meets the scene twice. Tests exactly that neighbours lie on opposite sides of their common
 /// line, and by samples that no point of the plan has two triangles.
-bool is_height_field(const Scene& scene, const Topology& topology) {
+bool is_height_field(const Scene& scene, const Topology& topology, Axis up) {
   if (topology.triangles.empty()) return false;
   struct Side {
     std::uint32_t low, high, third;
   };
   std::vector<Side> sides;
-  const auto plan = [&](std::uint32_t v) { return in_plan(scene.vertices[v], scene.up_axis); };
+  const auto plan = [&](std::uint32_t v) { return in_plan(scene.vertices[v], up); };
   Rect around{plan(topology.triangles[0].v[0]), plan(topology.triangles[0].v[0])};
   for (const Triangle& t : topology.triangles) {
     const Point2 p[3] = {plan(t.v[0]), plan(t.v[1]), plan(t.v[2])};
@@ -266,7 +266,7 @@ void count_overlap(const ProjectedScene& scene, const std::vector<Facet>& facets
 
 }  // namespace
 
-SceneTraits scene_traits(const Scene& scene, const Topology& topology, const ProjectedScene& projected) {
+SceneTraits scene_traits(const Scene& scene, const Topology& topology, const ProjectedScene& projected, Axis up) {
   SceneTraits traits;
   const double coincidence_steps = coincidence_mm(projected) / projected.lattice.step_mm;
   const std::vector<Facet> facets = make_facets(projected, coincidence_steps).facets;
@@ -282,7 +282,7 @@ SceneTraits scene_traits(const Scene& scene, const Topology& topology, const Pro
   const FacePairs pairs = find_face_pairs(projected, facets, grid);
   traits.penetrations = {pairs.penetrating.size(), pairs.complete};
   traits.conflicts = {pairs.overlapping.size(), pairs.complete};
-  traits.height_field = is_height_field(scene, topology);
+  traits.height_field = is_height_field(scene, topology, up);
   return traits;
 }
 

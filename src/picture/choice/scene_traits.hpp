@@ -43,8 +43,9 @@ struct SceneTraits {
   bool height_field = false;  ///< no vertical line meets it twice, as far as samples of its plan show
 };
 
-/// `topology` belongs to the scene; `projected` is its projection with any selection of edges. O(n log n); pairs are
-/// counted up to a bound. Faces that coincide with another one are left out, as in every method.
-SceneTraits scene_traits(const Scene& scene, const Topology& topology, const ProjectedScene& projected);
+/// `topology` belongs to the scene; `projected` is its projection with any selection of edges, and `up` the vertical axis
+/// of the view. O(n log n); pairs are counted up to a bound. Faces that coincide with another one are left out, as in every
+/// method.
+SceneTraits scene_traits(const Scene& scene, const Topology& topology, const ProjectedScene& projected, Axis up);
 
 }  // namespace ligne
