@@ -165,15 +165,18 @@ class EdgeClassifier {
     return depth;
   }
 
-  /// Whether an edge is none of those between the bands of a free form: no edge beside it bends as it does, or the facet on
-  /// one side is much deeper than that on the other. Tessellators make rows that bend alike of like depths.
+  /// Whether an edge is none of those between the bands of a free form: no edge beside it bends as it does. Tessellators
+  /// make rows that bend alike of like depths, so behind a facet that is much deeper than that on the other side none
+  /// counts.
   bool ends_rows(std::uint32_t e) const {
     const Edge& edge = topology_.edges[e];
-    const auto [near, far] = std::minmax({depth_behind(edge, edge.face0), depth_behind(edge, edge.face1)});
-    if (far >= kPlaneDepths * near) return true;
-    return std::ranges::none_of(std::array{edge.face0, edge.face1}, [&](std::uint32_t face) {
-      return rows_.next({e, face}, kRoundingBends) || is_in_fan(e, face);
-    });
+    const std::array faces{edge.face0, edge.face1};
+    const std::array depths{depth_behind(edge, faces[0]), depth_behind(edge, faces[1])};
+    for (const std::size_t k : {0, 1}) {
+      const bool is_deep = depths[k] >= kPlaneDepths * depths[1 - k];
+      if (!is_deep && (rows_.next({e, faces[k]}, kRoundingBends) || is_in_fan(e, faces[k]))) return false;
+    }
+    return true;
   }
 
   /// Whether an edge that shares an end with another one, as those at the tip of a cone do, bends on behind a face.
