@@ -10,6 +10,15 @@
 #include "base/no_index.hpp"
 
 namespace ligne {
+
+double depth_behind(const Scene& scene, std::span<const std::uint32_t> corners, const Edge& edge) {
+  const Point3& from = scene.vertices[edge.v0];
+  const Point3 along = glm::normalize(scene.vertices[edge.v1] - from);
+  double depth = 0;
+  for (const std::uint32_t v : corners) depth = std::max(depth, glm::length(glm::cross(along, scene.vertices[v] - from)));
+  return depth;
+}
+
 namespace {
 
 // Adjustable.
@@ -25,16 +34,6 @@ constexpr std::size_t kMostPieceCorners = 6;
 constexpr double kMostOfBorder = 0.5;
 /// Least number of corners of a facet that may be a plane by its depth: free forms have triangles of any shape.
 constexpr std::size_t kPlaneCorners = 4;
-
-/// Largest distance of a facet's corners from the line of an edge.
-double depth_behind(const Scene& scene, const FacetGraph& graph, std::uint32_t f, const Edge& edge) {
-  const Point3& from = scene.vertices[edge.v0];
-  const Point3 along = glm::normalize(scene.vertices[edge.v1] - from);
-  double depth = 0;
-  for (const std::uint32_t v : graph.vertices[f])
-    depth = std::max(depth, glm::length(glm::cross(along, scene.vertices[v] - from)));
-  return depth;
-}
 
 /// Two parallel edges of a facet with equal bends.
 struct RowEdges {
@@ -65,7 +64,7 @@ class RowFinder {
   /// Whether a facet is the last one of a row, as wide as that behind it. It meets a plane at half of the row's bend.
   bool ends_row(std::uint32_t f) const {
     return std::ranges::any_of(graph_.arcs_of(f), [&](const FacetGraph::Arc& arc) {
-      const double width = depth_behind(scene_, graph_, f, topology_.edges[arc.edge]);
+      const double width = depth_behind(scene_, graph_.vertices[f], topology_.edges[arc.edge]);
       const auto is_behind = [&](const RowEdges& row) { return row.has(arc.edge) && alike(width, row.width); };
       return any_row(arc.facet, is_behind) && is_in_row(arc.facet);
     });
@@ -119,7 +118,8 @@ bool is_wide(const Scene& scene, const Topology& topology, const FacetGraph& gra
   return std::ranges::all_of(arcs, [&](const FacetGraph::Arc& arc) {
     if (graph.has_many_corners(arc.facet) || graph.is_sliver[arc.facet]) return true;
     const Edge& edge = topology.edges[arc.edge];
-    return depth_behind(scene, graph, f, edge) >= kPlaneDepths * depth_behind(scene, graph, arc.facet, edge);
+    return depth_behind(scene, graph.vertices[f], edge) >=
+           kPlaneDepths * depth_behind(scene, graph.vertices[arc.facet], edge);
   });
 }
 

@@ -2,6 +2,7 @@
 /// Free forms: facets of smooth surfaces that are no cylinder, cone, sphere or torus.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scene/model/edge_rows.hpp"
@@ -17,6 +18,9 @@ inline constexpr std::size_t kFewestFreeform = 8;
 /// facets of one free form have similar sags, so their extents differ less. Adjustable.
 inline constexpr double kPlaneDepths = 3;
 
+/// Largest distance of corners from the line of an edge, model units.
+double depth_behind(const Scene& scene, std::span<const std::uint32_t> corners, const Edge& edge);
+
 /// Per facet: 1 if it has no surface in `patch_of` (kNone) and
 /// - is so narrow that rounding determines its normal, so that it is no evidence of a plane, or
 /// - is a single triangle: planes of machine parts are seldom as small, and many free forms consist of triangles only,
@@ -25,6 +29,7 @@ inline constexpr double kPlaneDepths = 3;
 ///   corners (FacetGraph::has_many_corners) nor by their extent (kPlaneDepths), or
 /// - lies in a regular row: it is as wide as a neighbour, between parallel edges with the same angle in the same sense.
 ///   That is a cylinder whose facets were cut by other bodies, so that their corners lie on no circle, or
+/// - is the last facet of such a row, as wide as the one behind it, or
 /// - belongs to fewer such facets at which the rows of the surfaces around them go on: a cut has left them of a tube, whose
 ///   bands lie on cones. A plane runs into a surface by half the angle of its facets.
 std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& topology, const FacetGraph& graph,

@@ -156,22 +156,14 @@ class EdgeClassifier {
     return rows_.next({border.edge, free}, kEvenBends) || !rows_.next({border.edge, free}, kRoundingBends);
   }
 
-  double depth_behind(const Edge& edge, std::uint32_t face) const {
-    const Point3& from = scene_.vertices[edge.v0];
-    const Point3 along = glm::normalize(scene_.vertices[edge.v1] - from);
-    double depth = 0;
-    for (const std::uint32_t v : scene_.faces.contour(face, 0))
-      depth = std::max(depth, glm::length(glm::cross(along, scene_.vertices[v] - from)));
-    return depth;
-  }
-
   /// Whether an edge is none of those between the bands of a free form: no edge beside it bends as it does. Tessellators
   /// make rows that bend alike of like depths, so behind a facet that is much deeper than that on the other side none
   /// counts.
   bool ends_rows(std::uint32_t e) const {
     const Edge& edge = topology_.edges[e];
     const std::array faces{edge.face0, edge.face1};
-    const std::array depths{depth_behind(edge, faces[0]), depth_behind(edge, faces[1])};
+    const std::array depths{depth_behind(scene_, scene_.faces.contour(faces[0], 0), edge),
+                            depth_behind(scene_, scene_.faces.contour(faces[1], 0), edge)};
     for (const std::size_t k : {0, 1}) {
       const bool is_deep = depths[k] >= kPlaneDepths * depths[1 - k];
       if (!is_deep && (rows_.next({e, faces[k]}, kRoundingBends) || is_in_fan(e, faces[k]))) return false;
