@@ -154,19 +154,18 @@ TEST(RefineScene, MovesCornersOnChordsOntoBothSurfaces) {
 TEST(RefineScene, LeavesBodiesThatTouchAlone) {
   const std::vector<Corners> pin = turned_polygons({{5, 0}, {5, 20}}, 16);
   // A sleeve, whose bore is the pin's wall turned over.
-  std::vector<Corners> sleeve;
-  const auto add_sleeve = [&](double bore) {
-    sleeve.clear();
+  const auto sleeve = [&](double bore, int facets) {
+    std::vector<Corners> faces;
     const std::vector<Point2> profile{{bore, 5}, {9, 5}, {9, 15}, {bore, 15}, {bore, 5}};
-    add_grid(sleeve, 16, 4, true, [&](int u, int v) {
+    add_grid(faces, facets, 4, true, [&](int u, int v) {
       const Point2 p = profile[static_cast<std::size_t>(v)];
-      return on_circle(p.x, 2 * kPi * (u % 16) / 16, p.y);
+      return on_circle(p.x, 2 * kPi * (u % facets) / facets, p.y);
     });
+    return faces;
   };
-  add_sleeve(5);
-  EXPECT_FALSE(Refined(both(pin, sleeve, Point3(0.0)), 0.01).scene) << "a pin in its bore";
-  add_sleeve(7);
-  EXPECT_TRUE(Refined(both(pin, sleeve, Point3(0.0)), 0.01).scene) << "a pin in a wider bore";
+  EXPECT_FALSE(Refined(both(pin, sleeve(5, 16), Point3(0.0)), 0.01).scene) << "a pin in its bore";
+  EXPECT_TRUE(Refined(both(pin, sleeve(7, 16), Point3(0.0)), 0.01).scene) << "a pin in a wider bore";
+  EXPECT_TRUE(Refined(both(sleeve(5, 16), sleeve(5, 24), Point3(0, 0, 10)), 0.01).scene) << "bores that continue each other";
   EXPECT_TRUE(Refined(both(pin, pin, Point3(6, 0, 5)), 0.01).scene) << "two pins in each other";
   EXPECT_TRUE(Refined(both(pin, pin, Point3(12, 0, 0)), 0.01).scene) << "two pins beside each other";
   EXPECT_FALSE(Refined(both(pin, pin, Point3(10, 0, 0)), 0.01).scene) << "two pins that touch";

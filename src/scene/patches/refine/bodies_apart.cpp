@@ -18,7 +18,7 @@ namespace {
 /// pairs of faces of two bodies from which on these count as touching.
 constexpr std::size_t kMostBodies = 64, kMostFacePairs = 1 << 21;
 /// Faces touch where a corner of one lies nearer to the surface of the other than so many times the sum of both sags, and
-/// both surfaces have one direction by this cosine (15 degrees).
+/// both surfaces face each other by this cosine (15 degrees).
 constexpr double kTouchSags = 1.5, kTouchCosine = 0.966;
 
 struct BodyBox {
@@ -83,7 +83,8 @@ class BodyComparer {
     });
   }
 
-  /// Whether a corner of face f lies on the surface of face g, with the same normal up to its sign.
+  /// Whether a corner of face f lies on the surface of face g, with the opposite normal. Bores of two plates that lie on one
+  /// cylinder have the same normal, and none of them is in the way of the other.
   bool touches(std::uint32_t f, std::uint32_t g, double within) const {
     const Point3 normal_f = face_normal(scene_, f), normal_g = face_normal(scene_, g);
     const std::uint32_t patch = patches_.patch_of[g];
@@ -92,7 +93,7 @@ class BodyComparer {
       const Point3& p = scene_.vertices[v];
       const double off = patch == kNone ? glm::dot(p - on_g, normal_g) : patches_.list[patch].surface.distance(p);
       if (!(std::abs(off) <= within)) return false;
-      return std::abs(glm::dot(patches_.normal(f, p, normal_f), patches_.normal(g, p, normal_g))) >= kTouchCosine;
+      return glm::dot(patches_.normal(f, p, normal_f), patches_.normal(g, p, normal_g)) <= -kTouchCosine;
     });
   }
 
