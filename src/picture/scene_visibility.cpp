@@ -177,7 +177,7 @@ void finish_lines(SceneVisibility& found, PreparedScene& prepared, RunReport& ru
   StrokeModel& strokes = *found.result.strokes;
   remove_hidden_axes(strokes);
   take_points(found, prepared, run);
-  clear_intersections(strokes, prepared.scene, prepared.projected, lines, run);
+  clear_intersections(strokes, prepared.scene, prepared.projected, lines, prepared.patches, run);
   const ContourSources contours = draw_contours(strokes, prepared.scene, prepared.view(), prepared.contours,
                                                 lines.hidden != HiddenLines::none, contour_options(prepared.request, {}));
   add_shape_strokes(found.result, prepared);

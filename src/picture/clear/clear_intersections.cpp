@@ -12,6 +12,7 @@
 #include "picture/clear/rim_lines.hpp"
 #include "scene/contacts/chord_errors.hpp"
 #include "scene/contacts/face_contact.hpp"
+#include "scene/model/face_area.hpp"
 #include "scene/model/topology.hpp"
 
 namespace ligne {
@@ -44,26 +45,61 @@ constexpr double kEdgeAngle = std::numbers::pi / 18;
 /// Distance of two chords of width w that cross at twice their bend b within their width, 2 w b, by the sum of their
 /// errors, 2 w/2 tan(b/4).
 constexpr double kGrazingErrors = 8;
+/// Adjustable: least ratio of the length of a sliver to its height.
+constexpr double kSliver = 8;
 
-/// Whether two faces cross at an angle no larger than the bends on either side: the shapes behind them may run side by side,
-/// and the line of crossing jumps from facet to facet.
-bool grazes(const Scene& scene, const std::array<std::uint32_t, 2>& faces, const ChordErrors& errors) {
-  const double bends = errors.bend(faces[0]) + errors.bend(faces[1]);
-  const double sine = glm::length(glm::cross(face_normal(scene, faces[0]), face_normal(scene, faces[1])));
-  return sine <= std::sin(std::min(bends, kEdgeAngle));
-}
+/// The distances of the faces of a scene from their shapes, and the angles by which these turn over a face.
+class ContactErrors {
+ public:
+  /// `errors`: those of the faces that will be asked for, and of their neighbours.
+  ContactErrors(const Scene& scene, const Patches& patches, const ChordErrors& errors)
+      : scene_(scene), patches_(patches), errors_(errors) {}
+
+  /// Distance within which two faces that cross only touch.
+  double contact_distance(const std::array<std::uint32_t, 2>& faces) const {
+    const double error = errors_.of(faces[0]) + errors_.of(faces[1]);
+    if (error == 0) return 0;
+    const double precision = object_precision(scene_, faces[0]) + object_precision(scene_, faces[1]);
+    const Turn a = turn_of(faces[0]), b = turn_of(faces[1]);
+    // The shapes behind the faces may run side by side where these cross at an angle no larger than the shapes turn.
+    const double sine = glm::length(glm::cross(face_normal(scene_, faces[0]), face_normal(scene_, faces[1])));
+    if (sine > std::sin(std::min(a.angle + b.angle, kEdgeAngle))) return error + precision;
+    return kGrazingErrors * (a.error + b.error) + precision;
+  }
+
+ private:
+  struct Turn {
+    double angle = 0, error = 0;
+  };
+
+  /// The turn of the shape over a face. Beside a sliver that lies on no recognised surface, as one of a fan across a dome,
+  /// the shape bends along the sliver as it does across.
+  Turn turn_of(std::uint32_t face) const {
+    const Turn across{errors_.bend(face), errors_.of(face)};
+    if (patches_.patch_of.size() > face && patches_.patch_of[face] != kNone) return across;
+    double length = 0;
+    for_each_edge(scene_, face, [&](std::uint32_t v, std::uint32_t w) {
+      length = std::max(length, glm::distance(scene_.vertices[v], scene_.vertices[w]));
+    });
+    const double area = glm::length(double_area(scene_, face));
+    if (!(length * length > kSliver * area)) return across;
+    const double angle = std::min(across.angle * length * length / area, kEdgeAngle);
+    return {std::max(across.angle, angle), std::max(across.error, length / 2 * std::tan(angle / 4))};
+  }
+
+  const Scene& scene_;
+  const Patches& patches_;
+  const ChordErrors& errors_;
+};
 
 /// Per segment whether its faces only touch.
-std::vector<bool> find_contacts(const Scene& scene, const std::vector<SourceEdge>& segments, const ChordErrors& errors) {
+std::vector<bool> find_contacts(const Scene& scene, const std::vector<SourceEdge>& segments, const ContactErrors& errors) {
   std::vector<bool> contact(segments.size(), false);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const SourceEdge& s = segments[i];
     if (!s.intersection) continue;
-    const double error = errors.of(s.faces[0]) + errors.of(s.faces[1]);
-    if (error == 0) continue;
-    const double precision = object_precision(scene, s.faces[0]) + object_precision(scene, s.faces[1]);
-    const double distance = (grazes(scene, s.faces, errors) ? kGrazingErrors : 1) * error + precision;
-    contact[i] = within_distance(scene, s.faces, s.ends, distance);
+    const double distance = errors.contact_distance(s.faces);
+    contact[i] = distance > 0 && within_distance(scene, s.faces, s.ends, distance);
   }
   return contact;
 }
@@ -71,12 +107,12 @@ std::vector<bool> find_contacts(const Scene& scene, const std::vector<SourceEdge
 }  // namespace
 
 void clear_intersections(StrokeModel& model, const Scene& scene, const ProjectedScene& projected, const LineRequest& request,
-                         RunReport& run) {
+                         const Patches& patches, RunReport& run) {
   if (request.quality == Quality::exact || model.intersections.empty()) return;
   std::vector<std::uint32_t> faces = with_neighbours(scene, faces_of(model.intersections));
   const FaceNeighbours neighbours(scene, faces);
   const ChordErrors errors(scene, neighbours, std::move(faces), request.crease_degrees);
-  const std::vector<bool> contact = find_contacts(scene, model.intersections, errors);
+  const std::vector<bool> contact = find_contacts(scene, model.intersections, ContactErrors(scene, patches, errors));
   const RimLines rims(scene, neighbours, errors, model.intersections, request.crease_degrees);
 
   const std::size_t segments = model.intersections.size();

@@ -58,7 +58,8 @@ bool PatchFinder::is_certain(const PatchCandidate& c) {
     }
     case SurfaceKind::sphere:
       // The corners of one row of long facets between two curves lie on a sphere whose sag is large.
-      return no_accident && c.facets.size() >= 6 && (c.residual <= tolerance_for(surface.kind, 0) || !is_long_row(c));
+      return no_accident && c.facets.size() >= 6 && !is_fan(c) &&
+             (c.residual <= tolerance_for(surface.kind, 0) || !is_long_row(c));
     case SurfaceKind::torus: {
       if (c.patch.sag > kLargestRingSag * (surface.radius + surface.tube)) return false;
       if (!no_accident || c.facets.size() < 6 || angles_of(surface, false) < 4) return false;
@@ -67,6 +68,15 @@ bool PatchFinder::is_certain(const PatchCandidate& c) {
     }
   }
   return false;
+}
+
+/// Whether the facets of a candidate have one corner in common. A sphere goes through any point and circle, so that a fan
+/// across a circle lies on one.
+bool PatchFinder::is_fan(const PatchCandidate& c) const {
+  const std::span<const std::uint32_t> first = graph_.vertices[c.facets.front()];
+  return std::ranges::any_of(first, [&](std::uint32_t v) {
+    return std::ranges::all_of(c.facets, [&](std::uint32_t f) { return std::ranges::count(graph_.vertices[f], v) > 0; });
+  });
 }
 
 /// Whether the facets of a candidate, whose corners fetch_points() has fetched, are long and in one row: those in more rows
