@@ -1,6 +1,7 @@
 #include "scene/patches/facets/cut_strips.hpp"
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <vector>
@@ -54,13 +55,18 @@ class CutStripFinder {
   }
 
  private:
-  /// The rulings at which a facet has arcs: those on the line of one of them, and those on a second line.
-  struct Rulings {
-    Point3 at, along;        ///< the first line
-    Point3 across{0, 0, 0};  ///< of the second line, as cross(along, point - at); 0: there is none
-    double tolerance = 0;
-    bool has_ends = false;  ///< other arcs lie between the lines
+  /// The line of an arc, whose middle is `at`.
+  struct Line {
+    Point3 at{0, 0, 0}, along{0, 0, 0};
     Point3 off(const Point3& p) const { return glm::cross(along, p - at); }
+  };
+
+  /// The two lines, parallel or not, that are taken for the rulings at which a facet has arcs.
+  struct Rulings {
+    std::array<Line, 2> lines;
+    double tolerance = 0;  ///< of points on them, model units
+    bool are_found = false, are_parallel = false;
+    bool has_ends = false;  ///< other arcs lie between the lines
   };
 
   const Point3& end(const FacetGraph::Arc& arc, bool second) const {
@@ -76,95 +82,108 @@ class CutStripFinder {
   double length(const FacetGraph::Arc& arc) const { return glm::distance(end(arc, false), end(arc, true)); }
 
   /// Sets corners_ to the ends of the rulings of a facet, each once, and is_even_. Returns false if it is no strip. A plane
-  /// has arcs at its rulings alone, unless the strip and those beside it divide a cylinder evenly: no other plane has
-  /// neighbours of its own width on both sides, at one angle.
+  /// has arcs at parallel rulings alone, unless the strip and those beside it divide a cylinder or a cone evenly: no other
+  /// plane has neighbours of its own width on both sides, at one angle.
   bool take_rulings(std::uint32_t facet) {
     const auto arcs = graph_.arcs_of(facet);
     if (arcs.size() < 2) return false;
     longest_first_.assign(arcs.begin(), arcs.end());
     std::ranges::stable_sort(longest_first_, std::ranges::greater{},
                              [&](const FacetGraph::Arc& arc) { return length(arc); });
-    const std::optional<Row> longest = measure_row(facet, rulings_along(longest_first_.front()));
+    const Rulings rulings = rulings_along(longest_first_.front());
+    const std::optional<Row> longest = measure_row(facet, rulings);
     is_even_ = longest && longest->is_even();
     if (is_even_) return true;
     if (arcs.size() > kMostRulingCorners) return false;
-    if (graph_.is_plane[facet]) return longest && !longest->has_ends && longest->is_row();
+    if (graph_.is_plane[facet]) return longest && rulings.are_parallel && !rulings.has_ends && longest->is_row(false);
     return std::ranges::any_of(longest_first_, [&](const FacetGraph::Arc& arc) {
-      const std::optional<Row> row = measure_row(facet, rulings_along(arc));
-      return row && row->is_row();
+      const Rulings along = rulings_along(arc);
+      if (!along.are_parallel) return false;
+      const std::optional<Row> row = measure_row(facet, along);
+      return row && row->is_row(along.has_ends);
     });
   }
 
-  /// The rulings of the direction of one of the arcs: the line of the longest parallel one beside it is the second.
+  /// The rulings of which one has the line of an arc. The other one is that of the longest parallel arc beside it, or of the
+  /// longest arc.
   Rulings rulings_along(const FacetGraph::Arc& first) const {
-    Rulings found{end(first, false), (end(first, true) - end(first, false)) / length(first)};
+    Rulings found;
+    found.lines[0] = line_of(first);
     found.tolerance = tolerance_of(first);
     for (const FacetGraph::Arc& arc : longest_first_) {
-      if (is_ruling(arc, found)) continue;
-      if (found.across == Point3(0.0) && is_parallel(arc, found)) {
-        found.across = found.off(end(arc, false));
-      } else {
-        found.has_ends = true;
+      const Line line = line_of(arc);
+      if (is_on(arc, found.lines[0], found.tolerance)) continue;
+      const bool is_parallel =
+          glm::length(found.lines[0].off(end(arc, false)) - found.lines[0].off(end(arc, true))) <= tolerance_of(arc);
+      if (!found.are_found || (is_parallel && !found.are_parallel)) {
+        found.lines[1] = is_parallel ? Line{line.at, found.lines[0].along} : line;
+        found.are_found = true;
+        found.are_parallel = is_parallel;
       }
     }
+    found.has_ends = std::ranges::any_of(longest_first_, [&](const FacetGraph::Arc& arc) {
+      return std::ranges::none_of(found.lines, [&](const Line& line) { return is_on(arc, line, found.tolerance); });
+    });
     return found;
   }
 
-  bool is_parallel(const FacetGraph::Arc& arc, const Rulings& rulings) const {
-    return glm::length(rulings.off(end(arc, false)) - rulings.off(end(arc, true))) <= tolerance_of(arc);
+  Line line_of(const FacetGraph::Arc& arc) const {
+    return {(end(arc, false) + end(arc, true)) * 0.5, (end(arc, true) - end(arc, false)) / length(arc)};
   }
 
-  /// Whether an arc lies on one of the lines of the rulings.
-  bool is_ruling(const FacetGraph::Arc& arc, const Rulings& rulings) const {
-    const Point3 from = rulings.off(end(arc, false));
-    return is_parallel(arc, rulings) &&
-           (glm::length(from) <= rulings.tolerance || glm::length(from - rulings.across) <= rulings.tolerance);
+  bool is_on(const FacetGraph::Arc& arc, const Line& line, double tolerance) const {
+    const Point3 from = line.off(end(arc, false));
+    return glm::length(from) <= tolerance && glm::length(from - line.off(end(arc, true))) <= tolerance_of(arc);
   }
 
   /// A facet and those beyond its rulings.
   struct Row {
-    double width = 0;            ///< of the facet, model units
-    double least_depth = 1e300;  ///< of the others, from the rulings
-    double most_depth = 0;
-    double least_bend = 1, most_bend = 0;  ///< sines of the bends at the rulings
-    bool has_ends = false;
+    double least_width = 1e300, most_width = 0;  ///< of the others, by that of the facet
+    double least_bend = 1, most_bend = 0;        ///< sines of the bends at the rulings
 
-    bool is_even() const {
-      return most_bend <= kEven * least_bend && most_depth <= kEven * width && width <= kEven * least_depth;
-    }
+    bool is_even() const { return most_bend <= kEven * least_bend && most_width <= kEven && kEven * least_width >= 1; }
     /// Planes beside fillets are wider than these.
-    bool is_row() const {
-      return kAlikeWidths * least_depth >= width && (!has_ends || most_bend <= kAlikeBends * least_bend);
+    bool is_row(bool has_ends) const {
+      return kAlikeWidths * least_width >= 1 && (!has_ends || most_bend <= kAlikeBends * least_bend);
     }
   };
 
+  /// Largest distance of the vertices of a facet from a line.
+  double width_from(std::uint32_t facet, const Line& line) const {
+    double width = 0;
+    for (const std::uint32_t v : graph_.vertices[facet]) width = std::max(width, glm::length(line.off(scene_.vertices[v])));
+    return width;
+  }
+
   /// Measures the row of a facet; sets corners_. Returns nothing if the facet reaches beyond its rulings.
   std::optional<Row> measure_row(std::uint32_t facet, const Rulings& rulings) {
-    if (rulings.across == Point3(0.0)) return std::nullopt;
+    if (!rulings.are_found) return std::nullopt;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Line &line = rulings.lines[k], &other = rulings.lines[1 - k];
+      // Towards the other line, in the plane of the facet.
+      const Point3 inward = line.off(other.at);
+      const double size = glm::length(inward);
+      const auto is_inside = [&](const FacetGraph::Arc& arc) {
+        return std::min(glm::dot(line.off(end(arc, false)), inward), glm::dot(line.off(end(arc, true)), inward)) >=
+               -rulings.tolerance * size;
+      };
+      if (!std::ranges::all_of(longest_first_, is_inside)) return std::nullopt;
+    }
     Row row;
-    row.width = glm::length(rulings.across);
-    row.has_ends = rulings.has_ends;
     corners_.clear();
-    for (const FacetGraph::Arc& arc : graph_.arcs_of(facet)) {
-      const Point3 line = rulings.off(end(arc, false));
-      if (!is_ruling(arc, rulings)) {
-        const auto is_between = [&](const Point3& p) {
-          const double place = glm::dot(rulings.off(p), rulings.across) / row.width;
-          return place > -rulings.tolerance && place < row.width + rulings.tolerance;
-        };
-        if (!is_between(end(arc, false)) || !is_between(end(arc, true))) return std::nullopt;
-        continue;
+    for (const Line& line : rulings.lines) {
+      const double width = width_from(facet, line);
+      for (const FacetGraph::Arc& arc : longest_first_) {
+        if (!is_on(arc, line, rulings.tolerance)) continue;
+        corners_.insert(corners_.end(), {topology_.edges[arc.edge].v0, topology_.edges[arc.edge].v1});
+        if (length(arc) < kShortPiece * length(longest_first_.front())) continue;
+        const double part = width_from(arc.facet, line) / width;
+        row.least_width = std::min(row.least_width, part);
+        row.most_width = std::max(row.most_width, part);
+        const double bend = glm::length(glm::cross(graph_.frames[facet].normal, graph_.frames[arc.facet].normal));
+        row.least_bend = std::min(row.least_bend, bend);
+        row.most_bend = std::max(row.most_bend, bend);
       }
-      corners_.insert(corners_.end(), {topology_.edges[arc.edge].v0, topology_.edges[arc.edge].v1});
-      if (length(arc) < kShortPiece * length(longest_first_.front())) continue;
-      double depth = 0;
-      for (const std::uint32_t v : graph_.vertices[arc.facet])
-        depth = std::max(depth, glm::length(rulings.off(scene_.vertices[v]) - line));
-      row.least_depth = std::min(row.least_depth, depth);
-      row.most_depth = std::max(row.most_depth, depth);
-      const double bend = glm::length(glm::cross(graph_.frames[facet].normal, graph_.frames[arc.facet].normal));
-      row.least_bend = std::min(row.least_bend, bend);
-      row.most_bend = std::max(row.most_bend, bend);
     }
     std::sort(corners_.begin(), corners_.end());
     corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
