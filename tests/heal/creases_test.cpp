@@ -42,7 +42,7 @@ void write_triangles(std::ostream& obj, int n) {
 
 /// A steep ridge, rounded over about `round`, that runs across an uneven mesh of triangles with edges of about 1; `turned`
 /// radians from the direction to which the triangles are perpendicular. Its heights are noisy.
-Scene rounded_ridge(int n, double round, double turned) {
+Scene rounded_ridge(int n, double round, double turned, double rough = 0.3) {
   std::ostringstream obj;
   std::uint32_t state = 7;
   const auto noise = [&] {
@@ -53,7 +53,7 @@ Scene rounded_ridge(int n, double round, double turned) {
     for (int k = 0; k <= n; ++k) {
       const double x = k - n / 2.0 + (i % 2) * 0.5 + 0.25 * noise(), y = (i - n / 2.0) * 0.866 + 0.25 * noise();
       const double across = x * std::cos(turned) + y * std::sin(turned);
-      obj << "v " << x << ' ' << y << ' ' << 0.3 * noise() - 2 * std::sqrt(across * across + round * round) << '\n';
+      obj << "v " << x << ' ' << y << ' ' << rough * noise() - 2 * std::sqrt(across * across + round * round) << '\n';
     }
   write_triangles(obj, n);
   return read(obj.str(), ModelFormat::obj);
@@ -319,6 +319,11 @@ TEST(Creases, AStrayTriangleDoesNotSpoilAScan) {
   const auto found = find(with_fin);
   EXPECT_EQ(found.creases.scans.size(), 1u);
   EXPECT_NEAR(double(found.count()), double(find(clean).count()), 3);
+}
+
+TEST(Creases, AFineScanBendsLittleAndAPlaneNotAtAll) {
+  EXPECT_EQ(find(rounded_ridge(40, 0.3, 0.15, 0.03)).creases.scans.size(), 1u);
+  EXPECT_EQ(find(rounded_ridge(40, 0.3, 0.15, 0)).creases.scans.size(), 0u);
 }
 
 [[maybe_unused]] const bool scripts_are_added = test::add_mesh_scripts(LIGNE_SOURCE_DIR "/tests/heal/scripts");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
 
@@ -17,23 +18,38 @@ namespace {
 constexpr double kEvenPart = 3.0 / 4;    ///< smallest part of the edges between half and twice the median length
 constexpr double kEvenLength = 1.0 / 2;  ///< and of their total length; few long edges mean a constructed shape
 constexpr double kBentPart = 1.0 / 8;    ///< largest part of the edges that bend by more than the crease angle
-constexpr double kFlatPart = 1.0 / 4;    ///< largest part below kFlatDegrees; planes mean a constructed shape
-constexpr double kFlatDegrees = 1;
+constexpr double kFlatPart = 1.0 / 4;    ///< largest part that is flat; planes mean a constructed shape
+/// Limits of the largest angle of a flat edge. Between them it is that by which roundings of both corners beyond the edge
+/// turn faces as wide as an edge is long. Fine scans bend by less than a degree at most edges, and planes by rounding alone.
+constexpr double kLeastFlatDegrees = 0.1, kMostFlatDegrees = 1;
+constexpr double kFlatRoundings = 4;
 /// Largest part of the edges that may have more than two faces, or faces with opposite windings. Scanners leave stray
 /// triangles, which spoil their neighbourhood but not the whole scan.
 constexpr double kDefectPart = 1.0 / 32;
 
+/// Cosine of the largest angle of a flat edge of an object, from the mean length of some of its edges.
+double least_flat_cosine(const Scene& scene, const Topology& topology, const ScanObject& object, double precision) {
+  constexpr std::size_t kSamples = 256;
+  const std::size_t step = std::max<std::size_t>(1, (object.edge_end - object.edge_begin) / kSamples);
+  double length = 0, count = 0;
+  for (std::size_t e = object.edge_begin; e < object.edge_end; e += step, ++count)
+    length += glm::distance(scene.vertices[topology.edges[e].v0], scene.vertices[topology.edges[e].v1]);
+  const double turn = kFlatRoundings * precision * count / std::max(length, precision);
+  return std::clamp(std::cos(turn), sine_cosine_degrees(kMostFlatDegrees).cosine,
+                    sine_cosine_degrees(kLeastFlatDegrees).cosine);
+}
+
 }  // namespace
 
 bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
-             const std::vector<Bend>& bends, const ScanObject& object) {
+             const std::vector<Bend>& bends, const ScanObject& object, double precision) {
   constexpr std::uint16_t kSpoken = kEdgeSmooth | kEdgeSharp | kEdgeInner, kDefect = kEdgeUnlikeWound | kEdgeManyFaces;
   const auto count = static_cast<double>(object.edge_end - object.edge_begin);
   struct Counts {
     std::size_t spoken = 0, defect = 0, bent = 0;
     Counts operator+(const Counts& o) const { return {spoken + o.spoken, defect + o.defect, bent + o.bent}; }
   };
-  const auto least = static_cast<float>(sine_cosine_degrees(kFlatDegrees).cosine);
+  const auto least = static_cast<float>(least_flat_cosine(scene, topology, object, precision));
   // Lets the count stop early, when too many edges are flat.
   std::atomic<std::size_t> all_flat{0};
   const auto too_flat = [&] { return static_cast<double>(all_flat) > kFlatPart * count; };

@@ -18,8 +18,9 @@ struct ScanObject {
 };
 
 /// Whether the mesh of an object looks like a scan or a remeshed surface: without planes and without vertices placed on
-/// its corners. `normals` are those of face_normals(), `bends` the classes of the edges by their angles.
+/// its corners. `normals` are those of face_normals(), `bends` the classes of the edges by their angles, and `precision`
+/// is that of the object's coordinates.
 bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
-             const std::vector<Bend>& bends, const ScanObject& object);
+             const std::vector<Bend>& bends, const ScanObject& object, double precision);
 
 }  // namespace ligne

@@ -360,7 +360,7 @@ TracedCreases trace_creases(const Scene& scene, const Topology& topology, const 
   for (const Object& object : scene.objects) {
     const auto [edge_begin, edge_end] = edges_of(topology, object);
     const ScanObject own{object.face_begin, object.face_end, edge_begin, edge_end};
-    if (!is_scan(scene, topology, normals, bends, own)) continue;
+    if (!is_scan(scene, topology, normals, bends, own, object.precision)) continue;
     sum.scans.push_back(own);
     Tracer tracer(scene, topology, normals, bends, object, own.edge_begin, own.edge_end,
                   sizes[static_cast<std::size_t>(&object - scene.objects.data())]);
