@@ -56,6 +56,9 @@ constexpr double kLeastSlope = 1e-4, kLargestSlope = 100;
 /// from a sphere by less than a fiftieth of the tube's radius. Above it, the torus bends away from a cylinder by less
 /// than a fifteenth of the tube's radius over ten times that radius.
 constexpr double kLeastRing = 0.02, kLargestRing = 200;
+/// Largest number of facets that all surfaces together grow over, and how many more for each facet of the object. Parts need
+/// at most 200 for each; where rounding hides the bends of a ball of thousands of facets, many surfaces nearly fit.
+constexpr std::size_t kMostGrown = std::size_t{1} << 22, kMostGrownPerFacet = 256;
 
 }  // namespace
 
@@ -161,10 +164,12 @@ std::vector<PatchFinder::Seed> PatchFinder::every_seed(std::span<const Seed> see
   return found;
 }
 
-/// Makes patches from seeds. If a seed fails, its neighbours are not tried as seeds, except for much smaller ones.
+/// Makes patches from seeds. If a seed fails, its neighbours are not tried as seeds, except for much smaller ones. The
+/// smallest seeds are not tried if those before them let surfaces grow in vain too often.
 void PatchFinder::search(std::span<const Seed> seeds, std::vector<Patch>& patches) {
   std::vector<std::uint8_t> failed(graph_.size(), 0);
   for (const auto& [length, seed] : seeds) {
+    if (grown_ > kMostGrown + kMostGrownPerFacet * graph_.size()) return;
     if (patch_of_[seed] != kNone || failed[seed]) continue;
     const PatchCandidate best = best_at(seed);
     if (best.facets.empty()) {
@@ -348,6 +353,7 @@ std::vector<std::uint32_t> PatchFinder::grow(const Patch& patch, std::uint32_t s
       facets.push_back(arc.facet);
     }
   }
+  grown_ += facets.size();
   return facets;
 }
 

@@ -136,7 +136,8 @@ class PatchFinder {
   std::vector<std::uint32_t> vertices_;    ///< result of fetch_points(): vertices of the facets
   std::vector<Point3> points_;             ///< result of fetch_points(): their positions
   std::vector<double> numbers_;
-  double sag_part_;  ///< largest distance of corners from the surface, as a fraction of the sag
+  std::size_t grown_ = 0;  ///< number of facets that surfaces grew over
+  double sag_part_;        ///< largest distance of corners from the surface, as a fraction of the sag
 };
 
 }  // namespace ligne
