@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "geometry/small_matrices.hpp"
 #include "scene/patches/patch_finder.hpp"
 
 namespace ligne {
@@ -25,6 +26,10 @@ constexpr double kWider = 4, kMostGrowth = 1.25;
 constexpr double kLeastTurn = 8 * std::numbers::pi / 180;
 /// Least ratio of the square of the longest diagonal of a long facet to its area; it is 2 for a square.
 constexpr double kLongInRow = 20;
+/// Facets in a row around a cone from which on these are no polygon.
+constexpr std::size_t kMostPolygon = 12;
+/// Least distance of corners on two circles from the plane halfway between these, by that of the circles.
+constexpr double kCircleHeight = 0.99;
 /// Angles about an axis that differ by no more, in radians, are one.
 constexpr double kSameAngle = 2 * std::numbers::pi / 1000;
 /// Largest relative difference between the turns of the facets of an evenly divided cylinder.
@@ -54,11 +59,12 @@ bool PatchFinder::is_certain(const PatchCandidate& c) {
     }
     case SurfaceKind::cone: {
       const std::size_t n = angles_of(surface, false);
-      return n >= 5 ? no_accident || explains_rise(c) : n == 4 && is_tangent(c, 2);
+      if (n < 4 || is_polygon(c, n)) return false;
+      return n >= 5 ? no_accident || explains_rise(c) : is_tangent(c, 2);
     }
     case SurfaceKind::sphere:
       // The corners of one row of long facets between two curves lie on a sphere whose sag is large.
-      return no_accident && c.facets.size() >= 6 && !is_fan(c) &&
+      return no_accident && c.facets.size() >= 6 && !is_fan(c) && !is_ring_of_polygon(c) &&
              (c.residual <= tolerance_for(surface.kind, 0) || !is_long_row(c));
     case SurfaceKind::torus: {
       if (c.patch.sag > kLargestRingSag * (surface.radius + surface.tube)) return false;
@@ -68,6 +74,42 @@ bool PatchFinder::is_certain(const PatchCandidate& c) {
     }
   }
   return false;
+}
+
+/// Whether the facets of a cone, whose corners lie at so many angles about its axis, turn by so much that they are those of
+/// a polygon. The angles at which they meet are smaller. A file that calls the edges between them smooth is believed up to a
+/// larger turn.
+bool PatchFinder::is_polygon(const PatchCandidate& c, std::size_t angles) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  const double turn = turn_of_angles() / static_cast<double>(angles - 1);
+  if (turn <= kLargestBend * kDegree) return false;
+  if (turn > kLargestSmoothBend * kDegree) return true;
+  ++round_;
+  for (const std::uint32_t f : c.facets) stamp_[f] = round_;
+  return std::ranges::any_of(c.facets, [&](std::uint32_t f) {
+    return std::ranges::any_of(graph_.arcs_of(f), [&](const FacetGraph::Arc& arc) {
+      return stamp_[arc.facet] == round_ && !(topology_.edge_flags[arc.edge] & kEdgeSmooth);
+    });
+  });
+}
+
+/// Whether the facets of a sphere, whose corners fetch_points() has fetched, lie in one row between two circles about an
+/// axis and are those of a polygon.
+bool PatchFinder::is_ring_of_polygon(const PatchCandidate& c) {
+  if (c.facets.size() >= kMostPolygon) return false;
+  Point3 mean(0, 0, 0);
+  for (const std::uint32_t f : c.facets) mean += graph_.frames[f].normal / static_cast<double>(c.facets.size());
+  Matrix3 spread{};
+  for (const std::uint32_t f : c.facets) add_product(spread, graph_.frames[f].normal - mean, graph_.frames[f].normal - mean);
+  PatchSurface ring = c.patch.surface;
+  ring.axis = symmetric_eigen(spread).vectors[0];
+  const auto height = [&](const Point3& p) { return glm::dot(p - ring.at, ring.axis); };
+  const auto [low, high] = std::ranges::minmax(points_, {}, height);
+  const double middle = (height(low) + height(high)) / 2, half = height(high) - middle;
+  if (std::ranges::any_of(points_, [&](const Point3& p) { return std::abs(height(p) - middle) < kCircleHeight * half; }))
+    return false;
+  const std::size_t angles = angles_of(ring, false);
+  return angles >= 4 && is_polygon(c, angles);
 }
 
 /// Whether the facets of a candidate have one corner in common. A sphere goes through any point and circle, so that a fan

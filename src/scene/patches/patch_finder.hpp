@@ -101,6 +101,8 @@ class PatchFinder {
   bool lies_on(const Patch& patch, std::uint32_t f, double tolerance, double least_cosine = kNormalCosine,
                double most_sags = kMostSags);
   bool is_certain(const PatchCandidate& c);
+  bool is_polygon(const PatchCandidate& c, std::size_t angles);
+  bool is_ring_of_polygon(const PatchCandidate& c);
   bool is_fan(const PatchCandidate& c) const;
   bool is_long_row(const PatchCandidate& c) const;
   bool is_fine(const Patch& patch) const;

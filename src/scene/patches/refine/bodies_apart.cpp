@@ -18,7 +18,7 @@ namespace {
 /// pairs of faces of two bodies from which on these count as touching.
 constexpr std::size_t kMostBodies = 64, kMostFacePairs = 1 << 21;
 /// Faces touch where a corner of one lies nearer to the surface of the other than so many times the sum of both sags, and
-/// both surfaces face each other by this cosine (15 degrees).
+/// both surfaces have one direction by this cosine (15 degrees).
 constexpr double kTouchSags = 1.5, kTouchCosine = 0.966;
 
 struct BodyBox {
@@ -83,18 +83,27 @@ class BodyComparer {
     });
   }
 
-  /// Whether a corner of face f lies on the surface of face g, with the opposite normal. Bores of two plates that lie on one
-  /// cylinder have the same normal, and none of them is in the way of the other.
+  /// Whether a corner of face f lies on the surface of face g, with the same normal up to its sign. Faces of one normal and
+  /// surface, as of bores that continue each other, are not in the way of each other.
   bool touches(std::uint32_t f, std::uint32_t g, double within) const {
     const Point3 normal_f = face_normal(scene_, f), normal_g = face_normal(scene_, g);
     const std::uint32_t patch = patches_.patch_of[g];
     const Point3& on_g = scene_.vertices[scene_.faces.contour(g, 0)[0]];
-    return std::ranges::any_of(scene_.faces.contour(f, 0), [&](std::uint32_t v) {
+    const auto lies_on_g = [&](std::uint32_t v) {
       const Point3& p = scene_.vertices[v];
       const double off = patch == kNone ? glm::dot(p - on_g, normal_g) : patches_.list[patch].surface.distance(p);
-      if (!(std::abs(off) <= within)) return false;
-      return glm::dot(patches_.normal(f, p, normal_f), patches_.normal(g, p, normal_g)) <= -kTouchCosine;
-    });
+      return std::abs(off) <= within;
+    };
+    const auto cosine_at = [&](std::uint32_t v) {
+      const Point3& p = scene_.vertices[v];
+      return glm::dot(patches_.normal(f, p, normal_f), patches_.normal(g, p, normal_g));
+    };
+    const auto contour = scene_.faces.contour(f, 0);
+    if (patch != kNone && patches_.patch_of[f] != kNone && std::ranges::all_of(contour, lies_on_g) &&
+        std::ranges::all_of(contour, [&](std::uint32_t v) { return cosine_at(v) >= kTouchCosine; }))
+      return false;
+    return std::ranges::any_of(contour,
+                               [&](std::uint32_t v) { return lies_on_g(v) && std::abs(cosine_at(v)) >= kTouchCosine; });
   }
 
   const Scene& scene_;
