@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <numbers>
 
 #include "geometry/small_matrices.hpp"
@@ -112,13 +113,24 @@ bool PatchFinder::is_ring_of_polygon(const PatchCandidate& c) {
   return angles >= 4 && is_polygon(c, angles);
 }
 
-/// Whether the facets of a candidate have one corner in common. A sphere goes through any point and circle, so that a fan
-/// across a circle lies on one.
+/// Whether the facets of a sphere, whose corners fetch_points() has fetched, have one corner in common, and all others lie
+/// in a plane: a sphere goes through any circle and point beside it.
 bool PatchFinder::is_fan(const PatchCandidate& c) const {
-  const std::span<const std::uint32_t> first = graph_.vertices[c.facets.front()];
-  return std::ranges::any_of(first, [&](std::uint32_t v) {
+  const auto is_common = [&](std::uint32_t v) {
     return std::ranges::all_of(c.facets, [&](std::uint32_t f) { return std::ranges::count(graph_.vertices[f], v) > 0; });
-  });
+  };
+  const std::span<const std::uint32_t> first = graph_.vertices[c.facets.front()];
+  const auto tip = std::ranges::find_if(first, is_common);
+  if (tip == first.end()) return false;
+  std::vector<Point3> rim;
+  std::ranges::copy_if(points_, std::back_inserter(rim), [&](const Point3& p) { return p != scene_.vertices[*tip]; });
+  Point3 middle(0, 0, 0);
+  for (const Point3& p : rim) middle += p / static_cast<double>(rim.size());
+  Matrix3 spread{};
+  for (const Point3& p : rim) add_product(spread, p - middle, p - middle);
+  const Point3 across = symmetric_eigen(spread).vectors[0];
+  const double most = tolerance_for(SurfaceKind::sphere, 0);
+  return std::ranges::all_of(rim, [&](const Point3& p) { return std::abs(glm::dot(p - middle, across)) <= most; });
 }
 
 /// Whether the facets of a candidate, whose corners fetch_points() has fetched, are long and in one row: those in more rows
