@@ -18,7 +18,7 @@ constexpr double kTouchingInPens = 1.0 / 16;                   ///< an end this 
 constexpr double kUndershootInGaps = 3;                        ///< longest extension of an end: taste
 constexpr double kDangleInPens = 12, kDanglePart = 1.0 / 32;   ///< longest dangle, also as part of its body: taste
 constexpr double kBesideInPens = 2.5, kBesideInDangles = 4;    ///< arcs beside a line, largest distance and size: taste
-constexpr double kMaxScanIsolatedInPens = 8, kLoneInPens = 5;  ///< longest isolated chains: taste
+constexpr double kMaxScanIsolatedInPens = 12, kLoneInPens = 5;  ///< longest isolated chains: taste
 constexpr double kMaxIsolatedPart = 1.0 / 48;                  ///< also as part of the extent of the body: taste
 constexpr double kRingInPens = 0.25;                           ///< a ring no wider than this is drawn as one line
 
