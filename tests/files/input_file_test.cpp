@@ -11,6 +11,7 @@
 #include "files/input_error.hpp"
 #include "files/message_text.hpp"
 #include "files/omissions.hpp"
+#include "main/script.hpp"
 #include "support/test.hpp"
 
 namespace ligne {
@@ -97,46 +98,39 @@ TEST_F(InputFile, EndlessPipesEnd) {
   writer.join();
 }
 
-TEST(MessageText, OneIsSingular) {
-  EXPECT_EQ(counted(2, "faces with holes"), "2 faces with holes");
-  EXPECT_EQ(counted(0, "vertices"), "0 vertices");
-  const char* const singular[][2] = {{"faces with holes", "1 face with holes"},
-                                     {"missing libraries 'a b'", "1 missing library 'a b'"},
-                                     {"vertices", "1 vertex"},
-                                     {"meshes with EXT_foo", "1 mesh with EXT_foo"},
-                                     {"self-referring <use> elements", "1 self-referring <use> element"},
-                                     {"values of x that are not known", "1 value of x that is not known"},
-                                     {"column of words", "1 column of words"},
-                                     {"@supports rules", "1 @supports rule"},
-                                     {"ambiguous number format", "1 ambiguous number format"}};
-  for (const auto& [plural, text] : singular) EXPECT_EQ(counted(1, plural), text);
+/// "2 textures; 1 texture": the line about what was left out.
+std::string omitted(const std::string& text) {
+  Omissions omissions;
+  for (const std::string& part : test::parts_of(text, ';')) {
+    const std::size_t number = std::stoul(part), end = part.find_first_not_of(" 0123456789");
+    omissions.count(part.substr(end), number);
+  }
+  EXPECT_EQ(omissions.empty(), omissions.text().empty());
+  return omissions.text();
 }
 
-TEST(MessageText, PlainTextStaysAsItIs) {
-  EXPECT_EQ(printable(""), "");
-  EXPECT_EQ(printable("a b\\n'\"?"), "a b\\n'\"?");
-  EXPECT_EQ(printable("caf\xc3\xa9 \xe2\x82\xac \xf0\x9f\x96\x8b"), "caf\xc3\xa9 \xe2\x82\xac \xf0\x9f\x96\x8b");
-  EXPECT_EQ(shown("x"), "'x'");
-  EXPECT_EQ(shown("x", '"'), "\"x\"");
+std::string meant(const std::string& word, std::initializer_list<std::string_view> names) {
+  return std::string(closest_name(word, std::vector(names)).value_or("none"));
 }
 
-TEST(MessageText, WhatDoesNotShowIsEscaped) {
-  EXPECT_EQ(printable("a\nb\rc\td"), "a\\nb\\rc\\td");
-  EXPECT_EQ(printable(std::string_view("\0\x1b[31m\x7f", 7)), "\\x00\\x1b[31m\\x7f");
-  EXPECT_EQ(printable("\xc2\x85"), "\\xc2\\x85") << "next line, of the second row of controls";
-  EXPECT_EQ(printable("\xe2\x80\xa8"), "\\xe2\\x80\\xa8") << "line separator";
-  EXPECT_EQ(printable("\xe2\x80\xae"), "\\xe2\\x80\\xae") << "turns the direction of what follows";
-}
-
-TEST(MessageText, WhatIsNotUtf8IsEscaped) {
-  EXPECT_EQ(printable("\x80\xff"), "\\x80\\xff");
-  EXPECT_EQ(printable("\xc3"), "\\xc3") << "cut off";
-  EXPECT_EQ(printable("\xc3 "), "\\xc3 ");
-  EXPECT_EQ(printable("\xc0\xaf"), "\\xc0\\xaf") << "written longer than need be";
-  EXPECT_EQ(printable("\xe0\x80\xaf"), "\\xe0\\x80\\xaf");
-  EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80") << "half of a pair";
-  EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80") << "beyond Unicode";
-}
+/// Words of messages: the folder values.
+[[maybe_unused]] const bool values_are_added =
+    test::add_function_scripts(LIGNE_SOURCE_DIR "/tests/files/values",
+                               {{"counted", [](auto& t) { return counted(std::stoul(t), t.substr(t.find(' ') + 1)); }},
+                                {"printable", [](auto& t) { return printable(t); }},
+                                {"printable-3", [](auto& t) { return printable(t, 3); }},
+                                {"shown", [](auto& t) { return shown(t); }},
+                                {"shown-in-marks", [](auto& t) { return shown(t, '"'); }},
+                                {"message", [](auto& t) { return message_line(t); }},
+                                {"input-error", [](auto& t) { return std::string(InputError(t, "is odd").what()); }},
+                                {"omitted", omitted},
+                                {"option",
+                                 [](auto& t) {
+                                   return meant(t, {"--hide", "--hidden", "--view", "-x", "--x-ray", "--edges"});
+                                 }},
+                                {"view", [](auto& t) {
+                                   return meant(t, {"front", "bottom", "iso", "dimetric", "trimetric"});
+                                 }}});
 
 TEST(MessageText, LongTextIsCutBetweenCharacters) {
   const std::string most(kLongestShown, 'x');
@@ -144,19 +138,16 @@ TEST(MessageText, LongTextIsCutBetweenCharacters) {
   std::string cut = most;
   cut.append("...");
   EXPECT_EQ(printable(most + "x"), cut);
-  EXPECT_EQ(printable("12\xc3\xa9", 3), "12...");
-  EXPECT_EQ(printable("12\n", 3), "12...");
   EXPECT_EQ(printable(std::string(5'000'000, '\x01')).size(), kLongestShown + 3);
 }
 
-TEST(MessageText, AMessageIsOneLineAndLosesItsMiddle) {
-  EXPECT_EQ(message_line("file:3: cause\n"), "file:3: cause");
-  EXPECT_EQ(message_line("a\nb"), "a\\nb");
+TEST(MessageText, ALongMessageLosesItsMiddle) {
   const std::string long_line = message_line("file: " + std::string(5'000'000, 'x') + ": the cause");
   EXPECT_EQ(long_line.size(), kLongestMessage);
   EXPECT_TRUE(long_line.starts_with("file: xxx"));
   EXPECT_TRUE(long_line.ends_with("xxx: the cause"));
   EXPECT_EQ(message_line(long_line), long_line);
+  EXPECT_EQ(std::string(InputError("f", std::string(1000, 'x')).what()).size(), kLongestMessage);
   for (std::size_t n = 480; n < 500; ++n) {
     std::string odd(n, 'x');
     for (int i = 0; i < 300; ++i) odd += "\xe2\x82\xac";
@@ -167,30 +158,6 @@ TEST(MessageText, AMessageIsOneLineAndLosesItsMiddle) {
   }
 }
 
-TEST(MessageText, ErrorsOfInputAreSuchLines) {
-  EXPECT_STREQ(InputError("a\nb", "is odd").what(), "a\\nb: is odd");
-  EXPECT_EQ(std::string(InputError("f", std::string(1000, 'x')).what()).size(), kLongestMessage);
-}
-
-TEST(Omissions, OneLineNamesKindsInTheirOrder) {
-  Omissions omitted;
-  EXPECT_TRUE(omitted.empty());
-  EXPECT_EQ(omitted.text(), "");
-  omitted.count("textures");
-  omitted.count("primitives with EXT_foo", 2);
-  omitted.count("textures", 3);
-  omitted.count("nothing", 0);
-  EXPECT_EQ(omitted.text(), "left out: 4 textures, 2 primitives with EXT_foo");
-  EXPECT_EQ(omitted.of("textures"), 4u);
-  EXPECT_EQ(omitted.of("nothing"), 0u);
-}
-
-TEST(Omissions, NamesOfTheFileAreMadePrintable) {
-  Omissions omitted;
-  omitted.count("statements \x1b[2J\nligne: all is well");
-  EXPECT_EQ(omitted.list(), "1 statement \\x1b[2J\\nligne: all is well");
-}
-
 TEST(Omissions, AMillionKindsAreAFew) {
   Omissions omitted;
   for (int i = 0; i < 1'000'000; ++i) omitted.count("statements " + std::to_string(i));
@@ -198,38 +165,8 @@ TEST(Omissions, AMillionKindsAreAFew) {
   EXPECT_EQ(omitted.of("other items"), 999'984u);
 }
 
-const std::vector<std::string_view> kNames{"--hide", "--hidden", "--view", "-x", "--x-ray", "--edges"};
-const std::vector<std::string_view> kViews{"front", "bottom", "iso", "dimetric", "trimetric"};
-
-std::string_view meant(std::string_view word, const std::vector<std::string_view>& names = kNames) {
-  return closest_name(word, names).value_or("");
-}
-
-TEST(ClosestName, IsWhatSlipsOfTheKeysMakeOf) {
-  EXPECT_EQ(meant("--veiw"), "--view");      // exchanged
-  EXPECT_EQ(meant("--vieww"), "--view");     // added
-  EXPECT_EQ(meant("--wiew=top"), "--view");  // replaced
-  EXPECT_EQ(meant("--hiden"), "--hidden");   // left out, sooner than added to --hide
-  EXPECT_EQ(meant("--x"), "-x");
-  EXPECT_EQ(meant("-hidden"), "--hidden");
-  EXPECT_EQ(meant("--hyddin"), "--hidden");
-}
-
-TEST(ClosestName, IsWhatIsWrittenShorterOrLonger) {
-  EXPECT_EQ(meant("isometric", kViews), "iso");
-  EXPECT_EQ(meant("trim", kViews), "trimetric");
-  EXPECT_EQ(meant("bot", kViews), "bottom");
-  EXPECT_EQ(meant("is", kViews), "");  // two letters begin too much
-  EXPECT_EQ(meant("hid"), "--hide");
-}
-
-TEST(ClosestName, IsNoneWhereNoneIsNear) {
-  EXPECT_EQ(meant("--y"), "");
-  EXPECT_EQ(meant("--veeew"), "");
-  EXPECT_EQ(meant("--frobnicate"), "");
-  EXPECT_EQ(meant("--"), "");
-  EXPECT_EQ(meant(""), "");
-  EXPECT_EQ(meant(std::string(100'000, 'x')), "");
+TEST(ClosestName, IsNoneForLongWordsOrWithoutNames) {
+  EXPECT_EQ(meant(std::string(100'000, 'x'), {"--view"}), "none");
   EXPECT_EQ(closest_name("--view", {}), std::nullopt);
 }
 
