@@ -2,6 +2,7 @@
 #include "drawing/drawing.hpp"
 #include "drawing/text_item.hpp"
 #include "linework/stroke_builder.hpp"
+#include "main/script.hpp"
 #include "support/test.hpp"
 
 namespace ligne {
@@ -20,7 +21,6 @@ Lines lines_of(const Drawing& drawing, std::string_view layer) {
 }
 
 Lines mesh_lines(const StrokeModel& m) { return lines_of(make_drawing(m), "mesh"); }
-Lines mesh_lines(const std::string& text) { return mesh_lines(sketch(text)); }
 
 double total_length(const Lines& lines) {
   double sum = 0;
@@ -29,61 +29,26 @@ double total_length(const Lines& lines) {
   return sum;
 }
 
-TEST(MakeDrawing, NothingGivesNothing) { EXPECT_TRUE(make_drawing(model({})).layers.empty()); }
-
-TEST(MakeDrawing, JoinsStrokesToLines) {
-  const struct {
-    const char *name, *strokes, *lines;
-  } cases[] = {
-      {"no length", "3,4 3,4", ""},
-      {"a stroke without length", "0,0 5,0 5,0", "0,0 5,0"},
-      {"whatever the direction of the strokes", "0,0 5,1; 9,0 5,1; 9,0 12,7", "0,0 5,1 9,0 12,7"},
-      {"two at any angle", "0,0 5,0 0,1", "0,0 5,0 0,1"},
-      {"closed lines repeat their first point", "0,0 5,0 5,5; 0,0 5,5", "0,0 5,0 5,5 0,0"},
-      {"points that lie exactly on the line go", "0,0 3,1 9,3 12,4", "0,0 12,4"},
-      {"one step off the line is off it, even at the far side of the lattice", "-33554432,0 0,1 33554432,1",
-       "-33554432,0 0,1 33554432,1"},
-      {"the point stays where a line turns back", "0,0 9,0 4,0", "0,0 9,0 4,0"},
-      {"a seam in the middle of a side goes", "3,0 6,0 6,6 0,6 0,0 3,0", "6,0 6,6 0,6 0,0 6,0"},
-      {"the straightest continue each other at a crossing", "-9,-1 0,0; -9,1 0,0 9,-1; 0,0 9,1", "-9,-1 9,1; -9,1 9,-1"},
-      {"a third one ends at a T-junction", "0,0 5,0 5,5; 5,0 9,1", "0,0 5,0 9,1; 5,0 5,5"},
-      {"doubled strokes make a ring", "0,0 5,0; 0,0 5,0", "0,0 5,0 0,0"},
-  };
-  for (const auto& c : cases) {
-    std::ostringstream text;
-    text.precision(17);
-    for (const Line& line : mesh_lines(c.strokes)) {
-      for (const Point2& p : line) text << (&p == &line[0] ? "" : " ") << p.x << ',' << p.y;
-      text << "; ";
+/// The lines of each layer: "mesh 0,0 5,0; crease 5,0 9,0 9,5".
+std::string as_words(const Drawing& drawing) {
+  std::string text;
+  for (const Layer& layer : drawing.layers)
+    for (const Line& line : lines_of(drawing, layer.name)) {
+      text += (text.empty() ? "" : "; ") + layer.name;
+      for (const Point2 p : line) text += " " + test::as_text(p.x) + "," + test::as_text(p.y);
     }
-    EXPECT_EQ(text.str(), *c.lines == 0 ? "" : c.lines + std::string("; ")) << c.name << ": " << c.strokes;
-  }
+  return text;
 }
 
-TEST(MakeDrawing, LayersArePaintedWeakestFirst) {
-  const LatticePoint a{0, 0}, b{9, 9};
-  const Drawing drawing = make_drawing(
-      model({stroke(a, b, LineClass::outline), stroke(a, b, LineClass::border), stroke(a, b, LineClass::intersection),
-             stroke(a, b, LineClass::crease), stroke(a, b, LineClass::mesh), hidden(stroke(a, b, LineClass::outline)),
-             hidden(stroke(b, {20, 9}, LineClass::crease))}));
-  std::vector<std::string> names;
-  for (const Layer& layer : drawing.layers) names.push_back(layer.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"hidden", "mesh", "crease", "intersection", "border", "outline"}));
-  EXPECT_EQ(lines_of(drawing, "hidden"), (Lines{{{0, 0}, {9, 9}, {20, 9}}}));
-}
-
-TEST(MakeDrawing, PointsAreInPageMillimetres) {
-  StrokeModel m = model({stroke({2, 4}, {6, 8})});
-  m.lattice.origin_mm = {10, 20};
-  m.lattice.step_mm = 0.5;
-  EXPECT_EQ(lines_of(make_drawing(m), "mesh"), (Lines{{{11, 22}, {13, 24}}}));
-}
-
-TEST(MakeDrawing, DoesNotJoinAcrossLayersOrAcrossTheSmallestGap) {
-  const Drawing drawing =
-      make_drawing(model({stroke({0, 0}, {5, 0}), stroke({5, 0}, {9, 0}, LineClass::crease), stroke({5, 1}, {5, 9})}));
-  EXPECT_EQ(lines_of(drawing, "mesh"), (Lines{{{0, 0}, {5, 0}}, {{5, 1}, {5, 9}}}));
-  EXPECT_EQ(lines_of(drawing, "crease"), (Lines{{{5, 0}, {9, 0}}}));
+/// "STEP X,Y: STROKES": of a lattice with this step and origin in mm.
+std::string placed(const std::string& text) {
+  std::string_view rest = text;
+  const double step = test::value_of(test::take_word(rest));
+  const std::size_t comma = rest.find(','), colon = rest.find(':');
+  StrokeModel m = sketch(std::string(rest.substr(colon + 1)));
+  m.lattice.step_mm = step;
+  m.lattice.origin_mm = {test::value_of(rest.substr(0, comma)), test::value_of(rest.substr(comma + 1, colon - comma - 1))};
+  return as_words(make_drawing(m));
 }
 
 /// A triangle mesh of n x n jittered squares: `strokes`, shuffled and turned at random.
@@ -168,50 +133,34 @@ TEST(MakeDrawing, DoesNotDependOnTheNumberOfThreads) {
 
 // Texts: where they stand, and the space that they take.
 
-void expect_point(Point2 p, Point2 wanted) {
-  EXPECT_NEAR(p.x, wanted.x, 1e-12);
-  EXPECT_NEAR(p.y, wanted.y, 1e-12);
-}
-
-TEST(TextBox, StandsWhereItsAnchorSays) {
-  const TextExtent extent{10, 2, 1};
-  TextItem item{"x", {100, 50}, 2, TextAcross::left, TextUp::base, 0};
-  expect_point(text_box(item, extent).center, {105, 49.5});
-  item.across = TextAcross::right;
-  expect_point(text_box(item, extent).center, {95, 49.5});
-  item.across = TextAcross::center;
-  item.up = TextUp::middle;
-  expect_point(base_point(item), {100, 51});
-  item.up = TextUp::top;
-  expect_point(base_point(item), {100, 52});
-  item.rotation_degrees = 90;  // reads upwards: its top is at the left
-  expect_point(base_point(item), {102, 50});
-  item.across = TextAcross::left;
-  expect_point(text_box(item, extent).center, {101.5, 45});
-  item.rotation_degrees = 180;
-  expect_point(base_point(item), {100, 48});
-  item.rotation_degrees = -90;
-  expect_point(base_point(item), {98, 50});
-}
-
-TEST(TextBox, Overlaps) {
-  const TextBox a{{0, 0}, {5, 1}, 0};
-  const auto beside = [&](Point2 center, double rotation, double gap) {
-    const TextBox b{center, {5, 1}, rotation};
-    EXPECT_EQ(overlap(a, b, gap), overlap(b, a, gap));
-    return overlap(a, b, gap);
+/// "ACROSS UP DEGREES": where the base line of a text at 100, 50 begins, and the middle of its box.
+std::string text_at(const std::string& text) {
+  const std::vector<std::string> words = test::words_of(text);
+  const TextAcross across = words.at(0) == "left" ? TextAcross::left
+                            : words[0] == "right" ? TextAcross::right
+                                                  : TextAcross::center;
+  const TextUp up = words.at(1) == "base" ? TextUp::base : words[1] == "top" ? TextUp::top : TextUp::middle;
+  const TextItem item{"x", {100, 50}, 2, across, up, std::stod(words.at(2))};
+  const auto point = [](Point2 p) {
+    return test::as_text(std::round(p.x * 1e12) / 1e12) + "," + test::as_text(std::round(p.y * 1e12) / 1e12);
   };
-  EXPECT_TRUE(beside({9.9, 0}, 0, 0));
-  EXPECT_FALSE(beside({10, 0}, 0, 0)) << "touching is no overlap";
-  EXPECT_FALSE(beside({10.5, 0}, 0, 0.4));
-  EXPECT_TRUE(beside({10.5, 0}, 0, 0.6));
-  EXPECT_FALSE(beside({0, 2}, 0, 0));
-  EXPECT_TRUE(beside({5.9, 5.9}, 90, 0));
-  EXPECT_FALSE(beside({6.1, 5.9}, 90, 0));
-  // Their upright rectangles overlap, they do not: a slanted box past the corner.
-  EXPECT_FALSE(beside({7.5, 3}, 45, 0));
-  EXPECT_TRUE(beside({7.5, 3}, -45, 0));
+  return point(base_point(item)) + " box " + point(text_box(item, {10, 2, 1}).center);
 }
+
+/// "X Y DEGREES GAP", a box of 10 by 2 mm there against one about 0, 0.
+std::string overlaps(const std::string& text) {
+  const std::vector<std::string> words = test::words_of(text);
+  const TextBox a{{0, 0}, {5, 1}, 0}, b{{std::stod(words.at(0)), std::stod(words.at(1))}, {5, 1}, std::stod(words.at(2))};
+  const double gap = std::stod(words.at(3));
+  EXPECT_EQ(overlap(a, b, gap), overlap(b, a, gap));
+  return overlap(a, b, gap) ? "yes" : "no";
+}
+
+[[maybe_unused]] const bool values_are_added = test::add_function_scripts(
+    LIGNE_SOURCE_DIR "/tests/drawing/values", {{"lines", [](auto& t) { return as_words(make_drawing(sketch(t))); }},
+                                               {"placed", placed},
+                                               {"text-at", text_at},
+                                               {"overlaps", overlaps}});
 
 }  // namespace
 }  // namespace ligne

@@ -85,12 +85,29 @@ class RandomLines {
   std::mt19937 random_;
 };
 
-StrokeModel random_lines(unsigned seed) { return RandomLines(seed).make(); }
-
 std::vector<RuleReport> clean(StrokeModel& m) {
   const CleanReport report = clean_lines(m, options_for(m.edge_count));
   EXPECT_LT(report.passes, kMostCleanPasses);
   return report.rules;
+}
+
+std::size_t changes_of(const std::vector<RuleReport>& reports) {
+  return std::accumulate(reports.begin(), reports.end(), std::size_t{0},
+                         [](std::size_t sum, const RuleReport& report) { return sum + report.count; });
+}
+
+constexpr unsigned kScenes = 60;
+
+/// Calls visit(lines, the same cleaned, what the rules did) for scenes of random lines, `one_in` of them.
+template <class Visit>
+void for_cleaned_scenes(const Visit& visit, unsigned one_in = 1) {
+  for (unsigned seed = 0; seed < kScenes; seed += one_in) {
+    SCOPED_TRACE("scene " + std::to_string(seed));
+    const StrokeModel given = RandomLines(seed).make();
+    StrokeModel m = given;
+    const std::vector<RuleReport> reports = clean(m);
+    visit(given, m, reports);
+  }
 }
 
 /// The ends, class and visibility of a stroke, whatever its number is.
@@ -102,18 +119,12 @@ auto all_shown(const std::vector<Stroke>& strokes) {
   return result;
 }
 
-constexpr unsigned kScenes = 60;
-
 TEST(CleanLines, IsIdempotent) {
-  std::size_t changes = 0;
-  for (unsigned seed = 0; seed < kScenes; ++seed) {
-    StrokeModel m = random_lines(seed);
-    for (const RuleReport& report : clean(m)) changes += report.count;
-    const auto once = all_shown(m.strokes);
-    for (const RuleReport& report : clean(m)) EXPECT_EQ(report.count, 0u) << report.changes << ", scene " << seed;
-    EXPECT_TRUE(all_shown(m.strokes) == once) << "scene " << seed;
-  }
-  EXPECT_GT(changes, 10 * kScenes);
+  for_cleaned_scenes([](const StrokeModel&, const StrokeModel& once, const auto&) {
+    StrokeModel again = once;
+    for (const RuleReport& report : clean(again)) EXPECT_EQ(report.count, 0u) << report.changes;
+    EXPECT_TRUE(all_shown(again.strokes) == all_shown(once.strokes));
+  });
 }
 
 TEST(CleanLines, LeadsAnEndToItsOwnLineOnce) {
@@ -128,24 +139,25 @@ TEST(CleanLines, LeadsAnEndToItsOwnLineOnce) {
   }
 }
 
-TEST(CleanLines, EveryRuleChangesSomething) {
+TEST(CleanLines, EveryRuleCountsItsChanges) {
   std::map<std::string_view, std::size_t> counts;
-  for (unsigned seed = 0; seed < kScenes; ++seed) {
-    StrokeModel m = random_lines(seed);
-    for (const RuleReport& report : clean(m)) counts[report.changes] += report.count;
-  }
+  std::size_t changed = 0;
+  for_cleaned_scenes([&](const StrokeModel& given, const StrokeModel& m, const std::vector<RuleReport>& reports) {
+    for (const RuleReport& report : reports) counts[report.changes] += report.count;
+    const bool is_same = all_shown(m.strokes) == all_shown(given.strokes);
+    EXPECT_EQ(changes_of(reports) == 0, is_same);
+    changed += !is_same;
+  });
+  EXPECT_GT(changed, kScenes / 2);
   EXPECT_EQ(counts.size(), 9u);
   for (const auto& [changes, count] : counts) EXPECT_GT(count, 0u) << changes;
 }
 
 TEST(CleanLines, MovesNoEndAndAddsShortStrokes) {
-  for (unsigned seed = 0; seed < kScenes; ++seed) {
-    const StrokeModel given = random_lines(seed);
-    StrokeModel m = given;
-    clean(m);
+  for_cleaned_scenes([](const StrokeModel& given, const StrokeModel& m, const auto&) {
     for (const Stroke& s : m.strokes) {
       if (s.source >= given.edge_count) {
-        EXPECT_LE(page_length(s) * kStep, kLongestBridge * kPen) << "scene " << seed;
+        EXPECT_LE(page_length(s) * kStep, kLongestBridge * kPen);
         continue;
       }
       // Every cut of a line is rounded to a point of the lattice.
@@ -154,9 +166,9 @@ TEST(CleanLines, MovesNoEndAndAddsShortStrokes) {
         return old.source == s.source && foot_on(old, s.from).distance <= kRounded &&
                foot_on(old, s.to).distance <= kRounded;
       };
-      EXPECT_TRUE(std::ranges::any_of(given.strokes, lies_on)) << "scene " << seed;
+      EXPECT_TRUE(std::ranges::any_of(given.strokes, lies_on));
     }
-  }
+  });
 }
 
 /// The longest part of a stroke, in millimetres, that no visible stroke of its source covers.
@@ -178,42 +190,23 @@ double longest_missing(const Stroke& old, const std::vector<Stroke>& strokes) {
 
 TEST(CleanLines, RemovesNothingThatIsLong) {
   std::size_t long_strokes = 0, cut = 0;
-  for (unsigned seed = 0; seed < kScenes; ++seed) {
-    const StrokeModel given = random_lines(seed);
-    StrokeModel m = given;
-    clean(m);
+  for_cleaned_scenes([&](const StrokeModel& given, const StrokeModel& m, const auto&) {
     for (const Stroke& old : given.strokes) {
       if (!old.visible) continue;
       const double missing = longest_missing(old, m.strokes);
-      EXPECT_LE(missing, kLongestRemoval * kPen) << "scene " << seed;
+      EXPECT_LE(missing, kLongestRemoval * kPen);
       long_strokes += page_length(old) * kStep > kLongestRemoval * kPen;
       cut += missing > 0.01;
     }
-  }
+  });
   EXPECT_GT(long_strokes, kScenes / 4);
   EXPECT_GT(cut, kScenes);
-}
-
-TEST(CleanLines, CountsChanges) {
-  std::size_t changed = 0;
-  for (unsigned seed = 0; seed < kScenes; ++seed) {
-    StrokeModel m = random_lines(seed);
-    const auto before = all_shown(m.strokes);
-    std::size_t changes = 0;
-    for (const RuleReport& report : clean(m)) changes += report.count;
-    const bool is_same = all_shown(m.strokes) == before;
-    EXPECT_EQ(changes == 0, is_same) << "scene " << seed;
-    changed += !is_same;
-  }
-  EXPECT_GT(changed, kScenes / 2);
 }
 
 /// A plain search: free ends by comparing all ends, and the line straight on from each against all strokes.
 TEST(CleanLines, LeavesNoEndThatPointsAtALineWithinReach) {
   std::size_t free_ends = 0;
-  for (unsigned seed = 0; seed < kScenes; ++seed) {
-    StrokeModel m = random_lines(seed);
-    clean(m);
+  for_cleaned_scenes([&](const StrokeModel&, StrokeModel& m, const auto&) {
     std::erase_if(m.strokes, [](const Stroke& s) { return !s.visible; });
     const double reach = kReach * kPen / kStep, touching = kPen / 16 / kStep;
     for (const Stroke& s : m.strokes) {
@@ -229,50 +222,48 @@ TEST(CleanLines, LeavesNoEndThatPointsAtALineWithinReach) {
           if (&other == &s) continue;
           const bool crosses = orientation(p, ahead, other.from) * orientation(p, ahead, other.to) < 0 &&
                                orientation(other.from, other.to, p) * orientation(other.from, other.to, ahead) < 0;
-          EXPECT_FALSE(crosses && other.source != s.source) << "scene " << seed << " at " << p.x << ',' << p.y;
+          EXPECT_FALSE(crosses && other.source != s.source) << "at " << p.x << ',' << p.y;
         }
       }
     }
-  }
+  });
   EXPECT_GT(free_ends, kScenes);
 }
 
-TEST(CleanLines, DoesNotDependOnTheOrderOfStrokes) {
-  for (unsigned seed = 0; seed < kScenes; ++seed) {
-    StrokeModel m = random_lines(seed), shuffled = m;
-    std::ranges::shuffle(shuffled.strokes, std::mt19937(seed));
-    clean(m);
+TEST(CleanLines, DoesNotDependOnOrderOrThreads) {
+  unsigned seed = 0;
+  for_cleaned_scenes([&](const StrokeModel& given, const StrokeModel& m, const auto&) {
+    StrokeModel shuffled = given;
+    std::ranges::shuffle(shuffled.strokes, std::mt19937(seed++));
     clean(shuffled);
-    EXPECT_TRUE(all_shown(m.strokes) == all_shown(shuffled.strokes)) << "scene " << seed;
-  }
+    EXPECT_TRUE(all_shown(m.strokes) == all_shown(shuffled.strokes));
+  });
+  const auto with_threads = [](const StrokeModel& given, std::size_t n) {
+    StrokeModel m = given;
+    run_with_threads(n, [&] { clean(m); });
+    return all_shown(m.strokes);
+  };
+  for_cleaned_scenes([&](const StrokeModel& given, const auto&,
+                         const auto&) { EXPECT_TRUE(with_threads(given, 1) == with_threads(given, 4)); },
+                     4);
 }
 
 TEST(CleanLines, TurnsAndMirrorsWithTheDrawing) {
-  const auto turned = [](LatticePoint p) { return LatticePoint{-p.y, p.x}; };
-  const auto mirrored = [](LatticePoint p) { return LatticePoint{-p.x, p.y}; };
-  const auto apply = [](StrokeModel m, const auto& move) {
-    for (Stroke& s : m.strokes) s.from = move(s.from), s.to = move(s.to);
-    return m;
-  };
-  for (unsigned seed = 0; seed < kScenes; ++seed) {
-    const StrokeModel given = random_lines(seed);
-    StrokeModel plain = given, other = apply(given, turned), image = apply(given, mirrored);
-    clean(plain);
-    clean(other);
-    clean(image);
-    EXPECT_TRUE(all_shown(apply(plain, turned).strokes) == all_shown(other.strokes)) << "turned, scene " << seed;
-    EXPECT_TRUE(all_shown(apply(plain, mirrored).strokes) == all_shown(image.strokes)) << "mirrored, scene " << seed;
-  }
-}
-
-TEST(CleanLines, DoesNotDependOnTheNumberOfThreads) {
-  for (unsigned seed = 0; seed < kScenes / 4; ++seed) {
-    const auto with_threads = [&](std::size_t n) {
-      StrokeModel m = random_lines(seed);
-      run_with_threads(n, [&] { clean(m); });
-      return all_shown(m.strokes);
+  for (const auto move : {+[](LatticePoint p) {
+                            return LatticePoint{-p.y, p.x};
+                          },
+                          +[](LatticePoint p) {
+                            return LatticePoint{-p.x, p.y};
+                          }}) {
+    const auto moved = [&](StrokeModel m) {
+      for (Stroke& s : m.strokes) s.from = move(s.from), s.to = move(s.to);
+      return m;
     };
-    EXPECT_TRUE(with_threads(1) == with_threads(4)) << "scene " << seed;
+    for_cleaned_scenes([&](const StrokeModel& given, const StrokeModel& m, const auto&) {
+      StrokeModel image = moved(given);
+      clean(image);
+      EXPECT_TRUE(all_shown(moved(m).strokes) == all_shown(image.strokes));
+    });
   }
 }
 

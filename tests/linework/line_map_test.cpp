@@ -1,6 +1,7 @@
 /// The line map: its nodes, its contacts, the ways to follow a line, and its edits.
 
 #include "linework/map/line_groups.hpp"
+#include "main/script.hpp"
 #include "rule_runner.hpp"
 #include "stroke_builder.hpp"
 #include "support/test.hpp"
@@ -39,35 +40,6 @@ void expect_valid(const LineMap& map) {
     EXPECT_EQ(met[node], count[node]);
     EXPECT_EQ(map.nodes().degree(node), count[node]);
   }
-}
-
-TEST(LineMapTest, NodesAreWhereEndsMeet) {
-  const Mapped m(lines_of_outlines("0,0 100,0 200,50; 100,0 100,90; mesh 0,0 0,90; hidden 200,50 300,50; 400,0 400,0"));
-  EXPECT_EQ(m.map.piece_count(), 3u) << "neither the mesh, nor hidden strokes, nor those without length";
-  EXPECT_EQ(m.map.nodes().degree(m.map.nodes().of(1)), 3u);
-  EXPECT_TRUE(m.map.is_free(0));
-  EXPECT_EQ(m.map.next(1), kNone) << "three lines meet";
-  expect_valid(m.map);
-}
-
-TEST(LineMapTest, ALineIsCutWhereOthersEndOnIt) {
-  // Two lines end beside the first one at one place, and one at another; the last is too far away.
-  const Mapped m(lines_of_outlines("0,0 300,0; 100,1 100,90; 100,-1 100,-90; 200,2 200,90; 250,3 250,90"));
-  EXPECT_EQ(m.map.piece_count(), 7u);
-  ASSERT_EQ(m.map.contacts().size(), 3u);
-  EXPECT_EQ(m.map.contacts()[0].other, m.map.contacts()[1].other);
-  EXPECT_EQ(Arcs(m.map, Arcs::kNoContacts).find()[0].length, 300) << "a chain goes on through its own cuts";
-  EXPECT_EQ(Arcs(m.map, 2).find().size(), 7u);
-  EXPECT_EQ(Arcs(m.map, 1).find().size(), 6u) << "two millimetres count no more";
-  EXPECT_EQ(Arcs(m.map, 0.5).find().size(), 5u);
-  expect_valid(m.map);
-}
-
-TEST(LineMapTest, ALineDoesNotMeetItsOwnEnd) {
-  const Mapped hook(lines_of_outlines("0,0 300,0 300,2 295,2 295,1"));
-  EXPECT_TRUE(hook.map.contacts().empty());
-  const Mapped loop(lines_of_outlines("0,0 300,0 300,90 100,90 100,1"));
-  EXPECT_EQ(loop.map.contacts().size(), 1u);
 }
 
 TEST(LineMapTest, ContactsEndWhenTheirLineGoes) {
@@ -116,39 +88,44 @@ TEST(LineMapTest, EditsAreWrittenBack) {
   EXPECT_EQ(m.model.strokes[4].source, m.model.edge_count) << "a source of its own";
 }
 
-/// The arcs of lines, which also meet where corners lie beside lines, as the points that they run through.
-std::vector<std::vector<LatticePoint>> arcs_of(const std::string& text) {
-  StrokeModel m = lines_of_outlines(text);
-  const LineMap map(m, is_no_mesh, {.reach = 2, .any_node = true}, 50);
-  expect_valid(map);
-  const Arcs arcs(map, 2);
-  std::vector<std::vector<LatticePoint>> found;
-  for (const Arcs::Arc& arc : arcs.find()) {
-    found.emplace_back();
-    EXPECT_EQ(arc.ends.size(), arc.pieces.size());
-    for (const std::uint32_t end : arc.ends) found.back().push_back(map.point(end));
-    found.back().push_back(map.point(arc.ends.back() ^ 1));
+/// Its pieces, where they end on others, and the numbers of lines at its nodes.
+std::string map_of(const std::string& text) {
+  const Mapped m(lines_of_outlines(text));
+  expect_valid(m.map);
+  std::vector<std::size_t> degrees;
+  for (std::uint32_t end = 0; end < 2 * m.map.piece_count(); ++end) {
+    const std::uint32_t node = m.map.nodes().of(end);
+    if (m.map.nodes().first(node) == end) degrees.push_back(m.map.nodes().degree(node));
   }
-  return found;
+  std::ranges::sort(degrees);
+  std::string all =
+      std::to_string(m.map.piece_count()) + " pieces, " + std::to_string(m.map.contacts().size()) + " contacts, degrees";
+  for (const std::size_t degree : degrees) all += " " + std::to_string(degree);
+  return all;
 }
 
-TEST(ArcsTest, RunFromJunctionToJunction) {
-  const auto line = arcs_of("200,0 100,50; 0,0 100,50; 200,0 300,0");
-  ASSERT_EQ(line.size(), 1u);
-  EXPECT_EQ(line[0].size(), 4u);
-  EXPECT_EQ(std::min(line[0].front(), line[0].back()), (LatticePoint{0, 0}));
-  const auto ring = arcs_of("0,0 100,0; 100,100 100,0; 0,0 100,100");
-  ASSERT_EQ(ring.size(), 1u);
-  EXPECT_EQ(ring[0].front(), ring[0].back());
-  EXPECT_EQ(arcs_of("0,0 1000,0 1500,500; 1000,0 1500,-500; 400,1 400,600").size(), 5u);
-  EXPECT_EQ(arcs_of("0,0 1000,0; 250,-500 250,500").size(), 2u) << "lines that cross do not end there";
+/// "REACH: LINES": their numbers of points, least first. Where the reach is "corners", corners beside lines meet them too.
+std::string arcs_of(const std::string& text) {
+  const std::size_t colon = text.find(": ");
+  const bool any_node = text.starts_with("corners");
+  StrokeModel m = lines_of_outlines(text.substr(colon + 2));
+  const LineMap map(m, is_no_mesh, {.reach = 2, .any_node = any_node}, 50);
+  expect_valid(map);
+  std::vector<std::string> arcs;
+  const Arcs found(map, any_node ? 2 : test::value_of(text.substr(0, colon)));
+  for (const Arcs::Arc& arc : found.find()) {
+    EXPECT_EQ(arc.ends.size(), arc.pieces.size());
+    const LatticePoint first = map.point(arc.ends.front()), last = map.point(arc.ends.back() ^ 1);
+    arcs.push_back((first == last ? "ring of " : "") + std::to_string(arc.ends.size() + 1));
+  }
+  std::ranges::sort(arcs);
+  std::string all;
+  for (const std::string& arc : arcs) all += (all.empty() ? "" : ", ") + arc;
+  return all;
 }
 
-TEST(ArcsTest, MeetBesideEachOther) {
-  EXPECT_EQ(arcs_of("0,0 1000,0; 500,10 500,500").size(), 2u) << "an end beside it";
-  EXPECT_EQ(arcs_of("0,0 1000,0 2000,300; 1001,-1 1400,-700").size(), 3u) << "an end beside a corner is one";
-  EXPECT_EQ(arcs_of("0,0 1000,0; 400,500 500,1 600,500").size(), 4u) << "a corner beside a line";
-}
+[[maybe_unused]] const bool maps_are_added =
+    test::add_function_scripts(LIGNE_SOURCE_DIR "/tests/linework/maps", {{"map", map_of}, {"arcs", arcs_of}});
 
 TEST(LineMapTest, ACrowdAtOnePointCostsLittle) {
   constexpr std::int32_t kArms = 20'000;
