@@ -7,22 +7,6 @@ namespace {
 
 using namespace height_test;
 
-const std::vector<std::vector<double>> kOneMissing{{1, 2, 3}, {4, kNaN, 6}, {7, 8, 9}, {10, 11, 12}};
-
-TEST(PointGrid, ShuffledAndIncompleteGridsHaveHoles) {
-  Warnings warnings;
-  const std::string rows[] = {"0 0 1", "1 0 2", "2 0 3",  "0 1 4",  "2 1 6", "0 2 7",
-                              "1 2 8", "2 2 9", "0 3 10", "1 3 11", "2 3 12"};
-  std::string in_order, shuffled;
-  for (std::size_t k = 0; k < std::size(rows); ++k) {
-    in_order += rows[k] + "\n";
-    shuffled += rows[k * 7 % std::size(rows)] + "\n";
-  }
-  expect_grid(*grid(in_order, warnings), {0, 1, 2}, {0, 1, 2, 3}, kOneMissing);
-  expect_grid(*grid(shuffled, warnings), {0, 1, 2}, {0, 1, 2, 3}, kOneMissing);
-  EXPECT_EQ(warnings.counts().size(), 0u);
-}
-
 TEST(PointGrid, ScatteredPointsAreTriangulated) {
   // A plane, whatever the triangles; nothing beyond the convex hull.
   std::string text = "x,y,z\n";
@@ -111,35 +95,6 @@ TEST(SharedGrids, RunoutIsAGeoTiff) {
 #endif
 }
 
-#ifdef LIGNE_HAVE_TIFF
-TEST(TiffGrid, StripsTilesAndTheirPlaces) {
-  Warnings warnings;
-  const std::filesystem::path folder = std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/fuzz/corpus/tiff";
-  const auto degrees = read_grid(folder / "strips_float32.tif", warnings);
-  expect_grid(*degrees, {10.25, 10.75, 11.25}, {49.625, 49.875}, {{4, kNaN, 6}, {1.5, 2, 3}});
-  EXPECT_EQ(degrees->unit(), GroundUnit::degrees);
-  const auto points = read_grid(folder / "points_int16_big_endian.tif", warnings);
-  expect_grid(*points, {500, 530}, {870, 900}, {{3, 4}, {1, -2}});
-  EXPECT_EQ(points->unit(), GroundUnit::same);
-  const auto tiles = read_grid(folder / "tiles_deflate_uint16.tif", warnings);
-  std::vector<double> row(20);
-  tiles->read_row(0, row);
-  EXPECT_EQ(row[19], 1719) << "the last row stands first";
-  const auto doubles = read_grid(folder / "float64_deflate.tif", warnings);
-  doubles->read_row(2, std::span(row).first(4));
-  EXPECT_EQ(row[3], 1e10 + 3);
-  const auto lzw = read_grid(folder / "strips_lzw_int16.tif", warnings);
-  lzw->read_row(3, std::span(row).first(5));
-  EXPECT_EQ(row[0], -3) << "the last row stands first";
-  lzw->read_row(0, std::span(row).first(5));
-  EXPECT_EQ(row[4], 301);
-  const auto error = [&](const char* file) { return error_line([&] { read_grid(folder / file, warnings); }); };
-  EXPECT_NE(error("truncated.tif").find("is a TIFF file that can not be read"), std::string::npos);
-  EXPECT_NE(error("header_lies.tif").find("is a TIFF file that can not be read"), std::string::npos);
-  EXPECT_NE(error("uint8_one_row.tif").find("has 3 columns and 1 row"), std::string::npos);
-}
-#endif
-
 TEST(HgtGrid, TilesHaveTheirPlaceInTheirName) {
   Warnings warnings;
   // Three by three heights, from north to south; one of them is none.
@@ -169,14 +124,6 @@ double value(const std::string& formula, double x, double y) {
   return heights_of(*formula_heights(formula, {x, x + 1}, {y, y + 1}))[0][0];
 }
 
-std::string error(const std::string& formula) {
-  return error_line([&] { formula_heights(formula, {0, 1}, {0, 1}); });
-}
-
-TEST(FormulaHeights, RowsAreThoseOfY) {
-  expect_grid(*formula_heights("10*x + y", {1, 2, 3}, {4, 5}), {1, 2, 3}, {4, 5}, {{14, 24, 34}, {15, 25, 35}});
-}
-
 TEST(FormulaHeights, Functions) {
   const double x = 0.3, y = -0.7;
   const std::pair<const char*, double (*)(double)> of_x[] = {
@@ -186,17 +133,6 @@ TEST(FormulaHeights, Functions) {
   for (const auto& [name, function] : of_x) EXPECT_DOUBLE_EQ(value(std::string(name) + " ( x )", x, y), function(x)) << name;
   EXPECT_DOUBLE_EQ(value("atan2(y, x)", x, y), std::atan2(y, x));
   EXPECT_EQ(value("e", 0, 0), std::numbers::e);
-}
-
-TEST(FormulaHeights, HostileLengths) {
-  EXPECT_EQ(error(std::string(1'000'000, '(')), "formula:10001: is longer than 10000 characters");
-  EXPECT_EQ(error(std::string(10'000, '(')), "formula:10000: '(' without its ')'");
-  std::string nested(4'000, '(');
-  nested.append("x").append(4'000, ')');
-  EXPECT_EQ(value(nested, 2, 3), 2);
-  std::string sum = "x";
-  while (sum.size() + 2 <= 10'000) sum += "+1";
-  EXPECT_EQ(value(sum, 0, 0), 4999);
 }
 
 TEST(FormulaHeights, SameFromSeveralThreads) {
@@ -209,12 +145,6 @@ TEST(FormulaHeights, SameFromSeveralThreads) {
   for (auto& heights : found) threads.emplace_back([&] { heights = heights_of(*source); });
   for (std::thread& thread : threads) thread.join();
   for (const auto& heights : found) EXPECT_EQ(heights, expected);
-}
-
-TEST(Formula, PrintedCharactersAndMoreFunctions) {
-  expect_grid(*formula_heights("x² + y³ − 2·x", {1, 2, 3}, {1, 2}), {1, 2, 3}, {1, 2}, {{0, 1, 4}, {7, 8, 11}});
-  expect_grid(*formula_heights("ln(e^x) + pow(y,2) + cbrt(8) + erf(0) + sec(0)", {1, 2}, {1, 2}), {1, 2}, {1, 2},
-              {{5, 6}, {8, 9}});
 }
 
 }  // namespace

@@ -28,14 +28,10 @@ inline std::unique_ptr<HeightSource> grid(const std::string& text) {
 
 using reader_test::error_line;
 
-inline std::string grid_error(const std::string& text) {
-  Warnings warnings;
-  return error_line([&] { grid(text, warnings); });
-}
-
-/// A file of the fuzzers' corpus of grids.
+/// A file of the fuzzers' corpus of grids, or "tiff/NAME" of that of TIFF files.
 inline std::string corpus_file(const std::string& name) {
-  return test::bytes_of_file(std::string(LIGNE_SOURCE_DIR) + "/tests/fuzz/corpus/grid/" + name);
+  const std::string folder = LIGNE_SOURCE_DIR "/tests/fuzz/corpus/";
+  return test::bytes_of_file(folder + (name.find('/') == name.npos ? "grid/" : "") + name);
 }
 
 /// Positions and heights are these; NaN is equal to NaN.

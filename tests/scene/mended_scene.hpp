@@ -7,6 +7,7 @@
 ///     "flags", "materials", "details"       of corners; of faces; [face, material] each
 ///     "objects": [[vertices, faces], ...]   where each ends, named by its number; otherwise all is one
 ///     "precision"                           of the objects
+///     "lights"                              their number
 ///
 /// or "cells": rows of unit squares of a grid, from the lowest y, # where there is a face; "triangles": true cuts them,
 /// "heights" are those of its columns of vertices.
@@ -16,6 +17,7 @@
 #include "scene/clean/clean.hpp"
 #include "scene/clean/weld_near.hpp"
 #include "scene/heal/heal.hpp"
+#include "scene/readers/reader.hpp"
 #include "support/standard.hpp"
 
 namespace ligne::reader_test {
@@ -60,6 +62,8 @@ inline Scene small_scene(const json& text) {
   scene.corner_flags = text.value("flags", std::vector<std::uint8_t>());
   scene.face_material = text.value("materials", CornerList());
   if (!scene.face_material.empty()) scene.materials.resize(1 + *std::ranges::max_element(scene.face_material));
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) scene.materials[m].name = std::to_string(m);
+  scene.lights.resize(text.value("lights", std::size_t{0}));
   for (const json& detail : text.value("details", json::array()))
     scene.details.push_back({detail[0].get<std::uint32_t>(), detail[1].get<std::uint32_t>(), {}});
   std::uint32_t vertex = 0, face = 0;
@@ -71,9 +75,15 @@ inline Scene small_scene(const json& text) {
   return scene;
 }
 
-/// "clean JSON"; "merge JSON", which is cleaned first; "weld:DISTANCE JSON", which is not.
+/// "clean JSON"; "merge JSON", which is cleaned first; "weld:DISTANCE JSON", which is not; "append [JSON, JSON ...]", scenes
+/// that become one.
 inline Scene mended(const std::string& how, const std::string& text, Warnings& warnings) {
-  Scene scene = small_scene(json::parse(text));
+  Scene scene;
+  if (how == "append") {
+    for (const json& part : json::parse(text)) append_scene(scene, small_scene(part));
+    return scene;
+  }
+  scene = small_scene(json::parse(text));
   if (how.starts_with("weld")) {
     weld_near_vertices(scene, std::stod(how.substr(5)));
     return scene;

@@ -3,10 +3,12 @@
 /// from the shared models, where they are; json is the text of a glTF; "gltf CHANGES" changes the unit square as glTF,
 /// "triangle CHANGES" a triangle, both as gltf_changes.hpp has it, and "triangle@NAME@SECONDS" reads the file at a moment of
 /// an animation; 3mf is the main part of such an archive; points and lines are files of those; grid, also
-/// "grid:layout=matrix", "grid:set=1", "grid:using=1,2,4"; "corpus FILE", a grid of the fuzzers' corpus; formula;
-/// "subdivided" is an OBJ that is subdivided three times; clean, merge, heal and "weld:DISTANCE" are small scenes that are
-/// mended, see mended_scene.hpp; "detect.SUFFIX" tells the format. Behind "bin-", as in "bin-3ds", the text is of a binary
-/// file: see binary_text.hpp. A scene that is read is sound: see expect_sound. Checks:
+/// "grid:layout=matrix", "grid:set=1", "grid:using=1,2,4", "grid:band=2"; "tiff PICTURES", see tiff_text.hpp, also
+/// "tiff:band=2"; "corpus FILE", a grid of the fuzzers' corpus, or "corpus tiff/FILE"; formula; "file NAME TEXT" writes a
+/// file beside those that are read;
+/// "subdivided" is an OBJ that is subdivided three times; clean, merge, heal, append and "weld:DISTANCE" are small scenes
+/// that are mended, see mended_scene.hpp; "detect.SUFFIX" tells the format. Behind "bin-", as in "bin-3ds", the text is of a
+/// binary file: see binary_text.hpp. A scene that is read is sound: see expect_sound. Checks:
 ///
 ///     fails MESSAGE; begins MESSAGE; has TEXT    the whole error, its beginning, a part of it
 ///     is NAME                                    the format that is detected, or why there is none
@@ -15,6 +17,7 @@
 ///     vertex X Y Z                               one of the vertices, to 1e-12
 ///     points X Y Z X Y Z ...; near X Y Z ...     the vertices of a scene, to 1e-12; to the precision of float32
 ///     x 0 1 2; y 0 1; z 1 2; nan 4               positions and rows of heights of a grid
+///     height COLUMN ROW Z                        one of them
 ///     unit degrees                               of a grid's positions
 ///     mesh COLUMNS ROWS; point N X Y Z           of the grid's mesh
 ///     surfaces N                                 in the file
@@ -36,6 +39,7 @@
 #include "scene/readers/studio/three_ds_reader.hpp"
 #include "scene/readers/three_mf/three_mf_reader.hpp"
 #include "scene/surfaces/grids/point_table.hpp"
+#include "tiff_text.hpp"
 #include "zip_builder.hpp"
 
 namespace ligne::height_test {
@@ -44,6 +48,12 @@ namespace {
 using namespace reader_test;
 using test::take_word;
 
+#ifdef LIGNE_HAVE_TIFF
+constexpr bool kReadsTiff = true;
+#else
+constexpr bool kReadsTiff = false;
+#endif
+
 json triple(const Point3& p) { return {p.x, p.y, p.z}; }
 
 /// A scene as JSON: of faces all contours, of objects the ranges of vertices and faces.
@@ -51,6 +61,7 @@ json as_json(const Scene& scene, const ReadReport& report) {
   json all{{"up", std::string(1, "xyz"[static_cast<int>(scene.up_axis)])}, {"material_of_face", scene.face_material}};
   all["stored"] = {{"faces", report.faces}, {"triangles", report.triangles}, {"vertices", report.vertices}};
   all["format"] = to_string(report.format);
+  for (const std::filesystem::path& file : report.files) all["files"].push_back(file.filename().string());
   for (const Point3& p : scene.vertices) all["vertices"].push_back(triple(p));
   for (std::size_t f = 0; f < scene.faces.size(); ++f) {
     json face;
@@ -100,9 +111,12 @@ std::vector<double> numbers_of(std::string_view text) {
 
 class ReaderScript {
  public:
-  ReaderScript(const std::string& kind, std::string_view text)
+  ReaderScript(const std::string& kind, std::string_view text, const std::filesystem::path& folder)
       : kind_(kind.starts_with("bin-") ? kind.substr(4) : kind),
-        text_(kind_ == kind ? test::unescaped(text) : test::binary_of(text)) {
+        text_(kind_.starts_with("tiff") ? tiff_of(text)
+              : kind_ == kind           ? test::unescaped(text)
+                                        : test::binary_of(text)),
+        folder_(folder) {
     error_ = error_line([&] { read(); });
     if (error_ == "no error") error_.clear();
   }
@@ -167,7 +181,7 @@ class ReaderScript {
     const bool is_file = kind_.starts_with("file.");
     ReadReport report;
     if (kind_ == "asc") scene_ = read_asc(bytes, "M", report, warnings_);
-    if (kind_ == "obj") scene_ = read_obj({bytes, "M"}, report, warnings_);
+    if (kind_ == "obj") scene_ = read_obj({bytes, "M", folder_}, report, warnings_);
     if (kind_ == "subdivided") {
       const ReadOptions options{.shading = true, .subdivision = Subdivision{SubdivisionScheme::catmull_clark, 3}};
       scene_ = read_scene({bytes, "M"}, ModelFormat::obj, options, warnings_, &report);
@@ -181,7 +195,7 @@ class ReaderScript {
     if (kind_ == "scene") scene_ = read_ligne_scene(bytes, "M", report, warnings_);
     if (kind_ == "gltf" || kind_.starts_with("triangle")) {
       const std::string text = gltf_test::changed(kind_ == "gltf" ? gltf_test::square() : gltf_test::triangle(), text_);
-      scene_ = read_gltf({bytes_of(text), "M", testing::TempDir()}, false, report, warnings_, nullptr, pose());
+      scene_ = read_gltf({bytes_of(text), "M", folder_}, false, report, warnings_, nullptr, pose());
     }
     if (kind_ == "3mf") {
       const std::string archive = zip_test::three_mf(text_);
@@ -197,12 +211,13 @@ class ReaderScript {
     if (kind_ == "points" || kind_ == "lines") read_places();
     if (kind_ == "formula") formula_heights(text_, {0, 1}, {0, 1});
     if (kind_.starts_with("detect")) format_ = to_string(detect_format(bytes, kind_.substr(6), "M"));
-    const bool is_mended = kind_ == "clean" || kind_ == "merge" || kind_ == "heal" || kind_.starts_with("weld:");
+    const bool is_mended =
+        kind_ == "clean" || kind_ == "merge" || kind_ == "heal" || kind_ == "append" || kind_.starts_with("weld:");
     if (kind_ == "heal") scene_ = small_scene(json::parse(text_));
     const json healing = kind_ == "heal" ? healed(scene_, warnings_) : json();
     if (is_mended && kind_ != "heal") scene_ = mended(kind_, text_, warnings_);
     if (scene_.faces.empty() && !is_mended) return;
-    if (!is_mended) expect_sound(scene_);
+    if (!is_mended || kind_ == "append") expect_sound(scene_);
     json_ = as_json(scene_, report);
     if (is_mended) add_contours(scene_, json_);
     json_["healed"] = healing;
@@ -251,7 +266,7 @@ class ReaderScript {
     expect_equal(found, wanted);
   }
 
-  bool is_grid() const { return kind_ == "corpus" || kind_.starts_with("grid"); }
+  bool is_grid() const { return kind_ == "corpus" || kind_.starts_with("grid") || kind_.starts_with("tiff"); }
 
   GridChoice choice() const {
     static const std::map<std::string, TableLayout> layouts{
@@ -261,6 +276,7 @@ class ReaderScript {
     if (equals == kind_.npos) return choice;
     const std::string what = kind_.substr(5, equals - 5), value = kind_.substr(equals + 1);
     if (what == "layout") choice.layout = layouts.at(value);
+    if (what == "band") choice.band = static_cast<unsigned>(std::stoul(value));
     if (what == "set") choice.data_set = static_cast<unsigned>(std::stoul(value));
     std::istringstream names(what == "using" ? value : "");
     for (std::string name; std::getline(names, name, ',');) choice.using_columns.push_back(name);
@@ -292,6 +308,9 @@ class ReaderScript {
       EXPECT_EQ(heights->x(), numbers_of(wanted));
     } else if (verb == "y") {
       EXPECT_EQ(heights->y(), numbers_of(wanted));
+    } else if (verb == "height") {
+      const std::vector<double> n = numbers_of(wanted);
+      expect_equal(heights_of(*heights).at(std::size_t(n.at(1))).at(std::size_t(n.at(0))), n.at(2));
     } else if (verb == "z") {
       std::vector<std::vector<double>> rows;
       std::istringstream lines(wanted);
@@ -303,6 +322,7 @@ class ReaderScript {
   }
 
   std::string kind_, text_, error_, format_;
+  std::filesystem::path folder_;
   Warnings warnings_;
   Scene scene_;
   json json_;
@@ -311,12 +331,19 @@ class ReaderScript {
 
 [[maybe_unused]] const bool scripts_are_added =
     test::add_scripts(LIGNE_SOURCE_DIR "/tests/scene/scripts", [](const test::Script& script) {
+      const test::TemporaryFolder folder;
       for (const test::ScriptStep& step : script.steps) {
         SCOPED_TRACE(step.place + ": " + step.line);
         std::string_view text = step.line;
         const std::string kind = take_word(text);
         if (kind == "model" && !std::filesystem::is_directory(LIGNE_MODELS_DIR)) continue;
-        const ReaderScript reader(kind, text);
+        if (!kReadsTiff && (kind.starts_with("tiff") || text.starts_with("tiff/"))) continue;
+        if (kind == "file") {
+          const std::string name = test::unescaped(take_word(text));
+          folder.write(name, test::unescaped(text));
+          continue;
+        }
+        const ReaderScript reader(kind, text, folder);
         for (const std::string& check : step.checks) reader.check(check);
         reader.expect_all_is_meant(step.checks);
       }

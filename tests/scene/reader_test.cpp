@@ -101,57 +101,6 @@ TEST(ReadScene, FormatOfEveryModel) {
   }
 }
 
-Scene plate(std::uint8_t flag, const char* material) {
-  Scene scene;
-  scene.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  const std::uint32_t square[] = {0, 1, 2, 3};
-  scene.faces.add_face(square);
-  scene.objects.push_back({"plate", 0, 4, 0, 1, 1e-9});
-  if (flag) scene.corner_flags.assign(4, flag);
-  if (material) {
-    scene.materials.resize(2);
-    scene.materials[1].name = material;
-    scene.face_material = {1};
-  }
-  return scene;
-}
-
-TEST(AppendScene, ShiftsEveryIndex) {
-  Scene a = plate(0, nullptr);
-  Scene b = plate(kCornerInner, "red");
-  const std::uint32_t hole[] = {0, 1, 2};
-  b.faces.add_hole(hole);
-  b.corner_flags.resize(7, 0);
-  b.details.push_back({0, 1, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
-  b.lights.emplace_back();
-  append_scene(a, std::move(b));
-  expect_sound(a);
-  EXPECT_EQ(a.objects[1].vertex_begin, 4u);
-  EXPECT_EQ(a.faces.contour(1, 1)[2], 6u);
-  EXPECT_EQ(a.face_material, (std::vector<std::uint32_t>{0, 2}));
-  EXPECT_EQ(a.materials[2].name, "red");
-  EXPECT_EQ(a.corner_flags, (std::vector<std::uint8_t>{0, 0, 0, 0, 2, 2, 2, 2, 0, 0, 0}));
-  EXPECT_EQ(a.details[0].face, 1u);
-  EXPECT_EQ(a.details[0].material, 2u);
-  EXPECT_EQ(a.lights.size(), 1u);
-  append_scene(a, plate(0, nullptr));
-  expect_sound(a);
-  EXPECT_EQ(a.face_material[2], 3u);
-  EXPECT_EQ(a.corner_flags.size(), 15u);
-}
-
-TEST(AppendScene, ToNothingAndTrianglesToPolygons) {
-  Scene all;
-  append_scene(all, plate(0, nullptr));
-  EXPECT_EQ(all.objects.size(), 1u);
-  Scene triangle = plate(0, nullptr);
-  triangle.faces = {};
-  triangle.faces.add_triangle(0, 1, 2);
-  append_scene(triangle, std::move(all));
-  expect_sound(triangle);
-  EXPECT_EQ(triangle.faces.contour(1, 0)[0], 4u);
-}
-
 TEST(Precision, OfFloat32NumbersAsText) {
   // Coordinates of a part far from the origin, as float32 and as double, with so many decimals.
   const auto precision = [](bool as_float32, const char* format, double step) {

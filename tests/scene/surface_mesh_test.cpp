@@ -3,6 +3,7 @@
 #include "scene/surfaces/surface_mesh.hpp"
 #include "even_positions.hpp"
 #include "height_tools.hpp"
+#include "main/script.hpp"
 #include "scene/model/topology.hpp"
 #include "scene/surfaces/height_filters.hpp"
 #include "scene/surfaces/mesh_writer.hpp"
@@ -18,31 +19,111 @@ SurfacePoints heights(const std::string& formula, std::size_t intervals, double 
   return points_of(*formula_heights(formula, evenly(from, to, intervals), evenly(from, to, intervals)));
 }
 
-SurfacePoints parametric(const char* x, const char* y, const char* z, std::vector<double> u, std::vector<double> v) {
-  return parametric_points({x, y, z}, u, v);
-}
-
 Scene scene_of(const SurfaceMesh& mesh, double z_scale = 1, std::optional<double> base = {}) {
   return surface_scene(std::span(&mesh, 1), {1, 1, z_scale}, base);
 }
 
 struct Counts {
-  int vertices, edges, faces, borders = 0, many = 0, unlike = 0, curves = 0;
-  int characteristic() const { return vertices - edges + faces; }
+  std::size_t vertices, edges, faces, borders = 0, many = 0, unlike = 0, curves = 0, contours = 0;
+  int characteristic() const { return static_cast<int>(vertices) - static_cast<int>(edges) + static_cast<int>(faces); }
 };
 
 Counts count(const Scene& scene) {
   const Topology topology = build_topology(scene);
-  Counts counts{static_cast<int>(scene.vertices.size()), static_cast<int>(topology.edges.size()),
-                static_cast<int>(scene.faces.size())};
+  Counts counts{scene.vertices.size(), topology.edges.size(), scene.faces.size()};
   for (std::size_t e = 0; e < topology.edges.size(); ++e) {
     counts.borders += topology.edges[e].face1 == kNone;
     counts.many += (topology.edge_flags[e] & kEdgeManyFaces) != 0;
     counts.unlike += (topology.edge_flags[e] & kEdgeUnlikeWound) != 0;
     counts.curves += (topology.edge_flags[e] & kEdgeCurve) != 0;
+    counts.contours += (topology.edge_flags[e] & kEdgeContour) != 0;
   }
   return counts;
 }
+
+/// What becomes of a surface, by its changes: "missing N", a sample; "strides X Y" of the curves; "clip LOW HIGH"; "cut
+/// LEVELS"; "base Z", of a skirt.
+std::string meshed(SurfacePoints surface, const std::vector<std::string>& changes) {
+  std::vector<std::pair<std::string, std::vector<double>>> steps;
+  for (const std::string& change : changes) {
+    const std::vector<std::string> words = test::words_of(change);
+    auto& [verb, numbers] = steps.emplace_back(words.at(0), std::vector<double>());
+    for (std::size_t i = 1; i < words.size(); ++i) numbers.push_back(test::value_of(words[i]));
+    if (verb == "missing") surface.points.at(static_cast<std::size_t>(numbers[0])).z = kNaN;
+    if (verb != "strides") continue;
+    surface.x_stride = static_cast<std::size_t>(numbers[0]);
+    surface.y_stride = static_cast<std::size_t>(numbers[1]);
+  }
+  SurfaceMesh mesh = make_surface_mesh(surface);
+  std::optional<double> base;
+  for (const auto& [verb, numbers] : steps) {
+    if (verb == "clip") clip_heights(mesh, numbers[0], numbers[1]);
+    if (verb == "cut") cut_contours(mesh, numbers);
+    if (verb == "base") base = numbers[0];
+  }
+  const Scene scene = scene_of(mesh, 1, base);
+  EXPECT_EQ(scene.objects.empty(), !height_range(std::span(&mesh, 1)));
+  const Counts counts = count(scene);
+  std::string text;
+  for (const auto& [name, number] : {std::pair("vertices", counts.vertices),
+                                     {"edges", counts.edges},
+                                     {"faces", counts.faces},
+                                     {"objects", scene.objects.size()},
+                                     {"borders", counts.borders},
+                                     {"many", counts.many},
+                                     {"unlike", counts.unlike},
+                                     {"curves", counts.curves},
+                                     {"contours", counts.contours}})
+    if (number > 0) text += (text.empty() ? "" : ", ") + std::to_string(number) + " " + name;
+  return text;
+}
+
+std::vector<double> positions(const std::string& text) {
+  const std::vector<std::string> words = test::words_of(text);
+  return evenly(test::value_of(words.at(0)), test::value_of(words.at(1)), std::stoul(words.at(2)));
+}
+
+/// "FORMULA; FROM TO INTERVALS; CHANGES" over a square.
+std::string meshed_heights(const std::string& text) {
+  const std::vector<std::string> parts = test::parts_of(text, ';');
+  const std::vector<double> at = positions(parts.at(1));
+  return meshed(points_of(*formula_heights(parts[0], at, at)), {parts.begin() + 2, parts.end()});
+}
+
+/// "X; Y; Z; FROM TO INTERVALS; FROM TO INTERVALS; CHANGES" of u and v.
+std::string meshed_parametric(const std::string& text) {
+  const std::vector<std::string> parts = test::parts_of(text, ';');
+  return meshed(parametric_points({parts.at(0), parts.at(1), parts.at(2)}, positions(parts.at(3)), positions(parts.at(4))),
+                {parts.begin() + 5, parts.end()});
+}
+
+/// "FORMULA; XS; YS; X FROM TO Y FROM TO", a window of a grid, or without it its logarithms: x, y and rows of heights.
+std::string filtered(const std::string& text) {
+  const std::vector<std::string> parts = test::parts_of(text, ';');
+  const auto numbers = [&](std::size_t i) {
+    std::vector<double> list;
+    for (const std::string& word : test::words_of(parts.at(i))) list.push_back(word == "none" ? kNaN : test::value_of(word));
+    return list;
+  };
+  auto heights = formula_heights(parts.at(0), numbers(1), numbers(2));
+  if (parts.size() > 3) {
+    const std::vector<double> n = numbers(3);
+    const auto window = [](double from, double to) { return std::isnan(from) ? AxisWindow{} : AxisWindow{from, to}; };
+    heights = window_heights(std::move(heights), window(n.at(0), n.at(1)), window(n.at(2), n.at(3)), "g");
+  } else {
+    heights = log_heights(std::move(heights));
+  }
+  std::string all;
+  for (const std::vector<double>& row : height_test::heights_of(*heights)) {
+    for (const double z : row) all += (all.empty() || all.ends_with("; ") ? "" : " ") + test::as_text(z);
+    all += "; ";
+  }
+  return all + "x " + test::as_text(heights->x().front()) + " y " + test::as_text(heights->y().front());
+}
+
+[[maybe_unused]] const bool surfaces_are_added =
+    test::add_function_scripts(LIGNE_SOURCE_DIR "/tests/scene/surfaces",
+                               {{"heights", meshed_heights}, {"parametric", meshed_parametric}, {"filtered", filtered}});
 
 TEST(SurfaceMesh, CellsAreCutFromLowXHighYToHighXLowY) {
   const Scene scene = scene_of(make_surface_mesh(heights("x*y", 1, 0, 1)));
@@ -60,80 +141,21 @@ TEST(SurfaceMesh, CellsAreCutFromLowXHighYToHighXLowY) {
   for (std::uint32_t f = 0; f < 2; ++f) EXPECT_GT(face_normal(scene, f).z, 0);
 }
 
-TEST(SurfaceMesh, CellsWithAHoleAreLeftOut) {
-  SurfacePoints surface = heights("0", 4);
-  EXPECT_EQ(make_surface_mesh(surface).triangles.size(), 32u);
-  surface.points[2 * 5 + 2].z = kNaN;
-  EXPECT_EQ(make_surface_mesh(surface).triangles.size(), 24u);
-  surface.points[0].x = std::numeric_limits<double>::infinity();
-  const SurfaceMesh mesh = make_surface_mesh(surface);
-  EXPECT_EQ(mesh.triangles.size(), 22u);
-  EXPECT_EQ(scene_of(mesh).vertices.size(), 23u) << "holes are no vertices";
-}
-
-TEST(SurfaceMesh, CurvesAreEveryStrideAndTheLast) {
-  SurfacePoints surface = heights("x+y", 5);
-  const auto curves = [&](std::size_t x_stride, std::size_t y_stride) {
-    surface.x_stride = x_stride;
-    surface.y_stride = y_stride;
-    return count(scene_of(make_surface_mesh(surface))).curves;
-  };
-  EXPECT_EQ(curves(1, 1), 2 * 6 * 5);
-  EXPECT_EQ(curves(2, 0), 4 * 5);  // 0, 2, 4 and 5
-  EXPECT_EQ(curves(0, 5), 2 * 5);
-  EXPECT_EQ(curves(0, 0), 0);
-}
-
-TEST(SurfaceMesh, ClosedSurfacesClose) {
-  const auto full = evenly(0, 2 * kPi, 12);
-  struct Row {
-    const char *x, *y, *z;
-    std::vector<double> u, v;
-    int vertices, characteristic, borders, unlike;
-    int curves = -1;
-  };
-  for (const Row& row :
-       {Row{"(3+cos(v))*cos(u)", "(3+cos(v))*sin(u)", "sin(v)", full, full, 144, 0, 0, 0, 2 * 144},
-        Row{"sin(u)*cos(v)", "sin(u)*sin(v)", "cos(u)", evenly(0, kPi, 6), full, 2 + 5 * 12, 2, 0, 0, 5 * 12 + 6 * 12},
-        // A Moebius strip: one border, twice round; and a seam. A Klein bottle has the seam alone.
-        Row{"(1+v*cos(u/2))*cos(u)", "(1+v*cos(u/2))*sin(u)", "v*sin(u/2)", full, evenly(-0.5, 0.5, 4), 12 * 5, 0, 2 * 12,
-            4},
-        Row{"(3+cos(u/2)*sin(v)-sin(u/2)*sin(2*v))*cos(u)", "(3+cos(u/2)*sin(v)-sin(u/2)*sin(2*v))*sin(u)",
-            "sin(u/2)*sin(v)+cos(u/2)*sin(2*v)", full, evenly(kPi / 14, kPi / 14 + 2 * kPi, 14), 12 * 14, 0, 0, 14}}) {
-    SCOPED_TRACE(row.x);
-    const Counts counts = count(scene_of(make_surface_mesh(parametric(row.x, row.y, row.z, row.u, row.v))));
-    EXPECT_EQ(counts.vertices, row.vertices);
-    EXPECT_EQ(counts.characteristic(), row.characteristic);
-    EXPECT_EQ(counts.borders, row.borders);
-    EXPECT_EQ(counts.unlike, row.unlike);
-    EXPECT_EQ(counts.many, 0);
-    if (row.curves >= 0) {
-      EXPECT_EQ(counts.curves, row.curves);
-    }
-  }
-}
-
-TEST(SurfaceMesh, CurvesThatRunIntoAPoleAreWhole) {
-  // A cone that does not close: its first and last curves have a triangle on one side only, and that one may have collapsed.
-  for (const bool pole_first : {true, false}) {
-    const auto v = pole_first ? evenly(0, 1, 3) : evenly(-1, 0, 3);
-    SurfacePoints cone = parametric("v*cos(u)", "v*sin(u)", "v", evenly(0, 2, 4), v);
-    cone.y_stride = 0;
-    const Counts counts = count(scene_of(make_surface_mesh(cone)));
-    EXPECT_EQ(counts.curves, 5 * 3) << pole_first;
-    EXPECT_EQ(counts.borders, 2 * 3 + 4);
-  }
-}
-
+/// The corners of the cut are where the edges of the whole surface cross its height, all of them and no others.
 TEST(SurfaceMesh, HeightsAreCutWhereTheyCross) {
-  constexpr std::size_t kIntervals = 40;
-  constexpr double kStep = 0.1, kTop = 2.503;
-  SurfaceMesh mesh = make_surface_mesh(heights("x^2+y^2", kIntervals));
+  constexpr double kTop = 2.503;
+  SurfaceMesh mesh = make_surface_mesh(heights("x^2+y^2", 40));
+  const Scene whole = scene_of(mesh);
   clip_heights(mesh, 0, kTop);
   const Scene scene = scene_of(mesh);
   const Counts counts = count(scene);
   EXPECT_EQ(counts.characteristic(), 1) << "a disc";
-  EXPECT_EQ(counts.many + counts.unlike, 0);
+  EXPECT_EQ(counts.many + counts.unlike, 0u);
+  std::vector<Point3> crossings;
+  for (const Edge& edge : build_topology(whole).edges) {
+    const Point3 a = whole.vertices[edge.v0], b = whole.vertices[edge.v1];
+    if ((a.z < kTop) != (b.z < kTop)) crossings.push_back(a + (b - a) * ((kTop - a.z) / (b.z - a.z)));
+  }
   const Topology topology = build_topology(scene);
   std::map<std::uint32_t, int> ends;
   double length = 0;
@@ -141,50 +163,17 @@ TEST(SurfaceMesh, HeightsAreCutWhereTheyCross) {
     const Edge& edge = topology.edges[e];
     if (edge.face1 != kNone) continue;
     EXPECT_FALSE(topology.edge_flags[e] & kEdgeCurve);
-    const Point3 a = scene.vertices[edge.v0], b = scene.vertices[edge.v1];
-    length += std::hypot(b.x - a.x, b.y - a.y);
-    for (const std::uint32_t v : {edge.v0, edge.v1}) {
-      ++ends[v];
-      const Point3 p = scene.vertices[v];
-      EXPECT_EQ(p.z, kTop) << "to the last bit";
-      // It lies on a row, a column or a diagonal, where the chord of the parabola crosses.
-      const auto off_grid = [&](double t) { return std::abs(t / kStep - std::round(t / kStep)); };
-      const double x = std::floor(p.x / kStep) * kStep, y = std::floor(p.y / kStep) * kStep;
-      const auto f = [](double s, double t) { return s * s + t * t; };
-      double chord = 0;
-      if (off_grid(p.x) < 1e-9) {
-        const double column = std::round(p.x / kStep) * kStep, s = (p.y - y) / kStep;
-        chord = (1 - s) * f(column, y) + s * f(column, y + kStep);
-      } else if (off_grid(p.y) < 1e-9) {
-        const double row = std::round(p.y / kStep) * kStep, s = (p.x - x) / kStep;
-        chord = (1 - s) * f(x, row) + s * f(x + kStep, row);
-      } else {
-        ASSERT_LT(off_grid(p.x + p.y), 1e-9);
-        const double s = (p.x - x) / kStep;
-        chord = (1 - s) * f(x, y + kStep) + s * f(x + kStep, y);
-      }
-      EXPECT_NEAR(chord, kTop, 1e-12);
-    }
+    length += glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]);
+    ++ends[edge.v0], ++ends[edge.v1];
   }
-  for (const auto& [v, n] : ends) EXPECT_EQ(n, 2) << "one closed line";
+  EXPECT_EQ(ends.size(), crossings.size());
+  for (const auto& [v, n] : ends) {
+    const Point3 p = scene.vertices[v];
+    EXPECT_EQ(n, 2) << "one closed line";
+    EXPECT_EQ(p.z, kTop) << "to the last bit";
+    EXPECT_TRUE(std::ranges::any_of(crossings, [&](const Point3& q) { return glm::distance(p, q) < 1e-12; }));
+  }
   EXPECT_NEAR(length, 2 * kPi * std::sqrt(kTop), 0.01);
-}
-
-TEST(SurfaceMesh, CutsThatMeetVertices) {
-  // z = x over x = -2 .. 2 in steps of 1: both planes run through rows of vertices.
-  SurfaceMesh mesh = make_surface_mesh(heights("x", 4));
-  clip_heights(mesh, -1, 1);
-  const Scene scene = scene_of(mesh);
-  EXPECT_EQ(scene.faces.size(), 16u);
-  EXPECT_EQ(scene.vertices.size(), 15u);
-  EXPECT_EQ(count(scene).curves, 3 * 4 + 5 * 2);
-  SurfaceMesh flat = make_surface_mesh(heights("1", 4));
-  clip_heights(flat, 1, 2);
-  EXPECT_EQ(flat.triangles.size(), 32u) << "what lies in the plane stays";
-  clip_heights(flat, 1.5, 2);
-  EXPECT_TRUE(flat.triangles.empty());
-  EXPECT_FALSE(height_range(std::span(&flat, 1)));
-  EXPECT_TRUE(scene_of(flat).objects.empty());
 }
 
 TEST(SurfaceMesh, CutsOfHeightsNearTheLimitOfNumbers) {
@@ -261,7 +250,7 @@ TEST(SurfaceMesh, ContoursCutTrianglesAlongTheirPlanes) {
     EXPECT_NEAR(area(scene), area(whole), 1e-12 * area(whole)) << formula;
     const Counts before = count(whole), counts = count(scene);
     EXPECT_EQ(counts.characteristic(), 1) << formula << ": neighbours have the same corners on their common edge";
-    EXPECT_EQ(counts.many + counts.unlike, 0) << formula;
+    EXPECT_EQ(counts.many + counts.unlike, 0u) << formula;
     EXPECT_GE(counts.borders, before.borders);
     const Topology topology = build_topology(scene);
     for (std::size_t e = 0; e < topology.edges.size(); ++e) {
@@ -275,23 +264,6 @@ TEST(SurfaceMesh, ContoursCutTrianglesAlongTheirPlanes) {
     }
     EXPECT_EQ(counts.faces == before.faces, std::string(formula) == "1" || std::string(formula) == "x+y");
   }
-}
-
-TEST(SurfaceMesh, ContoursThatMeetVertices) {
-  // The level runs along a row of samples: one line, since one of its sides is below; the flat top has a rim.
-  SurfaceMesh mesh = make_surface_mesh(heights("min(1,y)", 4));
-  cut_contours(mesh, std::vector<double>{1});
-  const Scene scene = scene_of(mesh);
-  EXPECT_EQ(scene.faces.size(), 32u) << "nothing to cut";
-  const Topology topology = build_topology(scene);
-  int along = 0;
-  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
-    if (!(topology.edge_flags[e] & kEdgeContour)) continue;
-    ++along;
-    EXPECT_EQ(scene.vertices[topology.edges[e].v0].y, 1);
-    EXPECT_EQ(scene.vertices[topology.edges[e].v1].y, 1);
-  }
-  EXPECT_EQ(along, 4);
 }
 
 std::vector<Point3> corner_positions(const Scene& scene) {
@@ -329,29 +301,6 @@ TEST(SurfacePoints, TooManySamplesAreRefused) {
   EXPECT_EQ(taken, kMostMeshSamples);
   EXPECT_EQ(error_line([&] { take_samples(taken, 2, 2, "c"); }),
             "c: 2 x 2 samples are too many for a mesh: all surfaces together may have 4000000");
-}
-
-TEST(HeightFilters, Logarithms) {
-  const auto source = log_heights(formula_heights("x", {-1, 0, 1, 100}, {0, 1}));
-  const auto z = height_test::heights_of(*source);
-  EXPECT_TRUE(std::isnan(z[0][0]) && std::isnan(z[0][1]));
-  EXPECT_EQ(z[1][2], 0);
-  EXPECT_EQ(z[1][3], 2);
-}
-
-TEST(HeightFilters, Windows) {
-  const auto window = [](AxisWindow x, AxisWindow y) {
-    return window_heights(formula_heights("x+10*y", evenly(0, 5, 5), evenly(0, 4, 4)), x, y, "g");
-  };
-  const auto part = window({0.5, 3}, {});
-  EXPECT_EQ(part->x(), (std::vector<double>{1, 2, 3}));
-  EXPECT_EQ(part->y().size(), 5u);
-  const auto corner = window({4, 9}, {2, 3});
-  EXPECT_EQ(height_test::heights_of(*corner), (std::vector<std::vector<double>>{{24, 25}, {34, 35}}));
-  EXPECT_EQ(error_line([&] {
-              window({7, 9}, {});
-            }),
-            "g: the window -x, -y holds 0 columns and 5 rows of the grid; two of each are needed");
 }
 
 }  // namespace

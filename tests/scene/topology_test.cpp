@@ -75,25 +75,20 @@ Scene random_mesh(std::uint32_t vertices, std::uint32_t faces) {
   return scene;
 }
 
-TEST(Topology, EdgesOfManyParts) { expect_edges(random_mesh(60'000, 150'000)); }
-
-TEST(Topology, EdgesWithFlagsOfManyParts) {
+TEST(Topology, EdgesOfManyParts) {
   Scene scene = random_mesh(60'000, 150'000);
+  expect_edges(scene);
   for (std::size_t k = 0; k < scene.faces.corners().size(); ++k)
     scene.corner_flags.push_back(static_cast<std::uint8_t>(k % 7 == 0 ? kCornerSharp : 0));
   expect_edges(scene);
 }
 
-TEST(Topology, EdgesOfPolygonsOfManyParts) {
-  Scene scene = random_mesh(60'000, 100'000);
-  for (std::uint32_t v = 0; v + 4 < 60'000; v += 3) scene.faces.add_face(std::array{v, v + 1, v + 4, v + 2});
-  expect_edges(scene);
-}
-
-TEST(Topology, AHubOfManyFaces) {
-  Scene scene = random_mesh(20'000, 20'000);
-  for (std::uint32_t v = 1; v + 1 < 20'000; ++v) scene.faces.add_triangle(v + 1, 0, v);
-  expect_edges(scene);
+TEST(Topology, EdgesOfPolygonsAndRoundAHubOfManyParts) {
+  Scene polygons = random_mesh(60'000, 100'000), hub = random_mesh(20'000, 20'000);
+  for (std::uint32_t v = 0; v + 4 < 60'000; v += 3) polygons.faces.add_face(std::array{v, v + 1, v + 4, v + 2});
+  expect_edges(polygons);
+  for (std::uint32_t v = 1; v + 1 < 20'000; ++v) hub.faces.add_triangle(v + 1, 0, v);
+  expect_edges(hub);
 }
 
 /// The number of edges that are marked, over all objects, along which surfaces pass through each other.
@@ -184,14 +179,12 @@ TEST(TrianglePairs, AreaIsTold) {
   EXPECT_FALSE(has_no_area({{{0, 0, 0}, {1, 2, 3}, {2, 4, 6.5}}}));
 }
 
-/// A torus of n by n quadrilaterals, each cut in two; its tube has the radius `tube`, the circle that it goes round is 1.
+/// The triangles of a torus whose tube goes round a circle of radius 1.
 struct Torus {
-  std::vector<Point3> vertices;
+  Scene scene;
   std::vector<Triangle> triangles;
 
-  Torus(std::uint32_t n, double tube) {
-    const Scene scene = test::torus(1, tube, n, n, 0.5);
-    vertices = scene.vertices;
+  Torus(std::uint32_t n, double tube) : scene(test::torus(1, tube, n, n, 0.5)) {
     for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
       const auto corners = scene.faces.contour(f, 0);
       triangles.push_back({{corners[0], corners[1], corners[2]}, f});
@@ -203,7 +196,7 @@ TEST(SelfContact, ATorusPenetratesItselfWhenItsTubeIsTooThick) {
   for (const double tube : {0.2, 0.9, 0.99, 1.02, 1.5}) {
     const Torus torus(24, tube);
     const std::vector<std::uint32_t> one(torus.triangles.size(), 0);
-    EXPECT_EQ(find_self_contacts(torus.vertices, torus.triangles, one, 1), (std::vector<std::uint8_t>{tube > 1}));
+    EXPECT_EQ(find_self_contacts(torus.scene.vertices, torus.triangles, one, 1), (std::vector<std::uint8_t>{tube > 1}));
   }
 }
 
@@ -217,11 +210,11 @@ TEST(SelfContact, SurfacesAreHeldAgainstThemselvesOnly) {
   }
   std::vector<std::uint32_t> surface(2 * half, 0);
   std::fill(surface.begin() + half, surface.end(), 1);
-  EXPECT_EQ(find_self_contacts(torus.vertices, twice, surface, 2), (std::vector<std::uint8_t>{0, 0}));
+  EXPECT_EQ(find_self_contacts(torus.scene.vertices, twice, surface, 2), (std::vector<std::uint8_t>{0, 0}));
   std::fill(surface.begin(), surface.begin() + half, kNone);
-  EXPECT_EQ(find_self_contacts(torus.vertices, twice, surface, 2), (std::vector<std::uint8_t>{0, 0}));
+  EXPECT_EQ(find_self_contacts(torus.scene.vertices, twice, surface, 2), (std::vector<std::uint8_t>{0, 0}));
   std::fill(surface.begin(), surface.end(), 1);
-  EXPECT_EQ(find_self_contacts(torus.vertices, twice, surface, 2), (std::vector<std::uint8_t>{0, 1}));
+  EXPECT_EQ(find_self_contacts(torus.scene.vertices, twice, surface, 2), (std::vector<std::uint8_t>{0, 1}));
 }
 
 /// A torus of n x n quadrilaterals, some of them cut into two triangles: every edge has two faces.
