@@ -33,26 +33,6 @@ TEST(SvgAreas, PolygonsOfSharedCornersAgreeWithAPicture) { expect_right(polygons
 
 TEST(SvgAreas, ScribblesAgreeWithAPicture) { expect_right(scribbles, 4, 1'000); }
 
-double length_of_borders(const std::string& body) {
-  double length = 0;
-  for (const Layer& layer :
-       read_svg_drawing(page(body), "a.svg", {}, {FillReading::How::outline, 0.35, true}).drawing.layers)
-    length += length_of(layer.lines);
-  return length;
-}
-
-TEST(SvgAreas, BordersOfOneAreaAreDrawnOnce) {
-  const std::string clip = "<clipPath id='c'><path d='M0 30H30V60H0z'/></clipPath>", clipped = "clip-path='url(#c)' ";
-  const auto path = [](const std::string& attributes) { return "<path stroke='none' fill='blue' " + attributes + "/>"; };
-  EXPECT_NEAR(length_of_borders(path("d='M10 10H30V30H10zM10 10H30V20H10z'")), 80, 1e-3) << "contours run along each other";
-  EXPECT_NEAR(length_of_borders(clip + path(clipped + "d='M10 10H50V30H10zM10 10H40V50H10z'")), 80, 1e-3)
-      << "an inner edge lies on the clip path";
-  EXPECT_NEAR(length_of_borders(clip + path(clipped + "fill-rule='evenodd' d='M20 0H50V50H20zM10 20H20V40H10z'")), 80, 1e-3)
-      << "a clip path cuts the edge between two parts";
-  const std::string both = "<g clip-path='url(#c)'>" + path(clipped + "d='M10 10H50V50H10z'") + "</g>";
-  EXPECT_NEAR(length_of_borders(clip + both), 80, 1e-3) << "two clip paths have the edge";
-}
-
 /// Edges on one line, a thousand areas in one place, and corners in one point take no time that grows with their square.
 TEST(SvgAreas, CrowdsInOnePlaceAreRight) {
   std::string body = "<line y1='50' x2='100' y2='50'/>", star = "M";
@@ -70,9 +50,6 @@ TEST(SvgAreas, CrowdsInOnePlaceAreRight) {
 // Hiding by clip paths, masks and filled areas of an SVG drawing.
 
 TEST(SvgReader, ClipPathsOfAnyShape) {
-  const ReadDrawing round = read(
-      "<clipPath id='c'><circle cx='50' cy='50' r='30'/></clipPath><g clip-path='url(#c)'><path d='M0 50H100M50 0V100M0 0L100 100'/></g>");
-  for (const Point2 p : round.drawing.layers.at(0).lines.points) EXPECT_NEAR(glm::distance(p, Point2(50, 50)), 30, 0.006);
   // A hundred thousand random segments: what is kept is inside, what is not is outside, and nothing is lost at corners.
   std::string star = "M", crowd;
   std::vector<Point2> corners;
@@ -90,28 +67,6 @@ TEST(SvgReader, ClipPathsOfAnyShape) {
   for (std::size_t i = 0; i < 10; ++i)
     area += (corners[i].x * corners[(i + 1) % 10].y - corners[i].y * corners[(i + 1) % 10].x) / 2;
   EXPECT_NEAR(length, area, 0.01 * area) << "stripes one millimetre apart";
-}
-
-TEST(SvgReader, AreasHideOnlyTheirLayerWhenAsked) {
-  const auto layer = [](const char* name, const char* body) {
-    return std::string("<g inkscape:groupmode='layer' inkscape:label='") + name + "'>" + body + "</g>";
-  };
-  const std::string body = page(layer("a",
-                                      "<line y1='20' x2='100' y2='20'/>"
-                                      "<rect x='10' y='10' width='20' height='20' fill='red' stroke='none'/>") +
-                                layer("b", "<rect x='50' y='10' width='20' height='20' fill='white' stroke='none'/>"));
-  const ReadDrawing across = read_svg_drawing(body, "a.svg", {}, {FillReading::How::outline, 0.35, true}),
-                    within = read_svg_drawing(body, "a.svg", {}, {FillReading::How::outline, 0.35, true, true});
-  EXPECT_EQ(lines_of(across).count("3000,2000 5000,2000 "), 1u);
-  EXPECT_EQ(lines_of(within).count("0,2000 1000,2000 "), 1u);
-  EXPECT_EQ(lines_of(within).count("3000,2000 10000,2000 "), 1u) << "what another layer holds is not hidden";
-}
-
-TEST(SvgReader, OpaqueAreasHideTexts) {
-  const std::string body =
-      page("<text x='60' y='25' font-size='20'>I</text><circle cx='62.003' cy='20' r='12' fill='blue'/>");
-  EXPECT_TRUE(box_of(read_svg_drawing(body, "a.svg", {}, {FillReading::How::outline, 0.35, true}), "text").empty());
-  EXPECT_FALSE(box_of(read_svg_drawing(body, "a.svg", {}), "text").empty());
 }
 
 /// Discs at random places: what is left of each rim is what no later disc covers, by their distances.
@@ -149,51 +104,7 @@ TEST(SvgReader, HiddenPartsAreExact) {
   }
 }
 
-TEST(SvgReader, TextShowsThroughClipPathsInPart) {
-  const std::string text = "<text x='10' y='20' font-size='10' clip-path='url(#c)'>HHHH</text>";
-  EXPECT_NEAR(text_box("<clipPath id='c'><rect width='100' height='100'/></clipPath>" + text).max.y, 20, 1e-9);
-  const Rect half = text_box("<clipPath id='c'><rect width='100' height='16'/></clipPath>" + text);
-  EXPECT_NEAR(half.max.y, 16, 1e-9);
-  EXPECT_LT(half.min.y, 16);
-}
-
 /// Drawings as files: of other programs, hostile ones, our own, and in JSON.
-
-TEST(SvgReader, GradientsAreSimplified) {
-  EXPECT_EQ(
-      read("<defs><linearGradient id='a'><stop stop-color='white'/><stop style='stop-color:#00ff00'/></linearGradient>"
-           "<linearGradient id='b' href='#a'/></defs><line x2='5' stroke='url(#b)'/><line x2='6' stroke='url(#none) red'/>")
-          .simplified_paints,
-      1u);
-}
-
-Lines lines_without_text(ReadDrawing drawing) {
-  std::erase_if(drawing.drawing.layers, [](const Layer& layer) { return layer.name == "text"; });
-  return lines_of(drawing);
-}
-
-ReadDrawing read_file(const char* name) {
-  return read_svg_drawing(bytes_of_file(std::string(LIGNE_SOURCE_DIR "/tests/plotting/drawings/") + name), name, {});
-}
-
-/// In the manner of other programs: a point is 25.4 / 72 mm, a pixel 25.4 / 96.
-TEST(SvgReader, DrawingsOfOtherPrograms) {
-  const ReadDrawing matplotlib = read_file("matplotlib.svg");
-  EXPECT_NEAR(matplotlib.page.width_mm, 50.8, 1e-9);
-  EXPECT_EQ(lines_without_text(matplotlib),
-            (Lines{"1270,1270 2117,423 ", "3810,423 4657,1270 ", "1270,2117 1270,2240 ", "1270,2117 1270,423 "}));
-  EXPECT_GE(box_of(matplotlib, "text").height(), 10 * 25.4 / 72 * 0.729 - 0.001);
-  const ReadDrawing gnuplot = read_file("gnuplot.svg");
-  EXPECT_NEAR(gnuplot.page.width_mm, 50.8, 1e-9);
-  EXPECT_EQ(lines_without_text(gnuplot),
-            (Lines{"1270,1905 1508,1905 ", "3810,1905 3572,1905 ", "1270,635 2540,1270 3810,635 ", "2421,635 2659,635 ",
-                   "2540,516 2540,754 "}));
-  ASSERT_EQ(gnuplot.drawing.layers.size(), 4u);
-  EXPECT_EQ(gnuplot.drawing.layers[3].name, "#009e73") << "the colour of the use";
-  const ReadDrawing svglite = read_file("svglite.svg");
-  EXPECT_EQ(lines_without_text(svglite), (Lines{"1270,2117 3810,2117 ", "1270,1270 2540,1270 2540,2117 "}));
-  EXPECT_EQ(svglite.drawing.layers.at(1).name, "#df536b");
-}
 
 TEST(SvgReader, BombsDoNoHarm) {
   const auto start = std::chrono::steady_clock::now();

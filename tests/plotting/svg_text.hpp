@@ -27,8 +27,6 @@ inline std::vector<Point2> line_of(const std::string& body) {
   return {line.begin(), line.end()};
 }
 
-inline double length_of(const std::string& body) { return length_of(read(body).drawing.layers.at(0).lines); }
-
 /// The error with which strict reading refuses an SVG.
 inline std::string error_of(const std::string& svg) {
   const std::string error = failure_of([&] { read_svg_drawing(svg, "a.svg", {}, {}, {.strict = true}); });
@@ -46,7 +44,6 @@ inline Rect box_of(const ReadDrawing& drawing, const std::string& layer) {
   }
   return box;
 }
-inline Rect text_box(const std::string& body) { return box_of(read(body), "text"); }
 
 /// All lines of all layers, as texts of whole hundredths, sorted.
 inline std::multiset<std::string> lines_of(const ReadDrawing& drawing) {
