@@ -5,6 +5,7 @@
 ///     drawn ARGUMENTS       ligne draw ARGUMENTS -o - --format json, without a word on standard error
 ///     surfaced ARGUMENTS    the same for ligne surface
 ///     layered ARGUMENTS     ligne surface ARGUMENTS -o - --format svg: lengths of its layers in mm
+///     piped FILE COMMAND    one of these, with the file as standard input, through a pipe
 ///     file NAME = TEXT      writes a file; also file NAME <<
 ///     model NAME = LINE     writes an OBJ of a line of mesh_text.hpp, or of several: model NAME <<
 ///     copy FROM TO; link TO NAME; hard-link TO NAME; folder NAME; pipe NAME
@@ -78,8 +79,11 @@ class CommandScript : public SurfaceProgramTest {
         write(name, obj_of_mesh(std::string(rest)));
       else
         write(name, obj_of_mesh(step.text));
+    } else if (verb == "piped") {
+      const std::string input = contents(file(take_word(rest)));
+      run_command(step, std::string(rest), &input);
     } else if (!made_file(verb, words_of(rest))) {
-      run_command(step, verb, std::string(rest));
+      run_command(step, step.line);
     }
   }
 
@@ -101,9 +105,10 @@ class CommandScript : public SurfaceProgramTest {
     return files;
   }
 
-  void run_command(const ScriptStep& step, const std::string& verb, const std::string& rest) {
+  void run_command(const ScriptStep& step, const std::string& line, const std::string* piped = nullptr) {
     std::vector<std::string> words;
-    for (const std::string& word : words_of(with_source(step.line))) words.push_back(unescaped(word));
+    for (const std::string& word : words_of(with_source(line))) words.push_back(unescaped(word));
+    const std::string verb = words.at(0);
     const bool is_json = verb == "drawn" || verb == "surfaced", is_layered = verb == "layered";
     if (is_json || is_layered) {
       words.front() = verb == "drawn" ? "draw" : "surface";
@@ -113,7 +118,7 @@ class CommandScript : public SurfaceProgramTest {
     for (const std::string& check : step.checks)
       if (check.starts_with("exit ")) status = std::stoi(check.substr(5));
     const auto before = status == kDone ? std::map<std::string, std::string>() : all_files();
-    outcome_ = run(words);
+    outcome_ = run_ligne(folder_, words, piped);
     ASSERT_EQ(outcome_.status, status) << outcome_.err;
     drawing_ = is_json ? json::parse(outcome_.out) : json();
     layers_.clear();
@@ -125,7 +130,7 @@ class CommandScript : public SurfaceProgramTest {
       EXPECT_EQ(outcome_.out, "");
       EXPECT_EQ(outcome_.error_lines(), 1u) << outcome_.err;
       EXPECT_TRUE(outcome_.err.starts_with("ligne: ")) << outcome_.err;
-      EXPECT_EQ(all_files(), before) << rest;
+      EXPECT_EQ(all_files(), before) << line;
     }
     for (const std::string& check : step.checks) {
       SCOPED_TRACE(check);

@@ -1,10 +1,6 @@
 /// Every option of `ligne draw`, by what it changes.
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include "draw_program.hpp"
-#include "support/pdf_info.hpp"
 
 namespace ligne::test {
 namespace {
@@ -62,39 +58,6 @@ TEST_F(DrawTest, EveryMethodByName) {
   }
 }
 
-TEST_F(DrawTest, StatsToErrorAndFile) {
-  const Outcome outcome = run_well("draw cube.obj -o out.svg --stats --stats-json stats.json");
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err.rfind("method ", 0), 0u) << outcome.err;
-  const json stats = json::parse(contents(file("stats.json")));
-  EXPECT_EQ(stats["format"], "ligne-stats");
-  EXPECT_FALSE(stats["counts"].empty());
-  std::set<std::string> stages;
-  for (const auto& [name, seconds] : stats["stages"].items()) {
-    stages.insert(name);
-    EXPECT_GE(seconds.get<double>(), 0);
-    expect_parts(outcome.err, {"  " + name + " "});
-  }
-  EXPECT_EQ(stages, (std::set<std::string>{"read", "topology", "project", "study", "drawing", "write", "output"}));
-  for (const auto& [name, seconds] : stats["processor_seconds"].items()) {
-    EXPECT_EQ(stages.erase(name), 1u) << name;
-    EXPECT_GE(seconds.get<double>(), 0);
-  }
-  EXPECT_TRUE(stages.empty());
-}
-
-TEST_F(DrawTest, OnlyDrawnPartsAreSubdivided) {
-  std::string text = "o small\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\no large\n";
-  for (int i = 0; i < 2000; ++i) text += "f 1 2 3 4\n";
-  write("parts.obj", text);
-  constexpr int kPiecesOfASide = 1 << 7;
-  EXPECT_EQ(strokes_by_class(drawn("parts.obj --subdivide catmull-clark:7 --only small"))["border"], 4 * kPiecesOfASide);
-  const Outcome outcome = run("draw parts.obj --subdivide catmull-clark:7 -o x.svg");
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_EQ(outcome.err.rfind("ligne: parts.obj: 7 levels of subdivision would make 65568768 triangles of it", 0), 0u)
-      << outcome.err;
-}
-
 TEST_F(DrawTest, SpansInJson) {
   const json cube = drawn("cube.obj --method watkins --lines 100 --landscape");
   const json& spans = cube["spans"];
@@ -122,21 +85,9 @@ double matrix(const json& drawing, int row, int column) {
   return drawing["view"]["matrix"][static_cast<std::size_t>(4 * row + column)].get<double>();
 }
 
-class FramesTest : public DrawTest {
- protected:
-  json frame(const std::string& name) const { return json::parse(contents(file(name))); }
-};
-
-TEST_F(FramesTest, ArePagesOfOnePdf) {
-  run_well("draw cube.obj --frames 5 -o f.pdf");
-  const std::string pdf = contents(file("f.pdf"));
-  EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
-  if (!pdf_info_is_there()) GTEST_SKIP() << "pdfinfo (poppler-utils) is not here";
-  EXPECT_NE(pdf_info(pdf).find("Pages:           5\n"), std::string::npos);
-}
-
 /// The cube has the same sides after a quarter of a turn; in between it is wider, and has the same scale.
-TEST_F(FramesTest, TurnTheModelAtOneScale) {
+TEST_F(DrawTest, FramesTurnTheModelAtOneScale) {
+  const auto frame = [&](const std::string& name) { return json::parse(contents(file(name))); };
   run_well("draw cube.obj --view front --frames 8 --edges all -o f%d.json");
   const json first = frame("f1.json");
   for (int i = 2; i <= 8; ++i) {
@@ -154,44 +105,7 @@ TEST_F(FramesTest, TurnTheModelAtOneScale) {
   }
 }
 
-// Standard input as a model. More mistakes of newcomers: scripts/mistakes.txt.
-
-class MistakesOfNewcomers : public DrawTest {
- protected:
-  /// Standard input is what stands in a file, through a pipe.
-  Outcome run_with_input(const std::string& bytes, const Words& arguments) const {
-    int ends[2];
-    EXPECT_EQ(pipe2(ends, O_CLOEXEC), 0);
-    EXPECT_EQ(write_all(ends[1], bytes), bytes.size());
-    close(ends[1]);
-    const int before = dup(STDIN_FILENO);
-    dup2(ends[0], STDIN_FILENO);
-    close(ends[0]);
-    const Outcome outcome = run(arguments);
-    dup2(before, STDIN_FILENO);
-    close(before);
-    return outcome;
-  }
-
- private:
-  static std::size_t write_all(int descriptor, const std::string& bytes) {
-    return static_cast<std::size_t>(::write(descriptor, bytes.data(), bytes.size()));
-  }
-};
-
-TEST_F(MistakesOfNewcomers, StandardInputIsAModel) {
-  const std::string expected = contents(file("cube.obj"));
-  const Outcome named = run("draw cube.obj -o - --format json");
-  const Outcome piped = run_with_input(expected, "draw - -o - --format json");
-  EXPECT_EQ(piped.status, kDone) << piped.err;
-  EXPECT_EQ(json::parse(piped.out)["strokes"].size(), json::parse(named.out)["strokes"].size());
-  const Outcome info = run_with_input(expected, "info -");
-  EXPECT_EQ(info.out.substr(0, 15), "standard input\n") << info.err;
-  EXPECT_EQ(run_with_input("", "draw - -o a.svg").err, "ligne: standard input: is empty\n");
-  EXPECT_EQ(run_with_input("v 0 0 0\nf 1 2 9\n", "draw - -o a.svg").err.rfind("ligne: standard input:2: ", 0), 0u);
-}
-
-using nlohmann::json;
+// What is said of all methods.
 
 TEST_F(ProgramTest, InfoTextNamesEveryMethod) {
   const json methods = json::parse(run("methods --json").out);

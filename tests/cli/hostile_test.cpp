@@ -6,6 +6,7 @@
 #include "picture/models/compiled_model.hpp"
 #include "picture/raster/zbuffer_picture.hpp"
 #include "program.hpp"
+#include "support/mesh_text.hpp"
 
 namespace ligne::test {
 namespace {
@@ -90,24 +91,8 @@ constexpr bool kOwnAllocator = __has_feature(address_sanitizer);
 constexpr bool kOwnAllocator = false;
 #endif
 
-/// A wavy sheet of 2 n^2 triangles.
-std::string sheet(int n) {
-  std::string text;
-  for (int j = 0; j <= n; ++j) {
-    for (int i = 0; i <= n; ++i)
-      text += "v " + std::to_string(i) + " " +
-              std::to_string(std::lround(300 * std::sin(i * 0.2) * std::cos(j * 0.3)) / 100.0) + " " + std::to_string(j) +
-              "\n";
-  }
-  const auto corner = [n](int i, int j) { return " " + std::to_string(1 + i + j * (n + 1)); };
-  for (int j = 0; j < n; ++j) {
-    for (int i = 0; i < n; ++i) {
-      text += "f" + corner(i, j) + corner(i + 1, j) + corner(i + 1, j + 1) + "\n";
-      text += "f" + corner(i, j) + corner(i + 1, j + 1) + corner(i, j + 1) + "\n";
-    }
-  }
-  return text;
-}
+/// A wavy sheet of 5000 triangles.
+std::string sheet() { return obj_of_mesh("grid 50 x 50 triangles: u; 3*sin(u*0.2)*cos(v*0.3); v"); }
 
 /// A command that has memory for nothing at first and for everything in the end.
 struct Hungry {
@@ -123,7 +108,7 @@ class LittleMemory : public ProgramTest, public testing::WithParamInterface<Hung
 
 TEST_P(LittleMemory, IsEnoughOrIsOneLineWithoutAFile) {
   if (kOwnAllocator) GTEST_SKIP();
-  write("sheet.obj", sheet(50));
+  write("sheet.obj", sheet());
   ASSERT_EQ(run_program(folder_, "draw sheet.obj --edges all -o sheet.svg").status, kDone);
   const std::vector<std::string> before = new_files();
   int done = 0, failed = 0;
@@ -184,7 +169,7 @@ TEST_F(Memory, ErrorNamesTheStageWhatAsksAndWhatHelps) {
 /// Cairo ends in a wrong address when its scan conversion finds no memory.
 TEST_F(Memory, PixelsWithoutRoomToPaintThemAreRefused) {
   if (kOwnAllocator) GTEST_SKIP();
-  write("sheet.obj", sheet(50));
+  write("sheet.obj", sheet());
   ASSERT_EQ(run_program(folder_, "draw sheet.obj -o sheet.svg").status, kDone);
   constexpr int kPixels = 8500, kEnough = 16'000;  // kilobytes
   for (int kilobytes = kPixels; kilobytes < kEnough; kilobytes += runs_all() ? 250 : 750) {
@@ -198,7 +183,7 @@ TEST_F(Memory, PixelsWithoutRoomToPaintThemAreRefused) {
 
 TEST_F(Memory, FailureKeepsTheEarlierDrawing) {
   if (kOwnAllocator) GTEST_SKIP();
-  write("sheet.obj", sheet(50));
+  write("sheet.obj", sheet());
   write("a.svg", "earlier");
   EXPECT_EQ(run_program(folder_, "draw sheet.obj -o a.svg --max-memory 600K").status, kFailed);
   EXPECT_EQ(contents(file("a.svg")), "earlier");

@@ -21,6 +21,19 @@ std::string classes(LineClasses classes) {
 std::string point(const Point3& p) { return test::as_text(p.x, p.y, p.z); }
 std::string format(OutputFormat f) { return std::string(kOutputFormatNames[static_cast<std::size_t>(f)]); }
 
+/// "FILE TEXT; FILE TEXT", below a folder in the place of "/": the memory that control groups leave the process.
+std::string memory_of_groups(const std::string& files) {
+  const test::TemporaryFolder root;
+  for (const std::string& file : test::parts_of(files, ';')) {
+    std::string_view text = file;
+    const std::string name = test::take_word(text);
+    std::filesystem::create_directories((root / name).parent_path());
+    root.write(name, std::string(text) + '\n');
+  }
+  const auto bytes = group_memory(root);
+  return bytes ? std::to_string(*bytes) : "all";
+}
+
 /// The functions of values/options.txt.
 const test::TextFunctions kFunctions{
     {"number", [](auto& t) { return test::as_text(parse_number(t)); }},
@@ -42,6 +55,7 @@ const test::TextFunctions kFunctions{
        return test::as_text(size.page.width_mm, size.page.height_mm) + (size.explicit_size ? " as it is" : " may turn");
      }},
     {"memory", [](auto& t) { return test::as_text(parse_memory(t).bytes); }},
+    {"control-groups", memory_of_groups},
     {"bytes", [](auto& t) { return bytes_text(std::stod(t)); }},
     {"shortest", [](auto& t) { return shortest(std::stod(t)); }},
     {"rounded-3", [](auto& t) { return rounded(std::stod(t), 3); }},
@@ -114,44 +128,6 @@ TEST(Stages, AreTimedAndToldInOrder) {
   const std::string json = report_json(report);
   test::expect_parts(json, {"\"format\": \"ligne-stats\"", "\"edges\": 12"});
   EXPECT_LT(json.find("\"read\""), json.find("\"write\""));
-}
-
-/// A folder in the place of "/".
-class ControlGroups : public testing::Test {
- protected:
-  void write(const std::string& name, const std::string& text) const {
-    std::filesystem::create_directories((root_ / name).parent_path());
-    root_.write(name, text + '\n');
-  }
-  test::TemporaryFolder root_;
-};
-
-TEST_F(ControlGroups, AbsentOnesLimitNothing) { EXPECT_EQ(group_memory(root_), std::nullopt); }
-
-TEST_F(ControlGroups, OfVersion2CountWithThoseThatTheyArePartOf) {
-  write("proc/self/cgroup", "0::/user.slice/work.scope");
-  write("sys/fs/cgroup/user.slice/work.scope/memory.max", "max");
-  EXPECT_EQ(group_memory(root_), std::nullopt);
-  write("sys/fs/cgroup/user.slice/memory.max", "300000");
-  EXPECT_EQ(group_memory(root_), 300000u);
-  write("sys/fs/cgroup/user.slice/work.scope/memory.max", "200000");
-  EXPECT_EQ(group_memory(root_), 200000u);
-  write("sys/fs/cgroup/memory.max", "100000");
-  EXPECT_EQ(group_memory(root_), 100000u);
-}
-
-TEST_F(ControlGroups, OfVersion1AreThoseOfTheMemoryController) {
-  write("proc/self/cgroup", "5:cpu,cpuacct:/a\n4:hugetlb,memory:/b/c\n0::/");
-  write("sys/fs/cgroup/memory/b/memory.limit_in_bytes", "400000");
-  write("sys/fs/cgroup/memory/a/memory.limit_in_bytes", "1");
-  write("sys/fs/cgroup/memory/memory.limit_in_bytes", "9223372036854771712");
-  EXPECT_EQ(group_memory(root_), 400000u);
-}
-
-TEST_F(ControlGroups, OfAContainerMayHaveANameThatIsNotSeenInside) {
-  write("proc/self/cgroup", "0::/../../outside");
-  write("sys/fs/cgroup/memory.max", "500000");
-  EXPECT_EQ(group_memory(root_), 500000u);
 }
 
 TEST(MemoryOfTheMachine, IsKnown) {

@@ -49,25 +49,6 @@ TEST_F(PlotTest, CurvesWhereThePenArrives) {
   EXPECT_LT(written("plain.svg", "plot round.svg --curves on").size() * 2, written("plain-l.svg", "plot round.svg").size());
 }
 
-TEST_F(PlotTest, WhatIsResumedIsTheEndOfTheWhole) {
-  write(
-      "a.svg",
-      "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60' fill='none' stroke='black'>\n"
-      "<path d='M10 10H50'/><path d='M10 20H50'/><path d='M10 30H50' stroke='red'/><path d='M10 40H50' stroke='red'/></svg>");
-  const auto made = [&](const Words& arguments) { run_well("plot" + arguments); };
-  made("a.svg -o whole.gcode");
-  made("a.svg --from-stroke 3 -o rest.gcode");
-  const std::string whole = contents(file("whole.gcode")), rest = contents(file("rest.gcode"));
-  EXPECT_EQ(count_of(rest, "M3 S90"), 2u);
-  const std::string strokes = rest.substr(rest.find("G0 X"));
-  EXPECT_TRUE(whole.ends_with(strokes));
-  // The first stroke takes 22 mm of way, a lift and 40 mm of line: 1.5 s; the second is drawn at that time.
-  made("a.svg --from-time 2s -o rest.gcode");
-  EXPECT_EQ(count_of(contents(file("rest.gcode")), "M3 S90"), 3u);
-  expect_error("plot a.svg --from-time soon -o a.gcode", kUsage,
-               "ligne: --from-time: \"soon\" is not a time such as 90s, 30min, 2h or 12:30\n");
-}
-
 TEST_F(PlotTest, BrokenStoredOrdersAreRefused) {
   ASSERT_NE(written("stored.json", {"draw", LIGNE_SOURCE_DIR "/tests/corpus/bricks.json", "--method", "newell", "-q"}), "");
   const auto refused = [&](const Words& arguments, const std::string& part) {

@@ -88,7 +88,7 @@ std::vector<char*> argument_list(const Words& arguments) {
   return argv;
 }
 
-/// While it lives, another descriptor stands in the place of standard output or standard error.
+/// While it lives, another descriptor stands in the place of one of the standard ones.
 class Redirection {
  public:
   Redirection(int place, int by) : place_(place), before_(fcntl(place, F_DUPFD_CLOEXEC, 3)) { dup2(by, place); }
@@ -128,7 +128,7 @@ Words& Words::operator+=(const Words& more) {
   return *this;
 }
 
-Outcome run_ligne(const std::filesystem::path& folder, const Words& arguments) {
+Outcome run_ligne(const std::filesystem::path& folder, const Words& arguments, const std::string* piped) {
   const NamelessFile out("out"), err("err");
   search_beside_program();
   std::vector<char*> argv = argument_list(arguments);
@@ -138,6 +138,13 @@ Outcome run_ligne(const std::filesystem::path& folder, const Words& arguments) {
   std::filesystem::current_path(folder);
   {
     const Redirection output(STDOUT_FILENO, out.descriptor()), errors(STDERR_FILENO, err.descriptor());
+    std::optional<Redirection> input;
+    if (int ends[2]; piped && pipe2(ends, O_CLOEXEC) == 0) {
+      EXPECT_EQ(::write(ends[1], piped->data(), piped->size()), static_cast<ssize_t>(piped->size()));
+      close(ends[1]);
+      input.emplace(STDIN_FILENO, ends[0]);
+      close(ends[0]);
+    }
     outcome.status = run_command_line(static_cast<int>(argv.size()) - 1, argv.data());
     flush_all();
   }
@@ -196,13 +203,6 @@ void ProgramTest::expect_outcome(const Words& arguments, int status, std::initia
   const Outcome outcome = run(arguments);
   EXPECT_EQ(outcome.status, status) << outcome.err;
   expect_parts(outcome.err, parts);
-}
-
-void ProgramTest::expect_error(const Words& arguments, int status, const std::string& error) const {
-  SCOPED_TRACE(testing::PrintToString(arguments));
-  const Outcome outcome = run(arguments);
-  EXPECT_EQ(outcome.status, status) << outcome.err;
-  EXPECT_EQ(outcome.err, error);
 }
 
 void ProgramTest::write(const std::string& name, std::string_view text) const {

@@ -30,8 +30,9 @@ inline constexpr double kMicrometre = 1e-3;               ///< in mm
 /// How often `part` occurs in `text`.
 std::size_t count_of(const std::string& text, const std::string& part);
 
-/// Runs the command with these arguments in this process; the folder is its current one.
-Outcome run_ligne(const std::filesystem::path& folder, const Words& arguments);
+/// Runs the command with these arguments in this process; the folder is its current one. A text that is given comes through
+/// a pipe as standard input.
+Outcome run_ligne(const std::filesystem::path& folder, const Words& arguments, const std::string* piped = nullptr);
 
 /// Runs the built program. Standard output goes to the descriptor `out_fd`, which is closed, or else into the outcome.
 Outcome run_program(const std::filesystem::path& folder, const Words& arguments, int out_fd = -1);
@@ -49,9 +50,8 @@ class ProgramTest : public testing::Test {
   Outcome run(const Words& arguments) const { return run_ligne(folder_, arguments); }
   /// Runs, and expects that it is done.
   Outcome run_well(const Words& arguments) const;
-  /// Runs, and looks at the status and at parts of what stands on standard error; or at all of that.
+  /// Runs, and looks at the status and at parts of what stands on standard error.
   void expect_outcome(const Words& arguments, int status, std::initializer_list<std::string_view> parts) const;
-  void expect_error(const Words& arguments, int status, const std::string& error) const;
   void write(const std::string& name, std::string_view text) const;
   std::filesystem::path file(const std::string& name) const { return folder_ / name; }
   bool exists(const std::string& name) const { return std::filesystem::exists(file(name)); }

@@ -2,84 +2,56 @@
 
 #include "draw_program.hpp"
 #include "main/tier.hpp"
+#include "support/mesh_text.hpp"
 
 namespace ligne::test {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "files are written as numbers lie in memory");
 
-using Corner = std::array<double, 3>;
-
-struct Mesh {
-  std::vector<Corner> vertices;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-};
-
-/// A grid of around x along quadrilaterals; `closed_u`, `closed_v`: its sides are joined.
-Mesh grid(std::uint32_t around, std::uint32_t along, bool closed_u, bool closed_v,
-          const std::function<Corner(double, double)>& place) {
-  Mesh mesh;
-  const std::uint32_t columns = closed_u ? around : around + 1, rows = closed_v ? along : along + 1;
-  for (std::uint32_t j = 0; j < rows; ++j)
-    for (std::uint32_t i = 0; i < columns; ++i) mesh.vertices.push_back(place(double(i) / around, double(j) / along));
-  for (std::uint32_t j = 0; j < along; ++j) {
-    for (std::uint32_t i = 0; i < around; ++i) {
-      const std::uint32_t i1 = (i + 1) % columns, j1 = (j + 1) % rows;
-      const std::uint32_t a = j * columns + i, b = j * columns + i1, c = j1 * columns + i1, d = j1 * columns + i;
-      mesh.triangles.push_back({a, b, c});
-      mesh.triangles.push_back({a, c, d});
-    }
-  }
-  return mesh;
-}
-
 /// The fewest faces of a model that is streamed.
 constexpr std::uint32_t kFewest = 131'072;
 
-Mesh bumpy_torus(std::uint32_t around, std::uint32_t along, Corner middle = {0, 0, 0}, double tilt = 0) {
-  constexpr double kTurn = 2 * 3.14159265358979323846;
-  return grid(around, along, true, true, [=](double u, double v) {
-    const double tube = 2 + 0.2 * std::sin(9 * kTurn * u) * std::sin(5 * kTurn * v), ring = 5 + tube * std::cos(kTurn * v);
-    const double x = ring * std::cos(kTurn * u), y = ring * std::sin(kTurn * u), z = tube * std::sin(kTurn * v);
-    return Corner{x + middle[0], y * std::cos(tilt) - z * std::sin(tilt) + middle[1],
-                  y * std::sin(tilt) + z * std::cos(tilt) + middle[2]};
-  });
+/// Objects in the words of mesh_text.hpp.
+std::string torus(int around, int along) {
+  const std::string u = "(2*pi*u/" + std::to_string(around) + ")", v = "(2*pi*v/" + std::to_string(along) + ")";
+  const std::string tube = "(2+0.2*sin(9*" + u + ")*sin(5*" + v + "))", ring = "(5+" + tube + "*cos" + v + ")";
+  return "object\ngrid " + std::to_string(around) + " x " + std::to_string(along) + " triangles round ring: " + ring +
+         "*cos" + u + "; " + ring + "*sin" + u + "; " + tube + "*sin" + v + "\n";
 }
-
-Mesh ball(std::uint32_t around, double radius, Corner middle) {
-  constexpr double kTurn = 2 * 3.14159265358979323846;
-  return grid(around, around / 2, true, false, [=](double u, double v) {
-    const double s = std::sin(kTurn * v / 2);
-    return Corner{middle[0] + radius * s * std::cos(kTurn * u), middle[1] + radius * s * std::sin(kTurn * u),
-                  middle[2] - radius * std::cos(kTurn * v / 2)};
-  });
+std::string wall(int cells, int size, int y) {
+  const std::string n = std::to_string(cells), x = std::to_string(size) + "*(u/" + n + "-0.5); ";
+  return "object\ngrid " + n + " x " + n + " triangles: " + x + std::to_string(y) + "; " + std::to_string(size) + "*(v/" +
+         n + "-0.5)\n";
 }
-
-Mesh wall(std::uint32_t cells, double size, double y) {
-  return grid(cells, cells, false, false, [=](double u, double v) { return Corner{size * (u - 0.5), y, size * (v - 0.5)}; });
+/// Of radius 1.5.
+std::string ball(int x, int y, int z) {
+  return "object\ngrid 40 x 20 triangles round: 1.5*sin(pi*v/20)*cos(pi*u/20); 1.5*sin(pi*v/20)*sin(pi*u/20); "
+         "-1.5*cos(pi*v/20)\nmap: x+" +
+         std::to_string(x) + "; y+" + std::to_string(y) + "; z+" + std::to_string(z) + "\n";
 }
-
-void add(Mesh& mesh, const Mesh& other) {
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const auto& t : other.triangles) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-}
-
 /// Behind a scene seen from the front: makes a model of it that is large enough.
-void add_board(Mesh& scene) { add(scene, wall(256, 24, 12)); }
+const std::string kBoard = wall(256, 24, 12);
 
-/// Triangles anywhere, which penetrate each other.
-Mesh soup(std::size_t n, double size, unsigned seed) {
+double uniform(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
+
+void add_triangle(Scene& scene, std::initializer_list<Point3> corners) {
+  const auto v = static_cast<std::uint32_t>(scene.vertices.size());
+  scene.vertices.insert(scene.vertices.end(), corners);
+  scene.faces.add_triangle(v, v + 1, v + 2);
+}
+
+/// Adds triangles anywhere, which penetrate each other.
+void add_soup(Scene& scene, std::size_t n, double size, unsigned seed) {
   std::mt19937 random(seed);
-  const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
-  Mesh mesh;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const Corner p{10 * uniform(), 10 * uniform(), 10 * uniform()};
-    for (int k = 0; k < 3; ++k)
-      mesh.vertices.push_back({p[0] + size * uniform(), p[1] + size * uniform(), p[2] + size * uniform()});
-    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  const auto near = [&](Point3 p, double reach) {
+    for (int k = 0; k < 3; ++k) p[k] += reach * uniform(random);
+    return p;
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point3 p = near({0, 0, 0}, 10);
+    add_triangle(scene, {near(p, size), near(p, size), near(p, size)});
   }
-  return mesh;
 }
 
 template <class T>
@@ -89,29 +61,29 @@ void put(std::string& bytes, T value) {
   bytes.append(raw, sizeof(T));
 }
 
-std::string stl(const Mesh& mesh) {
+std::string stl(const Scene& scene) {
   std::string bytes(80, ' ');
-  put(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
-  for (const auto& t : mesh.triangles) {
+  put(bytes, static_cast<std::uint32_t>(scene.faces.size()));
+  for (std::size_t f = 0; f < scene.faces.size(); ++f) {
     for (int k = 0; k < 3; ++k) put(bytes, 0.0f);
-    for (const std::uint32_t v : t)
-      for (const double c : mesh.vertices[v]) put(bytes, static_cast<float>(c));
+    for (const std::uint32_t v : scene.faces.contour(f, 0))
+      for (int k = 0; k < 3; ++k) put(bytes, static_cast<float>(scene.vertices[v][k]));
     put(bytes, std::uint16_t{0});
   }
   return bytes;
 }
 
-std::string ply(const Mesh& mesh, const std::string& type = "float") {
-  std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(mesh.vertices.size()) +
+std::string ply(const Scene& scene, const std::string& type = "float") {
+  std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(scene.vertices.size()) +
                       "\nproperty " + type + " x\nproperty " + type + " y\nproperty " + type + " z\nelement face " +
-                      std::to_string(mesh.triangles.size()) +
+                      std::to_string(scene.faces.size()) +
                       "\nproperty uchar shade\nproperty list uchar int vertex_indices\nend_header\n";
-  for (const Corner& p : mesh.vertices)
-    for (const double c : p) type == "double" ? put(bytes, c) : put(bytes, static_cast<float>(c));
-  for (const auto& t : mesh.triangles) {
+  for (const Point3& p : scene.vertices)
+    for (int k = 0; k < 3; ++k) type == "double" ? put(bytes, p[k]) : put(bytes, static_cast<float>(p[k]));
+  for (std::size_t f = 0; f < scene.faces.size(); ++f) {
     put(bytes, std::uint8_t{7});
     put(bytes, std::uint8_t{3});
-    for (const std::uint32_t v : t) put(bytes, v);
+    for (const std::uint32_t v : scene.faces.contour(f, 0)) put(bytes, v);
   }
   return bytes;
 }
@@ -149,10 +121,10 @@ class StreamTest : public DrawTest {
 };
 
 TEST_F(StreamTest, ATorusIsDrawnByThePartsWhereThereAreLines) {
-  const Mesh torus = bumpy_torus(512, 200);
-  write("torus.stl", stl(torus));
-  write("torus.ply", ply(torus));
-  write("double.ply", ply(torus, "double"));
+  const Scene scene = mesh_of(torus(512, 200)).scene();
+  write("torus.stl", stl(scene));
+  write("torus.ply", ply(scene));
+  write("double.ply", ply(scene, "double"));
   for (const char* model : chosen("torus", 3, {"torus.stl", "torus.ply", "double.ply"}))
     EXPECT_LT(same_drawing(model, {}), 0.25) << model;
   for (const Drawing& drawing :
@@ -163,71 +135,60 @@ TEST_F(StreamTest, ATorusIsDrawnByThePartsWhereThereAreLines) {
 }
 
 TEST_F(StreamTest, BallsBeforeAndBehindAWall) {
-  Mesh scene = wall(60, 20, 0);
-  for (int i = 0; i < 8; ++i) {
-    add(scene, ball(40, 1.5, {-7 + 2.0 * i, 3, -7 + 2.0 * i}));
-    add(scene, ball(40, 1.5, {7 - 2.0 * i, -4, -7 + 2.0 * i}));
-  }
-  add_board(scene);
-  write("scene.ply", ply(scene));
+  std::string scene = wall(60, 20, 0);
+  for (int at = -7; at < 8; at += 2) scene += ball(at, 3, at) + ball(-at, -4, at);
+  write("scene.ply", ply(mesh_of(scene + kBoard).scene()));
   same_drawings(
       "scene.ply",
       {{"--view front", 0.15}, {"--view back --crease 5"}, {"--edges border,crease"}, {"--eye 4,-80,9 --min-length 1mm"}});
 }
 
 TEST_F(StreamTest, SurfacesThatPenetrate) {
-  Mesh scene = bumpy_torus(120, 60);
-  add(scene, bumpy_torus(120, 60, {5, 0, 0.3}, 1.3));
-  add(scene, wall(30, 16, 1));
-  add_board(scene);
-  write("scene.stl", stl(scene));
+  const std::string tilted = "map: x+5; y*cos(1.3)-z*sin(1.3); y*sin(1.3)+z*cos(1.3)+0.3\n";
+  write("scene.stl", stl(mesh_of(torus(120, 60) + torus(120, 60) + tilted + wall(30, 16, 1) + kBoard).scene()));
   same_drawings("scene.stl", {{{}, 0.15}, {"--edges intersection"}});
   for (unsigned seed = 1; seed <= 3; ++seed) {
     if (!is_chosen("stream", seed, 3)) continue;
-    Mesh triangles = soup(3000, 1.5, seed);
-    add_board(triangles);
-    write("soup.stl", stl(triangles));
+    Scene soup = mesh_of(kBoard).scene();
+    add_soup(soup, 3000, 1.5, seed);
+    write("soup.stl", stl(soup));
     same_drawings("soup.stl", {{}, {"--edges all --view top"}});
   }
 }
 
 TEST_F(StreamTest, FacesWithoutAreaAndFacesStoredTwice) {
-  Mesh scene = bumpy_torus(80, 40);
-  const std::size_t n = scene.triangles.size();
-  for (std::size_t i = 0; i < n; i += 7) {
-    const auto t = scene.triangles[i];
-    scene.triangles.push_back(t);
-    scene.triangles.push_back({t[0], t[0], t[1]});
+  Scene scene = mesh_of(torus(80, 40) + kBoard).scene();
+  for (std::size_t i = 0; i < 80 * 40 * 2; i += 7) {
+    const auto contour = scene.faces.contour(i, 0);
+    const std::array<std::uint32_t, 3> t{contour[0], contour[1], contour[2]};
+    scene.faces.add_triangle(t[0], t[1], t[2]);
+    scene.faces.add_triangle(t[0], t[0], t[1]);
     scene.vertices.push_back(scene.vertices[t[1]]);
-    scene.triangles.push_back({t[0], static_cast<std::uint32_t>(scene.vertices.size() - 1), t[2]});
+    scene.faces.add_triangle(t[0], static_cast<std::uint32_t>(scene.vertices.size() - 1), t[2]);
   }
-  add_board(scene);
   write("scene.ply", ply(scene));
   same_drawings("scene.ply", {{}, {"--edges all"}});
 }
 
 TEST_F(StreamTest, CrowdsStayWhole) {
   // Long needles that come out from behind a wall, where their ends crowd together in hundreds of places.
-  Mesh scene = wall(50, 20, 0);
+  Scene scene = mesh_of(wall(50, 20, 0) + kBoard).scene();
   std::mt19937 random(5);
-  const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  const auto off = [&](double size) { return size * (uniform(random) - 0.5); };
   for (int crowd = 0; crowd < 60; ++crowd) {
-    const Corner end{18 * (uniform() - 0.5), 2, 18 * (uniform() - 0.5)};
+    const Point3 end{off(18), 2, off(18)};
     for (int i = 0; i < 40; ++i) {
-      const auto v = static_cast<std::uint32_t>(scene.vertices.size());
       const double reach = i < 2 ? 30 : 0.3;  // of two in each crowd the other end is seen
-      for (int k = 0; k < 2; ++k) scene.vertices.push_back({end[0] + 4e-6 * uniform(), 2, end[2] + 4e-6 * uniform()});
-      scene.vertices.push_back({end[0] + reach * (uniform() - 0.5), 2 + uniform(), end[2] + reach * (uniform() - 0.5)});
-      scene.triangles.push_back({v, v + 1, v + 2});
+      add_triangle(scene, {end + Point3{off(4e-6), 0, off(4e-6)}, end + Point3{off(4e-6), 0, off(4e-6)},
+                           end + Point3{off(reach), uniform(random), off(reach)}});
     }
   }
-  add_board(scene);
   write("scene.ply", ply(scene, "double"));
   same_drawing("scene.ply", "--view front");
 }
 
 TEST_F(StreamTest, TakenWhereTheModelWouldFillHalfOfTheMemory) {
-  write("torus.stl", stl(bumpy_torus(500, 250)));
+  write("torus.stl", stl(mesh_of(torus(500, 250)).scene()));
   const auto choice = [&](const std::string& limit) {
     EXPECT_EQ(
         run({"draw", "torus.stl", "--quality", "exact", "--max-memory", limit, "-o", "a.svg", "--stats-json", "a.json"})
@@ -240,8 +201,8 @@ TEST_F(StreamTest, TakenWhereTheModelWouldFillHalfOfTheMemory) {
 }
 
 TEST_F(StreamTest, RefusesWhatItCanNotDraw) {
-  const Mesh torus = bumpy_torus(20, 10);
-  write("torus.stl", stl(torus));
+  Scene scene = mesh_of(torus(20, 10)).scene();
+  write("torus.stl", stl(scene));
   const auto refused = [&](const Words& options, const std::string& why, int status = kUsage) {
     const Outcome outcome = run("draw" + options + "--stream on -o a.svg");
     EXPECT_EQ(outcome.status, status);
@@ -254,17 +215,16 @@ TEST_F(StreamTest, RefusesWhatItCanNotDraw) {
   refused("torus.stl --quality exact --method watkins", "only method appel");
   refused("torus.stl torus.stl --quality exact", "several models");
   refused("torus.stl --quality exact", "it has fewer than " + std::to_string(kFewest) + " faces");
-  write("large.stl", stl(wall(256, 24, 0)));
+  write("large.stl", stl(mesh_of(kBoard).scene()));
   refused("large.stl --quality exact --scale 100:1", "out of view");
   refused("cube.obj --quality exact", "neither binary STL nor binary PLY");
-  std::string bytes = stl(torus);
+  std::string bytes = stl(scene);
   const float nan = std::nanf("");
   std::memcpy(&bytes[84 + 50 * 3 + 12], &nan, sizeof nan);
   write("nan.stl", bytes);
   refused("nan.stl --quality exact", "nan.stl: triangle 3 of 400: a coordinate is not finite", kFailed);
-  Mesh wrong = torus;
-  wrong.triangles[5][1] = 200;
-  write("wrong.ply", ply(wrong));
+  scene.faces.corners()[3 * 5 + 1] = 200;
+  write("wrong.ply", ply(scene));
   refused("wrong.ply --quality exact", "wrong.ply: face 5 names vertex 200 of 200", kFailed);
 }
 

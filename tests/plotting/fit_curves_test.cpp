@@ -41,9 +41,10 @@ double off(std::span<const Point2> line, const CurvedPath& path) {
   return largest;
 }
 
-/// Checks of every path: it begins and ends at points of the line, pieces follow each other, and arcs end within the
-/// tolerance of where they say.
-void expect_sound(std::span<const Point2> line, const CurvedPath& path) {
+/// The path of a line. It begins and ends at points of the line, pieces follow each other, and arcs end within the tolerance
+/// of where they say.
+CurvedPath fitted(std::span<const Point2> line, const CurveLimits& limits = {}) {
+  const CurvedPath path = fit_curves(line, limits);
   const auto of_line = [&](Point2 p) { return std::find(line.begin(), line.end(), p) != line.end(); };
   EXPECT_TRUE(of_line(path.start));
   Point2 at = path.start;
@@ -64,6 +65,7 @@ void expect_sound(std::span<const Point2> line, const CurvedPath& path) {
     EXPECT_EQ(at, line.back());
   }
   EXPECT_LE(off(line, path), kCurveToleranceMm + 1e-9);
+  return path;
 }
 
 TEST(FitCurves, CirclesOfManySizes) {
@@ -71,10 +73,9 @@ TEST(FitCurves, CirclesOfManySizes) {
     for (const double radius : {0.4, 2.0, 5.0, 37.5}) {
       if (radius * (1 - std::cos(kPi / steps)) > CurveLimits{}.most_rise_mm) continue;
       const std::vector<Point2> line = in_tenths(closed({{100.3, 50.7}, {radius, radius}}, steps));
-      const CurvedPath path = fit_curves(line, {});
+      const CurvedPath path = fitted(line);
       EXPECT_EQ(path.pieces.size(), arcs_of(path)) << steps << " corners, radius " << radius;
       EXPECT_LE(path.pieces.size(), 1u) << steps << " corners, radius " << radius;
-      expect_sound(line, path);
     }
   }
 }
@@ -86,6 +87,16 @@ TEST(FitCurves, AnArcThatRisesTooMuchStaysAPolygon) {
   EXPECT_EQ(arcs_of(fit_curves(closed(large, 96), {kCurveToleranceMm, 0.02})), 0u);
 }
 
+/// Limits of curves with ellipses that are known.
+struct Known {
+  KnownEllipses ellipses;
+  CurveLimits limits;
+  explicit Known(std::vector<Ellipse> list) : ellipses(std::move(list), Rect{{0, 0}, {210, 297}}) {
+    limits.known = &ellipses;
+  }
+  Known(const Known&) = delete;
+};
+
 /// So many corners of an ellipse, from one eccentric angle over equal steps.
 std::vector<Point2> corners_on(const Ellipse& ellipse, double from, double step, int count) {
   std::vector<Point2> line;
@@ -95,45 +106,37 @@ std::vector<Point2> corners_on(const Ellipse& ellipse, double from, double step,
 
 TEST(FitCurves, AFewCornersOfAKnownEllipseAreAnArc) {
   const Ellipse other{{60, 70}, {30, 20}, 0.4}, ellipse{{100, 80}, {12, 5}, 0.3};
-  const KnownEllipses known({other, ellipse}, Rect{{0, 0}, {210, 297}});
-  CurveLimits limits;
-  limits.known = &known;
+  const Known known({other, ellipse});
   for (const double step : {0.1, 0.3, -0.3}) {
     const std::vector<Point2> line = corners_on(ellipse, 0.7, step, 4);
     EXPECT_EQ(arcs_of(fit_curves(line, {})), 0u);
-    const CurvedPath path = fit_curves(line, limits);
+    const CurvedPath path = fitted(line, known.limits);
     ASSERT_EQ(path.pieces.size(), 1u);
     ASSERT_TRUE(path.pieces[0].arc);
     EXPECT_LE(glm::distance(path.pieces[0].arc->ellipse.centre, ellipse.centre), 0.01);
-    expect_sound(line, path);
   }
 }
 
 TEST(FitCurves, AKnownEllipseBendsNoOtherLines) {
   const Ellipse ellipse{{100, 80}, {12, 5}, 0.3};
-  const KnownEllipses known({ellipse}, Rect{{0, 0}, {210, 297}});
-  CurveLimits limits;
-  limits.known = &known;
+  const Known known({ellipse});
   // A chord of it, a polygon of eight corners on it, and corners beside it.
   std::vector<Point2> beside = corners_on(ellipse, 0.7, 0.3, 4);
   for (Point2& p : beside) p = ellipse.centre + 1.005 * (p - ellipse.centre);
   for (const std::vector<Point2>& line : {corners_on(ellipse, 0.7, 0.3, 2), corners_on(ellipse, 0.7, kPi / 4, 9), beside})
-    EXPECT_EQ(arcs_of(fit_curves(line, limits)), 0u);
+    EXPECT_EQ(arcs_of(fit_curves(line, known.limits)), 0u);
 }
 
 TEST(FitCurves, AKnownEllipseMakesArcsOfParts) {
   // Lines lead to the arc and on from it.
   const Ellipse circle{{100, 80}, {5, 5}};
-  const KnownEllipses known({circle}, Rect{{0, 0}, {210, 297}});
-  CurveLimits limits;
-  limits.known = &known;
+  const Known known({circle});
   std::vector<Point2> line = corners_on(circle, 0, kPi / 8, 5);
   line.insert(line.begin(), Point2(105, 60));
   line.emplace_back(80, 85);
-  const CurvedPath path = fit_curves(line, limits);
+  const CurvedPath path = fitted(line, known.limits);
   ASSERT_EQ(path.pieces.size(), 3u);
   EXPECT_TRUE(!path.pieces[0].arc && path.pieces[1].arc && !path.pieces[2].arc);
-  expect_sound(line, path);
 }
 
 TEST(FitCurves, AStartThatStays) {
@@ -143,12 +146,11 @@ TEST(FitCurves, AStartThatStays) {
   line.push_back(line.front());
   CurveLimits limits;
   limits.start_stays = true;
-  const CurvedPath path = fit_curves(line, limits);
+  const CurvedPath path = fitted(line, limits);
   EXPECT_EQ(path.start, line.front());
   EXPECT_EQ(path.pieces.back().to, line.back());
   EXPECT_EQ(arcs_of(path), path.pieces.size());
   EXPECT_LE(path.pieces.size(), 2u);
-  expect_sound(line, path);
 }
 
 TEST(FitCurves, EllipsesAtManyTilts) {
@@ -158,8 +160,7 @@ TEST(FitCurves, EllipsesAtManyTilts) {
       for (const int steps : {16, 36, 72, 180}) {
         const Ellipse ellipse{{90.123, 77.7}, {9, 9 * std::cos(tilt * kDegree)}, turn * kDegree};
         const std::vector<Point2> line = in_tenths(closed(ellipse, steps));
-        const CurvedPath path = fit_curves(line, {});
-        expect_sound(line, path);
+        const CurvedPath path = fitted(line);
         ++all;
         whole += path.pieces.size() <= 4 && arcs_of(path) == path.pieces.size();
       }
@@ -175,8 +176,7 @@ TEST(FitCurves, CirclesInPerspective) {
       const double t = 2 * kPi * (i % 48) / 48, depth = distance + 8 * std::sin(t);
       line.push_back(Point2{100, 100} + Point2{10 * std::cos(t), 5 * std::sin(t)} * (distance / depth));
     }
-    const CurvedPath path = fit_curves(line, {});
-    expect_sound(line, path);
+    const CurvedPath path = fitted(line);
     EXPECT_LE(path.pieces.size(), 4u);
     EXPECT_EQ(arcs_of(path), path.pieces.size()) << distance;
   }
@@ -204,7 +204,7 @@ TEST(FitCurves, PolygonsAndStarsStay) {
   std::vector<Point2> straight;
   for (int i = 0; i <= 100; ++i) straight.push_back({i * 1.0, i % 2 * 0.002});
   straight.push_back({100, 30});
-  expect_sound(straight, fit_curves(straight, {}));
+  fitted(straight);
   EXPECT_EQ(fit_curves(straight, {}).pieces.size(), 2u);
 }
 
@@ -216,8 +216,7 @@ TEST(FitCurves, NoiseBelowAndAboveTheTolerance) {
       std::vector<Point2> line = closed({{60, 60}, {12, 7}, 0.4}, steps);
       for (std::size_t i = 0; i + 1 < line.size(); ++i) line[i] += Point2{move(random), move(random)};
       line.back() = line.front();
-      const CurvedPath path = fit_curves(line, {});
-      expect_sound(line, path);
+      const CurvedPath path = fitted(line);
       if (noise < kCurveToleranceMm) {
         EXPECT_EQ(arcs_of(path), path.pieces.size()) << steps;
       } else {
@@ -237,8 +236,7 @@ TEST(FitCurves, ArcsBetweenTangentLines) {
     line.push_back({15, 15});
     for (const Point2 p : tessellated({{10, 10}, {5, 5}}, kPi / 2, kPi, steps)) line.push_back(p);
     line.push_back(line.front());
-    const CurvedPath path = fit_curves(line, {});
-    expect_sound(line, path);
+    const CurvedPath path = fitted(line);
     EXPECT_EQ(arcs_of(path), 2u) << steps;
     EXPECT_EQ(path.pieces.size(), 4u) << steps;
     for (const PathPiece& piece : path.pieces) {
@@ -252,8 +250,7 @@ TEST(FitCurves, ACutChordAtAnEndBendsNoArc) {
   // The visible part of a circle begins in the middle of a chord.
   std::vector<Point2> line = tessellated({{40, 40}, {10, 10}}, 0, 3, 24);
   line.front() = (line[0] + line[1]) / 2.0;
-  const CurvedPath path = fit_curves(line, {});
-  expect_sound(line, path);
+  const CurvedPath path = fitted(line);
   ASSERT_EQ(path.pieces.size(), 2u);
   EXPECT_FALSE(path.pieces[0].arc);
   EXPECT_NEAR(path.pieces[1].arc.value().ellipse.radii.y, 10, 2 * kTenthMicrometre);
@@ -268,8 +265,7 @@ TEST(FitCurves, CornersAreKept) {
   std::vector<Point2> line = tessellated({{10, 10}, {5, 5}}, 0, kPi, 18);
   const Point2 corner = line.back();
   for (const Point2 p : tessellated({{0, 10}, {5, 5}}, 0, kPi, 18)) line.push_back(p);
-  const CurvedPath path = fit_curves(line, {});
-  expect_sound(line, path);
+  const CurvedPath path = fitted(line);
   EXPECT_EQ(std::count_if(path.pieces.begin(), path.pieces.end(),
                           [&](const PathPiece& p) { return glm::length(p.to - corner) < 1e-9; }),
             1);
@@ -277,8 +273,7 @@ TEST(FitCurves, CornersAreKept) {
   std::vector<Point2> half = tessellated({{10, 10}, {5, 5}}, 0, kPi, 18);
   std::rotate(half.begin(), half.begin() + 7, half.end());
   half.push_back(half.front());
-  const CurvedPath shape = fit_curves(half, {});
-  expect_sound(half, shape);
+  const CurvedPath shape = fitted(half);
   EXPECT_EQ(arcs_of(shape), 1u);
   EXPECT_EQ(shape.pieces.size(), 2u);
 }
@@ -291,8 +286,7 @@ TEST(FitCurves, OtherSmoothCurvesStayWithinTheTolerance) {
     spiral.push_back(Point2{60, 60} + Point2{std::cos(t), std::sin(t)} * (2 + 2 * t));
   }
   for (const auto& line : {wave, spiral}) {
-    const CurvedPath path = fit_curves(line, {});
-    expect_sound(line, path);
+    const CurvedPath path = fitted(line);
     // No bumps: where pieces meet they turn no more than the line itself does over two steps.
     for (std::size_t i = 1; i < path.pieces.size(); ++i) {
       const PathPiece &before = path.pieces[i - 1], &after = path.pieces[i];
@@ -318,10 +312,10 @@ TEST(FitCurves, DegenerateLines) {
   for (const Point2 p : closed({{50, 50}, {10, 10}}, 48)) repeated.insert(repeated.end(), 3, p);
   EXPECT_EQ(arcs_of(fit_curves(repeated, {})), 1u);
   // An ellipse seen edge on, and a circle run through twice.
-  expect_sound(closed({{50, 50}, {10, 1e-4}, 0.2}, 48), fit_curves(closed({{50, 50}, {10, 1e-4}, 0.2}, 48), {}));
+  fitted(closed({{50, 50}, {10, 1e-4}, 0.2}, 48));
   std::vector<Point2> twice = closed({{50, 50}, {10, 10}}, 48);
   twice.insert(twice.end(), twice.begin() + 1, twice.end());
-  expect_sound(twice, fit_curves(twice, {}));
+  fitted(twice);
 }
 
 TEST(FitCurves, RandomLinesStaySound) {
@@ -335,7 +329,7 @@ TEST(FitCurves, RandomLinesStaySound) {
       if (i % 7 == 0) length = place(random);
       line.push_back(line.back() + length * Point2{std::cos(direction), std::sin(direction)});
     }
-    expect_sound(line, fit_curves(line, {}));
+    fitted(line);
   }
 }
 

@@ -44,9 +44,7 @@ void expect_inside(const Polylines& lines, const Contours& contours, double pen)
 }
 
 TEST(Hatch, ASquareIsOneStrokeOfRows) {
-  HatchOptions options;
-  options.angle_degrees = 0;
-  options.pen_width_mm = 0.5;
+  HatchOptions options{.angle_degrees = 0, .pen_width_mm = 0.5};
   const Polylines lines = hatch(Contours{kSquare}, options);
   ASSERT_EQ(lines.size(), 1u);
   // Rows at 1, 2 ... 19, each from 0.25 to 19.75, neighbours the other way round.
@@ -65,10 +63,7 @@ TEST(Hatch, ASquareIsOneStrokeOfRows) {
 TEST(Hatch, HolesAndCornersStayFree) {
   const Contours contours{{{0, 0}, {40, 5}, {35, 30}, {20, 12}, {5, 35}}, circle({12, 14}, 4), circle({29, 12}, 3)};
   for (const double angle : {0.0, 30.0, 45.0, 90.0, 137.0}) {
-    HatchOptions options;
-    options.angle_degrees = angle;
-    options.spacing_mm = 0.7;
-    options.pen_width_mm = 0.5;
+    HatchOptions options{.spacing_mm = 0.7, .angle_degrees = angle, .pen_width_mm = 0.5};
     const Polylines lines = hatch(contours, options);
     expect_inside(lines, contours, options.pen_width_mm);
     const PathLengths lengths = measure(lines, {0, 0}, false);
@@ -89,8 +84,7 @@ TEST(Hatch, CrossIsBothFamilies) {
 }
 
 TEST(Hatch, NeighboursShareTheirRows) {
-  HatchOptions options;
-  options.angle_degrees = 0;
+  HatchOptions options{.angle_degrees = 0};
   const Contours right{{{20, 0.4}, {40, 0.4}, {40, 19}, {20, 19}}};
   const Polylines a = hatch(Contours{kSquare}, options), b = hatch(right, options);
   for (const Polylines* lines : {&a, &b})
@@ -173,9 +167,7 @@ TEST(Hatch, GroupsHaveARimAndLayersHaveTheirPens) {
 /// Rows far apart beside a corner: what ties them follows the rim round it, and leaves no chord across.
 TEST(Hatch, TiesFollowTheRim) {
   const Contours tower{{{0, 0}, {10, 0}, {14, 12.5}, {10, 16}, {0, 16}}, circle({2, 8}, 1.5)};
-  HatchOptions options;
-  options.spacing_mm = 5;
-  options.angle_degrees = 0;
+  HatchOptions options{.spacing_mm = 5, .angle_degrees = 0};
   const Polylines lines = hatch(tower, options);
   expect_inside(lines, tower, options.pen_width_mm);
   double corner = 0;
@@ -204,18 +196,14 @@ TEST(Hatch, CornersBetweenNeighboursMakeNoGaps) {
   std::vector<double> pens{0.3};
   std::vector<Polylines> layers(1);
   hatch_runs(frame, line_mm, runs, surfaces, pens, layers);
-  HatchOptions whole;
-  whole.spacing_mm = 0.9;
-  whole.angle_degrees = 27;
-  whole.pen_width_mm = 0.3;
+  HatchOptions whole{.spacing_mm = 0.9, .angle_degrees = 27, .pen_width_mm = 0.3};
   const Polylines disc = hatch(Contours{rim}, whole);
   ASSERT_EQ(layers[0].size(), disc.size());
   EXPECT_NEAR(measure(layers[0], {0, 0}, false).down_mm, measure(disc, {0, 0}, false).down_mm, 1e-3);
 }
 
 TEST(Hatch, NarrowAndEmptyRegionsGetNothing) {
-  HatchOptions options;
-  options.angle_degrees = 0;
+  HatchOptions options{.angle_degrees = 0};
   EXPECT_EQ(hatch({}, options).size(), 0u);
   EXPECT_EQ(hatch(Contours{{{0, 0.9}, {20, 0.9}, {20, 1.1}, {0, 1.1}}}, options).size(), 0u);
   EXPECT_EQ(hatch(Contours{{{1, 1}}}, options).size(), 0u);
@@ -274,10 +262,7 @@ TEST(Hatch, FillsLeaveNothingWhite) {
                             {{{0, 0}, {8, 8}, {8.3, 7.7}, {0.3, -0.3}}}};
   for (const Contours& area : areas) {
     for (const double pen : test::chosen("pens of fills", 2, {0.3, 0.5})) {
-      HatchOptions options;
-      options.pen_width_mm = pen;
-      options.spacing_mm = 0.8 * pen;
-      options.rim = true;
+      HatchOptions options{.spacing_mm = 0.8 * pen, .pen_width_mm = pen, .rim = true};
       Polylines strokes = hatch(area, options);
       for (const Point2 p : strokes.points) {
         EXPECT_TRUE(test::holds(area, p));

@@ -4,7 +4,7 @@
 #include <unistd.h>
 #include <csignal>
 
-#include "files/input_error.hpp"
+#include "main/script.hpp"
 #include "plotting/readers/json_cursor.hpp"
 #include "plotting/readers/order_reader.hpp"
 #include "support/test.hpp"
@@ -137,64 +137,44 @@ TEST_F(OutputFile, HandlersOfTheProgramAroundStay) {
 
 // The cursor over JSON text, and the order of painting that is read with it.
 
-TEST(JsonCursor, PassesOverWhateverIsInside) {
-  JsonCursor cursor(R"( {"a": [1, {"}]": "\"]}"}], "b" :-2.5e1 , "c":true,"d":{}} )");
-  std::vector<std::string> names, values;
-  double b = 0;
+/// The members of an object: "NAME=VALUE NAME=VALUE".
+std::string members_of(const std::string& text) {
+  JsonCursor cursor(text);
+  std::string all;
   cursor.for_each_member([&](std::string_view name) {
-    names.emplace_back(name);
-    if (name == "b") {
-      b = cursor.number();
-    } else {
-      values.emplace_back(cursor.value());
-    }
+    all += (all.empty() ? "" : " ") + std::string(name) + "=" + std::string(cursor.value());
   });
   EXPECT_TRUE(cursor.at_end());
-  EXPECT_EQ(names, (std::vector<std::string>{"a", "b", "c", "d"}));
-  EXPECT_EQ(values, (std::vector<std::string>{R"([1, {"}]": "\"]}"}])", "true", "{}"}));
-  EXPECT_EQ(b, -25);
+  return all;
 }
 
-TEST(JsonCursor, RefusesWhatIsNone) {
-  for (const char* text : {"", "{", "{\"a\"}", "{\"a\":}", "{\"a\":[}", "{\"a\":1", "{\"a", "[1]", "{\"a\":\"b}"}) {
-    JsonCursor cursor(text);
-    EXPECT_THROW(cursor.for_each_member([&](std::string_view) { cursor.value(); }), JsonSyntaxError) << text;
-  }
-  for (const char* text : {"", "nan", "inf", "-inf", "+1", ".5", "1e999", "x"})
-    EXPECT_THROW(JsonCursor(text).number(), JsonSyntaxError) << text;
+/// The drawing without what is long, and its order.
+std::string split(const std::string& text) {
+  const SplitDrawing parts = split_drawing(text, "a.json");
+  return parts.rest + " order " + std::string(parts.order);
 }
 
-TEST(OrderReader, CutsOutWhatIsLong) {
-  const std::string text = R"({"page":{"order":1}, "order": [ {"a":1} ] ,"regions":[2],"strokes":[]})";
-  const SplitDrawing split = split_drawing(text, "a.json");
-  EXPECT_EQ(split.rest, R"({"page":{"order":1}, "order": [],"regions":[],"strokes":[]})");
-  EXPECT_EQ(split.order, R"([ {"a":1} ] )");
-}
-
-TEST(OrderReader, ReadsPieces) {
+/// Pieces of an order: "face 3 material 1 light 2 0,0 8,0 8,8.5 hole 2,2 2,4 4,4".
+std::string pieces_of(const std::string& text) {
   ReadOrder order;
-  read_pieces(
-      R"([{"face":3,"outer":[[0,0],[8,0],[8,8.5]],"holes":[[[2,2],[2,4],[4,4]]],"plane":[0,0,1],"material":1,"light":2}])",
-      "a.json", order);
-  ASSERT_EQ(order.pieces.size(), 1u);
-  EXPECT_EQ(order.pieces[0].face, 3u);
-  EXPECT_EQ(order.pieces[0].material, 1u);
-  EXPECT_EQ(order.pieces[0].light, 1);
-  ASSERT_EQ(order.order.pieces[0].contours.size(), 2u);
-  EXPECT_EQ(order.order.pieces[0].contours[0][2], Point2(8, 8.5));
-  EXPECT_FALSE(order.tells_hidden);
-  read_pieces(R"([{"hidden":true ,"face":"none","outer":0}])", "a.json", order);
-  EXPECT_EQ(order.pieces.size(), 1u) << "nothing of a hidden piece is looked at";
-  EXPECT_TRUE(order.tells_hidden);
-  for (const char* text : {"[{}]", "[1]", R"([{"face":1,"material":0,"outer":[[1,2],[3,4]]}])",
-                           R"([{"face":-1,"material":0,"outer":[[1,2],[3,4],[5,6]]}])",
-                           R"([{"face":1,"material":0.5,"outer":[[1,2],[3,4],[5,6]]}])",
-                           R"([{"face":1,"material":0,"outer":[[1,2],[3,4],[5,1e9]]}])",
-                           R"([{"face":1,"material":0,"outer":[[1,2],[3,4],[5]]}])"}) {
-    ReadOrder other;
-    EXPECT_THROW(read_pieces(text, "a.json", other), InputError) << text;
+  read_pieces(text, "a.json", order);
+  std::string all = order.tells_hidden ? "tells hidden" : "";
+  for (std::size_t i = 0; i < order.pieces.size(); ++i) {
+    all += "face " + as_text(order.pieces[i].face) + " material " + as_text(order.pieces[i].material) + " light " +
+           as_text(order.pieces[i].light);
+    for (const auto& contour : order.order.pieces.at(i).contours) {
+      if (&contour != &order.order.pieces[i].contours[0]) all += " hole";
+      for (const Point2 p : contour) all += " " + as_text(p.x) + "," + as_text(p.y);
+    }
   }
+  return all;
 }
+
+[[maybe_unused]] const bool json_values_are_added = add_function_scripts(
+    LIGNE_SOURCE_DIR "/tests/plotting/json_values", {{"members", members_of},
+                                                     {"number", [](auto& t) { return as_text(JsonCursor(t).number()); }},
+                                                     {"split", split},
+                                                     {"pieces", pieces_of}});
 
 }  // namespace
 }  // namespace ligne::test

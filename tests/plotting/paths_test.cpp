@@ -30,8 +30,7 @@ double farthest(const Polylines& from, const Polylines& to) {
 double sum(const JoinTolerances& t) { return t.ends_mm + t.overlap_mm + t.simplify_mm; }
 
 TEST(OrderStrokes, AClosedLineStartsWhereItIsNear) {
-  OrderOptions options;
-  options.home = {100, 0};
+  OrderOptions options{.home = {100, 0}};
   const Polylines ordered = order_strokes(polylines_of({{{0, 0}, {90, 0}, {90, 90}, {0, 90}, {0, 0}}}), options);
   ASSERT_EQ(ordered.size(), 1u);
   EXPECT_EQ(ordered[0].front(), Point2(90, 0));
@@ -67,8 +66,7 @@ TEST(OrderStrokes, FewStrokesAreInTheBestOrderOrNear) {
     std::vector<std::vector<Point2>> lists;
     for (int i = 0; i < 6; ++i) lists.push_back({{place(random), place(random)}, {place(random), place(random)}});
     const Polylines lines = polylines_of(lists);
-    OrderOptions options;
-    options.returns = round % 2 == 1;
+    OrderOptions options{.returns = round % 2 == 1};
     const double best = best_way(lines, options.home, options.returns);
     const double found = measure(order_strokes(lines, options), options.home, options.returns).up_mm;
     EXPECT_GE(found, best - 1e-9);
@@ -122,8 +120,7 @@ TEST(OrderStrokes, CuttersCutHolesFirst) {
     lines = square_at(lines, at + Point2(4, 4), 3);
     lines.add(std::vector<Point2>{at + Point2(15, 15), at + Point2(18, 15)});
   }
-  OrderOptions options;
-  options.inside_first = true;
+  OrderOptions options{.inside_first = true};
   std::vector<std::uint32_t> order;
   const Polylines ordered = order_strokes(lines, options, &order);
   EXPECT_EQ(ordered.size(), lines.size());
@@ -175,9 +172,7 @@ TEST(OptimizePaths, AnOrderThatWasGoodIsNotMadeWorse) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     Polylines lines = random_drawing(seed);
     for (const bool returns : {false, true}) {
-      OrderOptions options;
-      options.home = {50, 50};
-      options.returns = returns;
+      OrderOptions options{.home = {50, 50}, .returns = returns};
       std::vector<std::uint32_t> order;
       for (int round = 0; round < 3; ++round) {
         const Polylines better = order_strokes(lines, options, &order);

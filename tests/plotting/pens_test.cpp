@@ -9,15 +9,6 @@ namespace {
 
 using namespace test;
 
-TEST(Pens, ThatTheDeviceDoesNotHoldAreRefused) {
-  PlotRequest request;
-  add_pen(request.pens, "rest=7");
-  const Drawing drawing = plotter_drawing();
-  const Device& device = *find_device("hp7475a");
-  const DeviceFrame frame = place_on_device(device, {}, drawn_bounds(drawing), false);
-  EXPECT_THROW(write_plot(make_plot(drawing, request), device, frame), std::runtime_error);
-}
-
 TEST(Pens, LabelsAreWhatOtherProgramsRead) {
   Pen pen;
   pen.number = 3;
@@ -28,117 +19,6 @@ TEST(Pens, LabelsAreWhatOtherProgramsRead) {
   pen.height = 50;
   pen.delay_ms = 250;
   EXPECT_EQ(layer_label(pen), "%!3+S30+H50+D250 red 0.5");
-}
-
-Drawing layers_of(const std::vector<std::string>& names) {
-  Drawing drawing;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const double y = 10.0 * static_cast<double>(i + 1);
-    drawing.layers.push_back({names[i], {}});
-    drawing.layers.back().lines.add(std::vector<Point2>{{20, y}, {40, y}});
-  }
-  return drawing;
-}
-
-std::vector<std::string> names_of(const Drawing& drawing) {
-  std::vector<std::string> names;
-  for (const Layer& layer : drawing.layers) names.push_back(layer.name);
-  return names;
-}
-
-TEST(Pens, LayersKeepTheirNames) {
-  PlotRequest request;
-  request.pen_per_layer = request.keep_looks = true;
-  using Names = std::vector<std::string>;
-  EXPECT_EQ(names_of(drawing_of(make_plot(layers_of({"3 red", "1 black", "%2 draft", "% note", "1 black too"}), request))),
-            (Names{"1 black", "% note", "1 black too", "%2 draft", "3 red"}));
-  const Drawing once = drawing_of(make_plot(layers_of({"crease", "outline", "1 pencil"}), request));
-  EXPECT_EQ(names_of(once), (Names{"1 pencil", "2 crease", "3 outline"})) << "those without a number get one that is free";
-  EXPECT_EQ(names_of(drawing_of(make_plot(once, request))), names_of(once)) << "and keep it";
-}
-
-/// Layers that are numbered for other pens do not change the pen that draws the rest.
-TEST(Pens, TheRestIsOnePenWhateverTheLayersAreNumbered) {
-  const Drawing drawing = layers_of({"1-Black", "2-Red"});
-  PlotRequest request;
-  add_pen(request.pens, "rest=1");
-  const Device& device = *find_device("grbl-servo");
-  const DeviceFrame frame = place_on_device(device, {}, drawn_bounds(drawing), false);
-  request.paths.order.home = frame.to_page({0, 0});
-  request.paths.order.returns = device.returns;
-  const Plot plot = make_plot(drawing, request);
-  ASSERT_EQ(plot.pens.size(), 1u);
-  EXPECT_EQ(pen_changes(plot), 0u);
-  const std::string gcode = write_plot(plot, device, frame);
-  expect_no_parts(gcode, {"M0"});
-  const Replay machine = replay(device, gcode);
-  ASSERT_EQ(machine.strokes.size(), 2u);
-  EXPECT_TRUE(machine.pens.empty());
-  Point2 at{0, 0};
-  double raised = 0;
-  for (const std::vector<Point2>& stroke : machine.strokes) {
-    raised += glm::distance(at, stroke.front());
-    at = stroke.back();
-  }
-  raised += device.returns ? glm::distance(at, Point2{0, 0}) : 0;
-  EXPECT_NEAR(measure_in_turn(plot, frame.to_page({0, 0}), device.returns).up_mm, raised, 0.01)
-      << "the report is of the file";
-}
-
-TEST(Pens, WhatLayersSayOfPensIsDone) {
-  const Drawing drawing = layers_of({"2+D250+S50 slow", "%3 note", "!2 again", "1"});
-  const Plot plot = make_plot(drawing, {});
-  const Device& grbl = *find_device("grbl-servo");
-  const std::string gcode = write_plot(plot, grbl, place_on_device(grbl, {}, drawn_bounds(plot), false));
-  EXPECT_EQ(gcode.find("pen 3"), std::string::npos) << "not plotted";
-  expect_parts(gcode, {"M0 (pen 2: slow)\nG4 P0.25\n"});
-  EXPECT_NE(gcode.find("G1 F1200"), std::string::npos) << "half its speed";
-  EXPECT_NE(gcode.find("M0 (pen 2: again)\n"), std::string::npos) << "a pause";
-  const Device& hp = *find_device("cutter");
-  const std::string hpgl = write_plot(plot, hp, place_on_device(hp, {}, drawn_bounds(plot), false));
-  expect_no_parts(hpgl, {"SP3"});
-  expect_parts(hpgl, {"SP2;\nVS5;"});
-  EXPECT_EQ(hpgl.find("SP2", hpgl.find("SP2") + 1), std::string::npos) << "it is held already";
-  EXPECT_NE(hpgl.find("VS10;"), std::string::npos) << "as fast as usual again";
-  EXPECT_EQ(measure(plot, {0, 0}, false).strokes, 3u);
-  EXPECT_EQ(pen_changes(plot), 1u);
-  PlotRequest named;
-  add_pen(named.pens, "%3 note=4");
-  EXPECT_FALSE(make_plot(drawing, named).pens.back().pen.skip) << "who names it wants it";
-}
-
-/// A cutter cuts holes before what is round them, also where the order of the drawing would take less time.
-TEST(Plots, OfCuttersHaveHolesFirst) {
-  const Device& cutter = *find_device("cutter");
-  Drawing drawing;
-  drawing.layers.push_back({"1 red", {}});
-  const auto add_square = [&](Point2 at, double side) {
-    drawing.layers[0].lines.add(
-        std::vector<Point2>{at, at + Point2{side, 0}, at + Point2{side, side}, at + Point2{0, side}, at});
-  };
-  for (const double x : {5.0, 105.0}) {
-    add_square({x, 5}, 90);
-    add_square({x + 70, 20}, 10);
-    add_square({x + 70, 60}, 10);
-  }
-  for (const bool cuts : {true, false}) {
-    PlotRequest request;
-    request.paths.order.inside_first = cuts && cutter.inside_first;
-    const Plot plot = make_plot(drawing, request);
-    ASSERT_EQ(plot.pens.size(), 1u);
-    const Polylines& lines = plot.pens[0].lines;
-    ASSERT_EQ(lines.size(), 6u);
-    int outside_first = 0;
-    std::array<bool, 2> is_cut{};
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      Rect box;
-      for (const Point2 p : lines[i]) box.extend(p);
-      bool& outer = is_cut[box.min.x < 100 ? 0 : 1];
-      outside_first += outer;
-      outer |= box.width() > 50;
-    }
-    EXPECT_EQ(outside_first == 0, cuts) << "without a cutter the order comes about otherwise";
-  }
 }
 
 /// The time that a device takes never grows, whatever is drawn.
@@ -196,76 +76,10 @@ TEST(Plots, ASquiggleThatTouchesItselfStaysOneStroke) {
   for (int k = 0; k <= 1000; ++k) squiggle.push_back({10 + k * 0.1, 60 + 0.6 * std::sin(k * 0.1)});
   for (int k = 1000; k >= 0; --k)
     squiggle.push_back({10 + k * 0.1, 60 + 0.6 * std::sin(k * 0.1) + 0.03 * std::sin(k * 0.3)});
-  Drawing drawing = layers_of({"1 all"});
-  drawing.layers[0].lines = polylines_of({squiggle});
+  Drawing drawing;
+  add_line(drawing, "1 all", squiggle);
   EXPECT_GT(join_strokes(drawing.layers[0].lines, {}).size(), 20u) << "there is something to cut";
   EXPECT_EQ(make_plot(drawing, {}).pens.at(0).lines.size(), 1u);
-}
-
-TEST(Plots, StrokesOfOnePenKeepTheirLooks) {
-  Drawing drawing = layers_of({"1 all", "1 all", "1 all"});
-  drawing.layers[0].color = {1, 0, 0};
-  drawing.layers[1].color = {0, 0, 1};
-  drawing.layers[2].color = {1, 0, 0};
-  drawing.layers[2].width_mm = 0.7;
-  PlotRequest request;
-  request.pen_per_layer = request.keep_looks = true;
-  const Plot plot = make_plot(drawing, request);
-  ASSERT_EQ(plot.pens.size(), 1u);
-  EXPECT_EQ(plot.pens[0].lines.size(), 3u);
-  const Drawing pictured = drawing_of(plot);
-  ASSERT_EQ(pictured.layers.size(), 3u);
-  double red = 0, blue = 0, wide = 0;
-  for (const Layer& layer : pictured.layers) {
-    EXPECT_EQ(layer.name, "1 all");
-    red += layer.color == std::array<double, 3>{1, 0, 0};
-    blue += layer.color == std::array<double, 3>{0, 0, 1};
-    wide += layer.width_mm == 0.7;
-  }
-  EXPECT_EQ(red, 2);
-  EXPECT_EQ(blue, 1);
-  EXPECT_EQ(wide, 1);
-  PlotOptions options;
-  options.style = styles_of(plot);
-  const std::string svg = write_svg(pictured, options);
-  expect_parts(svg, {"<g stroke=\"#00f\"", "stroke-width=\"0.7\""});
-}
-
-TEST(Pens, AreReadFromTheCommandLineAndFromAFile) {
-  PenTable table;
-  add_pen(table, "outline=1,black,0.5");
-  add_pen(table, "material:steel=4,#0f0");
-  add_pen(table, "rest=2");
-  EXPECT_EQ(table.pen_of("outline", ""), 1u);
-  EXPECT_EQ(table.pen_of("outline", "steel"), 4u);
-  EXPECT_EQ(table.pen_of("mesh", ""), 2u);
-  add_pen(table, "object:wheel*=5");
-  add_pen(table, "object:wheel 2=6");
-  EXPECT_EQ(table.pen_of("outline", "steel", 0, "wheel 1"), 5u);
-  EXPECT_EQ(table.pen_of("outline", "steel", 0, "wheel 2"), 6u) << "the last that fits";
-  EXPECT_EQ(table.pen_of("outline", "steel", 0, "axle"), 4u);
-  EXPECT_EQ(table.pen_of("!5+S30 mine", ""), 2u) << "rest is all that no other pen has";
-  EXPECT_EQ(PenTable().pen_of("!5+S30 mine", ""), 5u) << "a layer that another program numbered";
-  EXPECT_EQ(table.pen(4).color, (std::array<double, 3>{0, 1, 0}));
-  const PenTable file = read_pens(
-      "[[pen]]\nnumber = 2\ncolor = \"red\"\nwidth = 0.7\nclasses = [\"outline\", \"border\"]\nmaterials = "
-      "[\"glass\"]\nobjects = [\"lid\"]\n"
-      "[[pen]]\nnumber = 1\nrest = true\nskip = true\n",
-      "pens.toml");
-  EXPECT_EQ(file.pen_of("border", ""), 2u);
-  EXPECT_EQ(file.pen_of("mesh", "glass"), 2u);
-  EXPECT_EQ(file.pen_of("mesh", "", 0, "lid"), 2u);
-  EXPECT_EQ(file.pen_of("mesh", ""), 1u);
-  EXPECT_TRUE(file.pen(1).skip);
-}
-
-TEST(Pens, AnotherPenIsNotHomeInBetween) {
-  Drawing drawing;
-  add_line(drawing, "1-Black", {{10, 10}, {90, 10}});
-  add_line(drawing, "2-Red", {{10, 20}, {90, 20}});
-  const Plot plot = assign_pens(drawing, {});
-  EXPECT_EQ(plot.pens.size(), 2u);
-  EXPECT_NEAR(measure_in_turn(plot, {0, 0}, true).up_mm, std::hypot(10, 10) + std::hypot(80, 10) + std::hypot(90, 20), 1e-9);
 }
 
 /// Device files: numbers within their bounds, and nothing in braces that would reach the machine.
@@ -316,6 +130,20 @@ std::string read_with(const std::string& language, const std::string& text) {
   return "read";
 }
 
+/// "PEN PEN ...: CLASS; MATERIAL; OBJECT", pens as --pen has them, or ": " behind the text of a file: the pen of such a
+/// line.
+std::string pen_of(const std::string& text, bool is_file) {
+  const std::size_t colon = text.rfind(": ");
+  const std::string pens = text.substr(0, colon);
+  PenTable table;
+  if (is_file) table = read_pens(pens, "F");
+  for (const std::string& pen : is_file ? std::vector<std::string>() : words_of(pens)) add_pen(table, pen);
+  std::vector<std::string> line = parts_of(text.substr(colon + 2), ';');
+  line.resize(3);
+  const unsigned number = table.pen_of(line[0], line[1], 0, line[2]);
+  return std::to_string(number) + (table.pen(number).skip ? " skip" : "");
+}
+
 /// The functions of device_values/.
 const TextFunctions kDeviceFunctions{
     {"label", [](auto& t) { return words_of_label(parse_layer_label(t)); }},
@@ -325,6 +153,8 @@ const TextFunctions kDeviceFunctions{
        add_pen(table, t);
        return "read";
      }},
+    {"pen-of", [](auto& t) { return pen_of(t, false); }},
+    {"pen-of-file", [](auto& t) { return pen_of(t, true); }},
     {"pens", [](auto& t) { return read_pens(t, "F"), "read"; }},
     {"paper", [](auto& t) { return read_device(device_with_paper(t), "F"), "read"; }},
     {"device", [](auto& t) { return read_device(t, "my.toml"), "read"; }},
