@@ -67,6 +67,10 @@ TEST_F(InputFile, RefusesWhatIsNoFile) {
   EXPECT_EQ(read(folder_), "F: is a directory, not a file");
   for (const char* device : {"/dev/zero", "/dev/urandom", "/dev/full", "/dev/null"})
     EXPECT_EQ(read(device), "F: is a device or a socket, not a file") << device;
+  const fs::path closed = folder_.write("closed", "x");
+  fs::permissions(closed, fs::perms::none);
+  EXPECT_EQ(read(closed), ::geteuid() == 0 ? "x" : "F: can not be opened for reading");
+  EXPECT_EQ(read(closed / "below"), "F: there is no such file");
   const int listening = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
   sockaddr_un address{};
   address.sun_family = AF_UNIX;

@@ -167,23 +167,6 @@ std::vector<Stroke> clustered(std::uint32_t seed, int count, int page, int short
 
 const std::uint32_t kSeeds = test::runs_all() ? 10 : 2;
 
-TEST(OverlappingStrokes, AreThoseOfAllPairs) {
-  const struct {
-    const char* name;
-    std::array<int, 2> counts;  ///< numbers of strokes, for even seeds and for odd ones
-    int page, shortest, longest;
-    std::uint32_t seeds;
-  } rows[] = {{"all lengths", {700, 3000}, 5'000, 50, 60'000, kSeeds},
-              {"long strokes", {2000, 2000}, 1'000'000, 20'000, 1'000'000, kSeeds},
-              {"about as long as the short ones", {2000, 2000}, 1000, 150, 250, kSeeds},
-              {"a crowd", {3000, 3000}, 300, 20, 2000, 2}};
-  for (const auto& [name, counts, page, shortest, longest, seeds] : rows) {
-    SCOPED_TRACE(name);
-    for (std::uint32_t seed = 1; seed <= seeds; ++seed)
-      expect_found(clustered(seed, counts[seed % 2], page, shortest, longest), seed);
-  }
-}
-
 /// All in the middle of a large page but for four: their mean distance on the page says nothing of the crowd.
 std::vector<Stroke> crowded_on_a_large_page(std::uint32_t seed) {
   std::vector<Stroke> strokes = clustered(seed, 3000, 10'000, 3000, 12'000);
@@ -195,8 +178,27 @@ std::vector<Stroke> crowded_on_a_large_page(std::uint32_t seed) {
   return strokes;
 }
 
-TEST(OverlappingStrokes, InACrowdOnALargePage) {
-  for (std::uint32_t seed = 1; seed <= kSeeds / 2; ++seed) expect_found(crowded_on_a_large_page(seed), seed);
+std::vector<Stroke> far_and_few_may_coincide(std::uint32_t seed) {
+  std::vector<Stroke> strokes = clustered(seed, 700, 20'000'000, 1000, 10'000'000);
+  for (std::size_t i = 0; i < strokes.size(); ++i) strokes[i].needs_overlap_check = i % 50 == 0;
+  return strokes;
+}
+
+TEST(OverlappingStrokes, AreThoseOfAllPairs) {
+  const struct {
+    const char* name;
+    std::uint32_t seeds;
+    std::function<std::vector<Stroke>(std::uint32_t)> make;
+  } rows[] = {{"all lengths", kSeeds, [](auto seed) { return clustered(seed, seed % 2 ? 3000 : 700, 5'000, 50, 60'000); }},
+              {"long strokes", kSeeds, [](auto seed) { return clustered(seed, 2000, 1'000'000, 20'000, 1'000'000); }},
+              {"about as long as the short ones", kSeeds, [](auto seed) { return clustered(seed, 2000, 1000, 150, 250); }},
+              {"a crowd", 2, [](auto seed) { return clustered(seed, 3000, 300, 20, 2000); }},
+              {"a crowd on a large page", kSeeds / 2, crowded_on_a_large_page},
+              {"far strokes of which few may coincide", kSeeds, far_and_few_may_coincide}};
+  for (const auto& [name, seeds, make] : rows) {
+    SCOPED_TRACE(name);
+    for (std::uint32_t seed = 1; seed <= seeds; ++seed) expect_found(make(seed), seed);
+  }
 }
 
 /// The ends along one stroke do not grow in number with the strokes that cross it, lie beside it, or end on it.
@@ -241,14 +243,6 @@ TEST(OverlappingStrokes, OfNearlyOneDirectionAreFound) {
     }
     EXPECT_TRUE(find_new_overlaps(compared(strokes), kTolerance) == by_all_pairs(strokes)) << turn;
     EXPECT_GE(by_all_pairs(strokes).size(), 4u) << turn;
-  }
-}
-
-TEST(OverlappingStrokes, AmongFarStrokesOfWhichFewMayCoincide) {
-  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
-    std::vector<Stroke> strokes = clustered(seed, 700, 20'000'000, 1000, 10'000'000);
-    for (std::size_t i = 0; i < strokes.size(); ++i) strokes[i].needs_overlap_check = i % 50 == 0;
-    expect_found(strokes, seed);
   }
 }
 

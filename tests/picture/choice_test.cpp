@@ -7,7 +7,6 @@
 #include "picture/scene_visibility.hpp"
 #include "report/stroke_difference.hpp"
 #include "support/corpus_scene.hpp"
-#include "support/mesh_text.hpp"
 #include "support/round_bodies.hpp"
 #include "support/scenes.hpp"
 
@@ -26,15 +25,6 @@ SceneTraits traits_of(Scene& scene, const Point3& direction) {
 const Point3 kOblique{-0.37, 0.83, -0.41};
 const Point3 kDown{0, 0, -1};
 
-// Every triangle of a fine sheet, far more than there are points of the regular grid.
-TEST(SceneTraits, VisibleFacesOfAFineSheet) {
-  Scene fine = mesh_of("grid 400 x 400 triangles: u/400; v/400; 0").scene();
-  const SceneTraits t = traits_of(fine, kDown);
-  EXPECT_EQ(t.visible_faces.n, 320'000u);
-  EXPECT_TRUE(t.visible_faces.complete);
-  EXPECT_NEAR(t.covered_part, 1, 1e-9);
-}
-
 // Samples find no face that has no visible region, and few escape them.
 TEST(SceneTraits, VisibleFacesHaveRegions) {
   Scene scene;
@@ -51,16 +41,6 @@ TEST(SceneTraits, VisibleFacesHaveRegions) {
   for (const Region& region : *result.regions) faces.insert(region.face);
   EXPECT_LE(t.visible_faces.n, faces.size());
   EXPECT_GE(double(t.visible_faces.n), 0.9 * double(faces.size()));
-}
-
-// Hills; a curl; and a ramp twice round: no fold anywhere, and two levels over each other.
-TEST(SceneTraits, TellAHeightField) {
-  for (const auto& [mesh, is_one] : {std::pair("grid 20 x 20 triangles: u/20; v/20; 0.1*sin(9*u/20)*cos(7*v/20)", true),
-                                     {"grid 20 x 20 triangles: cos(u/4); v/20; sin(u/4)", false},
-                                     {"grid 40 x 40 triangles: (1+v/40)*cos(0.3*u); (1+v/40)*sin(0.3*u); u/40", false}}) {
-    Scene scene = mesh_of(mesh).scene();
-    EXPECT_EQ(traits_of(scene, kOblique).height_field, is_one) << mesh;
-  }
 }
 
 TEST(SceneTraits, GiveUpCountsOfCrowds) {
@@ -122,13 +102,11 @@ Studied studied(const Scene& scene, const Point3& direction) {
   return result;
 }
 
-const Point3 kObliqueView{-0.37, 0.83, -0.41};
-
 TEST(MethodChoice, IsNeverBeyondItsMethod) {
   std::size_t scenes = 0;
   for (const std::filesystem::path& file : corpus_files()) {
     const Scene scene = scene_of_file(file);
-    for (const Point3& direction : {kObliqueView, Point3{0, 0, -1}}) {
+    for (const Point3& direction : {kOblique, Point3{0, 0, -1}}) {
       const Studied s = studied(scene, direction);
       EXPECT_EQ(s.by_choice.result.unsupported_reason, "") << file.stem();
       // The default method draws transparent faces as opaque.
@@ -150,22 +128,14 @@ Scene dented_ball(std::uint32_t n, double dent, std::uint32_t dents, bool open =
 }
 
 TEST(MethodChoice, TakesCullingForAConvexBody) {
-  const Studied s = studied(dented_ball(48, 0, 0), kObliqueView);
+  const Studied s = studied(dented_ball(48, 0, 0), kOblique);
   EXPECT_EQ(s.by_choice.method->traits().name, "culling");
   EXPECT_EQ(s.by_choice.why, "rule 3: one opaque convex body of many faces");
   EXPECT_LT(s.difference.length_mm, kSameLineMm);
 }
 
-TEST(MethodChoice, SeesThroughGlass) {
-  const Scene scene = scene_of_file(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/corpus/cube_in_glass.json");
-  const Studied s = studied(scene, kObliqueView);
-  EXPECT_EQ(s.by_choice.why, "rule 2: some faces are transparent");
-  const auto behind = [](const Stroke& stroke) { return stroke.level > 0; };
-  EXPECT_TRUE(std::ranges::any_of(s.by_choice.result.strokes->strokes, behind));
-}
-
 TEST(MethodChoice, TakesTheDefaultForOthers) {
-  const auto name = [](const Scene& scene) { return studied(scene, kObliqueView).by_choice.method->traits().name; };
+  const auto name = [](const Scene& scene) { return studied(scene, kOblique).by_choice.method->traits().name; };
   EXPECT_EQ(name(dented_ball(8, 0, 0)), "appel") << "small";
   EXPECT_EQ(name(dented_ball(48, 0, 0, true)), "appel") << "open";
   EXPECT_EQ(name(dented_ball(48, 0.2, 24)), "appel") << "half a ring of dents";
@@ -178,7 +148,7 @@ TEST(MethodChoice, TakesTheDefaultForOthers) {
 TEST(MethodChoice, FindsADentThatItsSampleMisses) {
   std::set<std::string> whys;
   for (std::uint32_t n = 40; n < 64; n += 2) {
-    const Studied s = studied(dented_ball(n, 0.01, 1), kObliqueView);
+    const Studied s = studied(dented_ball(n, 0.01, 1), kOblique);
     EXPECT_EQ(s.by_choice.method->traits().name, "appel") << n;
     whys.insert(s.by_choice.why);
   }
