@@ -28,8 +28,9 @@ inline std::unique_ptr<HeightSource> grid(const std::string& text) {
 
 using reader_test::error_line;
 
-/// A file of the fuzzers' corpus of grids, or "tiff/NAME" of that of TIFF files.
+/// A file of the fuzzers' corpus of grids, "tiff/NAME" of that of TIFF files, or "shared/NAME" of the shared models.
 inline std::string corpus_file(const std::string& name) {
+  if (name.starts_with("shared/")) return test::bytes_of_file(LIGNE_MODELS_DIR "/" + name.substr(7));
   const std::string folder = LIGNE_SOURCE_DIR "/tests/fuzz/corpus/";
   return test::bytes_of_file(folder + (name.find('/') == name.npos ? "grid/" : "") + name);
 }

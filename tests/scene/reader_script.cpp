@@ -3,12 +3,12 @@
 /// from the shared models, where they are; json is the text of a glTF; "gltf CHANGES" changes the unit square as glTF,
 /// "triangle CHANGES" a triangle, both as gltf_changes.hpp has it, and "triangle@NAME@SECONDS" reads the file at a moment of
 /// an animation; 3mf is the main part of such an archive; points and lines are files of those; grid, also
-/// "grid:layout=matrix", "grid:set=1", "grid:using=1,2,4", "grid:band=2"; "tiff PICTURES", see tiff_text.hpp, also
-/// "tiff:band=2"; "corpus FILE", a grid of the fuzzers' corpus, or "corpus tiff/FILE"; formula; "file NAME TEXT" writes a
-/// file beside those that are read;
-/// "subdivided" is an OBJ that is subdivided three times; clean, merge, heal, append and "weld:DISTANCE" are small scenes
-/// that are mended, see mended_scene.hpp; "detect.SUFFIX" tells the format. Behind "bin-", as in "bin-3ds", the text is of a
-/// binary file: see binary_text.hpp. A scene that is read is sound: see expect_sound. Checks:
+/// "grid:layout=matrix", "grid:set=1", "grid:using=1,2,4", "grid:band=2", or "grid@NAME" for a file of this name; "tiff
+/// PICTURES", see tiff_text.hpp, also "tiff:band=2"; "corpus FILE", a grid of the fuzzers' corpus, "corpus tiff/FILE" or
+/// "corpus shared/FILE", a shared model; formula; "file NAME TEXT" writes a file beside those that are read; "subdivided" is
+/// an OBJ that is subdivided three times; clean, merge, heal, append and "weld:DISTANCE" are small scenes that are mended,
+/// see mended_scene.hpp; "detect.SUFFIX" tells the format. Behind "bin-", as in "bin-3ds", the text is of a binary file: see
+/// binary_text.hpp. A scene that is read is sound: see expect_sound. Checks:
 ///
 ///     fails MESSAGE; begins MESSAGE; has TEXT    the whole error, its beginning, a part of it
 ///     is NAME                                    the format that is detected, or why there is none
@@ -18,6 +18,7 @@
 ///     points X Y Z X Y Z ...; near X Y Z ...     the vertices of a scene, to 1e-12; to the precision of float32
 ///     x 0 1 2; y 0 1; z 1 2; nan 4               positions and rows of heights of a grid
 ///     height COLUMN ROW Z                        one of them
+///     size COLUMNS ROWS HOLES; range LOW HIGH    their number; the heights but for a twentieth; corner X Y, the least
 ///     unit degrees                               of a grid's positions
 ///     mesh COLUMNS ROWS; point N X Y Z           of the grid's mesh
 ///     surfaces N                                 in the file
@@ -206,7 +207,8 @@ class ReaderScript {
     if (kind_ == "model") scene_ = read_scene(LIGNE_MODELS_DIR "/" + text_, {}, warnings_, &report);
     if (is_grid()) {
       const std::string file = kind_ == "corpus" ? corpus_file(text_) : text_;
-      surfaces_ = read_surfaces(bytes_of(file), "M", warnings_, {}, nullptr, choice());
+      const std::string name = kind_.starts_with("grid@") ? kind_.substr(5) : "M";
+      surfaces_ = read_surfaces(bytes_of(file), name, warnings_, {}, nullptr, choice());
     }
     if (kind_ == "points" || kind_ == "lines") read_places();
     if (kind_ == "formula") formula_heights(text_, {0, 1}, {0, 1});
@@ -308,6 +310,17 @@ class ReaderScript {
       EXPECT_EQ(heights->x(), numbers_of(wanted));
     } else if (verb == "y") {
       EXPECT_EQ(heights->y(), numbers_of(wanted));
+    } else if (verb == "corner") {
+      EXPECT_EQ((std::vector{heights->x().front(), heights->y().front()}), numbers_of(wanted));
+    } else if (verb == "size" || verb == "range") {
+      const std::vector<double> n = numbers_of(wanted);
+      double low = 1e300, high = -1e300, holes = 0;
+      for (const std::vector<double>& row : heights_of(*heights))
+        for (const double z : row) low = std::fmin(low, z), high = std::fmax(high, z), holes += std::isnan(z);
+      EXPECT_TRUE(verb == "range" || (heights->x().size() == n.at(0) && heights->y().size() == n.at(1) && holes == n.at(2)))
+          << heights->x().size() << " x " << heights->y().size() << ", holes: " << holes;
+      EXPECT_TRUE(verb == "size" || (std::abs(low - n.at(0)) <= 0.05 && std::abs(high - n.at(1)) <= 0.05))
+          << low << " " << high;
     } else if (verb == "height") {
       const std::vector<double> n = numbers_of(wanted);
       expect_equal(heights_of(*heights).at(std::size_t(n.at(1))).at(std::size_t(n.at(0))), n.at(2));
@@ -337,7 +350,8 @@ class ReaderScript {
         std::string_view text = step.line;
         const std::string kind = take_word(text);
         if (kind == "model" && !std::filesystem::is_directory(LIGNE_MODELS_DIR)) continue;
-        if (!kReadsTiff && (kind.starts_with("tiff") || text.starts_with("tiff/"))) continue;
+        if (text.starts_with("shared/") && !std::filesystem::is_directory(LIGNE_MODELS_DIR)) continue;
+        if (!kReadsTiff && (kind.starts_with("tiff") || text.starts_with("tiff/") || text.ends_with(".tif"))) continue;
         if (kind == "file") {
           const std::string name = test::unescaped(take_word(text));
           folder.write(name, test::unescaped(text));

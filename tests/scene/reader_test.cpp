@@ -1,11 +1,9 @@
-/// Readers: telling formats apart, strange files, several scenes in one, precision, blocks of PLY.
+/// Readers: strange archives, precision, blocks of PLY.
 
-#include <unistd.h>
-
+#include "scene/readers/reader.hpp"
 #include "reader_tools.hpp"
 #include "scene/model/precision.hpp"
 #include "scene/readers/ply/ply_reader.hpp"
-#include "scene/readers/reader.hpp"
 #include "scene/readers/text_lines.hpp"
 #include "zip_builder.hpp"
 
@@ -13,51 +11,6 @@ namespace ligne {
 namespace {
 
 using namespace reader_test;
-
-// Tests that belong to no format of their own: telling formats apart, strange files, several scenes in one, precision.
-
-class Files : public testing::Test {
- protected:
-  std::string error(const std::filesystem::path& file) const {
-    Warnings warnings;
-    const std::string what = error_line([&] { read_scene(file, {}, warnings); }), name = file.string();
-    if (what == "no error") return what;
-    EXPECT_TRUE(what.starts_with(name)) << what;
-    return what.substr(std::min(name.size(), what.size()));
-  }
-
-  test::TemporaryFolder folder_;
-};
-
-TEST_F(Files, OneClearLineForWhatIsNoFile) {
-  EXPECT_EQ(error(folder_ / "absent.obj"), ": there is no such file");
-  EXPECT_EQ(error(folder_), ": is a directory, not a file");
-  EXPECT_EQ(error(folder_.write("empty.obj", "")), ": is empty");
-  EXPECT_EQ(error(folder_.write("file", "x") / "below.obj"), ": there is no such file");
-  const auto closed = folder_.write("closed.obj", "v 0 0 0\n");
-  std::filesystem::permissions(closed, std::filesystem::perms::none);
-  EXPECT_EQ(error(closed), geteuid() == 0 ? ": holds no faces" : ": can not be opened for reading");
-}
-
-TEST_F(Files, NamesAndLinesStandInFront) {
-  EXPECT_EQ(error(folder_.write("a.obj", "v 0 0 0\nf 1 1\n")), ":2: face with 2 corners, needs 3 or more");
-}
-
-TEST_F(Files, CoordinatesTooLargeToComputeWith) {
-  const std::string rest = " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-  EXPECT_EQ(error(folder_.write("a.obj", "v 1e60" + rest)), "no error");
-  EXPECT_EQ(error(folder_.write("b.obj", "v -1e61" + rest)),
-            ": vertex 0 of 3: a coordinate is beyond 1.6e60, too large to compute with");
-}
-
-TEST_F(Files, ReadsWhatIsThere) {
-  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  while (text.size() < 3'000'000) text += "f 1 2 3\n";
-  Warnings warnings;
-  ReadReport report;
-  read_scene(folder_.write("a.obj", text), {}, warnings, &report);
-  EXPECT_EQ(report.faces, (text.size() - 24) / 8);
-}
 
 /// The message about an archive that is known and not read.
 std::string refusal(const std::string& bytes) {
@@ -70,35 +23,6 @@ TEST(Strangers, AreNamedWithWhatToDo) {
   EXPECT_EQ(refusal(zip_test::zip({{"readme.txt", "hello"}})), "M: is a ZIP archive, not a model");
   EXPECT_TRUE(refusal(zip_test::zip({{"duck.dae", "<COLLADA>"}})).starts_with("M: is an archive with a COLLADA file, "));
   EXPECT_TRUE(refusal(zip_test::zip({{"a.3DRep", "<x/>"}})).starts_with("M: is a 3DXML file, which is not read: "));
-}
-
-TEST(ReadScene, ModelFilesThatAreNone) {
-  LIGNE_NEED_MODELS(folder);
-  Warnings warnings;
-  const auto error = [&](const char* file) {
-    return error_line([&] { read_scene(folder / file, {}, warnings); }).substr(folder.string().size() + 1);
-  };
-  EXPECT_EQ(error("west_bijou_gully.asc"),
-            "west_bijou_gully.asc: is an ESRI ASCII grid; draw it with: ligne surface --grid");
-  EXPECT_EQ(error("jacksboro_dem_16bit.png"), "jacksboro_dem_16bit.png: is a PNG image, not a model");
-  EXPECT_EQ(error("runout_dem_float32.tif"), "runout_dem_float32.tif: is a TIFF image, not a model");
-}
-
-TEST(ReadScene, FormatOfEveryModel) {
-  LIGNE_NEED_MODELS(folder);
-  const std::pair<const char*, ModelFormat> formats[] = {{"2CylinderEngine.glb", ModelFormat::glb},
-                                                         {"lantern/Lantern.gltf", ModelFormat::gltf},
-                                                         {"beetle.obj", ModelFormat::obj},
-                                                         {"featuretype.stl", ModelFormat::stl_binary},
-                                                         {"octagonal_pocket.ply", ModelFormat::ply},
-                                                         {"CITY.ASC", ModelFormat::asc_3d_studio},
-                                                         {"1002_tray_bottom.stl", ModelFormat::stl_ascii}};
-  for (const auto& [file, format] : formats) {
-    Warnings warnings;
-    ReadReport report;
-    EXPECT_FALSE(read_scene(folder / file, {.merge_coplanar = true}, warnings, &report).faces.empty());
-    EXPECT_EQ(report.format, format) << file;
-  }
 }
 
 TEST(Precision, OfFloat32NumbersAsText) {
