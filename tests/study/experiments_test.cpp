@@ -104,15 +104,6 @@ Result run(std::string_view name) {
   return experiment->run({StudySize::small, {}});
 }
 
-/// All rows of a count, in order.
-std::vector<std::uint64_t> counts(const Table& table, std::string_view column) {
-  std::vector<std::uint64_t> list;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) list.push_back(count_in(table, i, column));
-  return list;
-}
-
-using Counts = std::vector<std::uint64_t>;
-
 TEST(Study, EveryRowHasTheFigureOfTheSource) {
   std::set<std::string_view> names;
   for (const Experiment& experiment : experiments()) {
@@ -184,63 +175,6 @@ TEST(Study, ChartsAreOneFile) {
   const std::string svg = charts_svg(result.charts);
   test::expect_parts(svg, {"<svg", "inkscape:label=\"curve-1\""});
   test::expect_no_parts(svg, {"nan", "inf"});
-}
-
-// Conclusion: trees are built once, and what is deduced of faces and edges is right, or the finding says that it is not.
-TEST(Study, SuccessiveViews) {
-  const Result result = run("successive-views");
-  EXPECT_NE(result.finding, Finding::no_longer);
-  const Table& table = result.tables[0];
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const std::string what = std::get<std::string>(table.rows[i][2]);
-    const std::uint64_t alone = count_in(table, i, "each by itself"), following = count_in(table, i, "from the one before");
-    if (what.find("tree") != std::string::npos) {
-      EXPECT_EQ(alone, 4 * following) << what;
-    }
-    if (what.find("asked") != std::string::npos) {
-      EXPECT_LT(following, alone) << what;
-    }
-  }
-}
-
-// Figure 2.88: a slab before another, zones of slabs of zones in it; five faces, each a set of its own, and no list.
-TEST(Study, Decomposition) {
-  const Table table = run("decomposition").tables[0];
-  std::vector<std::string> sets;
-  std::uint64_t leaves = 0;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    sets.push_back(std::get<std::string>(table.rows[i][0]));
-    leaves += std::get<std::string>(table.rows[i][1]) == "one face";
-    EXPECT_NE(std::get<std::string>(table.rows[i][1]), "a list, sorted");
-  }
-  EXPECT_EQ(sets, (std::vector<std::string>{"whole", "1", "2", "2.1", "2.1.1", "2.1.1.1", "2.1.1.2", "2.1.2", "2.2"}));
-  EXPECT_EQ(leaves, 5u);
-  EXPECT_EQ(run("decomposition").finding, Finding::holds);
-}
-
-TEST(Study, ZonesInOneOrder) {
-  const Table table = run("zones").tables[0];
-  for (const auto& row : table.rows) EXPECT_EQ(std::get<std::string>(row[column_of(table, "one order")]), "yes");
-}
-
-// Figure 2.56.
-TEST(Study, StackDoesNotCareWhereTheSceneLies) {
-  const Table table = run("translation").tables[0];
-  const Counts stack = counts(table, "stack"), box = counts(table, "box, divided in the middle");
-  EXPECT_EQ(std::set(stack.begin(), stack.end()).size(), 1u);
-  EXPECT_GT(std::set(box.begin(), box.end()).size(), 2u);
-}
-
-// 2.6: every method draws the line along which two plates penetrate, outside of what hides it.
-TEST(Study, FourMethods) {
-  const Table table = run("four-methods").tables[0];
-  int methods = 0;
-  for (const auto& row : table.rows) {
-    if (std::get<std::string>(row[1]) != "lines of intersection") continue;
-    EXPECT_GT(std::get<std::uint64_t>(row[4]), 0u);
-    ++methods;
-  }
-  EXPECT_EQ(methods, 4);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 /// small size and a table of it by its number. Checks, where OP is = != < > <= or >=:
 ///
 ///     finding WORDS                 holds, holds in part, or no longer holds
-///     "COLUMN" is N N ...           all its values
+///     "COLUMN" is N 'A WORD' ...    all its values
 ///     [ROWS: ] EXPRESSION OP EXPRESSION [+- TOLERANCE]   for each row, "0 3:" for those, or "1/4:" for rows 1, 5, 9 ...
 ///
 /// An expression is a formula of numbers, of "COLUMN" in the row, "COLUMN"@-1 in the row before and "COLUMN"@2 in row 2, and
@@ -29,6 +29,17 @@ double value_in(const Table& table, std::size_t row, std::string_view column) {
   const auto& value = table.rows.at(row).at(column_of(table, column));
   return std::holds_alternative<double>(value) ? std::get<double>(value)
                                                : static_cast<double>(std::get<std::uint64_t>(value));
+}
+
+/// All values of a column, as they are written.
+std::vector<std::string> words_in(const Table& table, std::string_view column) {
+  std::vector<std::string> words;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const auto& value = table.rows[row].at(column_of(table, column));
+    const bool is_word = std::holds_alternative<std::string>(value);
+    words.push_back(is_word ? std::get<std::string>(value) : test::as_text(value_in(table, row, column)));
+  }
+  return words;
 }
 
 /// The rows that "0 3" or "1/4" name.
@@ -94,10 +105,7 @@ void check_values(const std::string& check, const Table& table) {
           if (check.starts_with("finding ")) {
             EXPECT_EQ(kFindingNames[static_cast<std::size_t>(result.finding)], check.substr(8));
           } else if (is != check.npos) {
-            std::vector<double> wanted, found;
-            for (const std::string& word : test::words_of(check.substr(is + 5))) wanted.push_back(std::stod(word));
-            for (std::size_t i = 0; i < table.rows.size(); ++i) found.push_back(value_in(table, i, check.substr(1, is - 1)));
-            EXPECT_EQ(found, wanted);
+            EXPECT_EQ(words_in(table, check.substr(1, is - 1)), test::words_of(check.substr(is + 5)));
           } else {
             check_values(check, table);
           }

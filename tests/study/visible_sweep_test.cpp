@@ -22,31 +22,12 @@ VisiblePiece piece(std::uint32_t curve, std::uint32_t level, OneRoot from, OneRo
 
 using Pieces = std::vector<VisiblePiece>;
 
-TEST(VisibleSweep, AnOpaqueSegmentHidesTheMiddleOfOneBehind) {
-  EXPECT_EQ(swept({opaque({0, 5}, {10, 5}), opaque({3, 1}, {6, 2})}),
-            (Pieces{piece(0, 0, 0, 3), piece(0, 0, 6, 10), piece(1, 0, 3, 6)}));
-}
-
-TEST(VisibleSweep, SegmentsChangeSidesWhereTheyCross) {
-  const OneRoot middle(Int128(10), 0, 0, 3);  // z = x and z = 10 - 2 x
-  EXPECT_EQ(swept({opaque({0, 0}, {5, 5}), opaque({0, 10}, {5, 0})}),
-            (Pieces{piece(0, 0, 0, middle), piece(1, 0, middle, 5)}));
-}
-
 // Behind two panes stands a wall; a bar between the panes hides all behind it.
 TEST(VisibleSweep, PanesAreCounted) {
   const Curves curves{glass({0, 1}, {8, 1}), glass({4, 3}, {12, 3}), opaque({0, 9}, {12, 9}), opaque({6, 2}, {7, 2})};
   EXPECT_EQ(swept(curves),
             (Pieces{piece(0, 0, 0, 8), piece(1, 1, 4, 6), piece(1, 1, 7, 8), piece(1, 0, 8, 12), piece(2, 1, 0, 4),
                     piece(2, 2, 4, 6), piece(2, 2, 7, 8), piece(2, 1, 8, 12), piece(3, 1, 6, 7)}));
-}
-
-// A wall through the middle of a ball of glass, and a bar through its near half: sqrt(25 - 9) = 4 from the middle.
-TEST(VisibleSweep, AWallInABallOfGlass) {
-  Curves curves = circle({10, 10}, 5, true);
-  curves.push_back(opaque({0, 10}, {20, 10}));
-  curves.push_back(opaque({0, 7}, {20, 7}));
-  EXPECT_EQ(swept(curves), (Pieces{piece(0, 0, 6, 14), piece(3, 0, 0, 6), piece(3, 1, 6, 14), piece(3, 0, 14, 20)}));
 }
 
 // Two circles of radius 5 whose centres are 6 apart meet 3 from either, and then the other is nearer; an irrational crossing
@@ -59,31 +40,6 @@ TEST(VisibleSweep, ArcsMeetArcs) {
   const Curves line{PlaneCurve::arc(Kind::far_arc, {0, 0}, 6, {0, 6}), opaque({0, 0}, {6, 6})};
   const OneRoot root(Int128(0), 1, 18, 1);
   EXPECT_EQ(swept(line), (Pieces{piece(0, 0, root, 6), piece(1, 0, 0, root)}));
-}
-
-TEST(VisibleSweep, OfCoincidentCurvesTheFirstIsInFront) {
-  EXPECT_EQ(swept({opaque({0, 0}, {8, 4}), opaque({2, 1}, {10, 5})}), (Pieces{piece(0, 0, 0, 8), piece(1, 0, 8, 10)}));
-  EXPECT_EQ(swept({glass({0, 0}, {8, 4}), opaque({0, 0}, {8, 4})}), (Pieces{piece(0, 0, 0, 8), piece(1, 1, 0, 8)}));
-  const Curves arcs{circle({0, 0}, 5)[0], circle({0, 0}, 5)[0]};
-  EXPECT_EQ(swept(arcs), (Pieces{piece(0, 0, -5, 5)}));
-}
-
-TEST(VisibleSweep, SegmentsAlongTheViewHideNothing) {
-  EXPECT_EQ(swept({opaque({5, 0}, {5, 9}), opaque({0, 4}, {9, 4}), opaque({0, 0}, {0, 8})}), (Pieces{piece(1, 0, 0, 9)}));
-}
-
-// Where one ends on the crossing of its two neighbours, they are no neighbours before.
-TEST(VisibleSweep, AnEndOnACrossing) {
-  EXPECT_EQ(swept({opaque({0, 0}, {8, 8}), opaque({0, 8}, {8, 0}), opaque({0, 4}, {4, 4})}),
-            (Pieces{piece(0, 0, 0, 4), piece(1, 0, 4, 8)}));
-}
-
-// An arc that touches a line from the near side stays in front; a third line crosses both at that point.
-TEST(VisibleSweep, ATouchIsNoCrossing) {
-  const Curves curves{PlaneCurve::arc(Kind::far_arc, {5, 0}, 5, {0, 10}), opaque({0, 5}, {10, 5}), opaque({0, 10}, {10, 0})};
-  const auto pieces = swept(curves);
-  EXPECT_EQ(pieces, visible_by_pairs(curves));
-  EXPECT_EQ(pieces, (Pieces{piece(0, 0, 0, 5), piece(2, 0, 5, 10)}));
 }
 
 /// Depths in floating point, independent of the exact meetings.
