@@ -125,39 +125,6 @@ TEST_F(Messages, CommandLinesWithLongAndOddTexts) {
   }
 }
 
-/// Files with a few bytes changed. The seed is fixed.
-TEST_F(Messages, MutatedFiles) {
-  const std::string gltf =
-      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"name":"n"}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
-      R"("buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],)"
-      R"("bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}]})";
-  const std::string scene =
-      R"({"format":"ligne-scene","version":1,"about":"a","up":"z","materials":[{"name":"m","color":[1,0,0],"opacity":0.5}],)"
-      R"("objects":[{"name":"o","vertices":[[0,0,0],[1,0,0],[0,1,0]],"faces":[{"outer":[0,1,2],"material":0}]}],"lights":[{"kind":"point","position":[0,0,1]}]})";
-  std::mt19937 random(20);
-  for (const std::string& text : {gltf, scene}) {
-    for (int i = 0; i < 150; ++i) {
-      std::string mutated = text;
-      for (int k = 0; k <= i % 4; ++k) {
-        const std::size_t at = random() % mutated.size();
-        const char byte = static_cast<char>(random() % 256);
-        switch (random() % 3) {
-          case 0:
-            mutated[at] = byte;
-            break;
-          case 1:
-            mutated.insert(at, random() % 2 ? 1 : 3000, byte);
-            break;
-          default:
-            mutated.erase(at, 1 + random() % 8);
-        }
-      }
-      write("mutated.json", mutated);
-      is_one_line("draw mutated.json -o x.svg", mutated.substr(0, 2000));
-    }
-  }
-}
-
 // Failures where processes matter: a full device, a reader that went away, limits. Mistakes: scripts/mistakes.txt.
 
 const std::vector<Words> kWritersToStandardOutput{

@@ -34,6 +34,23 @@ std::string memory_of_groups(const std::string& files) {
   return bytes ? std::to_string(*bytes) : "all";
 }
 
+/// "[landscape|portrait] [WxH] [margin:MM] BOX": the page for a picture of this extent, its corners or nothing.
+std::string page_for_box(const std::string& text) {
+  PageRequest request;
+  Rect box;
+  for (const std::string& word : test::words_of(text)) {
+    const std::size_t comma = word.find(',');
+    if (word == "landscape") request.landscape = true;
+    if (word == "portrait") request.portrait = true;
+    if (word.find('x') != word.npos) request.size = parse_page_size(word);
+    if (word.starts_with("margin:")) request.margin_mm = std::stod(word.substr(7));
+    if (comma != word.npos) box.extend({std::stod(word), std::stod(word.substr(comma + 1))});
+  }
+  check(request);
+  const Page page = page_for(request, box);
+  return test::as_text(page.width_mm, page.height_mm, page.margin_mm);
+}
+
 /// The functions of values/options.txt.
 const test::TextFunctions kFunctions{
     {"number", [](auto& t) { return test::as_text(parse_number(t)); }},
@@ -54,6 +71,7 @@ const test::TextFunctions kFunctions{
        const PageSize size = parse_page_size(t);
        return test::as_text(size.page.width_mm, size.page.height_mm) + (size.explicit_size ? " as it is" : " may turn");
      }},
+    {"page-for", page_for_box},
     {"memory", [](auto& t) { return test::as_text(parse_memory(t).bytes); }},
     {"control-groups", memory_of_groups},
     {"bytes", [](auto& t) { return bytes_text(std::stod(t)); }},
@@ -63,45 +81,6 @@ const test::TextFunctions kFunctions{
 };
 
 [[maybe_unused]] const bool values_are_added = test::add_function_scripts(LIGNE_SOURCE_DIR "/tests/cli/values", kFunctions);
-
-constexpr Rect kWide{{0, 0}, {40, 10}}, kTall{{0, 0}, {10, 40}}, kSquare{{0, 0}, {10, 10}};
-
-bool lies(const Page& page) { return page.width_mm > page.height_mm; }
-
-TEST(PageOrientation, FollowsThePicture) {
-  const PageRequest options;
-  EXPECT_TRUE(lies(page_for(options, kWide)));
-  EXPECT_FALSE(lies(page_for(options, kTall)));
-  EXPECT_FALSE(lies(page_for(options, kSquare)));
-  EXPECT_FALSE(lies(page_for(options, Rect{})));
-  EXPECT_TRUE(lies(page_for(options, {{0, 5}, {3, 5}}))) << "a line across";
-  EXPECT_FALSE(lies(page_for(options, {{5, 0}, {5, 3}}))) << "a line down";
-  EXPECT_FALSE(lies(page_for(options, {{5, 5}, {5, 5}}))) << "a point";
-}
-
-TEST(PageOrientation, IsAsAskedFor) {
-  PageRequest options;
-  options.landscape = true;
-  EXPECT_TRUE(lies(page_for(options, kTall)));
-  options = {};
-  options.portrait = true;
-  EXPECT_FALSE(lies(page_for(options, kWide)));
-  options = {};
-  options.size.page = {300, 100, 10};
-  options.size.explicit_size = true;
-  EXPECT_TRUE(lies(page_for(options, kTall)));
-  options.portrait = true;
-  EXPECT_EQ(page_for(options, kWide).height_mm, 300);
-}
-
-TEST(PageMargin, MustLeaveSomething) {
-  PageRequest options;
-  options.margin_mm = 104.9;
-  EXPECT_NO_THROW(check(options));
-  EXPECT_EQ(page_for(options, kTall).margin_mm, 104.9);
-  options.margin_mm = 105;
-  EXPECT_THROW(check(options), RequestError);
-}
 
 TEST(PageScale, UnitAndRatioMultiply) {
   PageRequest options;

@@ -186,22 +186,16 @@ TEST_F(SurfaceBreaksTest, ScatteredPointsComeFromStandardInputToo) {
 
 // Contour lines and axes of `ligne surface` by the mesh methods.
 
-class SurfaceLinesTest : public SurfaceProgramTest {
- protected:
-  std::string svg(const Words& arguments, const Words& more = {}) const {
-    const Outcome outcome = surface(arguments + more, "-o - --format svg");
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "");
-    return outcome.out;
-  }
-};
+using SurfaceLinesTest = SurfaceProgramTest;
 
 TEST_F(SurfaceLinesTest, AxesOfTheMeshAreThoseOfTheHorizon) {
   for (const char* style : {"--axes", "--axes=grid", "--axes=box", "--axes=base"}) {
     for (const Words view :
          chosen(std::string("views, ") + style, 3, {"", "--azimuth 20 --elevation -35", "--eye 30,-20,25"})) {
       Words plot = Words{"5*sin(r)/r", "-x", "-9:9:30", "-y", "-8:9:30", "--z-scale", "1", style, "--title", "hat"} + view;
-      const std::string by_horizon = svg(plot), by_mesh = svg(plot, "--method appel");
+      const Outcome mesh = surface(plot, "--method appel -o - --format svg");
+      const std::string by_horizon = surface(plot, "-o - --format svg").out, by_mesh = mesh.out;
+      EXPECT_EQ(mesh.err, "");
       const double horizon = layers_of(by_horizon).at("axes");
       EXPECT_NEAR(layers_of(by_mesh).at("axes"), horizon, 1e-3 * horizon) << style;
       EXPECT_EQ(by_mesh.substr(by_mesh.find("id=\"text\"")), by_horizon.substr(by_horizon.find("id=\"text\""))) << style;
@@ -252,10 +246,7 @@ TEST_F(SurfaceInputTest, ContoursWithoutNumberOrMemory) {
 /// Seen from above, ten units of the ground are 80 mm.
 const Words kMap = "-x 0:10:11 -y 0:10:11 --view top --lines none --page 100x100 --margin 10 --scale 8:1";
 
-class TerrainTest : public SurfaceProgramTest {
- protected:
-  std::string svg(const Words& arguments) const { return surface(arguments + kMap, "-o - --format svg").out; }
-};
+using TerrainTest = SurfaceProgramTest;
 
 TEST_F(TerrainTest, FillsShowTheBandsInTheirColours) {
   const Words bands = "x -x 0:10:11 -y 0:10:3 --bands 0,2,5 --fill material --colors red,lime,blue --legend --lines y";
@@ -276,19 +267,13 @@ TEST_F(TerrainTest, FillsShowTheBandsInTheirColours) {
 }
 
 TEST_F(TerrainTest, HachuresDownASlopeStayOnTheGround) {
-  const std::string out = svg("sin(x)*cos(y)+0.1*sin(7*x)*sin(5*y) --hachures slope --outline off");
-  double low = 1e9, high = -1e9;
-  for (std::size_t at = out.find("<path d=\"M"); at != std::string::npos; at = out.find("<path d=\"M", at + 1)) {
-    std::string path = out.substr(at + 9, out.find('"', at + 9) - at - 9);
-    for (char& c : path) c = c == 'M' || c == 'L' || c == ',' || c == 'H' || c == 'V' || c == 'Z' ? ' ' : c;
-    std::istringstream numbers(path);
-    for (double value = 0; numbers >> value;) {
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-  }
-  EXPECT_GE(low, 10 - 1e-3);
-  EXPECT_LE(high, 90 + 1e-3);
+  const Words terrain = "sin(x)*cos(y)+0.1*sin(7*x)*sin(5*y) --hachures slope --outline off";
+  Rect box;
+  for (const Layer& layer : read_svg_drawing(surface(terrain, kMap + "-o - --format svg").out, "a", {}).drawing.layers)
+    for (const Point2 p : layer.lines.points) box.extend(p);
+  EXPECT_GE(std::min(box.min.x, box.min.y), 10 - 1e-3);
+  EXPECT_LE(std::max(box.max.x, box.max.y), 90 + 1e-3);
+  EXPECT_GT(box.width(), 70);
 }
 
 TEST_F(TerrainTest, AxesOfRidgelinesSayTruePositions) {
@@ -313,10 +298,10 @@ TEST_F(TerrainTest, AxesOfRidgelinesSayTruePositions) {
 
 TEST_F(TerrainTest, UnevenRowsOfRidgelinesStandAtTheirPositions) {
   write("rows.csv", ",0,1,2\n0,5,5,5\n1,5,5,5\n10,5,5,6\n");
-  const std::string out = surface({"--grid", "rows.csv", "--ridgeline", "1"}, {"-o", "-", "--format", "svg"}).out;
+  const std::string out = surface("--grid rows.csv --ridgeline 1", "-o - --format svg").out;
   std::vector<double> y;
-  const std::regex path("<path d=\"M\\S+ (\\S+)l");
-  for (std::sregex_iterator line(out.begin(), out.end(), path), end; line != end; ++line) y.push_back(std::stod((*line)[1]));
+  const Polylines lines = read_svg_drawing(out, "a", {}).drawing.layers.at(0).lines;
+  for (std::size_t i = 0; i < lines.size(); ++i) y.push_back(lines[i][0].y);
   ASSERT_EQ(y.size(), 3u);
   std::sort(y.begin(), y.end());
   EXPECT_NEAR((y[1] - y[0]) / (y[2] - y[1]), 9, 0.01);
