@@ -11,6 +11,7 @@ struct Answers {
   std::vector<std::vector<Interval>> edge_intervals;  ///< by edge
   std::vector<Intersection> intersections;
   std::vector<std::vector<Interval>> intersection_intervals;  ///< by intersection
+  friend bool operator==(const Answers&, const Answers&) = default;
 };
 
 /// Asks the oracle.

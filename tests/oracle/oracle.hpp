@@ -53,6 +53,7 @@ struct Interval {
   Answer answer = Answer::undecided;
   bool exactly_hidden = false;  ///< by the exact rule, without tolerances
   bool at_border = false;       ///< within a micrometre of the window's border, or beyond it
+  friend bool operator==(const Interval&, const Interval&) = default;
 };
 
 /// An edge of the scene.
@@ -61,6 +62,7 @@ struct Edge {
   Point3 a{0, 0, 0}, b{0, 0, 0};     ///< parameter 0 and 1; a is lexicographically smaller
   std::vector<std::uint32_t> faces;  ///< faces of the scene, ascending; a face that runs along it twice stands here twice
   EdgeClass edge_class = EdgeClass::undecided;
+  friend bool operator==(const Edge&, const Edge&) = default;
 };
 
 /// The common segment of two penetrating faces, or a part of it: near its ends a crossing is not proper.
@@ -73,6 +75,7 @@ struct Intersection {
   bool proper = false;
   /// The faces are so nearly parallel that the place of their common line hangs on the last digits.
   bool vague = false;
+  friend bool operator==(const Intersection&, const Intersection&) = default;
 };
 
 /// A face over a point of the page.
