@@ -161,32 +161,6 @@ std::string error_of(const json& document) {
   return "no error";
 }
 
-TEST(KnownAnswerReader, ReadsWhatIsThere) {
-  const KnownAnswer answer = parse_known_answer(square().dump(), "A", {});
-  EXPECT_EQ(answer.name, "A");
-  EXPECT_EQ(answer.reasoning.size(), 1u);
-  EXPECT_EQ(answer.camera.named_view, "front");
-  EXPECT_EQ(answer.edges, "feature");
-  EXPECT_EQ(answer.scene.faces.size(), 1u);
-  EXPECT_TRUE(answer.with_hidden);
-  ASSERT_EQ(answer.segments.size(), 5u);
-  EXPECT_EQ(answer.segments[1].to, (Point3{1, 0, 1}));
-  EXPECT_EQ(answer.segments[1].line_class, LineClass::border);
-  EXPECT_TRUE(answer.segments[1].visible);
-  EXPECT_EQ(answer.segments[4].line_class, LineClass::crease);
-  EXPECT_FALSE(answer.segments[4].visible);
-}
-
-TEST(KnownAnswerReader, ReadsAPerspectiveView) {
-  json document = square();
-  document["view"] =
-      json::parse(R"({"eye": [0, -9, 0], "target": [0, 0, 0], "fov": 60, "right": [1, 0, 0], "down": [0, 0, -1]})");
-  const KnownAnswer answer = parse_known_answer(document.dump(), "A", {});
-  ASSERT_TRUE(answer.camera.eye && answer.camera.target);
-  EXPECT_EQ(*answer.camera.eye, (Point3{0, -9, 0}));
-  EXPECT_EQ(answer.camera.fov_degrees, 60);
-}
-
 TEST(KnownAnswerReader, SaysWhatIsWrong) {
   const auto with = [](const char* pointer, const json& value) {
     json document = square();

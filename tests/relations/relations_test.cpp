@@ -71,53 +71,41 @@ INSTANTIATE_TEST_SUITE_P(Corpus, Relations,
                          testing::Combine(testing::ValuesIn(all_relations()), testing::ValuesIn(subjects())),
                          [](const auto& info) { return std::get<0>(info.param).name + "_" + std::get<1>(info.param).name; });
 
-/// The comparison itself.
-class Differences : public testing::Test {
- protected:
-  Sight sight_ = sight_of(corpus_scene("cube"), "odd");
-  LineDrawing cube_ = drawn(*all_methods().front(), sight_);
-};
-
-TEST_F(Differences, AreNoneOfADrawingFromItself) { EXPECT_EQ(differences(cube_, cube_), ""); }
-
-TEST_F(Differences, AreNoneWhenALineIsCutInTwo) {
-  LineDrawing cut = cube_;
-  const Segment whole = cut.lines[0].place;
-  cut.lines[0].place.to = whole.at(whole.length() / 3);
-  cut.lines.push_back({cut.lines[0].line_class, {cut.lines[0].place.to, whole.to}});
-  EXPECT_EQ(differences(cube_, cut), "");
-}
-
-TEST_F(Differences, ShowAMissingLine) {
-  LineDrawing less = cube_;
-  less.lines.pop_back();
-  expect_parts(differences(cube_, less), {"no longer drawn"});
-  expect_parts(differences(less, cube_), {"newly drawn"});
-}
-
-TEST_F(Differences, ShowALineOfAnotherClass) {
-  LineDrawing other = cube_;
-  other.lines[0].line_class = LineClass::border;
-  EXPECT_NE(differences(cube_, other), "");
-}
-
-TEST_F(Differences, ShowALineThatIsTwoMicrometresOff) {
-  for (const Point2 by : {Point2{0.002, 0}, Point2{0, 0.002}}) {
-    LineDrawing off = cube_;
-    for (Line& line : off.lines) line.place = {line.place.from + by, line.place.to + by};
-    EXPECT_NE(differences(cube_, off), "");
-  }
-}
-
-TEST_F(Differences, ShowAFaceThatIsGone) {
-  Sight open = sight_;
+/// The comparison itself: what is changed in a drawing shows, and a line that is cut in two does not.
+TEST(Differences, ShowWhatIsChanged) {
+  const Sight sight = sight_of(corpus_scene("cube"), "odd");
+  const LineDrawing cube = drawn(*all_methods().front(), sight);
+  const auto with = [&](const std::function<void(std::vector<Line>&)>& change) {
+    LineDrawing changed = cube;
+    change(changed.lines);
+    return changed;
+  };
+  const auto moved = [&](Point2 by) {
+    return with([=](auto& lines) {
+      for (Line& line : lines) line.place = {line.place.from + by, line.place.to + by};
+    });
+  };
+  const LineDrawing cut = with([](auto& lines) {
+    const Segment whole = lines[0].place;
+    lines[0].place.to = whole.at(whole.length() / 3);
+    lines.push_back({lines[0].line_class, {lines[0].place.to, whole.to}});
+  });
+  EXPECT_EQ(differences(cube, cube), "");
+  EXPECT_EQ(differences(cube, cut), "");
+  const LineDrawing less = with([](auto& lines) { lines.pop_back(); });
+  expect_parts(differences(cube, less), {"no longer drawn"});
+  expect_parts(differences(less, cube), {"newly drawn"});
+  EXPECT_NE(differences(cube, with([](auto& lines) { lines[0].line_class = LineClass::border; })), "") << "another class";
+  EXPECT_NE(differences(cube, moved({0.002, 0})), "") << "two micrometres off";
+  EXPECT_NE(differences(cube, moved({0, 0.002})), "") << "two micrometres off";
+  Sight open = sight;
   // The face on top: what it hid comes out.
   std::erase_if(open.scene.objects[0].faces, [&](const PlainFace& face) {
     const auto& corners = face.contours[0];
     return std::all_of(corners.begin(), corners.end(), [&](const Point3& p) { return p.z == corners[0].z && p.z > 0; });
   });
   ASSERT_EQ(open.scene.objects[0].faces.size(), 5u);
-  EXPECT_NE(differences(cube_, drawn(*all_methods().front(), open)), "");
+  EXPECT_NE(differences(cube, drawn(*all_methods().front(), open)), "");
 }
 
 // Scenes in which much is nearly, or exactly, in one place: faces a hair apart, coordinates far larger than what they
