@@ -1,11 +1,9 @@
-// The painter: orders by hand, the cases that planes decide, rings and penetration, faces of one depth each; what it paints
-// against the depth buffer wherever it says that its order is right.
+// The painter: orders by hand, the cases that planes decide, rings and penetration, faces of one depth each. What it paints:
+// zbuffer_test.cpp.
 
-#include "main/tier.hpp"
 #include "report/stroke_difference.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
-#include "support/standard_views.hpp"
 #include "visibility/painter/paint_sequence.hpp"
 
 namespace ligne::test {
@@ -88,16 +86,6 @@ TEST(Painter, FiguresOfTheThesis) {
   }
 }
 
-/// The nearest depth of a face at a point of the lattice, within a little of its triangles.
-double depth_of(const ProjectedScene& scene, std::uint32_t face, Point2 p) {
-  constexpr double kInside = -1e-3;
-  double nearest = std::numeric_limits<double>::infinity();
-  for_triangles_at(scene, p, [&](const Triangle& t, double z, double least) {
-    if (t.face == face && least > kInside) nearest = std::min(nearest, z);
-  });
-  return nearest;
-}
-
 /// The viewer stands in the room: faces reach from before the eye to behind it.
 TEST(Painter, FromAmongTheFacesWhatIsBehindTheViewerIsCutOff) {
   const ProjectedScene page = project_on_a4(corpus_scene("room"), from_eye({1.5, 3.25, 6.5}, {9, 11, 2}, 80));
@@ -114,52 +102,6 @@ TEST(Painter, WithTheEyeOnACornerItSaysThatItMayBeWrong) {
   const CameraRequest corner = from_eye({0, 0, 0}, {9, 11, 2});
   EXPECT_NE(find_method("painter")->compute_visibility(project_on_a4(corpus_scene("room"), corner), {}).unsupported_reason,
             "");
-}
-
-/// Where the painter says nothing against its order, it paints what the depth buffer shows.
-TEST(Painter, PaintsWhatIsSeenUnlessItSaysOtherwise) {
-  constexpr std::uintmax_t kMostBytes = 20'000;
-  int right = 0, beyond = 0;
-  std::size_t number = 0;
-  for (const std::filesystem::path& file : corpus_files(kMostBytes)) {
-    if (!is_chosen("scenes of painter", number++, 3)) continue;
-    const Scene scene = scene_of_file(file);
-    if (!scene.face_material.empty()) continue;  // of glass, which the buffer does not hold
-    for (const StandardView& standard : standard_views(scene)) {
-      if (std::string_view(standard.name) != "odd" && std::string_view(standard.name) != "near") continue;
-      const View view = make_view(scene, make_camera(standard.camera, scene), standard.sheet.frame, standard.sheet.page,
-                                  standard.sheet.scale);
-      const ProjectedScene page = project(scene, build_topology(scene), view, {classes("all"), 30});
-      for (unsigned sort = 0; sort < 3; ++sort) {
-        VisibilityOptions options;
-        options.span_lines = SpanLines{1, 2, 105};
-        options.settings.set("depth-sort", ParameterWord{sort});
-        const VisibilityResult painted = find_method("painter")->compute_visibility(page, options);
-        if (!painted.unsupported_reason.empty()) {
-          ++beyond;
-          continue;
-        }
-        ++right;
-        VisibilityOptions of_buffer;
-        of_buffer.span_lines = options.span_lines;
-        of_buffer.settings.set("filling", ParameterWord{1});
-        const VisibilityResult seen = find_method("zbuffer")->compute_visibility(page, of_buffer);
-        // Where faces touch, either may be seen.
-        constexpr double kTouchMm = 0.01;
-        const PixelModel& pixels = *seen.pixels;
-        std::size_t unlike = 0;
-        for (std::size_t i = 0; i < pixels.face.size(); ++i) {
-          if (pixels.face[i] == painted.pixels->face[i]) continue;
-          const Point2 mm = pixels.corner_mm + Point2(i % pixels.width + 0.5, i / pixels.width + 0.5) * pixels.pixel_mm;
-          const Point2 p = (mm - page.lattice.origin_mm) / page.lattice.step_mm;
-          unlike += !(std::abs(depth_of(page, painted.pixels->face[i], p) - pixels.depth[i]) < kTouchMm);
-        }
-        EXPECT_EQ(unlike, 0u) << file.stem() << ", " << standard.name << ", " << sort;
-      }
-    }
-  }
-  EXPECT_GT(right, runs_all() ? 200 : 50);
-  EXPECT_GT(beyond, runs_all() ? 100 : 20);
 }
 
 }  // namespace

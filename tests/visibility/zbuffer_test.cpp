@@ -1,4 +1,5 @@
-// The depth buffer: depths worked out by hand, against a plain search, without gaps; objects added later; lines sampled.
+// The depth buffer: depths worked out by hand, without gaps; objects added later; lines sampled. Pixels of all methods that
+// paint some, against a plain search.
 
 #include "base/parallel.hpp"
 #include "main/tier.hpp"
@@ -105,51 +106,75 @@ TEST(ZBuffer, NeighboursShareNothingAndLeaveNothingOut) {
 
 constexpr std::uintmax_t kMostBytes = 20'000;
 
-/// The nearest depth of the triangles that surely hold the point, and that of those that may hold it.
-std::array<double, 2> depths_at(const ProjectedScene& scene, Point2 p) {
+/// Depths at a point of the lattice: of the nearest triangle that surely holds it, of the nearest that may hold it, and of a
+/// face.
+struct DepthsAt {
+  double surely = HUGE_VAL, maybe = HUGE_VAL, of_face = HUGE_VAL;
+};
+
+DepthsAt depths_at(const ProjectedScene& scene, Point2 p, std::uint32_t face) {
   constexpr double kInside = 1e-3;
-  std::array<double, 2> nearest{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  DepthsAt nearest;
   for_triangles_at(scene, p, [&](const Triangle& t, double z, double least) {
-    if (!scene.face_is_transparent.empty() && scene.face_is_transparent[t.face]) return;  // not in the buffer
+    if (!scene.face_is_transparent.empty() && scene.face_is_transparent[t.face]) return;  // not in the pixels
     if (scene.is_edge_on(t)) return;
-    if (least > kInside) nearest[0] = std::min(nearest[0], z);
-    if (least > -kInside) nearest[1] = std::min(nearest[1], z);
+    if (least > kInside) nearest.surely = std::min(nearest.surely, z);
+    if (least > -kInside) nearest.maybe = std::min(nearest.maybe, z);
+    if (least > -kInside && t.face == face) nearest.of_face = std::min(nearest.of_face, z);
   });
   return nearest;
 }
 
-TEST(ZBuffer, AgreesWithAPlainSearchOnTheCorpus) {
+/// The depth buffer by both of its fillings, and the painter by its three sorts, where it says nothing against its order.
+TEST(Pixels, ShowWhatAPlainSearchFindsOnTheCorpus) {
   constexpr double kDepthMm = 0.01;
+  struct Way {
+    const char *method, *setting;
+    unsigned word;
+  };
   std::size_t compared = 0, number = 0;
+  std::map<std::string, int> right, beyond;
   for (const std::filesystem::path& file : corpus_files(kMostBytes)) {
-    if (!is_chosen("scenes of zbuffer", number++, 3)) continue;
+    if (!is_chosen("scenes of pixels", number++, 3)) continue;
     const Scene scene = scene_of_file(file);
     for (const StandardView& standard : standard_views(scene)) {
       if (std::string_view(standard.name) != "odd" && std::string_view(standard.name) != "near") continue;
       const View view = make_view(scene, make_camera(standard.camera, scene), standard.sheet.frame, standard.sheet.page,
                                   standard.sheet.scale);
       const ProjectedScene page = projected(scene, view);
-      for (const Filling filling : kFillings) {
-        const DepthBuffer buffer = painted(page, 40, filling);
-        for (std::uint32_t row = 0; row < buffer.grid().height; ++row) {
-          for (std::uint32_t column = 0; column < buffer.grid().width; ++column) {
-            const Point2 mm = buffer.grid().corner_mm + Point2(column + 0.5, row + 0.5) * buffer.grid().pixel_mm;
-            const std::array<double, 2> z = depths_at(page, (mm - page.lattice.origin_mm) / page.lattice.step_mm);
-            // Where triangles of a face lie over each other, or a centre is close to a side, either may be right.
-            if (z[0] != z[1]) continue;
-            ++compared;
-            if (z[0] == std::numeric_limits<double>::infinity()) {
-              EXPECT_EQ(buffer.face(column, row), DepthBuffer::kNothing) << file.stem() << " " << column << " " << row;
-              continue;
-            }
-            ASSERT_NE(buffer.face(column, row), DepthBuffer::kNothing) << file.stem() << " " << column << " " << row;
-            ASSERT_NEAR(buffer.depth(column, row), z[0], kDepthMm) << file.stem() << " " << column << " " << row;
+      for (const Way& way : {Way{"zbuffer", "filling", 0},
+                             {"zbuffer", "filling", 1},
+                             {"painter", "depth-sort", 0},
+                             {"painter", "depth-sort", 1},
+                             {"painter", "depth-sort", 2}}) {
+        SCOPED_TRACE(file.stem().string() + ", " + standard.name + ", " + way.method + " " + std::to_string(way.word));
+        if (!page.face_is_transparent.empty() && std::string_view(way.method) == "painter") continue;  // it paints glass
+        VisibilityOptions options;
+        options.span_lines = SpanLines{2.5, 5, 42};
+        options.settings.set(way.setting, ParameterWord{way.word});
+        const VisibilityResult result = find_method(way.method)->compute_visibility(page, options);
+        ++(result.unsupported_reason.empty() ? right : beyond)[way.method];
+        if (!result.unsupported_reason.empty()) continue;
+        const PixelModel& pixels = *result.pixels;
+        for (std::size_t i = 0; i < pixels.face.size(); ++i) {
+          const Point2 mm = pixels.corner_mm + Point2(i % pixels.width + 0.5, i / pixels.width + 0.5) * pixels.pixel_mm;
+          const DepthsAt z = depths_at(page, (mm - page.lattice.origin_mm) / page.lattice.step_mm, pixels.face[i]);
+          // Where triangles of a face lie over each other, or a centre is close to a side, either may be right.
+          if (z.surely != z.maybe) continue;
+          ++compared;
+          ASSERT_EQ(pixels.face[i] == DepthBuffer::kNothing, z.surely == HUGE_VAL) << mm.x << ", " << mm.y;
+          if (z.surely == HUGE_VAL) continue;
+          ASSERT_NEAR(z.of_face, z.surely, kDepthMm) << mm.x << ", " << mm.y;
+          if (std::string_view(way.method) == "zbuffer") {  // those of the painter are what it sorts by
+            ASSERT_NEAR(pixels.depth[i], z.surely, kDepthMm) << mm.x << ", " << mm.y;
           }
         }
       }
     }
   }
   EXPECT_GT(compared, runs_all() ? 500'000u : 150'000u);
+  EXPECT_GT(right["painter"], runs_all() ? 200 : 50);
+  EXPECT_GT(beyond["painter"], runs_all() ? 100 : 20);
 }
 
 void expect_same(DepthBuffer& a, DepthBuffer& b) {
