@@ -74,7 +74,7 @@ TEST(WarnockPolygon, DivisionAlongSidesSavesWindowsInEveryView) {
   }
 }
 
-// Areas of the method warnock: no overlap, no gap, and each shows the face that is in front.
+// Areas of the method warnock. On the corpus: atherton_weiler/regions_test.cpp.
 
 struct Areas {
   ProjectedScene projected;
@@ -88,75 +88,6 @@ Areas areas_of(const Scene& scene, const CameraRequest& camera, const MethodSett
   result.regions = *find_method("warnock")->compute_visibility(result.projected, options).regions;
   return result;
 }
-
-/// Depths of all opaque faces at a page point, by their triangles.
-std::map<std::uint32_t, double> depths_of_faces_at(const ProjectedScene& scene, Point2 mm) {
-  std::map<std::uint32_t, double> depths;
-  const Point2 p = (mm - scene.lattice.origin_mm) / scene.lattice.step_mm;
-  for_triangles_at(scene, p, [&](const Triangle& t, double z, double least) {
-    if (least < 0 || (!scene.face_is_transparent.empty() && scene.face_is_transparent[t.face])) return;
-    const auto found = depths.try_emplace(t.face, z).first;
-    found->second = std::min(found->second, z);
-  });
-  return depths;
-}
-
-class WarnockRegions : public testing::TestWithParam<std::filesystem::path> {};
-
-TEST_P(WarnockRegions, ShowTheFaceInFrontEverywhereOnce) {
-  const Scene scene = scene_of_file(GetParam());
-  for (const StandardView& view : standard_views(scene)) {
-    if (view.name != "odd" && view.name != "near" && view.name != "front") continue;
-    const Areas areas = areas_of(scene, view.camera);
-    constexpr int kColumns = 61, kRows = 43;
-    constexpr double kDepthMm = 0.002;  // nearer to each other than this faces touch
-    std::vector<Rect> boxes;
-    for (const Region& r : areas.regions) {
-      EXPECT_GT(area_of(r), 0);
-      Rect box;
-      for (const Point2 p : r.contours[0]) box.extend(p);
-      boxes.push_back(box);
-      for (std::size_t k = 1; k < r.contours.size(); ++k) EXPECT_LT(area_of(r.contours[k]), 0) << "hole";
-    }
-    int wrong = 0, asked = 0;
-    std::string first;
-    for (int row = 0; row < kRows; ++row) {
-      for (int column = 0; column < kColumns; ++column) {
-        const Point2 p{kPageWidth * (column + 0.4137) / kColumns, kPageHeight * (row + 0.5793) / kRows};
-        bool near = false;
-        std::vector<std::uint32_t> shown;
-        for (std::size_t i = 0; i < areas.regions.size(); ++i) {
-          const Rect& b = boxes[i];
-          if (p.x < b.min.x - 1 || p.x > b.max.x + 1 || p.y < b.min.y - 1 || p.y > b.max.y + 1) continue;
-          near = near || is_near_side(areas.regions[i], p, 0.002);
-          if (holds(areas.regions[i], p)) shown.push_back(areas.regions[i].face);
-        }
-        if (near) continue;
-        ++asked;
-        const auto depths = depths_of_faces_at(areas.projected, p);
-        bool right = shown.size() == (depths.empty() ? 0u : 1u);
-        if (right && !shown.empty()) {
-          const auto own = depths.find(shown[0]);
-          const double nearest =
-              std::min_element(depths.begin(), depths.end(), [](auto& a, auto& b) { return a.second < b.second; })->second;
-          right = own != depths.end() && own->second <= nearest + kDepthMm;
-        }
-        if (right) continue;
-        ++wrong;
-        if (first.empty()) {
-          first = "at " + std::to_string(p.x) + ", " + std::to_string(p.y) + ": shown";
-          for (const auto f : shown) first += " " + std::to_string(f);
-          first += "; there are";
-          for (const auto& [f, z] : depths) first += " " + std::to_string(f) + " (" + std::to_string(z) + ")";
-        }
-      }
-    }
-    EXPECT_EQ(wrong, 0) << view.name << ", of " << asked << ", first " << first;
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Corpus, WarnockRegions, testing::ValuesIn(corpus_files(kLargeSceneBytes)),
-                         [](const auto& info) { return info.param.stem().string(); });
 
 /// A plate of 4 x 3 behind a cube: what is seen of both together is the plate, seen from above.
 TEST(WarnockAreas, AddUpToThePlateBehind) {
