@@ -5,6 +5,7 @@
 #include "contours/parametric_mesh.hpp"
 #include "contours/surfaces/smooth_patch.hpp"
 #include "drawing/measures.hpp"
+#include "patches/patch_scenes.hpp"
 #include "support/round_bodies.hpp"
 #include "support/test.hpp"
 
@@ -109,48 +110,13 @@ TEST(SmoothContours, EndAtTheRimWhereTheOutlineOfTheMeshDoes) {
   EXPECT_NEAR(length_of(smooth), length_of(plain), 0.01 * length_of(plain));
 }
 
-/// A box with fillets of `n` facets a quarter along all edges: half of its size without them, and their radius.
-Scene filleted_box(const Point3& half, double radius, std::uint32_t n) {
-  std::vector<Point3> vertices;
-  std::vector<std::vector<std::uint32_t>> faces;
-  const std::uint32_t rows = 2 * n, columns = 4 * (n + 1);
-  const auto add = [&](std::uint32_t quarter, double turn, double height, double top) {
-    const double x = quarter == 0 || quarter == 3 ? half.x : -half.x, y = quarter < 2 ? half.y : -half.y;
-    vertices.push_back(Point3(x, y, top * half.z) + radius * Point3(std::cos(turn) * std::cos(height),
-                                                                    std::sin(turn) * std::cos(height), std::sin(height)));
-  };
-  for (std::uint32_t row = 0; row < rows; ++row) {
-    const double step = kTurn / 4 / n, height = row < n ? (row + 1) * step - kTurn / 4 : (row - n) * step;
-    for (std::uint32_t c = 0; c < columns; ++c) {
-      const std::uint32_t quarter = c / (n + 1);
-      add(quarter, quarter * kTurn / 4 + c % (n + 1) * step, height, row < n ? -1 : 1);
-    }
-  }
-  for (const double top : {-1.0, 1.0})
-    for (std::uint32_t quarter = 0; quarter < 4; ++quarter) add(quarter, 0, top * kTurn / 4, top);
-  const std::uint32_t south = rows * columns, north = south + 4, last = (rows - 1) * columns;
-  for (std::uint32_t c = 0; c < columns; ++c) {
-    const std::uint32_t d = (c + 1) % columns, pole = c / (n + 1), next = d / (n + 1);
-    for (std::uint32_t row = 0; row + 1 < rows; ++row) {
-      const std::uint32_t a = row * columns + c, b = row * columns + d;
-      faces.push_back({a, b, b + columns});
-      faces.push_back({a, b + columns, a + columns});
-    }
-    faces.push_back({d, c, south + pole});
-    faces.push_back({last + c, last + d, north + pole});
-    if (pole == next) continue;
-    faces.push_back({d, south + pole, south + next});
-    faces.push_back({last + d, north + next, north + pole});
-  }
-  faces.push_back({south + 3, south + 2, south + 1, south});
-  faces.push_back({north, north + 1, north + 2, north + 3});
-  return scene_of(std::move(vertices), faces);
-}
+/// A box with fillets of radius 1 and `n` facets a quarter along all edges: half of its size without them.
+Scene filleted_box(const Point3& half, int n) { return test::scene_of(rounded_box(half + Point3(1.0), n)); }
 
 /// Means of normals would bend the flat sides, and the outline would bulge.
 TEST(SmoothContours, FlatSidesWithRoundingsDoNotBulge) {
-  for (const std::uint32_t steps : {3, 6}) {
-    const Scene box = filleted_box({50, 40, 30}, 4, steps);
+  for (const int steps : {3, 6}) {
+    const Scene box = filleted_box({12.5, 10, 7.5}, steps);
     for (const Point3& direction : {Point3{-1, 0.06, -0.05}, Point3{-1, 0.2, -0.02}, Point3{-0.05, 1, -0.4}, kIso}) {
       const auto extent = [&](bool smooth) {
         Rect all;
@@ -185,10 +151,10 @@ TEST(SmoothContours, ACoarseRingSeenAlongItsAxisHasTwoClosedOutlines) {
 
 /// Flat sides stay flat, at every accuracy and along every axis: means of normals would make them bulge.
 TEST(SmoothContours, FlatSidesBesideFilletsStayFlat) {
-  const Point3 half{17, 12, 4};
-  constexpr double kRadius = 3, kHalfPen = 0.175;
-  for (const std::uint32_t n : {3, 6, 12}) {
-    const Scene scene = filleted_box(half, kRadius, n);
+  const Point3 half{17.0 / 3, 4, 4.0 / 3};
+  constexpr double kRadius = 1, kHalfPen = 0.175;
+  for (const int n : {3, 6, 12}) {
+    const Scene scene = filleted_box(half, n);
     for (const Point3& direction : {Point3{0, 0, -1}, Point3{0, 1, 0}, Point3{-1, 0, 0}}) {
       const DrawnOutlines drawn = draw_outlines(scene, direction);
       ASSERT_GT(drawn.lines.points.size(), 0u);

@@ -3,13 +3,12 @@
 #include "contours/shapes/shape_lines.hpp"
 #include "contours/parametric_mesh.hpp"
 #include "main/tier.hpp"
+#include "patches/patch_scenes.hpp"
 #include "scene/model/topology.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 LineClasses shape_classes() {
   LineClasses all;
@@ -93,19 +92,12 @@ Scene cylinder(std::uint32_t sides, std::uint32_t rings, bool closed) {
 
 /// A sheet of n x n cells over [-1, 1]^2.
 Scene sheet(int n, const std::function<double(double, double)>& height) {
-  Scene scene;
-  for (int i = 0; i <= n; ++i)
-    for (int k = 0; k <= n; ++k) {
-      const double x = 2.0 * i / n - 1, y = 2.0 * k / n - 1;
-      scene.vertices.push_back({x, y, height(x, y)});
-    }
-  for (int i = 0; i < n; ++i)
-    for (int k = 0; k < n; ++k) {
-      const auto a = static_cast<std::uint32_t>(i * (n + 1) + k), b = a + static_cast<std::uint32_t>(n + 1);
-      scene.faces.add_triangle(a, b, b + 1);
-      scene.faces.add_triangle(a, b + 1, a + 1);
-    }
-  return as_one_object(std::move(scene));
+  std::vector<Corners> polygons;
+  add_grid(polygons, n, n, true, [&](int u, int v) {
+    const double x = 2.0 * u / n - 1, y = 2.0 * v / n - 1;
+    return Point3(x, y, height(x, y));
+  });
+  return test::scene_of(polygons);
 }
 
 const std::array<Point3, 3> kDirections{{{-1, 1, -1}, {-0.3, 1, -0.8}, {0.9, 0.5, -0.65}}};
