@@ -1,48 +1,14 @@
-/// Facets: rows of parallel edges, flat sets, and surfaces of few facets or of facets hardly larger than a rounding.
+/// Facets: rows of parallel edges, and flat sets. Surfaces of small facets: scripts/fine_surfaces.txt.
 
-#include <glm/common.hpp>
 #include <numeric>
 
 #include "patches/patch_scenes.hpp"
-#include "scene/creases/find_creases.hpp"
 #include "scene/model/edge_rows.hpp"
 #include "scene/patches/facets/flat_sets.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
-
-/// The scene of polygons whose coordinates were rounded to whole steps.
-Scene rounded_scene(std::vector<Corners> polygons, double step) {
-  for (Corners& polygon : polygons) {
-    for (Point3& p : polygon)
-      p = {step * std::round(p.x / step), step * std::round(p.y / step), step * std::round(p.z / step)};
-  }
-  Scene scene = scene_of(polygons);
-  scene.objects[0].precision = step / 2;
-  return scene;
-}
-
-/// A slanting tube, closed by two rings, of triangles. Its height is 3, its bore half as wide.
-std::vector<Corners> tube(int sides, double radius) {
-  const Point3 axis = glm::normalize(Point3(0.3, -0.2, 1)), side = glm::normalize(glm::cross(axis, Point3(1, 0, 0)));
-  const Point3 other = glm::cross(axis, side);
-  const auto point = [&](double r, int u, double z) {
-    const double angle = 2 * kPi * (u % sides) / sides;
-    return r * std::cos(angle) * side + r * std::sin(angle) * other + z * axis;
-  };
-  std::vector<Corners> polygons;
-  add_grid(polygons, sides, 1, true, [&](int u, int v) { return point(radius, u, 3 * v); });
-  add_grid(polygons, sides, 1, true, [&](int u, int v) { return point(radius * (1 - 0.5 * v), u, 3); });
-  add_grid(polygons, sides, 1, true, [&](int u, int v) { return point(radius * (0.5 + 0.5 * v), u, 0); });
-  add_grid(polygons, sides, 1, true, [&](int u, int v) { return point(radius / 2, u, 3 - 3 * v); });
-  return polygons;
-}
-
-std::size_t count_creases(const Scene& scene) {
-  const Creases creases = find_creases(scene, build_topology(scene), {30, kSurfaceCreaseDegrees});
-  return static_cast<std::size_t>(std::count(creases.lines.begin(), creases.lines.end(), kCreaseLine));
-}
 
 // Rows of parallel edges.
 
@@ -167,149 +133,6 @@ TEST(FlatSets, FindTheLevelPartOfRoughGround) {
   EXPECT_GE(largest, 2u * 59 * 59);
   EXPECT_LE(largest, 2u * 62 * 62);
 }
-
-// Surfaces of few facets, and of facets that are hardly larger than the rounding of their coordinates.
-
-/// A tube and what it has: two cylinders, and four rims.
-void expect_tube(const Scene& scene, int sides, double radius) {
-  const FoundPatches found(scene);
-  const auto faces = found.faces();
-  ASSERT_EQ(faces.size(), 2u);
-  for (const auto& [patch, count] : faces) {
-    const PatchSurface& surface = found.patches.list[patch].surface;
-    EXPECT_EQ(surface.kind, SurfaceKind::cylinder);
-    EXPECT_EQ(count, 2u * static_cast<std::size_t>(sides));
-    EXPECT_LE(std::min(std::abs(surface.radius - radius), std::abs(surface.radius - radius / 2)),
-              4 * scene.objects[0].precision);
-  }
-  EXPECT_EQ(found.count(PatchEdge::tangent), 0u);
-  EXPECT_EQ(count_creases(scene), 4u * static_cast<std::size_t>(sides));
-}
-
-class FineSurfaces : public testing::TestWithParam<int> {};
-
-TEST_P(FineSurfaces, RoundedTubesAreTwoCylinders) {
-  for (const double radius : {1.0, 5.0}) {
-    for (const double step : {1e-3, 1e-4, 1e-5, 1e-6}) {
-      // A facet of the bore is as wide as five steps there: its normal tells nothing.
-      if (GetParam() > 100 && step * 1000 > radius / 2) continue;
-      SCOPED_TRACE(testing::Message() << radius << " " << step);
-      expect_tube(rounded_scene(tube(GetParam(), radius), step), GetParam(), radius);
-    }
-  }
-}
-
-TEST_P(FineSurfaces, TubesOfFloat32FarFromTheOriginAreTwoCylinders) {
-  for (const double radius : {1.0, 5.0}) {
-    for (const double far : {100.0, 1000.0, 3000.0}) {
-      SCOPED_TRACE(testing::Message() << radius << " " << far);
-      std::vector<Corners> polygons = tube(GetParam(), radius);
-      for (Corners& polygon : polygons) {
-        for (Point3& p : polygon) p += far * Point3(1, 1.3, -0.7);
-      }
-      expect_tube(scene_of(polygons), GetParam(), radius);
-    }
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Sides, FineSurfaces, testing::Values(100, 600));
-
-TEST(ShortFillets, AreCylindersWhateverTheOrderOfFaces) {
-  const std::vector<Corners> box = rounded_box({4, 3, 2.5}, 3);
-  for (std::size_t first = 0; first < box.size(); first += 7) {
-    for (const bool turned : {false, true}) {
-      std::vector<Corners> polygons(box.begin() + static_cast<std::ptrdiff_t>(first), box.end());
-      polygons.insert(polygons.end(), box.begin(), box.begin() + static_cast<std::ptrdiff_t>(first));
-      if (turned) std::reverse(polygons.begin(), polygons.end());
-      const FoundPatches found(polygons);
-      std::size_t cylinders = 0;
-      for (const auto& [patch, count] : found.faces())
-        cylinders += found.patches.list[patch].surface.kind == SurfaceKind::cylinder;
-      EXPECT_EQ(cylinders, 12u) << first << turned;
-    }
-  }
-}
-
-TEST(FineSurfaces, ARoundedRowOfTrianglesIsNoSphere) {
-  // Both circles of a row on a cone lie on a sphere, too.
-  for (const int sides : {120, 170, 240}) {
-    std::vector<Corners> polygons;
-    add_grid(polygons, sides, 1, true,
-             [&](int u, int v) { return on_circle(6 - 1.5 * v, 2 * kPi * (u % sides) / sides, 2 * v); });
-    const FoundPatches found(rounded_scene(polygons, 0.002));
-    for (const auto& [patch, count] : found.faces())
-      EXPECT_NE(found.patches.list[patch].surface.kind, SurfaceKind::sphere) << sides;
-    EXPECT_EQ(found.count(PatchEdge::tangent) + found.count(PatchEdge::sharp), 0u) << sides;
-  }
-}
-
-TEST(FineSurfaces, TheSidesOfAThreadAreNoSurfaces) {
-  // Pieces of a helicoid lie on cylinders and tori within some roundings, and leave them slowly.
-  std::vector<Corners> polygons;
-  add_grid(polygons, 600, 3, true, [](int u, int v) {
-    return on_circle(8 + v / 3.0, 2 * kPi * u / 200, 2.0 * u / 200 + 0.5 * v / 3) + Point3(220, 264, 0);
-  });
-  const FoundPatches found(polygons);
-  EXPECT_TRUE(found.faces().empty());
-  EXPECT_EQ(found.count(PatchEdge::tangent), 0u);
-}
-
-// Boxes with rounded edges: all twelve of their fillets are found, however few or many facets they have.
-
-/// A cube of half size 10 with a rounding of the given radius, of `facets` facets to a quarter turn. The grid of each side
-/// of the cube has lines where the roundings begin and `facets` / 2 more on either side.
-std::vector<Corners> rounded_box(double radius, int facets, bool triangles) {
-  std::vector<double> places;  // angles from the middle of a side, 45 degrees at its border
-  for (int k = 0; k <= facets / 2; ++k) places.push_back(kPi / 4 * 2 * k / facets);
-  std::vector<Corners> polygons;
-  const int last = 2 * static_cast<int>(places.size()) - 1;
-  const auto place = [&](int k) {  // inner corner of the rounding and slope
-    const int from = static_cast<int>(places.size());
-    const double slope =
-        std::tan(k >= from ? places[static_cast<std::size_t>(k - from)] : -places[static_cast<std::size_t>(from - 1 - k)]);
-    return Point2(k >= from ? 10 - radius : radius - 10, slope);
-  };
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double side : {-1.0, 1.0}) {
-      const auto at = [&](int u, int v) {
-        const Point2 a = place(side > 0 ? u : last - u), b = place(v);
-        Point3 core, way;
-        core[axis] = side * (10 - radius), way[axis] = side;
-        core[(axis + 1) % 3] = a.x, way[(axis + 1) % 3] = a.y;
-        core[(axis + 2) % 3] = b.x, way[(axis + 2) % 3] = b.y;
-        const Point3 found = core + radius * glm::normalize(way);
-        return 0x1p-20 * glm::round(0x1p20 * found);  // sides of the cube share their corners
-      };
-      add_grid(polygons, last, last, triangles, at);
-    }
-  }
-  return polygons;
-}
-
-class SymmetricFillets : public testing::TestWithParam<std::tuple<int, bool, double>> {};
-
-TEST_P(SymmetricFillets, HaveTwelveFillets) {
-  const auto& [facets, triangles, radius] = GetParam();
-  std::vector<Corners> polygons = rounded_box(radius, facets, triangles);
-  for (int turn = 0; turn < 3; ++turn) {  // the order of the faces makes no difference
-    const FoundPatches found(polygons);
-    std::vector<std::uint8_t> is_used(found.patches.list.size(), 0);
-    for (const std::uint32_t p : found.patches.patch_of) {
-      if (p != kNone) is_used[p] = 1;
-    }
-    int cylinders = 0;
-    for (std::size_t p = 0; p < is_used.size(); ++p) {
-      if (!is_used[p] || found.patches.list[p].surface.kind != SurfaceKind::cylinder) continue;
-      EXPECT_NEAR(found.patches.list[p].surface.radius, radius, 1e-4);
-      ++cylinders;
-    }
-    EXPECT_EQ(cylinders, 12);
-    std::rotate(polygons.begin(), polygons.begin() + static_cast<std::ptrdiff_t>(polygons.size() / 3 + 1), polygons.end());
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Facets, SymmetricFillets,
-                         testing::Combine(testing::Values(4, 8, 20), testing::Bool(), testing::Values(0.75, 2.0, 4.0)));
 
 }  // namespace
 }  // namespace ligne::test
