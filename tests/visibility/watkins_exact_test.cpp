@@ -1,4 +1,4 @@
-/// The exact scan, and the span methods against a plain search and against each other.
+/// The exact scan, and the span methods by hand and against each other.
 
 #include "linework/overlaps/stroke_overlap.hpp"
 #include "support/scenes.hpp"
@@ -59,31 +59,13 @@ TEST(WatkinsSweep, StopsOfTwoPlates) {
   EXPECT_EQ(parts, 7);
 }
 
-/// Intervals do not depend on the span method that proposes the facets, and none is missing against a test of every facet.
-TEST(WatkinsSweep, FindingsAreThoseOfAllFacets) {
+/// Whatever span method proposes the facets, a line is held against few of them.
+TEST(WatkinsSweep, HoldsALineAgainstFewFacets) {
   const Prepared p = prepare(random_boxes(40, 11, 6, {3, 2, 2.5}), along({-1, 2, -1}));
-  OpenParts open, all;
   for (const SpanMethodKind kind :
        {SpanMethodKind::merge, SpanMethodKind::stack, SpanMethodKind::box, SpanMethodKind::point}) {
     const ExactResult r = study(p, kind);
     EXPECT_GT(r.counts.stretches.studied, 0u);
-    for (std::size_t i = 0; i < p.lines.size(); ++i) {
-      const SweepLine& l = p.lines[i];
-      if (l.from.p == l.to.p) continue;
-      const PageLine line(l.from, l.to, l.face0, l.face1);
-      all.reset(0, 1);
-      bool near_side = false;
-      for (const Facet& f : p.facets.facets) {
-        if (f.face == l.face0 || f.face == l.face1 || all.empty()) continue;
-        all.take(hidden_interval(line, f, p.projected.vertices.data(), {0, 1}, 0, near_side));
-      }
-      const std::vector<LinePart> expected = all.finish();
-      const std::vector<LinePart>& found = r.found.visible_parts(i, open);
-      double expected_length = 0, found_length = 0;
-      for (const LinePart& part : expected) expected_length += part.to - part.from;
-      for (const LinePart& part : found) found_length += part.to - part.from;
-      ASSERT_NEAR(found_length, expected_length, 1e-9) << "line " << i;
-    }
     EXPECT_LT(r.counts.stretches.facet_tests, p.lines.size() * p.facets.facets.size() / 4);
   }
 }
@@ -160,8 +142,7 @@ TEST(WatkinsSweep, GivesUpInACrowd) {
   EXPECT_FALSE(study(prepare(boxes, along({-1, 1, -1})), SpanMethodKind::stack, true).gave_up);
 }
 
-// The span methods against a plain search, and against each other: random segments, whole and real, that overlap,
-// touch, coincide and penetrate.
+// The span methods by hand, and against each other. LimitedMethods hold the lines of all of them against the oracle.
 
 template <class X>
 using Segments = std::vector<ScanSegment<X>>;
@@ -178,79 +159,10 @@ std::vector<VisibleSpan> spans(SpanMethodKind kind, Segments<X> segments, SpanCo
   return out;
 }
 
-/// Depth of what is seen at x, infinite where nothing is.
-template <class X>
-double nearest(const Segments<X>& segments, double x) {
-  double z = 1e300;
-  for (const auto& s : segments)
-    if (s.x0 < s.x1 && double(s.x0) < x && x < double(s.x1)) z = std::min(z, s.z(x));
-  return z;
-}
-
-template <class X>
-void expect_right(const Segments<X>& segments, const std::vector<VisibleSpan>& found, double depth_slack,
-                  const std::string& what) {
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    ASSERT_LT(found[i].x0, found[i].x1) << what;
-    ASSERT_LT(found[i].segment, segments.size());
-    if (i > 0) {
-      ASSERT_LE(found[i - 1].x1, found[i].x0) << what;
-      ASSERT_FALSE(found[i - 1].x1 == found[i].x0 && found[i - 1].segment == found[i].segment)
-          << what << ": one span in two";
-    }
-  }
-  // Every run between two places where anything may change has one answer.
-  std::vector<double> places;
-  for (const auto& s : segments) places.insert(places.end(), {double(s.x0), double(s.x1)});
-  for (const VisibleSpan& s : found) places.insert(places.end(), {s.x0, s.x1});
-  std::sort(places.begin(), places.end());
-  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    if (places[i + 1] - places[i] < 1e-9) continue;
-    for (const double share : {0.001, 0.25, 0.5, 0.75, 0.999}) {
-      const double x = places[i] + share * (places[i + 1] - places[i]);
-      const auto span = std::find_if(found.begin(), found.end(), [x](const VisibleSpan& s) { return s.x0 < x && x < s.x1; });
-      const double expected = nearest(segments, x);
-      if (expected == 1e300) {
-        ASSERT_TRUE(span == found.end()) << what << ": something is seen at " << x;
-      } else {
-        ASSERT_TRUE(span != found.end()) << what << ": nothing is seen at " << x;
-        ASSERT_NEAR(segments[span->segment].z(x), expected, depth_slack) << what << " at " << x;
-      }
-    }
-  }
-}
-
 template <class X>
 class WatkinsSpans : public testing::Test {};
 using Coordinates = testing::Types<double, std::int32_t>;
 TYPED_TEST_SUITE(WatkinsSpans, Coordinates);
-
-TYPED_TEST(WatkinsSpans, RandomSegments) {
-  std::mt19937 random(3);
-  for (int round = 0; round < 400; ++round) {
-    std::uniform_int_distribution<int> count(0, 24), place(0, round % 2 ? 20 : 200);
-    // Depths on a coarse grid tie and touch; on a fine one they hardly do.
-    std::uniform_int_distribution<int> depth(0, round % 4 < 2 ? 4 : 100000);
-    Segments<TypeParam> segments;
-    const int n = count(random);
-    for (int i = 0; i < n; ++i) {
-      auto a = static_cast<TypeParam>(place(random)), b = static_cast<TypeParam>(place(random));
-      if (b < a) std::swap(a, b);
-      segments.push_back({a, b, double(depth(random)), double(depth(random)), static_cast<std::uint32_t>(i)});
-    }
-    if (round % 3 == 0)
-      std::sort(segments.begin(), segments.end(), [](const auto& a, const auto& b) { return comes_before(a, b); });
-    for (const SpanMethodKind kind : kKinds) {
-      // Point by point on whole coordinates a penetration is put to the nearest cell.
-      const bool cells = std::is_integral_v<TypeParam> && kind == SpanMethodKind::point;
-      double steepest = 0;
-      for (const auto& s : segments) steepest = std::max(steepest, std::abs(s.slope()));
-      expect_right(segments, spans(kind, segments), cells ? 1.01 * steepest : 1e-6,
-                   std::string(kSpanMethodNames[static_cast<int>(kind)]) + ", round " + std::to_string(round));
-      if (this->HasFatalFailure()) return;
-    }
-  }
-}
 
 /// Figure 2.45: one long segment behind, two short ones before it.
 TYPED_TEST(WatkinsSpans, FigureOfTheThesis) {
@@ -304,9 +216,12 @@ TYPED_TEST(WatkinsSpans, RememberedDivisionsFollowTheirSegments) {
     std::vector<VisibleSpan> found, plain;
     remembered->study(segments, found);
     box->study(segments, plain);
-    expect_right(segments, found, 1e-6, "line " + std::to_string(line));
     ASSERT_EQ(found.size(), plain.size()) << line;
-    if (this->HasFatalFailure()) return;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      ASSERT_EQ(found[i].segment, plain[i].segment) << line;
+      ASSERT_NEAR(found[i].x0, plain[i].x0, 1e-6) << line;
+      ASSERT_NEAR(found[i].x1, plain[i].x1, 1e-6) << line;
+    }
   }
   EXPECT_GT(remembered->counts().remembered, 1000u);
   EXPECT_LT(remembered->counts().boxes, box->counts().boxes);
