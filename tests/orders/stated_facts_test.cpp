@@ -155,24 +155,9 @@ VisibilityResult painted(const ProjectedScene& projected, bool bodies) {
 
 std::uint64_t count(const VisibilityResult& result, const char* name) { return count_of(result.statistics, name); }
 
-/// Per face the area of its regions, mm^2.
-std::vector<double> visible_areas(const VisibilityResult& result, const Scene& scene) {
-  std::vector<double> areas(scene.faces.size(), 0);
-  for (const Region& region : *result.regions) areas[region.face] += area_within(region.contours);
-  return areas;
-}
-
-/// The face that is painted last at a point, or kNone.
-std::uint32_t last_at(const PaintOrder& order, Point2 p) {
-  std::uint32_t face = kNone;
-  for (const PaintPiece& piece : order.pieces)
-    if (holds(piece, p)) face = piece.face;
-  return face;
-}
-
-// [Boulle1980] 1.2.2.3 c, 2.5.2.7: bodies as elements. The same is seen at every point, the regions have the same areas, and
-// less is compared where most bodies are apart; where they pass through each other they are opened, which spares nothing.
-TEST(NewellBodies, PaintTheSame) {
+// [Boulle1980] 1.2.2.3 c, 2.5.2.7: bodies as elements. The same is seen, and less is compared where most bodies are apart;
+// where they pass through each other they are opened, which spares nothing. What is seen and painted: all methods, orders.
+TEST(NewellBodies, SpareComparisonsWhereTheyAreApart) {
   for (const double apart : {20.0, 4.0}) {
     const Scene scene = finished(random_boxes(40, 7, apart / 2, {2, 2, 2}));
     const Picture picture = draw(scene, {along({0.3, 1, -0.4}), "all", false, 0, "appel"});
@@ -184,20 +169,8 @@ TEST(NewellBodies, PaintTheSame) {
     } else {
       EXPECT_GT(count(bodies, "bodies opened"), 0u);
     }
-    const std::vector<double> a = visible_areas(bodies, scene), b = visible_areas(faces, scene);
-    for (std::size_t f = 0; f < a.size(); ++f) EXPECT_NEAR(a[f], b[f], 1e-6) << f;
     EXPECT_EQ(bodies.strokes->strokes.size(), faces.strokes->strokes.size());
-    std::mt19937 random(3);
-    const Rect window = picture.projected.view.window;
-    std::uniform_real_distribution<double> x(window.min.x, window.max.x), y(window.min.y, window.max.y);
-    int seen = 0;
-    for (int i = 0; i < 2000; ++i) {
-      const Point2 p{x(random), y(random)};
-      const std::uint32_t face = last_at(*faces.order, p);
-      EXPECT_EQ(last_at(*bodies.order, p), face) << p.x << ", " << p.y;
-      seen += face != kNone;
-    }
-    EXPECT_GT(seen, 100);
+    EXPECT_EQ(bodies.regions->size(), faces.regions->size());
   }
 }
 

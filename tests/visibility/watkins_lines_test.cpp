@@ -11,12 +11,10 @@ using namespace ligne::test;
 // The scan by lines as its source has it: edges tracked by their states, intersections as points, whole coordinates; and two
 // tasks in place of one.
 
-LineStudyResult by_states(const PreparedScan& p, std::uint32_t lines, std::uint32_t group, std::uint32_t ahead = 0,
-                          bool whole = false) {
-  LineStudyOptions options = p.options(kRecognising, group);
+LineStudyResult by_states(const PreparedScan& p, std::uint32_t lines) {
+  LineStudyOptions options = p.options(kRecognising, 50);
   options.states = true;
-  options.ahead = ahead;
-  return p.study(lines, options, whole);
+  return p.study(lines, options, false);
 }
 
 /// A line of the page that lies at a parameter of a candidate line.
@@ -33,7 +31,7 @@ TEST(WatkinsStates, EndsAreOffByALine) {
   for (const char* name : {"cube", "house", "stair", "cyclic_3", "cyclic_5", "gear"}) {
     const PreparedScan p(corpus_scene(name), kOdd);
     const LineGrid grid = grid_of_lines(p.projected, kLines);
-    const LineStudyResult found = by_states(p, kLines, 50);
+    const LineStudyResult found = by_states(p, kLines);
     OpenParts open;
     std::size_t parts = 0;
     for (const PartEnd end : {PartEnd::last_visible, PartEnd::first_hidden}) {
@@ -51,26 +49,6 @@ TEST(WatkinsStates, EndsAreOffByALine) {
       }
     }
     EXPECT_GT(parts, 10u) << name;
-  }
-}
-
-/// No seam between groups, and no difference between one task and two.
-TEST(WatkinsStates, PartsDoNotDependOnGroupsAndTasks) {
-  for (const char* name : {"bricks", "house", "gear"}) {
-    const PreparedScan p(corpus_scene(name), kOdd);
-    const LineStudyResult one = by_states(p, 300, 300);
-    for (const auto& [group, ahead] : {std::pair(1u, 0u), {7u, 0u}, {300u, 1u}, {300u, 16u}, {45u, 4u}, {300u, 1000u}}) {
-      const LineStudyResult other = by_states(p, 300, group, ahead);
-      for (std::size_t i = 0; i < p.lines.size(); ++i) {
-        const auto a = one.by_states.visible_parts(i, PartEnd::first_hidden),
-                   b = other.by_states.visible_parts(i, PartEnd::first_hidden);
-        ASSERT_EQ(a.size(), b.size()) << name << ' ' << group << ' ' << ahead << ", line " << i;
-        for (std::size_t k = 0; k < a.size(); ++k) {
-          EXPECT_EQ(a[k].from, b[k].from);
-          EXPECT_EQ(a[k].to, b[k].to);
-        }
-      }
-    }
   }
 }
 
