@@ -165,20 +165,14 @@ TEST(Heal, ASecondTimeChangesNothing) {
   }
 }
 
-TEST(Heal, TheTopologyIsThatOfTheHealedScene) {
+// Its topology: HealLargeMesh.
+TEST(Heal, TheSceneStaysFinished) {
   for (const char* name : {"cube_stored_twice", "cube_with_crack", "cube_with_loose_lid", "t_junction"}) {
     const Healed after = healed(corpus(name));
-    const Topology fresh = build_topology(after.scene);
-    ASSERT_EQ(fresh.edges.size(), after.topology.edges.size()) << name;
-    for (std::size_t e = 0; e < fresh.edges.size(); ++e) {
-      EXPECT_EQ(fresh.edges[e].v0, after.topology.edges[e].v0);
-      EXPECT_EQ(fresh.edges[e].face1, after.topology.edges[e].face1);
-    }
-    EXPECT_EQ(fresh.triangles.size(), after.topology.triangles.size()) << name;
     Scene again = after.scene;
     Warnings warnings;
     finish_scene(again, warnings);
-    EXPECT_TRUE(warnings.counts().empty()) << name << ": the scene stays finished";
+    EXPECT_TRUE(warnings.counts().empty()) << name;
     EXPECT_EQ(again.vertices.size(), after.scene.vertices.size()) << name;
   }
 }

@@ -263,30 +263,20 @@ HorizonOptions with_outlines() {
   return options;
 }
 
-void compare(const Surface& surface, const CameraRequest& request, const std::string& place) {
-  compare(FunctionHeights(surface.f, positions(30), positions(37)), request, with_outlines(),
-          std::string(surface.name) + ", " + place);
-}
-
+// From all sides, in perspective, and along the axes and their diagonals.
 TEST(HorizonAndMesh, AgreeFromAllSides) {
+  std::vector<CameraRequest> views;
+  for (const double elevation : chosen("elevations", 2, {-35.0, 3.0, 28.0, 71.0}))
+    for (double azimuth = 11; azimuth < 360; azimuth += 51) views.push_back(along_angles(azimuth, elevation));
+  for (const Point3& eye : {Point3{-3, -2.5, 2}, Point3{2.2, 3.1, 0.4}, Point3{2.5, -2.8, -1.5}})
+    views.push_back(from_eye(eye, {0, 0, 0}, 100));
+  for (const Point3& direction :
+       {Point3{0, 1, -0.4}, Point3{-1, 0, -0.4}, Point3{0, 0, -1}, Point3{1, 1, -1}, Point3{1, -1, -0.5}})
+    views.push_back(along(direction));
   for (const Surface& surface : surfaces())
-    for (const double elevation : chosen("elevations", 2, {-35.0, 3.0, 28.0, 71.0}))
-      for (double azimuth = 11; azimuth < 360; azimuth += 51)
-        compare(surface, along_angles(azimuth, elevation),
-                "azimuth " + std::to_string(azimuth) + ", elevation " + std::to_string(elevation));
-}
-
-TEST(HorizonAndMesh, AgreeInPerspective) {
-  for (const Surface& surface : surfaces())
-    for (const Point3& eye : {Point3{-3, -2.5, 2}, Point3{2.2, 3.1, 0.4}, Point3{2.5, -2.8, -1.5}})
-      compare(surface, from_eye(eye, {0, 0, 0}, 100), "eye " + std::to_string(eye.x));
-}
-
-TEST(HorizonAndMesh, AgreeAlongTheAxes) {
-  for (const Surface& surface : surfaces())
-    for (const Point3& direction :
-         {Point3{0, 1, -0.4}, Point3{-1, 0, -0.4}, Point3{0, 0, -1}, Point3{1, 1, -1}, Point3{1, -1, -0.5}})
-      compare(surface, along(direction), "direction " + std::to_string(direction.x) + " " + std::to_string(direction.y));
+    for (std::size_t i = 0; i < views.size(); ++i)
+      compare(FunctionHeights(surface.f, positions(30), positions(37)), views[i], with_outlines(),
+              std::string(surface.name) + ", view " + std::to_string(i));
 }
 
 double whole_length(const Segments& segments) {
