@@ -15,14 +15,11 @@
 #include "scene/model/face_area.hpp"
 #include "scene/model/planarity.hpp"
 #include "scene/patches/facets/cut_strips.hpp"
+#include "scene/patches/facets/flat_joints.hpp"
 #include "scene/patches/facets/flat_sets.hpp"
 
 namespace ligne {
 namespace {
-
-/// Least cosine between the normals of faces that may lie in one plane (2.6 degrees). Beyond it they do not, whatever
-/// the precision.
-constexpr double kFlatCosine = 0.999;
 
 bool is_triangle(const Scene& scene, std::uint32_t f) {
   return scene.faces.contour_count(f) == 1 && scene.faces.contour(f, 0).size() == 3;
@@ -41,17 +38,6 @@ double span_of(const Scene& scene, std::uint32_t f) {
   double most = 0;
   for (const std::uint32_t v : contour) most = std::max(most, glm::distance(scene.vertices[v], scene.vertices[contour[0]]));
   return most;
-}
-
-/// Whether the corners of a face lie in the plane of another one through a common vertex.
-bool lies_in_plane(const Scene& scene, std::uint32_t f, std::uint32_t other, const Point3& at, double tolerance) {
-  const Point3 area = double_area(scene, other);
-  const double size = glm::length(area);
-  if (!(size > 0)) return false;
-  bool all = true;
-  for_corners(scene, f,
-              [&](std::uint32_t v) { all = all && std::abs(glm::dot(scene.vertices[v] - at, area)) <= tolerance * size; });
-  return all;
 }
 
 /// Whether points lie on two lines, with two or more on each: the rulings of a strip.
@@ -73,67 +59,27 @@ bool lie_on_two_lines(std::span<const Point3> points, double tolerance) {
   return false;
 }
 
+/// Whether a face is so narrow that rounding determines its normal. `size`: twice its area; `span`: see span_of().
+bool is_narrow(double size, double span, double precision) {
+  return size <= 4 * straightness_tolerance(precision, span) * span;
+}
+
 class GraphBuilder {
  public:
   GraphBuilder(const Scene& scene, const Topology& topology, const Object& object, std::span<const glm::vec3> normals)
       : scene_(scene), topology_(topology), object_(object), normals_(normals) {}
 
-  FacetGraph run(std::uint32_t edge_begin, std::uint32_t edge_end) {
-    join_faces(edge_begin, edge_end);
+  FacetGraph run(std::uint32_t edge_begin, std::uint32_t edge_end, std::span<const std::uint32_t> joints) {
+    join_faces(edge_begin, edge_end, joints);
     measure_facets();
     add_arcs(edge_begin, edge_end);
     find_cut_strips(scene_, topology_, object_, graph_);
     return std::move(graph_);
   }
 
-  std::vector<std::uint32_t> flat_joints(std::uint32_t edge_begin, std::uint32_t edge_end) const {
-    return indices_where(edge_end - edge_begin, [&](std::size_t k) {
-      const auto e = static_cast<std::uint32_t>(edge_begin + k);
-      return may_be_smooth(e) && is_flat(topology_.edges[e]);
-    });
-  }
-
  private:
-  bool may_be_smooth(std::uint32_t e) const {
-    constexpr std::uint16_t kNotSmooth = kEdgeManyFaces | kEdgeUnlikeWound | kEdgeSharp | kEdgeCrossing;
-    return topology_.edges[e].face1 != kNone && !(topology_.edge_flags[e] & kNotSmooth);
-  }
-
-  bool is_flat(const Edge& edge) const {
-    const double cosine = glm::dot(Point3(normals_[edge.face0]), Point3(normals_[edge.face1]));
-    if (cosine < kFlatCosine) return false;
-    if (cosine > flat_) return true;
-    if (is_triangle(scene_, edge.face0) && is_triangle(scene_, edge.face1)) return are_flat_triangles(edge);
-    const double span = std::max(span_of(scene_, edge.face0), span_of(scene_, edge.face1));
-    const double tolerance = planarity_tolerance(object_.precision, span);
-    const Point3& at = scene_.vertices[edge.v0];
-    return lies_in_plane(scene_, edge.face1, edge.face0, at, tolerance) ||
-           lies_in_plane(scene_, edge.face0, edge.face1, at, tolerance);
-  }
-
-  /// The corner of a triangle that is no end of an edge of it.
-  const Point3& corner_beside(std::uint32_t triangle, const Edge& edge) const {
-    const auto corners = scene_.faces.contour(triangle, 0);
-    return scene_.vertices[*std::ranges::find_if(corners, [&](std::uint32_t v) { return v != edge.v0 && v != edge.v1; })];
-  }
-
-  /// is_flat() for two triangles: the third corner of one of them lies in the plane of the other.
-  bool are_flat_triangles(const Edge& edge) const {
-    const Point3& at = scene_.vertices[edge.v0];
-    const Point3 along = scene_.vertices[edge.v1] - at;
-    const Point3 first = corner_beside(edge.face0, edge) - at, second = corner_beside(edge.face1, edge) - at;
-    const Point3 first_area = glm::cross(along, first), second_area = glm::cross(along, second);
-    const double size = std::max(glm::dot(first_area, first_area), glm::dot(second_area, second_area));
-    const auto square = [](const Point3& p) { return glm::dot(p, p); };
-    const double span =
-        std::max({square(along), square(first), square(second), square(first - along), square(second - along)});
-    const double tolerance = planarity_tolerance(object_.precision, std::sqrt(span));
-    return size > 0 && std::abs(glm::dot(first_area, second)) <= tolerance * std::sqrt(size);
-  }
-
-  void join_faces(std::uint32_t edge_begin, std::uint32_t edge_end) {
+  void join_faces(std::uint32_t edge_begin, std::uint32_t edge_end, std::span<const std::uint32_t> joints) {
     const std::uint32_t first = object_.face_begin, count = object_.face_end - first;
-    const std::vector<std::uint32_t> joints = flat_joints(edge_begin, edge_end);
     const std::vector<std::uint32_t> order = faces_by_edges(edge_begin, edge_end);
     const std::span edges(topology_.edges.data() + edge_begin, topology_.edges.data() + edge_end);
     const FlatSets sets = flat_sets(scene_, object_, edges, joints, order);
@@ -236,7 +182,7 @@ class GraphBuilder {
     graph_.frames[facet] = {size > 0 ? (a + b + c) / 3.0 : a, size > 0 ? area / size : Point3(normals_[f])};
     graph_.area[facet] = size / 2;
     const double span = std::sqrt(std::max(glm::dot(b - a, b - a), glm::dot(c - a, c - a)));
-    graph_.is_sliver[facet] = size <= 4 * straightness_tolerance(object_.precision, span) * span;
+    graph_.is_sliver[facet] = is_narrow(size, span, object_.precision);
     std::array<std::uint32_t, 3> sorted{corners[0], corners[1], corners[2]};
     std::sort(sorted.begin(), sorted.end());
     of_block.insert(of_block.end(), sorted.begin(), sorted.end());
@@ -286,7 +232,7 @@ class GraphBuilder {
   enum class Joint : std::uint8_t { none, arc, steep };
 
   Joint joint_at(std::uint32_t e) const {
-    if (!may_be_smooth(e)) return Joint::none;
+    if (!may_be_smooth(topology_, e)) return Joint::none;
     const auto [a, b] = facets_at(e);
     if (a == b) return Joint::none;
     if (graph_.is_sliver[a] || graph_.is_sliver[b]) return Joint::arc;
@@ -321,7 +267,6 @@ class GraphBuilder {
     }
   }
 
-  const double flat_ = sine_cosine_degrees(kFlatBend).cosine;
   const double cosine_ = sine_cosine_degrees(kLargestBend).cosine;
   const double smooth_cosine_ = sine_cosine_degrees(kLargestSmoothBend).cosine;
   const double steep_cosine_ = sine_cosine_degrees(kSteepBend).cosine;
@@ -333,6 +278,10 @@ class GraphBuilder {
 };
 
 }  // namespace
+
+bool is_narrow_triangle(const Scene& scene, const Object& object, std::uint32_t face) {
+  return is_narrow(glm::length(double_area(scene, face)), span_of(scene, face), object.precision);
+}
 
 std::vector<std::uint32_t> edges_inside_planes(const Topology& topology, const Object& object, const FacetGraph& graph,
                                                std::uint32_t edge_begin, std::uint32_t edge_end,
@@ -348,15 +297,14 @@ std::vector<std::uint32_t> edges_inside_planes(const Topology& topology, const O
   return found;
 }
 
-std::vector<std::uint32_t> flat_joints(const Scene& scene, const Topology& topology, const Object& object,
-                                       std::uint32_t edge_begin, std::uint32_t edge_end,
-                                       std::span<const glm::vec3> normals) {
-  return GraphBuilder(scene, topology, object, normals).flat_joints(edge_begin, edge_end);
+FacetGraph facet_graph(const Scene& scene, const Topology& topology, const Object& object, EdgeRange edges,
+                       std::span<const glm::vec3> normals, std::span<const std::uint32_t> joints) {
+  return GraphBuilder(scene, topology, object, normals).run(edges.begin, edges.end, joints);
 }
 
-FacetGraph facet_graph(const Scene& scene, const Topology& topology, const Object& object, std::uint32_t edge_begin,
-                       std::uint32_t edge_end, std::span<const glm::vec3> normals) {
-  return GraphBuilder(scene, topology, object, normals).run(edge_begin, edge_end);
+FacetGraph facet_graph(const Scene& scene, const Topology& topology, const Object& object, EdgeRange edges,
+                       std::span<const glm::vec3> normals) {
+  return facet_graph(scene, topology, object, edges, normals, flat_joints(scene, topology, object, edges, normals));
 }
 
 }  // namespace ligne

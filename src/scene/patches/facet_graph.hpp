@@ -70,20 +70,20 @@ struct FacetGraph {
   }
 };
 
+/// Whether a facet of a single triangle is so narrow that rounding determines its normal.
+bool is_narrow_triangle(const Scene& scene, const Object& object, std::uint32_t face);
+
 /// The edges inside facets whose faces bend by more than those that are joined by themselves: rounding turns small faces
 /// of a plane. Ascending.
 std::vector<std::uint32_t> edges_inside_planes(const Topology& topology, const Object& object, const FacetGraph& graph,
                                                std::uint32_t edge_begin, std::uint32_t edge_end,
                                                std::span<const glm::vec3> normals);
 
-/// The edges of an object at which two faces lie in one plane, as far as these two tell: indices from `edge_begin` on,
-/// ascending.
-std::vector<std::uint32_t> flat_joints(const Scene& scene, const Topology& topology, const Object& object,
-                                       std::uint32_t edge_begin, std::uint32_t edge_end, std::span<const glm::vec3> normals);
-
-/// The graph of one object. [edge_begin, edge_end) are its edges in the topology; `normals` are those of
-/// face_normals().
-FacetGraph facet_graph(const Scene& scene, const Topology& topology, const Object& object, std::uint32_t edge_begin,
-                       std::uint32_t edge_end, std::span<const glm::vec3> normals);
+/// The graph of one object with these edges in the topology. `normals` are those of face_normals(), and `joints` the edges
+/// of flat_joints(), which are found if they are not given.
+FacetGraph facet_graph(const Scene& scene, const Topology& topology, const Object& object, EdgeRange edges,
+                       std::span<const glm::vec3> normals, std::span<const std::uint32_t> joints);
+FacetGraph facet_graph(const Scene& scene, const Topology& topology, const Object& object, EdgeRange edges,
+                       std::span<const glm::vec3> normals);
 
 }  // namespace ligne

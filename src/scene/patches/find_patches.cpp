@@ -37,7 +37,8 @@ bool is_limit_surface(const Scene& scene, const Object& object) {
 
 ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Object& object,
                          std::span<const glm::vec3> normals) {
-  const auto [edge_begin, edge_end] = edges_of(topology, object);
+  const EdgeRange range = edges_of(topology, object);
+  const auto [edge_begin, edge_end] = range;
   ObjectPatches found;
   found.edge_begin = edge_begin;
   if (is_limit_surface(scene, object)) {
@@ -45,14 +46,15 @@ ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Obj
     found.is_freeform.assign(found.patch_of.size(), 1);
     return found;
   }
-  if (auto free = find_large_freeform({scene, topology, object, {edge_begin, edge_end}, normals})) {
+  std::vector<std::uint32_t> joints;
+  if (auto free = find_large_freeform({scene, topology, object, range, normals}, joints)) {
     found.patch_of.assign(free->is_freeform.size(), kNone);
     found.is_freeform = std::move(free->is_freeform);
     found.plane_edges = std::move(free->plane_edges);
     found.borders = std::move(free->borders);
     return found;
   }
-  const FacetGraph graph = facet_graph(scene, topology, object, edge_begin, edge_end, normals);
+  const FacetGraph graph = facet_graph(scene, topology, object, range, normals, joints);
   found.plane_edges = edges_inside_planes(topology, object, graph, edge_begin, edge_end, normals);
   const std::span edges(topology.edges.data() + edge_begin, topology.edges.data() + edge_end);
   const std::vector<std::uint32_t> of_facet = PatchFinder(scene, topology, object, graph).run(found.patches);

@@ -1,12 +1,18 @@
 #include "scene/patches/parts/large_freeform.hpp"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <glm/geometric.hpp>
 #include <numeric>
 #include <utility>
 
+#include "base/indices_where.hpp"
 #include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/patches/borders/patch_outlines.hpp"
 #include "scene/patches/facet_graph.hpp"
+#include "scene/patches/facets/flat_joints.hpp"
 #include "scene/patches/freeform.hpp"
 #include "scene/patches/patch_finder.hpp"
 
@@ -21,8 +27,12 @@ constexpr std::uint32_t kFewestFaces = 150'000;
 constexpr std::uint32_t kSamples = 128;
 /// Number of faces round a sample: more than a surface is fitted to before it grows.
 constexpr std::size_t kFacesAtSample = 400;
-/// Largest part of the edges that may lie inside planes.
+/// Largest part of the edges that may lie inside planes, or in pairs of triangles that may be planes.
 constexpr std::size_t kFlatShare = 64;
+/// Least cosine of a bend that is surely below kLargestBend, however the normals of facets are computed (25 degrees).
+constexpr float kSurelySmooth = 0.906F;
+/// Largest ratio of the depths of two facets that is surely below kPlaneDepths, however they are computed.
+constexpr double kSurelyAlike = 0.999 * kPlaneDepths;
 /// Rings of faces round those in planes: they contain kFewestFreeform facets. Rings round planes that may end free forms:
 /// they contain what freeform_borders() looks at.
 constexpr int kRingsRoundFlat = 2, kRingsRoundPlanes = 6;
@@ -45,7 +55,7 @@ std::vector<std::uint32_t> sampled_faces(const TriangleObject& whole) {
 
 FacetGraph graph_of(const MeshPart& part) {
   const auto count = static_cast<std::uint32_t>(part.topology.edges.size());
-  return facet_graph(part.scene, part.topology, part.scene.objects[0], 0, count, part.normals);
+  return facet_graph(part.scene, part.topology, part.scene.objects[0], {0, count}, part.normals);
 }
 
 /// Whether hardly any surface is found near samples, and few faces lie in planes.
@@ -66,8 +76,12 @@ bool seems_free(const FaceWalk& walk) {
   }
   const MeshPart part = part_of(walk, near_samples);
   const FacetGraph graph = graph_of(part);
-  // The limit for all edges, with some room: there are 1.5 for each face.
-  if (kFlatShare * (part.faces.size() - graph.size()) > 2 * part.faces.size()) return false;
+  // The limit for all edges, with some room: there are 1.5 for each face. Two triangles are seldom a plane.
+  std::size_t in_planes = 0;
+  for (std::uint32_t facet = 0; facet < graph.size(); ++facet) {
+    if (const std::size_t count = graph.faces[facet].size(); count > 2) in_planes += count - 1;
+  }
+  if (kFlatShare * in_planes > 2 * part.faces.size()) return false;
   std::vector<std::uint32_t> facets;
   for (const std::uint32_t f : samples) {
     const auto at = std::ranges::lower_bound(part.faces, f);
@@ -75,6 +89,95 @@ bool seems_free(const FaceWalk& walk) {
   }
   return PatchFinder(part.scene, part.topology, part.scene.objects[0], graph).seems_free(facets, whole.face_count());
 }
+
+/// Finds pairs of triangles in one plane that are surely a part of a free form, as freeform_facets() says. Its facets are
+/// single triangles and such pairs here. Two of them are alike if the surface is surely smooth between them and neither is
+/// much deeper than the other; so both are no planes. kFewestFreeform that are connected so are a free form.
+class FreePairs {
+ public:
+  FreePairs(const FaceWalk& walk, std::span<const std::uint32_t> joints)
+      : walk_(walk), whole_(walk.whole()), partner_(whole_.face_count(), kNone), is_free_(whole_.face_count()) {
+    const std::uint32_t many = whole_.face_count();
+    for (const std::uint32_t k : joints) {
+      const auto [f, g] = faces_at(k);
+      partner_[f] = partner_[f] == kNone ? g : many;
+      partner_[g] = partner_[g] == kNone ? f : many;
+    }
+  }
+
+  /// Whether the two faces at a joint are such a pair. Several threads may ask.
+  bool has(std::uint32_t joint) {
+    const auto [f, g] = faces_at(joint);
+    if (partner_[f] != g || partner_[g] != f || is_narrow(f) || is_narrow(g)) return false;
+    std::array<std::uint32_t, kFewestFreeform> facets{std::min(f, g)};
+    std::size_t count = 1;
+    bool is_found = is_free_[facets[0]].load(std::memory_order_relaxed) != 0;
+    for (std::size_t i = 0; i < count && !is_found; ++i) {
+      const std::uint32_t one = facets[i], other = partner_[one];
+      for (const std::uint32_t face : {one, other}) {
+        if (face == kNone || is_found) continue;
+        walk_.for_edges(face, [&](std::uint32_t k) {
+          const std::uint32_t next = is_found ? kNone : alike_beyond(face, k);
+          const auto end = facets.begin() + count;
+          if (next == kNone || std::find(facets.begin(), end, next) != end) return;
+          facets[count++] = next;
+          is_found = count == facets.size() || is_free_[next].load(std::memory_order_relaxed) != 0;
+        });
+      }
+    }
+    if (!is_found) return false;
+    for (std::size_t i = 0; i < count; ++i) is_free_[facets[i]].store(1, std::memory_order_relaxed);
+    return true;
+  }
+
+ private:
+  std::array<std::uint32_t, 2> faces_at(std::uint32_t k) const {
+    const Edge& edge = whole_.edge(k);
+    return {edge.face0 - whole_.object.face_begin, edge.face1 - whole_.object.face_begin};
+  }
+
+  bool is_narrow(std::uint32_t face) const {
+    return is_narrow_triangle(whole_.scene, whole_.object, whole_.object.face_begin + face);
+  }
+
+  /// Square of the largest distance of the corners of the facet of a face from the line of an edge of the face, times that
+  /// of its length.
+  double squared_depth(std::uint32_t face, const Edge& edge) const {
+    const Point3& from = whole_.scene.vertices[edge.v0];
+    const Point3 along = whole_.scene.vertices[edge.v1] - from;
+    double most = 0;
+    for (const std::uint32_t f : {face, partner_[face]}) {
+      if (f == kNone) continue;
+      for (const std::uint32_t v : whole_.scene.faces.contour(whole_.object.face_begin + f, 0)) {
+        const Point3 across = glm::cross(along, whole_.scene.vertices[v] - from);
+        most = std::max(most, glm::dot(across, across));
+      }
+    }
+    return most;
+  }
+
+  /// The lower face of the facet beyond an edge of a face, if both are alike; else kNone.
+  std::uint32_t alike_beyond(std::uint32_t face, std::uint32_t k) const {
+    if (!may_be_smooth(whole_.topology, whole_.edges.begin + k)) return kNone;
+    const std::array faces = faces_at(k);
+    const std::uint32_t next = faces[0] == face ? faces[1] : faces[0], partner = partner_[next];
+    if (partner == face || partner == whole_.face_count() || (partner != kNone && partner_[partner] != next)) return kNone;
+    const std::uint32_t first = whole_.object.face_begin;
+    if (glm::dot(whole_.normals[first + face], whole_.normals[first + next]) < kSurelySmooth) return kNone;
+    const double here = squared_depth(face, whole_.edge(k)), there = squared_depth(next, whole_.edge(k));
+    constexpr double kMost = kSurelyAlike * kSurelyAlike;
+    if (!(here < kMost * there && there < kMost * here) || is_narrow(next)) return kNone;
+    if (partner == kNone) return next;
+    return is_narrow(partner) ? kNone : std::min(next, partner);
+  }
+
+  const FaceWalk& walk_;
+  const TriangleObject& whole_;
+  /// Per face of the object: the other one if it lies in one plane with exactly one, kNone if with none, else the number of
+  /// faces.
+  std::vector<std::uint32_t> partner_;
+  std::vector<std::atomic<std::uint8_t>> is_free_;  ///< per face: 1 where its facet, named by the lower face, is known to be
+};
 
 /// The findings of a part of a free form.
 class PartFindings {
@@ -125,20 +228,36 @@ class PartFindings {
 
 }  // namespace
 
-std::optional<LargeFreeform> find_large_freeform(const TriangleObject& whole) {
-  if (whole.face_count() < kFewestFaces || !whole.scene.faces.all_triangles()) return std::nullopt;
+std::optional<LargeFreeform> find_large_freeform(const TriangleObject& whole, std::vector<std::uint32_t>& joints) {
+  const auto find_joints = [&] {
+    joints = flat_joints(whole.scene, whole.topology, whole.object, whole.edges, whole.normals);
+  };
+  if (whole.face_count() < kFewestFaces || !whole.scene.faces.all_triangles()) {
+    find_joints();
+    return std::nullopt;
+  }
   const FaceWalk walk(whole);
-  if (!seems_free(walk)) return std::nullopt;
-  const std::vector<std::uint32_t> joints =
-      flat_joints(whole.scene, whole.topology, whole.object, whole.edges.begin, whole.edges.end, whole.normals);
-  if (joints.size() > whole.edge_count() / kFlatShare) return std::nullopt;
+  bool is_free = false;
+  parallel_tasks(2, [&](std::size_t task) {
+    if (task == 0) {
+      is_free = seems_free(walk);
+    } else {
+      find_joints();
+    }
+  });
+  if (!is_free) return std::nullopt;
+  FreePairs pairs(walk, joints);
+  const std::vector<std::uint32_t> in_planes =
+      indices_where(joints.size(), [&](std::size_t i) { return !pairs.has(joints[i]); });
+  if (in_planes.size() > whole.edge_count() / kFlatShare) return std::nullopt;
   LargeFreeform found;
   found.is_freeform.assign(whole.face_count(), 1);
   FaceSet planes(whole);
   {
     FaceSet flat(whole);
-    for (const std::uint32_t k : joints) {
-      for (const std::uint32_t f : {whole.edge(k).face0, whole.edge(k).face1}) flat.add(f - whole.object.face_begin);
+    for (const std::uint32_t i : in_planes) {
+      const Edge& edge = whole.edge(joints[i]);
+      for (const std::uint32_t f : {edge.face0, edge.face1}) flat.add(f - whole.object.face_begin);
     }
     flat.add_rings(walk, kRingsRoundFlat);
     const MeshPart part = part_of(walk, flat);

@@ -18,7 +18,7 @@ struct LargeFreeform {
 };
 
 /// Looks at the faces near some samples, spread evenly over the edges. Nothing is returned for small objects, where surfaces
-/// are found near some of the samples, and where many faces lie in planes.
-std::optional<LargeFreeform> find_large_freeform(const TriangleObject& whole);
+/// are found near some of the samples, and where many faces lie in planes. Sets `joints` to flat_joints() of the object.
+std::optional<LargeFreeform> find_large_freeform(const TriangleObject& whole, std::vector<std::uint32_t>& joints);
 
 }  // namespace ligne
