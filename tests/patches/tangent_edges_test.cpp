@@ -177,6 +177,7 @@ struct TangentChain {
   double width = 1;        ///< of both faces
   double object_size = 0;  ///< length of the object along the chain; 0: that of the chain
   bool is_ring = false;    ///< whether the last edge ends where the first one begins; otherwise both ends are free
+  bool is_held = false;    ///< whether another line ends at its beginning
   double step = 0;         ///< length of the fourth edge across the chain; 0: it goes straight on
 };
 
@@ -198,15 +199,20 @@ std::size_t tangents_left(int edges, const TangentChain& chain = {}) {
   const auto end = static_cast<std::uint32_t>(edges);
   scene.faces.add_face(std::array{0u, end, end + 1});
   scene.faces.add_face(std::array{0u, end + 2, end});
-  const std::size_t count = topology.edges.size();
-  topology.edge_flags.assign(count, 0);
+  std::vector<std::uint8_t> is_line(topology.edges.size(), 0);
+  std::vector<PatchEdge> kinds(topology.edges.size(), PatchEdge::tangent);
+  if (chain.is_held) {
+    topology.edges.push_back({0, end + 1, 0, 1});
+    is_line.push_back(1);
+    kinds.push_back(PatchEdge::unknown);
+  }
+  topology.edge_flags.assign(topology.edges.size(), 0);
   Patches patches;
   patches.list.resize(1);
   patches.list[0].surface.axis = Point3(1, 0, 0);
   patches.patch_of = {0, kNone};
   patches.is_freeform = {0, chain.is_beside_plane ? std::uint8_t{0} : std::uint8_t{1}};
-  std::vector<PatchEdge> kinds(count, PatchEdge::tangent);
-  drop_loose_tangents(scene, topology, patches, std::vector<std::uint8_t>(count, 0), kinds);
+  drop_loose_tangents(scene, topology, patches, is_line, kinds);
   return static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), PatchEdge::tangent));
 }
 
@@ -230,7 +236,8 @@ std::size_t tangents_left_at_hook(int beyond) {
   return static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), PatchEdge::tangent));
 }
 
-/// For loose/loose_tangents.txt: "EDGES", of a chain, and "free-forms", "ring", "width=W", "object=LENGTH" or "step=LENGTH".
+/// For loose/loose_tangents.txt: "EDGES", of a chain, and "free-forms", "ring", "held", "width=W", "object=LENGTH" or
+/// "step=LENGTH".
 std::string left_of_chain(const std::string& text) {
   TangentChain chain;
   for (const std::string& word : test::words_of(text)) {
@@ -238,6 +245,7 @@ std::string left_of_chain(const std::string& text) {
     const double value = equals == word.npos ? 0 : std::stod(word.substr(equals + 1));
     if (word == "free-forms") chain.is_beside_plane = false;
     if (word == "ring") chain.is_ring = true;
+    if (word == "held") chain.is_held = true;
     if (word.starts_with("width")) chain.width = value;
     if (word.starts_with("object")) chain.object_size = value;
     if (word.starts_with("step")) chain.step = value;

@@ -107,16 +107,20 @@ class TangentChains {
     }
   }
 
-  /// Drops loose edges between two curved surfaces, and then the edges that become loose without them.
+  /// Drops lines between curved surfaces that are loose at both ends, as those along the bands of a bent tube.
   void drop_between_curved() {
-    for (TangentNode& first : nodes_) {
-      for (TangentNode* node = &first; node->is_loose();) {
-        const std::uint32_t e = node->numbers;
-        if (!is_curved(topology_.edges[e].face0) || !is_curved(topology_.edges[e].face1)) break;
-        TangentNode* next = other_end(e, *node);
-        drop(e);
-        node = next;
+    std::vector<std::uint32_t> line;
+    for (const TangentNode& first : nodes_) {
+      if (!first.is_loose()) continue;
+      line.clear();
+      const TangentNode* node = &first;
+      for (std::uint32_t e = first.numbers; is_between_curved(e); e ^= node->numbers) {
+        line.push_back(e);
+        node = other_end(e, *node);
+        if (!node->is_passed()) break;
       }
+      if (!node->is_loose() || line.empty()) continue;
+      for (const std::uint32_t e : line) drop(e);
     }
   }
 
@@ -187,6 +191,10 @@ class TangentChains {
   }
 
   bool is_curved(std::uint32_t face) const { return patches_.patch_of[face] != kNone || patches_.is_freeform[face]; }
+
+  bool is_between_curved(std::uint32_t e) const {
+    return is_curved(topology_.edges[e].face0) && is_curved(topology_.edges[e].face1);
+  }
 
   /// Whether the line turns to one side and back at the ends of an edge, see kToothDepths.
   bool is_tooth(std::uint32_t e) {

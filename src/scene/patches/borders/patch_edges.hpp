@@ -42,11 +42,11 @@ std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& 
 void mark_bands(const Topology& topology, std::span<const glm::vec3> normals, std::span<const PatchEdge> edges,
                 Patches& patches);
 
-/// Turns dangling tangent edges into PatchEdge::inside. An edge between two curved surfaces dangles if no other line
-/// begins at one of its ends: there the surfaces pass into a free form. Edges that dangle after its removal follow.
-/// Elsewhere only short dangling chains are removed, as flecks, and connected edges that meet no other line, enclose nothing
-/// and are short for their object. Before that, lines with teeth are removed, which follow the facets of a free form in
-/// steps. `is_line`: per edge, 1 if it is another line. O(n log n).
+/// Turns loose tangent edges into PatchEdge::inside. A line between curved surfaces is loose if no other line begins at
+/// either of its ends: bands of a free form have such borders. Elsewhere only short chains with a free end are removed, as
+/// flecks, and connected edges that meet no other line, enclose nothing and are short for their object. Before that, lines
+/// with teeth are removed, which follow the facets of a free form in steps. `is_line`: per edge, 1 if it is another line.
+/// O(n log n).
 void drop_loose_tangents(const Scene& scene, const Topology& topology, const Patches& patches,
                          const std::vector<std::uint8_t>& is_line, std::vector<PatchEdge>& edges);
 
