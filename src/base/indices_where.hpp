@@ -18,7 +18,10 @@ std::vector<std::uint32_t> indices_where(std::size_t count, const Wanted& wanted
       if (wanted(i)) found[begin / kShortWorkBlock].push_back(static_cast<std::uint32_t>(i));
     }
   });
+  std::size_t size = 0;
+  for (const std::vector<std::uint32_t>& block : found) size += block.size();
   std::vector<std::uint32_t> all;
+  all.reserve(size);
   for (const std::vector<std::uint32_t>& block : found) all.insert(all.end(), block.begin(), block.end());
   return all;
 }

@@ -1,6 +1,8 @@
 #include "scene/clean/compact.hpp"
 
 #include <atomic>
+#include <numeric>
+#include <utility>
 
 #include "base/large_vector.hpp"
 #include "base/parallel.hpp"
@@ -16,14 +18,36 @@ void for_blocks(std::size_t n, const Work& work) {
   });
 }
 
-/// Moves the vertices for which stays(v) holds to the front, and adapts the ranges of the objects. `number` has one
-/// entry more than there are vertices: the new index of each vertex, or of the next one that stays.
+/// The new index of each of n vertices, or of the next one that stays; behind these, the number of those that stay.
+template <class IsKept>
+std::vector<std::uint32_t> new_numbers(std::size_t n, const IsKept& stays) {
+  std::vector<std::uint32_t> first(block_count(n, kShortWorkBlock) + 1, 0);  // per block
+  parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t count = 0;
+    for (std::size_t v = begin; v < end; ++v) count += stays(v);
+    first[begin / kShortWorkBlock + 1] = count;
+  });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> number = large_vector<std::uint32_t>(n + 1);
+  parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t next = first[begin / kShortWorkBlock];
+    for (std::size_t v = begin; v < end; ++v) {
+      number[v] = next;
+      next += stays(v);
+    }
+  });
+  number[n] = first.back();
+  return number;
+}
+
+/// Keeps the vertices for which stays(v) holds, and adapts the ranges of the objects. `number`: their new_numbers().
 template <class IsKept>
 void keep_vertices(Scene& scene, const std::vector<std::uint32_t>& number, const IsKept& stays) {
-  for (std::size_t v = 0; v < scene.vertices.size(); ++v) {
-    if (stays(v)) scene.vertices[number[v]] = scene.vertices[v];
-  }
-  scene.vertices.resize(number.back());
+  std::vector<Point3> kept = large_vector<Point3>(number.back());
+  for_blocks(scene.vertices.size(), [&](std::size_t v) {
+    if (stays(v)) kept[number[v]] = scene.vertices[v];
+  });
+  scene.vertices = std::move(kept);
   for (Object& object : scene.objects) {
     object.vertex_begin = number[object.vertex_begin];
     object.vertex_end = number[object.vertex_end];
@@ -41,28 +65,17 @@ void drop_unused_vertices(Scene& scene) {
     AtomicRef<std::uint8_t> mark(used[corners[k]]);
     if (!mark.load(std::memory_order_relaxed)) mark.store(1, std::memory_order_relaxed);
   });
-  std::vector<std::uint32_t> new_index = large_vector<std::uint32_t>(n + 1);
-  std::uint32_t count = 0;
-  for (std::size_t v = 0; v < n; ++v) {
-    new_index[v] = count;
-    count += used[v];
-  }
-  new_index[n] = count;
-  if (count == n) return;
-  keep_vertices(scene, new_index, [&](std::size_t v) { return used[v] != 0; });
+  const auto stays = [&](std::size_t v) { return used[v] != 0; };
+  const std::vector<std::uint32_t> new_index = new_numbers(n, stays);
+  if (new_index.back() == n) return;
+  keep_vertices(scene, new_index, stays);
   for_blocks(corners.size(), [&](std::size_t k) { corners[k] = new_index[corners[k]]; });
 }
 
 void merge_vertices(Scene& scene, std::vector<std::uint32_t> target) {
-  const std::size_t n = scene.vertices.size();
-  std::vector<std::uint32_t> number(n + 1);
-  std::uint32_t count = 0;
-  for (std::size_t v = 0; v < n; ++v) {
-    number[v] = count;
-    count += target[v] == v;
-  }
-  number[n] = count;
-  keep_vertices(scene, number, [&](std::size_t v) { return target[v] == v; });
+  const auto stays = [&](std::size_t v) { return target[v] == v; };
+  const std::vector<std::uint32_t> number = new_numbers(scene.vertices.size(), stays);
+  keep_vertices(scene, number, stays);
   for (std::uint32_t& to : target) to = number[to];
   const std::span<std::uint32_t> corners = scene.faces.corners();
   for_blocks(corners.size(), [&](std::size_t k) { corners[k] = target[corners[k]]; });

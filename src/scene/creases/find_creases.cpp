@@ -179,6 +179,7 @@ class Finder {
       ends_.push_back({topology_.edges[e].v0, e});
       ends_.push_back({topology_.edges[e].v1, e});
     }
+    if (ends_.empty()) return;
     parallel_sort(ends_.begin(), ends_.end());
     soften_roundings(scene_, topology_, {ends_, found_.patch_edges, rows_}, angles_.faces, bends_);
     node_of_vertex_.assign(scene_.vertices.size(), kNone);
@@ -313,6 +314,7 @@ class Finder {
   /// Marks nodes on borders: a crease that ends at one does not end in the middle of a surface.
   void find_anchors() {
     anchored_.assign(nodes_.size(), 0);
+    if (nodes_.empty()) return;
     for (const std::uint32_t e :
          indices_where(topology_.edges.size(), [&](std::size_t i) { return topology_.edges[i].face1 == kNone; })) {
       for (const std::uint32_t v : {topology_.edges[e].v0, topology_.edges[e].v1}) {

@@ -43,6 +43,9 @@ double least_flat_cosine(const Scene& scene, const Topology& topology, const Sca
 
 bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
              const std::vector<Bend>& bends, const ScanObject& object, double precision) {
+  const auto is_bent = [](Bend bend) { return bend >= Bend::strong; };
+  const auto first = bends.begin() + static_cast<std::ptrdiff_t>(object.edge_begin);
+  if (std::none_of(first, bends.begin() + static_cast<std::ptrdiff_t>(object.edge_end), is_bent)) return false;
   constexpr std::uint16_t kSpoken = kEdgeSmooth | kEdgeSharp | kEdgeInner, kDefect = kEdgeUnlikeWound | kEdgeManyFaces;
   const auto count = static_cast<double>(object.edge_end - object.edge_begin);
   struct Counts {
@@ -62,7 +65,7 @@ bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm
       const Edge& edge = topology.edges[e];
       sum.spoken += (topology.edge_flags[e] & kSpoken) != 0;
       sum.defect += (topology.edge_flags[e] & kDefect) != 0;
-      sum.bent += bends[e] >= Bend::strong;
+      sum.bent += is_bent(bends[e]);
       flat += edge.face1 != kNone && glm::dot(normals[edge.face0], normals[edge.face1]) > least;
     }
     all_flat += flat;
@@ -71,7 +74,7 @@ bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm
   const Counts edges = parallel_reduce(object.edge_end - object.edge_begin, kShortWorkBlock, Counts{}, count_edges);
   const auto more_than = [&](std::size_t n, double part) { return static_cast<double>(n) > part * count; };
   if (edges.spoken > 0 || more_than(edges.defect, kDefectPart)) return false;
-  if (edges.bent == 0 || more_than(edges.bent, kBentPart) || too_flat()) return false;
+  if (more_than(edges.bent, kBentPart) || too_flat()) return false;
   for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
     if (scene.faces.contour_count(f) != 1 || scene.faces.contour(f, 0).size() != 3) return false;
   }

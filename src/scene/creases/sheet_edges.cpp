@@ -64,6 +64,7 @@ bool is_bent(std::span<const Sheet> sheets, float crease_cosine) {
 }  // namespace
 
 SheetEdges find_sheet_edges(const Scene& scene, const Topology& topology, float crease_cosine) {
+  if ((flags_of_any(topology) & kEdgeManyFaces) == 0) return {};
   std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::size_t>> wanted;
   for (std::size_t e = 0; e < topology.edges.size(); ++e) {
     if (topology.edge_flags[e] & kEdgeManyFaces) wanted.push_back({{topology.edges[e].v0, topology.edges[e].v1}, e});

@@ -66,7 +66,7 @@ void turn(Scene& scene, std::uint32_t face) {
 }  // namespace
 
 std::size_t agree_windings(Scene& scene, const Topology& topology) {
-  bool agree = true;
+  bool agree = (flags_of_any(topology) & kEdgeUnlikeWound) == 0;
   for (std::size_t e = 0; e < topology.edges.size() && agree; ++e) {
     agree = !(topology.edge_flags[e] & kEdgeUnlikeWound) || !joins_two_faces(topology, e);
   }

@@ -46,8 +46,17 @@ void append_short_edges(const Scene& scene, const Object& object, std::vector<Ve
   const std::size_t count = object.face_end - object.face_begin;
   std::vector<std::vector<VertexPair>> found(block_count(count, kShortWorkBlock));
   const double most = kLeastRoundings * object.precision;
+  const std::span<const std::uint32_t> corners = scene.faces.corners();
+  const bool all_triangles = scene.faces.all_triangles();
+  // Nearly all triangles have no such edge.
+  const auto has_long_edges = [&](std::size_t f) {
+    const Point3 &a = scene.vertices[corners[3 * f]], &b = scene.vertices[corners[3 * f + 1]],
+                 &c = scene.vertices[corners[3 * f + 2]];
+    return !are_within(most, a, b) && !are_within(most, b, c) && !are_within(most, c, a);
+  };
   parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = object.face_begin + begin; f < object.face_begin + end; ++f) {
+      if (all_triangles && has_long_edges(f)) continue;
       for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
         const std::span<const std::uint32_t> contour = scene.faces.contour(f, c);
         std::uint32_t last = contour.back();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -270,6 +272,11 @@ std::vector<Triangle> triangulate_faces(const Scene& scene) {
     for (std::uint32_t f = 0; f < n; ++f) triangulate_face(scene, f, triangles);
   }
   return triangles;
+}
+
+std::uint16_t flags_of_any(const Topology& topology) {
+  // There is no early exit, so that the loop can be vectorized.
+  return std::accumulate(topology.edge_flags.begin(), topology.edge_flags.end(), std::uint16_t{0}, std::bit_or<>{});
 }
 
 EdgeRange edges_of(const Topology& topology, const Object& object) {

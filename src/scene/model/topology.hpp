@@ -43,6 +43,9 @@ struct Topology {
   std::vector<Triangle> triangles;        ///< sorted by face
 };
 
+/// The flags that any edge has, as EdgeFlag bits.
+std::uint16_t flags_of_any(const Topology& topology);
+
 /// Indices of edges: [begin, end).
 struct EdgeRange {
   std::uint32_t begin = 0, end = 0;

@@ -19,7 +19,7 @@ namespace {
 struct ObjectPatches {
   std::uint32_t edge_begin = 0;  ///< first edge of the object
   std::vector<Patch> patches;
-  std::vector<std::uint32_t> patch_of;    ///< per face of the object
+  std::vector<std::uint32_t> patch_of;    ///< per face of the object; empty if there are no patches
   std::vector<std::uint8_t> is_freeform;  ///< per face of the object
   std::vector<std::uint32_t> plane_edges;
   std::vector<FreeformBorder> borders;
@@ -42,13 +42,11 @@ ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Obj
   ObjectPatches found;
   found.edge_begin = edge_begin;
   if (is_limit_surface(scene, object)) {
-    found.patch_of.assign(object.face_end - object.face_begin, kNone);
-    found.is_freeform.assign(found.patch_of.size(), 1);
+    found.is_freeform.assign(object.face_end - object.face_begin, 1);
     return found;
   }
   std::vector<std::uint32_t> joints;
   if (auto free = find_large_freeform({scene, topology, object, range, normals}, joints)) {
-    found.patch_of.assign(free->is_freeform.size(), kNone);
     found.is_freeform = std::move(free->is_freeform);
     found.plane_edges = std::move(free->plane_edges);
     found.borders = std::move(free->borders);
@@ -129,9 +127,9 @@ Patches find_patches(const Scene& scene, const Topology& topology, std::span<con
     parallel_blocks(parts[i].patch_of.size(), kShortWorkBlock, [&](std::size_t from, std::size_t to) {
       for (std::size_t f = from; f < to; ++f) {
         if (parts[i].patch_of[f] != kNone) found.patch_of[begin + f] = first + parts[i].patch_of[f];
-        found.is_freeform[begin + f] = parts[i].is_freeform[f];
       }
     });
+    std::ranges::copy(parts[i].is_freeform, found.is_freeform.begin() + begin);
   }
   return found;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "files/named_input.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/clean/weld_near.hpp"
@@ -30,14 +31,20 @@ namespace fs = std::filesystem;
 /// Throws InputError if a coordinate is too large to compute with, or not finite. Readers check the values in the file,
 /// but the transforms of a glTF can produce such coordinates too.
 void check_size(const Scene& scene, const std::string& name) {
-  for (std::size_t v = 0; v < scene.vertices.size(); ++v) {
-    const Point3& p = scene.vertices[v];
-    for (int k = 0; k < 3; ++k) {
-      if (std::abs(p[k]) <= kLargestCoordinate) continue;
-      throw InputError(name, "vertex " + std::to_string(v) + " of " + std::to_string(scene.vertices.size()) +
-                                 ": a coordinate is beyond 1.6e60, too large to compute with");
-    }
-  }
+  const auto is_too_large = [](const Point3& p) {
+    return !(std::abs(p.x) <= kLargestCoordinate && std::abs(p.y) <= kLargestCoordinate &&
+             std::abs(p.z) <= kLargestCoordinate);
+  };
+  const auto first_of = [&](std::size_t begin, std::size_t end) {
+    const auto from = scene.vertices.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto to = scene.vertices.begin() + static_cast<std::ptrdiff_t>(end), found = std::find_if(from, to, is_too_large);
+    return found == to ? scene.vertices.size() : static_cast<std::size_t>(found - scene.vertices.begin());
+  };
+  const auto first = [](std::size_t a, std::size_t b) { return std::min(a, b); };
+  const std::size_t n = scene.vertices.size(), v = parallel_reduce(n, kShortWorkBlock, n, first_of, first);
+  if (v == n) return;
+  throw InputError(name, "vertex " + std::to_string(v) + " of " + std::to_string(n) +
+                             ": a coordinate is beyond 1.6e60, too large to compute with");
 }
 
 void weld_and_finish(Scene& scene, const ReadOptions& options, CreaseTags tags, const std::string& name, Warnings& warnings,

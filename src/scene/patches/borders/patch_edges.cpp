@@ -63,6 +63,9 @@ class EdgeClassifier {
   PatchEdge operator()(std::size_t e) const {
     const Edge& edge = topology_.edges[e];
     if (edge.face1 == kNone || (topology_.edge_flags[e] & kSpoken)) return PatchEdge::unknown;
+    // Nearly all edges of scans: the patches of their faces need not be read.
+    if (patches_.list.empty() && patches_.is_freeform[edge.face0] && patches_.is_freeform[edge.face1])
+      return PatchEdge::unknown;
     const std::uint32_t p = patches_.patch_of[edge.face0], q = patches_.patch_of[edge.face1];
     if (p != kNone && p == q) return PatchEdge::inside;
     const bool has_surfaces = p != kNone && q != kNone;

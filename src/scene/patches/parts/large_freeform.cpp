@@ -63,8 +63,10 @@ bool seems_free(const FaceWalk& walk) {
   const TriangleObject& whole = walk.whole();
   const std::vector<std::uint32_t> samples = sampled_faces(whole);
   FaceSet near_samples(whole);
-  std::vector<std::uint32_t> reached_by(whole.face_count(), kNone), near;
-  for (std::uint32_t i = 0; i < samples.size(); ++i) {
+  static_assert(kSamples < 255);
+  std::vector<std::uint8_t> reached_by(whole.face_count(), 255);
+  std::vector<std::uint32_t> near;
+  for (std::uint8_t i = 0; i < samples.size(); ++i) {
     near.assign(1, samples[i]);
     reached_by[samples[i]] = i;
     for (std::size_t k = 0; k < near.size() && near.size() < kFacesAtSample; ++k) {
@@ -108,10 +110,11 @@ class FreePairs {
   /// Whether the two faces at a joint are such a pair. Several threads may ask.
   bool has(std::uint32_t joint) {
     const auto [f, g] = faces_at(joint);
-    if (partner_[f] != g || partner_[g] != f || is_narrow(f) || is_narrow(g)) return false;
+    if (partner_[f] != g || partner_[g] != f) return false;
     std::array<std::uint32_t, kFewestFreeform> facets{std::min(f, g)};
     std::size_t count = 1;
     bool is_found = is_free_[facets[0]].load(std::memory_order_relaxed) != 0;
+    if (!is_found && (is_narrow(f) || is_narrow(g))) return false;
     for (std::size_t i = 0; i < count && !is_found; ++i) {
       const std::uint32_t one = facets[i], other = partner_[one];
       for (const std::uint32_t face : {one, other}) {

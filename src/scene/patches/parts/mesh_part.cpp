@@ -2,15 +2,18 @@
 
 #include <array>
 
+#include "base/indices_where.hpp"
 #include "base/parallel.hpp"
 #include "base/uninitialized_vector.hpp"
 
 namespace ligne {
 namespace {
 
-void sort_and_thin(std::vector<std::uint32_t>& values) {
-  parallel_sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
+/// The marked things, which are numbered from `first`, ascending.
+std::vector<std::uint32_t> numbers_of(const std::vector<std::uint8_t>& marks, std::uint32_t first) {
+  std::vector<std::uint32_t> numbers = indices_where(marks.size(), [&](std::size_t i) { return marks[i] != 0; });
+  for (std::uint32_t& number : numbers) number += first;
+  return numbers;
 }
 
 /// The numbers of things in a part, by their numbers in the whole less `first`. Others have any number.
@@ -55,19 +58,20 @@ MeshPart part_of(const FaceWalk& walk, const FaceSet& set) {
   const std::uint32_t first_face = object.face_begin;
   const auto holds = [&](std::uint32_t face) { return face != kNone && set.holds[face - first_face] != 0; };
   MeshPart part;
-  part.faces = set.faces;
-  parallel_sort(part.faces.begin(), part.faces.end());
-  std::vector<std::uint32_t> vertices;
+  part.faces = numbers_of(set.holds, 0);
+  std::vector<std::uint8_t> has_vertex(object.vertex_end - object.vertex_begin, 0), has_edge(whole.edge_count(), 0);
   for (const std::uint32_t f : part.faces) {
-    const auto contour = whole.scene.faces.contour(first_face + f, 0);
-    vertices.insert(vertices.end(), contour.begin(), contour.end());
-    walk.for_edges(f, [&](std::uint32_t k) { part.edges.push_back(whole.edges.begin + k); });
+    for (const std::uint32_t v : whole.scene.faces.contour(first_face + f, 0)) has_vertex[v - object.vertex_begin] = 1;
+    walk.for_edges(f, [&](std::uint32_t k) { has_edge[k] = 1; });
   }
-  sort_and_thin(vertices);
-  sort_and_thin(part.edges);
+  const std::vector<std::uint32_t> vertices = numbers_of(has_vertex, object.vertex_begin);
+  part.edges = numbers_of(has_edge, whole.edges.begin);
   const Numbers number_of_vertex(vertices, object.vertex_begin, object.vertex_end);
   const Numbers number_of_face(part.faces, 0, whole.face_count());
 
+  part.scene.vertices.reserve(vertices.size());
+  part.topology.edges.reserve(part.edges.size());
+  part.topology.edge_flags.reserve(part.edges.size());
   for (const std::uint32_t v : vertices) part.scene.vertices.push_back(whole.scene.vertices[v]);
   for (const std::uint32_t f : part.faces) {
     std::array<std::uint32_t, 3> corners{};
