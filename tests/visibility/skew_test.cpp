@@ -169,6 +169,52 @@ std::vector<RuledSide> sides_between(const std::vector<ProjectedVertex>& corners
   return sides;
 }
 
+/// Depth of the surface at a point, if it is over the parts.
+std::optional<double> depth_over(const std::vector<RuledPart>& parts, double x, double y) {
+  for (const RuledPart& part : parts) {
+    if (y < part.y_top || y >= part.y_bottom) continue;
+    const double a = x - part.left.x(y), b = part.right.x(y) - x;
+    if (a >= 0 && b >= 0) return (part.left.z(y) * b + part.right.z(y) * a) / (a + b);
+  }
+  return std::nullopt;
+}
+
+/// Lines against random polygons, also reentrant and crossing themselves, by points along them.
+TEST(RuledParts, LinesAreHiddenWhereTheyAreFarther) {
+  std::mt19937 random(5);
+  std::uniform_int_distribution<std::int32_t> place(-1000, 1000);
+  std::uniform_real_distribution<double> depth(-100, 100);
+  const auto vertex = [&] { return ProjectedVertex{{place(random), place(random)}, depth(random)}; };
+  std::size_t hidden_points = 0, points = 0;
+  for (int round = 0; round < 3000; ++round) {
+    std::vector<ProjectedVertex> corners(3 + static_cast<std::size_t>(round) % 4);
+    for (ProjectedVertex& c : corners) c = vertex();
+    const std::vector<RuledPart> parts = ruled_parts(sides_between(corners));
+    ProjectedVertex from = vertex(), to = vertex();
+    if (round % 5 == 0) to.p.y = from.p.y;
+    const PageLine line(from, to, kNone, kNone);
+    std::vector<HiddenInterval> hidden;
+    for (const RuledPart& part : parts)
+      for (const HiddenInterval& h : behind_ruled_part(line, part, 1e-9))
+        if (h.sides != HiddenSides::none) hidden.push_back(h);
+    for (double t = 0.003; t < 1; t += 0.01) {
+      const double x = line.p0.x + t * line.dx, y = line.p0.y + t * line.dy;
+      const auto surface = depth_over(parts, x, y);
+      if (surface && std::abs(line.z(t) - *surface) < 1e-6) continue;
+      const bool expected = surface && line.z(t) > *surface;
+      const bool is_hidden =
+          std::ranges::any_of(hidden, [&](const HiddenInterval& h) { return h.from - 1e-9 <= t && t <= h.to + 1e-9; });
+      const bool inside =
+          std::ranges::any_of(hidden, [&](const HiddenInterval& h) { return h.from + 1e-9 < t && t < h.to - 1e-9; });
+      ++points;
+      hidden_points += expected;
+      if (is_hidden != inside) continue;  // at an end
+      ASSERT_EQ(is_hidden, expected) << round << ' ' << t;
+    }
+  }
+  EXPECT_GT(hidden_points, points / 20);
+}
+
 /// A line along a side, behind it, is covered on the side of the face alone, as by a facet.
 TEST(RuledParts, ALineAlongASideIsCoveredOnOneSide) {
   const std::vector<ProjectedVertex> corners = {{{0, 0}, 0}, {{100, 0}, 1}, {{90, 100}, 2}, {{10, 100}, 0}};
