@@ -72,31 +72,5 @@ TEST(ExactEnvelope, EndsOfLinesAreTheirVeryEnds) {
   }
 }
 
-/// Random lines against all lines before them, sampled; the number of cells changes nothing.
-TEST(ExactEnvelope, IsTheHighestOfAllLines) {
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> place(0, 1);
-  std::vector<Line> lines;
-  ExactEnvelope one(0, 1, 1), many(0, 1, 64);
-  for (int i = 0; i < 300; ++i) {
-    double u0 = place(random), u1 = place(random);
-    if (u0 > u1) std::swap(u0, u1);
-    const Line line{u0, place(random), u1, place(random)};
-    const auto height = [](const Line& l, double u) { return l.v0 + (l.v1 - l.v0) * (u - l.u0) / (l.u1 - l.u0); };
-    const std::vector<Span> above = raised(one, line), again = raised(many, line);
-    expect_spans(again, above);
-    for (double u = line.u0 + 1e-4; u < line.u1; u += 7e-3) {
-      double highest = kNothing;
-      for (const Line& l : lines)
-        if (l.u0 < u && u < l.u1) highest = std::max(highest, height(l, u));
-      const double d = height(line, u) - highest;
-      if (std::abs(d) < 1e-9) continue;
-      const bool is_above = std::any_of(above.begin(), above.end(), [u](const Span& s) { return s.from <= u && u <= s.to; });
-      EXPECT_EQ(is_above, d > 0) << "line " << i << " at " << u;
-    }
-    lines.push_back(line);
-  }
-}
-
 }  // namespace
 }  // namespace ligne::horizon
