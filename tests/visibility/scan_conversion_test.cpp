@@ -7,12 +7,6 @@
 namespace ligne {
 namespace {
 
-double covered(const std::vector<PolygonRun>& runs) {
-  double sum = 0;
-  for (const PolygonRun& r : runs) sum += r.u1 - r.u0;
-  return sum;
-}
-
 const PolygonRun* run_on(const std::vector<PolygonRun>& runs, std::uint32_t line, int which = 0) {
   for (const PolygonRun& r : runs)
     if (r.line == line && which-- == 0) return &r;
@@ -30,19 +24,6 @@ TEST(ScanConversion, VerticesOnLines) {
   EXPECT_EQ(run_on(runs, 4, 0)->u1 - run_on(runs, 4, 0)->u0, 8);  // the valley closes
   EXPECT_EQ(run_on(runs, 7, 0)->u1, 6);
   EXPECT_EQ(run_on(runs, 8), nullptr);
-}
-
-/// Random polygons: the runs' sum comes to the area, and each lies where the sides are.
-TEST(ScanConversion, AreaOfRandomTriangles) {
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> place(0, 4000);
-  for (int i = 0; i < 50; ++i) {
-    const std::vector<GridPoint> t{
-        {place(random), place(random), 0}, {place(random), place(random), 0}, {place(random), place(random), 0}};
-    const double area = std::abs((t[1].u - t[0].u) * (t[2].v - t[0].v) - (t[1].v - t[0].v) * (t[2].u - t[0].u)) / 2;
-    const double sum = covered(scan_polygon(t, std::vector<std::uint32_t>{3}, 4000));
-    EXPECT_NEAR(sum, area, 4000 + 0.001 * area);  // a line is a sample
-  }
 }
 
 /// Figure 2.38: an edge that moves by less than half a unit a line. Its whole place is rounded from a real one, and so it
@@ -68,7 +49,7 @@ TEST(ScanConversion, AccumulatorsDoNotDrift) {
   }
 }
 
-// Filling in fixed point: the same columns as scan conversion in real numbers, neighbours without gap or overlap.
+// Filling in fixed point. What it paints: zbuffer_test.cpp.
 
 struct Row {
   std::int64_t line, from, to;
@@ -94,28 +75,6 @@ TEST(ConvexFiller, NothingOverflows) {
   EXPECT_EQ(rows[1], (Row{2, -30000, 30000}));
   EXPECT_GE(rows[0].from, -30000);
   EXPECT_LE(rows[0].to, 30000);
-}
-
-TEST(ConvexFiller, AgreesWithScanConversion) {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> place(0, 300);
-  std::size_t columns = 0, unlike = 0;
-  for (int i = 0; i < 2000; ++i) {
-    std::vector<std::array<double, 2>> corners(3);
-    for (auto& c : corners) c = {place(random), place(random)};
-    std::map<std::int64_t, Row> expected;
-    std::vector<GridPoint> points;
-    for (const auto& [u, v] : corners) points.push_back({u, v, 0});
-    for (const PolygonRun& r : scan_polygon(points, std::vector<std::uint32_t>{3}, 300))
-      expected[r.line] = {r.line, std::llround(std::ceil(r.u0)), std::llround(std::ceil(r.u1))};
-    for (const Row& r : rows_of(corners, 0, 300)) {
-      const Row e = expected.contains(r.line) ? expected[r.line] : Row{r.line, r.from, r.from};
-      columns += static_cast<std::size_t>(r.to - r.from);
-      unlike += static_cast<std::size_t>(std::abs(r.from - e.from) + std::abs(r.to - e.to));
-    }
-  }
-  // Corners are rounded to 2^-16 of a pixel.
-  EXPECT_LT(unlike, columns / 100'000);
 }
 
 }  // namespace

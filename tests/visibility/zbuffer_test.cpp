@@ -257,34 +257,5 @@ TEST(ZBuffer, LinesEndWithinAPixelOfARim) {
   EXPECT_EQ(lines, 2);
 }
 
-/// Visible outlines and edges between visible faces of convex bodies are whole, however steep their faces.
-TEST(ZBuffer, LinesOfConvexBodiesDoNotBreak) {
-  for (const char* name : {"low_sphere", "star_prism", "octahedron", "hexagonal_prism", "needle_pyramids"}) {
-    const Scene scene = corpus_scene(name);
-    for (const StandardView& standard : standard_views(scene)) {
-      const View view = make_view(scene, make_camera(standard.camera, scene), standard.sheet.frame, standard.sheet.page,
-                                  standard.sheet.scale);
-      const Topology topology = build_topology(scene);
-      const ProjectedScene page = project(scene, topology, view, {classes("all"), 30});
-      const DepthBuffer buffer = painted(page, 512);
-      const EdgeSampling sampling(buffer, page.lattice, page.view.window);
-      std::vector<LinePart> parts;
-      const StrokeModel exact = *find_method("appel")->compute_visibility(page, {}).strokes;
-      std::vector<double> visible(topology.edges.size(), 0);
-      for (const Stroke& s : exact.strokes)
-        if (s.source < visible.size()) visible[s.source] += s.t_to - s.t_from;
-      for (const ProjectedEdge& e : page.edges) {
-        if (visible[e.source] < 1 - 1e-9) continue;
-        const PageLine line(page.vertices[e.v0], page.vertices[e.v1], e.face0, e.face1);
-        if (line.p0 == line.p1) continue;
-        sampling.find(line, parts);
-        drop_short_parts(parts, std::hypot(line.dx, line.dy), 2 * buffer.grid().pixel_mm / page.lattice.step_mm);
-        EXPECT_TRUE(parts.size() == 1 && parts[0].from == 0 && parts[0].to == 1)
-            << name << ", view " << standard.name << ", edge " << e.source;
-      }
-    }
-  }
-}
-
 }  // namespace
 }  // namespace ligne::test
