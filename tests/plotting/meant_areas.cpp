@@ -31,7 +31,7 @@ int top_at(const MeantScene& scene, Point2 p) {
   return -1;
 }
 
-constexpr double kAside = 0.02, kOnLine = 1e-4;
+constexpr double kAside = 0.002, kOnLine = 1e-4;
 
 /// Whether an edge comes near the point in another direction, or ends there.
 bool is_disturbed(const MeantScene& scene, Point2 p, Point2 direction) {
@@ -117,6 +117,13 @@ std::string path_text(const std::vector<Contour>& contours, const std::function<
   return d.str();
 }
 
+/// The colour of the area, which is the name of its layer.
+std::string color_of_area(std::size_t i) {
+  char text[16];
+  std::snprintf(text, sizeof text, "#0000%02x", static_cast<unsigned>(i) + 1);
+  return text;
+}
+
 /// Adds an area below two random transforms and its clip paths, each of which is written in its own units.
 void add_area(MeantScene& scene, const MeantArea& area, Dice& dice) {
   const std::string number = std::to_string(scene.areas.size());
@@ -181,19 +188,9 @@ std::vector<double> lines_of_grid(Dice& dice) {
 
 }  // namespace
 
-std::string color_of_area(std::size_t i) {
-  char text[16];
-  std::snprintf(text, sizeof text, "#0000%02x", static_cast<unsigned>(i) + 1);
-  return text;
-}
-
 std::string svg_of(const MeantScene& scene) {
   return "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' viewBox='0 0 100 100' fill='none'>" +
          scene.body + "</svg>";
-}
-
-ReadDrawing plotted_borders(const MeantScene& scene) {
-  return read_svg_drawing(svg_of(scene), "a.svg", {}, {FillReading::How::outline, 0.35, true});
 }
 
 MeantScene abutting_rectangles(Dice& dice) {
@@ -203,7 +200,7 @@ MeantScene abutting_rectangles(Dice& dice) {
     const std::size_t x2 = x + 1 + dice() % (5 - x), y2 = y + 1 + dice() % (5 - y);
     return rectangle({xs[x], ys[y]}, {xs[x2], ys[y2]});
   };
-  MeantScene scene{{}, {}, xs, ys};
+  MeantScene scene;
   const std::size_t count = 2 + dice() % 5;
   while (scene.areas.size() < count) {
     MeantArea area{{any()}};
@@ -237,7 +234,7 @@ MeantScene scribbles(Dice& dice) {
 }
 
 int wrong_places(const MeantScene& scene, Dice& dice) {
-  const ReadDrawing drawn = plotted_borders(scene);
+  const ReadDrawing drawn = read_svg_drawing(svg_of(scene), "a.svg", {}, {FillReading::How::outline, 0.35, true});
   std::uniform_real_distribution<double> part(0.02, 0.98);
   int wrong = 0;
   for (std::size_t i = 0; i < scene.areas.size(); ++i) {

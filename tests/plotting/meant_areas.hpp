@@ -32,9 +32,8 @@ struct MeantArea {
 };
 
 struct MeantScene {
-  std::vector<MeantArea> areas;    ///< from the first painted to the last
-  std::string body;                ///< the same as elements of an SVG page of 100 x 100 mm, each below its own transforms
-  std::vector<double> xs{}, ys{};  ///< of rectangles: the lines on which their sides lie, ascending
+  std::vector<MeantArea> areas;  ///< from the first painted to the last
+  std::string body;              ///< the same as elements of an SVG page of 100 x 100 mm, each below its own transforms
 };
 
 /// Rectangles whose sides lie on few lines, so that most of them abut or coincide.
@@ -46,10 +45,6 @@ MeantScene scribbles(Dice& dice);
 
 /// The whole SVG.
 std::string svg_of(const MeantScene& scene);
-/// The colour of the area, which is the name of its layer.
-std::string color_of_area(std::size_t i);
-/// The borders of the areas as they are plotted, where areas hide each other.
-ReadDrawing plotted_borders(const MeantScene& scene);
 
 /// How many sampled places of the plotted borders are wrong: a border is drawn once where it parts what is seen, and nowhere
 /// else. Places that lie too near to other edges are not judged.

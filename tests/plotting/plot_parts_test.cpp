@@ -74,16 +74,6 @@ TEST(PlotParts, TheWholeTimeIsThatOfTheReport) {
   EXPECT_EQ(strokes_within(plot, device, {0, 0}, 0), 0u);
 }
 
-TEST(PlotParts, WhatIsResumedIsTheRest) {
-  const Plot plot = random_plot(2);
-  const Plot rest = without_first(plot, 25);
-  ASSERT_EQ(strokes(rest), 15u);
-  ASSERT_EQ(rest.pens.size(), 1u);
-  EXPECT_EQ(rest.pens[0].pen.number, 3u);
-  EXPECT_EQ(rest.pens[0].lines[0].front(), plot.pens[1].lines[5].front());
-  EXPECT_EQ(strokes(without_first(plot, 100)), 0u);
-}
-
 TEST(PlotParts, ABrushNeverDrawsMoreThanItHolds) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     const Plot plot = random_plot(seed);
@@ -101,26 +91,6 @@ TEST(PlotParts, ABrushNeverDrawsMoreThanItHolds) {
     }
     EXPECT_EQ(dipped.pens[0].actions.front(), 0u) << "it is dipped before the first stroke";
   }
-}
-
-TEST(PlotParts, ActionsPausesAndPlacesInGcode) {
-  Plot plot;
-  plot.pens.resize(2);
-  plot.pens[1].pen.number = 2;
-  plot.pens[1].pen.name = "blue";
-  plot.pens[0].lines.add(std::array{Point2{10, 10}, Point2{20, 10}});
-  plot.pens[1].lines.add(std::array{Point2{10, 20}, Point2{20, 20}});
-  plot.pens[0].actions = {0};
-  plot.pens[1].pauses = {0};
-  const Device& device = *find_device("grbl-servo");
-  const DeviceFrame frame = place_on_device(device, plot.page, drawn_bounds(plot), false);
-  EXPECT_EQ(write_plot(plot, device, frame, {find_action(device, "dip"), find_place(device, "home")}),
-            "G21\nG90\nG94\nM5\nG4 P0.1\n"
-            "G0 X0 Y0\nM3 S90\nG4 P0.15\nG4 P1\nM5\nG4 P0.1\n"
-            "G0 X10 Y287\nM3 S90\nG4 P0.15\nG1 F2400\nG1 X20 Y287\nM5\nG4 P0.1\n"
-            "G0 X0 Y0\nM0 (pen 2: blue)\nM0\n"
-            "G0 X10 Y277\nM3 S90\nG4 P0.15\nG1 F2400\nG1 X20 Y277\nM5\nG4 P0.1\n"
-            "G0 X0 Y0\nM2\n");
 }
 
 TEST(Tiles, SheetsTogetherAreTheDrawing) {

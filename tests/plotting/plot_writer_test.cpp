@@ -105,27 +105,6 @@ TEST(Devices, ThatTakeSvgWriteTheirGoldens) {
   EXPECT_EQ(count, 7u);
 }
 
-TEST(Devices, AreTheOnesThatAreOwed) {
-  for (const char* name :
-       {"hp7475a", "hp7550a", "designjet", "cutter", "axidraw-v3", "grbl-servo", "grbl-servo-reversed", "grbl-z"}) {
-    EXPECT_NE(find_device(name), nullptr) << name;
-  }
-  EXPECT_EQ(find_device("hp7475a")->step_mm, 0.02488);
-  EXPECT_EQ(find_device("nothing"), nullptr);
-}
-
-TEST(Devices, AMillimetreIsAMillimetreOnThe7475A) {
-  const Device& device = *find_device("hp7475a");
-  Drawing drawing;
-  add_line(drawing, "outline", {{50, 50}, {150, 50}});
-  const Replay got = test::replay_hpgl(written(device, drawing, false).text);
-  ASSERT_EQ(got.strokes.size(), 1u);
-  EXPECT_NEAR(glm::distance(got.strokes[0][0], got.strokes[0][1]) * 0.02488, 100, 0.025);
-  // An A4 page that stands lies on its left side: across the page is along -y of the device, its middle is the sheet's.
-  const DeviceFrame frame = place_on_device(device, {}, {}, false);
-  EXPECT_NEAR(glm::distance(frame.to_device({105, 148.5}), Point2(148.5 - 9.1, 105 - 2.47)), 0, 1e-9);
-}
-
 /// HPGL as hp2xx reads it, a program that is not ours.
 
 bool hp2xx_is_there() { return std::system("command -v hp2xx >/dev/null 2>&1") == 0; }

@@ -104,12 +104,13 @@ std::vector<Line> pdf_lines(const std::string& pdf) {
 }
 
 TEST(Precision, CoordinatesAreRightOnEveryPage) {
-  for (const std::string page : {"A0", "A3", "A4", "A6", "letter", "20x20", "1189x20000"}) {
+  for (const std::string page : {"A0", "A3", "A4", "A6", "letter", "20x20", "1189x20000", "0.1x0.1", "100000x100000"}) {
     PlotOptions options;
     options.page = parse_page(page);
     std::vector<Line> lines;
     const Drawing drawing = awkward_drawing(options.page, lines);
     expect_near(svg_lines(write_svg(drawing, options)), lines, page + ", SVG");
+    if (options.page.width_mm > 20'000) continue;  // there a PDF is right to a few micrometres
     expect_near(pdf_lines(write_pdf(drawing, options)), lines, page + ", PDF");
   }
 }
@@ -184,6 +185,16 @@ std::string paths_of(const Polylines& lines) {
   return paths;
 }
 
+/// The title of an SVG, which reads back as XML.
+std::string title_in_svg(const std::string& title) {
+  PlotOptions options;
+  options.title = title;
+  const std::string svg = write_svg({}, options);
+  read_svg_drawing(svg, "a.svg", {});
+  const std::size_t begin = svg.find("<title>") + 7;
+  return svg.substr(begin, svg.find("</title>") - begin);
+}
+
 /// Texts of numbers, lengths and pages, lines that are joined or dashed, and paths of an SVG: the folder values.
 const test::TextFunctions kFunctions{
     {"fixed", [](auto& t) { return fixed(std::stoll(t), 4); }},
@@ -196,6 +207,7 @@ const test::TextFunctions kFunctions{
     {"dashes", [](auto& t) { return cut_by(t, [](auto lines, auto cut) { return cut_dashes(lines, cut, 0.5); }); }},
     {"marks", [](auto& t) { return cut_by(t, [](auto lines, auto cut) { return cut_pattern(lines, cut, 1); }); }},
     {"within-10", [](auto& t) { return text_of_lines(clip_to_box(lines_of_text(t), kSheet)); }},
+    {"title", title_in_svg},
     {"path", [](auto& t) { return paths_of(lines_of_text(t)); }},
     {"json", [](auto& t) { return std::to_string(read_json_drawing(t, "a.json").drawing.layers.size()); }},
     {"boxes", [](auto& t) { return std::to_string(boxes_of(t)); }},
