@@ -105,7 +105,7 @@ TEST_F(DrawTest, FramesTurnTheModelAtOneScale) {
   }
 }
 
-// What is said of all methods.
+// All methods, by name.
 
 TEST_F(ProgramTest, InfoTextNamesEveryMethod) {
   const json methods = json::parse(run("methods --json").out);

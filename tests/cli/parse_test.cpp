@@ -92,23 +92,6 @@ TEST(PageScale, UnitAndRatioMultiply) {
   EXPECT_DOUBLE_EQ(*options.page_mm_per_unit(10), 0.2);
 }
 
-TEST(Stages, AreTimedAndToldInOrder) {
-  RunReport report;
-  report.method = "appel";
-  report.study.count("edges", 12);
-  EXPECT_EQ(timed(report.stages, "read", [] { return 7; }), 7);
-  timed(report.stages, "write", [] {});
-  ASSERT_EQ(report.stages.seconds.size(), 2u);
-  EXPECT_EQ(report.stages.seconds[0].first, "read");
-  EXPECT_EQ(report.stages.seconds[1].first, "write");
-  const std::string text = report_text(report);
-  EXPECT_EQ(text.rfind("method appel\n  edges  12\nstages\n", 0), 0u) << text;
-  test::expect_parts(text, {"  total  "});
-  const std::string json = report_json(report);
-  test::expect_parts(json, {"\"format\": \"ligne-stats\"", "\"edges\": 12"});
-  EXPECT_LT(json.find("\"read\""), json.find("\"write\""));
-}
-
 TEST(MemoryOfTheMachine, IsKnown) {
   const double bytes = usual_memory_limit().bytes;
   EXPECT_GT(bytes, 0);

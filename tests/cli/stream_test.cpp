@@ -24,7 +24,7 @@ std::string wall(int cells, int size, int y) {
   return "object\ngrid " + n + " x " + n + " triangles: " + x + std::to_string(y) + "; " + std::to_string(size) + "*(v/" +
          n + "-0.5)\n";
 }
-/// Of radius 1.5.
+/// A ball of radius 1.5.
 std::string ball(int x, int y, int z) {
   return "object\ngrid 40 x 20 triangles round: 1.5*sin(pi*v/20)*cos(pi*u/20); 1.5*sin(pi*v/20)*sin(pi*u/20); "
          "-1.5*cos(pi*v/20)\nmap: x+" +

@@ -1,5 +1,4 @@
 #include "linework/overlaps/coincident_strokes.hpp"
-#include "drawing/drawing.hpp"
 #include "linework/overlaps/stroke_overlap.hpp"
 #include "main/tier.hpp"
 #include "stroke_builder.hpp"
@@ -34,17 +33,6 @@ void expect(const std::vector<Stroke>& got, const std::vector<Expected>& wanted)
 }
 
 constexpr LatticePoint a{0, 0}, b{1000, 0};
-
-TEST(CoincidentStrokes, DepthCountsInTheMiddleOfTheOverlap) {
-  // The long one is farther on the whole, and nearer where the short one lies.
-  expect(removed({at_depth(stroke(a, b, LineClass::mesh, 0), 0, 1000),
-                  at_depth(stroke({100, 0}, {200, 0}, LineClass::mesh, 1), 300, 300)}),
-         {{0, a, b}});
-  // And the other way round.
-  expect(removed({at_depth(stroke(a, b, LineClass::mesh, 0), 1000, 0),
-                  at_depth(stroke({100, 0}, {200, 0}, LineClass::mesh, 1), 700, 700)}),
-         {{0, a, {100, 0}}, {0, {200, 0}, b}, {1, {100, 0}, {200, 0}}});
-}
 
 TEST(CoincidentStrokes, TheLoserIsCut) {
   const auto got = removed({stroke(a, b, LineClass::mesh, 0), stroke({600, 1}, {300, -1}, LineClass::outline, 1)});
@@ -82,14 +70,6 @@ TEST(CoincidentStrokes, ParametersFollowThePerspective) {
   }
 }
 
-TEST(CoincidentStrokes, StrokesWithoutTheFlagAreHeldAgainstFlaggedOnesOnly) {
-  Stroke plain = stroke(a, b, LineClass::mesh, 0), second = stroke(a, b, LineClass::mesh, 1);
-  plain.needs_overlap_check = second.needs_overlap_check = false;
-  expect(removed({plain, second}), {{0, a, b}, {1, a, b}});
-  expect(removed({plain, stroke(a, b, LineClass::outline, 1)}), {{1, a, b}});
-  expect(removed({plain, hidden(stroke(a, b, LineClass::outline, 1))}), {{0, a, b}});
-}
-
 TEST(CoincidentStrokes, StrokesThatLieOnNoOtherKeepTheirOrder) {
   Stroke first = stroke(a, {400, 0}, LineClass::mesh, 5), second = stroke({400, 0}, b, LineClass::mesh, 5);
   first.t_to = second.t_from = 0.4;
@@ -102,16 +82,6 @@ TEST(CoincidentStrokes, StrokesThatLieOnNoOtherKeepTheirOrder) {
   EXPECT_EQ(m.strokes[0].from, second.from);
   EXPECT_EQ(m.strokes[1].from, other.from);
   EXPECT_EQ(m.strokes[2].from, first.from);
-}
-
-TEST(CoincidentStrokes, ACutMeetsTheWinnerExactlySoThatTheyJoin) {
-  // Two edges one step apart, one longer: together one line, drawn in one go.
-  StrokeModel m =
-      model({stroke({0, 0}, {1000, 0}, LineClass::outline, 0), stroke({500, 1}, {2000, 1}, LineClass::outline, 1)});
-  remove_coincident_strokes(m, kCoincidence);
-  const Drawing drawing = make_drawing(m);
-  ASSERT_EQ(drawing.layers.size(), 1u);
-  EXPECT_EQ(drawing.layers[0].lines.size(), 1u);
 }
 
 // These hold for any strokes: nothing is lost, nothing is drawn twice.

@@ -34,6 +34,7 @@ inline StrokeModel model(std::vector<Stroke> strokes) {
 
 /// Strokes in words, points in mm: "outline 0,0 300,0 320,5; hidden crease#7 0,9 9,9" are two outlines that follow each
 /// other, and a hidden crease of source 7. Without these words a stroke is visible, of class `usual`, and of source 0.
+/// Depths are "z=0:1000", and "plain" is a stroke that is not held against others that are.
 inline StrokeModel sketch(const std::string& text, LineClass usual = LineClass::mesh, double step_mm = 1) {
   StrokeModel m;
   m.lattice.step_mm = step_mm;
@@ -47,6 +48,11 @@ inline StrokeModel sketch(const std::string& text, LineClass usual = LineClass::
       if (std::sscanf(word.c_str(), "%lf,%lf", &p.x, &p.y) == 2) {
         s.from = std::exchange(s.to, m.lattice.snap(p));
         if (points++ > 0) m.strokes.push_back(s);
+        continue;
+      }
+      if (std::sscanf(word.c_str(), "z=%f:%f", &s.z_from, &s.z_to) == 2) continue;
+      if (word == "plain") {
+        s.needs_overlap_check = false;
         continue;
       }
       const std::size_t hash = std::min(word.find('#'), word.size());

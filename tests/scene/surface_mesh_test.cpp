@@ -41,8 +41,8 @@ Counts count(const Scene& scene) {
   return counts;
 }
 
-/// What becomes of a surface, by its changes: "missing N", a sample; "strides X Y" of the curves; "clip LOW HIGH"; "cut
-/// LEVELS"; "base Z", of a skirt.
+/// Counts of the mesh of a surface after its changes: "missing N", a sample; "strides X Y" of the curves; "clip LOW HIGH";
+/// "cut LEVELS"; "base Z", of a skirt.
 std::string meshed(SurfacePoints surface, const std::vector<std::string>& changes) {
   std::vector<std::pair<std::string, std::vector<double>>> steps;
   for (const std::string& change : changes) {

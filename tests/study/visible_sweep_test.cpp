@@ -42,6 +42,10 @@ TEST(VisibleSweep, ArcsMeetArcs) {
   EXPECT_EQ(swept(line), (Pieces{piece(0, 0, root, 6), piece(1, 0, 0, root)}));
 }
 
+TEST(VisibleSweep, SegmentsAlongTheViewHideNothing) {
+  EXPECT_EQ(swept({opaque({5, 0}, {5, 9}), opaque({0, 4}, {9, 4}), opaque({0, 0}, {0, 8})}), (Pieces{piece(1, 0, 0, 9)}));
+}
+
 /// Depths in floating point, independent of the exact meetings.
 long double depth_at(const PlaneCurve& c, long double x) {
   if (!c.is_arc()) return c.z_left + (x - c.left) * (static_cast<long double>(c.z_right) - c.z_left) / (c.right - c.left);
