@@ -8,19 +8,19 @@ namespace ligne {
 namespace {
 
 // Lengths in pen widths or in gaps (gap_mm()). "Taste" marks values that were chosen by looking at drawings.
-constexpr double kGapInPens = 1;                               ///< a wider gap shows between the round ends of two lines
-constexpr double kWideInGaps = 3;                              ///< widest gap that is bridged without outlines: taste
-constexpr double kFarInGaps = 12;                              ///< widest gap that is bridged with outlines: taste
-constexpr double kLineReachInPens = 0.5;                       ///< ink of a line reaches half a pen to either side
-constexpr double kShownInPens = 0.5;                           ///< least length that shows outside of other ink: taste
-constexpr double kMeetingInPens = 1;                           ///< lines this near to each other touch
-constexpr double kTouchingInPens = 1.0 / 16;                   ///< an end this near lies on a line; allows for rounding
-constexpr double kUndershootInGaps = 3;                        ///< longest extension of an end: taste
-constexpr double kDangleInPens = 12, kDanglePart = 1.0 / 32;   ///< longest dangle, also as part of its body: taste
-constexpr double kBesideInPens = 2.5, kBesideInDangles = 4;    ///< arcs beside a line, largest distance and size: taste
+constexpr double kGapInPens = 1;                                ///< a wider gap shows between the round ends of two lines
+constexpr double kWideInGaps = 3;                               ///< widest gap that is bridged without outlines: taste
+constexpr double kFarInGaps = 12;                               ///< widest gap that is bridged with outlines: taste
+constexpr double kLineReachInPens = 0.5;                        ///< ink of a line reaches half a pen to either side
+constexpr double kShownInPens = 0.5;                            ///< least length that shows outside of other ink: taste
+constexpr double kMeetingInPens = 1;                            ///< lines this near to each other touch
+constexpr double kTouchingInPens = 1.0 / 16;                    ///< an end this near lies on a line; allows for rounding
+constexpr double kUndershootInGaps = 3;                         ///< longest extension of an end: taste
+constexpr double kDangleInPens = 12, kDanglePart = 1.0 / 32;    ///< longest dangle, also as part of its body: taste
+constexpr double kBesideInPens = 2.5, kBesideInDangles = 4;     ///< arcs beside a line, largest distance and size: taste
 constexpr double kMaxScanIsolatedInPens = 12, kLoneInPens = 5;  ///< longest isolated chains: taste
-constexpr double kMaxIsolatedPart = 1.0 / 48;                  ///< also as part of the extent of the body: taste
-constexpr double kRingInPens = 0.25;                           ///< a ring no wider than this is drawn as one line
+constexpr double kMaxIsolatedPart = 1.0 / 48;                   ///< also as part of the extent of the body: taste
+constexpr double kRingInPens = 0.25;                            ///< a ring no wider than this is drawn as one line
 
 double gap_mm(const CleanOptions& o) { return std::min(o.least_mm, kGapInPens * o.pen_mm); }
 

@@ -181,7 +181,8 @@ class MeshScript {
     make_sets({"facets"});
     const Topology topology = build_topology(*scene_);
     const auto [begin, end] = edges_of(topology, scene_->objects.at(0));
-    const FacetGraph graph = facet_graph(*scene_, topology, scene_->objects[0], {begin, end}, face_normals(*scene_, topology));
+    const FacetGraph graph =
+        facet_graph(*scene_, topology, scene_->objects[0], {begin, end}, face_normals(*scene_, topology));
     for (std::size_t i = 0; i < graph.size(); ++i)
       sets_["facets"].push_back({{Point3(0)}, {{"size", graph.faces[i].size()}, {"area", graph.area[i]}}});
   }

@@ -63,10 +63,12 @@ bool seems_free(const FaceWalk& walk) {
   const TriangleObject& whole = walk.whole();
   const std::vector<std::uint32_t> samples = sampled_faces(whole);
   FaceSet near_samples(whole);
-  static_assert(kSamples < 255);
-  std::vector<std::uint8_t> reached_by(whole.face_count(), 255);
+  constexpr std::uint8_t kNotReached = 255;
+  static_assert(kSamples < kNotReached);
+  std::vector<std::uint8_t> reached_by(whole.face_count(), kNotReached);
   std::vector<std::uint32_t> near;
-  for (std::uint8_t i = 0; i < samples.size(); ++i) {
+  for (std::size_t sample = 0; sample < samples.size(); ++sample) {
+    const auto i = static_cast<std::uint8_t>(sample);
     near.assign(1, samples[i]);
     reached_by[samples[i]] = i;
     for (std::size_t k = 0; k < near.size() && near.size() < kFacesAtSample; ++k) {
