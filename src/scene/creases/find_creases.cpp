@@ -1,9 +1,7 @@
 #include "scene/creases/find_creases.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 #include <span>
 #include <utility>
 
@@ -11,9 +9,8 @@
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "base/prefetch.hpp"
-#include "scene/creases/across_edge.hpp"
 #include "scene/creases/bend.hpp"
+#include "scene/creases/bends_by_faces.hpp"
 #include "scene/creases/face_normals.hpp"
 #include "scene/creases/fading_creases.hpp"
 #include "scene/creases/parallel_bends.hpp"
@@ -26,35 +23,15 @@ namespace ligne {
 namespace {
 
 /// Adjustable. Parts are relative to the size of the object where nothing else is named.
-constexpr double kLowPart = 0.5;            ///< of the crease angle: least angle of continued creases and sharp edges
-constexpr double kFirmDegrees = 20;         ///< above the crease angle: such an edge stays even if isolated
-constexpr double kSurelySharp = 60;         ///< edges from this angle on are creases, even if the file says smooth
-constexpr double kRoundPart = 1.0 / 256;    ///< smaller radii are drawn as the edge that they round
-constexpr double kNarrowPart = 1.0 / 96;    ///< as are narrower roundings between wide sides
 constexpr double kShortPart = 1.0 / 16;     ///< shorter chains are dropped
 constexpr double kSpurPart = 1.0 / 64;      ///< longer edges are not spurs
 constexpr std::size_t kCertainEdges = 4;    ///< of creases that are continued over longer ways than themselves
 constexpr double kTurnCosine = 0.70710678;  ///< cosine of 45 degrees: largest turn of a continued crease
-/// Allowance for the error of float32 normals of small faces: an edge at exactly the crease angle is not a crease.
-constexpr double kSlackDegrees = 0.01;
-
-float cosine_of(double degrees) {
-  return static_cast<float>(std::cos(std::min(180.0, degrees + kSlackDegrees) * std::numbers::pi / 180));
-}
-
-struct Limits {
-  explicit Limits(double crease)
-      : low(cosine_of(kLowPart * crease)),
-        crease(cosine_of(crease)),
-        firm(cosine_of(crease + kFirmDegrees)),
-        sharp(cosine_of(std::max(kSurelySharp, crease))) {}
-  float low, crease, firm, sharp;  ///< cosines: smaller is sharper
-};
 
 class Finder {
  public:
   Finder(const Scene& scene, const Topology& topology, const CreaseAngles& angles)
-      : scene_(scene), topology_(topology), angles_(angles), limits_(angles.faces), sizes_(object_sizes(scene)) {}
+      : scene_(scene), topology_(topology), angles_(angles), sizes_(object_sizes(scene)) {}
 
   Creases run() {
     classify();
@@ -72,24 +49,12 @@ class Finder {
   }
 
  private:
-  struct Counts {
-    std::size_t smooth = 0, sharp = 0;
-    friend Counts operator+(const Counts& a, const Counts& b) { return {a.smooth + b.smooth, a.sharp + b.sharp}; }
-  };
-
   void classify() {
-    bends_.assign(topology_.edges.size(), Bend::none);
-    const Counts counts = parallel_reduce(bends_.size(), kShortWorkBlock, Counts{}, [&](std::size_t begin, std::size_t end) {
-      Counts sum;
-      for (std::size_t e = begin; e < end; ++e) {
-        prefetch_faces(normals_, topology_.edges, e);
-        bends_[e] = bend_of(e, sum);
-      }
-      return sum;
-    });
-    found_.smooth_by_file = counts.smooth;
-    found_.sharp_by_file = counts.sharp;
-    SheetEdges sheets = find_sheet_edges(scene_, topology_, limits_.crease);
+    FaceBends by_faces = bends_by_faces(scene_, topology_, normals_, sizes_, angles_.faces);
+    bends_ = std::move(by_faces.bends);
+    found_.smooth_by_file = by_faces.smooth_by_file;
+    found_.sharp_by_file = by_faces.sharp_by_file;
+    SheetEdges sheets = find_sheet_edges(scene_, topology_, crease_cosine(angles_.faces));
     const std::vector<std::uint8_t>& bent = sheets.bent;
     found_.walls = std::move(sheets.walls);
     found_.folds = std::move(sheets.folds);
@@ -121,47 +86,6 @@ class Finder {
       found_.between_surfaces += bend == Bend::strong && bends_[e] < Bend::strong;
       bends_[e] = bend == Bend::none ? bend : std::max(bend, bends_[e]);
     }
-  }
-
-  Bend bend_of(std::size_t e, Counts& counts) const {
-    const Edge& edge = topology_.edges[e];
-    const auto flags = topology_.edge_flags[e];
-    if (edge.face1 == kNone || (flags & (kEdgeManyFaces | kEdgeFileHidden | kEdgeInner))) return Bend::none;
-    const float turn = flags & kEdgeUnlikeWound ? -1 : 1;
-    const float cosine = glm::dot(normals_[edge.face0], normals_[edge.face1]) * turn;
-    if (flags & kEdgeLimit) return Bend::none;
-    if (flags & kEdgeSmooth) {
-      if (cosine < limits_.sharp) return Bend::firm;
-      if (cosine >= limits_.low) return Bend::none;
-      const Bend bend = bend_of_smooth(edge, cosine);
-      counts.smooth += bend < Bend::strong && cosine < limits_.crease;
-      return bend;
-    }
-    if (flags & kEdgeSharp) {
-      if (cosine >= limits_.low) return Bend::none;
-      counts.sharp += cosine >= limits_.crease;
-      return Bend::firm;
-    }
-    if (cosine < limits_.firm) return Bend::firm;
-    if (cosine < limits_.crease) return Bend::strong;
-    return cosine < limits_.low ? Bend::weak : Bend::none;
-  }
-
-  /// The bend of an edge that the file calls smooth: a surface too small to be drawn as curved is drawn as an edge.
-  Bend bend_of_smooth(const Edge& edge, float cosine) const {
-    const double size = size_at(edge.v0);
-    const auto widths = widths_across(scene_, edge);
-    const double narrow = std::min(widths[0], widths[1]);
-    // The radius of the arc of which the faces are chords. One of them may be a flat side beside it, so the narrower
-    // one counts.
-    if (cosine < limits_.crease && narrow < kRoundPart * size * std::acos(std::max(-1.0f, cosine)))
-      return cosine < limits_.firm ? Bend::firm : Bend::strong;
-    // If the edge is in the middle, both its faces belong to the rounding.
-    if (widths[0] + widths[1] >= kNarrowPart * size) return Bend::none;
-    const auto rounding = rounding_at(scene_, topology_, edge, narrow);
-    if (!rounding || rounding->width() >= kNarrowPart * size) return Bend::none;
-    const float bend = glm::dot(normals_[rounding->sides[0]], normals_[rounding->sides[1]]);
-    return bend < limits_.crease && rounding->in_middle() ? Bend::strong : Bend::none;
   }
 
   /// A vertex at which such edges end; its entries in ends_ begin at `first`.
@@ -381,7 +305,6 @@ class Finder {
   const Scene& scene_;
   const Topology& topology_;
   CreaseAngles angles_;
-  Limits limits_;
   std::vector<double> sizes_;  ///< per object
   std::vector<glm::vec3> normals_ = face_normals(scene_, topology_);
   EdgeRows rows_{scene_, topology_, normals_};
