@@ -24,7 +24,7 @@ left=$(git ls-files '*.orig' '*.rej')
 [[ -z $left ]] || fail "left over from patches: $left"
 python3 scripts/check_docs.py || fail "the documentation names what is not there, or breaks its rules"
 scripts/check_includes.sh || fail "an include climbs"
-python3 scripts/check_layout.py || fail "a folder is crowded, or headers include each other"
+python3 scripts/check_layout.py || fail "a folder is crowded, a file is long, or headers include each other"
 python3 scripts/check_comments.py || fail "a comment hides its subject"
 python3 scripts/check_types.py || fail "two files define one type"
 python3 scripts/check_functions.py || fail "a function is longer than a screen"

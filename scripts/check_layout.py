@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Names what of src/, plotting/ and studies/ a newcomer could not find their way in: folders of more files than are taken in at a glance, and
-headers that include each other in a circle. A header X.hpp and its second half X.inl.hpp may."""
+"""Names what of src/, plotting/ and studies/ a newcomer could not find their way in: folders of more files than are taken in at a glance,
+files of more lines than one subject needs, and headers that include each other in a circle. A header X.hpp and its second half X.inl.hpp may."""
 import collections
 import os
 import re
@@ -8,6 +8,7 @@ import subprocess
 import sys
 
 MOST_FILES = 30  # in a folder
+MOST_LINES = 400  # in a file
 
 
 def crowded_folders():
@@ -15,6 +16,19 @@ def crowded_folders():
     names = subprocess.run(["git", "ls-files", "src", "plotting", "studies"], capture_output=True, text=True, check=True)
     counts = collections.Counter(os.path.dirname(name) for name in names.stdout.split())
     return sorted((folder, count) for folder, count in counts.items() if count > MOST_FILES)
+
+
+def long_files():
+    """(file, number of lines) of the sources that have too many."""
+    names = subprocess.run(["git", "ls-files", "*.cpp", "*.hpp"], capture_output=True, text=True, check=True)
+    found = []
+    for name in names.stdout.split():
+        if os.path.exists(name):
+            with open(name, encoding="utf-8") as file:
+                count = sum(1 for _ in file)
+            if count > MOST_LINES:
+                found.append((name, count))
+    return found
 
 
 def includes_of_headers():
@@ -55,6 +69,9 @@ def main():
     failed = False
     for folder, count in crowded_folders():
         print(f"{folder}: {count} files, more than {MOST_FILES}", file=sys.stderr)
+        failed = True
+    for name, count in long_files():
+        print(f"{name}: {count} lines, more than {MOST_LINES}", file=sys.stderr)
         failed = True
     includes = includes_of_headers()
     done = set()
