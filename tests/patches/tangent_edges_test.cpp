@@ -217,8 +217,9 @@ std::size_t tangents_left(int edges, const TangentChain& chain = {}) {
 }
 
 /// Number of tangent edges that are left of a line that turns a corner behind its first eight edges, goes on for `beyond`
-/// edges of length 0.5 and ends freely at both ends, beside a plane and wide faces.
-std::size_t tangents_left_at_hook(int beyond) {
+/// edges of length 0.5, beside a free form and wide faces. On the other side is a plane, and both ends are free, or there is
+/// a surface, and another line joins both ends.
+std::size_t tangents_left_at_hook(int beyond, bool is_beside_surface) {
   Topology topology;
   Scene scene;
   for (int i = 0; i <= 8 + beyond; ++i) scene.vertices.emplace_back(3 * std::min(i, 8), 0.5 * std::max(0, i - 8), 0);
@@ -227,13 +228,26 @@ std::size_t tangents_left_at_hook(int beyond) {
   scene.objects[0].vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
   scene.faces.add_face(std::array{0u, 1u, scene.objects[0].vertex_end - 1});
   scene.faces.add_face(std::array{0u, scene.objects[0].vertex_end - 1, 1u});
-  topology.edge_flags.assign(topology.edges.size(), 0);
+  std::vector<std::uint8_t> is_line(topology.edges.size(), 0);
+  std::vector<PatchEdge> kinds(topology.edges.size(), PatchEdge::tangent);
   Patches patches;
   patches.patch_of = {kNone, kNone};
   patches.is_freeform = {1, 0};
-  std::vector<PatchEdge> kinds(topology.edges.size(), PatchEdge::tangent);
-  drop_loose_tangents(scene, topology, patches, std::vector<std::uint8_t>(kinds.size(), 0), kinds);
+  if (is_beside_surface) {
+    topology.edges.push_back({0, static_cast<std::uint32_t>(topology.edges.size()), 0, 1});
+    is_line.push_back(1);
+    kinds.push_back(PatchEdge::unknown);
+    patches.list.resize(1);
+    patches.patch_of[1] = 0;
+  }
+  topology.edge_flags.assign(topology.edges.size(), 0);
+  drop_loose_tangents(scene, topology, patches, is_line, kinds);
   return static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), PatchEdge::tangent));
+}
+
+/// For loose/loose_tangents.txt: "EDGES", beyond the corner, and "surface".
+std::string left_at_hook(const std::string& text) {
+  return std::to_string(tangents_left_at_hook(std::stoi(text), text.ends_with("surface")));
 }
 
 /// For loose/loose_tangents.txt: "EDGES", of a chain, and "free-forms", "ring", "held", "width=W", "object=LENGTH" or
@@ -253,9 +267,8 @@ std::string left_of_chain(const std::string& text) {
   return std::to_string(tangents_left(std::stoi(text), chain));
 }
 
-[[maybe_unused]] const bool loose_are_added = test::add_function_scripts(
-    LIGNE_SOURCE_DIR "/tests/patches/loose",
-    {{"chain", left_of_chain}, {"hook", [](auto& t) { return std::to_string(tangents_left_at_hook(std::stoi(t))); }}});
+[[maybe_unused]] const bool loose_are_added =
+    test::add_function_scripts(LIGNE_SOURCE_DIR "/tests/patches/loose", {{"chain", left_of_chain}, {"hook", left_at_hook}});
 
 // Edges that are decided by the whole border of a patch.
 

@@ -124,6 +124,30 @@ class TangentChains {
     }
   }
 
+  /// Drops the shorter one of two lines beside a free form that meet at a corner where no third line ends, except beside
+  /// sides of strips. Where three surfaces meet, three borders do: a border with corners of its own follows the facets of
+  /// a surface that lies in a free form by accident.
+  void drop_cornered() {
+    std::vector<std::uint32_t> shorter;
+    Line line, other;
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+      if (edges_[e] != PatchEdge::tangent || !is_in_freeform(e)) continue;
+      for (const std::uint32_t v : ends_of(e)) {
+        const TangentNode& node = *node_at(v);
+        const std::uint32_t next = node.numbers ^ e;
+        if (!node.is_passed() || !is_in_freeform(next) || !is_corner(e, next, v)) continue;
+        follow(e, node, line);
+        follow(next, node, other);
+        const bool is_kept = line.is_of_strip || other.is_of_strip || line.length > other.length;
+        if (!is_kept) shorter.insert(shorter.end(), line.edges.begin(), line.edges.end());
+      }
+    }
+    std::ranges::sort(shorter);
+    const auto repeated = std::ranges::unique(shorter);
+    shorter.erase(repeated.begin(), repeated.end());
+    for (const std::uint32_t e : shorter) drop(e);
+  }
+
   /// Drops connected tangent edges that meet no other line and are short for their object, shorter where they enclose
   /// something than where they form a tree. Those with a side of a strip are kept.
   void drop_lone_trees() {
@@ -187,6 +211,35 @@ class TangentChains {
       TangentNode& node = *node_at(v);
       --node.count;
       node.numbers ^= e;
+    }
+  }
+
+  /// Whether an edge lies between a surface and a free form.
+  bool is_in_freeform(std::uint32_t e) const {
+    return is_between_curved(e) &&
+           (patches_.is_freeform[topology_.edges[e].face0] || patches_.is_freeform[topology_.edges[e].face1]);
+  }
+
+  struct Line {
+    std::vector<std::uint32_t> edges;
+    double length = 0;
+    bool is_of_strip = false;  ///< whether one of its edges is a side of a strip
+  };
+
+  /// The line that begins with an edge at a node, up to the next corner, end of another line or other kind of faces.
+  void follow(std::uint32_t first, const TangentNode& from, Line& line) {
+    line.edges.clear();
+    line.length = 0;
+    line.is_of_strip = false;
+    const TangentNode* node = &from;
+    for (std::uint32_t e = first; is_between_curved(e);) {
+      line.edges.push_back(e);
+      line.is_of_strip |= is_of_strip(e);
+      line.length += glm::distance(scene_.vertices[ends_of(e)[0]], scene_.vertices[ends_of(e)[1]]);
+      node = other_end(e, *node);
+      const std::uint32_t next = node->numbers ^ e;
+      if (!node->is_passed() || next == first || is_corner(e, next, node->vertex)) return;
+      e = next;
     }
   }
 
@@ -298,6 +351,7 @@ void drop_loose_tangents(const Scene& scene, const Topology& topology, const Pat
   if (chains.empty()) return;
   chains.hold(is_line);
   chains.drop_jagged();
+  chains.drop_cornered();
   chains.drop_between_curved();
   chains.drop_flecks();
   chains.drop_lone_trees();
