@@ -8,8 +8,8 @@
 
 namespace ligne::test {
 
-/// Number of facets round each bore of bored_plate() and each circle of turned_part().
-inline constexpr int kBoreFacets = 24, kTurnedFacets = 36;
+/// Number of facets round each bore of bored_plate().
+inline constexpr int kBoreFacets = 24;
 
 /// A plate 40 x 20 x 5 on the plane z = 0 with two bores through it along z, about (10, 10) and (30, 10).
 inline std::vector<Corners> bored_plate(double left_radius, double right_radius) {
@@ -55,20 +55,6 @@ inline std::vector<Corners> turned_body(int facets, const std::vector<Point2>& c
   polygons.push_back(bottom);
   polygons.push_back(top);
   return polygons;
-}
-
-/// A part turned about the z axis: a shaft of radius 6 from z = 0 to 5, a fillet of radius 2 into a flange at z = 7, whose
-/// cone goes from radius 12 at z = 7 to 9 at z = 13. Closed by two caps.
-inline std::vector<Corners> turned_part() {
-  constexpr int kSteps = 6;
-  std::vector<Point2> profile{{6, 0}};  // radius, z
-  for (int i = 0; i <= kSteps; ++i) {
-    const double angle = kPi - kPi / 2 * i / kSteps;
-    profile.push_back({8 + 2 * std::cos(angle), 5 + 2 * std::sin(angle)});
-  }
-  profile.push_back({12, 7});
-  profile.push_back({9, 13});
-  return turned_body(kTurnedFacets, profile);
 }
 
 /// A ball of radius 4 about (1, 2, 3), whose poles are on a line along z.

@@ -20,14 +20,15 @@ namespace ligne::test {
 inline constexpr double kPi = std::numbers::pi;
 using Corners = std::vector<Point3>;
 
-/// A scene of one object, of polygons. Coordinates are those of float32, as in STL.
-inline Scene scene_of(const std::vector<Corners>& polygons) {
+/// A scene of one object, of polygons. Coordinates are those of float32, as in STL, where they are not to stay exact.
+inline Scene scene_of(const std::vector<Corners>& polygons, bool exact = false) {
+  constexpr double kExact = 1e-12;
   Scene scene;
   for (const Corners& polygon : polygons) {
     std::vector<std::uint32_t> corners;
     for (const Point3& p : polygon) {
       corners.push_back(static_cast<std::uint32_t>(scene.vertices.size()));
-      scene.vertices.emplace_back(static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z));
+      scene.vertices.push_back(exact ? p : Point3(glm::vec3(p)));
     }
     scene.faces.add_face(corners);
   }
@@ -36,7 +37,7 @@ inline Scene scene_of(const std::vector<Corners>& polygons) {
   object.face_end = static_cast<std::uint32_t>(scene.faces.size());
   double largest = 0;
   for (const Point3& p : scene.vertices) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  object.precision = largest * 0x1p-25;
+  object.precision = exact ? kExact : largest * 0x1p-25;
   scene.objects.push_back(object);
   finish(scene);
   return scene;

@@ -116,9 +116,11 @@ class MeshScript {
       scene_ = read_scene(LIGNE_SOURCE_DIR "/tests/corpus/" + std::string(rest) + ".json", {}, warnings);
       return;
     }
-    const std::string format = take_word(rest), bytes = text.empty() ? unescaped(rest) : text;
-    const std::map<std::string, ModelFormat> formats{
-        {"obj", ModelFormat::obj}, {"ply", ModelFormat::ply}, {"asc", ModelFormat::asc_3d_studio}};
+    const std::string format = take_word(rest), bytes = repeated(text.empty() ? unescaped(rest) : text);
+    const std::map<std::string, ModelFormat> formats{{"obj", ModelFormat::obj},
+                                                     {"ply", ModelFormat::ply},
+                                                     {"gltf", ModelFormat::gltf},
+                                                     {"asc", ModelFormat::asc_3d_studio}};
     scene_ = read_scene({std::as_bytes(std::span(bytes)), "model"}, formats.at(format), {.shading = true}, warnings);
   }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Tests of meshes that are written as text. The steps of a test make a mesh (mesh_text.hpp), or read one, or measure it:
 ///
-///     read FORMAT <<         the text of a model; also read FORMAT LINES, with \n for the ends of lines
+///     read FORMAT <<         the text of a model, also with repetitions; and read FORMAT LINES, with \n for their ends
 ///     corpus NAME            a scene of the corpus
 ///     mesh                   begins anew
 ///     patches [without-loose]   surfaces that are recognised, and edges: sharp, tangent, inside, unknown; without tangent

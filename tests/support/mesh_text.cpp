@@ -7,6 +7,7 @@
 #include "main/script.hpp"
 #include "patches/part_scenes.hpp"
 #include "patches/patch_scenes.hpp"
+#include "scene/readers/reader.hpp"
 #include "scene/surfaces/formula/formula_evaluator.hpp"
 #include "scene/surfaces/surface_points.hpp"
 
@@ -76,7 +77,6 @@ std::vector<Corners> shape_of(const std::vector<std::string>& words) {
   const auto whole = [&](std::size_t i) { return static_cast<int>(number(i)); };
   const bool triangles = words.back() == "triangles";
   if (name == "bored-plate") return bored_plate(number(1), number(2));
-  if (name == "turned-part") return turned_part();
   if (name == "ball") return ball();
   if (name == "rounded-box") return rounded_box({number(1), number(2), number(3)}, whole(4));
   if (name == "csg-plug") return csg_plug(number(1), number(2), whole(3));
@@ -96,6 +96,27 @@ MeshText mesh_of(const std::string& lines) {
   for (const std::string& line : parts_of(lines, '\n'))
     mesh.add(line.substr(std::min(line.find_first_not_of(' '), line.size())));
   return mesh;
+}
+
+std::string repeated(const std::string& text) {
+  std::string all;
+  std::size_t at = 0;
+  for (std::size_t begin; (begin = text.find("[[", at)) != text.npos;) {
+    all.append(text, at, begin - at);
+    const std::size_t star = text.find('*', begin);
+    int depth = 1;
+    for (at = star; depth > 0; ++at) depth += text.compare(at, 2, "[[") == 0 ? 1 : text.compare(at, 2, "]]") == 0 ? -1 : 0;
+    std::vector<std::string> parts = parts_of(text.substr(star + 1, at++ - star - 2), '@');
+    std::vector<std::function<Point3(std::initializer_list<double>)>> formulas(parts.size());
+    for (std::size_t i = 1; i < parts.size(); i += 2) formulas[i] = place_formula(parts[i] + ";0;0", kFanVariables);
+    const double count = value_of(text.substr(begin + 2, star - begin - 2));
+    for (double k = 0; k < count; ++k) {
+      std::string one;
+      for (std::size_t i = 0; i < parts.size(); ++i) one += formulas[i] ? as_text(formulas[i]({k}).x) : parts[i];
+      all += one.find("[[") == one.npos ? one : repeated(one);
+    }
+  }
+  return all.append(text, at);
 }
 
 double number_of(const std::string& formula) { return constant_of(formula); }
@@ -124,9 +145,16 @@ void MeshText::add_grid(const std::string& text) {
   const int columns = static_cast<int>(number_of(words.at(0))), rows = static_cast<int>(number_of(words.at(2)));
   const bool round = is("round"), ring = is("ring");
   const auto place = place_formula(text.substr(colon + 1), kGridVariables);
-  ligne::test::add_grid(objects_.back(), columns, rows, is("triangles"), [&](int u, int v) {
-    return place({double(round ? u % columns : u), double(ring ? v % rows : v)});
-  });
+  const auto at = [&](int u, int v) { return place({double(round ? u % columns : u), double(ring ? v % rows : v)}); };
+  ligne::test::add_grid(objects_.back(), columns, rows, is("triangles"), at);
+  if (!is("capped")) return;
+  Corners first, last;
+  for (int u = 0; u < columns; ++u) {
+    first.push_back(at(columns - 1 - u, 0));
+    last.push_back(at(u, rows));
+  }
+  objects_.back().push_back(first);
+  objects_.back().push_back(last);
 }
 
 void MeshText::add_fan(const std::string& text) {
@@ -182,6 +210,8 @@ void MeshText::change(const std::string& verb, const std::vector<std::string>& w
     up_ = glm::normalize(point_of(words.at(0)));
     height_ = number_of(words.at(1));
     polygons = ligne::test::below(polygons, up_, height_);
+  } else if (verb == "exact") {
+    is_exact_ = true;
   } else if (verb == "precision") {
     precision_ = number_of(words.at(0));
   } else {
@@ -231,21 +261,9 @@ std::string MeshText::obj() const {
 Scene MeshText::scene() const {
   Scene scene;
   for (const std::vector<Corners>& polygons : objects_) {
-    const Scene one = scene_of(polygons);
-    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
-    Object object = one.objects.front();
-    object.vertex_begin = first;
-    object.face_begin = static_cast<std::uint32_t>(scene.faces.size());
-    scene.vertices.insert(scene.vertices.end(), one.vertices.begin(), one.vertices.end());
-    for (std::size_t f = 0; f < one.faces.size(); ++f) {
-      std::vector<std::uint32_t> corners;
-      for (const std::uint32_t v : one.faces.contour(f, 0)) corners.push_back(first + v);
-      scene.faces.add_face(corners);
-    }
-    object.vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
-    object.face_end = static_cast<std::uint32_t>(scene.faces.size());
-    if (precision_ > 0) object.precision = precision_;
-    scene.objects.push_back(object);
+    Scene one = scene_of(polygons, is_exact_);
+    if (precision_ > 0) one.objects.front().precision = precision_;
+    append_scene(scene, std::move(one));
   }
   return scene;
 }

@@ -1,9 +1,9 @@
 #pragma once
 /// Meshes as text. Each line adds polygons, or changes those of the object that is made:
 ///
-///     grid N x M [triangles] [round] [ring]: X; Y; Z
+///     grid N x M [triangles] [round] [ring] [capped]: X; Y; Z
 ///         N x M squares of a surface, whose corners are formulas of u and v, 0 to N and 0 to M. Of a round one u = N is
-///         u = 0, of a ring v = M is v = 0.
+///         u = 0, of a ring v = M is v = 0; a capped one is closed by polygons at v = 0 and v = M.
 ///     face X,Y,Z X,Y,Z ...
 ///         a polygon
 ///     plate X,Y,Z X,Y,Z ...
@@ -30,6 +30,8 @@
 ///         polygon N is left out, and every twelfth one behind it; those with two equal corners
 ///     below X,Y,Z HEIGHT
 ///         what lies below a plane, closed by polygons in it
+///     exact
+///         coordinates are not rounded to float32
 ///     precision P
 ///         what the scene says of its coordinates; otherwise that of float32
 
@@ -58,12 +60,17 @@ class MeshText {
 
   std::vector<std::vector<Corners>> objects_{1};
   double precision_ = 0, height_ = 0;
+  bool is_exact_ = false;
   Point3 up_{0, 0, 0};
 };
 
 /// The mesh of lines, and the OBJ of it.
 MeshText mesh_of(const std::string& lines);
 inline std::string obj_of_mesh(const std::string& lines) { return mesh_of(lines).obj(); }
+
+/// A text in which [[N*TEXT]] stands for N texts one behind the other, and @FORMULA@ in these for a number by a formula of
+/// k, 0 to N - 1.
+std::string repeated(const std::string& text);
 
 /// The value of a formula of numbers.
 double number_of(const std::string& formula);

@@ -17,6 +17,12 @@ inline std::string bytes_of_file(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// The bytes of a number as they lie in memory.
+template <class Number>
+std::string raw(const Number& number) {
+  return {reinterpret_cast<const char*>(&number), sizeof number};
+}
+
 /// The message of the call's failure; empty when it does not fail.
 template <std::invocable Call>
 std::string failure_of(const Call& call) {
