@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "support/standard.hpp"
+#include "support/test.hpp"
 
 namespace ligne::gltf_test {
 
@@ -77,15 +77,9 @@ class Builder {
     while (text.size() % 4 != 0) text += ' ';
     std::string binary(bytes_.begin(), bytes_.end());
     while (binary.size() % 4 != 0) binary += '\0';
-    std::string out;
-    const auto word = [&](std::uint32_t w) {
-      for (int i = 0; i < 4; ++i) out += static_cast<char>(w >> (8 * i) & 0xff);
-    };
-    word(0x46546c67), word(2), word(static_cast<std::uint32_t>(12 + 8 + text.size() + 8 + binary.size()));
-    word(static_cast<std::uint32_t>(text.size())), word(0x4e4f534a);
-    out += text;
-    word(static_cast<std::uint32_t>(binary.size())), word(0x004e4942);
-    return out + binary;
+    const auto word = [](std::size_t w) { return test::raw(static_cast<std::uint32_t>(w)); };
+    return "glTF" + word(2) + word(12 + 8 + text.size() + 8 + binary.size()) + word(text.size()) + "JSON" + text +
+           word(binary.size()) + std::string("BIN\0", 4) + binary;
   }
 
  private:

@@ -3,7 +3,8 @@
 ///
 ///     POINTER = JSON          sets a part of the file
 ///     -POINTER                leaves it out
-///     + TYPE N [NUMBERS]      adds an accessor of elements of N numbers, which are float, int16, uint8, uint16 or uint32;
+///     + TYPE N [NUMBERS]      adds an accessor of elements of N numbers, which are float, int8, int16, uint8, uint16 or
+///     uint32;
 ///                             with "normalized" behind them, such integers
 
 #include "gltf_builder.hpp"
@@ -25,6 +26,7 @@ inline void add_accessor(Builder& file, std::string_view text) {
   const json numbers = json::parse(text.substr(0, text.find(']') + 1));
   if (type == "float") file.accessor(numbers.get<std::vector<float>>(), components);
   if (type == "int16") file.accessor(numbers.get<std::vector<std::int16_t>>(), components);
+  if (type == "int8") file.accessor(numbers.get<std::vector<std::int8_t>>(), components);
   if (type == "uint8") file.accessor(numbers.get<std::vector<std::uint8_t>>(), components);
   if (type == "uint16") file.accessor(numbers.get<std::vector<std::uint16_t>>(), components);
   if (type == "uint32") file.accessor(numbers.get<std::vector<std::uint32_t>>(), components);

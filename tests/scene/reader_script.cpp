@@ -219,7 +219,7 @@ class ReaderScript {
     const json healing = kind_ == "heal" ? healed(scene_, warnings_) : json();
     if (is_mended && kind_ != "heal") scene_ = mended(kind_, text_, warnings_);
     if (scene_.faces.empty() && !is_mended) return;
-    if (!is_mended || kind_ == "append") expect_sound(scene_);
+    if (!is_mended || kind_ == "append") expect_sound(scene_, text_.find("KHR_mesh_quantization") != std::string::npos);
     json_ = as_json(scene_, report);
     if (is_mended) add_contours(scene_, json_);
     json_["healed"] = healing;

@@ -89,10 +89,8 @@ std::string header(const std::string& format, const std::string& vertices, const
 /// Appends a number in the byte order.
 template <typename T>
 void put(std::string& out, std::endian order, T value) {
-  const char* p = reinterpret_cast<const char*>(&value);
-  std::string raw(p, p + sizeof(T));
-  if (order != std::endian::native) std::reverse(raw.begin(), raw.end());
-  out += raw;
+  const std::string raw = test::raw(value);
+  out += order == std::endian::native ? raw : std::string(raw.rbegin(), raw.rend());
 }
 
 /// A binary file of `count` triangles in a strip, and a face more with the given corners.

@@ -3,6 +3,7 @@
 
 #include "base/parallel.hpp"
 #include "main/tier.hpp"
+#include "scene/readers/reader.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
@@ -186,18 +187,7 @@ void expect_same(DepthBuffer& a, DepthBuffer& b) {
 TEST(ZBuffer, ObjectsAddedLaterGiveTheSameBuffer) {
   const Scene first = random_boxes(20, 1, 10, {4, 4, 4}), second = random_boxes(15, 2, 10, {4, 4, 4});
   Scene both = first;
-  for (std::size_t o = 0; o < second.objects.size(); ++o) {
-    begin_object(both);
-    const auto shift = static_cast<std::uint32_t>(both.vertices.size()) - second.objects[o].vertex_begin;
-    both.vertices.insert(both.vertices.end(), second.vertices.begin() + second.objects[o].vertex_begin,
-                         second.vertices.begin() + second.objects[o].vertex_end);
-    for (std::uint32_t f = second.objects[o].face_begin; f < second.objects[o].face_end; ++f) {
-      std::vector<std::uint32_t> corners;
-      for (const std::uint32_t v : second.faces.contour(f, 0)) corners.push_back(v + shift);
-      both.faces.add_face(corners);
-    }
-    end_object(both);
-  }
+  append_scene(both, Scene(second));
   const View view = view_at(along({-1, 2, -1}), both, 1.5);
   for (const Filling filling : kFillings) {
     DepthBuffer at_once = painted(projected(both, view), 300, filling);
