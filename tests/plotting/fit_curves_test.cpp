@@ -1,24 +1,11 @@
 /// Lines that become arcs and lines that do not, and how far curves are from points.
 
 #include "plotting/paths/fit_curves.hpp"
+#include "main/script.hpp"
 #include "sample_drawing.hpp"
 
 namespace ligne {
 namespace {
-
-constexpr double kTenthMicrometre = 1e-4;
-
-std::vector<Point2> in_tenths(std::vector<Point2> points) {
-  for (Point2& p : points)
-    p = {std::round(p.x / kTenthMicrometre) * kTenthMicrometre, std::round(p.y / kTenthMicrometre) * kTenthMicrometre};
-  return points;
-}
-
-std::size_t arcs_of(const CurvedPath& path) {
-  std::size_t count = 0;
-  for (const PathPiece& piece : path.pieces) count += piece.arc.has_value();
-  return count;
-}
 
 /// The path as points so near to each other that chords are as good as the curve.
 std::vector<Point2> sampled(const CurvedPath& path) {
@@ -68,145 +55,88 @@ CurvedPath fitted(std::span<const Point2> line, const CurveLimits& limits = {}) 
   return path;
 }
 
-TEST(FitCurves, CirclesOfManySizes) {
-  for (const int steps : {12, 16, 24, 31, 48, 64, 100, 200}) {
-    for (const double radius : {0.4, 2.0, 5.0, 37.5}) {
-      if (radius * (1 - std::cos(kPi / steps)) > CurveLimits{}.most_rise_mm) continue;
-      const std::vector<Point2> line = in_tenths(closed({{100.3, 50.7}, {radius, radius}}, steps));
-      const CurvedPath path = fitted(line);
-      EXPECT_EQ(path.pieces.size(), arcs_of(path)) << steps << " corners, radius " << radius;
-      EXPECT_LE(path.pieces.size(), 1u) << steps << " corners, radius " << radius;
-    }
-  }
-}
-
-TEST(FitCurves, AnArcThatRisesTooMuchStaysAPolygon) {
-  const Ellipse large{{100, 100}, {80, 80}};
-  EXPECT_EQ(arcs_of(fit_curves(closed(large, 12), {})), 0u);
-  EXPECT_EQ(arcs_of(fit_curves(closed(large, 96), {})), 1u);
-  EXPECT_EQ(arcs_of(fit_curves(closed(large, 96), {kCurveToleranceMm, 0.02})), 0u);
-}
-
-/// Limits of curves with ellipses that are known.
-struct Known {
-  KnownEllipses ellipses;
-  CurveLimits limits;
-  explicit Known(std::vector<Ellipse> list) : ellipses(std::move(list), Rect{{0, 0}, {210, 297}}) {
-    limits.known = &ellipses;
-  }
-  Known(const Known&) = delete;
-};
-
-/// So many corners of an ellipse, from one eccentric angle over equal steps.
-std::vector<Point2> corners_on(const Ellipse& ellipse, double from, double step, int count) {
+/// "SETTINGS: LINE", and what becomes of it.
+struct Fitting {
   std::vector<Point2> line;
-  for (int k = 0; k < count; ++k) line.push_back(point_at(ellipse, from + k * step));
-  return line;
-}
-
-TEST(FitCurves, AFewCornersOfAKnownEllipseAreAnArc) {
-  const Ellipse other{{60, 70}, {30, 20}, 0.4}, ellipse{{100, 80}, {12, 5}, 0.3};
-  const Known known({other, ellipse});
-  for (const double step : {0.1, 0.3, -0.3}) {
-    const std::vector<Point2> line = corners_on(ellipse, 0.7, step, 4);
-    EXPECT_EQ(arcs_of(fit_curves(line, {})), 0u);
-    const CurvedPath path = fitted(line, known.limits);
-    ASSERT_EQ(path.pieces.size(), 1u);
-    ASSERT_TRUE(path.pieces[0].arc);
-    EXPECT_LE(glm::distance(path.pieces[0].arc->ellipse.centre, ellipse.centre), 0.01);
-  }
-}
-
-TEST(FitCurves, AKnownEllipseBendsNoOtherLines) {
-  const Ellipse ellipse{{100, 80}, {12, 5}, 0.3};
-  const Known known({ellipse});
-  // A chord of it, a polygon of eight corners on it, and corners beside it.
-  std::vector<Point2> beside = corners_on(ellipse, 0.7, 0.3, 4);
-  for (Point2& p : beside) p = ellipse.centre + 1.005 * (p - ellipse.centre);
-  for (const std::vector<Point2>& line : {corners_on(ellipse, 0.7, 0.3, 2), corners_on(ellipse, 0.7, kPi / 4, 9), beside})
-    EXPECT_EQ(arcs_of(fit_curves(line, known.limits)), 0u);
-}
-
-TEST(FitCurves, AKnownEllipseMakesArcsOfParts) {
-  // Lines lead to the arc and on from it.
-  const Ellipse circle{{100, 80}, {5, 5}};
-  const Known known({circle});
-  std::vector<Point2> line = corners_on(circle, 0, kPi / 8, 5);
-  line.insert(line.begin(), Point2(105, 60));
-  line.emplace_back(80, 85);
-  const CurvedPath path = fitted(line, known.limits);
-  ASSERT_EQ(path.pieces.size(), 3u);
-  EXPECT_TRUE(!path.pieces[0].arc && path.pieces[1].arc && !path.pieces[2].arc);
-}
-
-TEST(FitCurves, AStartThatStays) {
-  std::vector<Point2> line = in_tenths(closed({{100, 100}, {20, 20}}, 96));
-  line.pop_back();
-  std::rotate(line.begin(), line.begin() + 17, line.end());
-  line.push_back(line.front());
   CurveLimits limits;
-  limits.start_stays = true;
-  const CurvedPath path = fitted(line, limits);
-  EXPECT_EQ(path.start, line.front());
-  EXPECT_EQ(path.pieces.back().to, line.back());
-  EXPECT_EQ(arcs_of(path), path.pieces.size());
-  EXPECT_LE(path.pieces.size(), 2u);
-}
+  std::optional<KnownEllipses> known;
 
-TEST(FitCurves, EllipsesAtManyTilts) {
-  std::size_t whole = 0, all = 0;
-  for (int tilt = 5; tilt <= 85; tilt += 10) {
-    for (int turn = -90; turn <= 90; turn += 15) {
-      for (const int steps : {16, 36, 72, 180}) {
-        const Ellipse ellipse{{90.123, 77.7}, {9, 9 * std::cos(tilt * kDegree)}, turn * kDegree};
-        const std::vector<Point2> line = in_tenths(closed(ellipse, steps));
-        const CurvedPath path = fitted(line);
-        ++all;
-        whole += path.pieces.size() <= 4 && arcs_of(path) == path.pieces.size();
+  explicit Fitting(const std::string& text) : line(test::line_of_text(text.substr(text.find(": ") + 2))) {
+    std::vector<Ellipse> ellipses;
+    for (const std::string& word : test::words_of(text.substr(0, text.find(": ")))) {
+      std::vector<double> n;
+      for (const std::string& part : test::parts_of(word.substr(word.find('=') + 1), ','))
+        n.push_back(std::atof(part.c_str()));
+      if (word.starts_with("known=")) ellipses.push_back({{n.at(0), n.at(1)}, {n.at(2), n.at(3)}, n.at(4)});
+      if (word.starts_with("rise=")) limits.most_rise_mm = n.at(0);
+      if (word == "starts") limits.start_stays = true;
+      if (word == "tenths")  // of a micrometre
+        for (Point2& p : line) p = glm::round(p * 1e4) / 1e4;
+      if (word.starts_with("turned=")) {
+        line.pop_back();
+        std::ranges::rotate(line, line.begin() + std::lround(n.at(0)));
+        line.push_back(line.front());
       }
     }
+    if (ellipses.empty()) return;
+    known.emplace(ellipses, Rect{{0, 0}, {210, 297}});
+    limits.known = &*known;
   }
-  EXPECT_EQ(whole, all);
+  Fitting(const Fitting&) = delete;
+};
+
+/// The pieces in their order: "2l 1a" are two lines and an arc.
+std::string pieces_of(const CurvedPath& path) {
+  std::string text;
+  for (std::size_t i = 0, end; i < path.pieces.size(); i = end) {
+    for (end = i + 1; end < path.pieces.size() && !path.pieces[end].arc == !path.pieces[i].arc;) ++end;
+    text += (i == 0 ? "" : " ") + std::to_string(end - i) + (path.pieces[i].arc ? "a" : "l");
+  }
+  return text;
 }
 
-TEST(FitCurves, CirclesInPerspective) {
-  for (const double distance : {25.0, 60.0, 300.0}) {
-    std::vector<Point2> line;
-    for (int i = 0; i <= 48; ++i) {
-      const double t = 2 * kPi * (i % 48) / 48, depth = distance + 8 * std::sin(t);
-      line.push_back(Point2{100, 100} + Point2{10 * std::cos(t), 5 * std::sin(t)} * (distance / depth));
-    }
-    const CurvedPath path = fitted(line);
-    EXPECT_LE(path.pieces.size(), 4u);
-    EXPECT_EQ(arcs_of(path), path.pieces.size()) << distance;
-  }
+std::string fitted_pieces(const std::string& text) {
+  const Fitting given(text);
+  const CurvedPath path = fitted(given.line, given.limits);
+  EXPECT_TRUE(!given.limits.start_stays || path.start == given.line.front());
+  return pieces_of(path);
 }
 
-TEST(FitCurves, PolygonsAndStarsStay) {
-  for (const int corners : {3, 4, 5, 6, 7, 8, 9, 10}) {
-    for (const double radius : {0.1, 1.0, 20.0}) {
-      const CurvedPath path = fit_curves(closed({{50, 50}, {radius, radius * 0.8}, 0.3}, corners), {});
-      EXPECT_EQ(arcs_of(path), 0u) << corners;
-      EXPECT_EQ(path.pieces.size(), static_cast<std::size_t>(corners));
-    }
-  }
-  std::vector<Point2> star, zigzag;
-  for (int i = 0; i <= 40; ++i) {
-    star.push_back(point_at({{50, 50}, Point2{1, 1} * (i % 2 ? 10.0 : 9.5)}, 2 * kPi * (i % 40) / 40));
-    zigzag.push_back({i * 0.5, i % 2 * 0.1});
-  }
-  EXPECT_EQ(arcs_of(fit_curves(star, {})), 0u);
-  EXPECT_EQ(fit_curves(star, {}).pieces.size(), 40u);
-  EXPECT_EQ(fit_curves(zigzag, {}).pieces.size(), 40u);
-  // A rectangle with cut corners has eight corners on an ellipse.
-  const std::vector<Point2> cut{{1, 0}, {19, 0}, {20, 1}, {20, 9}, {19, 10}, {1, 10}, {0, 9}, {0, 1}, {1, 0}};
-  EXPECT_EQ(arcs_of(fit_curves(cut, {})), 0u);
-  std::vector<Point2> straight;
-  for (int i = 0; i <= 100; ++i) straight.push_back({i * 1.0, i % 2 * 0.002});
-  straight.push_back({100, 30});
-  fitted(straight);
-  EXPECT_EQ(fit_curves(straight, {}).pieces.size(), 2u);
+/// Centres and radii of the arcs.
+std::string ellipses_of(const std::string& text) {
+  const Fitting given(text);
+  std::string all;
+  for (const PathPiece& piece : fitted(given.line, given.limits).pieces)
+    if (piece.arc)
+      for (const Point2 p : {piece.arc->ellipse.centre, piece.arc->ellipse.radii})
+        all += (all.empty() ? "" : " ") + as_decimal(p.x, 3) + "," + as_decimal(p.y, 3);
+  return all;
 }
+
+/// Where the path has a corner at this point of the line: "yes" or "no".
+std::string is_cut_at(const std::string& text) {
+  std::string_view rest = text;
+  const std::size_t corner = std::stoul(test::take_word(rest));
+  const Fitting given{std::string(rest)};
+  const CurvedPath path = fitted(given.line, given.limits);
+  return std::ranges::count(path.pieces, given.line.at(corner), &PathPiece::to) == 1 ? "yes" : "no";
+}
+
+/// Whether the line became at most so many arcs, and nothing else.
+std::string is_arcs(const std::string& text) {
+  std::string_view rest = text;
+  const std::size_t most = std::stoul(test::take_word(rest));
+  const std::string pieces = fitted_pieces(std::string(rest));
+  return pieces.ends_with('a') && pieces.find(' ') == pieces.npos && std::stoul(pieces) <= most ? "yes" : pieces;
+}
+
+[[maybe_unused]] const bool curves_are_added =
+    test::add_function_scripts(LIGNE_SOURCE_DIR "/tests/plotting/curves",
+                               {{"fit", fitted_pieces},
+                                {"fit-anything", [](auto& t) { return pieces_of(fit_curves(test::line_of_text(t), {})); }},
+                                {"arcs", is_arcs},
+                                {"ellipses", ellipses_of},
+                                {"cut-at", is_cut_at}});
 
 TEST(FitCurves, NoiseBelowAndAboveTheTolerance) {
   std::mt19937 random(1);
@@ -214,11 +144,11 @@ TEST(FitCurves, NoiseBelowAndAboveTheTolerance) {
     for (const double noise : {0.002, 0.03}) {
       std::uniform_real_distribution<double> move(-noise, noise);
       std::vector<Point2> line = closed({{60, 60}, {12, 7}, 0.4}, steps);
-      for (std::size_t i = 0; i + 1 < line.size(); ++i) line[i] += Point2{move(random), move(random)};
+      for (Point2& p : line) p += Point2{move(random), move(random)};
       line.back() = line.front();
       const CurvedPath path = fitted(line);
       if (noise < kCurveToleranceMm) {
-        EXPECT_EQ(arcs_of(path), path.pieces.size()) << steps;
+        EXPECT_EQ(pieces_of(path), std::to_string(path.pieces.size()) + "a") << steps;
       } else {
         // Six corners in a row may lie on an ellipse by chance.
         EXPECT_GT(path.pieces.size(), static_cast<std::size_t>(steps) / 2) << steps;
@@ -227,66 +157,9 @@ TEST(FitCurves, NoiseBelowAndAboveTheTolerance) {
   }
 }
 
-TEST(FitCurves, ArcsBetweenTangentLines) {
-  // A slot: two half circles, two straight sides of many segments.
-  for (const int steps : {6, 12, 40}) {
-    std::vector<Point2> line;
-    for (const Point2 p : tessellated({{30, 10}, {5, 5}}, -kPi / 2, kPi, steps)) line.push_back(p);
-    line.push_back({20, 15});
-    line.push_back({15, 15});
-    for (const Point2 p : tessellated({{10, 10}, {5, 5}}, kPi / 2, kPi, steps)) line.push_back(p);
-    line.push_back(line.front());
-    const CurvedPath path = fitted(line);
-    EXPECT_EQ(arcs_of(path), 2u) << steps;
-    EXPECT_EQ(path.pieces.size(), 4u) << steps;
-    for (const PathPiece& piece : path.pieces) {
-      if (!piece.arc) continue;
-      EXPECT_NEAR(piece.arc->ellipse.radii.x, 5, 2 * kTenthMicrometre);
-    }
-  }
-}
-
-TEST(FitCurves, ACutChordAtAnEndBendsNoArc) {
-  // The visible part of a circle begins in the middle of a chord.
-  std::vector<Point2> line = tessellated({{40, 40}, {10, 10}}, 0, 3, 24);
-  line.front() = (line[0] + line[1]) / 2.0;
-  const CurvedPath path = fitted(line);
-  ASSERT_EQ(path.pieces.size(), 2u);
-  EXPECT_FALSE(path.pieces[0].arc);
-  EXPECT_NEAR(path.pieces[1].arc.value().ellipse.radii.y, 10, 2 * kTenthMicrometre);
-  // And where the line was cut and joined again inside a chord nothing is seen.
-  line = tessellated({{40, 40}, {10, 10}}, 0, 3, 24);
-  line.insert(line.begin() + 5, 0.3 * line[4] + 0.7 * line[5]);
-  EXPECT_EQ(arcs_of(fit_curves(line, {})), fit_curves(line, {}).pieces.size());
-}
-
-TEST(FitCurves, CornersAreKept) {
-  // Two arcs that meet at a corner, and one closed shape of an arc and its chord.
-  std::vector<Point2> line = tessellated({{10, 10}, {5, 5}}, 0, kPi, 18);
-  const Point2 corner = line.back();
-  for (const Point2 p : tessellated({{0, 10}, {5, 5}}, 0, kPi, 18)) line.push_back(p);
-  const CurvedPath path = fitted(line);
-  EXPECT_EQ(std::count_if(path.pieces.begin(), path.pieces.end(),
-                          [&](const PathPiece& p) { return glm::length(p.to - corner) < 1e-9; }),
-            1);
-  EXPECT_EQ(arcs_of(path), path.pieces.size());
-  std::vector<Point2> half = tessellated({{10, 10}, {5, 5}}, 0, kPi, 18);
-  std::rotate(half.begin(), half.begin() + 7, half.end());
-  half.push_back(half.front());
-  const CurvedPath shape = fitted(half);
-  EXPECT_EQ(arcs_of(shape), 1u);
-  EXPECT_EQ(shape.pieces.size(), 2u);
-}
-
 TEST(FitCurves, OtherSmoothCurvesStayWithinTheTolerance) {
-  std::vector<Point2> wave, spiral;
-  for (int i = 0; i <= 400; ++i) {
-    wave.push_back({i * 0.25, 20 + 10 * std::sin(i * 0.05)});
-    const double t = i * 0.05;
-    spiral.push_back(Point2{60, 60} + Point2{std::cos(t), std::sin(t)} * (2 + 2 * t));
-  }
-  for (const auto& line : {wave, spiral}) {
-    const CurvedPath path = fitted(line);
+  for (const char* line : {"0..400:k/4,20+10*sin(k/20)", "0..400:60+cos(k/20)*(2+k/10),60+sin(k/20)*(2+k/10)"}) {
+    const CurvedPath path = fitted(test::line_of_text(line));
     // No bumps: where pieces meet they turn no more than the line itself does over two steps.
     for (std::size_t i = 1; i < path.pieces.size(); ++i) {
       const PathPiece &before = path.pieces[i - 1], &after = path.pieces[i];
@@ -299,23 +172,6 @@ TEST(FitCurves, OtherSmoothCurvesStayWithinTheTolerance) {
       EXPECT_GT(glm::dot(in, out), std::cos(3 * kDegree));
     }
   }
-}
-
-TEST(FitCurves, DegenerateLines) {
-  EXPECT_TRUE(fit_curves({}, {}).pieces.empty());
-  const std::vector<Point2> one{{3, 3}}, dot{{3, 3}, {3, 3}}, back{{0, 0}, {5, 0}, {0, 0}}, many(50, {7, 7});
-  EXPECT_TRUE(fit_curves(one, {}).pieces.empty());
-  EXPECT_EQ(fit_curves(dot, {}).pieces.size(), 1u);
-  EXPECT_EQ(fit_curves(back, {}).pieces.size(), 2u);
-  EXPECT_EQ(fit_curves(many, {}).pieces.size(), 1u);
-  std::vector<Point2> repeated;
-  for (const Point2 p : closed({{50, 50}, {10, 10}}, 48)) repeated.insert(repeated.end(), 3, p);
-  EXPECT_EQ(arcs_of(fit_curves(repeated, {})), 1u);
-  // An ellipse seen edge on, and a circle run through twice.
-  fitted(closed({{50, 50}, {10, 1e-4}, 0.2}, 48));
-  std::vector<Point2> twice = closed({{50, 50}, {10, 10}}, 48);
-  twice.insert(twice.end(), twice.begin() + 1, twice.end());
-  fitted(twice);
 }
 
 TEST(FitCurves, RandomLinesStaySound) {

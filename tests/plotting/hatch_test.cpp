@@ -2,22 +2,15 @@
 
 #include "plotting/hatching/hatch.hpp"
 #include "drawing/measures.hpp"
-#include "main/tier.hpp"
+#include "main/script.hpp"
 #include "plotting/paths/optimize.hpp"
+#include "sample_drawing.hpp"
 #include "support/test.hpp"
 
 namespace ligne {
 namespace {
 
 using Contours = std::vector<std::vector<Point2>>;
-
-const std::vector<Point2> kSquare{{0, 0}, {20, 0}, {20, 20}, {0, 20}};
-
-std::vector<Point2> circle(Point2 c, double r, int n = 90) {
-  std::vector<Point2> points;
-  for (int i = 0; i < n; ++i) points.push_back({c.x + r * std::cos(2 * M_PI * i / n), c.y + r * std::sin(2 * M_PI * i / n)});
-  return points;
-}
 
 double border_distance(Point2 p, const Contours& contours) {
   double least = 1e300;
@@ -43,52 +36,23 @@ void expect_inside(const Polylines& lines, const Contours& contours, double pen)
   });
 }
 
-TEST(Hatch, ASquareIsOneStrokeOfRows) {
-  HatchOptions options{.angle_degrees = 0, .pen_width_mm = 0.5};
-  const Polylines lines = hatch(Contours{kSquare}, options);
-  ASSERT_EQ(lines.size(), 1u);
-  // Rows at 1, 2 ... 19, each from 0.25 to 19.75, neighbours the other way round.
-  ASSERT_EQ(lines[0].size(), 2u * 19);
-  for (std::size_t row = 0; row < 19; ++row) {
-    const Point2 a = lines[0][2 * row], b = lines[0][2 * row + 1];
-    EXPECT_NEAR(a.y, b.y, 1e-12);
-    EXPECT_NEAR(std::abs(a.x - b.x), 19.5, 1e-12);
-    if (row > 0) {
-      EXPECT_NEAR(std::abs(a.y - lines[0][2 * row - 1].y), 1, 1e-12);
-      EXPECT_NEAR(a.x, lines[0][2 * row - 1].x, 1e-12);
-    }
-  }
+/// "SPACING ANGLE PEN: AREA", also "cross" behind them.
+Polylines hatched(const std::string& text) {
+  const std::vector<std::string> words = test::words_of(text.substr(0, text.find(": ")));
+  const Contours area = test::contours_of_text(text.substr(text.find(": ") + 2));
+  const HatchOptions options{.spacing_mm = std::stod(words.at(0)),
+                             .angle_degrees = std::stod(words.at(1)),
+                             .pen_width_mm = std::stod(words.at(2)),
+                             .cross = words.back() == "cross"};
+  const Polylines lines = hatch(area, options);
+  expect_inside(lines, area, options.pen_width_mm);
+  return lines;
 }
 
-TEST(Hatch, HolesAndCornersStayFree) {
-  const Contours contours{{{0, 0}, {40, 5}, {35, 30}, {20, 12}, {5, 35}}, circle({12, 14}, 4), circle({29, 12}, 3)};
-  for (const double angle : {0.0, 30.0, 45.0, 90.0, 137.0}) {
-    HatchOptions options{.spacing_mm = 0.7, .angle_degrees = angle, .pen_width_mm = 0.5};
-    const Polylines lines = hatch(contours, options);
-    expect_inside(lines, contours, options.pen_width_mm);
-    const PathLengths lengths = measure(lines, {0, 0}, false);
-    // The strokes ink about as much as the region has area, less the rim.
-    const double area = test::area_within(contours);
-    EXPECT_NEAR(lengths.down_mm * options.spacing_mm, area, 0.15 * area) << angle;
-    // About a hundred spans; beside a round hole the straight way to the next row would come nearer than half a pen, so the
-    // pen is lifted there.
-    EXPECT_LT(lines.size(), 30u) << "rows are tied together";
-  }
-}
-
-TEST(Hatch, CrossIsBothFamilies) {
-  HatchOptions options;
-  const double one = measure(hatch(Contours{kSquare}, options), {0, 0}, false).down_mm;
-  options.cross = true;
-  EXPECT_NEAR(measure(hatch(Contours{kSquare}, options), {0, 0}, false).down_mm, 2 * one, 0.02 * one);
-}
-
-TEST(Hatch, NeighboursShareTheirRows) {
-  HatchOptions options{.angle_degrees = 0};
-  const Contours right{{{20, 0.4}, {40, 0.4}, {40, 19}, {20, 19}}};
-  const Polylines a = hatch(Contours{kSquare}, options), b = hatch(right, options);
-  for (const Polylines* lines : {&a, &b})
-    for (const Point2 p : lines->points) EXPECT_NEAR(p.y, std::round(p.y), 1e-12);
+/// How much is drawn, in whole millimetres, and in how many strokes.
+std::string drawn_length(const std::string& text) {
+  const Polylines lines = hatched(text);
+  return as_decimal(measure(lines, {0, 0}, false).down_mm, 0) + " in " + std::to_string(lines.size());
 }
 
 /// Side by side: the left half with all rows, the right half with some of them.
@@ -96,14 +60,14 @@ struct TwoSurfaces {
   HatchFrame frame{{0, 0}, 0};
   double line_mm = hatch_line_mm(1, 0.4);
   std::vector<SurfaceRun> runs;
-  std::vector<SurfaceHatch> surfaces{{static_cast<std::uint32_t>(std::lround(1 / hatch_line_mm(1, 0.4))), kRowCycle, 0, 0},
+  std::vector<SurfaceHatch> surfaces{2,
                                      {static_cast<std::uint32_t>(std::lround(1 / hatch_line_mm(1, 0.4))), kRowCycle, 0, 0}};
   std::vector<double> pens{0.4};
   std::vector<Polylines> layers{1};
 
   TwoSurfaces() {
-    add_runs(Contours{{{0, 0}, {20, 0}, {20, 32.5}, {0, 32.5}}}, 0, frame, line_mm, runs);
-    add_runs(Contours{{{20, 0}, {40, 0}, {40, 32.5}, {20, 32.5}}}, 1, frame, line_mm, runs);
+    add_runs(test::contours_of_text("0,0 20,0 20,32.5 0,32.5"), 0, frame, line_mm, runs);
+    add_runs(test::contours_of_text("20,0 40,0 40,32.5 20,32.5"), 1, frame, line_mm, runs);
   }
   void run() { hatch_runs(frame, line_mm, runs, surfaces, pens, layers); }
   /// How many strokes run through (x, y), pieces of ties left out.
@@ -130,7 +94,7 @@ TEST(Hatch, FewerRowsAreSomeOfTheMore) {
     EXPECT_EQ(two.rows_at(10), 32);
     EXPECT_EQ(two.rows_at(30), static_cast<int>(2 * rows)) << "two cycles";
     EXPECT_EQ(two.rows_at(20), static_cast<int>(2 * rows)) << "the strokes run on";
-    expect_inside(two.layers[0], Contours{{{0, 0}, {40, 0}, {40, 32.5}, {0, 32.5}}}, 0.4);
+    expect_inside(two.layers[0], test::contours_of_text("0,0 40,0 40,32.5 0,32.5"), 0.4);
     // A piece that is not along a row is a tie, and those lie at the rim.
     test::for_segments(two.layers[0], [](Point2 a, Point2 b) {
       if (std::abs(b.y - a.y) > 1e-9) {
@@ -166,7 +130,7 @@ TEST(Hatch, GroupsHaveARimAndLayersHaveTheirPens) {
 
 /// Rows far apart beside a corner: what ties them follows the rim round it, and leaves no chord across.
 TEST(Hatch, TiesFollowTheRim) {
-  const Contours tower{{{0, 0}, {10, 0}, {14, 12.5}, {10, 16}, {0, 16}}, circle({2, 8}, 1.5)};
+  const Contours tower = test::contours_of_text("0,0 10,0 14,12.5 10,16 0,16;0..89:2+1.5*cos(k*pi/45),8+1.5*sin(k*pi/45)");
   HatchOptions options{.spacing_mm = 5, .angle_degrees = 0};
   const Polylines lines = hatch(tower, options);
   expect_inside(lines, tower, options.pen_width_mm);
@@ -184,7 +148,7 @@ TEST(Hatch, TiesFollowTheRim) {
 
 TEST(Hatch, CornersBetweenNeighboursMakeNoGaps) {
   // A fan of triangles about a point, in coordinates that have no short binary form.
-  const std::vector<Point2> rim = circle({20.1, 19.7}, 15.3, 37);
+  const std::vector<Point2> rim = test::line_of_text("0..36:20.1+15.3*cos(2*pi*k/37),19.7+15.3*sin(2*pi*k/37)");
   const HatchFrame frame({0, 0}, 27);
   const double line_mm = hatch_line_mm(0.9, 0.3);
   std::vector<SurfaceRun> runs;
@@ -200,17 +164,6 @@ TEST(Hatch, CornersBetweenNeighboursMakeNoGaps) {
   const Polylines disc = hatch(Contours{rim}, whole);
   ASSERT_EQ(layers[0].size(), disc.size());
   EXPECT_NEAR(measure(layers[0], {0, 0}, false).down_mm, measure(disc, {0, 0}, false).down_mm, 1e-3);
-}
-
-TEST(Hatch, NarrowAndEmptyRegionsGetNothing) {
-  HatchOptions options{.angle_degrees = 0};
-  EXPECT_EQ(hatch({}, options).size(), 0u);
-  EXPECT_EQ(hatch(Contours{{{0, 0.9}, {20, 0.9}, {20, 1.1}, {0, 1.1}}}, options).size(), 0u);
-  EXPECT_EQ(hatch(Contours{{{1, 1}}}, options).size(), 0u);
-  options.spacing_mm = 0;
-  EXPECT_THROW(hatch(Contours{kSquare}, options), std::invalid_argument);
-  options.spacing_mm = 1e-9;
-  EXPECT_THROW(hatch(Contours{kSquare}, options), std::invalid_argument);
 }
 
 /// The white that strokes of a pen leave of an area, and the ink beyond it, on a lattice of 0.05 mm.
@@ -232,53 +185,29 @@ Cover cover_of(const Polylines& strokes, const Contours& area, double pen) {
   return cover;
 }
 
-/// A letter S as a pen with a broad nib writes it: its stroke swells to 1.6 mm and thins out to 0.3 mm.
-std::vector<Point2> letter_s() {
-  std::vector<Point2> left, right;
-  constexpr int kSteps = 60;
-  for (int i = 0; i <= kSteps; ++i) {
-    // The upper arc from the right over the top to the middle, and the same turned round for the lower one.
-    const double t = 2.0 * i / kSteps, sign = t < 1 ? 1 : -1, part = t < 1 ? t : 2 - t;
-    const double angle = -0.3 - part * (1.5 * M_PI - 0.3), width = 0.15 + 0.65 * std::sin(t * M_PI / 2);
-    const Point2 out{std::cos(angle), std::sin(angle)}, middle{10, 10 - sign * 2.5};
-    (t < 1 ? left : right).push_back(middle + out * (sign * (2.5 + width)));
-    (t < 1 ? right : left).push_back(middle + out * (sign * (2.5 - width)));
+/// "PEN: AREA", filled.
+std::string white_of(const std::string& text) {
+  const double pen = std::stod(text);
+  const Contours area = test::contours_of_text(text.substr(text.find(": ") + 2));
+  Polylines strokes = hatch(area, {.spacing_mm = 0.8 * pen, .pen_width_mm = pen, .rim = true});
+  for (const Point2 p : strokes.points) {
+    EXPECT_TRUE(test::holds(area, p));
+    EXPECT_GE(border_distance(p, area), (0.5 - kUnseenPens) * pen);
   }
-  left.insert(left.end(), right.rbegin(), right.rend());
-  return left;
+  // With the outline, as fills are drawn.
+  for (std::vector<Point2> contour : area) {
+    contour.push_back(contour.front());
+    strokes.add(contour);
+  }
+  // The lattice can miss 0.035 mm.
+  const Cover cover = cover_of(strokes, area, pen);
+  EXPECT_LE(cover.beyond, 1e-9);
+  return cover.white <= 0.05 - 0.035 ? "none" : test::as_text(cover.white);
 }
 
-TEST(Hatch, FillsLeaveNothingWhite) {
-  std::vector<Point2> star;
-  for (int i = 0; i < 10; ++i) {
-    const double r = i % 2 ? 1.6 : 5, a = 0.1 + i * M_PI / 5;
-    star.push_back({10 + r * std::cos(a), 10 + r * std::sin(a)});
-  }
-  const Contours areas[] = {{circle({10, 10}, 5)},
-                            {star},
-                            {letter_s()},
-                            {circle({10, 10}, 5), circle({11, 10}, 2.5)},
-                            {{{2, 2}, {9, 2}, {9, 3.1}, {3.4, 3.1}, {3.4, 5}, {7, 5}, {7, 6}, {3.4, 6}, {3.4, 9}, {2, 9}}},
-                            {{{0, 0}, {8, 8}, {8.3, 7.7}, {0.3, -0.3}}}};
-  for (const Contours& area : areas) {
-    for (const double pen : test::chosen("pens of fills", 2, {0.3, 0.5})) {
-      HatchOptions options{.spacing_mm = 0.8 * pen, .pen_width_mm = pen, .rim = true};
-      Polylines strokes = hatch(area, options);
-      for (const Point2 p : strokes.points) {
-        EXPECT_TRUE(test::holds(area, p));
-        EXPECT_GE(border_distance(p, area), (0.5 - kUnseenPens) * pen);
-      }
-      // With the outline, as fills are drawn.
-      for (std::vector<Point2> contour : area) {
-        contour.push_back(contour.front());
-        strokes.add(contour);
-      }
-      // The lattice can miss 0.035 mm.
-      EXPECT_LE(cover_of(strokes, area, pen).white, 0.05 - 0.035) << pen << " mm, area " << (&area - areas);
-      EXPECT_LE(cover_of(strokes, area, pen).beyond, 1e-9);
-    }
-  }
-}
+[[maybe_unused]] const bool hatches_are_added = test::add_function_scripts(
+    LIGNE_SOURCE_DIR "/tests/plotting/hatches",
+    {{"strokes", [](auto& t) { return text_of_lines(hatched(t)); }}, {"length", drawn_length}, {"white", white_of}});
 
 }  // namespace
 }  // namespace ligne

@@ -144,9 +144,9 @@ void add_area(MeantScene& scene, const MeantArea& area, Dice& dice) {
 Contour rectangle(Point2 low, Point2 high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }
 
 /// The corners of a grid, turned a little or not at all.
-class Corners {
+class GridCorners {
  public:
-  Corners(std::uint32_t side, double distance, Dice& dice) : side_(side), distance_(distance) {
+  GridCorners(std::uint32_t side, double distance, Dice& dice) : side_(side), distance_(distance) {
     const double turn = dice() % 2 ? 0 : std::uniform_real_distribution<double>(0, 1)(dice);
     x_ = Point2{std::cos(turn), std::sin(turn)} * distance;
   }
@@ -212,7 +212,7 @@ MeantScene abutting_rectangles(Dice& dice) {
 }
 
 /// Areas of one contour or two, clipped or not.
-MeantScene polygons(const Corners& corners, std::size_t count, std::uint32_t most_corners, bool doubled, Dice& dice) {
+MeantScene polygons(const GridCorners& corners, std::size_t count, std::uint32_t most_corners, bool doubled, Dice& dice) {
   MeantScene scene;
   while (scene.areas.size() < count) {
     MeantArea area{{corners.polygon(3 + dice() % most_corners, dice)}, dice() % 2 == 0};
@@ -224,12 +224,12 @@ MeantScene polygons(const Corners& corners, std::size_t count, std::uint32_t mos
 }
 
 MeantScene polygons_of_shared_corners(Dice& dice) {
-  const Corners corners(7, 9, dice);
+  const GridCorners corners(7, 9, dice);
   return polygons(corners, 2 + dice() % 4, 5, true, dice);
 }
 
 MeantScene scribbles(Dice& dice) {
-  const Corners corners(40, 1.5, dice);
+  const GridCorners corners(40, 1.5, dice);
   return polygons(corners, 1 + dice() % 3, 120, false, dice);
 }
 

@@ -1,10 +1,11 @@
-/// Ordering strokes, and that a drawing never changes by it.
+/// Ordering strokes, that a drawing never changes by it, and the search for near ends.
 
 #include <chrono>
 
 #include "base/parallel.hpp"
 #include "drawing/measures.hpp"
 #include "main/tier.hpp"
+#include "plotting/paths/nearest_points.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "sample_drawing.hpp"
 #include "support/test.hpp"
@@ -30,12 +31,8 @@ double farthest(const Polylines& from, const Polylines& to) {
 double sum(const JoinTolerances& t) { return t.ends_mm + t.overlap_mm + t.simplify_mm; }
 
 TEST(OrderStrokes, AClosedLineStartsWhereItIsNear) {
-  OrderOptions options{.home = {100, 0}};
-  const Polylines ordered = order_strokes(polylines_of({{{0, 0}, {90, 0}, {90, 90}, {0, 90}, {0, 0}}}), options);
-  ASSERT_EQ(ordered.size(), 1u);
-  EXPECT_EQ(ordered[0].front(), Point2(90, 0));
-  EXPECT_EQ(ordered[0].back(), Point2(90, 0));
-  EXPECT_EQ(ordered[0].size(), 5u);
+  const Polylines ordered = order_strokes(lines_of_text("0,0 90,0 90,90 0,90 0,0"), {.home = {100, 0}});
+  EXPECT_EQ(text_of_lines(ordered), "90,0 90,90 0,90 0,0 90,0");
 }
 
 /// All orders and directions of few strokes.
@@ -103,22 +100,14 @@ Polylines random_drawing(unsigned seed) {
   return polylines_of(lists);
 }
 
-Polylines square_at(Polylines lines, Point2 corner, double size) {
-  const std::vector<Point2> square{corner, corner + Point2(size, 0), corner + Point2(size, size), corner + Point2(0, size),
-                                   corner};
-  lines.add(square);
-  return lines;
-}
-
 /// Squares in squares, three deep, and an open line in one of them: everything comes before what surrounds it.
 TEST(OrderStrokes, CuttersCutHolesFirst) {
   Polylines lines;
   for (int i = 0; i < 20; ++i) {
     const Point2 at(30.0 * i, 7.0 * (i % 3));
-    lines = square_at(lines, at, 20);
-    lines = square_at(lines, at + Point2(2, 2), 10);
-    lines = square_at(lines, at + Point2(4, 4), 3);
-    lines.add(std::vector<Point2>{at + Point2(15, 15), at + Point2(18, 15)});
+    Polylines more = lines_of_text("0,0 20,0 20,20 0,20 0,0; 2,2 12,2 12,12 2,12 2,2; 4,4 7,4 7,7 4,7 4,4; 15,15 18,15");
+    for (Point2& p : more.points) p += at;
+    for (std::size_t k = 0; k < more.size(); ++k) lines.add(more[k]);
   }
   OrderOptions options{.inside_first = true};
   std::vector<std::uint32_t> order;
@@ -151,20 +140,6 @@ TEST(OptimizePaths, ADrawingIsTheSameSetOfPoints) {
     EXPECT_LE(measure(better, {0, 0}, false).up_mm, measure(lines, {0, 0}, false).up_mm) << seed;
     EXPECT_LE(better.size(), lines.size() * 3) << seed;
   }
-}
-
-TEST(OptimizePaths, CoincidentPiecesAreDrawnOnce) {
-  // A bar of 100 mm, and a line that leaves it, lies on it for so long, and leaves it again.
-  const auto lines = [](double on) {
-    return polylines_of({{{0, 0}, {100, 0}}, {{10, 20}, {20, 0.001}, {20 + on, 0.001}, {30 + on, 20}}});
-  };
-  for (const double on : {5.0, 40.0}) {
-    EXPECT_EQ(join_strokes(lines(on), {}).size(), 3u);
-    EXPECT_NEAR(total_length(join_strokes(lines(on), {})), total_length(lines(on)) - on, 0.01);
-  }
-  // A line that is there twice spares nothing by its second time.
-  const Polylines twice = polylines_of({{{0, 0}, {5, 0}, {5, 5}}, {{5, 5}, {5, 0}, {0, 0}}});
-  EXPECT_NEAR(total_length(join_strokes(twice, {})), 10, 0.01);
 }
 
 TEST(OptimizePaths, AnOrderThatWasGoodIsNotMadeWorse) {
@@ -208,12 +183,9 @@ Polylines many_strokes(std::size_t n) {
   std::uniform_real_distribution<double> place(0, 1000), step(-4, 4);
   Polylines lines;
   for (std::size_t i = 0; i < n; ++i) {
-    Point2 p{place(random), place(random)};
-    for (int k = 0; k < 5; ++k) {
-      lines.points.push_back(p);
-      p += Point2{step(random), step(random)};
-    }
-    lines.begin.push_back(static_cast<std::uint32_t>(lines.points.size()));
+    std::vector<Point2> line{{place(random), place(random)}};
+    while (line.size() < 5) line.push_back(line.back() + Point2{step(random), step(random)});
+    lines.add(line);
   }
   return lines;
 }
@@ -236,16 +208,40 @@ TEST(OptimizePaths, AHundredThousandStrokesAreWellOrdered) {
 
 TEST(OptimizePaths, StarsAndHeapsTakeNoLonger) {
   // All strokes end in one point, which is where searches for near ends degenerate.
-  std::vector<std::vector<Point2>> star, heap;
-  for (int i = 0; i < 20'000; ++i) {
-    star.push_back({{100, 100}, {100 + 90 * std::cos(i * 0.01), 100 + 90 * std::sin(i * 0.01)}});
-    heap.push_back({{i % 3 * 1e-4, 0}, {i % 5 * 1e-4, 1e-4}});
-  }
-  for (const auto& lists : {star, heap}) {
+  for (const char* lines : {"0..39999:100+mod(k,2)*90*cos(k/200),100+mod(k,2)*90*sin(k/200) each 2",
+                            "0..39999:if(mod(k,2)==0,mod(k/2,3),mod((k-1)/2,5))*1e-4,mod(k,2)*1e-4 each 2"}) {
     const auto start = std::chrono::steady_clock::now();
-    optimize_paths(polylines_of(lists), {});
+    optimize_paths(lines_of_text(lines), {});
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
   }
+}
+
+/// In the order of distance, of those that remain.
+TEST(NearestPoints, FindsTheNearestOfTheRemainingPoints) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> place(-20, 20);
+  std::vector<Point2> points(500);  // many lie in one place
+  for (Point2& p : points) p = {place(random), place(random)};
+  NearestPoints tree(points);
+  std::vector<char> there(points.size(), 1);
+  std::vector<NearestPoints::Neighbour> nearest;
+  for (std::size_t removed = 0; removed < points.size(); ++removed) {
+    const Point2 q{place(random) + 0.5, place(random) - 0.25};
+    std::vector<double> expected;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (there[i]) expected.push_back(glm::dot(q - points[i], q - points[i]));
+    std::sort(expected.begin(), expected.end());
+    tree.nearest(q, 10, nearest);
+    ASSERT_EQ(nearest.size(), std::min<std::size_t>(10, expected.size()));
+    for (std::size_t i = 0; i < nearest.size(); ++i) {
+      ASSERT_TRUE(there[nearest[i].point]);
+      ASSERT_EQ(nearest[i].squared, expected[i]);
+    }
+    tree.remove(nearest[0].point);
+    there[nearest[0].point] = 0;
+  }
+  tree.nearest({0, 0}, 1, nearest);
+  EXPECT_TRUE(nearest.empty());
 }
 
 }  // namespace

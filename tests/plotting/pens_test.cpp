@@ -72,12 +72,10 @@ TEST(Plots, TakeNoLongerThanInTheOrderOfTheDrawing) {
 
 /// A line that comes back along itself and crosses itself at very small angles: drawing nothing twice would take longer.
 TEST(Plots, ASquiggleThatTouchesItselfStaysOneStroke) {
-  std::vector<Point2> squiggle;
-  for (int k = 0; k <= 1000; ++k) squiggle.push_back({10 + k * 0.1, 60 + 0.6 * std::sin(k * 0.1)});
-  for (int k = 1000; k >= 0; --k)
-    squiggle.push_back({10 + k * 0.1, 60 + 0.6 * std::sin(k * 0.1) + 0.03 * std::sin(k * 0.3)});
   Drawing drawing;
-  add_line(drawing, "1 all", squiggle);
+  add_line(
+      drawing, "1 all",
+      line_of_text("0..1000:10+k/10,60+0.6*sin(k/10) 1001..2001:210.1-k/10,60+0.6*sin(200.1-k/10)+0.03*sin(600.3-k*0.3)"));
   EXPECT_GT(join_strokes(drawing.layers[0].lines, {}).size(), 20u) << "there is something to cut";
   EXPECT_EQ(make_plot(drawing, {}).pens.at(0).lines.size(), 1u);
 }
@@ -86,24 +84,13 @@ TEST(Plots, ASquiggleThatTouchesItselfStaysOneStroke) {
 
 /// A right file with one key given another value, or added.
 std::string device_with(const std::string& language, const std::string& key, const std::string& value) {
-  const bool hpgl = language == "hpgl";
-  std::vector<std::pair<std::string, std::string>> keys{{"name", "\"own\""},
-                                                        {"title", "\"Own\""},
-                                                        {"language", "\"" + language + "\""},
-                                                        {"step", "0.025"},
-                                                        {"limits", "[0, 0, 500, 500]"},
-                                                        {"travel", hpgl ? "\"U{x},{y};\"" : "\"G0 X{x} Y{y}\""},
-                                                        {"draw", hpgl ? "\"D{points};\"" : "\"G1 X{x} Y{y}\""},
-                                                        {"dot", "\"D;\""},
-                                                        {"speed_down", "10"},
-                                                        {"speed_up", "20"},
-                                                        {"lift_seconds", "0.5"},
-                                                        {"pen_change_seconds", "30"}};
   bool found = false;
   std::string text;
-  for (auto& [name, own] : keys) {
-    if (name == key) own = value, found = true;
-    text += name + " = " + own + "\n";
+  std::ifstream file(LIGNE_SOURCE_DIR "/tests/plotting/own_device-" + language + ".toml");
+  for (std::string line; std::getline(file, line);) {
+    const std::string name = line.substr(0, line.find(" = "));
+    found = found || name == key;
+    text += (name == key ? key + " = " + value : line) + "\n";
   }
   return found || key.empty() ? text : text + key + " = " + value + "\n";
 }
@@ -188,13 +175,11 @@ TEST(DeviceFile, EveryKnownPlaceholderIsReplaced) {
         "velocity = \"g{cm_per_s}\"\npens = 0\n";
     const Device device = read_device(text, "F");
     Plot plot;
-    PenLines lines;
+    PenLines& lines = plot.pens.emplace_back();
     lines.pen.number = 1;
     lines.pen.speed = 50;
     lines.pen.pause = true;
-    lines.lines.points = {{10, 10}, {20, 20}};
-    lines.lines.begin.push_back(2);
-    plot.pens.push_back(lines);
+    lines.lines = lines_of_text("10,10 20,20");
     const Page page{100, 100, 0};
     const std::string commands = write_plot(plot, device, place_on_device(device, page, Rect{{10, 10}, {20, 20}}, false));
     EXPECT_EQ(commands.find_first_of("{}"), std::string::npos) << commands;

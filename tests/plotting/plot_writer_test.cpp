@@ -115,14 +115,12 @@ std::vector<Point2> hp2xx_points(const std::string& hpgl) {
   folder.write("in.hpgl", hpgl);
   const std::string command = "cd '" + folder.string() + "' && hp2xx -q -N -t -m svg -f out.svg in.hpgl >/dev/null 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0);
-  const std::string text = bytes_of_file(folder / "out.svg");
   std::vector<Point2> points;
-  for (std::size_t at = text.find("<path d=\""); at != std::string::npos; at = text.find("<path d=\"", at + 1)) {
-    std::istringstream data(text.substr(at + 9, text.find('"', at + 9) - at - 9));
-    std::string word;
+  for (const std::string& path : path_data(bytes_of_file(folder / "out.svg"))) {
+    std::istringstream data(path);
     double x = 0;
     char comma = 0;
-    while (data >> word) {
+    for (std::string word; data >> word;) {
       if (word != "M" && word != "L") continue;
       Point2 p{0, 0};
       if (data >> x >> comma >> p.y) points.push_back({x, p.y});
@@ -143,25 +141,21 @@ TEST_P(Hp2xx, ReadsTheSameDrawingOfTheSameSize) {
   // hp2xx takes a unit for 0.025 mm, puts the lower left of the drawing into a corner, and fits its SVG to a page: shapes
   // are compared, at our width. That sizes are true the test of the 7475A tells.
   constexpr double kUnitMm = 0.025;
-  Rect ours, theirs;
+  Rect ours, pixels;
   std::vector<Point2> points;
   for (const auto& stroke : test::replay_hpgl(w.text).strokes)
-    for (const Point2 p : stroke) points.push_back(p * kUnitMm);
-  for (const Point2 p : points) ours.extend(p);
-  Rect pixels;
+    for (const Point2 p : stroke) ours.extend(points.emplace_back(p * kUnitMm));
   for (const Point2 p : read) pixels.extend(p);
   const double pixel_mm = ours.width() / pixels.width();
-  for (const Point2 p : read) theirs.extend(p * pixel_mm);
   constexpr double kWithinMm = 0.05;
-  EXPECT_NEAR(theirs.height(), ours.height(), kWithinMm);
+  EXPECT_NEAR(pixels.height() * pixel_mm, ours.height(), kWithinMm);
   const auto nearest = [](Point2 p, const std::vector<Point2>& all) {
     double least = 1e300;
     for (const Point2 q : all) least = std::min(least, glm::distance(p, q));
     return least;
   };
   std::vector<Point2> shifted;
-  for (const Point2 p : read)
-    shifted.push_back({p.x * pixel_mm - theirs.min.x + ours.min.x, theirs.max.y - p.y * pixel_mm + ours.min.y});
+  for (const Point2 p : read) shifted.push_back(ours.min + Point2{p.x - pixels.min.x, pixels.max.y - p.y} * pixel_mm);
   for (const Point2 p : points) EXPECT_LE(nearest(p, shifted), kWithinMm) << p.x << " " << p.y;
   for (const Point2 p : shifted) EXPECT_LE(nearest(p, points), kWithinMm) << p.x << " " << p.y;
 }
@@ -193,10 +187,7 @@ TEST(DeviceFacts, EveryNumberNamesItsSource) {
   EXPECT_GT(numbers, 150u);
 }
 
-Point2 point_of(const std::string& text) {
-  const std::vector<std::string> parts = test::parts_of(text, ' ');
-  return {std::stod(parts.at(0)), std::stod(parts.at(1))};
-}
+Point2 point_of(std::string text) { return line_of_text(text.replace(text.find(' '), 1, ",")).at(0); }
 
 void compare(const Device& device, const DevicePaper* paper, const std::string& fact, const std::string& value) {
   if (fact == "step") {

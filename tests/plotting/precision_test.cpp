@@ -2,9 +2,11 @@
 
 #include <zlib.h>
 
+#include "geometry/nearest_on_segment.hpp"
 #include "main/script.hpp"
 #include "plotting/dashes.hpp"
 #include "plotting/paths/chain_ends.hpp"
+#include "plotting/paths/simplify.hpp"
 #include "plotting/readers/drawing_reader.hpp"
 #include "plotting/readers/utf8.hpp"
 #include "plotting/stroke_text.hpp"
@@ -50,9 +52,7 @@ void expect_near(const std::vector<Line>& got, const std::vector<Line>& wanted, 
 /// The paths of an SVG: M, L, l and Z.
 std::vector<Line> svg_lines(const std::string& svg) {
   std::vector<Line> lines;
-  const std::string start = "<path d=\"";
-  for (std::size_t at = svg.find(start); at != std::string::npos; at = svg.find(start, at + 1)) {
-    std::string data = svg.substr(at + start.size(), svg.find('"', at + start.size()) - at - start.size());
+  for (std::string data : path_data(svg)) {
     const bool relative = data.find('l') != std::string::npos, closed = data.back() == 'Z';
     for (char& c : data)
       if (std::isalpha(static_cast<unsigned char>(c))) c = ' ';
@@ -116,12 +116,10 @@ TEST(Precision, CoordinatesAreRightOnEveryPage) {
 }
 
 TEST(PrecisionOfLongLines, RelativeMovesDoNotDrift) {
-  Line line;
-  for (int i = 0; i < 100000; ++i) line.push_back({0.00104999 * i, 100 + (i % 2) * 0.00214999});
+  const Line line = test::line_of_text("0..99999:0.00104999*k,100+mod(k,2)*0.00214999");
   Drawing drawing;
   add_line(drawing, "mesh", line);
-  const std::vector<Line> got = svg_lines(write_svg(drawing, {}));
-  expect_near(got, {line}, "zigzag");
+  expect_near(svg_lines(write_svg(drawing, {})), {line}, "zigzag");
 }
 
 std::string fixed(std::int64_t value, int decimals, bool bare_point = true) {
@@ -131,36 +129,10 @@ std::string fixed(std::int64_t value, int decimals, bool bare_point = true) {
 /// The length but for the rounding of a product.
 double picometres(double mm) { return std::round(mm * 1e12) / 1e12; }
 
-std::string rounded(double value) {
-  std::string text;
-  append_rounded(text, value, 6);
-  return text;
-}
-
 /// The number of characters that are drawn as boxes.
 std::size_t boxes_of(const std::string& text) {
   Polylines lines;
   return append_stroke_text({text, {0, 0}, 21, TextAcross::left, TextUp::base, 0}, lines);
-}
-
-/// Lines in words: "0,0 10,0; 5,5 6,6" are two.
-Polylines lines_of_text(const std::string& text) {
-  Polylines lines;
-  for (const std::string& part : test::parts_of(text, ';')) {
-    std::vector<Point2> line;
-    for (const std::string& word : test::words_of(part))
-      line.push_back({std::stod(word), std::stod(word.substr(word.find(',') + 1))});
-    if (!line.empty()) lines.add(line);
-  }
-  return lines;
-}
-std::string text_of_lines(const Polylines& lines) {
-  std::string text;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (i > 0) text += ";";
-    for (const Point2 p : lines[i]) text += (text.empty() ? "" : " ") + rounded(p.x) + "," + rounded(p.y);
-  }
-  return text;
 }
 
 constexpr Rect kSheet{{0, 0}, {10, 10}};
@@ -171,18 +143,39 @@ std::string cut_by(const std::string& text, const Cut& cut) {
   const std::size_t colon = text.find(':');
   std::vector<double> lengths;
   for (const std::string& word : test::words_of(text.substr(0, colon))) lengths.push_back(std::stod(word));
-  return text_of_lines(cut(lines_of_text(text.substr(colon + 1)), lengths));
+  return text_of_lines(cut(test::lines_of_text(text.substr(colon + 1)), lengths));
 }
 
 /// The data of the paths of an SVG, each in brackets.
 std::string paths_of(const Polylines& lines) {
   Drawing drawing;
   drawing.layers.push_back({"mesh", lines});
-  const std::string svg = write_svg(drawing, {}), start = "<path d=\"";
   std::string paths;
-  for (std::size_t at = svg.find(start); at != svg.npos; at = svg.find(start, at + 1))
-    paths += "[" + svg.substr(at + start.size(), svg.find('"', at + start.size()) - at - start.size()) + "]";
+  for (const std::string& data : path_data(write_svg(drawing, {}))) paths += "[" + data + "]";
   return paths;
+}
+
+/// "TOLERANCE LOST: LINE": the numbers of the points that stay. The line stays within the tolerance and as long as is asked.
+std::string simplified_line(const std::string& text) {
+  const std::vector<std::string> numbers = test::words_of(text.substr(0, text.find(": ")));
+  const double tolerance = std::stod(numbers.at(0)), lost = std::stod(numbers.at(1));
+  const Line line = test::line_of_text(text.substr(text.find(": ") + 2));
+  const std::vector<std::uint32_t> kept = simplified(line, tolerance, lost);
+  EXPECT_EQ(kept.back(), line.size() - 1);
+  double length = 0, before = 0;
+  for (std::size_t k = 1; k < kept.size(); ++k) {
+    length += glm::distance(line[kept[k - 1]], line[kept[k]]);
+    for (std::uint32_t i = kept[k - 1]; i < kept[k]; ++i) {
+      before += glm::distance(line[i], line[i + 1]);
+      EXPECT_LE(squared_distance(line[i], line[kept[k - 1]], line[kept[k]]), tolerance * tolerance);
+    }
+  }
+  EXPECT_GE(length, (1 - lost) * before);
+  std::string all;
+  if (kept.size() == line.size()) return "all";
+  if (kept.size() > 9) return std::to_string(kept.size());
+  for (const std::uint32_t k : kept) all += (all.empty() ? "" : " ") + std::to_string(k);
+  return all;
 }
 
 /// The title of an SVG, which reads back as XML.
@@ -200,15 +193,22 @@ const test::TextFunctions kFunctions{
     {"fixed", [](auto& t) { return fixed(std::stoll(t), 4); }},
     {"fixed-with-zero", [](auto& t) { return fixed(std::stoll(t), 4, false); }},
     {"fixed-whole", [](auto& t) { return fixed(std::stoll(t), 0); }},
-    {"rounded", [](auto& t) { return rounded(test::value_of(t)); }},
-    {"join", [](auto& t) { return text_of_lines(join_strokes(lines_of_text(t), {})); }},
-    {"join-exact", [](auto& t) { return text_of_lines(join_strokes(lines_of_text(t), {0.0})); }},
-    {"join-ends", [](auto& t) { return text_of_lines(join_near_ends(lines_of_text(t), 0.05)); }},
+    {"rounded", [](auto& t) { return as_decimal(test::value_of(t)); }},
+    {"join", [](auto& t) { return text_of_lines(join_strokes(test::lines_of_text(t), {})); }},
+    {"join-exact", [](auto& t) { return text_of_lines(join_strokes(test::lines_of_text(t), {0.0})); }},
+    {"joined-length",
+     [](auto& t) {
+       const Polylines joined = join_strokes(test::lines_of_text(t), {});
+       return as_decimal(total_length(joined), 2) + " in " + std::to_string(joined.size());
+     }},
+    {"simplified", simplified_line},
+    {"keeps", [](auto& t) { return simplified_line(t).empty() ? "nothing" : "enough"; }},
+    {"join-ends", [](auto& t) { return text_of_lines(join_near_ends(test::lines_of_text(t), 0.05)); }},
     {"dashes", [](auto& t) { return cut_by(t, [](auto lines, auto cut) { return cut_dashes(lines, cut, 0.5); }); }},
     {"marks", [](auto& t) { return cut_by(t, [](auto lines, auto cut) { return cut_pattern(lines, cut, 1); }); }},
-    {"within-10", [](auto& t) { return text_of_lines(clip_to_box(lines_of_text(t), kSheet)); }},
+    {"within-10", [](auto& t) { return text_of_lines(clip_to_box(test::lines_of_text(t), kSheet)); }},
     {"title", title_in_svg},
-    {"path", [](auto& t) { return paths_of(lines_of_text(t)); }},
+    {"path", [](auto& t) { return paths_of(test::lines_of_text(t)); }},
     {"json", [](auto& t) { return std::to_string(read_json_drawing(t, "a.json").drawing.layers.size()); }},
     {"boxes", [](auto& t) { return std::to_string(boxes_of(t)); }},
     {"utf8", [](auto& t) { return std::to_string(decode_utf8(t).size()) + " " + clean_utf8(t); }},

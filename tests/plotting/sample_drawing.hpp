@@ -2,9 +2,12 @@
 /// Drawings, lines and texts that several tests of plotting share.
 
 #include "drawing/measures.hpp"
+#include "main/script.hpp"
 #include "plotting/paths/elliptic_arc.hpp"
 #include "plotting/paths/optimize.hpp"
+#include "plotting/writers/number_text.hpp"
 #include "plotting/writers/writers.hpp"
+#include "support/line_text.hpp"
 #include "support/test.hpp"
 
 namespace ligne {
@@ -59,6 +62,31 @@ inline Polylines polylines_of(const std::vector<std::vector<Point2>>& lists) {
     lines.begin.push_back(static_cast<std::uint32_t>(lines.points.size()));
   }
   return lines;
+}
+
+/// The value rounded to so many decimals.
+inline std::string as_decimal(double value, int decimals = 6) {
+  std::string text;
+  append_rounded(text, value, decimals);
+  return text;
+}
+
+inline std::string text_of_lines(const Polylines& lines) {
+  std::string text;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (i > 0) text += ";";
+    for (const Point2 p : lines[i]) text += (text.empty() ? "" : " ") + as_decimal(p.x) + "," + as_decimal(p.y);
+  }
+  return text;
+}
+
+/// The data of the paths of an SVG.
+inline std::vector<std::string> path_data(const std::string& svg) {
+  std::vector<std::string> data;
+  for (const std::string& part : test::parts_of(svg, '<'))
+    if (const std::size_t at = part.find(" d=\""); part.starts_with("path") && at != part.npos)
+      data.push_back(part.substr(at + 4, part.find('"', at + 4) - at - 4));
+  return data;
 }
 
 inline double total_length(const Polylines& lines) { return measure(lines, {0, 0}, false).down_mm; }

@@ -1,7 +1,5 @@
 /// Hiding by clip paths, masks and filled areas of an SVG drawing.
 
-#include <chrono>
-
 #include "drawing/measures.hpp"
 #include "main/tier.hpp"
 #include "plotting/meant_areas.hpp"
@@ -33,41 +31,7 @@ TEST(SvgAreas, PolygonsOfSharedCornersAgreeWithAPicture) { expect_right(polygons
 
 TEST(SvgAreas, ScribblesAgreeWithAPicture) { expect_right(scribbles, 4, 1'000); }
 
-/// Edges on one line, a thousand areas in one place, and corners in one point take no time that grows with their square.
-TEST(SvgAreas, CrowdsInOnePlaceAreRight) {
-  std::string body = "<line y1='50' x2='100' y2='50'/>", star = "M";
-  for (int i = 0; i < 20'000; ++i) body += "<path d='M20 20H80V80H20z' fill='white' stroke='none'/>";
-  EXPECT_EQ(lines_of(read(body)), (Lines{"0,5000 2000,5000 ", "8000,5000 10000,5000 "}));
-  for (int i = 0; i < 10'000; ++i) {
-    const double a = 2 * std::numbers::pi * i / 10'000;
-    star += "50 50L" + std::to_string(50 + 30 * std::cos(a)) + " " + std::to_string(50 + 30 * std::sin(a)) + "L";
-  }
-  EXPECT_EQ(lines_of(read("<line y1='50' x2='100' y2='50'/><path d='" + star + "50 50z' fill='white' stroke='none'/>")),
-            Lines{"0,5000 10000,5000 "})
-      << "spikes have no area";
-}
-
 // Hiding by clip paths, masks and filled areas of an SVG drawing.
-
-TEST(SvgReader, ClipPathsOfAnyShape) {
-  // A hundred thousand random segments: what is kept is inside, what is not is outside, and nothing is lost at corners.
-  std::string star = "M", crowd;
-  std::vector<Point2> corners;
-  for (int i = 0; i < 10; ++i) {
-    const double r = i % 2 ? 15 : 40, a = i * std::numbers::pi / 5;
-    corners.push_back({50 + r * std::cos(a), 50 + r * std::sin(a)});
-    star += std::to_string(corners.back().x) + " " + std::to_string(corners.back().y) + (i < 9 ? "L" : "Z");
-  }
-  for (int i = 0; i < 100; ++i) crowd += "M0 " + std::to_string(i + 0.5) + "H100";
-  const ReadDrawing stripes =
-      read("<clipPath id='c'><path d='" + star + "'/></clipPath><path clip-path='url(#c)' d='" + crowd + "'/>");
-  double length = 0, area = 0;
-  const Polylines& kept = stripes.drawing.layers.at(0).lines;
-  for (std::size_t i = 0; i < kept.size(); ++i) length += glm::distance(kept[i].front(), kept[i].back());
-  for (std::size_t i = 0; i < 10; ++i)
-    area += (corners[i].x * corners[(i + 1) % 10].y - corners[i].y * corners[(i + 1) % 10].x) / 2;
-  EXPECT_NEAR(length, area, 0.01 * area) << "stripes one millimetre apart";
-}
 
 /// Discs at random places: what is left of each rim is what no later disc covers, by their distances.
 TEST(SvgReader, HiddenPartsAreExact) {
@@ -106,44 +70,10 @@ TEST(SvgReader, HiddenPartsAreExact) {
 
 /// Drawings as files: of other programs, hostile ones, our own, and in JSON.
 
-TEST(SvgReader, BombsDoNoHarm) {
-  const auto start = std::chrono::steady_clock::now();
-  std::string entities = "<!DOCTYPE svg [<!ENTITY a \"aaaaaaaaaa\">";
-  for (char c = 'b'; c < 'z'; ++c) {
-    entities += std::string("<!ENTITY ") + c + " \"";
-    for (int i = 0; i < 10; ++i) entities += std::string("&") + static_cast<char>(c - 1) + ";";
-    entities += "\">";
-  }
-  EXPECT_NE(error_of(entities + "]>" + page("<text>&y;</text>")).find("entities"), std::string::npos);
-  EXPECT_NE(error_of(entities + "]>" + page("<line x2='&y;'/>")), "");
-
-  std::string links = "<g id='a0'><line x2='1'/></g>";
-  for (int i = 1; i < 12; ++i) {
-    links += "<g id='a" + std::to_string(i) + "'>";
-    for (int k = 0; k < 10; ++k) links += "<use xlink:href='#a" + std::to_string(i - 1) + "'/>";
-    links += "</g>";
-  }
-  EXPECT_NE(error_of(page(links)), "");
-
-  // Clip paths and fills of many edges from top to bottom, and many lines through them.
-  std::string comb = "M0 0", across;
-  for (int i = 0; i < 50'000; ++i) comb += "L" + std::to_string(i * 0.002) + (i % 2 ? " 0" : " 100");
-  for (int i = 0; i < 50'000; ++i) across += "M0 " + std::to_string(i * 0.002) + "H100";
-  EXPECT_NE(
-      error_of(page("<clipPath id='c'><path d='" + comb + "z'/></clipPath><path clip-path='url(#c)' d='" + across + "'/>"))
-          .find("too much work"),
-      std::string::npos);
+TEST(SvgReader, TooManyHatchesAreRefused) {
   std::string areas;
   for (int i = 0; i < 5'000; ++i) areas += "<path d='M0 0H1000000V1000000H0z' fill='red' stroke='none'/>";
   EXPECT_THROW(read_svg_drawing(page(areas), "a.svg", {}, {FillReading::How::hatch, 0.01}), std::runtime_error);
-
-  std::string deep, ends;
-  for (int i = 0; i < 100'000; ++i) deep += "<g>", ends += "</g>";
-  EXPECT_NE(error_of(page(deep + ends)).find("nested deeper"), std::string::npos);
-  EXPECT_NE(error_of(page("<line x2='" + std::string(30'000'000, '1') + "'/>")), "");
-  EXPECT_NE(error_of(page("<path d='" + std::string(30'000'000, 'z') + "'/>")), "");
-  EXPECT_EQ(error_of(page("<line x2='1' data-x='" + std::string(30'000'000, 'z') + "'/>")), "");
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
 }
 
 TEST(JsonDrawingReader, ReadsWhatWeWrite) {

@@ -13,23 +13,15 @@
 namespace ligne {
 namespace {
 
-/// The paths of the drawing, one a line.
-std::string paths_of(const Drawing& drawing, const PlotOptions& options = {}) {
-  const std::string svg = write_svg(drawing, options);
-  std::string paths;
-  for (std::size_t at = svg.find("<path"); at != std::string::npos; at = svg.find("<path", at + 1))
-    paths += svg.substr(at, svg.find('\n', at) - at + 1);
-  return paths;
-}
-
 TEST(SvgPaths, DashesStayDashesHoweverShort) {
   for (const double width : {0.001, 0.1, 50.0}) {
     Drawing drawing;
     add_line(drawing, "hidden", {{10, 10}, {100, 10}});
     PlotOptions options;
     options.pen_width_mm = width;
-    EXPECT_EQ(paths_of(drawing, options), "<path d=\"M10 10l90 0\"/>\n");
-    test::expect_parts(write_svg(drawing, options), {"stroke-dasharray=\""});
+    const std::string svg = write_svg(drawing, options);
+    EXPECT_EQ(path_data(svg), std::vector<std::string>{"M10 10l90 0"});
+    test::expect_parts(svg, {"stroke-dasharray=\""});
   }
 }
 
@@ -39,8 +31,7 @@ TEST(SvgPaths, ManyAreasTakeNoTimeWithTheSquareOfTheirNumber) {
     const double x = i % 200, y = i / 200;
     drawing.fills.push_back({{{{x, y}, {x + 1, y}, {x, y + 1}}}, {i % 256 / 255.0, 0, 0}});
   }
-  const std::string paths = paths_of(drawing);
-  EXPECT_EQ(std::ranges::count(paths, '\n'), 30000);
+  EXPECT_EQ(path_data(write_svg(drawing, {})).size(), 30000u);
 }
 
 /// Documents of Cairo 1.16 and 1.18 taken apart, and what is refused. tests/plotting/cairo/make_sample.py wrote the samples.
@@ -120,9 +111,9 @@ Drawing circle_drawing(const Ellipse& ellipse) {
 
 /// The points of the only path, curves followed in steps: M, L, C, S, their relative forms, and Z.
 std::vector<Point2> followed(const std::string& svg, int& curves) {
-  const std::size_t begin = svg.find("<path d=\"") + 9;
+  const std::string data = path_data(svg).at(0);
   std::string spaced;
-  for (const char c : svg.substr(begin, svg.find('"', begin) - begin))
+  for (const char c : data)
     spaced += std::isalpha(static_cast<unsigned char>(c)) ? std::string{' ', c, ' '} : c == '-' ? " -" : std::string{c};
   std::istringstream in(spaced);
   std::vector<Point2> points;

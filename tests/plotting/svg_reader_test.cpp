@@ -22,15 +22,6 @@ TEST(SvgReader, CurvesOfHigherDegreesAreWhereTheyShouldBe) {
     }
 }
 
-TEST(SvgReader, StyleSheetsOfTooMuchWorkAreRefused) {
-  std::string many = "<style>";
-  for (int i = 0; i < 9000; ++i) many += "* line{stroke:red}";
-  std::string nest, crowd;
-  for (int i = 0; i < 100; ++i) nest += "<g>", crowd += "</g>";
-  for (int i = 0; i < 12'000; ++i) nest += "<line x2='1'/>";
-  EXPECT_NE(error_of(page(many + "</style>" + nest + crowd)).find("too much work"), std::string::npos);
-}
-
 TEST(SvgReader, DotsAndFills) {
   Drawing dots;
   add_line(dots, "outline", {{5, 5}, {5, 5}});
@@ -51,68 +42,6 @@ TEST(SvgReader, LeavesOutWhatMayBeLeftOut) {
   EXPECT_EQ(drawing.left_out.at("image"), 2u);
   EXPECT_EQ(drawing.left_out.at("fill"), 1u);
   EXPECT_EQ(drawing.drawing.layers.at(0).lines.size(), 1u);
-}
-
-TEST(SvgReader, DeepElementsAreLeftOut) {
-  std::string deep, end;
-  for (int i = 0; i < 5000; ++i) deep += "<g>", end += "</g>";
-  const ReadDrawing drawing = read(deep + "<line x2='9'/>" + end + "<line x2='5'/>");
-  EXPECT_EQ(lines_of(drawing), Lines{"0,0 500,0 "});
-  EXPECT_EQ(drawing.omitted.list(), "1 element nested deeper than 200 elements");
-}
-
-TEST(SvgReader, ManyShapesOfAClipPathAreClippedOneByOne) {
-  std::string clip = "<clipPath id='left'><rect width='50' height='100'/></clipPath><clipPath id='c'>";
-  Lines seen;
-  for (int x = 0; x < 100; x += 4) {
-    clip += "<rect x='" + std::to_string(x) + "' width='2' height='100' clip-path='url(#left)'/>";
-    if (x < 50) seen.insert(std::to_string(100 * x) + ",2000 " + std::to_string(100 * std::min(x + 2, 50)) + ",2000 ");
-  }
-  expect_lines(clip + "</clipPath><line y1='20' x2='100' y2='20' clip-path='url(#c)'/>", seen);
-}
-
-// SVG documents as programs write them: entities, units, crowds.
-
-ReadDrawing read_document(const std::string& text, double px_per_inch = 96) {
-  return read_svg_drawing(text, "a.svg", {}, {}, {.px_per_inch = px_per_inch});
-}
-
-const std::string kSize = " width='100mm' height='100mm' viewBox='0 0 100 100' fill='none' stroke='black'>";
-
-TEST(SvgDocuments, EntitiesDoNotGrowWithoutBounds) {
-  const auto failure = [](const std::string& declarations) {
-    return failure_of(
-        [&] { read_document("<!DOCTYPE svg [" + declarations + "]><svg" + kSize + "<text>&z;</text></svg>"); });
-  };
-  EXPECT_NE(failure("<!ENTITY z '&z;'>").find("contain each other"), std::string::npos);
-  EXPECT_NE(failure("<!ENTITY z '&y;&y;'><!ENTITY y '&z;'>").find("contain each other"), std::string::npos);
-  std::string bomb = "<!ENTITY a0 'ha'>", empty = "<!ENTITY a0 ''>", last;
-  for (int i = 1; i < 16; ++i) {
-    std::string value;
-    for (int k = 0; k < 10; ++k) value += "&a" + std::to_string(i - 1) + ";";
-    last = "<!ENTITY " + (i == 15 ? "z" : "a" + std::to_string(i)) + " '" + value + "'>";
-    bomb += last;
-    empty += last;
-  }
-  EXPECT_NE(failure(bomb).find("entities"), std::string::npos);
-  EXPECT_NE(failure(empty).find("four million references"), std::string::npos);
-}
-
-TEST(SvgDocuments, CrowdsOfSiblingsAreNumberedOnce) {
-  std::string body = "<style>line:nth-child(2n+1){stroke:none}</style>";
-  constexpr int kLines = 40'000;
-  for (int i = 0; i < kLines; ++i) body += "<line x2='1'/>";
-  EXPECT_EQ(lines_of(read(body)).size(), kLines / 2u);
-}
-
-TEST(SvgDocuments, VariablesDoNotGrowWithoutBounds) {
-  std::string bomb = "--a0:xxxxxxxxxxxxxxxx;";
-  for (int i = 1; i < 40; ++i) {
-    const std::string before = "var(--a" + std::to_string(i - 1) + ")";
-    bomb += "--a" + std::to_string(i) + ":" + before + before + ";";
-  }
-  EXPECT_EQ(read("<line x2='5' style='" + bomb + "stroke:var(--a39)'/>").omitted.list(),
-            "1 value of stroke that is not known");
 }
 
 }  // namespace
