@@ -2,7 +2,6 @@
 // case by name: clips/known.txt.
 
 #include "clip_support.hpp"
-#include "contour_text.hpp"
 
 namespace ligne::test {
 namespace {
@@ -31,15 +30,7 @@ Shape shape(const Faces& faces) {
 
 /// "SUBJECT / CLIP FACE": what is inside, and what outside.
 std::string clipped(const std::string& text) {
-  std::vector<ContourFace> faces;
-  for (const std::string& part : parts_of(text, '/')) {
-    std::vector<Points> contours;
-    for (const std::vector<Point2>& contour : contours_of(part)) {
-      Points& points = contours.emplace_back();
-      for (const Point2 p : contour) points.push_back({static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y)});
-    }
-    faces.push_back(face(contours));
-  }
+  const std::vector<ContourFace> faces = faces_of_text(text);
   const ClipResult result = clip_contour_by_contour(faces.at(0), faces.at(1));
   expect_well_formed(result.inside);
   expect_well_formed(result.outside);

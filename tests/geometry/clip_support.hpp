@@ -2,6 +2,8 @@
 /// Common parts of the tests of the clip: faces at random, and checks that every result must pass.
 
 #include "geometry/polygons/clip_contour_by_contour.hpp"
+#include "main/script.hpp"
+#include "support/line_text.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
@@ -48,6 +50,40 @@ inline void expect_well_formed(const Faces& faces) {
       EXPECT_EQ(std::adjacent_find(corners.begin(), corners.end()), corners.end());
     }
   }
+}
+
+/// The convex hull of points; points on its sides are kept as corners if `straight`. Empty without area.
+inline std::vector<LatticePoint> hull(std::vector<LatticePoint> points, bool straight) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::vector<LatticePoint> chain;
+  for (int half = 0; half < 2; ++half) {
+    const std::size_t base = chain.size();
+    for (const LatticePoint p : points) {
+      const auto turns = [&] { return orientation(chain[chain.size() - 2], chain.back(), p); };
+      while (chain.size() >= base + 2 && (straight ? turns() < 0 : turns() <= 0)) chain.pop_back();
+      chain.push_back(p);
+    }
+    chain.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  double area = 0;
+  for (std::size_t i = 2; i < chain.size(); ++i) area += orientation(chain[0], chain[i - 1], chain[i]);
+  return area > 0 ? chain : std::vector<LatticePoint>{};
+}
+
+/// Faces of contours as text, with "/" between them.
+inline std::vector<ContourFace> faces_of_text(const std::string& text) {
+  std::vector<ContourFace> faces;
+  for (const std::string& part : parts_of(text, '/')) {
+    std::vector<std::vector<LatticePoint>> contours;
+    for (const std::vector<Point2>& contour : contours_of_text(part)) {
+      contours.emplace_back();
+      for (const Point2 p : contour) contours.back().push_back({static_cast<int>(p.x), static_cast<int>(p.y)});
+    }
+    faces.push_back(make_contour_face(contours));
+  }
+  return faces;
 }
 
 /// A face of a random star about the centre, with up to two holes that touch nothing or a corner of the outer contour.

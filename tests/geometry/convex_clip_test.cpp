@@ -15,26 +15,6 @@ ContourFace face_of(std::vector<LatticePoint> corners) {
   return face;
 }
 
-/// The convex hull of points; points on its sides are kept as corners if `straight`. Empty without area.
-std::vector<LatticePoint> hull(std::vector<LatticePoint> points, bool straight) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  std::vector<LatticePoint> chain;
-  for (int half = 0; half < 2; ++half) {
-    const std::size_t base = chain.size();
-    for (const LatticePoint p : points) {
-      const auto turns = [&] { return orientation(chain[chain.size() - 2], chain.back(), p); };
-      while (chain.size() >= base + 2 && (straight ? turns() < 0 : turns() <= 0)) chain.pop_back();
-      chain.push_back(p);
-    }
-    chain.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  double area = 0;
-  for (std::size_t i = 2; i < chain.size(); ++i) area += orientation(chain[0], chain[i - 1], chain[i]);
-  return area > 0 ? chain : std::vector<LatticePoint>{};
-}
-
 ContourFace random_convex(std::mt19937& random, std::int32_t limit, int most, bool straight) {
   std::uniform_int_distribution<std::int32_t> at(-limit, limit);
   std::uniform_int_distribution<int> count(3, most);
@@ -77,46 +57,25 @@ TEST(ConvexContours, AreToldExactly) {
   EXPECT_FALSE(is_convex(open)) << "an edge that does not end where the next one begins";
 }
 
+/// "SUBJECT / CLIP": how two convex contours meet, how often parts were linked, and whether each part outside is convex.
 /// Figure 3.31: the intersection is convex; a part outside is convex if one side of the clip contour cuts it off.
-TEST(ConvexClipKnown, ConvexityIsKept) {
-  const ContourFace square = face_of({{0, 0}, {8, 0}, {8, 8}, {0, 8}});
-  const struct {
-    const char* name;
-    std::vector<LatticePoint> clip;
-    ConvexMeeting meeting;
-    std::vector<bool> outside;  ///< whether each part is convex
-    bool linked = false;
-  } rows[] = {
-      {"a side cuts off one part", {{6, -2}, {12, -2}, {12, 10}, {6, 10}}, ConvexMeeting::cut, {true}},
-      {"a strip between two parts", {{3, -2}, {5, -2}, {5, 10}, {3, 10}}, ConvexMeeting::cut, {true, true}},
-      {"a corner", {{6, 6}, {12, 6}, {12, 12}, {6, 12}}, ConvexMeeting::cut, {false}},
-      {"a triangle cut off at a corner", {{6, -2}, {10, -2}, {10, 4}}, ConvexMeeting::cut, {true}},
-      {"a hole", {{3, 3}, {5, 3}, {5, 5}, {3, 5}}, ConvexMeeting::cut, {false}},
-      {"a hole that touches the contour", {{0, 4}, {3, 3}, {3, 5}}, ConvexMeeting::cut, {false}, true},
-      {"two corners that touch", {{0, 4}, {4, 0}, {6, 6}}, ConvexMeeting::cut, {true, false}, true},
-      {"apart by a side of the clip contour", {{9, 0}, {12, 0}, {12, 8}}, ConvexMeeting::apart, {}},
-      {"apart by a side of the subject", {{9, -9}, {30, 4}, {9, 17}}, ConvexMeeting::apart, {}},
-      {"a common side", {{8, 0}, {12, 0}, {12, 8}, {8, 8}}, ConvexMeeting::apart, {}},
-      {"a common corner", {{8, 8}, {12, 8}, {12, 12}}, ConvexMeeting::apart, {}},
-      {"the same", {{0, 0}, {8, 0}, {8, 8}, {0, 8}}, ConvexMeeting::within, {}},
-      {"within, on a side", {{0, -1}, {9, -1}, {9, 9}, {0, 9}}, ConvexMeeting::within, {}},
-  };
-  for (const auto& row : rows) {
-    SCOPED_TRACE(row.name);
-    ConvexClip work;
-    ASSERT_EQ(work.meet(square.contours[0], face_of(row.clip).contours[0]), row.meeting);
-    EXPECT_EQ(work.linked(), row.linked ? 1u : 0u);
-    if (row.meeting != ConvexMeeting::cut) continue;
-    std::vector<bool> outside;
-    for (const ContourFace& face : work.outside()) {
-      outside.push_back(face.is_convex);
-      EXPECT_EQ(face.is_convex, is_convex(face));
-    }
-    std::sort(outside.rbegin(), outside.rend());
-    EXPECT_EQ(outside, row.outside);
-    EXPECT_TRUE(is_convex({{work.inside()}}));
+std::string met(const std::string& text) {
+  const std::vector<ContourFace> faces = faces_of_text(text);
+  ConvexClip work;
+  const ConvexMeeting meeting = work.meet(faces.at(0).contours[0], faces.at(1).contours[0]);
+  if (meeting != ConvexMeeting::cut) return meeting == ConvexMeeting::apart ? "apart" : "within";
+  std::vector<std::string> outside;
+  for (const ContourFace& face : work.outside()) {
+    outside.push_back(face.is_convex ? " convex" : " not");
+    EXPECT_EQ(face.is_convex, is_convex(face));
   }
+  std::ranges::sort(outside);
+  EXPECT_TRUE(is_convex({{work.inside()}}));
+  return std::accumulate(outside.begin(), outside.end(), "cut" + std::string(work.linked() == 1 ? ", linked:" : ":"));
 }
+
+[[maybe_unused]] const bool meetings_are_added =
+    add_function_scripts(LIGNE_SOURCE_DIR "/tests/geometry/meetings", {{"meet", met}});
 
 /// Clips the subject by the clip face both ways and compares. Gives the part outside by the convex clip.
 Faces compare_clips(const ContourFace& subject, const ContourFace& clip, ConvexClip& work, std::array<int, 4>& met) {

@@ -1,64 +1,9 @@
 #include "polygon_shapes.hpp"
 
-#include "support/standard.hpp"
+#include "support/line_text.hpp"
 
 namespace ligne::shapes {
 namespace {
-
-/// There along one side of a band and back along the other.
-Polygon band(Contour there, const Contour& back) {
-  there.insert(there.end(), back.rbegin(), back.rend());
-  return {there};
-}
-
-Point2 polar(double radius, double angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
-
-Polygon star(int n) {
-  std::mt19937_64 random(3);
-  std::uniform_real_distribution<double> radius(50, 1000);
-  Contour c;
-  for (int i = 0; i < n; ++i) c.push_back(polar(radius(random), 2 * std::numbers::pi * i / n));
-  return {c};
-}
-
-Polygon comb(int n) {
-  const int teeth = n / 2;
-  Contour c{{0, -1}, {2.0 * teeth, -1}};
-  for (int i = teeth; i-- > 0;) c.insert(c.end(), {{2.0 * i + 2, double(teeth)}, {2.0 * i + 1, 0}});
-  c.emplace_back(0, teeth);
-  return {c};
-}
-
-Polygon lying(Polygon polygon) {
-  for (Point2& p : polygon[0]) p = {p.y, -p.x};
-  return polygon;
-}
-
-Contour round_spiral(int n, double begin) {
-  Contour c;
-  for (int i = 0; i < n; ++i) c.push_back(polar(begin + 0.05 * i, 2 * std::numbers::pi * (i % 128) / 128));
-  return c;
-}
-
-Contour right_angled_spiral(int n, double width) {
-  Contour c;
-  for (int i = 0; i < n; ++i) {
-    const double t = i / 4 + 1 + width;
-    const Point2 corner[] = {{t, 1 - t}, {t, t}, {-t, t}, {-t, -t}};
-    c.push_back(corner[i % 4]);
-  }
-  return c;
-}
-
-/// Two rows of teeth; `gap` lies between their tips.
-Polygon teeth(int n, double gap) {
-  const int count = n / 4;
-  Contour c;
-  for (int i = 0; i < count; ++i) c.insert(c.end(), {{2.0 * i, -double(count)}, {2.0 * i + 1, -gap / 2}});
-  c.insert(c.end(), {{2.0 * count, -double(count)}, {2.0 * count, double(count)}});
-  for (int i = count; i-- > 0;) c.insert(c.end(), {{2.0 * i + 1, gap / 2}, {2.0 * i, double(count)}});
-  return {c};
-}
 
 /// The closed space-filling curve of Moore.
 Contour moore_curve(int n) {
@@ -107,98 +52,71 @@ Polygon jittered_curve(int n, double most) {
   return polygon;
 }
 
-Polygon grid_of_holes(int n, double hole_size) {
-  const int side = static_cast<int>(std::sqrt(n / 4.0));
-  Polygon polygon{rectangle(0, 0, 2 * side + 1, 2 * side + 1)};
-  for (int i = 0; i < side; ++i)
-    for (int k = 0; k < side; ++k) {
-      const double x = 2 * i + 1, y = 2 * k + 1;
-      polygon.push_back(rectangle(x, y, x + hole_size, y + hole_size));
-    }
-  return polygon;
-}
-
-/// A diagonal of holes, corner to corner.
-Polygon chain_of_holes(int n) {
-  const int count = n / 4;
-  Polygon polygon{rectangle(0, 0, count + 2, count + 2)};
-  for (int i = 1; i <= count; ++i) polygon.push_back(rectangle(i, i, i + 1, i + 1));
-  return polygon;
-}
-
-/// A row of squares, corner to corner, that is one contour.
-Polygon beads(int n) {
-  const int count = n / 4;
-  Contour there, back;
-  for (int i = 0; i < count; ++i) {
-    there.insert(there.end(), {{2.0 * i, 0}, {2.0 * i + 1, -1}});
-    back.insert(back.end(), {{2.0 * i, 0}, {2.0 * i + 1, 1}});
-  }
-  there.emplace_back(2.0 * count, 0);
-  return band(there, back);
-}
-
-/// All corners but two of each petal in one point.
-Polygon petals(int n) {
-  const int count = n / 3;
-  Contour c;
-  for (int i = 0; i < count; ++i) {
-    const double angle = 2 * std::numbers::pi * i / count, width = 3.0 / count;
-    c.insert(c.end(), {{0, 0}, polar(1000, angle), polar(1000, angle + width)});
-  }
-  return {c};
-}
-
-/// The lower side runs the whole way to and fro between all of its corners.
-Polygon long_folds(int n) {
-  const int count = n / 2;
-  Contour c;
-  for (int i = 0; i < count; ++i) c.insert(c.end(), {{double(i), 0}, {2.0 * count - i, 0}});
-  c.insert(c.end(), {{double(count), 5}, {0, 10}});
-  return {c};
-}
-
-Polygon random_points(int n) {
-  std::mt19937_64 random(9);
-  std::uniform_real_distribution<double> at(0, 1000);
-  Contour c;
-  for (int i = 0; i < n; ++i) c.emplace_back(at(random), at(random));
-  return {c};
-}
-
-/// The outer contour taken twice.
-Polygon twice_round(int n) {
-  Contour c = star(n / 2)[0];
-  const Contour once = c;
-  c.insert(c.end(), once.begin(), once.end());
-  return {c};
-}
-
 }  // namespace
 
+Polygon Shape::make(int corners) const {
+  if (contours.starts_with("curve ")) return jittered_curve(corners, std::stod(contours.substr(6)));
+  std::string text = contours;
+  const int side = static_cast<int>(std::sqrt(corners / 4.0));
+  for (const auto& [name, value] :
+       {std::pair{"{n}", corners}, {"{h}", corners / 2}, {"{t}", corners / 3}, {"{q}", corners / 4}, {"{s}", side}})
+    for (std::size_t at; (at = text.find(name)) != text.npos;) text.replace(at, 3, std::to_string(value));
+  return test::contours_of_text(text);
+}
+
 const std::vector<Shape>& all_shapes() {
+  const auto star = [](const std::string& k, const std::string& n) {
+    const std::string radius = "(525+475*sin(97*" + k + "^2))", turn = "(2*pi*" + k + "/" + n + ")";
+    return radius + "*cos" + turn + "," + radius + "*sin" + turn;
+  };
+  const auto teeth = [](const std::string& gap) {
+    return "0..2*{q}-1:k,if(mod(k,2)==0,-{q},-" + gap + "/2) 2*{q},-{q} 2*{q},{q} 0..2*{q}-1:2*{q}-1-k,if(mod(k,2)==0," +
+           gap + "/2,{q})";
+  };
+  const std::string right = "if(mod(mod(k,4)+1,4)>1,", upper = "if(mod(k,4)>1,";
+  const auto holes = [&](const std::string& size) {
+    return "rectangle 0,0 2*{s}+1,2*{s}+1; 0..4*{s}^2-1:2*floor(floor(k/4)/{s})+1+" + right + size +
+           ",0),2*mod(floor(k/4),{s})+1+" + upper + size + ",0) each 4";
+  };
+  const auto spiral = [](const std::string& k, const std::string& begin) {
+    const std::string radius = "(" + begin + "+" + k + "/20)", turn = "(pi*mod(" + k + ",128)/64)";
+    return " 0..{h}-1:" + radius + "*cos" + turn + "," + radius + "*sin" + turn;
+  };
+  const auto square_spiral = [](const std::string& k, const std::string& width) {
+    const std::string t = "(floor(" + k + "/4)+1+" + width + ")", corner = "mod(" + k + ",4)";
+    return " 0..{h}-1:if(" + corner + "<2," + t + ",-" + t + "),if(" + corner + "==0,1-" + t + ",if(" + corner + "==3,-" +
+           t + "," + t + "))";
+  };
   static const std::vector<Shape> shapes{
-      {"star", true, star},
-      {"comb", true, comb},
-      {"lying_comb", true, [](int n) { return lying(comb(n)); }},
-      {"spiral", true, [](int n) { return band(round_spiral(n / 2, 10), round_spiral(n / 2, 8)); }},
+      {"star", true, "0..{n}-1:" + star("k", "{n}")},
+      {"comb", true, "0,-1 2*{h},-1 0..2*{h}-1:2*{h}-k,{h}*(1-mod(k,2)) 0,{h}"},
+      {"lying_comb", true, "-1,0 -1,-2*{h} 0..2*{h}-1:{h}*(1-mod(k,2)),k-2*{h} {h},0"},
+      {"spiral", true, spiral("k", "10") + spiral("({h}-1-k)", "8")},
       // All corners on common horizontal and vertical lines, all sides long.
-      {"square_spiral", true, [](int n) { return band(right_angled_spiral(n / 2, 0), right_angled_spiral(n / 2, 0.25)); }},
-      {"saw_teeth", true, [](int n) { return teeth(n, 1e-9); }},
-      {"teeth_that_touch", true, [](int n) { return teeth(n, 0); }},
-      {"space_filling", true, [](int n) { return Polygon{moore_curve(n)}; }},
-      {"random_simple", true, [](int n) { return jittered_curve(n, 0.3); }},
-      {"holes", true, [](int n) { return grid_of_holes(n, 1); }},
-      {"chain_of_holes", true, chain_of_holes},
-      {"beads", true, beads},
-      {"petals", true, petals},
-      {"long_folds", true, long_folds},
-      {"teeth_that_cross", false, [](int n) { return teeth(n, -1); }},
-      {"holes_that_cross", false, [](int n) { return grid_of_holes(n, 2.25); }},
+      {"square_spiral", true, square_spiral("k", "0") + square_spiral("({h}-1-k)", "0.25")},
+      // Two rows of teeth with a gap between their tips.
+      {"saw_teeth", true, teeth("1e-9")},
+      {"teeth_that_touch", true, teeth("0")},
+      {"space_filling", true, "curve 0"},
+      {"random_simple", true, "curve 0.3"},
+      {"holes", true, holes("1")},
+      // A diagonal of holes, corner to corner.
+      {"chain_of_holes", true,
+       "rectangle 0,0 {q}+2,{q}+2; 0..4*{q}-1:floor(k/4)+1+" + right + "1,0),floor(k/4)+1+" + upper + "1,0) each 4"},
+      // A row of squares, corner to corner, that is one contour.
+      {"beads", true, "0..2*{q}:k,-mod(k,2) 0..2*{q}-1:2*{q}-1-k,mod(k+1,2)"},
+      // All corners but two of each petal in one point.
+      {"petals", true,
+       "0..3*{t}-1:if(mod(k,3)==0,0,1000*cos(2*pi*floor(k/3)/{t}+if(mod(k,3)==2,3/{t},0))),"
+       "if(mod(k,3)==0,0,1000*sin(2*pi*floor(k/3)/{t}+if(mod(k,3)==2,3/{t},0)))"},
+      // The lower side runs the whole way to and fro between all of its corners.
+      {"long_folds", true, "0..2*{h}-1:if(mod(k,2)==0,k/2,2*{h}-(k-1)/2),0 {h},5 0,10"},
+      {"teeth_that_cross", false, teeth("(-1)")},
+      {"holes_that_cross", false, holes("2.25")},
       // Its corners leave their cells.
-      {"tangled", false, [](int n) { return jittered_curve(n, 0.6); }},
-      {"twice_round", false, twice_round},
-      {"random_points", false, random_points}};
+      {"tangled", false, "curve 0.6"},
+      {"twice_round", false, "0..2*{h}-1:" + star("mod(k,{h})", "{h}")},
+      {"random_points", false, "0..{n}-1:500+500*sin(97*k^2),500+500*sin(61*k^2+1)"}};
   return shapes;
 }
 

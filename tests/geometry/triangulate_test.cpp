@@ -3,34 +3,24 @@
 #include <chrono>
 
 #include "base/no_index.hpp"
-#include "contour_text.hpp"
+#include "clip_support.hpp"
 #include "drawing/measures.hpp"
 #include "geometry/delaunay.hpp"
 #include "geometry/morton.hpp"
 #include "geometry/predicates.hpp"
+#include "main/script.hpp"
 #include "polygon_shapes.hpp"
+#include "support/line_text.hpp"
 #include "support/test.hpp"
 
 namespace ligne {
 namespace {
 
 using shapes::Contour;
+using shapes::Flat;
+using shapes::flatten;
 using shapes::Polygon;
 using shapes::rectangle;
-
-struct Flat {
-  std::vector<Point2> points;
-  std::vector<std::uint32_t> contour_end;
-};
-
-Flat flatten(const Polygon& polygon) {
-  Flat flat;
-  for (const Contour& contour : polygon) {
-    flat.points.insert(flat.points.end(), contour.begin(), contour.end());
-    flat.contour_end.push_back(static_cast<std::uint32_t>(flat.points.size()));
-  }
-  return flat;
-}
 
 /// Every triangle has area, the winding of the outer contour; areas add up; a sampled point lies in exactly one triangle
 /// when it lies in the polygon and in none otherwise.
@@ -95,7 +85,7 @@ Contour star(std::mt19937_64& random, int corners) {
 }
 
 std::string partition(const std::string& text) {
-  const Polygon polygon = test::contours_of(text);
+  const Polygon polygon = test::contours_of_text(text);
   expect_partitions(polygon);
   return std::to_string(polygon.size());
 }
@@ -165,24 +155,6 @@ std::vector<LatticePoint> in_order(std::vector<LatticePoint> points) {
   return points;
 }
 
-/// Twice the area of the convex hull, and the number of points on its border (Andrew's chains).
-std::pair<double, std::size_t> hull_of(std::vector<LatticePoint> points) {
-  std::sort(points.begin(), points.end());
-  double area = 0;
-  std::size_t on_border = 0;
-  for (int half = 0; half < 2; ++half) {
-    std::vector<LatticePoint> chain;
-    for (const LatticePoint& p : points) {
-      while (chain.size() > 1 && orientation(chain[chain.size() - 2], chain.back(), p) < 0) chain.pop_back();
-      chain.push_back(p);
-    }
-    for (std::size_t k = 1; k + 1 < chain.size(); ++k) area += orientation(chain[0], chain[k], chain[k + 1]);
-    on_border += chain.size() - 1;
-    std::reverse(points.begin(), points.end());
-  }
-  return {area, on_border};
-}
-
 /// Whether d lies within the circle through a, b, c: by the determinant of four rows, in 128 bits.
 bool within_circle(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint d) {
   const auto square = [&](LatticePoint p) {
@@ -198,8 +170,9 @@ bool within_circle(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint 
 void expect_delaunay(const std::vector<LatticePoint>& points) {
   const Delaunay mesh = triangulate_delaunay(points);
   ASSERT_EQ(mesh.triangles.size(), mesh.neighbours.size());
-  const auto [hull_area, on_border] = hull_of(points);
-  double area = 0;
+  const std::vector<LatticePoint> hull = test::hull(points, true);
+  double area = 0, hull_area = 0;
+  for (std::size_t k = 2; k < hull.size(); ++k) hull_area += orientation(hull[0], hull[k - 1], hull[k]);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& v = mesh.triangles[t];
     const double turned = orientation(points[v[0]], points[v[1]], points[v[2]]);
@@ -218,7 +191,7 @@ void expect_delaunay(const std::vector<LatticePoint>& points) {
     }
   }
   EXPECT_EQ(area, hull_area);
-  EXPECT_EQ(mesh.triangles.size(), hull_area == 0 ? 0 : 2 * points.size() - 2 - on_border);
+  EXPECT_EQ(mesh.triangles.size(), hull_area == 0 ? 0 : 2 * points.size() - 2 - hull.size());
 }
 
 TEST(Delaunay, PointsStrewnEvenly) {
