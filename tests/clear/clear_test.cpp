@@ -2,150 +2,13 @@
 /// and what is left out is as short as cleanup promises.
 
 #include "clear/clear_against_exact.hpp"
-#include "clear/write_stl.hpp"
+#include "main/script.hpp"
 #include "main/tier.hpp"
+#include "support/mesh_text.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
 namespace {
-
-// Parts with roundings, tessellated at any accuracy: shells through rings that are rounded rectangles.
-
-using PartTriangles = std::vector<std::array<Point3, 3>>;
-
-inline constexpr std::string_view kRoundedParts[] = {"plate", "tray", "tube", "arch", "elbow"};
-
-constexpr double kQuarter = 3.14159265358979323846 / 2;
-
-/// A rounded rectangle in the plane of two axes: half of its straight sides, and the radius of its corners.
-struct Ring {
-  Point3 centre;
-  double half_u, half_v, radius;
-  Point3 u{1, 0, 0}, v{0, 1, 0};
-};
-
-std::vector<Point3> points_of(const Ring& ring, int steps) {
-  std::vector<Point3> points;
-  for (int corner = 0; corner < 4; ++corner) {
-    const double x = corner == 0 || corner == 3 ? ring.half_u : -ring.half_u, y = corner < 2 ? ring.half_v : -ring.half_v;
-    // A circle has no straight sides: its corners share their ends.
-    const int last = ring.half_u == 0 && ring.half_v == 0 ? steps - 1 : steps;
-    for (int k = 0; k <= last; ++k) {
-      const double turn = kQuarter * (corner + double(k) / steps);
-      points.push_back(ring.centre + (x + ring.radius * std::cos(turn)) * ring.u +
-                       (y + ring.radius * std::sin(turn)) * ring.v);
-    }
-  }
-  return points;
-}
-
-void add(PartTriangles& to, const Point3& a, const Point3& b, const Point3& c) {
-  if (a != b && b != c && c != a) to.push_back({a, b, c});
-}
-
-/// The shell through the rings, counter-clockwise as seen from the end, closed by a flat side at either end.
-PartTriangles loft(const std::vector<Ring>& rings, int steps) {
-  PartTriangles triangles;
-  std::vector<Point3> below = points_of(rings.front(), steps);
-  for (std::size_t i = 2; i < below.size(); ++i) add(triangles, below[0], below[i], below[i - 1]);
-  for (std::size_t r = 1; r < rings.size(); ++r) {
-    const std::vector<Point3> above = points_of(rings[r], steps);
-    for (std::size_t i = 0; i < below.size(); ++i) {
-      const std::size_t j = (i + 1) % below.size();
-      add(triangles, below[i], below[j], above[j]);
-      add(triangles, below[i], above[j], above[i]);
-    }
-    below = above;
-  }
-  for (std::size_t i = 2; i < below.size(); ++i) add(triangles, below[0], below[i - 1], below[i]);
-  return triangles;
-}
-
-/// Rings along an arc of a profile: `out` and `up` are the centre of the arc, from the ring's straight sides and its plane.
-void add_arc(std::vector<Ring>& rings, const Ring& straight, double out, double up, double radius, double from, double to,
-             int steps) {
-  for (int k = 0; k <= steps; ++k) {
-    const double turn = from + (to - from) * k / steps;
-    Ring ring = straight;
-    ring.radius = out + radius * std::cos(turn);
-    ring.centre.z = up + radius * std::sin(turn);
-    rings.push_back(ring);
-  }
-}
-
-std::vector<Ring> plate(int steps) {
-  const Ring straight{{0, 0, 0}, 17, 12, 0};
-  std::vector<Ring> rings;
-  add_arc(rings, straight, 0.01, 3, 3, -kQuarter, 0, steps);
-  add_arc(rings, straight, 0.01, 11, 3, 0, kQuarter, steps);
-  return rings;
-}
-
-std::vector<Ring> tray(int steps) {
-  const Ring straight{{0, 0, 0}, 30, 18, 0};
-  std::vector<Ring> rings;
-  add_arc(rings, straight, 4, 4, 4, -kQuarter, -0.1, steps);                // outside at the bottom
-  add_arc(rings, straight, 9, 25, 1, -0.1, 2 * kQuarter - 0.1, 2 * steps);  // rim
-  add_arc(rings, straight, 3, 5, 3, -0.1, -kQuarter, steps);                // inside at the bottom
-  return rings;
-}
-
-std::vector<Ring> tube(int steps) {
-  const Ring straight{{0, 0, 0}, 0, 0, 0};
-  std::vector<Ring> rings;
-  rings.push_back({{0, 0, 0}, 0, 0, 14});
-  add_arc(rings, straight, 11, 14, 3, 0, kQuarter, steps);               // rounding of the shoulder
-  add_arc(rings, straight, 10, 19, 2, -kQuarter, -2 * kQuarter, steps);  // fillet above it
-  rings.push_back({{0, 0, 34}, 0, 0, 8});
-  rings.push_back({{0, 0, 34}, 0, 0, 5});
-  rings.push_back({{0, 0, 6}, 0, 0, 5});
-  return rings;
-}
-
-/// Rings of one shape round an axis of that distance, from an angle to another one.
-void bend(std::vector<Ring>& rings, double half_u, double half_v, double radius, double distance, double angle, int steps) {
-  for (int k = 0; k <= steps; ++k) {
-    const double turn = angle * k / steps;
-    rings.push_back({distance * Point3(std::cos(turn), 0, std::sin(turn)),
-                     half_u,
-                     half_v,
-                     radius,
-                     {-std::cos(turn), 0, -std::sin(turn)},
-                     {0, 1, 0}});
-  }
-}
-
-std::vector<Ring> arch(int steps) {
-  std::vector<Ring> rings;
-  bend(rings, 3, 8, 2, 25, 2 * kQuarter, 2 * steps);
-  return rings;
-}
-
-std::vector<Ring> elbow(int steps) {
-  std::vector<Ring> rings;
-  bend(rings, 0, 0, 7, 20, kQuarter, steps);
-  Ring first = rings.front(), last = rings.back();
-  first.centre.z -= 15;
-  last.centre.x -= 15;
-  rings.insert(rings.begin(), first);
-  rings.push_back(last);
-  return rings;
-}
-
-/// - plate: 40 x 30 x 14 with fillets of 3 along all edges;
-/// - tray: open at the top, with tapered walls, a round rim, and fillets inside and outside;
-/// - tube: round, with a shoulder that has a fillet below and a rounding above, and a bore;
-/// - arch: half a turn of a bar with rounded edges;
-/// - elbow: a round pipe through a quarter of a turn, with straight ends.
-/// `steps`: facets to a quarter of a turn of each rounding.
-PartTriangles rounded_part(std::string_view name, int steps) {
-  if (name == "plate") return loft(plate(steps), steps);
-  if (name == "tray") return loft(tray(steps), steps);
-  if (name == "tube") return loft(tube(steps), steps);
-  if (name == "arch") return loft(arch(steps), steps);
-  if (name == "elbow") return loft(elbow(steps), steps);
-  throw std::runtime_error("no such part: " + std::string(name));
-}
 
 namespace fs = std::filesystem;
 
@@ -192,29 +55,19 @@ TEST(ClearAgainstExact, Corpus) {
   }
 }
 
-/// The axis about which a part was turned.
-std::optional<Point3> axis_of(std::string_view part) {
-  if (part == "tube") return Point3(0, 0, 1);
-  if (part == "arch") return Point3(0, 1, 0);
-  return std::nullopt;
-}
-
-class MadePart : public testing::TestWithParam<std::tuple<std::string_view, int>> {};
-
-TEST_P(MadePart, IsClose) {
-  const auto& [name, steps] = GetParam();
-  const TemporaryFolder folder;
-  const fs::path file = folder / (std::string(name) + "-" + std::to_string(steps) + ".stl");
-  write_stl(rounded_part(name, steps), file);
-  for (const std::string& view : views_of(std::string(name) + "-" + std::to_string(steps)))
-    expect_close(file, view, Kind::exact_shape, axis_of(name));
-}
-
-INSTANTIATE_TEST_SUITE_P(ClearAgainstExact, MadePart,
-                         testing::Combine(testing::ValuesIn(kRoundedParts), testing::Values(3, 4, 6, 12)),
-                         [](const auto& info) {
-                           return std::string(std::get<0>(info.param)) + std::to_string(std::get<1>(info.param));
-                         });
+/// Parts with roundings, tessellated at any accuracy: "part NAME [AXIS] <<" and its mesh. Its lines may lie on circles about
+/// the axis.
+[[maybe_unused]] const bool parts_are_added = add_scripts(LIGNE_SOURCE_DIR "/tests/clear/scripts", [](const Script& script) {
+  for (const ScriptStep& step : script.steps) {
+    const std::vector<std::string> words = words_of(step.line);
+    const TemporaryFolder folder;
+    const fs::path file = folder / (words.at(1) + ".obj");
+    folder.write(words[1] + ".obj", obj_of_mesh(step.text));
+    std::optional<Point3> axis;
+    if (words.size() > 3) axis = point_of(words[2]);
+    for (const std::string& view : views_of(words[1])) expect_close(file, view, Kind::exact_shape, axis);
+  }
+});
 
 class SharedModel : public testing::TestWithParam<const char*> {};
 
@@ -238,16 +91,7 @@ INSTANTIATE_TEST_SUITE_P(ClearAgainstExact, SharedModel,
 TEST(MeshSags, OfAPrismIsThatOfItsCylinder) {
   constexpr int kSides = 16;
   constexpr double kRadius = 10, kTurn = 2 * 3.14159265358979323846 / kSides;
-  Scene scene;
-  for (int i = 0; i < 2 * kSides; ++i)
-    scene.vertices.push_back({kRadius * std::cos(kTurn * (i / 2)), kRadius * std::sin(kTurn * (i / 2)), i % 2 ? 30.0 : 0.0});
-  for (std::uint32_t i = 0; i < kSides; ++i) {
-    const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % kSides);
-    scene.faces.add_face(std::array{a, b, b + 1, a + 1});
-  }
-  scene.objects.push_back({});
-  scene.objects.back().vertex_end = 2 * kSides;
-  scene.objects.back().face_end = kSides;
+  const Scene scene = mesh_of("grid 16 x 1 round: 10*cos(pi*u/8); 10*sin(pi*u/8); 30*v\nexact").scene();
   CameraRequest camera;
   camera.named_view = "front";
   const View view = make_view(scene, make_camera(camera, scene), {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});

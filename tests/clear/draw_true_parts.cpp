@@ -5,6 +5,7 @@
 #include "clear/true_parts.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/models/models.hpp"
+#include "plotting/paths/chain_ends.hpp"
 
 namespace ligne::test {
 namespace {
@@ -28,54 +29,31 @@ std::string_view layer_of(const TruePoint& point, const Viewer& viewer) {
   return point.kind == TrueLine::tangent ? "tangent" : "crease";
 }
 
-/// Joins polylines that end where the next one begins, such as both ends of a circle.
-Polylines joined(const std::vector<std::vector<Point2>>& pieces) {
-  constexpr double kSamePlaceMm = 1e-6;
-  std::vector<std::vector<Point2>> lines;
-  for (const std::vector<Point2>& piece : pieces) {
-    const auto before = std::ranges::find_if(
-        lines, [&](const auto& line) { return glm::distance(line.back(), piece.front()) < kSamePlaceMm; });
-    if (before == lines.end()) {
-      lines.push_back(piece);
-    } else {
-      before->insert(before->end(), piece.begin() + 1, piece.end());
-    }
-  }
-  Polylines found;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto after = std::ranges::find_if(lines, [&](const auto& line) {
-      return !line.empty() && &line != &lines[i] && glm::distance(line.front(), lines[i].back()) < kSamePlaceMm;
-    });
-    if (after == lines.end()) continue;
-    after->insert(after->begin(), lines[i].begin(), lines[i].end() - 1);
-    lines[i].clear();
-  }
-  for (const auto& line : lines)
-    if (!line.empty()) found.add(line);
-  return found;
-}
-
 /// The visible true lines of a part, placed as another drawing of it.
 Drawing true_drawing(const TruePart& part, const Scene& fine, const View& view) {
   const Hiding hiding(fine, view);
   const Viewer viewer{glm::normalize(to_eye(view.camera, {0, 0, 0})), false};
-  std::map<std::string_view, std::vector<std::vector<Point2>>> lines;
+  constexpr double kSamePlaceMm = 1e-6;
+  std::map<std::string_view, Polylines> lines;
   Point3 last(std::numeric_limits<double>::infinity());
   std::string_view last_layer;
   for (const TruePoint& point : true_lines(part, viewer, kStepMm / view.scale)) {
     const Point3 from = point.at - 0.5 * point.along, to = point.at + 0.5 * point.along, at = hiding.on_page(point.at);
     if (hiding.hides(Point2(at), at.z - kHiddenMm)) continue;
     const std::string_view layer = layer_of(point, viewer);
-    const bool goes_on = layer == last_layer && glm::distance(from, last) < 1e-9;
-    std::vector<std::vector<Point2>>& of_layer = lines[layer];
-    if (!goes_on) of_layer.push_back({Point2(hiding.on_page(from))});
-    of_layer.back().push_back(Point2(hiding.on_page(to)));
+    Polylines& of_layer = lines[layer];
+    if (layer == last_layer && glm::distance(from, last) < 1e-9) {
+      of_layer.points.push_back(Point2(hiding.on_page(to)));
+      ++of_layer.begin.back();
+    } else {
+      of_layer.add(std::array{Point2(hiding.on_page(from)), Point2(hiding.on_page(to))});
+    }
     last = to;
     last_layer = layer;
   }
   Drawing drawing;
   for (const std::string_view layer : {"tangent", "crease", "outline"})
-    drawing.layers.push_back({std::string(layer), joined(lines[layer])});
+    drawing.layers.push_back({std::string(layer), join_near_ends(lines[layer], kSamePlaceMm)});
   return drawing;
 }
 

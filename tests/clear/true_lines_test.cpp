@@ -1,6 +1,7 @@
 /// Clear drawings of parts whose edges and outlines are known: all of these are drawn, and nothing else.
 
 #include "clear/true_comparison.hpp"
+#include "main/script.hpp"
 #include "main/tier.hpp"
 #include "picture/models/models.hpp"
 #include "support/page_lines.hpp"
@@ -106,12 +107,10 @@ TEST_P(TrueLines, AreDrawnInPerspective) { expect_true_from(GetParam(), kEyes, &
 /// Number of curves that begin in the paths of an SVG file.
 std::size_t curves_in(const std::string& svg) {
   std::size_t count = 0;
-  for (std::size_t at = svg.find(" d=\""); at != std::string::npos; at = svg.find(" d=\"", at)) {
-    const std::size_t begin = at + 4;
-    at = svg.find('"', begin);
-    count += static_cast<std::size_t>(std::count_if(svg.begin() + static_cast<std::ptrdiff_t>(begin),
-                                                    svg.begin() + static_cast<std::ptrdiff_t>(at),
-                                                    [](char c) { return c == 'c' || c == 'C'; }));
+  bool in_path = false;
+  for (const std::string& part : parts_of(svg, '"')) {
+    if (in_path) count += static_cast<std::size_t>(std::ranges::count(part, 'c') + std::ranges::count(part, 'C'));
+    in_path = part.ends_with(" d=");
   }
   return count;
 }

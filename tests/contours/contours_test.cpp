@@ -5,8 +5,9 @@
 #include "contours/parametric_mesh.hpp"
 #include "contours/surfaces/smooth_patch.hpp"
 #include "drawing/measures.hpp"
+#include "main/script.hpp"
 #include "patches/patch_scenes.hpp"
-#include "support/round_bodies.hpp"
+#include "support/mesh_text.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
@@ -21,54 +22,32 @@ void expect_same(const Polylines& a, const Polylines& b) {
                          [](Point2 p, Point2 q) { return p.x == q.x && p.y == q.y; }));
 }
 
-Scene scene_of(std::vector<Point3> vertices, const std::vector<std::vector<std::uint32_t>>& faces) {
-  Scene scene;
-  scene.vertices = std::move(vertices);
-  for (const auto& face : faces) scene.faces.add_face(face);
-  return as_one_object(std::move(scene));
-}
-
-/// A body of revolution with flat ends: rings of `sides` vertices at the radii, 10 apart. A radius of 0 at the top is a tip.
-Scene turned(std::uint32_t sides, const std::vector<double>& radii) {
-  std::vector<Point3> vertices;
-  std::vector<std::vector<std::uint32_t>> faces;
-  const auto rings = static_cast<std::uint32_t>(radii.size());
-  const bool tip = radii.back() == 0;
-  for (std::uint32_t r = 0; r < rings; ++r)
-    for (std::uint32_t i = 0; i < (tip && r + 1 == rings ? 1 : sides); ++i) {
-      const double angle = kTurn * (i + 0.37) / sides;
-      vertices.push_back({radii[r] * std::cos(angle), radii[r] * std::sin(angle), 10.0 * r});
-    }
-  std::vector<std::uint32_t> bottom, top;
-  for (std::uint32_t i = 0; i < sides; ++i) {
-    bottom.push_back(sides - 1 - i);
-    top.push_back((rings - 1) * sides + i);
-    for (std::uint32_t r = 0; r + 1 < rings; ++r) {
-      const std::uint32_t a = r * sides + i, b = r * sides + (i + 1) % sides;
-      if (tip && r + 2 == rings) {
-        faces.push_back({a, b, (rings - 1) * sides});
-      } else {
-        faces.push_back({a, b, b + sides});
-        faces.push_back({a, b + sides, a + sides});
-      }
-    }
-  }
-  faces.push_back(bottom);
-  if (!tip) faces.push_back(top);
-  return scene_of(std::move(vertices), faces);
+/// A body of revolution with flat ends: rings of `sides` vertices at the radii, 10 apart. A radius of 0 is a tip.
+Scene turned(int sides, const std::vector<double>& radii) {
+  const std::string n = std::to_string(sides), angle = "(2*pi*(u+0.37)/" + n + ")";
+  std::string radius = "0";
+  for (std::size_t r = 0; r < radii.size(); ++r)
+    radius = "if(v==" + std::to_string(r) + "," + as_text(radii[r]) + "," + radius + ")";
+  return mesh_of("grid " + n + " x " + std::to_string(radii.size() - 1) + " capped triangles round: " + radius + "*cos" +
+                 angle + "; " + radius + "*sin" + angle + "; 10*v\nwithout doubled\nexact")
+      .scene();
 }
 
 /// Without creases of its own: borders of regions by the angle.
 DrawnOutlines by_angle(const Scene& scene, bool smooth) { return draw_outlines(scene, kIso, smooth, true); }
 
-/// The edges between these pairs of vertices, ascending.
-std::vector<std::uint32_t> edges_between(const Topology& topology,
+/// The edges between these pairs of vertices of `turned`, which are numbered ring by ring, ascending.
+std::vector<std::uint32_t> edges_between(const Scene& scene, const Topology& topology,
                                          const std::vector<std::pair<std::uint32_t, std::uint32_t>>& ends) {
+  const auto number = [&](std::uint32_t v) {
+    const Point3 p = scene.vertices[v];
+    const auto place = std::lround(24 * (std::atan2(p.y, p.x) / kTurn + 1) - 0.37) % 24;
+    return static_cast<std::uint32_t>(std::lround(p.z / 10) * 24 + place);
+  };
   std::vector<std::uint32_t> found;
-  for (std::uint32_t e = 0; e < topology.edges.size(); ++e) {
-    const Edge& edge = topology.edges[e];
-    if (std::find(ends.begin(), ends.end(), std::pair(edge.v0, edge.v1)) != ends.end()) found.push_back(e);
-  }
+  for (std::uint32_t e = 0; e < topology.edges.size(); ++e)
+    if (std::ranges::count(ends, std::minmax({number(topology.edges[e].v0), number(topology.edges[e].v1)})))
+      found.push_back(e);
   return found;
 }
 
@@ -76,7 +55,7 @@ TEST(SmoothPatch, LeavesOutOutlinesOfOneEdgeOnly) {
   const Scene cylinder = turned(24, {5, 5}), barrel = turned(24, {5, 5.2, 5});
   const auto inside = [](const Scene& scene, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& ends) {
     const Topology topology = build_topology(scene);
-    const std::vector<std::uint32_t> edges = edges_between(topology, ends);
+    const std::vector<std::uint32_t> edges = edges_between(scene, topology, ends);
     EXPECT_EQ(edges.size(), ends.size());
     return std::pair(outlines_inside_regions(scene, topology, edges, {}), edges);
   };
@@ -89,7 +68,7 @@ TEST(SmoothPatch, LeavesOutOutlinesOfOneEdgeOnly) {
 }
 
 TEST(SmoothContours, StraightOutlinesStayThoseOfTheMesh) {
-  for (const std::uint32_t sides : {4u, 8u, 12u, 24u}) {
+  for (const int sides : {4, 8, 12, 24}) {
     const Scene cylinder = turned(sides, {30, 30}), rings = turned(sides, {30, 30, 30, 30}),
                 cone = turned(sides, {30, 20, 10});
     for (const Scene* scene : {&cylinder, &rings, &cone})
@@ -180,19 +159,14 @@ TEST(SmoothContours, FlatSidesBesideFilletsStayFlat) {
 /// across the strip between the two.
 TEST(SmoothContours, LinesBehindThemEndThereAtAnyAngle) {
   constexpr double kRadius = 40;
-  Scene scene = ball(28, 14, [](std::uint32_t, std::uint32_t) { return kRadius; });
-  scene.objects.clear();
-  const double turn = kTurn * 0.3 / 28;
-  for (Point3& p : scene.vertices)
-    p = {p.x * std::cos(turn) - p.y * std::sin(turn), p.x * std::sin(turn) + p.y * std::cos(turn), p.z};
   // Behind it a pyramid: its outline passes behind the ball at a small angle.
-  const auto first = static_cast<std::uint32_t>(scene.vertices.size());
-  scene.vertices.insert(scene.vertices.end(), {{-60, 60, 33}, {60, 60, 37}, {60, 60, -35}, {30, 80, 20}});
-  const auto side = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    scene.faces.add_triangle(first + a, first + b, first + c);
-  };
-  side(0, 2, 1), side(0, 1, 3), side(1, 2, 3), side(2, 0, 3);
-  const DrawnOutlines drawn = draw_outlines(as_one_object(std::move(scene)), {0, 1, 0});
+  const Scene scene = mesh_of(
+                          "grid 28 x 15 round triangles: 40*cos(pi*(v/15-0.5))*cos(2*pi*(u+0.3)/28);"
+                          "40*cos(pi*(v/15-0.5))*sin(2*pi*(u+0.3)/28); 40*sin(pi*(v/15-0.5))\nwithout doubled\n"
+                          "face -60,60,33 60,60,-35 60,60,37\nface -60,60,33 60,60,37 30,80,20\n"
+                          "face 60,60,37 60,60,-35 30,80,20\nface 60,60,-35 -60,60,33 30,80,20\nexact")
+                          .scene();
+  const DrawnOutlines drawn = draw_outlines(scene, {0, 1, 0});
   const Point2 centre = page_point(drawn.view, {0, 0, 0});
   double deepest = 0;
   for (const Point2 p : drawn.lines.points)

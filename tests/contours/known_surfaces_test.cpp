@@ -7,7 +7,7 @@
 #include "contours/contour_support.hpp"
 #include "contours/surfaces/known_surfaces.hpp"
 #include "contours/surfaces/outline_probes.hpp"
-#include "patches/patch_scenes.hpp"
+#include "support/mesh_text.hpp"
 #include "support/test.hpp"
 #include "view/edge_classes.hpp"
 #include "view/view.hpp"
@@ -28,11 +28,7 @@ struct BesideAnEdge {
   ContourChain chain;
 
   BesideAnEdge(double away_mm, double sag_mm) {
-    scene.vertices = {{0, 0, 0}, {100, 0, 0}, {50, 0, -40}};
-    scene.faces.add_face(std::array{0u, 1u, 2u});
-    scene.objects.push_back({});
-    scene.objects.back().vertex_end = 3;
-    scene.objects.back().face_end = 1;
+    scene = mesh_of("face 0,0,0 100,0,0 50,0,-40\nexact").scene();
     CameraRequest camera;
     camera.named_view = "front";
     view = make_view(scene, make_camera(camera, scene), {{{10, 10}, {287, 200}}}, {{0, 0}, {297, 210}});
@@ -104,14 +100,6 @@ TEST(OutlineProbes, OfSlenderTrianglesStayNearTheirEdge) {
 
 // Contours on the surfaces that were found behind a mesh: they lie on the outline of the surface itself.
 
-/// Triangles of a closed surface of `columns` by `rows` cells.
-std::vector<Corners> closed_grid(int columns, int rows, const std::function<Point3(double, double)>& at) {
-  std::vector<Corners> polygons;
-  add_grid(polygons, columns, rows, true,
-           [&](int u, int v) { return at(2 * kPi * (u % columns) / columns, 2 * kPi * (v % rows) / rows); });
-  return polygons;
-}
-
 /// How far nodes of the contours lie beside the surface of their mesh, and how far its normals there are from square to the
 /// sight.
 struct Misses {
@@ -140,16 +128,10 @@ Misses measure(const FoundPatches& found, const Camera& camera, bool with_surfac
 }
 
 TEST(KnownSurfaces, NodesOfContoursLieOnTheOutlineOfTheSurface) {
-  std::vector<Corners> slanting_tube;
-  add_grid(slanting_tube, 24, 4, true, [](int u, int v) {
-    const Point3 p = on_circle(5, 2 * kPi * (u % 24) / 24);
-    return p + Point3(0, 0, 3 * v + 0.2 * p.x);
-  });
-  const auto torus = [](double u, double v) { return on_circle(10 + 3 * std::cos(v), u, 3 * std::sin(v)); };
-  const std::vector<std::pair<const char*, std::vector<Corners>>> meshes{{"torus", closed_grid(24, 16, torus)},
-                                                                         {"tube cut at a slant", slanting_tube}};
-  for (const auto& [name, polygons] : meshes) {
-    const FoundPatches found(polygons);
+  for (const char* name : {"grid 24 x 16 triangles round ring: (10+3*cos(pi*v/8))*cos(pi*u/12);"
+                           "(10+3*cos(pi*v/8))*sin(pi*u/12); 3*sin(pi*v/8)",
+                           "grid 24 x 4 triangles round: 5*cos(pi*u/12); 5*sin(pi*u/12); 3*v+cos(pi*u/12)"}) {
+    const FoundPatches found(mesh_of(name).polygons());
     ASSERT_EQ(found.faces().size(), 1u) << name;
     for (const Point3& direction : {Point3(1, 0.3, -0.8), Point3(-0.4, 1, 0.2)}) {
       for (const bool perspective : {false, true}) {
@@ -187,12 +169,7 @@ TEST(KnownSurfaces, TurnsAreTheDerivativesOfNormals) {
 
 TEST(KnownSurfaces, BandsOfAFreeFormAreNoSurfacesOfTheirOwn) {
   // The rings of a paraboloid are cones.
-  std::vector<Corners> polygons;
-  add_grid(polygons, 48, 8, false, [](int u, int v) {
-    const double radius = 4 + v;
-    return on_circle(radius, 2 * kPi * (u % 48) / 48, radius * radius / 20);
-  });
-  FoundPatches dish(polygons);
+  FoundPatches dish(mesh_of("grid 48 x 8 round: (4+v)*cos(pi*u/24); (4+v)*sin(pi*u/24); (4+v)^2/20").polygons());
   mark_bands(dish.topology, dish.normals, dish.edges, dish.patches);
   ASSERT_GT(dish.faces().size(), 4u);
   for (const auto& [number, faces] : dish.faces()) EXPECT_TRUE(dish.patches.list[number].is_band) << number;

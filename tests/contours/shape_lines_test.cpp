@@ -2,9 +2,10 @@
 
 #include "contours/shapes/shape_lines.hpp"
 #include "contours/parametric_mesh.hpp"
+#include "main/script.hpp"
 #include "main/tier.hpp"
-#include "patches/patch_scenes.hpp"
 #include "scene/model/topology.hpp"
+#include "support/mesh_text.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
@@ -30,11 +31,11 @@ Found find_lines(const Scene& scene, const Point3& direction) {
   return {view, find_shape_lines(scene, build_topology(scene), view, shape_classes(), {})};
 }
 
-/// An octahedron whose sides are cut into n, blown up to an ellipsoid. The places of its vertices are uneven by `jitter`
+/// An octahedron whose sides are cut into n, blown up to an ellipsoid. The places of its vertices are uneven by 0.3
 /// cells.
-Scene ellipsoid(const Point3& axes, int n, double jitter) {
+Scene ellipsoid(const Point3& axes, int n) {
   std::mt19937 random(7);
-  const auto uneven = [&] { return jitter * (2 * double(random()) / double(std::mt19937::max()) - 1) / n; };
+  const auto uneven = [&] { return 0.3 * (2 * double(random()) / double(std::mt19937::max()) - 1) / n; };
   Scene scene;
   std::map<std::array<int, 3>, std::uint32_t> numbers;
   const auto vertex = [&](int x, int y, int z) {
@@ -63,48 +64,19 @@ Scene ellipsoid(const Point3& axes, int n, double jitter) {
 }
 
 /// A tube about z, open or with flat ends, its vertices up to a third of a cell beside their places.
-Scene cylinder(std::uint32_t sides, std::uint32_t rings, bool closed) {
-  std::mt19937 random(3);
-  const auto uneven = [&] { return 0.3 * (2 * double(random()) / double(std::mt19937::max()) - 1); };
-  Scene scene;
-  for (std::uint32_t r = 0; r <= rings; ++r)
-    for (std::uint32_t i = 0; i < sides; ++i) {
-      const double angle = 2 * kPi * (i + uneven()) / sides;
-      const double height = r == 0 || r == rings ? r : r + uneven();
-      scene.vertices.push_back({10 * std::cos(angle), 10 * std::sin(angle), 40.0 * height / rings});
-    }
-  std::vector<std::uint32_t> bottom, top;
-  for (std::uint32_t i = 0; i < sides; ++i) {
-    for (std::uint32_t r = 0; r < rings; ++r) {
-      const std::uint32_t a = r * sides + i, b = r * sides + (i + 1) % sides;
-      scene.faces.add_triangle(a, b, b + sides);
-      scene.faces.add_triangle(a, b + sides, a + sides);
-    }
-    bottom.push_back(sides - 1 - i);
-    top.push_back(rings * sides + i);
-  }
-  if (closed) {
-    scene.faces.add_face(bottom);
-    scene.faces.add_face(top);
-  }
-  return as_one_object(std::move(scene));
-}
-
-/// A sheet of n x n cells over [-1, 1]^2.
-Scene sheet(int n, const std::function<double(double, double)>& height) {
-  std::vector<Corners> polygons;
-  add_grid(polygons, n, n, true, [&](int u, int v) {
-    const double x = 2.0 * u / n - 1, y = 2.0 * v / n - 1;
-    return Point3(x, y, height(x, y));
-  });
-  return test::scene_of(polygons);
+Scene cylinder(int sides, int rings, bool closed) {
+  const std::string n = std::to_string(sides), m = std::to_string(rings),
+                    angle = "(2*pi/" + n + "*(u+0.3*sin(97*u*u+71*v)))";
+  return mesh_of("grid " + n + " x " + m + (closed ? " capped" : "") + " triangles round: 10*cos" + angle + "; 10*sin" +
+                 angle + "; 40/" + m + "*(v+if(v*(" + m + "-v)>0,0.3*sin(53*u+37*v*v),0))\nexact")
+      .scene();
 }
 
 const std::array<Point3, 3> kDirections{{{-1, 1, -1}, {-0.3, 1, -0.8}, {0.9, 0.5, -0.65}}};
 
 TEST(ShapeLines, SpheresCylindersAndBoxesHaveNone) {
   for (const Point3& direction : kDirections) {
-    for (const int n : {12, 40, 90}) EXPECT_TRUE(find_lines(ellipsoid({50, 50, 50}, n, 0.3), direction).lines.empty()) << n;
+    for (const int n : {12, 40, 90}) EXPECT_TRUE(find_lines(ellipsoid({50, 50, 50}, n), direction).lines.empty()) << n;
     for (const bool closed : {false, true}) {
       EXPECT_TRUE(find_lines(cylinder(24, 1, closed), direction).lines.empty());
       EXPECT_TRUE(find_lines(cylinder(72, 60, closed), direction).lines.empty());
@@ -129,7 +101,7 @@ double length_in_space(const ShapeLine& line) {
 TEST(ShapeLines, TheRidgeOfAnEllipsoidIsItsLargestEllipse) {
   for (const int n : {30, 60, 120}) {
     for (const Point3& direction : chosen("ridges", 2, kDirections)) {
-      const Found found = find_lines(ellipsoid({90, 60, 30}, n, 0.3), direction);
+      const Found found = find_lines(ellipsoid({90, 60, 30}, n), direction);
       EXPECT_EQ(found.count(LineClass::valley), 0u);
       EXPECT_EQ(found.count(LineClass::suggestive), 0u) << "it is convex";
       ASSERT_EQ(found.count(LineClass::ridge), 1u) << n;
@@ -173,10 +145,10 @@ TEST(ShapeLines, SuggestiveContoursOfATorusAreWhereItsRadialCurvatureIsZero) {
 }
 
 TEST(ShapeLines, ABumpHasASuggestiveContourAndAWaveRidgesAndValleys) {
-  const Scene bump = sheet(80, [](double x, double y) { return 0.3 * std::exp(-12 * (x * x + y * y)); });
+  const Scene bump = mesh_of("grid 80 x 80 triangles: u/40-1; v/40-1; 0.3*exp(-12*((u/40-1)^2+(v/40-1)^2))").scene();
   const Found seen = find_lines(bump, {0, 1, -0.9});
   EXPECT_GE(seen.count(LineClass::suggestive), 1u) << "behind its top, where it would become an outline";
-  const Scene waves = sheet(80, [](double x, double) { return 0.15 * std::cos(2 * kPi * x); });
+  const Scene waves = mesh_of("grid 80 x 80 triangles: u/40-1; v/40-1; 0.15*cos(pi*u/20)").scene();
   for (const Point3& direction : kDirections) {
     const Found found = find_lines(waves, direction);
     for (const ShapeLine& line : found.lines) {
@@ -195,7 +167,7 @@ TEST(ShapeLines, ABumpHasASuggestiveContourAndAWaveRidgesAndValleys) {
 }
 
 TEST(ShapeLines, TurningFacesOfABodyInsideOutChangesNothing) {
-  const Scene scene = ellipsoid({90, 60, 30}, 40, 0.3);
+  const Scene scene = ellipsoid({90, 60, 30}, 40);
   Scene turned = scene;
   turned.faces = {};
   for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {

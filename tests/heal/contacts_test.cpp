@@ -11,26 +11,12 @@
 namespace ligne {
 namespace {
 
-using test::begin_object;
-using test::end_object;
-
-/// A tube without ends about the z axis, of n flat sides.
-Scene tube(std::uint32_t n, double radius, double height, double turn) {
-  Scene scene;
-  begin_object(scene, "tube");
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const double angle = turn + 2 * std::numbers::pi * i / n;
-    for (const double z : {0.0, height}) scene.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
-    const std::uint32_t next = (i + 1) % n;
-    scene.faces.add_face(std::array{2 * i, 2 * next, 2 * next + 1, 2 * i + 1});
-  }
-  end_object(scene);
-  return scene;
-}
-
 TEST(Contacts, ChordErrorIsTheHeightOfTheArc) {
   for (const std::uint32_t n : {12u, 24u, 48u, 96u}) {
-    const Scene scene = tube(n, 10, 30, 0.1);
+    const std::string angle = "0.1+2*pi*u/" + std::to_string(n);
+    const Scene scene =
+        test::mesh_of("grid " + std::to_string(n) + " x 1 round: 10*cos(" + angle + "); 10*sin(" + angle + "); 30*v\nexact")
+            .scene();
     const FaceNeighbours neighbours(scene, {0, 3});
     const ChordErrors errors(scene, neighbours, {0, 3}, 40);
     const double height = 10 * (1 - std::cos(std::numbers::pi / n));
@@ -46,7 +32,7 @@ TEST(Contacts, FlatSidesBesideNarrowRoundingsAreNoChords) {
   const Scene scene = test::mesh_of(
                           "grid 20 x 1 round: "
                           "sqrt(2)*4.7*cos(pi/2*(floor(u/5)+0.5))+0.3*cos(pi/2*(floor(u/5)+mod(u,5)/4));"
-                          "sqrt(2)*4.7*sin(pi/2*(floor(u/5)+0.5))+0.3*sin(pi/2*(floor(u/5)+mod(u,5)/4)); 30*v")
+                          "sqrt(2)*4.7*sin(pi/2*(floor(u/5)+0.5))+0.3*sin(pi/2*(floor(u/5)+mod(u,5)/4)); 30*v\nexact")
                           .scene();
   const FaceNeighbours neighbours(scene, {0, 4});
   const ChordErrors errors(scene, neighbours, {0, 4}, 40);

@@ -5,6 +5,7 @@
 #include "scene/clean/clean.hpp"
 #include "scene/heal/border_edges.hpp"
 #include "scene/readers/reader.hpp"
+#include "support/mesh_text.hpp"
 #include "support/scene_parts.hpp"
 #include "support/test.hpp"
 
@@ -39,28 +40,18 @@ std::size_t border_edges(const Topology& topology) {
       std::count_if(topology.edges.begin(), topology.edges.end(), [](const Edge& e) { return e.face1 == kNone; }));
 }
 
-/// Triangles of a grid of n x n quads with a little relief, as one object.
-Scene relief(std::uint32_t n) {
-  Scene scene;
-  test::begin_object(scene);
-  for (std::uint32_t i = 0; i <= n; ++i)
-    for (std::uint32_t j = 0; j <= n; ++j) scene.vertices.emplace_back(i, j, 0.25 * ((i * 7 + j * 3) % 5));
-  for (std::uint32_t i = 0; i < n; ++i)
-    for (std::uint32_t j = 0; j < n; ++j) {
-      const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
-      scene.faces.add_triangle(a, b, b + 1);
-      scene.faces.add_triangle(a, b + 1, a + 1);
-    }
-  test::end_object(scene);
-  return scene;
+/// Triangles of a grid of n x n squares with a little relief, as one object.
+Scene relief(int n) {
+  const std::string count = std::to_string(n);
+  return test::mesh_of("grid " + count + " x " + count + " triangles: u; v; 0.25*mod(7*u+3*v,5)").scene();
 }
 
 TEST(Heal, KnowsTheEndsOfBordersWithoutATopology) {
   const Scene sheet = relief(5);
   const std::vector<std::uint8_t> marked = ends_of_odd_edges(sheet);
   for (std::uint32_t v = 0; v < marked.size(); ++v) {
-    const std::uint32_t i = v / 6, j = v % 6;
-    EXPECT_EQ(marked[v] != 0, i == 0 || i == 5 || j == 0 || j == 5) << v;
+    const Point3 p = sheet.vertices[v];
+    EXPECT_EQ(marked[v] != 0, p.x == 0 || p.x == 5 || p.y == 0 || p.y == 5) << v;
   }
   Scene box;
   test::add_box(box, {0, 0, 0}, {1, 2, 3});
