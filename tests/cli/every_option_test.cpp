@@ -1,15 +1,10 @@
 /// Every option of the commands that draw, in every format: it changes what is written, or is refused, or is warned of.
 
-#include <nlohmann/json.hpp>
-
 #include "main/tier.hpp"
 #include "program.hpp"
-#include "scene/tiff_builder.hpp"
 
 namespace ligne::test {
 namespace {
-
-using Json = nlohmann::json;
 
 /// The first tier takes one row in so many.
 constexpr std::size_t kRowsByChosen = 8;
@@ -47,74 +42,12 @@ std::vector<OptionRow> rows_of(const std::string& command) {
   return rows;
 }
 
-/// A prism over a regular polygon, with its axis upright.
-Json prism(const std::string& name, int sides, double radius, double x, double bottom, double top) {
-  Json vertices = Json::array(), faces = Json::array(), lower = Json::array(), upper = Json::array();
-  constexpr double kTurn = 6.283185307179586;
-  for (const double z : {bottom, top})
-    for (int k = 0; k < sides; ++k)
-      vertices.push_back({x + radius * std::cos(kTurn * k / sides), radius * std::sin(kTurn * k / sides), z});
-  for (int k = 0; k < sides; ++k) {
-    const int next = (k + 1) % sides;
-    faces.push_back({{"outer", {k, next, sides + next, sides + k}}});
-    lower.push_back(sides - 1 - k);
-    upper.push_back(sides + k);
-  }
-  faces.push_back({{"outer", lower}});
-  for (int k = 1; k + 1 < sides; ++k) faces.push_back({{"outer", {sides, sides + k, sides + k + 1}}});
-  return {{"name", name}, {"vertices", vertices}, {"faces", faces}};
-}
-
-/// A box, another that runs into it, and a pipe.
-std::string scene_text() {
-  Json pipe = prism("pipe", 24, 4, 12, 0, 9);
-  return Json{{"format", "ligne-scene"},
-              {"version", 1},
-              {"objects", {prism("box", 4, 5, 0, 0, 8), prism("stone", 4, 4, 3, 4, 11), pipe}}}
-      .dump();
-}
-
-constexpr std::string_view kFilledDrawing =
-    R"(<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40">
-<g fill="none" stroke="black" stroke-width="0.4">
-<path d="M5 5H20M20.5 5H30V20M3 9l1 .1l1 0l1 -.1l8 0"/><circle cx="20" cy="22" r="8"/><path d="M2 2l4 0"/></g>
-<path d="M10 10h20v20h-20z" fill="red"/><text x="3" y="3">t</text></svg>
-)";
-
-constexpr std::string_view kTwoPens = R"([[pen]]
-number = 1
-width = 0.5
-classes = ["outline"]
-[[pen]]
-number = 2
-width = 0.2
-rest = true
-)";
-
 class EveryOption : public ProgramTest {
  protected:
   void SetUp() override {
     ProgramTest::SetUp();
-    write("scene.json", scene_text());
-    write("drawing.svg", kFilledDrawing);
-    write("pens.toml", kTwoPens);
-    write("points.csv", "1,1\n2,3\n");
-    write("way.csv", "60,90,90\n0,90,60\n");
-    std::string grid = "ncols 7\nnrows 6\nxllcorner 0\nyllcorner 0\ncellsize 2\n", scattered;
-    for (int i = 0; i < 6; ++i) {
-      for (int k = 0; k < 7; ++k) {
-        const std::string height = std::to_string(3 * std::sin(i) * std::cos(k));
-        grid += height + ' ';
-        scattered += std::to_string(i + 0.3 * std::sin(k)) + ',' + std::to_string(k + 0.2 * i) + ',' + height + '\n';
-      }
-      grid += '\n';
-    }
-    write("grid.asc", grid);
-    write("scattered.csv", scattered);
-    write("table.csv", "x,y,z\n0,0,1\n1,0,2\n2,0,2\n0,1,3\n1,1,4\n2,1,9\n");
-    write("sets.dat", "0 0 1\n1 0 2\n\n0 1 3\n1 1 4\n\n\n5 5 1\n6 5 2\n\n5 6 3\n6 6 9\n");
-    const std::vector<float> bands{1, 4, 2, 1, 3, 5, 4, 2, 5, 9, 1, 3, 2, 2, 8, 1, 1, 7};
-    write("bands.tif", height_test::TiffBuilder(3, 3, bands, 3, 2).bytes());
+    // A box, another that runs into it, and a pipe; a drawing, pens, and grids of all kinds.
+    std::filesystem::copy(LIGNE_SOURCE_DIR "/tests/cli/every_option", folder_);
     write("own.toml", contents(std::filesystem::path(LIGNE_SOURCE_DIR) / "plotting/devices/hp7470a.toml"));
     run("draw scene.json --lines 32 --page 60x60 --zbuffer-save kept.zb -o kept.svg");
     std::filesystem::remove(file("kept.svg"));

@@ -54,21 +54,13 @@ void add_soup(Scene& scene, std::size_t n, double size, unsigned seed) {
   }
 }
 
-template <class T>
-void put(std::string& bytes, T value) {
-  char raw[sizeof(T)];
-  std::memcpy(raw, &value, sizeof(T));
-  bytes.append(raw, sizeof(T));
-}
-
 std::string stl(const Scene& scene) {
-  std::string bytes(80, ' ');
-  put(bytes, static_cast<std::uint32_t>(scene.faces.size()));
+  std::string bytes = std::string(80, ' ') + raw(static_cast<std::uint32_t>(scene.faces.size()));
   for (std::size_t f = 0; f < scene.faces.size(); ++f) {
-    for (int k = 0; k < 3; ++k) put(bytes, 0.0f);
+    bytes.append(12, '\0');  // the normal
     for (const std::uint32_t v : scene.faces.contour(f, 0))
-      for (int k = 0; k < 3; ++k) put(bytes, static_cast<float>(scene.vertices[v][k]));
-    put(bytes, std::uint16_t{0});
+      for (int k = 0; k < 3; ++k) bytes += raw(static_cast<float>(scene.vertices[v][k]));
+    bytes.append(2, '\0');
   }
   return bytes;
 }
@@ -79,11 +71,10 @@ std::string ply(const Scene& scene, const std::string& type = "float") {
                       std::to_string(scene.faces.size()) +
                       "\nproperty uchar shade\nproperty list uchar int vertex_indices\nend_header\n";
   for (const Point3& p : scene.vertices)
-    for (int k = 0; k < 3; ++k) type == "double" ? put(bytes, p[k]) : put(bytes, static_cast<float>(p[k]));
+    for (int k = 0; k < 3; ++k) bytes += type == "double" ? raw(p[k]) : raw(static_cast<float>(p[k]));
   for (std::size_t f = 0; f < scene.faces.size(); ++f) {
-    put(bytes, std::uint8_t{7});
-    put(bytes, std::uint8_t{3});
-    for (const std::uint32_t v : scene.faces.contour(f, 0)) put(bytes, v);
+    bytes += "\7\3";
+    for (const std::uint32_t v : scene.faces.contour(f, 0)) bytes += raw(v);
   }
   return bytes;
 }
