@@ -4,6 +4,7 @@
 #include "base/no_index.hpp"
 #include "drawing/drawing.hpp"
 #include "linework/overlaps/coincident_strokes.hpp"
+#include "linework/rules/smooth_lines.hpp"
 #include "main/script.hpp"
 #include "rule_runner.hpp"
 #include "stroke_builder.hpp"
@@ -119,6 +120,11 @@ std::size_t merge_runs(StrokeModel& m) {
   return apply_rule(m, 0, [](LineMap& map) { return merge_short_runs(map, 50); });
 }
 
+/// Lines along the edges of scans, which have source 1.
+std::size_t smooth_scan(StrokeModel& m) {
+  return smooth_lines(m, [](const Stroke& s) { return s.source == 1; });
+}
+
 /// A pen of 17 steps.
 std::size_t drop_overdrawn(StrokeModel& m) {
   return apply_rule(m, 0, [](LineMap& map) { return remove_overdrawn_runs(map, {50, 17, 17}); });
@@ -148,6 +154,7 @@ const std::map<std::string, RuleOfText> kRules = {
       dropping_spurs({.longest_mm = 4, .body_part = 1.0 / 32, .beside_mm = 1, .beside_times = 4, .touching_mm = 0.2})}},
     {"spurs-and-flecks", {LineClass::outline, 0.001, drop_wide_spurs_and_flecks}},
     {"merge", {LineClass::outline, 1, merge_runs}},
+    {"smooth", {LineClass::crease, 1, smooth_scan}},
     {"overdrawn", {LineClass::outline, 1, drop_overdrawn}},
     {"coincident", {LineClass::mesh, 1, drop_coincident}}};
 
