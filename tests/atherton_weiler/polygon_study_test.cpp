@@ -183,18 +183,6 @@ TEST(PolygonStudy, ZonesOfCrowdsTakeFewTests) {
   }
 }
 
-/// Compares strokes and regions to the last bit.
-void expect_identical(const VisibilityResult& a, const VisibilityResult& b) {
-  ASSERT_EQ(a.strokes->strokes.size(), b.strokes->strokes.size());
-  for (std::size_t i = 0; i < a.strokes->strokes.size(); ++i) {
-    const Stroke &s = a.strokes->strokes[i], &t = b.strokes->strokes[i];
-    EXPECT_TRUE(s.from == t.from && s.to == t.to && s.source == t.source && s.level == t.level) << "stroke " << i;
-  }
-  ASSERT_EQ(a.regions->size(), b.regions->size());
-  for (std::size_t i = 0; i < a.regions->size(); ++i)
-    EXPECT_EQ((*a.regions)[i].contours, (*b.regions)[i].contours) << "region " << i;
-}
-
 /// [Boulle1980] 3.2.3.4, figure 3.31: the clip of convex contours makes the same clips of the same polygons.
 TEST(PolygonStudy, TheConvexClipIsTheGeneralOne) {
   for (const char* scene : {"thesis_3_31", "thesis_3_31_corner", "thesis_3_33b", "bricks", "lattice_of_bars", "grid_3",
@@ -209,8 +197,8 @@ TEST(PolygonStudy, TheConvexClipIsTheGeneralOne) {
         EXPECT_EQ(count(general, name), count(convex, name)) << name;
       EXPECT_EQ(count(general, "convex contours clipped"), 0u);
       EXPECT_LE(count(convex, "signs of corners in clips"), count(general, "signs of corners in clips"));
-      expect_identical(general, convex);
-      expect_identical(convex, compute_visibility(file, "iso", how));
+      EXPECT_TRUE(bytes_of(general) == bytes_of(convex));
+      EXPECT_TRUE(bytes_of(convex) == bytes_of(compute_visibility(file, "iso", how)));
     }
   }
 }

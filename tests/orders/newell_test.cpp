@@ -1,7 +1,9 @@
 // The priority list of the method newell: its tests, what it never compares, and what it keeps.
 
 #include "base/parallel.hpp"
+#include "main/script.hpp"
 #include "newell_sorted.hpp"
+#include "support/mesh_text.hpp"
 
 namespace ligne::test {
 namespace {
@@ -9,6 +11,32 @@ namespace {
 using newell::PaintElements;
 using studies::add_plate;
 using studies::ring;
+
+/// The order of the faces, the farthest first, and the counts of the list; seen along +y: x to the right, z up, what has the
+/// larger y is farther.
+std::string list_of(const std::string& mesh) {
+  const Sorted s = sorted(mesh_of(mesh + "\nexact").scene());
+  std::string text;
+  for (const std::uint32_t face : s.faces) text += (text.empty() ? "" : " ") + std::to_string(face);
+  const newell::ListCounts& c = s.counts;
+  for (const auto& [name, count] :
+       std::initializer_list<std::pair<const char*, std::uint64_t>>{{"zones", c.zones},
+                                                                    {"slabs", c.slabs},
+                                                                    {"lists", c.lists},
+                                                                    {"compared", c.compared},
+                                                                    {"moved", c.moved},
+                                                                    {"projections", c.projections},
+                                                                    {"depths", c.depths},
+                                                                    {"cuts by a plane", c.plane_cuts},
+                                                                    {"cuts on the page", c.page_cuts},
+                                                                    {"behind the plane", c.behind_plane},
+                                                                    {"before the plane", c.before_plane}})
+    if (count > 0) text += ", " + std::to_string(count) + " " + name;
+  return text;
+}
+
+[[maybe_unused]] const bool lists_are_added =
+    add_function_scripts(LIGNE_SOURCE_DIR "/tests/orders/lists", {{"list", [](auto& t) { return list_of(unescaped(t)); }}});
 
 // Plates that overlap in a strip narrower than a step of the lattice: a line on the strip is hidden with it, so they have an
 // order. Pieces smaller than a step have none: nothing can be seen of them.
@@ -23,24 +51,6 @@ TEST(Newell, NarrowStripsHaveAnOrder) {
   EXPECT_FALSE(disjoint(0.3 * step, 5));
   EXPECT_TRUE(disjoint(0, 5));
   EXPECT_TRUE(disjoint(0.3 * step, 0.6 * step));
-}
-
-// 2.5.2.3: tests of rising cost. Two faces whose extents overlap in depth: apart in x, apart in y, one behind the plane of
-// the other, before the plane, and disjoint but for their boxes.
-TEST(Newell, TestsOfRisingCost) {
-  // Both lean alike; the second lies behind the plane of the first all over.
-  const Sorted s = sorted(plates({{0, 10, 0, 10, 8, 0}, {2, 8, 2, 8, 8.4, 3.6}}));
-  EXPECT_EQ(s.faces, (Order{1, 0}));
-  EXPECT_EQ(s.counts.moved, 0u) << "the second reaches farther";
-  EXPECT_EQ(s.counts.behind_plane, 1u);
-  EXPECT_EQ(s.counts.projections, 0u);
-
-  Scene corners;  // two triangles of one square: boxes overlap, projections do not
-  add_face(corners, {{{0, 0, 0}, {10, 8, 0}, {0, 4, 10}}});
-  add_face(corners, {{{10, 3, 9}, {9, 8, 10}, {10, 1, 1}}});
-  const Sorted t = sorted(corners);
-  EXPECT_EQ(t.counts.plane_cuts + t.counts.page_cuts, 0u);
-  EXPECT_EQ(t.counts.depths, 0u);
 }
 
 // The order is free of the aspect of faces (2.5.2.6), and siblings, pieces of one face, are never compared: a face with a
@@ -146,47 +156,6 @@ TEST(Newell, TakesOverTheListOfASimilarView) {
 // The priority list of the method newell, by hand: the figures of [Boulle1980] 2.5.
 
 using studies::add_comb;
-
-// Figure 2.72: F1 and F2, in this order: the second hides a part of the first.
-TEST(Newell, Figure272) {
-  const Sorted s = sorted(plates({{0, 6, 0, 6, 5, 5}, {3, 9, 3, 9, 2, 2}}));
-  EXPECT_EQ(s.faces, (Order{0, 1}));
-  EXPECT_EQ(s.counts.slabs, 2u) << "their depths are apart: nothing is compared";
-  EXPECT_EQ(s.counts.compared, 0u);
-}
-
-// Figure 2.81 a: P has the farther point and hides Q. P: from depth 9 at x = 0 to 1 at x = 10; Q: depth 6, x from 7 to 9,
-// where P is at 3.4 to 1.8. Q is moved to the head. Figure 2.81 b: both reach as far, to 8. The list begins with either; P
-// (0) hides Q at x = 8..9, where it is at 1.6 to 0.8 and Q, which is level, at 8.
-TEST(Newell, Figure281aAndB) {
-  const Sorted s = sorted(plates({{0, 10, 0, 10, 9, 1}, {7, 9, 3, 6, 6, 6}}));
-  EXPECT_EQ(s.faces, (Order{1, 0}));
-  EXPECT_EQ(s.counts.moved, 1u);
-  EXPECT_EQ(s.counts.plane_cuts + s.counts.page_cuts, 0u);
-  EXPECT_EQ(sorted(plates({{0, 10, 0, 10, 8, 0}, {8, 9, 3, 6, 8, 8}})).faces, (Order{1, 0}));
-}
-
-// Figure 2.81 c: they pass through each other along x = 5. One is cut: three elements, the halves of one on both sides of
-// the other.
-TEST(Newell, Figure281c) {
-  const Sorted s = sorted(plates({{0, 10, 0, 10, 8, 0}, {0, 10, 2, 8, 0, 8}}));
-  EXPECT_EQ(s.counts.plane_cuts, 1u);
-  EXPECT_EQ(s.counts.page_cuts, 0u);
-  ASSERT_EQ(s.faces.size(), 3u);
-}
-
-// Figure 2.81 d: mutual overlap of an L and a bar. The L: a column x 0..2, z 0..10, and a foot x 2..10, z 0..2, in the plane
-// y = 5. The bar crosses both arms, at z = 8 - x: it passes behind the column (y 8 at x = 0) and before the foot (y 2 at x =
-// 8). Its plane cuts the plane of the L at x = 4, where there is nothing of the L: no face is penetrated, but one is cut.
-TEST(Newell, Figure281d) {
-  const Scene scene = scene_of_faces({{{0, 5, 0}, {10, 5, 0}, {10, 5, 2}, {2, 5, 2}, {2, 5, 10}, {0, 5, 10}},
-                                      {{-1, 8.75, 8}, {9, 1.25, -1}, {9, 1.25, 1}, {-1, 8.75, 10}}});
-  const Sorted s = sorted(scene);
-  EXPECT_EQ(s.counts.plane_cuts, 1u);
-  EXPECT_EQ(s.faces.size(), 3u);
-  // The half behind the L, the L, the half before it; or half of the L, the bar, the other half.
-  EXPECT_EQ(s.faces.front(), s.faces.back());
-}
 
 /// The ring, turned on the page: no two bars are equally wide and high.
 Scene turned_ring(int n) {
@@ -318,38 +287,6 @@ TEST(Newell, Figure284EachFaceIsCutOnceByP) {
       EXPECT_EQ(s.counts.before_plane, n * before);
     }
   }
-}
-
-// Where P reaches farther and is the head, P is cut. The faces stand in P and lie in one plane, so that one cut of
-// P serves for all: the half behind them, the faces, the half before them.
-TEST(Newell, Figure284PIsCutOnceForFacesOfOnePlane) {
-  Scene scene;
-  add_plate(scene, {-1, 11}, {-1, 40}, {0, 12});
-  for (int i = 0; i < 3; ++i) {
-    const double z = 12 * i;
-    add_face(scene, {{{0, 9, z}, {10, 1, z}, {10, 1, z + 2}, {2, 7.4, z + 2}, {2, 7.4, z + 4}, {0, 9, z + 4}}});
-  }
-  const Sorted s = sorted(scene);
-  EXPECT_EQ(s.faces, (Order{0, 1, 2, 3, 0}));
-  EXPECT_EQ(s.counts.plane_cuts, 1u);
-  EXPECT_EQ(s.counts.page_cuts, 0u);
-  EXPECT_EQ(s.counts.moved, 0u);
-}
-
-// Figures 2.86 to 2.88: a scene that falls into zones, these into slabs, and these into zones again: each slab holds one
-// face in the end, and the study is done without a comparison.
-TEST(Newell, Figure288ZonesAndSlabsToTheEnd) {
-  // Left zone: two slabs; the nearer one is two zones, above each other. Right zone: two slabs.
-  const Sorted s = sorted(plates(
-      {{0, 10, 0, 10, 9, 8}, {0, 10, 0, 4, 3, 2}, {0, 10, 6, 10, 3, 1}, {20, 30, 0, 10, 9, 1.5}, {20, 30, 2, 8, 0.5, 1}}));
-  EXPECT_EQ(s.counts.compared, 0u);
-  EXPECT_EQ(s.counts.lists, 0u);
-  EXPECT_GT(s.counts.zones, 0u);
-  EXPECT_GT(s.counts.slabs, 0u);
-  const auto place = [&](std::uint32_t f) { return std::find(s.faces.begin(), s.faces.end(), f) - s.faces.begin(); };
-  EXPECT_LT(place(0), place(1));
-  EXPECT_LT(place(0), place(2));
-  EXPECT_LT(place(3), place(4));
 }
 
 }  // namespace

@@ -102,38 +102,6 @@ TEST(Show, ClipsAreTheContoursOfWhatIsLeft) {
   EXPECT_EQ(shown(scene, "atherton-weiler", "clips").debug.size(), 3u) << "a plate with a hole, and the other plate";
 }
 
-/// All that a study found but for the debug layer, member by member: padding has no value.
-std::string bytes_of(const VisibilityResult& result) {
-  std::string bytes;
-  const auto add = [&](const auto&... values) {
-    (bytes.append(reinterpret_cast<const char*>(&values), sizeof values), ...);
-  };
-  const auto add_contours = [&](const std::vector<std::vector<Point2>>& contours) {
-    for (const auto& contour : contours) {
-      add(contour.size());
-      for (const Point2 p : contour) add(p.x, p.y);
-    }
-  };
-  if (result.strokes) {
-    for (const Stroke& s : result.strokes->strokes)
-      add(s.t_from, s.t_to, s.from.x, s.from.y, s.to.x, s.to.y, s.z_from, s.z_to, s.w_from, s.w_to, s.source, s.line_class,
-          s.visible, s.needs_overlap_check, s.level);
-    for (const SourceEdge& e : result.strokes->intersections) add(e.faces[0], e.faces[1], e.intersection);
-  }
-  for (const Region& r : result.regions ? *result.regions : std::vector<Region>{}) {
-    add(r.face, r.level);
-    add_contours(r.contours);
-  }
-  for (const PaintPiece& p : result.order ? result.order->pieces : std::vector<PaintPiece>{}) {
-    add(p.face, p.plane[0], p.plane[1], p.plane[2]);
-    add_contours(p.contours);
-  }
-  for (const Span& s : result.spans ? result.spans->spans : std::vector<Span>{}) add(s.line, s.x_from, s.x_to, s.face);
-  if (result.pixels)
-    for (const std::uint32_t face : result.pixels->face) add(face);
-  return bytes + result.unsupported_reason + result.left_out;
-}
-
 /// All methods are judged without their debug layers (all_methods_test.cpp): these add to a drawing and change nothing of
 /// it.
 TEST(Show, ChangesNothingElse) {

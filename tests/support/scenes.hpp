@@ -81,16 +81,34 @@ inline std::uint64_t count_of(const Statistics& statistics, std::string_view nam
   return 0;
 }
 
-/// The strokes are the same to the last bit, in the same order.
-inline void expect_same_strokes(const StrokeModel& a, const StrokeModel& b) {
-  ASSERT_EQ(a.strokes.size(), b.strokes.size());
-  for (std::size_t i = 0; i < a.strokes.size(); ++i) {
-    const Stroke &s = a.strokes[i], &t = b.strokes[i];
-    ASSERT_TRUE(s.from == t.from && s.to == t.to && s.t_from == t.t_from && s.t_to == t.t_to && s.z_from == t.z_from &&
-                s.z_to == t.z_to && s.w_from == t.w_from && s.w_to == t.w_to && s.source == t.source &&
-                s.line_class == t.line_class && s.visible == t.visible && s.needs_overlap_check == t.needs_overlap_check)
-        << "stroke " << i;
+/// All that a study found but for the debug layer, member by member: padding has no value.
+inline std::string bytes_of(const VisibilityResult& result) {
+  std::string bytes;
+  const auto add = [&](const auto&... values) { (bytes.append(raw(values)), ...); };
+  const auto add_contours = [&](const std::vector<std::vector<Point2>>& contours) {
+    for (const auto& contour : contours) {
+      add(contour.size());
+      for (const Point2 p : contour) add(p.x, p.y);
+    }
+  };
+  if (result.strokes) {
+    for (const Stroke& s : result.strokes->strokes)
+      add(s.t_from, s.t_to, s.from.x, s.from.y, s.to.x, s.to.y, s.z_from, s.z_to, s.w_from, s.w_to, s.source, s.line_class,
+          s.visible, s.needs_overlap_check, s.level);
+    for (const SourceEdge& e : result.strokes->intersections) add(e.faces[0], e.faces[1], e.intersection);
   }
+  for (const Region& r : result.regions ? *result.regions : std::vector<Region>{}) {
+    add(r.face, r.level);
+    add_contours(r.contours);
+  }
+  for (const PaintPiece& p : result.order ? result.order->pieces : std::vector<PaintPiece>{}) {
+    add(p.face, p.plane[0], p.plane[1], p.plane[2]);
+    add_contours(p.contours);
+  }
+  for (const Span& s : result.spans ? result.spans->spans : std::vector<Span>{}) add(s.line, s.x_from, s.x_to, s.face);
+  if (result.pixels)
+    for (const std::uint32_t face : result.pixels->face) add(face);
+  return bytes + result.unsupported_reason + result.left_out;
 }
 
 /// Boxes turned at random, their corners in a cube that reaches from -`spread` to `spread` before they are turned.

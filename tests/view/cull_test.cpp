@@ -155,16 +155,6 @@ TEST(Cull, ChangesNoDrawingOfSeparateSolids) {
 
 ProjectedScene projected(const Scene& scene, const char* edges = "all") { return project_on_a4(scene, {}, edges); }
 
-void add_pyramid(Scene& scene) {
-  const Point3 top{0.5, 0.5, 1}, a{0, 0, 0}, b{1, 0, 0}, c{1, 1, 0}, d{0, 1, 0};
-  begin_object(scene);
-  const auto first = static_cast<std::uint32_t>(scene.vertices.size());
-  for (const Point3& p : {a, b, c, d, top}) scene.vertices.push_back(p);
-  scene.faces.add_face(std::vector<std::uint32_t>{first + 3, first + 2, first + 1, first});
-  for (std::uint32_t k = 0; k < 4; ++k) scene.faces.add_triangle(first + k, first + (k + 1) % 4, first + 4);
-  end_object(scene);
-}
-
 using Line = std::tuple<std::int32_t, std::int32_t, std::int32_t, std::int32_t, LineClass, bool>;
 
 std::multiset<Line> lines_of(const Scene& scene, const Method& method) {
@@ -196,12 +186,12 @@ TEST(Coincident, CopiesAreStudiedOnce) {
 
 TEST(Coincident, CopiesAreDrawnAsOneByEveryMethod) {
   const auto copies = [](int n) {
-    Scene scene;
-    for (int i = 0; i < n; ++i) {
-      add_pyramid(scene);
-      add_box(scene, {0.25, -1, 0.125}, {0.5, 3, 0.25});
-    }
-    return scene;
+    std::string text;
+    for (int i = 0; i < n; ++i)
+      text +=
+          "object\nface 0,1,0 1,1,0 1,0,0 0,0,0\nface 0,0,0 1,0,0 .5,.5,1\nface 1,0,0 1,1,0 .5,.5,1\nface 1,1,0 0,1,0 .5,.5,1\n"
+          "face 0,1,0 0,0,0 .5,.5,1\nobject\nbox 0.25,-1,0.125 0.5,3,0.25\n";
+    return mesh_of(text).scene();
   };
   for (const Method* method : all_methods())
     EXPECT_EQ(lines_of(copies(7), *method), lines_of(copies(1), *method)) << method->traits().name;

@@ -10,74 +10,6 @@
 namespace ligne::test {
 namespace {
 
-// The tree of facets tells apart what does not meet. That it reaches all that may meet shows in every line of penetration.
-
-struct FacetScene {
-  ProjectedScene scene;
-  std::vector<Facet> facets;
-
-  FacetScene() { scene.lattice.step_mm = 0x1p-17; }
-
-  /// Page in mm.
-  void add(const std::array<Point3, 3>& corners, std::uint32_t face) {
-    Facet f{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      f.v[i] = static_cast<std::uint32_t>(scene.vertices.size());
-      scene.vertices.push_back({scene.lattice.snap({corners[i].x, corners[i].y}), corners[i].z});
-    }
-    if (orientation(scene.vertices[f.v[0]].p, scene.vertices[f.v[1]].p, scene.vertices[f.v[2]].p) < 0)
-      std::swap(f.v[1], f.v[2]);
-    const auto [nearest, farthest] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
-    f.face = face;
-    f.z_near = round_down(nearest);
-    f.z_far = round_up(farthest);
-    f.depth_tolerance = 1e-6f;
-    facets.push_back(f);
-  }
-};
-
-/// How many pairs of facets are in leaves below two nodes that may meet.
-std::size_t pairs_below(const FacetTree& tree, std::uint32_t a, std::uint32_t b) {
-  const FacetTree::Node &m = tree.node(a), &n = tree.node(b);
-  if (a != b && !FacetTree::may_intersect(m, n)) return 0;
-  if (a == b && m.face != kNone) return 0;
-  if (tree.is_leaf(m) && tree.is_leaf(n)) {
-    const std::size_t size = m.end - m.first;
-    return a == b ? size * (size - 1) / 2 : size * (n.end - n.first);
-  }
-  const auto both = [&](std::uint32_t first, std::uint32_t second, std::uint32_t with) {
-    return pairs_below(tree, first, with) + pairs_below(tree, second, with);
-  };
-  if (a == b) return both(m.children, m.children + 1, m.children + 1) + pairs_below(tree, m.children, m.children);
-  return m.size() >= n.size() ? both(m.children, m.children + 1, b) : both(n.children, n.children + 1, a);
-}
-
-/// The skins of an onion, in the view along its axis: `n` halves of spheres of 8 x 16 cells, each cell of two facets.
-std::size_t pairs_of_skins(int n) {
-  FacetScene s;
-  constexpr int kRows = 8, kColumns = 16;
-  std::uint32_t face = 0;
-  for (int skin = 0; skin < n; ++skin) {
-    const double r = 50 * (1 + double(skin) / n);
-    const auto at = [&](int row, int column) {
-      const double t = std::numbers::pi / 2 * (row + 0.1) / (kRows + 0.5), p = 2 * std::numbers::pi * column / kColumns;
-      return Point3{r * std::sin(t) * std::cos(p), r * std::sin(t) * std::sin(p), -r * std::cos(t)};
-    };
-    for (int i = 0; i < kRows; ++i)
-      for (int k = 0; k < kColumns; ++k) {
-        s.add({at(i, k), at(i + 1, k), at(i + 1, k + 1)}, face++);
-        s.add({at(i, k), at(i + 1, k + 1), at(i, k + 1)}, face++);
-      }
-  }
-  const FacetTree tree(s.scene, s.facets);
-  std::size_t pairs = 0;
-  for (std::size_t i = 0; i < tree.roots().size(); ++i)
-    for (std::size_t k = i; k < tree.roots().size(); ++k) pairs += pairs_below(tree, tree.roots()[i], tree.roots()[k]);
-  return pairs;
-}
-
-TEST(FacetTree, TellsSkinsOfAnOnionApart) { EXPECT_LT(double(pairs_of_skins(64)), 2.7 * double(pairs_of_skins(32))); }
-
 // Rounding of depths to float.
 
 void expect_rounded(double v) {
@@ -97,77 +29,6 @@ TEST(Facet, DepthsAreRoundedOutwards) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> exponent(-50, 40);
   for (int i = 0; i < 20'000; ++i) expect_rounded((i % 2 ? 1 : -1) * std::pow(10, exponent(random)));
-}
-
-// Facets seen along lines, against every facet at many places.
-
-struct Facing {
-  std::vector<ProjectedVertex> vertices;
-  std::vector<Facet> facets;
-
-  void add(LatticePoint a, LatticePoint b, LatticePoint c, double z) {
-    if (orientation(a, b, c) == 0) return;
-    if (orientation(a, b, c) < 0) std::swap(b, c);
-    const auto first = static_cast<std::uint32_t>(vertices.size());
-    for (const LatticePoint p : {a, b, c}) vertices.push_back({p, z});
-    facets.push_back({{first, first + 1, first + 2},
-                      static_cast<std::uint32_t>(facets.size()),
-                      static_cast<float>(z),
-                      static_cast<float>(z),
-                      0,
-                      0});
-  }
-  std::uint32_t nearest(double x, double y) const {
-    std::uint32_t found = kNone;
-    for (std::uint32_t f = 0; f < facets.size(); ++f) {
-      bool inside = true;
-      for (int i = 0; i < 3; ++i) {
-        const LatticePoint a = vertices[facets[f].v[i]].p, b = vertices[facets[f].v[(i + 1) % 3]].p;
-        inside = inside && (double(b.x) - a.x) * (y - a.y) - (double(b.y) - a.y) * (x - a.x) >= 0;
-      }
-      if (inside && (found == kNone || facets[f].z_near < facets[found].z_near)) found = f;
-    }
-    return found;
-  }
-};
-
-TEST(NearestAlong, IsWhatAPlainSearchFinds) {
-  for (unsigned seed = 0; seed < 20; ++seed) {
-    std::mt19937 random(seed);
-    const auto number = [&](int most) { return static_cast<std::int32_t>(random() % static_cast<unsigned>(most)); };
-    Facing scene;
-    for (int i = 0; i < 60; ++i) {
-      const int size = i % 10 == 0 ? 60'000 : 9'000;  // a few cover whole lines
-      const LatticePoint at{number(40'000) - 20'000, number(40'000) - 20'000};
-      const auto corner = [&] { return LatticePoint{at.x + number(size) - size / 2, at.y + number(size) - size / 2}; };
-      scene.add(corner(), corner(), corner(), i);
-    }
-    std::vector<LineOnPage> lines;
-    for (int i = 0; i < 40; ++i) {
-      const LatticePoint from{number(40'000) - 20'000, number(40'000) - 20'000};
-      lines.push_back({from, {from.x + number(12'000) - 6'000, from.y + number(12'000) - 6'000}});
-    }
-    const auto all = nearest_along(scene.vertices, scene.facets, lines, false);
-    const auto any = nearest_along(scene.vertices, scene.facets, lines, true);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      for (const auto* seen : {&all[i], &any[i]}) {
-        double end = 0;
-        for (const SeenStretch& s : *seen) {
-          EXPECT_EQ(s.from, end);
-          end = s.to;
-          const double t = (s.from + s.to) / 2;
-          const std::uint32_t nearest = scene.nearest(lines[i][0].x + t * (double(lines[i][1].x) - lines[i][0].x),
-                                                      lines[i][0].y + t * (double(lines[i][1].y) - lines[i][0].y));
-          if (seen == &all[i]) {
-            EXPECT_EQ(s.facet, nearest) << seed << ' ' << i;
-          } else {
-            EXPECT_EQ(s.facet == kNone, nearest == kNone) << seed << ' ' << i;
-          }
-        }
-        EXPECT_EQ(end, 1);
-      }
-    }
-  }
 }
 
 // Covers of cells of the screen grid: patches of facets against points of the cell.
@@ -318,6 +179,93 @@ TEST(CellCover, HoldsAtAllPoints) {
   EXPECT_GT(covered, 20);
   EXPECT_GT(hidden, 50);
 }
+
+// Facets seen along lines, against every facet at many places.
+
+TEST(NearestAlong, IsWhatAPlainSearchFinds) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    const auto number = [&](int most) { return static_cast<std::int32_t>(random() % static_cast<unsigned>(most)); };
+    Mesh mesh;
+    for (int i = 0; i < 60; ++i) {
+      const int size = i % 10 == 0 ? 60'000 : 9'000;  // a few cover whole lines
+      const LatticePoint at{number(40'000) - 20'000, number(40'000) - 20'000};
+      std::array<std::uint32_t, 3> v{};
+      for (std::uint32_t& corner : v)
+        corner = mesh.add_vertex(at.x + number(size) - size / 2, at.y + number(size) - size / 2, i);
+      mesh.add_facet(v[0], v[1], v[2]);
+    }
+    std::vector<LineOnPage> lines;
+    for (int i = 0; i < 40; ++i) {
+      const LatticePoint from{number(40'000) - 20'000, number(40'000) - 20'000};
+      lines.push_back({from, {from.x + number(12'000) - 6'000, from.y + number(12'000) - 6'000}});
+    }
+    const auto all = nearest_along(mesh.vertices, mesh.facets, lines, false);
+    const auto any = nearest_along(mesh.vertices, mesh.facets, lines, true);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      for (const auto* seen : {&all[i], &any[i]}) {
+        double end = 0;
+        for (const SeenStretch& s : *seen) {
+          EXPECT_EQ(s.from, end);
+          end = s.to;
+          const double t = (s.from + s.to) / 2;
+          const double nearest = mesh.nearest_depth(lines[i][0].x + t * (double(lines[i][1].x) - lines[i][0].x),
+                                                    lines[i][0].y + t * (double(lines[i][1].y) - lines[i][0].y));
+          EXPECT_EQ(s.facet == kNone, std::isinf(nearest)) << seed << ' ' << i;
+          if (seen == &all[i] && s.facet != kNone) {
+            EXPECT_EQ(mesh.facets[s.facet].z_near, std::round(nearest)) << seed << ' ' << i;
+          }
+        }
+        EXPECT_EQ(end, 1);
+      }
+    }
+  }
+}
+
+// The tree of facets tells apart what does not meet. That it reaches all that may meet shows in every line of penetration.
+
+/// How many pairs of facets are in leaves below two nodes that may meet.
+std::size_t pairs_below(const FacetTree& tree, std::uint32_t a, std::uint32_t b) {
+  const FacetTree::Node &m = tree.node(a), &n = tree.node(b);
+  if (a != b && !FacetTree::may_intersect(m, n)) return 0;
+  if (a == b && m.face != kNone) return 0;
+  if (tree.is_leaf(m) && tree.is_leaf(n)) {
+    const std::size_t size = m.end - m.first;
+    return a == b ? size * (size - 1) / 2 : size * (n.end - n.first);
+  }
+  const auto both = [&](std::uint32_t first, std::uint32_t second, std::uint32_t with) {
+    return pairs_below(tree, first, with) + pairs_below(tree, second, with);
+  };
+  if (a == b) return both(m.children, m.children + 1, m.children + 1) + pairs_below(tree, m.children, m.children);
+  return m.size() >= n.size() ? both(m.children, m.children + 1, b) : both(n.children, n.children + 1, a);
+}
+
+/// The skins of an onion, in the view along its axis: `n` halves of spheres of 8 x 16 cells, each cell of two facets.
+std::size_t pairs_of_skins(int n) {
+  Mesh mesh;
+  mesh.scene.lattice.step_mm = 0x1p-17;
+  constexpr int kRows = 8, kColumns = 16;
+  for (int skin = 0; skin < n; ++skin) {
+    const double r = 50 * (1 + double(skin) / n);
+    const auto at = [&](int row, int column) {
+      const double t = std::numbers::pi / 2 * (row + 0.1) / (kRows + 0.5), p = 2 * std::numbers::pi * column / kColumns;
+      const LatticePoint at = mesh.scene.lattice.snap({r * std::sin(t) * std::cos(p), r * std::sin(t) * std::sin(p)});
+      return mesh.add_vertex(at.x, at.y, -r * std::cos(t));
+    };
+    for (int i = 0; i < kRows; ++i)
+      for (int k = 0; k < kColumns; ++k) {
+        mesh.add_facet(at(i, k), at(i + 1, k), at(i + 1, k + 1));
+        mesh.add_facet(at(i, k), at(i + 1, k + 1), at(i, k + 1));
+      }
+  }
+  const FacetTree tree(mesh.scene, mesh.facets);
+  std::size_t pairs = 0;
+  for (std::size_t i = 0; i < tree.roots().size(); ++i)
+    for (std::size_t k = i; k < tree.roots().size(); ++k) pairs += pairs_below(tree, tree.roots()[i], tree.roots()[k]);
+  return pairs;
+}
+
+TEST(FacetTree, TellsSkinsOfAnOnionApart) { EXPECT_LT(double(pairs_of_skins(64)), 2.7 * double(pairs_of_skins(32))); }
 
 }  // namespace
 }  // namespace ligne::test
