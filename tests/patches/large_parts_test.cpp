@@ -21,8 +21,8 @@ using namespace test;
 
 /// A mesh of one object, with what find_patches() computes first.
 struct Mesh {
-  explicit Mesh(const std::vector<Corners>& polygons)
-      : scene(scene_of(polygons)), topology(build_topology(scene)), normals(face_normals(scene, topology)) {}
+  explicit Mesh(const MeshText& text)
+      : scene(text.scene()), topology(build_topology(scene)), normals(face_normals(scene, topology)) {}
 
   TriangleObject object() const {
     const Object& first = scene.objects[0];
@@ -33,17 +33,6 @@ struct Mesh {
   Topology topology;
   std::vector<glm::vec3> normals;
 };
-
-/// Wavy ground of n x n squares, with a level square and a level strip.
-std::vector<Corners> waves(int n) {
-  std::vector<Corners> polygons;
-  add_grid(polygons, n, n, true, [](int u, int v) {
-    const bool is_level = (u >= 100 && u <= 125 && v >= 100 && v <= 120) || (u >= 20 && u <= 22 && v >= 30 && v <= 50);
-    const double z = 2 * std::sin(0.31 * u + 0.15 * v) + 2 * std::sin(0.33 * v - 0.14 * u) + std::sin(0.21 * u - 0.19 * v);
-    return Point3(u, v, is_level ? 2 : z);
-  });
-  return polygons;
-}
 
 /// Compares the findings with those of the graph of all facets. Returns the number of faces in planes.
 std::size_t compare_with_all_facets(const Mesh& mesh) {
@@ -80,20 +69,22 @@ std::size_t compare_with_all_facets(const Mesh& mesh) {
   return in_planes;
 }
 
-TEST(LargeFreeform, HasTheFindingsOfAllFacets) { EXPECT_GE(compare_with_all_facets(Mesh(waves(300))), 2u * 25 * 20); }
+/// Wavy ground with a level square and a level strip.
+TEST(LargeFreeform, HasTheFindingsOfAllFacets) {
+  const Mesh mesh(
+      mesh_of("grid 300 x 300 triangles: u; v; "
+              "if((u>=100)*(u<=125)*(v>=100)*(v<=120)+(u>=20)*(u<=22)*(v>=30)*(v<=50)>0,2,"
+              "2*sin(0.31*u+0.15*v)+2*sin(0.33*v-0.14*u)+sin(0.21*u-0.19*v))"));
+  EXPECT_GE(compare_with_all_facets(mesh), 2u * 25 * 20);
+}
 
 /// Fine waves have many pairs of triangles in one plane, which are a part of the form. The two level triangles that are much
 /// larger than those around them are a plane.
 TEST(LargeFreeform, HasPairsOfTrianglesInOnePlane) {
-  constexpr int kCells = 300, kLarge = 150;
-  const auto place = [](int k) { return k > kLarge ? k + 9.0 : k; };
-  std::vector<Corners> polygons;
-  add_grid(polygons, kCells, kCells, true, [&](int u, int v) {
-    const bool is_level = (u == kLarge || u == kLarge + 1) && (v == kLarge || v == kLarge + 1);
-    const double x = place(u), y = place(v), z = 3 * std::sin(0.05 * x + 0.02 * y) + 3 * std::sin(0.06 * y - 0.03 * x);
-    return Point3(x, y, is_level ? 1 : z);
-  });
-  const Mesh mesh(polygons);
+  const std::string x = "(u+if(u>150,9,0))", y = "(v+if(v>150,9,0))";
+  const Mesh mesh(mesh_of("grid 300 x 300 triangles: " + x + "; " + y +
+                          "; if((abs(u-150.5)<1)*(abs(v-150.5)<1)>0,1,3*sin(0.05*" + x + "+0.02*" + y + ")+3*sin(0.06*" + y +
+                          "-0.03*" + x + "))"));
   const TriangleObject whole = mesh.object();
   const std::vector<std::uint32_t> joints = flat_joints(mesh.scene, mesh.topology, whole.object, whole.edges, mesh.normals);
   EXPECT_GE(joints.size(), whole.edge_count() / 32);
@@ -101,24 +92,19 @@ TEST(LargeFreeform, HasPairsOfTrianglesInOnePlane) {
 }
 
 TEST(LargeFreeform, IsNoMeshOfCylinders) {
-  std::vector<Corners> polygons;
-  for (int tube = 0; tube < 20; ++tube) {
-    add_grid(polygons, 64, 80, true, [&](int u, int v) {
-      const double angle = 2 * kPi * (u % 64) / 64;
-      return Point3(3 * tube + std::cos(angle), std::sin(angle), 0.05 * v);
-    });
-  }
-  const Mesh mesh(polygons);
+  std::string tubes;
+  for (int tube = 0; tube < 20; ++tube)
+    tubes += "grid 64 x 80 triangles round: 3*" + std::to_string(tube) + "+cos(pi*u/32); sin(pi*u/32); 0.05*v\n";
+  const Mesh mesh(mesh_of(tubes));
   ASSERT_GE(mesh.scene.faces.size(), 150'000u);
   std::vector<std::uint32_t> joints;
   EXPECT_FALSE(find_large_freeform(mesh.object(), joints).has_value());
 }
 
 TEST(LargeFreeform, IsNoMeshThatMostlyLiesInPlanes) {
-  std::vector<Corners> polygons;
-  add_grid(polygons, 300, 300, true, [](int u, int v) { return Point3(u, v, u < 200 ? 1 : std::sin(0.1 * u + 0.03 * v)); });
+  const Mesh mesh(mesh_of("grid 300 x 300 triangles: u; v; if(u<200,1,sin(0.1*u+0.03*v))"));
   std::vector<std::uint32_t> joints;
-  EXPECT_FALSE(find_large_freeform(Mesh(polygons).object(), joints).has_value());
+  EXPECT_FALSE(find_large_freeform(mesh.object(), joints).has_value());
 }
 
 // Objects that repeat an earlier one, and the surfaces that they take over from it.

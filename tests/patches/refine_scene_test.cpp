@@ -2,8 +2,8 @@
 
 #include "scene/patches/refine/refine_scene.hpp"
 #include "base/no_index.hpp"
-#include "patches/part_scenes.hpp"
 #include "support/mesh_script.hpp"
+#include "support/mesh_text.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
@@ -13,48 +13,30 @@ RefineLimits limit_of(double most) {
   return {most, [](const Point3&) { return 1.0; }};
 }
 
-std::vector<Corners> turned_polygons(const std::vector<Point2>& profile, int facets) {
-  return turned_body(facets, profile, true);
-}
-
-Scene turned(const std::vector<Point2>& profile, int facets) { return scene_of(turned_polygons(profile, facets)); }
-
-/// Two bodies, the second one moved.
-Scene both(std::vector<Corners> first, const std::vector<Corners>& second, const Point3& by) {
-  for (Corners polygon : second) {
-    for (Point3& p : polygon) p += by;
-    first.push_back(polygon);
-  }
-  return scene_of(first);
-}
-
 struct Refined {
   Scene given;
   Topology topology;
   Creases creases;
   std::optional<RefinedScene> scene;
 
-  Refined(Scene from, double most) : given(std::move(from)), topology(build_topology(given)) {
+  Refined(const std::string& mesh, double most) : given(mesh_of(mesh).scene()), topology(build_topology(given)) {
     creases = find_creases(given, topology, {});
     scene = refine_scene(given, topology, limit_of(most), creases);
   }
 };
 
-/// A column with a hollow fillet at its foot, on a disk.
-std::vector<Point2> column_on_disk() {
-  std::vector<Point2> profile{{20, 0}, {20, 4}};
-  for (int k = 0; k <= 4; ++k) {
-    const double turn = kPi / 2 * k / 4;
-    profile.emplace_back(11 - 3 * std::sin(turn), 7 - 3 * std::cos(turn));
-  }
-  profile.emplace_back(8, 20);
-  return profile;
+std::string turned(int facets, const std::string& circles) {
+  return "shape turned-body " + std::to_string(facets) + " " + circles + " triangles";
 }
+
+/// A column with a hollow fillet at its foot, on a disk.
+const std::string kColumnOnDisk =
+    "20,0 20,4 11,4 11-3*sin(pi/8),7-3*cos(pi/8) 11-3*sin(pi/4),7-3*cos(pi/4) 11-3*cos(pi/8),7-3*sin(pi/8) 8,7 8,20";
 
 TEST(RefineScene, PutsNewVerticesOnTheSurfacesAndKeepsBodiesClosed) {
   constexpr double kMost = 0.05;
   for (const int facets : {12, 16, 24}) {
-    const Refined refined(turned(column_on_disk(), facets), kMost);
+    const Refined refined(turned(facets, kColumnOnDisk), kMost);
     ASSERT_TRUE(refined.scene) << facets;
     const Scene& scene = refined.scene->scene;
     const Topology& topology = refined.scene->topology;
@@ -89,13 +71,11 @@ TEST(RefineScene, PutsNewVerticesOnTheSurfacesAndKeepsBodiesClosed) {
 
 TEST(RefineScene, HalvesTheCircleAlongWhichAPlaneTouchesATorus) {
   // A bolt with a round head: its flat top touches the torus.
-  std::vector<Point2> profile{{20, 0}};
-  for (int k = 0; k <= 4; ++k) {
-    const double turn = kPi / 2 * k / 4;
-    profile.emplace_back(12 + 8 * std::cos(turn), 10 + 8 * std::sin(turn));
-  }
   constexpr int kSides = 16;
-  const Refined refined(turned(profile, kSides), 0.01);
+  const Refined refined(turned(kSides,
+                               "20,0 20,10 12+8*cos(pi/8),10+8*sin(pi/8) 12+8*cos(pi/4),10+8*sin(pi/4) "
+                               "12+8*sin(pi/8),10+8*cos(pi/8) 12,18"),
+                        0.01);
   ASSERT_TRUE(refined.scene);
   const Scene& scene = refined.scene->scene;
   std::size_t on_top = 0;
@@ -111,20 +91,18 @@ TEST(RefineScene, HalvesTheCircleAlongWhichAPlaneTouchesATorus) {
 }
 
 TEST(RefineScene, LeavesFineMeshesAndPolygonsAlone) {
-  EXPECT_FALSE(Refined(turned(column_on_disk(), 24), 10).scene);
-  EXPECT_FALSE(Refined(turned({{5, 0}, {5, 8}}, 6), 0.01).scene) << "a hexagonal prism";
+  EXPECT_FALSE(Refined(turned(24, kColumnOnDisk), 10).scene);
+  EXPECT_FALSE(Refined(turned(6, "5,0 5,8"), 0.01).scene) << "a hexagonal prism";
 }
 
 TEST(RefineScene, LeavesSurfacesWithAnOpenBorderAlone) {
-  std::vector<Corners> polygons;
-  add_grid(polygons, 16, 1, true, [&](int u, int v) { return on_circle(5, 2 * kPi * (u % 16) / 16, 8.0 * v); });
-  EXPECT_FALSE(Refined(scene_of(polygons), 0.01).scene);
+  EXPECT_FALSE(Refined("grid 16 x 1 triangles round: 5*cos(pi*u/8); 5*sin(pi*u/8); 8*v", 0.01).scene);
 }
 
 TEST(RefineScene, MovesCornersOnChordsOntoBothSurfaces) {
   constexpr double kMost = 0.02;
   for (const int facets : {24, 30, 48}) {
-    const Refined refined(scene_of(csg_plug(25, 12.5, facets)), kMost);
+    const Refined refined("shape csg-plug 25 12.5 " + std::to_string(facets), kMost);
     ASSERT_TRUE(refined.scene) << facets;
     const Scene& scene = refined.scene->scene;
     const Topology& topology = refined.scene->topology;
@@ -152,23 +130,26 @@ TEST(RefineScene, MovesCornersOnChordsOntoBothSurfaces) {
 }
 
 TEST(RefineScene, LeavesBodiesThatTouchAlone) {
-  const std::vector<Corners> pin = turned_polygons({{5, 0}, {5, 20}}, 16);
-  // A sleeve, whose bore is the pin's wall turned over.
-  const auto sleeve = [&](double bore, int facets) {
-    std::vector<Corners> faces;
-    const std::vector<Point2> profile{{bore, 5}, {9, 5}, {9, 15}, {bore, 15}, {bore, 5}};
-    add_grid(faces, facets, 4, true, [&](int u, int v) {
-      const Point2 p = profile[static_cast<std::size_t>(v)];
-      return on_circle(p.x, 2 * kPi * (u % facets) / facets, p.y);
-    });
-    return faces;
+  const auto pin = [](const std::string& x, const std::string& z) {
+    return "grid 16 x 1 capped triangles round: 5*cos(pi*u/8)+" + x + "; 5*sin(pi*u/8); 20*v+" + z + "\n";
   };
-  EXPECT_FALSE(Refined(both(pin, sleeve(5, 16), Point3(0.0)), 0.01).scene) << "a pin in its bore";
-  EXPECT_TRUE(Refined(both(pin, sleeve(7, 16), Point3(0.0)), 0.01).scene) << "a pin in a wider bore";
-  EXPECT_TRUE(Refined(both(sleeve(5, 16), sleeve(5, 24), Point3(0, 0, 10)), 0.01).scene) << "bores that continue each other";
-  EXPECT_TRUE(Refined(both(pin, pin, Point3(6, 0, 5)), 0.01).scene) << "two pins in each other";
-  EXPECT_TRUE(Refined(both(pin, pin, Point3(12, 0, 0)), 0.01).scene) << "two pins beside each other";
-  EXPECT_FALSE(Refined(both(pin, pin, Point3(10, 0, 0)), 0.01).scene) << "two pins that touch";
+  // A sleeve, whose bore is the pin's wall turned over.
+  const auto sleeve = [](const std::string& bore, const std::string& n, const std::string& z) {
+    const std::string r = "if(v==1,9,if(v==2,9," + bore + "))";
+    return "grid " + n + " x 4 triangles round: " + r + "*cos(2*pi*u/" + n + "); " + r + "*sin(2*pi*u/" + n +
+           "); if(abs(v-2.5)<1,15,5)+" + z + "\n";
+  };
+  const struct {
+    const char* name;
+    std::string mesh;
+    bool refined;
+  } rows[] = {{"a pin in its bore", pin("0", "0") + sleeve("5", "16", "0"), false},
+              {"a pin in a wider bore", pin("0", "0") + sleeve("7", "16", "0"), true},
+              {"bores that continue each other", sleeve("5", "16", "0") + sleeve("5", "24", "10"), true},
+              {"two pins in each other", pin("0", "0") + pin("6", "5"), true},
+              {"two pins beside each other", pin("0", "0") + pin("12", "0"), true},
+              {"two pins that touch", pin("0", "0") + pin("10", "0"), false}};
+  for (const auto& row : rows) EXPECT_EQ(Refined(row.mesh, 0.01).scene.has_value(), row.refined) << row.name;
 }
 
 [[maybe_unused]] const bool scripts_are_added = add_mesh_scripts(LIGNE_SOURCE_DIR "/tests/patches/scripts");

@@ -12,6 +12,7 @@
 #include "scene/patches/borders/patch_edges.hpp"
 #include "scene/patches/borders/tangent_gaps.hpp"
 #include "scene/patches/borders/whole_borders.hpp"
+#include "support/mesh_text.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
@@ -33,22 +34,13 @@ struct FoundCreases {
 
 // Creases that end in the middle of a surface: those of a coarse smooth mesh go, long ones that stand out stay.
 
-/// A bowed sheet, folded along its middle by an angle that falls from `most` degrees at one end to 0 at the other.
-std::vector<Corners> fold(double most, int columns, int rows = 12) {
-  std::vector<Corners> polygons;
-  const auto at = [&](int u, int v) {
-    const double y = 20.0 * v / rows - 10, side = 1.0 * u / columns - 1;
-    const double slope = std::tan(most / 2 * (1 - (y + 10) / 20) * kPi / 180), x = 8 * side;
-    return Point3(x, y, -slope * std::abs(x) - 0.01 * x * x - 0.01 * y * y);
-  };
-  add_grid(polygons, 2 * columns, rows, true, at);
-  return polygons;
-}
-
-/// Creases may become flat over a long way, as where a plane cuts a coil, but not by one edge at their end.
+/// Creases may become flat over a long way, as where a plane cuts a coil, but not by one edge at their end: a bowed sheet,
+/// folded along its middle by an angle that falls from `most` degrees at one end to 0 at the other.
 TEST(FadingCreases, DoNotEndWithAFewFlatEdges) {
   for (const double most : {58.0, 150.0}) {
-    FoundCreases found(fold(most, 8, 48));
+    FoundCreases found(mesh_of("grid 16 x 48 triangles: u-8; 20*v/48-10; -tan(" + as_text(most) +
+                               "/2*(1-v/48)*pi/180)*abs(u-8)-0.01*(u-8)^2-0.01*(20*v/48-10)^2")
+                           .polygons());
     std::vector<Bend> bends(found.topology.edges.size(), Bend::none);
     std::vector<BendEnd> ends;
     std::vector<std::uint32_t> middle;
