@@ -1,9 +1,8 @@
 // The comparison must find whatever is wrong with a drawing, and nothing else.
 
-#include <nlohmann/json.hpp>
-
 #include "compare.hpp"
 #include "known_answer.hpp"
+#include "main/script.hpp"
 #include "support/test.hpp"
 
 namespace ligne::test {
@@ -137,49 +136,20 @@ TEST(Compare, LinesAtTwoDepthsAreNotJoined) {
 
 // The reader of the answers.
 
-using nlohmann::json;
-
-json square() {
-  return json::parse(R"({
-    "about": "a square from the front",
-    "reasoning": ["All four sides are borders, and nothing is before them."],
-    "view": {"name": "front", "right": [1, 0, 0], "down": [0, 0, -1]},
-    "edges": "feature",
-    "scene": {"format": "ligne-scene", "version": 1,
-      "objects": [{"vertices": [[0, 0, 0], [1, 0, 0], [1, 0, 1], [0, 0, 1]], "faces": [{"outer": [0, 1, 2, 3]}]}]},
-    "visible": {"border": [[[0, 0, 0], [1, 0, 0]], [[1, 0, 0], [1, 0, 1]], [[1, 0, 1], [0, 0, 1]], [[0, 0, 1], [0, 0, 0]]]},
-    "hidden": {"crease": [[[0, 0, 0], [1, 0, 1]]]}
-  })");
-}
-
-std::string error_of(const json& document) {
+/// Reads the JSON as the file of an answer; the error without the name of the file.
+std::string read_answer(const std::string& json) {
+  const TemporaryFolder folder;
+  folder.write("A.json", json);
   try {
-    parse_known_answer(document.dump(), "A", {});
+    return std::to_string(read_known_answer(folder / "A.json").segments.size());
   } catch (const KnownAnswerError& error) {
-    return error.what();
+    const std::string what = error.what();
+    throw KnownAnswerError(what.substr(what.find("A.json: ") + 8));
   }
-  return "no error";
 }
 
-TEST(KnownAnswerReader, SaysWhatIsWrong) {
-  const auto with = [](const char* pointer, const json& value) {
-    json document = square();
-    document[json::json_pointer(pointer)] = value;
-    return document;
-  };
-  EXPECT_EQ(error_of(with("/note", "x")), "A: the file: unknown key 'note'");
-  EXPECT_EQ(error_of(with("/reasoning", json::array())), "A: reasoning: is empty");
-  EXPECT_EQ(error_of(with("/view/name", "north")), "A: view.name: there is no view 'north'");
-  EXPECT_EQ(error_of(with("/view/direction", {0, 1, 0})), "A: view: needs one of 'name', 'direction' and 'eye'");
-  EXPECT_EQ(error_of(with("/edges", "outline,rim")), "A: there is no class 'rim'");
-  EXPECT_EQ(error_of(with("/hidden/rim", json::parse("[[[0,0,0],[1,0,1]]]"))), "A: there is no class 'rim'");
-  EXPECT_EQ(error_of(with("/visible/border/0/1", {0, 0, 0})), "A: visible.border: [[0,0,0],[0,0,0]] has no length");
-  EXPECT_EQ(error_of(with("/visible/border/0/1", {0, 0})), "A: visible.border: is not a point [x, y, z]");
-  EXPECT_EQ(error_of(with("/scene/objects/0/vertices/0", {0, 1, 0})), "A: scene: had to be mended");
-  json document = square();
-  document.erase("visible");
-  EXPECT_EQ(error_of(document), "A: key 'visible' is missing");
-}
+[[maybe_unused]] const bool readings_are_added =
+    add_function_scripts(LIGNE_SOURCE_DIR "/tests/known_answers/values", {{"answer", read_answer}});
 
 }  // namespace
 }  // namespace ligne::test

@@ -1,6 +1,5 @@
 #include "known_answer.hpp"
 
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 
 #include "scene/readers/reader.hpp"
@@ -10,139 +9,96 @@ namespace {
 
 using nlohmann::json;
 
-class AnswerReader {
- public:
-  AnswerReader(const json& root, const std::string& name, const std::filesystem::path& folder)
-      : root_(root), name_(name), folder_(folder) {}
+[[noreturn]] void fail(const std::string& what) { throw KnownAnswerError(what); }
 
-  KnownAnswer read() const {
-    expect_keys(root_, "the file", {"about", "reasoning", "view", "edges", "scene", "visible", "hidden"});
-    KnownAnswer answer;
-    answer.name = name_;
-    answer.about = text(at(root_, "about"), "about");
-    for (const json& line : array(at(root_, "reasoning"), "reasoning")) answer.reasoning.push_back(text(line, "reasoning"));
-    if (answer.reasoning.empty()) fail("reasoning: is empty");
-    read_view(at(root_, "view"), answer);
-    answer.edges = text(at(root_, "edges"), "edges");
-    if (answer.edges != "all" && answer.edges != "feature") check_classes(answer.edges);
-    answer.scene = read_scene_of(at(root_, "scene"));
-    answer.camera.up_axis = answer.scene.up_axis;
-    read_segments(at(root_, "visible"), "visible", true, answer);
-    answer.with_hidden = root_.contains("hidden");
-    if (answer.with_hidden) read_segments(root_.at("hidden"), "hidden", false, answer);
-    return answer;
-  }
+void expect_keys(const json& object, const std::string& what, const std::set<std::string>& known) {
+  for (const auto& [key, value] : object.items())
+    if (!known.contains(key)) fail(what + ": unknown key '" + key + "'");
+}
 
- private:
-  [[noreturn]] void fail(const std::string& what) const { throw KnownAnswerError(name_ + ": " + what); }
+Point3 point(const json& value) {
+  const auto [x, y, z] = value.get<std::array<double, 3>>();
+  if (value.size() != 3) fail(value.dump() + " is not a point [x, y, z]");
+  return {x, y, z};
+}
 
-  void expect_keys(const json& object, const std::string& what, std::initializer_list<std::string_view> known) const {
-    if (!object.is_object()) fail(what + ": is not an object");
-    for (const auto& [key, value] : object.items())
-      if (std::find(known.begin(), known.end(), key) == known.end()) fail(what + ": unknown key '" + key + "'");
-  }
-  const json& at(const json& object, const char* key) const {
-    const auto found = object.find(key);
-    if (found == object.end()) fail(std::string("key '") + key + "' is missing");
-    return *found;
-  }
-  const json& array(const json& value, const std::string& what) const {
-    if (!value.is_array()) fail(what + ": is not an array");
-    return value;
-  }
-  std::string text(const json& value, const std::string& what) const {
-    if (!value.is_string()) fail(what + ": is not a string");
-    return value.get<std::string>();
-  }
-  double number(const json& value, const std::string& what) const {
-    if (!value.is_number()) fail(what + ": is not a number");
-    return value.get<double>();
-  }
-  Point3 point(const json& value, const std::string& what) const {
-    if (array(value, what).size() != 3) fail(what + ": is not a point [x, y, z]");
-    return {number(value[0], what), number(value[1], what), number(value[2], what)};
-  }
+LineClass line_class(std::string_view word) {
+  const auto found = std::find(kLineClassNames.begin(), kLineClassNames.end(), word);
+  if (found == kLineClassNames.end()) fail("there is no class '" + std::string(word) + "'");
+  return static_cast<LineClass>(found - kLineClassNames.begin());
+}
 
-  LineClass line_class(std::string_view word) const {
-    const auto found = std::find(kLineClassNames.begin(), kLineClassNames.end(), word);
-    if (found == kLineClassNames.end()) fail("there is no class '" + std::string(word) + "'");
-    return static_cast<LineClass>(found - kLineClassNames.begin());
+void read_view(const json& view, KnownAnswer& answer) {
+  expect_keys(view, "view", {"name", "direction", "eye", "target", "fov", "up", "right", "down"});
+  if (view.contains("name") + view.contains("direction") + view.contains("eye") != 1)
+    fail("view: needs one of 'name', 'direction' and 'eye'");
+  CameraRequest& camera = answer.camera;
+  if (view.contains("name")) {
+    const auto known = std::ranges::find(kNamedViews, view["name"].get<std::string>());
+    if (known == std::end(kNamedViews)) fail("there is no view " + view["name"].dump());
+    camera.named_view = *known;
   }
-  void check_classes(const std::string& list) const {
-    std::istringstream words(list);
-    for (std::string word; std::getline(words, word, ',');) line_class(word);
+  if (view.contains("direction")) camera.direction = point(view["direction"]);
+  if (view.contains("eye")) {
+    camera.eye = point(view["eye"]);
+    camera.target = point(view.at("target"));
+    camera.fov_degrees = view.at("fov").get<double>();
   }
+  if (view.contains("up")) camera.up = point(view["up"]);
+  answer.right = point(view.at("right"));
+  answer.down = point(view.at("down"));
+}
 
-  void read_view(const json& view, KnownAnswer& answer) const {
-    expect_keys(view, "view", {"name", "direction", "eye", "target", "fov", "up", "right", "down"});
-    if (view.contains("name") + view.contains("direction") + view.contains("eye") != 1)
-      fail("view: needs one of 'name', 'direction' and 'eye'");
-    CameraRequest& camera = answer.camera;
-    if (const auto found = view.find("name"); found != view.end()) {
-      const std::string wanted = text(*found, "view.name");
-      const auto known = std::find(std::begin(kNamedViews), std::end(kNamedViews), wanted);
-      if (known == std::end(kNamedViews)) fail("view.name: there is no view '" + wanted + "'");
-      camera.named_view = *known;
-    }
-    if (view.contains("direction")) camera.direction = point(view["direction"], "view.direction");
-    if (view.contains("eye")) {
-      camera.eye = point(view["eye"], "view.eye");
-      camera.target = point(at(view, "target"), "view.target");
-      camera.fov_degrees = number(at(view, "fov"), "view.fov");
-    }
-    if (view.contains("up")) camera.up = point(view["up"], "view.up");
-    answer.right = point(at(view, "right"), "view.right");
-    answer.down = point(at(view, "down"), "view.down");
-  }
+Scene read_scene_of(const json& scene, const std::filesystem::path& folder) {
+  Warnings warnings;
+  const std::string bytes = scene.dump();
+  Scene result = scene.is_string()
+                     ? read_scene(folder / scene.get<std::string>(), {}, warnings)
+                     : read_scene({std::as_bytes(std::span(bytes)), "scene"}, ModelFormat::ligne_scene, {}, warnings);
+  if (!warnings.counts().empty()) fail("scene: had to be mended");
+  return result;
+}
 
-  Scene read_scene_of(const json& scene) const {
-    Warnings warnings;
-    Scene result;
-    if (scene.is_string()) {
-      result = read_scene(folder_ / scene.get<std::string>(), {}, warnings);
-    } else {
-      const std::string bytes = scene.dump();
-      result = read_scene({std::as_bytes(std::span(bytes)), name_}, ModelFormat::ligne_scene, {}, warnings);
-    }
-    if (!warnings.counts().empty()) fail("scene: had to be mended");
-    return result;
-  }
-
-  void read_segments(const json& lists, const std::string& what, bool visible, KnownAnswer& answer) const {
-    if (!lists.is_object()) fail(what + ": is not an object");
-    for (const auto& [key, list] : lists.items()) {
-      const std::string place = what + "." + key;
-      for (const json& ends : array(list, place)) {
-        if (array(ends, place).size() != 2) fail(place + ": " + ends.dump() + " is not a segment [from, to]");
-        KnownSegment segment{point(ends[0], place), point(ends[1], place), line_class(key), visible};
-        if (segment.from == segment.to) fail(place + ": " + ends.dump() + " has no length");
-        answer.segments.push_back(segment);
-      }
+void read_segments(const json& lists, bool visible, KnownAnswer& answer) {
+  for (const auto& [key, list] : lists.items()) {
+    for (const json& ends : list) {
+      if (ends.size() != 2) fail(ends.dump() + " is not a segment [from, to]");
+      KnownSegment segment{point(ends.at(0)), point(ends.at(1)), line_class(key), visible};
+      if (segment.from == segment.to) fail(ends.dump() + " has no length");
+      answer.segments.push_back(segment);
     }
   }
+}
 
-  const json& root_;
-  const std::string& name_;
-  const std::filesystem::path& folder_;
-};
+KnownAnswer read(const json& root, const std::filesystem::path& folder) {
+  expect_keys(root, "the file", {"about", "reasoning", "view", "edges", "scene", "visible", "hidden"});
+  KnownAnswer answer;
+  answer.about = root.at("about").get<std::string>();
+  answer.reasoning = root.at("reasoning").get<std::vector<std::string>>();
+  if (answer.reasoning.empty()) fail("reasoning: is empty");
+  read_view(root.at("view"), answer);
+  answer.edges = root.at("edges").get<std::string>();
+  std::istringstream words(answer.edges == "all" || answer.edges == "feature" ? "" : answer.edges);
+  for (std::string word; std::getline(words, word, ',');) line_class(word);
+  answer.scene = read_scene_of(root.at("scene"), folder);
+  answer.camera.up_axis = answer.scene.up_axis;
+  read_segments(root.at("visible"), true, answer);
+  answer.with_hidden = root.contains("hidden");
+  if (answer.with_hidden) read_segments(root.at("hidden"), false, answer);
+  return answer;
+}
 
 }  // namespace
 
-KnownAnswer parse_known_answer(std::string_view text, const std::string& name, const std::filesystem::path& folder) {
-  json root;
-  try {
-    root = json::parse(text);
-  } catch (const json::exception& e) {
-    throw KnownAnswerError(name + ": " + e.what());
-  }
-  return AnswerReader(root, name, folder).read();
-}
-
 KnownAnswer read_known_answer(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw KnownAnswerError(file.string() + ": can not be read");
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  return parse_known_answer(text, file.stem().string(), file.parent_path());
+  try {
+    std::ifstream stream(file, std::ios::binary);
+    KnownAnswer answer = read(json::parse(stream), file.parent_path());
+    answer.name = file.stem().string();
+    return answer;
+  } catch (const std::exception& e) {
+    throw KnownAnswerError(file.string() + ": " + e.what());
+  }
 }
 
 std::vector<std::filesystem::path> known_answer_files(const std::filesystem::path& folder) {

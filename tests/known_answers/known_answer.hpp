@@ -32,12 +32,8 @@ struct KnownAnswerError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads one answer; a scene that is named by its path is looked for beside the file. Throws KnownAnswerError, and the
-/// scene reader's InputError.
+/// Reads one answer; a scene that is named by its path is looked for beside the file. Throws KnownAnswerError.
 KnownAnswer read_known_answer(const std::filesystem::path& file);
-
-/// Reads an answer from memory; a scene that is named by its path is looked for in `folder`.
-KnownAnswer parse_known_answer(std::string_view text, const std::string& name, const std::filesystem::path& folder);
 
 /// All answers in a folder, by name.
 std::vector<std::filesystem::path> known_answer_files(const std::filesystem::path& folder);
