@@ -34,7 +34,7 @@ DrawingFile draw_boxes(const std::vector<Box>& boxes, const std::string& options
   const std::string command = "draw boxes.json --quality exact -o drawn.json " + options;
   const test::Outcome outcome = test::run_ligne(folder, command.c_str());
   EXPECT_EQ(outcome.status, test::kDone) << outcome.err;
-  return read_drawing(folder / "drawn.json");
+  return parse_drawing(test::bytes_of_file(folder / "drawn.json"));
 }
 
 Point2 page_point(const DrawingFile& drawing, const Point3& p) {

@@ -65,15 +65,4 @@ DrawingFile parse_drawing(std::string_view text) {
   }
 }
 
-DrawingFile read_drawing(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw std::runtime_error(file.string() + ": can not be opened");
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  try {
-    return parse_drawing(text);
-  } catch (const std::exception& e) {
-    throw std::runtime_error(file.string() + ": " + e.what());
-  }
-}
-
 }  // namespace ligne::check

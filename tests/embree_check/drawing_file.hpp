@@ -23,7 +23,6 @@ struct DrawingFile {
 };
 
 /// Throws std::runtime_error with one line.
-DrawingFile read_drawing(const std::filesystem::path& file);
 DrawingFile parse_drawing(std::string_view text);
 
 /// "outline" and so on; throws std::runtime_error for another name.

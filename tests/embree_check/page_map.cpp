@@ -1,6 +1,6 @@
 #include "page_map.hpp"
 
-#include <glm/mat4x4.hpp>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "support/standard.hpp"
@@ -16,50 +16,33 @@ constexpr double kBoxReach = 0.9;
 
 PageMap::PageMap(const Rows& model_to_page, const UnitBox& box, const Rect& window, double near_distance)
     : window_(window), near_(near_distance) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto& row = model_to_page[i];
-    for (std::size_t k = 0; k < 3; ++k) to_page_[i][k] = row[k] * box.size;
-    to_page_[i][3] = row[0] * box.centre.x + row[1] * box.centre.y + row[2] * box.centre.z + row[3];
-  }
-  const auto& w_row = to_page_[3];
-  perspective_ = w_row[0] != 0 || w_row[1] != 0 || w_row[2] != 0;
-  glm::dmat4 matrix;
   for (int i = 0; i < 4; ++i)
-    for (int k = 0; k < 4; ++k) matrix[k][i] = to_page_[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
-  const glm::dmat4 inverse = glm::inverse(matrix);
-  for (int i = 0; i < 4; ++i)
-    for (int k = 0; k < 4; ++k) {
-      to_box_[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = inverse[k][i];
-      if (!std::isfinite(inverse[k][i])) throw std::runtime_error("the matrix of the view can not be inverted");
-    }
+    for (int k = 0; k < 4; ++k) to_page_[k][i] = model_to_page[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+  glm::dmat4 out_of_box(box.size);
+  out_of_box[3] = glm::dvec4(box.centre, 1);
+  to_page_ = to_page_ * out_of_box;
+  to_box_ = glm::inverse(to_page_);
+  for (int k = 0; k < 4; ++k)
+    if (!std::isfinite(glm::dot(to_box_[k], to_box_[k])))
+      throw std::runtime_error("the matrix of the view can not be inverted");
+  perspective_ = to_page_[0].w != 0 || to_page_[1].w != 0 || to_page_[2].w != 0;
   // The viewer stands where the depth goes to minus infinity: at a finite point in perspective, else in a direction.
-  const Point3 far{-to_box_[0][2], -to_box_[1][2], -to_box_[2][2]};
-  if (perspective_) {
-    viewer_ = far / -to_box_[3][2];
-  } else {
-    viewer_ = glm::normalize(far * (w_row[3] < 0 ? -1.0 : 1.0));
-  }
-}
-
-Homogeneous PageMap::homogeneous(const Point3& q) const {
-  const auto row = [&](std::size_t i) {
-    return to_page_[i][0] * q.x + to_page_[i][1] * q.y + to_page_[i][2] * q.z + to_page_[i][3];
-  };
-  return {row(0), row(1), row(2), row(3)};
+  const Point3 far = -Point3(to_box_[2]);
+  viewer_ = perspective_ ? far / -to_box_[2].w : glm::normalize(far * (to_page_[3].w < 0 ? -1.0 : 1.0));
 }
 
 Point2 PageMap::page(const Point3& q) const {
-  const Homogeneous h = homogeneous(q);
+  const glm::dvec4 h = homogeneous(q);
   return {h.x / h.w, h.y / h.w};
 }
 
 Point3 PageMap::unproject(double x, double y, double z) const {
-  const auto row = [&](std::size_t i) { return to_box_[i][0] * x + to_box_[i][1] * y + to_box_[i][2] * z + to_box_[i][3]; };
-  return Point3{row(0), row(1), row(2)} / row(3);
+  const glm::dvec4 h = to_box_ * glm::dvec4(x, y, z, 1);
+  return Point3(h) / h.w;
 }
 
 Point3 PageMap::shifted(const Point3& q, Point2 mm) const {
-  const Homogeneous h = homogeneous(q);
+  const glm::dvec4 h = homogeneous(q);
   const double x = h.x / h.w, y = h.y / h.w, z = h.z / h.w;
   return q + (unproject(x + mm.x, y + mm.y, z) - unproject(x, y, z));
 }
@@ -85,7 +68,7 @@ std::pair<Point3, Point3> PageMap::sight_through(Point2 mm) const {
 }
 
 std::optional<Part> PageMap::clip(const Point3& a, const Point3& b, double margin_mm) const {
-  const Homogeneous ha = homogeneous(a), hb = homogeneous(b);
+  const glm::dvec4 ha = homogeneous(a), hb = homogeneous(b);
   Part part;
   const auto keep_positive = [&](double fa, double fb) {  // where (1 - t) fa + t fb > 0
     if (fa <= 0 && fb <= 0) return false;

@@ -5,6 +5,8 @@
 #include <array>
 #include <optional>
 
+#include <glm/mat4x4.hpp>
+
 #include "geometry/point.hpp"
 
 namespace ligne::check {
@@ -16,10 +18,6 @@ struct UnitBox {
 
   Point3 into(const Point3& p) const { return (p - centre) / size; }
   Point3 out_of(const Point3& q) const { return q * size + centre; }
-};
-
-struct Homogeneous {
-  double x = 0, y = 0, z = 0, w = 1;
 };
 
 /// The way from a point to the viewer.
@@ -45,7 +43,7 @@ class PageMap {
 
   bool perspective() const { return perspective_; }
   const Rect& window() const { return window_; }
-  Homogeneous homogeneous(const Point3& q) const;
+  glm::dvec4 homogeneous(const Point3& q) const { return to_page_ * glm::dvec4(q, 1); }
   /// The page point of a point before the near plane.
   Point2 page(const Point3& q) const;
   /// The point of the same depth whose page point lies `mm` away.
@@ -60,7 +58,7 @@ class PageMap {
  private:
   Point3 unproject(double x, double y, double z) const;
 
-  std::array<std::array<double, 4>, 4> to_page_{}, to_box_{};
+  glm::dmat4 to_page_{}, to_box_{};
   Rect window_;
   bool perspective_ = false;
   double near_ = 0;
