@@ -50,7 +50,7 @@ filter_of() {
   local general="${each_view#:}${each}:*RandomScenes*:*Crowds*:*Resolution*"
   case $1 in
     methods_test) echo "$general" ;;
-    contours_test/clear) echo '*CleanAgain*:ClearAgainstExact*:MeshSags*' ;;
+    contours_test/clear) echo '*CleanAgain*:ClearAgainstExact*:MadeParts*:MeshSags*' ;;
     contours_test/contours) echo 'ContourSupport*:OutlineProbes*:OutlineGaps*:ShallowIslands*:*ShapeLines*:SmoothContours*:SmoothPatch*:SurfaceFits*:*Surfaces.*' ;;
     contours_test/heal) echo 'ClearDrawing*:Contacts*:Creases*:*Defect*:EdgeTree*:Heal*:SegmentCells*' ;;
     cli_test)

@@ -107,15 +107,6 @@ inline std::vector<Point2> closed(const Ellipse& ellipse, int steps) {
   return points;
 }
 
-/// A circle about (50, 50), its first corner again at the end.
-inline std::vector<Point2> circle_line(double radius_mm, int points) {
-  std::vector<Point2> line;
-  for (int i = 0; i < points; ++i)
-    line.push_back({50 + radius_mm * std::cos(i * 2 * M_PI / points), 50 + radius_mm * std::sin(i * 2 * M_PI / points)});
-  line.push_back(line.front());
-  return line;
-}
-
 // Texts held against files of tests/golden/. Run with LIGNE_UPDATE_GOLDENS=1 to write them anew.
 
 inline std::string golden_file(const std::string& name) { return LIGNE_SOURCE_DIR "/tests/golden/" + name; }

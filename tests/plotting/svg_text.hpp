@@ -61,8 +61,4 @@ inline std::multiset<std::string> lines_of(const ReadDrawing& drawing) {
 
 using Lines = std::multiset<std::string>;
 
-inline void expect_lines(const std::string& body, const Lines& wanted, const char* why = "") {
-  EXPECT_EQ(lines_of(read(body)), wanted) << why << ": " << body;
-}
-
 }  // namespace ligne::test
