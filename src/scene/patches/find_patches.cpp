@@ -56,7 +56,8 @@ ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Obj
   found.plane_edges = edges_inside_planes(topology, object, graph, edge_begin, edge_end, normals);
   const std::span edges(topology.edges.data() + edge_begin, topology.edges.data() + edge_end);
   const std::vector<std::uint32_t> of_facet = PatchFinder(scene, topology, object, graph).run(found.patches);
-  std::vector<std::uint8_t> freeform = freeform_facets(scene, topology, graph, of_facet, EdgeRows(scene, topology, normals));
+  std::vector<std::uint8_t> freeform =
+      freeform_facets(scene, topology, graph, {found.patches, of_facet, {}}, EdgeRows(scene, topology, normals));
   std::vector<PatchOutline> outlines;
   if (!found.patches.empty()) outlines = patch_outlines(scene, edges, object, graph, {found.patches, of_facet, freeform});
   for (std::uint32_t f = 0; f < graph.size(); ++f) {

@@ -8,6 +8,8 @@
 
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
+#include "scene/patches/borders/patch_outlines.hpp"
+#include "scene/patches/find_patches.hpp"
 
 namespace ligne {
 
@@ -32,8 +34,15 @@ constexpr std::size_t kMostRowArcs = 16;
 constexpr std::size_t kMostPieceCorners = 6;
 /// Least part of the border of a few facets with patches at which the rows of these go on, where the facets are no planes.
 constexpr double kMostOfBorder = 0.5;
-/// Least number of corners of a facet that may be a plane by its depth: free forms have triangles of any shape.
+/// Least number of corners of a facet that may be a plane by its depth or by the surfaces beside it: free forms have
+/// triangles of any shape.
 constexpr std::size_t kPlaneCorners = 4;
+/// Largest angle between a plane and a surface that runs into it, as a fraction of the bend of their facets. A plane has
+/// half of a step of the surface as its bend and no angle; a facet that goes on in a row has an angle of half of its own
+/// step.
+constexpr double kTangentPart = 0.1;
+/// Least depth of such a plane, in depths of the facet of the surface. Facets of a free form are less unlike.
+constexpr double kTangentDepths = 1.5;
 
 /// Two parallel edges of a facet with equal bends.
 struct RowEdges {
@@ -45,8 +54,7 @@ struct RowEdges {
 
 class RowFinder {
  public:
-  RowFinder(const Scene& scene, const Topology& topology, const FacetGraph& graph,
-            const std::vector<std::uint32_t>& patch_of)
+  RowFinder(const Scene& scene, const Topology& topology, const FacetGraph& graph, std::span<const std::uint32_t> patch_of)
       : scene_(scene), topology_(topology), graph_(graph), patch_of_(patch_of) {}
 
   /// Whether a facet and one behind such an edge are in one row. By symmetry, a plane between fillets and the facets of
@@ -107,7 +115,7 @@ class RowFinder {
   const Scene& scene_;
   const Topology& topology_;
   const FacetGraph& graph_;
-  const std::vector<std::uint32_t>& patch_of_;
+  std::span<const std::uint32_t> patch_of_;
 };
 
 /// Whether a facet of four corners or more is a plane beside narrow facets of fillets and free forms: it is much deeper than
@@ -123,16 +131,35 @@ bool is_wide(const Scene& scene, const Topology& topology, const FacetGraph& gra
   });
 }
 
+/// Whether a facet of four corners or more is a plane into which a surface runs: at both ends of an edge, its normal is that
+/// of the surface, while the facets bend there, and it is much deeper than that of the surface.
+bool is_tangent_plane(const Scene& scene, const Topology& topology, const FacetGraph& graph, const FacetSurfaces& surfaces,
+                      std::uint32_t f) {
+  if (graph.vertices[f].size() < kPlaneCorners) return false;
+  const Point3& normal = graph.frames[f].normal;
+  const auto sine = [&](const Point3& other) { return glm::length(glm::cross(normal, other)); };
+  return std::ranges::any_of(graph.arcs_of(f), [&](const FacetGraph::Arc& arc) {
+    const std::uint32_t p = surfaces.patch_of[arc.facet];
+    if (p == kNone) return false;
+    const Edge& edge = topology.edges[arc.edge];
+    const double bend = sine(graph.frames[arc.facet].normal);
+    const double depth = depth_behind(scene, graph.vertices[f], edge);
+    if (bend < kLeastRowSine || depth < kTangentDepths * depth_behind(scene, graph.vertices[arc.facet], edge)) return false;
+    return std::ranges::all_of(std::array{edge.v0, edge.v1}, [&](std::uint32_t v) {
+      return sine(surfaces.patches[p].surface.normal(scene.vertices[v])) <= kTangentPart * bend;
+    });
+  });
+}
+
 /// Tells which facets belong to regions of kFewestFreeform facets or more that have no surface and are no planes. Visits
 /// only the facets near those asked for.
 class RegionFinder {
  public:
-  RegionFinder(const Scene& scene, const Topology& topology, const FacetGraph& graph,
-               const std::vector<std::uint32_t>& patch_of)
+  RegionFinder(const Scene& scene, const Topology& topology, const FacetGraph& graph, const FacetSurfaces& surfaces)
       : scene_(scene),
         topology_(topology),
         graph_(graph),
-        patch_of_(patch_of),
+        surfaces_(surfaces),
         state_(graph.size(), State::unknown),
         group_(graph.size()) {}
 
@@ -145,8 +172,8 @@ class RegionFinder {
   std::uint32_t group_of(std::uint32_t f) const { return group_[f]; }
 
   bool is_free(std::uint32_t f) const {
-    return patch_of_[f] == kNone && !graph_.has_many_corners(f) && !graph_.is_sliver[f] &&
-           !is_wide(scene_, topology_, graph_, f);
+    return surfaces_.patch_of[f] == kNone && !graph_.has_many_corners(f) && !graph_.is_sliver[f] &&
+           !is_wide(scene_, topology_, graph_, f) && !is_tangent_plane(scene_, topology_, graph_, surfaces_, f);
   }
 
  private:
@@ -177,7 +204,7 @@ class RegionFinder {
   const Scene& scene_;
   const Topology& topology_;
   const FacetGraph& graph_;
-  const std::vector<std::uint32_t>& patch_of_;
+  const FacetSurfaces& surfaces_;
   std::vector<State> state_;  ///< per facet; alone: in no region
   std::vector<std::uint32_t> group_, visited_;
 };
@@ -186,7 +213,7 @@ class RegionFinder {
 struct RowBorder {
   double length = 0, in_row = 0;  ///< of all edges; of those at which the rows of the patches go on
 
-  void add(const Scene& scene, const Topology& topology, const FacetGraph& graph, const std::vector<std::uint32_t>& patch_of,
+  void add(const Scene& scene, const Topology& topology, const FacetGraph& graph, std::span<const std::uint32_t> patch_of,
            const EdgeRows& rows, std::uint32_t f) {
     for (const FacetGraph::Arc& arc : graph.arcs_of(f)) {
       if (patch_of[arc.facet] == kNone) continue;
@@ -208,7 +235,8 @@ struct RowBorder {
 }  // namespace
 
 std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& topology, const FacetGraph& graph,
-                                          const std::vector<std::uint32_t>& patch_of, const EdgeRows& edge_rows) {
+                                          const FacetSurfaces& surfaces, const EdgeRows& edge_rows) {
+  const std::span<const std::uint32_t> patch_of = surfaces.patch_of;
   std::vector<std::uint8_t> freeform(graph.size());
   // Facets that the shape of a single one does not decide.
   const std::vector<std::uint32_t> others = indices_where(graph.size(), [&](std::size_t i) {
@@ -218,7 +246,7 @@ std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& to
     return patch_of[f] == kNone && !freeform[f];
   });
   if (others.empty()) return freeform;
-  RegionFinder regions(scene, topology, graph, patch_of);
+  RegionFinder regions(scene, topology, graph, surfaces);
   const RowFinder rows(scene, topology, graph, patch_of);
   std::unordered_map<std::uint32_t, RowBorder> borders;  // by group
   const auto may_be_cut = [&](std::uint32_t f) {

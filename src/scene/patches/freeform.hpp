@@ -10,6 +10,8 @@
 
 namespace ligne {
 
+struct FacetSurfaces;
+
 /// Smallest number of connected facets that make a free form. Fewer facets with small angles between them are planes,
 /// unless they form a regular row.
 inline constexpr std::size_t kFewestFreeform = 8;
@@ -21,18 +23,18 @@ inline constexpr double kPlaneDepths = 3;
 /// Largest distance of corners from the line of an edge, model units.
 double depth_behind(const Scene& scene, std::span<const std::uint32_t> corners, const Edge& edge);
 
-/// Per facet: 1 if it has no surface in `patch_of` (kNone) and
+/// Per facet: 1 if it has no surface (`surfaces.is_freeform` is not read) and
 /// - is so narrow that rounding determines its normal, so that it is no evidence of a plane, or
 /// - is a single triangle: planes of machine parts are seldom as small, and many free forms consist of triangles only,
 ///   or
 /// - is connected to at least kFewestFreeform facets without a surface that are no planes, neither by their number of
-///   corners (FacetGraph::has_many_corners) nor by their extent (kPlaneDepths), or
+///   corners (FacetGraph::has_many_corners) nor by their extent (kPlaneDepths) nor since a surface runs into them, or
 /// - lies in a regular row: it is as wide as a neighbour, between parallel edges with the same angle in the same sense.
 ///   That is a cylinder whose facets were cut by other bodies, so that their corners lie on no circle, or
 /// - is the last facet of such a row, as wide as the one behind it, or
 /// - belongs to fewer such facets at which the rows of the surfaces around them go on: a cut has left them of a tube, whose
 ///   bands lie on cones. A plane runs into a surface by half the angle of its facets.
 std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& topology, const FacetGraph& graph,
-                                          const std::vector<std::uint32_t>& patch_of, const EdgeRows& edge_rows);
+                                          const FacetSurfaces& surfaces, const EdgeRows& edge_rows);
 
 }  // namespace ligne

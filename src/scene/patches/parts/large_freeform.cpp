@@ -222,7 +222,7 @@ class PartFindings {
  private:
   std::vector<std::uint8_t> find_freeform() const {
     const EdgeRows rows(part_.scene, part_.topology, part_.normals);
-    return freeform_facets(part_.scene, part_.topology, graph_, patch_of_, rows);
+    return freeform_facets(part_.scene, part_.topology, graph_, {{}, patch_of_, {}}, rows);
   }
 
   const MeshPart& part_;
