@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/model/edge_rows.hpp"
+#include "scene/patches/borders/twisted_strips.hpp"
 #include "scene/patches/borders/whole_borders.hpp"
 #include "scene/patches/facet_graph.hpp"
 #include "scene/patches/freeform.hpp"
@@ -256,6 +257,7 @@ std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& 
   });
   if (has_surfaces) decide_by_whole_borders(scene, topology, patches, evidence, edges);
   for (const std::uint32_t e : patches.plane_edges) edges[e] = PatchEdge::inside;
+  smooth_twisted_strips(scene, topology, normals, edges);
   return edges;
 }
 
