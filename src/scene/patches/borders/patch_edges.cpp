@@ -128,8 +128,9 @@ class EdgeClassifier {
     }
     // Surfaces that the file shades smooth, such as limit surfaces, have no lines where their patches bend differently.
     const bool is_smooth = topology_.edge_flags[border.edge] & kEdgeSmooth;
-    const bool has_line = border.is_beside_plane || (border.bends_otherwise && !is_smooth);
-    const bool turns = border.turn >= kLeastTurn || border.bends_otherwise;
+    const bool bends_otherwise = border.bends_otherwise && !is_beside_shallow_row(border);
+    const bool has_line = border.is_beside_plane || (bends_otherwise && !is_smooth);
+    const bool turns = border.turn >= kLeastTurn || bends_otherwise;
     return turns && has_line ? PatchEdge::tangent : PatchEdge::unknown;
   }
 
@@ -158,6 +159,13 @@ class EdgeClassifier {
         patches_.is_freeform[edge.face0] ? std::pair(edge.face0, edge.face1) : std::pair(edge.face1, edge.face0);
     if (patches_.patch_of[beyond] == kNone || !rows_.next({border.edge, beyond}, kEvenBends)) return false;
     return rows_.next({border.edge, free}, kEvenBends) || !rows_.next({border.edge, free}, kRoundingBends);
+  }
+
+  /// Whether one row of facets goes on from the free form into a surface that is one or two facets deep. Facets between two
+  /// sections of a fillet lie on a cylinder, whatever the way of the fillet: it tells nothing of the curvature across.
+  bool is_beside_shallow_row(const FreeformBorder& border) const {
+    const Edge& edge = topology_.edges[border.edge];
+    return is_in_row(border) && is_shallow(border.edge, patches_.is_freeform[edge.face0] ? edge.face1 : edge.face0);
   }
 
   /// Whether an edge is none of those between the bands of a free form: no edge beside it bends as it does. Tessellators
