@@ -33,6 +33,8 @@ constexpr double kLongestLoneLoop = 1.0 / 32;
 /// Adjustable. Of a tooth in a border beside a free form or between curved surfaces: the largest cosine of the turn at
 /// either end (40 degrees), and its largest length, in depths of the facet behind it.
 constexpr double kToothCosine = 0.77, kToothDepths = 3;
+/// Adjustable. A line of more edges for each of its teeth is no jagged one: single facets are on its wrong side.
+constexpr std::size_t kEdgesPerTooth = 24;
 
 /// A vertex at which tangent edges end: their number, the exclusive or of their indices (the index itself if one edge
 /// is left), and whether another line ends there too.
@@ -103,6 +105,8 @@ class TangentChains {
         }
         if (line.size() > 1 && e == tooth) break;  // a ring
       }
+      const auto count = std::ranges::count_if(line, [&](std::uint32_t e) { return std::ranges::binary_search(teeth, e); });
+      if (static_cast<std::size_t>(count) * kEdgesPerTooth < line.size()) continue;
       for (const std::uint32_t e : line) drop(e);
     }
   }
