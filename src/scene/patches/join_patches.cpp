@@ -14,6 +14,9 @@ namespace {
 /// Where faceted bodies were cut by each other, corners lie on chords, as far away as the largest sag, which for
 /// triangles is 1.5 times the median one.
 constexpr double kJoinedSags = 1.6;
+/// Adjustable. Largest distance of the corners of a facet from a surface, as a fraction of that from another one, at which
+/// it joins the nearer one alone.
+constexpr double kBetterPart = 0.5;
 /// Least cosine between the axis of a cylinder or cone and an edge along it.
 constexpr double kAlongCosine = 0.7;
 /// Least cosine between the normals of a triangle and of the surface on which its corners lie exactly.
@@ -29,9 +32,11 @@ constexpr double kMergedRowSags = 25;
 
 /// Lets facets without a surface join the patches beside them.
 void PatchFinder::join_borders(const std::vector<Patch>& patches) {
+  trade_borders(patches);
   // Rows of a torus that is coarse round its axis and fine round its tube are tilted far from its normals.
   join_facets(patches, true);
   join_facets(patches, false);
+  trade_borders(patches);
 }
 
 /// Per patch, whether it lies beside another piece of the same bent tube.
@@ -84,6 +89,37 @@ void PatchFinder::join_facets(const std::vector<Patch>& patches, bool exact) {
     if (patch_of_[b] != kNone) try_to_join(b, a, kNone);
   }
   grow_over_arcs();
+}
+
+/// Largest distance of a corner of a facet from a surface.
+double PatchFinder::distance_of(const PatchSurface& surface, std::uint32_t f) const {
+  double most = 0;
+  for (const std::uint32_t v : graph_.vertices[f]) most = std::max(most, std::abs(surface.distance(scene_.vertices[v])));
+  return most;
+}
+
+/// Gives facets that lie on their patch within its tolerance alone to patches beside them on which they lie better. Where a
+/// surface begins to leave a tangent one, its first row lies near that one, which may have been found before it.
+void PatchFinder::trade_borders(const std::vector<Patch>& patches) {
+  std::vector<std::uint32_t> reached;
+  for (std::uint32_t f = 0; f < graph_.size(); ++f) {
+    if (patch_of_[f] != kNone) reached.push_back(f);
+  }
+  // Each facet that moves comes nearer to its surface by a factor, so this ends.
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    const std::uint32_t q = patch_of_[reached[i]];
+    for (const FacetGraph::Arc& arc : graph_.arcs_of(reached[i])) {
+      const std::uint32_t f = arc.facet, p = patch_of_[f];
+      if (p == kNone || p == q) continue;
+      const double here = distance_of(patches[p].surface, f);
+      if (here <= tolerance_for(patches[p].surface.kind, 0)) continue;
+      if (distance_of(patches[q].surface, f) >= kBetterPart * here) continue;
+      forget_looks();
+      if (!lies_on(patches[q], f, kJoinedSags * patches[q].sag)) continue;
+      patch_of_[f] = q;
+      reached.push_back(f);
+    }
+  }
 }
 
 /// Whether an edge of a cylinder or a cone has about the direction of its axis. Strips go on across such edges, and programs

@@ -120,6 +120,8 @@ class PatchFinder {
   void join_facets(const std::vector<Patch>& patches, bool exact);
   std::vector<std::uint8_t> tube_pieces(const std::vector<Patch>& patches) const;
   bool is_along(const PatchSurface& surface, std::uint32_t edge) const;
+  double distance_of(const PatchSurface& surface, std::uint32_t f) const;
+  void trade_borders(const std::vector<Patch>& patches);
   bool lies_on_chords(const Patch& patch, std::uint32_t f) const;
   bool merge_patches(const std::vector<Patch>& patches, const std::vector<std::uint32_t>& found_by);
 
