@@ -103,11 +103,10 @@ struct RegionAppearance {
 /// An analytic surface recognised behind the mesh, in model units: FoundSurface in scene/patches/found_surfaces.hpp,
 /// which explains the members. Members that do not apply to its kind have no value, and are not written.
 struct DocumentSurface {
-  std::string_view kind;  ///< "cylinder", "cone", "sphere" or "torus"
+  std::string_view kind;  ///< "cylinder", "cone", "sphere", "torus", "extruded" or "revolved"
   Point3 at{0, 0, 0};
   std::optional<Point3> axis{};
-  double radius = 0;
-  std::optional<double> slope{}, tube{};
+  std::optional<double> radius{}, slope{}, tube{};
   std::optional<std::array<double, 2>> along{};
   std::optional<double> turn{};  ///< degrees
   bool outward = true;

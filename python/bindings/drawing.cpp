@@ -143,11 +143,12 @@ py::list surfaces(const DrawingHolder& holder) {
   for (const FoundSurface& f : found.list) {
     const PatchSurface& s = f.surface;
     const auto where = [](bool has, py::object value) { return has ? value : py::object(py::none()); };
-    list.append(py::make_tuple(
-        kSurfaceKindNames[static_cast<std::size_t>(s.kind)], tuple_of(s.at), where(f.has_axis(), tuple_of(s.axis)), s.radius,
-        where(s.kind == SurfaceKind::cone, py::float_(s.slope)), where(s.kind == SurfaceKind::torus, py::float_(s.tube)),
-        where(f.has_length(), py::make_tuple(f.along[0], f.along[1])), where(f.has_length(), py::float_(f.turn)), f.outward,
-        f.sag, f.faces, f.object));
+    list.append(py::make_tuple(kSurfaceKindNames[static_cast<std::size_t>(s.kind)], tuple_of(s.at),
+                               where(f.has_axis(), tuple_of(s.axis)), where(f.has_radius(), py::float_(s.radius)),
+                               where(s.kind == SurfaceKind::cone, py::float_(s.slope)),
+                               where(s.kind == SurfaceKind::torus, py::float_(s.tube)),
+                               where(f.has_length(), py::make_tuple(f.along[0], f.along[1])),
+                               where(f.has_turn(), py::float_(f.turn)), f.outward, f.sag, f.faces, f.object));
   }
   return list;
 }

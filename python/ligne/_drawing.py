@@ -151,7 +151,7 @@ class Drawing:
 
     @cached_property
     def surfaces(self) -> Tuple[FittedSurface, ...]:
-        """The cylinders, cones, spheres and tori that the mesh stands for (docs/patches.md), by object; none with
+        """The surfaces that the mesh stands for (docs/patches.md), by object; none with
         quality="exact" and where no creases were asked for."""
         return tuple(FittedSurface(*surface) for surface in self._core.surfaces())
 

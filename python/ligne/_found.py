@@ -36,16 +36,18 @@ class Region:
 class FittedSurface:
     """A surface that faces of a mesh were tessellated from. Lengths are in model units."""
 
-    kind: str  #: "cylinder", "cone", "sphere" or "torus"
-    #: where its faces begin on the axis of a cylinder or a cone; the centre of a sphere or a torus
+    kind: str  #: "cylinder", "cone", "sphere", "torus", "extruded" or "revolved"
+    #: the centre of a sphere or a torus; of the others where its faces begin on the axis
     at: _Point
     axis: Optional[_Point]  #: unit vector; None for a sphere
-    radius: float  #: of a cone at `at`, of a torus that of the middle circle
+    #: of a cone at `at`, of a torus that of the middle circle; None for an extruded or revolved surface
+    radius: Optional[float]
     slope: Optional[float]  #: of a cone: growth of the radius per unit along the axis
     tube: Optional[float]  #: of a torus: radius of the tube
-    #: of a cylinder or a cone: where its faces begin and end along the axis, from `at`
+    #: where its faces begin and end along the axis, from `at`; None for a sphere or a torus
     along: Optional[Tuple[float, float]]
-    turn: Optional[float]  #: of a cylinder or a cone: degrees about the axis that its faces cover, 360 at the most
+    #: of a cylinder, a cone or a revolved surface: degrees about the axis that its faces cover, 360 at the most
+    turn: Optional[float]
     #: its faces look away from the axis, the centre or the middle circle: a boss, and not a bore
     outward: bool
     sag: float  #: median distance of the facets' middles from the surface

@@ -76,6 +76,12 @@ void count(SurfaceFacts& facts, const Sized& surface) {
     case SurfaceKind::torus:
       ++facts.tori;
       break;
+    case SurfaceKind::extruded:
+      ++facts.extruded;
+      break;
+    case SurfaceKind::revolved:
+      ++facts.revolved;
+      break;
   }
 }
 
@@ -100,6 +106,9 @@ std::string noun_of(const SurfaceGroup& group) {
     case SurfaceKind::torus:
       return group.outward ? counted(group.count, "convex torus", "convex tori")
                            : counted(group.count, "hollow torus", "hollow tori");
+    case SurfaceKind::extruded:
+    case SurfaceKind::revolved:
+      break;
   }
   return "";
 }
@@ -110,8 +119,9 @@ SurfaceFacts surface_facts(const FoundSurfaces& found) {
   SurfaceFacts facts;
   std::vector<Sized> all;
   for (const FoundSurface& surface : found.list) {
-    all.push_back(sized(surface));
-    count(facts, all.back());
+    const Sized one = sized(surface);
+    count(facts, one);
+    if (surface.has_radius()) all.push_back(one);
   }
   std::stable_sort(all.begin(), all.end(), [](const Sized& l, const Sized& r) {
     return std::tuple(l.group(), l.size) < std::tuple(r.group(), r.size);
@@ -140,6 +150,8 @@ std::string counts_text(const SurfaceFacts& facts) {
   add(facts.cones, "cone", "cones");
   add(facts.spheres, "sphere", "spheres");
   add(facts.tori, "torus", "tori");
+  add(facts.extruded, "extruded surface", "extruded surfaces");
+  add(facts.revolved, "revolved surface", "revolved surfaces");
   return text;
 }
 
@@ -157,8 +169,9 @@ std::string group_text(const SurfaceGroup& group) {
 
 nlohmann::ordered_json json_of(const SurfaceFacts& facts) {
   using Json = nlohmann::ordered_json;
-  Json json{{"cylinders", facts.cylinders}, {"bosses", facts.bosses},   {"bores", facts.bores}, {"arcs", facts.arcs},
-            {"cones", facts.cones},         {"spheres", facts.spheres}, {"tori", facts.tori}};
+  Json json{{"cylinders", facts.cylinders}, {"bosses", facts.bosses},     {"bores", facts.bores},
+            {"arcs", facts.arcs},           {"cones", facts.cones},       {"spheres", facts.spheres},
+            {"tori", facts.tori},           {"extruded", facts.extruded}, {"revolved", facts.revolved}};
   json["groups"] = Json::array();
   for (const SurfaceGroup& group : facts.groups) {
     Json entry{{"kind", kSurfaceKindNames[static_cast<std::size_t>(group.kind)]}, {"outward", group.outward}};

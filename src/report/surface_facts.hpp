@@ -26,10 +26,10 @@ struct SurfaceGroup {
 };
 
 struct SurfaceFacts {
-  std::size_t cylinders = 0, bosses = 0, bores = 0, arcs = 0, cones = 0, spheres = 0, tori = 0;
-  std::vector<SurfaceGroup> groups;  ///< the largest first
+  std::size_t cylinders = 0, bosses = 0, bores = 0, arcs = 0, cones = 0, spheres = 0, tori = 0, extruded = 0, revolved = 0;
+  std::vector<SurfaceGroup> groups;  ///< the largest first; extruded and revolved surfaces have no size and are in none
 
-  bool any() const { return cylinders + cones + spheres + tori > 0; }
+  bool any() const { return cylinders + cones + spheres + tori + extruded + revolved > 0; }
 };
 
 /// Counts the surfaces. Sizes that differ by at most their errors count as equal.

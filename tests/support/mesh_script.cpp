@@ -46,7 +46,7 @@ Item surface_item(const PatchSurface& s, std::size_t faces, bool outward) {
 }
 
 void add_surface(Sets& sets, SurfaceKind kind, const Item& item) {
-  constexpr std::array<const char*, 4> kNames{"cylinders", "cones", "spheres", "tori"};
+  constexpr std::array<const char*, 6> kNames{"cylinders", "cones", "spheres", "tori", "extruded", "revolved"};
   sets[kNames[static_cast<std::size_t>(kind)]].push_back(item);
   sets["surfaces"].push_back(item);
 }
@@ -143,7 +143,8 @@ class MeshScript {
       drop_loose_tangents(found.scene, found.topology, found.patches, std::vector<std::uint8_t>(found.edges.size(), 0),
                           found.edges);
     }
-    make_sets({"unknown", "inside", "tangent", "sharp", "surfaces", "cylinders", "cones", "spheres", "tori"});
+    make_sets({"unknown", "inside", "tangent", "sharp", "surfaces", "cylinders", "cones", "spheres", "tori", "extruded",
+               "revolved"});
     constexpr std::array<const char*, 4> kNames{"unknown", "inside", "tangent", "sharp"};
     for (std::size_t e = 0; e < found.edges.size(); ++e)
       sets_[kNames[static_cast<std::size_t>(found.edges[e])]].push_back(edge_item(found.scene, found.topology.edges[e]));
@@ -158,7 +159,7 @@ class MeshScript {
 
   void surfaces(const Words&) {
     const FoundPatches found(*scene_);
-    make_sets({"surfaces", "cylinders", "cones", "spheres", "tori"});
+    make_sets({"surfaces", "cylinders", "cones", "spheres", "tori", "extruded", "revolved"});
     const FoundSurfaces surfaces = found_surfaces(found.scene, found.patches);
     std::vector<std::size_t> faces(surfaces.list.size(), 0);
     for (const std::uint32_t number : surfaces.of_face)

@@ -24,7 +24,7 @@
 ///     NAME OP N                        a single number
 ///     keep NAME WHAT                   a number that later ones name as $NAME
 ///
-/// N is a formula of numbers. Surfaces are cylinders, cones, spheres and tori; all of them: surfaces.
+/// N is a formula of numbers. Surfaces are cylinders, cones, spheres, tori, extruded, revolved; all of them: surfaces.
 
 #include <filesystem>
 

@@ -62,13 +62,11 @@ DocumentSurface document_surface(const FoundSurface& found) {
   to.kind = kSurfaceKindNames[static_cast<std::size_t>(surface.kind)];
   to.at = surface.at;
   if (found.has_axis()) to.axis = surface.axis;
-  to.radius = surface.radius;
+  if (found.has_radius()) to.radius = surface.radius;
   if (surface.kind == SurfaceKind::cone) to.slope = surface.slope;
   if (surface.kind == SurfaceKind::torus) to.tube = surface.tube;
-  if (found.has_length()) {
-    to.along = found.along;
-    to.turn = found.turn;
-  }
+  if (found.has_length()) to.along = found.along;
+  if (found.has_turn()) to.turn = found.turn;
   to.outward = found.outward;
   to.sag = found.sag;
   to.faces = found.faces;

@@ -73,6 +73,9 @@ bool PatchFinder::is_certain(const PatchCandidate& c) {
       const std::size_t n = angles_of(surface, true);
       return n >= 4 || (n == 3 && is_tangent(c, 1));
     }
+    case SurfaceKind::extruded:
+    case SurfaceKind::revolved:
+      break;
   }
   return false;
 }

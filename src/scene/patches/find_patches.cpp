@@ -11,6 +11,8 @@
 #include "scene/patches/parts/large_freeform.hpp"
 #include "scene/patches/patch_finder.hpp"
 #include "scene/patches/repeated_objects.hpp"
+#include "scene/patches/swept/swept_profile.hpp"
+#include "scene/patches/swept/swept_surfaces.hpp"
 
 namespace ligne {
 namespace {
@@ -55,9 +57,10 @@ ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Obj
   const FacetGraph graph = facet_graph(scene, topology, object, range, normals, joints);
   found.plane_edges = edges_inside_planes(topology, object, graph, edge_begin, edge_end, normals);
   const std::span edges(topology.edges.data() + edge_begin, topology.edges.data() + edge_end);
-  const std::vector<std::uint32_t> of_facet = PatchFinder(scene, topology, object, graph).run(found.patches);
+  std::vector<std::uint32_t> of_facet = PatchFinder(scene, topology, object, graph).run(found.patches);
   std::vector<std::uint8_t> freeform =
       freeform_facets(scene, topology, graph, {found.patches, of_facet, {}}, EdgeRows(scene, topology, normals));
+  find_swept_surfaces({scene, topology, object, graph}, {found.patches, of_facet, freeform});
   std::vector<PatchOutline> outlines;
   if (!found.patches.empty()) outlines = patch_outlines(scene, edges, object, graph, {found.patches, of_facet, freeform});
   for (std::uint32_t f = 0; f < graph.size(); ++f) {
@@ -75,6 +78,12 @@ ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Obj
   return found;
 }
 
+/// The profile in the frame of an object that repeats another one.
+std::shared_ptr<const SweptProfile> moved_profile(const SweptProfile& profile, const Similarity& motion) {
+  return std::make_shared<SweptProfile>(
+      SweptProfile{profile.curve.scaled(motion.scale), motion.turned(profile.x), motion.turned(profile.y)});
+}
+
 /// The patches of an object that repeats another one.
 ObjectPatches moved(ObjectPatches patches, const Similarity& motion, std::uint32_t edge_begin) {
   for (Patch& patch : patches.patches) {
@@ -83,6 +92,7 @@ ObjectPatches moved(ObjectPatches patches, const Similarity& motion, std::uint32
     surface.axis = glm::normalize(motion.turned(surface.axis));
     surface.radius *= motion.scale;
     surface.tube *= motion.scale;
+    if (surface.profile) surface.profile = moved_profile(*surface.profile, motion);
     patch.sag *= motion.scale;
   }
   for (FreeformBorder& border : patches.borders) {

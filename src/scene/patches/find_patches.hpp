@@ -37,8 +37,8 @@ struct Patches {
   Point3 normal(std::uint32_t face, const Point3& p, const Point3& face_normal) const;
 };
 
-/// Finds cylinders, cones, spheres and tori in the objects of a scene after finish_scene(). `normals` are those of
-/// face_normals(). The search takes these steps:
+/// Finds the surfaces of all kinds (patch_surface.hpp) in the objects of a scene after finish_scene(). `normals` are those
+/// of face_normals(). The search takes these steps:
 ///
 /// 1. A facet and its neighbours, the largest facet first, give starting values for each kind of surface. These are
 ///    fitted to the corners of the facets (patch_surface.hpp).
@@ -46,6 +46,7 @@ struct Patches {
 ///    fraction of the sag, and is fitted again.
 /// 3. A surface is accepted if its corners can not lie on it by accident. Among several, the one of largest area wins.
 /// 4. Facets at the borders of patches join them, and patches on the same surface are merged.
+/// 5. Other facets, and bands of them, become extruded and revolved surfaces (swept/swept_surfaces.hpp).
 ///
 /// The result does not depend on the order of faces. The search stops early in objects in which few trials succeed,
 /// such as scans.

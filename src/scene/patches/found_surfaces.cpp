@@ -69,6 +69,8 @@ class PatchMeasure {
   FoundSurface run(const Object& object) {
     turn_axis();
     if (found_.has_length()) begin_at_faces();
+    surface_.profile.reset();  // it has another frame now
+    if (!found_.has_radius()) return found_;
     found_.error = 2 * std::max(median_distance(), object.precision / 2) / std::clamp(rise(), kLeastRise, 1.0);
     return found_;
   }
@@ -103,7 +105,7 @@ class PatchMeasure {
     // At the tip of a cone, rounding may leave a negative radius.
     surface_.radius = std::max(0.0, surface_.radius + first * surface_.slope);
     found_.along = {0, last - first};
-    found_.turn = std::min(360.0, arc(false) / kWholeTurn * 360);
+    if (found_.has_turn()) found_.turn = std::min(360.0, arc(false) / kWholeTurn * 360);
   }
 
   /// The arc that faces cover about the axis, or about the middle circle of a torus, in radians.

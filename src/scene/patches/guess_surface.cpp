@@ -183,6 +183,9 @@ bool guess_surface(SurfaceKind kind, std::span<const FacetFrame> facets, std::sp
       return points.size() >= 5 && guess_sphere(points, surface);
     case SurfaceKind::torus:
       return facets.size() >= 5 && guess_torus(facets, points, surface);
+    case SurfaceKind::extruded:
+    case SurfaceKind::revolved:
+      break;
   }
   return false;
 }

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/patches/patch_surface.hpp"
+#include "scene/patches/swept/swept_profile.hpp"
 
 namespace ligne {
 
@@ -21,6 +22,14 @@ inline Point3 normal_at(const PatchSurface& s, const Point3& p, const AxisPlace&
       return unit(place.out - s.slope * s.axis);
     case SurfaceKind::torus:
       return unit((place.radius - s.radius) * place.out + place.along * s.axis);
+    case SurfaceKind::extruded: {
+      const Point2 normal = swept_foot(s, p).normal;
+      return normal.x * s.profile->x + normal.y * s.profile->y;
+    }
+    case SurfaceKind::revolved: {
+      const Point2 normal = s.profile->curve.foot({place.radius, place.along}).normal;
+      return normal.x * place.out + normal.y * s.axis;
+    }
     default:
       return place.out;
   }

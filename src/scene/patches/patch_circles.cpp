@@ -31,7 +31,9 @@ std::vector<EdgeCircle> circles_of_edges(const Scene& scene, const Topology& top
   std::vector<std::vector<EdgeCircle>> found(block_count(topology.edges.size(), kShortWorkBlock));
   const auto add = [&](const Edge& edge, std::uint32_t patch, std::vector<EdgeCircle>& circles) {
     // A sphere is round about any axis.
-    if (patch == kNone || patches.list[patch].surface.kind == SurfaceKind::sphere) return;
+    if (patch == kNone) return;
+    const SurfaceKind kind = patches.list[patch].surface.kind;
+    if (kind == SurfaceKind::sphere || kind == SurfaceKind::extruded) return;
     const AxisPlace from = axis_place(patches.list[patch].surface, scene.vertices[edge.v0]);
     const AxisPlace to = axis_place(patches.list[patch].surface, scene.vertices[edge.v1]);
     const EdgeCircle circle{patch, (from.along + to.along) / 2, (from.radius + to.radius) / 2};

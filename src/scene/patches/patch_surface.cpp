@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/patches/normal_at.hpp"
+#include "scene/patches/swept/swept_profile.hpp"
 
 namespace ligne {
 namespace {
@@ -33,6 +34,7 @@ AxisPlace axis_place(const PatchSurface& surface, const Point3& p) {
 
 double PatchSurface::distance(const Point3& p) const {
   if (kind == SurfaceKind::sphere) return glm::length(p - at) - radius;
+  if (profile) return swept_foot(*this, p).distance;
   // As in axis_place(), without the direction away from the axis.
   const Point3 way = p - at;
   const double along = glm::dot(way, axis), from_axis = glm::length(way - along * axis);
@@ -74,6 +76,12 @@ Principal principal_curvatures(const PatchSurface& s, const AxisPlace& place) {
       return {1 / s.radius, 1 / s.radius};
     case SurfaceKind::torus:
       return {(place.radius - s.radius) / (s.tube * radius), 1 / s.tube};
+    case SurfaceKind::revolved: {
+      const ProfileCurve::Foot foot = s.profile->curve.foot({place.radius, place.along});
+      return {foot.normal.x / radius, foot.curvature};
+    }
+    case SurfaceKind::extruded:
+      return {};
   }
   return {};
 }
@@ -88,6 +96,10 @@ bool are_tube_pieces(const PatchSurface& s, const PatchSurface& other) {
 }
 
 double PatchSurface::curvature(const Point3& p, const Point3& along) const {
+  if (kind == SurfaceKind::extruded) {
+    const double lengthwise = glm::dot(along, axis);
+    return (1 - lengthwise * lengthwise) * swept_foot(*this, p).curvature;
+  }
   const AxisPlace place = axis_place(*this, p);
   const Principal k = principal_curvatures(*this, place);
   const double around = glm::dot(along, glm::cross(axis, place.out));
@@ -95,6 +107,7 @@ double PatchSurface::curvature(const Point3& p, const Point3& along) const {
 }
 
 double PatchSurface::largest_curvature(const Point3& p) const {
+  if (kind == SurfaceKind::extruded) return std::abs(swept_foot(*this, p).curvature);
   const Principal k = principal_curvatures(*this, axis_place(*this, p));
   return std::max(std::abs(k.around), std::abs(k.along));
 }

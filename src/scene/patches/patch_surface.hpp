@@ -1,16 +1,20 @@
 #pragma once
-/// The surfaces that patches of a mesh are tessellated from: cylinders, cones, spheres and tori.
+/// The surfaces that patches of a mesh are tessellated from: cylinders, cones, spheres, tori, and extruded and revolved
+/// profiles.
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "geometry/point.hpp"
 
 namespace ligne {
 
-enum class SurfaceKind : std::uint8_t { cylinder, cone, sphere, torus };
+struct SweptProfile;
+
+enum class SurfaceKind : std::uint8_t { cylinder, cone, sphere, torus, extruded, revolved };
 
 /// A surface with its parameters, in model units. Its normals point away from the axis, the centre or the middle
 /// circle.
@@ -18,11 +22,15 @@ enum class SurfaceKind : std::uint8_t { cylinder, cone, sphere, torus };
 /// - cone: `at` is a point of the axis, `radius` the radius there, which grows by `slope` per unit along the axis.
 /// - sphere: `at` is the centre, `radius` its radius.
 /// - torus: `at` is the centre, `radius` the radius of the tube's middle circle, `tube` the radius of the tube.
+/// - extruded: the profile moves along the axis through `at`. Its normals point to one side of the profile.
+/// - revolved: the profile turns about the axis through `at`. Its normals point to one side of the profile, mostly away from
+///   the axis.
 struct PatchSurface {
   SurfaceKind kind = SurfaceKind::cylinder;
   Point3 at{0, 0, 0};
   Point3 axis{0, 0, 1};  ///< unit length
   double radius = 0, slope = 0, tube = 0;
+  std::shared_ptr<const SweptProfile> profile{};  ///< extruded, revolved; null of others
 
   /// Signed distance of a point from the surface, positive on the side to which the normals point.
   double distance(const Point3& p) const;
@@ -62,6 +70,9 @@ constexpr std::size_t parameter_count(SurfaceKind kind) {
       return 4;
     case SurfaceKind::torus:
       return 7;
+    case SurfaceKind::extruded:
+    case SurfaceKind::revolved:
+      return 0;  // these are not fitted
   }
   return 0;
 }

@@ -168,6 +168,9 @@ double refine_surface(PatchSurface& surface, std::span<const Point3> points) {
       return SurfaceFit<SurfaceKind::sphere>(surface, points).run();
     case SurfaceKind::torus:
       return SurfaceFit<SurfaceKind::torus>(surface, points).run();
+    case SurfaceKind::extruded:
+    case SurfaceKind::revolved:
+      break;
   }
   return 0;
 }

@@ -33,7 +33,8 @@ Point3 halfway(const PatchSurface& surface, const Point3& p, const Point3& q) {
   const AxisPlace a = axis_place(surface, p), b = axis_place(surface, q);
   const Point3 out = a.out + b.out;
   const double length = glm::length(out);
-  if (surface.kind == SurfaceKind::sphere || !(length > 0)) return surface.nearest(middle);
+  const bool has_no_circles = surface.kind == SurfaceKind::sphere || surface.kind == SurfaceKind::extruded;
+  if (has_no_circles || !(length > 0)) return surface.nearest(middle);
   double along = 0.5 * (a.along + b.along), radius = 0.5 * (a.radius + b.radius);
   if (surface.kind == SurfaceKind::torus) {
     const double from = std::atan2(a.along, a.radius - surface.radius), to = std::atan2(b.along, b.radius - surface.radius);
