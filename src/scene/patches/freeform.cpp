@@ -43,6 +43,9 @@ constexpr std::size_t kPlaneCorners = 4;
 constexpr double kTangentPart = 0.1;
 /// Least depth of such a plane, in depths of the facet of the surface. Facets of a free form are less unlike.
 constexpr double kTangentDepths = 1.5;
+/// Largest depth of such a plane, in lengths of the edge. A strip along a rounding has the normal of the surface at its end,
+/// too.
+constexpr double kLongestDepth = 8;
 
 /// Two parallel edges of a facet with equal bends.
 struct RowEdges {
@@ -145,6 +148,7 @@ bool is_tangent_plane(const Scene& scene, const Topology& topology, const FacetG
     const double bend = sine(graph.frames[arc.facet].normal);
     const double depth = depth_behind(scene, graph.vertices[f], edge);
     if (bend < kLeastRowSine || depth < kTangentDepths * depth_behind(scene, graph.vertices[arc.facet], edge)) return false;
+    if (depth > kLongestDepth * glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1])) return false;
     return std::ranges::all_of(std::array{edge.v0, edge.v1}, [&](std::uint32_t v) {
       return sine(surfaces.patches[p].surface.normal(scene.vertices[v])) <= kTangentPart * bend;
     });
