@@ -129,8 +129,8 @@ class TangentChains {
   }
 
   /// Drops the shorter one of two lines beside a free form that meet at a corner where no third line ends, except beside
-  /// sides of strips. Where three surfaces meet, three borders do: a border with corners of its own follows the facets of
-  /// a surface that lies in a free form by accident.
+  /// sides of strips and single teeth. Where three surfaces meet, three borders do: a border with corners of its own follows
+  /// the facets of a surface that lies in a free form by accident.
   void drop_cornered() {
     std::vector<std::uint32_t> shorter;
     Line line, other;
@@ -140,6 +140,7 @@ class TangentChains {
         const TangentNode& node = *node_at(v);
         const std::uint32_t next = node.numbers ^ e;
         if (!node.is_passed() || !is_in_freeform(next) || !is_corner(e, next, v)) continue;
+        if (is_tooth(e) || is_tooth(next)) continue;
         follow(e, node, line);
         follow(next, node, other);
         const bool is_kept = line.is_of_strip || other.is_of_strip || line.length > other.length;
