@@ -18,14 +18,18 @@ namespace {
 constexpr double kAxisSine = 0.03, kAxisDistance = 0.03;
 /// Factor of the tolerance before the axis is fitted to the corners of all bands.
 constexpr double kFirstTolerance = 4;
+/// Fewest rows that are looked at further.
+constexpr std::size_t kFewestRows = 4;
 /// Most fits of an axis, each to more facets.
 constexpr int kMostRounds = 4;
 /// Largest part of a facet's normal along the circle: 17 degrees, half of the turn of facets of which ten go round.
 constexpr double kMostAside = 0.3;
 /// Corners of a facet of one row.
 constexpr std::size_t kFewCorners = 4;
-/// Fewest bands of one axis that are looked at where no free form is beside them.
+/// Fewest bands of one axis that are looked at; one fewer where a free form is beside them.
 constexpr std::size_t kFewestBands = 3;
+/// Fewest of them that are no cylinders: a chamfer or a fillet between two cylinders is one.
+constexpr std::ptrdiff_t kFewestRound = 2;
 /// Fewest facets between two circles. The corners of two have one distance from many axes.
 constexpr std::size_t kFewestFacets = 3;
 
@@ -50,8 +54,7 @@ class RevolvedFinder {
     for (const std::uint32_t p : order) {
       while (!is_done_[p] && counts_[p] > 0 && has_axis(p)) {
         const std::vector<std::uint32_t> bands = bands_about(p);
-        const auto is_beside_freeform = [&](std::uint32_t q) { return beside_freeform_[q] != 0; };
-        if (bands.size() < kFewestBands && std::ranges::none_of(bands, is_beside_freeform)) {
+        if (!may_have_profile(bands)) {
           is_done_[p] = 1;
           break;
         }
@@ -69,6 +72,14 @@ class RevolvedFinder {
   }
 
   bool is_free(std::uint32_t f) const { return surfaces_.is_freeform[f] && surfaces_.patch_of[f] == kNone; }
+
+  /// Whether bands about one axis may be rows of a profile: those of a free form are cones, but for accidents.
+  bool may_have_profile(const std::vector<std::uint32_t>& bands) const {
+    const auto is_beside_freeform = [&](std::uint32_t p) { return beside_freeform_[p] != 0; };
+    const auto is_round = [&](std::uint32_t p) { return surfaces_.patches[p].surface.kind != SurfaceKind::cylinder; };
+    const std::size_t fewest = std::ranges::any_of(bands, is_beside_freeform) ? kFewestBands - 1 : kFewestBands;
+    return bands.size() >= fewest && std::ranges::count_if(bands, is_round) >= kFewestRound;
+  }
 
   /// Lists which patches lie beside each other and beside free forms.
   void list_neighbours() {
@@ -147,6 +158,7 @@ class RevolvedFinder {
     for (int round = 0; round < kMostRounds; ++round) {
       const std::vector<SweptFacet> near = walk(seed, frame, kFirstTolerance * tolerance_);
       if (near.size() <= count) break;
+      if (count == 0 && profile_of(near, surfaces_, 2 * kFirstTolerance * tolerance_).sides.size() < kFewestRows) return;
       count = near.size();
       fit_axis(near, kFirstTolerance * tolerance_, frame);
     }
@@ -202,8 +214,9 @@ class RevolvedFinder {
 
   /// The two points of the profile at which all corners of a facet lie, or between which those of several rows in one
   /// plane lie; nothing if there are none.
-  std::optional<std::array<Point2, 2>> ends_of(std::uint32_t f, const PatchSurface& axis, double tolerance) const {
-    std::vector<Point2> places;
+  std::optional<std::array<Point2, 2>> ends_of(std::uint32_t f, const PatchSurface& axis, double tolerance) {
+    std::vector<Point2>& places = places_;
+    places.clear();
     for (const std::uint32_t v : graph_.vertices[f]) {
       const AxisPlace place = axis_place(axis, object_.scene.vertices[v]);
       places.emplace_back(place.radius, place.along);
@@ -314,6 +327,7 @@ class RevolvedFinder {
   std::vector<std::uint8_t> is_listed_;                 ///< per patch: in the list of bands_about()
   std::vector<std::uint32_t> stamp_;                    ///< per facet: the value of round_ when a walk visited it last
   std::uint32_t round_ = 0;
+  std::vector<Point2> places_;  ///< of ends_of()
 };
 
 }  // namespace
