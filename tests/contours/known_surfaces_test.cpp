@@ -168,10 +168,10 @@ TEST(KnownSurfaces, TurnsAreTheDerivativesOfNormals) {
 }
 
 TEST(KnownSurfaces, BandsOfAFreeFormAreNoSurfacesOfTheirOwn) {
-  // The rings of a paraboloid are cones.
-  FoundPatches dish(mesh_of("grid 48 x 8 round: (4+v)*cos(pi*u/24); (4+v)*sin(pi*u/24); (4+v)^2/20").polygons());
+  // Three rings of a paraboloid are cones: too few for a revolved surface.
+  FoundPatches dish(mesh_of("grid 48 x 3 round: (4+v)*cos(pi*u/24); (4+v)*sin(pi*u/24); (4+v)^2/20").polygons());
   mark_bands(dish.topology, dish.normals, dish.edges, dish.patches);
-  ASSERT_GT(dish.faces().size(), 4u);
+  ASSERT_EQ(dish.faces().size(), 3u);
   for (const auto& [number, faces] : dish.faces()) EXPECT_TRUE(dish.patches.list[number].is_band) << number;
   FoundPatches box(test::rounded_box({6, 5, 4}, 4));
   mark_bands(box.topology, box.normals, box.edges, box.patches);

@@ -40,7 +40,7 @@ constexpr std::size_t kPlaneCorners = 4;
 /// Largest angle between a plane and a surface that runs into it, as a fraction of the bend of their facets. A plane has
 /// half of a step of the surface as its bend and no angle; a facet that goes on in a row has an angle of half of its own
 /// step.
-constexpr double kTangentPart = 0.1;
+constexpr double kTangentPart = 0.01;
 /// Least depth of such a plane, in depths of the facet of the surface. Facets of a free form are less unlike.
 constexpr double kTangentDepths = 1.5;
 /// Largest depth of such a plane, in lengths of the edge. A strip along a rounding has the normal of the surface at its end,

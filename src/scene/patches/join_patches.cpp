@@ -113,7 +113,8 @@ void PatchFinder::trade_borders(const std::vector<Patch>& patches) {
       if (p == kNone || p == q) continue;
       const double here = distance_of(patches[p].surface, f);
       if (here <= tolerance_for(patches[p].surface.kind, 0)) continue;
-      if (distance_of(patches[q].surface, f) >= kBetterPart * here) continue;
+      const double there = distance_of(patches[q].surface, f);
+      if (there > tolerance_for(patches[q].surface.kind, 0) || there >= kBetterPart * here) continue;
       forget_looks();
       if (!lies_on(patches[q], f, kJoinedSags * patches[q].sag)) continue;
       patch_of_[f] = q;
