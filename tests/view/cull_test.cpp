@@ -12,19 +12,6 @@ BackFaces back_faces(const Scene& scene, const CameraRequest& request = along({-
   return find_back_faces(scene, build_topology(scene), view_on_a4(scene, request));
 }
 
-/// The scene with the faces from `first` on wound the other way round. Its faces have one contour each.
-Scene turned_round(const Scene& scene, std::size_t first = 0) {
-  Scene turned = scene;
-  turned.faces = {};
-  for (std::size_t f = 0; f < scene.faces.size(); ++f) {
-    const auto contour = scene.faces.contour(f, 0);
-    std::vector<std::uint32_t> corners(contour.begin(), contour.end());
-    if (f >= first) std::reverse(corners.begin(), corners.end());
-    turned.faces.add_face(corners);
-  }
-  return turned;
-}
-
 Scene box() {
   Scene scene;
   add_box(scene, {0, 0, 0}, {10, 10, 10});
@@ -106,50 +93,7 @@ TEST(Cull, ClippedEdgesKeepTheirParts) {
   }
 }
 
-/// Boxes on a lattice, turned at random, none of which reaches another; every third is wound inwards.
-Scene separate_solids(unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> angle(-3, 3), size(0.5, 2);
-  Scene scene;
-  for (int i = 0; i < 125; ++i) {
-    const Basis basis = rotation(angle(random), angle(random), angle(random));
-    const Point3 centre = Point3{i % 5, i / 5 % 5, i / 25} * 3.5;
-    const Point3 local{glm::dot(basis[0], centre), glm::dot(basis[1], centre), glm::dot(basis[2], centre)};
-    const Point3 sides{size(random), size(random), size(random)};
-    add_box(scene, local - sides * 0.5, sides, basis);
-    if (i % 3 == 0) scene = turned_round(scene, scene.objects.back().face_begin);
-  }
-  return scene;
-}
-
-TEST(Cull, ChangesNoDrawingOfSeparateSolids) {
-  for (const CameraRequest& camera : {along({-1, 2, -1}), along({0, 1, 0}), from_eye({25, -20, 18}, {7, 7, 7}),
-                                      from_eye({7.9, 1.7, 5.2}, {7, 14, 7}, 80)}) {
-    const Scene scene = separate_solids(11);
-    const Topology topology = build_topology(scene);
-    const View view = view_on_a4(scene, camera);
-    const auto strokes = [&](bool culled) {
-      ProjectedScene projected = project(scene, topology, view, {classes("all"), 30});
-      if (culled) {
-        const std::size_t before = projected.triangles.size();
-        cull(projected, find_back_faces(scene, topology, view));
-        EXPECT_LT(projected.triangles.size(), before * 6 / 10);
-      }
-      StrokeModel model = *find_method("auto")->compute_visibility(projected, {}).strokes;
-      remove_coincident_strokes(model, coincidence_mm(projected));
-      return model;
-    };
-    const StrokeModel all = strokes(false), culled = strokes(true);
-    ASSERT_EQ(all.strokes.size(), culled.strokes.size());
-    for (std::size_t i = 0; i < all.strokes.size(); ++i) {
-      const Stroke &a = all.strokes[i], &b = culled.strokes[i];
-      ASSERT_EQ(a.source, b.source);
-      ASSERT_EQ(a.line_class, b.line_class);
-      ASSERT_LT(glm::length(all.lattice.to_mm(a.from) - all.lattice.to_mm(b.from)), kLeastPartMm);
-      ASSERT_LT(glm::length(all.lattice.to_mm(a.to) - all.lattice.to_mm(b.to)), kLeastPartMm);
-    }
-  }
-}
+// That culling changes no drawing: CullDrawing, all_methods_test.cpp.
 
 // Parts that stand several times in one place, exactly or nearly: they are studied once, and drawn as one.
 
