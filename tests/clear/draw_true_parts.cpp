@@ -1,7 +1,7 @@
 /// Draws parts whose true lines are known three times: with the creases of a coarse mesh, as that mesh is drawn by default,
 /// and by the true lines. docs/patches.md shows the pictures; draw_true_parts FOLDER makes them.
 
-#include "clear/hiding.hpp"
+#include "clear/true_comparison.hpp"
 #include "clear/true_parts.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/models/models.hpp"

@@ -1,6 +1,5 @@
 #include "clear/true_comparison.hpp"
 
-#include "clear/hiding.hpp"
 #include "drawing/measures.hpp"
 
 namespace ligne::test {

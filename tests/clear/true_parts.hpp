@@ -42,6 +42,9 @@ struct TruePart {
 /// Twelve parts with fillets, bores, bends and cones.
 std::vector<TruePart> true_parts();
 
+/// A binary STL file. Throws std::runtime_error if it can not be written.
+void write_stl(const std::vector<std::array<Point3, 3>>& triangles, const std::filesystem::path& file);
+
 /// Writes the part as binary STL with so many facets to a turn.
 void write_mesh(const TruePart& part, int facets, const std::filesystem::path& file);
 

@@ -37,9 +37,9 @@
 #include <sys/stat.h>
 #include <regex>
 
-#include "draw_program.hpp"
 #include "drawing_quantities.hpp"
 #include "main/script.hpp"
+#include "program.hpp"
 #include "support/mesh_text.hpp"
 #include "surface_program.hpp"
 

@@ -1,6 +1,5 @@
 /// Forged files and little memory.
 
-#include "draw_program.hpp"
 #include "files/input_error.hpp"
 #include "main/tier.hpp"
 #include "picture/models/compiled_model.hpp"

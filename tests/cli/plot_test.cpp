@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "draw_program.hpp"
 #include "drawing_quantities.hpp"
 #include "program.hpp"
 #include "support/page_lines.hpp"

@@ -1,6 +1,8 @@
 #pragma once
 /// Runs the command in a folder of its own: in this process, or as a program where processes matter.
 
+#include <nlohmann/json.hpp>
+
 #include "support/test.hpp"
 
 namespace ligne::test {
@@ -63,5 +65,26 @@ class ProgramTest : public testing::Test {
  private:
   std::vector<std::string> files_at_start_;
 };
+
+using nlohmann::json;
+
+/// Tests of `ligne draw`.
+class DrawTest : public ProgramTest {
+ protected:
+  /// The JSON drawing of the arguments.
+  json drawn(const Words& arguments) const {
+    const Outcome outcome = run_well("draw" + arguments + "-o - --format json");
+    EXPECT_EQ(outcome.err, "");
+    return outcome.status == 0 ? json::parse(outcome.out) : json();
+  }
+};
+
+/// Numbers of strokes by class; hidden ones under "hidden".
+inline std::map<std::string, int> strokes_by_class(const json& drawing) {
+  std::map<std::string, int> counts;
+  for (const json& stroke : drawing["strokes"])
+    ++counts[stroke["visible"].get<bool>() ? stroke["class"].get<std::string>() : "hidden"];
+  return counts;
+}
 
 }  // namespace ligne::test

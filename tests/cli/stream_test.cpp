@@ -1,7 +1,7 @@
 /// --stream: a model of which a part is in memory gives the drawing of the whole, byte by byte.
 
-#include "draw_program.hpp"
 #include "main/tier.hpp"
+#include "program.hpp"
 #include "support/mesh_text.hpp"
 
 namespace ligne::test {

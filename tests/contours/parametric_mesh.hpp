@@ -40,4 +40,11 @@ struct DrawnOutlines {
 /// `by_angle`: smooth regions end at edges above the crease angle; otherwise only where the mesh ends.
 DrawnOutlines draw_outlines(const Scene& scene, const Point3& direction, bool smooth = true, bool by_angle = false);
 
+/// The convex hull of points in general position, in triangles. Takes time proportional to the square of their number.
+Scene convex_hull(const std::vector<Point3>& points);
+
+/// A convex body with long and short triangles side by side, as simplified parts have them: the hull of `count` points by
+/// chance on the roundings at the corners of a tapered box.
+Scene rounded_hull(int count, std::uint32_t seed);
+
 }  // namespace ligne::test

@@ -2,7 +2,6 @@
 // 3600 triangles on.
 
 #include "contours/contour_lines.hpp"
-#include "contours/convex_hull.hpp"
 #include "contours/parametric_mesh.hpp"
 #include "contours/surfaces/shallow_islands.hpp"
 #include "contours/surfaces/surface_fits.hpp"

@@ -19,7 +19,6 @@
 #include <regex>
 #include <string>
 
-#include "main/checks.hpp"
 #include "main/tier.hpp"
 
 namespace ligne::test {

@@ -1,5 +1,7 @@
 #include "main/tier.hpp"
 
+#include <array>
+#include <atomic>
 #include <cstdlib>
 
 namespace ligne::test {
@@ -29,5 +31,15 @@ std::uint64_t rotation_of(std::string_view key) {
 bool is_chosen(std::string_view key, std::size_t number, std::size_t one_in) {
   return runs_all() || (number + rotation_of(key)) % one_in == 0;
 }
+
+namespace {
+
+std::array<std::atomic<std::uint64_t>, kChecks> counts;
+
+}  // namespace
+
+void count_checks(Check check, std::uint64_t number) { counts[static_cast<std::size_t>(check)] += number; }
+
+std::uint64_t checks_made(Check check) { return counts[static_cast<std::size_t>(check)]; }
 
 }  // namespace ligne::test

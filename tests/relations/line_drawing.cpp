@@ -1,4 +1,4 @@
-#include "main/checks.hpp"
+#include "main/tier.hpp"
 #include "relations/relations.hpp"
 #include "scene/surfaces/mesh_writer.hpp"
 #include "support/scenes.hpp"

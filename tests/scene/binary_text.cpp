@@ -5,7 +5,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "deflated.hpp"
 #include "main/script.hpp"
 #include "zip_builder.hpp"
 
@@ -97,7 +96,7 @@ class Assembler {
     }
     if (name == "deflate") {
       const int window = static_cast<int>(count());
-      return deflated(contents(), window);
+      return zip_test::deflated(contents(), window);
     }
     if (name == "zip") {
       const std::vector<std::string> names = parts_of(word(), ',');

@@ -13,7 +13,7 @@ namespace ligne::test {
 ///     <zeros N>  <fill N TEXT>      zeros; the text with as many as make it N bytes
 ///     <head N TEXT>  <cut N TEXT>   the first N bytes; all but the last N
 ///     <repeat N TEXT>
-///     <deflate WINDOW TEXT>         packed, see deflated.hpp
+///     <deflate WINDOW TEXT>         packed, see zip_builder.hpp
 ///     <zip NAME,NAME TEXT>          an archive of files of this text
 ///     <chunk4d4d TEXT>              of 3D Studio: a number of two bytes, the size, and the text
 ///     <block TYPE TEXT>  <element TYPE TEXT>  <matrix NAME ROWS COLUMNS CLASS TEXT>   of MATLAB

@@ -4,7 +4,17 @@
 #include "reader_tools.hpp"
 #include "scene/surfaces/grids/grid_formats.hpp"
 
-namespace ligne::height_test {
+namespace ligne {
+
+/// The ends of so many equal intervals.
+inline std::vector<double> evenly(double from, double to, std::size_t intervals) {
+  std::vector<double> positions;
+  for (std::size_t i = 0; i <= intervals; ++i)
+    positions.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(intervals));
+  return positions;
+}
+
+namespace height_test {
 
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -50,4 +60,5 @@ inline void expect_grid(const HeightSource& source, const std::vector<double>& x
   }
 }
 
-}  // namespace ligne::height_test
+}  // namespace height_test
+}  // namespace ligne

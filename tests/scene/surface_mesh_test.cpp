@@ -1,7 +1,6 @@
 /// Surfaces as meshes.
 
 #include "scene/surfaces/surface_mesh.hpp"
-#include "even_positions.hpp"
 #include "height_tools.hpp"
 #include "main/script.hpp"
 #include "scene/model/topology.hpp"

@@ -2,7 +2,7 @@
 
 #include "scene/model/topology.hpp"
 #include "base/parallel.hpp"
-#include "even_positions.hpp"
+#include "height_tools.hpp"
 #include "main/script.hpp"
 #include "scene/clean/crossing_edges.hpp"
 #include "scene/model/paired_edges.hpp"
@@ -184,12 +184,7 @@ struct Torus {
   Scene scene;
   std::vector<Triangle> triangles;
 
-  Torus(std::uint32_t n, double tube) : scene(test::torus(1, tube, n, n, 0.5)) {
-    for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
-      const auto corners = scene.faces.contour(f, 0);
-      triangles.push_back({{corners[0], corners[1], corners[2]}, f});
-    }
-  }
+  Torus(std::uint32_t n, double tube) : scene(test::torus(1, tube, n, n, 0.5)), triangles(build_topology(scene).triangles) {}
 };
 
 TEST(SelfContact, ATorusPenetratesItselfWhenItsTubeIsTooThick) {
@@ -217,26 +212,9 @@ TEST(SelfContact, SurfacesAreHeldAgainstThemselvesOnly) {
   EXPECT_EQ(find_self_contacts(torus.scene.vertices, twice, surface, 2), (std::vector<std::uint8_t>{0, 1}));
 }
 
-/// A torus of n x n quadrilaterals, some of them cut into two triangles: every edge has two faces.
+/// A torus: every edge has two faces.
 Scene closed_mesh(std::uint32_t n) {
-  Scene scene;
-  for (std::uint32_t i = 0; i < n * n; ++i) {
-    const double a = 6.283185307179586 * double(i % n) / n, b = 6.283185307179586 * double(i / n) / n;
-    scene.vertices.push_back({(3 + std::cos(b)) * std::cos(a), (3 + std::cos(b)) * std::sin(a), std::sin(b)});
-  }
-  const auto at = [n](std::uint32_t i, std::uint32_t j) { return j % n * n + i % n; };
-  for (std::uint32_t j = 0; j < n; ++j) {
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const std::uint32_t corners[] = {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};
-      if ((i + j) % 3 != 0) {
-        scene.faces.add_face(corners);
-      } else {
-        scene.faces.add_triangle(corners[0], corners[1], corners[2]);
-        scene.faces.add_triangle(corners[0], corners[2], corners[3]);
-      }
-    }
-  }
-  scene.objects.push_back({"torus", 0, n * n, 0, static_cast<std::uint32_t>(scene.faces.size()), 0});
+  Scene scene = test::torus(3, 1, n, n);
   scene.stated.state(StatedFact::adjacency);
   return scene;
 }
@@ -276,9 +254,9 @@ TEST(Topology, FalseAdjacencyIsNoticed) {
   scene.faces.add_triangle(0, 1, 300);
   expect_refused(scene, "a further face at an edge");
 
-  scene = closed_mesh(21);  // its last face is a quadrilateral
+  scene = closed_mesh(21);
   const std::size_t last = scene.faces.size() - 1, begin = scene.faces.corner_index(last, 0);
-  std::swap(scene.faces.corners()[begin + 1], scene.faces.corners()[begin + 3]);
+  std::swap(scene.faces.corners()[begin + 1], scene.faces.corners()[begin + 2]);
   expect_refused(scene, "a face turned round");
 
   scene = {};

@@ -1,13 +1,29 @@
 #pragma once
-/// Small ZIP archives, written by the tests themselves.
+/// Small ZIP archives and other packed bytes, written by the tests themselves.
+
+#include <zlib.h>
 
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "deflated.hpp"
-
 namespace ligne::zip_test {
+
+/// The text packed by deflate. `window` as zlib takes it: -15 for the bare stream, 15 with its own head, 31 as gzip.
+inline std::string deflated(const std::string& text, int window) {
+  z_stream stream{};
+  deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, window, 8, Z_DEFAULT_STRATEGY);
+  std::string out(deflateBound(&stream, text.size()), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  deflate(&stream, Z_FINISH);
+  out.resize(stream.total_out);
+  deflateEnd(&stream);
+  return out;
+}
 
 inline std::string little(std::uint64_t value, int bytes) {
   std::string out;
@@ -20,7 +36,7 @@ inline std::string zip(const std::vector<std::pair<std::string, std::string>>& e
                        bool wide = false) {
   std::string out, directory;
   for (const auto& [name, text] : entries) {
-    const std::string data = packed ? test::deflated(text, -MAX_WBITS) : text;
+    const std::string data = packed ? deflated(text, -MAX_WBITS) : text;
     const std::uint64_t crc = crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size()));
     const std::string method = little(packed ? 8 : 0, 2), at = little(out.size(), 8);
     const std::string extra =

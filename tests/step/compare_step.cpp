@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "clear/true_comparison.hpp"
-#include "clear/write_stl.hpp"
+#include "clear/true_parts.hpp"
 #include "drawing/measures.hpp"
 #include "picture/models/models.hpp"
 #include "step/step_part.hpp"

@@ -1,5 +1,6 @@
 // The elementary operations of [Boulle1980] 3 against exact arithmetic.
 
+#include "geometry/clip_support.hpp"
 #include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "studies/operations/contour_clipping.hpp"
 #include "studies/operations/point_in_contour.hpp"
@@ -67,29 +68,16 @@ TEST(Operations, SweepFindsWhatAllPairsFind) {
   }
 }
 
-/// A convex contour with corners on a circle, positively turned.
+/// A convex contour of points on a circle, positively turned; empty where rounding leaves no area.
 std::vector<LatticePoint> convex_contour(std::mt19937& random, int n, double radius) {
   std::uniform_real_distribution<double> u(0, 2 * 3.14159265358979);
-  std::vector<double> angles;
-  for (int i = 0; i < n; ++i) angles.push_back(u(random));
-  std::sort(angles.begin(), angles.end());
-  std::vector<LatticePoint> contour;
-  for (const double a : angles) {
-    const LatticePoint p{static_cast<std::int32_t>(std::lround(radius * std::cos(a))),
-                         static_cast<std::int32_t>(std::lround(radius * std::sin(a)))};
-    if (std::find(contour.begin(), contour.end(), p) == contour.end()) contour.push_back(p);
+  std::vector<LatticePoint> points;
+  for (int i = 0; i < n; ++i) {
+    const double a = u(random);
+    points.push_back({static_cast<std::int32_t>(std::lround(radius * std::cos(a))),
+                      static_cast<std::int32_t>(std::lround(radius * std::sin(a)))});
   }
-  // Rounding may make corners that lie in a line or turn back: these are left out.
-  for (std::size_t i = 0; contour.size() > 3 && i < contour.size();) {
-    const std::size_t m = contour.size();
-    if (orientation(contour[(i + m - 1) % m], contour[i], contour[(i + 1) % m]) <= 0) {
-      contour.erase(contour.begin() + static_cast<std::ptrdiff_t>(i));
-      i = 0;
-    } else {
-      ++i;
-    }
-  }
-  return contour;
+  return test::hull(points, false);
 }
 
 /// Inside, outside or on the contour, by winding numbers of exact signs.
@@ -105,7 +93,7 @@ TEST(Operations, PointsInConvexContours) {
   for (int round = 0; round < 300; ++round) {
     const int limit = round % 2 == 0 ? 6 : 1000;
     const auto contour = convex_contour(random, 3 + round % 12, limit);
-    if (contour.size() < 3 || orientation(contour[0], contour[1], contour[2]) <= 0) continue;
+    if (contour.empty()) continue;
     const Sectors sectors(contour);
     for (int i = 0; i < 60; ++i) {
       const LatticePoint p = i < 3 ? contour[static_cast<std::size_t>(i)] : random_point(random, limit + 1);
@@ -176,7 +164,7 @@ TEST(Operations, SegmentsClippedByConvexContours) {
   std::size_t parts = 0;
   for (int round = 0; round < 200; ++round) {
     const auto corners = convex_contour(random, 3 + round % 40, 1000);
-    if (corners.size() < 3 || orientation(corners[0], corners[1], corners[2]) <= 0) continue;
+    if (corners.empty()) continue;
     ClipContour contour;
     for (const LatticePoint c : corners) contour.corners.emplace_back(c.x, c.y);
     for (int i = 0; i < 60; ++i) {
@@ -255,9 +243,8 @@ std::optional<ContourPair> random_pair(std::mt19937& random, int corners, int cl
   auto subject = convex_contour(random, corners, radius), clip = convex_contour(random, clip_corners, radius);
   const LatticePoint shift = random_point(random, radius);
   for (LatticePoint& p : clip) p = {p.x + shift.x, p.y + shift.y};
-  if (subject.size() < 3 || clip.size() < 3) return {};
+  if (subject.empty() || clip.empty()) return {};
   const Contour s = as_points(subject), c = as_points(clip);
-  if (twice_area_of(s) <= 0 || twice_area_of(c) <= 0) return {};
   const auto faces =
       clip_contour_by_contour(make_contour_face(std::span(&subject, 1)), make_contour_face(std::span(&clip, 1)));
   return ContourPair{s, c, twice_area(faces.inside)};

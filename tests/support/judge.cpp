@@ -3,7 +3,7 @@
 #include <glm/vec4.hpp>
 
 #include "linework/overlaps/coincident_strokes.hpp"
-#include "main/checks.hpp"
+#include "main/tier.hpp"
 #include "support/comparison.hpp"
 #include "view/cull.hpp"
 #include "view/tolerances.hpp"
