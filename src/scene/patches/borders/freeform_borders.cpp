@@ -272,7 +272,9 @@ class BorderFinder {
     const std::uint32_t patch = patch_of_[arc.facet];
     border.is_beside_band = patch != kNone && outlines_[patch].is_band();
     border.is_beside_plane = patch == kNone && is_deep(arc.facet, side, first);
-    if (patch != kNone && border.turn > 0 && border.turn <= kLargestTurn) {
+    // A profile may end anywhere within a free form, and its curvature at the end is no parameter.
+    const bool has_curvature = patch != kNone && patches_[patch].surface.kind <= SurfaceKind::torus;
+    if (has_curvature && border.turn > 0 && border.turn <= kLargestTurn) {
       const double here = glm::dot(free.slope, side.inwards), k = patches_[patch].surface.curvature(middle, side.inwards);
       const double there = patches_[patch].outward ? k : -k;
       border.bends_otherwise = std::abs(here - there) > kUnlikeCurvature * std::max(std::abs(here), std::abs(there));

@@ -21,6 +21,9 @@ constexpr std::size_t kMostTries = 2;
 /// Number of facets from which the search begins, and least number of them with three strips or more beside each other.
 constexpr std::size_t kSamples = 64, kFewestSuccesses = 2;
 constexpr std::size_t kFewestStrips = 3;
+/// Least number of strips of a surface that is kept: corners that are rounded to a grid divide circles into pieces of four
+/// or five.
+constexpr std::size_t kFewestKept = 6;
 /// Largest part of the ends of strips across which these go on smoothly into others: the bands of a bent tube are strips
 /// between parallel rulings, too.
 constexpr double kMostOfEnds = 0.25;
@@ -138,7 +141,7 @@ class ExtrudedFinder {
     }
     const FacetProfile profile = profile_of(std::move(swept), surfaces_, 2 * tolerance_);
     for (const ProfilePiece& piece : smooth_pieces(profile.points, profile.sides, {is_arc_, 2 * tolerance_})) {
-      if (!goes_on(profile, piece, direction)) swept_.add(frame, xy, profile, piece);
+      if (piece.sides.size() >= kFewestKept && !goes_on(profile, piece, direction)) swept_.add(frame, xy, profile, piece);
     }
   }
 
