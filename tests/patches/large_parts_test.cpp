@@ -44,8 +44,8 @@ std::size_t compare_with_all_facets(const Mesh& mesh) {
 
   const FacetGraph graph = facet_graph(mesh.scene, mesh.topology, whole.object, whole.edges, mesh.normals);
   const std::vector<std::uint32_t> patch_of(graph.size(), kNone);
-  const std::vector<std::uint8_t> freeform =
-      freeform_facets(mesh.scene, mesh.topology, graph, {{}, patch_of, {}}, EdgeRows(mesh.scene, mesh.topology, mesh.normals));
+  const std::vector<std::uint8_t> freeform = freeform_facets(mesh.scene, mesh.topology, graph, {{}, patch_of, {}},
+                                                             EdgeRows(mesh.scene, mesh.topology, mesh.normals));
   std::size_t in_planes = 0, different = 0;
   for (std::uint32_t f = 0; f < whole.face_count(); ++f) {
     different += found->is_freeform[f] != freeform[graph.facet_of[f]];

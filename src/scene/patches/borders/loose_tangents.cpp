@@ -148,8 +148,7 @@ class TangentChains {
       }
     }
     std::ranges::sort(shorter);
-    const auto repeated = std::ranges::unique(shorter);
-    shorter.erase(repeated.begin(), repeated.end());
+    shorter.erase(std::unique(shorter.begin(), shorter.end()), shorter.end());
     for (const std::uint32_t e : shorter) drop(e);
   }
 
