@@ -220,23 +220,11 @@ TEST_F(ProgramTest, LigneShInAReadOnlyTreeSaysSoInOneLine) {
                                     "somebody who may, or in a copy\n");
 }
 
-/// A project with the two programs as scripts that say their names.
-constexpr std::string_view kTwoPrograms = R"(cmake_minimum_required(VERSION 3.25)
-project(two NONE)
-foreach(name ligne ligne-study)
-  file(WRITE ${CMAKE_BINARY_DIR}/${name}.sh "#!/bin/sh\necho ${name} $*\n")
-  file(CHMOD ${CMAKE_BINARY_DIR}/${name}.sh PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
-  add_custom_target(${name} ALL COMMAND ${CMAKE_COMMAND} -E make_directory src/cli
-                    COMMAND ${CMAKE_COMMAND} -E copy ${name}.sh src/cli/${name})
-endforeach()
-add_dependencies(ligne-study ligne)
-)";
-
 TEST_F(ProgramTest, LigneShBuildsTheStudyWhenItIsFirstAskedFor) {
   const fs::path tree = file("tree");
   for (const char* folder : {"src", "plotting", "cmake", "studies", "scripts"}) fs::create_directories(tree / folder);
   for (const char* name : {"ligne.sh", "scripts/setup.sh"}) fs::copy_file(fs::path(LIGNE_SOURCE_DIR) / name, tree / name);
-  write("tree/CMakeLists.txt", kTwoPrograms);
+  write("tree/CMakeLists.txt", contents(fs::path(LIGNE_SOURCE_DIR) / "tests/cli/two_programs.cmake"));
   const auto said_by = [&](const std::string& arguments) {
     const std::string command =
         "bash '" + (tree / "ligne.sh").string() + "' " + arguments + " >'" + file("said").string() + "'";

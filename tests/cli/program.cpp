@@ -11,31 +11,6 @@
 namespace ligne::test {
 namespace {
 
-constexpr std::string_view kCube = R"(o cube
-v -10 -10 -10
-v 10 -10 -10
-v 10 10 -10
-v -10 10 -10
-v -10 -10 10
-v 10 -10 10
-v 10 10 10
-v -10 10 10
-f 1 4 3 2
-f 5 6 7 8
-f 1 2 6 5
-f 2 3 7 6
-f 3 4 8 7
-f 4 1 5 8
-)";
-
-constexpr std::string_view kSquare = R"(o square
-v 0 0 0
-v 40 0 0
-v 40 10 0
-v 0 10 0
-f 1 2 3 4
-)";
-
 std::vector<std::string> names_in(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) names.push_back(entry.path().filename().string());
@@ -184,9 +159,8 @@ void ProgramTest::SetUp() {
   folder_ = std::filesystem::temp_directory_path() / ("ligne-" + name + "-" + std::to_string(getpid()));
   std::filesystem::remove_all(folder_);
   std::filesystem::create_directories(folder_);
-  write("cube.obj", kCube);
-  write("square.obj", kSquare);
-  write("broken.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  for (const char* model : {"cube.obj", "square.obj", "broken.obj"})
+    write(model, contents(std::filesystem::path(LIGNE_SOURCE_DIR) / "tests/cli/models" / model));
   files_at_start_ = names_in(folder_);
 }
 
