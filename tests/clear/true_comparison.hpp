@@ -1,8 +1,6 @@
 #pragma once
 /// Clear drawings beside the true lines of their parts.
 
-#include <functional>
-
 #include "clear/true_parts.hpp"
 #include "picture/draw_scene.hpp"
 #include "support/page_lines.hpp"

@@ -1,12 +1,5 @@
 #include "clear/true_parts.hpp"
 
-#include <fstream>
-#include <stdexcept>
-
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 #include "support/scene_parts.hpp"

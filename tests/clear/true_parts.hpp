@@ -1,14 +1,10 @@
 #pragma once
 /// Parts whose true edges and outlines are known, with meshes of any accuracy.
 
-#include <array>
-#include <filesystem>
-#include <numbers>
-#include <string>
 #include <variant>
-#include <vector>
 
 #include "geometry/point.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
 

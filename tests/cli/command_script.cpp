@@ -41,7 +41,6 @@
 #include "main/script.hpp"
 #include "program.hpp"
 #include "support/mesh_text.hpp"
-#include "surface_program.hpp"
 
 namespace ligne::test {
 namespace {

@@ -3,9 +3,9 @@
 #include <chrono>
 #include <regex>
 
+#include "drawing_quantities.hpp"
 #include "main/script.hpp"
 #include "support/mesh_text.hpp"
-#include "surface_program.hpp"
 
 namespace ligne::test {
 namespace {

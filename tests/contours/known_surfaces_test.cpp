@@ -1,11 +1,9 @@
 /// Contours of known surfaces, and their support by the outlines of the mesh.
 
-#include <glm/geometric.hpp>
-
+#include "contours/surfaces/known_surfaces.hpp"
 #include "base/no_index.hpp"
 #include "contours/contour_chains.hpp"
 #include "contours/contour_support.hpp"
-#include "contours/surfaces/known_surfaces.hpp"
 #include "contours/surfaces/outline_probes.hpp"
 #include "support/mesh_text.hpp"
 #include "support/test.hpp"

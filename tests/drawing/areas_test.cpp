@@ -9,7 +9,6 @@
 #include "main/script.hpp"
 #include "measures.hpp"
 #include "support/mesh_text.hpp"
-#include "support/test.hpp"
 
 namespace ligne {
 namespace {

@@ -1,7 +1,6 @@
 #include "check.hpp"
 
 #include "base/parallel.hpp"
-#include "intersections_seen.hpp"
 #include "support/page_lines.hpp"
 
 namespace ligne::check {

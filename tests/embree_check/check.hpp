@@ -8,9 +8,35 @@
 /// Undecided: blocked here and visible there within the tolerance. A stroke of this kind is right where another edge that
 /// should be drawn is visible within the tolerance: lines that coincide are drawn once, as either.
 
-#include "drawing_file.hpp"
+#include "sight.hpp"
 
 namespace ligne::check {
+
+// The JSON drawing, as a stranger reads it: docs/drawing-format.md.
+
+struct DrawnStroke {
+  LineKind kind = kMesh;
+  bool visible = true;
+  std::array<Point3, 2> ends{};                         ///< ends of the source edge, model coordinates
+  std::array<double, 2> interval{0, 1};                 ///< parameters on the source edge
+  std::optional<std::uint32_t> edge;                    ///< number of the source edge; none for an intersection
+  std::array<std::optional<std::uint32_t>, 2> faces{};  ///< that meet at the source edge
+  std::array<Point2, 2> points{};                       ///< page mm
+};
+
+struct DrawingFile {
+  Rows model_to_page{};
+  Rect window;               ///< page mm
+  double near_distance = 0;  ///< smallest W that is drawn; in a perspective
+  std::vector<DrawnStroke> strokes;
+};
+
+/// Throws std::runtime_error with one line.
+DrawingFile parse_drawing(std::string_view text);
+
+/// "outline" and so on; throws std::runtime_error for another name.
+LineKind kind_of(std::string_view name);
+std::string_view name_of(LineKind kind);
 
 struct CheckOptions {
   std::uint8_t kinds = kFeatureKinds;  ///< classes that the drawing should hold
@@ -53,5 +79,18 @@ Report check_drawing(const Scene& scene, const DrawingFile& drawing, const Check
 
 /// A table for people: the lengths, their shares, and the `worst` longest findings.
 std::string to_text(const Report& report, std::size_t worst);
+
+struct SeenCrossing {
+  Point2 at{0, 0};        ///< page mm
+  Point3 point{0, 0, 0};  ///< unit box
+  std::array<std::uint32_t, 2> faces{};
+  double length_mm = 0;  ///< of the intersection, by this crossing's share of the grid
+};
+
+/// Finds visible intersections of penetrating faces by looking, with no intersection computed: rays on a grid of page
+/// points; between neighbours that see different faces the place of the change is found by bisection; where both faces go on
+/// beyond that place, one can have come before the other only by passing through it.
+std::vector<SeenCrossing> find_intersections_seen(const CheckedScene& scene, const PageMap& map, const Sight& sight,
+                                                  const CheckOptions& options);
 
 }  // namespace ligne::check

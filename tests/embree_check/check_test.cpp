@@ -7,7 +7,6 @@
 #include "scene/readers/reader.hpp"
 #include "scene/surfaces/mesh_writer.hpp"
 #include "support/scene_parts.hpp"
-#include "support/test.hpp"
 
 namespace ligne::check {
 namespace {

@@ -3,7 +3,6 @@
 
 #include "page_map.hpp"
 #include "scene/model/scene.hpp"
-#include "support/standard.hpp"
 
 namespace ligne::check {
 

@@ -1,4 +1,4 @@
-#include "drawing_file.hpp"
+#include "check.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "intersections_seen.hpp"
+#include "check.hpp"
 
 #include "base/parallel.hpp"
 #include "support/page_lines.hpp"

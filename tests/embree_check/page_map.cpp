@@ -1,9 +1,6 @@
 #include "page_map.hpp"
 
-#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-
-#include "support/standard.hpp"
 
 namespace ligne::check {
 

@@ -2,12 +2,10 @@
 /// From the model to the page and back. Everything that is checked lives in a unit box: the model's bounding box moved to
 /// the origin and scaled to a longest side of 1, so that the float32 boxes of the ray caster are as fine as they can be.
 
-#include <array>
-#include <optional>
-
 #include <glm/mat4x4.hpp>
 
 #include "geometry/point.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::check {
 

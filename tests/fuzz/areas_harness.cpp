@@ -1,7 +1,5 @@
-#include "areas_harness.hpp"
-
-#include "need.hpp"
 #include "plotting/meant_areas.hpp"
+#include "reader_harness.hpp"
 
 namespace ligne {
 namespace {

@@ -1,7 +1,5 @@
 #include "reader_harness.hpp"
 
-#include "areas_harness.hpp"
-#include "need.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/models/compiled_model.hpp"
 #include "picture/raster/zbuffer_picture.hpp"

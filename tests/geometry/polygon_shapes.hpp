@@ -1,11 +1,8 @@
 #pragma once
 /// Polygons of any size that are hard to triangulate quickly.
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "geometry/point.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::shapes {
 

@@ -11,7 +11,6 @@
 #include "main/script.hpp"
 #include "polygon_shapes.hpp"
 #include "support/line_text.hpp"
-#include "support/test.hpp"
 
 namespace ligne {
 namespace {

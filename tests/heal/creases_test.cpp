@@ -7,7 +7,6 @@
 #include "scene/readers/reader.hpp"
 #include "support/mesh_script.hpp"
 #include "support/mesh_text.hpp"
-#include "support/standard.hpp"
 #include "support/test.hpp"
 
 namespace ligne {

@@ -1,7 +1,5 @@
 #include "compare.hpp"
 
-#include "support/standard.hpp"
-
 namespace ligne::test {
 namespace {
 

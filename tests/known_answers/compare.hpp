@@ -1,11 +1,9 @@
 #pragma once
 /// Holds drawn segments against expected ones, on the page.
 
-#include <string>
-#include <vector>
-
 #include "geometry/point.hpp"
 #include "linework/stroke.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
 

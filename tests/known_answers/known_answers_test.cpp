@@ -5,7 +5,6 @@
 #include "main/script.hpp"
 #include "main/tier.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {

@@ -3,7 +3,6 @@
 #include "main/tier.hpp"
 #include "stroke_builder.hpp"
 #include "support/page_lines.hpp"
-#include "support/test.hpp"
 
 namespace ligne {
 namespace {

@@ -2,9 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "linework/clean_lines.hpp"
-#include "rule_runner.hpp"
 #include "stroke_builder.hpp"
-#include "support/test.hpp"
 
 namespace ligne {
 namespace {

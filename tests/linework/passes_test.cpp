@@ -5,9 +5,7 @@
 #include "linework/map/line_groups.hpp"
 #include "linework/near_part.hpp"
 #include "main/script.hpp"
-#include "rule_runner.hpp"
 #include "stroke_builder.hpp"
-#include "support/test.hpp"
 
 namespace ligne {
 namespace {

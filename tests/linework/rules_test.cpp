@@ -6,9 +6,7 @@
 #include "linework/overlaps/coincident_strokes.hpp"
 #include "linework/rules/smooth_lines.hpp"
 #include "main/script.hpp"
-#include "rule_runner.hpp"
 #include "stroke_builder.hpp"
-#include "support/test.hpp"
 
 namespace ligne {
 namespace {

@@ -8,7 +8,6 @@
 #include "linework/point_tree.hpp"
 #include "main/tier.hpp"
 #include "stroke_builder.hpp"
-#include "support/test.hpp"
 
 namespace ligne {
 namespace {

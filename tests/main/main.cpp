@@ -10,16 +10,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <csignal>
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <iostream>
 #include <regex>
-#include <string>
 
 #include "main/tier.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {

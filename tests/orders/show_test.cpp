@@ -5,7 +5,6 @@
 #include "newell_sorted.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/standard_views.hpp"
-#include "support/test.hpp"
 #include "support/variants.hpp"
 
 namespace ligne::test {

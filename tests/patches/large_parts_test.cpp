@@ -1,7 +1,5 @@
 /// Large free forms, and parts that stand many times.
 
-#include <algorithm>
-
 #include "patches/patch_scenes.hpp"
 #include "scene/patches/borders/patch_outlines.hpp"
 #include "scene/patches/facets/flat_joints.hpp"

@@ -1,9 +1,6 @@
 #pragma once
 /// Meshes of small parts whose surfaces are known.
 
-#include <sstream>
-#include <string>
-
 #include "patches/patch_scenes.hpp"
 
 namespace ligne::test {

@@ -1,19 +1,10 @@
 #pragma once
 /// Meshes of known surfaces.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <map>
-#include <numbers>
-#include <vector>
-
-#include <glm/geometric.hpp>
-
 #include "scene/creases/face_normals.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
 #include "support/scene_parts.hpp"
+#include "support/standard.hpp"
 
 namespace ligne::test {
 

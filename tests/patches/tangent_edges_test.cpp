@@ -1,8 +1,5 @@
 /// Tangent edges, which are drawn as whole lines: where they fade, cross free forms, have gaps, or are loose.
 
-#include <map>
-#include <string>
-
 #include "main/script.hpp"
 #include "patches/part_scenes.hpp"
 #include "patches/patch_scenes.hpp"

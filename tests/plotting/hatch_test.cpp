@@ -5,7 +5,6 @@
 #include "main/script.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "sample_drawing.hpp"
-#include "support/test.hpp"
 
 namespace ligne {
 namespace {

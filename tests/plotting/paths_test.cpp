@@ -8,7 +8,6 @@
 #include "plotting/paths/nearest_points.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "sample_drawing.hpp"
-#include "support/test.hpp"
 
 namespace ligne {
 namespace {

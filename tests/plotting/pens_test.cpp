@@ -7,7 +7,6 @@
 #include "plotting/plot_parts.hpp"
 #include "plotting/tiles.hpp"
 #include "plotting/writers/plot_writers.hpp"
-#include "support/test.hpp"
 
 namespace ligne {
 namespace {

@@ -3,7 +3,6 @@
 #include "main/script.hpp"
 #include "plotted.hpp"
 #include "plotting/devices/device.hpp"
-#include "support/test.hpp"
 
 namespace ligne {
 namespace {

@@ -8,7 +8,6 @@
 #include "plotting/writers/cairo_svg_parts.hpp"
 #include "plotting/writers/writers.hpp"
 #include "sample_drawing.hpp"
-#include "support/test.hpp"
 
 namespace ligne {
 namespace {

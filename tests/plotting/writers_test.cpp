@@ -5,7 +5,6 @@
 #include "plotting/readers/utf8.hpp"
 #include "plotting/stroke_text.hpp"
 #include "sample_drawing.hpp"
-#include "support/test.hpp"
 
 namespace ligne {
 namespace {

@@ -2,8 +2,7 @@
 /// A scene as nothing but points: easy to shuffle, turn, cut and write.
 
 #include "scene/model/scene.hpp"
-#include "support/page_segments.hpp"
-#include "support/standard.hpp"
+#include "support/page_lines.hpp"
 #include "view/view.hpp"
 #include "visibility/method.hpp"
 

@@ -6,7 +6,6 @@
 #include "support/scene_parts.hpp"
 #include "support/scenes.hpp"
 #include "support/standard_views.hpp"
-#include "support/test.hpp"
 
 namespace ligne::test {
 namespace {

@@ -1,10 +1,5 @@
 #include "binary_text.hpp"
 
-#include <bit>
-#include <cstring>
-#include <sstream>
-#include <stdexcept>
-
 #include "main/script.hpp"
 #include "zip_builder.hpp"
 

@@ -1,8 +1,7 @@
 #pragma once
 /// Bytes of binary files in words, for tests that are written as text.
 
-#include <string>
-#include <string_view>
+#include "support/standard.hpp"
 
 namespace ligne::test {
 

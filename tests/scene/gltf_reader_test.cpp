@@ -3,7 +3,6 @@
 #include "gltf_builder.hpp"
 #include "reader_tools.hpp"
 #include "scene/clean/clean.hpp"
-#include "support/test.hpp"
 
 namespace ligne {
 namespace {

@@ -3,7 +3,6 @@
 #include "gltf_builder.hpp"
 #include "scene/readers/gltf/gltf_reader.hpp"
 #include "scene/readers/gltf/meshopt_codec.hpp"
-#include "support/test.hpp"
 
 #ifdef LIGNE_HAVE_MESHOPTIMIZER
 #include <meshoptimizer.h>

@@ -1,7 +1,7 @@
 /// Tests of the readers that are written as text, in the folder scripts. A step is a kind of file, and its text: 3ds, asc,
 /// obj, off, ply, stl, binary-stl, scene are read by their readers, "file.SUFFIX" as the command reads it, and "model FILE"
 /// from the shared models, where they are; json is the text of a glTF; "gltf CHANGES" changes the unit square as glTF,
-/// "triangle CHANGES" a triangle, both as gltf_changes.hpp has it, and "triangle@NAME@SECONDS" reads the file at a moment of
+/// "triangle CHANGES" a triangle, both as gltf_builder.hpp has it, and "triangle@NAME@SECONDS" reads the file at a moment of
 /// an animation; 3mf is the main part of such an archive; points and lines are files of those; grid, also
 /// "grid:layout=matrix", "grid:set=1", "grid:using=1,2,4", "grid:band=2", or "grid@NAME" for a file of this name; "tiff
 /// PICTURES", see tiff_text.hpp, also "tiff:band=2"; "corpus FILE", a grid of the fuzzers' corpus, "corpus tiff/FILE" or
@@ -27,7 +27,7 @@
 ///     at X Y VALUE                               the value of a formula
 
 #include "binary_text.hpp"
-#include "gltf_changes.hpp"
+#include "gltf_builder.hpp"
 #include "height_tools.hpp"
 #include "mended_scene.hpp"
 #include "scene/readers/gltf/gltf_reader.hpp"

@@ -4,10 +4,6 @@
 ///     TYPE COLUMNS ROWS BANDS NUMBERS...   a picture of numbers f4, i2, i4, u1, u2, or of u2 that are said to be f2
 ///     doubles TAG N N ...                  a tag of it; also shorts, longs, and text TAG TEXT
 
-#include <map>
-#include <stdexcept>
-#include <string>
-
 #include "binary_text.hpp"
 #include "main/script.hpp"
 #include "zip_builder.hpp"

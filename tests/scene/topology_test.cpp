@@ -10,7 +10,6 @@
 #include "scene/model/triangle_contact.hpp"
 #include "scene/surfaces/surface_mesh.hpp"
 #include "support/round_bodies.hpp"
-#include "support/test.hpp"
 
 namespace ligne {
 namespace {

@@ -3,10 +3,7 @@
 
 #include <zlib.h>
 
-#include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
+#include "support/standard.hpp"
 
 namespace ligne::zip_test {
 

@@ -14,7 +14,6 @@
 #include "drawing/measures.hpp"
 #include "picture/models/models.hpp"
 #include "step/step_part.hpp"
-#include "support/standard.hpp"
 
 namespace ligne::test {
 namespace {

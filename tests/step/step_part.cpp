@@ -14,8 +14,6 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
-#include <optional>
-#include <stdexcept>
 
 namespace ligne::test {
 namespace {

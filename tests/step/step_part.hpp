@@ -1,10 +1,6 @@
 #pragma once
 /// Parts of STEP files, read with OpenCASCADE: meshes of them, and the true lines that their surfaces and edges give.
 
-#include <filesystem>
-#include <memory>
-#include <vector>
-
 #include "clear/true_comparison.hpp"
 
 namespace ligne::test {

@@ -9,7 +9,6 @@
 #include "studies/operations/segment_tests.hpp"
 #include "studies/operations/sorts.hpp"
 #include "studies/operations/thesis_spans.hpp"
-#include "support/test.hpp"
 
 namespace ligne::studies {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "drawing/drawing.hpp"
 #include "support/judge.hpp"
-#include "support/page_segments.hpp"
+#include "support/page_lines.hpp"
 
 namespace ligne::test {
 

@@ -1,7 +1,5 @@
 #include "support/line_text.hpp"
 
-#include <random>
-
 #include "main/script.hpp"
 #include "support/mesh_text.hpp"
 

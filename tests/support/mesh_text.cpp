@@ -1,9 +1,5 @@
 #include "support/mesh_text.hpp"
 
-#include <memory>
-#include <random>
-#include <stdexcept>
-
 #include "main/script.hpp"
 #include "patches/part_scenes.hpp"
 #include "patches/patch_scenes.hpp"

@@ -1,10 +1,17 @@
 #pragma once
 /// Things of the page in square cells, so that those near a point are found without a look at all of them.
 
-#include "geometry/point.hpp"
+#include "geometry/page_segments.hpp"
 #include "support/standard.hpp"
 
 namespace ligne::test {
+
+using paper::along;
+using paper::common_length;
+using paper::deviation;
+using paper::gaps;
+using paper::Range;
+using paper::Segment;
 
 /// The distance of a point from a segment.
 inline double distance_to_segment(Point2 p, Point2 a, Point2 b) {

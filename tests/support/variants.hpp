@@ -1,9 +1,7 @@
 #pragma once
 /// Every exact method in every way in which its own options let it work.
 
-#include <string>
-#include <vector>
-
+#include "support/standard.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne::test {

@@ -4,7 +4,6 @@
 #include "main/script.hpp"
 #include "plotting/stroke_text.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
 #include "view/axes/axes_layout.hpp"
 #include "view/axes/axis_edges.hpp"
 #include "view/axes/axis_lines.hpp"

@@ -1,7 +1,6 @@
 /// Facets: their tree, depths, covers of cells of the screen grid, and facets seen along lines.
 
 #include "support/scenes.hpp"
-#include "support/test.hpp"
 #include "visibility/common/cell_cover.hpp"
 #include "visibility/common/facet.hpp"
 #include "visibility/edges/nearest_along.hpp"

@@ -5,7 +5,7 @@
 #include "height_functions.hpp"
 #include "main/tier.hpp"
 #include "scene/surfaces/surface_mesh.hpp"
-#include "support/page_segments.hpp"
+#include "support/page_lines.hpp"
 
 namespace ligne::test {
 namespace {

@@ -2,7 +2,6 @@
 
 #include "visibility/raster/scan_conversion.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
 #include "visibility/edges/line_strokes.hpp"
 #include "visibility/order/model_pieces.hpp"
 #include "visibility/raster/convex_filler.hpp"

@@ -1,9 +1,7 @@
 #pragma once
 /// Faces laid straight onto the lattice, for tests of the modules of the method warnock.
 
-#include <utility>
-#include <vector>
-
+#include "support/standard.hpp"
 #include "visibility/warnock/control.hpp"
 #include "visibility/warnock/initial_window.hpp"
 

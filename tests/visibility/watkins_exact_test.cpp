@@ -2,7 +2,6 @@
 
 #include "linework/overlaps/stroke_overlap.hpp"
 #include "support/scenes.hpp"
-#include "support/test.hpp"
 #include "visibility/watkins/exact/exact_study.hpp"
 #include "visibility/watkins/spans/span_method.hpp"
 
