@@ -69,9 +69,6 @@ std::vector<std::uint32_t> paired(const std::vector<LatticePoint>& directions,
   return partner;
 }
 
-using ArmPartners = std::vector<std::uint32_t>;
-constexpr std::uint32_t none = kNone;
-
 /// The lines that partners make, as the first ends of their strokes; a ring ends with kNone.
 std::vector<Ends> lines_of(const Ends& partner, LineOrder order) {
   std::vector<Ends> lines;
@@ -92,20 +89,14 @@ TEST(Continuations, LinesBeginAtLooseEndsOrWithTheirLowestStrokes) {
   EXPECT_TRUE(lines_of({}, LineOrder::strokes).empty());
 }
 
-TEST(NodePairs, KnownAnswers) {
-  EXPECT_EQ(paired({{1, 0}}), (ArmPartners{none}));
-  EXPECT_EQ(paired({{1, 0}, {1, 1}}), (ArmPartners{1, 0})) << "two arms are paired at any angle";
-  EXPECT_EQ(paired({{1, 0}, {0, 1}, {-1, 0}, {0, -1}}), (ArmPartners{2, 3, 0, 1}));
-  EXPECT_EQ(paired({{1, 0}, {1, 1}, {1, -1}}), (ArmPartners{none, 2, 1})) << "a turn of exactly 90 degrees is allowed";
-  EXPECT_EQ(paired({{2, 0}, {2, 1}, {2, -1}}), (ArmPartners{none, none, none})) << "all turns are sharper than 90 degrees";
-  EXPECT_EQ(paired({{9, 0}, {-9, 1}, {-9, 0}}), (ArmPartners{2, none, 0})) << "the straighter of two";
-  EXPECT_EQ(paired({{1, 0}, {-1, 0}, {1, 0}, {-1, 0}}), (ArmPartners{1, 0, 3, 2})) << "equal turns go by number";
-}
-
-TEST(NodePairs, TurnsAreToldApartToTheLastStep) {
-  constexpr std::int32_t far = 1 << 26;
-  EXPECT_EQ(paired({{far, 0}, {-far, 1}, {-far + 1, 1}}), (ArmPartners{1, 0, none}));
-  EXPECT_EQ(paired({{far, 0}, {-far + 1, 1}, {-far, 1}}), (ArmPartners{2, none, 0}));
+/// By arm the number of its partner, or "-".
+std::string pairs_of(const std::string& text) {
+  std::vector<LatticePoint> directions;
+  for (const std::string& word : test::words_of(text))
+    if (LatticePoint p; std::sscanf(word.c_str(), "%d,%d", &p.x, &p.y) == 2) directions.push_back(p);
+  std::string all;
+  for (const std::uint32_t arm : paired(directions)) all += arm == kNone ? "-" : std::to_string(arm);
+  return all;
 }
 
 TEST(NodePairs, FewAndManyArmsAgree) {
@@ -128,7 +119,7 @@ TEST(NodePairs, ManyArmsOnTwoFansStayFast) {
     directions.push_back({-(1 << 25), i * 100});
     directions.push_back({1 << 25, i * 100 + 7});
   }
-  const ArmPartners partner = paired(directions);
+  const Ends partner = paired(directions);
   for (std::uint32_t i = 0; i < partner.size(); ++i) ASSERT_EQ(partner[partner[i]], i);
 }
 
@@ -323,8 +314,8 @@ std::string arcs_of(const std::string& text) {
   return all;
 }
 
-[[maybe_unused]] const bool maps_are_added =
-    test::add_function_scripts(LIGNE_SOURCE_DIR "/tests/linework/maps", {{"map", map_of}, {"arcs", arcs_of}});
+[[maybe_unused]] const bool maps_are_added = test::add_function_scripts(
+    LIGNE_SOURCE_DIR "/tests/linework/maps", {{"map", map_of}, {"arcs", arcs_of}, {"pairs", pairs_of}});
 
 TEST(LineMapTest, ACrowdAtOnePointCostsLittle) {
   constexpr std::int32_t kArms = 20'000;

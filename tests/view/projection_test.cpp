@@ -97,30 +97,20 @@ TEST(Projection, LinesOfNoFaceLieWhereTheyAre) {
 }
 
 TEST(ClipSegment, SaysWhichEndsAreCut) {
-  const ClipVolume volume{{{0, 0}, {100, 100}}, 0.5};
-  const auto both = clip_segment({-10, 50, 0, 1}, {110, 50, 0, 1}, volume);
-  ASSERT_TRUE(both);
-  EXPECT_TRUE(both->cut[0] && both->cut[1]);
-  const auto whole = clip_segment({0, 0, 0, 1}, {100, 100, 0, 1}, volume);
-  ASSERT_TRUE(whole);
-  EXPECT_TRUE(whole->whole());
-  EXPECT_EQ(whole->range, (std::array<double, 2>{0, 1}));
-  EXPECT_FALSE(clip_segment({-3, 50, 0, 1}, {-1, 50, 0, 1}, volume));
-  EXPECT_FALSE(clip_segment({-1, 50, 0, 1}, {0, 50, 0, 1}, volume));  // one point of the border
-}
-
-TEST(ClipSegment, AnEndOutsideByTheLastDigitIsCutThoughItsParameterIsOne) {
-  const ClipVolume volume{{{-100, -100}, {100, 100}}, 0.5};
+  const auto part = [](Point2 a, Point2 b) {
+    return clip_segment({a.x, a.y, 0, 1}, {b.x, b.y, 0, 1}, {{{-100, -100}, {100, 100}}, 0.5});
+  };
+  using Cut = std::array<bool, 2>;
+  EXPECT_EQ(part({-110, 50}, {110, 50}).value().cut, (Cut{true, true}));
+  EXPECT_TRUE(part({-100, -100}, {100, 100}).value().whole());
+  EXPECT_EQ(part({-100, -100}, {100, 100})->range, (std::array<double, 2>{0, 1}));
+  EXPECT_FALSE(part({-103, 50}, {-101, 50}));
+  EXPECT_FALSE(part({-101, 50}, {-100, 50})) << "one point of the border";
+  // An end outside by the last digit is cut though its parameter is one.
   const double outside = std::nextafter(100.0, 200.0);
-  const auto part = clip_segment({-90, 0, 0, 1}, {outside, 0, 0, 1}, volume);
-  ASSERT_TRUE(part);
-  EXPECT_EQ(part->range[1], 1);
-  EXPECT_FALSE(part->cut[0]);
-  EXPECT_TRUE(part->cut[1]);
-  const auto back = clip_segment({outside, 0, 0, 1}, {-90, 0, 0, 1}, volume);
-  ASSERT_TRUE(back);
-  EXPECT_TRUE(back->cut[0]);
-  EXPECT_FALSE(back->cut[1]);
+  EXPECT_EQ(part({-90, 0}, {outside, 0}).value().range[1], 1);
+  EXPECT_EQ(part({-90, 0}, {outside, 0})->cut, (Cut{false, true}));
+  EXPECT_EQ(part({outside, 0}, {-90, 0}).value().cut, (Cut{true, false}));
 }
 
 /// A line along the border of the sheet is in view, wherever its last digits put it, and a face that goes on beyond the
