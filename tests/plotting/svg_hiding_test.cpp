@@ -31,7 +31,33 @@ TEST(SvgAreas, PolygonsOfSharedCornersAgreeWithAPicture) { expect_right(polygons
 
 TEST(SvgAreas, ScribblesAgreeWithAPicture) { expect_right(scribbles, 4, 1'000); }
 
-// Hiding by clip paths, masks and filled areas of an SVG drawing.
+/// Discs at random places: what is left of each rim is what no later disc covers, by their distances.
+TEST(SvgReader, HiddenPartsAreExact) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(10, 90), size(2, 15);
+  std::vector<Point3> discs;  // centre and radius
+  std::ostringstream body;
+  for (int i = 0; i < 60; ++i) {
+    const Point3 disc{place(random), place(random), size(random)};
+    discs.push_back(disc);
+    body << "<g inkscape:groupmode='layer' inkscape:label='" << i << "'><circle cx='" << disc.x << "' cy='" << disc.y
+         << "' r='" << disc.z << "' fill='red'/></g>";
+  }
+  const ReadDrawing read = read_svg_drawing(page(body.str()), "a.svg", {}, {FillReading::How::outline, 0.35, true});
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    constexpr int kSteps = 20'000;
+    double seen = 0, length = 0;
+    for (int k = 0; k < kSteps; ++k) {
+      const double a = 2 * std::numbers::pi * k / kSteps;
+      const Point2 p = Point2(discs[i]) + Point2{std::cos(a), std::sin(a)} * discs[i].z;
+      const auto covers = [&](const Point3& disc) { return glm::distance(p, Point2(disc)) < disc.z; };
+      seen += std::none_of(discs.begin() + static_cast<std::ptrdiff_t>(i) + 1, discs.end(), covers);
+    }
+    for (const Layer& layer : read.drawing.layers)
+      if (layer.name == std::to_string(i)) length += measure(layer.lines, {0, 0}, false).down_mm;
+    EXPECT_NEAR(length, seen / kSteps * 2 * std::numbers::pi * discs[i].z, 0.1) << i;
+  }
+}
 
 /// Drawings as files: of other programs, hostile ones, our own, and in JSON.
 
@@ -118,8 +144,6 @@ TEST(SvgReader, AreasThatAbutStrokesTakeNoCorners) {
 }
 
 // SVG drawings read back, where scripts/svg_reader.txt can not say what is right.
-
-using namespace test;
 
 TEST(SvgReader, CurvesOfHigherDegreesAreWhereTheyShouldBe) {
   // A parabola as a quadratic and as a cubic.
