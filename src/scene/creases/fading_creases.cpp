@@ -18,7 +18,7 @@ namespace {
 
 /// Adjustable: runs that end freely and are shorter than this part of their object go. Shorter lines inside a surface look
 /// like scratches on it.
-constexpr double kLongRunPart = 1.0 / 8;
+constexpr double kLongRunPart = 1.0 / 4;
 /// Adjustable: least part of the area of a free form in itself and what it borders on, where creases fade. The others are
 /// parts of constructed bodies.
 constexpr double kFreeformPart = 0.75;
