@@ -19,6 +19,9 @@ namespace {
 /// Adjustable: runs that end freely and are shorter than this part of their object go. Shorter lines inside a surface look
 /// like scratches on it.
 constexpr double kLongRunPart = 1.0 / 4;
+/// Adjustable: as kLongRunPart, for runs that bend on average by a turn of six facets or more (radians), as the legs of a
+/// coarse animal do.
+constexpr double kFirmRunPart = 1.0 / 8, kFirmBend = 60 * std::numbers::pi / 180;
 /// Adjustable: least part of the area of a free form in itself and what it borders on, where creases fade. The others are
 /// parts of constructed bodies.
 constexpr double kFreeformPart = 0.75;
@@ -184,9 +187,13 @@ class Fader {
       if (vertex == tip || edges_.is_anchor(vertex)) break;
     }
     const auto standing = std::ranges::find_if(run, [&](std::uint32_t e) { return stands_out(edges_.rows, e); });
-    double length = 0;
-    for (auto e = standing; e != run.end(); ++e) length += length_of(*e);
-    const bool stays = length >= kLongRunPart * edges_.sizes[object_of_vertex(scene_, tip)];
+    double length = 0, turn = 0;
+    for (auto e = standing; e != run.end(); ++e) {
+      length += length_of(*e);
+      turn += length_of(*e) * std::abs(edges_.rows.bend(*e, topology_.edges[*e].face0));
+    }
+    const double part = turn >= kFirmBend * length ? kFirmRunPart : kLongRunPart;
+    const bool stays = length >= part * edges_.sizes[object_of_vertex(scene_, tip)];
     if (run.empty() || (stays && standing == run.begin())) return;
     faded.insert(faded.end(), run.begin(), stays ? standing : run.end());
     if (!stays) left.push_back(vertex);

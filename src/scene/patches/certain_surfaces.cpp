@@ -14,6 +14,10 @@ namespace {
 /// Largest probability that the corners lie on the surface by accident. Each corner beyond the number of the surface's
 /// parameters does so with a probability of twice the largest distance divided by the sag.
 constexpr double kLargestChance = 1e-7;
+/// Precisions of the coordinates that count as no distance at all. It is less than the tolerance of corners on a surface, so
+/// that small fillets far from the origin, whose sag is a few of these, are certain when their corners are as exact as may
+/// be.
+constexpr double kToldPrecisions = 4;
 /// Largest such probability for a cylinder that its neighbours on both sides continue smoothly.
 constexpr double kLikelyChance = 1e-3;
 /// Part of the sag from which on the tolerance of rounding hides it. Surfaces are found by accident then, in any free form.
@@ -27,6 +31,8 @@ constexpr double kWider = 4, kMostGrowth = 1.25;
 constexpr double kLeastTurn = 8 * std::numbers::pi / 180;
 /// Least ratio of the square of the longest diagonal of a long facet to its area; it is 2 for a square.
 constexpr double kLongInRow = 20;
+/// Largest part of the area of a row that facets at the ends of its long ones may have.
+constexpr double kMostWidePart = 1.0 / 16;
 /// Facets in a row around a cone from which on these are no polygon.
 constexpr std::size_t kMostPolygon = 12;
 /// Least distance of corners on two circles from the plane halfway between these, by that of the circles.
@@ -41,11 +47,14 @@ constexpr double kLargestRingSag = 0.08;
 
 }  // namespace
 
+/// Distance of corners from a surface up to which they count as exactly on it, model units.
+double PatchFinder::least_distance() const { return kToldPrecisions * object_.precision; }
+
 /// Whether the facets of a candidate, whose corners fetch_points() has fetched, can not lie on its surface by accident.
 bool PatchFinder::is_certain(const PatchCandidate& c) {
   const PatchSurface& surface = c.patch.surface;
   const double spare = static_cast<double>(points_.size()) - static_cast<double>(parameter_count(surface.kind));
-  const double chance = std::min(1.0, std::max(c.residual * 2, tolerance_for(surface.kind, 0)) / c.patch.sag);
+  const double chance = std::min(1.0, std::max(c.residual * 2, least_distance()) / c.patch.sag);
   const double all = spare >= 2 ? std::pow(chance, spare) : 1;
   const bool no_accident = all <= kLargestChance;
   // Symmetry must be ruled out too: a flat side between two equal chamfers lies on a cylinder. Four facets in a row are
@@ -136,16 +145,21 @@ bool PatchFinder::is_fan(const PatchCandidate& c) const {
   return std::ranges::all_of(rim, [&](const Point3& p) { return std::abs(glm::dot(p - middle, across)) <= most; });
 }
 
-/// Whether the facets of a candidate, whose corners fetch_points() has fetched, are long and in one row: those in more rows
-/// have corners inside their border, by Euler's formula more than two if they are a disc.
+/// Whether the facets of a candidate, whose corners fetch_points() has fetched, are long but for small ones at their ends,
+/// and in one row: those in more rows have corners inside their border, by Euler's formula more than two if they are a disc.
 bool PatchFinder::is_long_row(const PatchCandidate& c) const {
   std::size_t triangles = 0;
+  double all = 0, wide = 0;
   for (const std::uint32_t f : c.facets) {
     const double longest = longest_diagonal(f);
-    if (longest * longest < kLongInRow * graph_.area[f]) return false;
-    triangles += graph_.vertices[f].size() - 2;
+    all += graph_.area[f];
+    if (longest * longest < kLongInRow * graph_.area[f]) {
+      wide += graph_.area[f];
+    } else {
+      triangles += graph_.vertices[f].size() - 2;
+    }
   }
-  return triangles <= vertices_.size();
+  return wide <= kMostWidePart * all && triangles <= vertices_.size();
 }
 
 /// Whether the facets of a patch are so fine that rounding hides kFinePart of their sag or more.
@@ -161,7 +175,7 @@ bool PatchFinder::explains_rise(const PatchCandidate& c) const {
   const PatchSurface& surface = c.patch.surface;
   const double turn = turn_of_angles(), half_turns = std::max(1.0, turn / std::numbers::pi);
   const double rise = surface.radius * (1 - std::cos(std::min(turn, std::numbers::pi) / 2));
-  const double tolerance = std::max(c.residual * 2, tolerance_for(surface.kind, 0));
+  const double tolerance = std::max(c.residual * 2, least_distance());
   const std::size_t rulings = points_.size() / 2;
   for (double steps = 4; steps * half_turns < rulings; ++steps) {
     const double chance = tolerance * steps * steps / rise;

@@ -17,6 +17,7 @@
 #include "scene/patches/facets/cut_strips.hpp"
 #include "scene/patches/facets/flat_joints.hpp"
 #include "scene/patches/facets/flat_sets.hpp"
+#include "scene/patches/facets/inflections.hpp"
 
 namespace ligne {
 namespace {
@@ -70,7 +71,7 @@ class GraphBuilder {
       : scene_(scene), topology_(topology), object_(object), normals_(normals) {}
 
   FacetGraph run(std::uint32_t edge_begin, std::uint32_t edge_end, std::span<const std::uint32_t> joints) {
-    join_faces(edge_begin, edge_end, joints);
+    join_faces(edge_begin, edge_end, without_inflections(scene_, topology_, edge_begin, normals_, joints));
     measure_facets();
     add_arcs(edge_begin, edge_end);
     find_cut_strips(scene_, topology_, object_, graph_);

@@ -100,6 +100,7 @@ class PatchFinder {
   bool is_near(const PatchSurface& surface, std::uint32_t f, double distance) const;
   bool lies_on(const Patch& patch, std::uint32_t f, double tolerance, double least_cosine = kNormalCosine,
                double most_sags = kMostSags);
+  double least_distance() const;
   bool is_certain(const PatchCandidate& c);
   bool is_polygon(const PatchCandidate& c, std::size_t angles);
   bool is_ring_of_polygon(const PatchCandidate& c);

@@ -74,7 +74,7 @@ class EdgeClassifier {
       return border_of_freeform(e);
     const Point3 n0(normals_[edge.face0]), n1(normals_[edge.face1]);
     const double bend = glm::dot(n0, n1);
-    if (bend < bent_ || bend > flat_) return PatchEdge::unknown;
+    if (bend < bent_ || (bend > flat_ && !has_surfaces)) return PatchEdge::unknown;
     double cosine = 0;
     for (const std::uint32_t v : {edge.v0, edge.v1}) {
       const Point3& at = scene_.vertices[v];

@@ -95,7 +95,8 @@ class CutStripFinder {
     is_even_ = longest && longest->is_even();
     if (is_even_) return true;
     if (arcs.size() > kMostRulingCorners) return false;
-    if (graph_.is_plane[facet]) return longest && rulings.are_parallel && !rulings.has_ends && longest->is_row(false);
+    if (graph_.is_plane[facet])
+      return longest && rulings.are_parallel && (!rulings.has_ends || has_short_ends(rulings)) && longest->is_row(false);
     return std::ranges::any_of(longest_first_, [&](const FacetGraph::Arc& arc) {
       const Rulings along = rulings_along(arc);
       if (!along.are_parallel) return false;
@@ -125,6 +126,15 @@ class CutStripFinder {
       return std::ranges::none_of(found.lines, [&](const Line& line) { return is_on(arc, line, found.tolerance); });
     });
     return found;
+  }
+
+  /// Whether the arcs of a facet that lie between its rulings are short, as where slivers lie at its ends.
+  bool has_short_ends(const Rulings& rulings) const {
+    const double most = kShortPiece * length(longest_first_.front());
+    return std::ranges::all_of(longest_first_, [&](const FacetGraph::Arc& arc) {
+      const auto is_on_it = [&](const Line& line) { return is_on(arc, line, rulings.tolerance); };
+      return length(arc) <= most || std::ranges::any_of(rulings.lines, is_on_it);
+    });
   }
 
   Line line_of(const FacetGraph::Arc& arc) const {
