@@ -30,6 +30,7 @@ class InflectionFinder {
       : scene_(scene), topology_(topology), normals_(normals), rows_(scene, topology, normals) {}
 
   bool is_inflection(std::uint32_t e) const {
+    if (is_diagonal(e, topology_.edges[e].face0) || is_diagonal(e, topology_.edges[e].face1)) return false;
     const double first = bend_beyond(e, topology_.edges[e].face0);
     if (first == 0) return false;
     const double second = bend_beyond(e, topology_.edges[e].face1);
@@ -38,6 +39,17 @@ class InflectionFinder {
   }
 
  private:
+  /// Whether an edge is longer than the other two of a triangle, as the rulings of strips are not.
+  bool is_diagonal(std::uint32_t e, std::uint32_t face) const {
+    const auto corners = scene_.faces.contour(face, 0);
+    if (corners.size() != 3) return false;
+    const Edge& edge = topology_.edges[e];
+    const Point3 &a = scene_.vertices[edge.v0], &b = scene_.vertices[edge.v1];
+    const Point3& c = scene_.vertices[corners[0] + corners[1] + corners[2] - edge.v0 - edge.v1];
+    const double length = glm::dot(b - a, b - a);
+    return length > glm::dot(c - a, c - a) && length > glm::dot(c - b, c - b);
+  }
+
   /// The bend at the edge beyond the strip of a face, about parallel to an edge of the face; 0 if there is none in the
   /// range. The strip is the face, or two triangles.
   double bend_beyond(std::uint32_t e, std::uint32_t face) const {
