@@ -140,9 +140,11 @@ class ExtrudedFinder {
       if (const auto ends = ends_of(f, frame.at, xy)) swept.push_back({f, *ends});
     }
     const FacetProfile profile = profile_of(std::move(swept), surfaces_, 2 * tolerance_);
-    for (const ProfilePiece& piece : smooth_pieces(profile.points, profile.sides, {is_arc_, 2 * tolerance_})) {
-      if (piece.sides.size() >= kFewestKept && !goes_on(profile, piece, direction)) swept_.add(frame, xy, profile, piece);
-    }
+    std::vector<ProfilePiece> pieces = smooth_pieces(profile.points, profile.sides, {is_arc_, 2 * tolerance_});
+    std::erase_if(pieces, [&](const ProfilePiece& piece) {
+      return piece.sides.size() < kFewestKept || goes_on(profile, piece, direction);
+    });
+    swept_.add(frame, xy, profile, pieces);
   }
 
   /// The ends of a facet in the plane across the rulings; nothing if it does not lie in their direction.

@@ -169,8 +169,8 @@ class RevolvedFinder {
     FacetProfile profile = profile_of(facets, surfaces_, 2 * tolerance_);
     drop_short_rows(profile);
     frame.radius = frame.slope = frame.tube = 0;
-    for (const ProfilePiece& piece : smooth_pieces(profile.points, profile.sides, {is_arc_, 2 * tolerance_}))
-      swept_.add(frame, frame_of(frame.axis), profile, piece);
+    swept_.add(frame, frame_of(frame.axis), profile,
+               smooth_pieces(profile.points, profile.sides, {is_arc_, 2 * tolerance_}));
   }
 
   /// Drops the sides of few facets.

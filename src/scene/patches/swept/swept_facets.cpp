@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <map>
+#include <unordered_set>
 #include <utility>
 
 #include "base/no_index.hpp"
@@ -81,34 +83,57 @@ FacetProfile profile_of(std::vector<SweptFacet> facets, const FacetPatches& surf
   return profile;
 }
 
-std::vector<std::uint32_t> SweptPatches::facets_of(const FacetProfile& profile, const ProfilePiece& piece) {
-  if (facets_.empty()) {
-    facets_.resize(surfaces_.patches.size());
-    for (std::uint32_t f = 0; f < surfaces_.patch_of.size(); ++f) {
-      if (surfaces_.patch_of[f] != kNone) facets_[surfaces_.patch_of[f]].push_back(f);
+void SweptPatches::list_facets() {
+  if (is_listed_) return;
+  is_listed_ = true;
+  facets_.resize(surfaces_.patches.size());
+  for (std::uint32_t f = 0; f < surfaces_.patch_of.size(); ++f) {
+    if (surfaces_.patch_of[f] != kNone) facets_[surfaces_.patch_of[f]].push_back(f);
+  }
+}
+
+std::vector<std::vector<std::uint32_t>> SweptPatches::facets_of(const FacetProfile& profile,
+                                                                std::span<const ProfilePiece> pieces) const {
+  std::vector<std::vector<std::uint32_t>> facets(pieces.size()), owners(pieces.size());
+  std::unordered_set<std::uint32_t> listed;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    for (const std::uint32_t side : pieces[i].sides) {
+      for (const std::uint32_t f : profile.facets[side]) {
+        const std::uint32_t owner = surfaces_.patch_of[f];
+        if (owner != kNone && owner >= facets_.size()) continue;  // swept already
+        facets[i].push_back(f);
+        listed.insert(f);
+        if (owner != kNone) owners[i].push_back(owner);
+      }
     }
   }
-  std::vector<std::uint32_t> facets, owners;
-  for (const std::uint32_t side : piece.sides) {
-    facets.insert(facets.end(), profile.facets[side].begin(), profile.facets[side].end());
-    for (const std::uint32_t f : profile.facets[side]) {
-      if (surfaces_.patch_of[f] != kNone) owners.push_back(surfaces_.patch_of[f]);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    std::ranges::sort(owners[i]);
+    owners[i].erase(std::unique(owners[i].begin(), owners[i].end()), owners[i].end());
+    for (const std::uint32_t owner : owners[i]) {
+      std::ranges::copy_if(facets_[owner], std::back_inserter(facets[i]),
+                           [&](std::uint32_t f) { return surfaces_.patch_of[f] == owner && listed.insert(f).second; });
     }
+    std::ranges::sort(facets[i]);
   }
-  std::ranges::sort(owners);
-  owners.erase(std::unique(owners.begin(), owners.end()), owners.end());
-  for (const std::uint32_t owner : owners) facets.insert(facets.end(), facets_[owner].begin(), facets_[owner].end());
-  std::ranges::sort(facets);
-  facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
   return facets;
 }
 
 void SweptPatches::add(const PatchSurface& frame, const std::array<Point3, 2>& xy, const FacetProfile& profile,
-                       const ProfilePiece& piece) {
+                       std::span<const ProfilePiece> pieces) {
+  list_facets();
+  const std::vector<std::vector<std::uint32_t>> facets = facets_of(profile, pieces);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    std::vector<Point2> points;
+    for (const std::uint32_t p : pieces[i].points) points.push_back(profile.points[p]);
+    if (!facets[i].empty()) add_patch(frame, xy, std::move(points), pieces[i].is_closed, facets[i]);
+  }
+}
+
+void SweptPatches::add_patch(const PatchSurface& frame, const std::array<Point3, 2>& xy, std::vector<Point2> points,
+                             bool is_closed, std::span<const std::uint32_t> facets) {
   const FacetGraph& graph = object_.graph;
   const bool is_revolved = frame.kind == SurfaceKind::revolved;
-  std::vector<Point2> points;
-  for (const std::uint32_t p : piece.points) points.push_back(profile.points[p]);
   const double tolerance = swept_tolerance(object_.object);
   if (is_revolved) {
     for (Point2* end : {&points.front(), &points.back()}) {
@@ -119,10 +144,9 @@ void SweptPatches::add(const PatchSurface& frame, const std::array<Point3, 2>& x
   patch.surface = frame;
   const auto set_profile = [&] {
     patch.surface.profile =
-        std::make_shared<SweptProfile>(SweptProfile{ProfileCurve(points, piece.is_closed, is_revolved), xy[0], xy[1]});
+        std::make_shared<SweptProfile>(SweptProfile{ProfileCurve(points, is_closed, is_revolved), xy[0], xy[1]});
   };
   set_profile();
-  const std::vector<std::uint32_t> facets = facets_of(profile, piece);
   // The normals of an extruded surface are those of its facets, and those of a revolved one point away from the axis.
   double same = 0, away = 0;
   for (const std::uint32_t f : facets) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "scene/patches/swept/profile_pieces.hpp"
@@ -41,17 +42,22 @@ class SweptPatches {
  public:
   SweptPatches(const FacetObject& object, const FacetPatches& surfaces) : object_(object), surfaces_(surfaces) {}
 
-  /// Makes a patch of the facets of one piece of a profile, and of all facets of patches that have sides of it. `frame`: a
-  /// surface without its profile, with the vectors `x` and `y` of the profile (SweptProfile).
+  /// Makes a patch of the facets of each piece of a profile, and of those facets of patches with sides of it that lie in no
+  /// piece. Facets of swept patches stay there. `frame`: a surface without its profile, with the vectors `x` and `y` of the
+  /// profile (SweptProfile).
   void add(const PatchSurface& frame, const std::array<Point3, 2>& xy, const FacetProfile& profile,
-           const ProfilePiece& piece);
+           std::span<const ProfilePiece> pieces);
 
  private:
-  std::vector<std::uint32_t> facets_of(const FacetProfile& profile, const ProfilePiece& piece);
+  void list_facets();
+  std::vector<std::vector<std::uint32_t>> facets_of(const FacetProfile& profile, std::span<const ProfilePiece> pieces) const;
+  void add_patch(const PatchSurface& frame, const std::array<Point3, 2>& xy, std::vector<Point2> points, bool is_closed,
+                 std::span<const std::uint32_t> facets);
 
   const FacetObject& object_;
   const FacetPatches& surfaces_;
-  std::vector<std::vector<std::uint32_t>> facets_;  ///< per patch that was found before; empty: not yet listed
+  std::vector<std::vector<std::uint32_t>> facets_;  ///< per patch that was found before, if is_listed_
+  bool is_listed_ = false;
 };
 
 /// Finds extruded surfaces.
