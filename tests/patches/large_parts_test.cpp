@@ -1,4 +1,4 @@
-/// Large free forms, and parts that stand many times.
+/// Large free forms, and parts that stand many times. Runs the scripts of this folder.
 
 #include "patches/patch_scenes.hpp"
 #include "scene/patches/borders/patch_outlines.hpp"
@@ -7,6 +7,7 @@
 #include "scene/patches/freeform.hpp"
 #include "scene/patches/parts/large_freeform.hpp"
 #include "scene/patches/repeated_objects.hpp"
+#include "support/mesh_script.hpp"
 #include "support/mesh_text.hpp"
 #include "support/test.hpp"
 
@@ -136,6 +137,8 @@ TEST(RepeatedObjects, HaveTheSurfacesOfTheOriginal) {
   const std::size_t faces = alone.scene.faces.size();
   for (std::size_t f = 0; f < faces; ++f) EXPECT_EQ(both.patches.patch_of[faces + f], 2 + alone.patches.patch_of[f]);
 }
+
+[[maybe_unused]] const bool scripts_are_added = add_mesh_scripts(LIGNE_SOURCE_DIR "/tests/patches/scripts");
 
 }  // namespace
 }  // namespace ligne

@@ -7,6 +7,7 @@
 #include "scene/patches/fillets.hpp"
 #include "scene/patches/found_surfaces.hpp"
 #include "scene/patches/patch_circles.hpp"
+#include "scene/patches/refine/refine_scene.hpp"
 #include "scene/patches/repeated_objects.hpp"
 #include "scene/readers/reader.hpp"
 #include "support/mesh_text.hpp"
@@ -103,10 +104,9 @@ class MeshScript {
   using Measure = void (MeshScript::*)(const Words&);
   static const std::map<std::string, Measure>& measures() {
     static const std::map<std::string, Measure> all{
-        {"patches", &MeshScript::patches},         {"surfaces", &MeshScript::surfaces},
-        {"circles", &MeshScript::circles},         {"fillets", &MeshScript::fillets},
-        {"repetitions", &MeshScript::repetitions}, {"facets", &MeshScript::facets},
-        {"creases", &MeshScript::creases},         {"healed", &MeshScript::healed}};
+        {"patches", &MeshScript::patches}, {"surfaces", &MeshScript::surfaces},       {"circles", &MeshScript::circles},
+        {"fillets", &MeshScript::fillets}, {"repetitions", &MeshScript::repetitions}, {"facets", &MeshScript::facets},
+        {"creases", &MeshScript::creases}, {"healed", &MeshScript::healed},           {"refined", &MeshScript::refined}};
     return all;
   }
 
@@ -273,6 +273,41 @@ class MeshScript {
                 {"objects-twice", report.objects_twice}, {"collapsed", report.vertices_collapsed}, {"changed", !report.nothing()},
                 {"flagged-edges", std::ranges::count_if(topology.edge_flags, [](std::uint16_t flags) { return flags != 0; })}};
     // clang-format on
+  }
+
+  void refined(const Words& words) {
+    make_sets({"edges", "borders", "creases"});
+    const Topology topology = build_topology(*scene_);
+    Creases creases = find_creases(*scene_, topology, {});
+    numbers_["given-creases"] = static_cast<double>(std::ranges::count(creases.lines, kCreaseLine));
+    const RefineLimits limits{number_of(words.at(0)), [](const Point3&) { return 1.0; }};
+    const std::optional<RefinedScene> finer = refine_scene(*scene_, topology, limits, creases);
+    numbers_["refined"] = finer.has_value();
+    if (!finer) return;
+    const Patches& patches = creases.patches;
+    numbers_["finer-faces"] = static_cast<double>(finer->scene.faces.size());
+    ASSERT_EQ(finer->face_of.size(), finer->scene.faces.size());
+    ASSERT_EQ(patches.patch_of.size(), finer->scene.faces.size());
+    ASSERT_EQ(creases.lines.size(), finer->topology.edges.size());
+    for (std::size_t e = 0; e < finer->topology.edges.size(); ++e) {
+      const Edge& edge = finer->topology.edges[e];
+      Item item = edge_item(finer->scene, edge);
+      std::array<double, 2> off{0, 0};  // of the ends and of the middle
+      for (const std::uint32_t face : {edge.face0, edge.face1}) {
+        if (face == kNone || patches.patch_of[face] == kNone) continue;
+        ++item.numbers["surfaces"];
+        const PatchSurface& surface = patches.list[patches.patch_of[face]].surface;
+        const auto distance = [&](const Point3& p) { return std::abs(surface.distance(p)); };
+        off = {std::max({off[0], distance(item.places[0]), distance(item.places[1])}),
+               std::max(off[1], distance(0.5 * (item.places[0] + item.places[1])))};
+      }
+      const int flags = finer->topology.edge_flags[e] & (kEdgeManyFaces | kEdgeUnlikeWound);
+      item.numbers.insert({{"surfaces", 0}, {"ends-off", off[0]}, {"middle-off", off[1]}, {"flags", flags}});
+      sets_["edges"].push_back(item);
+      if (edge.face1 == kNone) sets_["borders"].push_back(item);
+      if (creases.lines[e] == kCreaseLine) sets_["creases"].push_back(item);
+      EXPECT_TRUE(finer->edge_of[e] == kNone || finer->edge_of[e] < topology.edges.size());
+    }
   }
 
   /// The text with the numbers that were kept in place of their names.

@@ -13,6 +13,7 @@
 ///     fillets WIDTH          lines along the middle of fillets that are no wider
 ///     creases [DEGREES [SURFACES]]   edges that are creases; loose: lines of creases from their free ends to a junction
 ///     healed [DISTANCE]      edges of border, and what was changed
+///     refined DISTANCE       edges of the mesh that is made finer where it lies farther from its surfaces
 ///
 /// A measure makes sets of things, with places and numbers, and single numbers. Checks, where OP is = != < > <= or >=, and
 /// = may be followed by "+- TOLERANCE":
