@@ -29,6 +29,7 @@ libgtest-dev         hdr:gtest/gtest.h               unit tests
 libbenchmark-dev     hdr:benchmark/benchmark.h       benchmarks
 libembree-dev        hdr:embree3/rtcore.h            ray casting, to check visibility with
 libcgal-dev          hdr:CGAL/Lazy_exact_nt.h        exact arithmetic for the oracle
+optional libeigen3-dev hdr:eigen3/Eigen/Core         planes of CGAL, to check surfaces with
 librsvg2-bin         cmd:rsvg-convert                an independent reader of our SVG
 poppler-utils        cmd:pdftotext                   an independent reader of our PDF
 hp2xx                cmd:hp2xx                       an independent reader of our HPGL
