@@ -34,6 +34,9 @@ constexpr std::size_t kMostRowArcs = 16;
 constexpr std::size_t kMostPieceCorners = 6;
 /// Least part of the border of a few facets with patches at which the rows of these go on, where the facets are no planes.
 constexpr double kMostOfBorder = 0.5;
+/// Least parts of the border of a facet amid a free form beside which facets are about as deep, and beside which they are
+/// single triangles: panels of domes have none. Adjustable.
+constexpr double kAlikeBorder = 0.75, kTriangleBorder = 0.1;
 /// Least number of corners of a facet that may be a plane by its depth or by the surfaces beside it: free forms have
 /// triangles of any shape.
 constexpr std::size_t kPlaneCorners = 4;
@@ -236,6 +239,30 @@ struct RowBorder {
   bool is_row() const { return length > 0 && in_row >= kMostOfBorder * length; }
 };
 
+/// Whether a facet of many corners is one of a free form of triangles, some of which lie in one plane: beside all of its
+/// edges lie facets without a surface that bend by little, beside most of its border they are about as deep, and beside a
+/// part of it single triangles.
+bool is_amid_triangles(const Scene& scene, const Topology& topology, const FacetGraph& graph,
+                       std::span<const std::uint32_t> patch_of, std::uint32_t f) {
+  std::size_t sides = 0;
+  for (const std::uint32_t face : graph.faces[f]) sides += scene.faces.contour(face, 0).size();
+  // The faces of a disc are joined by one inner edge less than there are faces.
+  const auto arcs = graph.arcs_of(f);
+  if (arcs.size() + 2 * (graph.faces[f].size() - 1) != sides) return false;
+  double length = 0, alike = 0, triangles = 0;
+  for (const FacetGraph::Arc& arc : arcs) {
+    const std::uint32_t g = arc.facet;
+    if (patch_of[g] != kNone) return false;
+    const Edge& edge = topology.edges[arc.edge];
+    const double part = glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]);
+    length += part;
+    const double depth = depth_behind(scene, graph.vertices[g], edge);
+    if (depth_behind(scene, graph.vertices[f], edge) < kPlaneDepths * depth) alike += part;
+    if (graph.vertices[g].size() == 3) triangles += part;
+  }
+  return length > 0 && alike >= kAlikeBorder * length && triangles >= kTriangleBorder * length;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& topology, const FacetGraph& graph,
@@ -261,7 +288,8 @@ std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& to
       borders[regions.group_of(f)].add(scene, topology, graph, patch_of, edge_rows, f);
   }
   for (const std::uint32_t f : others)
-    freeform[f] = regions.is_in_region(f) || borders[regions.group_of(f)].is_row() || rows.is_in_row(f) || rows.ends_row(f);
+    freeform[f] = regions.is_in_region(f) || borders[regions.group_of(f)].is_row() || rows.is_in_row(f) ||
+                  rows.ends_row(f) || is_amid_triangles(scene, topology, graph, patch_of, f);
   return freeform;
 }
 

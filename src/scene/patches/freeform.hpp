@@ -33,7 +33,8 @@ double depth_behind(const Scene& scene, std::span<const std::uint32_t> corners, 
 ///   That is a cylinder whose facets were cut by other bodies, so that their corners lie on no circle, or
 /// - is the last facet of such a row, as wide as the one behind it, or
 /// - belongs to fewer such facets at which the rows of the surfaces around them go on: a cut has left them of a tube, whose
-///   bands lie on cones. A plane runs into a surface by half the angle of its facets.
+///   bands lie on cones. A plane runs into a surface by half the angle of its facets, or
+/// - lies amid triangles without a surface that are about as deep: several triangles of a free form may lie in one plane.
 std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& topology, const FacetGraph& graph,
                                           const FacetSurfaces& surfaces, const EdgeRows& edge_rows);
 
