@@ -37,6 +37,9 @@ constexpr double kMostOfBorder = 0.5;
 /// Least parts of the border of a facet amid a free form beside which facets are about as deep, and beside which they are
 /// single triangles: panels of domes have none. Adjustable.
 constexpr double kAlikeBorder = 0.75, kTriangleBorder = 0.1;
+/// Most corners of such a facet and of those beside it, whose depth is measured from each common edge: planes have
+/// thousands.
+constexpr std::size_t kMostAmidCorners = 64;
 /// Least number of corners of a facet that may be a plane by its depth or by the surfaces beside it: free forms have
 /// triangles of any shape.
 constexpr std::size_t kPlaneCorners = 4;
@@ -244,15 +247,17 @@ struct RowBorder {
 /// part of it single triangles.
 bool is_amid_triangles(const Scene& scene, const Topology& topology, const FacetGraph& graph,
                        std::span<const std::uint32_t> patch_of, std::uint32_t f) {
+  const auto arcs = graph.arcs_of(f);
+  const auto is_large = [&](std::uint32_t g) { return graph.vertices[g].size() > kMostAmidCorners; };
+  if (is_large(f)) return false;
   std::size_t sides = 0;
   for (const std::uint32_t face : graph.faces[f]) sides += scene.faces.contour(face, 0).size();
   // The faces of a disc are joined by one inner edge less than there are faces.
-  const auto arcs = graph.arcs_of(f);
   if (arcs.size() + 2 * (graph.faces[f].size() - 1) != sides) return false;
   double length = 0, alike = 0, triangles = 0;
   for (const FacetGraph::Arc& arc : arcs) {
     const std::uint32_t g = arc.facet;
-    if (patch_of[g] != kNone) return false;
+    if (patch_of[g] != kNone || is_large(g)) return false;
     const Edge& edge = topology.edges[arc.edge];
     const double part = glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]);
     length += part;
