@@ -242,7 +242,7 @@ struct RowBorder {
   bool is_row() const { return length > 0 && in_row >= kMostOfBorder * length; }
 };
 
-/// Whether a facet of many corners is one of a free form of triangles, some of which lie in one plane: beside all of its
+/// Whether a facet is a part of a free form of triangles, some of which lie in one plane: beside all of its
 /// edges lie facets without a surface that bend by little, beside most of its border they are about as deep, and beside a
 /// part of it single triangles.
 bool is_amid_triangles(const Scene& scene, const Topology& topology, const FacetGraph& graph,
