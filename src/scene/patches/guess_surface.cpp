@@ -42,90 +42,80 @@ std::optional<PageCircle> kasa_circle(std::span<const Point2> points) {
   return PageCircle{Point2(x->x, x->y) + middle, std::sqrt(square)};
 }
 
-Point3 middle_of(std::span<const Point3> points) {
-  Point3 sum(0, 0, 0);
-  for (const Point3& p : points) sum += p;
-  return sum / static_cast<double>(points.size());
-}
-
-bool guess_cylinder(std::span<const FacetFrame> facets, std::span<const Point3> points, PatchSurface& s) {
-  Matrix3 m{};
-  for (const FacetFrame& f : facets) add_product(m, f.normal, f.normal);
-  const Eigen3 e = symmetric_eigen(m);
+bool guess_cylinder(const SurfaceSample& sample, PatchSurface& s) {
+  const Eigen3 e = symmetric_eigen(sample.squares);
   if (!(e.values[1] > kFlatTurn * e.values[2])) return false;
   s.axis = e.vectors[0];
   const auto [u, v] = frame_of(s.axis);
-  const Point3 middle = middle_of(points);
   std::vector<Point2> section;
-  section.reserve(points.size());
-  for (const Point3& p : points) section.emplace_back(glm::dot(p - middle, u), glm::dot(p - middle, v));
+  section.reserve(sample.points.size());
+  for (const Point3& p : sample.points) {
+    const Point3 way = p - sample.middle;
+    section.emplace_back(glm::dot(way, u), glm::dot(way, v));
+  }
   const auto circle = kasa_circle(section);
   if (!circle) return false;
-  s.at = middle + circle->centre.x * u + circle->centre.y * v;
+  s.at = sample.middle + circle->centre.x * u + circle->centre.y * v;
   s.radius = circle->radius;
   return true;
 }
 
-bool guess_cone(std::span<const FacetFrame> facets, std::span<const Point3> points, PatchSurface& s) {
+bool guess_cone(const SurfaceSample& sample, PatchSurface& s) {
   Point3 mean(0, 0, 0);
-  for (const FacetFrame& f : facets) mean += f.normal;
-  mean /= static_cast<double>(facets.size());
-  Matrix3 spread{}, planes{};
+  for (const FacetFrame& f : sample.frames) mean += f.normal;
+  mean /= static_cast<double>(sample.frames.size());
+  Matrix3 spread{};
   Point3 right(0, 0, 0);
-  const Point3 middle = middle_of(points);
-  for (const FacetFrame& f : facets) {
+  for (const FacetFrame& f : sample.frames) {
     add_product(spread, f.normal - mean, f.normal - mean);
-    add_product(planes, f.normal, f.normal);
-    right += f.normal * glm::dot(f.normal, f.middle - middle);
+    right += f.normal * glm::dot(f.normal, f.middle - sample.middle);
   }
   const Eigen3 e = symmetric_eigen(spread);
   if (!(e.values[1] > kFlatTurn * kFlatTurn)) return false;
   s.axis = e.vectors[0];
-  const auto apex = solve(planes, right);
+  const auto apex = solve(sample.squares, right);
   if (!apex) return false;
   // Rulings are perpendicular to the normals, so the slope is the tangent of the normals' angle to the plane across the
   // axis.
   const double sine = glm::dot(mean, s.axis) / glm::length(mean);
   const double tangent = std::abs(sine) / std::sqrt(std::max(kLeastSquaredCosine, 1 - sine * sine));
   const double along = -glm::dot(*apex, s.axis);
-  s.at = middle + *apex + along * s.axis;
+  s.at = sample.middle + *apex + along * s.axis;
   s.slope = along < 0 ? -tangent : tangent;
   s.radius = std::abs(along) * tangent;
   return s.radius > 0;
 }
 
-bool guess_sphere(std::span<const Point3> points, PatchSurface& s) {
-  const Point3 middle = middle_of(points);
+bool guess_sphere(const SurfaceSample& sample, PatchSurface& s) {
   double mean_square = 0;
-  for (const Point3& p : points) mean_square += glm::dot(p - middle, p - middle);
-  mean_square /= static_cast<double>(points.size());
+  for (const Point3& p : sample.points) mean_square += glm::dot(p - sample.middle, p - sample.middle);
+  mean_square /= static_cast<double>(sample.points.size());
   Matrix3 m{};
   Point3 right(0, 0, 0);
-  for (const Point3& p : points) {
-    const Point3 q = 2.0 * (p - middle);
+  for (const Point3& p : sample.points) {
+    const Point3 q = 2.0 * (p - sample.middle);
     add_product(m, q, q);
     right += q * (glm::dot(q, q) / 4 - mean_square);
   }
   const auto centre = solve(m, right);
   if (!centre) return false;
-  s.at = middle + *centre;
+  s.at = sample.middle + *centre;
   s.radius = std::sqrt(mean_square + glm::dot(*centre, *centre));
   return true;
 }
 
 /// The line c, c' (direction and moment) with the least sum of (c' . n + c . (p x n))^2 over the normals n at p.
-bool guess_axis(std::span<const FacetFrame> facets, const Point3& middle, PatchSurface& s) {
-  Matrix3 normals{}, mixed{}, moments{};
-  for (const FacetFrame& f : facets) {
-    const Point3 moment = glm::cross(f.middle - middle, f.normal);
-    add_product(normals, f.normal, f.normal);
+bool guess_axis(const SurfaceSample& sample, PatchSurface& s) {
+  Matrix3 mixed{}, moments{};
+  for (const FacetFrame& f : sample.frames) {
+    const Point3 moment = glm::cross(f.middle - sample.middle, f.normal);
     add_product(mixed, f.normal, moment);
     add_product(moments, moment, moment);
   }
   // For a given c the best c' is -normals^-1 mixed c, which leaves a quadratic form in c.
   std::array<Point3, 3> columns;
   for (std::size_t j = 0; j < 3; ++j) {
-    const auto column = solve(normals, Point3(mixed[0][j], mixed[1][j], mixed[2][j]));
+    const auto column = solve(sample.squares, Point3(mixed[0][j], mixed[1][j], mixed[2][j]));
     if (!column) return false;
     columns[j] = *column;
   }
@@ -136,7 +126,7 @@ bool guess_axis(std::span<const FacetFrame> facets, const Point3& middle, PatchS
   }
   const Point3 c = symmetric_eigen(moments).vectors[0];
   s.axis = c;
-  s.at = middle + glm::cross(c, -(columns[0] * c.x + columns[1] * c.y + columns[2] * c.z));
+  s.at = sample.middle + glm::cross(c, -(columns[0] * c.x + columns[1] * c.y + columns[2] * c.z));
   return true;
 }
 
@@ -156,8 +146,8 @@ bool guess_profile(std::span<const Point3> points, PatchSurface& s) {
   return s.radius > 0;
 }
 
-bool guess_torus(std::span<const FacetFrame> facets, std::span<const Point3> points, PatchSurface& s) {
-  return guess_axis(facets, middle_of(points), s) && guess_profile(points, s);
+bool guess_torus(const SurfaceSample& sample, PatchSurface& s) {
+  return guess_axis(sample, s) && guess_profile(sample.points, s);
 }
 
 }  // namespace
@@ -170,19 +160,18 @@ bool guess_torus_about(const PatchSurface& round, std::span<const Point3> points
   return guess_profile(points, torus);
 }
 
-bool guess_surface(SurfaceKind kind, std::span<const FacetFrame> facets, std::span<const Point3> points,
-                   PatchSurface& surface) {
+bool guess_surface(SurfaceKind kind, const SurfaceSample& sample, PatchSurface& surface) {
   surface = PatchSurface{};
   surface.kind = kind;
   switch (kind) {
     case SurfaceKind::cylinder:
-      return facets.size() >= 2 && guess_cylinder(facets, points, surface);
+      return sample.frames.size() >= 2 && guess_cylinder(sample, surface);
     case SurfaceKind::cone:
-      return facets.size() >= 3 && guess_cone(facets, points, surface);
+      return sample.frames.size() >= 3 && guess_cone(sample, surface);
     case SurfaceKind::sphere:
-      return points.size() >= 5 && guess_sphere(points, surface);
+      return sample.points.size() >= 5 && guess_sphere(sample, surface);
     case SurfaceKind::torus:
-      return facets.size() >= 5 && guess_torus(facets, points, surface);
+      return sample.frames.size() >= 5 && guess_torus(sample, surface);
     case SurfaceKind::extruded:
     case SurfaceKind::revolved:
       break;

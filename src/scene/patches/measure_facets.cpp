@@ -45,11 +45,17 @@ void PatchFinder::fetch_points(std::span<const std::uint32_t> facets) {
 
 /// Fetches the corners and the frames of the facets of a sample, unless it has them.
 void PatchFinder::complete(FitSample& sample) {
-  if (!sample.frames.empty()) return;
+  SurfaceSample& shape = sample.shape;
+  if (!shape.frames.empty()) return;
   fetch_points(sample.facets);
-  sample.points = points_;
-  sample.frames.reserve(sample.facets.size());
-  for (const std::uint32_t f : sample.facets) sample.frames.push_back(graph_.frames[f]);
+  shape.points = points_;
+  for (const Point3& p : points_) shape.middle += p;
+  shape.middle /= static_cast<double>(points_.size());
+  shape.frames.reserve(sample.facets.size());
+  for (const std::uint32_t f : sample.facets) {
+    shape.frames.push_back(graph_.frames[f]);
+    add_product(shape.squares, graph_.frames[f].normal, graph_.frames[f].normal);
+  }
 }
 
 /// Sorts vertices_ and removes duplicates, with one bit per vertex of the object. `low` and `high`: the least and the

@@ -1,6 +1,7 @@
 #include "scene/patches/patch_finder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -31,6 +32,8 @@ constexpr std::size_t kFewestConePoints = 2 * parameter_count(SurfaceKind::cone)
 /// Arcs from a seed to the facets of the smaller and of the larger sample around it, and largest numbers of these facets.
 constexpr int kRingSteps = 2, kWideSteps = 10;
 constexpr std::size_t kMostRing = 24, kMostWide = 28;
+/// Least part of the area, and of the longest diagonal, of a facet that another one of about the same size and form has.
+constexpr double kSameArea = 2.0 / 3, kSameLength = 0.8;
 /// Largest number of facets of a band from which a sphere is fitted.
 constexpr std::size_t kMostBand = 24;
 /// Least number of facets of a strip that is tried by itself. Fewer prove nothing at a tolerance of kStripSagPart.
@@ -79,6 +82,7 @@ PatchFinder::PatchFinder(const Scene& scene, const Topology& topology, const Obj
       object_(object),
       graph_(graph),
       patch_of_(graph.size(), kNone),
+      has_failed_(graph.size(), 0),
       stamp_(graph.size(), 0),
       best_of_(graph.size(), kNone),
       look_of_(object.vertex_end - object.vertex_begin),
@@ -164,23 +168,35 @@ std::vector<PatchFinder::Seed> PatchFinder::every_seed(std::span<const Seed> see
   return found;
 }
 
-/// Makes patches from seeds. If a seed fails, its neighbours are not tried as seeds, except for much smaller ones. The
-/// smallest seeds are not tried if those before them let surfaces grow in vain too often.
+/// Makes patches from seeds, and excludes those that are_alike() near a failed one. The smallest seeds are not tried if
+/// those before them let surfaces grow in vain too often.
 void PatchFinder::search(std::span<const Seed> seeds, std::vector<Patch>& patches) {
-  std::vector<std::uint8_t> failed(graph_.size(), 0);
-  for (const auto& [length, seed] : seeds) {
+  std::vector<std::uint8_t> is_excluded(graph_.size(), 0);
+  for (const Seed& seed : seeds) {
+    const std::uint32_t f = seed.facet;
     if (grown_ > kMostGrown + kMostGrownPerFacet * graph_.size()) return;
-    if (patch_of_[seed] != kNone || failed[seed]) continue;
-    const PatchCandidate best = best_at(seed);
+    if (patch_of_[f] != kNone || is_excluded[f]) continue;
+    const PatchCandidate best = has_failed_[f] ? PatchCandidate{} : best_at(f);
     if (best.facets.empty()) {
-      for (const FacetGraph::Arc& arc : graph_.arcs_of(seed)) {
-        if (graph_.area[arc.facet] >= kLikeArea * graph_.area[seed]) failed[arc.facet] = 1;
+      has_failed_[f] = 1;
+      for (const std::uint32_t other : around(f, kRingSteps, kMostRing)) {
+        if (are_alike(seed, other)) is_excluded[other] = 1;
       }
       continue;
     }
-    for (const std::uint32_t f : best.facets) patch_of_[f] = static_cast<std::uint32_t>(patches.size());
+    for (const std::uint32_t g : best.facets) patch_of_[g] = static_cast<std::uint32_t>(patches.size());
     patches.push_back(best.patch);
   }
+}
+
+/// Whether a facet near a seed that failed will probably fail too: a neighbour that is not much smaller, or another one
+/// of about the same size and form. Smaller ones may belong to a fillet beside a plane or a free form.
+bool PatchFinder::are_alike(const Seed& failed, std::uint32_t f) const {
+  const double area = graph_.area[failed.facet], part = graph_.area[f] / area;
+  if (part < kLikeArea) return false;
+  const auto arcs = graph_.arcs_of(failed.facet);
+  if (std::ranges::any_of(arcs, [&](const FacetGraph::Arc& arc) { return arc.facet == f; })) return true;
+  return part >= kSameArea && part * kSameArea <= 1 && longest_diagonal(f) >= kSameLength * failed.length;
 }
 
 /// A facet with two of its neighbours, three times at most, or with the only one. Three facets of a strip determine a
@@ -203,6 +219,14 @@ std::vector<PatchFinder::FitSample> PatchFinder::round_samples(std::uint32_t see
   return samples;
 }
 
+/// Whether a cylinder was fitted to the same two or three facets before. They begin with the seed.
+bool PatchFinder::was_tried(std::span<const std::uint32_t> facets) {
+  const std::array pair = {std::min(facets[1], facets.back()), std::max(facets[1], facets.back())};
+  if (std::ranges::find(tried_, pair) != tried_.end()) return true;
+  tried_.push_back(pair);
+  return false;
+}
+
 /// The surface of the largest area through a facet, from several sets of facets beside it.
 PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
   PatchCandidate best;
@@ -211,8 +235,10 @@ PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
     return !best.facets.empty() && best.patch.surface.kind == kind &&
            std::ranges::all_of(facets, [&](std::uint32_t f) { return best_of_[f] == seed; });
   };
+  tried_.clear();
   const auto consider = [&](SurfaceKind kind, auto&& sample, double factor) {
     if (is_known(kind, sample.facets)) return;
+    if (kind == SurfaceKind::cylinder && sample.facets.size() <= 3 && was_tried(sample.facets)) return;
     const double sag_part = sag_part_;
     PatchCandidate c = try_surface(kind, seed, sample);
     sag_part_ = sag_part;
@@ -273,7 +299,7 @@ bool PatchFinder::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate
   const auto wildness = [&] {
     const double sag = sag_of(surface, sample.facets), wild = kWilderGuess * sag + tolerance_for(kind, 0);
     double most = 0;
-    for (const Point3& p : sample.points) {
+    for (const Point3& p : sample.shape.points) {
       const double distance = std::abs(surface.distance(p));
       if (!(distance <= wild)) return kInfinity;
       most = std::max(most, distance);
@@ -282,11 +308,11 @@ bool PatchFinder::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate
     return beyond > 0 ? beyond / sag : 0;
   };
   const auto refine = [&] {
-    c.residual = refine_surface(surface, sample.points);
+    c.residual = refine_surface(surface, sample.shape.points);
     c.patch.sag = sag_of(surface, sample.facets);
     return c.residual <= tolerance_for(kind, c.patch.sag);
   };
-  const bool is_guessed = guess_surface(kind, sample.frames, sample.points, surface);
+  const bool is_guessed = guess_surface(kind, sample.shape, surface);
   const double guess_wildness = is_guessed ? wildness() : kInfinity;
   if (kind == SurfaceKind::cylinder) {
     if (!(guess_wildness <= kWilderGuess)) return false;
@@ -296,11 +322,16 @@ bool PatchFinder::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate
     return lies_on_it;
   }
   if (guess_wildness <= kWildGuess && refine()) return true;
-  if (kind != SurfaceKind::cone || !sample.cylinder || sample.points.size() < kFewestConePoints) return false;
+  if (kind != SurfaceKind::cone || !sample.cylinder || sample.shape.points.size() < kFewestConePoints) return false;
   // The normals of irregular triangles tell little of a cone, but it has the rulings and the curvature of a cylinder.
   sag_part_ = kExactSagPart;
-  surface = cone_from_cylinder(*sample.cylinder, sample.points);
+  surface = cone_from_cylinder(*sample.cylinder, sample.shape.points);
   return wildness() <= kWildGuess && refine();
+}
+
+/// Whether the facets that grew last are those of a sample.
+bool PatchFinder::is_same(std::span<const std::uint32_t> grown, std::span<const std::uint32_t> sample) const {
+  return grown.size() == sample.size() && std::ranges::all_of(sample, [&](std::uint32_t f) { return stamp_[f] == round_; });
 }
 
 /// Fits a surface to a few facets, and lets it grow from the seed. The result has no facets if this fails.
@@ -315,6 +346,10 @@ PatchCandidate PatchFinder::try_surface(SurfaceKind kind, std::uint32_t seed, Fi
     std::vector<std::uint32_t> grown = grow(c.patch, seed);
     if (grown.size() <= c.facets.size()) break;
     c.facets.swap(grown);
+    if (round == 0 && is_same(c.facets, sample.facets)) {
+      fetch_points(c.facets);
+      break;
+    }
     PatchSurface refined = surface;
     fetch_points(c.facets);
     const double next = refine_surface(refined, points_);

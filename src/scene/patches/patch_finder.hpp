@@ -1,6 +1,7 @@
 #pragma once
 /// Searches the facets of one object for surfaces. The steps are described at find_patches().
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -57,8 +58,7 @@ class PatchFinder {
   /// Facets to which surfaces of several kinds are fitted.
   struct FitSample {
     std::vector<std::uint32_t> facets;
-    std::vector<Point3> points{};            ///< the corners; empty until complete()
-    std::vector<FacetFrame> frames{};        ///< per facet; empty until complete()
+    SurfaceSample shape{};                   ///< empty until complete()
     std::optional<PatchSurface> cylinder{};  ///< the cylinder of least squares, once it was fitted
   };
   /// A facet from which surfaces are tried, and its longest diagonal: a maximum, not a sum, so it does not depend on the
@@ -78,12 +78,15 @@ class PatchFinder {
   bool find_few(std::span<const Seed> samples, std::size_t count, std::vector<Patch>& patches);
   std::vector<Seed> seeds() const;
   static std::vector<Seed> every_seed(std::span<const Seed> seeds, std::size_t step);
+  bool are_alike(const Seed& failed, std::uint32_t f) const;
   void search(std::span<const Seed> seeds, std::vector<Patch>& patches);
+  bool was_tried(std::span<const std::uint32_t> facets);
   PatchCandidate best_at(std::uint32_t seed);
   void complete(FitSample& sample);
   bool fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate& c);
   PatchCandidate try_surface(SurfaceKind kind, std::uint32_t seed, FitSample& sample);
   std::vector<std::uint32_t> grow(const Patch& patch, std::uint32_t seed, bool over_patches = false);
+  bool is_same(std::span<const std::uint32_t> grown, std::span<const std::uint32_t> sample) const;
   std::vector<std::uint32_t> around(std::uint32_t seed, int rings, std::size_t most);
   std::vector<FitSample> round_samples(std::uint32_t seed);
   std::vector<std::uint32_t> strip_of(std::uint32_t seed);
@@ -130,9 +133,11 @@ class PatchFinder {
   const Topology& topology_;
   const Object& object_;
   const FacetGraph& graph_;
-  std::vector<std::uint32_t> patch_of_;  ///< per facet: index of its patch, or kNone
-  std::vector<std::uint32_t> stamp_;     ///< per facet: the value of round_ when a search visited it last
-  std::vector<std::uint32_t> best_of_;   ///< per facet: a seed, if it lies on the best surface so far of best_at(seed)
+  std::vector<std::uint32_t> patch_of_;   ///< per facet: index of its patch, or kNone
+  std::vector<std::uint8_t> has_failed_;  ///< per facet: whether no surface was found from it
+  std::vector<std::uint32_t> stamp_;      ///< per facet: the value of round_ when a search visited it last
+  std::vector<std::uint32_t> best_of_;    ///< per facet: a seed, if it lies on the best surface so far of best_at(seed)
+  std::vector<std::array<std::uint32_t, 2>> tried_;  ///< pairs of facets to which, with the seed, cylinders were fitted
   std::uint32_t round_ = 0;
   std::vector<LookPlace> look_of_;         ///< per vertex of the object
   std::vector<VertexLook> looks_;          ///< of the vertices visited since forget_looks()

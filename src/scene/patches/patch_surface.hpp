@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "geometry/point.hpp"
+#include "geometry/small_matrices.hpp"
 
 namespace ligne {
 
@@ -82,7 +84,15 @@ struct FacetFrame {
   Point3 middle, normal;  ///< centre; unit normal
 };
 
-/// Computes starting values for refine_surface() from a few facets and their corners `points`. Returns false if they
+/// Facets to which surfaces are fitted, with the sums that starting values need.
+struct SurfaceSample {
+  std::vector<Point3> points{};      ///< corners of the facets, each once
+  std::vector<FacetFrame> frames{};  ///< per facet
+  Point3 middle{0, 0, 0};            ///< mean of the points
+  Matrix3 squares{};                 ///< sum of the outer products of the normals with themselves
+};
+
+/// Computes starting values for refine_surface() from a few facets. Returns false if they
 /// determine none.
 /// - cylinder: the axis is the direction most nearly perpendicular to all normals; the circle is fitted by [Kasa1976].
 /// - cone: the axis is the normal of the plane through the tips of the unit normals; the apex is the point nearest to
@@ -90,8 +100,7 @@ struct FacetFrame {
 /// - sphere: an algebraic least squares fit.
 /// - torus: the axis is the line that comes nearest to meeting all normal lines [PottmannWallner2001, 4.2]; the tube is
 ///   a circle fitted in the half plane beside the axis.
-bool guess_surface(SurfaceKind kind, std::span<const FacetFrame> facets, std::span<const Point3> points,
-                   PatchSurface& surface);
+bool guess_surface(SurfaceKind kind, const SurfaceSample& sample, PatchSurface& surface);
 
 /// Computes starting values of a torus about the axis of another surface of revolution, from points of the torus. Returns
 /// false if they lie on no circle in the half plane beside the axis.

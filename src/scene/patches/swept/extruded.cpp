@@ -18,11 +18,12 @@ constexpr double kMostSine = 0.02, kLikeSine = 1e-4;
 constexpr double kLeastLength = 8;
 /// Most directions of rulings that are tried from a facet: those of its longest edges.
 constexpr std::size_t kMostTries = 2;
-/// Number of facets from which the search begins, and least number of them with three strips or more beside each other.
-constexpr std::size_t kSamples = 64, kFewestSuccesses = 2;
+/// Number of facets from which the search begins, and least number of them from which as many strips are found as a surface
+/// has.
+constexpr std::size_t kSamples = 64, kFewestSuccesses = 1;
+/// Least number of strips beside each other that are not looked at again.
 constexpr std::size_t kFewestStrips = 3;
-/// Least number of strips of a surface that is kept: corners that are rounded to a grid divide circles into pieces of four
-/// or five.
+/// Least number of strips of a surface: corners that are rounded to a grid divide circles into pieces of four or five.
 constexpr std::size_t kFewestKept = 6;
 /// Largest part of the ends of strips across which these go on smoothly into others: the bands of a bent tube are strips
 /// between parallel rulings, too.
@@ -106,7 +107,7 @@ class ExtrudedFinder {
     return facets;
   }
 
-  /// Whether strips were found from a facet on.
+  /// Whether as many strips as a surface has were found from a facet on.
   bool try_seed(std::uint32_t seed) {
     if (is_done_[seed] || !is_free(seed)) return false;
     std::vector<Ruling> rulings;
@@ -119,6 +120,7 @@ class ExtrudedFinder {
       const std::vector<std::uint32_t> facets = walk(seed, direction);
       if (facets.size() < kFewestStrips) continue;
       for (const std::uint32_t f : facets) is_done_[f] = 1;
+      if (facets.size() < kFewestKept) return false;
       make_patches(facets, direction);
       return true;
     }
