@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <unordered_map>
 
 #include "base/indices_where.hpp"
@@ -43,6 +44,8 @@ constexpr std::size_t kMostAmidCorners = 64;
 /// Least number of corners of a facet that may be a plane by its depth or by the surfaces beside it: free forms have
 /// triangles of any shape.
 constexpr std::size_t kPlaneCorners = 4;
+/// Largest factor between the bends on opposite sides of a facet that goes on in a row. Adjustable.
+constexpr double kLikeBends = 2.2;
 /// Largest angle between a plane and a surface that runs into it, as a fraction of the bend of their facets. A plane has
 /// half of a step of the surface as its bend and no angle; a facet that goes on in a row has an angle of half of its own
 /// step.
@@ -52,6 +55,13 @@ constexpr double kTangentDepths = 1.5;
 /// Largest depth of such a plane, in lengths of the edge. A strip along a rounding has the normal of the surface at its end,
 /// too.
 constexpr double kLongestDepth = 8;
+
+/// Sine of the bend at an arc of a facet: positive where the neighbour falls away from the facet's plane.
+double bend_at(const FacetGraph& graph, std::uint32_t f, const FacetGraph::Arc& arc) {
+  const FacetFrame &here = graph.frames[f], &there = graph.frames[arc.facet];
+  const double sine = glm::length(glm::cross(here.normal, there.normal));
+  return glm::dot(there.middle - here.middle, here.normal) < 0 ? sine : -sine;
+}
 
 /// Two parallel edges of a facet with equal bends.
 struct RowEdges {
@@ -94,24 +104,17 @@ class RowFinder {
     return glm::normalize(scene_.vertices[topology_.edges[e].v1] - scene_.vertices[topology_.edges[e].v0]);
   }
 
-  /// Sine of the bend at an arc of a facet: positive where the neighbour falls away from the facet's plane.
-  double bend(std::uint32_t f, const FacetGraph::Arc& arc) const {
-    const FacetFrame &here = graph_.frames[f], &there = graph_.frames[arc.facet];
-    const double sine = glm::length(glm::cross(here.normal, there.normal));
-    return glm::dot(there.middle - here.middle, here.normal) < 0 ? sine : -sine;
-  }
-
   /// Whether two edges of a facet are such and fulfil a condition.
   template <class Condition>
   bool any_row(std::uint32_t f, const Condition& condition) const {
     const auto arcs = graph_.arcs_of(f);
     if (patch_of_[f] != kNone || graph_.is_sliver[f] || arcs.size() < 2 || arcs.size() > kMostRowArcs) return false;
     for (std::size_t i = 0; i < arcs.size(); ++i) {
-      const double sine = bend(f, arcs[i]);
+      const double sine = bend_at(graph_, f, arcs[i]);
       if (std::abs(sine) < kLeastRowSine) continue;
       const Point3 direction = along(arcs[i].edge), &at = scene_.vertices[topology_.edges[arcs[i].edge].v0];
       for (std::size_t j = i + 1; j < arcs.size(); ++j) {
-        if (arcs[j].facet == arcs[i].facet || !alike(bend(f, arcs[j]), sine)) continue;
+        if (arcs[j].facet == arcs[i].facet || !alike(bend_at(graph_, f, arcs[j]), sine)) continue;
         if (glm::length(glm::cross(direction, along(arcs[j].edge))) > kParallelSine) continue;
         const Point3 way = scene_.vertices[topology_.edges[arcs[j].edge].v0] - at;
         const double width = glm::length(way - glm::dot(way, direction) * direction);
@@ -127,18 +130,73 @@ class RowFinder {
   std::span<const std::uint32_t> patch_of_;
 };
 
-/// Whether a facet of four corners or more is a plane beside narrow facets of fillets and free forms: it is much deeper than
-/// each of them.
-bool is_wide(const Scene& scene, const Topology& topology, const FacetGraph& graph, std::uint32_t f) {
-  if (graph.vertices[f].size() < kPlaneCorners) return false;
-  const auto arcs = graph.arcs_of(f);
-  return std::ranges::all_of(arcs, [&](const FacetGraph::Arc& arc) {
-    if (graph.has_many_corners(arc.facet) || graph.is_sliver[arc.facet]) return true;
-    const Edge& edge = topology.edges[arc.edge];
-    return depth_behind(scene, graph.vertices[f], edge) >=
-           kPlaneDepths * depth_behind(scene, graph.vertices[arc.facet], edge);
-  });
-}
+/// Finds planes beside the narrow facets of fillets and free forms.
+class WidePlanes {
+ public:
+  WidePlanes(const Scene& scene, const Topology& topology, const FacetGraph& graph)
+      : scene_(scene), topology_(topology), graph_(graph) {}
+
+  /// Whether a facet of four corners or more is much deeper than those beside it, but for planes like it to which it does
+  /// not bend alike on opposite sides.
+  bool is_wide(std::uint32_t f) const {
+    if (graph_.vertices[f].size() < kPlaneCorners) return false;
+    const auto arcs = graph_.arcs_of(f);
+    const auto is_like_it = [&](const FacetGraph::Arc& arc) {
+      return !graph_.has_many_corners(arc.facet) && !is_narrow(f, arc);
+    };
+    if (std::ranges::none_of(arcs, is_like_it)) return true;
+    return is_wide_across(f) && std::ranges::all_of(arcs, [&](const FacetGraph::Arc& arc) {
+             return !is_like_it(arc) || is_wide_across(arc.facet);
+           });
+  }
+
+ private:
+  /// Whether a facet is much deeper than the one beyond an arc.
+  bool is_narrow(std::uint32_t f, const FacetGraph::Arc& arc) const {
+    if (graph_.has_many_corners(arc.facet)) return false;
+    if (graph_.is_sliver[arc.facet]) return true;
+    const Edge& edge = topology_.edges[arc.edge];
+    return depth_behind(scene_, graph_.vertices[f], edge) >=
+           kPlaneDepths * depth_behind(scene_, graph_.vertices[arc.facet], edge);
+  }
+
+  bool touch(const FacetGraph::Arc& a, const FacetGraph::Arc& b) const {
+    const Edge &l = topology_.edges[a.edge], &r = topology_.edges[b.edge];
+    return l.v0 == r.v0 || l.v0 == r.v1 || l.v1 == r.v0 || l.v1 == r.v1;
+  }
+
+  /// Whether narrow facets lie on two opposite sides of a facet, and others to which it bends alike on no others.
+  bool is_wide_across(std::uint32_t f) const {
+    const auto arcs = graph_.arcs_of(f);
+    if (graph_.vertices[f].size() < kPlaneCorners || arcs.size() > kMostRowArcs) return false;
+    double width = std::numeric_limits<double>::infinity();
+    for (const FacetGraph::Arc& arc : arcs)
+      width = std::min(width, depth_behind(scene_, graph_.vertices[f], topology_.edges[arc.edge]));
+    const auto is_far_narrower = [&](const FacetGraph::Arc& arc) {
+      if (graph_.has_many_corners(arc.facet)) return false;
+      return width >= kPlaneDepths * depth_behind(scene_, graph_.vertices[arc.facet], topology_.edges[arc.edge]);
+    };
+    bool is_wide = false;
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      const bool is_one_narrow = is_far_narrower(arcs[i]);
+      for (std::size_t k = 0; k < i; ++k) {
+        if (touch(arcs[i], arcs[k])) continue;
+        const bool is_other_narrow = is_far_narrower(arcs[k]);
+        if (is_one_narrow && is_other_narrow) {
+          is_wide = true;
+        } else if (!is_one_narrow && !is_other_narrow) {
+          const double ratio = bend_at(graph_, f, arcs[i]) / bend_at(graph_, f, arcs[k]);
+          if (ratio >= 1 / kLikeBends && ratio <= kLikeBends) return false;
+        }
+      }
+    }
+    return is_wide;
+  }
+
+  const Scene& scene_;
+  const Topology& topology_;
+  const FacetGraph& graph_;
+};
 
 /// Whether a facet of four corners or more is a plane into which a surface runs: at both ends of an edge, its normal is that
 /// of the surface, while the facets bend there, and it is much deeper than that of the surface.
@@ -170,6 +228,7 @@ class RegionFinder {
         topology_(topology),
         graph_(graph),
         surfaces_(surfaces),
+        planes_(scene, topology, graph),
         state_(graph.size(), State::unknown),
         group_(graph.size()) {}
 
@@ -182,8 +241,8 @@ class RegionFinder {
   std::uint32_t group_of(std::uint32_t f) const { return group_[f]; }
 
   bool is_free(std::uint32_t f) const {
-    return surfaces_.patch_of[f] == kNone && !graph_.has_many_corners(f) && !graph_.is_sliver[f] &&
-           !is_wide(scene_, topology_, graph_, f) && !is_tangent_plane(scene_, topology_, graph_, surfaces_, f);
+    return surfaces_.patch_of[f] == kNone && !graph_.has_many_corners(f) && !graph_.is_sliver[f] && !planes_.is_wide(f) &&
+           !is_tangent_plane(scene_, topology_, graph_, surfaces_, f);
   }
 
  private:
@@ -215,6 +274,7 @@ class RegionFinder {
   const Topology& topology_;
   const FacetGraph& graph_;
   const FacetSurfaces& surfaces_;
+  WidePlanes planes_;
   std::vector<State> state_;  ///< per facet; alone: in no region
   std::vector<std::uint32_t> group_, visited_;
 };
@@ -284,9 +344,10 @@ std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& to
   if (others.empty()) return freeform;
   RegionFinder regions(scene, topology, graph, surfaces);
   const RowFinder rows(scene, topology, graph, patch_of);
+  const WidePlanes planes(scene, topology, graph);
   std::unordered_map<std::uint32_t, RowBorder> borders;  // by group
   const auto may_be_cut = [&](std::uint32_t f) {
-    return graph.vertices[f].size() <= kMostPieceCorners && !is_wide(scene, topology, graph, f);
+    return graph.vertices[f].size() <= kMostPieceCorners && !planes.is_wide(f);
   };
   for (const std::uint32_t f : others) {
     if (!regions.is_in_region(f) && (regions.is_free(f) || may_be_cut(f)))
