@@ -1,5 +1,6 @@
 /// Large free forms, and parts that stand many times. Runs the scripts of this folder.
 
+#include "base/parallel.hpp"
 #include "patches/patch_scenes.hpp"
 #include "scene/patches/borders/patch_outlines.hpp"
 #include "scene/patches/facets/flat_joints.hpp"
@@ -104,6 +105,25 @@ TEST(LargeFreeform, IsNoMeshThatMostlyLiesInPlanes) {
   const Mesh mesh(mesh_of("grid 300 x 300 triangles: u; v; if(u<200,1,sin(0.1*u+0.03*v))"));
   std::vector<std::uint32_t> joints;
   EXPECT_FALSE(find_large_freeform(mesh.object(), joints).has_value());
+}
+
+/// Arcs behind a free form in the order of sizes. Threads that try seeds at once change nothing, though the first seed of an
+/// arc would exclude all of its facets if it failed, or two seeds find one arc.
+TEST(PatchFinder, FindsTheSameWithAnyNumberOfThreads) {
+  std::string lines = "grid 7 x 4 triangles: u; v; 3*sin(0.31*u)*cos(0.23*v)+sin(0.11*u*v)";
+  for (int k = 0; k < 12; ++k) {
+    const std::string middle = std::to_string(3 * k), length = std::to_string(0.9 - 0.001 * k);
+    const std::string angle = k % 2 ? "pi*u/12" : "pi*(u-2.5-0.02*(u-2.5)^3)/12";  // the one in the middle is the largest
+    lines += "\ngrid 5 x 1: " + middle + "+cos(" + angle + "); sin(" + angle + ")-9; " + length + "*v";
+  }
+  Patches first;
+  for (unsigned threads = 1; threads <= 8; ++threads) {
+    Patches patches;
+    run_with_threads(threads, [&] { patches = FoundPatches(mesh_of(lines).scene()).patches; });
+    if (threads == 1) first = patches;
+    EXPECT_EQ(patches.patch_of, first.patch_of) << threads;
+    EXPECT_GE(patches.list.size(), 12u);
+  }
 }
 
 // Objects that repeat an earlier one, and the surfaces that they take over from it.

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "geometry/small_matrices.hpp"
-#include "scene/patches/patch_finder.hpp"
+#include "scene/patches/surface_search.hpp"
 
 namespace ligne {
 namespace {
@@ -48,10 +48,10 @@ constexpr double kLargestRingSag = 0.08;
 }  // namespace
 
 /// Distance of corners from a surface up to which they count as exactly on it, model units.
-double PatchFinder::least_distance() const { return kToldPrecisions * object_.precision; }
+double SurfaceSearch::least_distance() const { return kToldPrecisions * object_.precision; }
 
 /// Whether the facets of a candidate, whose corners fetch_points() has fetched, can not lie on its surface by accident.
-bool PatchFinder::is_certain(const PatchCandidate& c) {
+bool SurfaceSearch::is_certain(const PatchCandidate& c) {
   const PatchSurface& surface = c.patch.surface;
   const double spare = static_cast<double>(points_.size()) - static_cast<double>(parameter_count(surface.kind));
   const double chance = std::min(1.0, std::max(c.residual * 2, least_distance()) / c.patch.sag);
@@ -92,7 +92,7 @@ bool PatchFinder::is_certain(const PatchCandidate& c) {
 /// Whether the facets of a cone, whose corners lie at so many angles about its axis, turn by so much that they are those of
 /// a polygon. The angles at which they meet are smaller. A file that calls the edges between them smooth is believed up to a
 /// larger turn.
-bool PatchFinder::is_polygon(const PatchCandidate& c, std::size_t angles) {
+bool SurfaceSearch::is_polygon(const PatchCandidate& c, std::size_t angles) {
   constexpr double kDegree = std::numbers::pi / 180;
   const double turn = turn_of_angles() / static_cast<double>(angles - 1);
   if (turn <= kLargestBend * kDegree) return false;
@@ -108,7 +108,7 @@ bool PatchFinder::is_polygon(const PatchCandidate& c, std::size_t angles) {
 
 /// Whether the facets of a sphere, whose corners fetch_points() has fetched, lie in one row between two circles about an
 /// axis and are those of a polygon.
-bool PatchFinder::is_ring_of_polygon(const PatchCandidate& c) {
+bool SurfaceSearch::is_ring_of_polygon(const PatchCandidate& c) {
   if (c.facets.size() >= kMostPolygon) return false;
   Point3 mean(0, 0, 0);
   for (const std::uint32_t f : c.facets) mean += graph_.frames[f].normal / static_cast<double>(c.facets.size());
@@ -127,7 +127,7 @@ bool PatchFinder::is_ring_of_polygon(const PatchCandidate& c) {
 
 /// Whether the facets of a sphere, whose corners fetch_points() has fetched, have one corner in common, and all others lie
 /// in a plane: a sphere goes through any circle and point beside it.
-bool PatchFinder::is_fan(const PatchCandidate& c) const {
+bool SurfaceSearch::is_fan(const PatchCandidate& c) const {
   const auto is_common = [&](std::uint32_t v) {
     return std::ranges::all_of(c.facets, [&](std::uint32_t f) { return std::ranges::count(graph_.vertices[f], v) > 0; });
   };
@@ -147,7 +147,7 @@ bool PatchFinder::is_fan(const PatchCandidate& c) const {
 
 /// Whether the facets of a candidate, whose corners fetch_points() has fetched, are long but for small ones at their ends,
 /// and in one row: those in more rows have corners inside their border, by Euler's formula more than two if they are a disc.
-bool PatchFinder::is_long_row(const PatchCandidate& c) const {
+bool SurfaceSearch::is_long_row(const PatchCandidate& c) const {
   std::size_t triangles = 0;
   double all = 0, wide = 0;
   for (const std::uint32_t f : c.facets) {
@@ -163,14 +163,14 @@ bool PatchFinder::is_long_row(const PatchCandidate& c) const {
 }
 
 /// Whether the facets of a patch are so fine that rounding hides kFinePart of their sag or more.
-bool PatchFinder::is_fine(const Patch& patch) const {
+bool SurfaceSearch::is_fine(const Patch& patch) const {
   const double least = tolerance_for(patch.surface.kind, 0);
   return tolerance_for(patch.surface.kind, patch.sag) <= least && least >= kFinePart * patch.sag;
 }
 
 /// is_certain() for facets whose sag rounding hides, after angles_of(): as if each half turn were divided into fewer steps,
 /// whose sag is a larger fraction of its rise. Each ruling between steps has two corners.
-bool PatchFinder::explains_rise(const PatchCandidate& c) const {
+bool SurfaceSearch::explains_rise(const PatchCandidate& c) const {
   if (!is_fine(c.patch)) return false;
   const PatchSurface& surface = c.patch.surface;
   const double turn = turn_of_angles(), half_turns = std::max(1.0, turn / std::numbers::pi);
@@ -188,7 +188,7 @@ bool PatchFinder::explains_rise(const PatchCandidate& c) const {
 
 /// Number of angles, different by more than a thousandth of a turn, at which points_ lie about the axis, or about the middle
 /// circle of a torus.
-std::size_t PatchFinder::angles_of(const PatchSurface& surface, bool about_circle) {
+std::size_t SurfaceSearch::angles_of(const PatchSurface& surface, bool about_circle) {
   constexpr double kTurn = 2 * std::numbers::pi;
   const Point3 u = frame_of(surface.axis)[0];
   const Point3 v = frame_of(surface.axis)[1];
@@ -205,7 +205,7 @@ std::size_t PatchFinder::angles_of(const PatchSurface& surface, bool about_circl
 }
 
 /// The smallest angle about the axis that contains all angles that angles_of() found.
-double PatchFinder::turn_of_angles() const {
+double SurfaceSearch::turn_of_angles() const {
   constexpr double kTurn = 2 * std::numbers::pi;
   double gap = numbers_.front() + kTurn - numbers_.back();
   for (std::size_t i = 1; i < numbers_.size(); ++i) gap = std::max(gap, numbers_[i] - numbers_[i - 1]);
@@ -213,7 +213,7 @@ double PatchFinder::turn_of_angles() const {
 }
 
 /// Whether the facets between the angles that angles_of() found all turn alike.
-bool PatchFinder::has_equal_steps() const {
+bool SurfaceSearch::has_equal_steps() const {
   const double turn = turn_of_angles(), gap = 2 * std::numbers::pi - turn;
   std::vector<double> steps;
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
@@ -227,7 +227,7 @@ bool PatchFinder::has_equal_steps() const {
 
 /// Whether the neighbours of a strip continue in the direction of its surface, along kSidesToInner times the length of
 /// a row of inner edges. `rows`: the number of these rows.
-bool PatchFinder::is_tangent(const PatchCandidate& c, std::size_t rows) {
+bool SurfaceSearch::is_tangent(const PatchCandidate& c, std::size_t rows) {
   constexpr double kSidesToInner = 1.6, kTangentPart = 0.15, kLeastTurn = 0.01;
   ++round_;
   for (const std::uint32_t f : c.facets) stamp_[f] = round_;
@@ -250,7 +250,7 @@ bool PatchFinder::is_tangent(const PatchCandidate& c, std::size_t rows) {
 }
 
 /// Whether facets that may be curved lie beside the facets of a candidate.
-bool PatchFinder::goes_on(const PatchCandidate& c) {
+bool SurfaceSearch::goes_on(const PatchCandidate& c) {
   ++round_;
   for (const std::uint32_t f : c.facets) stamp_[f] = round_;
   return std::any_of(c.facets.begin(), c.facets.end(), [&](std::uint32_t f) {
@@ -262,7 +262,7 @@ bool PatchFinder::goes_on(const PatchCandidate& c) {
 
 /// Whether a candidate ends where its corners leave the surface by more than rounding: where the tolerance is due to the
 /// rounding, it hardly grows when this is larger. A piece of a free form leaves the surface slowly.
-bool PatchFinder::has_firm_border(const PatchCandidate& c) {
+bool SurfaceSearch::has_firm_border(const PatchCandidate& c) {
   const double tolerance = tolerance_for(c.patch.surface.kind, c.patch.sag);
   // One row of facets of a cone lies on spheres, whose sag is large then.
   const bool may_be_row = c.patch.surface.kind == SurfaceKind::sphere && tolerance <= tolerance_for(SurfaceKind::sphere, 0);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "scene/patches/patch_finder.hpp"
+#include "scene/patches/surface_search.hpp"
 
 namespace ligne {
 namespace {
@@ -19,7 +19,7 @@ constexpr std::size_t kFewVertices = 64;
 }  // namespace
 
 /// Sets points_ to the corners of facets, each once, and at most about kMostPoints of them.
-void PatchFinder::fetch_points(std::span<const std::uint32_t> facets) {
+void SurfaceSearch::fetch_points(std::span<const std::uint32_t> facets) {
   vertices_.clear();
   for (const std::uint32_t f : facets) {
     vertices_.insert(vertices_.end(), graph_.vertices[f].begin(), graph_.vertices[f].end());
@@ -44,7 +44,7 @@ void PatchFinder::fetch_points(std::span<const std::uint32_t> facets) {
 }
 
 /// Fetches the corners and the frames of the facets of a sample, unless it has them.
-void PatchFinder::complete(FitSample& sample) {
+void SurfaceSearch::complete(FitSample& sample) {
   SurfaceSample& shape = sample.shape;
   if (!shape.frames.empty()) return;
   fetch_points(sample.facets);
@@ -60,7 +60,7 @@ void PatchFinder::complete(FitSample& sample) {
 
 /// Sorts vertices_ and removes duplicates, with one bit per vertex of the object. `low` and `high`: the least and the
 /// largest of vertices_, counted from the first vertex of the object.
-void PatchFinder::sort_by_bits(std::uint32_t low, std::uint32_t high) {
+void SurfaceSearch::sort_by_bits(std::uint32_t low, std::uint32_t high) {
   for (const std::uint32_t v : vertices_) {
     const std::uint32_t i = v - object_.vertex_begin;
     is_fetched_[i / kWordBits] |= std::uint64_t{1} << i % kWordBits;
@@ -75,7 +75,7 @@ void PatchFinder::sort_by_bits(std::uint32_t low, std::uint32_t high) {
 }
 
 /// Median distance of the facets' middles from the surface.
-double PatchFinder::sag_of(const PatchSurface& surface, std::span<const std::uint32_t> facets) {
+double SurfaceSearch::sag_of(const PatchSurface& surface, std::span<const std::uint32_t> facets) {
   numbers_.clear();
   for (const std::uint32_t f : facets) {
     if (!graph_.is_sliver[f]) numbers_.push_back(std::abs(surface.distance(graph_.frames[f].middle)));
@@ -87,13 +87,13 @@ double PatchFinder::sag_of(const PatchSurface& surface, std::span<const std::uin
 }
 
 /// Forgets the results of look_at(). Must precede calls of lies_on() with another surface or tolerance.
-void PatchFinder::forget_looks() {
+void SurfaceSearch::forget_looks() {
   ++look_round_;
   looks_.clear();
 }
 
 /// Tells whether a vertex lies on a surface. The result is kept, since about six facets share a vertex.
-const PatchFinder::VertexLook& PatchFinder::look_at(const Patch& patch, std::uint32_t vertex, double tolerance) {
+const SurfaceSearch::VertexLook& SurfaceSearch::look_at(const Patch& patch, std::uint32_t vertex, double tolerance) {
   auto& [round, number] = look_of_[vertex - object_.vertex_begin];
   if (round != look_round_) {
     round = look_round_;
@@ -108,7 +108,7 @@ const PatchFinder::VertexLook& PatchFinder::look_at(const Patch& patch, std::uin
 
 /// Whether the middle of a facet is at most so far from the surface. A facet of many corners may have a hole in its
 /// middle, so the middles of its faces count.
-bool PatchFinder::is_near(const PatchSurface& surface, std::uint32_t f, double distance) const {
+bool SurfaceSearch::is_near(const PatchSurface& surface, std::uint32_t f, double distance) const {
   if (graph_.vertices[f].size() <= 4) return std::abs(surface.distance(graph_.frames[f].middle)) <= distance;
   return std::ranges::all_of(graph_.faces[f], [&](std::uint32_t face) {
     const auto corners = scene_.faces.contour(face, 0);
@@ -120,7 +120,7 @@ bool PatchFinder::is_near(const PatchSurface& surface, std::uint32_t f, double d
 
 /// Whether the corners of a facet lie on the surface, and its middle is at most so many sags away. `least_cosine`: least
 /// cosine between its normal and the normals of the surface at its corners.
-bool PatchFinder::lies_on(const Patch& patch, std::uint32_t f, double tolerance, double least_cosine, double most_sags) {
+bool SurfaceSearch::lies_on(const Patch& patch, std::uint32_t f, double tolerance, double least_cosine, double most_sags) {
   const bool has_normal = !graph_.is_sliver[f];
   const FacetFrame& frame = graph_.frames[f];
   if (has_normal && !is_near(patch.surface, f, most_sags * patch.sag + tolerance)) return false;

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "scene/patches/patch_finder.hpp"
+#include "scene/patches/surface_search.hpp"
 
 namespace ligne {
 namespace {
@@ -19,7 +19,7 @@ constexpr double kRulingPart = 0.5;
 }  // namespace
 
 /// The seed, and facets within `rings` arcs of it that may be curved, at most `most` facets in all.
-std::vector<std::uint32_t> PatchFinder::around(std::uint32_t seed, int rings, std::size_t most) {
+std::vector<std::uint32_t> SurfaceSearch::around(std::uint32_t seed, int rings, std::size_t most) {
   std::vector<std::uint32_t> facets{seed};
   ++round_;
   stamp_[seed] = round_;
@@ -38,7 +38,7 @@ std::vector<std::uint32_t> PatchFinder::around(std::uint32_t seed, int rings, st
 }
 
 /// Up to seven neighbours of a facet that may be curved.
-std::vector<std::uint32_t> PatchFinder::beside(std::uint32_t seed) {
+std::vector<std::uint32_t> SurfaceSearch::beside(std::uint32_t seed) {
   std::vector<std::uint32_t> near = around(seed, 1, 8);
   near.erase(near.begin());
   return near;
@@ -46,7 +46,7 @@ std::vector<std::uint32_t> PatchFinder::beside(std::uint32_t seed) {
 
 /// Sorts neighbours of a facet by the lengths of the sides they share with it, the longest first: those of one strip come
 /// before those at its ends.
-void PatchFinder::sort_by_sides(std::uint32_t seed, std::vector<std::uint32_t>& near) const {
+void SurfaceSearch::sort_by_sides(std::uint32_t seed, std::vector<std::uint32_t>& near) const {
   const auto side = [&](std::uint32_t f) {
     double most = 0;
     for (const FacetGraph::Arc& arc : graph_.arcs_of(seed)) {
@@ -59,7 +59,7 @@ void PatchFinder::sort_by_sides(std::uint32_t seed, std::vector<std::uint32_t>& 
 }
 
 /// Largest distance between two corners of a facet.
-double PatchFinder::longest_diagonal(std::uint32_t f) const {
+double SurfaceSearch::longest_diagonal(std::uint32_t f) const {
   const auto corners = graph_.vertices[f];
   double square = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -73,7 +73,7 @@ double PatchFinder::longest_diagonal(std::uint32_t f) const {
 
 /// The facets of a strip of triangles or quadrilaterals on both sides of a seed. The strip crosses edges about as long
 /// as the seed, and avoids much larger facets, such as the planes beside a fillet.
-std::vector<std::uint32_t> PatchFinder::strip_of(std::uint32_t seed) {
+std::vector<std::uint32_t> SurfaceSearch::strip_of(std::uint32_t seed) {
   const double longest = longest_diagonal(seed);
   std::vector<std::uint32_t> facets{seed};
   if (longest * longest < kLongFacet * 2 * graph_.area[seed]) return facets;

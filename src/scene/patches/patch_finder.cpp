@@ -1,13 +1,9 @@
 #include "scene/patches/patch_finder.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <iterator>
-#include <limits>
-#include <numbers>
 #include <numeric>
 
 #include "base/indices_where.hpp"
@@ -19,29 +15,8 @@ namespace ligne {
 namespace {
 
 // Adjustable parameters.
-/// Largest distance of corners from a surface: the larger of kPrecisions precisions of the coordinates and a fraction
-/// of the sag. The sag counts because surfaces between free forms are approximated; spheres are not, so their fraction
-/// is small. The fraction for long strips is larger, since many corners are evidence all the same: programs approximate
-/// the curves at which fillets end to a thousandth of a millimetre or worse.
-constexpr double kPrecisions = 8, kSagPart = 0.03, kExactSagPart = 0.002, kStripSagPart = 0.25;
-/// Largest distance, in sags, of a corner from the surface of the starting values. If one is farther away, the values
-/// are rejected. Cylinders that may turn into cones, and those of irregular triangles, may be farther away.
-constexpr double kWildGuess = 1.5, kWilderGuess = 3;
-/// Least number of corners of a sample for a cone that the normals do not tell: twice that of its parameters.
-constexpr std::size_t kFewestConePoints = 2 * parameter_count(SurfaceKind::cone);
-/// Arcs from a seed to the facets of the smaller and of the larger sample around it, and largest numbers of these facets.
-constexpr int kRingSteps = 2, kWideSteps = 10;
-constexpr std::size_t kMostRing = 24, kMostWide = 28;
 /// Least part of the area, and of the longest diagonal, of a facet that another one of about the same size and form has.
 constexpr double kSameArea = 2.0 / 3, kSameLength = 0.8;
-/// Largest number of facets of a band from which a sphere is fitted.
-constexpr std::size_t kMostBand = 24;
-/// Least number of facets of a strip that is tried by itself. Fewer prove nothing at a tolerance of kStripSagPart.
-constexpr std::size_t kFewestStrip = 8;
-/// Factors by which the area of a surface must exceed the largest one so far: of a cylinder or a cone, and of a sphere
-/// or a torus. The second is larger, since each band of a cylinder or a cone lies on spheres and tori too, on which a
-/// band beside it often lies by accident.
-constexpr double kSimilarArea = 1.05, kRoundArea = 1.3;
 /// About this many seeds, spread evenly over all, are tried first. If fewer than kFewestSuccesses of them get a
 /// surface, the object gets none at all.
 constexpr std::size_t kSamples = 64;
@@ -51,43 +26,18 @@ constexpr std::ptrdiff_t kFewestSuccesses = 4;
 constexpr std::size_t kLeastShare = 2000;
 /// Logarithm of the number of classes of seeds of similar lengths.
 constexpr int kClassBits = 12;
-/// Range of the slopes of cones. Over a length of ten radii, a cone of the least slope differs from a cylinder by a
-/// thousandth of the radius, an eighth of the sag at 24 facets per turn. A cone of the largest slope differs from a
-/// plane by half a degree.
-constexpr double kLeastSlope = 1e-4, kLargestSlope = 100;
-/// Range of the ratio between the radii of the middle circle of a torus and of its tube. Below it, the torus differs
-/// from a sphere by less than a fiftieth of the tube's radius. Above it, the torus bends away from a cylinder by less
-/// than a fifteenth of the tube's radius over ten times that radius.
-constexpr double kLeastRing = 0.02, kLargestRing = 200;
 /// Largest number of facets that all surfaces together grow over, and how many more for each facet of the object. Parts need
 /// at most 200 for each; where rounding hides the bends of a ball of thousands of facets, many surfaces nearly fit.
 constexpr std::size_t kMostGrown = std::size_t{1} << 22, kMostGrownPerFacet = 256;
+/// Largest number of seeds that are tried at once; each takes memory for all facets of the object.
+constexpr std::size_t kMostTrials = 8;
 
 }  // namespace
 
-bool is_plausible(const PatchSurface& s) {
-  switch (s.kind) {
-    case SurfaceKind::torus:
-      return s.radius > kLeastRing * s.tube && s.radius < kLargestRing * s.tube;
-    case SurfaceKind::cone:
-      return std::abs(s.slope) > kLeastSlope && std::abs(s.slope) < kLargestSlope;
-    default:
-      return s.radius > 0;
-  }
-}
-
 PatchFinder::PatchFinder(const Scene& scene, const Topology& topology, const Object& object, const FacetGraph& graph)
-    : scene_(scene),
-      topology_(topology),
-      object_(object),
-      graph_(graph),
+    : SurfaceSearch(scene, topology, object, graph, patch_of_),
       patch_of_(graph.size(), kNone),
-      has_failed_(graph.size(), 0),
-      stamp_(graph.size(), 0),
-      best_of_(graph.size(), kNone),
-      look_of_(object.vertex_end - object.vertex_begin),
-      is_fetched_(look_of_.size() / kWordBits + 1, 0),
-      sag_part_(kSagPart) {}
+      has_failed_(graph.size(), 0) {}
 
 std::vector<std::uint32_t> PatchFinder::run(std::vector<Patch>& patches) {
   std::vector<Seed> all = seeds();
@@ -169,23 +119,72 @@ std::vector<PatchFinder::Seed> PatchFinder::every_seed(std::span<const Seed> see
 }
 
 /// Makes patches from seeds, and excludes those that are_alike() near a failed one. The smallest seeds are not tried if
-/// those before them let surfaces grow in vain too often.
+/// those before them let surfaces grow in vain too often. Seeds behind failed ones are tried by several threads at once.
+/// Only those up to the first that finds a surface count, so that the result is the same as one by one.
 void PatchFinder::search(std::span<const Seed> seeds, std::vector<Patch>& patches) {
-  std::vector<std::uint8_t> is_excluded(graph_.size(), 0);
-  for (const Seed& seed : seeds) {
-    const std::uint32_t f = seed.facet;
-    if (grown_ > kMostGrown + kMostGrownPerFacet * graph_.size()) return;
-    if (patch_of_[f] != kNone || is_excluded[f]) continue;
-    const PatchCandidate best = has_failed_[f] ? PatchCandidate{} : best_at(f);
-    if (best.facets.empty()) {
-      has_failed_[f] = 1;
-      for (const std::uint32_t other : around(f, kRingSteps, kMostRing)) {
-        if (are_alike(seed, other)) is_excluded[other] = 1;
+  is_excluded_.assign(graph_.size(), 0);
+  const std::size_t widest = std::min(kMostTrials, thread_count());
+  for (std::size_t from = 0, width = 1; from < seeds.size();) {
+    std::vector<Trial> trials = next_trials(seeds, from, width);
+    if (trials.empty()) return;
+    try_all(seeds, trials);
+    from = trials.back().number + 1;
+    width = std::min(2 * width, widest);
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+      if (all_grown_ > kMostGrown + kMostGrownPerFacet * graph_.size()) return;
+      const Trial& trial = trials[i];
+      all_grown_ += trial.grown;
+      if (trial.best.facets.empty()) {
+        has_failed_[seeds[trial.number].facet] = 1;
+        continue;
       }
-      continue;
+      for (std::size_t k = i; k < trials.size(); ++k) {
+        for (const std::uint32_t f : trials[k].alike) is_excluded_[f] = 0;
+      }
+      for (const std::uint32_t f : trial.best.facets) patch_of_[f] = static_cast<std::uint32_t>(patches.size());
+      patches.push_back(trial.best.patch);
+      from = trial.number + 1;
+      width = 1;
+      break;
     }
-    for (const std::uint32_t g : best.facets) patch_of_[g] = static_cast<std::uint32_t>(patches.size());
-    patches.push_back(best.patch);
+  }
+}
+
+/// The next seeds to try, at most so many that are not known to fail. Each excludes others as if it had failed.
+std::vector<PatchFinder::Trial> PatchFinder::next_trials(std::span<const Seed> seeds, std::size_t from, std::size_t most) {
+  std::vector<Trial> trials;
+  std::size_t count = 0;
+  for (std::size_t i = from; i < seeds.size() && count < most; ++i) {
+    const std::uint32_t seed = seeds[i].facet;
+    if (patch_of_[seed] != kNone || is_excluded_[seed]) continue;
+    Trial& trial = trials.emplace_back();
+    trial.number = i;
+    for (const std::uint32_t f : around(seed, kRingSteps, kMostRing)) {
+      if (is_excluded_[f] || !are_alike(seeds[i], f)) continue;
+      is_excluded_[f] = 1;
+      trial.alike.push_back(f);
+    }
+    count += !has_failed_[seed];
+  }
+  return trials;
+}
+
+/// Searches from the seeds that are not known to fail.
+void PatchFinder::try_all(std::span<const Seed> seeds, std::vector<Trial>& trials) {
+  std::vector<Trial*> unknown;
+  for (Trial& trial : trials) {
+    if (!has_failed_[seeds[trial.number].facet]) unknown.push_back(&trial);
+  }
+  while (others_.size() + 1 < unknown.size()) others_.emplace_back(scene_, topology_, object_, graph_, patch_of_);
+  const auto work = [&](std::size_t i) {
+    SurfaceSearch& search = i == 0 ? *this : others_[i - 1];
+    unknown[i]->best = search.best_at(seeds[unknown[i]->number].facet);
+    unknown[i]->grown = search.take_grown();
+  };
+  if (unknown.size() == 1) {
+    work(0);
+  } else {
+    parallel_tasks_apart(unknown.size(), work);
   }
 }
 
@@ -197,203 +196,6 @@ bool PatchFinder::are_alike(const Seed& failed, std::uint32_t f) const {
   const auto arcs = graph_.arcs_of(failed.facet);
   if (std::ranges::any_of(arcs, [&](const FacetGraph::Arc& arc) { return arc.facet == f; })) return true;
   return part >= kSameArea && part * kSameArea <= 1 && longest_diagonal(f) >= kSameLength * failed.length;
-}
-
-/// A facet with two of its neighbours, three times at most, or with the only one. Three facets of a strip determine a
-/// cylinder or a cone exactly.
-std::vector<PatchFinder::FitSample> PatchFinder::strip_samples(std::uint32_t seed, std::span<const std::uint32_t> near) {
-  std::vector<FitSample> sets;
-  if (near.size() == 1) sets.push_back({{seed, near[0]}});
-  for (std::size_t i = 0; i < near.size(); ++i) {
-    for (std::size_t j = i + 1; j < near.size() && sets.size() < 3; ++j) sets.push_back({{seed, near[i], near[j]}});
-  }
-  return sets;
-}
-
-/// Facets on all sides of a facet: nearby ones, and more of them.
-std::vector<PatchFinder::FitSample> PatchFinder::round_samples(std::uint32_t seed) {
-  std::vector<FitSample> samples;
-  samples.push_back({around(seed, kRingSteps, kMostRing)});
-  std::vector<std::uint32_t> wide = around(seed, kWideSteps, kMostWide);
-  if (wide.size() > samples.front().facets.size()) samples.push_back({std::move(wide)});
-  return samples;
-}
-
-/// Whether a cylinder was fitted to the same two or three facets before. They begin with the seed.
-bool PatchFinder::was_tried(std::span<const std::uint32_t> facets) {
-  const std::array pair = {std::min(facets[1], facets.back()), std::max(facets[1], facets.back())};
-  if (std::ranges::find(tried_, pair) != tried_.end()) return true;
-  tried_.push_back(pair);
-  return false;
-}
-
-/// The surface of the largest area through a facet, from several sets of facets beside it.
-PatchCandidate PatchFinder::best_at(std::uint32_t seed) {
-  PatchCandidate best;
-  // Facets of the best surface so far lead to it again.
-  const auto is_known = [&](SurfaceKind kind, std::span<const std::uint32_t> facets) {
-    return !best.facets.empty() && best.patch.surface.kind == kind &&
-           std::ranges::all_of(facets, [&](std::uint32_t f) { return best_of_[f] == seed; });
-  };
-  tried_.clear();
-  const auto consider = [&](SurfaceKind kind, auto&& sample, double factor) {
-    if (is_known(kind, sample.facets)) return;
-    if (kind == SurfaceKind::cylinder && sample.facets.size() <= 3 && was_tried(sample.facets)) return;
-    const double sag_part = sag_part_;
-    PatchCandidate c = try_surface(kind, seed, sample);
-    sag_part_ = sag_part;
-    if (c.facets.empty() || c.area <= factor * best.area) return;
-    for (const std::uint32_t f : best.facets) best_of_[f] = kNone;
-    best = std::move(c);
-    for (const std::uint32_t f : best.facets) best_of_[f] = seed;
-  };
-  std::vector<std::uint32_t> near = beside(seed);
-  if (near.empty()) return best;
-  if (graph_.vertices[seed].size() == 3 && near.size() > 2) near.clear();  // in no strip
-  std::vector<FitSample> sets = strip_samples(seed, near);
-  // A strip without curved facets beside it needs no comparison with other surfaces.
-  const auto is_settled = [&] { return !best.facets.empty() && !goes_on(best); };
-  for (FitSample& set : sets) consider(SurfaceKind::cylinder, set, kSimilarArea);
-  const auto consider_pairs = [&] {
-    for (std::size_t i = 0; i < std::min<std::size_t>(near.size(), 2) && best.facets.empty(); ++i)
-      consider(SurfaceKind::cylinder, FitSample{{seed, near[i]}}, kSimilarArea);
-  };
-  consider_pairs();
-  if (near.size() > 2 && best.facets.empty()) {
-    sort_by_sides(seed, near);
-    consider(SurfaceKind::cylinder, FitSample{{seed, near[0], near[1]}}, kSimilarArea);
-    consider_pairs();
-  }
-  if (is_settled()) return best;
-  // The corners of triangles between two curves share no rulings, so more triangles are needed.
-  FitSample strip{strip_of(seed)};
-  if (strip.facets.size() >= kFewestStrip && best.facets.size() < strip.facets.size()) {
-    sag_part_ = kStripSagPart;
-    consider(SurfaceKind::cylinder, strip, kSimilarArea);
-    sag_part_ = kSagPart;
-    if (is_settled()) return best;
-  }
-  // Where facets form no strips, more of them are needed.
-  std::vector<FitSample> round = round_samples(seed);
-  for (FitSample& sample : round) consider(SurfaceKind::cylinder, sample, kSimilarArea);
-  if (is_settled()) return best;
-  for (FitSample& set : sets) consider(SurfaceKind::cone, set, kSimilarArea);
-  for (FitSample& sample : round) consider(SurfaceKind::cone, sample, kSimilarArea);
-  if (is_settled()) return best;
-  // A band of a sphere also lies on a cylinder or a cone, and determines the sphere.
-  FitSample band{best.facets};
-  band.facets.resize(std::min(band.facets.size(), kMostBand));
-  if (!band.facets.empty()) consider(SurfaceKind::sphere, band, kRoundArea);
-  consider(SurfaceKind::sphere, round.front(), kRoundArea);
-  for (FitSample& sample : round) consider(SurfaceKind::torus, sample, kRoundArea);
-  return best;
-}
-
-/// Fits a surface to a sample. Returns whether the sample lies on it, and sets the surface, the sag and the residual of `c`.
-/// Lowers sag_part_ if the normals give no useful starting values: such facets lie on a surface exactly or by accident.
-bool PatchFinder::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate& c) {
-  complete(sample);
-  PatchSurface& surface = c.patch.surface;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  // Largest distance of a corner beyond the precision, in sags
-  const auto wildness = [&] {
-    const double sag = sag_of(surface, sample.facets), wild = kWilderGuess * sag + tolerance_for(kind, 0);
-    double most = 0;
-    for (const Point3& p : sample.shape.points) {
-      const double distance = std::abs(surface.distance(p));
-      if (!(distance <= wild)) return kInfinity;
-      most = std::max(most, distance);
-    }
-    const double beyond = most - tolerance_for(kind, 0);
-    return beyond > 0 ? beyond / sag : 0;
-  };
-  const auto refine = [&] {
-    c.residual = refine_surface(surface, sample.shape.points);
-    c.patch.sag = sag_of(surface, sample.facets);
-    return c.residual <= tolerance_for(kind, c.patch.sag);
-  };
-  const bool is_guessed = guess_surface(kind, sample.shape, surface);
-  const double guess_wildness = is_guessed ? wildness() : kInfinity;
-  if (kind == SurfaceKind::cylinder) {
-    if (!(guess_wildness <= kWilderGuess)) return false;
-    if (guess_wildness > kWildGuess) sag_part_ = kExactSagPart;
-    const bool lies_on_it = refine();
-    if (c.residual <= kWilderGuess * c.patch.sag) sample.cylinder = surface;
-    return lies_on_it;
-  }
-  if (guess_wildness <= kWildGuess && refine()) return true;
-  if (kind != SurfaceKind::cone || !sample.cylinder || sample.shape.points.size() < kFewestConePoints) return false;
-  // The normals of irregular triangles tell little of a cone, but it has the rulings and the curvature of a cylinder.
-  sag_part_ = kExactSagPart;
-  surface = cone_from_cylinder(*sample.cylinder, sample.shape.points);
-  return wildness() <= kWildGuess && refine();
-}
-
-/// Whether the facets that grew last are those of a sample.
-bool PatchFinder::is_same(std::span<const std::uint32_t> grown, std::span<const std::uint32_t> sample) const {
-  return grown.size() == sample.size() && std::ranges::all_of(sample, [&](std::uint32_t f) { return stamp_[f] == round_; });
-}
-
-/// Fits a surface to a few facets, and lets it grow from the seed. The result has no facets if this fails.
-PatchCandidate PatchFinder::try_surface(SurfaceKind kind, std::uint32_t seed, FitSample& sample) {
-  PatchCandidate c;
-  PatchSurface& surface = c.patch.surface;
-  if (!fit_sample(kind, sample, c)) return {};
-  c.patch.outward = glm::dot(surface.normal(graph_.frames[seed].middle), graph_.frames[seed].normal) > 0;
-  // Few fine facets tell little of a surface that goes far beyond them. Each round about doubles their extent.
-  constexpr int kMostRounds = 3, kMostFineRounds = 12;
-  for (int round = 0; round < (is_fine(c.patch) ? kMostFineRounds : kMostRounds); ++round) {
-    std::vector<std::uint32_t> grown = grow(c.patch, seed);
-    if (grown.size() <= c.facets.size()) break;
-    c.facets.swap(grown);
-    if (round == 0 && is_same(c.facets, sample.facets)) {
-      fetch_points(c.facets);
-      break;
-    }
-    PatchSurface refined = surface;
-    fetch_points(c.facets);
-    const double next = refine_surface(refined, points_);
-    const double sag = sag_of(refined, c.facets);
-    if (!(next <= tolerance_for(kind, sag))) {
-      if (round < kMostRounds) return {};
-      c.facets.swap(grown);  // has_firm_border() decides whether the surface ends there
-      fetch_points(c.facets);
-      break;
-    }
-    surface = refined;
-    c.patch.sag = sag;
-    c.residual = next;
-  }
-  if (c.facets.empty() || !is_plausible(surface) || !is_certain(c)) return {};
-  for (const std::uint32_t f : c.facets) c.area += graph_.area[f];
-  return has_firm_border(c) ? c : PatchCandidate{};
-}
-
-/// The facets on the surface that are connected to the seed; facets of other patches only if `over_patches`.
-std::vector<std::uint32_t> PatchFinder::grow(const Patch& patch, std::uint32_t seed, bool over_patches) {
-  const double tolerance = tolerance_for(patch.surface.kind, patch.sag);
-  const bool over_planes = is_fine(patch);  // several fine facets may seem to be a plane
-  std::vector<std::uint32_t> facets;
-  forget_looks();
-  if (!lies_on(patch, seed, tolerance)) return facets;
-  ++round_;
-  facets.push_back(seed);
-  stamp_[seed] = round_;
-  for (std::size_t i = 0; i < facets.size(); ++i) {
-    for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[i])) {
-      if (stamp_[arc.facet] == round_ || (graph_.is_plane[arc.facet] && !over_planes)) continue;
-      if (patch_of_[arc.facet] != kNone && !over_patches) continue;
-      if (!lies_on(patch, arc.facet, tolerance)) continue;
-      stamp_[arc.facet] = round_;
-      facets.push_back(arc.facet);
-    }
-  }
-  grown_ += facets.size();
-  return facets;
-}
-
-double PatchFinder::tolerance_for(SurfaceKind kind, double sag) const {
-  return std::max(kPrecisions * object_.precision, (kind == SurfaceKind::sphere ? kExactSagPart : sag_part_) * sag);
 }
 
 }  // namespace ligne

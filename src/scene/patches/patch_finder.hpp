@@ -1,32 +1,18 @@
 #pragma once
 /// Searches the facets of one object for surfaces. The steps are described at find_patches().
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <deque>
 #include <span>
 #include <vector>
 
 #include "base/no_index.hpp"
-#include "scene/patches/facet_graph.hpp"
-#include "scene/patches/find_patches.hpp"
+#include "scene/patches/surface_search.hpp"
 
 namespace ligne {
 
-/// A fitted surface with the facets that lie on it.
-struct PatchCandidate {
-  Patch patch;
-  std::vector<std::uint32_t> facets;
-  double area = 0;      ///< of the facets
-  double residual = 0;  ///< largest distance of a corner of the facets from the surface, model units
-};
-
-/// Whether the proportions of a torus, or the slope of a cone, are in the usual range. Other tori are spheres or
-/// cylinders within any tolerance, and other cones are cylinders or planes.
-bool is_plausible(const PatchSurface& s);
-
-class PatchFinder {
+class PatchFinder : SurfaceSearch {
  public:
   PatchFinder(const Scene& scene, const Topology& topology, const Object& object, const FacetGraph& graph);
 
@@ -38,29 +24,6 @@ class PatchFinder {
   bool seems_free(std::span<const std::uint32_t> facets, std::size_t count);
 
  private:
-  static constexpr std::uint32_t kWordBits = 64;  ///< bits of a word of is_fetched_
-  /// Adjustable. A facet on which no surface was found excludes its neighbours of at least this part of its area as seeds;
-  /// smaller ones may belong to a fillet beside a plane. A neighbour of less than this part of a facet's area is not in one
-  /// strip with it.
-  static constexpr double kLikeArea = 0.25;
-  /// Largest ratio of a facet's sag to the median. Tessellators keep to one sag; a flat side between roundings exceeds
-  /// it.
-  static constexpr double kMostSags = 4;
-  /// Adjustable. Least cosine between the normals of a facet and of its surface at its corners. It admits half of the
-  /// diagonal of a square facet on a surface with twelve facets per turn.
-  static constexpr double kNormalCosine = 0.92;
-
-  /// Whether a vertex lies on the surface that is tried, remembered because several facets share it.
-  struct VertexLook {
-    bool is_on = false;
-    Point3 normal{0, 0, 0};  ///< normal of the surface there, if is_on; 0 at the tip of a cone, which has none
-  };
-  /// Facets to which surfaces of several kinds are fitted.
-  struct FitSample {
-    std::vector<std::uint32_t> facets;
-    SurfaceSample shape{};                   ///< empty until complete()
-    std::optional<PatchSurface> cylinder{};  ///< the cylinder of least squares, once it was fitted
-  };
   /// A facet from which surfaces are tried, and its longest diagonal: a maximum, not a sum, so it does not depend on the
   /// order of the corners.
   struct Seed {
@@ -68,54 +31,22 @@ class PatchFinder {
     std::uint32_t facet;
     bool operator<(const Seed& o) const { return length != o.length ? length > o.length : facet < o.facet; }
   };
-  struct LookPlace {
-    std::uint32_t round = 0, number = 0;  ///< index into looks_, valid only if round equals look_round_
+  /// A seed that is tried together with others, and the facets that it excludes if it fails.
+  struct Trial {
+    std::size_t number = 0;  ///< among the seeds
+    std::vector<std::uint32_t> alike;
+    PatchCandidate best;
+    std::size_t grown = 0;  ///< number of facets that surfaces grew over
   };
 
-  bool may_curve(std::uint32_t f) const { return !graph_.is_plane[f] && !graph_.is_sliver[f] && patch_of_[f] == kNone; }
-  double longest_diagonal(std::uint32_t f) const;
   bool may_be_seed(std::uint32_t f) const { return may_curve(f) && !graph_.arcs_of(f).empty(); }
   bool find_few(std::span<const Seed> samples, std::size_t count, std::vector<Patch>& patches);
   std::vector<Seed> seeds() const;
   static std::vector<Seed> every_seed(std::span<const Seed> seeds, std::size_t step);
   bool are_alike(const Seed& failed, std::uint32_t f) const;
   void search(std::span<const Seed> seeds, std::vector<Patch>& patches);
-  bool was_tried(std::span<const std::uint32_t> facets);
-  PatchCandidate best_at(std::uint32_t seed);
-  void complete(FitSample& sample);
-  bool fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate& c);
-  PatchCandidate try_surface(SurfaceKind kind, std::uint32_t seed, FitSample& sample);
-  std::vector<std::uint32_t> grow(const Patch& patch, std::uint32_t seed, bool over_patches = false);
-  bool is_same(std::span<const std::uint32_t> grown, std::span<const std::uint32_t> sample) const;
-  std::vector<std::uint32_t> around(std::uint32_t seed, int rings, std::size_t most);
-  std::vector<FitSample> round_samples(std::uint32_t seed);
-  std::vector<std::uint32_t> strip_of(std::uint32_t seed);
-  std::vector<std::uint32_t> beside(std::uint32_t seed);
-  static std::vector<FitSample> strip_samples(std::uint32_t seed, std::span<const std::uint32_t> near);
-  void sort_by_sides(std::uint32_t seed, std::vector<std::uint32_t>& near) const;
-  void fetch_points(std::span<const std::uint32_t> facets);
-  void sort_by_bits(std::uint32_t low, std::uint32_t high);
-  double sag_of(const PatchSurface& surface, std::span<const std::uint32_t> facets);
-  bool has_firm_border(const PatchCandidate& c);
-  double tolerance_for(SurfaceKind kind, double sag) const;
-  void forget_looks();
-  const VertexLook& look_at(const Patch& patch, std::uint32_t vertex, double tolerance);
-  bool is_near(const PatchSurface& surface, std::uint32_t f, double distance) const;
-  bool lies_on(const Patch& patch, std::uint32_t f, double tolerance, double least_cosine = kNormalCosine,
-               double most_sags = kMostSags);
-  double least_distance() const;
-  bool is_certain(const PatchCandidate& c);
-  bool is_polygon(const PatchCandidate& c, std::size_t angles);
-  bool is_ring_of_polygon(const PatchCandidate& c);
-  bool is_fan(const PatchCandidate& c) const;
-  bool is_long_row(const PatchCandidate& c) const;
-  bool is_fine(const Patch& patch) const;
-  bool explains_rise(const PatchCandidate& c) const;
-  std::size_t angles_of(const PatchSurface& surface, bool about_circle);
-  double turn_of_angles() const;
-  bool has_equal_steps() const;
-  bool is_tangent(const PatchCandidate& c, std::size_t rows);
-  bool goes_on(const PatchCandidate& c);
+  std::vector<Trial> next_trials(std::span<const Seed> seeds, std::size_t from, std::size_t most);
+  void try_all(std::span<const Seed> seeds, std::vector<Trial>& trials);
   void join_bands(std::vector<Patch>& patches);
   PatchCandidate torus_through(const std::vector<Patch>& patches, const std::vector<std::vector<std::uint32_t>>& facets,
                                std::uint32_t p, std::uint32_t q);
@@ -129,25 +60,11 @@ class PatchFinder {
   bool lies_on_chords(const Patch& patch, std::uint32_t f) const;
   bool merge_patches(const std::vector<Patch>& patches, const std::vector<std::uint32_t>& found_by);
 
-  const Scene& scene_;
-  const Topology& topology_;
-  const Object& object_;
-  const FacetGraph& graph_;
-  std::vector<std::uint32_t> patch_of_;   ///< per facet: index of its patch, or kNone
-  std::vector<std::uint8_t> has_failed_;  ///< per facet: whether no surface was found from it
-  std::vector<std::uint32_t> stamp_;      ///< per facet: the value of round_ when a search visited it last
-  std::vector<std::uint32_t> best_of_;    ///< per facet: a seed, if it lies on the best surface so far of best_at(seed)
-  std::vector<std::array<std::uint32_t, 2>> tried_;  ///< pairs of facets to which, with the seed, cylinders were fitted
-  std::uint32_t round_ = 0;
-  std::vector<LookPlace> look_of_;         ///< per vertex of the object
-  std::vector<VertexLook> looks_;          ///< of the vertices visited since forget_looks()
-  std::uint32_t look_round_ = 0;           ///< number of calls of forget_looks()
-  std::vector<std::uint64_t> is_fetched_;  ///< one bit per vertex of the object; all 0 outside sort_by_bits()
-  std::vector<std::uint32_t> vertices_;    ///< result of fetch_points(): vertices of the facets
-  std::vector<Point3> points_;             ///< result of fetch_points(): their positions
-  std::vector<double> numbers_;
-  std::size_t grown_ = 0;  ///< number of facets that surfaces grew over
-  double sag_part_;        ///< largest distance of corners from the surface, as a fraction of the sag
+  std::vector<std::uint32_t> patch_of_;    ///< per facet: index of its patch, or kNone
+  std::vector<std::uint8_t> has_failed_;   ///< per facet: whether no surface was found from it
+  std::vector<std::uint8_t> is_excluded_;  ///< per facet: whether it is no seed of search() any more
+  std::deque<SurfaceSearch> others_;       ///< for seeds that are tried at once
+  std::size_t all_grown_ = 0;              ///< number of facets that surfaces grew over from seeds that counted
 };
 
 }  // namespace ligne

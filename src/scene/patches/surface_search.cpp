@@ -1,0 +1,267 @@
+#include "scene/patches/surface_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "base/no_index.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable parameters.
+/// Largest distance of corners from a surface: the larger of kPrecisions precisions of the coordinates and a fraction
+/// of the sag. The sag counts because surfaces between free forms are approximated; spheres are not, so their fraction
+/// is small. The fraction for long strips is larger, since many corners are evidence all the same: programs approximate
+/// the curves at which fillets end to a thousandth of a millimetre or worse.
+constexpr double kPrecisions = 8, kSagPart = 0.03, kExactSagPart = 0.002, kStripSagPart = 0.25;
+/// Largest distance, in sags, of a corner from the surface of the starting values. If one is farther away, the values
+/// are rejected. Cylinders that may turn into cones, and those of irregular triangles, may be farther away.
+constexpr double kWildGuess = 1.5, kWilderGuess = 3;
+/// Least number of corners of a sample for a cone that the normals do not tell: twice that of its parameters.
+constexpr std::size_t kFewestConePoints = 2 * parameter_count(SurfaceKind::cone);
+/// Arcs from a seed to the facets of the larger sample around it, and largest number of these facets.
+constexpr int kWideSteps = 10;
+constexpr std::size_t kMostWide = 28;
+/// Largest number of facets of a band from which a sphere is fitted.
+constexpr std::size_t kMostBand = 24;
+/// Least number of facets of a strip that is tried by itself. Fewer prove nothing at a tolerance of kStripSagPart.
+constexpr std::size_t kFewestStrip = 8;
+/// Factors by which the area of a surface must exceed the largest one so far: of a cylinder or a cone, and of a sphere
+/// or a torus. The second is larger, since each band of a cylinder or a cone lies on spheres and tori too, on which a
+/// band beside it often lies by accident.
+constexpr double kSimilarArea = 1.05, kRoundArea = 1.3;
+/// Range of the slopes of cones. Over a length of ten radii, a cone of the least slope differs from a cylinder by a
+/// thousandth of the radius, an eighth of the sag at 24 facets per turn. A cone of the largest slope differs from a
+/// plane by half a degree.
+constexpr double kLeastSlope = 1e-4, kLargestSlope = 100;
+/// Range of the ratio between the radii of the middle circle of a torus and of its tube. Below it, the torus differs
+/// from a sphere by less than a fiftieth of the tube's radius. Above it, the torus bends away from a cylinder by less
+/// than a fifteenth of the tube's radius over ten times that radius.
+constexpr double kLeastRing = 0.02, kLargestRing = 200;
+
+}  // namespace
+
+bool is_plausible(const PatchSurface& s) {
+  switch (s.kind) {
+    case SurfaceKind::torus:
+      return s.radius > kLeastRing * s.tube && s.radius < kLargestRing * s.tube;
+    case SurfaceKind::cone:
+      return std::abs(s.slope) > kLeastSlope && std::abs(s.slope) < kLargestSlope;
+    default:
+      return s.radius > 0;
+  }
+}
+
+SurfaceSearch::SurfaceSearch(const Scene& scene, const Topology& topology, const Object& object, const FacetGraph& graph,
+                             const std::vector<std::uint32_t>& taken_by)
+    : scene_(scene),
+      topology_(topology),
+      object_(object),
+      graph_(graph),
+      taken_by_(taken_by),
+      stamp_(graph.size(), 0),
+      best_of_(graph.size(), kNone),
+      look_of_(object.vertex_end - object.vertex_begin),
+      is_fetched_(look_of_.size() / kWordBits + 1, 0),
+      sag_part_(kSagPart) {}
+
+/// A facet with two of its neighbours, three times at most, or with the only one. Three facets of a strip determine a
+/// cylinder or a cone exactly.
+std::vector<SurfaceSearch::FitSample> SurfaceSearch::strip_samples(std::uint32_t seed, std::span<const std::uint32_t> near) {
+  std::vector<FitSample> sets;
+  if (near.size() == 1) sets.push_back({{seed, near[0]}});
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    for (std::size_t j = i + 1; j < near.size() && sets.size() < 3; ++j) sets.push_back({{seed, near[i], near[j]}});
+  }
+  return sets;
+}
+
+/// Facets on all sides of a facet: nearby ones, and more of them.
+std::vector<SurfaceSearch::FitSample> SurfaceSearch::round_samples(std::uint32_t seed) {
+  std::vector<FitSample> samples;
+  samples.push_back({around(seed, kRingSteps, kMostRing)});
+  std::vector<std::uint32_t> wide = around(seed, kWideSteps, kMostWide);
+  if (wide.size() > samples.front().facets.size()) samples.push_back({std::move(wide)});
+  return samples;
+}
+
+/// Whether a cylinder was fitted to the same two or three facets before. They begin with the seed.
+bool SurfaceSearch::was_tried(std::span<const std::uint32_t> facets) {
+  const std::array pair = {std::min(facets[1], facets.back()), std::max(facets[1], facets.back())};
+  if (std::ranges::find(tried_, pair) != tried_.end()) return true;
+  tried_.push_back(pair);
+  return false;
+}
+
+PatchCandidate SurfaceSearch::best_at(std::uint32_t seed) {
+  PatchCandidate best;
+  // Facets of the best surface so far lead to it again.
+  const auto is_known = [&](SurfaceKind kind, std::span<const std::uint32_t> facets) {
+    return !best.facets.empty() && best.patch.surface.kind == kind &&
+           std::ranges::all_of(facets, [&](std::uint32_t f) { return best_of_[f] == seed; });
+  };
+  tried_.clear();
+  const auto consider = [&](SurfaceKind kind, auto&& sample, double factor) {
+    if (is_known(kind, sample.facets)) return;
+    if (kind == SurfaceKind::cylinder && sample.facets.size() <= 3 && was_tried(sample.facets)) return;
+    const double sag_part = sag_part_;
+    PatchCandidate c = try_surface(kind, seed, sample);
+    sag_part_ = sag_part;
+    if (c.facets.empty() || c.area <= factor * best.area) return;
+    for (const std::uint32_t f : best.facets) best_of_[f] = kNone;
+    best = std::move(c);
+    for (const std::uint32_t f : best.facets) best_of_[f] = seed;
+  };
+  std::vector<std::uint32_t> near = beside(seed);
+  if (near.empty()) return best;
+  if (graph_.vertices[seed].size() == 3 && near.size() > 2) near.clear();  // in no strip
+  std::vector<FitSample> sets = strip_samples(seed, near);
+  // A strip without curved facets beside it needs no comparison with other surfaces.
+  const auto is_settled = [&] { return !best.facets.empty() && !goes_on(best); };
+  for (FitSample& set : sets) consider(SurfaceKind::cylinder, set, kSimilarArea);
+  const auto consider_pairs = [&] {
+    for (std::size_t i = 0; i < std::min<std::size_t>(near.size(), 2) && best.facets.empty(); ++i)
+      consider(SurfaceKind::cylinder, FitSample{{seed, near[i]}}, kSimilarArea);
+  };
+  consider_pairs();
+  if (near.size() > 2 && best.facets.empty()) {
+    sort_by_sides(seed, near);
+    consider(SurfaceKind::cylinder, FitSample{{seed, near[0], near[1]}}, kSimilarArea);
+    consider_pairs();
+  }
+  if (is_settled()) return best;
+  // The corners of triangles between two curves share no rulings, so more triangles are needed.
+  FitSample strip{strip_of(seed)};
+  if (strip.facets.size() >= kFewestStrip && best.facets.size() < strip.facets.size()) {
+    sag_part_ = kStripSagPart;
+    consider(SurfaceKind::cylinder, strip, kSimilarArea);
+    sag_part_ = kSagPart;
+    if (is_settled()) return best;
+  }
+  // Where facets form no strips, more of them are needed.
+  std::vector<FitSample> round = round_samples(seed);
+  for (FitSample& sample : round) consider(SurfaceKind::cylinder, sample, kSimilarArea);
+  if (is_settled()) return best;
+  for (FitSample& set : sets) consider(SurfaceKind::cone, set, kSimilarArea);
+  for (FitSample& sample : round) consider(SurfaceKind::cone, sample, kSimilarArea);
+  if (is_settled()) return best;
+  // A band of a sphere also lies on a cylinder or a cone, and determines the sphere.
+  FitSample band{best.facets};
+  band.facets.resize(std::min(band.facets.size(), kMostBand));
+  if (!band.facets.empty()) consider(SurfaceKind::sphere, band, kRoundArea);
+  consider(SurfaceKind::sphere, round.front(), kRoundArea);
+  for (FitSample& sample : round) consider(SurfaceKind::torus, sample, kRoundArea);
+  return best;
+}
+
+/// Fits a surface to a sample. Returns whether the sample lies on it, and sets the surface, the sag and the residual of `c`.
+/// Lowers sag_part_ if the normals give no useful starting values: such facets lie on a surface exactly or by accident.
+bool SurfaceSearch::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate& c) {
+  complete(sample);
+  PatchSurface& surface = c.patch.surface;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  // Largest distance of a corner beyond the precision, in sags
+  const auto wildness = [&] {
+    const double sag = sag_of(surface, sample.facets), wild = kWilderGuess * sag + tolerance_for(kind, 0);
+    double most = 0;
+    for (const Point3& p : sample.shape.points) {
+      const double distance = std::abs(surface.distance(p));
+      if (!(distance <= wild)) return kInfinity;
+      most = std::max(most, distance);
+    }
+    const double beyond = most - tolerance_for(kind, 0);
+    return beyond > 0 ? beyond / sag : 0;
+  };
+  const auto refine = [&] {
+    c.residual = refine_surface(surface, sample.shape.points);
+    c.patch.sag = sag_of(surface, sample.facets);
+    return c.residual <= tolerance_for(kind, c.patch.sag);
+  };
+  const bool is_guessed = guess_surface(kind, sample.shape, surface);
+  const double guess_wildness = is_guessed ? wildness() : kInfinity;
+  if (kind == SurfaceKind::cylinder) {
+    if (!(guess_wildness <= kWilderGuess)) return false;
+    if (guess_wildness > kWildGuess) sag_part_ = kExactSagPart;
+    const bool lies_on_it = refine();
+    if (c.residual <= kWilderGuess * c.patch.sag) sample.cylinder = surface;
+    return lies_on_it;
+  }
+  if (guess_wildness <= kWildGuess && refine()) return true;
+  if (kind != SurfaceKind::cone || !sample.cylinder || sample.shape.points.size() < kFewestConePoints) return false;
+  // The normals of irregular triangles tell little of a cone, but it has the rulings and the curvature of a cylinder.
+  sag_part_ = kExactSagPart;
+  surface = cone_from_cylinder(*sample.cylinder, sample.shape.points);
+  return wildness() <= kWildGuess && refine();
+}
+
+/// Whether the facets that grew last are those of a sample.
+bool SurfaceSearch::is_same(std::span<const std::uint32_t> grown, std::span<const std::uint32_t> sample) const {
+  return grown.size() == sample.size() && std::ranges::all_of(sample, [&](std::uint32_t f) { return stamp_[f] == round_; });
+}
+
+/// Fits a surface to a few facets, and lets it grow from the seed. The result has no facets if this fails.
+PatchCandidate SurfaceSearch::try_surface(SurfaceKind kind, std::uint32_t seed, FitSample& sample) {
+  PatchCandidate c;
+  PatchSurface& surface = c.patch.surface;
+  if (!fit_sample(kind, sample, c)) return {};
+  c.patch.outward = glm::dot(surface.normal(graph_.frames[seed].middle), graph_.frames[seed].normal) > 0;
+  // Few fine facets tell little of a surface that goes far beyond them. Each round about doubles their extent.
+  constexpr int kMostRounds = 3, kMostFineRounds = 12;
+  for (int round = 0; round < (is_fine(c.patch) ? kMostFineRounds : kMostRounds); ++round) {
+    std::vector<std::uint32_t> grown = grow(c.patch, seed);
+    if (grown.size() <= c.facets.size()) break;
+    c.facets.swap(grown);
+    if (round == 0 && is_same(c.facets, sample.facets)) {
+      fetch_points(c.facets);
+      break;
+    }
+    PatchSurface refined = surface;
+    fetch_points(c.facets);
+    const double next = refine_surface(refined, points_);
+    const double sag = sag_of(refined, c.facets);
+    if (!(next <= tolerance_for(kind, sag))) {
+      if (round < kMostRounds) return {};
+      c.facets.swap(grown);  // has_firm_border() decides whether the surface ends there
+      fetch_points(c.facets);
+      break;
+    }
+    surface = refined;
+    c.patch.sag = sag;
+    c.residual = next;
+  }
+  if (c.facets.empty() || !is_plausible(surface) || !is_certain(c)) return {};
+  for (const std::uint32_t f : c.facets) c.area += graph_.area[f];
+  return has_firm_border(c) ? c : PatchCandidate{};
+}
+
+/// The facets on the surface that are connected to the seed; facets of other patches only if `over_patches`.
+std::vector<std::uint32_t> SurfaceSearch::grow(const Patch& patch, std::uint32_t seed, bool over_patches) {
+  const double tolerance = tolerance_for(patch.surface.kind, patch.sag);
+  const bool over_planes = is_fine(patch);  // several fine facets may seem to be a plane
+  std::vector<std::uint32_t> facets;
+  forget_looks();
+  if (!lies_on(patch, seed, tolerance)) return facets;
+  ++round_;
+  facets.push_back(seed);
+  stamp_[seed] = round_;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[i])) {
+      if (stamp_[arc.facet] == round_ || (graph_.is_plane[arc.facet] && !over_planes)) continue;
+      if (taken_by_[arc.facet] != kNone && !over_patches) continue;
+      if (!lies_on(patch, arc.facet, tolerance)) continue;
+      stamp_[arc.facet] = round_;
+      facets.push_back(arc.facet);
+    }
+  }
+  grown_ += facets.size();
+  return facets;
+}
+
+double SurfaceSearch::tolerance_for(SurfaceKind kind, double sag) const {
+  return std::max(kPrecisions * object_.precision, (kind == SurfaceKind::sphere ? kExactSagPart : sag_part_) * sag);
+}
+
+}  // namespace ligne

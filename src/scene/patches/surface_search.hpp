@@ -1,0 +1,134 @@
+#pragma once
+/// The search for one surface from a facet of an object. The steps are described at find_patches().
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/no_index.hpp"
+#include "scene/patches/facet_graph.hpp"
+#include "scene/patches/find_patches.hpp"
+
+namespace ligne {
+
+/// A fitted surface with the facets that lie on it.
+struct PatchCandidate {
+  Patch patch;
+  std::vector<std::uint32_t> facets;
+  double area = 0;      ///< of the facets
+  double residual = 0;  ///< largest distance of a corner of the facets from the surface, model units
+};
+
+/// Whether the proportions of a torus, or the slope of a cone, are in the usual range. Other tori are spheres or
+/// cylinders within any tolerance, and other cones are cylinders or planes.
+bool is_plausible(const PatchSurface& s);
+
+/// Finds the surface through a facet. Its memory serves one search at a time; searches of one object with memory of their
+/// own may run at once.
+class SurfaceSearch {
+ public:
+  /// `taken_by`: per facet the patch to which it belongs, or kNone, kept by the caller. A search changes nothing in it.
+  SurfaceSearch(const Scene& scene, const Topology& topology, const Object& object, const FacetGraph& graph,
+                const std::vector<std::uint32_t>& taken_by);
+
+  /// The surface of the largest area through a facet, from several sets of facets beside it. It has no facets if there is
+  /// none.
+  PatchCandidate best_at(std::uint32_t seed);
+
+  /// Number of facets that surfaces grew over since the last call.
+  std::size_t take_grown() { return std::exchange(grown_, 0); }
+
+ protected:
+  static constexpr std::uint32_t kWordBits = 64;  ///< bits of a word of is_fetched_
+  /// Adjustable. A facet on which no surface was found excludes its neighbours of at least this part of its area as seeds;
+  /// smaller ones may belong to a fillet beside a plane. A neighbour of less than this part of a facet's area is not in one
+  /// strip with it.
+  static constexpr double kLikeArea = 0.25;
+  /// Arcs from a seed to the facets of the sample around it, and largest number of these facets.
+  static constexpr int kRingSteps = 2;
+  static constexpr std::size_t kMostRing = 24;
+  /// Largest ratio of a facet's sag to the median. Tessellators keep to one sag; a flat side between roundings exceeds
+  /// it.
+  static constexpr double kMostSags = 4;
+  /// Adjustable. Least cosine between the normals of a facet and of its surface at its corners. It admits half of the
+  /// diagonal of a square facet on a surface with twelve facets per turn.
+  static constexpr double kNormalCosine = 0.92;
+
+  /// Whether a vertex lies on the surface that is tried, remembered because several facets share it.
+  struct VertexLook {
+    bool is_on = false;
+    Point3 normal{0, 0, 0};  ///< normal of the surface there, if is_on; 0 at the tip of a cone, which has none
+  };
+  /// Facets to which surfaces of several kinds are fitted.
+  struct FitSample {
+    std::vector<std::uint32_t> facets;
+    SurfaceSample shape{};                   ///< empty until complete()
+    std::optional<PatchSurface> cylinder{};  ///< the cylinder of least squares, once it was fitted
+  };
+  struct LookPlace {
+    std::uint32_t round = 0, number = 0;  ///< index into looks_, valid only if round equals look_round_
+  };
+
+  bool may_curve(std::uint32_t f) const { return !graph_.is_plane[f] && !graph_.is_sliver[f] && taken_by_[f] == kNone; }
+  double longest_diagonal(std::uint32_t f) const;
+  bool was_tried(std::span<const std::uint32_t> facets);
+  void complete(FitSample& sample);
+  bool fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate& c);
+  PatchCandidate try_surface(SurfaceKind kind, std::uint32_t seed, FitSample& sample);
+  std::vector<std::uint32_t> grow(const Patch& patch, std::uint32_t seed, bool over_patches = false);
+  bool is_same(std::span<const std::uint32_t> grown, std::span<const std::uint32_t> sample) const;
+  std::vector<std::uint32_t> around(std::uint32_t seed, int rings, std::size_t most);
+  std::vector<FitSample> round_samples(std::uint32_t seed);
+  std::vector<std::uint32_t> strip_of(std::uint32_t seed);
+  std::vector<std::uint32_t> beside(std::uint32_t seed);
+  static std::vector<FitSample> strip_samples(std::uint32_t seed, std::span<const std::uint32_t> near);
+  void sort_by_sides(std::uint32_t seed, std::vector<std::uint32_t>& near) const;
+  void fetch_points(std::span<const std::uint32_t> facets);
+  void sort_by_bits(std::uint32_t low, std::uint32_t high);
+  double sag_of(const PatchSurface& surface, std::span<const std::uint32_t> facets);
+  bool has_firm_border(const PatchCandidate& c);
+  double tolerance_for(SurfaceKind kind, double sag) const;
+  void forget_looks();
+  const VertexLook& look_at(const Patch& patch, std::uint32_t vertex, double tolerance);
+  bool is_near(const PatchSurface& surface, std::uint32_t f, double distance) const;
+  bool lies_on(const Patch& patch, std::uint32_t f, double tolerance, double least_cosine = kNormalCosine,
+               double most_sags = kMostSags);
+  double least_distance() const;
+  bool is_certain(const PatchCandidate& c);
+  bool is_polygon(const PatchCandidate& c, std::size_t angles);
+  bool is_ring_of_polygon(const PatchCandidate& c);
+  bool is_fan(const PatchCandidate& c) const;
+  bool is_long_row(const PatchCandidate& c) const;
+  bool is_fine(const Patch& patch) const;
+  bool explains_rise(const PatchCandidate& c) const;
+  std::size_t angles_of(const PatchSurface& surface, bool about_circle);
+  double turn_of_angles() const;
+  bool has_equal_steps() const;
+  bool is_tangent(const PatchCandidate& c, std::size_t rows);
+  bool goes_on(const PatchCandidate& c);
+
+  const Scene& scene_;
+  const Topology& topology_;
+  const Object& object_;
+  const FacetGraph& graph_;
+  const std::vector<std::uint32_t>& taken_by_;  ///< per facet: a patch, or kNone
+  std::vector<std::uint32_t> stamp_;            ///< per facet: the value of round_ when a search visited it last
+  std::vector<std::uint32_t> best_of_;  ///< per facet: a seed, if it lies on the best surface so far of best_at(seed)
+  std::vector<std::array<std::uint32_t, 2>> tried_;  ///< pairs of facets to which, with the seed, cylinders were fitted
+  std::uint32_t round_ = 0;
+  std::vector<LookPlace> look_of_;         ///< per vertex of the object
+  std::vector<VertexLook> looks_;          ///< of the vertices visited since forget_looks()
+  std::uint32_t look_round_ = 0;           ///< number of calls of forget_looks()
+  std::vector<std::uint64_t> is_fetched_;  ///< one bit per vertex of the object; all 0 outside sort_by_bits()
+  std::vector<std::uint32_t> vertices_;    ///< result of fetch_points(): vertices of the facets
+  std::vector<Point3> points_;             ///< result of fetch_points(): their positions
+  std::vector<double> numbers_;
+  std::size_t grown_ = 0;  ///< number of facets that surfaces grew over since take_grown()
+  double sag_part_;        ///< largest distance of corners from the surface, as a fraction of the sag
+};
+
+}  // namespace ligne
