@@ -16,7 +16,7 @@ namespace {
 
 // Adjustable parameters.
 /// Least part of the area, and of the longest diagonal, of a facet that another one of about the same size and form has.
-constexpr double kSameArea = 2.0 / 3, kSameLength = 0.8;
+constexpr double kSameArea = 0.8, kSameLength = 0.9;
 /// About this many seeds, spread evenly over all, are tried first. If fewer than kFewestSuccesses of them get a
 /// surface, the object gets none at all.
 constexpr std::size_t kSamples = 64;
