@@ -9,8 +9,8 @@
 #include "scene/patches/facet_graph.hpp"
 #include "scene/patches/freeform.hpp"
 #include "scene/patches/parts/large_freeform.hpp"
-#include "scene/patches/patch_finder.hpp"
 #include "scene/patches/repeated_objects.hpp"
+#include "scene/patches/search/patch_finder.hpp"
 #include "scene/patches/swept/swept_profile.hpp"
 #include "scene/patches/swept/swept_surfaces.hpp"
 

@@ -14,7 +14,7 @@
 #include "scene/patches/facet_graph.hpp"
 #include "scene/patches/facets/flat_joints.hpp"
 #include "scene/patches/freeform.hpp"
-#include "scene/patches/patch_finder.hpp"
+#include "scene/patches/search/patch_finder.hpp"
 
 namespace ligne {
 namespace {

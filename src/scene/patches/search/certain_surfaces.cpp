@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "geometry/small_matrices.hpp"
-#include "scene/patches/surface_search.hpp"
+#include "scene/patches/search/surface_search.hpp"
 
 namespace ligne {
 namespace {

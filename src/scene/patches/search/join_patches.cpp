@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/no_index.hpp"
-#include "scene/patches/patch_finder.hpp"
+#include "scene/patches/search/patch_finder.hpp"
 
 namespace ligne {
 namespace {

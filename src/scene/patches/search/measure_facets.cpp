@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "scene/patches/surface_search.hpp"
+#include "scene/patches/search/surface_search.hpp"
 
 namespace ligne {
 namespace {

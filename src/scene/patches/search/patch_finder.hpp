@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/no_index.hpp"
-#include "scene/patches/surface_search.hpp"
+#include "scene/patches/search/surface_search.hpp"
 
 namespace ligne {
 

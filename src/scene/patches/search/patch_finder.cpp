@@ -1,4 +1,4 @@
-#include "scene/patches/patch_finder.hpp"
+#include "scene/patches/search/patch_finder.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "scene/patches/surface_search.hpp"
+#include "scene/patches/search/surface_search.hpp"
 
 #include <algorithm>
 #include <array>
