@@ -30,8 +30,6 @@ bool goes_along(const Scene& scene, std::uint32_t face, const Edge& edge) {
   return false;
 }
 
-bool touch(const Edge& a, const Edge& b) { return a.v0 == b.v0 || a.v0 == b.v1 || a.v1 == b.v0 || a.v1 == b.v1; }
-
 }  // namespace
 
 double EdgeRows::bend(std::uint32_t edge, std::uint32_t face) const {
@@ -64,7 +62,7 @@ EdgeRows::Step EdgeRows::next(const Step& from, const RowBends& bends) const {
       if (topology_.edge_flags[edge] & (kEdgeManyFaces | kEdgeUnlikeWound)) continue;
       const std::uint32_t other = side->face0 == faces[i] ? side->face1 : side->face0;
       const double other_angle = bend(edge, faces[i]);
-      const bool is_inner = std::abs(other_angle) < kOneFacet, touches = touch(*side, first);
+      const bool is_inner = std::abs(other_angle) < kOneFacet, touches = share_vertex(*side, first);
       if (is_inner || (i == 0 && touches)) {
         const auto end = faces.begin() + count;
         if (count < kMostFaces && std::find(faces.begin(), end, other) == end) faces[count++] = other;

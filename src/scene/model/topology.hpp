@@ -17,6 +17,11 @@ struct Edge {
   std::uint32_t face0 = kNone, face1 = kNone;  ///< face1 is kNone on a border
 };
 
+/// Whether two edges have a vertex in common.
+inline bool share_vertex(const Edge& a, const Edge& b) {
+  return a.v0 == b.v0 || a.v0 == b.v1 || a.v1 == b.v0 || a.v1 == b.v1;
+}
+
 /// Flags of an edge. Most of them come from the CornerFlag of a face at the edge.
 enum EdgeFlag : std::uint16_t {
   kEdgeManyFaces = 1,    ///< more than two faces meet here

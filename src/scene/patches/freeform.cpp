@@ -160,12 +160,9 @@ class WidePlanes {
            kPlaneDepths * depth_behind(scene_, graph_.vertices[arc.facet], edge);
   }
 
-  bool touch(const FacetGraph::Arc& a, const FacetGraph::Arc& b) const {
-    const Edge &l = topology_.edges[a.edge], &r = topology_.edges[b.edge];
-    return l.v0 == r.v0 || l.v0 == r.v1 || l.v1 == r.v0 || l.v1 == r.v1;
-  }
-
-  /// Whether narrow facets lie on two opposite sides of a facet, and others to which it bends alike on no others.
+  /// Whether facets far narrower than the facet itself lie on two opposite sides of it, and no two others, to which it bends
+  /// alike, lie on opposite sides: these would be strips of a fillet or bands of a vase. Edges without a common vertex are
+  /// opposite.
   bool is_wide_across(std::uint32_t f) const {
     const auto arcs = graph_.arcs_of(f);
     if (graph_.vertices[f].size() < kPlaneCorners || arcs.size() > kMostRowArcs) return false;
@@ -180,7 +177,7 @@ class WidePlanes {
     for (std::size_t i = 0; i < arcs.size(); ++i) {
       const bool is_one_narrow = is_far_narrower(arcs[i]);
       for (std::size_t k = 0; k < i; ++k) {
-        if (touch(arcs[i], arcs[k])) continue;
+        if (share_vertex(topology_.edges[arcs[i].edge], topology_.edges[arcs[k].edge])) continue;
         const bool is_other_narrow = is_far_narrower(arcs[k]);
         if (is_one_narrow && is_other_narrow) {
           is_wide = true;

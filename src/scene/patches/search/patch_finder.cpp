@@ -34,6 +34,7 @@ constexpr std::size_t kMostTrials = 8;
 
 }  // namespace
 
+// The search only keeps the reference to patch_of_, which is made after it.
 PatchFinder::PatchFinder(const Scene& scene, const Topology& topology, const Object& object, const FacetGraph& graph)
     : SurfaceSearch(scene, topology, object, graph, patch_of_),
       patch_of_(graph.size(), kNone),

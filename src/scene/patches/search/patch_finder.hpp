@@ -12,6 +12,8 @@
 
 namespace ligne {
 
+/// Makes patches of the surfaces that are found from the facets of an object. It is a search itself, for which it keeps the
+/// patch of each facet, and has others for seeds that are tried at once.
 class PatchFinder : SurfaceSearch {
  public:
   PatchFinder(const Scene& scene, const Topology& topology, const Object& object, const FacetGraph& graph);
@@ -33,10 +35,10 @@ class PatchFinder : SurfaceSearch {
   };
   /// A seed that is tried together with others, and the facets that it excludes if it fails.
   struct Trial {
-    std::size_t number = 0;  ///< among the seeds
-    std::vector<std::uint32_t> alike;
-    PatchCandidate best;
-    std::size_t grown = 0;  ///< number of facets that surfaces grew over
+    std::size_t number = 0;            ///< index into the seeds
+    std::vector<std::uint32_t> alike;  ///< facets that are_alike() and were not excluded before
+    PatchCandidate best;               ///< without facets if the seed fails
+    std::size_t grown = 0;             ///< number of facets that surfaces grew over
   };
 
   bool may_be_seed(std::uint32_t f) const { return may_curve(f) && !graph_.arcs_of(f).empty(); }
