@@ -79,8 +79,9 @@ bool SurfaceSearch::is_certain(const PatchCandidate& c) {
     case SurfaceKind::torus: {
       if (c.patch.sag > kLargestRingSag * (surface.radius + surface.tube)) return false;
       if (!no_accident || c.facets.size() < 6 || angles_of(surface, false) < 4) return false;
+      // Four circles lie on a torus by symmetry too, as those of a cylinder between two equal chamfers do.
       const std::size_t n = angles_of(surface, true);
-      return n >= 4 || (n == 3 && is_tangent(c, 1));
+      return n >= 5 || (n == 4 && (has_equal_steps() || is_tangent(c, 2))) || (n == 3 && is_tangent(c, 1));
     }
     case SurfaceKind::extruded:
     case SurfaceKind::revolved:

@@ -18,8 +18,9 @@ namespace {
 /// the curves at which fillets end to a thousandth of a millimetre or worse.
 constexpr double kPrecisions = 8, kSagPart = 0.03, kExactSagPart = 0.002, kStripSagPart = 0.25;
 /// Largest distance, in sags, of a corner from the surface of the starting values. If one is farther away, the values
-/// are rejected. Cylinders that may turn into cones, and those of irregular triangles, may be farther away.
-constexpr double kWildGuess = 1.5, kWilderGuess = 3;
+/// are rejected. Cylinders that may turn into cones, and those of irregular triangles, may be farther away. So may tori:
+/// the normals of coarse triangles between two circles tell little of the axis.
+constexpr double kWildGuess = 1.5, kWildCylinder = 3, kWildTorus = 6;
 /// Least number of corners of a sample for a cone that the normals do not tell: twice that of its parameters.
 constexpr std::size_t kFewestConePoints = 2 * parameter_count(SurfaceKind::cone);
 /// Arcs from a seed to the facets of the larger sample around it, and largest number of these facets.
@@ -41,6 +42,11 @@ constexpr double kLeastSlope = 1e-4, kLargestSlope = 100;
 /// from a sphere by less than a fiftieth of the tube's radius. Above it, the torus bends away from a cylinder by less
 /// than a fifteenth of the tube's radius over ten times that radius.
 constexpr double kLeastRing = 0.02, kLargestRing = 200;
+
+double wildest_guess(SurfaceKind kind) {
+  if (kind == SurfaceKind::torus) return kWildTorus;
+  return kind == SurfaceKind::cylinder ? kWildCylinder : kWildGuess;
+}
 
 }  // namespace
 
@@ -164,8 +170,9 @@ bool SurfaceSearch::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandida
   PatchSurface& surface = c.patch.surface;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   // Largest distance of a corner beyond the precision, in sags
+  const double wildest = wildest_guess(kind);
   const auto wildness = [&] {
-    const double sag = sag_of(surface, sample.facets), wild = kWilderGuess * sag + tolerance_for(kind, 0);
+    const double sag = sag_of(surface, sample.facets), wild = wildest * sag + tolerance_for(kind, 0);
     double most = 0;
     for (const Point3& p : sample.shape.points) {
       const double distance = std::abs(surface.distance(p));
@@ -180,16 +187,13 @@ bool SurfaceSearch::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandida
     c.patch.sag = sag_of(surface, sample.facets);
     return c.residual <= tolerance_for(kind, c.patch.sag);
   };
-  const bool is_guessed = guess_surface(kind, sample.shape, surface);
-  const double guess_wildness = is_guessed ? wildness() : kInfinity;
-  if (kind == SurfaceKind::cylinder) {
-    if (!(guess_wildness <= kWilderGuess)) return false;
+  const double guess_wildness = guess_surface(kind, sample.shape, surface) ? wildness() : kInfinity;
+  if (guess_wildness <= wildest) {
     if (guess_wildness > kWildGuess) sag_part_ = kExactSagPart;
     const bool lies_on_it = refine();
-    if (c.residual <= kWilderGuess * c.patch.sag) sample.cylinder = surface;
-    return lies_on_it;
+    if (kind == SurfaceKind::cylinder && c.residual <= kWildCylinder * c.patch.sag) sample.cylinder = surface;
+    if (lies_on_it) return true;
   }
-  if (guess_wildness <= kWildGuess && refine()) return true;
   if (kind != SurfaceKind::cone || !sample.cylinder || sample.shape.points.size() < kFewestConePoints) return false;
   // The normals of irregular triangles tell little of a cone, but it has the rulings and the curvature of a cylinder.
   sag_part_ = kExactSagPart;
