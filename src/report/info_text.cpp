@@ -75,7 +75,7 @@ std::string file_text(const ModelFile& file) {
   text += line("as stored", std::to_string(file.report.faces) + " faces, " + std::to_string(file.report.triangles) +
                                 " triangles, " + std::to_string(file.report.vertices) + " vertices");
   if (!file.report.groups.empty()) text += line("groups", groups_text(file.report.groups));
-  for (const auto& [kind, count] : file.warnings.counts()) text += line("repaired", std::to_string(count) + " " + kind);
+  for (const auto& [kind, count] : file.warnings.counts()) text += line("repaired", ligne::counted(count, kind));
   if (!file.warnings.left_out().empty()) text += line("left out", file.warnings.left_out().list());
   text += healed_text(file);
   return text;

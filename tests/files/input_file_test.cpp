@@ -11,6 +11,7 @@
 #include "files/input_error.hpp"
 #include "files/message_text.hpp"
 #include "files/omissions.hpp"
+#include "files/utf16.hpp"
 #include "main/script.hpp"
 #include "support/test.hpp"
 
@@ -117,7 +118,12 @@ std::string meant(const std::string& word, std::initializer_list<std::string_vie
   return std::string(closest_name(word, std::vector(names)).value_or("none"));
 }
 
-/// Words of messages: the folder values.
+std::string utf8(const std::string& text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  return std::string(as_characters(as_utf8({bytes.begin(), bytes.end()})));
+}
+
+/// Words of messages and texts of files: the folder values.
 [[maybe_unused]] const bool values_are_added =
     test::add_function_scripts(LIGNE_SOURCE_DIR "/tests/files/values",
                                {{"counted", [](auto& t) { return counted(std::stoul(t), t.substr(t.find(' ') + 1)); }},
@@ -128,6 +134,7 @@ std::string meant(const std::string& word, std::initializer_list<std::string_vie
                                 {"message", [](auto& t) { return message_line(t); }},
                                 {"input-error", [](auto& t) { return std::string(InputError(t, "is odd").what()); }},
                                 {"omitted", omitted},
+                                {"utf8", utf8},
                                 {"option",
                                  [](auto& t) {
                                    return meant(t, {"--hide", "--hidden", "--view", "-x", "--x-ray", "--edges"});

@@ -7,6 +7,7 @@
 
 #include "files/message_text.hpp"
 #include "files/named_input.hpp"
+#include "files/utf16.hpp"
 #include "picture/errors.hpp"
 #include "picture/pages/named_layers.hpp"
 #include "picture/placement.hpp"
@@ -323,7 +324,7 @@ Picture write_tiles(const ReadDrawing& read, const PlotDrawingRequest& request, 
 }  // namespace
 
 DrawingText read_drawing_text(const std::string& file, InputFiles& opened) {
-  const std::vector<std::byte> bytes = read_named_input(file, opened, kMostBytes);
+  const std::vector<std::byte> bytes = as_utf8(read_named_input(file, opened, kMostBytes));
   return {shown_input(file), std::string(as_characters(bytes))};
 }
 

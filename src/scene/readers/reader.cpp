@@ -9,6 +9,7 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "files/named_input.hpp"
+#include "files/utf16.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/clean/weld_near.hpp"
 #include "scene/creases/file_shading.hpp"
@@ -47,8 +48,20 @@ void check_size(const Scene& scene, const std::string& name) {
                              ": a coordinate is beyond 1.6e60, too large to compute with");
 }
 
+/// Makes all materials of a scene opaque if none of its faces could be seen: programs write an opacity of 0 that they do not
+/// mean.
+void make_visible(Scene& scene, Warnings& warnings) {
+  const auto is_invisible = [&](std::uint32_t m) { return scene.materials[m].opacity == 0; };
+  if (std::ranges::none_of(scene.materials, [](const Material& m) { return m.opacity == 0; })) return;
+  // Without a list, all faces have the first material.
+  if (scene.face_material.empty() ? !is_invisible(0) : !std::ranges::all_of(scene.face_material, is_invisible)) return;
+  for (Material& material : scene.materials) material.opacity = 1;
+  warnings.add("materials drawn opaque: no face has an opacity above 0", scene.materials.size());
+}
+
 void weld_and_finish(Scene& scene, const ReadOptions& options, CreaseTags tags, const std::string& name, Warnings& warnings,
                      ReadReport& report) {
+  make_visible(scene, warnings);
   if (options.weld_distance > 0) weld_near_vertices(scene, options.weld_distance);
   if (options.subdivision) {
     const SubdivisionRequest request{*options.subdivision, options.is_subdivided, options.shading};
@@ -113,7 +126,7 @@ void append_zeros_left_out(std::vector<T>& values, std::size_t size, const std::
 Scene read_scene(const fs::path& file, const ReadOptions& options, Warnings& warnings, ReadReport* report) {
   const std::string name = shown_input(file);
   InputFiles opened;
-  const std::vector<std::byte> bytes = read_named_input(file, opened);
+  const std::vector<std::byte> bytes = as_utf8(read_named_input(file, opened));
   const ModelFormat format = detect_format(bytes, file.extension().string(), name);
   const fs::path folder = file == "-" ? fs::path() : file.parent_path().empty() ? fs::path(".") : file.parent_path();
   Scene scene = read_scene({bytes, name, folder}, format, options, warnings, report);

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "files/utf16.hpp"
 #include "scene/readers/folder_file.hpp"
 #include "scene/readers/text_lines.hpp"
 
@@ -124,7 +125,7 @@ void apply_libraries(const std::vector<std::string>& libraries, const std::files
         continue;
       }
       const std::string name = file->string();
-      const std::vector<std::byte> bytes = read_input(*file, name, opened);
+      const std::vector<std::byte> bytes = as_utf8(read_input(*file, name, opened));
       read_mtl(as_text(bytes, name), name, known, warnings);
     }
   }

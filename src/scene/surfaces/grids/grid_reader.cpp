@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "files/named_input.hpp"
+#include "files/utf16.hpp"
 #include "scene/readers/text_lines.hpp"
 #include "scene/surfaces/grids/data_file.hpp"
 #include "scene/surfaces/grids/grid_formats.hpp"
@@ -93,8 +94,10 @@ std::vector<GridSurface> read_surfaces(const std::filesystem::path& file, Warnin
                                        const GridChoice& choice) {
   InputFiles unasked;
   InputFiles& files = opened ? *opened : unasked;
-  std::vector<GridSurface> surfaces =
-      read_surfaces(read_named_input(file, files), shown_input(file), warnings, file == "-" ? "" : file, &files, choice);
+  std::vector<std::byte> bytes = read_named_input(file, files);
+  const std::string name = shown_input(file);
+  if (!is_hgt_name(name)) bytes = as_utf8(std::move(bytes));
+  std::vector<GridSurface> surfaces = read_surfaces(bytes, name, warnings, file == "-" ? "" : file, &files, choice);
   for (GridSurface& surface : surfaces) {
     if (surface.heights) surface.heights = thinned_heights(std::move(surface.heights), choice, warnings);
   }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "files/message_text.hpp"
+#include "files/utf16.hpp"
 #include "scene/readers/text_lines.hpp"
 #include "scene/surfaces/grids/data_file.hpp"
 #include "scene/surfaces/grids/grid_formats.hpp"
@@ -183,7 +184,7 @@ PointFile read_point_file(std::span<const std::byte> bytes, const std::string& n
 
 std::vector<LabelledPoint> read_points(const std::string& file, InputFiles& opened, Warnings& warnings) {
   const std::string name = printable(file);
-  return read_points(read_input(file, name, opened, kMostBytes), name, warnings);
+  return read_points(as_utf8(read_input(file, name, opened, kMostBytes)), name, warnings);
 }
 
 std::vector<LabelledPoint> read_points(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings) {
@@ -198,7 +199,7 @@ std::vector<LabelledPoint> read_points(std::span<const std::byte> bytes, const s
 
 std::vector<std::vector<Point3>> read_lines(const std::string& file, InputFiles& opened, Warnings& warnings) {
   const std::string name = printable(file);
-  const PointFile points = read_point_file(read_input(file, name, opened, kMostBytes), name, warnings);
+  const PointFile points = read_point_file(as_utf8(read_input(file, name, opened, kMostBytes)), name, warnings);
   std::vector<std::vector<Point3>> lines;
   std::size_t labels = 0;
   for (const RowRange& block : points.blocks) {
