@@ -87,7 +87,7 @@ struct FacetFrame {
 /// Facets to which surfaces are fitted, with the sums that starting values need.
 struct SurfaceSample {
   std::vector<Point3> points{};      ///< corners of the facets, each once
-  std::vector<FacetFrame> frames{};  ///< per facet
+  std::vector<FacetFrame> frames{};  ///< normals of the surface, per facet or per edge between two of them
   Point3 middle{0, 0, 0};            ///< mean of the points
   Matrix3 squares{};                 ///< sum of the outer products of the normals with themselves
 };

@@ -73,12 +73,10 @@ bool SurfaceSearch::is_certain(const PatchCandidate& c) {
       return n >= 5 ? no_accident || explains_rise(c) : is_tangent(c, 2);
     }
     case SurfaceKind::sphere:
-      // The corners of one row of long facets between two curves lie on a sphere whose sag is large.
-      return no_accident && c.facets.size() >= 6 && !is_fan(c) && !is_ring_of_polygon(c) &&
-             (c.residual <= tolerance_for(surface.kind, 0) || !is_long_row(c));
+      return no_accident && c.facets.size() >= 6 && !is_fan(c) && !is_ring_of_polygon(c) && !is_row_by_accident(c);
     case SurfaceKind::torus: {
       if (c.patch.sag > kLargestRingSag * (surface.radius + surface.tube)) return false;
-      if (!no_accident || c.facets.size() < 6 || angles_of(surface, false) < 4) return false;
+      if (!no_accident || c.facets.size() < 6 || is_row_by_accident(c) || angles_of(surface, false) < 4) return false;
       // Four circles lie on a torus by symmetry too, as those of a cylinder between two equal chamfers do.
       const std::size_t n = angles_of(surface, true);
       return n >= 5 || (n == 4 && (has_equal_steps() || is_tangent(c, 2))) || (n == 3 && is_tangent(c, 1));
@@ -148,7 +146,9 @@ bool SurfaceSearch::is_fan(const PatchCandidate& c) const {
 
 /// Whether the facets of a candidate, whose corners fetch_points() has fetched, are long but for small ones at their ends,
 /// and in one row: those in more rows have corners inside their border, by Euler's formula more than two if they are a disc.
-bool SurfaceSearch::is_long_row(const PatchCandidate& c) const {
+/// The corners of such a row between two curves lie on spheres and tori whose sags are large, but not exactly.
+bool SurfaceSearch::is_row_by_accident(const PatchCandidate& c) const {
+  if (c.residual <= tolerance_for(c.patch.surface.kind, 0)) return false;
   std::size_t triangles = 0;
   double all = 0, wide = 0;
   for (const std::uint32_t f : c.facets) {

@@ -20,7 +20,10 @@ constexpr double kBetterPart = 0.5;
 /// Least cosine between the axis of a cylinder or cone and an edge along it.
 constexpr double kAlongCosine = 0.7;
 /// Least cosine between the normals of a triangle and of the surface on which its corners lie exactly.
-constexpr double kSlantingCosine = 0.5;
+constexpr double kSlantingCosine = 0.2;
+/// Largest sag of a triangle that joins a patch with its corners exactly on the surface, in sags of the patch. Some
+/// tessellators put triangles over the whole width of a fillet beside rows that divide it into seven.
+constexpr double kExactSags = 50;
 /// Largest distance, in sags, between the corners of a patch and the surface of a larger patch into which it is merged.
 constexpr double kMergedSags = 0.5;
 /// Largest sag of the facets of such a patch, in sags of the larger one, if its corners lie on that as exactly as those by
@@ -68,7 +71,9 @@ void PatchFinder::join_facets(const std::vector<Patch>& patches, bool exact) {
     if (patch_of_[f] != kNone || (exact && corners == 4)) return;
     const Patch& patch = patches[patch_of_[from]];
     const double tolerance = exact ? tolerance_for(patch.surface.kind, 0) : kJoinedSags * patch.sag;
-    if (!lies_on(patch, f, tolerance, exact && corners == 3 ? kSlantingCosine : kNormalCosine)) return;
+    const bool may_slant = exact && corners == 3;
+    if (!lies_on(patch, f, tolerance, may_slant ? kSlantingCosine : kNormalCosine, may_slant ? kExactSags : kMostSags))
+      return;
     if (!exact && !is_piece[patch_of_[from]] && !is_along(patch.surface, edge) && !lies_on_chords(patch, f)) return;
     patch_of_[f] = patch_of_[from];
     reached.push_back(f);

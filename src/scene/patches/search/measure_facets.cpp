@@ -43,7 +43,24 @@ void SurfaceSearch::fetch_points(std::span<const std::uint32_t> facets) {
   }
 }
 
-/// Fetches the corners and the frames of the facets of a sample, unless it has them.
+/// The middles of the edges between facets of a set, with the mean normal of both facets. Slanting triangles are tilted to
+/// one side and to the other in turn, so the means are nearer to the normals of the surface.
+std::vector<FacetFrame> SurfaceSearch::edge_frames(std::span<const std::uint32_t> facets) {
+  std::vector<FacetFrame> frames;
+  ++round_;
+  for (const std::uint32_t f : facets) stamp_[f] = round_;
+  for (const std::uint32_t f : facets) {
+    for (const FacetGraph::Arc& arc : graph_.arcs_of(f)) {
+      if (arc.facet <= f || stamp_[arc.facet] != round_) continue;
+      const Edge& edge = topology_.edges[arc.edge];
+      frames.push_back({(scene_.vertices[edge.v0] + scene_.vertices[edge.v1]) * 0.5,
+                        glm::normalize(graph_.frames[f].normal + graph_.frames[arc.facet].normal)});
+    }
+  }
+  return frames;
+}
+
+/// Fetches the corners and the normals of the facets of a sample, unless it has them.
 void SurfaceSearch::complete(FitSample& sample) {
   SurfaceSample& shape = sample.shape;
   if (!shape.frames.empty()) return;
@@ -51,11 +68,13 @@ void SurfaceSearch::complete(FitSample& sample) {
   shape.points = points_;
   for (const Point3& p : points_) shape.middle += p;
   shape.middle /= static_cast<double>(points_.size());
-  shape.frames.reserve(sample.facets.size());
-  for (const std::uint32_t f : sample.facets) {
-    shape.frames.push_back(graph_.frames[f]);
-    add_product(shape.squares, graph_.frames[f].normal, graph_.frames[f].normal);
+  if (sample.by_edges) {
+    shape.frames = edge_frames(sample.facets);
+  } else {
+    shape.frames.reserve(sample.facets.size());
+    for (const std::uint32_t f : sample.facets) shape.frames.push_back(graph_.frames[f]);
   }
+  for (const FacetFrame& f : shape.frames) add_product(shape.squares, f.normal, f.normal);
 }
 
 /// Sorts vertices_ and removes duplicates, with one bit per vertex of the object. `low` and `high`: the least and the

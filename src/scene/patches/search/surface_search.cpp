@@ -90,7 +90,7 @@ std::vector<SurfaceSearch::FitSample> SurfaceSearch::round_samples(std::uint32_t
   std::vector<FitSample> samples;
   samples.push_back({around(seed, kRingSteps, kMostRing)});
   std::vector<std::uint32_t> wide = around(seed, kWideSteps, kMostWide);
-  if (wide.size() > samples.front().facets.size()) samples.push_back({std::move(wide)});
+  if (wide.size() > samples.front().facets.size()) samples.push_back({std::move(wide), true});
   return samples;
 }
 
@@ -164,7 +164,8 @@ PatchCandidate SurfaceSearch::best_at(std::uint32_t seed) {
 }
 
 /// Fits a surface to a sample. Returns whether the sample lies on it, and sets the surface, the sag and the residual of `c`.
-/// Lowers sag_part_ if the normals give no useful starting values: such facets lie on a surface exactly or by accident.
+/// Lowers sag_part_ if the normals of the facets give no useful starting values: such facets lie on a surface exactly or by
+/// accident.
 bool SurfaceSearch::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate& c) {
   complete(sample);
   PatchSurface& surface = c.patch.surface;
@@ -189,7 +190,7 @@ bool SurfaceSearch::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandida
   };
   const double guess_wildness = guess_surface(kind, sample.shape, surface) ? wildness() : kInfinity;
   if (guess_wildness <= wildest) {
-    if (guess_wildness > kWildGuess) sag_part_ = kExactSagPart;
+    if (guess_wildness > kWildGuess || sample.by_edges) sag_part_ = kExactSagPart;
     const bool lies_on_it = refine();
     if (kind == SurfaceKind::cylinder && c.residual <= kWildCylinder * c.patch.sag) sample.cylinder = surface;
     if (lies_on_it) return true;

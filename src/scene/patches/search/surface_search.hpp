@@ -66,6 +66,7 @@ class SurfaceSearch {
   /// Facets to which surfaces of several kinds are fitted.
   struct FitSample {
     std::vector<std::uint32_t> facets;
+    bool by_edges = false;                   ///< whether edge_frames() tell its normals, else those of the facets
     SurfaceSample shape{};                   ///< empty until complete()
     std::optional<PatchSurface> cylinder{};  ///< the cylinder of least squares, once it was fitted
   };
@@ -76,6 +77,7 @@ class SurfaceSearch {
   bool may_curve(std::uint32_t f) const { return !graph_.is_plane[f] && !graph_.is_sliver[f] && taken_by_[f] == kNone; }
   double longest_diagonal(std::uint32_t f) const;
   bool was_tried(std::span<const std::uint32_t> facets);
+  std::vector<FacetFrame> edge_frames(std::span<const std::uint32_t> facets);
   void complete(FitSample& sample);
   bool fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate& c);
   PatchCandidate try_surface(SurfaceKind kind, std::uint32_t seed, FitSample& sample);
@@ -102,7 +104,7 @@ class SurfaceSearch {
   bool is_polygon(const PatchCandidate& c, std::size_t angles);
   bool is_ring_of_polygon(const PatchCandidate& c);
   bool is_fan(const PatchCandidate& c) const;
-  bool is_long_row(const PatchCandidate& c) const;
+  bool is_row_by_accident(const PatchCandidate& c) const;
   bool is_fine(const Patch& patch) const;
   bool explains_rise(const PatchCandidate& c) const;
   std::size_t angles_of(const PatchSurface& surface, bool about_circle);
