@@ -10,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "contours/contour_junctions.hpp"
 #include "contours/contour_sights.hpp"
+#include "contours/surfaces/known_surfaces.hpp"
 #include "geometry/nearest_on_segment.hpp"
 #include "view/view.hpp"
 
@@ -27,6 +28,15 @@ constexpr double kFittedSag = 1.6;
 constexpr double kLeastCellMm = 1;
 /// Largest sag on the page at which a node is compared with the outline, mm. Larger ones occur close to the eye.
 constexpr double kLargestSagMm = 10;
+
+/// Whether the outline of the surface of a triangle is straight: it is a ruling of a cylinder, a cone or an extruded
+/// surface.
+bool has_straight_outline(const SmoothPatch& patch, std::uint32_t triangle) {
+  const Patch* surface = surface_at(patch, triangle);
+  if (!surface) return false;
+  const SurfaceKind kind = surface->surface.kind;
+  return kind == SurfaceKind::cylinder || kind == SurfaceKind::cone || kind == SurfaceKind::extruded;
+}
 
 /// The parts of a chain between the segments that are not kept.
 std::vector<ContourChain> parts_of(const ContourChain& chain, const std::vector<std::uint8_t>& keeps) {
@@ -63,7 +73,12 @@ bool in_window(const View& view, Point2 p) {
 ContourSupport::ContourSupport(const Scene& scene, const View& view, const SmoothPatch& patch,
                                std::span<ContourChain* const> chains, std::span<const std::uint32_t> sides,
                                double pen_width_mm)
-    : chains_(chains), view_(view), places_(chains.size()), middles_(chains.size()), pen_width_mm_(pen_width_mm) {
+    : chains_(chains),
+      patch_(patch),
+      view_(view),
+      places_(chains.size()),
+      middles_(chains.size()),
+      pen_width_mm_(pen_width_mm) {
   parallel_blocks(chains.size(), kChainsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
       for (const ContourNode& node : chains[c]->nodes) places_[c].push_back(place_of(scene, node));
@@ -190,7 +205,7 @@ std::vector<ContourChain> ContourSupport::supported() const {
         const Place& middle = middles_[c][i];
         keeps[i] = middle.away <= std::max(node.most_mm, most_away(places[i + 1]));
         const double rest = std::min(most_away(place) - place.away, most_away(places[i + 1]) - places[i + 1].away);
-        node.bulge_mm = std::clamp(rest, 0.0, most_away(middle));
+        node.bulge_mm = has_straight_outline(patch_, chain.triangles[i]) ? 0 : std::clamp(rest, 0.0, most_away(middle));
       }
       if (place.away <= node.most_mm) continue;
       if (place.away >= reach(place)) {

@@ -53,6 +53,7 @@ class ContourSupport {
   double mean(double Place::*value) const;
 
   std::span<ContourChain* const> chains_;
+  const SmoothPatch& patch_;
   const View& view_;
   std::vector<std::vector<Place>> places_, middles_;  ///< per chain: the nodes; the midpoints between them
   double pen_width_mm_;

@@ -76,7 +76,7 @@ class Finder {
   void decide_by_surfaces() {
     found_.patches = find_patches(scene_, topology_, normals_);
     found_.patch_edges = classify_patch_edges(scene_, topology_, normals_, found_.patches, angles_.surfaces);
-    if (!found_.patches.list.empty()) mark_bands(topology_, normals_, found_.patch_edges, found_.patches);
+    if (!found_.patches.list.empty()) mark_bands(scene_, topology_, normals_, found_.patch_edges, found_.patches);
     for (std::size_t e = 0; e < bends_.size(); ++e) {
       if (found_.patch_edges[e] == PatchEdge::unknown) continue;
       // A rounding too small to be drawn as a surface is drawn as an edge, whichever surface it belongs to.

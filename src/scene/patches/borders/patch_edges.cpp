@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
@@ -30,6 +31,10 @@ constexpr double kApartPart = 1.2;
 /// Adjustable. Least fraction of a chain's length with evidence for a kind that makes the whole chain that kind, and
 /// largest fraction with evidence against it.
 constexpr double kMostOfChain = 0.6, kLittleOfChain = 0.1;
+
+/// Adjustable. Largest fraction of the common border of two patches at which the surface may go on from one to the other if
+/// they are no bands. At the mitre of two fillets it does on one side, where their normals are equal.
+constexpr double kMostOpen = 0.5;
 
 /// Adjustable. Most sides of a face of a fan. Beside a polygon of n sides, the search for its sides would take n^2.
 constexpr std::size_t kMostFanSides = 4;
@@ -269,15 +274,28 @@ std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& 
   return edges;
 }
 
-void mark_bands(const Topology& topology, std::span<const glm::vec3> normals, std::span<const PatchEdge> edges,
-                Patches& patches) {
+void mark_bands(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals,
+                std::span<const PatchEdge> edges, Patches& patches) {
   const double bent = sine_cosine_degrees(kLargestBend).cosine;
+  struct Shared {
+    double length = 0, open = 0;  ///< of all edges; of those at which the surface goes on
+  };
+  std::map<std::array<std::uint32_t, 2>, Shared> shared;  // by two patches, the lower number first
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const Edge& edge = topology.edges[e];
-    if (edge.face1 == kNone || edges[e] == PatchEdge::tangent || edges[e] == PatchEdge::sharp) continue;
-    const std::uint32_t p = patches.patch_of[edge.face0], q = patches.patch_of[edge.face1];
-    if (p == kNone || q == kNone || p == q) continue;
-    if (glm::dot(normals[edge.face0], normals[edge.face1]) >= bent) patches.list[p].is_band = patches.list[q].is_band = true;
+    if (edge.face1 == kNone) continue;
+    const auto [p, q] = std::minmax(patches.patch_of[edge.face0], patches.patch_of[edge.face1]);
+    if (q == kNone || p == q) continue;
+    const double length = glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]);
+    const bool is_line = edges[e] == PatchEdge::tangent || edges[e] == PatchEdge::sharp;
+    const bool goes_on = !is_line && glm::dot(normals[edge.face0], normals[edge.face1]) >= bent;
+    Shared& both = shared[{p, q}];
+    both.length += length;
+    if (goes_on) both.open += length;
+  }
+  for (const auto& [pair, both] : shared) {
+    if (both.open <= kMostOpen * both.length) continue;
+    for (const std::uint32_t patch : pair) patches.list[patch].is_band = true;
   }
 }
 

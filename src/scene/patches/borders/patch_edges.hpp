@@ -38,9 +38,10 @@ inline constexpr double kLikeCurvature = 0.1;
 std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals,
                                             const Patches& patches, double sharp_degrees);
 
-/// Sets Patch::is_band of the patches that continue into another patch across an edge that is neither a line nor sharp.
-void mark_bands(const Topology& topology, std::span<const glm::vec3> normals, std::span<const PatchEdge> edges,
-                Patches& patches);
+/// Sets Patch::is_band of the patches that continue into another patch across most of their common border, which is neither
+/// a line nor sharp there.
+void mark_bands(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals,
+                std::span<const PatchEdge> edges, Patches& patches);
 
 /// Turns loose tangent edges into PatchEdge::inside. A line between curved surfaces is loose if no other line begins at
 /// either of its ends: bands of a free form have such borders. Elsewhere only short chains with a free end are removed, as
