@@ -72,10 +72,20 @@ class BodyComparer {
   }
 
   bool touch(std::size_t a, std::size_t b) const {
-    const std::vector<NearFace> ours = faces_near(a, boxes_[b]), theirs = faces_near(b, boxes_[a]);
+    const std::vector<NearFace> ours = faces_near(a, boxes_[b]);
+    std::vector<NearFace> theirs = faces_near(b, boxes_[a]);
     if (ours.size() * theirs.size() > kMostFacePairs) return true;
+    // By their lower ends, with the upper ends of all up to each, a range of them reaches those of a face.
+    const auto low_end = [](const NearFace& f) { return f.box.low.x; };
+    std::ranges::sort(theirs, {}, low_end);
+    std::vector<double> high_ends;
+    for (const NearFace& g : theirs)
+      high_ends.push_back(std::max(g.box.high.x, high_ends.empty() ? g.box.high.x : high_ends.back()));
+    const double most = 2 * kTouchSags * largest_sag_;
     return std::ranges::any_of(ours, [&](const NearFace& f) {
-      return std::ranges::any_of(theirs, [&](const NearFace& g) {
+      const auto first = theirs.begin() + (std::ranges::lower_bound(high_ends, f.box.low.x - most) - high_ends.begin());
+      const auto end = std::ranges::upper_bound(theirs, f.box.high.x + most, {}, low_end);
+      return std::any_of(std::min(first, end), end, [&](const NearFace& g) {
         const double within = kTouchSags * (f.sag + g.sag);
         if ((!f.is_refined && !g.is_refined) || !f.box.meets(g.box, within)) return false;
         return touches(f.face, g.face, within) || touches(g.face, f.face, within);
