@@ -79,6 +79,7 @@ class BodyComparer {
     const auto low_end = [](const NearFace& f) { return f.box.low.x; };
     std::ranges::sort(theirs, {}, low_end);
     std::vector<double> high_ends;
+    high_ends.reserve(theirs.size());
     for (const NearFace& g : theirs)
       high_ends.push_back(std::max(g.box.high.x, high_ends.empty() ? g.box.high.x : high_ends.back()));
     const double most = 2 * kTouchSags * largest_sag_;
