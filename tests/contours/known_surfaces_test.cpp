@@ -72,6 +72,16 @@ TEST(ContourSupport, EndsContoursWhereChordsLieFartherAway) {
   }
 }
 
+TEST(ContourSupport, RulingsAreStraight) {
+  for (const SurfaceKind kind : {SurfaceKind::cylinder, SurfaceKind::cone, SurfaceKind::extruded, SurfaceKind::sphere}) {
+    BesideAnEdge beside(0, 0.2);
+    Patches surfaces{std::vector<Patch>(1), {0}, {}, {}, {}};
+    surfaces.list[0].surface.kind = kind;
+    beside.patch.surfaces = &surfaces;
+    EXPECT_EQ(beside.support().supported()[0].nodes[0].bulge_mm > 0, kind == SurfaceKind::sphere);
+  }
+}
+
 // A contour is near an edge of slender triangles only as far as they are wide and the surface rises, however long they are.
 TEST(OutlineProbes, OfSlenderTrianglesStayNearTheirEdge) {
   struct Case {

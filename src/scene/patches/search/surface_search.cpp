@@ -43,6 +43,7 @@ constexpr double kLeastSlope = 1e-4, kLargestSlope = 100;
 /// than a fifteenth of the tube's radius over ten times that radius.
 constexpr double kLeastRing = 0.02, kLargestRing = 200;
 
+/// Largest distance, in sags, of a corner from the starting values of a surface that are tried.
 double wildest_guess(SurfaceKind kind) {
   if (kind == SurfaceKind::torus) return kWildTorus;
   return kind == SurfaceKind::cylinder ? kWildCylinder : kWildGuess;
