@@ -188,13 +188,16 @@ TEST(KnownSurfaces, BandsOfAFreeFormAreNoSurfacesOfTheirOwn) {
 }
 
 TEST(KnownSurfaces, FilletsAtAMitreAreNoBands) {
-  // Quarters of two cylinders whose axes meet at 20 degrees. On one side their normals are equal.
-  FoundPatches fillets(mesh_of("grid 12 x 2: 4*cos(pi*u/24)*if(v<2,1,0.93969262)+6.8404029*(v==2); "
-                               "if(v<1,-20,if(v<2,-0.17632698,-0.34202014)*4*cos(pi*u/24)+18.793852*(v==2)); 4*sin(pi*u/24)")
-                           .polygons());
-  mark_bands(fillets.scene, fillets.topology, fillets.normals, fillets.edges, fillets.patches);
-  ASSERT_EQ(fillets.faces().size(), 2u);
-  for (const auto& [number, faces] : fillets.faces()) EXPECT_FALSE(fillets.patches.list[number].is_band) << number;
+  // Quarters of two cylinders whose axes meet at an angle a. On one side their normals are equal.
+  for (const std::string a : {"0.2", "0.35"}) {
+    FoundPatches fillets(mesh_of("grid 12 x 2: 4*cos(pi*u/24)*if(v<2,1,cos(" + a + "))+20*sin(" + a +
+                                 ")*(v==2); if(v<1,-20,if(v<2,-tan(" + a + "/2),-sin(" + a + "))*4*cos(pi*u/24)+20*cos(" +
+                                 a + ")*(v==2)); 4*sin(pi*u/24)")
+                             .polygons());
+    mark_bands(fillets.scene, fillets.topology, fillets.normals, fillets.edges, fillets.patches);
+    ASSERT_EQ(fillets.faces().size(), 2u);
+    for (const auto& [number, faces] : fillets.faces()) EXPECT_FALSE(fillets.patches.list[number].is_band) << a;
+  }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/model/edge_rows.hpp"
+#include "scene/model/face_area.hpp"
 #include "scene/patches/borders/twisted_strips.hpp"
 #include "scene/patches/borders/whole_borders.hpp"
 #include "scene/patches/facet_graph.hpp"
@@ -36,11 +37,21 @@ constexpr double kMostOfChain = 0.6, kLittleOfChain = 0.1;
 /// they are no bands. At the mitre of two fillets it does on one side, where their normals are equal.
 constexpr double kMostOpen = 0.5;
 
+/// Adjustable. Least sag, in those of the facets across, of a curve through the middles of two patches that turns by their
+/// angle: a tessellator would have divided it, so the patches are fillets that meet at a mitre.
+constexpr double kMitreSags = 8;
+
 /// Adjustable. Most sides of a face of a fan. Beside a polygon of n sides, the search for its sides would take n^2.
 constexpr std::size_t kMostFanSides = 4;
 
 /// Adjustable. Most facets across a patch whose curvature in this direction may be an accident.
 constexpr int kMostShallowFacets = 2;
+
+/// The common border of two patches.
+struct SharedBorder {
+  double length = 0, open = 0;  ///< of all edges; of those at which the surface goes on
+  double sine = 0;              ///< of the largest angle between the two surfaces
+};
 
 class EdgeClassifier {
  public:
@@ -277,24 +288,34 @@ std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& 
 void mark_bands(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals,
                 std::span<const PatchEdge> edges, Patches& patches) {
   const double bent = sine_cosine_degrees(kLargestBend).cosine;
-  struct Shared {
-    double length = 0, open = 0;  ///< of all edges; of those at which the surface goes on
-  };
-  std::map<std::array<std::uint32_t, 2>, Shared> shared;  // by two patches, the lower number first
+  std::map<std::array<std::uint32_t, 2>, SharedBorder> shared;  // by two patches, the lower number first
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const Edge& edge = topology.edges[e];
     if (edge.face1 == kNone) continue;
     const auto [p, q] = std::minmax(patches.patch_of[edge.face0], patches.patch_of[edge.face1]);
     if (q == kNone || p == q) continue;
+    const Point3 n0(normals[edge.face0]), n1(normals[edge.face1]);
+    SharedBorder& both = shared[{p, q}];
     const double length = glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]);
-    const bool is_line = edges[e] == PatchEdge::tangent || edges[e] == PatchEdge::sharp;
-    const bool goes_on = !is_line && glm::dot(normals[edge.face0], normals[edge.face1]) >= bent;
-    Shared& both = shared[{p, q}];
     both.length += length;
-    if (goes_on) both.open += length;
+    const bool is_line = edges[e] == PatchEdge::tangent || edges[e] == PatchEdge::sharp;
+    if (!is_line && glm::dot(n0, n1) >= bent) both.open += length;
+    for (const std::uint32_t v : {edge.v0, edge.v1}) {
+      const Point3& at = scene.vertices[v];
+      const Point3 turn = glm::cross(patches.normal(edge.face0, at, n0), patches.normal(edge.face1, at, n1));
+      both.sine = std::max(both.sine, glm::length(turn));
+    }
+  }
+  std::erase_if(shared, [](const auto& item) { return item.second.open <= kMostOpen * item.second.length; });
+  if (shared.empty()) return;
+  std::vector<double> area(patches.list.size(), 0);
+  for (std::uint32_t f = 0; f < patches.patch_of.size(); ++f) {
+    if (patches.patch_of[f] != kNone) area[patches.patch_of[f]] += glm::length(double_area(scene, f)) / 2;
   }
   for (const auto& [pair, both] : shared) {
-    if (both.open <= kMostOpen * both.length) continue;
+    const double depth = std::min(area[pair[0]], area[pair[1]]) / both.length;
+    const double sag = std::max(patches.list[pair[0]].sag, patches.list[pair[1]].sag);
+    if (depth * both.sine / 8 > kMitreSags * sag) continue;
     for (const std::uint32_t patch : pair) patches.list[patch].is_band = true;
   }
 }

@@ -39,7 +39,7 @@ std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& 
                                             const Patches& patches, double sharp_degrees);
 
 /// Sets Patch::is_band of the patches that continue into another patch across most of their common border, which is neither
-/// a line nor sharp there.
+/// a line nor sharp there; but not of fillets that meet at a mitre.
 void mark_bands(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals,
                 std::span<const PatchEdge> edges, Patches& patches);
 
