@@ -31,11 +31,10 @@ Eigen3 symmetric_eigen(Matrix3 m);
 /// Solves m x = b. Returns nothing if m is singular.
 std::optional<Point3> solve(const Matrix3& m, const Point3& b);
 
-/// Solves the symmetric positive definite system a x = b by Cholesky decomposition. Reads only the lower triangle of a,
-/// and leaves the decomposition there. `x` is b at first and the solution afterwards. Returns false if the matrix is not
-/// positive definite.
+/// Replaces the lower triangle of a symmetric positive definite matrix by that of its Cholesky decomposition. Returns false
+/// if the matrix is not positive definite.
 template <std::size_t kSize>
-bool solve_symmetric(std::array<std::array<double, kSize>, kSize>& a, std::array<double, kSize>& x) {
+bool decompose(std::array<std::array<double, kSize>, kSize>& a) {
   for (std::size_t i = 0; i < kSize; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       double sum = a[i][j];
@@ -47,6 +46,12 @@ bool solve_symmetric(std::array<std::array<double, kSize>, kSize>& a, std::array
     if (!(sum > 0)) return false;
     a[i][i] = std::sqrt(sum);
   }
+  return true;
+}
+
+/// Solves a x = b for a matrix that decompose() has decomposed. `x` is b at first and the solution afterwards.
+template <std::size_t kSize>
+void substitute(const std::array<std::array<double, kSize>, kSize>& a, std::array<double, kSize>& x) {
   for (std::size_t i = 0; i < kSize; ++i) {
     for (std::size_t k = 0; k < i; ++k) x[i] -= a[i][k] * x[k];
     x[i] /= a[i][i];
@@ -55,6 +60,14 @@ bool solve_symmetric(std::array<std::array<double, kSize>, kSize>& a, std::array
     for (std::size_t k = i + 1; k < kSize; ++k) x[i] -= a[k][i] * x[k];
     x[i] /= a[i][i];
   }
+}
+
+/// Solves the symmetric positive definite system a x = b. Reads only the lower triangle of a, and leaves its Cholesky
+/// decomposition there. `x` is b at first and the solution afterwards. Returns false if the matrix is not positive definite.
+template <std::size_t kSize>
+bool solve_symmetric(std::array<std::array<double, kSize>, kSize>& a, std::array<double, kSize>& x) {
+  if (!decompose(a)) return false;
+  substitute(a, x);
   return true;
 }
 

@@ -105,7 +105,7 @@ PatchCandidate PatchFinder::torus_through(const std::vector<Patch>& patches,
     c.patch.sag = sag_of(surface, both);
     if (!is_plausible(surface) || !(c.residual <= tolerance_for(SurfaceKind::torus, c.patch.sag))) return {};
     c.patch.outward = glm::dot(surface.normal(graph_.frames[seed].middle), graph_.frames[seed].normal) > 0;
-    both = grow(c.patch, seed, true);
+    both = grow(c.patch, seed, kMostSags, true);
     std::map<std::uint32_t, std::size_t> counts;
     for (const std::uint32_t f : both) ++counts[patch_of_[f]];
     std::erase_if(both, [&](std::uint32_t f) {

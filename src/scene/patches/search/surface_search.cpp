@@ -26,6 +26,13 @@ constexpr std::size_t kFewestConePoints = 2 * parameter_count(SurfaceKind::cone)
 /// Arcs from a seed to the facets of the larger sample around it, and largest number of these facets.
 constexpr int kWideSteps = 10;
 constexpr std::size_t kMostWide = 28;
+/// Least ratio between the numbers of facets on a cone that has grown and of those to which it was fitted, if these do not
+/// lie on it exactly and their normals tell little of it. Programs approximate the curves in which cones end, as they do
+/// those of long strips, but only a cone goes on as one.
+constexpr std::size_t kSpread = 3;
+/// Largest ratio of a facet's sag to the median for a cone on which all corners lie exactly. Fans between two curves have
+/// triangles of many widths, and no plane meets a cone in two of its rulings.
+constexpr double kExactConeSags = 12;
 /// Largest number of facets of a band from which a sphere is fitted.
 constexpr std::size_t kMostBand = 24;
 /// Least number of facets of a strip that is tried by itself. Fewer prove nothing at a tolerance of kStripSagPart.
@@ -168,6 +175,7 @@ PatchCandidate SurfaceSearch::best_at(std::uint32_t seed) {
 /// Lowers sag_part_ if the normals of the facets give no useful starting values: such facets lie on a surface exactly or by
 /// accident.
 bool SurfaceSearch::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate& c) {
+  if (sample.by_edges && kind != SurfaceKind::torus && !lies_on_quadric(sample)) return false;
   complete(sample);
   PatchSurface& surface = c.patch.surface;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -191,16 +199,42 @@ bool SurfaceSearch::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandida
   };
   const double guess_wildness = guess_surface(kind, sample.shape, surface) ? wildness() : kInfinity;
   if (guess_wildness <= wildest) {
-    if (guess_wildness > kWildGuess || sample.by_edges) sag_part_ = kExactSagPart;
     const bool lies_on_it = refine();
     if (kind == SurfaceKind::cylinder && c.residual <= kWildCylinder * c.patch.sag) sample.cylinder = surface;
-    if (lies_on_it) return true;
+    const bool is_doubtful = guess_wildness > kWildGuess || sample.by_edges;
+    if (lies_on_it && (!is_doubtful || may_lie_on(c))) return true;
   }
-  if (kind != SurfaceKind::cone || !sample.cylinder || sample.shape.points.size() < kFewestConePoints) return false;
+  if (kind != SurfaceKind::cone) return false;
+  if (sample.cone) {
+    surface = *sample.cone;
+    if (wildness() <= kWildGuess && refine() && may_lie_on(c)) return true;
+  }
+  if (!sample.cylinder || sample.shape.points.size() < kFewestConePoints) return false;
   // The normals of irregular triangles tell little of a cone, but it has the rulings and the curvature of a cylinder.
   sag_part_ = kExactSagPart;
   surface = cone_from_cylinder(*sample.cylinder, sample.shape.points);
   return wildness() <= kWildGuess && refine();
+}
+
+/// Whether the corners of a sample lie on a quadric. Sets its cone.
+bool SurfaceSearch::lies_on_quadric(FitSample& sample) {
+  if (sample.shape.frames.empty()) {
+    complete(sample);
+    sample.cone = round_quadric(sample.shape);
+  }
+  return sample.cone.has_value();
+}
+
+/// Whether a sample may lie on a surface to which its normals lead by chance: it lies there exactly, or on a cone that must
+/// spread. Sets the tolerance.
+bool SurfaceSearch::may_lie_on(PatchCandidate& c) {
+  const SurfaceKind kind = c.patch.surface.kind;
+  sag_part_ = kExactSagPart;
+  if (c.residual <= tolerance_for(kind, c.patch.sag)) return true;
+  if (kind != SurfaceKind::cone) return false;
+  sag_part_ = kStripSagPart;
+  c.must_spread = true;
+  return true;
 }
 
 /// Whether the facets that grew last are those of a sample.
@@ -214,10 +248,13 @@ PatchCandidate SurfaceSearch::try_surface(SurfaceKind kind, std::uint32_t seed, 
   PatchSurface& surface = c.patch.surface;
   if (!fit_sample(kind, sample, c)) return {};
   c.patch.outward = glm::dot(surface.normal(graph_.frames[seed].middle), graph_.frames[seed].normal) > 0;
+  const auto most_sags = [&] {
+    return kind == SurfaceKind::cone && c.residual <= kPrecisions * object_.precision ? kExactConeSags : kMostSags;
+  };
   // Few fine facets tell little of a surface that goes far beyond them. Each round about doubles their extent.
   constexpr int kMostRounds = 3, kMostFineRounds = 12;
   for (int round = 0; round < (is_fine(c.patch) ? kMostFineRounds : kMostRounds); ++round) {
-    std::vector<std::uint32_t> grown = grow(c.patch, seed);
+    std::vector<std::uint32_t> grown = grow(c.patch, seed, most_sags());
     if (grown.size() <= c.facets.size()) break;
     c.facets.swap(grown);
     if (round == 0 && is_same(c.facets, sample.facets)) {
@@ -239,12 +276,13 @@ PatchCandidate SurfaceSearch::try_surface(SurfaceKind kind, std::uint32_t seed, 
     c.residual = next;
   }
   if (c.facets.empty() || !is_plausible(surface) || !is_certain(c)) return {};
+  if (c.must_spread && c.facets.size() < kSpread * sample.facets.size()) return {};
   for (const std::uint32_t f : c.facets) c.area += graph_.area[f];
   return has_firm_border(c) ? c : PatchCandidate{};
 }
 
 /// The facets on the surface that are connected to the seed; facets of other patches only if `over_patches`.
-std::vector<std::uint32_t> SurfaceSearch::grow(const Patch& patch, std::uint32_t seed, bool over_patches) {
+std::vector<std::uint32_t> SurfaceSearch::grow(const Patch& patch, std::uint32_t seed, double most_sags, bool over_patches) {
   const double tolerance = tolerance_for(patch.surface.kind, patch.sag);
   const bool over_planes = is_fine(patch);  // several fine facets may seem to be a plane
   std::vector<std::uint32_t> facets;
@@ -257,7 +295,8 @@ std::vector<std::uint32_t> SurfaceSearch::grow(const Patch& patch, std::uint32_t
     for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[i])) {
       if (stamp_[arc.facet] == round_ || (graph_.is_plane[arc.facet] && !over_planes)) continue;
       if (taken_by_[arc.facet] != kNone && !over_patches) continue;
-      if (!lies_on(patch, arc.facet, tolerance)) continue;
+      const double sags = graph_.vertices[arc.facet].size() <= 4 ? most_sags : kMostSags;
+      if (!lies_on(patch, arc.facet, tolerance, kNormalCosine, sags)) continue;
       stamp_[arc.facet] = round_;
       facets.push_back(arc.facet);
     }

@@ -19,8 +19,9 @@ namespace ligne {
 struct PatchCandidate {
   Patch patch;
   std::vector<std::uint32_t> facets;
-  double area = 0;      ///< of the facets
-  double residual = 0;  ///< largest distance of a corner of the facets from the surface, model units
+  double area = 0;           ///< of the facets
+  bool must_spread = false;  ///< whether its sample proves it only if it spreads far beyond that
+  double residual = 0;       ///< largest distance of a corner of the facets from the surface, model units
 };
 
 /// Whether the proportions of a torus, or the slope of a cone, are in the usual range. Other tori are spheres or
@@ -69,6 +70,7 @@ class SurfaceSearch {
     bool by_edges = false;                   ///< whether edge_frames() tell its normals, else those of the facets
     SurfaceSample shape{};                   ///< empty until complete()
     std::optional<PatchSurface> cylinder{};  ///< the cylinder of least squares, once it was fitted
+    std::optional<PatchSurface> cone{};      ///< round_quadric(), of the larger sample around a seed
   };
   struct LookPlace {
     std::uint32_t round = 0, number = 0;  ///< index into looks_, valid only if round equals look_round_
@@ -81,7 +83,10 @@ class SurfaceSearch {
   void complete(FitSample& sample);
   bool fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate& c);
   PatchCandidate try_surface(SurfaceKind kind, std::uint32_t seed, FitSample& sample);
-  std::vector<std::uint32_t> grow(const Patch& patch, std::uint32_t seed, bool over_patches = false);
+  std::vector<std::uint32_t> grow(const Patch& patch, std::uint32_t seed, double most_sags = kMostSags,
+                                  bool over_patches = false);
+  bool lies_on_quadric(FitSample& sample);
+  bool may_lie_on(PatchCandidate& c);
   bool is_same(std::span<const std::uint32_t> grown, std::span<const std::uint32_t> sample) const;
   std::vector<std::uint32_t> around(std::uint32_t seed, int rings, std::size_t most);
   std::vector<FitSample> round_samples(std::uint32_t seed);
