@@ -5,6 +5,7 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "scene/patches/borders/flat_rows.hpp"
 #include "scene/patches/borders/patch_outlines.hpp"
 #include "scene/patches/facet_graph.hpp"
 #include "scene/patches/freeform.hpp"
@@ -75,6 +76,7 @@ ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Obj
       found.is_freeform[f] = freeform[graph.facet_of[f]];
     }
   });
+  assign_flat_rows(scene, topology, object, graph, found.patches, found.patch_of);
   return found;
 }
 
