@@ -10,6 +10,7 @@
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "scene/patches/borders/patch_outlines.hpp"
+#include "scene/patches/facet_rows.hpp"
 #include "scene/patches/find_patches.hpp"
 
 namespace ligne {
@@ -25,12 +26,6 @@ double depth_behind(const Scene& scene, std::span<const std::uint32_t> corners, 
 namespace {
 
 // Adjustable.
-/// Largest sine of the angle between edges of a row, and largest relative difference of its bends and widths.
-constexpr double kParallelSine = 0.01, kEqualPart = 0.02;
-/// Least sine of a bend in a row (half a degree). Facets that bend less form one plane.
-constexpr double kLeastRowSine = 0.01;
-/// Largest number of arcs of a facet in a row. The search compares all pairs of them.
-constexpr std::size_t kMostRowArcs = 16;
 /// Most corners of a piece that cuts left of a facet of four.
 constexpr std::size_t kMostPieceCorners = 6;
 /// Least part of the border of a few facets with patches at which the rows of these go on, where the facets are no planes.
@@ -44,6 +39,8 @@ constexpr std::size_t kMostAmidCorners = 64;
 /// Least number of corners of a facet that may be a plane by its depth or by the surfaces beside it: free forms have
 /// triangles of any shape.
 constexpr std::size_t kPlaneCorners = 4;
+/// Largest number of arcs of a facet whose opposite sides are compared: all pairs of them.
+constexpr std::size_t kMostSides = 16;
 /// Largest factor between the bends on opposite sides of a facet that goes on in a row. Adjustable.
 constexpr double kLikeBends = 2.2;
 /// Largest angle between a plane and a surface that runs into it, as a fraction of the bend of their facets. A plane has
@@ -55,80 +52,6 @@ constexpr double kTangentDepths = 1.5;
 /// Largest depth of such a plane, in lengths of the edge. A strip along a rounding has the normal of the surface at its end,
 /// too.
 constexpr double kLongestDepth = 8;
-
-/// Sine of the bend at an arc of a facet: positive where the neighbour falls away from the facet's plane.
-double bend_at(const FacetGraph& graph, std::uint32_t f, const FacetGraph::Arc& arc) {
-  const FacetFrame &here = graph.frames[f], &there = graph.frames[arc.facet];
-  const double sine = glm::length(glm::cross(here.normal, there.normal));
-  return glm::dot(there.middle - here.middle, here.normal) < 0 ? sine : -sine;
-}
-
-/// Two parallel edges of a facet with equal bends.
-struct RowEdges {
-  FacetGraph::Arc one, other;
-  double sine = 0, width = 0;  ///< sine of the bends, positive where the body bulges; distance of the edges
-
-  bool has(std::uint32_t edge) const { return one.edge == edge || other.edge == edge; }
-};
-
-class RowFinder {
- public:
-  RowFinder(const Scene& scene, const Topology& topology, const FacetGraph& graph, std::span<const std::uint32_t> patch_of)
-      : scene_(scene), topology_(topology), graph_(graph), patch_of_(patch_of) {}
-
-  /// Whether a facet and one behind such an edge are in one row. By symmetry, a plane between fillets and the facets of
-  /// these at its ends have equal edges too, but no common one.
-  bool is_in_row(std::uint32_t f) const {
-    return any_row(f, [&](const RowEdges& row) {
-      return std::ranges::any_of(std::array{row.one, row.other}, [&](const FacetGraph::Arc& arc) {
-        return any_row(arc.facet, [&](const RowEdges& next) {
-          return next.has(arc.edge) && alike(next.sine, row.sine) && alike(next.width, row.width);
-        });
-      });
-    });
-  }
-
-  /// Whether a facet is the last one of a row, as wide as that behind it. It meets a plane at half of the row's bend.
-  bool ends_row(std::uint32_t f) const {
-    return std::ranges::any_of(graph_.arcs_of(f), [&](const FacetGraph::Arc& arc) {
-      const double width = depth_behind(scene_, graph_.vertices[f], topology_.edges[arc.edge]);
-      const auto is_behind = [&](const RowEdges& row) { return row.has(arc.edge) && alike(width, row.width); };
-      return any_row(arc.facet, is_behind) && is_in_row(arc.facet);
-    });
-  }
-
- private:
-  static bool alike(double a, double b) { return std::abs(a - b) <= kEqualPart * std::abs(b) && b != 0; }
-
-  Point3 along(std::uint32_t e) const {
-    return glm::normalize(scene_.vertices[topology_.edges[e].v1] - scene_.vertices[topology_.edges[e].v0]);
-  }
-
-  /// Whether two edges of a facet are such and fulfil a condition.
-  template <class Condition>
-  bool any_row(std::uint32_t f, const Condition& condition) const {
-    const auto arcs = graph_.arcs_of(f);
-    if (patch_of_[f] != kNone || graph_.is_sliver[f] || arcs.size() < 2 || arcs.size() > kMostRowArcs) return false;
-    for (std::size_t i = 0; i < arcs.size(); ++i) {
-      const double sine = bend_at(graph_, f, arcs[i]);
-      if (std::abs(sine) < kLeastRowSine) continue;
-      const Point3 direction = along(arcs[i].edge), &at = scene_.vertices[topology_.edges[arcs[i].edge].v0];
-      for (std::size_t j = i + 1; j < arcs.size(); ++j) {
-        if (arcs[j].facet == arcs[i].facet || !alike(bend_at(graph_, f, arcs[j]), sine)) continue;
-        if (glm::length(glm::cross(direction, along(arcs[j].edge))) > kParallelSine) continue;
-        const Point3 way = scene_.vertices[topology_.edges[arcs[j].edge].v0] - at;
-        const double width = glm::length(way - glm::dot(way, direction) * direction);
-        if (condition(RowEdges{arcs[i], arcs[j], sine, width})) return true;
-      }
-    }
-    return false;
-  }
-
-  const Scene& scene_;
-  const Topology& topology_;
-  const FacetGraph& graph_;
-  std::span<const std::uint32_t> patch_of_;
-};
 
 /// Finds planes beside the narrow facets of fillets and free forms.
 class WidePlanes {
@@ -165,7 +88,7 @@ class WidePlanes {
   /// opposite.
   bool is_wide_across(std::uint32_t f) const {
     const auto arcs = graph_.arcs_of(f);
-    if (graph_.vertices[f].size() < kPlaneCorners || arcs.size() > kMostRowArcs) return false;
+    if (graph_.vertices[f].size() < kPlaneCorners || arcs.size() > kMostSides) return false;
     double width = std::numeric_limits<double>::infinity();
     for (const FacetGraph::Arc& arc : arcs)
       width = std::min(width, depth_behind(scene_, graph_.vertices[f], topology_.edges[arc.edge]));
@@ -340,7 +263,7 @@ std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& to
   });
   if (others.empty()) return freeform;
   RegionFinder regions(scene, topology, graph, surfaces);
-  const RowFinder rows(scene, topology, graph, patch_of);
+  const FacetRows rows(scene, topology, graph, patch_of);
   const WidePlanes planes(scene, topology, graph);
   std::unordered_map<std::uint32_t, RowBorder> borders;  // by group
   const auto may_be_cut = [&](std::uint32_t f) {
@@ -352,7 +275,7 @@ std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& to
   }
   for (const std::uint32_t f : others)
     freeform[f] = regions.is_in_region(f) || borders[regions.group_of(f)].is_row() || rows.is_in_row(f) ||
-                  rows.ends_row(f) || is_amid_triangles(scene, topology, graph, patch_of, f);
+                  rows.ends_row(f) || rows.is_in_long_row(f) || is_amid_triangles(scene, topology, graph, patch_of, f);
   return freeform;
 }
 

@@ -32,6 +32,7 @@ double depth_behind(const Scene& scene, std::span<const std::uint32_t> corners, 
 /// - lies in a regular row: it is as wide as a neighbour, between parallel edges with the same angle in the same sense.
 ///   That is a cylinder whose facets were cut by other bodies, so that their corners lie on no circle, or
 /// - is the last facet of such a row, as wide as the one behind it, or
+/// - lies in a row of five facets or more whose bends are small and change gradually: an extruded spline, or
 /// - belongs to fewer such facets at which the rows of the surfaces around them go on: a cut has left them of a tube, whose
 ///   bands lie on cones. A plane runs into a surface by half the angle of its facets, or
 /// - lies amid triangles without a surface that are about as deep: several triangles of a free form may lie in one plane.
