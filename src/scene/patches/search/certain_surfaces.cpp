@@ -44,6 +44,8 @@ constexpr double kEqualSteps = 0.01;
 /// Largest sag of a torus, as a fraction of its outer radius: that of eight facets around the axis. Near the top of its tube
 /// the normals tell nothing of the turn about the axis: the four upper strips of a rounded box would lie on one.
 constexpr double kLargestRingSag = 0.08;
+/// Largest ratio between the radii of the middle circle and of the tube of a torus that is nearly a sphere.
+constexpr double kNearSphere = 0.5;
 
 }  // namespace
 
@@ -77,6 +79,9 @@ bool SurfaceSearch::is_certain(const PatchCandidate& c) {
     case SurfaceKind::torus: {
       if (c.patch.sag > kLargestRingSag * (surface.radius + surface.tube)) return false;
       if (!no_accident || c.facets.size() < 6 || is_row_by_accident(c) || angles_of(surface, false) < 4) return false;
+      // A sector of what is nearly a sphere must hold as exactly as one.
+      const bool is_sphere = surface.radius < kNearSphere * surface.tube && turn_of_angles() < std::numbers::pi;
+      if (is_sphere && c.residual > tolerance_for(SurfaceKind::sphere, c.patch.sag)) return false;
       // Four circles lie on a torus by symmetry too, as those of a cylinder between two equal chamfers do.
       const std::size_t n = angles_of(surface, true);
       return n >= 5 || (n == 4 && (has_equal_steps() || is_tangent(c, 2))) || (n == 3 && is_tangent(c, 1));
