@@ -2,6 +2,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "scene/model/planarity.hpp"
+
 namespace ligne {
 
 CornerUses::CornerUses(const Scene& scene, const Object& object, std::span<const std::uint32_t> faces,
@@ -41,10 +43,10 @@ std::span<const CornerUse> CornerUses::of(std::uint32_t v) const {
   return {uses_.data() + begin_[number], uses_.data() + begin_[number + 1]};
 }
 
-bool turns_over(const Point3& p, const Point3& q, const Point3& before, const Point3& after) {
+bool turns_over(const Point3& p, const Point3& q, const Point3& before, const Point3& after, double precision) {
   const Point3 side = after - before;
-  const Point3 old_normal = glm::cross(side, p - before);
-  return old_normal != Point3(0) && !(glm::dot(old_normal, glm::cross(side, q - before)) > 0);
+  const bool keeps_side = glm::dot(glm::cross(side, p - before), glm::cross(side, q - before)) > 0;
+  return !keeps_side && !is_sliver(p, before, after, precision);
 }
 
 }  // namespace ligne

@@ -26,7 +26,11 @@ class Joiner {
  public:
   Joiner(const Scene& scene, const Object& object, std::span<const std::uint32_t> faces, const Border& border,
          double distance, std::vector<std::uint32_t>& target)
-      : scene_(scene), distance_(distance), target_(target), uses_(scene, object, faces, border.vertices()) {
+      : scene_(scene),
+        distance_(distance),
+        precision_(object.precision),
+        target_(target),
+        uses_(scene, object, faces, border.vertices()) {
     heads_.assign(std::bit_ceil(border.vertices().size() + 1), kNone);
   }
 
@@ -67,13 +71,13 @@ class Joiner {
     for (const CornerUse& use : uses_.of(v)) {
       const std::uint32_t before = target_[use.before], after = target_[use.after];
       if (before == w || after == w) return false;
-      if (use.triangle && turns_over(points[v], points[w], points[before], points[after])) return false;
+      if (use.triangle && turns_over(points[v], points[w], points[before], points[after], precision_)) return false;
     }
     return true;
   }
 
   const Scene& scene_;
-  double distance_;
+  double distance_, precision_;
   std::vector<std::uint32_t>& target_;  ///< per vertex of the scene: the vertex that it moved to, or itself
   CornerUses uses_;
   std::vector<std::uint32_t> heads_;  ///< per slot: the first link of the vertices in its cells

@@ -44,7 +44,7 @@ std::size_t move_onto_edges(Scene& scene, const Object& object, std::span<const 
     const double bend_of_edge = std::abs(glm::dot(foot - p, face_normal(scene, split.face)));
     const bool moves = std::ranges::all_of(uses.of(split.vertex), [&](const CornerUse& use) {
       if (std::abs(glm::dot(foot - p, face_normal(scene, use.face))) >= bend_of_edge) return false;
-      return !use.triangle || !turns_over(p, foot, scene.vertices[use.before], scene.vertices[use.after]);
+      return !use.triangle || !turns_over(p, foot, scene.vertices[use.before], scene.vertices[use.after], object.precision);
     });
     if (!moves) continue;
     p = foot;

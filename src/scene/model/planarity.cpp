@@ -1,5 +1,6 @@
 #include "scene/model/planarity.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -51,6 +52,19 @@ double planarity_tolerance(double precision, double span) {
 
 double straightness_tolerance(double precision, double span) {
   return kLineErrors * kSqrt3 * precision + arithmetic_error(span);
+}
+
+bool is_sliver(const Point3& a, const Point3& b, const Point3& c, double precision) {
+  const double longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+  return glm::length(glm::cross(b - a, c - a)) <= straightness_tolerance(precision, longest) * longest;
+}
+
+bool is_sliver_face(const Scene& scene, std::uint32_t face) {
+  const auto corners = scene.faces.contour(face, 0);
+  if (scene.faces.contour_count(face) != 1 || corners.size() != 3) return false;
+  const double precision = std::ranges::upper_bound(scene.objects, face, {}, &Object::face_end)->precision;
+  const auto& at = scene.vertices;
+  return is_sliver(at[corners[0]], at[corners[1]], at[corners[2]], precision);
 }
 
 Point3 area_vector(const std::vector<Point3>& vertices, std::span<const std::uint32_t> contour) {

@@ -31,6 +31,12 @@ double planarity_tolerance(double precision, double span);
 /// the chord plus that of the point.
 double straightness_tolerance(double precision, double span);
 
+/// Whether the corners of a triangle were perhaps collinear before rounding, so that its normal is a matter of chance.
+bool is_sliver(const Point3& a, const Point3& b, const Point3& c, double precision);
+
+/// Whether a face is such a triangle, at the precision of its object.
+bool is_sliver_face(const Scene& scene, std::uint32_t face);
+
 /// Area vector of a contour: its area times its unit normal, by Newell's sum relative to its first corner.
 Point3 area_vector(const std::vector<Point3>& vertices, std::span<const std::uint32_t> contour);
 
