@@ -8,11 +8,13 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/indices_where.hpp"
 #include "base/large_vector.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "base/prefetch.hpp"
 #include "scene/model/flat_faces.hpp"
+#include "scene/model/planarity.hpp"
 #include "scene/model/triangle_normal.hpp"
 
 namespace ligne {
@@ -74,6 +76,44 @@ FaceSides face_sides(const Scene& scene, const Camera& camera, bool with_normals
   return sides;
 }
 
+/// Whether an edge lies between a face that faces the eye and one that does not.
+bool turns_away(const FaceSides& sides, const Topology& topology, std::size_t e) {
+  const Edge& edge = topology.edges[e];
+  if (edge.face1 == kNone || (topology.edge_flags[e] & kEdgeManyFaces)) return false;
+  const int turn = topology.edge_flags[e] & kEdgeUnlikeWound ? -1 : 1;
+  return sides.facing[edge.face0] != sides.facing[edge.face1] * turn;
+}
+
+/// The side of a sliver, if all faces beside it that are none agree; else 0.
+int side_around(const Scene& scene, const Topology& topology, const FaceSides& sides, std::uint32_t sliver) {
+  const auto corners = scene.faces.contour(sliver, 0);
+  int side = 0;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Edge* edge = find_edge(topology, {corners[k], corners[(k + 1) % corners.size()]});
+    if (!edge || edge->face1 == kNone) continue;
+    const std::uint32_t beyond = edge->face0 == sliver ? edge->face1 : edge->face0;
+    if (is_sliver_face(scene, beyond)) continue;
+    const auto e = static_cast<std::size_t>(edge - topology.edges.data());
+    const int there = sides.facing[beyond] * (topology.edge_flags[e] & kEdgeUnlikeWound ? -1 : 1);
+    if (there == 0 || there == -side) return 0;
+    side = there;
+  }
+  return side;
+}
+
+/// Turns slivers amid faces of one side to that side: the direction of their own is a matter of chance, and would be an
+/// outline in the midst of a plane.
+void turn_slivers(const Scene& scene, const Topology& topology, FaceSides& sides) {
+  const std::vector<std::uint32_t> turned =
+      indices_where(topology.edges.size(), [&](std::size_t e) { return turns_away(sides, topology, e); });
+  for (const std::uint32_t e : turned) {
+    for (const std::uint32_t f : {topology.edges[e].face0, topology.edges[e].face1}) {
+      if (!is_sliver_face(scene, f)) continue;
+      if (const int side = side_around(scene, topology, sides, f)) sides.facing[f] = static_cast<std::int8_t>(side);
+    }
+  }
+}
+
 /// Gives faces without area the side of their neighbour across their longest edge.
 void mend_flat_faces(const Scene& scene, const Topology& topology, FaceSides& sides) {
   if (!sides.any_flat) return;
@@ -100,6 +140,7 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
                                       double crease_degrees, const std::vector<std::uint8_t>* creases) {
   FaceSides sides = face_sides(scene, camera, creases == nullptr);
   mend_flat_faces(scene, topology, sides);
+  if (creases) turn_slivers(scene, topology, sides);
   const double degree = 3.14159265358979323846 / 180;
   const float crease_cosine = static_cast<float>(std::cos(std::min(180.0, crease_degrees + kCreaseSlackDegrees) * degree));
   std::vector<LineClass> classes(topology.edges.size());

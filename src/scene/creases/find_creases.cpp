@@ -1,4 +1,5 @@
 #include "scene/creases/find_creases.hpp"
+#include "scene/creases/plane_slivers.hpp"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -75,6 +76,7 @@ class Finder {
   /// creases.
   void decide_by_surfaces() {
     found_.patches = find_patches(scene_, topology_, normals_);
+    bend_beside_slivers();
     found_.patch_edges = classify_patch_edges(scene_, topology_, normals_, found_.patches, angles_.surfaces);
     if (!found_.patches.list.empty()) mark_bands(scene_, topology_, normals_, found_.patch_edges, found_.patches);
     for (std::size_t e = 0; e < bends_.size(); ++e) {
@@ -85,6 +87,17 @@ class Finder {
       found_.inside_surfaces += bend == Bend::none && bends_[e] >= Bend::strong;
       found_.between_surfaces += bend == Bend::strong && bends_[e] < Bend::strong;
       bends_[e] = bend == Bend::none ? bend : std::max(bend, bends_[e]);
+    }
+  }
+
+  /// Decides the edges beside slivers in planes again.
+  void bend_beside_slivers() {
+    constexpr std::uint16_t kDecided = kEdgeManyFaces | kEdgeUnlikeWound | kEdgeFileHidden | kEdgeInner | kEdgeSmooth;
+    const float least = crease_cosine(angles_.faces);
+    for (const std::uint32_t e : turn_plane_slivers(scene_, topology_, found_.patches.plane_edges, normals_)) {
+      const Edge& edge = topology_.edges[e];
+      const bool is_bent = glm::dot(normals_[edge.face0], normals_[edge.face1]) < least;
+      if (is_bent && !(topology_.edge_flags[e] & kDecided)) bends_[e] = raw_[e] = std::max(bends_[e], Bend::strong);
     }
   }
 
