@@ -237,6 +237,14 @@ bool SurfaceSearch::may_lie_on(PatchCandidate& c) {
   return true;
 }
 
+/// Whether half of the corners of a candidate, which fetch_points() has fetched, lie as near to its surface as those of
+/// other samples: the curves in which a cone ends may be approximated, but rows of a dome lie on none.
+bool SurfaceSearch::is_mostly_near(const PatchCandidate& c) const {
+  const double tolerance = std::max(kPrecisions * object_.precision, kSagPart * c.patch.sag);
+  const auto is_near = [&](const Point3& p) { return std::abs(c.patch.surface.distance(p)) <= tolerance; };
+  return 2 * std::ranges::count_if(points_, is_near) >= static_cast<std::ptrdiff_t>(points_.size());
+}
+
 /// Whether the facets that grew last are those of a sample.
 bool SurfaceSearch::is_same(std::span<const std::uint32_t> grown, std::span<const std::uint32_t> sample) const {
   return grown.size() == sample.size() && std::ranges::all_of(sample, [&](std::uint32_t f) { return stamp_[f] == round_; });
@@ -276,7 +284,7 @@ PatchCandidate SurfaceSearch::try_surface(SurfaceKind kind, std::uint32_t seed, 
     c.residual = next;
   }
   if (c.facets.empty() || !is_plausible(surface) || !is_certain(c)) return {};
-  if (c.must_spread && c.facets.size() < kSpread * sample.facets.size()) return {};
+  if (c.must_spread && (c.facets.size() < kSpread * sample.facets.size() || !is_mostly_near(c))) return {};
   for (const std::uint32_t f : c.facets) c.area += graph_.area[f];
   return has_firm_border(c) ? c : PatchCandidate{};
 }

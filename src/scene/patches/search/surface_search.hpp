@@ -87,6 +87,7 @@ class SurfaceSearch {
                                   bool over_patches = false);
   bool lies_on_quadric(FitSample& sample);
   bool may_lie_on(PatchCandidate& c);
+  bool is_mostly_near(const PatchCandidate& c) const;
   bool is_same(std::span<const std::uint32_t> grown, std::span<const std::uint32_t> sample) const;
   std::vector<std::uint32_t> around(std::uint32_t seed, int rings, std::size_t most);
   std::vector<FitSample> round_samples(std::uint32_t seed);
