@@ -84,17 +84,17 @@ bool turns_away(const FaceSides& sides, const Topology& topology, std::size_t e)
   return sides.facing[edge.face0] != sides.facing[edge.face1] * turn;
 }
 
-/// The side of a sliver, if all faces beside it that are none agree; else 0.
+/// The side that the faces around a sliver face, other slivers left out; 0 if they differ.
 int side_around(const Scene& scene, const Topology& topology, const FaceSides& sides, std::uint32_t sliver) {
   const auto corners = scene.faces.contour(sliver, 0);
   int side = 0;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Edge* edge = find_edge(topology, {corners[k], corners[(k + 1) % corners.size()]});
     if (!edge || edge->face1 == kNone) continue;
+    const std::uint16_t flags = topology.edge_flags[static_cast<std::size_t>(edge - topology.edges.data())];
     const std::uint32_t beyond = edge->face0 == sliver ? edge->face1 : edge->face0;
-    if (is_sliver_face(scene, beyond)) continue;
-    const auto e = static_cast<std::size_t>(edge - topology.edges.data());
-    const int there = sides.facing[beyond] * (topology.edge_flags[e] & kEdgeUnlikeWound ? -1 : 1);
+    if ((flags & kEdgeManyFaces) || is_sliver_face(scene, beyond)) continue;
+    const int there = sides.facing[beyond] * (flags & kEdgeUnlikeWound ? -1 : 1);
     if (there == 0 || there == -side) return 0;
     side = there;
   }
@@ -164,8 +164,7 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
         const std::uint8_t line = creases ? (*creases)[e] : kCreaseLine;
         result = line == kCreaseLine ? LineClass::crease : line == kFoldLine ? LineClass::outline : LineClass::mesh;
       } else {
-        const int turn = flags & kEdgeUnlikeWound ? -1 : 1;
-        if (sides.facing[edge.face0] != sides.facing[edge.face1] * turn) {
+        if (turns_away(sides, topology, e)) {
           result = LineClass::outline;
         } else if (creases) {
           const std::uint8_t line = (*creases)[e];
@@ -173,7 +172,8 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
         } else if (flags & (kEdgeFileHidden | kEdgeInner)) {
           result = LineClass::mesh;
         } else {
-          const float cosine = glm::dot(sides.normal[edge.face0], sides.normal[edge.face1]) * static_cast<float>(turn);
+          const float turn = flags & kEdgeUnlikeWound ? -1 : 1;
+          const float cosine = glm::dot(sides.normal[edge.face0], sides.normal[edge.face1]) * turn;
           result = cosine < crease_cosine ? LineClass::crease : LineClass::mesh;
         }
       }

@@ -1,5 +1,4 @@
 #include "scene/creases/find_creases.hpp"
-#include "scene/creases/plane_slivers.hpp"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -16,6 +15,7 @@
 #include "scene/creases/fading_creases.hpp"
 #include "scene/creases/parallel_bends.hpp"
 #include "scene/creases/plane_rims.hpp"
+#include "scene/creases/plane_slivers.hpp"
 #include "scene/creases/trace_creases.hpp"
 #include "scene/model/object_sizes.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
@@ -90,7 +90,7 @@ class Finder {
     }
   }
 
-  /// Decides the edges beside slivers in planes again.
+  /// Gives slivers the normals of their planes, and finds the edges that bend only then.
   void bend_beside_slivers() {
     constexpr std::uint16_t kDecided = kEdgeManyFaces | kEdgeUnlikeWound | kEdgeFileHidden | kEdgeInner | kEdgeSmooth;
     const float least = crease_cosine(angles_.faces);

@@ -112,12 +112,13 @@ bool guess_torus_about(const PatchSurface& round, std::span<const Point3> points
 /// part of a cone depend on each other so strongly that refine_surface() does not come from the one to the other.
 PatchSurface cone_from_cylinder(const PatchSurface& cylinder, std::span<const Point3> points);
 
-/// Computes starting values of a cone or a cylinder from the quadric nearest to the points of a sample, on which the normals
-/// decide only if there are many: the axis is that of the quadric, which two of its eigenvalues tell, and the ruling is the
-/// line of least squares in the half plane beside it. Points of fans tell a cone whose facets' normals say nothing. Returns
-/// nothing if no quadric passes by all points, so that they lie on no cylinder, cone or sphere. The quadric is that of the
-/// least quotient of the squares of its values and of its slopes [Taubin1991].
-std::optional<PatchSurface> round_quadric(const SurfaceSample& sample);
+/// Computes starting values of a cone from the quadric nearest to the points of a sample, that of the least quotient of the
+/// squares of its values and of its slopes [Taubin1991]. Two of its eigenvalues are nearly equal, and the third tells the
+/// axis. The ruling is the line of least squares in the half plane beside the axis. The normals of the sample choose among
+/// quadrics that all pass through the points, as they do through two circles; so the result is good also where facets form
+/// fans, whose normals tell little of a cone. Returns nothing if no quadric passes through all points: then they lie on no
+/// cylinder, cone or sphere.
+std::optional<PatchSurface> cone_from_quadric(const SurfaceSample& sample);
 
 /// Fits the surface to the points: minimises the sum of their squared distances [Levenberg1944, Marquardt1963]. Returns
 /// the largest remaining distance of a point.

@@ -315,6 +315,7 @@ void mark_bands(const Scene& scene, const Topology& topology, std::span<const gl
   for (const auto& [pair, both] : shared) {
     const double depth = std::min(area[pair[0]], area[pair[1]]) / both.length;
     const double sag = std::max(patches.list[pair[0]].sag, patches.list[pair[1]].sag);
+    // The sag of an arc is an eighth of its length times its turn.
     if (depth * both.sine / 8 > kMitreSags * sag) continue;
     for (const std::uint32_t patch : pair) patches.list[patch].is_band = true;
   }

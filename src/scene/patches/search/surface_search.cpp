@@ -216,17 +216,17 @@ bool SurfaceSearch::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandida
   return wildness() <= kWildGuess && refine();
 }
 
-/// Whether the corners of a sample lie on a quadric. Sets its cone.
+/// Whether the corners of a sample lie on a quadric. Sets the cone that this gives.
 bool SurfaceSearch::lies_on_quadric(FitSample& sample) {
   if (sample.shape.frames.empty()) {
     complete(sample);
-    sample.cone = round_quadric(sample.shape);
+    sample.cone = cone_from_quadric(sample.shape);
   }
   return sample.cone.has_value();
 }
 
-/// Whether a sample may lie on a surface to which its normals lead by chance: it lies there exactly, or on a cone that must
-/// spread. Sets the tolerance.
+/// Whether a candidate is worth growing though poor normals have led to it: its sample lies on the surface exactly, or the
+/// surface is a cone, which must then spread. Sets sag_part_.
 bool SurfaceSearch::may_lie_on(PatchCandidate& c) {
   const SurfaceKind kind = c.patch.surface.kind;
   sag_part_ = kExactSagPart;

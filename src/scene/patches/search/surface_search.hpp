@@ -20,7 +20,7 @@ struct PatchCandidate {
   Patch patch;
   std::vector<std::uint32_t> facets;
   double area = 0;           ///< of the facets
-  bool must_spread = false;  ///< whether its sample proves it only if it spreads far beyond that
+  bool must_spread = false;  ///< whether it needs kSpread times as many facets as its sample
   double residual = 0;       ///< largest distance of a corner of the facets from the surface, model units
 };
 
@@ -70,7 +70,7 @@ class SurfaceSearch {
     bool by_edges = false;                   ///< whether edge_frames() tell its normals, else those of the facets
     SurfaceSample shape{};                   ///< empty until complete()
     std::optional<PatchSurface> cylinder{};  ///< the cylinder of least squares, once it was fitted
-    std::optional<PatchSurface> cone{};      ///< round_quadric(), of the larger sample around a seed
+    std::optional<PatchSurface> cone{};      ///< cone_from_quadric(), of the larger sample around a seed
   };
   struct LookPlace {
     std::uint32_t round = 0, number = 0;  ///< index into looks_, valid only if round equals look_round_

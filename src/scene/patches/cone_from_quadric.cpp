@@ -3,7 +3,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
-#include <vector>
 
 #include "geometry/small_matrices.hpp"
 #include "scene/patches/patch_surface.hpp"
@@ -137,7 +136,7 @@ class QuadricFit {
 
 }  // namespace
 
-std::optional<PatchSurface> round_quadric(const SurfaceSample& sample) {
+std::optional<PatchSurface> cone_from_quadric(const SurfaceSample& sample) {
   const QuadricFit fit(sample);
   if (!fit.has_quadric()) return std::nullopt;
   const auto best = fit.best();
