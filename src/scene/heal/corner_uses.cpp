@@ -1,10 +1,18 @@
 #include "scene/heal/corner_uses.hpp"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "scene/model/planarity.hpp"
 
 namespace ligne {
+namespace {
+
+/// Adjustable. Largest ratio of height and length of a needle. Where the precision is as coarse as the mesh, all triangles
+/// are slivers, and those that are no needles keep their sides.
+constexpr double kNeedlePart = 1e-3;
+
+}  // namespace
 
 CornerUses::CornerUses(const Scene& scene, const Object& object, std::span<const std::uint32_t> faces,
                        const std::vector<std::uint32_t>& vertices)
@@ -44,9 +52,11 @@ std::span<const CornerUse> CornerUses::of(std::uint32_t v) const {
 }
 
 bool turns_over(const Point3& p, const Point3& q, const Point3& before, const Point3& after, double precision) {
-  const Point3 side = after - before;
-  const bool keeps_side = glm::dot(glm::cross(side, p - before), glm::cross(side, q - before)) > 0;
-  return !keeps_side && !is_sliver(p, before, after, precision);
+  const Point3 side = after - before, normal = glm::cross(side, p - before);
+  if (glm::dot(normal, glm::cross(side, q - before)) > 0) return false;
+  const bool is_needle =
+      glm::length(normal) <= kNeedlePart * std::max(glm::dot(side, side), glm::dot(p - before, p - before));
+  return !is_needle || !is_sliver(p, before, after, precision);
 }
 
 }  // namespace ligne

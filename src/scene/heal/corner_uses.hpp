@@ -34,7 +34,7 @@ class CornerUses {
 };
 
 /// Whether the triangle p, before, after turns over or loses its area when its corner p moves to q. False for a
-/// triangle that may have had no area before its coordinates were rounded to `precision`.
+/// needle that may have had no area before its coordinates were rounded to `precision`.
 bool turns_over(const Point3& p, const Point3& q, const Point3& before, const Point3& after, double precision);
 
 }  // namespace ligne
