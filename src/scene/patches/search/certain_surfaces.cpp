@@ -272,7 +272,11 @@ bool SurfaceSearch::has_firm_border(const PatchCandidate& c) {
   const double tolerance = tolerance_for(c.patch.surface.kind, c.patch.sag);
   // One row of facets of a cone lies on spheres, whose sag is large then.
   const bool may_be_row = c.patch.surface.kind == SurfaceKind::sphere && tolerance <= tolerance_for(SurfaceKind::sphere, 0);
-  if (!is_fine(c.patch) && !may_be_row) return true;
+  return (!is_fine(c.patch) && !may_be_row) || ends_within(c, kWider * tolerance);
+}
+
+/// Whether a candidate hardly grows when its corners may be as far from the surface as `tolerance`.
+bool SurfaceSearch::ends_within(const PatchCandidate& c, double tolerance) {
   const double most = (kMostGrowth - 1) * c.area;
   forget_looks();
   ++round_;
@@ -283,7 +287,7 @@ bool SurfaceSearch::has_firm_border(const PatchCandidate& c) {
     for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[i])) {
       if (stamp_[arc.facet] == round_) continue;
       stamp_[arc.facet] = round_;
-      if (!lies_on(c.patch, arc.facet, kWider * tolerance)) continue;
+      if (!lies_on(c.patch, arc.facet, tolerance)) continue;
       facets.push_back(arc.facet);
       added += graph_.area[arc.facet];
     }

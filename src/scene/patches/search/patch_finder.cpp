@@ -24,6 +24,8 @@ constexpr std::ptrdiff_t kFewestSuccesses = 4;
 /// The object also gets none if the surfaces of the samples together have fewer facets than one per kLeastShare seeds:
 /// in a free form of a million facets, some rows of ten lie on cylinders.
 constexpr std::size_t kLeastShare = 2000;
+/// Inverse of the part of the facets whose surfaces must end there: those of the others go over into what is beside them.
+constexpr std::size_t kFirmShare = 4;
 /// Logarithm of the number of classes of seeds of similar lengths.
 constexpr int kClassBits = 12;
 /// Largest number of facets that all surfaces together grow over, and how many more for each facet of the object. Parts need
@@ -60,12 +62,38 @@ std::vector<std::uint32_t> PatchFinder::run(std::vector<Patch>& patches) {
   return std::move(patch_of_);
 }
 
-/// Searches from samples of `count` seeds. Whether they get so few surfaces that the object gets none.
+/// Whether a surface, on which corners do not lie exactly, goes over into what is beside it: it would grow at a tolerance of
+/// its sag. Each row of facets of a smooth tube lies on a cylinder so; spheres hold too exactly. Where the facets are a part
+/// of an object, those at borders may go on.
+bool PatchFinder::goes_over(const Patch& patch, std::vector<std::uint32_t> facets) {
+  fetch_points(facets);
+  const double rounding = kPrecisions * object_.precision;
+  const auto is_exact = [&](const Point3& p) { return std::abs(patch.surface.distance(p)) <= rounding; };
+  if (patch.surface.kind == SurfaceKind::sphere || std::ranges::all_of(points_, is_exact)) return false;
+  const auto is_at_border = [&](std::uint32_t f) { return at_border_[f] != 0; };
+  if (!at_border_.empty() && std::ranges::any_of(facets, is_at_border)) return true;
+  PatchCandidate c;
+  c.patch = patch;
+  c.facets = std::move(facets);
+  for (const std::uint32_t f : c.facets) c.area += graph_.area[f];
+  return !ends_within(c, std::max(patch.sag, rounding));
+}
+
+/// Searches from samples of `count` seeds. Whether they get so few surfaces that the object gets none, or most of these go
+/// over into what is beside them.
 bool PatchFinder::find_few(std::span<const Seed> samples, std::size_t count, std::vector<Patch>& patches) {
   search(samples, patches);
+  std::vector<std::vector<std::uint32_t>> facets(patches.size());
+  std::size_t found = 0, loose = 0;
+  for (std::uint32_t f = 0; f < graph_.size(); ++f) {
+    if (patch_of_[f] == kNone) continue;
+    facets[patch_of_[f]].push_back(f);
+    ++found;
+  }
+  for (std::size_t p = 0; p < patches.size(); ++p) loose += goes_over(patches[p], facets[p]) ? facets[p].size() : 0;
   const auto succeeded = [&](const Seed& seed) { return patch_of_[seed.facet] != kNone; };
-  const auto facets = static_cast<std::size_t>(std::ranges::count_if(patch_of_, [](std::uint32_t p) { return p != kNone; }));
-  return std::ranges::count_if(samples, succeeded) < kFewestSuccesses || kLeastShare * facets < count;
+  return std::ranges::count_if(samples, succeeded) < kFewestSuccesses || kLeastShare * found < count ||
+         kFirmShare * (found - loose) < found;
 }
 
 bool PatchFinder::seems_free(std::span<const std::uint32_t> facets, std::size_t count) {
@@ -75,6 +103,10 @@ bool PatchFinder::seems_free(std::span<const std::uint32_t> facets, std::size_t 
     if (may_be_seed(f)) samples.push_back({longest_diagonal(f), f});
   }
   if (static_cast<double>(samples.size()) < kNearlyAll * static_cast<double>(facets.size())) return false;
+  at_border_.assign(graph_.size(), 0);
+  for (const Edge& edge : topology_.edges) {
+    if (edge.face1 == kNone) at_border_[graph_.facet_of[edge.face0 - object_.face_begin]] = 1;
+  }
   std::sort(samples.begin(), samples.end());
   std::vector<Patch> patches;
   return find_few(samples, count, patches);

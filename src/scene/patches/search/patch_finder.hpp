@@ -21,8 +21,8 @@ class PatchFinder : SurfaceSearch {
   /// Fills `patches`. Returns the index of the patch of each facet, or kNone.
   std::vector<std::uint32_t> run(std::vector<Patch>& patches);
 
-  /// Whether so few surfaces are found on some facets that an object of `count` facets has none. Nearly all of them must be
-  /// facets that may be curved.
+  /// Whether so few surfaces are found on some facets that an object of `count` facets, of which this one is a part, has
+  /// none. Nearly all of them must be facets that may be curved.
   bool seems_free(std::span<const std::uint32_t> facets, std::size_t count);
 
  private:
@@ -42,6 +42,7 @@ class PatchFinder : SurfaceSearch {
   };
 
   bool may_be_seed(std::uint32_t f) const { return may_curve(f) && !graph_.arcs_of(f).empty(); }
+  bool goes_over(const Patch& patch, std::vector<std::uint32_t> facets);
   bool find_few(std::span<const Seed> samples, std::size_t count, std::vector<Patch>& patches);
   std::vector<Seed> seeds() const;
   static std::vector<Seed> every_seed(std::span<const Seed> seeds, std::size_t step);
@@ -64,6 +65,7 @@ class PatchFinder : SurfaceSearch {
 
   std::vector<std::uint32_t> patch_of_;    ///< per facet: index of its patch, or kNone
   std::vector<std::uint8_t> has_failed_;   ///< per facet: whether no surface was found from it
+  std::vector<std::uint8_t> at_border_;    ///< per facet of a part of an object: whether it is at a border; else empty
   std::vector<std::uint8_t> is_excluded_;  ///< per facet: whether it is no seed of search() any more
   std::deque<SurfaceSearch> others_;       ///< for seeds that are tried at once
   std::size_t all_grown_ = 0;              ///< number of facets that surfaces grew over from seeds that counted

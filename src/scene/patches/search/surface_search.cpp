@@ -12,11 +12,11 @@ namespace ligne {
 namespace {
 
 // Adjustable parameters.
-/// Largest distance of corners from a surface: the larger of kPrecisions precisions of the coordinates and a fraction
-/// of the sag. The sag counts because surfaces between free forms are approximated; spheres are not, so their fraction
-/// is small. The fraction for long strips is larger, since many corners are evidence all the same: programs approximate
-/// the curves at which fillets end to a thousandth of a millimetre or worse.
-constexpr double kPrecisions = 8, kSagPart = 0.03, kExactSagPart = 0.002, kStripSagPart = 0.25;
+/// Largest distance of corners from a surface, if it is more than rounding: a fraction of the sag. The sag counts because
+/// surfaces between free forms are approximated; spheres are not, so their fraction is small. The fraction for long strips
+/// is larger, since many corners are evidence all the same: programs approximate the curves at which fillets end to a
+/// thousandth of a millimetre or worse.
+constexpr double kSagPart = 0.03, kExactSagPart = 0.002, kStripSagPart = 0.25;
 /// Largest distance, in sags, of a corner from the surface of the starting values. If one is farther away, the values
 /// are rejected. Cylinders that may turn into cones, and those of irregular triangles, may be farther away. So may tori:
 /// the normals of coarse triangles between two circles tell little of the axis.

@@ -44,6 +44,8 @@ class SurfaceSearch {
   std::size_t take_grown() { return std::exchange(grown_, 0); }
 
  protected:
+  /// Adjustable. Largest distance, in precisions of the coordinates, of corners that lie on a surface exactly.
+  static constexpr double kPrecisions = 8;
   static constexpr std::uint32_t kWordBits = 64;  ///< bits of a word of is_fetched_
   /// Adjustable. A facet on which no surface was found excludes its neighbours of at least this part of its area as seeds;
   /// smaller ones may belong to a fillet beside a plane. A neighbour of less than this part of a facet's area is not in one
@@ -99,6 +101,7 @@ class SurfaceSearch {
   void sort_by_bits(std::uint32_t low, std::uint32_t high);
   double sag_of(const PatchSurface& surface, std::span<const std::uint32_t> facets);
   bool has_firm_border(const PatchCandidate& c);
+  bool ends_within(const PatchCandidate& c, double tolerance);
   double tolerance_for(SurfaceKind kind, double sag) const;
   void forget_looks();
   const VertexLook& look_at(const Patch& patch, std::uint32_t vertex, double tolerance);
