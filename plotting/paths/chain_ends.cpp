@@ -7,7 +7,7 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "linework/map/continuations.hpp"
-#include "plotting/paths/nearest_points.hpp"
+#include "geometry/nearest_points.hpp"
 #include "plotting/paths/path_length.hpp"
 
 namespace ligne {

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "plotting/paths/inside_first.hpp"
-#include "plotting/paths/nearest_points.hpp"
+#include "geometry/nearest_points.hpp"
 #include "plotting/paths/path_length.hpp"
 #include "plotting/paths/tour.hpp"
 

@@ -18,7 +18,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/parallel.hpp"
-#include "plotting/paths/nearest_points.hpp"
+#include "geometry/nearest_points.hpp"
 
 namespace ligne {
 namespace {

@@ -5,7 +5,7 @@
 #include "linework/overlaps/overlap_search.hpp"
 #include "linework/overlaps/stroke_end_tree.hpp"
 #include "linework/overlaps/stroke_overlap.hpp"
-#include "linework/point_tree.hpp"
+#include "geometry/point_tree.hpp"
 #include "main/tier.hpp"
 #include "stroke_builder.hpp"
 

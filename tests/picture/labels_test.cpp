@@ -1,9 +1,9 @@
 // Labels of contour lines, on ten terrains at three scales, in both styles of text.
 
 #include "drawing/measures.hpp"
+#include "geometry/nearest_points.hpp"
 #include "main/script.hpp"
 #include "picture/marks/contour_labels.hpp"
-#include "picture/marks/mark_tree.hpp"
 #include "picture/marks/point_marks.hpp"
 #include "picture/parse/parse_terrain.hpp"
 #include "picture/surface/surface_picture.hpp"
@@ -218,7 +218,7 @@ TEST(PointMarks, LabelsOverlapNothingAndNoPlaceIsLeft) {
   EXPECT_EQ(next, labels.size()) << "labels come in the order of their points";
 }
 
-TEST(MarkTree, AgreesWithALookAtAllPoints) {
+TEST(NearestPoints, FindsPointsInABoxAsALookAtAllPoints) {
   std::mt19937 random(5);
   std::uniform_int_distribution<int> place(0, 40);
   for (const std::size_t count : {0, 1, 8, 9, 500}) {
@@ -227,7 +227,7 @@ TEST(MarkTree, AgreesWithALookAtAllPoints) {
       const Point2 p{place(random) * 0.5, place(random) * 0.5};
       points.insert(points.end(), i % 5 == 0 ? 12 : 1, p);
     }
-    const MarkTree tree(points);
+    const NearestPoints tree(points);
     for (int k = 0; k < 2000; ++k) {
       const Point2 center{place(random) * 0.5, place(random) * 0.5}, half{place(random) * 0.05, place(random) * 0.05};
       const bool expected = std::any_of(points.begin(), points.end(), [&](Point2 p) {

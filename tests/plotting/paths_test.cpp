@@ -5,7 +5,7 @@
 #include "base/parallel.hpp"
 #include "drawing/measures.hpp"
 #include "main/tier.hpp"
-#include "plotting/paths/nearest_points.hpp"
+#include "geometry/nearest_points.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "sample_drawing.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "linework/overlaps/stroke_directions.hpp"
-#include "linework/point_tree.hpp"
+#include "geometry/point_tree.hpp"
 
 namespace ligne {
 

@@ -7,7 +7,7 @@
 #include "base/parallel.hpp"
 #include "linework/map/line_groups.hpp"
 #include "linework/near_part.hpp"
-#include "linework/point_tree.hpp"
+#include "geometry/point_tree.hpp"
 #include "linework/rules/rules.hpp"
 #include "linework/stroke_geometry.hpp"
 

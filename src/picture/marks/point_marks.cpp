@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/nearest_points.hpp"
 #include "picture/marks/box_grid.hpp"
 #include "picture/marks/contour_labels.hpp"
 #include "picture/marks/halos.hpp"
-#include "picture/marks/mark_tree.hpp"
 #include "plotting/stroke_text.hpp"
 
 namespace ligne {
@@ -111,7 +111,7 @@ std::vector<TextItem> mark_points(Drawing& drawing, const std::vector<MarkedPoin
     marks.push_back(p);
     gaps.push_back({p, {r, r}, 0});
   }
-  const MarkTree tree(std::move(marks));
+  const NearestPoints tree(marks);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!seen[i] || points[i].label.empty()) continue;
     const Point2 p = page_point(view, points[i].at);

@@ -1,12 +1,12 @@
 #pragma once
-/// Search for nearest points in a set that shrinks.
+/// Searches in a set of points of the page that shrinks.
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "geometry/point.hpp"
-#include "linework/point_tree.hpp"
+#include "geometry/point_tree.hpp"
 
 namespace ligne {
 
@@ -27,6 +27,9 @@ class NearestPoints {
 
   /// Finds the `count` remaining points nearest to p, sorted by distance and index; fewer where fewer remain.
   void nearest(Point2 p, std::size_t count, std::vector<Neighbour>& found) const;
+
+  /// Whether a point, removed or not, is nearer to `center` than `half` along both axes. O(sqrt n).
+  bool any_within(Point2 center, Point2 half) const;
 
  private:
   PointTree<2, double> tree_;

@@ -1,6 +1,7 @@
-#include "plotting/paths/nearest_points.hpp"
+#include "geometry/nearest_points.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -42,6 +43,28 @@ void NearestPoints::nearest(Point2 p, std::size_t count, std::vector<Neighbour>&
       if (found.size() == count) limit = found.back().squared;
     }
   });
+}
+
+bool NearestPoints::any_within(Point2 center, Point2 half) const {
+  bool found = false;
+  const auto enter = [&](const PointBox<2, double>& box) {
+    bool is_inside = true;
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto k = static_cast<std::size_t>(axis);
+      const double low = box.low[k] - center[axis], high = box.high[k] - center[axis];
+      if (found || low >= half[axis] || high <= -half[axis]) return false;
+      is_inside = is_inside && std::max(std::abs(low), std::abs(high)) < half[axis];
+    }
+    found = is_inside;
+    return !found;
+  };
+  tree_.search(enter, [&](std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const Point2 d = points_[i] - center;
+      found = found || (std::abs(d.x) < half.x && std::abs(d.y) < half.y);
+    }
+  });
+  return found;
 }
 
 }  // namespace ligne
