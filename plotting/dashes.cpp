@@ -7,8 +7,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "plotting/paths/path_length.hpp"
-
 namespace ligne {
 namespace {
 

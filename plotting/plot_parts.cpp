@@ -8,8 +8,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "plotting/paths/path_length.hpp"
-
 namespace ligne {
 namespace {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "drawing/drawing.hpp"
+#include "geometry/elliptic_arc.hpp"
 #include "geometry/point.hpp"
-#include "plotting/paths/elliptic_arc.hpp"
 #include "plotting/paths/known_ellipses.hpp"
 
 namespace ligne {

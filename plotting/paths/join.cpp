@@ -20,9 +20,10 @@
 #include "base/disjoint_sets.hpp"
 #include "base/key_table.hpp"
 #include "base/no_index.hpp"
+#include "base/parallel.hpp"
+#include "geometry/nearest_points.hpp"
 #include "linework/map/continuations.hpp"
 #include "linework/overlaps/coincident_strokes.hpp"
-#include "plotting/paths/chain_ends.hpp"
 #include "plotting/paths/simplify.hpp"
 
 namespace ligne {
@@ -80,32 +81,23 @@ std::vector<char> shared_points(const LatticeLines& lines) {
 StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm, double most_lost) {
   StrokeModel model;
   model.lattice = lines.lattice;
-  const std::vector<char> shared = tolerance_mm > 0 ? shared_points(lines) : std::vector<char>{};
-  std::vector<Point2> piece;
-  std::vector<std::uint32_t> where;
-  const auto add_piece = [&] {
-    const std::vector<std::uint32_t> kept = simplified(piece, tolerance_mm, most_lost);
-    for (std::size_t k = 1; k < kept.size(); ++k) {
-      Stroke stroke;
-      stroke.from = lines.points[where[kept[k - 1]]];
-      stroke.to = lines.points[where[kept[k]]];
-      if (stroke.from == stroke.to) continue;
-      stroke.source = static_cast<std::uint32_t>(model.strokes.size());
-      model.strokes.push_back(stroke);
-    }
-  };
+  const std::vector<char> shared = tolerance_mm > 0 ? shared_points(lines) : std::vector<char>(lines.points.size(), 1);
+  std::vector<Point2> line_mm;
   for (std::size_t i = 0; i + 1 < lines.begin.size(); ++i) {
-    piece.clear();
-    where.clear();
-    for (std::uint32_t j = lines.begin[i]; j < lines.begin[i + 1]; ++j) {
-      piece.push_back(lines.lattice.to_mm(lines.points[j]));
-      where.push_back(j);
-      const bool last = j + 1 == lines.begin[i + 1];
-      if (piece.size() > 1 && (last || shared.empty() || shared[j])) {
-        add_piece();
-        piece.assign(1, piece.back());
-        where.assign(1, j);
+    const std::size_t first = lines.begin[i], count = lines.begin[i + 1] - first;
+    line_mm.clear();
+    for (std::size_t k = 0; k < count; ++k) line_mm.push_back(lines.lattice.to_mm(lines.points[first + k]));
+    for (std::size_t from = 0, to = 1; to < count; ++to) {
+      if (to + 1 < count && !shared[first + to]) continue;
+      const auto kept = simplified(std::span(line_mm).subspan(from, to - from + 1), tolerance_mm, most_lost);
+      for (std::size_t k = 1; k < kept.size(); ++k) {
+        Stroke stroke;
+        stroke.from = lines.points[first + from + kept[k - 1]];
+        stroke.to = lines.points[first + from + kept[k]];
+        stroke.source = static_cast<std::uint32_t>(model.strokes.size());
+        if (stroke.from != stroke.to) model.strokes.push_back(stroke);
       }
+      from = to;
     }
   }
   model.edge_count = static_cast<std::uint32_t>(model.strokes.size());
@@ -229,7 +221,80 @@ void append(Polylines& out, std::span<const Point2> line, std::span<const std::u
   out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
 }
 
+/// A line is closed over a gap only if it is longer than this multiple of the gap: it must go somewhere and come back.
+constexpr double kLoopLengths = 4;
+
+/// Nearest ends that are tried for each loose end. Adjustable.
+constexpr std::size_t kCandidates = 8;
+
+struct Pair {
+  double squared;
+  std::uint32_t a, b;  ///< loose ends, a < b
+};
+
+/// Pairs of loose ends within the tolerance, the nearest first. End 2 i is the first point of line i, end 2 i + 1 its
+/// last.
+std::vector<Pair> near_pairs(const Polylines& lines, double tolerance_mm) {
+  std::vector<std::uint32_t> ends;
+  std::vector<Point2> points;
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    if (is_loop(lines[i])) continue;
+    for (const bool last : {false, true}) {
+      ends.push_back(2 * i + last);
+      points.push_back(last ? lines[i].back() : lines[i].front());
+    }
+  }
+  const NearestPoints tree(points);
+  std::vector<std::vector<Pair>> found(ends.size());
+  parallel_blocks(ends.size(), kSearchBlock, [&](std::size_t first, std::size_t last) {
+    std::vector<NearestPoints::Neighbour> neighbours;
+    for (std::size_t e = first; e < last; ++e) {
+      tree.nearest(points[e], kCandidates + 1, neighbours);
+      for (const NearestPoints::Neighbour& n : neighbours) {
+        if (n.squared > tolerance_mm * tolerance_mm) break;
+        if (n.point != e)
+          found[e].push_back({n.squared, std::min(ends[e], ends[n.point]), std::max(ends[e], ends[n.point])});
+      }
+    }
+  });
+  std::vector<Pair> pairs;
+  for (const std::vector<Pair>& of_end : found) pairs.insert(pairs.end(), of_end.begin(), of_end.end());
+  const auto key = [](const Pair& p) { return std::tie(p.squared, p.a, p.b); };
+  std::sort(pairs.begin(), pairs.end(), [&](const Pair& l, const Pair& r) { return key(l) < key(r); });
+  return pairs;
+}
+
 }  // namespace
+
+Polylines join_near_ends(const Polylines& lines, double tolerance_mm) {
+  if (!(tolerance_mm > 0)) return lines;
+  std::vector<std::uint32_t> partner(2 * lines.size(), kNone);
+  for (const Pair& pair : near_pairs(lines, tolerance_mm)) {
+    if (partner[pair.a] != kNone || partner[pair.b] != kNone) continue;
+    if (pair.a / 2 == pair.b / 2 && path_length(lines[pair.a / 2]) <= kLoopLengths * std::sqrt(pair.squared)) continue;
+    partner[pair.a] = pair.b;
+    partner[pair.b] = pair.a;
+  }
+
+  Polylines out;
+  for_each_line(partner, LineOrder::strokes, [&](std::span<const std::uint32_t> ends, bool is_ring) {
+    const std::size_t first = out.points.size();
+    for (const std::uint32_t end : ends) {
+      const auto line = lines[end / 2];
+      const auto add = [&](Point2 p) {
+        if (out.points.size() == first || out.points.back() != p) out.points.push_back(p);
+      };
+      if (end % 2 == 0) {
+        std::for_each(line.begin(), line.end(), add);
+      } else {
+        std::for_each(line.rbegin(), line.rend(), add);
+      }
+    }
+    if (is_ring && out.points.back() != out.points[first]) out.points.push_back(out.points[first]);
+    out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
+  });
+  return out;
+}
 
 Polylines join_strokes(const Polylines& lines, const JoinTolerances& tolerances) {
   const LatticeLines snapped = on_lattice(lines);

@@ -27,4 +27,9 @@ struct JoinTolerances {
 /// of ends_mm, overlap_mm and simplify_mm.
 Polylines join_strokes(const Polylines& lines, const JoinTolerances& tolerances);
 
+/// Joins polylines whose ends lie within the tolerance of each other by a straight segment, the nearest first. The two
+/// ends of one polyline are joined only if it is several times as long as the gap. Closed polylines stay as they are. The
+/// results are ordered by the first polyline in each.
+Polylines join_near_ends(const Polylines& lines, double tolerance_mm);
+
 }  // namespace ligne

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/elliptic_arc.hpp"
 #include "geometry/lattice.hpp"
 #include "linework/map/line_cells.hpp"
-#include "plotting/paths/elliptic_arc.hpp"
 
 namespace ligne {
 

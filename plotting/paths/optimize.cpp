@@ -1,5 +1,4 @@
 #include "plotting/paths/optimize.hpp"
-#include "plotting/paths/path_length.hpp"
 
 #include <glm/geometric.hpp>
 

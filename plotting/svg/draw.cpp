@@ -11,7 +11,6 @@
 #include "plotting/dashes.hpp"
 #include "plotting/devices/pens.hpp"
 #include "plotting/hatching/hatch.hpp"
-#include "plotting/paths/path_length.hpp"
 #include "plotting/svg/reader.hpp"
 
 namespace ligne::svg {

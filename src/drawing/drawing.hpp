@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "drawing/text_item.hpp"
 #include "geometry/point.hpp"
 #include "linework/stroke.hpp"
@@ -30,6 +32,16 @@ struct Polylines {
     begin.push_back(static_cast<std::uint32_t>(points.size()));
   }
 };
+
+/// The length of a polyline, in its own units.
+inline double path_length(std::span<const Point2> line) {
+  double sum = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) sum += glm::distance(line[i - 1], line[i]);
+  return sum;
+}
+
+/// Whether a polyline returns to its first point.
+inline bool is_loop(std::span<const Point2> line) { return line.size() > 2 && line.front() == line.back(); }
 
 /// Appends the polylines of `from` to those of `to`.
 inline void append(Polylines& to, const Polylines& from) {

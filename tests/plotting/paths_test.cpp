@@ -4,8 +4,8 @@
 
 #include "base/parallel.hpp"
 #include "drawing/measures.hpp"
-#include "main/tier.hpp"
 #include "geometry/nearest_points.hpp"
+#include "main/tier.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "sample_drawing.hpp"
 

@@ -5,7 +5,7 @@
 #include "geometry/nearest_on_segment.hpp"
 #include "main/script.hpp"
 #include "plotting/dashes.hpp"
-#include "plotting/paths/chain_ends.hpp"
+#include "plotting/paths/join.hpp"
 #include "plotting/paths/simplify.hpp"
 #include "plotting/readers/drawing_reader.hpp"
 #include "plotting/readers/utf8.hpp"

@@ -2,8 +2,8 @@
 /// Drawings, lines and texts that several tests of plotting share.
 
 #include "drawing/measures.hpp"
+#include "geometry/elliptic_arc.hpp"
 #include "main/script.hpp"
-#include "plotting/paths/elliptic_arc.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "plotting/writers/number_text.hpp"
 #include "plotting/writers/writers.hpp"

@@ -1,4 +1,4 @@
-#include "plotting/paths/elliptic_arc.hpp"
+#include "geometry/elliptic_arc.hpp"
 
 #include <algorithm>
 #include <cmath>
