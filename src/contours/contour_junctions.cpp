@@ -37,19 +37,22 @@ double reach_at(const ContourCurve& curve, double at, double reach_mm) {
   return std::max(reach_mm, to > from ? length / (to - from) / 2 : 0);
 }
 
-/// Calls visit(piece of the visible runs of contour c).
-template <class Visit>
-void for_visible_pieces(const SeenContour& contour, std::uint32_t c, Visit visit) {
-  for (const ContourRun& run : contour.runs) {
-    if (run.state != 0) continue;
-    const std::vector<CurvePoint> points = contour.curve.part(run.from, run.to);
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const CurvePoint &a = points[i - 1], &b = points[i];
-      const auto segment = static_cast<std::size_t>(a.at);
-      const double beside_mm = segment < contour.beside_mm.size() ? contour.beside_mm[segment] : 0;
-      visit(OutlineSegment{a.mm, b.mm, a.depth, b.depth, c, a.length, b.length, beside_mm});
+/// Finds the visible runs of contours.
+SegmentFinder finder_of(const std::vector<SeenContour>& contours, const Lattice& lattice) {
+  SegmentFinder finder(lattice, kCellMm);
+  for (std::uint32_t c = 0; c < contours.size(); ++c) {
+    for (const ContourRun& run : contours[c].runs) {
+      if (run.state != 0) continue;
+      const std::vector<CurvePoint> points = contours[c].curve.part(run.from, run.to);
+      for (std::size_t i = 1; i < points.size(); ++i) {
+        const CurvePoint &a = points[i - 1], &b = points[i];
+        const auto segment = static_cast<std::size_t>(a.at);
+        const double beside_mm = segment < contours[c].beside_mm.size() ? contours[c].beside_mm[segment] : 0;
+        finder.add({a.mm, b.mm, a.depth, b.depth, c, a.length, b.length, beside_mm});
+      }
     }
   }
+  return finder;
 }
 
 /// A change of state within a curve, and the part of the curve to which it may be moved.
@@ -82,6 +85,19 @@ std::vector<Change> changes_of(const std::vector<SeenContour>& contours, double 
     }
   }
   return changes;
+}
+
+/// Intersects from-to with a segment. Returns false if they do not cross; otherwise sets `fraction` to the place on
+/// from-to, 0 to 1, and `depth` to the depth of the segment there.
+bool crossing(Point2 from, Point2 to, const OutlineSegment& segment, double& fraction, double& depth) {
+  const Point2 d = to - from, e = segment.to - segment.from, to_start = segment.from - from;
+  const double area = cross(d, e);
+  if (area == 0) return false;
+  fraction = cross(to_start, e) / area;
+  const double along = cross(to_start, d) / area;
+  if (!(fraction >= 0 && fraction <= 1 && along >= 0 && along <= 1)) return false;
+  depth = segment.z_from + along * (segment.z_to - segment.z_from);
+  return true;
 }
 
 /// The crossing of a part of a line with a line in front that is nearest to the end of what is visible, as lengths along the
@@ -146,24 +162,10 @@ void SegmentFinder::add(const OutlineSegment& segment) {
   segments_.push_back(segment);
 }
 
-bool crossing(Point2 from, Point2 to, const OutlineSegment& segment, double& fraction, double& depth) {
-  const Point2 d = to - from, e = segment.to - segment.from, to_start = segment.from - from;
-  const double area = cross(d, e);
-  if (area == 0) return false;
-  fraction = cross(to_start, e) / area;
-  const double along = cross(to_start, d) / area;
-  if (!(fraction >= 0 && fraction <= 1 && along >= 0 && along <= 1)) return false;
-  depth = segment.z_from + along * (segment.z_to - segment.z_from);
-  return true;
-}
-
 void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel& others, double reach_mm) {
   const std::vector<Change> changes = changes_of(contours, reach_mm);
   if (changes.empty()) return;
-  SegmentFinder finder(others.lattice, kCellMm);
-  for (std::uint32_t c = 0; c < contours.size(); ++c) {
-    for_visible_pieces(contours[c], c, [&](const OutlineSegment& s) { finder.add(s); });
-  }
+  SegmentFinder finder = finder_of(contours, others.lattice);
   for (const Stroke& s : others.strokes) {
     if (may_hide(s)) finder.add({others.lattice.to_mm(s.from), others.lattice.to_mm(s.to), s.z_from, s.z_to});
   }
@@ -235,10 +237,7 @@ void apply(const MovedEnd& moved, StrokeModel& model) {
 }  // namespace
 
 void move_ends_of_strokes(StrokeModel& others, const std::vector<SeenContour>& contours, double reach_mm) {
-  SegmentFinder finder(others.lattice, kCellMm);
-  for (std::uint32_t c = 0; c < contours.size(); ++c) {
-    for_visible_pieces(contours[c], c, [&](const OutlineSegment& s) { finder.add(s); });
-  }
+  SegmentFinder finder = finder_of(contours, others.lattice);
   const std::vector<std::uint32_t> visible =
       indices_where(others.strokes.size(), [&](std::size_t i) { return others.strokes[i].visible; });
   const Nodes nodes(others.strokes, visible);

@@ -61,10 +61,6 @@ class SegmentFinder {
   std::vector<OutlineSegment> segments_;
 };
 
-/// Intersects from-to with a segment. Returns false if they do not cross; otherwise sets `fraction` to the place on
-/// from-to, 0 to 1, and `depth` to the depth of the segment there.
-bool crossing(Point2 from, Point2 to, const OutlineSegment& segment, double& fraction, double& depth);
-
 /// A contour with its visible and hidden runs.
 struct SeenContour {
   ContourCurve curve;

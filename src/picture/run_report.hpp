@@ -67,6 +67,10 @@ struct RunReport {
   std::vector<RunWarning> warnings;
   InputFiles files;  ///< files that were read
 
+  /// Counts changes of clear lines, if there are any.
+  void count_clear(std::string_view cause, std::uint64_t n) {
+    if (n > 0) clear.count(cause, n);
+  }
   void warn(std::string text) { warnings.push_back({{}, std::move(text)}); }
 };
 

@@ -40,20 +40,17 @@ EdgeSelection select_edges(const Scene& scene, const Topology& topology, const L
   EdgeSelection selection{classes, request.crease_degrees};
   if (request.quality == Quality::exact || !needs_creases(classes)) return selection;
   creases = find_creases(scene, topology, {request.crease_degrees, request.surface_crease_degrees});
-  const auto count = [&](const char* name, std::size_t n) {
-    if (n > 0) run.clear.count(name, n);
-  };
-  count("creases smooth by the file", creases.smooth_by_file);
-  count("creases sharp by the file", creases.sharp_by_file);
-  count("creases inside a surface", creases.inside_surfaces);
-  count("creases between surfaces", creases.between_surfaces);
-  count("creases on no clean line", creases.untraced);
-  count("creases traced", creases.traced);
-  count("creases continued", creases.continued);
-  count("creases that fade", creases.fading);
-  count("creases standing out", creases.spurs);
-  count("creases too short", creases.short_chains);
-  count("creases of straight sheets", creases.straight_sheets);
+  run.count_clear("creases smooth by the file", creases.smooth_by_file);
+  run.count_clear("creases sharp by the file", creases.sharp_by_file);
+  run.count_clear("creases inside a surface", creases.inside_surfaces);
+  run.count_clear("creases between surfaces", creases.between_surfaces);
+  run.count_clear("creases on no clean line", creases.untraced);
+  run.count_clear("creases traced", creases.traced);
+  run.count_clear("creases continued", creases.continued);
+  run.count_clear("creases that fade", creases.fading);
+  run.count_clear("creases standing out", creases.spurs);
+  run.count_clear("creases too short", creases.short_chains);
+  run.count_clear("creases of straight sheets", creases.straight_sheets);
   selection.creases = &creases.lines;
   return selection;
 }

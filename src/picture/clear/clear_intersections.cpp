@@ -130,12 +130,11 @@ void clear_intersections(StrokeModel& model, const Scene& scene, const Projected
       model.strokes.insert(model.strokes.end(), pieces.begin(), pieces.end());
     }
   }
-  const auto count = [&](const char* name, const std::vector<bool>& which) {
-    const auto n = std::count(which.begin(), which.end(), true);
-    if (n > 0) run.clear.count(name, static_cast<std::uint64_t>(n));
+  const auto count_of = [](const std::vector<bool>& which) {
+    return static_cast<std::uint64_t>(std::count(which.begin(), which.end(), true));
   };
-  count("intersections of surfaces that touch", contact);
-  count("intersections along rims", on_rim);
+  run.count_clear("intersections of surfaces that touch", count_of(contact));
+  run.count_clear("intersections along rims", count_of(on_rim));
 }
 
 }  // namespace ligne

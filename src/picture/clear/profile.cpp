@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "base/no_index.hpp"
 #include "linework/map/line_groups.hpp"
 #include "linework/stroke_geometry.hpp"
 #include "linework/stroke_piece.hpp"
@@ -138,15 +137,7 @@ std::vector<Stroke> cut_strokes(const std::vector<Stroke>& strokes, std::vector<
 
 void draw_profiles(StrokeModel& model, const ProjectedScene& projected, const Scene& scene, const ContourSources& contours,
                    ProfileKind kind, double pen_width_mm) {
-  std::vector<std::uint32_t> members, member_of(model.strokes.size(), kNone);
-  for (std::uint32_t i = 0; i < model.strokes.size(); ++i) {
-    const Stroke& s = model.strokes[i];
-    if (!is_seen(s) || !is_edge(s) || s.from == s.to) continue;
-    member_of[i] = static_cast<std::uint32_t>(members.size());
-    members.push_back(i);
-  }
-  if (members.empty()) return;
-  const auto free = free_parts(model, members, projected, scene, contours, {kind, pen_width_mm});
+  const auto free = free_parts(model, projected, scene, contours, {kind, pen_width_mm});
   const double step = model.lattice.step_mm;
   /// Side of the cells for the search of lines, in pen widths. Adjustable.
   constexpr double kCellInPens = 4;
@@ -157,7 +148,7 @@ void draw_profiles(StrokeModel& model, const ProjectedScene& projected, const Sc
     std::vector<Bit> bits;
     double off_mm = 0;
     for (const std::uint32_t end : arc.ends) {
-      const FreeParts& parts = free[member_of[map.stroke_number(end / 2)]];
+      const FreeParts& parts = free[map.stroke_number(end / 2)];
       std::vector<Bit> of_piece = bits_of(map, end / 2, parts);
       if (end % 2 == 1) std::ranges::reverse(of_piece);
       bits.insert(bits.end(), of_piece.begin(), of_piece.end());

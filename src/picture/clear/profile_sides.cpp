@@ -20,7 +20,6 @@ constexpr double kBesideCoincidences = 4;
 constexpr double kLeastGapInPens = 0.25;
 /// Least depth of another object behind the stroke, in pen widths. A nearer object touches.
 constexpr double kLeastDepthInPens = 1;
-constexpr std::size_t kBlock = 256;
 
 /// The lines on one side of a stroke along which visibility is tested.
 struct Side {
@@ -206,16 +205,18 @@ std::vector<Facet> candidate_facets(const ProjectedScene& projected) {
 
 }  // namespace
 
-std::vector<FreeParts> free_parts(const StrokeModel& model, std::span<const std::uint32_t> members,
-                                  const ProjectedScene& projected, const Scene& scene, const ContourSources& contours,
-                                  const ProfileStyle& style) {
+std::vector<FreeParts> free_parts(const StrokeModel& model, const ProjectedScene& projected, const Scene& scene,
+                                  const ContourSources& contours, const ProfileStyle& style) {
   const ProfileKind kind = style.kind;
   const double pen_width_mm = style.pen_width_mm;
   const SourceFaces faces(model, projected);
   const Sides sides_of(model, scene, projected, faces, contours, pen_width_mm);
-  std::vector<std::vector<Side>> sides(members.size());
-  parallel_blocks(members.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t m = begin; m < end; ++m) sides_of.add(model.strokes[members[m]], sides[m]);
+  const std::vector<Stroke>& strokes = model.strokes;
+  std::vector<std::vector<Side>> sides(strokes.size());
+  parallel_blocks(sides.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (is_seen(strokes[i]) && is_edge(strokes[i]) && strokes[i].from != strokes[i].to) sides_of.add(strokes[i], sides[i]);
+    }
   });
   const std::vector<Facet> facets = candidate_facets(projected);
   const ObjectOfFace object_of(scene);
@@ -233,9 +234,9 @@ std::vector<FreeParts> free_parts(const StrokeModel& model, std::span<const std:
     }
     const auto seen = nearest_along(projected.vertices, facets, lines, kind == ProfileKind::sheet);
     std::size_t line = 0;
-    for (std::size_t m = 0; m < members.size(); ++m) {
-      const Stroke& stroke = model.strokes[members[m]];
-      for (Side& side : sides[m]) {
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      const Stroke& stroke = strokes[i];
+      for (Side& side : sides[i]) {
         if (side.free.empty()) continue;
         std::vector<StrokePart> free;
         for (const SeenStretch& stretch : seen[line]) {
@@ -252,13 +253,13 @@ std::vector<FreeParts> free_parts(const StrokeModel& model, std::span<const std:
   };
   look([](const Side& side) { return side.close; });
   look([](const Side& side) { return side.off; });
-  std::vector<FreeParts> free(members.size());
-  for (std::size_t m = 0; m < members.size(); ++m) {
-    for (const Side& side : sides[m]) {
-      free[m].parts.insert(free[m].parts.end(), side.free.begin(), side.free.end());
-      free[m].off_mm = std::max(free[m].off_mm, distance_mm(model, model.strokes[members[m]], side));
+  std::vector<FreeParts> free(sides.size());
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    for (const Side& side : sides[i]) {
+      free[i].parts.insert(free[i].parts.end(), side.free.begin(), side.free.end());
+      free[i].off_mm = std::max(free[i].off_mm, distance_mm(model, strokes[i], side));
     }
-    unite(free[m].parts);
+    unite(free[i].parts);
   }
   return free;
 }

@@ -3,12 +3,12 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "contours/contour_strokes.hpp"
-#include "linework/near_part.hpp"
 #include "linework/stroke.hpp"
+#include "linework/near_part.hpp"
+#include "linework/stroke_geometry.hpp"
 #include "picture/requests.hpp"
 #include "scene/model/scene.hpp"
 #include "view/projected_scene.hpp"
@@ -27,11 +27,10 @@ struct ProfileStyle {
   double pen_width_mm;
 };
 
-/// Returns for each stroke of `members` the parts with the paper, or another object as the kind says, on at least one
+/// Returns for each visible stroke of an edge the parts with the paper, or another object as the kind says, on at least one
 /// side. It must be visible both close to the stroke, beyond the tolerance of coincident lines, and at the distance of
 /// the narrowest gap that ink leaves open.
-std::vector<FreeParts> free_parts(const StrokeModel& model, std::span<const std::uint32_t> members,
-                                  const ProjectedScene& projected, const Scene& scene, const ContourSources& contours,
-                                  const ProfileStyle& style);
+std::vector<FreeParts> free_parts(const StrokeModel& model, const ProjectedScene& projected, const Scene& scene,
+                                  const ContourSources& contours, const ProfileStyle& style);
 
 }  // namespace ligne

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
-#include <string_view>
 #include <vector>
 
 #include "base/no_index.hpp"
@@ -71,10 +70,6 @@ class JointSources {
   bool filed_ = false;
 };
 
-void count(RunReport& run, std::string_view name, std::size_t n) {
-  if (n > 0) run.clear.count(name, n);
-}
-
 /// Removes short bits among the strokes for which takes_part() returns true.
 std::size_t remove_short_bits_of(StrokeModel& strokes, double least_mm,
                                  const std::function<bool(const Stroke&)>& takes_part) {
@@ -112,19 +107,19 @@ void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport
   if (least_mm == 0) return;
   const auto is_mesh = [](const Stroke& s) { return s.line_class == LineClass::mesh; };
   if (lines.quality != Quality::clear) {
-    count(run, "short bits removed", remove_short_bits_of(strokes, least_mm, [](const Stroke&) { return true; }));
+    run.count_clear("short bits removed", remove_short_bits_of(strokes, least_mm, [](const Stroke&) { return true; }));
     return;
   }
-  if (lines.least_mm) count(run, "short mesh lines removed", remove_short_bits_of(strokes, least_mm, is_mesh));
+  if (lines.least_mm) run.count_clear("short mesh lines removed", remove_short_bits_of(strokes, least_mm, is_mesh));
   if (!prepared.scans.empty()) {
     const auto is_rough = [&](const Stroke& s) {
       return s.line_class == LineClass::crease && scan_of(prepared.scans, strokes, s) != kNone;
     };
-    count(run, "points of creases smoothed", smooth_lines(strokes, is_rough));
+    run.count_clear("points of creases smoothed", smooth_lines(strokes, is_rough));
   }
   const CleanReport report = clean_scene_lines(strokes, prepared, least_mm);
-  for (const RuleReport& rule : report.rules) count(run, rule.changes, rule.count);
-  count(run, "passes of cleaning", static_cast<std::size_t>(report.passes));
+  for (const RuleReport& rule : report.rules) run.count_clear(rule.changes, rule.count);
+  run.count_clear("passes of cleaning", static_cast<std::size_t>(report.passes));
 }
 
 }  // namespace ligne

@@ -260,16 +260,13 @@ void report_healing(const LoadedModels& models, const ModelRequest& request, Run
     }
     if (!text.empty()) run.warnings.push_back({file.name, text + " (--quality exact draws the file as it is)"});
   }
-  const auto count = [&](const char* name, std::size_t n) {
-    if (n > 0) run.clear.count(name, n);
-  };
-  count("vertices collapsed", collapsed);
-  count("objects stored twice", objects);
-  count("faces stored twice", faces);
-  count("border edges sewn", sewn);
-  count("border vertices moved", moved);
-  count("border edges split", split);
-  count("faces turned round", turned);
+  run.count_clear("vertices collapsed", collapsed);
+  run.count_clear("objects stored twice", objects);
+  run.count_clear("faces stored twice", faces);
+  run.count_clear("border edges sewn", sewn);
+  run.count_clear("border vertices moved", moved);
+  run.count_clear("border edges split", split);
+  run.count_clear("faces turned round", turned);
 }
 
 }  // namespace ligne
