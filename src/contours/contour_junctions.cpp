@@ -11,7 +11,7 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "linework/map/nodes.hpp"
-#include "linework/stroke_piece.hpp"
+#include "linework/stroke_geometry.hpp"
 #include "view/clip.hpp"
 
 namespace ligne {

@@ -11,7 +11,7 @@
 #include "base/no_index.hpp"
 #include "geometry/nearest_on_segment.hpp"
 #include "linework/map/nodes.hpp"
-#include "linework/stroke_piece.hpp"
+#include "linework/stroke_geometry.hpp"
 
 namespace ligne {
 namespace {

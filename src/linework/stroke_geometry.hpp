@@ -1,5 +1,5 @@
 #pragma once
-/// Lengths, distances and kinds of strokes on the page.
+/// Kinds, lengths, pieces and intervals of strokes on the page.
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +18,6 @@ inline bool is_edge(const Stroke& s) { return static_cast<std::size_t>(s.line_cl
 
 /// True for lines that rules join and extend: edges that are not mere mesh edges.
 inline bool is_feature(const Stroke& s) { return is_edge(s) && s.line_class != LineClass::mesh; }
-
-inline bool any_hidden(const std::vector<Stroke>& strokes) {
-  return std::ranges::any_of(strokes, [](const Stroke& s) { return !s.visible; });
-}
 
 /// Length of a segment, lattice steps. The sum is exact on the lattice, and std::hypot() takes ten times as long.
 inline double length(LatticePoint a, LatticePoint b) {
@@ -52,5 +48,78 @@ inline FootPoint foot_on(const Stroke& s, LatticePoint p) {
   const double x = px - t * dx, y = py - t * dy;
   return {t, std::sqrt(x * x + y * y)};
 }
+
+/// A point at which a stroke is cut.
+struct StrokeCut {
+  double fraction;  ///< of the stroke's length on the page; beyond 0 to 1 the stroke is extended
+  LatticePoint p;   ///< the point, rounded to the lattice
+};
+
+/// The piece of a stroke between two cuts, or its extension to them. Its parameters, depths and weights are interpolated.
+inline Stroke stroke_piece(const Stroke& s, const StrokeCut& from, const StrokeCut& to) {
+  const auto depth = [&](double fraction) { return static_cast<float>((1 - fraction) * s.z_from + fraction * s.z_to); };
+  const auto weight = [&](double fraction) {
+    const double u = (source_parameter(s, fraction) - s.t_from) / (s.t_to - s.t_from);
+    return static_cast<float>((1 - u) * s.w_from + u * s.w_to);
+  };
+  Stroke part = s;
+  if (from.fraction != 0) {
+    part.t_from = source_parameter(s, from.fraction);
+    part.z_from = depth(from.fraction);
+    part.w_from = weight(from.fraction);
+    part.from = from.p;
+  }
+  if (to.fraction != 1) {
+    part.t_to = source_parameter(s, to.fraction);
+    part.z_to = depth(to.fraction);
+    part.w_to = weight(to.fraction);
+    part.to = to.p;
+  }
+  return part;
+}
+
+/// Moves an end of a stroke along it, at most to the end of its source edge.
+inline void move_end(Stroke& s, bool first, const StrokeCut& to) {
+  s = first ? stroke_piece(s, to, {1, s.to}) : stroke_piece(s, {0, s.from}, to);
+  s.t_from = std::max(s.t_from, 0.0);
+  s.t_to = std::min(s.t_to, 1.0);
+}
+
+/// An interval of a stroke, as fractions of its length from 0 to 1. Empty if from > to.
+struct StrokePart {
+  double from = 2, to = -1;
+
+  bool empty() const { return from > to; }
+  /// Extends this interval so that it contains the intersection of [a, b] and [0, 1].
+  void add(double a, double b) {
+    a = std::max(a, 0.0);
+    b = std::min(b, 1.0);
+    if (a > b) return;
+    from = std::min(from, a);
+    to = std::max(to, b);
+  }
+  /// Keeps the fractions t at which `start` + t `slope` lies between the bounds.
+  void keep(double start, double slope, double low, double high) {
+    if (slope == 0) {
+      if (start < low || start > high) to = -1;
+      return;
+    }
+    const double a = (low - start) / slope, b = (high - start) / slope;
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
+  }
+};
+
+/// Sorts intervals and merges those that overlap or touch.
+void unite(std::vector<StrokePart>& parts);
+
+/// The part of a stroke of non-zero length within `reach` lattice steps of another stroke. The set of points within a
+/// distance of a segment is convex, so the part is one interval.
+StrokePart part_near(const Stroke& stroke, const Stroke& other, double reach);
+
+/// Side of the cells of a grid through which all strokes are walked, in lattice steps. It is `wanted`, unless the
+/// strokes would pass more than 64 cells on average and a quarter of a million in all. Then it is larger by that ratio,
+/// so that a very fine pen on a large page needs no more memory than the strokes.
+double walked_cell(const std::vector<Stroke>& strokes, double wanted);
 
 }  // namespace ligne

@@ -7,7 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "linework/map/line_cells.hpp"
+#include "geometry/line_cells.hpp"
+#include "linework/stroke_geometry.hpp"
 
 namespace ligne {
 namespace {

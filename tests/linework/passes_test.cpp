@@ -3,7 +3,7 @@
 #include "base/no_index.hpp"
 #include "linework/map/continuations.hpp"
 #include "linework/map/line_groups.hpp"
-#include "linework/near_part.hpp"
+#include "linework/stroke_geometry.hpp"
 #include "main/script.hpp"
 #include "stroke_builder.hpp"
 

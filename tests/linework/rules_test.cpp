@@ -1,10 +1,10 @@
 /// The rules of cleaning, on strokes in words (values/*.txt): gaps that are bridged, ends that are led on, bits, flecks,
 /// spurs and overdrawn runs that go, runs that become those of their line, and strokes that lie on others.
 
+#include "linework/rules/rules.hpp"
 #include "base/no_index.hpp"
 #include "drawing/drawing.hpp"
 #include "linework/overlaps/coincident_strokes.hpp"
-#include "linework/rules/smooth_lines.hpp"
 #include "main/script.hpp"
 #include "stroke_builder.hpp"
 

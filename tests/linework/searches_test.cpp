@@ -1,11 +1,11 @@
 /// Searches of the cleaning of lines: cells of lines, the tree of points, overlapping strokes.
 
+#include "geometry/line_cells.hpp"
 #include "geometry/point.hpp"
-#include "linework/map/line_cells.hpp"
-#include "linework/overlaps/overlap_search.hpp"
+#include "geometry/point_tree.hpp"
+#include "linework/overlaps/compared_strokes.hpp"
 #include "linework/overlaps/stroke_end_tree.hpp"
 #include "linework/overlaps/stroke_overlap.hpp"
-#include "geometry/point_tree.hpp"
 #include "main/tier.hpp"
 #include "stroke_builder.hpp"
 

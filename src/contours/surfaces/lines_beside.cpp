@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/nearest_on_segment.hpp"
-#include "linework/near_part.hpp"
+#include "linework/stroke_geometry.hpp"
 
 namespace ligne {
 namespace {

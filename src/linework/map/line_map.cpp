@@ -7,7 +7,6 @@
 
 #include "base/indices_where.hpp"
 #include "base/parallel.hpp"
-#include "linework/near_part.hpp"
 #include "linework/stroke_geometry.hpp"
 
 namespace ligne {
@@ -25,13 +24,12 @@ LineMap::LineMap(StrokeModel& model, const std::function<bool(const Stroke&)>& t
     : model_(model),
       meetings_(meetings),
       cell_(walked_cell(model.strokes, cell)),
-      had_hidden_(any_hidden(model.strokes)),
+      had_hidden_(std::ranges::any_of(model.strokes, [](const Stroke& s) { return !s.visible; })),
       given_(static_cast<std::uint32_t>(model.strokes.size())) {
-  std::vector<std::uint32_t> members;
-  for (std::uint32_t i = 0; i < given_; ++i) {
+  const std::vector<std::uint32_t> members = indices_where(given_, [&](std::size_t i) {
     const Stroke& s = model.strokes[i];
-    if (is_seen(s) && s.from != s.to && takes_part(s)) members.push_back(i);
-  }
+    return is_seen(s) && s.from != s.to && takes_part(s);
+  });
   pieces_.reserve(members.size());
   for (const std::uint32_t i : members) pieces_.push_back({model.strokes[i], i, kNone});
   nodes_ = Nodes(model.strokes, members);

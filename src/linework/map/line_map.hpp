@@ -20,10 +20,10 @@
 #include <span>
 #include <vector>
 
-#include "linework/map/line_cells.hpp"
+#include "geometry/line_cells.hpp"
 #include "linework/map/nodes.hpp"
 #include "linework/stroke.hpp"
-#include "linework/stroke_piece.hpp"
+#include "linework/stroke_geometry.hpp"
 
 namespace ligne {
 
@@ -47,6 +47,7 @@ class LineMap {
  public:
   /// Takes the visible strokes of `model` for which takes_part() returns true, except strokes without length. O(n + m),
   /// where m counts the cells that lines pass. Their side is `cell`, but walked_cell() limits their number.
+  /// Several threads call takes_part().
   LineMap(StrokeModel& model, const std::function<bool(const Stroke&)>& takes_part, const Meetings& meetings, double cell);
   LineMap(const LineMap&) = delete;
   LineMap& operator=(const LineMap&) = delete;

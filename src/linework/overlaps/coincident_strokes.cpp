@@ -6,10 +6,7 @@
 
 #include "base/indices_where.hpp"
 #include "base/parallel.hpp"
-#include "linework/overlaps/crowded_lines.hpp"
-#include "linework/overlaps/overlap_search.hpp"
-#include "linework/overlaps/precedence.hpp"
-#include "linework/overlaps/resolve_pairs.hpp"
+#include "linework/overlaps/compared_strokes.hpp"
 
 namespace ligne {
 namespace {

@@ -4,8 +4,6 @@
 #include <tuple>
 #include <utility>
 
-#include "linework/stroke_geometry.hpp"
-
 namespace ligne {
 
 std::vector<Stroke> rests_of(const Stroke& stroke, std::vector<CoveredPart>& covered, double tolerance_steps) {

@@ -1,13 +1,44 @@
 #pragma once
-/// Strokes of which parts are covered by others.
+/// Strokes that are compared with each other, their precedence, and the steps that resolve their overlaps.
 
+#include <cmath>
+#include <compare>
 #include <cstdint>
 #include <span>
+#include <tuple>
+#include <utility>
 #include <vector>
 
-#include "linework/stroke_piece.hpp"
+#include "linework/overlaps/stroke_overlap.hpp"
+#include "linework/stroke_geometry.hpp"
 
 namespace ligne {
+
+/// Visible before seen through transparent faces before hidden; then by class. The lowest rank stays.
+inline std::size_t rank(const Stroke& s) {
+  const std::size_t group = !s.visible ? 2 : s.level > 0 ? 1 : 0;
+  return group * kLineClassCount + static_cast<std::size_t>(s.line_class);
+}
+
+/// Depth at a fraction of the stroke's length.
+inline double depth(const Stroke& s, double fraction) { return (1 - fraction) * s.z_from + fraction * s.z_to; }
+
+/// The first key by which strokes on one line are sorted: their rank, and their depth at a fraction of their length. The
+/// depth is in tolerances, rounded down, so that depths that are equal but for rounding mostly compare equal.
+using PrecedenceKey = std::pair<std::size_t, double>;
+inline PrecedenceKey precedence_key(const Stroke& s, double fraction, double tolerance_mm) {
+  const double rounded = std::floor(depth(s, fraction) / tolerance_mm);
+  return {rank(s), std::isfinite(rounded) ? rounded : 0};
+}
+
+/// Whether stroke a stays where it lies on stroke b: by rank, then by depth in the middle of the common interval, then by
+/// source.
+inline bool precedes(const Stroke& a, const Stroke& b, const StrokeOverlap& common, double tolerance_mm) {
+  if (rank(a) != rank(b)) return rank(a) < rank(b);
+  const double z_a = depth(a, (common.a_from + common.a_to) / 2), z_b = depth(b, (common.b_from + common.b_to) / 2);
+  if (std::abs(z_a - z_b) > tolerance_mm) return z_a < z_b;
+  return std::tie(a.source, a.t_from, a.t_to) < std::tie(b.source, b.t_from, b.t_to);
+}
 
 /// The tolerance of coincidence, on the page and in depth.
 struct OverlapTolerance {
@@ -38,5 +69,35 @@ struct ComparedStrokes {
   /// Puts rests in the place of their strokes. Then only the rests of strokes that were cut are new. `cut` is ascending.
   void replace(std::span<const CutStroke> cut);
 };
+
+/// Where many strokes of about the same length lie on one line in one place, only the parts stay that no other of these
+/// strokes covers. So the number of pairs that remain for resolve_pairs() grows as n log n. Strokes that need no check
+/// (Stroke::needs_overlap_check) take no part. `strokes` are sorted by precedence. Returns what stays of the crowded ones,
+/// ascending.
+std::vector<CutStroke> thin_crowded_lines(const std::vector<Stroke>& strokes, const OverlapTolerance& tolerance);
+
+/// Two strokes that overlap (stroke_overlap.hpp), by number; earlier < later.
+struct StrokePair {
+  std::uint32_t later, earlier;
+  auto operator<=>(const StrokePair&) const = default;
+};
+
+/// Returns the numbers of the strokes that may overlap one of `others`, which are numbers of strokes too, and those of
+/// `others`, ascending. Exact only where these are a minority. Runs in parallel.
+std::vector<std::uint32_t> strokes_near(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> others,
+                                        double tolerance_steps);
+
+/// Returns, in ascending order, the overlapping pairs of which at least one stroke is new, and at least one needs a check
+/// (Stroke::needs_overlap_check). All strokes are longer than the tolerance. Where two strokes overlap, each end of their
+/// common interval is an end of one of them that lies on the other. So the search follows each stroke past the ends of the
+/// others: past the ends of all short strokes, and if the stroke is long, also past the ends of the long strokes of nearly
+/// its direction. Runs in parallel. Takes O(n log n), plus one test for each pair where an end of one lies near the line of
+/// the other and their directions are similar.
+std::vector<StrokePair> find_new_overlaps(const ComparedStrokes& compared, double tolerance_steps);
+
+/// Resolves pairs of overlapping strokes, ascending, where strokes are numbered by falling precedence. Returns what stays of
+/// the strokes in pairs, ascending. It may overlap other strokes only where a cut has made new ends.
+std::vector<CutStroke> resolve_pairs(const std::vector<Stroke>& strokes, std::span<const StrokePair> pairs,
+                                     const OverlapTolerance& tolerance);
 
 }  // namespace ligne

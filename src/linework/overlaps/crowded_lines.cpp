@@ -5,7 +5,7 @@
 /// The strokes of a bucket are taken in the order of precedence, with the depths in the middle of the column. Each loses
 /// what the strokes before it cover. The covered intervals are kept as their union, so n strokes take n log n steps.
 
-#include "linework/overlaps/crowded_lines.hpp"
+#include "linework/overlaps/compared_strokes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,6 @@
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "linework/overlaps/precedence.hpp"
 
 namespace ligne {
 namespace {

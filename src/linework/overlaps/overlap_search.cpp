@@ -1,4 +1,4 @@
-#include "linework/overlaps/overlap_search.hpp"
+#include "linework/overlaps/compared_strokes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include "base/indices_where.hpp"
 #include "base/parallel.hpp"
-#include "linework/map/line_cells.hpp"
+#include "geometry/line_cells.hpp"
 #include "linework/overlaps/stroke_end_tree.hpp"
 #include "linework/overlaps/stroke_overlap.hpp"
 
@@ -73,22 +73,13 @@ std::vector<std::uint32_t> strokes_near(const std::vector<Stroke>& strokes, std:
   // smallest ratio of all strokes to the others. The test of a stroke takes about a third of a comparison.
   constexpr double kLeastCell = 1 << 15, kCellsEach = 8;
   constexpr std::size_t kTimes = 2;
-  std::vector<std::uint8_t> is_near(strokes.size(), 1);
-  if (kTimes * others.size() <= strokes.size()) {
-    const double along = kCellsEach * std::sqrt(static_cast<double>(others.size()) + 1);
-    LineCells cells(walked_cell(strokes, std::max(kLeastCell, 2 * kLatticeLimit / along)));
-    for (const std::uint32_t i : others) cells.insert(i, strokes[i].from, strokes[i].to);
-    parallel_blocks(strokes.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-      const auto found = [](std::uint32_t) { return true; };
-      for (std::size_t i = begin; i < end; ++i)
-        is_near[i] = cells.near(strokes[i].from, strokes[i].to, tolerance_steps, found);
-    });
-  }
-  std::vector<std::uint32_t> near;
-  for (std::uint32_t i = 0; i < strokes.size(); ++i) {
-    if (is_near[i]) near.push_back(i);
-  }
-  return near;
+  if (kTimes * others.size() > strokes.size()) return indices_where(strokes.size(), [](std::size_t) { return true; });
+  const double along = kCellsEach * std::sqrt(static_cast<double>(others.size()) + 1);
+  LineCells cells(walked_cell(strokes, std::max(kLeastCell, 2 * kLatticeLimit / along)));
+  for (const std::uint32_t i : others) cells.insert(i, strokes[i].from, strokes[i].to);
+  return indices_where(strokes.size(), [&](std::size_t i) {
+    return cells.near(strokes[i].from, strokes[i].to, tolerance_steps, [](std::uint32_t) { return true; });
+  });
 }
 
 std::vector<StrokePair> find_new_overlaps(const ComparedStrokes& compared, double tolerance_steps) {

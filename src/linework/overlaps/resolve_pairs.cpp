@@ -5,12 +5,10 @@
 ///   depends on the depth in the middle of the common interval, while the order is by the depth in the middle of whole
 ///   strokes.
 
-#include "linework/overlaps/resolve_pairs.hpp"
+#include "linework/overlaps/compared_strokes.hpp"
 
 #include <algorithm>
 #include <utility>
-
-#include "linework/overlaps/precedence.hpp"
 
 namespace ligne {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "linework/overlaps/stroke_directions.hpp"
 #include "geometry/point_tree.hpp"
+#include "linework/overlaps/stroke_overlap.hpp"
 
 namespace ligne {
 

@@ -5,8 +5,6 @@
 #include <tuple>
 #include <utility>
 
-#include "linework/overlaps/stroke_directions.hpp"
-
 namespace ligne {
 namespace {
 

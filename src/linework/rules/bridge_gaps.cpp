@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "base/parallel.hpp"
-#include "linework/map/line_groups.hpp"
-#include "linework/near_part.hpp"
 #include "geometry/point_tree.hpp"
+#include "linework/map/line_groups.hpp"
 #include "linework/rules/rules.hpp"
 #include "linework/stroke_geometry.hpp"
 

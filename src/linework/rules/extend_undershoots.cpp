@@ -11,7 +11,6 @@
 
 #include "geometry/point.hpp"
 #include "linework/map/line_groups.hpp"
-#include "linework/near_part.hpp"
 #include "linework/rules/rules.hpp"
 #include "linework/stroke_geometry.hpp"
 

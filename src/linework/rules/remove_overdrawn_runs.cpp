@@ -1,7 +1,6 @@
 #include <vector>
 
 #include "linework/map/line_groups.hpp"
-#include "linework/near_part.hpp"
 #include "linework/rules/rules.hpp"
 #include "linework/stroke_geometry.hpp"
 

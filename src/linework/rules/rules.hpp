@@ -1,6 +1,7 @@
 #pragma once
-/// Rules that clean the lines of a drawing. Each reads a LineMap, edits it, and returns the number of its changes. Lengths
-/// are millimetres of the page. docs/linework.md lists the rules in their order, with their parameters.
+/// Rules that clean the lines of a drawing. Each reads a LineMap, edits it, and returns the number of its changes;
+/// smooth_lines() comes before the map. Lengths are millimetres of the page. docs/linework.md lists the rules in their
+/// order, with their parameters.
 
 #include <cstddef>
 #include <cstdint>
@@ -77,6 +78,12 @@ struct UndershootLimits {
 /// point of a line in a wedge of 20 degrees to either side, so that no line ends beside one of nearly its direction.
 /// The line must be several times as long as the extension. Adds one stroke for each end.
 std::size_t extend_undershoots(LineMap& map, const UndershootLimits& limits, const MakeSource& make_source);
+
+/// smooth_lines: smooths the lines of the strokes for which is_rough() holds. The vertices of a scan lie on both sides of a
+/// ridge, so the edges along it zigzag. A point moves if exactly two strokes meet there, both rough and of equal visibility.
+/// It moves towards the middle of its neighbours and back, several times. Ends, junctions and corners stay. Returns the
+/// number of points moved. O(n).
+std::size_t smooth_lines(StrokeModel& model, const std::function<bool(const Stroke&)>& is_rough);
 
 /// The body of each piece; kNone for removed pieces and those that `body_of` ignores. Runs in parallel.
 std::vector<std::uint32_t> bodies_of(const LineMap& map, const BodyOf& body_of);

@@ -1,4 +1,4 @@
-#include "linework/rules/smooth_lines.hpp"
+#include "linework/rules/rules.hpp"
 
 #include <algorithm>
 #include <array>

@@ -14,7 +14,6 @@
 
 #include "linework/map/line_groups.hpp"
 #include "linework/stroke_geometry.hpp"
-#include "linework/stroke_piece.hpp"
 #include "picture/clear/profile_sides.hpp"
 
 namespace ligne {

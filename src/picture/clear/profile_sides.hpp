@@ -7,7 +7,6 @@
 
 #include "contours/contour_strokes.hpp"
 #include "linework/stroke.hpp"
-#include "linework/near_part.hpp"
 #include "linework/stroke_geometry.hpp"
 #include "picture/requests.hpp"
 #include "scene/model/scene.hpp"

@@ -8,7 +8,6 @@
 #include "base/no_index.hpp"
 #include "linework/clean_lines.hpp"
 #include "linework/overlaps/coincident_strokes.hpp"
-#include "linework/rules/smooth_lines.hpp"
 #include "view/tolerances.hpp"
 
 namespace ligne {

@@ -10,14 +10,13 @@
 #include "base/key_table.hpp"
 #include "base/no_index.hpp"
 #include "geometry/lattice.hpp"
-#include "linework/stroke.hpp"
 
 namespace ligne {
 
 /// Square cells that list the numbered segments passing through them. Segments can be added but not removed.
 class LineCells {
  public:
-  /// `cell` is the side of a cell in lattice steps; walked_cell() gives one that keeps the number of entries small.
+  /// `cell` is the side of a cell in lattice steps. A segment takes an entry in every cell that it passes.
   explicit LineCells(double cell) : cell_(cell), per_step_(1 / cell) {}
 
   void insert(std::uint32_t number, LatticePoint from, LatticePoint to) {
@@ -76,10 +75,5 @@ bool LineCells::walk(LatticePoint from, LatticePoint to, double reach, const Vis
   }
   return false;
 }
-
-/// Side of the cells of a grid through which all strokes are walked, in lattice steps. It is `wanted`, unless the
-/// strokes would pass more than 64 cells on average and a quarter of a million in all. Then it is larger by that ratio,
-/// so that a very fine pen on a large page needs no more memory than the strokes.
-double walked_cell(const std::vector<Stroke>& strokes, double wanted);
 
 }  // namespace ligne

@@ -1,7 +1,3 @@
-#include "linework/near_part.hpp"
-
-#include <cmath>
-
 #include "linework/stroke_geometry.hpp"
 
 namespace ligne {
@@ -41,6 +37,15 @@ StrokePart part_near(const Stroke& bit, const Stroke& line, double reach) {
   beside.keep((fx * uy - fy * ux) / length, (dx * uy - dy * ux) / length, -reach, reach);
   part.add(beside.from, beside.to);
   return part;
+}
+
+double walked_cell(const std::vector<Stroke>& strokes, double wanted) {
+  // Adjustable: largest mean number of cells that a stroke crosses, and number of cells that is always permitted.
+  constexpr double kCellsPerStroke = 64, kCellsOfFew = 1 << 18;
+  // Sum of the sides of cells that a stroke of this extent crosses at most.
+  double sum = 0;
+  for (const Stroke& s : strokes) sum += std::abs(double(s.to.x) - s.from.x) + std::abs(double(s.to.y) - s.from.y);
+  return std::max(wanted, sum / (kCellsPerStroke * static_cast<double>(strokes.size()) + kCellsOfFew));
 }
 
 }  // namespace ligne
