@@ -254,12 +254,13 @@ TEST(EdgeTree, OfARangeTheNearestIsFoundByTheTreeToo) {
   std::mt19937 random(1);
   const std::vector<EdgeTree::Segment> segments = random_segments(random, 300);
   const EdgeTree tree(segments);
+  std::vector<std::uint32_t> range(40);
+  std::iota(range.begin(), range.end(), 20u);
   std::size_t found = 0;
   for (const EdgeTree::Segment& p : random_segments(random, 500)) {
     for (const double distance : {0.05, 0.3, 10.0}) {
-      bool several = false;
-      const NearestPoint one_by_one = tree.nearest_of(20, 60, p.a, distance, several);
-      EXPECT_FALSE(several);
+      const NearestPoint one_by_one =
+          nearest_among(segments, range, p.a, distance, [](std::uint32_t, double) { return true; });
       const NearestPoint by_tree = tree.nearest(p.a, distance, [](std::uint32_t s, double) { return s >= 20 && s < 60; });
       EXPECT_TRUE(one_by_one.segment != kNone || distance < 1);
       // The tree looks at a limited number of segments, so it may find less, and never more.
@@ -313,23 +314,6 @@ TEST(EdgeTree, TheDistanceItselfIsNearEnough) {
     EXPECT_EQ(tree.nearest(p.a, found.distance, any).segment, found.segment);
     EXPECT_EQ(tree.nearest(p.a, std::nextafter(found.distance, 0), any).segment, kNone);
   }
-}
-
-TEST(EdgeTree, OfEquallyNearSegmentsTheFirstOfARangeIsGiven) {
-  const EdgeTree::Segment s{{0, 0, 0}, {1, 0, 0}};
-  const EdgeTree tree({s, s, s, s});
-  bool several = false;
-  const auto nearest = [&](std::uint32_t begin, std::uint32_t end, double distance) {
-    return tree.nearest_of(begin, end, {0.25, 2, 0}, distance, several);
-  };
-  EXPECT_EQ(nearest(1, 4, 3).segment, 1u);
-  EXPECT_EQ(nearest(1, 4, 3).at, 0.25);
-  EXPECT_TRUE(several);
-  EXPECT_EQ(nearest(1, 4, 2).segment, 1u) << "the distance itself is near enough";
-  EXPECT_EQ(nearest(2, 3, 3).segment, 2u);
-  EXPECT_FALSE(several);
-  EXPECT_EQ(nearest(1, 4, 1).segment, kNone);
-  EXPECT_EQ(nearest(2, 2, 3).segment, kNone);
 }
 
 }  // namespace

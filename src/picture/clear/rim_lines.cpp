@@ -13,9 +13,6 @@
 namespace ligne {
 namespace {
 
-/// Adjustable: largest number of rims of a face for which the rims are tested one by one, without the tree.
-constexpr std::uint32_t kFewRims = 32;
-
 /// Whether the face is turned towards the viewer.
 bool looks_at(const Scene& scene, std::uint32_t face, const Camera& camera) {
   const Point3 sight = camera.perspective ? scene.vertices[scene.faces.contour(face, 0)[0]] - camera.eye : camera.forward;
@@ -73,15 +70,9 @@ std::optional<RimLines::Place> RimLines::nearest(std::uint32_t face, double dist
   for (; last != rims_.end() && last->face == face; ++last) widest = std::max(widest, last->distance);
   const auto begin = static_cast<std::uint32_t>(first - rims_.begin()),
              end = static_cast<std::uint32_t>(last - rims_.begin());
-  // At a corner, which is equally near to two rims, the tree decides for faces with few rims as for those with many.
-  NearestPoint found;
-  bool several = end - begin > kFewRims;
-  if (!several) found = tree_.nearest_of(begin, end, p, distance + widest, several);
-  if (several) {
-    const auto of_face = [&](std::uint32_t rim, double) { return begin <= rim && rim < end; };
-    found = tree_.nearest(p, distance + widest, of_face);
-  }
-  if (found.segment == 0xffffffffu || found.distance > distance + rims_[found.segment].distance) return std::nullopt;
+  const auto of_face = [&](std::uint32_t rim, double) { return begin <= rim && rim < end; };
+  const NearestPoint found = tree_.nearest(p, distance + widest, of_face);
+  if (found.segment == kNone || found.distance > distance + rims_[found.segment].distance) return std::nullopt;
   return Place{found.segment, found.at};
 }
 

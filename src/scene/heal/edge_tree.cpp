@@ -142,23 +142,4 @@ NearestPoint nearest_among(std::span<const EdgeTree::Segment> segments, std::spa
   return search.best();
 }
 
-NearestPoint EdgeTree::nearest_of(std::uint32_t begin, std::uint32_t end, const Point3& p, double distance,
-                                  bool& several) const {
-  NearestPoint best;
-  best.distance = distance;
-  several = false;
-  for (std::uint32_t s = begin; s < end; ++s) {
-    const auto [at, square] = foot(segments_[s], p);
-    const double d = std::sqrt(square);
-    const bool is_first = best.segment == NearestPoint{}.segment;
-    if (d < best.distance || (d == best.distance && is_first)) {
-      best = {s, at, d};
-      several = false;
-    } else if (d == best.distance) {
-      several = true;
-    }
-  }
-  return best;
-}
-
 }  // namespace ligne

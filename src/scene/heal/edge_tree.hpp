@@ -37,10 +37,6 @@ class EdgeTree {
   /// first, so that many segments at one place take bounded time; beyond that it returns the nearest one so far.
   NearestPoint nearest(const Point3& p, double distance, FunctionRef<bool(std::uint32_t, double)> accept) const;
 
-  /// The nearest point within `distance` on the segments [begin, end), testing all of them. Of equally near ones it
-  /// returns the first and sets `several`.
-  NearestPoint nearest_of(std::uint32_t begin, std::uint32_t end, const Point3& p, double distance, bool& several) const;
-
  private:
   struct Box {
     Point3 low, high;
