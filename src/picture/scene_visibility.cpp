@@ -7,8 +7,6 @@
 #include "base/no_index.hpp"
 #include "drawing/hidden_parts.hpp"
 #include "picture/choice/method_choice.hpp"
-#include "picture/clear/clear_intersections.hpp"
-#include "picture/clear/profile.hpp"
 #include "picture/clear/tidy_strokes.hpp"
 #include "picture/errors.hpp"
 #include "picture/light/lighting.hpp"

@@ -1,4 +1,4 @@
-#include "picture/clear/clear_intersections.hpp"
+#include "picture/clear/tidy_strokes.hpp"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 ///    junctions, or inside an arc where another line is not drawn.
 /// 3. Cut the strokes at these changes.
 
-#include "picture/clear/profile.hpp"
+#include "picture/clear/tidy_strokes.hpp"
 
 #include <algorithm>
 #include <tuple>
