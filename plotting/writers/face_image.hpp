@@ -3,7 +3,7 @@
 
 #include <cairo.h>
 
-#include "drawing/shading.hpp"
+#include "drawing/drawing.hpp"
 
 namespace ligne {
 

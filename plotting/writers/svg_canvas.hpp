@@ -6,7 +6,7 @@
 #include <cairo.h>
 
 #include "base/parallel.hpp"
-#include "drawing/shading.hpp"
+#include "drawing/drawing.hpp"
 
 namespace ligne {
 

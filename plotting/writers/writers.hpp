@@ -14,7 +14,6 @@
 
 #include "drawing/drawing.hpp"
 #include "drawing/result_models.hpp"
-#include "drawing/shading.hpp"
 #include "drawing/statistics.hpp"
 #include "plotting/page.hpp"
 #include "plotting/paths/fit_curves.hpp"

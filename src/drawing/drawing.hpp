@@ -81,6 +81,17 @@ struct Fill {
   bool overlaps = false;  ///< may overlap other areas of its colour, so it is painted separately
 };
 
+/// A picture of faces, stored row by row from the top; 0 is black, 255 white.
+struct FacePicture {
+  std::uint32_t width = 0, height = 0;
+  std::vector<std::uint8_t> gray;   ///< a byte a pixel; empty if the picture has colours
+  Point2 corner_mm{0, 0};           ///< position of its upper left corner on the page
+  double pixel_mm = 0;              ///< side of a pixel on the page; 0: the pixels are those of the page
+  std::vector<std::uint8_t> rgb{};  ///< red, green, blue of each pixel; empty if the picture is gray
+
+  bool empty() const { return gray.empty() && rgb.empty(); }
+};
+
 /// A drawing. Fills are painted first, then layers, then texts. A drawing has either `texts`, which writers put into a
 /// layer "text" in a typeface, or a layer "text" of stroked characters (plotting/stroke_text.hpp).
 struct Drawing {

@@ -2,12 +2,12 @@
 
 #include "base/parallel.hpp"
 #include "drawing/drawing.hpp"
-#include "drawing/shading.hpp"
-#include "drawing/span_areas.hpp"
 #include "drawing/text_item.hpp"
 #include "linework/stroke_builder.hpp"
 #include "main/script.hpp"
 #include "measures.hpp"
+#include "picture/raster/shading.hpp"
+#include "picture/raster/span_areas.hpp"
 #include "support/mesh_text.hpp"
 
 namespace ligne {

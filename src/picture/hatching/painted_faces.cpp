@@ -3,10 +3,10 @@
 #include <array>
 #include <cmath>
 
-#include "drawing/span_areas.hpp"
 #include "picture/fills.hpp"
 #include "picture/hatching/smooth_tones.hpp"
 #include "picture/products.hpp"
+#include "picture/raster/span_areas.hpp"
 #include "plotting/hatching/fill_rim.hpp"
 #include "view/brightness.hpp"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "drawing/drawing.hpp"
-#include "drawing/shading.hpp"
 #include "picture/prepared_scene.hpp"
+#include "picture/raster/shading.hpp"
 #include "plotting/writers/writers.hpp"
 
 namespace ligne {

@@ -1,4 +1,4 @@
-#include "drawing/shading.hpp"
+#include "picture/raster/shading.hpp"
 
 #include <algorithm>
 #include <cmath>

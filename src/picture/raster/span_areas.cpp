@@ -1,4 +1,4 @@
-#include "drawing/span_areas.hpp"
+#include "picture/raster/span_areas.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -14,17 +14,6 @@
 
 namespace ligne {
 
-/// A picture, stored row by row from the top; 0 is black, 255 white.
-struct FacePicture {
-  std::uint32_t width = 0, height = 0;
-  std::vector<std::uint8_t> gray;   ///< a byte a pixel; empty if the picture has colours
-  Point2 corner_mm{0, 0};           ///< position of its upper left corner on the page
-  double pixel_mm = 0;              ///< side of a pixel on the page; 0: the pixels are those of the page
-  std::vector<std::uint8_t> rgb{};  ///< red, green, blue of each pixel; empty if the picture is gray
-
-  bool empty() const { return gray.empty() && rgb.empty(); }
-};
-
 /// Brightness (N = 1) or colour (N = 3), components 0 to 1, of a visible face at a point of the page that lies on it. Called
 /// by several threads at once.
 template <std::size_t N>
