@@ -27,7 +27,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/parallel.hpp"
-#include "plotting/paths/simplify.hpp"
+#include "geometry/simplify.hpp"
 
 namespace ligne {
 namespace {

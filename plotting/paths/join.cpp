@@ -22,9 +22,9 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "geometry/nearest_points.hpp"
+#include "geometry/simplify.hpp"
 #include "linework/map/continuations.hpp"
 #include "linework/overlaps/coincident_strokes.hpp"
-#include "plotting/paths/simplify.hpp"
 
 namespace ligne {
 namespace {

@@ -9,8 +9,8 @@
 #include <cairo.h>
 
 #include "drawing/drawing.hpp"
+#include "plotting/curves/fit_curves.hpp"
 #include "plotting/page.hpp"
-#include "plotting/paths/fit_curves.hpp"
 
 namespace ligne {
 

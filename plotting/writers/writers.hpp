@@ -15,8 +15,8 @@
 #include "drawing/drawing.hpp"
 #include "drawing/result_models.hpp"
 #include "drawing/statistics.hpp"
+#include "plotting/curves/fit_curves.hpp"
 #include "plotting/page.hpp"
-#include "plotting/paths/fit_curves.hpp"
 
 namespace ligne {
 

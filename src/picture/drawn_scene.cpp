@@ -19,7 +19,7 @@
 #include "picture/pages/scene_document.hpp"
 #include "picture/parts.hpp"
 #include "picture/products.hpp"
-#include "plotting/paths/known_ellipses.hpp"
+#include "plotting/curves/known_ellipses.hpp"
 
 namespace ligne {
 namespace {

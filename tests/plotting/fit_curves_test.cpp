@@ -1,6 +1,6 @@
 /// Lines that become arcs and lines that do not, and how far curves are from points.
 
-#include "plotting/paths/fit_curves.hpp"
+#include "plotting/curves/fit_curves.hpp"
 #include "main/script.hpp"
 #include "sample_drawing.hpp"
 

@@ -3,10 +3,10 @@
 #include <zlib.h>
 
 #include "geometry/nearest_on_segment.hpp"
+#include "geometry/simplify.hpp"
 #include "main/script.hpp"
 #include "plotting/dashes.hpp"
 #include "plotting/paths/join.hpp"
-#include "plotting/paths/simplify.hpp"
 #include "plotting/readers/drawing_reader.hpp"
 #include "plotting/readers/utf8.hpp"
 #include "plotting/stroke_text.hpp"

@@ -22,7 +22,7 @@
 
 #include "base/hash.hpp"
 #include "base/stop.hpp"
-#include "plotting/paths/simplify.hpp"
+#include "geometry/simplify.hpp"
 
 namespace ligne {
 namespace {

@@ -1,4 +1,4 @@
-#include "plotting/paths/known_ellipses.hpp"
+#include "plotting/curves/known_ellipses.hpp"
 
 #include <algorithm>
 #include <cmath>

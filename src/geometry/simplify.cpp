@@ -1,4 +1,4 @@
-#include "plotting/paths/simplify.hpp"
+#include "geometry/simplify.hpp"
 
 #include <algorithm>
 #include <bit>

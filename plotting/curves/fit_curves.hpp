@@ -8,7 +8,7 @@
 #include "drawing/drawing.hpp"
 #include "geometry/elliptic_arc.hpp"
 #include "geometry/point.hpp"
-#include "plotting/paths/known_ellipses.hpp"
+#include "plotting/curves/known_ellipses.hpp"
 
 namespace ligne {
 

@@ -11,7 +11,7 @@
 /// A round goes along the line and takes the longest run from each corner on, found by doubling and bisection. Only runs
 /// that turn one way are tried, so that zigzags cost nothing.
 
-#include "plotting/paths/fit_curves.hpp"
+#include "plotting/curves/fit_curves.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/parallel.hpp"
-#include "plotting/paths/simplify.hpp"
+#include "geometry/simplify.hpp"
 
 namespace ligne {
 namespace {
