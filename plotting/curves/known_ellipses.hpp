@@ -7,7 +7,7 @@
 
 #include "geometry/elliptic_arc.hpp"
 #include "geometry/lattice.hpp"
-#include "geometry/line_cells.hpp"
+#include "geometry/search/line_cells.hpp"
 
 namespace ligne {
 

@@ -21,7 +21,7 @@
 #include "base/key_table.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "geometry/nearest_points.hpp"
+#include "geometry/search/nearest_points.hpp"
 #include "geometry/simplify.hpp"
 #include "linework/map/continuations.hpp"
 #include "linework/overlaps/coincident_strokes.hpp"

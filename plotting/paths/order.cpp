@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/no_index.hpp"
-#include "geometry/nearest_points.hpp"
+#include "geometry/search/nearest_points.hpp"
 #include "plotting/paths/tour.hpp"
 
 namespace ligne {

@@ -18,7 +18,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/parallel.hpp"
-#include "geometry/nearest_points.hpp"
+#include "geometry/search/nearest_points.hpp"
 
 namespace ligne {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "base/no_index.hpp"
 #include "contours/contour_states.hpp"
-#include "geometry/line_cells.hpp"
+#include "geometry/search/line_cells.hpp"
 #include "linework/stroke.hpp"
 
 namespace ligne {

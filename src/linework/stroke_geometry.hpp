@@ -19,12 +19,6 @@ inline bool is_edge(const Stroke& s) { return static_cast<std::size_t>(s.line_cl
 /// True for lines that rules join and extend: edges that are not mere mesh edges.
 inline bool is_feature(const Stroke& s) { return is_edge(s) && s.line_class != LineClass::mesh; }
 
-/// Length of a segment, lattice steps. The sum is exact on the lattice, and std::hypot() takes ten times as long.
-inline double length(LatticePoint a, LatticePoint b) {
-  const double dx = double(b.x) - a.x, dy = double(b.y) - a.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
-
 /// Length of a stroke on the page, lattice steps.
 inline double page_length(const Stroke& s) { return length(s.from, s.to); }
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/line_cells.hpp"
+#include "geometry/search/line_cells.hpp"
 #include "linework/stroke_geometry.hpp"
 
 namespace ligne {

@@ -1,5 +1,5 @@
 #include "linework/overlaps/coincident_strokes.hpp"
-#include "linework/overlaps/stroke_overlap.hpp"
+#include "geometry/segment_overlap.hpp"
 #include "main/tier.hpp"
 #include "stroke_builder.hpp"
 #include "support/page_lines.hpp"

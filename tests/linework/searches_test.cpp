@@ -1,11 +1,11 @@
 /// Searches of the cleaning of lines: cells of lines, the tree of points, overlapping strokes.
 
-#include "geometry/line_cells.hpp"
 #include "geometry/point.hpp"
-#include "geometry/point_tree.hpp"
+#include "geometry/search/line_cells.hpp"
+#include "geometry/search/point_tree.hpp"
+#include "geometry/search/segment_end_tree.hpp"
+#include "geometry/segment_overlap.hpp"
 #include "linework/overlaps/compared_strokes.hpp"
-#include "linework/overlaps/stroke_end_tree.hpp"
-#include "linework/overlaps/stroke_overlap.hpp"
 #include "main/tier.hpp"
 #include "stroke_builder.hpp"
 
@@ -215,7 +215,7 @@ TEST(OverlappingStrokes, OfThousandsThroughOnePointAndSideBySideFewAreFound) {
     add(ending, {0, 0}, end, i);
     add(beside, {0, 20 * i}, {kLength, 20 * i + i % 7}, i);
   }
-  const StrokeEndTree across(crossing, kStraight, kTolerance), at_point(ending, kStraight, kTolerance),
+  const SegmentEndTree across(crossing, kStraight, kTolerance), at_point(ending, kStraight, kTolerance),
       parallel(beside, kStraight, kTolerance);
   for (int i = 0; i < kCount; i += 100) {
     std::size_t found[3] = {0, 0, 0};

@@ -1,7 +1,7 @@
 // Labels of contour lines, on ten terrains at three scales, in both styles of text.
 
 #include "drawing/measures.hpp"
-#include "geometry/nearest_points.hpp"
+#include "geometry/search/nearest_points.hpp"
 #include "main/script.hpp"
 #include "picture/marks/contour_labels.hpp"
 #include "picture/marks/point_marks.hpp"

@@ -4,7 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "drawing/measures.hpp"
-#include "geometry/nearest_points.hpp"
+#include "geometry/search/nearest_points.hpp"
 #include "main/tier.hpp"
 #include "plotting/paths/optimize.hpp"
 #include "sample_drawing.hpp"

@@ -1,6 +1,6 @@
 /// The exact scan, and the span methods by hand and against each other.
 
-#include "linework/overlaps/stroke_overlap.hpp"
+#include "geometry/segment_overlap.hpp"
 #include "support/scenes.hpp"
 #include "visibility/watkins/exact/exact_study.hpp"
 #include "visibility/watkins/spans/span_method.hpp"

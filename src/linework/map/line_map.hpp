@@ -20,7 +20,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/line_cells.hpp"
+#include "geometry/search/line_cells.hpp"
 #include "linework/map/nodes.hpp"
 #include "linework/stroke.hpp"
 #include "linework/stroke_geometry.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "linework/overlaps/stroke_overlap.hpp"
+#include "geometry/segment_overlap.hpp"
 #include "linework/stroke_geometry.hpp"
 
 namespace ligne {
@@ -33,7 +33,7 @@ inline PrecedenceKey precedence_key(const Stroke& s, double fraction, double tol
 
 /// Whether stroke a stays where it lies on stroke b: by rank, then by depth in the middle of the common interval, then by
 /// source.
-inline bool precedes(const Stroke& a, const Stroke& b, const StrokeOverlap& common, double tolerance_mm) {
+inline bool precedes(const Stroke& a, const Stroke& b, const SegmentOverlap& common, double tolerance_mm) {
   if (rank(a) != rank(b)) return rank(a) < rank(b);
   const double z_a = depth(a, (common.a_from + common.a_to) / 2), z_b = depth(b, (common.b_from + common.b_to) / 2);
   if (std::abs(z_a - z_b) > tolerance_mm) return z_a < z_b;
@@ -76,7 +76,7 @@ struct ComparedStrokes {
 /// ascending.
 std::vector<CutStroke> thin_crowded_lines(const std::vector<Stroke>& strokes, const OverlapTolerance& tolerance);
 
-/// Two strokes that overlap (stroke_overlap.hpp), by number; earlier < later.
+/// Two strokes that overlap (segment_overlap.hpp), by number; earlier < later.
 struct StrokePair {
   std::uint32_t later, earlier;
   auto operator<=>(const StrokePair&) const = default;

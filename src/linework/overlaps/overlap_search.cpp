@@ -8,9 +8,9 @@
 
 #include "base/indices_where.hpp"
 #include "base/parallel.hpp"
-#include "geometry/line_cells.hpp"
-#include "linework/overlaps/stroke_end_tree.hpp"
-#include "linework/overlaps/stroke_overlap.hpp"
+#include "geometry/search/line_cells.hpp"
+#include "geometry/search/segment_end_tree.hpp"
+#include "geometry/segment_overlap.hpp"
 
 namespace ligne {
 namespace {
@@ -22,7 +22,7 @@ constexpr std::size_t kRanges = 14;
 constexpr std::size_t kShort = kRanges;  ///< the group of the short strokes, whose directions mean little
 
 std::size_t range_of(double direction) {
-  constexpr double kRange = stroke_directions::kCircle / kRanges;
+  constexpr double kRange = line_directions::kCircle / kRanges;
   static_assert(2 * kDirectionReach < kRange);
   return static_cast<std::size_t>(std::floor(direction / kRange) + double{kRanges}) % kRanges;
 }
@@ -36,17 +36,17 @@ class FiledEnds {
     for (const std::uint32_t i : members) {
       const Stroke& s = strokes[i];
       const bool is_long = page_length(s) > longest_short_;
-      std::vector<PlacedEnd>& group = ends[is_long ? range_of(stroke_directions::direction(s.from, s.to)) : kShort];
+      std::vector<PlacedEnd>& group = ends[is_long ? range_of(line_directions::direction(s.from, s.to)) : kShort];
       group.push_back({s.from, s.to, i});
       group.push_back({s.to, s.from, i});
     }
     parallel_tasks(trees_.size(), [&](std::size_t g) {
-      const double middle = g == kShort ? 1 : (static_cast<double>(g) + 0.5) * stroke_directions::kCircle / kRanges;
-      trees_[g] = StrokeEndTree(std::exchange(ends[g], {}), middle, tolerance);
+      const double middle = g == kShort ? 1 : (static_cast<double>(g) + 0.5) * line_directions::kCircle / kRanges;
+      trees_[g] = SegmentEndTree(std::exchange(ends[g], {}), middle, tolerance);
     });
   }
 
-  const std::array<StrokeEndTree, kRanges + 1>& trees() const { return trees_; }
+  const std::array<SegmentEndTree, kRanges + 1>& trees() const { return trees_; }
 
   /// Calls visit(end) for the ends along a segment of all short strokes, and of the long strokes of nearly its direction if
   /// it is long.
@@ -62,7 +62,7 @@ class FiledEnds {
 
  private:
   double longest_short_;
-  std::array<StrokeEndTree, kRanges + 1> trees_;
+  std::array<SegmentEndTree, kRanges + 1> trees_;
 };
 
 }  // namespace
@@ -92,20 +92,20 @@ std::vector<StrokePair> find_new_overlaps(const ComparedStrokes& compared, doubl
   if (added.size() < near.size()) filed_new.emplace(strokes, added, tolerance_steps);
   std::vector<StrokePair> pairs;
   // In the order of the trees, neighbours are near each other on the page and in memory.
-  for (const StrokeEndTree& tree : filed.trees()) {
+  for (const SegmentEndTree& tree : filed.trees()) {
     const std::vector<PlacedEnd>& ends = tree.ends();
     std::vector<std::vector<StrokePair>> found(block_count(ends.size(), kFollowed));
     parallel_blocks(ends.size(), kFollowed, [&](std::size_t begin, std::size_t last) {
       for (std::size_t e = begin; e < last; ++e) {
         if (!(ends[e].p < ends[e].far)) continue;
-        const std::uint32_t own = ends[e].stroke;
+        const std::uint32_t own = ends[e].segment;
         const Stroke& s = strokes[own];
         const FiledEnds& others = !filed_new || is_new(own) ? filed : *filed_new;
         others.for_each_along({s.from, s.to}, [&](const PlacedEnd& end) {
-          const Stroke& t = strokes[end.stroke];
-          if (end.stroke == own || !(s.needs_overlap_check || t.needs_overlap_check)) return;
+          const Stroke& t = strokes[end.segment];
+          if (end.segment == own || !(s.needs_overlap_check || t.needs_overlap_check)) return;
           if (!overlap(s.from, s.to, t.from, t.to, tolerance_steps)) return;
-          found[begin / kFollowed].push_back({std::max(own, end.stroke), std::min(own, end.stroke)});
+          found[begin / kFollowed].push_back({std::max(own, end.segment), std::min(own, end.segment)});
         });
       }
     });

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
-#include "geometry/point_tree.hpp"
+#include "geometry/search/point_tree.hpp"
 #include "linework/map/line_groups.hpp"
 #include "linework/rules/rules.hpp"
 #include "linework/stroke_geometry.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/nearest_points.hpp"
+#include "geometry/search/nearest_points.hpp"
 #include "picture/marks/box_grid.hpp"
 #include "picture/marks/contour_labels.hpp"
 #include "picture/marks/halos.hpp"

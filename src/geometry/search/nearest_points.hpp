@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/point.hpp"
-#include "geometry/point_tree.hpp"
+#include "geometry/search/point_tree.hpp"
 
 namespace ligne {
 

@@ -4,20 +4,20 @@
 #include <cmath>
 #include <optional>
 
-#include "linework/stroke_geometry.hpp"
+#include "geometry/lattice.hpp"
 
 namespace ligne {
 
 /// The common interval of two segments, as fractions of each. At an end of the interval that is not an end of a, the
 /// fraction of b is exactly 0 or 1, and vice versa.
-struct StrokeOverlap {
+struct SegmentOverlap {
   double a_from, a_to;  ///< on a, a_from < a_to
   double b_from, b_to;  ///< the fractions of b at the same places; b_from > b_to if b runs the other way
 };
 
 /// Segments longer than this are long, in tolerances. Adjustable.
 inline constexpr double kLongInTolerances = 64;
-/// Largest difference of direction at which two long segments coincide (stroke_directions::difference()). At a larger one
+/// Largest difference of direction at which two long segments coincide (line_directions::difference()). At a larger one
 /// they share at most 60 tolerances, near an end of each: too little to be seen.
 inline constexpr double kDirectionReach = 1.0 / 15;
 
@@ -26,10 +26,10 @@ inline constexpr double kDirectionReach = 1.0 / 15;
 /// So a wedge (two segments that leave one point at an angle, however small) does not coincide unless it closes again
 /// within the tolerance. Two long segments coincide only if their directions differ by at most kDirectionReach.
 /// `tolerance` is in lattice steps.
-std::optional<StrokeOverlap> overlap(LatticePoint a0, LatticePoint a1, LatticePoint b0, LatticePoint b1, double tolerance);
+std::optional<SegmentOverlap> overlap(LatticePoint a0, LatticePoint a1, LatticePoint b0, LatticePoint b1, double tolerance);
 
-/// Coordinates of the page for strokes of similar direction. u is x or y, the axis nearer to that direction. v is the
-/// other coordinate, sheared so that v hardly changes along such strokes.
+/// Coordinates of the page for segments of similar direction. u is x or y, the axis nearer to that direction. v is the
+/// other coordinate, sheared so that v hardly changes along such segments.
 struct DirectionFrame {
   bool flat = true;  ///< u is x, v is y - slope x; otherwise u is y, v is x - slope y
   double slope = 0;  ///< in [-1, 1]
@@ -40,7 +40,7 @@ struct DirectionFrame {
 
 /// The directions of lines, as positions on a circle of length 4: by slope for lines nearer to the x axis, by inverse
 /// slope for lines nearer to the y axis. Two lines at the angle a are at most 2 a apart.
-namespace stroke_directions {
+namespace line_directions {
 
 inline constexpr double kCircle = 4;
 
@@ -61,6 +61,6 @@ inline DirectionFrame frame_of(double direction) {
   return direction < kCircle / 2 ? DirectionFrame{true, direction - 1} : DirectionFrame{false, 3 - direction};
 }
 
-}  // namespace stroke_directions
+}  // namespace line_directions
 
 }  // namespace ligne

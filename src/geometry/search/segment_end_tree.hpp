@@ -1,5 +1,5 @@
 #pragma once
-/// Finds the ends of strokes that lie along a line.
+/// Finds the ends of segments that lie along a line.
 
 #include <algorithm>
 #include <array>
@@ -7,41 +7,41 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/point_tree.hpp"
-#include "linework/overlaps/stroke_overlap.hpp"
+#include "geometry/search/point_tree.hpp"
+#include "geometry/segment_overlap.hpp"
 
 namespace ligne {
 
-/// An end of a stroke.
+/// An end of a segment.
 struct PlacedEnd {
-  LatticePoint p, far;  ///< the end, and the other end of its stroke
-  std::uint32_t stroke;
+  LatticePoint p, far;  ///< the end, and the other end of its segment
+  std::uint32_t segment;
 };
 
-/// A segment of the page with its length and direction (stroke_directions::direction()).
+/// A segment of the page with its length and direction (line_directions::direction()).
 struct DirectedSegment {
   LatticePoint from, to;
   double length, direction;
 
   DirectedSegment(LatticePoint a, LatticePoint b)
-      : from(a), to(b), length(ligne::length(a, b)), direction(stroke_directions::direction(a, b)) {}
+      : from(a), to(b), length(ligne::length(a, b)), direction(line_directions::direction(a, b)) {}
 };
 
-/// The ends of strokes in a range of directions, in a tree of boxes. The coordinates of the tree are u and v of the frame of
-/// the range, the direction of the stroke, and the logarithm of its length. u and v separate strokes side by side.
-/// Directions separate strokes that meet in one point: far from the ends of a line, an end of a long stroke is of interest
+/// The ends of segments in a range of directions, in a tree of boxes. The coordinates of the tree are u and v of the frame
+/// of the range, the direction of the segment, and the logarithm of its length. u and v separate segments side by side.
+/// Directions separate segments that meet in one point: far from the ends of a line, an end of a long segment is of interest
 /// only if the two have the same direction but for the tolerance over their common interval.
-class StrokeEndTree {
+class SegmentEndTree {
  public:
-  StrokeEndTree() = default;
+  SegmentEndTree() = default;
   /// `middle` is the middle of the range of directions, `tolerance` the distance within which a point counts as on a line.
-  StrokeEndTree(const std::vector<PlacedEnd>& ends, double middle, double tolerance);
+  SegmentEndTree(const std::vector<PlacedEnd>& ends, double middle, double tolerance);
 
   /// All ends, leaf by leaf, so that neighbours in the list are mostly neighbours on the page.
   const std::vector<PlacedEnd>& ends() const { return ends_; }
 
-  /// Calls visit(end) for the ends of all strokes that may overlap the segment and have an end on it that is not an end of
-  /// the segment, and of all strokes between the same two points.
+  /// Calls visit(end) for the ends of all segments that may overlap the given one and have an end on it that is not its own
+  /// end, and of all segments between the same two points.
   template <class Visit>
   void for_each_along(const DirectedSegment& segment, const Visit& visit) const;
 
@@ -65,7 +65,7 @@ class StrokeEndTree {
     return static_cast<std::int32_t>(static_cast<std::int64_t>(v + 0x1p31 + 0.5) - (std::int64_t{1} << 31));
   }
   std::int32_t rounded_direction(double direction) const {
-    return rounded(stroke_directions::difference(direction, middle_) * steps_per_direction_);
+    return rounded(line_directions::difference(direction, middle_) * steps_per_direction_);
   }
   /// Whether all ends are more than the reach away from the box of the segment.
   bool is_apart(const DirectedSegment& s) const {
@@ -77,14 +77,14 @@ class StrokeEndTree {
 
   DirectionFrame frame_;
   double middle_ = 0, reach_ = 0;
-  double steps_per_direction_ = 1;  ///< mean length of the strokes: a turn moves their far ends by as many steps
+  double steps_per_direction_ = 1;  ///< mean length of the segments: a turn moves their far ends by as many steps
   LatticePoint low_, high_;         ///< box around all points within the reach of the ends
   PointTree<4> tree_;
   std::vector<PlacedEnd> ends_;
 };
 
 /// Whether the box may hold ends along the line.
-inline bool StrokeEndTree::may_hold(const Box& box, const Line& line) const {
+inline bool SegmentEndTree::may_hold(const Box& box, const Line& line) const {
   const double left = box.low[0], right = box.high[0];
   if (box.high[0] < line.low[0] || box.low[0] > line.high[0] || box.high[1] < line.low[1] || box.low[1] > line.high[1])
     return false;
@@ -105,7 +105,7 @@ inline bool StrokeEndTree::may_hold(const Box& box, const Line& line) const {
 }
 
 template <class Visit>
-void StrokeEndTree::for_each_along(const DirectedSegment& segment, const Visit& visit) const {
+void SegmentEndTree::for_each_along(const DirectedSegment& segment, const Visit& visit) const {
   if (ends_.empty() || is_apart(segment)) return;
   const Line line = line_of(segment);
   const LatticePoint from = segment.from, to = segment.to;

@@ -1,4 +1,4 @@
-#include "geometry/nearest_points.hpp"
+#include "geometry/search/nearest_points.hpp"
 
 #include <algorithm>
 #include <cmath>

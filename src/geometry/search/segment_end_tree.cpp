@@ -1,16 +1,16 @@
-#include "linework/overlaps/stroke_end_tree.hpp"
+#include "geometry/search/segment_end_tree.hpp"
 
 #include <bit>
 #include <utility>
 
 namespace ligne {
 
-StrokeEndTree::StrokeEndTree(const std::vector<PlacedEnd>& ends, double middle, double tolerance)
-    : frame_(stroke_directions::frame_of(middle)), middle_(middle), reach_(tolerance + kRounding) {
+SegmentEndTree::SegmentEndTree(const std::vector<PlacedEnd>& ends, double middle, double tolerance)
+    : frame_(line_directions::frame_of(middle)), middle_(middle), reach_(tolerance + kRounding) {
   if (ends.empty()) return;
   double sum = 0;
   low_ = high_ = ends[0].p;
-  for (const auto& [p, far, stroke] : ends) {
+  for (const auto& [p, far, segment] : ends) {
     sum += length(p, far);
     low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
     high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
@@ -21,9 +21,9 @@ StrokeEndTree::StrokeEndTree(const std::vector<PlacedEnd>& ends, double middle, 
   steps_per_direction_ = std::max(1.0, sum / static_cast<double>(ends.size()));
   std::vector<PointTree<4>::Point> points(ends.size());
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    const auto& [p, far, stroke] = ends[i];
+    const auto& [p, far, segment] = ends[i];
     const auto half = static_cast<std::uint32_t>(length(p, far) / 2);  // u changes by at least as much
-    points[i] = {rounded(frame_.u(p)), rounded(frame_.v(p)), rounded_direction(stroke_directions::direction(p, far)),
+    points[i] = {rounded(frame_.u(p)), rounded(frame_.v(p)), rounded_direction(line_directions::direction(p, far)),
                  static_cast<std::int32_t>(std::bit_width(half))};
   }
   tree_ = PointTree<4>(points);
@@ -33,7 +33,7 @@ StrokeEndTree::StrokeEndTree(const std::vector<PlacedEnd>& ends, double middle, 
 
 /// The foot of an end's perpendicular on the line is at most the reach away from the end in x and in y. So it is at most the
 /// reach away in u. In v, which is sheared by a slope of at most 1, it is at most twice the reach away.
-StrokeEndTree::Line StrokeEndTree::line_of(const DirectedSegment& s) const {
+SegmentEndTree::Line SegmentEndTree::line_of(const DirectedSegment& s) const {
   Line line{frame_.u(s.from), frame_.v(s.from), frame_.u(s.to), frame_.v(s.to)};
   if (line.u0 > line.u1) {
     std::swap(line.u0, line.u1);

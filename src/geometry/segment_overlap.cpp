@@ -1,4 +1,4 @@
-#include "linework/overlaps/stroke_overlap.hpp"
+#include "geometry/segment_overlap.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ struct Place {
 
 }  // namespace
 
-std::optional<StrokeOverlap> overlap(LatticePoint a0, LatticePoint a1, LatticePoint b0, LatticePoint b1, double tolerance) {
+std::optional<SegmentOverlap> overlap(LatticePoint a0, LatticePoint a1, LatticePoint b0, LatticePoint b1, double tolerance) {
   const double a_length = length(a0, a1), b_length = length(b0, b1);
   // The base of two equally long segments does not depend on their order.
   const bool swapped = b_length > a_length || (b_length == a_length && std::tie(b0, b1) < std::tie(a0, a1));
@@ -44,13 +44,13 @@ std::optional<StrokeOverlap> overlap(LatticePoint a0, LatticePoint a1, LatticePo
   const auto deviation = [&](const Place& p) { return std::abs(y0 + p.other * (y1 - y0)); };
   if (deviation(first) > tolerance || deviation(last) > tolerance) return std::nullopt;
   if (std::min(a_length, b_length) > kLongInTolerances * tolerance) {
-    using namespace stroke_directions;
+    using namespace line_directions;
     if (std::abs(difference(direction(a0, a1), direction(b0, b1))) > kDirectionReach) return std::nullopt;
   }
 
-  if (!swapped) return StrokeOverlap{first.base, last.base, first.other, last.other};
+  if (!swapped) return SegmentOverlap{first.base, last.base, first.other, last.other};
   if (first.other > last.other) std::swap(first, last);
-  return StrokeOverlap{first.other, last.other, first.base, last.base};
+  return SegmentOverlap{first.other, last.other, first.base, last.base};
 }
 
 }  // namespace ligne
