@@ -106,6 +106,18 @@ TEST(OutlineProbes, OfSlenderTrianglesStayNearTheirEdge) {
   }
 }
 
+// The probe of an edge of a coarse mesh is moved backwards only if a triangle near it comes back below it.
+TEST(OutlineProbes, OfCoarseMeshesStayWhereNothingComesBack) {
+  for (const auto& [above, size, is_back] : {std::tuple{-10.0, 1e3, false}, {40.0, 1e3, true}, {-10.0, 1e4, true}}) {
+    BesideAnEdge edge(0, 0);
+    edge.scene.vertices.insert(edge.scene.vertices.end(), {{50, 10, -20}, {50, 20, above}});
+    edge.patch.triangles = {{{0, 1, 2}, 0}, {{1, 0, 3}, 1}, {{3, 0, 4}, 2}};
+    edge.patch.across = {3, kNone, kNone, 0, 6, kNone, 4, kNone, kNone};
+    const auto probe = outline_probe(edge.scene, edge.view, edge.patch, 0, {50, size, kPenWidthMm});
+    EXPECT_EQ(probe[0].y > 1, is_back) << above << ' ' << size;
+  }
+}
+
 // Contours on the surfaces that were found behind a mesh: they lie on the outline of the surface itself.
 
 /// How far nodes of the contours lie beside the surface of their mesh, and how far its normals there are from square to the

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "contours/contour_choice.hpp"
 #include "contours/contour_sights.hpp"
@@ -21,6 +22,8 @@ namespace {
 /// edge. Folds of a mesh go back by a triangle or two, and beyond a cusp a surface stays steep for a few more.
 constexpr double kPushedBack = 0.25;
 constexpr double kPushedBackEdges = 10;
+/// Number of steps from triangle to triangle, over sides, in which a fold of a coarse mesh comes back below its edge.
+constexpr int kFoldSteps = 5;
 /// Distance of a probe beside its edge on the page, as a fraction of the edge's length there, or of the size of its
 /// triangles if that is less.
 constexpr double kMovedOff = 0.05;
@@ -212,6 +215,41 @@ void keep_between_ends(std::vector<Candidate>& parts, const std::vector<Candidat
   parts = std::move(kept);
 }
 
+/// Whether a triangle covers a point of the page.
+bool covers(const std::array<Point2, 3>& p, Point2 q) {
+  int left = 0, right = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point2 along = p[(k + 1) % 3] - p[k], to = q - p[k];
+    const double side = along.x * to.y - along.y * to.x;
+    left += side >= 0;
+    right += side <= 0;
+  }
+  return left == 3 || right == 3;
+}
+
+/// Whether the mesh goes back below the probe of a side, whose ends on the page are given, within few triangles from it.
+bool folds_back(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side,
+                const std::array<Point2, 2>& probe) {
+  std::vector<std::uint32_t> triangles{side / 3, patch.across[side] / 3};
+  std::size_t begin = 0;
+  for (int step = 0; step < kFoldSteps; ++step) {
+    const std::size_t end = triangles.size();
+    for (; begin < end; ++begin) {
+      for (std::uint32_t s = 3 * triangles[begin]; s < 3 * triangles[begin] + 3; ++s) {
+        const std::uint32_t across = patch.across[s];
+        if (across == kNone || std::ranges::find(triangles, across / 3) != triangles.end()) continue;
+        triangles.push_back(across / 3);
+        std::array<Point2, 3> p;
+        for (std::uint32_t k = 0; k < 3; ++k) p[k] = page_point(view, scene.vertices[patch.triangles[across / 3].v[k]]);
+        for (const double part : {0.25, 0.5, 0.75}) {
+          if (covers(p, probe[0] + part * (probe[1] - probe[0]))) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 std::array<Point3, 2> outline_probe(const Scene& scene, const View& view, const SmoothPatch& patch, std::uint32_t side,
@@ -226,7 +264,10 @@ std::array<Point3, 2> outline_probe(const Scene& scene, const View& view, const 
       page_point(view, point(last_corner(side))) + page_point(view, point(last_corner(patch.across[side]))) - 2.0 * pa;
   if (glm::dot(off, inwards) > 0) off = -off;
   const double off_mm = offsets.slack_mm + kMovedOff * std::min(length, offsets.size_mm);
-  const double back = std::max(kPushedBack * offsets.object_size, kPushedBackEdges * glm::length(b - a));
+  const double at_least = kPushedBack * offsets.object_size, far = kPushedBackEdges * glm::length(b - a);
+  const std::array<Point2, 2> beside{pa + off_mm * off, pa + d + off_mm * off};
+  const bool is_fold = far < at_least || folds_back(scene, view, patch, side, beside);
+  const double back = is_fold ? std::max(at_least, far) : 0;
   const auto moved = [&](const Point3& p) {
     const double unit_mm = glm::length(page_direction(view, p, view.camera.right));
     const Point3 beside = p + (off_mm / unit_mm) * (off.x * view.camera.right + off.y * view.camera.down);

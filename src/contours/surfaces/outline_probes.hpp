@@ -5,7 +5,8 @@
 /// whole body. So each outline edge that contours replace gets a *probe*: a copy of the edge, moved off its two faces
 /// on the page and far backwards. If the probe is visible, nothing lies closely behind the edge, and the edge is a true
 /// outline. It is drawn where no contour was drawn near it. The small folds of a mesh along its outlines have the surface
-/// closely behind them, and are not drawn.
+/// closely behind them, and are not drawn. An edge of a coarse mesh, below which no triangle near it comes back, is no
+/// fold: what lies behind it is another part of the body. Its probe is not moved backwards.
 
 #include <array>
 #include <vector>
