@@ -53,6 +53,10 @@ constexpr double kTangentDepths = 1.5;
 /// too.
 constexpr double kLongestDepth = 8;
 
+/// Largest bend of two triangles that are the halves of one facet, as a part of the least bend of their other edges, and
+/// the least sine of that bend: planes meet at 10 degrees or more. Adjustable.
+constexpr double kHalfPart = 0.04, kLeastHalfSine = 0.17364818;
+
 /// Finds planes beside the narrow facets of fillets and free forms.
 class WidePlanes {
  public:
@@ -248,6 +252,53 @@ bool is_amid_triangles(const Scene& scene, const Topology& topology, const Facet
   return length > 0 && alike >= kAlikeBorder * length && triangles >= kTriangleBorder * length;
 }
 
+/// The arc of a single triangle at its longest edge, or null if there is none.
+const FacetGraph::Arc* longest_arc(const Scene& scene, const Topology& topology, const FacetGraph& graph, std::uint32_t f) {
+  const auto corners = graph.vertices[f];
+  if (corners.size() != 3 || graph.faces[f].size() != 1) return nullptr;
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    longest = std::max(longest, glm::distance(scene.vertices[corners[k]], scene.vertices[corners[(k + 1) % 3]]));
+  for (const FacetGraph::Arc& arc : graph.arcs_of(f)) {
+    const Edge& edge = topology.edges[arc.edge];
+    if (glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]) == longest) return &arc;
+  }
+  return nullptr;
+}
+
+/// The other half of a facet of four corners that do not quite lie in a plane, as where the edges of a part were made
+/// inexactly, or kNone: a triangle bends to it, over the longest edge of both, by far less than both do elsewhere.
+std::uint32_t other_half(const Scene& scene, const Topology& topology, const FacetGraph& graph, std::uint32_t f) {
+  const FacetGraph::Arc* diagonal = longest_arc(scene, topology, graph, f);
+  if (!diagonal || graph.is_sliver[f] || graph.is_sliver[diagonal->facet]) return kNone;
+  const FacetGraph::Arc* back = longest_arc(scene, topology, graph, diagonal->facet);
+  if (!back || back->edge != diagonal->edge) return kNone;
+  const double least = std::max(kLeastHalfSine, std::abs(bend_at(graph, f, *diagonal)) / kHalfPart);
+  const bool is_half = std::ranges::all_of(std::array{f, diagonal->facet}, [&](std::uint32_t half) {
+    return std::ranges::all_of(graph.arcs_of(half), [&](const FacetGraph::Arc& arc) {
+      return arc.edge == diagonal->edge || std::abs(bend_at(graph, half, arc)) >= least;
+    });
+  });
+  return is_half ? diagonal->facet : kNone;
+}
+
+/// Whether a triangle and its other_half() lie beside facets of four corners or more alone. A free form of triangles has
+/// others beside them.
+bool is_half_facet(const Scene& scene, const Topology& topology, const FacetGraph& graph,
+                   std::span<const std::uint32_t> patch_of, std::uint32_t f) {
+  const std::uint32_t other = other_half(scene, topology, graph, f);
+  if (other == kNone) return false;
+  bool has_others = false;
+  for (const std::uint32_t half : {f, other}) {
+    for (const FacetGraph::Arc& arc : graph.arcs_of(half)) {
+      if (arc.facet == f || arc.facet == other) continue;
+      if (patch_of[arc.facet] != kNone || graph.vertices[arc.facet].size() < kPlaneCorners) return false;
+      has_others = true;
+    }
+  }
+  return has_others;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& topology, const FacetGraph& graph,
@@ -257,7 +308,8 @@ std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& to
   // Facets that the shape of a single one does not decide.
   const std::vector<std::uint32_t> others = indices_where(graph.size(), [&](std::size_t i) {
     const auto f = static_cast<std::uint32_t>(i);
-    const bool is_triangle = graph.vertices[f].size() == 3 && graph.faces[f].size() == 1;
+    const bool is_triangle = graph.vertices[f].size() == 3 && graph.faces[f].size() == 1 &&
+                             !(patch_of[f] == kNone && is_half_facet(scene, topology, graph, patch_of, f));
     freeform[f] = patch_of[f] == kNone && (graph.is_sliver[f] || is_triangle);
     return patch_of[f] == kNone && !freeform[f];
   });

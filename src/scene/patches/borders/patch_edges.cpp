@@ -186,17 +186,24 @@ class EdgeClassifier {
 
   /// Whether an edge is none of those between the bands of a free form: no edge beside it bends as it does. Tessellators
   /// make rows that bend alike of like depths, so behind a facet that is much deeper than that on the other side none
-  /// counts.
+  /// counts, nor does one at which a much narrower row begins.
   bool ends_rows(std::uint32_t e) const {
     const Edge& edge = topology_.edges[e];
     const std::array faces{edge.face0, edge.face1};
     const std::array depths{depth_behind(scene_, scene_.faces.contour(faces[0], 0), edge),
                             depth_behind(scene_, scene_.faces.contour(faces[1], 0), edge)};
     for (const std::size_t k : {0, 1}) {
-      const bool is_deep = depths[k] >= kPlaneDepths * depths[1 - k];
-      if (!is_deep && (rows_.next({e, faces[k]}, kRoundingBends) || is_in_fan(e, faces[k]))) return false;
+      if (depths[k] >= kPlaneDepths * depths[1 - k]) continue;
+      const EdgeRows::Step next = rows_.next({e, faces[k]}, kRoundingBends);
+      if ((next && !is_narrow(next, depths[k])) || is_in_fan(e, faces[k])) return false;
     }
     return true;
+  }
+
+  /// Whether the face behind a row is much less deep than the one before it.
+  bool is_narrow(const EdgeRows::Step& row, double depth) const {
+    const auto contour = scene_.faces.contour(row.face, 0);
+    return depth >= kPlaneDepths * depth_behind(scene_, contour, topology_.edges[row.edge]);
   }
 
   /// Whether an edge that shares an end with another one, as those at the tip of a cone do, bends on behind a face.
