@@ -13,7 +13,8 @@ namespace ligne {
 /// Gives the faces of planes that consist of rows of facets to the surfaces beside them: if a row of facets of a torus lies
 /// across its axis at the top of the tube, all of them are in one plane, and so is the row of a tube that goes on straight.
 /// Each face of such a plane has an edge with a surface, lies on it with all of its corners, and is no deeper below it than
-/// twice the facets of the surface. `patch_of`: per face of the object, changed here. O(n).
+/// four times the facets of the surface. Patches on both sides of the plane that are pieces of one surface become one.
+/// `patch_of`: per face of the object, changed here. O(n).
 void assign_flat_rows(const Scene& scene, const Topology& topology, const Object& object, const FacetGraph& graph,
                       std::span<const Patch> patches, std::vector<std::uint32_t>& patch_of);
 
