@@ -10,6 +10,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
+#include "scene/creases/edge_sections.hpp"
 #include "scene/model/face_area.hpp"
 #include "scene/model/object_sizes.hpp"
 
@@ -29,6 +30,10 @@ constexpr double kFreeformPart = 0.75;
 constexpr double kFlatEnd = 5 * std::numbers::pi / 180;
 /// Adjustable: creases may end with such edges where these are longer than this part of their object.
 constexpr double kLongFlatPart = 1.0 / 32;
+/// Adjustable: largest part of its object over which a section across an edge is followed.
+constexpr double kReachPart = 1.0 / 6;
+/// Adjustable, radians: least turn across an edge of a tube. Roundings of machine parts turn by less.
+constexpr double kTubeTurn = 200 * std::numbers::pi / 180;
 
 class Fader {
  public:
@@ -41,7 +46,7 @@ class Fader {
         regions_(scene.objects.size()) {}
 
   std::size_t run() {
-    std::size_t dropped = drop_flat_ends();
+    std::size_t dropped = drop_flat_ends() + drop_inside_sections();
     std::vector<std::uint32_t> tips = free_ends();
     while (!tips.empty()) {
       std::vector<std::uint32_t> faded, left;
@@ -78,6 +83,21 @@ class Fader {
     return dropped;
   }
 
+  /// Takes back edges inside no rows of parallel ones at which the surface bends on alike. Narrow roundings between planes
+  /// do so, too, and are edges of their part: they stay outside large regions, where tubes go.
+  std::size_t drop_inside_sections() {
+    std::vector<std::uint32_t> inside;
+    for (const BendEnd& end : ends_) {
+      const std::uint32_t e = end.edge;
+      if (topology_.edges[e].v0 != end.vertex || !is_crease(e) || !is_between_freeforms(e)) continue;
+      if (is_inside_rounding(edges_.rows, e)) continue;
+      const double turn = turn_across(scene_, topology_, e, kReachPart * edges_.sizes[object_of_vertex(scene_, end.vertex)]);
+      if (turn >= kTubeTurn || (turn > 0 && is_in_large_region(topology_.edges[e]))) inside.push_back(e);
+    }
+    for (const std::uint32_t e : inside) bends_[e] = Bend::weak;
+    return inside.size();
+  }
+
   bool is_flat(std::uint32_t e) const {
     const bool is_marked = topology_.edge_flags[e] & (kEdgeManyFaces | kEdgeUnlikeWound | kEdgeSharp);
     const std::uint32_t face = topology_.edges[e].face0;
@@ -111,11 +131,13 @@ class Fader {
 
   bool is_free(std::uint32_t vertex) const { return only_crease_at(vertex, kNone) != kNone && !edges_.is_anchor(vertex); }
 
-  bool may_fade(std::uint32_t e) {
+  bool may_fade(std::uint32_t e) { return is_between_freeforms(e) && is_in_large_region(topology_.edges[e]); }
+
+  bool is_between_freeforms(std::uint32_t e) const {
     const Edge& edge = topology_.edges[e];
     if (edge.face1 == kNone || (topology_.edge_flags[e] & (kEdgeManyFaces | kEdgeUnlikeWound))) return false;
     if (!edges_.is_freeform[edge.face0] || !edges_.is_freeform[edge.face1] || !edges_.may_fade(e)) return false;
-    return glm::dot(face_normal(scene_, edge.face0), face_normal(scene_, edge.face1)) > 0 && is_in_large_region(edge);
+    return glm::dot(face_normal(scene_, edge.face0), face_normal(scene_, edge.face1)) > 0;
   }
 
   bool is_in_large_region(const Edge& edge) {

@@ -25,7 +25,8 @@ struct FadingEdges {
   const std::function<bool(std::uint32_t)>& is_anchor;  ///< by vertex of an end: a crease may end here
 };
 
-/// Takes back creases that end in the middle of a free form, in objects that are free forms to three quarters of their area
+/// Takes back creases across which a free form bends on alike (turn_across()), as an irregular mesh of a tube has them, and
+/// creases that end in the middle of a free form, in objects that are free forms to three quarters of their area
 /// and in regions that are large for their borders: they have three times the area of discs that are as long about as these.
 /// A coarse mesh of a smooth surface bends by more than the crease angle in many places; the creases there end where the
 /// bend happens to be less.
