@@ -11,6 +11,7 @@
 #include "files/named_input.hpp"
 #include "files/utf16.hpp"
 #include "scene/clean/clean.hpp"
+#include "scene/clean/far_vertices.hpp"
 #include "scene/clean/weld_near.hpp"
 #include "scene/creases/file_shading.hpp"
 #include "scene/readers/gltf/gltf_reader.hpp"
@@ -59,6 +60,16 @@ void make_visible(Scene& scene, Warnings& warnings) {
   warnings.add("materials drawn opaque: no face has an opacity above 0", scene.materials.size());
 }
 
+/// Warns of vertices beside which all others are a dot.
+void warn_of_far_vertices(const Scene& scene, Warnings& warnings) {
+  const FarVertices far = find_far_vertices(scene.vertices);
+  if (far.count == 0) return;
+  const Point3& p = scene.vertices[far.farthest];
+  warnings.add("vertices a million times as far out as most, such as (" + rounded(p.x, 3) + ", " + rounded(p.y, 3) + ", " +
+                   rounded(p.z, 3) + "): the others are a dot beside it",
+               far.count);
+}
+
 void weld_and_finish(Scene& scene, const ReadOptions& options, CreaseTags tags, const std::string& name, Warnings& warnings,
                      ReadReport& report) {
   make_visible(scene, warnings);
@@ -68,6 +79,7 @@ void weld_and_finish(Scene& scene, const ReadOptions& options, CreaseTags tags, 
     report.subdivision = subdivide(scene, request, std::move(tags), name, warnings);
   }
   finish_scene(scene, warnings);
+  warn_of_far_vertices(scene, warnings);
   if (options.merge_coplanar) merge_coplanar_faces(scene);
 }
 

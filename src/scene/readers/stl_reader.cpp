@@ -14,6 +14,7 @@
 
 #include "base/large_vector.hpp"
 #include "base/parallel.hpp"
+#include "scene/clean/far_vertices.hpp"
 #include "scene/model/precision.hpp"
 #include "scene/readers/load_bytes.hpp"
 #include "scene/readers/scene_builder.hpp"
@@ -22,6 +23,8 @@
 namespace ligne {
 namespace {
 
+/// Count of triangles in files whose writer did not know it, beside 0.
+constexpr std::size_t kCountNotWritten = 0xFFFFFFFF;
 constexpr std::size_t kHeaderBytes = 80, kPreambleBytes = 84, kTriangleBytes = 50, kNormalBytes = 12;
 
 /// Splits a text into words. Line ends are white space, except that a name extends to the end of its line. A word that
@@ -101,6 +104,51 @@ void read_facet(Words& words, SceneBuilder& builder, DecimalPrecision& precision
   builder.add_face(corners);
 }
 
+/// Coordinates of a binary file.
+struct FoundCoordinates {
+  double largest = 0;
+  std::size_t not_finite = std::numeric_limits<std::size_t>::max();  ///< the first triangle with such a coordinate
+  FoundCoordinates operator+(const FoundCoordinates& o) const {
+    return {std::max(largest, o.largest), std::min(not_finite, o.not_finite)};
+  }
+};
+
+/// Reads as many triangles as there is room for in `vertices` and `corners`.
+FoundCoordinates read_triangles(std::span<const std::byte> bytes, std::span<Point3> vertices,
+                                std::span<std::uint32_t> corners) {
+  const auto read_block = [&](std::size_t begin, std::size_t end) {
+    FoundCoordinates found;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::byte* p = bytes.data() + kPreambleBytes + kTriangleBytes * i + kNormalBytes;
+      for (std::size_t corner = 3 * i; corner < 3 * i + 3; ++corner) {
+        corners[corner] = static_cast<std::uint32_t>(corner);
+        for (int k = 0; k < 3; ++k, p += sizeof(float)) {
+          const double value = vertices[corner][k] = load_bytes<float>(p, std::endian::little);
+          if (!std::isfinite(value)) found.not_finite = std::min(found.not_finite, i);
+          found.largest = std::max(found.largest, std::abs(value));
+        }
+      }
+    }
+    return found;
+  };
+  return parallel_reduce(vertices.size() / 3, kShortWorkBlock, FoundCoordinates{}, read_block);
+}
+
+/// Throws InputError if the bytes are no triangles, in a file whose count of triangles does not fit its length: a
+/// conversion of line ends, or a transfer as text, has moved the numbers.
+void check_damage(const FoundCoordinates& found, std::span<const Point3> vertices, std::size_t declared,
+                  const std::string& name) {
+  std::string numbers = "coordinates are not finite";
+  if (found.not_finite >= vertices.size()) {
+    const FarVertices far = find_far_vertices(vertices);
+    if (far.count == 0) return;
+    numbers = "coordinates reach " + rounded(found.largest, 2) + ", most only " + rounded(far.usual, 2);
+  }
+  throw InputError(name, "the file is damaged, as when line ends were converted: it declares " + std::to_string(declared) +
+                             " triangles, its length is that of " + std::to_string(vertices.size() / 3) + ", and " +
+                             numbers);
+}
+
 }  // namespace
 
 std::size_t stl_triangle_count(std::span<const std::byte> bytes) {
@@ -149,8 +197,8 @@ Scene read_stl_binary(std::span<const std::byte> bytes, const std::string& name,
     throw InputError(name, "binary STL of " + std::to_string(bytes.size()) + " bytes, shorter than its header of 84");
   }
   const std::size_t declared = stl_triangle_count(bytes), room = (bytes.size() - kPreambleBytes) / kTriangleBytes;
-  // Programs that write triangles as they make them may leave the count at 0.
-  const std::size_t n = declared > 0 ? declared : room;
+  // Programs that write triangles as they make them may leave the count at 0, or at the largest number.
+  const std::size_t n = declared == 0 || declared == kCountNotWritten ? room : declared;
   if (n > room) {
     throw InputError(name, "binary STL declares " + std::to_string(n) + " triangles, which need " +
                                std::to_string(kPreambleBytes + kTriangleBytes * n) + " bytes, but the file has " +
@@ -162,26 +210,8 @@ Scene read_stl_binary(std::span<const std::byte> bytes, const std::string& name,
   builder.begin_object("");
   const std::span<Point3> vertices = builder.add_vertices(3 * n);
   std::vector<std::uint32_t> corners = large_vector<std::uint32_t>(3 * n);
-  struct Found {
-    double largest = 0;
-    std::size_t not_finite = std::numeric_limits<std::size_t>::max();  ///< the first such triangle
-    Found operator+(const Found& o) const { return {std::max(largest, o.largest), std::min(not_finite, o.not_finite)}; }
-  };
-  const Found found = parallel_reduce(n, kShortWorkBlock, Found{}, [&](std::size_t begin, std::size_t end) {
-    Found of_block;
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::byte* p = bytes.data() + kPreambleBytes + kTriangleBytes * i + kNormalBytes;
-      for (std::size_t corner = 3 * i; corner < 3 * i + 3; ++corner) {
-        corners[corner] = static_cast<std::uint32_t>(corner);
-        for (int k = 0; k < 3; ++k, p += sizeof(float)) {
-          const double value = vertices[corner][k] = load_bytes<float>(p, std::endian::little);
-          if (!std::isfinite(value)) of_block.not_finite = std::min(of_block.not_finite, i);
-          of_block.largest = std::max(of_block.largest, std::abs(value));
-        }
-      }
-    }
-    return of_block;
-  });
+  const FoundCoordinates found = read_triangles(bytes, vertices, corners);
+  if (n != declared || extra > 0) check_damage(found, vertices, declared, name);
   if (found.not_finite < n) {
     throw InputError(
         name, "triangle " + std::to_string(found.not_finite) + " of " + std::to_string(n) + ": a coordinate is not finite");

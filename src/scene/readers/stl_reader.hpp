@@ -21,8 +21,9 @@ bool is_binary_stl(std::span<const std::byte> bytes);
 /// yet. Throws InputError with the line.
 Scene read_stl_ascii(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings);
 
-/// Reads binary STL as one object. Bytes behind the triangles are left out; a number of 0 stands for as many as the file
-/// holds. Throws InputError if the file is shorter than its number of triangles says.
+/// Reads binary STL as one object. Bytes behind the triangles are left out; a number of 0 or 0xFFFFFFFF stands for as many
+/// as the file holds. Throws InputError if the file is shorter than its number of triangles says, or if the number does not
+/// fit and the coordinates show that the bytes are no triangles.
 Scene read_stl_binary(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings);
 
 }  // namespace ligne
