@@ -9,6 +9,7 @@
 #include "picture/errors.hpp"
 #include "picture/surface/defined_ground.hpp"
 #include "picture/surface/surface_scale.hpp"
+#include "picture/surface/undersampled.hpp"
 #include "scene/surfaces/grids/grid_surfaces.hpp"
 #include "scene/surfaces/height_filters.hpp"
 #include "scene/surfaces/held_heights.hpp"
@@ -197,6 +198,12 @@ void narrow_default_ranges(const SurfaceRequest& request, CurveRange& x, CurveRa
   narrow(y, 1, "y");
 }
 
+void warn_if_undersampled(const Surface& surface, InterpolatedAxes axes, RunReport& run) {
+  if (!is_undersampled(*surface.heights, *surface.function, axes)) return;
+  run.warn(printable(surface.name) +
+           " changes faster than its samples show; more of them (--samples) or a smaller range (-x, -y) draws it");
+}
+
 /// Range of a parameter of the k-th parametric surface.
 CurveRange parameter_range(const std::vector<CurveRange>& given, std::size_t k) {
   if (given.empty()) return {0, 2 * std::numbers::pi, {}};
@@ -221,9 +228,10 @@ std::vector<Surface> surfaces_of(const SurfaceRequest& request, RunReport& run) 
   CurveRange x_range = range_of(request.x, grids, &HeightSource::x), y_range = range_of(request.y, grids, &HeightSource::y);
   if (grids.empty()) narrow_default_ranges(request, x_range, y_range, run);
   std::vector<Surface> surfaces;
+  const InterpolatedAxes axes{!by_curves || y_curves(request), !by_curves || x_curves(request)};
   for (const std::string& formula : request.formulas) {
-    Positions x = positions(x_range, !by_curves || y_curves(request), request.samples, request.log_axes[0]);
-    Positions y = positions(y_range, !by_curves || x_curves(request), request.samples, request.log_axes[1]);
+    Positions x = positions(x_range, axes.x, request.samples, request.log_axes[0]);
+    Positions y = positions(y_range, axes.y, request.samples, request.log_axes[1]);
     check_samples(request, x, y, "-x, -y");
     Surface& surface = surfaces.emplace_back();
     surface.name = formula;
@@ -233,6 +241,7 @@ std::vector<Surface> surfaces_of(const SurfaceRequest& request, RunReport& run) 
     surface.function = formula_function(formula, request.log_axes);
     surface.heights = heights_of(surface.function, std::move(x.at), std::move(y.at));
     if (surface.heights->x().size() * surface.heights->y().size() <= kHeldSamples) surface.heights = held(*surface.heights);
+    warn_if_undersampled(surface, axes, run);
   }
   std::stable_partition(grids.begin(), grids.end(), [](const Surface& grid) { return !grid.mesh; });
   for (Surface& grid : grids) {
