@@ -216,6 +216,7 @@ PictureRequest Options::request() const {
   InputFiles files;
   request.plotter = plotter_request(plotter, request.output.format, files);
   request.plotter.fit_drawing = !request.page.scale;
+  choose_method_of_gray_faces(request);
   check(request);
   request.lines.settings = settings_of(*this, method_of(request));
   count_hidden(request.lines);

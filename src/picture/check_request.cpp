@@ -62,6 +62,10 @@ void check(const PictureRequest& request) {
   if (request.output.format == OutputFormat::png) check_png(request.page.size.page, request.output.dpi, request.memory);
 }
 
+void choose_method_of_gray_faces(PictureRequest& request) {
+  if (request.gray_faces && !request.lines.method) request.lines.method = find_method("watkins");
+}
+
 void count_hidden(LineRequest& request) {
   if (!request.most_hiding) return;
   const Method* const counting = find_method("appel");

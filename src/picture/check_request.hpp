@@ -10,6 +10,9 @@ namespace ligne {
 /// page.
 void check(const PictureRequest& request);
 
+/// Gives a request for grey faces without a method one that makes spans.
+void choose_method_of_gray_faces(PictureRequest& request);
+
 /// Makes the method count the faces in front of lines if LineRequest::most_hiding needs it. Throws RequestError for a
 /// method that does not count them.
 void count_hidden(LineRequest& request);

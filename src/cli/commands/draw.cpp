@@ -123,6 +123,7 @@ PictureRequest request_of(const DrawOptions& options, const MemoryLimit& memory)
     request.lines.method = method_of_compiled(*file);
   }
   check_zbuffer(options, request);
+  choose_method_of_gray_faces(request);
   if (!options.method.edges_given && !request.fill.lights.empty()) request.lines.classes.add(LineClass::shadow);
   if (request.lines.profiles() != ProfileKind::off) request.lines.classes.add(LineClass::profile);
   check(request);
@@ -263,7 +264,8 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
   add_curves_option(draw, picture.output.curves, "on; off with --quality exact");
   add_title_option(draw, picture.output.title, "title of an SVG or PDF");
   OptionGroup faces(draw, "Faces");
-  faces.add_flag("--shade", picture.gray_faces, "grey faces, lit from the eye (methods with spans or pixels)");
+  faces.add_flag("--shade", picture.gray_faces,
+                 "grey faces, lit from the eye, by a method with spans or pixels; without --method by watkins");
   faces
       .add(
           "--shade-tone", "HOW", picture.gray_tone, parse_gray_tone,
