@@ -1,6 +1,7 @@
 #include "files/omissions.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "files/message_text.hpp"
 
@@ -11,6 +12,8 @@ namespace {
 constexpr std::size_t kMostKinds = 16;
 /// Largest length of a kind in bytes: a line has room for most of them.
 constexpr std::size_t kLongestKind = 60;
+/// Largest number of kinds that a list names. Longer lists tell nobody more.
+constexpr std::size_t kMostListed = 6;
 constexpr char kOtherKinds[] = "other items";
 
 }  // namespace
@@ -38,9 +41,19 @@ std::size_t Omissions::of(std::string_view what) const {
 }
 
 std::string Omissions::list() const {
+  std::vector<std::size_t> order(counts_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::size_t others = 0;
+  if (order.size() > kMostListed) {
+    // The least frequent kinds share one entry.
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return counts_[a].second > counts_[b].second; });
+    for (std::size_t k = kMostListed - 1; k < order.size(); ++k) others += counts_[order[k]].second;
+    order.resize(kMostListed - 1);
+    std::ranges::sort(order);
+  }
   std::string text;
-  for (const auto& [kind, n] : counts_) text += (text.empty() ? "" : ", ") + counted(n, kind);
-  return text;
+  for (const std::size_t k : order) text += (text.empty() ? "" : ", ") + counted(counts_[k].second, counts_[k].first);
+  return others == 0 ? text : text + " and " + std::to_string(others) + " others";
 }
 
 std::string Omissions::text() const { return empty() ? "" : "left out: " + list(); }

@@ -20,7 +20,8 @@ class Omissions {
   const std::vector<std::pair<std::string, std::size_t>>& counts() const { return counts_; }
   /// Count of a kind; 0 if nothing of it was left out.
   std::size_t of(std::string_view what) const;
-  /// "3 primitives with EXT_foo, 2 textures"; empty if nothing was left out.
+  /// "3 primitives with EXT_foo, 2 textures"; empty if nothing was left out. Of many kinds, it names the most frequent
+  /// ones.
   std::string list() const;
   /// "left out: " and the list; empty if nothing was left out.
   std::string text() const;

@@ -170,6 +170,10 @@ Scene read_obj(const ModelBytes& file, ReadReport& report, Warnings& warnings, F
   tinyobj::LoadObjWithCallback(stream, callback, &scene);
 
   if (statements.error()) throw *statements.error();
+  if (statements.vertices().empty() && !statements.first_unknown().empty()) {
+    throw InputError(
+        name, "is not an OBJ file: no line is a vertex (v), and the first one is " + shown(statements.first_unknown()));
+  }
   report.vertices += statements.vertices().size();
   report.groups = statements.groups();
   Scene read = scene.finish(warnings);

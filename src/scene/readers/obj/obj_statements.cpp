@@ -153,6 +153,7 @@ void ObjStatements::leave_out(std::string_view keyword) {
   if (keyword == "l") return warnings_.leave_out("lines (l)");
   if (keyword == "p") return warnings_.leave_out("points (p)");
   if (keyword == "t") return warnings_.leave_out("tags of subdivision (t), which --subdivide reads");
+  if (first_unknown_.empty()) first_unknown_ = trimmed(whole_);
   warnings_.leave_out("statements " + shown(keyword));
 }
 

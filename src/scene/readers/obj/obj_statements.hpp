@@ -44,6 +44,9 @@ class ObjStatements : public std::streambuf {
   /// The words of the mtllib statements.
   const std::vector<std::string>& libraries() const { return libraries_; }
 
+  /// The first line with an unknown keyword; empty if there is none.
+  const std::string& first_unknown() const { return first_unknown_; }
+
   const std::vector<std::uint32_t>& normals() const { return normals_; }  ///< packed_direction()
   std::uint32_t smoothing_group() const { return group_; }                ///< of the following faces; 0: none
 
@@ -78,7 +81,7 @@ class ObjStatements : public std::streambuf {
   std::vector<std::string> group_names_, libraries_;
   std::string_view whole_;
   std::string joined_;
-  std::string statement_;
+  std::string statement_, first_unknown_;
   std::size_t line_ = 0;  ///< first line of the statement delivered last
   std::vector<ObjVertex> vertices_;
   std::vector<std::uint32_t> normals_;
