@@ -98,12 +98,27 @@ std::optional<std::filesystem::path> library_file(std::string library, const std
   return std::filesystem::is_regular_file(file, error) ? std::optional(file) : std::nullopt;
 }
 
-/// The libraries of one statement. Blanks separate their names, but a name may also contain blanks.
+/// The libraries of one statement. Blanks separate their names, but a name may also contain blanks, with or without a
+/// backslash before each.
 std::vector<std::string> names_of(const std::string& statement, const std::filesystem::path& folder) {
   if (library_file(statement, folder)) return {statement};
-  std::vector<std::string> names;
-  std::string_view rest = statement;
-  for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) names.emplace_back(word);
+  std::vector<std::string> names(1);
+  std::string whole;
+  for (std::size_t i = 0; i < statement.size(); ++i) {
+    if (statement[i] == '\\' && i + 1 < statement.size() && is_blank(statement[i + 1])) {
+      names.back() += statement[++i];
+      whole += statement[i];
+      continue;
+    }
+    whole += statement[i];
+    if (!is_blank(statement[i])) {
+      names.back() += statement[i];
+    } else if (!names.back().empty()) {
+      names.emplace_back();
+    }
+  }
+  if (library_file(whole, folder)) return {whole};
+  std::erase(names, "");
   return names;
 }
 
