@@ -21,7 +21,8 @@ namespace {
 constexpr char kNoArea[] = "non-planar faces without an area dropped";
 constexpr char kHole[] = "holes with fewer than three distinct vertices dropped";
 constexpr char kNotPlanar[] = "non-planar faces cut into triangles";
-constexpr char kCrossing[] = "faces whose contours cross, or with holes outside, are not filled as a whole";
+constexpr char kCrossing[] =
+    "faces whose sides cross, or with holes outside, opaque only in part: lines behind them may show";
 
 /// Dropped faces, by cause.
 struct Dropped {
