@@ -13,8 +13,8 @@ void say(std::string_view text) {
 
 void warn(const std::string& place, const std::string& text) { say(place + ": warning: " + text); }
 
-void warn(const std::string& place, const Warnings& warnings) {
-  for (const std::string& line : warnings.lines()) warn(place, line);
+void warn(const std::string& place, const Warnings& warnings, bool with_areas) {
+  for (const std::string& line : warnings.lines(with_areas)) warn(place, line);
 }
 
 }  // namespace ligne

@@ -14,7 +14,7 @@ void say(std::string_view text);
 /// Writes "ligne: PLACE: warning: TEXT".
 void warn(const std::string& place, const std::string& text);
 
-/// Warns of faults repaired while reading, one line per kind with its count.
-void warn(const std::string& place, const Warnings& warnings);
+/// Warns of faults repaired while reading, one line per kind with its count; `with_areas` as in Warnings::lines().
+void warn(const std::string& place, const Warnings& warnings, bool with_areas = true);
 
 }  // namespace ligne

@@ -56,6 +56,12 @@ std::string Omissions::list() const {
   return others == 0 ? text : text + " and " + std::to_string(others) + " others";
 }
 
+Omissions Omissions::of_lines() const {
+  Omissions others = *this;
+  std::erase_if(others.counts_, [](const auto& entry) { return entry.first.starts_with("textures"); });
+  return others;
+}
+
 std::string Omissions::text() const { return empty() ? "" : "left out: " + list(); }
 
 }  // namespace ligne

@@ -23,6 +23,8 @@ class Omissions {
   /// "3 primitives with EXT_foo, 2 textures"; empty if nothing was left out. Of many kinds, it names the most frequent
   /// ones.
   std::string list() const;
+  /// The omissions that can change a line: all but textures, which only areas of faces would show.
+  Omissions of_lines() const;
   /// "left out: " and the list; empty if nothing was left out.
   std::string text() const;
 

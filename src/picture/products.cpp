@@ -14,6 +14,11 @@ bool needs_regions(const PictureRequest& request) {
          request.lines.classes.has(LineClass::shadow);
 }
 
+bool shows_materials(const PictureRequest& request) {
+  return request.fill.kind == FillKind::material || request.fill.kind == FillKind::shade ||
+         request.hatch.kind == HatchKind::material;
+}
+
 bool hatches_regions(const PictureRequest& request, const Method& method) {
   return request.hatch.is_requested() && (method.traits().products & kRegions);
 }

@@ -15,6 +15,9 @@ const Method& method_of(const PictureRequest& request);
 /// Whether the request has fills, hatching, shadows or PictureRequest::regions.
 bool needs_regions(const PictureRequest& request);
 
+/// Whether areas of faces have the colours of their materials, or the tones of these.
+bool shows_materials(const PictureRequest& request);
+
 /// Whether the picture hatches regions, which it does if the method returns regions. Otherwise it hatches spans.
 bool hatches_regions(const PictureRequest& request, const Method& method);
 

@@ -177,7 +177,8 @@ std::optional<LoadedModels> stream(const DrawOptions& options, const ModelReques
 LoadedModels load(const DrawOptions& options, const ModelRequest& model, PictureRequest& request, RunReport& run,
                   RunFiles& files) {
   if (std::optional<LoadedModels> streamed = stream(options, model, request, run, files)) return std::move(*streamed);
-  return timed(run.stages, reading_of(options.model), [&] { return load_models(model, options.run.quiet, files); });
+  return timed(run.stages, reading_of(options.model),
+               [&] { return load_models(model, options.run.quiet, files, shows_materials(request)); });
 }
 
 /// Warns after the picture is made, so that an error message stands alone.

@@ -66,12 +66,12 @@ Stage reading_of(const ModelRequest& request) {
   return {"read", printable(shown_input(request.files.front()), kLongestPath) + others};
 }
 
-LoadedModels load_models(const ModelRequest& request, bool quiet, RunFiles& files) {
+LoadedModels load_models(const ModelRequest& request, bool quiet, RunFiles& files, bool with_areas) {
   LoadedModels models = load_models(request);
   for (const ModelFile& file : models.files) {
     files.were_read(file.report.files);
     if (quiet) continue;
-    warn(file.name, file.warnings);
+    warn(file.name, file.warnings, with_areas);
     for (const std::string& remark : file.remarks) warn(file.name, remark);
   }
   return models;

@@ -19,8 +19,8 @@ void add_part_drawing_options(CLI::App& app, OutputRequest& request);
 /// The stage of reading the models.
 Stage reading_of(const ModelRequest& request);
 
-/// Reads all files and records them in `files`. Writes one line per kind of warning unless `quiet`. Throws InputError,
-/// UsageError.
-LoadedModels load_models(const ModelRequest& request, bool quiet, RunFiles& files);
+/// Reads all files and records them in `files`. Writes one line per kind of warning unless `quiet`; `with_areas` as in
+/// Warnings::lines(). Throws InputError, UsageError.
+LoadedModels load_models(const ModelRequest& request, bool quiet, RunFiles& files, bool with_areas = false);
 
 }  // namespace ligne

@@ -27,11 +27,12 @@ class Warnings {
 
   const std::map<std::string, std::size_t>& counts() const { return counts_; }
   const Omissions& left_out() const { return left_out_; }
-  /// One line per kind, and one line with all omissions.
-  std::vector<std::string> lines() const {
+  /// One line per kind, and one line with all omissions; `with_areas`: also those that only areas of faces would show.
+  std::vector<std::string> lines(bool with_areas = true) const {
     std::vector<std::string> lines;
     for (const auto& [kind, n] : counts_) lines.push_back(counted(n, kind));
-    if (!left_out_.empty()) lines.push_back(left_out_.text());
+    const Omissions listed = with_areas ? left_out_ : left_out_.of_lines();
+    if (!listed.empty()) lines.push_back(listed.text());
     return lines;
   }
 
