@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "files/message_text.hpp"
@@ -145,6 +146,18 @@ std::string objects_text(const SceneFacts& scene) {
   return text;
 }
 
+/// The up axis. Formats that do not tell it have a usual one, which many of their files do not keep to.
+std::string up_axis_text(const LoadedModels& models, const SceneInfo& info) {
+  std::string axis(1, "xyz"[static_cast<unsigned>(info.up_axis)]);
+  if (info.up_axis_is_given || models.files.empty()) return axis;
+  const ModelFormat format = models.files.front().report.format;
+  constexpr ModelFormat kSilent[] = {ModelFormat::obj, ModelFormat::stl_ascii, ModelFormat::stl_binary, ModelFormat::ply,
+                                     ModelFormat::off};
+  if (std::ranges::find(kSilent, format) == std::end(kSilent)) return axis;
+  const std::string other = info.up_axis == Axis::z ? "y" : "z";
+  return axis + " (" + std::string(to_string(format)) + " does not tell; if the model lies: --up-axis " + other + ")";
+}
+
 }  // namespace
 
 std::string info_text(const LoadedModels& models, const SceneInfo& info) {
@@ -161,7 +174,7 @@ std::string info_text(const LoadedModels& models, const SceneInfo& info) {
                         " border, " + std::to_string(scene.sum(&ObjectFacts::many_face_edges)) + " of more than two faces");
   text += surfaces_text(info.surfaces);
   text += line("bounding box", point_text(scene.bounds[0]) + " to " + point_text(scene.bounds[1]));
-  text += line("up axis", std::string(1, "xyz"[static_cast<unsigned>(info.up_axis)]));
+  text += line("up axis", up_axis_text(models, info));
   std::string cameras;
   for (const SceneCamera& c : models.scene.cameras) cameras += (cameras.empty() ? "" : ", ") + printable(c.name);
   if (!cameras.empty()) text += line("cameras", cameras);

@@ -24,6 +24,7 @@ SceneInfo scene_info(const LoadedModels& models, const ViewRequest& view, const 
   info.method = &method_of(request);
   const Scene& scene = models.scene;
   info.up_axis = view.up_axis.value_or(scene.up_axis);
+  info.up_axis_is_given = view.up_axis.has_value();
   std::optional<Topology> made;
   timed(run.stages, "topology", [&] {
     if (!models.topology) made = build_topology(scene);

@@ -24,6 +24,7 @@ struct SceneInfo {
   std::optional<BackFaces> culled;  ///< only if culling is requested
   Placement placement;
   Axis up_axis = Axis::z;
+  bool up_axis_is_given = false;   ///< by the request
   const Method* method = nullptr;  ///< the method that would draw the scene
 };
 
