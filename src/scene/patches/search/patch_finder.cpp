@@ -79,8 +79,8 @@ bool PatchFinder::goes_over(const Patch& patch, std::vector<std::uint32_t> facet
   return !ends_within(c, std::max(patch.sag, rounding));
 }
 
-/// Searches from samples of `count` seeds. Whether they get so few surfaces that the object gets none, or most of these go
-/// over into what is beside them.
+/// Searches from samples of `count` seeds. Whether they get so few surfaces that the object gets none, or it has no plane
+/// and most of these go over into what is beside them: the rows of lofts between planes tell where these begin.
 bool PatchFinder::find_few(std::span<const Seed> samples, std::size_t count, std::vector<Patch>& patches) {
   search(samples, patches);
   std::vector<std::vector<std::uint32_t>> facets(patches.size());
@@ -90,7 +90,9 @@ bool PatchFinder::find_few(std::span<const Seed> samples, std::size_t count, std
     facets[patch_of_[f]].push_back(f);
     ++found;
   }
-  for (std::size_t p = 0; p < patches.size(); ++p) loose += goes_over(patches[p], facets[p]) ? facets[p].size() : 0;
+  const bool has_plane = std::ranges::any_of(graph_.is_plane, [](std::uint8_t is_plane) { return is_plane != 0; });
+  for (std::size_t p = 0; p < patches.size() && !has_plane; ++p)
+    loose += goes_over(patches[p], facets[p]) ? facets[p].size() : 0;
   const auto succeeded = [&](const Seed& seed) { return patch_of_[seed.facet] != kNone; };
   return std::ranges::count_if(samples, succeeded) < kFewestSuccesses || kLeastShare * found < count ||
          kFirmShare * (found - loose) < found;
