@@ -21,6 +21,8 @@ constexpr double kCellMm = 2;
 /// Adjustable. Longest move that shortens a visible part, in reaches. If it is longer than one reach, the end must lie
 /// within one reach beside the line that hides it.
 constexpr double kMostOblique = 4;
+/// Distance up to which two ends count as one place, mm.
+constexpr double kSamePlaceMm = 1e-3;
 /// Number of segments before and behind a place over which the length of the chain's segments is averaged.
 constexpr int kSizeWindow = 3;
 
@@ -197,11 +199,20 @@ struct MovedEnd {
   LatticePoint to;
 };
 
+/// Whether a segment lies within the reach of the end of its contour, and that end is at p: there the contour continues a
+/// stroke that ends at p.
+bool continues_from(Point2 p, const OutlineSegment& s, const SeenContour& contour, double reach_mm) {
+  const CurvePoint &front = contour.curve.points.front(), &back = contour.curve.points.back();
+  const auto is_at_p = [&](const CurvePoint& q) { return glm::length(q.mm - p) <= kSamePlaceMm; };
+  return (s.length_from < front.length + reach_mm && is_at_p(front)) ||
+         (s.length_to > back.length - reach_mm && is_at_p(back));
+}
+
 /// Finds the nearest crossing with a contour in front near an end of a stroke, or beyond the end on its source edge. A
 /// line that runs obliquely into the strip between the contour and the mesh ends farther behind the crossing than the
 /// strip is wide.
 std::optional<MovedEnd> moved_end(const StrokeModel& model, std::size_t i, bool first, const SegmentFinder& finder,
-                                  double reach_mm) {
+                                  const std::vector<SeenContour>& contours, double reach_mm) {
   const Stroke& s = model.strokes[i];
   const Point2 end = model.lattice.to_mm(first ? s.from : s.to), other = model.lattice.to_mm(first ? s.to : s.from);
   const double length = glm::length(end - other);
@@ -221,6 +232,7 @@ std::optional<MovedEnd> moved_end(const StrokeModel& model, std::size_t i, bool 
   // A tangent line runs behind a contour on one of its own surfaces, both of which are curved between the two.
   const bool is_tangent = s.line_class == LineClass::tangent;
   const auto best = nearest_crossing(part, 0, is_tangent ? back : 0, finder, [&](const OutlineSegment& contour) {
+    if (continues_from(other, contour, contours[contour.chain], reach_mm)) return -1.0;
     return is_tangent ? std::max(reach_mm, contour.beside_mm) : reach_mm;
   });
   if (!best) return std::nullopt;
@@ -247,7 +259,7 @@ void move_ends_of_strokes(StrokeModel& others, const std::vector<SeenContour>& c
       const std::uint32_t i = visible[end / 2];
       // An end at which another stroke continues stays in place.
       if (nodes.degree(nodes.of(end)) > 1 || others.strokes[i].line_class == LineClass::axes) continue;
-      moved[end] = moved_end(others, i, end % 2 == 0, finder, reach_mm);
+      moved[end] = moved_end(others, i, end % 2 == 0, finder, contours, reach_mm);
     }
   });
   for (const std::optional<MovedEnd>& end : moved) {

@@ -174,9 +174,8 @@ TEST(SmoothContours, LinesBehindThemEndThereAtAnyAngle) {
   EXPECT_LT(deepest, 0.05) << "mm on the page";
 }
 
-/// A bent curve that is seen up to its middle, where nothing crosses it: the end stays, since a curve does not hide itself
-/// where it lies on itself.
-TEST(SmoothContours, ACurveDoesNotShortenItself) {
+/// A bent curve that is seen up to its middle.
+SeenContour bent_curve() {
   SeenContour contour;
   for (int i = 0; i <= 60; ++i) {
     CurvePoint point;
@@ -186,10 +185,25 @@ TEST(SmoothContours, ACurveDoesNotShortenItself) {
     contour.curve.points.push_back(point);
   }
   contour.runs = {{0, 30, 0}, {30, 60, kHiddenState}};
-  std::vector<SeenContour> contours{contour};
+  return contour;
+}
+
+/// Where nothing crosses a curve, its end stays, since a curve does not hide itself where it lies on itself.
+TEST(SmoothContours, ACurveDoesNotShortenItself) {
+  std::vector<SeenContour> contours{bent_curve()};
   move_ends_of_contours(contours, {}, 1);
   EXPECT_EQ(contours[0].runs[0].to, 30);
   EXPECT_EQ(contours[0].runs[1].from, 30);
+}
+
+/// A line that a curve continues crosses the curve where both end. It is not hidden there.
+TEST(SmoothContours, ACurveDoesNotShortenTheLineThatItContinues) {
+  StrokeModel model{{{0, 0}, 1.0 / (1 << 20)}, std::vector<Stroke>(1), 1, {}};
+  Stroke& line = model.strokes[0];
+  line.from = model.lattice.snap({-2, -0.1});
+  line.to = model.lattice.snap({5e-4, 1e-5});
+  move_ends_of_strokes(model, {bent_curve()}, 1);
+  EXPECT_EQ(line.t_from, 0);
 }
 
 TEST(SmoothContours, DoNotDependOnTheNumberOfThreads) {

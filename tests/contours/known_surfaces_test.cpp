@@ -118,6 +118,61 @@ TEST(OutlineProbes, OfCoarseMeshesStayWhereNothingComesBack) {
   }
 }
 
+/// A replaced edge whose probe is visible from `t_from` on.
+struct LostEdge {
+  Point3 from, to;
+  double t_from = 0;
+};
+
+/// The strokes that are drawn for replaced edges beside one visible contour and the visible outlines of the mesh. All lie in
+/// the plane y = 0 and are seen from the front; lengths are in mm of the page.
+std::vector<Stroke> strokes_for(const std::vector<LostEdge>& edges, const std::vector<Point3>& contour,
+                                const std::vector<LostEdge>& outlines) {
+  const View view = BesideAnEdge(0, 0).view;
+  StrokeModel model{page_lattice(view), {}, 0, {}};
+  const auto mm = [&](const Point3& p) { return page_point(view, p / view.scale); };
+  const auto stroke = [&](const LostEdge& e, std::uint32_t source) {
+    Stroke s{e.t_from, 1, model.lattice.snap(mm(e.from + e.t_from * (e.to - e.from))), model.lattice.snap(mm(e.to))};
+    s.source = source;
+    s.line_class = LineClass::outline;
+    return s;
+  };
+  SmoothContours contours;
+  std::vector<Stroke> probes;
+  for (const LostEdge& e : edges) {
+    probes.push_back(stroke(e, static_cast<std::uint32_t>(contours.replaced.size())));
+    contours.replaced.push_back({{e.from / view.scale, e.to / view.scale}, {0, 0}, false});
+    contours.replaced_size_mm.push_back(20);
+  }
+  for (const LostEdge& e : outlines) model.strokes.push_back(stroke(e, kNone));
+  SeenContour seen;
+  for (std::size_t i = 0; i < contour.size(); ++i) {
+    const double length = i > 0 ? seen.curve.length() + glm::length(contour[i] - contour[i - 1]) : 0;
+    seen.curve.points.push_back({double(i), mm(contour[i]), 0, 1, length});
+  }
+  seen.runs = {{0, double(contour.size() - 1), 0}};
+  add_missing_outlines(model, view, contours, probes, {seen}, {kPenWidthMm, 2 * kPenWidthMm});
+  return {model.strokes.begin() + static_cast<std::ptrdiff_t>(outlines.size()), model.strokes.end()};
+}
+
+TEST(OutlineProbes, OutlinesLeadToTheLineThatHidesThem) {
+  const LostEdge edge{{0, 0, 0}, {50, 0, 0}, 0.9}, hiding{{45.2, 0, -9}, {45.2, 0, 9}};
+  const std::vector<Point3> contour{edge.to, {70, 0, 0}};
+  EXPECT_TRUE(strokes_for({edge}, contour, {}).empty());
+  const std::vector<Stroke> found = strokes_for({edge}, contour, {hiding});
+  ASSERT_EQ(found.size(), 1u);
+  const View view = BesideAnEdge(0, 0).view;
+  EXPECT_NEAR(page_lattice(view).to_mm(found[0].from).x, page_point(view, hiding.from / view.scale).x, 1e-3);
+}
+
+TEST(OutlineProbes, OutlinesLeadFromContoursToOutlinesFarFromThem) {
+  const LostEdge edge{{0, 0, 0}, {50, 0, 0}}, next{{50, 0, 0}, {50, 0, 20}};
+  std::vector<Point3> there_and_back;
+  for (int i = 0; i <= 86; ++i) there_and_back.push_back({std::min(i, 86 - i), 0, -i / 86.0});
+  EXPECT_EQ(strokes_for({edge, next}, there_and_back, {}).size(), 2u);
+  EXPECT_EQ(strokes_for({edge}, there_and_back, {}).size(), 0u);
+}
+
 // Contours on the surfaces that were found behind a mesh: they lie on the outline of the surface itself.
 
 /// How far nodes of the contours lie beside the surface of their mesh, and how far its normals there are from square to the

@@ -18,6 +18,9 @@ class LinesBeside {
 
   /// Whether a segment passes within the reach of the point.
   bool any_within(Point2 p, double reach) const;
+  /// The point nearest to p, within the reach, at which the line through p with the direction crosses a segment that makes
+  /// more than 45 degrees with it.
+  std::optional<Point2> crossing(Point2 p, Point2 direction, double reach) const;
   /// The end of a segment that is nearest to the point, within the reach.
   std::optional<Point2> nearest_end(Point2 p, double reach) const;
   /// The stretches of from-to, ascending, as fractions of it, beside which no segment runs: none within the reach that

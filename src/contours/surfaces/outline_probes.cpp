@@ -1,6 +1,7 @@
 #include "contours/surfaces/outline_probes.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -75,6 +76,10 @@ class VisibleContours {
   LinesBeside pieces_, tails_;
 };
 
+/// The place where a part of an edge ends: at an end of the edge, where its probe becomes hidden, or where a contour begins
+/// to run beside it.
+enum class EndAt : std::uint8_t { vertex, hidden, contour };
+
 /// A part of an edge whose probe is visible.
 struct Candidate {
   Stroke stroke;  ///< its stroke on the edge itself
@@ -84,6 +89,8 @@ struct Candidate {
   /// Distance within which the end of a contour belongs to its own ends. Where it was cut beside a contour, the two
   /// may be as far apart as the contour and the edge.
   std::array<double, 2> end_reach_mm{0, 0};
+  std::array<EndAt, 2> end_at{EndAt::vertex, EndAt::vertex};
+  std::array<std::optional<Point2>, 2> crossing{};  ///< where the edge goes behind another line near that end
 };
 
 Candidate candidate(const Stroke& probe, std::uint32_t edge, const SmoothContours& contours, const View& view,
@@ -102,6 +109,7 @@ Candidate candidate(const Stroke& probe, std::uint32_t edge, const SmoothContour
     c.stroke.w_to = static_cast<float>(to.w);
   }
   c.stroke.needs_overlap_check = true;
+  c.end_at = {probe.t_from > 0 ? EndAt::hidden : EndAt::vertex, probe.t_to < 1 ? EndAt::hidden : EndAt::vertex};
   c.near_mm = std::max(pen_width_mm / 2, kNearEdge * contours.replaced_size_mm[edge]);
   return c;
 }
@@ -138,6 +146,7 @@ void look_at(const Candidate& c, const VisibleContours& near, const ProbePage& p
     Candidate part = candidate(stroke, c.edge, contours, view, lattice, pen_width_mm);
     const double cut_reach_mm = std::max(reach_mm, c.near_mm);
     part.end_reach_mm = {first > 0 ? cut_reach_mm : reach_mm, last < 1 ? cut_reach_mm : reach_mm};
+    part.end_at = {first > 0 ? EndAt::contour : c.end_at[0], last < 1 ? EndAt::contour : c.end_at[1]};
     (is_alone(part.middle) ? missing.alone : missing.beside).push_back(part);
   }
 }
@@ -176,8 +185,9 @@ std::vector<Candidate> take_short(std::vector<Candidate>& candidates, const Latt
   return taken;
 }
 
-/// Keeps the runs whose two ends both meet an end of a contour, an end of `others`, or a visible outline of the mesh.
-/// Outlines do not count if they run beside the whole run.
+/// Keeps the runs whose two ends both meet an end of a contour, an end of `others`, a visible outline of the mesh, or a line
+/// behind which the edge goes. Outlines do not count if they run beside the whole run. One such end is enough if no contour
+/// is near it, and if a contour begins to run beside the edge at the other end.
 void keep_between_ends(std::vector<Candidate>& parts, const std::vector<Candidate>& others, const VisibleContours& near,
                        const StrokeModel& model, double pen_width_mm) {
   if (parts.empty()) return;
@@ -196,21 +206,32 @@ void keep_between_ends(std::vector<Candidate>& parts, const std::vector<Candidat
     apart[runs.find(i)] |= !outlines.uncovered(from, to, parts[i].near_mm, 0).empty();
   }
   std::vector<std::uint32_t> open(parts.size(), 0), met(parts.size(), 0);
+  std::vector<std::uint8_t> leads_away(parts.size(), 0), leads_to_contour(parts.size(), 0);
   for (std::uint32_t end = 0; end < end_count; ++end) {
     bool continues = false, meets_other = false;
     nodes.for_each_end(nodes.of(end), [&](std::uint32_t e) { (e < end_count ? continues : meets_other) |= e != end; });
     if (continues) continue;
-    const Candidate& part = parts[end / 2];
+    Candidate& part = parts[end / 2];
     const std::uint32_t run = runs.find(end / 2);
     ++open[run];
-    const Point2 mm = model.lattice.to_mm(end % 2 == 0 ? part.stroke.from : part.stroke.to);
-    met[run] += meets_other || near.tails().any_within(mm, part.end_reach_mm[end % 2]) ||
-                (apart[run] && outlines.any_within(mm, pen_width_mm / 2));
+    const Point2 from = model.lattice.to_mm(part.stroke.from), to = model.lattice.to_mm(part.stroke.to);
+    const Point2 mm = end % 2 == 0 ? from : to;
+    const double reach_mm = part.end_reach_mm[end % 2];
+    if (part.end_at[end % 2] == EndAt::hidden) {
+      std::optional<Point2>& crossing = part.crossing[end % 2];
+      crossing = outlines.crossing(mm, to - from, reach_mm);
+      if (!crossing) crossing = near.pieces().crossing(mm, to - from, reach_mm);
+    }
+    const bool meets = meets_other || near.tails().any_within(mm, reach_mm) || part.crossing[end % 2] ||
+                       (apart[run] && outlines.any_within(mm, pen_width_mm / 2));
+    met[run] += meets;
+    leads_to_contour[run] |= !meets && part.end_at[end % 2] == EndAt::contour;
+    leads_away[run] |= meets && !near.pieces().any_within(mm, part.near_mm);
   }
   std::vector<Candidate> kept;
   for (std::uint32_t i = 0; i < parts.size(); ++i) {
     const std::uint32_t run = runs.find(i);
-    if (open[run] == 2 && met[run] == 2) kept.push_back(parts[i]);
+    if (open[run] == 2 && (met[run] == 2 || (leads_away[run] && leads_to_contour[run]))) kept.push_back(parts[i]);
   }
   parts = std::move(kept);
 }
@@ -327,8 +348,11 @@ void add_missing_outlines(StrokeModel& model, const View& view, const SmoothCont
     for (const std::uint32_t side : {0u, 1u}) {
       if (nodes.degree(nodes.of(2 * i + side)) > 1) continue;
       LatticePoint& end = side == 0 ? c.stroke.from : c.stroke.to;
-      if (const auto contour = near.pieces().nearest_end(model.lattice.to_mm(end), c.end_reach_mm[side]))
+      if (c.crossing[side]) {
+        end = model.lattice.snap(*c.crossing[side]);
+      } else if (const auto contour = near.pieces().nearest_end(model.lattice.to_mm(end), c.end_reach_mm[side])) {
         end = model.lattice.snap(*contour);
+      }
     }
     if (c.stroke.from == c.stroke.to) continue;
     c.stroke.source = model.edge_count + static_cast<std::uint32_t>(model.intersections.size());
