@@ -56,7 +56,14 @@ ContourSources draw_contours(StrokeModel& model, const Scene& scene, const View&
       return SourceEdge{{chain.nodes[i].on_mesh, chain.nodes[i + 1].on_mesh}, {contours.faces[c][i], kNone}, false};
     });
   }
-  return writer.take_sources();
+  ContourSources sources = writer.take_sources();
+  for (const Stroke& probe : probes) {
+    if (!probe.visible) continue;
+    const auto& ends = contours.replaced[probe.source - contours.first_probe].ends;
+    const auto place = [&](double t) { return page_point(view, ends[0] + t * (ends[1] - ends[0])); };
+    sources.replaced.push_back({place(probe.t_from), place(probe.t_to)});
+  }
+  return sources;
 }
 
 }  // namespace ligne

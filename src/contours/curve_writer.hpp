@@ -1,6 +1,7 @@
 #pragma once
 /// Writes strokes of smooth curves in place of the strokes of the lines whose visibility was computed for them.
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <utility>
@@ -20,6 +21,9 @@ std::vector<Stroke> take_strokes(StrokeModel& model, std::uint32_t first, std::s
 struct ContourSources {
   std::uint32_t first = 0;
   std::vector<std::uint32_t> lines;
+  /// The parts of the mesh's outline that curves replace and behind which nothing lies closely, as segments in mm of the
+  /// page.
+  std::vector<std::array<Point2, 2>> replaced;
 };
 
 /// Adds strokes to a model, each with a new source in StrokeModel::intersections. It keeps references to its arguments.

@@ -55,6 +55,10 @@ void apply_rules(LineMap& map, const CleanOptions& o, const Report& report) {
     const UndershootLimits undershoots{kUndershootInGaps * gap_mm(o), kTouchingInPens * pen_mm};
     report("ends led to the line before them", extend_undershoots(map, undershoots, o.make_source));
   }
+  if (o.is_outline) {
+    const OutlineGapLimits missing{kFarInGaps * gap_mm(o), ink_mm, o.is_outline};
+    report("gaps of outlines closed", close_outlines(map, missing, o.make_source));
+  }
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ struct CleanOptions {
   bool has_all_features = true;
   BodyOf scan_of;          ///< numbers the scans; empty: there are none
   BodyOf object_of;        ///< numbers the objects
+  IsOutline is_outline;    ///< knows outlines that are not drawn; empty: none is known
   MakeSource make_source;  ///< makes the sources of strokes that join lines
 };
 

@@ -183,7 +183,7 @@ void finish_lines(SceneVisibility& found, PreparedScene& prepared, RunReport& ru
   light_regions(prepared, found.result, run);
   warn_of_empty_or_cut(strokes, prepared.around.placement, run);
   timed(run.stages, {"drawing", std::to_string(strokes.strokes.size()) + " strokes"},
-        [&] { tidy_strokes(strokes, prepared, run); });
+        [&] { tidy_strokes(strokes, prepared, contours, run); });
   if (lines.profiles() != ProfileKind::off) {
     timed(run.stages, {"profiles", std::to_string(strokes.strokes.size()) + " strokes"},
           [&] { add_profiles(strokes, prepared, contours); });

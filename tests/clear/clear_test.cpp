@@ -129,7 +129,7 @@ std::size_t expect_clean(const Scene& scene, const std::string& view, const std:
   finish_lines(found, prepared, run);
   StrokeModel& strokes = *found.result.strokes;
   const std::size_t before = strokes.strokes.size();
-  for (const RuleReport& report : clean_scene_lines(strokes, prepared, least_bit_mm(prepared)).rules)
+  for (const RuleReport& report : clean_scene_lines(strokes, prepared, {}, least_bit_mm(prepared)).rules)
     EXPECT_EQ(report.count, 0u) << name << ", " << view << ": " << report.changes;
   EXPECT_EQ(strokes.strokes.size(), before);
   return before;

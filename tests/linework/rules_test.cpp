@@ -78,6 +78,19 @@ Change bridging(double reach_mm, double far_mm, double clear_mm) {
   };
 }
 
+/// Outlines along the x axis are known within 90 steps of it.
+std::size_t close(StrokeModel& m) {
+  const auto is_outline = [](Point2 a, Point2 b, bool along) {
+    return std::max(std::abs(a.y), std::abs(b.y)) <= (along ? 20 : 90);
+  };
+  return apply_rule(
+      m, 0,
+      [&](LineMap& map) {
+        return close_outlines(map, {900, 50, is_outline}, no_source);
+      },
+      50);
+}
+
 std::size_t lead_on(StrokeModel& m) {
   return apply_rule(
       m, 1, [](LineMap& map) { return extend_undershoots(map, {.reach_mm = 20, .touching_mm = 1}, no_source); }, 1);
@@ -140,6 +153,7 @@ const std::map<std::string, RuleOfText> kRules = {
     {"bridge", {LineClass::crease, 1, bridging(100, 250, 50)}},
     {"bridge-far", {LineClass::crease, 1, bridging(100, 900, 50)}},
     {"bridge-wide", {LineClass::crease, 1, bridging(1000, 2500, 500)}},
+    {"close", {LineClass::outline, 1, close}},
     {"lead-on", {LineClass::outline, 1, lead_on}},
     {"bits-of-0.5", {LineClass::crease, 0.001, dropping_bits(0.5)}},
     {"bits-of-0.7", {LineClass::crease, 0.001, dropping_bits(0.7)}},

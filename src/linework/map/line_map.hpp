@@ -53,6 +53,7 @@ class LineMap {
   LineMap& operator=(const LineMap&) = delete;
 
   double step_mm() const { return model_.lattice.step_mm; }
+  Point2 to_mm(LatticePoint p) const { return model_.lattice.to_mm(p); }
   /// The number of pieces, dead ones included.
   std::uint32_t piece_count() const { return static_cast<std::uint32_t>(pieces_.size()); }
   bool is_alive(std::uint32_t piece) const { return pieces_[piece].alive; }

@@ -129,27 +129,13 @@ class OpenEnds {
   std::vector<OpenEnd> ends_;
 };
 
-/// The stroke between two ends, with the properties of the longer of the two lines.
-Stroke bridge_between(const LineMap& map, const OpenEnd& a, const OpenEnd& b) {
-  const Stroke &s = map.stroke_of(a.end / 2), &t = map.stroke_of(b.end / 2);
-  const bool a_from = a.end % 2 == 0, b_from = b.end % 2 == 0;
-  Stroke bridge = map.piece((a.line_length < b.line_length ? b.end : a.end) / 2);
-  bridge.from = a.point;
-  bridge.to = b.point;
-  bridge.z_from = a_from ? s.z_from : s.z_to;
-  bridge.z_to = b_from ? t.z_from : t.z_to;
-  bridge.w_from = a_from ? s.w_from : s.w_to;
-  bridge.w_to = b_from ? t.w_from : t.w_to;
-  return bridge;
-}
-
 std::size_t bridge_once(LineMap& map, const GapLimits& limits, const MakeSource& make_source) {
   const double gap = limits.gap_mm / map.step_mm(), clear = limits.clear_mm / map.step_mm();
   const auto pairs = OpenEnds(map, gap, limits.wide_mm / map.step_mm()).pairs();
   std::vector<std::pair<Stroke, std::size_t>> bridges;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto& [a, b] = pairs[k];
-    const Stroke bridge = bridge_between(map, a, b);
+    const Stroke bridge = bridge_between(map, a.end, b.end, (a.line_length < b.line_length ? b.end : a.end) / 2);
     std::vector<std::uint32_t> own = map.line_back(a.end, kOwnLineInClears * clear);
     std::ranges::copy(map.line_back(b.end, kOwnLineInClears * clear), std::back_inserter(own));
     const auto blocks = [&](std::uint32_t p) {
@@ -163,6 +149,19 @@ std::size_t bridge_once(LineMap& map, const GapLimits& limits, const MakeSource&
 }
 
 }  // namespace
+
+Stroke bridge_between(const LineMap& map, std::uint32_t a, std::uint32_t b, std::uint32_t like) {
+  const Stroke &s = map.piece(a / 2), &t = map.piece(b / 2);
+  const bool a_from = a % 2 == 0, b_from = b % 2 == 0;
+  Stroke bridge = map.piece(like);
+  bridge.from = map.point(a);
+  bridge.to = map.point(b);
+  bridge.z_from = a_from ? s.z_from : s.z_to;
+  bridge.z_to = b_from ? t.z_from : t.z_to;
+  bridge.w_from = a_from ? s.w_from : s.w_to;
+  bridge.w_to = b_from ? t.w_from : t.w_to;
+  return bridge;
+}
 
 std::size_t bridge_gaps(LineMap& map, const GapLimits& limits, const MakeSource& make_source) {
   std::size_t count = 0;

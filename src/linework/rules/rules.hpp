@@ -14,6 +14,10 @@
 
 namespace ligne {
 
+/// Whether an outline of a body lies beside the way from one point of the page to another, mm; with `along`, whether it runs
+/// in this direction.
+using IsOutline = std::function<bool(Point2 from, Point2 to, bool along)>;
+
 /// Numbers the bodies of strokes from 0. Returns kNone for strokes that the rule ignores.
 using BodyOf = std::function<std::uint32_t(const Stroke&)>;
 
@@ -27,6 +31,19 @@ struct GapLimits {
 /// bridge_gaps: joins two free ends if each is the nearest of the ends that the other may be joined to. Adds one stroke
 /// for each bridge. O(n log n).
 std::size_t bridge_gaps(LineMap& map, const GapLimits& limits, const MakeSource& make_source);
+
+/// The stroke from the end a to the end b, with the properties of the piece `like`.
+Stroke bridge_between(const LineMap& map, std::uint32_t a, std::uint32_t b, std::uint32_t like);
+
+struct OutlineGapLimits {
+  double wide_mm = 0;   ///< longest bridge
+  double clear_mm = 0;  ///< least distance of other lines from the middle of a bridge
+  IsOutline is_outline;
+};
+/// close_outlines: joins a free end of an outline to the nearest end of another outline if an outline of a body runs between
+/// the two. Where that other end is not free, the outline must have the direction of the bridge. Adds one stroke for each
+/// bridge. O(n log n).
+std::size_t close_outlines(LineMap& map, const OutlineGapLimits& limits, const MakeSource& make_source);
 
 struct DangleLimits {
   double longest_mm = 0;    ///< longest dangle

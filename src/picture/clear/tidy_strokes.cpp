@@ -1,11 +1,15 @@
 #include "picture/clear/tidy_strokes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "base/no_index.hpp"
+#include "contours/surfaces/lines_beside.hpp"
 #include "linework/clean_lines.hpp"
 #include "linework/overlaps/coincident_strokes.hpp"
 #include "view/tolerances.hpp"
@@ -15,6 +19,10 @@ namespace {
 
 /// Shortest bit of a line that visibility leaves and that is drawn, in pen widths. Taste.
 constexpr double kLeastInPens = 1.5;
+/// Adjustable. Places between two points, as parts of the way, and the largest distance of an outline from them, in lengths
+/// of the way.
+constexpr std::array kPlaces{0.25, 0.5, 0.75};
+constexpr double kBeside = 0.75;
 
 /// Returns the number of the scan of a stroke, kNone for other objects.
 std::uint32_t scan_of(const std::vector<ScanObject>& scans, const StrokeModel& strokes, const Stroke& s) {
@@ -78,6 +86,14 @@ std::size_t remove_short_bits_of(StrokeModel& strokes, double least_mm,
   return removed;
 }
 
+/// Whether lines pass beside three places between two points; with `along`, whether they run beside the whole way.
+bool runs_beside(const LinesBeside& lines, Point2 from, Point2 to, bool along) {
+  const Point2 d = to - from;
+  const double reach = kBeside * glm::length(d);
+  if (along) return lines.uncovered(from, to, reach, 0).empty();
+  return std::ranges::all_of(kPlaces, [&](double part) { return lines.any_within(from + part * d, reach); });
+}
+
 }  // namespace
 
 double least_bit_mm(const PreparedScene& prepared) {
@@ -85,7 +101,8 @@ double least_bit_mm(const PreparedScene& prepared) {
   return prepared.request.lines.least_mm.value_or(clear ? kLeastInPens * prepared.request.page.pen_width_mm : 0);
 }
 
-CleanReport clean_scene_lines(StrokeModel& strokes, const PreparedScene& prepared, double least_mm) {
+CleanReport clean_scene_lines(StrokeModel& strokes, const PreparedScene& prepared, const ContourSources& contours,
+                              double least_mm) {
   const LineClasses drawn = prepared.request.lines.studied(), features = LineClasses::features();
   JointSources make_source(strokes, prepared.projected);
   CleanOptions options;
@@ -95,11 +112,15 @@ CleanReport clean_scene_lines(StrokeModel& strokes, const PreparedScene& prepare
   options.has_all_features = (drawn.bits & features.bits) == features.bits;
   if (!prepared.scans.empty()) options.scan_of = [&](const Stroke& s) { return scan_of(prepared.scans, strokes, s); };
   options.object_of = [&](const Stroke& s) { return object_of(prepared, strokes, s); };
+  LinesBeside outlines(strokes.lattice);
+  for (const auto& [from, to] : contours.replaced) outlines.add(from, to);
+  if (!contours.replaced.empty())
+    options.is_outline = [&](Point2 a, Point2 b, bool along) { return runs_beside(outlines, a, b, along); };
   options.make_source = std::ref(make_source);
   return clean_lines(strokes, options);
 }
 
-void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport& run) {
+void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, const ContourSources& contours, RunReport& run) {
   const LineRequest& lines = prepared.request.lines;
   const double least_mm = least_bit_mm(prepared);
   remove_coincident_strokes(strokes, coincidence_mm(prepared.projected));
@@ -116,7 +137,7 @@ void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport
     };
     run.count_clear("points of creases smoothed", smooth_lines(strokes, is_rough));
   }
-  const CleanReport report = clean_scene_lines(strokes, prepared, least_mm);
+  const CleanReport report = clean_scene_lines(strokes, prepared, contours, least_mm);
   for (const RuleReport& rule : report.rules) run.count_clear(rule.changes, rule.count);
   run.count_clear("passes of cleaning", static_cast<std::size_t>(report.passes));
 }

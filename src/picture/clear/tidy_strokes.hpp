@@ -22,12 +22,13 @@ void clear_intersections(StrokeModel& model, const Scene& scene, const Projected
                          const Patches& patches, RunReport& run);
 
 /// Removes coincident strokes and, if LineRequest::least_mm requests it, cleans the lines. Counts the changes in
-/// `run.clear`.
-void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, RunReport& run);
+/// `run.clear`. `contours` is the result of draw_contours().
+void tidy_strokes(StrokeModel& strokes, const PreparedScene& prepared, const ContourSources& contours, RunReport& run);
 
 /// Cleans the lines of a scene with clean_lines() and the scene's scans and objects. No two lines may coincide. Bits
-/// shorter than `least_mm` are removed.
-CleanReport clean_scene_lines(StrokeModel& strokes, const PreparedScene& prepared, double least_mm);
+/// shorter than `least_mm` are removed. `contours` is the result of draw_contours().
+CleanReport clean_scene_lines(StrokeModel& strokes, const PreparedScene& prepared, const ContourSources& contours,
+                              double least_mm);
 
 /// Returns the length of the shortest bit of a line that is drawn, in mm; 0: any.
 double least_bit_mm(const PreparedScene& prepared);
