@@ -36,6 +36,10 @@ constexpr double kAlikeBorder = 0.75, kTriangleBorder = 0.1;
 /// Most corners of such a facet and of those beside it, whose depth is measured from each common edge: planes have
 /// thousands.
 constexpr std::size_t kMostAmidCorners = 64;
+/// Most faces of a facet in a slightly curved wall, largest sine of its bend to the triangles beside it (half a degree), and
+/// least length of the sides at which these lie, in lengths of its longest side.
+constexpr std::size_t kMostWallFaces = 4;
+constexpr double kSlightSine = 0.00872654, kSlightSides = 1.5;
 /// Least number of corners of a facet that may be a plane by its depth or by the surfaces beside it: free forms have
 /// triangles of any shape.
 constexpr std::size_t kPlaneCorners = 4;
@@ -252,6 +256,22 @@ bool is_amid_triangles(const Scene& scene, const Topology& topology, const Facet
   return length > 0 && alike >= kAlikeBorder * length && triangles >= kTriangleBorder * length;
 }
 
+/// Whether a facet is a part of a slightly curved wall of long triangles, a few of which lie in one plane: single triangles
+/// without a surface, to which it bends by next to nothing, lie beside both of its long sides.
+bool is_in_slight_wall(const Scene& scene, const Topology& topology, const FacetGraph& graph,
+                       std::span<const std::uint32_t> patch_of, std::uint32_t f) {
+  if (graph.faces[f].size() > kMostWallFaces) return false;
+  double slight = 0, longest = 0;
+  for (const FacetGraph::Arc& arc : graph.arcs_of(f)) {
+    const Edge& edge = topology.edges[arc.edge];
+    const double length = glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]);
+    longest = std::max(longest, length);
+    if (patch_of[arc.facet] != kNone || graph.vertices[arc.facet].size() != 3) continue;
+    if (std::abs(bend_at(graph, f, arc)) <= kSlightSine) slight += length;
+  }
+  return slight > 0 && slight >= kSlightSides * longest;
+}
+
 /// The arc of a single triangle at its longest edge, or null if there is none.
 const FacetGraph::Arc* longest_arc(const Scene& scene, const Topology& topology, const FacetGraph& graph, std::uint32_t f) {
   const auto corners = graph.vertices[f];
@@ -327,7 +347,8 @@ std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& to
   }
   for (const std::uint32_t f : others)
     freeform[f] = regions.is_in_region(f) || borders[regions.group_of(f)].is_row() || rows.is_in_row(f) ||
-                  rows.ends_row(f) || rows.is_in_long_row(f) || is_amid_triangles(scene, topology, graph, patch_of, f);
+                  rows.ends_row(f) || rows.is_in_long_row(f) || is_amid_triangles(scene, topology, graph, patch_of, f) ||
+                  is_in_slight_wall(scene, topology, graph, patch_of, f);
   return freeform;
 }
 
