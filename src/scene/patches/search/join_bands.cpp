@@ -15,6 +15,9 @@ namespace {
 /// Largest sine of the angle between the axes of two bands of one torus, and largest distance of the axes divided by
 /// the larger radius. The axis of a band of few facets is not known more precisely.
 constexpr double kAxisSine = 0.03, kAxisDistance = 0.03;
+/// A torus is rejected if this part of the corners of a cylinder in it is nearer to that by this factor: a torus goes
+/// through any three circles about one axis, such as those of the wall of a boss and of the first row of its rounding.
+constexpr double kMostCorners = 0.75, kFarBetter = 0.1;
 
 bool has_axis(const PatchSurface& s) { return s.kind == SurfaceKind::cylinder || s.kind == SurfaceKind::cone; }
 
@@ -47,10 +50,7 @@ bool guess_from_pieces(const PatchSurface& s, const Point3& middle, const PatchS
 /// Joins bands on cones, cylinders and spheres to one torus if all facets of each band lie on it. Also joins pieces of
 /// a tube on cylinders.
 void PatchFinder::join_bands(std::vector<Patch>& patches) {
-  std::vector<std::vector<std::uint32_t>> facets(patches.size());
-  for (std::uint32_t f = 0; f < graph_.size(); ++f) {
-    if (patch_of_[f] != kNone) facets[patch_of_[f]].push_back(f);
-  }
+  PatchFacets facets = facets_of(patches);
   std::vector<std::uint32_t> order(patches.size());
   std::iota(order.begin(), order.end(), 0);
   const auto size_of = [&](std::uint32_t p) { return facets[p].size(); };
@@ -85,8 +85,7 @@ void PatchFinder::join_bands(std::vector<Patch>& patches) {
 
 /// The torus through two bands or pieces, with the other patches that lie on it. It has no facets if there is no such
 /// torus.
-PatchCandidate PatchFinder::torus_through(const std::vector<Patch>& patches,
-                                          const std::vector<std::vector<std::uint32_t>>& facets, std::uint32_t p,
+PatchCandidate PatchFinder::torus_through(const std::vector<Patch>& patches, const PatchFacets& facets, std::uint32_t p,
                                           std::uint32_t q) {
   PatchCandidate c;
   PatchSurface& surface = c.patch.surface;
@@ -94,9 +93,9 @@ PatchCandidate PatchFinder::torus_through(const std::vector<Patch>& patches,
   both.insert(both.end(), facets[q].begin(), facets[q].end());
   fetch_points(both);
   const PatchSurface &here = patches[p].surface, &there = patches[q].surface;
-  const bool is_guessed = are_tube_pieces(here, there)
-                              ? guess_from_pieces(here, middle_of(facets[p]), there, middle_of(facets[q]), surface)
-                              : guess_torus_about(here, points_, surface);
+  const bool are_pieces = are_tube_pieces(here, there);
+  const bool is_guessed = are_pieces ? guess_from_pieces(here, middle_of(facets[p]), there, middle_of(facets[q]), surface)
+                                     : guess_torus_about(here, points_, surface);
   if (!is_guessed) return {};
   const std::uint32_t seed = facets[p].front();
   constexpr int kRounds = 2;
@@ -116,7 +115,20 @@ PatchCandidate PatchFinder::torus_through(const std::vector<Patch>& patches,
     fetch_points(both);
   }
   c.facets = std::move(both);
+  if (!are_pieces && c.residual > tolerance_for(SurfaceKind::torus, 0)) {
+    const double most = kFarBetter * c.residual;
+    if (is_cylinder_within(here, facets[p], most) || is_cylinder_within(there, facets[q], most)) return {};
+  }
+  fetch_points(c.facets);
   return is_certain(c) ? c : PatchCandidate{};
+}
+
+/// Whether a surface is a cylinder, and most corners of these facets lie at most so far from it.
+bool PatchFinder::is_cylinder_within(const PatchSurface& surface, std::span<const std::uint32_t> facets, double distance) {
+  if (surface.kind != SurfaceKind::cylinder) return false;
+  fetch_points(facets);
+  const auto is_near = [&](const Point3& p) { return std::abs(surface.distance(p)) <= distance; };
+  return static_cast<double>(std::ranges::count_if(points_, is_near)) >= kMostCorners * static_cast<double>(points_.size());
 }
 
 Point3 PatchFinder::middle_of(std::span<const std::uint32_t> facets) const {

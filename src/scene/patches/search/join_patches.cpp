@@ -70,10 +70,15 @@ void PatchFinder::join_facets(const std::vector<Patch>& patches, bool exact) {
     const std::size_t corners = graph_.vertices[f].size();
     if (patch_of_[f] != kNone || (exact && corners == 4)) return;
     const Patch& patch = patches[patch_of_[from]];
-    const double tolerance = exact ? tolerance_for(patch.surface.kind, 0) : kJoinedSags * patch.sag;
     const bool may_slant = exact && corners == 3;
-    if (!lies_on(patch, f, tolerance, may_slant ? kSlantingCosine : kNormalCosine, may_slant ? kExactSags : kMostSags))
-      return;
+    double tolerance = exact ? tolerance_for(patch.surface.kind, 0) : kJoinedSags * patch.sag;
+    double most_sags = may_slant ? kExactSags : kMostSags;
+    if (is_rounding(patch_of_[from])) {
+      if (is_in_disc(patch, f)) return;
+      if (exact) tolerance = std::max(tolerance, kStripSagPart * patch.sag);
+      most_sags = kMostSags;
+    }
+    if (!lies_on(patch, f, tolerance, may_slant ? kSlantingCosine : kNormalCosine, most_sags)) return;
     if (!exact && !is_piece[patch_of_[from]] && !is_along(patch.surface, edge) && !lies_on_chords(patch, f)) return;
     patch_of_[f] = patch_of_[from];
     reached.push_back(f);

@@ -149,7 +149,7 @@ bool SurfaceSearch::lies_on(const Patch& patch, std::uint32_t f, double toleranc
     if (!look.is_on) return false;
     if (has_normal && look.normal != Point3(0.0) && !(glm::dot(look.normal, normal) >= least_cosine)) return false;
   }
-  return true;
+  return !leaves_discs_ || !is_in_disc(patch, f);
 }
 
 }  // namespace ligne

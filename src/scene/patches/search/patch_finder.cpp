@@ -55,6 +55,7 @@ std::vector<std::uint32_t> PatchFinder::run(std::vector<Patch>& patches) {
   parallel_sort(all.begin(), all.end());
   search(all, patches);
   join_bands(patches);
+  find_roundings(all, patches);
   const std::vector<std::uint32_t> found_by = patch_of_;
   join_borders(patches);
   // Facets beside merged patches may lie only on the surface of the larger one.
@@ -83,13 +84,9 @@ bool PatchFinder::goes_over(const Patch& patch, std::vector<std::uint32_t> facet
 /// and most of these go over into what is beside them: the rows of lofts between planes tell where these begin.
 bool PatchFinder::find_few(std::span<const Seed> samples, std::size_t count, std::vector<Patch>& patches) {
   search(samples, patches);
-  std::vector<std::vector<std::uint32_t>> facets(patches.size());
+  const PatchFacets facets = facets_of(patches);
   std::size_t found = 0, loose = 0;
-  for (std::uint32_t f = 0; f < graph_.size(); ++f) {
-    if (patch_of_[f] == kNone) continue;
-    facets[patch_of_[f]].push_back(f);
-    ++found;
-  }
+  for (const std::vector<std::uint32_t>& of_patch : facets) found += of_patch.size();
   const bool has_plane = std::ranges::any_of(graph_.is_plane, [](std::uint8_t is_plane) { return is_plane != 0; });
   for (std::size_t p = 0; p < patches.size() && !has_plane; ++p)
     loose += goes_over(patches[p], facets[p]) ? facets[p].size() : 0;
@@ -153,6 +150,9 @@ std::vector<PatchFinder::Seed> PatchFinder::every_seed(std::span<const Seed> see
   return found;
 }
 
+/// Whether the surfaces of the object have grown over as many facets as they may.
+bool PatchFinder::has_grown_enough() const { return all_grown_ > kMostGrown + kMostGrownPerFacet * graph_.size(); }
+
 /// Makes patches from seeds, and excludes those that are_alike() near a failed one. The smallest seeds are not tried if
 /// those before them let surfaces grow in vain too often. Seeds behind failed ones are tried by several threads at once.
 /// Only those up to the first that finds a surface count, so that the result is the same as one by one.
@@ -166,7 +166,7 @@ void PatchFinder::search(std::span<const Seed> seeds, std::vector<Patch>& patche
     from = trials.back().number + 1;
     width = std::min(2 * width, widest);
     for (std::size_t i = 0; i < trials.size(); ++i) {
-      if (all_grown_ > kMostGrown + kMostGrownPerFacet * graph_.size()) return;
+      if (has_grown_enough()) return;
       const Trial& trial = trials[i];
       all_grown_ += trial.grown;
       if (trial.best.facets.empty()) {
@@ -213,7 +213,8 @@ void PatchFinder::try_all(std::span<const Seed> seeds, std::vector<Trial>& trial
   while (others_.size() + 1 < unknown.size()) others_.emplace_back(scene_, topology_, object_, graph_, patch_of_);
   const auto work = [&](std::size_t i) {
     SurfaceSearch& search = i == 0 ? *this : others_[i - 1];
-    unknown[i]->best = search.best_at(seeds[unknown[i]->number].facet);
+    const std::uint32_t seed = seeds[unknown[i]->number].facet;
+    unknown[i]->best = tubes_.empty() ? search.best_at(seed) : search.best_tube_at(seed, tubes_);
     unknown[i]->grown = search.take_grown();
   };
   if (unknown.size() == 1) {

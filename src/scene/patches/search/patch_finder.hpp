@@ -41,6 +41,9 @@ class PatchFinder : SurfaceSearch {
     std::size_t grown = 0;             ///< number of facets that surfaces grew over
   };
 
+  using PatchFacets = std::vector<std::vector<std::uint32_t>>;  ///< per patch, its facets
+
+  bool has_grown_enough() const;
   bool may_be_seed(std::uint32_t f) const { return may_curve(f) && !graph_.arcs_of(f).empty(); }
   bool goes_over(const Patch& patch, std::vector<std::uint32_t> facets);
   bool find_few(std::span<const Seed> samples, std::size_t count, std::vector<Patch>& patches);
@@ -51,8 +54,16 @@ class PatchFinder : SurfaceSearch {
   std::vector<Trial> next_trials(std::span<const Seed> seeds, std::size_t from, std::size_t most);
   void try_all(std::span<const Seed> seeds, std::vector<Trial>& trials);
   void join_bands(std::vector<Patch>& patches);
-  PatchCandidate torus_through(const std::vector<Patch>& patches, const std::vector<std::vector<std::uint32_t>>& facets,
-                               std::uint32_t p, std::uint32_t q);
+  PatchFacets facets_of(const std::vector<Patch>& patches) const;
+  bool is_near_rounding(const std::vector<Patch>& patches, std::span<const std::uint32_t> facets);
+  void find_roundings(std::span<const Seed> seeds, std::vector<Patch>& patches);
+  void join_roundings(std::vector<Patch>& patches);
+  bool is_tube(const PatchSurface& surface) const;
+  bool is_rounding(std::uint32_t patch) const { return patch < is_rounding_.size() && is_rounding_[patch] != 0; }
+  PatchCandidate whole_rounding(const Patch& patch, const PatchFacets& facets, std::uint32_t p, std::uint32_t q);
+  PatchCandidate torus_through(const std::vector<Patch>& patches, const PatchFacets& facets, std::uint32_t p,
+                               std::uint32_t q);
+  bool is_cylinder_within(const PatchSurface& surface, std::span<const std::uint32_t> facets, double distance);
   Point3 middle_of(std::span<const std::uint32_t> facets) const;
   void join_borders(const std::vector<Patch>& patches);
   void join_facets(const std::vector<Patch>& patches, bool exact);
@@ -64,6 +75,8 @@ class PatchFinder : SurfaceSearch {
   bool merge_patches(const std::vector<Patch>& patches, const std::vector<std::uint32_t>& found_by);
 
   std::vector<std::uint32_t> patch_of_;    ///< per facet: index of its patch, or kNone
+  std::vector<std::uint8_t> is_rounding_;  ///< per patch so far: whether it is one that join_roundings() has looked at
+  std::vector<double> tubes_;              ///< radii of the tubes that search() looks for, ascending; empty: any surface
   std::vector<std::uint8_t> has_failed_;   ///< per facet: whether no surface was found from it
   std::vector<std::uint8_t> at_border_;    ///< per facet of a part of an object: whether it is at a border; else empty
   std::vector<std::uint8_t> is_excluded_;  ///< per facet: whether it is no seed of search() any more

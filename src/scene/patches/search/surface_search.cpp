@@ -13,10 +13,8 @@ namespace {
 
 // Adjustable parameters.
 /// Largest distance of corners from a surface, if it is more than rounding: a fraction of the sag. The sag counts because
-/// surfaces between free forms are approximated; spheres are not, so their fraction is small. The fraction for long strips
-/// is larger, since many corners are evidence all the same: programs approximate the curves at which fillets end to a
-/// thousandth of a millimetre or worse.
-constexpr double kSagPart = 0.03, kExactSagPart = 0.002, kStripSagPart = 0.25;
+/// surfaces between free forms are approximated; spheres are not, so their fraction is small.
+constexpr double kSagPart = 0.03, kExactSagPart = 0.002;
 /// Largest distance, in sags, of a corner from the surface of the starting values. If one is farther away, the values
 /// are rejected. Cylinders that may turn into cones, and those of irregular triangles, may be farther away. So may tori:
 /// the normals of coarse triangles between two circles tell little of the axis.
@@ -253,8 +251,14 @@ bool SurfaceSearch::is_same(std::span<const std::uint32_t> grown, std::span<cons
 /// Fits a surface to a few facets, and lets it grow from the seed. The result has no facets if this fails.
 PatchCandidate SurfaceSearch::try_surface(SurfaceKind kind, std::uint32_t seed, FitSample& sample) {
   PatchCandidate c;
+  return fit_sample(kind, sample, c) ? grow_candidate(std::move(c), seed, sample) : PatchCandidate{};
+}
+
+/// Lets the surface of a candidate, which was fitted to a sample, grow from the seed. The result has no facets if this
+/// fails.
+PatchCandidate SurfaceSearch::grow_candidate(PatchCandidate c, std::uint32_t seed, const FitSample& sample) {
   PatchSurface& surface = c.patch.surface;
-  if (!fit_sample(kind, sample, c)) return {};
+  const SurfaceKind kind = surface.kind;
   c.patch.outward = glm::dot(surface.normal(graph_.frames[seed].middle), graph_.frames[seed].normal) > 0;
   const auto most_sags = [&] {
     return kind == SurfaceKind::cone && c.residual <= kPrecisions * object_.precision ? kExactConeSags : kMostSags;

@@ -40,6 +40,10 @@ class SurfaceSearch {
   /// none.
   PatchCandidate best_at(std::uint32_t seed);
 
+  /// The largest torus through a facet whose tube has one of these radii, ascending, at the tolerance of long strips. It has
+  /// no facets if there is none.
+  PatchCandidate best_tube_at(std::uint32_t seed, std::span<const double> tubes);
+
   /// Number of facets that surfaces grew over since the last call.
   std::size_t take_grown() { return std::exchange(grown_, 0); }
 
@@ -60,6 +64,30 @@ class SurfaceSearch {
   /// Adjustable. Least cosine between the normals of a facet and of its surface at its corners. It admits half of the
   /// diagonal of a square facet on a surface with twelve facets per turn.
   static constexpr double kNormalCosine = 0.92;
+
+  /// Largest distance of corners from a surface, as a fraction of the sag, for long strips and roundings: many corners are
+  /// evidence all the same. Programs approximate the curves at which fillets end to a thousandth of a millimetre or worse.
+  static constexpr double kStripSagPart = 0.25;
+
+  /// Lets tori be approximate while it exists: gives them the tolerance of strips, and keeps them off the discs in their
+  /// circles, which are as near to them.
+  class ApproximateTori {
+   public:
+    explicit ApproximateTori(SurfaceSearch& search) : search_(search) {
+      std::swap(search_.sag_part_, sag_part_);
+      search_.leaves_discs_ = true;
+    }
+    ~ApproximateTori() {
+      std::swap(search_.sag_part_, sag_part_);
+      search_.leaves_discs_ = false;
+    }
+    ApproximateTori(const ApproximateTori&) = delete;
+    ApproximateTori& operator=(const ApproximateTori&) = delete;
+
+   private:
+    SurfaceSearch& search_;
+    double sag_part_ = kStripSagPart;
+  };
 
   /// Whether a vertex lies on the surface that is tried, remembered because several facets share it.
   struct VertexLook {
@@ -85,6 +113,7 @@ class SurfaceSearch {
   void complete(FitSample& sample);
   bool fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate& c);
   PatchCandidate try_surface(SurfaceKind kind, std::uint32_t seed, FitSample& sample);
+  PatchCandidate grow_candidate(PatchCandidate c, std::uint32_t seed, const FitSample& sample);
   std::vector<std::uint32_t> grow(const Patch& patch, std::uint32_t seed, double most_sags = kMostSags,
                                   bool over_patches = false);
   bool lies_on_quadric(FitSample& sample);
@@ -108,6 +137,7 @@ class SurfaceSearch {
   bool is_near(const PatchSurface& surface, std::uint32_t f, double distance) const;
   bool lies_on(const Patch& patch, std::uint32_t f, double tolerance, double least_cosine = kNormalCosine,
                double most_sags = kMostSags);
+  bool is_in_disc(const Patch& torus, std::uint32_t f) const;
   double least_distance() const;
   bool is_certain(const PatchCandidate& c);
   bool is_polygon(const PatchCandidate& c, std::size_t angles);
@@ -138,8 +168,9 @@ class SurfaceSearch {
   std::vector<std::uint32_t> vertices_;    ///< result of fetch_points(): vertices of the facets
   std::vector<Point3> points_;             ///< result of fetch_points(): their positions
   std::vector<double> numbers_;
-  std::size_t grown_ = 0;  ///< number of facets that surfaces grew over since take_grown()
-  double sag_part_;        ///< largest distance of corners from the surface, as a fraction of the sag
+  std::size_t grown_ = 0;      ///< number of facets that surfaces grew over since take_grown()
+  bool leaves_discs_ = false;  ///< whether facets that are is_in_disc() of a torus do not lie on it
+  double sag_part_;            ///< largest distance of corners from the surface, as a fraction of the sag
 };
 
 }  // namespace ligne
