@@ -36,10 +36,12 @@ constexpr double kAlikeBorder = 0.75, kTriangleBorder = 0.1;
 /// Most corners of such a facet and of those beside it, whose depth is measured from each common edge: planes have
 /// thousands.
 constexpr std::size_t kMostAmidCorners = 64;
-/// Most faces of a facet in a slightly curved wall, largest sine of its bend to the triangles beside it (half a degree), and
-/// least length of the sides at which these lie, in lengths of its longest side.
+/// Most faces of a facet in a slightly curved wall, and least length of the sides at which it goes on, in lengths of its
+/// longest side.
 constexpr std::size_t kMostWallFaces = 4;
-constexpr double kSlightSine = 0.00872654, kSlightSides = 1.5;
+constexpr double kSlightSides = 1.5;
+/// Sines of the bends at which it goes on, 0.14 to 0.5 degrees: decimations bend planes by less.
+constexpr double kLeastSlightSine = 0.00244346, kSlightSine = 0.00872654;
 /// Least number of corners of a facet that may be a plane by its depth or by the surfaces beside it: free forms have
 /// triangles of any shape.
 constexpr std::size_t kPlaneCorners = 4;
@@ -257,7 +259,7 @@ bool is_amid_triangles(const Scene& scene, const Topology& topology, const Facet
 }
 
 /// Whether a facet is a part of a slightly curved wall of long triangles, a few of which lie in one plane: single triangles
-/// without a surface, to which it bends by next to nothing, lie beside both of its long sides.
+/// without a surface, to which it bends by very little, lie beside both of its long sides.
 bool is_in_slight_wall(const Scene& scene, const Topology& topology, const FacetGraph& graph,
                        std::span<const std::uint32_t> patch_of, std::uint32_t f) {
   if (graph.faces[f].size() > kMostWallFaces) return false;
@@ -267,7 +269,8 @@ bool is_in_slight_wall(const Scene& scene, const Topology& topology, const Facet
     const double length = glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]);
     longest = std::max(longest, length);
     if (patch_of[arc.facet] != kNone || graph.vertices[arc.facet].size() != 3) continue;
-    if (std::abs(bend_at(graph, f, arc)) <= kSlightSine) slight += length;
+    const double sine = std::abs(bend_at(graph, f, arc));
+    if (sine >= kLeastSlightSine && sine <= kSlightSine) slight += length;
   }
   return slight > 0 && slight >= kSlightSides * longest;
 }
