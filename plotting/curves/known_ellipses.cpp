@@ -37,10 +37,11 @@ void KnownEllipses::file(std::uint32_t ellipse, const Rect& page) {
   const double step = 2 * std::numbers::pi / count, rise_mm = e.radii.x * (1 - std::cos(step / 2));
   rise_mm_ = std::max(rise_mm_, rise_mm);
   const Point2 margin(rise_mm + kNearMm);
-  Point2 from, to = point_at(e, 0);
+  const EllipseFrame frame(e);
+  Point2 from, to = frame.point_at(0);
   for (double k = 0; k < count; ++k) {
     Rect chord;
-    from = std::exchange(to, point_at(e, (k + 1) * step));
+    from = std::exchange(to, frame.point_at((k + 1) * step));
     for (const Point2 p : {from, to}) chord.extend(p - margin), chord.extend(p + margin);
     const bool is_outside =
         chord.max.x < page.min.x || chord.max.y < page.min.y || chord.min.x > page.max.x || chord.min.y > page.max.y;

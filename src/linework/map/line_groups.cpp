@@ -109,11 +109,11 @@ std::vector<Arcs::Arc> Arcs::find() const {
   for_each_line(partner, LineOrder::strokes, [&](std::span<const std::uint32_t> ends, bool) {
     if (!has(ends.front() / 2)) return;
     Arc& arc = found.emplace_back();
-    for (const std::uint32_t end : ends) {
-      arc.ends.push_back(end);
-      arc.pieces.push_back(end / 2);
-    }
+    arc.ends.assign(ends.begin(), ends.end());
+    arc.pieces.reserve(ends.size());
+    for (const std::uint32_t end : ends) arc.pieces.push_back(end / 2);
     std::ranges::sort(arc.pieces);
+    arc.junctions.reserve(2);
     for (const std::uint32_t p : arc.pieces) {
       arc.length += page_length(map_.piece(p));
       for (const std::uint32_t end : {2 * p, 2 * p + 1}) {

@@ -68,6 +68,7 @@ class BendClassifier {
     if (edge.face1 == kNone || (flags & (kEdgeManyFaces | kEdgeFileHidden | kEdgeInner))) return Bend::none;
     const float turn = flags & kEdgeUnlikeWound ? -1 : 1;
     const float cosine = glm::dot(normals_[edge.face0], normals_[edge.face1]) * turn;
+    if (cosine >= limits_.low && flags == 0) return Bend::none;
     if (flags & kEdgeLimit) return Bend::none;
     if (flags & kEdgeSmooth) {
       if (cosine < limits_.sharp) return Bend::firm;

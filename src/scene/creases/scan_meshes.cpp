@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <glm/geometric.hpp>
+#include <span>
+#include <vector>
 
+#include "base/large_vector.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "base/prefetch.hpp"
@@ -37,6 +42,36 @@ double least_flat_cosine(const Scene& scene, const Topology& topology, const Sca
   const double turn = kFlatRoundings * precision * count / std::max(length, precision);
   return std::clamp(std::cos(turn), sine_cosine_degrees(kMostFlatDegrees).cosine,
                     sine_cosine_degrees(kLeastFlatDegrees).cosine);
+}
+
+std::vector<double> edge_lengths(const Scene& scene, const Topology& topology, const ScanObject& object) {
+  std::vector<double> lengths = large_vector<double>(object.edge_end - object.edge_begin);
+  parallel_blocks(lengths.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Edge& edge = topology.edges[object.edge_begin + k];
+      lengths[k] = glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]);
+    }
+  });
+  return lengths;
+}
+
+/// The median of lengths: of two in the middle, the greater.
+double median_of(std::span<const double> lengths) {
+  // Such numbers have the order of their bits. The upper ones tell which lengths are near the median.
+  constexpr int kLowBits = 48;
+  const auto bin_of = [](double length) { return std::bit_cast<std::uint64_t>(length) >> kLowBits; };
+  std::vector<std::uint32_t> counts(std::size_t{1} << (64 - kLowBits));
+  for (const double length : lengths) ++counts[bin_of(length)];
+  std::size_t rank = lengths.size() / 2, bin = 0;
+  while (rank >= counts[bin]) rank -= counts[bin++];
+  std::vector<double> near;
+  near.reserve(counts[bin]);
+  for (const double length : lengths) {
+    if (bin_of(length) == bin) near.push_back(length);
+  }
+  const auto middle = near.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(near.begin(), middle, near.end());
+  return *middle;
 }
 
 }  // namespace
@@ -75,16 +110,11 @@ bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm
   const auto more_than = [&](std::size_t n, double part) { return static_cast<double>(n) > part * count; };
   if (edges.spoken > 0 || more_than(edges.defect, kDefectPart)) return false;
   if (more_than(edges.bent, kBentPart) || too_flat()) return false;
-  for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
+  for (std::uint32_t f = object.face_begin; f < object.face_end && !scene.faces.all_triangles(); ++f) {
     if (scene.faces.contour_count(f) != 1 || scene.faces.contour(f, 0).size() != 3) return false;
   }
-  std::vector<double> lengths;
-  lengths.reserve(object.edge_end - object.edge_begin);
-  for (std::size_t e = object.edge_begin; e < object.edge_end; ++e)
-    lengths.push_back(glm::distance(scene.vertices[topology.edges[e].v0], scene.vertices[topology.edges[e].v1]));
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  const double median = *middle;
+  const std::vector<double> lengths = edge_lengths(scene, topology, object);
+  const double median = median_of(lengths);
   double even = 0, even_length = 0, all_length = 0;
   for (const double length : lengths) {
     all_length += length;

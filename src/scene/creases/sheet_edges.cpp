@@ -74,11 +74,14 @@ SheetEdges find_sheet_edges(const Scene& scene, const Topology& topology, float 
   if (wanted.empty()) return found;
   std::vector<Sheet> sheets;
   std::vector<std::uint32_t> last_face(wanted.size(), kNone);
+  std::vector<std::uint8_t> is_lower_end(scene.vertices.size(), 0);  // of such an edge
+  for (const auto& [ends, e] : wanted) is_lower_end[ends.first] = 1;
   for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
     for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
       const auto contour = scene.faces.contour(f, c);
       for (std::size_t k = 0; k < contour.size(); ++k) {
         const auto [low, high] = std::minmax(contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]);
+        if (!is_lower_end[low]) continue;
         const std::pair key(std::pair(low, high), std::size_t{0});
         const auto at = std::lower_bound(wanted.begin(), wanted.end(), key);
         if (at == wanted.end() || at->first != key.first) continue;

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "scene/creases/scan_meshes.hpp"
@@ -118,8 +119,10 @@ class Tracer {
 
   /// Collects the edges that may lie on a line, the faces around them, and the bend of the surface at each.
   void collect() {
-    for (std::size_t e = edge_begin_; e < edge_end_; ++e) {
-      if (bends_[e] != Bend::none) candidates_.push_back(static_cast<std::uint32_t>(e));
+    const auto bends = [&](std::size_t k) { return bends_[edge_begin_ + k] != Bend::none; };
+    for (const std::uint32_t k : indices_where(edge_end_ - edge_begin_, bends)) {
+      const std::size_t e = edge_begin_ + k;
+      candidates_.push_back(static_cast<std::uint32_t>(e));
       if (bends_[e] < Bend::strong) continue;
       // If triangles cross a ridge alternately from both sides, the edges along the ridge do not bend at all.
       for (const std::uint32_t f : {topology_.edges[e].face0, topology_.edges[e].face1}) add_edges_of(f);
@@ -127,6 +130,7 @@ class Tracer {
     std::sort(candidates_.begin(), candidates_.end());
     candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
     const std::vector<std::uint8_t> wanted = near_candidates();
+    const std::vector<std::uint32_t> wanted_faces = faces_at(wanted);
     edges_at_ = AtVertices(object_.vertex_begin, object_.vertex_end, [&](const auto& add) {
       for (std::uint32_t k = 0; k < candidates_.size(); ++k) {
         add(topology_.edges[candidates_[k]].v0, k);
@@ -134,7 +138,7 @@ class Tracer {
       }
     });
     faces_at_ = AtVertices(object_.vertex_begin, object_.vertex_end, [&](const auto& add) {
-      for (std::uint32_t f = object_.face_begin; f < object_.face_end; ++f) {
+      for (const std::uint32_t f : wanted_faces) {
         for (const std::uint32_t v : scene_.faces.contour(f, 0)) {
           if (wanted[v - object_.vertex_begin]) add(v, f);
         }
@@ -169,12 +173,20 @@ class Tracer {
       }
     }
     std::vector<std::uint8_t> near = at;
-    for (std::uint32_t f = object_.face_begin; f < object_.face_end; ++f) {
-      const auto contour = scene_.faces.contour(f, 0);
-      if (std::ranges::none_of(contour, [&](std::uint32_t v) { return at[v - object_.vertex_begin] != 0; })) continue;
-      for (const std::uint32_t v : contour) near[v - object_.vertex_begin] = 1;
+    for (const std::uint32_t f : faces_at(at)) {
+      for (const std::uint32_t v : scene_.faces.contour(f, 0)) near[v - object_.vertex_begin] = 1;
     }
     return near;
+  }
+
+  /// The faces of the object with a marked vertex, ascending.
+  std::vector<std::uint32_t> faces_at(const std::vector<std::uint8_t>& marked) const {
+    std::vector<std::uint32_t> faces = indices_where(object_.face_end - object_.face_begin, [&](std::size_t i) {
+      const auto corners = scene_.faces.contour(object_.face_begin + i, 0);
+      return std::ranges::any_of(corners, [&](std::uint32_t v) { return marked[v - object_.vertex_begin] != 0; });
+    });
+    for (std::uint32_t& f : faces) f += object_.face_begin;
+    return faces;
   }
 
   /// Appends to `round`, in ascending order, all faces that share a vertex with one of `faces`.

@@ -239,10 +239,25 @@ std::vector<Corner> edges_of(const Scene& scene, std::uint32_t f) {
   return edges;
 }
 
+/// Whether all corners of two faces have the same flags.
+bool have_same_flags(const Scene& scene, std::uint32_t from, std::uint32_t to) {
+  const std::uint8_t flags = scene.corner_flags[scene.faces.corner_index(from, 0)];
+  return std::ranges::all_of(std::array{from, to}, [&](std::uint32_t f) {
+    for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
+      const std::size_t first = scene.faces.corner_index(f, c), count = scene.faces.contour(f, c).size();
+      for (std::size_t k = first; k < first + count; ++k) {
+        if (scene.corner_flags[k] != flags) return false;
+      }
+    }
+    return true;
+  });
+}
+
 /// Joins flags of faces of one object. Faces of other objects have their own vertices, and their flags are dropped with
 /// them.
 void join_flags(Scene& scene, std::uint32_t from, std::uint32_t to) {
   constexpr std::uint8_t kFlagsOfAll = kCornerFileHidden | kCornerInner | kCornerSmooth | kCornerLimit;
+  if (have_same_flags(scene, from, to)) return;
   const std::vector<Corner> a = edges_of(scene, from), b = edges_of(scene, to);
   for (std::size_t k = 0; k < a.size() && a[k].first == b[k].first; ++k) {
     std::uint8_t& kept = scene.corner_flags[b[k].second];
@@ -262,11 +277,11 @@ bool may_repeat_triangles(const Topology& topology) {
     if (topology.edge_flags[e] & kEdgeManyFaces) return true;
     const Edge& edge = edges[e];
     if (edge.face1 == kNone) return false;
-    const auto [low, high] = std::minmax(edge.face0, edge.face1);
     for (std::size_t other = e; other > 0 && edges[other - 1].v0 == edge.v0; --other) {
       if (e - other >= kMostLookedBack) return true;
-      const auto [other_low, other_high] = std::minmax(edges[other - 1].face0, edges[other - 1].face1);
-      if (other_low == low && other_high == high) return true;
+      const Edge& before = edges[other - 1];
+      if (before.face0 == edge.face0 ? before.face1 == edge.face1 : before.face0 == edge.face1 && before.face1 == edge.face0)
+        return true;
     }
     return false;
   };

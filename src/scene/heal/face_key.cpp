@@ -45,18 +45,14 @@ void make_canonical(std::vector<std::uint32_t>& contour) {
 
 void face_key(const Scene& scene, std::uint32_t face, FunctionRef<std::uint32_t(std::uint32_t)> name,
               std::vector<std::uint32_t>& key) {
-  key.clear();
-  std::vector<std::vector<std::uint32_t>> holes;
-  std::vector<std::uint32_t> contour;
-  for (std::size_t c = 0; c < scene.faces.contour_count(face); ++c) {
-    contour.clear();
+  const auto take_contour = [&](std::size_t c, std::vector<std::uint32_t>& contour) {
     for (const std::uint32_t v : scene.faces.contour(face, c)) contour.push_back(name(v));
     make_canonical(contour);
-    if (c == 0)
-      key = contour;
-    else
-      holes.push_back(contour);
-  }
+  };
+  key.clear();
+  take_contour(0, key);
+  std::vector<std::vector<std::uint32_t>> holes(scene.faces.contour_count(face) - 1);
+  for (std::size_t c = 1; c <= holes.size(); ++c) take_contour(c, holes[c - 1]);
   std::sort(holes.begin(), holes.end());
   for (const auto& hole : holes) {
     key.push_back(kNone);  // a separator that is not a vertex

@@ -30,14 +30,29 @@ bool goes_along(const Scene& scene, std::uint32_t face, const Edge& edge) {
   return false;
 }
 
+/// Whether an angle between faces is less than kOneFacet.
+bool is_in_one_facet(double sine, double cosine) {
+  // Angles that are not near the limit are compared with it by their tangents.
+  constexpr double kNear = 1.001;
+  if (cosine > 0 && sine > kNear * kOneFacet * cosine) return false;
+  return sine < kOneFacet * cosine / kNear || std::atan2(sine, cosine) < kOneFacet;
+}
+
 }  // namespace
 
-double EdgeRows::bend(std::uint32_t edge, std::uint32_t face) const {
+EdgeRows::Turn EdgeRows::turn_at(std::uint32_t edge, std::uint32_t face) const {
   const Edge& at = topology_.edges[edge];
-  const Point3 here(normals_[face]), there(normals_[at.face0 == face ? at.face1 : at.face0]), turn = glm::cross(here, there);
-  const double angle = std::atan2(glm::length(turn), glm::dot(here, there));
-  return (glm::dot(turn, along(edge)) < 0) == goes_along(scene_, face, at) ? -angle : angle;
+  const Point3 here(normals_[face]), there(normals_[at.face0 == face ? at.face1 : at.face0]),
+      across = glm::cross(here, there);
+  return {across, glm::length(across), glm::dot(here, there)};
 }
+
+double EdgeRows::signed_angle(const Turn& turn, std::uint32_t edge, std::uint32_t face) const {
+  const double angle = std::atan2(turn.sine, turn.cosine);
+  return (glm::dot(turn.across, along(edge)) < 0) == goes_along(scene_, face, topology_.edges[edge]) ? -angle : angle;
+}
+
+double EdgeRows::bend(std::uint32_t edge, std::uint32_t face) const { return signed_angle(turn_at(edge, face), edge, face); }
 
 Point3 EdgeRows::along(std::uint32_t edge) const {
   return glm::normalize(scene_.vertices[topology_.edges[edge].v1] - scene_.vertices[topology_.edges[edge].v0]);
@@ -61,15 +76,19 @@ EdgeRows::Step EdgeRows::next(const Step& from, const RowBends& bends) const {
       const auto edge = static_cast<std::uint32_t>(side - topology_.edges.data());
       if (topology_.edge_flags[edge] & (kEdgeManyFaces | kEdgeUnlikeWound)) continue;
       const std::uint32_t other = side->face0 == faces[i] ? side->face1 : side->face0;
-      const double other_angle = bend(edge, faces[i]);
-      const bool is_inner = std::abs(other_angle) < kOneFacet, touches = share_vertex(*side, first);
-      if (is_inner || (i == 0 && touches)) {
+      // The angle is computed where the cheaper conditions hold.
+      const bool touches = share_vertex(*side, first), is_beside = i == 0 && touches;
+      const Turn turn = is_beside ? Turn{} : turn_at(edge, faces[i]);
+      const bool is_inner = !is_beside && is_in_one_facet(turn.sine, turn.cosine);
+      if (is_inner || is_beside) {
         const auto end = faces.begin() + count;
         if (count < kMostFaces && std::find(faces.begin(), end, other) == end) faces[count++] = other;
       }
       if (is_inner || touches || (topology_.edge_flags[edge] & kEdgeSharp)) continue;
-      const double ratio = other_angle / angle, cosine = std::abs(glm::dot(along(edge), direction));
-      if (!(ratio >= bends.least && ratio <= bends.most && cosine > best_cosine)) continue;
+      const double cosine = std::abs(glm::dot(along(edge), direction));
+      if (!(cosine > best_cosine)) continue;
+      const double other_angle = signed_angle(turn, edge, faces[i]), ratio = other_angle / angle;
+      if (!(ratio >= bends.least && ratio <= bends.most)) continue;
       if (std::abs(other_angle) > kPolygonBend) continue;
       const Point3 way = (scene_.vertices[side->v0] + scene_.vertices[side->v1]) * 0.5 - scene_.vertices[first.v0];
       best = {edge, other, glm::length(glm::cross(way, direction)), angle};

@@ -49,6 +49,12 @@ class EdgeRows {
   double bend(std::uint32_t edge, std::uint32_t face) const;
 
  private:
+  struct Turn {
+    Point3 across{0, 0, 0};       ///< cross product of the normals
+    double sine = 0, cosine = 0;  ///< of the angle between the faces
+  };
+  Turn turn_at(std::uint32_t edge, std::uint32_t face) const;
+  double signed_angle(const Turn& turn, std::uint32_t edge, std::uint32_t face) const;
   Point3 along(std::uint32_t edge) const;
 
   const Scene& scene_;

@@ -288,10 +288,19 @@ EdgeRange edges_of(const Topology& topology, const Object& object) {
 }
 
 const Edge* find_edge(const Topology& topology, std::pair<std::uint32_t, std::uint32_t> ends) {
-  if (ends.first > ends.second) std::swap(ends.first, ends.second);
-  const auto ends_of = [](const Edge& e) { return std::pair(e.v0, e.v1); };
-  const auto at = std::ranges::lower_bound(topology.edges, ends, {}, ends_of);
-  return at != topology.edges.end() && ends_of(*at) == ends ? &*at : nullptr;
+  const auto key_of = [](std::uint32_t low, std::uint32_t high) { return std::uint64_t{low} << 32 | high; };
+  const auto [low, high] = std::minmax(ends.first, ends.second);
+  const std::uint64_t key = key_of(low, high);
+  // A binary search without branches.
+  const Edge* at = topology.edges.data();
+  std::size_t count = topology.edges.size();
+  while (count > 1) {
+    const std::size_t half = count / 2;
+    const Edge& middle = at[half];
+    at = key_of(middle.v0, middle.v1) <= key ? at + half : at;
+    count -= half;
+  }
+  return count == 1 && at->v0 == low && at->v1 == high ? at : nullptr;
 }
 
 Topology build_topology(const Scene& scene) {

@@ -36,9 +36,11 @@ std::string_view as_text(std::span<const std::byte> bytes, const std::string& na
 bool LineReader::next(std::string_view& line) {
   if (rest_.empty()) return false;
   ++number_;
-  const std::size_t end = rest_.find_first_of("\r\n");
+  // find_first_of() would call memchr() for each character.
+  std::size_t end = 0;
+  while (end < rest_.size() && (rest_[end] > '\r' || (rest_[end] != '\n' && rest_[end] != '\r'))) ++end;
   line = rest_.substr(0, end);
-  if (end == std::string_view::npos) {
+  if (end == rest_.size()) {
     rest_ = {};
     return true;
   }

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "base/disjoint_sets.hpp"
+#include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "scene/model/object_sizes.hpp"
 #include "scene/model/topology.hpp"
@@ -56,16 +57,13 @@ class TangentChains {
  public:
   TangentChains(const Scene& scene, const Topology& topology, const Patches& patches, std::vector<PatchEdge>& edges)
       : scene_(scene), topology_(topology), patches_(patches), edges_(edges) {
-    std::vector<std::uint32_t> tangent;
-    for (std::uint32_t e = 0; e < edges.size(); ++e) {
-      if (edges[e] != PatchEdge::tangent) continue;
-      tangent.push_back(e);
+    for (const std::uint32_t e : tangents_) {
       for (const std::uint32_t v : ends_of(e)) nodes_.push_back({v});
     }
     std::ranges::sort(nodes_, {}, &TangentNode::vertex);
     const auto is_same = [](const TangentNode& l, const TangentNode& r) { return l.vertex == r.vertex; };
     nodes_.erase(std::unique(nodes_.begin(), nodes_.end(), is_same), nodes_.end());
-    for (const std::uint32_t e : tangent) {
+    for (const std::uint32_t e : tangents_) {
       for (const std::uint32_t v : ends_of(e)) {
         TangentNode& node = *node_at(v);
         ++node.count;
@@ -78,8 +76,10 @@ class TangentChains {
 
   /// Marks the vertices at which other lines end. These lines hold the tangent edges there.
   void hold(const std::vector<std::uint8_t>& is_line) {
-    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
-      if (!is_line[e] && topology_.edges[e].face1 != kNone && !(topology_.edge_flags[e] & kEdgeManyFaces)) continue;
+    const auto is_other = [&](std::size_t e) {
+      return is_line[e] || topology_.edges[e].face1 == kNone || (topology_.edge_flags[e] & kEdgeManyFaces);
+    };
+    for (const std::uint32_t e : indices_where(edges_.size(), is_other)) {
       for (const std::uint32_t v : ends_of(e)) {
         if (TangentNode* node = node_at(v)) node->is_held = true;
       }
@@ -90,7 +90,7 @@ class TangentChains {
   /// where a surface or plane was found by accident, and not the shape.
   void drop_jagged() {
     std::vector<std::uint32_t> teeth, line;
-    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+    for (const std::uint32_t e : tangents_) {
       if (edges_[e] == PatchEdge::tangent && is_tooth(e)) teeth.push_back(e);
     }
     for (const std::uint32_t tooth : teeth) {
@@ -134,7 +134,7 @@ class TangentChains {
   void drop_cornered() {
     std::vector<std::uint32_t> shorter;
     Line line, other;
-    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+    for (const std::uint32_t e : tangents_) {
       if (edges_[e] != PatchEdge::tangent || !is_in_freeform(e)) continue;
       for (const std::uint32_t v : ends_of(e)) {
         const TangentNode& node = *node_at(v);
@@ -156,7 +156,7 @@ class TangentChains {
   /// something than where they form a tree. Those with a side of a strip are kept.
   void drop_lone_trees() {
     std::vector<std::uint32_t> tangent;
-    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+    for (const std::uint32_t e : tangents_) {
       if (edges_[e] == PatchEdge::tangent) tangent.push_back(e);
     }
     DisjointSets sets(nodes_.size());
@@ -343,6 +343,9 @@ class TangentChains {
   const Topology& topology_;
   const Patches& patches_;
   std::vector<PatchEdge>& edges_;
+  /// The edges that were tangent at first, ascending. Some are dropped.
+  const std::vector<std::uint32_t> tangents_ =
+      indices_where(edges_.size(), [&](std::size_t e) { return edges_[e] == PatchEdge::tangent; });
   std::vector<TangentNode> nodes_;  ///< sorted by vertex
   std::vector<double> sizes_;       ///< per object; negative where not computed
 };

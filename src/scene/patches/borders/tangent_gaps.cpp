@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "scene/patches/borders/edge_chains.hpp"
 
@@ -24,9 +25,9 @@ class GapCloser {
       : scene_(scene), topology_(topology), patches_(patches), is_line_(is_line), edges_(edges) {}
 
   void run() {
-    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+    const auto has_kind = [&](std::size_t e) { return kind_of(static_cast<std::uint32_t>(e)) != Kind::none; };
+    for (const std::uint32_t e : indices_where(edges_.size(), has_kind)) {
       const Kind kind = kind_of(e);
-      if (kind == Kind::none) continue;
       for (const std::uint32_t v : {topology_.edges[e].v0, topology_.edges[e].v1}) ends_.push_back({v, kind, e});
     }
     std::ranges::sort(ends_);
@@ -63,9 +64,10 @@ class GapCloser {
     const Edge& edge = topology_.edges[e];
     if (is_line_[e] || edge.face1 == kNone || (topology_.edge_flags[e] & kEdgeManyFaces)) return Kind::line;
     if (edges_[e] == PatchEdge::tangent) return Kind::tangent;
-    const std::uint32_t p = patches_.patch_of[edge.face0], q = patches_.patch_of[edge.face1];
-    const bool is_border = p != q || patches_.is_freeform[edge.face0] != patches_.is_freeform[edge.face1];
-    return is_border && edges_[e] == PatchEdge::unknown ? Kind::open : Kind::none;
+    if (edges_[e] != PatchEdge::unknown) return Kind::none;
+    const bool is_border = patches_.is_freeform[edge.face0] != patches_.is_freeform[edge.face1] ||
+                           (!patches_.list.empty() && patches_.patch_of[edge.face0] != patches_.patch_of[edge.face1]);
+    return is_border ? Kind::open : Kind::none;
   }
 
   std::span<const End> ends_at(std::uint32_t vertex) const {

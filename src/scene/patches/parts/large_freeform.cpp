@@ -154,6 +154,7 @@ class FreePairs {
     for (const std::uint32_t f : {face, partner_[face]}) {
       if (f == kNone) continue;
       for (const std::uint32_t v : whole_.scene.faces.contour(whole_.object.face_begin + f, 0)) {
+        if (v == edge.v0 || v == edge.v1) continue;
         const Point3 across = glm::cross(along, whole_.scene.vertices[v] - from);
         most = std::max(most, glm::dot(across, across));
       }

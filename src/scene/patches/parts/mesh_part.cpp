@@ -1,18 +1,24 @@
 #include "scene/patches/parts/mesh_part.hpp"
 
-#include <array>
+#include <atomic>
+#include <cstring>
 
-#include "base/indices_where.hpp"
 #include "base/parallel.hpp"
 #include "base/uninitialized_vector.hpp"
 
 namespace ligne {
 namespace {
 
-/// The marked things, which are numbered from `first`, ascending.
+/// The things marked with 1, which are numbered from `first`, ascending.
 std::vector<std::uint32_t> numbers_of(const std::vector<std::uint8_t>& marks, std::uint32_t first) {
-  std::vector<std::uint32_t> numbers = indices_where(marks.size(), [&](std::size_t i) { return marks[i] != 0; });
-  for (std::uint32_t& number : numbers) number += first;
+  std::vector<std::uint32_t> numbers;
+  // Few are marked: memchr passes many of the others at a time.
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const void* next = std::memchr(marks.data() + i, 1, marks.size() - i);
+    if (!next) break;
+    i = static_cast<std::size_t>(static_cast<const std::uint8_t*>(next) - marks.data());
+    numbers.push_back(first + static_cast<std::uint32_t>(i));
+  }
   return numbers;
 }
 
@@ -29,6 +35,17 @@ class Numbers {
   std::uint32_t first_;
   UninitializedVector<std::uint32_t> numbers_;
 };
+
+/// Calls work(i) for all i in [0, count), in parallel.
+template <class Work>
+void for_each(std::size_t count, const Work& work) {
+  parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) work(i);
+  });
+}
+
+/// Several threads may mark the same thing.
+void mark(std::uint8_t& thing) { std::atomic_ref(thing).store(1, std::memory_order_relaxed); }
 
 }  // namespace
 
@@ -60,36 +77,38 @@ MeshPart part_of(const FaceWalk& walk, const FaceSet& set) {
   MeshPart part;
   part.faces = numbers_of(set.holds, 0);
   std::vector<std::uint8_t> has_vertex(object.vertex_end - object.vertex_begin, 0), has_edge(whole.edge_count(), 0);
-  for (const std::uint32_t f : part.faces) {
-    for (const std::uint32_t v : whole.scene.faces.contour(first_face + f, 0)) has_vertex[v - object.vertex_begin] = 1;
-    walk.for_edges(f, [&](std::uint32_t k) { has_edge[k] = 1; });
-  }
+  for_each(part.faces.size(), [&](std::size_t i) {
+    for (const std::uint32_t v : whole.scene.faces.contour(first_face + part.faces[i], 0))
+      mark(has_vertex[v - object.vertex_begin]);
+    walk.for_edges(part.faces[i], [&](std::uint32_t k) { mark(has_edge[k]); });
+  });
   const std::vector<std::uint32_t> vertices = numbers_of(has_vertex, object.vertex_begin);
   part.edges = numbers_of(has_edge, whole.edges.begin);
   const Numbers number_of_vertex(vertices, object.vertex_begin, object.vertex_end);
   const Numbers number_of_face(part.faces, 0, whole.face_count());
 
   part.scene.vertices.reserve(vertices.size());
-  part.topology.edges.reserve(part.edges.size());
-  part.topology.edge_flags.reserve(part.edges.size());
   for (const std::uint32_t v : vertices) part.scene.vertices.push_back(whole.scene.vertices[v]);
-  for (const std::uint32_t f : part.faces) {
-    std::array<std::uint32_t, 3> corners{};
-    const auto contour = whole.scene.faces.contour(first_face + f, 0);
-    for (std::size_t k = 0; k < 3; ++k) corners[k] = number_of_vertex[contour[k]];
-    part.scene.faces.add_face(corners);
-    part.normals.push_back(whole.normals[first_face + f]);
-  }
-  for (const std::uint32_t e : part.edges) {
-    Edge edge = whole.topology.edges[e];
+  const std::span<std::uint32_t> corners = part.scene.faces.append_triangles(part.faces.size());
+  part.normals.resize(part.faces.size());
+  for_each(part.faces.size(), [&](std::size_t i) {
+    const std::uint32_t f = first_face + part.faces[i];
+    const auto contour = whole.scene.faces.contour(f, 0);
+    for (std::size_t k = 0; k < 3; ++k) corners[3 * i + k] = number_of_vertex[contour[k]];
+    part.normals[i] = whole.normals[f];
+  });
+  part.topology.edges.resize(part.edges.size());
+  part.topology.edge_flags.resize(part.edges.size());
+  for_each(part.edges.size(), [&](std::size_t i) {
+    Edge edge = whole.topology.edges[part.edges[i]];
     if (!holds(edge.face0)) std::swap(edge.face0, edge.face1);
     edge.v0 = number_of_vertex[edge.v0];
     edge.v1 = number_of_vertex[edge.v1];
     edge.face0 = holds(edge.face0) ? number_of_face[edge.face0 - first_face] : kNone;
     edge.face1 = holds(edge.face1) ? number_of_face[edge.face1 - first_face] : kNone;
-    part.topology.edges.push_back(edge);
-    part.topology.edge_flags.push_back(whole.topology.edge_flags[e]);
-  }
+    part.topology.edges[i] = edge;
+    part.topology.edge_flags[i] = whole.topology.edge_flags[part.edges[i]];
+  });
   Object own = object;
   own.vertex_begin = own.face_begin = 0;
   own.vertex_end = static_cast<std::uint32_t>(vertices.size());

@@ -96,13 +96,13 @@ bool ObjStatements::take_statement() {
 bool ObjStatements::delivered() {
   std::string_view rest = trimmed(whole_);
   if (rest.empty() || rest[0] == '#') return false;
-  statement_ = rest;
   const std::string_view keyword = take_word(rest);
   if (keyword == "v") {
     add_vertex(rest);
     return false;
   }
-  if (with_shading_ && keyword == "vn") {
+  if (keyword == "vt" || (keyword == "vn" && !with_shading_)) return false;
+  if (keyword == "vn") {
     normals_.push_back(packed_direction(three_numbers(rest)));
     return false;
   }
