@@ -51,11 +51,20 @@ class Finder {
 
  private:
   void classify() {
-    FaceBends by_faces = bends_by_faces(scene_, topology_, normals_, sizes_, angles_.faces);
+    FaceBends by_faces;
+    SheetEdges sheets;
+    // The search for patches leaves threads idle at times.
+    parallel_tasks(2, [&](std::size_t task) {
+      if (task == 0) {
+        found_.patches = find_patches(scene_, topology_, normals_);
+      } else {
+        by_faces = bends_by_faces(scene_, topology_, normals_, sizes_, angles_.faces);
+        sheets = find_sheet_edges(scene_, topology_, crease_cosine(angles_.faces));
+      }
+    });
     bends_ = std::move(by_faces.bends);
     found_.smooth_by_file = by_faces.smooth_by_file;
     found_.sharp_by_file = by_faces.sharp_by_file;
-    SheetEdges sheets = find_sheet_edges(scene_, topology_, crease_cosine(angles_.faces));
     const std::vector<std::uint8_t>& bent = sheets.bent;
     found_.walls = std::move(sheets.walls);
     found_.folds = std::move(sheets.folds);
@@ -75,7 +84,6 @@ class Finder {
   /// Edges inside one surface are not creases, at any angle of its facets. Edges at which surfaces meet at an angle are
   /// creases.
   void decide_by_surfaces() {
-    found_.patches = find_patches(scene_, topology_, normals_);
     bend_beside_slivers();
     found_.patch_edges = classify_patch_edges(scene_, topology_, normals_, found_.patches, angles_.surfaces);
     if (!found_.patches.list.empty()) mark_bands(scene_, topology_, normals_, found_.patch_edges, found_.patches);

@@ -10,10 +10,10 @@
 #include <span>
 #include <vector>
 
-#include "base/large_vector.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "base/prefetch.hpp"
+#include "base/uninitialized_vector.hpp"
 #include "geometry/degrees.hpp"
 
 namespace ligne {
@@ -44,9 +44,9 @@ double least_flat_cosine(const Scene& scene, const Topology& topology, const Sca
                     sine_cosine_degrees(kLeastFlatDegrees).cosine);
 }
 
-std::vector<double> edge_lengths(const Scene& scene, const Topology& topology, const ScanObject& object) {
-  std::vector<double> lengths = large_vector<double>(object.edge_end - object.edge_begin);
-  parallel_blocks(lengths.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+UninitializedVector<double> edge_lengths(const Scene& scene, const Topology& topology, const ScanObject& object) {
+  UninitializedVector<double> lengths(object.edge_end - object.edge_begin);
+  parallel_blocks(object.edge_end - object.edge_begin, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Edge& edge = topology.edges[object.edge_begin + k];
       lengths[k] = glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]);
@@ -113,7 +113,8 @@ bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm
   for (std::uint32_t f = object.face_begin; f < object.face_end && !scene.faces.all_triangles(); ++f) {
     if (scene.faces.contour_count(f) != 1 || scene.faces.contour(f, 0).size() != 3) return false;
   }
-  const std::vector<double> lengths = edge_lengths(scene, topology, object);
+  const UninitializedVector<double> all = edge_lengths(scene, topology, object);
+  const std::span lengths(all.data(), object.edge_end - object.edge_begin);
   const double median = median_of(lengths);
   double even = 0, even_length = 0, all_length = 0;
   for (const double length : lengths) {

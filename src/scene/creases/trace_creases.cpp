@@ -181,9 +181,11 @@ class Tracer {
 
   /// The faces of the object with a marked vertex, ascending.
   std::vector<std::uint32_t> faces_at(const std::vector<std::uint8_t>& marked) const {
+    const std::uint8_t* marks = marked.data();
+    const std::uint32_t first = object_.vertex_begin;
     std::vector<std::uint32_t> faces = indices_where(object_.face_end - object_.face_begin, [&](std::size_t i) {
-      const auto corners = scene_.faces.contour(object_.face_begin + i, 0);
-      return std::ranges::any_of(corners, [&](std::uint32_t v) { return marked[v - object_.vertex_begin] != 0; });
+      const std::uint32_t* corners = scene_.faces.contour(object_.face_begin + i, 0).data();  // of a triangle
+      return (marks[corners[0] - first] | marks[corners[1] - first] | marks[corners[2] - first]) != 0;
     });
     for (std::uint32_t& f : faces) f += object_.face_begin;
     return faces;

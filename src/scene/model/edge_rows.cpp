@@ -71,8 +71,10 @@ EdgeRows::Step EdgeRows::next(const Step& from, const RowBends& bends) const {
     const auto contour = scene_.faces.contour(faces[i], 0);
     if (contour.size() > kMostSides) continue;
     for (std::size_t k = 0; k < contour.size(); ++k) {
-      const Edge* side = find_edge(topology_, {contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]});
-      if (!side || side == &first || side->face1 == kNone) continue;
+      const auto [low, high] = std::minmax(contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]);
+      if (low == first.v0 && high == first.v1) continue;
+      const Edge* side = find_edge(topology_, {low, high});
+      if (!side || side->face1 == kNone) continue;
       const auto edge = static_cast<std::uint32_t>(side - topology_.edges.data());
       if (topology_.edge_flags[edge] & (kEdgeManyFaces | kEdgeUnlikeWound)) continue;
       const std::uint32_t other = side->face0 == faces[i] ? side->face1 : side->face0;

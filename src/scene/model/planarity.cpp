@@ -3,22 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 
 namespace ligne {
-namespace {
-
-constexpr double kSqrt3 = 1.7320508075688772;
-constexpr double kPlaneErrors = 8;  ///< see planarity_tolerance()
-constexpr double kLineErrors = 2;   ///< see straightness_tolerance()
-/// Number of roundings of one unit in the last place of the span, from coordinates to the distance from a plane:
-/// differences, two projections, the cross product and the dot product.
-constexpr double kArithmeticRoundings = 16;
-
-double arithmetic_error(double span) { return kArithmeticRoundings * std::numeric_limits<double>::epsilon() * span; }
-
-}  // namespace
-
 double SpanningPlane::distance(const Point3& q) const { return glm::dot(q - origin, normal); }
 
 SpanningPlane spanning_plane(std::span<const Point3> points) {
@@ -44,14 +30,6 @@ SpanningPlane spanning_plane(std::span<const Point3> points) {
   }
   if (farthest > 0) plane.normal = glm::normalize(glm::cross(u, ac / std::sqrt(farthest)));
   return plane;
-}
-
-double planarity_tolerance(double precision, double span) {
-  return kPlaneErrors * kSqrt3 * precision + arithmetic_error(span);
-}
-
-double straightness_tolerance(double precision, double span) {
-  return kLineErrors * kSqrt3 * precision + arithmetic_error(span);
 }
 
 bool is_sliver(const Point3& a, const Point3& b, const Point3& c, double precision) {

@@ -1,6 +1,7 @@
 #pragma once
 /// Planes through the corners of faces, and tolerances for the distance of corners from a plane.
 
+#include <limits>
 #include <span>
 
 #include "scene/model/scene.hpp"
@@ -21,15 +22,31 @@ struct SpanningPlane {
 /// The spanning plane of the points. The sign of its normal is arbitrary.
 SpanningPlane spanning_plane(std::span<const Point3> points);
 
+inline constexpr double kSqrt3 = 1.7320508075688772;
+
+/// Error of double arithmetic over a span.
+inline double arithmetic_error(double span) {
+  // Number of roundings of one unit in the last place of the span, from coordinates to the distance from a plane:
+  // differences, two projections, the cross product and the dot product.
+  constexpr double kArithmeticRoundings = 16;
+  return kArithmeticRoundings * std::numeric_limits<double>::epsilon() * span;
+}
+
 /// Largest distance of a corner from the spanning plane of a polygon that was planar before its coordinates were
 /// rounded. The error of a coordinate is at most `precision`, so that of a point is at most e = sqrt(3) precision. The
 /// plane has the errors of a, b, c with the weights 1 - s - t, s, t, where |1 - s - t| + |s| + |t| <= 4 + 2 + 1. The
 /// point itself adds one more e: 8 e in total. The rounding of double arithmetic over `span` is added.
-double planarity_tolerance(double precision, double span);
+inline double planarity_tolerance(double precision, double span) {
+  constexpr double kPlaneErrors = 8;
+  return kPlaneErrors * kSqrt3 * precision + arithmetic_error(span);
+}
 
 /// Largest distance of a point from the chord of two others if the three were collinear before rounding: the error of
 /// the chord plus that of the point.
-double straightness_tolerance(double precision, double span);
+inline double straightness_tolerance(double precision, double span) {
+  constexpr double kLineErrors = 2;
+  return kLineErrors * kSqrt3 * precision + arithmetic_error(span);
+}
 
 /// Whether the corners of a triangle were perhaps collinear before rounding, so that its normal is a matter of chance.
 bool is_sliver(const Point3& a, const Point3& b, const Point3& c, double precision);

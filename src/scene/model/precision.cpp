@@ -122,12 +122,12 @@ int significant_digits(std::string_view word) {
   int digits = 0;
   bool fraction = false;
   for (const char c : word) {
-    if (c == 'e' || c == 'E') {
-      fraction = true;
-      break;
+    if (c >= '0' && c <= '9') {
+      digits += digits > 0 || c != '0';
+      continue;
     }
-    if (c == '.') fraction = true;
-    if (c >= '0' && c <= '9' && (digits > 0 || c != '0')) ++digits;
+    fraction = fraction || c == '.' || c == 'e' || c == 'E';
+    if (c == 'e' || c == 'E') break;
   }
   return fraction ? digits : 0;
 }

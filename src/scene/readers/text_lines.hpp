@@ -31,7 +31,7 @@ class LineReader {
 };
 
 /// True for a blank, a tab, and the rarer white space within a line.
-constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+constexpr bool is_blank(char c) { return c <= ' ' && (c == ' ' || c == '\t' || c == '\v' || c == '\f'); }
 std::string_view trimmed(std::string_view text);
 /// Takes the next word off the front of a line; empty if there is none.
 std::string_view take_word(std::string_view& line);

@@ -22,10 +22,10 @@ class PlaceTable {
   std::uint32_t number_of(const Point2& p) {
     const Cell cell{static_cast<std::int64_t>(std::floor(p.x / tolerance_)),
                     static_cast<std::int64_t>(std::floor(p.y / tolerance_))};
-    for (std::int64_t i = -1; i <= 1; ++i) {
-      for (std::int64_t k = -1; k <= 1; ++k) {
-        const auto near = cells_.find({cell[0] + i, cell[1] + k});
-        if (near != cells_.end() && glm::distance(first_[near->second], p) <= tolerance_) return add(near->second, p);
+    for (std::int64_t i = cell[0] - 1; i <= cell[0] + 1; ++i) {
+      const auto end = cells_.end();
+      for (auto near = cells_.lower_bound({i, cell[1] - 1}); near != end && near->first <= Cell{i, cell[1] + 1}; ++near) {
+        if (glm::distance(first_[near->second], p) <= tolerance_) return add(near->second, p);
       }
     }
     const auto number = static_cast<std::uint32_t>(first_.size());
