@@ -134,8 +134,8 @@ TEST(Creases, AStrayTriangleDoesNotSpoilAScan) {
 }
 
 TEST(Creases, AFineScanBendsLittleAndAPlaneNotAtAll) {
-  EXPECT_EQ(find(rounded_ridge(0.3, 0.15, 0.03)).creases.scans.size(), 1u);
-  EXPECT_EQ(find(rounded_ridge(0.3, 0.15, 0)).creases.scans.size(), 0u);
+  EXPECT_EQ(find(rounded_ridge(0.3, 0.15, 0.03)).creases.decimated, 0u);
+  EXPECT_EQ(find(rounded_ridge(0.3, 0.15, 0)).creases.decimated, 1u);
 }
 
 [[maybe_unused]] const bool scripts_are_added = test::add_mesh_scripts(LIGNE_SOURCE_DIR "/tests/heal/scripts");

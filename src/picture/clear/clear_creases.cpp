@@ -48,6 +48,7 @@ EdgeSelection select_edges(const Scene& scene, const Topology& topology, const L
   run.count_clear("creases traced", creases.traced);
   run.count_clear("creases continued", creases.continued);
   run.count_clear("creases that fade", creases.fading);
+  run.count_clear("creases with loose ends", creases.loose);
   run.count_clear("creases standing out", creases.spurs);
   run.count_clear("creases too short", creases.short_chains);
   run.count_clear("creases of straight sheets", creases.straight_sheets);

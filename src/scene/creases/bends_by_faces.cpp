@@ -74,8 +74,9 @@ class BendClassifier {
       if (cosine < limits_.sharp) return Bend::firm;
       if (cosine >= limits_.low) return Bend::none;
       const Bend bend = bend_of_smooth(edge, cosine);
-      counts.smooth += bend < Bend::strong && cosine < limits_.crease;
-      return bend;
+      if (bend >= Bend::strong || cosine >= limits_.crease) return bend;
+      ++counts.smooth;
+      return Bend::weak;
     }
     if (flags & kEdgeSharp) {
       if (cosine >= limits_.low) return Bend::none;

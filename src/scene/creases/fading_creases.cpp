@@ -11,6 +11,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
 #include "scene/creases/edge_sections.hpp"
+#include "scene/creases/loose_creases.hpp"
 #include "scene/model/face_area.hpp"
 #include "scene/model/object_sizes.hpp"
 
@@ -43,18 +44,19 @@ class Fader {
         edges_(edges),
         ends_(edges.ends),
         bends_(bends),
+        free_(topology, edges.ends, bends, edges.is_anchor),
         regions_(scene.objects.size()) {}
 
   std::size_t run() {
     std::size_t dropped = drop_flat_ends() + drop_inside_sections();
-    std::vector<std::uint32_t> tips = free_ends();
+    std::vector<std::uint32_t> tips = free_.list();
     while (!tips.empty()) {
       std::vector<std::uint32_t> faded, left;
       for (const std::uint32_t tip : tips) {
-        if (is_free(tip)) fade(tip, faded, left);
+        if (free_.is_free(tip)) fade(tip, faded, left);
       }
       for (const std::uint32_t e : faded) {
-        dropped += is_crease(e);
+        dropped += free_.is_crease(e);
         bends_[e] = Bend::weak;
       }
       tips = std::move(left);
@@ -66,14 +68,14 @@ class Fader {
   /// Takes back edges at free ends that hardly bend, where they are short.
   std::size_t drop_flat_ends() {
     std::size_t dropped = 0;
-    for (std::uint32_t tip : free_ends()) {
+    for (std::uint32_t tip : free_.list()) {
       double rest = kLongFlatPart * edges_.sizes[object_of_vertex(scene_, tip)];
       std::vector<std::uint32_t> flat;
-      std::uint32_t e = only_crease_at(tip, kNone);
-      for (std::uint32_t vertex = tip; e != kNone && rest >= 0 && is_flat(e); e = only_crease_at(vertex, e)) {
+      std::uint32_t e = free_.only_crease_at(tip, kNone);
+      for (std::uint32_t vertex = tip; e != kNone && rest >= 0 && is_flat(e); e = free_.only_crease_at(vertex, e)) {
         flat.push_back(e);
         rest -= length_of(e);
-        vertex = topology_.edges[e].v0 == vertex ? topology_.edges[e].v1 : topology_.edges[e].v0;
+        vertex = free_.other_end(e, vertex);
         if (edges_.is_anchor(vertex)) break;
       }
       if (rest < 0 || edges_.is_anchor(tip)) continue;
@@ -89,7 +91,7 @@ class Fader {
     std::vector<std::uint32_t> inside;
     for (const BendEnd& end : ends_) {
       const std::uint32_t e = end.edge;
-      if (topology_.edges[e].v0 != end.vertex || !is_crease(e) || !is_between_freeforms(e)) continue;
+      if (topology_.edges[e].v0 != end.vertex || !free_.is_crease(e) || !is_between_freeforms(e)) continue;
       if (is_inside_rounding(edges_.rows, e)) continue;
       const double turn = turn_across(scene_, topology_, e, kReachPart * edges_.sizes[object_of_vertex(scene_, end.vertex)]);
       if (turn >= kTubeTurn || (turn > 0 && is_in_large_region(topology_.edges[e]))) inside.push_back(e);
@@ -103,33 +105,6 @@ class Fader {
     const std::uint32_t face = topology_.edges[e].face0;
     return topology_.edges[e].face1 != kNone && !is_marked && std::abs(edges_.rows.bend(e, face)) < kFlatEnd;
   }
-
-  bool is_crease(std::uint32_t e) const { return bends_[e] >= Bend::strong; }
-
-  std::vector<std::uint32_t> free_ends() const {
-    std::vector<std::uint32_t> found;
-    for (std::size_t first = 0, last = 0; first < ends_.size(); first = last) {
-      std::size_t creases = 0;
-      for (last = first; last < ends_.size() && ends_[last].vertex == ends_[first].vertex; ++last)
-        creases += is_crease(ends_[last].edge);
-      if (creases == 1) found.push_back(ends_[first].vertex);
-    }
-    return found;
-  }
-
-  /// The only crease at a vertex beside `except`, or kNone.
-  std::uint32_t only_crease_at(std::uint32_t vertex, std::uint32_t except) const {
-    std::uint32_t found = kNone;
-    for (auto end = std::lower_bound(ends_.begin(), ends_.end(), BendEnd{vertex, 0});
-         end != ends_.end() && end->vertex == vertex; ++end) {
-      if (end->edge == except || !is_crease(end->edge)) continue;
-      if (found != kNone) return kNone;
-      found = end->edge;
-    }
-    return found;
-  }
-
-  bool is_free(std::uint32_t vertex) const { return only_crease_at(vertex, kNone) != kNone && !edges_.is_anchor(vertex); }
 
   bool may_fade(std::uint32_t e) { return is_between_freeforms(e) && is_in_large_region(topology_.edges[e]); }
 
@@ -201,13 +176,8 @@ class Fader {
 
   /// Adds the edges that go of the run from a free end, and the vertex where they stop.
   void fade(std::uint32_t tip, std::vector<std::uint32_t>& faded, std::vector<std::uint32_t>& left) {
-    std::vector<std::uint32_t> run;
-    std::uint32_t vertex = tip;
-    for (std::uint32_t e = only_crease_at(tip, kNone); e != kNone && may_fade(e); e = only_crease_at(vertex, e)) {
-      run.push_back(e);
-      vertex = topology_.edges[e].v0 == vertex ? topology_.edges[e].v1 : topology_.edges[e].v0;
-      if (vertex == tip || edges_.is_anchor(vertex)) break;
-    }
+    const FreeEnds::Run found = free_.run_from(tip, [&](std::uint32_t e) { return may_fade(e); });
+    const std::vector<std::uint32_t>& run = found.edges;
     const auto standing = std::ranges::find_if(run, [&](std::uint32_t e) { return stands_out(edges_.rows, e); });
     double length = 0, turn = 0;
     for (auto e = standing; e != run.end(); ++e) {
@@ -218,7 +188,7 @@ class Fader {
     const bool stays = length >= part * edges_.sizes[object_of_vertex(scene_, tip)];
     if (run.empty() || (stays && standing == run.begin())) return;
     faded.insert(faded.end(), run.begin(), stays ? standing : run.end());
-    if (!stays) left.push_back(vertex);
+    if (!stays) left.push_back(found.end);
   }
 
   const Scene& scene_;
@@ -226,6 +196,7 @@ class Fader {
   const FadingEdges& edges_;
   std::span<const BendEnd> ends_;
   std::vector<Bend>& bends_;
+  FreeEnds free_;
   /// Per object, where they were asked for: whether a face lies in a region of free forms that is large for its borders.
   std::vector<std::vector<std::uint8_t>> regions_;
 };

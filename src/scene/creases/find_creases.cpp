@@ -13,6 +13,7 @@
 #include "scene/creases/bends_by_faces.hpp"
 #include "scene/creases/face_normals.hpp"
 #include "scene/creases/fading_creases.hpp"
+#include "scene/creases/loose_creases.hpp"
 #include "scene/creases/parallel_bends.hpp"
 #include "scene/creases/plane_rims.hpp"
 #include "scene/creases/plane_slivers.hpp"
@@ -40,6 +41,7 @@ class Finder {
     continue_ends();
     find_anchors();
     drop_fading();
+    drop_loose();
     drop_spurs();
     drop_short();
     found_.lines.assign(bends_.size(), 0);
@@ -75,8 +77,10 @@ class Finder {
     }
     raw_ = bends_;
     decide_by_surfaces();
-    TracedCreases traced = trace_creases(scene_, topology_, normals_, sizes_, angles_.faces, bends_);
+    TracedCreases traced = trace_creases(
+        {scene_, topology_, normals_, sizes_, found_.patches.is_freeform, found_.patch_edges}, angles_.faces, bends_);
     found_.scans = std::move(traced.scans);
+    found_.decimated = traced.decimated;
     found_.untraced = traced.left_out;
     found_.traced = traced.continued;
   }
@@ -220,6 +224,8 @@ class Finder {
     // Bounds on the edges of the way and on the edges per vertex, which bound the work per end. Adjustable.
     constexpr std::size_t kLongestWay = 64, kMostEnds = 64;
     std::vector<std::uint32_t> way;
+    // Edges that the file calls smooth continue those that it calls sharp: where most of a ring is sharp, all of it is.
+    const std::uint16_t kept_out = topology_.edge_flags[e] & kEdgeSharp ? 0 : kEdgeSmooth;
     const double longest = found.of(node).length;
     double length = 0;
     bool is_clear = found.of(node).edges >= kCertainEdges;
@@ -230,7 +236,7 @@ class Finder {
       std::uint32_t best = kNone;
       double best_cosine = kTurnCosine;
       for (const BendEnd& next : ends) {
-        if (next.edge == e || bends_[next.edge] != Bend::weak) continue;
+        if (next.edge == e || bends_[next.edge] != Bend::weak || (topology_.edge_flags[next.edge] & kept_out)) continue;
         const double cosine = -glm::dot(direction_to(node, next.edge), direction);
         if (cosine > best_cosine) best = next.edge, best_cosine = cosine;
       }
@@ -269,16 +275,32 @@ class Finder {
     }
   }
 
-  /// Neither edges that surfaces or the file decide fade nor those of scans, which were traced.
+  /// Whether neither surfaces nor the file decide an edge, nor is it one of a scan, which were traced.
+  bool is_decided_by_bend(std::uint32_t e) const {
+    const auto has_edge = [&](const ScanObject& scan) { return e >= scan.edge_begin && e < scan.edge_end; };
+    return found_.patch_edges[e] == PatchEdge::unknown && !(topology_.edge_flags[e] & kEdgeSharp) &&
+           std::ranges::none_of(found_.scans, has_edge);
+  }
+
   void drop_fading() {
-    const auto may_fade = [&](std::uint32_t e) {
-      const auto has_edge = [&](const ScanObject& scan) { return e >= scan.edge_begin && e < scan.edge_end; };
-      return found_.patch_edges[e] == PatchEdge::unknown && !(topology_.edge_flags[e] & kEdgeSharp) &&
-             std::ranges::none_of(found_.scans, has_edge);
-    };
+    const auto may_fade = [&](std::uint32_t e) { return is_decided_by_bend(e); };
     const auto is_anchor = [&](std::uint32_t vertex) { return anchored_[node_of(vertex)] != 0; };
     found_.fading = drop_fading_creases(scene_, topology_,
                                         {rows_, ends_, sizes_, found_.patches.is_freeform, may_fade, is_anchor}, bends_);
+  }
+
+  void drop_loose() {
+    if (nodes_.empty()) return;
+    std::vector<std::uint8_t> is_tangent(scene_.vertices.size(), 0);  // per vertex: 1 on a tangent line
+    for (std::size_t e = 0; e < bends_.size(); ++e) {
+      if (found_.patch_edges[e] != PatchEdge::tangent) continue;
+      for (const std::uint32_t v : {topology_.edges[e].v0, topology_.edges[e].v1}) is_tangent[v] = 1;
+    }
+    const auto may_go = [&](std::uint32_t e) {
+      return is_decided_by_bend(e) && topology_.edges[e].face1 != kNone && !(topology_.edge_flags[e] & kEdgeManyFaces);
+    };
+    const auto is_anchor = [&](std::uint32_t v) { return anchored_[node_of(v)] != 0 || is_tangent[v] != 0; };
+    found_.loose = drop_loose_creases(scene_, topology_, {ends_, sizes_, may_go, is_anchor}, bends_);
   }
 
   bool is_open(std::uint32_t node) const { return !anchored_[node] && creases_at(node) == 1; }

@@ -27,6 +27,7 @@ struct Creases {
   std::vector<WallEdge> walls;         ///< creases that are visible from one side only
   std::vector<FoldSheet> folds;        ///< faces at edges of more than two that are no creases, see SheetEdges
   std::vector<ScanObject> scans;       ///< objects whose creases were traced, ascending
+  std::size_t decimated = 0;           ///< those of them that are decimated parts
 
   // Differences from the simple rule that an edge is a crease if the angle of its faces exceeds the limit or if it has
   // more than two faces. Numbers of edges:
@@ -38,6 +39,7 @@ struct Creases {
   std::size_t traced = 0;            ///< added to scans, since they lie on a clean line
   std::size_t continued = 0;         ///< added between two creases that they join
   std::size_t fading = 0;            ///< removed, since they end in the middle of a surface and do not stand out
+  std::size_t loose = 0;             ///< removed, since they end freely and are short
   std::size_t spurs = 0;             ///< removed, since they project from a crease
   std::size_t short_chains = 0;      ///< removed with chains that are short, weak and open
   double short_length = 0;           ///< total length of these chains, model units
@@ -58,7 +60,8 @@ struct Creases {
 ///    another crease and is not longer than either of the two.
 /// 5. Creases that end in the middle of a surface are cut back, or removed, where they do not stand out
 ///    (fading_creases.hpp).
-/// 6. Spurs are removed: single edges, shorter than 1/64 of their object, that branch off from a crease. So are
+/// 6. Short lines with two free ends are removed, and runs of smooth edges with one (loose_creases.hpp).
+/// 7. Spurs are removed: single edges, shorter than 1/64 of their object, that branch off from a crease. So are
 ///    connected creases with a total length below 1/16 of their object that end in the middle of a surface. Edges above
 ///    `angles.faces` + 20 degrees, edges marked as sharp, and everything connected to them stay.
 ///

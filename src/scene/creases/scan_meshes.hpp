@@ -1,15 +1,27 @@
 #pragma once
-/// Recognises objects that are meshed like scans.
+/// Recognises objects that are meshed like scans, and constructed parts that were decimated.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "scene/creases/bend.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
+#include "scene/patches/borders/patch_edges.hpp"
 
 namespace ligne {
+
+/// A mesh with what is known of its edges.
+struct CreaseMesh {
+  const Scene& scene;
+  const Topology& topology;
+  const std::vector<glm::vec3>& normals;      ///< of face_normals()
+  std::span<const double> sizes;              ///< per object: diagonal of its box
+  std::span<const std::uint8_t> is_freeform;  ///< per face
+  std::span<const PatchEdge> patch_edges;     ///< per edge
+};
 
 /// An object that is meshed like a scan, with its edges in the topology.
 struct ScanObject {
@@ -22,5 +34,13 @@ struct ScanObject {
 /// is that of the object's coordinates.
 bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
              const std::vector<Bend>& bends, const ScanObject& object, double precision);
+
+/// Whether a constructed part was decimated so far that its edges became rows of teeth: of the creases beside free forms,
+/// which are as short as triangles are, many fork, and many turn back and forth.
+bool is_decimated(const CreaseMesh& mesh, const std::vector<Bend>& bends, const ScanObject& object);
+
+/// Per edge of a decimated object: 1 if it is a crease between recognised surfaces, or one of a straight or curved line of
+/// creases that is long for the object.
+std::vector<std::uint8_t> sure_creases(const CreaseMesh& mesh, const std::vector<Bend>& bends, const ScanObject& object);
 
 }  // namespace ligne

@@ -32,16 +32,18 @@ double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 /// Traces the creases of one object, whose edges are [edge_begin, edge_end).
 class Tracer {
  public:
-  Tracer(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals, std::vector<Bend>& bends,
-         const Object& object, std::size_t edge_begin, std::size_t edge_end, double size)
-      : scene_(scene),
-        topology_(topology),
-        normals_(normals),
+  /// `is_sure` is empty, or tells by edge, from the first one of the object, which creases stay as they are.
+  Tracer(const CreaseMesh& mesh, std::vector<Bend>& bends, const ScanObject& edges, const Object& object,
+         std::vector<std::uint8_t> is_sure)
+      : scene_(mesh.scene),
+        topology_(mesh.topology),
+        normals_(mesh.normals),
         bends_(bends),
         object_(object),
-        edge_begin_(edge_begin),
-        edge_end_(edge_end),
-        size_(size) {}
+        edge_begin_(edges.edge_begin),
+        edge_end_(edges.edge_end),
+        size_(mesh.sizes[static_cast<std::size_t>(&object - mesh.scene.objects.data())]),
+        is_sure_(std::move(is_sure)) {}
 
   TracedCreases run(double crease_degrees) {
     collect();
@@ -113,7 +115,8 @@ class Tracer {
       const std::pair<std::uint32_t, std::uint32_t> key = std::minmax(contour[i], contour[(i + 1) % 3]);
       const auto edge =
           std::lower_bound(first, last, key, [](const Edge& e, const auto& ends) { return std::pair(e.v0, e.v1) < ends; });
-      if (edge->face1 != kNone) candidates_.push_back(static_cast<std::uint32_t>(edge - topology_.edges.begin()));
+      const auto e = static_cast<std::uint32_t>(edge - topology_.edges.begin());
+      if (edge->face1 != kNone && !is_sure(e)) candidates_.push_back(e);
     }
   }
 
@@ -122,6 +125,7 @@ class Tracer {
     const auto bends = [&](std::size_t k) { return bends_[edge_begin_ + k] != Bend::none; };
     for (const std::uint32_t k : indices_where(edge_end_ - edge_begin_, bends)) {
       const std::size_t e = edge_begin_ + k;
+      if (is_sure(e)) continue;
       candidates_.push_back(static_cast<std::uint32_t>(e));
       if (bends_[e] < Bend::strong) continue;
       // If triangles cross a ridge alternately from both sides, the edges along the ridge do not bend at all.
@@ -161,6 +165,22 @@ class Tracer {
       for (const std::uint32_t v : {topology_.edges[e].v0, topology_.edges[e].v1}) {
         on_ridge_[v - object_.vertex_begin] = 1;
       }
+    }
+    mark_sure();
+  }
+
+  bool is_sure(std::size_t e) const { return !is_sure_.empty() && is_sure_[e - edge_begin_] != 0; }
+
+  /// No line runs beside a crease that stays.
+  void mark_sure() {
+    for (std::size_t e = edge_begin_; e < edge_end_; ++e) {
+      if (!is_sure(e)) continue;
+      const Edge& edge = topology_.edges[e];
+      for (const std::uint32_t f : {edge.face0, edge.face1}) {
+        if (f == kNone) continue;
+        for (const std::uint32_t v : scene_.faces.contour(f, 0)) state_of(v) = std::max(state_of(v), VertexState::beside);
+      }
+      state_of(edge.v0) = state_of(edge.v1) = VertexState::line;
     }
   }
 
@@ -356,6 +376,7 @@ class Tracer {
   const Object& object_;
   std::size_t edge_begin_, edge_end_;
   double size_;
+  std::vector<std::uint8_t> is_sure_;
   std::vector<std::uint32_t> candidates_;
   double least_wide_ = 0;
   std::vector<double> wide_;                            ///< per candidate: wide_bend(), computed where lines come
@@ -368,17 +389,19 @@ class Tracer {
 
 }  // namespace
 
-TracedCreases trace_creases(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
-                            std::span<const double> sizes, double crease_degrees, std::vector<Bend>& bends) {
+TracedCreases trace_creases(const CreaseMesh& mesh, double crease_degrees, std::vector<Bend>& bends) {
   TracedCreases sum;
-  for (const Object& object : scene.objects) {
-    const auto [edge_begin, edge_end] = edges_of(topology, object);
+  for (const Object& object : mesh.scene.objects) {
+    const auto [edge_begin, edge_end] = edges_of(mesh.topology, object);
     const ScanObject own{object.face_begin, object.face_end, edge_begin, edge_end};
-    if (!is_scan(scene, topology, normals, bends, own, object.precision)) continue;
+    std::vector<std::uint8_t> is_sure;
+    if (!is_scan(mesh.scene, mesh.topology, mesh.normals, bends, own, object.precision)) {
+      if (!is_decimated(mesh, bends, own)) continue;
+      is_sure = sure_creases(mesh, bends, own);
+      ++sum.decimated;
+    }
     sum.scans.push_back(own);
-    Tracer tracer(scene, topology, normals, bends, object, own.edge_begin, own.edge_end,
-                  sizes[static_cast<std::size_t>(&object - scene.objects.data())]);
-    const TracedCreases traced = tracer.run(crease_degrees);
+    const TracedCreases traced = Tracer(mesh, bends, own, object, std::move(is_sure)).run(crease_degrees);
     sum.left_out += traced.left_out;
     sum.continued += traced.continued;
   }

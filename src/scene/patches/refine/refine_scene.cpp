@@ -227,8 +227,9 @@ std::optional<RefinedScene> refine_scene(const Scene& scene, const Topology& top
     return std::nullopt;
   const std::optional<Bodies> bodies = find_few_bodies(scene, topology);
   if (!bodies) return std::nullopt;
-  const EdgeLevels levels = edge_levels(scene, topology, patches, limits);
+  EdgeLevels levels = edge_levels(scene, topology, patches, limits);
   if (levels.of_patch.empty() || !bodies_lie_apart(scene, *bodies, patches, levels.of_patch)) return std::nullopt;
+  levels.rims = free_rims(scene, topology, patches, levels.curved);
   const PlaneRegions planes = plane_regions(scene, topology, patches, creases.lines, levels.curved);
   const SplitTriangles split = split_triangles(scene, topology, patches, planes, levels);
   if (split.points.empty()) return std::nullopt;

@@ -42,7 +42,8 @@ class Splitter {
         patches_(patches),
         planes_(planes),
         sets_(patches.list.size()),
-        levels_(levels.of_patch) {}
+        levels_(levels.of_patch),
+        rims_(levels.rims) {}
 
   /// Refines, and begins again without the surfaces on which triangles were turned over, and those connected with them.
   SplitTriangles run() {
@@ -52,7 +53,7 @@ class Splitter {
   }
 
  private:
-  static constexpr std::uint32_t kBlocked = kNone - 1;
+  static constexpr std::uint32_t kBlocked = kNone - 1, kRim = kNone - 2;  ///< values of beyond_
 
   /// Returns false if surfaces were left out.
   bool try_levels() {
@@ -85,12 +86,13 @@ class Splitter {
 
   /// Marks the edges at which planes border on surfaces, and those at which no surface may be refined.
   void mark_edges() {
-    for (std::size_t e = 0; e < topology_.edges.size(); ++e) {
+    for (std::uint32_t e = 0; e < topology_.edges.size(); ++e) {
       const Edge& edge = topology_.edges[e];
       const bool is_blocked = edge.face1 == kNone || (topology_.edge_flags[e] & (kEdgeManyFaces | kEdgeUnlikeWound));
       for (const auto& [face, other] : {std::pair(edge.face0, edge.face1), std::pair(edge.face1, edge.face0)}) {
         if (face == kNone || patches_.patch_of[face] == kNone || levels_[patches_.patch_of[face]] == 0) continue;
-        const std::uint32_t region = is_blocked ? kBlocked : planes_.region_of[other];
+        const bool is_rim = other == kNone && std::ranges::binary_search(rims_, e);
+        const std::uint32_t region = is_rim ? kRim : is_blocked ? kBlocked : planes_.region_of[other];
         if (region != kNone) beyond_[edge_key(edge.v0, edge.v1)] = region;
       }
     }
@@ -123,11 +125,12 @@ class Splitter {
   /// The point that splits an edge; nothing if its other side can not be split.
   std::optional<Point3> middle_of(std::span<const PartSide> edge) const {
     const std::uint32_t region = beyond_.find(edge[0].key);
-    const bool ends_at_plane = edge.size() == 1 && region != kNone && region != kBlocked;
-    if (!ends_at_plane && (edge.size() != 2 || region != kNone)) return std::nullopt;
+    const bool is_rim = edge.size() == 1 && region == kRim;
+    const bool ends_at_plane = edge.size() == 1 && region < kRim;
+    if (!is_rim && !ends_at_plane && (edge.size() != 2 || region != kNone)) return std::nullopt;
     const SideSurface here = side_surface(patch_of(edge[0]));
     const SideSurface there = ends_at_plane ? SideSurface{nullptr, planes_.list[region].at, planes_.list[region].normal}
-                                            : side_surface(patch_of(edge[1]));
+                                            : side_surface(patch_of(edge.back()));
     return shared_point(here, there, point(first_of(edge[0].key)), point(second_of(edge[0].key)));
   }
 
@@ -226,7 +229,7 @@ class Splitter {
       out_.points.push_back(*at);
       out_.beside.push_back(a < scene_.vertices.size() ? a : out_.beside[a - scene_.vertices.size()]);
       if (const std::uint32_t region = beyond_.find(key); region != kNone) {
-        out_.is_region_split[region] = 1;
+        if (region < kRim) out_.is_region_split[region] = 1;
         beyond_[edge_key(a, vertex)] = region;
         beyond_[edge_key(vertex, b)] = region;
       }
@@ -283,8 +286,9 @@ class Splitter {
   const PlaneRegions& planes_;
   DisjointSets sets_;                 ///< of patches that are connected by curved edges
   std::vector<std::uint8_t> levels_;  ///< per patch: how often its edges are halved
-  KeyTable beyond_;                   ///< by the key of an edge: the plane region beyond it, or kBlocked
-  bool turns_edges_ = false;          ///< edges of slivers are turned before any is split
+  std::span<const std::uint32_t> rims_;
+  KeyTable beyond_;           ///< by the key of an edge: the plane region beyond it, kRim, or kBlocked
+  bool turns_edges_ = false;  ///< edges of slivers are turned before any is split
   SplitTriangles out_;
 };
 

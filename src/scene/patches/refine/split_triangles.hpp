@@ -42,15 +42,16 @@ struct SplitTriangles {
 struct EdgeLevels {
   std::vector<std::uint32_t> curved;     ///< edges whose middle lies beside a recognised surface of either face; ascending
   std::vector<std::uint8_t> of_patch{};  ///< per patch: how often its curved edges are halved; 0: it is not refined
+  std::vector<std::uint32_t> rims{};     ///< open edges that may be halved; ascending
 };
 
 /// Finds the levels that the limits need: surfaces that meet along curved edges are refined alike, as if the part had more
 /// facets to a turn.
 EdgeLevels edge_levels(const Scene& scene, const Topology& topology, const Patches& patches, const RefineLimits& limits);
 
-/// Halves the curved edges inside a refined surface, between two of them and between a surface and a plane region, and
-/// halves the halves. Vertices on chords of the surfaces move onto these (chord_corners.hpp). Connected surfaces are refined
-/// only if this is possible along all of their borders: otherwise they would no longer fit together.
+/// Halves the curved edges inside a refined surface, at its rims, between two of them and between a surface and a plane
+/// region, and halves the halves. Vertices on chords of the surfaces move onto these (chord_corners.hpp). Connected surfaces
+/// are refined only if this is possible along all of their borders: otherwise they would no longer fit together.
 SplitTriangles split_triangles(const Scene& scene, const Topology& topology, const Patches& patches,
                                const PlaneRegions& planes, const EdgeLevels& levels);
 
