@@ -6,6 +6,7 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "scene/patches/borders/freeform_seams.hpp"
 #include "scene/patches/borders/tangent_gaps.hpp"
 #include "scene/patches/fillets.hpp"
 
@@ -84,6 +85,7 @@ std::vector<ShapeLine> choose_tangent_lines(const Scene& scene, const Topology& 
   close_tangent_gaps(scene, topology, patches, creases.lines, creases.patch_edges);
   FilletMiddles fillets = fillet_middles(scene, topology, patches, creases.patch_edges, widest_fillet(request, view));
   drop_loose_tangents(scene, topology, patches, creases.lines, creases.patch_edges);
+  find_freeform_seams(scene, topology, patches, creases.lines, creases.patch_edges);
   const auto is_fillet = [&](std::uint32_t face) {
     const std::uint32_t patch = patches.patch_of[face];
     return patch != kNone && fillets.is_fillet[patch];

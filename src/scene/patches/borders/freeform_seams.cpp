@@ -1,0 +1,389 @@
+#include "scene/patches/borders/freeform_seams.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <utility>
+
+#include "base/disjoint_sets.hpp"
+#include "base/indices_where.hpp"
+#include "base/no_index.hpp"
+#include "base/parallel.hpp"
+#include "scene/model/face_area.hpp"
+#include "scene/model/object_sizes.hpp"
+#include "scene/patches/borders/seam_section.hpp"
+#include "scene/patches/freeform.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable.
+/// Most part of the area of an object that free forms take.
+constexpr double kMostFreeArea = 0.5;
+/// An edge proves a seam if the flat side bends by less than this part of the round one, and that by so many radians over
+/// its first face. So many edges between two of them, or between one and another line, may prove nothing.
+constexpr double kFlatRatio = 0.33, kLeastSeamTurn = 0.03, kLargestSeamTurn = 1;
+constexpr std::size_t kMostWeakEdges = 2;
+/// Least ratio of the depths of the two faces of an edge that may prove a seam, and least number of such edges in a line.
+constexpr double kUnlikeDepths = 1.2;
+constexpr std::uint32_t kFewestUnlike = 3;
+/// Least cosine of the bend at an edge (31 degrees): more is a matter of the rules for meshes.
+constexpr double kSeamBendCosine = 0.857;
+/// Least cosine of the turn from one edge of a line to the next (30 degrees), and between the directions of the flat sides.
+constexpr double kSeamStraightCosine = 0.866, kFlatSideCosine = 0.5;
+/// Longest gap up to another line, as a part of the line before it, and its most edges.
+constexpr double kLongestSeamGap = 0.5;
+constexpr std::size_t kMostSeamGapEdges = 64;
+/// Least part of the length of a line that proves a seam; least number of its edges.
+constexpr double kMostOfSeam = 0.6;
+constexpr std::size_t kFewestSeamEdges = 4;
+/// Least median along a line of the ratio of the curvatures, which is negative at an inflection, and of the depth of the
+/// flat faces in that of the round ones; largest median error of the sections.
+constexpr double kLeastSeamRatio = -0.6, kLeastSeamDepths = 1.5, kLargestSeamError = 0.3;
+/// Largest mean distance of the vertices of a line from the cubic through two neighbours on either side, in lengths of the
+/// shorter edge beside them. Lines that follow facets turn to and fro.
+constexpr double kRoughness = 0.02;
+/// Least length of a line that ends in the middle of a surface, as a part of the diagonal of its object.
+constexpr double kShortestOpen = 1.0 / 16;
+
+constexpr std::uint16_t kSpokenFor =
+    kEdgeManyFaces | kEdgeUnlikeWound | kEdgeSharp | kEdgeSmooth | kEdgeCrossing | kEdgeFileHidden | kEdgeInner;
+
+class SeamFinder {
+ public:
+  SeamFinder(const Scene& scene, const Topology& topology, const Patches& patches, const std::vector<std::uint8_t>& is_line,
+             std::vector<PatchEdge>& edges)
+      : scene_(scene), topology_(topology), patches_(patches), is_line_(is_line), edges_(edges) {}
+
+  void run() {
+    find_inner();
+    measure();
+    if (std::ranges::none_of(inner_, &Inner::is_proof)) return;
+    hold();
+    for (const Inner& inner : inner_)
+      for (const std::uint32_t v : {topology_.edges[inner.edge].v0, topology_.edges[inner.edge].v1})
+        ends_.emplace_back(v, inner.edge);
+    std::ranges::sort(ends_);
+    std::vector<Line> lines;
+    for (std::uint32_t i = 0; i < inner_.size(); ++i) {
+      if (!inner_[i].is_proof || inner_[i].is_done) continue;
+      Line line = line_through(i);
+      if (may_be_seam(line)) lines.push_back(std::move(line));
+    }
+    for (const Line& line : lines)
+      for (const std::uint32_t v : line.vertices) is_held_[v] |= kOnSeam;
+    for (Line& line : lines) {
+      for (int end = 0; end < 2; ++end) {
+        std::ranges::reverse(line.vertices);
+        close_gap(line);
+      }
+    }
+    std::erase_if(lines, [&](const Line& line) { return !is_seam(line); });
+    while (std::erase_if(lines, [&](const Line& line) { return is_loose(line, lines); }) > 0) {
+    }
+    for (const Line& line : lines) {
+      for (std::size_t i = 1; i < line.vertices.size(); ++i)
+        edges_[edge_between(line.vertices[i - 1], line.vertices[i])] = PatchEdge::tangent;
+    }
+  }
+
+ private:
+  /// An edge inside a free form.
+  struct Inner {
+    std::uint32_t edge = kNone;
+    std::uint32_t deep = kNone;  ///< its deeper face, if that is clearly deeper than the other one
+    std::optional<SeamSection> section{};
+    bool is_proof = false, is_done = false;  ///< whether it proves a seam; whether it belongs to a line
+  };
+
+  struct Line {
+    std::vector<std::uint32_t> vertices;
+    std::vector<const Inner*> edges;
+    double length = 0, proof = 0;  ///< of all edges; of those that prove a seam
+    bool is_closed() const { return vertices.front() == vertices.back(); }
+  };
+
+  enum Held : std::uint8_t { kFree = 0, kOnLine = 1, kOnSeam = 2 };
+
+  bool is_free(std::uint32_t face) const { return patches_.is_freeform[face] && patches_.patch_of[face] == kNone; }
+  bool is_curved(std::uint32_t face) const { return patches_.is_freeform[face] || patches_.patch_of[face] != kNone; }
+
+  /// Whether most of the surface of an object is planes and recognised surfaces. Others may have been sculpted or decimated,
+  /// and have no edges of a part.
+  bool is_part(const Object& object) const {
+    double all = 0, free = 0;
+    for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
+      const double area = glm::length(double_area(scene_, f));
+      all += area;
+      if (is_free(f)) free += area;
+    }
+    return free <= kMostFreeArea * all;
+  }
+
+  void find_inner() {
+    is_inner_.assign(topology_.edges.size(), 0);
+    for (const Object& object : scene_.objects) {
+      if (!is_part(object)) continue;
+      const EdgeRange range = edges_of(topology_, object);
+      for (std::uint32_t e = range.begin; e < range.end; ++e) {
+        const Edge& edge = topology_.edges[e];
+        is_inner_[e] = edge.face1 != kNone && !is_line_[e] && edges_[e] != PatchEdge::tangent &&
+                       edges_[e] != PatchEdge::sharp && is_curved(edge.face0) && is_curved(edge.face1);
+      }
+    }
+  }
+
+  bool may_hold_seam(std::size_t e) const {
+    const Edge& edge = topology_.edges[e];
+    return is_inner_[e] && (is_free(edge.face0) || patches_.patch_of[edge.face0] != patches_.patch_of[edge.face1]) &&
+           !(topology_.edge_flags[e] & kSpokenFor) &&
+           glm::dot(face_normal(scene_, edge.face0), face_normal(scene_, edge.face1)) >= kSeamBendCosine;
+  }
+
+  void measure() {
+    for (const std::uint32_t e : indices_where(topology_.edges.size(), [&](std::size_t e) { return may_hold_seam(e); })) {
+      const Edge& edge = topology_.edges[e];
+      const double one = depth_behind(scene_, scene_.faces.contour(edge.face0, 0), edge);
+      const double other = depth_behind(scene_, scene_.faces.contour(edge.face1, 0), edge);
+      const bool is_unlike = std::max(one, other) >= kUnlikeDepths * std::min(one, other);
+      inner_.push_back({e, !is_unlike ? kNone : one > other ? edge.face0 : edge.face1});
+    }
+    const SeamSections sections(scene_, topology_, is_inner_);
+    const std::vector<std::uint32_t> in_line = in_lines_by_depth();
+    parallel_blocks(in_line.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        Inner& inner = inner_[in_line[i]];
+        const std::optional<SeamSection> section = inner.section = sections.at(inner.edge);
+        inner.is_proof =
+            section && section->ratio < kFlatRatio && section->turn > kLeastSeamTurn && section->turn < kLargestSeamTurn;
+      }
+    });
+  }
+
+  /// The inner edges of unlike depths that others continue straight, with their deeper faces on the same side: most edges
+  /// need not be measured. Numbers in inner_, ascending.
+  std::vector<std::uint32_t> in_lines_by_depth() const {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+    for (std::uint32_t i = 0; i < inner_.size(); ++i) {
+      const Edge& edge = topology_.edges[inner_[i].edge];
+      if (inner_[i].deep != kNone) ends.insert(ends.end(), {{edge.v0, i}, {edge.v1, i}});
+    }
+    std::ranges::sort(ends);
+    DisjointSets sets(inner_.size());
+    for (auto first = ends.begin(), last = first; first != ends.end(); first = last) {
+      const std::uint32_t v = first->first;
+      while (last != ends.end() && last->first == v) ++last;
+      for (auto end = first; end != last; ++end) {
+        for (auto before = first; before != end; ++before) {
+          const Inner &one = inner_[before->second], &other = inner_[end->second];
+          const double cosine = -glm::dot(way(v, other_end(one.edge, v)), way(v, other_end(other.edge, v)));
+          if (cosine < kSeamStraightCosine ||
+              glm::dot(way_into(one, one.deep), way_into(other, other.deep)) < kFlatSideCosine)
+            continue;
+          sets.join(before->second, end->second);
+        }
+      }
+    }
+    std::vector<std::uint32_t> sizes(inner_.size());
+    for (std::uint32_t i = 0; i < inner_.size(); ++i) ++sizes[sets.find(i)];
+    return indices_where(inner_.size(),
+                         [&](std::size_t i) { return sizes[sets.find(static_cast<std::uint32_t>(i))] >= kFewestUnlike; });
+  }
+
+  void hold() {
+    is_held_.assign(scene_.vertices.size(), kFree);
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      const Edge& edge = topology_.edges[e];
+      if (edge.face1 == kNone || is_line_[e] || edges_[e] == PatchEdge::tangent)
+        is_held_[edge.v0] = is_held_[edge.v1] = kOnLine;
+    }
+  }
+
+  std::uint32_t other_end(std::uint32_t e, std::uint32_t v) const {
+    return topology_.edges[e].v0 ^ topology_.edges[e].v1 ^ v;
+  }
+  Point3 way(std::uint32_t from, std::uint32_t to) const {
+    return glm::normalize(scene_.vertices[to] - scene_.vertices[from]);
+  }
+  double length_of(std::uint32_t e) const {
+    return glm::distance(scene_.vertices[topology_.edges[e].v0], scene_.vertices[topology_.edges[e].v1]);
+  }
+  std::uint32_t edge_between(std::uint32_t v, std::uint32_t w) const {
+    return static_cast<std::uint32_t>(find_edge(topology_, std::minmax(v, w)) - topology_.edges.data());
+  }
+  Inner& inner_at(std::uint32_t e) { return *std::ranges::lower_bound(inner_, e, {}, &Inner::edge); }
+
+  /// Unit vector across an edge into one of its faces.
+  Point3 way_into(const Inner& inner, std::uint32_t face) const {
+    const Edge& edge = topology_.edges[inner.edge];
+    const Point3& from = scene_.vertices[edge.v0];
+    const Point3 along = way(edge.v0, edge.v1);
+    Point3 best(0, 0, 0);
+    for (const std::uint32_t v : scene_.faces.contour(face, 0)) {
+      const Point3 to = scene_.vertices[v] - from, across = to - glm::dot(to, along) * along;
+      if (glm::dot(across, across) > glm::dot(best, best)) best = across;
+    }
+    return glm::normalize(best);
+  }
+
+  Point3 flat_way(const Inner& inner) const {
+    const Edge& edge = topology_.edges[inner.edge];
+    return way_into(inner, inner.section->is_first_flat ? edge.face0 : edge.face1);
+  }
+
+  /// The inner edge that goes straight on behind an edge, or kNone.
+  std::uint32_t edge_behind(std::uint32_t before, std::uint32_t v) const {
+    std::uint32_t best = kNone;
+    double best_cosine = kSeamStraightCosine;
+    for (auto end = std::ranges::lower_bound(ends_, std::pair(v, 0u)); end != ends_.end() && end->first == v; ++end) {
+      const std::uint32_t behind = other_end(end->second, v);
+      const double cosine = glm::dot(way(before, v), way(v, behind));
+      if (behind != before && cosine > best_cosine) best = end->second, best_cosine = cosine;
+    }
+    return best;
+  }
+
+  /// Adds the edges that go on straight behind the last vertex of a line, up to another line, or the last one that proves a
+  /// seam with its flat side on that of the line. A few edges between may prove nothing.
+  void go_on(Line& line) {
+    std::vector<Inner*> way_on;
+    std::vector<std::uint32_t> vertices;
+    const Inner* proof = line.edges.back();
+    std::uint32_t before = line.vertices[line.vertices.size() - 2], v = line.vertices.back();
+    for (std::uint32_t last = proof->edge; way_on.size() <= kMostWeakEdges;) {
+      if (is_held_[v] || line.is_closed()) break;
+      const std::uint32_t e = edge_behind(before, v);
+      if (e == kNone || edge_behind(other_end(e, v), v) != last) return;
+      Inner& inner = inner_at(last = e);
+      before = std::exchange(v, other_end(e, v));
+      vertices.push_back(v);
+      way_on.push_back(&inner);
+      if (inner.is_proof && glm::dot(flat_way(*proof), flat_way(inner)) >= kFlatSideCosine) {
+        if (inner.is_done) return;
+        proof = &inner;
+      } else if (!is_held_[v]) {
+        continue;
+      }
+      for (Inner* added : way_on) add(line, *added);
+      line.vertices.insert(line.vertices.end(), vertices.begin(), vertices.end());
+      way_on.clear();
+      vertices.clear();
+    }
+  }
+
+  void add(Line& line, Inner& inner) const {
+    const double length = length_of(inner.edge);
+    line.edges.push_back(&inner);
+    line.length += length;
+    if (inner.is_proof) line.proof += length;
+    inner.is_done = true;
+  }
+
+  Line line_through(std::uint32_t i) {
+    Line line;
+    line.vertices = {topology_.edges[inner_[i].edge].v0, topology_.edges[inner_[i].edge].v1};
+    add(line, inner_[i]);
+    go_on(line);
+    std::ranges::reverse(line.vertices);
+    std::ranges::reverse(line.edges);
+    go_on(line);
+    return line;
+  }
+
+  /// Median along a line, by length.
+  double median(const Line& line, double SeamSection::*value) const {
+    std::vector<std::pair<double, double>> values;
+    double all = 0, sum = 0;
+    for (const Inner* inner : line.edges) {
+      if (!inner->section) continue;
+      values.emplace_back(*inner->section.*value, length_of(inner->edge));
+      all += values.back().second;
+    }
+    std::ranges::sort(values);
+    for (const auto& [number, length] : values) {
+      sum += length;
+      if (2 * sum >= all) return number;
+    }
+    return 0;
+  }
+
+  bool may_be_seam(const Line& line) const {
+    if (line.proof < kMostOfSeam * line.length) return false;
+    const double ratio = median(line, &SeamSection::ratio);
+    return ratio > kLeastSeamRatio && ratio < kFlatRatio && median(line, &SeamSection::depths) >= kLeastSeamDepths &&
+           median(line, &SeamSection::error) <= kLargestSeamError;
+  }
+
+  /// Continues a line from its last vertex, straight on up to another line, if that is not far.
+  void close_gap(Line& line) {
+    if (line.is_closed() || is_held_[line.vertices.back()] & kOnLine) return;
+    std::vector<std::uint32_t> gap;
+    std::uint32_t before = line.vertices[line.vertices.size() - 2], v = line.vertices.back();
+    double length = 0;
+    while (gap.size() < kMostSeamGapEdges) {
+      const std::uint32_t e = edge_behind(before, v);
+      if (e == kNone) return;
+      before = std::exchange(v, other_end(e, v));
+      length += length_of(e);
+      gap.push_back(v);
+      if (length > kLongestSeamGap * line.length) return;
+      if (is_held_[v]) break;
+    }
+    line.vertices.insert(line.vertices.end(), gap.begin(), gap.end());
+  }
+
+  /// Whether a line is long and smooth enough.
+  bool is_seam(const Line& line) const {
+    const auto& vertices = line.vertices;
+    if (vertices.size() <= kFewestSeamEdges) return false;
+    double sum = 0;
+    for (std::size_t i = 2; i + 2 < vertices.size(); ++i) {
+      std::array<double, 5> at{};
+      for (std::size_t k = 1; k < 5; ++k)
+        at[k] = at[k - 1] + glm::distance(scene_.vertices[vertices[i + k - 2]], scene_.vertices[vertices[i + k - 3]]);
+      Point3 smooth(0, 0, 0);
+      for (const std::size_t k : {0, 1, 3, 4}) {
+        double weight = 1;
+        for (const std::size_t other : {0, 1, 3, 4})
+          if (other != k) weight *= (at[2] - at[other]) / (at[k] - at[other]);
+        smooth += weight * scene_.vertices[vertices[i + k - 2]];
+      }
+      sum += glm::distance(smooth, scene_.vertices[vertices[i]]) / std::min(at[2] - at[1], at[3] - at[2]);
+    }
+    return sum <= kRoughness * static_cast<double>(vertices.size() - 4);
+  }
+
+  /// Whether a line meets no other one at either end, or is short and meets one at a single end.
+  bool is_loose(const Line& line, const std::vector<Line>& lines) const {
+    if (line.is_closed()) return false;
+    const auto is_on_other = [&](std::uint32_t v) {
+      return (is_held_[v] & kOnLine) != 0 || std::ranges::any_of(lines, [&](const Line& other) {
+               return &other != &line && std::ranges::find(other.vertices, v) != other.vertices.end();
+             });
+    };
+    const int held = is_on_other(line.vertices.front()) + is_on_other(line.vertices.back());
+    const Object& object = scene_.objects[object_of_vertex(scene_, line.vertices[0])];
+    return held == 0 || (held == 1 && line.length < kShortestOpen * object_size(scene_, object));
+  }
+
+  const Scene& scene_;
+  const Topology& topology_;
+  const Patches& patches_;
+  const std::vector<std::uint8_t>& is_line_;
+  std::vector<PatchEdge>& edges_;
+  std::vector<std::uint8_t> is_inner_;                         ///< per edge: 1 between two faces of free forms
+  std::vector<Inner> inner_;                                   ///< edges that may_hold_seam(), ascending
+  std::vector<std::uint8_t> is_held_;                          ///< per vertex: Held bits
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_;  ///< vertices and edges of inner_, sorted
+};
+
+}  // namespace
+
+void find_freeform_seams(const Scene& scene, const Topology& topology, const Patches& patches,
+                         const std::vector<std::uint8_t>& is_line, std::vector<PatchEdge>& edges) {
+  SeamFinder(scene, topology, patches, is_line, edges).run();
+}
+
+}  // namespace ligne

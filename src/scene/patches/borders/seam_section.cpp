@@ -1,0 +1,141 @@
+#include "scene/patches/borders/seam_section.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "base/no_index.hpp"
+#include "geometry/small_matrices.hpp"
+
+namespace ligne {
+namespace {
+
+// Adjustable.
+/// Faces up to kSectionRings edges away count, kMostSectionFaces at most, whose normals differ from the first one by 45
+/// degrees at most. Faces of more than kMostSectionCorners are not passed.
+constexpr int kSectionRings = 2;
+constexpr std::size_t kMostSectionFaces = 40, kMostSectionCorners = 8;
+constexpr double kLeastSectionCosine = 0.7;
+/// Vertices count up to so many depths of the first face away from the edge, and up to one edge length and one depth beyond
+/// its ends.
+constexpr double kSectionDepths = 2.6, kSectionLengths = 1.5;
+/// Number of coefficients of the quadric: those of the tangent plane, its turn along the edge, and two curvatures.
+constexpr std::size_t kSectionCoefficients = 7;
+/// Keeps the matrix regular where the vertices do not determine all coefficients, as a part of the diagonal and in all.
+constexpr double kSectionDamping = 1e-9, kLeastSectionDamping = 1e-12;
+
+using SectionRow = std::array<double, kSectionCoefficients>;
+
+SectionRow coefficients(const Point3& place) {
+  const double s = place.x, t = place.y, square = s * s / 2;
+  return {1, s, t, s * t, t * t / 2, s < 0 ? square : 0, s < 0 ? 0 : square};
+}
+
+/// The quadric of least squares through places in units of the size of the section.
+std::optional<SectionRow> fit(std::span<const Point3> places) {
+  std::array<SectionRow, kSectionCoefficients> matrix{};
+  SectionRow x{};
+  for (const Point3& place : places) {
+    const SectionRow row = coefficients(place);
+    for (std::size_t i = 0; i < kSectionCoefficients; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) matrix[i][j] += row[i] * row[j];
+      x[i] += row[i] * place.z;
+    }
+  }
+  for (std::size_t i = 0; i < kSectionCoefficients; ++i)
+    matrix[i][i] = matrix[i][i] * (1 + kSectionDamping) + kLeastSectionDamping;
+  if (!solve_symmetric(matrix, x)) return std::nullopt;
+  return x;
+}
+
+double error_of(const SectionRow& quadric, std::span<const Point3> places) {
+  double squares = 0;
+  for (const Point3& place : places) {
+    const SectionRow row = coefficients(place);
+    double off = -place.z;
+    for (std::size_t i = 0; i < kSectionCoefficients; ++i) off += quadric[i] * row[i];
+    squares += off * off;
+  }
+  return std::sqrt(squares / static_cast<double>(places.size()));
+}
+
+}  // namespace
+
+std::optional<SeamSections::Frame> SeamSections::frame_at(const Edge& edge) const {
+  const Point3 &from = scene_.vertices[edge.v0], &to = scene_.vertices[edge.v1];
+  Frame frame{(from + to) * 0.5, to - from, {}, {}, glm::distance(from, to)};
+  const Point3 mean = face_normal(scene_, edge.face0) + face_normal(scene_, edge.face1),
+               across = glm::cross(mean, frame.along);
+  if (!(glm::dot(across, across) > 0)) return std::nullopt;
+  frame.along /= frame.length;
+  frame.across = glm::normalize(across);
+  frame.normal = glm::cross(frame.along, frame.across);
+  return frame;
+}
+
+/// Distance of the corner of a face that is farthest from the edge, with its sign.
+double SeamSections::depth(std::uint32_t face, const Frame& frame) const {
+  double depth = 0;
+  for (const std::uint32_t v : scene_.faces.contour(face, 0)) {
+    const double s = frame.place(scene_.vertices[v]).x;
+    if (std::abs(s) > std::abs(depth)) depth = s;
+  }
+  return depth;
+}
+
+/// Adds the places of the vertices near an edge, on the side of a face whose depth() is given, but for those of the edge.
+void SeamSections::add_places(std::uint32_t e, std::uint32_t face, double depth, const Frame& frame,
+                              std::vector<Point3>& places) const {
+  const Edge& edge = topology_.edges[e];
+  std::vector<std::uint32_t> faces{face}, seen{edge.v0, edge.v1};
+  const Point3 normal = face_normal(scene_, face);
+  std::size_t next = 0;
+  for (int ring = 0; ring <= kSectionRings; ++ring) {
+    for (const std::size_t last = faces.size(); next < last; ++next) {
+      const auto contour = scene_.faces.contour(faces[next], 0);
+      for (const std::uint32_t v : contour) {
+        if (std::ranges::find(seen, v) != seen.end()) continue;
+        seen.push_back(v);
+        const Point3 place = frame.place(scene_.vertices[v]);
+        const double away = depth < 0 ? -place.x : place.x, size = std::abs(depth);
+        if (away < 0 || away > kSectionDepths * size || std::abs(place.y) > kSectionLengths * frame.length + size) continue;
+        places.push_back(place);
+      }
+      if (ring == kSectionRings || contour.size() > kMostSectionCorners) continue;
+      for (std::size_t k = 0; k < contour.size() && faces.size() < kMostSectionFaces; ++k) {
+        const Edge* side = find_edge(topology_, std::minmax(contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]));
+        if (!side || side == &edge || !is_inner_[static_cast<std::size_t>(side - topology_.edges.data())]) continue;
+        const std::uint32_t other = side->face0 == faces[next] ? side->face1 : side->face0;
+        if (std::ranges::find(faces, other) != faces.end()) continue;
+        if (glm::dot(face_normal(scene_, other), normal) < kLeastSectionCosine) continue;
+        faces.push_back(other);
+      }
+    }
+  }
+}
+
+std::optional<SeamSection> SeamSections::at(std::uint32_t e) const {
+  const Edge& edge = topology_.edges[e];
+  const std::optional<Frame> frame = frame_at(edge);
+  if (!frame) return std::nullopt;
+  const std::array depths{depth(edge.face0, *frame), depth(edge.face1, *frame)};
+  if (!(depths[0] * depths[1] < 0)) return std::nullopt;
+  std::vector<Point3> places{{0, frame->length / 2, 0}, {0, -frame->length / 2, 0}};
+  add_places(e, edge.face0, depths[0], *frame, places);
+  add_places(e, edge.face1, depths[1], *frame, places);
+  if (places.size() <= kSectionCoefficients) return std::nullopt;
+  const double size = std::max({frame->length, std::abs(depths[0]), std::abs(depths[1])});
+  for (Point3& place : places) place /= size;
+  const std::optional<SectionRow> quadric = fit(places);
+  if (!quadric) return std::nullopt;
+  // The last coefficients are the curvatures before and behind the edge.
+  const std::size_t first = depths[0] < 0 ? 5 : 6;
+  const std::array curvatures{(*quadric)[first] / size, (*quadric)[11 - first] / size};
+  const std::size_t round = std::abs(curvatures[0]) > std::abs(curvatures[1]) ? 0 : 1;
+  if (curvatures[round] == 0) return std::nullopt;
+  const double depth = std::abs(depths[round]), turn = std::abs(curvatures[round]) * depth;
+  return SeamSection{round == 1, curvatures[1 - round] / curvatures[round], turn, std::abs(depths[1 - round]) / depth,
+                     error_of(*quadric, places) * size / (turn * depth)};
+}
+
+}  // namespace ligne
