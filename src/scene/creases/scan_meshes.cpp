@@ -48,7 +48,7 @@ constexpr double kMeanLengthPart =
 constexpr double kLinePart = 1.0 / 12, kLineCosine = 0.70710678;
 
 bool has_triangles_alone(const Scene& scene, const ScanObject& object) {
-  for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
+  for (std::uint32_t f = object.face_begin; f < object.face_end && !scene.faces.all_triangles(); ++f) {
     if (scene.faces.contour_count(f) != 1 || scene.faces.contour(f, 0).size() != 3) return false;
   }
   return true;

@@ -12,6 +12,7 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "scene/creases/scan_meshes.hpp"
+#include "scene/model/at_vertices.hpp"
 
 namespace ligne {
 namespace {
@@ -76,30 +77,6 @@ class Tracer {
  private:
   static constexpr double kUnknown = -1;
   enum class VertexState : std::uint8_t { open, beside, line };
-
-  /// Lists per vertex of the object: the candidates, by their index in candidates_, or the faces, in ascending order.
-  class AtVertices {
-   public:
-    /// Calls list(add) twice; each time `list` must call add(vertex, thing) for everything.
-    template <class List>
-    AtVertices(std::uint32_t vertex_begin, std::uint32_t vertex_end, const List& list)
-        : vertex_begin_(vertex_begin), begin_(vertex_end - vertex_begin + 2, 0) {
-      list([&](std::uint32_t vertex, std::uint32_t) { ++begin_[vertex - vertex_begin_ + 2]; });
-      for (std::size_t v = 2; v < begin_.size(); ++v) begin_[v] += begin_[v - 1];
-      things_.resize(begin_.back());
-      list([&](std::uint32_t vertex, std::uint32_t thing) { things_[begin_[vertex - vertex_begin_ + 1]++] = thing; });
-    }
-    AtVertices() = default;
-
-    std::span<const std::uint32_t> operator[](std::uint32_t vertex) const {
-      const std::uint32_t v = vertex - vertex_begin_;
-      return {things_.data() + begin_[v], things_.data() + begin_[v + 1]};
-    }
-
-   private:
-    std::uint32_t vertex_begin_ = 0;
-    std::vector<std::uint32_t> begin_, things_;
-  };
 
   Point3 along(std::size_t e) const {
     return scene_.vertices[topology_.edges[e].v1] - scene_.vertices[topology_.edges[e].v0];
@@ -384,7 +361,8 @@ class Tracer {
   std::vector<std::uint8_t> on_line_, firm_, refused_;  ///< per candidate
   std::vector<VertexState> state_of_vertex_;            ///< per vertex of the object
   std::vector<std::uint8_t> on_ridge_;                  ///< per vertex of the object: 1 if an edge exceeds the angle
-  AtVertices edges_at_, faces_at_;                      ///< faces_at_: only at vertices of candidates' faces
+  AtVertices edges_at_;                                 ///< the candidates, by their index in candidates_
+  AtVertices faces_at_;                                 ///< the faces, ascending; only at vertices of candidates' faces
 };
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include "scene/patches/borders/freeform_seams.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
@@ -33,17 +33,18 @@ constexpr std::uint32_t kFewestUnlike = 3;
 constexpr double kSeamBendCosine = 0.857;
 /// Least cosine of the turn from one edge of a line to the next (30 degrees), and between the directions of the flat sides.
 constexpr double kSeamStraightCosine = 0.866, kFlatSideCosine = 0.5;
+/// Most edges at a vertex through which a line may go: none goes through the apex of a fan.
+constexpr std::ptrdiff_t kMostAtVertex = 64;
 /// Longest gap up to another line, as a part of the line before it, and its most edges.
 constexpr double kLongestSeamGap = 0.5;
 constexpr std::size_t kMostSeamGapEdges = 64;
 /// Least part of the length of a line that proves a seam; least number of its edges.
 constexpr double kMostOfSeam = 0.6;
-constexpr std::size_t kFewestSeamEdges = 4;
+constexpr std::size_t kFewestSeamEdges = 4;  // at least 4, for roughness()
 /// Least median along a line of the ratio of the curvatures, which is negative at an inflection, and of the depth of the
 /// flat faces in that of the round ones; largest median error of the sections.
 constexpr double kLeastSeamRatio = -0.6, kLeastSeamDepths = 1.5, kLargestSeamError = 0.3;
-/// Largest mean distance of the vertices of a line from the cubic through two neighbours on either side, in lengths of the
-/// shorter edge beside them. Lines that follow facets turn to and fro.
+/// Largest roughness() of a line. Lines that follow facets turn to and fro.
 constexpr double kRoughness = 0.02;
 /// Least length of a line that ends in the middle of a surface, as a part of the diagonal of its object.
 constexpr double kShortestOpen = 1.0 / 16;
@@ -81,8 +82,7 @@ class SeamFinder {
       }
     }
     std::erase_if(lines, [&](const Line& line) { return !is_seam(line); });
-    while (std::erase_if(lines, [&](const Line& line) { return is_loose(line, lines); }) > 0) {
-    }
+    drop_loose(lines);
     for (const Line& line : lines) {
       for (std::size_t i = 1; i < line.vertices.size(); ++i)
         edges_[edge_between(line.vertices[i - 1], line.vertices[i])] = PatchEdge::tangent;
@@ -175,6 +175,7 @@ class SeamFinder {
     for (auto first = ends.begin(), last = first; first != ends.end(); first = last) {
       const std::uint32_t v = first->first;
       while (last != ends.end() && last->first == v) ++last;
+      if (last - first > kMostAtVertex) continue;
       for (auto end = first; end != last; ++end) {
         for (auto before = first; before != end; ++before) {
           const Inner &one = inner_[before->second], &other = inner_[end->second];
@@ -237,7 +238,9 @@ class SeamFinder {
   std::uint32_t edge_behind(std::uint32_t before, std::uint32_t v) const {
     std::uint32_t best = kNone;
     double best_cosine = kSeamStraightCosine;
-    for (auto end = std::ranges::lower_bound(ends_, std::pair(v, 0u)); end != ends_.end() && end->first == v; ++end) {
+    const auto first = std::ranges::lower_bound(ends_, std::pair(v, 0u));
+    for (auto end = first; end != ends_.end() && end->first == v; ++end) {
+      if (end - first >= kMostAtVertex) return kNone;
       const std::uint32_t behind = other_end(end->second, v);
       const double cosine = glm::dot(way(before, v), way(v, behind));
       if (behind != before && cosine > best_cosine) best = end->second, best_cosine = cosine;
@@ -336,36 +339,29 @@ class SeamFinder {
 
   /// Whether a line is long and smooth enough.
   bool is_seam(const Line& line) const {
-    const auto& vertices = line.vertices;
-    if (vertices.size() <= kFewestSeamEdges) return false;
-    double sum = 0;
-    for (std::size_t i = 2; i + 2 < vertices.size(); ++i) {
-      std::array<double, 5> at{};
-      for (std::size_t k = 1; k < 5; ++k)
-        at[k] = at[k - 1] + glm::distance(scene_.vertices[vertices[i + k - 2]], scene_.vertices[vertices[i + k - 3]]);
-      Point3 smooth(0, 0, 0);
-      for (const std::size_t k : {0, 1, 3, 4}) {
-        double weight = 1;
-        for (const std::size_t other : {0, 1, 3, 4})
-          if (other != k) weight *= (at[2] - at[other]) / (at[k] - at[other]);
-        smooth += weight * scene_.vertices[vertices[i + k - 2]];
-      }
-      sum += glm::distance(smooth, scene_.vertices[vertices[i]]) / std::min(at[2] - at[1], at[3] - at[2]);
-    }
-    return sum <= kRoughness * static_cast<double>(vertices.size() - 4);
+    return line.vertices.size() > kFewestSeamEdges && roughness(scene_, line.vertices) <= kRoughness;
   }
 
-  /// Whether a line meets no other one at either end, or is short and meets one at a single end.
-  bool is_loose(const Line& line, const std::vector<Line>& lines) const {
-    if (line.is_closed()) return false;
-    const auto is_on_other = [&](std::uint32_t v) {
-      return (is_held_[v] & kOnLine) != 0 || std::ranges::any_of(lines, [&](const Line& other) {
-               return &other != &line && std::ranges::find(other.vertices, v) != other.vertices.end();
-             });
+  /// Drops the lines that meet no other one at either end, and short ones that meet one at a single end.
+  void drop_loose(std::vector<Line>& lines) const {
+    std::vector<std::uint32_t> lines_at(scene_.vertices.size(), 0);
+    for (const Line& line : lines)
+      for (const std::uint32_t v : line.vertices) ++lines_at[v];
+    const auto is_loose = [&](const Line& line) {
+      if (line.is_closed()) return false;
+      const auto meets = [&](std::uint32_t v) { return (is_held_[v] & kOnLine) != 0 || lines_at[v] > 1; };
+      const int held = meets(line.vertices.front()) + meets(line.vertices.back());
+      const Object& object = scene_.objects[object_of_vertex(scene_, line.vertices[0])];
+      return held == 0 || (held == 1 && line.length < kShortestOpen * object_size(scene_, object));
     };
-    const int held = is_on_other(line.vertices.front()) + is_on_other(line.vertices.back());
-    const Object& object = scene_.objects[object_of_vertex(scene_, line.vertices[0])];
-    return held == 0 || (held == 1 && line.length < kShortestOpen * object_size(scene_, object));
+    for (bool changes = true; changes;) {
+      std::vector<Line> kept, loose;
+      for (Line& line : lines) (is_loose(line) ? loose : kept).push_back(std::move(line));
+      for (const Line& line : loose)
+        for (const std::uint32_t v : line.vertices) --lines_at[v];
+      lines = std::move(kept);
+      changes = !loose.empty();
+    }
   }
 
   const Scene& scene_;

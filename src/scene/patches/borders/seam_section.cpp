@@ -138,4 +138,22 @@ std::optional<SeamSection> SeamSections::at(std::uint32_t e) const {
                      error_of(*quadric, places) * size / (turn * depth)};
 }
 
+double roughness(const Scene& scene, std::span<const std::uint32_t> vertices) {
+  double sum = 0;
+  for (std::size_t i = 2; i + 2 < vertices.size(); ++i) {
+    std::array<double, 5> at{};
+    for (std::size_t k = 1; k < 5; ++k)
+      at[k] = at[k - 1] + glm::distance(scene.vertices[vertices[i + k - 2]], scene.vertices[vertices[i + k - 3]]);
+    Point3 smooth(0, 0, 0);
+    for (const std::size_t k : {0, 1, 3, 4}) {
+      double weight = 1;
+      for (const std::size_t other : {0, 1, 3, 4})
+        if (other != k) weight *= (at[2] - at[other]) / (at[k] - at[other]);
+      smooth += weight * scene.vertices[vertices[i + k - 2]];
+    }
+    sum += glm::distance(smooth, scene.vertices[vertices[i]]) / std::min(at[2] - at[1], at[3] - at[2]);
+  }
+  return sum / static_cast<double>(vertices.size() - 4);
+}
+
 }  // namespace ligne

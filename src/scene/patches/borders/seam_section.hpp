@@ -57,4 +57,8 @@ class SeamSections {
   std::span<const std::uint8_t> is_inner_;
 };
 
+/// Mean distance of the inner vertices of a line of more than four from the cubic through two neighbours on either side, in
+/// lengths of the shorter edge beside them.
+double roughness(const Scene& scene, std::span<const std::uint32_t> vertices);
+
 }  // namespace ligne
