@@ -40,6 +40,9 @@ constexpr double kLongestSeamGap = 0.5;
 constexpr std::size_t kMostSeamGapEdges = 64;
 /// Least part of the length of a line that proves a seam; least number of its edges.
 constexpr double kMostOfSeam = 0.6;
+/// Least part of that at which the round side bends the same way: where a tube begins to bend, it is convex on one side of
+/// the tube and hollow on the other.
+constexpr double kOneWay = 0.7;
 constexpr std::size_t kFewestSeamEdges = 4;  // at least 4, for roughness()
 /// Least median along a line of the ratio of the curvatures, which is negative at an inflection, and of the depth of the
 /// flat faces in that of the round ones; largest median error of the sections.
@@ -101,7 +104,7 @@ class SeamFinder {
   struct Line {
     std::vector<std::uint32_t> vertices;
     std::vector<const Inner*> edges;
-    double length = 0, proof = 0;  ///< of all edges; of those that prove a seam
+    double length = 0, proof = 0, convex = 0;  ///< of all edges; of those that prove a seam; of these, where it is convex
     bool is_closed() const { return vertices.front() == vertices.back(); }
   };
 
@@ -281,6 +284,7 @@ class SeamFinder {
     line.edges.push_back(&inner);
     line.length += length;
     if (inner.is_proof) line.proof += length;
+    if (inner.is_proof && inner.section->is_convex) line.convex += length;
     inner.is_done = true;
   }
 
@@ -314,6 +318,7 @@ class SeamFinder {
 
   bool may_be_seam(const Line& line) const {
     if (line.proof < kMostOfSeam * line.length) return false;
+    if (std::max(line.convex, line.proof - line.convex) < kOneWay * line.proof) return false;
     const double ratio = median(line, &SeamSection::ratio);
     return ratio > kLeastSeamRatio && ratio < kFlatRatio && median(line, &SeamSection::depths) >= kLeastSeamDepths &&
            median(line, &SeamSection::error) <= kLargestSeamError;

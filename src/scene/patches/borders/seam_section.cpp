@@ -134,7 +134,11 @@ std::optional<SeamSection> SeamSections::at(std::uint32_t e) const {
   const std::size_t round = std::abs(curvatures[0]) > std::abs(curvatures[1]) ? 0 : 1;
   if (curvatures[round] == 0) return std::nullopt;
   const double depth = std::abs(depths[round]), turn = std::abs(curvatures[round]) * depth;
-  return SeamSection{round == 1, curvatures[1 - round] / curvatures[round], turn, std::abs(depths[1 - round]) / depth,
+  return SeamSection{round == 1,
+                     curvatures[round] < 0,
+                     curvatures[1 - round] / curvatures[round],
+                     turn,
+                     std::abs(depths[1 - round]) / depth,
                      error_of(*quadric, places) * size / (turn * depth)};
 }
 

@@ -15,6 +15,7 @@ namespace ligne {
 /// The section across an edge: the curvatures on both sides, of which the side that bends more is the round one.
 struct SeamSection {
   bool is_first_flat = false;  ///< the side of Edge::face0 is the flat one
+  bool is_convex = false;      ///< the round side bends away from its normals
   double ratio = 0;            ///< curvature of the flat side divided by that of the round one
   double turn = 0;             ///< angle by which the round side turns over its first face, radians
   double depths = 0;           ///< depth of the first face of the flat side, in that of the round one
