@@ -42,8 +42,7 @@ constexpr double kRoughPart = 1.0 / 2;           ///< smallest part of the creas
 constexpr double kForkPart = 1.0 / 4;            ///< smallest part of their vertices at which more than two end
 constexpr double kTurnPart = 0.15;               ///< smallest part of the vertices of two at which they turn sharply
 constexpr double kSharpTurnCosine = 0.64278761;  ///< 50 degrees
-constexpr double kMeanLengthPart =
-    1.0 / 20;  ///< largest mean length, of the size of the object: coarse models have longer ones
+constexpr double kMeanLengthPart = 1.0 / 20;     ///< largest mean length, in sizes of the object
 /// Creases that continue each other by less than 45 degrees over this part of the size of the object are a line.
 constexpr double kLinePart = 1.0 / 12, kLineCosine = 0.70710678;
 

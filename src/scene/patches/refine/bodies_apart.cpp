@@ -9,9 +9,7 @@
 #include <glm/vector_relational.hpp>
 
 #include "base/disjoint_sets.hpp"
-#include "base/indices_where.hpp"
 #include "base/no_index.hpp"
-#include "scene/heal/edge_tree.hpp"
 
 namespace ligne {
 namespace {
@@ -22,8 +20,6 @@ constexpr std::size_t kMostBodies = 64, kMostFacePairs = 1 << 21;
 /// Faces touch where a corner of one lies nearer to the surface of the other than so many times the sum of both sags, and
 /// both surfaces have one direction by this cosine (15 degrees).
 constexpr double kTouchSags = 1.5, kTouchCosine = 0.966;
-/// Open edges are neighbours where one lies nearer to the middle of the other than so many of its sags: both may be chords.
-constexpr double kRimSags = 2;
 
 struct BodyBox {
   Point3 low{1e300}, high{-1e300};
@@ -153,34 +149,6 @@ std::optional<Bodies> find_few_bodies(const Scene& scene, const Topology& topolo
 bool bodies_lie_apart(const Scene& scene, const Bodies& bodies, const Patches& patches,
                       const std::vector<std::uint8_t>& levels) {
   return BodyComparer(scene, bodies, patches, levels).lie_apart();
-}
-
-std::vector<std::uint32_t> free_rims(const Scene& scene, const Topology& topology, const Patches& patches,
-                                     std::span<const std::uint32_t> curved) {
-  const auto is_open = [&](std::uint32_t e) { return topology.edges[e].face1 == kNone; };
-  if (std::ranges::none_of(curved, is_open)) return {};
-  const std::vector<std::uint32_t> open =
-      indices_where(topology.edges.size(), [&](std::size_t e) { return is_open(static_cast<std::uint32_t>(e)); });
-  std::vector<EdgeTree::Segment> segments;
-  segments.reserve(open.size());
-  for (const std::uint32_t e : open)
-    segments.push_back({scene.vertices[topology.edges[e].v0], scene.vertices[topology.edges[e].v1]});
-  const EdgeTree tree(segments);
-  std::vector<std::uint32_t> rims;
-  for (const std::uint32_t e : curved) {
-    if (!is_open(e)) continue;
-    const Edge& edge = topology.edges[e];
-    const std::uint32_t patch = patches.patch_of[edge.face0];
-    if (patch == kNone) continue;
-    const Point3 middle = 0.5 * (scene.vertices[edge.v0] + scene.vertices[edge.v1]);
-    const double within = kRimSags * std::abs(patches.list[patch].surface.distance(middle));
-    const auto is_apart = [&](std::uint32_t segment, double) {
-      const Edge& other = topology.edges[open[segment]];
-      return other.v0 != edge.v0 && other.v0 != edge.v1 && other.v1 != edge.v0 && other.v1 != edge.v1;
-    };
-    if (tree.nearest(middle, within, is_apart).segment == kNone) rims.push_back(e);
-  }
-  return rims;
 }
 
 bool has_few_objects(const Scene& scene) {

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "scene/model/scene.hpp"
@@ -23,11 +22,6 @@ std::optional<Bodies> find_few_bodies(const Scene& scene, const Topology& topolo
 /// angle. `levels`: per patch, above 0 if it is refined.
 bool bodies_lie_apart(const Scene& scene, const Bodies& bodies, const Patches& patches,
                       const std::vector<std::uint8_t>& levels);
-
-/// Open edges of recognised surfaces, of `curved` ones, beside which no other open edge lies: the rim of a bowl. Beside the
-/// open end of a tube that a separate disk closes lies the border of the disk, and the one would leave the other.
-std::vector<std::uint32_t> free_rims(const Scene& scene, const Topology& topology, const Patches& patches,
-                                     std::span<const std::uint32_t> curved);
 
 /// Whether a scene has so few objects that it may have few bodies: each object with faces has a body of its own.
 bool has_few_objects(const Scene& scene);

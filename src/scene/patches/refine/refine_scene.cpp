@@ -6,6 +6,7 @@
 
 #include "base/no_index.hpp"
 #include "scene/patches/refine/bodies_apart.hpp"
+#include "scene/patches/refine/free_rims.hpp"
 
 namespace ligne {
 namespace {
