@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <vector>
 
@@ -105,15 +104,10 @@ class OutlineGaps {
   bool is_clear(const Bridge& bridge) {
     const double margin = kMeetingInClears * clear_;
     if (bridge.length <= 2 * margin) return true;
-    Stroke middle = map_.piece(bridge.from / 2);
-    const LatticePoint a = map_.point(bridge.from), b = map_.point(bridge.to);
-    const auto at = [&](double along) {
-      const double t = along / bridge.length;
-      return LatticePoint{static_cast<std::int32_t>(std::lround(a.x + t * (double(b.x) - a.x))),
-                          static_cast<std::int32_t>(std::lround(a.y + t * (double(b.y) - a.y)))};
-    };
-    middle.from = at(margin);
-    middle.to = at(bridge.length - margin);
+    const Stroke whole = bridge_between(map_, bridge.from, bridge.to, bridge.from / 2);
+    Stroke middle = whole;
+    middle.from = point_at(whole, margin / bridge.length);
+    middle.to = point_at(whole, 1 - margin / bridge.length);
     return !map_.near(middle.from, middle.to, clear_,
                       [&](std::uint32_t piece) { return !part_near(middle, map_.piece(piece), clear_).empty(); });
   }
