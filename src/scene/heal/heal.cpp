@@ -13,6 +13,7 @@
 #include "scene/heal/collapse_edges.hpp"
 #include "scene/heal/duplicate_faces.hpp"
 #include "scene/heal/face_writer.hpp"
+#include "scene/heal/merge_fine_vertices.hpp"
 #include "scene/heal/sew_borders.hpp"
 #include "scene/model/bounds.hpp"
 #include "scene/model/paired_edges.hpp"
@@ -141,7 +142,7 @@ void count_edges_left(const Scene& scene, const Topology& topology, HealReport& 
 
 HealReport heal(Scene& scene, Topology& topology, const HealOptions& options) {
   HealReport report;
-  report.vertices_collapsed = collapse_short_edges(scene);
+  report.vertices_collapsed = collapse_short_edges(scene) + merge_fine_vertices(scene);
   const bool sews = options.sew_distance != 0.0;
   // Whether `topology` is that of the scene, which has no repeated face.
   const bool stated = scene.stated.has(StatedFact::adjacency);

@@ -50,7 +50,8 @@ struct HealReport {
 
 /// Heals a scene after finish_scene() (scene/clean/clean.hpp):
 ///
-/// 1. It collapses edges that are shorter than a step of the coordinates (collapse_edges.hpp).
+/// 1. It collapses edges that are shorter than a step of the coordinates (collapse_edges.hpp), and merges vertices of
+///    triangles that are as fine as these (merge_fine_vertices.hpp).
 /// 2. It removes the faces of objects that coincide exactly with an earlier object. If faces of one object have the
 ///    same vertices, in any winding, only the first stays; its edges keep the flags that all of them have, and details
 ///    move to it (duplicate_faces.hpp).
