@@ -32,10 +32,15 @@ struct BodyBox {
 
 class BodyComparer {
  public:
-  BodyComparer(const Scene& scene, const Bodies& bodies, const Patches& patches, const std::vector<std::uint8_t>& levels)
-      : scene_(scene), bodies_(bodies), patches_(patches), levels_(levels), boxes_(bodies.size()) {}
+  BodyComparer(const Scene& scene, const Bodies& bodies, const Patches& patches, EdgeLevels& levels)
+      : scene_(scene),
+        bodies_(bodies),
+        patches_(patches),
+        levels_(levels),
+        boxes_(bodies.size()),
+        is_blocked_(patches.list.size(), 0) {}
 
-  bool lie_apart() {
+  void run() {
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
       for (const std::uint32_t f : bodies_[i]) {
         for (const std::uint32_t v : scene_.faces.contour(f, 0)) boxes_[i].add(scene_.vertices[v]);
@@ -44,10 +49,12 @@ class BodyComparer {
     for (const Patch& patch : patches_.list) largest_sag_ = std::max(largest_sag_, patch.sag);
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
       for (std::size_t k = 0; k < i; ++k) {
-        if (boxes_[i].meets(boxes_[k], 2 * kTouchSags * largest_sag_) && touch(i, k)) return false;
+        if (boxes_[i].meets(boxes_[k], 2 * kTouchSags * largest_sag_)) compare(i, k);
       }
     }
-    return true;
+    for (std::size_t p = 0; p < is_blocked_.size(); ++p) {
+      if (is_blocked_[levels_.set_of[p]]) levels_.of_patch[p] = 0;
+    }
   }
 
  private:
@@ -56,8 +63,15 @@ class BodyComparer {
     std::uint32_t face;
     BodyBox box;
     double sag;
-    bool is_refined;
+    std::uint32_t patch;
   };
+
+  bool is_refined(const NearFace& f) const {
+    return f.patch != kNone && levels_.of_patch[f.patch] > 0 && !is_blocked_[levels_.set_of[f.patch]];
+  }
+  void block(std::uint32_t patch) {
+    if (patch != kNone) is_blocked_[levels_.set_of[patch]] = 1;
+  }
 
   std::vector<NearFace> faces_near(std::size_t body, const BodyBox& other) const {
     std::vector<NearFace> found;
@@ -66,15 +80,21 @@ class BodyComparer {
       for (const std::uint32_t v : scene_.faces.contour(f, 0)) box.add(scene_.vertices[v]);
       if (!box.meets(other, 2 * kTouchSags * largest_sag_)) continue;
       const std::uint32_t patch = patches_.patch_of[f];
-      found.push_back({f, box, patch == kNone ? 0 : patches_.list[patch].sag, patch != kNone && levels_[patch] > 0});
+      found.push_back({f, box, patch == kNone ? 0 : patches_.list[patch].sag, patch});
     }
     return found;
   }
 
-  bool touch(std::size_t a, std::size_t b) const {
+  /// Blocks the surfaces along which two bodies touch, or all of both if there are too many faces to tell. A surface is
+  /// blocked if it touches any other one, so the order of the faces has no say.
+  void compare(std::size_t a, std::size_t b) {
     const std::vector<NearFace> ours = faces_near(a, boxes_[b]);
     std::vector<NearFace> theirs = faces_near(b, boxes_[a]);
-    if (ours.size() * theirs.size() > kMostFacePairs) return true;
+    if (ours.size() * theirs.size() > kMostFacePairs) {
+      for (const NearFace& f : ours) block(f.patch);
+      for (const NearFace& g : theirs) block(g.patch);
+      return;
+    }
     // By their lower ends, with the upper ends of all up to each, a range of them reaches those of a face.
     const auto low_end = [](const NearFace& f) { return f.box.low.x; };
     std::ranges::sort(theirs, {}, low_end);
@@ -83,15 +103,17 @@ class BodyComparer {
     for (const NearFace& g : theirs)
       high_ends.push_back(std::max(g.box.high.x, high_ends.empty() ? g.box.high.x : high_ends.back()));
     const double most = 2 * kTouchSags * largest_sag_;
-    return std::ranges::any_of(ours, [&](const NearFace& f) {
+    for (const NearFace& f : ours) {
       const auto first = theirs.begin() + (std::ranges::lower_bound(high_ends, f.box.low.x - most) - high_ends.begin());
       const auto end = std::ranges::upper_bound(theirs, f.box.high.x + most, {}, low_end);
-      return std::any_of(std::min(first, end), end, [&](const NearFace& g) {
-        const double within = kTouchSags * (f.sag + g.sag);
-        if ((!f.is_refined && !g.is_refined) || !f.box.meets(g.box, within)) return false;
-        return touches(f.face, g.face, within) || touches(g.face, f.face, within);
-      });
-    });
+      for (auto g = std::min(first, end); g != end; ++g) {
+        const double within = kTouchSags * (f.sag + g->sag);
+        if ((!is_refined(f) && !is_refined(*g)) || !f.box.meets(g->box, within)) continue;
+        if (!touches(f.face, g->face, within) && !touches(g->face, f.face, within)) continue;
+        block(f.patch);
+        block(g->patch);
+      }
+    }
   }
 
   /// Whether a corner of face f lies on the surface of face g, with the same normal up to its sign. Faces of one normal and
@@ -120,8 +142,9 @@ class BodyComparer {
   const Scene& scene_;
   const Bodies& bodies_;
   const Patches& patches_;
-  const std::vector<std::uint8_t>& levels_;
-  std::vector<BodyBox> boxes_;  ///< per body
+  EdgeLevels& levels_;
+  std::vector<BodyBox> boxes_;            ///< per body
+  std::vector<std::uint8_t> is_blocked_;  ///< per set of surfaces
   double largest_sag_ = 0;
 };
 
@@ -146,9 +169,8 @@ std::optional<Bodies> find_few_bodies(const Scene& scene, const Topology& topolo
   return bodies;
 }
 
-bool bodies_lie_apart(const Scene& scene, const Bodies& bodies, const Patches& patches,
-                      const std::vector<std::uint8_t>& levels) {
-  return BodyComparer(scene, bodies, patches, levels).lie_apart();
+void block_touching(const Scene& scene, const Bodies& bodies, const Patches& patches, EdgeLevels& levels) {
+  BodyComparer(scene, bodies, patches, levels).run();
 }
 
 bool has_few_objects(const Scene& scene) {

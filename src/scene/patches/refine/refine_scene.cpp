@@ -229,7 +229,9 @@ std::optional<RefinedScene> refine_scene(const Scene& scene, const Topology& top
   const std::optional<Bodies> bodies = find_few_bodies(scene, topology);
   if (!bodies) return std::nullopt;
   EdgeLevels levels = edge_levels(scene, topology, patches, limits);
-  if (levels.of_patch.empty() || !bodies_lie_apart(scene, *bodies, patches, levels.of_patch)) return std::nullopt;
+  if (levels.of_patch.empty()) return std::nullopt;
+  block_touching(scene, *bodies, patches, levels);
+  if (std::ranges::all_of(levels.of_patch, [](std::uint8_t level) { return level == 0; })) return std::nullopt;
   levels.rims = free_rims(scene, topology, patches, levels.curved);
   const PlaneRegions planes = plane_regions(scene, topology, patches, creases.lines, levels.curved);
   const SplitTriangles split = split_triangles(scene, topology, patches, planes, levels);

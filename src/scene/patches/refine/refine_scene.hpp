@@ -23,7 +23,7 @@ struct RefinedScene {
 /// Refines the surfaces of `creases` whose edges lie farther from them than the limits permit, and makes one face of each
 /// plane with new vertices on its border. Carries over the members of `creases` that refer to faces or edges, but for the
 /// walls. Returns nothing, and changes nothing, if no surface is refined; so it does for scenes with lines of their own on
-/// their faces, for those that state facts, and where bodies do not lie apart (bodies_lie_apart()).
+/// their faces, and for those that state facts. Surfaces along which bodies touch stay as they are (block_touching()).
 std::optional<RefinedScene> refine_scene(const Scene& scene, const Topology& topology, const RefineLimits& limits,
                                          Creases& creases);
 

@@ -53,7 +53,7 @@ class Splitter {
   }
 
  private:
-  static constexpr std::uint32_t kBlocked = kNone - 1, kRim = kNone - 2;  ///< values of beyond_
+  static constexpr std::uint32_t kBlocked = kNone - 1, kRim = kNone - 2, kFree = kNone - 3;  ///< values of beyond_
 
   /// Returns false if surfaces were left out.
   bool try_levels() {
@@ -77,10 +77,21 @@ class Splitter {
 
   std::uint32_t patch_of(const PartSide& side) const { return patches_.patch_of[out_.parts[side.part].face]; }
 
+  bool is_refined(std::uint32_t face) const {
+    return face != kNone && patches_.patch_of[face] != kNone && levels_[patches_.patch_of[face]] > 0;
+  }
+  bool is_free(std::uint32_t face) const { return patches_.patch_of[face] == kNone && patches_.is_freeform[face]; }
+
+  /// The triangles of refined surfaces, and those of free forms beside these, which are divided at their vertices.
   void list_parts() {
+    std::vector<std::uint8_t> is_beside(scene_.faces.size(), 0);
+    for (const Edge& edge : topology_.edges) {
+      if (edge.face1 == kNone) continue;
+      if (is_refined(edge.face0) && is_free(edge.face1)) is_beside[edge.face1] = 1;
+      if (is_refined(edge.face1) && is_free(edge.face0)) is_beside[edge.face0] = 1;
+    }
     for (const Triangle& t : topology_.triangles) {
-      const std::uint32_t patch = patches_.patch_of[t.face];
-      if (patch != kNone && levels_[patch] > 0) out_.parts.push_back({t.v, t.face});
+      if (is_refined(t.face) || is_beside[t.face]) out_.parts.push_back({t.v, t.face});
     }
   }
 
@@ -90,9 +101,12 @@ class Splitter {
       const Edge& edge = topology_.edges[e];
       const bool is_blocked = edge.face1 == kNone || (topology_.edge_flags[e] & (kEdgeManyFaces | kEdgeUnlikeWound));
       for (const auto& [face, other] : {std::pair(edge.face0, edge.face1), std::pair(edge.face1, edge.face0)}) {
-        if (face == kNone || patches_.patch_of[face] == kNone || levels_[patches_.patch_of[face]] == 0) continue;
+        if (!is_refined(face)) continue;
         const bool is_rim = other == kNone && std::ranges::binary_search(rims_, e);
-        const std::uint32_t region = is_rim ? kRim : is_blocked ? kBlocked : planes_.region_of[other];
+        const std::uint32_t region = is_rim           ? kRim
+                                     : is_blocked     ? kBlocked
+                                     : is_free(other) ? kFree
+                                                      : planes_.region_of[other];
         if (region != kNone) beyond_[edge_key(edge.v0, edge.v1)] = region;
       }
     }
@@ -109,27 +123,33 @@ class Splitter {
     return sides;
   }
 
-  /// Calls visit(sides of one edge) for each edge of the parts.
+  /// Calls visit(sides of one edge) for each edge of refined surfaces.
   template <class Visit>
   void for_edges(const std::vector<PartSide>& sides, Visit visit) const {
     for (std::size_t i = 0; i < sides.size();) {
       std::size_t j = i + 1;
       while (j < sides.size() && sides[j].key == sides[i].key) ++j;
-      visit(std::span(sides).subspan(i, j - i));
+      const std::span edge = std::span(sides).subspan(i, j - i);
+      if (patch_of(edge[0]) != kNone || patch_of(edge.back()) != kNone) visit(edge);
       i = j;
     }
   }
 
+  /// A surface at an edge.
+  std::uint32_t patch_at(std::span<const PartSide> edge) const {
+    return patch_of(edge[0]) != kNone ? patch_of(edge[0]) : patch_of(edge.back());
+  }
   SideSurface side_surface(std::uint32_t patch) const { return {&patches_.list[patch].surface}; }
 
   /// The point that splits an edge; nothing if its other side can not be split.
   std::optional<Point3> middle_of(std::span<const PartSide> edge) const {
     const std::uint32_t region = beyond_.find(edge[0].key);
-    const bool is_rim = edge.size() == 1 && region == kRim;
-    const bool ends_at_plane = edge.size() == 1 && region < kRim;
+    const bool is_rim = (edge.size() == 1 && region == kRim) || (edge.size() == 2 && region == kFree);
+    const bool ends_at_plane = edge.size() == 1 && region < kFree;
     if (!is_rim && !ends_at_plane && (edge.size() != 2 || region != kNone)) return std::nullopt;
-    const SideSurface here = side_surface(patch_of(edge[0]));
+    const SideSurface here = side_surface(patch_at(edge));
     const SideSurface there = ends_at_plane ? SideSurface{nullptr, planes_.list[region].at, planes_.list[region].normal}
+                              : is_rim      ? here
                                             : side_surface(patch_of(edge.back()));
     return shared_point(here, there, point(first_of(edge[0].key)), point(second_of(edge[0].key)));
   }
@@ -155,7 +175,7 @@ class Splitter {
     for (const FacePart& part : out_.parts) {
       const bool is_new = std::ranges::any_of(part.v, [&](std::uint32_t v) { return v >= scene_.vertices.size(); });
       const std::uint32_t patch = patches_.patch_of[part.face];
-      if (is_new && cosine(part.v[0], part.v[1], part.v[2], patches_.list[patch]) < kLeastPartCosine)
+      if (is_new && patch != kNone && cosine(part.v[0], part.v[1], part.v[2], patches_.list[patch]) < kLeastPartCosine)
         left_out.push_back(patch);
     }
     // Other edges may do better.
@@ -176,7 +196,7 @@ class Splitter {
   bool is_curved(std::span<const PartSide> edge) const {
     const Point3 middle = middle_of_chord(edge[0].key);
     return std::ranges::any_of(edge, [&](const PartSide& side) {
-      return !is_straight(edge[0].key, patches_.list[patch_of(side)].surface.nearest(middle));
+      return patch_of(side) != kNone && !is_straight(edge[0].key, patches_.list[patch_of(side)].surface.nearest(middle));
     });
   }
 
@@ -184,7 +204,8 @@ class Splitter {
   void join_surfaces() {
     for_edges(sorted_sides(), [&](std::span<const PartSide> edge) {
       if (!is_curved(edge)) return;
-      for (const PartSide& side : edge) sets_.join(patch_of(side), patch_of(edge[0]));
+      for (const PartSide& side : edge)
+        sets_.join(patch_of(side) != kNone ? patch_of(side) : patch_at(edge), patch_at(edge));
     });
   }
 
@@ -208,7 +229,7 @@ class Splitter {
   bool leave_out_surfaces() {
     std::vector<std::uint32_t> left_out;
     for_edges(sorted_sides(), [&](std::span<const PartSide> edge) {
-      if (is_curved(edge) && !middle_of(edge)) left_out.push_back(patch_of(edge[0]));
+      if (is_curved(edge) && !middle_of(edge)) left_out.push_back(patch_at(edge));
     });
     leave_out(left_out);
     return !left_out.empty();
@@ -219,7 +240,7 @@ class Splitter {
     bool any = false;
     for_edges(sorted_sides(), [&](std::span<const PartSide> edge) {
       const std::uint64_t key = edge[0].key;
-      if (levels_[patch_of(edge[0])] <= level) return;
+      if (levels_[patch_at(edge)] <= level) return;
       const std::optional<Point3> at = middle_of(edge);
       if (!at || is_straight(key, *at)) return;
       any = true;
@@ -229,7 +250,7 @@ class Splitter {
       out_.points.push_back(*at);
       out_.beside.push_back(a < scene_.vertices.size() ? a : out_.beside[a - scene_.vertices.size()]);
       if (const std::uint32_t region = beyond_.find(key); region != kNone) {
-        if (region < kRim) out_.is_region_split[region] = 1;
+        if (region < kFree) out_.is_region_split[region] = 1;
         beyond_[edge_key(a, vertex)] = region;
         beyond_[edge_key(vertex, b)] = region;
       }
@@ -267,9 +288,7 @@ class Splitter {
       add(ab, b, c);
     } else if (count == 2) {
       add(ab, b, bc);
-      const Patch& patch = patches_.list[patches_.patch_of[part.face]];
-      const bool through_a = std::min(cosine(a, ab, bc, patch), cosine(a, bc, c, patch)) >
-                             std::min(cosine(a, ab, c, patch), cosine(ab, bc, c, patch));
+      const bool through_a = is_better_through_a(part.face, {a, ab, bc, c});
       add(a, ab, through_a ? bc : c);
       add(through_a ? a : ab, bc, c);
     } else {
@@ -278,6 +297,16 @@ class Splitter {
       add(ca, bc, c);
       add(ab, bc, ca);
     }
+  }
+
+  /// Whether the quadrilateral a, ab, bc, c is better divided through a than through c: along its surface, or through the
+  /// shorter diagonal of a free form.
+  bool is_better_through_a(std::uint32_t face, const std::array<std::uint32_t, 4>& v) const {
+    const auto [a, ab, bc, c] = v;
+    if (patches_.patch_of[face] == kNone) return glm::distance(point(a), point(bc)) < glm::distance(point(ab), point(c));
+    const Patch& patch = patches_.list[patches_.patch_of[face]];
+    return std::min(cosine(a, ab, bc, patch), cosine(a, bc, c, patch)) >
+           std::min(cosine(a, ab, c, patch), cosine(ab, bc, c, patch));
   }
 
   const Scene& scene_;
@@ -353,6 +382,7 @@ EdgeLevels edge_levels(const Scene& scene, const Topology& topology, const Patch
   }
   found.of_patch.assign(patches.list.size(), 0);
   for (std::uint32_t p = 0; p < found.of_patch.size(); ++p) {
+    found.set_of.push_back(sets.find(p));
     if (!patches.list[p].is_band) found.of_patch[p] = of_set[sets.find(p)];
   }
   return found;

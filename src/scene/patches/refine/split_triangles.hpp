@@ -42,6 +42,7 @@ struct SplitTriangles {
 struct EdgeLevels {
   std::vector<std::uint32_t> curved;     ///< edges whose middle lies beside a recognised surface of either face; ascending
   std::vector<std::uint8_t> of_patch{};  ///< per patch: how often its curved edges are halved; 0: it is not refined
+  std::vector<std::uint32_t> set_of{};   ///< per patch: the first one of those that it meets along curved edges
   std::vector<std::uint32_t> rims{};     ///< open edges that may be halved; ascending
 };
 

@@ -67,8 +67,8 @@ class EdgeTurner {
 
   bool turn(const TurnSide& first, const TurnSide& second) {
     FacePart &p = parts_[first.part], &q = parts_[second.part];
-    if (is_done_[first.part] || is_done_[second.part] || patches_.patch_of[p.face] != patches_.patch_of[q.face])
-      return false;
+    const std::uint32_t patch = patches_.patch_of[p.face];
+    if (is_done_[first.part] || is_done_[second.part] || patch == kNone || patch != patches_.patch_of[q.face]) return false;
     const std::vector<std::uint32_t>& material = scene_.face_material;
     if (!material.empty() && material[p.face] != material[q.face]) return false;
     const std::uint32_t a = p.v[first.side], b = p.v[(first.side + 1) % 3], c = p.v[(first.side + 2) % 3];
