@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -45,6 +47,13 @@ constexpr double kSharpTurnCosine = 0.64278761;  ///< 50 degrees
 constexpr double kMeanLengthPart = 1.0 / 20;     ///< largest mean length, in sizes of the object
 /// Creases that continue each other by less than 45 degrees over this part of the size of the object are a line.
 constexpr double kLinePart = 1.0 / 12, kLineCosine = 0.70710678;
+/// Cosine of the least bend of a corner, which is a right angle to 20 degrees. Folds that decimation leaves in a rounding
+/// bend less for the most part.
+constexpr float kCornerCosine = 0.34202014F;
+constexpr std::size_t kFewestOfRing = 4;  ///< edges of a ring of corners; three are the rim of a triangle
+/// Largest diagonal of the box of connected rings, in sizes of the object. Of larger features the lines tell.
+constexpr double kSmallPart = 1.0 / 8;
+constexpr double kHuge = std::numeric_limits<double>::max();
 
 bool has_triangles_alone(const Scene& scene, const ScanObject& object) {
   for (std::uint32_t f = object.face_begin; f < object.face_end && !scene.faces.all_triangles(); ++f) {
@@ -257,6 +266,78 @@ bool is_decimated(const CreaseMesh& mesh, const std::vector<Bend>& bends, const 
          form_teeth(mesh, rough);
 }
 
+namespace {
+
+/// The edges of an object whose faces form a corner.
+std::vector<std::uint32_t> corners_of(const CreaseMesh& mesh, const std::vector<Bend>& bends, const ScanObject& object) {
+  std::vector<std::uint32_t> corners;
+  for (std::uint32_t e = object.edge_begin; e < object.edge_end; ++e) {
+    const Edge& edge = mesh.topology.edges[e];
+    if (bends[e] < Bend::strong || edge.face1 == kNone) continue;
+    if (glm::dot(mesh.normals[edge.face0], mesh.normals[edge.face1]) < kCornerCosine) corners.push_back(e);
+  }
+  return corners;
+}
+
+/// Leaves those of the corners that lie on rings, or between two: removes the loose ends of the others one by one.
+void keep_rings(const Topology& topology, const Object& object, std::vector<std::uint32_t>& corners) {
+  struct Node {
+    std::uint32_t count = 0, numbers = 0;  ///< of the corners that end here, and the exclusive or of their indices
+  };
+  std::vector<Node> nodes(object.vertex_end - object.vertex_begin);
+  const auto node_at = [&](std::uint32_t v) -> Node& { return nodes[v - object.vertex_begin]; };
+  for (const std::uint32_t e : corners) {
+    for (const std::uint32_t v : {topology.edges[e].v0, topology.edges[e].v1}) ++node_at(v).count, node_at(v).numbers ^= e;
+  }
+  std::vector<std::uint32_t> loose;
+  for (Node& first : nodes) {
+    for (Node* node = &first; node->count == 1;) {
+      const std::uint32_t e = node->numbers;
+      const Edge& edge = topology.edges[e];
+      Node& other = &node_at(edge.v0) == node ? node_at(edge.v1) : node_at(edge.v0);
+      loose.push_back(e);
+      node->count = 0;
+      --other.count, other.numbers ^= e;
+      node = &other;
+    }
+  }
+  std::ranges::sort(loose);
+  std::erase_if(corners, [&](std::uint32_t e) { return std::ranges::binary_search(loose, e); });
+}
+
+/// The corners of an object that form small closed rings, as the rims of bores, pockets and letters do. Teeth end in the air
+/// or stand in long rows.
+std::vector<std::uint32_t> small_rings(const CreaseMesh& mesh, const std::vector<Bend>& bends, const ScanObject& object) {
+  std::vector<std::uint32_t> corners = corners_of(mesh, bends, object);
+  if (corners.empty()) return corners;
+  const std::vector<Edge>& edges = mesh.topology.edges;
+  const Object& whole = mesh.scene.objects[object_of_vertex(mesh.scene, edges[corners[0]].v0)];
+  keep_rings(mesh.topology, whole, corners);
+  DisjointSets sets(whole.vertex_end - whole.vertex_begin);
+  for (const std::uint32_t e : corners) sets.join(edges[e].v0 - whole.vertex_begin, edges[e].v1 - whole.vertex_begin);
+  struct Ring {
+    std::size_t edges = 0;
+    Point3 low{kHuge}, high{-kHuge};
+  };
+  std::vector<Ring> rings(whole.vertex_end - whole.vertex_begin);
+  const auto ring_of = [&](std::uint32_t e) -> Ring& { return rings[sets.find(edges[e].v0 - whole.vertex_begin)]; };
+  for (const std::uint32_t e : corners) {
+    Ring& ring = ring_of(e);
+    ++ring.edges;
+    for (const std::uint32_t v : {edges[e].v0, edges[e].v1}) {
+      ring.low = glm::min(ring.low, mesh.scene.vertices[v]);
+      ring.high = glm::max(ring.high, mesh.scene.vertices[v]);
+    }
+  }
+  const double largest = kSmallPart * size_of(mesh, object);
+  std::erase_if(corners, [&](std::uint32_t e) {
+    return ring_of(e).edges < kFewestOfRing || glm::distance(ring_of(e).low, ring_of(e).high) > largest;
+  });
+  return corners;
+}
+
+}  // namespace
+
 std::vector<std::uint8_t> sure_creases(const CreaseMesh& mesh, const std::vector<Bend>& bends, const ScanObject& object) {
   const std::uint32_t begin = object.edge_begin;
   DisjointSets lines = join_straight(mesh, bends, object);
@@ -266,9 +347,10 @@ std::vector<std::uint8_t> sure_creases(const CreaseMesh& mesh, const std::vector
   }
   const double long_enough = kLinePart * size_of(mesh, object);
   std::vector<std::uint8_t> is_sure(lengths.size(), 0);
+  for (const std::uint32_t e : small_rings(mesh, bends, object)) is_sure[e - begin] = 1;
   for (std::uint32_t e = begin; e < object.edge_end; ++e) {
     if (bends[e] < Bend::strong) continue;
-    is_sure[e - begin] = is_between_surfaces(mesh, e) || lengths[lines.find(e - begin)] >= long_enough;
+    is_sure[e - begin] |= is_between_surfaces(mesh, e) || lengths[lines.find(e - begin)] >= long_enough;
   }
   return is_sure;
 }

@@ -40,7 +40,7 @@ bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm
 bool is_decimated(const CreaseMesh& mesh, const std::vector<Bend>& bends, const ScanObject& object);
 
 /// Per edge of a decimated object: 1 if it is a crease between recognised surfaces, or one of a straight or curved line of
-/// creases that is long for the object.
+/// creases that is long for the object, or on a small ring of corners.
 std::vector<std::uint8_t> sure_creases(const CreaseMesh& mesh, const std::vector<Bend>& bends, const ScanObject& object);
 
 }  // namespace ligne
