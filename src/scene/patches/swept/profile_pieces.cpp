@@ -172,7 +172,8 @@ class PieceFinder {
     if (owners[0] == owners[1]) return false;
     for (const std::size_t k : {0, 1}) {
       if (owners[k] == kNone) continue;
-      if (owners_.is_arc[owners[k]]) {
+      // A sphere about the axis goes through any two points: one row is no more evidence of it than of a cone.
+      if (owners_.is_arc[owners[k]] && counts_.at(owners[k]) > 1) {
         const bool is_short = counts_.at(owners[k]) <= kMostArcSides;
         if (!(is_short && is_even(chain, i)) && !goes_on(chain, i, k == 0 ? 1 : -1)) return true;
       } else if (length_of(owners[k]) >= kPlaneDepths * length(sides[1 - k])) {

@@ -34,7 +34,7 @@ struct ProfilePiece {
 ///   other side than both;
 /// - a patch with three sides or more on one line is a surface of its own, and one that is kPlaneDepths times as long as the
 ///   side beside it. Sides that do not lie on one line are those near an inflection;
-/// - a patch on an arc ends there, unless the curvature goes on gradually;
+/// - a patch with two sides or more on an arc ends there, unless the curvature goes on gradually;
 /// - a plane may lie between two other sides that are not much shorter.
 /// Returns the pieces of kFewestSides sides or more that bend by kLeastTurn or more and are not all of one patch. O(n).
 std::vector<ProfilePiece> smooth_pieces(std::span<const Point2> points, std::span<const ProfileSide> sides,
