@@ -20,7 +20,10 @@ constexpr double kDangleInPens = 12, kDanglePart = 1.0 / 32;    ///< longest dan
 constexpr double kBesideInPens = 2.5, kBesideInDangles = 4;     ///< arcs beside a line, largest distance and size: taste
 constexpr double kMaxScanIsolatedInPens = 12, kLoneInPens = 5;  ///< longest isolated chains: taste
 constexpr double kMaxIsolatedPart = 1.0 / 48;                   ///< also as part of the extent of the body: taste
-constexpr double kRingInPens = 0.25;                            ///< a ring no wider than this is drawn as one line
+/// An isolated line that is straight may be so many times as long on scans: a triangle that stands out has one such edge in
+/// sight. Taste.
+constexpr double kScanStraightTimes = 2;
+constexpr double kRingInPens = 0.25;  ///< a ring no wider than this is drawn as one line
 
 double gap_mm(const CleanOptions& o) { return std::min(o.least_mm, kGapInPens * o.pen_mm); }
 
@@ -29,8 +32,8 @@ template <class Report>
 void apply_rules(LineMap& map, const CleanOptions& o, const Report& report) {
   const double pen_mm = o.pen_mm, ink_mm = kLineReachInPens * pen_mm;
   const GapLimits gaps{gap_mm(o), (o.has_outlines ? kFarInGaps : kWideInGaps) * gap_mm(o), ink_mm};
-  const auto isolated = [&](double longest_in_pens) {
-    return IsolatedLimits{longest_in_pens * pen_mm, kMaxIsolatedPart, kRingInPens * pen_mm};
+  const auto isolated = [&](double longest_in_pens, double straight_times) {
+    return IsolatedLimits{longest_in_pens * pen_mm, kMaxIsolatedPart, kRingInPens * pen_mm, straight_times};
   };
   report("gaps bridged", bridge_gaps(map, gaps, o.make_source));
   if (o.scan_of) {
@@ -46,10 +49,11 @@ void apply_rules(LineMap& map, const CleanOptions& o, const Report& report) {
   report("short bits removed", remove_short_bits(map, o.least_mm));
   report("short runs in the ink of other lines", remove_overdrawn_runs(map, {o.least_mm, ink_mm, kShownInPens * pen_mm}));
   if (o.scan_of) {
-    report("isolated chains of scans removed", remove_isolated_chains(map, o.scan_of, isolated(kMaxScanIsolatedInPens)));
+    report("isolated chains of scans removed",
+           remove_isolated_chains(map, o.scan_of, isolated(kMaxScanIsolatedInPens, kScanStraightTimes)));
   }
   if (o.has_all_features) {
-    report("isolated chains removed", remove_isolated_chains(map, o.object_of, isolated(kLoneInPens)));
+    report("isolated chains removed", remove_isolated_chains(map, o.object_of, isolated(kLoneInPens, 1)));
   }
   if (o.has_outlines) {
     const UndershootLimits undershoots{kUndershootInGaps * gap_mm(o), kTouchingInPens * pen_mm};

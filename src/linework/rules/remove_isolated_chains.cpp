@@ -22,7 +22,7 @@ struct Cluster {
   Rect box;                                                  ///< bounding box
   double longest = std::numeric_limits<double>::infinity();  ///< lattice steps; a larger cluster stays
   bool has_ring = false, is_removed = false;
-  std::vector<LatticePoint> points{};  ///< ends of its pieces, if it has a ring and is small
+  std::vector<LatticePoint> points{};  ///< ends of its pieces, if it must lie on one line and is small
 };
 
 /// Whether all points lie within `width` steps of the line between two of them that are far apart.
@@ -87,6 +87,8 @@ std::size_t remove_isolated_chains(LineMap& map, const BodyOf& body_of, const Is
   }
   const auto cluster_of = [&](std::uint32_t p) -> Cluster& { return clusters[number[sets.find(nodes.of(2 * p))]]; };
   for (const std::uint32_t node : in_rings) clusters[number[sets.find(node)]].has_ring = true;
+  // How many times as large a cluster may be whose points lie on one line.
+  const auto times_of = [&](const Cluster& cluster) { return cluster.has_ring ? kRingTimes : limits.straight_times; };
   const std::vector<std::uint32_t> bodies = bodies_of(map, body_of);
   const std::vector<double> extents = body_extents(map, bodies);
   for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
@@ -94,17 +96,19 @@ std::size_t remove_isolated_chains(LineMap& map, const BodyOf& body_of, const Is
     Cluster& cluster = cluster_of(p);
     const std::uint32_t body = is_feature(map.piece(p)) ? bodies[p] : kNone;
     const double longest = body == kNone ? 0 : std::min(limits.longest_mm / map.step_mm(), limits.body_part * extents[body]);
-    cluster.longest = std::min(cluster.longest, cluster.has_ring ? kRingTimes * longest : longest);
+    cluster.longest = std::min(cluster.longest, longest);
     for (const LatticePoint end : {map.piece(p).from, map.piece(p).to}) {
       cluster.box.extend({end.x, end.y});
-      if (cluster.has_ring && diagonal(cluster.box) <= cluster.longest) cluster.points.push_back(end);
+      if (times_of(cluster) > 1 && diagonal(cluster.box) <= times_of(cluster) * cluster.longest)
+        cluster.points.push_back(end);
     }
   }
   const double ring_width = limits.ring_width_mm / map.step_mm();
   std::size_t removed = 0;
   for (Cluster& cluster : clusters) {
-    cluster.is_removed = cluster.box.width() >= 0 && diagonal(cluster.box) <= cluster.longest &&
-                         (!cluster.has_ring || lie_on_one_line(cluster.points, ring_width));
+    const double size = diagonal(cluster.box);
+    cluster.is_removed = cluster.box.width() >= 0 && size <= times_of(cluster) * cluster.longest &&
+                         ((!cluster.has_ring && size <= cluster.longest) || lie_on_one_line(cluster.points, ring_width));
     removed += cluster.is_removed;
   }
   for (std::uint32_t p = 0; p < map.piece_count(); ++p) {

@@ -79,9 +79,10 @@ struct OverdrawLimits {
 std::size_t remove_overdrawn_runs(LineMap& map, const OverdrawLimits& limits);
 
 struct IsolatedLimits {
-  double longest_mm = 0;     ///< diagonal of the bounding box of the largest cluster that is removed
-  double body_part = 0;      ///< the same as part of the extent of the lines of its body
-  double ring_width_mm = 0;  ///< a ring no wider than this is a line there and back
+  double longest_mm = 0;      ///< diagonal of the bounding box of the largest cluster that is removed
+  double body_part = 0;       ///< the same as part of the extent of the lines of its body
+  double ring_width_mm = 0;   ///< a ring no wider than this is a line there and back
+  double straight_times = 1;  ///< a cluster all of whose points lie on one line may be so many times as large
 };
 /// remove_isolated_chains: removes short clusters of lines. Lines that share a node or have a contact belong to one
 /// cluster. Clusters with rings stay unless all their points lie on one line.
