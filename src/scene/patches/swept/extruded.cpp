@@ -142,7 +142,7 @@ class ExtrudedFinder {
       if (const auto ends = ends_of(f, frame.at, xy)) swept.push_back({f, *ends});
     }
     const FacetProfile profile = profile_of(std::move(swept), surfaces_, 2 * tolerance_);
-    std::vector<ProfilePiece> pieces = smooth_pieces(profile.points, profile.sides, {is_arc_, 2 * tolerance_});
+    std::vector<ProfilePiece> pieces = smooth_pieces(profile.points, profile.sides, {is_arc_, {}, 2 * tolerance_});
     std::erase_if(pieces, [&](const ProfilePiece& piece) {
       return piece.sides.size() < kFewestKept || goes_on(profile, piece, direction);
     });

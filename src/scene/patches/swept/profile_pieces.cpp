@@ -172,8 +172,8 @@ class PieceFinder {
     if (owners[0] == owners[1]) return false;
     for (const std::size_t k : {0, 1}) {
       if (owners[k] == kNone) continue;
-      // A sphere about the axis goes through any two points: one row is no more evidence of it than of a cone.
-      if (owners_.is_arc[owners[k]] && counts_.at(owners[k]) > 1) {
+      if (owners_.is_arc[owners[k]]) {
+        if (counts_.at(owners[k]) == 1 && !is_cylinder(owners[1 - k])) continue;
         const bool is_short = counts_.at(owners[k]) <= kMostArcSides;
         if (!(is_short && is_even(chain, i)) && !goes_on(chain, i, k == 0 ? 1 : -1)) return true;
       } else if (length_of(owners[k]) >= kPlaneDepths * length(sides[1 - k])) {
@@ -181,6 +181,12 @@ class PieceFinder {
       }
     }
     return false;
+  }
+
+  /// Whether a patch is a cylinder about the axis. Every row of a profile lies on a cone and near spheres about the axis,
+  /// but few on cylinders: where one ends beside a row of a sphere, this is where a curve begins.
+  bool is_cylinder(std::uint32_t owner) const {
+    return owner != kNone && !owners_.is_cylinder.empty() && owners_.is_cylinder[owner];
   }
 
   /// Length of the sides of a straight patch if they lie on one line, otherwise of the longest.

@@ -19,7 +19,9 @@ struct ProfileSide {
 /// The patches that have sides of a profile.
 struct ProfileOwners {
   std::span<const std::uint8_t> is_arc;  ///< per patch: its profile is an arc, and not a straight line
-  double tolerance = 0;                  ///< largest distance of points from a straight line
+  /// Per patch: it is a cylinder about the axis of a revolved surface; empty for extruded ones.
+  std::span<const std::uint8_t> is_cylinder;
+  double tolerance = 0;  ///< largest distance of points from a straight line
 };
 
 /// Consecutive sides of one smooth curve.
@@ -34,7 +36,7 @@ struct ProfilePiece {
 ///   other side than both;
 /// - a patch with three sides or more on one line is a surface of its own, and one that is kPlaneDepths times as long as the
 ///   side beside it. Sides that do not lie on one line are those near an inflection;
-/// - a patch with two sides or more on an arc ends there, unless the curvature goes on gradually;
+/// - a patch on an arc ends there, unless the curvature goes on gradually; with one side only at a cylinder;
 /// - a plane may lie between two other sides that are not much shorter.
 /// Returns the pieces of kFewestSides sides or more that bend by kLeastTurn or more and are not all of one patch. O(n).
 std::vector<ProfilePiece> smooth_pieces(std::span<const Point2> points, std::span<const ProfileSide> sides,

@@ -104,6 +104,7 @@ class RevolvedFinder {
     is_listed_.assign(found_, 0);
     for (const Patch& patch : surfaces_.patches) {
       is_arc_.push_back(patch.surface.kind == SurfaceKind::torus || patch.surface.kind == SurfaceKind::sphere);
+      is_cylinder_.push_back(patch.surface.kind == SurfaceKind::cylinder);
     }
     for (const auto& [p, q] : pairs) neighbours_[p].push_back(q);
   }
@@ -170,7 +171,7 @@ class RevolvedFinder {
     drop_short_rows(profile);
     frame.radius = frame.slope = frame.tube = 0;
     swept_.add(frame, frame_of(frame.axis), profile,
-               smooth_pieces(profile.points, profile.sides, {is_arc_, 2 * tolerance_}));
+               smooth_pieces(profile.points, profile.sides, {is_arc_, is_cylinder_, 2 * tolerance_}));
   }
 
   /// Drops the sides of few facets.
@@ -323,7 +324,7 @@ class RevolvedFinder {
   std::vector<std::uint32_t> first_;                    ///< per patch: the first of these
   std::vector<std::uint8_t> beside_freeform_;           ///< per patch
   std::vector<std::vector<std::uint32_t>> neighbours_;  ///< per patch: those beside it, ascending
-  std::vector<std::uint8_t> is_arc_;                    ///< per patch: its profile is an arc
+  std::vector<std::uint8_t> is_arc_, is_cylinder_;      ///< per patch: its profile is an arc; it is a cylinder
   std::vector<std::uint8_t> is_listed_;                 ///< per patch: in the list of bands_about()
   std::vector<std::uint32_t> stamp_;                    ///< per facet: the value of round_ when a walk visited it last
   std::uint32_t round_ = 0;
