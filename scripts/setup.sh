@@ -14,7 +14,6 @@ libtinygltf-dev      hdr:tiny_gltf.h                 glTF files
 libcli11-dev         hdr:CLI/CLI.hpp                 command line
 libtbb-dev           hdr:oneapi/tbb/task_arena.h     threads
 nlohmann-json3-dev   hdr:nlohmann/json.hpp           JSON
-libtinyobjloader-dev hdr:tiny_obj_loader.h           OBJ files
 libmuparser-dev      hdr:muParser.h                  formulas
 libpugixml-dev       hdr:pugixml.hpp                 SVG drawings that are to be plotted, 3MF files
 zlib1g-dev           hdr:zlib.h                      3MF files

@@ -1,20 +1,10 @@
-// tinyobjloader parses the statements and passes polygons on unchanged through its callbacks. It does not report words
-// in place of numbers (they become 0), faces of two corners, indices of missing vertices (or overflowing ones), or
-// unfinished continuation lines, and it gives no line numbers. So it reads from a stream that delivers one statement at
-// a time: the stream joins continued lines, checks the statement's words, and knows the line during a callback. The
-// stream also reads vertex positions. The library's own number parser adds rounded decimal digits: of random numbers
-// with six decimals it gets 48 in a hundred wrong, by up to four units in the last place of a double (2.0.0-rc10,
-// measured).
-
 #include "scene/readers/obj/obj_reader.hpp"
-
-#define TINYOBJLOADER_USE_DOUBLE
-#include <tiny_obj_loader.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <istream>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "base/no_index.hpp"
@@ -26,7 +16,7 @@
 namespace ligne {
 namespace {
 
-/// Makes objects from the library's callbacks. Objects own their vertices: a vertex used by several is stored in each.
+/// Makes objects of the statements. Objects own their vertices: a vertex used by several is stored in each.
 class ObjScene {
  public:
   ObjScene(const std::string& name, ReadReport& report, ObjStatements& stream, FileShading* shading, CreaseTags* tags)
@@ -34,13 +24,12 @@ class ObjScene {
     builder_.begin_object("");
   }
 
-  void add_face(const tinyobj::index_t* corners, int n) {
+  void add_face(std::span<const ObjCorner> corners) {
     const std::vector<ObjVertex>& vertices = stream_.vertices();
     face_.clear();
     scene_index_.resize(vertices.size(), kNone);
     const auto count = static_cast<std::int64_t>(vertices.size());
-    for (int i = 0; i < n; ++i) {
-      const std::int64_t written = corners[i].vertex_index;
+    for (const auto& [written, normal] : corners) {
       const std::int64_t index = written < 0 ? count + written : written - 1;
       if (index < 0 || index >= count) {
         return stream_.fail("face names vertex " + std::to_string(written) + " of " + std::to_string(count));
@@ -48,10 +37,10 @@ class ObjScene {
       face_.push_back(scene_vertex(static_cast<std::size_t>(index)));
     }
     builder_.add_face(face_);
-    if (shading_) add_shading(corners, n);
+    if (shading_) add_shading(corners);
   }
 
-  void begin_object(const char* name) {
+  void begin_object(const std::string& name) {
     end_object();
     builder_.begin_object(name);
   }
@@ -85,7 +74,7 @@ class ObjScene {
     }
   }
 
-  void use_material(const char* name) { builder_.use_material(std::string(name)); }
+  void use_material(const std::string& name) { builder_.use_material(name); }
 
   Scene finish(const Warnings& warnings) {
     end_object();
@@ -99,11 +88,10 @@ class ObjScene {
   }
 
  private:
-  void add_shading(const tinyobj::index_t* corners, int n) {
+  void add_shading(std::span<const ObjCorner> corners) {
     const std::vector<std::uint32_t>& normals = stream_.normals();
     const auto count = static_cast<std::int64_t>(normals.size());
-    for (int i = 0; i < n; ++i) {
-      const std::int64_t written = corners[i].normal_index;
+    for (const auto& [vertex, written] : corners) {
       const std::int64_t index = written < 0 ? count + written : written - 1;
       const bool known = index >= 0 && index < count;
       shading_->corner_normals.push_back(known ? normals[static_cast<std::size_t>(index)] : 0);
@@ -158,16 +146,10 @@ Scene read_obj(const ModelBytes& file, ReadReport& report, Warnings& warnings, F
   ObjScene scene(name, report, statements, shading, tags);
   statements.tags = tags;
   statements.on_patch = [&](const ObjPatch& patch) { scene.add_patch(patch); };
-  std::istream stream(&statements);
-  stream.exceptions(std::ios::badbit);  // running out of memory must not look like the end of the file
-
-  tinyobj::callback_t callback;
-  callback.index_cb = [](void* user, tinyobj::index_t* corners, int n) {
-    static_cast<ObjScene*>(user)->add_face(corners, n);
-  };
-  callback.object_cb = [](void* user, const char* object) { static_cast<ObjScene*>(user)->begin_object(object); };
-  callback.usemtl_cb = [](void* user, const char* material, int) { static_cast<ObjScene*>(user)->use_material(material); };
-  tinyobj::LoadObjWithCallback(stream, callback, &scene);
+  statements.on_face = [&](std::span<const ObjCorner> corners) { scene.add_face(corners); };
+  statements.on_object = [&](const std::string& object) { scene.begin_object(object); };
+  statements.on_material = [&](const std::string& material) { scene.use_material(material); };
+  statements.run();
 
   if (statements.error()) throw *statements.error();
   if (statements.vertices().empty() && !statements.first_unknown().empty()) {

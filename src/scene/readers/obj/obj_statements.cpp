@@ -34,29 +34,31 @@ Point3 three_numbers(std::string_view rest) {
   return numbers;
 }
 
-bool is_corner(std::string_view word) {
-  for (int part = 0; part < 3; ++part) {
+/// The corner that a word v, v/vt, v//vn or v/vt/vn names.
+std::optional<ObjCorner> corner_in(std::string_view word) {
+  std::array<std::int64_t, 3> indices{};
+  for (std::size_t part = 0; part < 3; ++part) {
     const std::size_t slash = word.find('/');
     const std::string_view index = word.substr(0, slash);
     const std::optional<std::int64_t> value = parse_integer(index);
     const bool in_range = value && *value >= -std::numeric_limits<int>::max() && *value <= std::numeric_limits<int>::max();
-    if (!in_range && (part == 0 || !index.empty())) return false;
-    if (slash == std::string_view::npos) return true;
+    if (!in_range && (part == 0 || !index.empty())) return std::nullopt;
+    indices[part] = value.value_or(0);
+    if (slash == std::string_view::npos) return ObjCorner{indices[0], indices[2]};
     word.remove_prefix(slash + 1);
   }
-  return false;
+  return std::nullopt;
 }
 
 }  // namespace
 
-ObjStatements::int_type ObjStatements::underflow() {
+void ObjStatements::run() {
   while (!error_ && take_statement()) {
-    if (!delivered() || error_) continue;
-    statement_ += '\n';
-    setg(statement_.data(), statement_.data(), statement_.data() + statement_.size());
-    return traits_type::to_int_type(statement_[0]);
+    std::string_view rest = trimmed(whole_);
+    if (rest.empty() || rest[0] == '#') continue;
+    const std::string_view keyword = take_word(rest);
+    take_keyword(keyword, rest);
   }
-  return traits_type::eof();
 }
 
 /// Whether a backslash at the end continues the line. It does not in comments and at the end of a name, such as a
@@ -93,59 +95,42 @@ bool ObjStatements::take_statement() {
   return true;
 }
 
-bool ObjStatements::delivered() {
-  std::string_view rest = trimmed(whole_);
-  if (rest.empty() || rest[0] == '#') return false;
-  const std::string_view keyword = take_word(rest);
-  if (keyword == "v") {
-    add_vertex(rest);
-    return false;
-  }
-  if (keyword == "vt" || (keyword == "vn" && !with_shading_)) return false;
-  if (keyword == "vn") {
-    normals_.push_back(packed_direction(three_numbers(rest)));
-    return false;
-  }
+void ObjStatements::take_keyword(std::string_view keyword, std::string_view rest) {
+  if (keyword == "v") return add_vertex(rest);
+  if (keyword == "f" || keyword == "fo") return take_face(rest);  // fo: faces in files before version 2
+  if (keyword == "vt" || (keyword == "vn" && !with_shading_)) return;
+  if (keyword == "vn") return normals_.push_back(packed_direction(three_numbers(rest)));
   if (with_shading_ && keyword == "s") {
     const std::optional<std::int64_t> group = parse_integer(take_word(rest));  // or "off"
     group_ = group && *group > 0 && *group < kNone ? static_cast<std::uint32_t>(*group) : 0;
-    return false;
-  }
-  if (keyword == "f" || keyword == "fo") {  // fo: faces in files before version 2
-    write_face(rest);
-    return true;
+    return;
   }
   if (keyword == "g" || keyword == "o" || keyword == "usemtl") return take_name(keyword, rest);
   if (keyword == "mtllib") {
     libraries_.emplace_back(trimmed(without_comment(rest)));
-    return false;
+    return;
   }
   std::string cause;
   if (keyword == "t" && tags) {
     take_tag(rest, *tags, warnings_, cause);
     if (!cause.empty()) fail(cause);
-    return false;
+    return;
   }
   if (!surfaces_.take(keyword, rest, vertices_.size(), cause)) leave_out(keyword);
   if (!cause.empty()) fail(cause);
   if (const std::optional<ObjPatch> patch = surfaces_.closed(); patch && on_patch) on_patch(*patch);
-  return false;
 }
 
-bool ObjStatements::take_name(std::string_view keyword, std::string_view rest) {
-  const std::string_view name = trimmed(without_comment(rest));
-  if (keyword == "g") {
-    std::string group(name.empty() ? "default" : name);
-    statement_ = "o " + group;
-    if (std::find(group_names_.begin(), group_names_.end(), group) == group_names_.end()) {
-      group_names_.push_back(std::move(group));
-    }
-    return groups_as_objects_ && !has_objects_;
+void ObjStatements::take_name(std::string_view keyword, std::string_view rest) {
+  std::string name(trimmed(without_comment(rest)));
+  if (keyword == "usemtl") return on_material(name);
+  if (keyword == "o") {
+    has_objects_ = true;
+    return on_object(name);
   }
-  has_objects_ = has_objects_ || keyword == "o";
-  // A tab after the keyword, or a missing name, would hide the statement from the library.
-  statement_.assign(keyword).append(1, ' ').append(name);
-  return true;
+  if (name.empty()) name = "default";
+  if (groups_as_objects_ && !has_objects_) on_object(name);
+  if (std::ranges::find(group_names_, name) == group_names_.end()) group_names_.push_back(std::move(name));
 }
 
 void ObjStatements::leave_out(std::string_view keyword) {
@@ -180,16 +165,16 @@ void ObjStatements::add_vertex(std::string_view rest) {
   vertices_.push_back(vertex);
 }
 
-void ObjStatements::write_face(std::string_view words) {
-  statement_.assign(1, 'f');
+void ObjStatements::take_face(std::string_view words) {
+  face_.clear();
   words = words.substr(0, words.find('#'));
-  std::size_t corners = 0;
   for (std::string_view word = take_word(words); !word.empty(); word = take_word(words)) {
-    if (!is_corner(word)) return fail(shown(word) + " is not a corner of a face (v, v/vt, v//vn or v/vt/vn)");
-    statement_.append(1, ' ').append(word);
-    ++corners;
+    const std::optional<ObjCorner> corner = corner_in(word);
+    if (!corner) return fail(shown(word) + " is not a corner of a face (v, v/vt, v//vn or v/vt/vn)");
+    face_.push_back(*corner);
   }
-  if (corners < 3) fail("face with " + std::to_string(corners) + " corners, needs 3 or more");
+  if (face_.size() < 3) return fail("face with " + std::to_string(face_.size()) + " corners, needs 3 or more");
+  on_face(face_);
 }
 
 }  // namespace ligne

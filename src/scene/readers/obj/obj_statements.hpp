@@ -1,12 +1,12 @@
 #pragma once
-/// Delivers the statements of an OBJ file one at a time to the library that parses them.
+/// Reads the statements of an OBJ file.
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <streambuf>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,8 +22,13 @@ struct ObjVertex : ObjControlPoint {
   std::array<std::uint8_t, 3> digits{};  ///< numbers of significant digits of the coordinates, up to 255
 };
 
-/// Delivers the statements to the library, one line each, and keeps the vertices itself.
-class ObjStatements : public std::streambuf {
+/// A corner of a face as the file writes it: 1 is the first vertex or normal, -1 the last one so far, and 0 none.
+struct ObjCorner {
+  std::int64_t vertex = 0, normal = 0;
+};
+
+/// Keeps the vertices and normals of a file, and calls a function for every other statement that makes the scene.
+class ObjStatements {
  public:
   ObjStatements(std::string_view text, const std::string& name, bool with_shading, bool groups_as_objects,
                 Warnings& warnings)
@@ -34,8 +39,13 @@ class ObjStatements : public std::streambuf {
         warnings_(warnings),
         surfaces_(warnings) {}
 
-  /// Called for every free-form patch, between the library's statements.
-  std::function<void(const ObjPatch&)> on_patch = {};
+  /// Reads all statements, up to the first error.
+  void run();
+
+  std::function<void(std::span<const ObjCorner>)> on_face = {};
+  std::function<void(const ObjPatch&)> on_patch = {};             ///< receives the free-form patches
+  std::function<void(const std::string& name)> on_object = {};    ///< called where an object begins
+  std::function<void(const std::string& name)> on_material = {};  ///< receives the material of the following faces
   /// Receives the tags of subdivision; null: they are left out.
   CreaseTags* tags = nullptr;
 
@@ -51,26 +61,21 @@ class ObjStatements : public std::streambuf {
   std::uint32_t smoothing_group() const { return group_; }                ///< of the following faces; 0: none
 
   const std::vector<ObjVertex>& vertices() const { return vertices_; }
-  /// The first error, if any. It is stored because streams swallow exceptions.
+  /// The first error, if any.
   const std::optional<InputError>& error() const { return error_; }
   void fail(const std::string& cause) {
     if (!error_) error_ = error_at_line(name_, line_, cause);
   }
 
- protected:
-  int_type underflow() override;
-
  private:
   /// Joins a line with its continuations.
   bool take_statement();
   bool continues(std::string_view line);
-  /// Checks the statement; true if it is to be passed to the library.
-  bool delivered();
-  bool take_name(std::string_view keyword, std::string_view rest);
+  void take_keyword(std::string_view keyword, std::string_view rest);
+  void take_name(std::string_view keyword, std::string_view rest);
   void leave_out(std::string_view keyword);
   void add_vertex(std::string_view rest);
-  /// Checks that every word is v, v/vt, v//vn or v/vt/vn, and writes them with single blanks and without a comment.
-  void write_face(std::string_view words);
+  void take_face(std::string_view words);
 
   LineReader lines_;
   const std::string& name_;
@@ -81,9 +86,10 @@ class ObjStatements : public std::streambuf {
   std::vector<std::string> group_names_, libraries_;
   std::string_view whole_;
   std::string joined_;
-  std::string statement_, first_unknown_;
-  std::size_t line_ = 0;  ///< first line of the statement delivered last
+  std::string first_unknown_;
+  std::size_t line_ = 0;  ///< first line of the statement read last
   std::vector<ObjVertex> vertices_;
+  std::vector<ObjCorner> face_;
   std::vector<std::uint32_t> normals_;
   std::uint32_t group_ = 0;
   std::optional<InputError> error_;
