@@ -9,7 +9,7 @@ namespace ligne {
 namespace {
 
 /// Number of cells along the page. Adjustable.
-constexpr double kCells = 128;
+constexpr double kCells = 64;
 
 double side_of(const Rect& page) { return std::max(page.width(), page.height()); }
 
@@ -20,7 +20,7 @@ Lattice lattice_around(const Rect& page) {
 }
 
 /// Least and largest number of chords of an ellipse.
-constexpr double kLeastChords = 16, kMostChords = 4096;
+constexpr double kLeastChords = 8, kMostChords = 4096;
 
 }  // namespace
 

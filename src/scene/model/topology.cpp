@@ -287,13 +287,26 @@ EdgeRange edges_of(const Topology& topology, const Object& object) {
   return {first_from(object.vertex_begin), first_from(object.vertex_end)};
 }
 
+void index_edges(Topology& topology, std::size_t vertices) {
+  const std::size_t n = topology.edges.size();
+  topology.first_edges = large_vector<std::uint32_t>(vertices + 1);
+  parallel_blocks(n + 1, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      const std::size_t from = e > 0 ? std::size_t{topology.edges[e - 1].v0} + 1 : 0;
+      const std::size_t last = e < n ? topology.edges[e].v0 : vertices;
+      for (std::size_t v = from; v <= last; ++v) topology.first_edges[v] = static_cast<std::uint32_t>(e);
+    }
+  });
+}
+
 const Edge* find_edge(const Topology& topology, std::pair<std::uint32_t, std::uint32_t> ends) {
   const auto key_of = [](std::uint32_t low, std::uint32_t high) { return std::uint64_t{low} << 32 | high; };
   const auto [low, high] = std::minmax(ends.first, ends.second);
   const std::uint64_t key = key_of(low, high);
+  const std::vector<std::uint32_t>& first = topology.first_edges;
+  const Edge* at = topology.edges.data() + (first.empty() ? 0 : first[low]);
+  std::size_t count = first.empty() ? topology.edges.size() : first[low + 1] - first[low];
   // A binary search without branches.
-  const Edge* at = topology.edges.data();
-  std::size_t count = topology.edges.size();
   while (count > 1) {
     const std::size_t half = count / 2;
     const Edge& middle = at[half];
@@ -308,6 +321,7 @@ Topology build_topology(const Scene& scene) {
   const bool paired = scene.stated.has(StatedFact::adjacency) && find_paired_edges(scene, topology);
   if (!paired) find_edges(scene, topology);
   topology.triangles = triangulate_faces(scene);
+  index_edges(topology, scene.vertices.size());
   return topology;
 }
 

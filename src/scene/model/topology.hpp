@@ -2,6 +2,7 @@
 /// Edges with the faces that they join, and the triangulation of the faces.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -46,6 +47,9 @@ struct Topology {
   std::vector<Edge> edges;                ///< sorted by (v0, v1)
   std::vector<std::uint16_t> edge_flags;  ///< per edge: EdgeFlag bits
   std::vector<Triangle> triangles;        ///< sorted by face
+  /// Per vertex its first edge among `edges`, and their number: edge e is one of v0's if it lies in [first_edges[v0],
+  /// first_edges[v0 + 1]). Empty: not known.
+  std::vector<std::uint32_t> first_edges;
 };
 
 /// The flags that any edge has, as EdgeFlag bits.
@@ -59,7 +63,10 @@ struct EdgeRange {
 /// The edges of an object, which are consecutive since edges are sorted by their vertices. O(log n).
 EdgeRange edges_of(const Topology& topology, const Object& object);
 
-/// The edge between two vertices; null if there is none. O(log n).
+/// Sets Topology::first_edges.
+void index_edges(Topology& topology, std::size_t vertices);
+
+/// The edge between two vertices; null if there is none. O(log n), or less after index_edges().
 const Edge* find_edge(const Topology& topology, std::pair<std::uint32_t, std::uint32_t> ends);
 
 /// Finds the edges and triangulates the faces of a scene after finish_scene(). Takes time proportional to the number of

@@ -109,6 +109,7 @@ MeshPart part_of(const FaceWalk& walk, const FaceSet& set) {
     part.topology.edges[i] = edge;
     part.topology.edge_flags[i] = whole.topology.edge_flags[part.edges[i]];
   });
+  index_edges(part.topology, vertices.size());
   Object own = object;
   own.vertex_begin = own.face_begin = 0;
   own.vertex_end = static_cast<std::uint32_t>(vertices.size());
