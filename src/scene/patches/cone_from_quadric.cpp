@@ -57,6 +57,18 @@ void add_square(Matrix& m, const Row& row, double weight = 1) {
   }
 }
 
+/// Adds the outer products of the derivatives at p along the three axes, which have four terms each, to the lower triangle.
+void add_gradient_square(Matrix& m, const Point3& p, double weight) {
+  constexpr std::array<std::array<std::size_t, 4>, 3> kTerms{{{0, 3, 4, 6}, {1, 3, 5, 7}, {2, 4, 5, 8}}};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int k = static_cast<int>(axis);
+    const std::array<double, 4> values{2 * p[k], p[k == 0 ? 1 : 0], p[k == 2 ? 1 : 2], 1};
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) m[kTerms[axis][i]][kTerms[axis][j]] += weight * values[i] * values[j];
+    }
+  }
+}
+
 /// The quadrics near the points of a sample, in units of its size about its middle.
 class QuadricFit {
  public:
@@ -92,13 +104,17 @@ class QuadricFit {
     Row a{};
     for (const FacetFrame& f : sample_.frames) {
       const Point3 at = placed(f.middle);
-      for (const Point3& d : frame_of(f.normal)) add_square(weighted, slopes(at, d), kNormalWeight);
+      add_gradient_square(weighted, at, kNormalWeight);
       const Row rise = slopes(at, f.normal);
       add_square(rises, rise);
       for (std::size_t i = 0; i < kCount; ++i) a[i] += rise[i];
     }
+    // The slopes across the normals are what the slopes along them leave of the gradients.
     for (std::size_t i = 0; i < kCount; ++i) {
-      for (std::size_t j = i + 1; j < kCount; ++j) rises[i][j] = rises[j][i];
+      for (std::size_t j = 0; j <= i; ++j) {
+        weighted[i][j] -= kNormalWeight * rises[i][j];
+        rises[j][i] = rises[i][j];
+      }
     }
     if (!decompose(weighted) || !iterate(weighted, &rises, a)) return std::nullopt;
     return a;

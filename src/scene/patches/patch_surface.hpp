@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -121,7 +122,8 @@ PatchSurface cone_from_cylinder(const PatchSurface& cylinder, std::span<const Po
 std::optional<PatchSurface> cone_from_quadric(const SurfaceSample& sample);
 
 /// Fits the surface to the points: minimises the sum of their squared distances [Levenberg1944, Marquardt1963]. Returns
-/// the largest remaining distance of a point.
-double refine_surface(PatchSurface& surface, std::span<const Point3> points);
+/// the largest remaining distance of a point. The fit may stop early where that will be more than `hopeless`.
+double refine_surface(PatchSurface& surface, std::span<const Point3> points,
+                      double hopeless = std::numeric_limits<double>::infinity());
 
 }  // namespace ligne

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <vector>
+#include <span>
+#include <utility>
 
+#include "base/uninitialized_vector.hpp"
 #include "geometry/small_matrices.hpp"
 #include "scene/patches/patch_surface.hpp"
 
@@ -15,23 +17,29 @@ constexpr double kDampingStep = 10;
 /// Adjustable. Damping as a fraction of the diagonal: first, least, and least after a failed attempt. Rounding errors
 /// of sums over a hundred corners are a hundredth of the least damping, so less has little effect.
 constexpr double kFirstDamping = 1e-6, kLeastDamping = 1e-12, kFailedDamping = 1e-9;
+/// Adjustable. A fit is given up before a step that would leave more than this fraction of the sum of squares, and more than
+/// that of hopeless distances.
+constexpr double kVain = 0.7;
 constexpr double kSettled = 0.5;  ///< a step that leaves more than this fraction of the sum of squares is the last one
 
 /// A point in the frame of a surface: (x, y, axis) of frame_of(), from PatchSurface::at.
 struct PlacedPoint {
-  double x = 0, y = 0, along = 0;
-  double radius = 0;    ///< from the axis; of a sphere: from the centre
-  double distance = 0;  ///< from the surface, with its sign
+  double x, y, along;
+  double radius;    ///< from the axis; of a sphere: from the centre
+  double distance;  ///< from the surface, with its sign
 };
 
 /// The fit of a surface of one kind.
 template <SurfaceKind kKind>
 class SurfaceFit {
  public:
-  SurfaceFit(PatchSurface& surface, std::span<const Point3> points) : surface_(surface), points_(points) {
-    placed_.resize(points.size());
-    next_placed_.resize(points.size());
-  }
+  SurfaceFit(PatchSurface& surface, std::span<const Point3> points, double hopeless)
+      : surface_(surface),
+        points_(points),
+        memory_(2 * points.size()),
+        placed_(memory_.data(), points.size()),
+        next_placed_(memory_.data() + points.size(), points.size()),
+        most_sum_(static_cast<double>(points.size()) * hopeless * hopeless) {}
 
   /// Returns the largest remaining distance.
   double run() {
@@ -52,7 +60,7 @@ class SurfaceFit {
   using Frame = std::array<Point3, 2>;
 
   /// Sets `placed` to the places of the points beside a surface. Returns the sum of their squared distances.
-  double place(const PatchSurface& s, const Frame& frame, std::vector<PlacedPoint>& placed) const {
+  double place(const PatchSurface& s, const Frame& frame, std::span<PlacedPoint> placed) const {
     const double cosine = 1 / std::sqrt(1 + s.slope * s.slope);
     double sum = 0;
     for (std::size_t k = 0; k < points_.size(); ++k) {
@@ -131,6 +139,9 @@ class SurfaceFit {
       for (std::size_t i = 0; i < kCount; ++i) damped[i][i] *= 1 + damping_;
       Row by = right;
       if (solve_symmetric(damped, by)) {
+        double left = sum_;  // what the step leaves of the sum, were the distances linear
+        for (std::size_t i = 0; i < kCount; ++i) left -= right[i] * by[i];
+        if (left > most_sum_ && left > kVain * sum_) return false;
         const PatchSurface next = moved(surface_, by, frame_);
         const Frame next_frame = frame_of(next.axis);
         const double next_sum = place(next, next_frame, next_placed_);
@@ -138,7 +149,7 @@ class SurfaceFit {
           const bool is_settled = next_sum > kSettled * sum_;
           surface_ = next;
           frame_ = next_frame;
-          placed_.swap(next_placed_);
+          std::swap(placed_, next_placed_);
           sum_ = next_sum;
           damping_ = std::max(kLeastDamping, damping_ / kDampingStep);
           return !is_settled;
@@ -152,22 +163,24 @@ class SurfaceFit {
   PatchSurface& surface_;
   std::span<const Point3> points_;
   Frame frame_{};
-  std::vector<PlacedPoint> placed_, next_placed_;
+  UninitializedVector<PlacedPoint> memory_;
+  std::span<PlacedPoint> placed_, next_placed_;
+  double most_sum_;  ///< sum of squares of hopeless distances
   double sum_ = 0, damping_ = kFirstDamping;
 };
 
 }  // namespace
 
-double refine_surface(PatchSurface& surface, std::span<const Point3> points) {
+double refine_surface(PatchSurface& surface, std::span<const Point3> points, double hopeless) {
   switch (surface.kind) {
     case SurfaceKind::cylinder:
-      return SurfaceFit<SurfaceKind::cylinder>(surface, points).run();
+      return SurfaceFit<SurfaceKind::cylinder>(surface, points, hopeless).run();
     case SurfaceKind::cone:
-      return SurfaceFit<SurfaceKind::cone>(surface, points).run();
+      return SurfaceFit<SurfaceKind::cone>(surface, points, hopeless).run();
     case SurfaceKind::sphere:
-      return SurfaceFit<SurfaceKind::sphere>(surface, points).run();
+      return SurfaceFit<SurfaceKind::sphere>(surface, points, hopeless).run();
     case SurfaceKind::torus:
-      return SurfaceFit<SurfaceKind::torus>(surface, points).run();
+      return SurfaceFit<SurfaceKind::torus>(surface, points, hopeless).run();
     case SurfaceKind::extruded:
     case SurfaceKind::revolved:
       break;

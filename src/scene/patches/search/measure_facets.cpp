@@ -47,6 +47,7 @@ void SurfaceSearch::fetch_points(std::span<const std::uint32_t> facets) {
 /// one side and to the other in turn, so the means are nearer to the normals of the surface.
 std::vector<FacetFrame> SurfaceSearch::edge_frames(std::span<const std::uint32_t> facets) {
   std::vector<FacetFrame> frames;
+  frames.reserve(2 * facets.size());
   ++round_;
   for (const std::uint32_t f : facets) stamp_[f] = round_;
   for (const std::uint32_t f : facets) {

@@ -179,6 +179,7 @@ bool SurfaceSearch::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandida
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   // Largest distance of a corner beyond the precision, in sags
   const double wildest = wildest_guess(kind);
+  double loosest_sag = 0;  // set by wildness(): refine() hardly leads to a larger one
   const auto wildness = [&] {
     const double sag = sag_of(surface, sample.facets), wild = wildest * sag + tolerance_for(kind, 0);
     double most = 0;
@@ -187,11 +188,16 @@ bool SurfaceSearch::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandida
       if (!(distance <= wild)) return kInfinity;
       most = std::max(most, distance);
     }
+    loosest_sag = sag + most;
     const double beyond = most - tolerance_for(kind, 0);
     return beyond > 0 ? beyond / sag : 0;
   };
+  const bool leads_to_cone = sample.shape.points.size() >= kFewestConePoints;
   const auto refine = [&] {
-    c.residual = refine_surface(surface, sample.shape.points);
+    double hopeless = 2 * tolerance_for(kind, loosest_sag);
+    if (kind == SurfaceKind::cylinder && leads_to_cone) hopeless = std::max(hopeless, 2 * kWildCylinder * loosest_sag);
+    c.residual = refine_surface(surface, sample.shape.points, hopeless);
+    if (!(c.residual <= hopeless)) return false;
     c.patch.sag = sag_of(surface, sample.facets);
     return c.residual <= tolerance_for(kind, c.patch.sag);
   };
@@ -207,7 +213,7 @@ bool SurfaceSearch::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandida
     surface = *sample.cone;
     if (wildness() <= kWildGuess && refine() && may_lie_on(c)) return true;
   }
-  if (!sample.cylinder || sample.shape.points.size() < kFewestConePoints) return false;
+  if (!sample.cylinder || !leads_to_cone) return false;
   // The normals of irregular triangles tell little of a cone, but it has the rulings and the curvature of a cylinder.
   sag_part_ = kExactSagPart;
   surface = cone_from_cylinder(*sample.cylinder, sample.shape.points);
