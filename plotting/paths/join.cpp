@@ -10,7 +10,7 @@
 /// 5. Joins loose ends of chains within the tolerance, nearest first, and simplifies the result with the rest of the
 /// tolerance.
 
-#include "plotting/paths/join.hpp"
+#include "plotting/paths/optimize.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "plotting/paths/order.hpp"
+#include "plotting/paths/optimize.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -24,8 +24,6 @@ bool is_inside(std::span<const Point2> loop, Point2 p) {
   return inside;
 }
 
-double area_of(const Rect& box) { return (box.max.x - box.min.x) * (box.max.y - box.min.y); }
-
 /// For each stroke the smallest closed one that it lies in, or kNone. Sweeps down the page.
 std::vector<std::uint32_t> surrounders(const Polylines& lines) {
   const auto n = static_cast<std::uint32_t>(lines.size());
@@ -45,11 +43,11 @@ std::vector<std::uint32_t> surrounders(const Polylines& lines) {
     const Point2 p = lines[s].front();
     for (; next < loops.size() && boxes[loops[next]].min.y <= p.y; ++next) open.push_back(loops[next]);
     std::erase_if(open, [&](std::uint32_t loop) { return boxes[loop].max.y < p.y; });
-    const double own = area_of(boxes[s]);
+    const double own = boxes[s].width() * boxes[s].height();
     double smallest = std::numeric_limits<double>::infinity();
     for (const std::uint32_t loop : open) {
       const Rect& box = boxes[loop];
-      const double area = area_of(box);
+      const double area = box.width() * box.height();
       if (loop == s || p.x < box.min.x || p.x > box.max.x || area <= own || area >= smallest) continue;
       if (!is_inside(lines[loop], p)) continue;
       smallest = area;
@@ -266,6 +264,54 @@ Polylines order_strokes(const Polylines& lines, const OrderOptions& options, std
     }
   }
   return strokes.in_order(tour);
+}
+
+std::vector<std::uint32_t> long_strokes(const Polylines& lines, double min_length_mm) {
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    if (path_length(lines[i]) >= min_length_mm) kept.push_back(i);
+  }
+  return kept;
+}
+
+Polylines picked(const Polylines& lines, std::span<const std::uint32_t> numbers) {
+  Polylines some;
+  for (const std::uint32_t i : numbers) some.add(lines[i]);
+  return some;
+}
+
+Polylines optimize_paths(const Polylines& lines, const PathOptions& options) {
+  const bool joins = options.optimize == Optimize::join || options.optimize == Optimize::full,
+             orders = options.optimize == Optimize::order || options.optimize == Optimize::full;
+  Polylines strokes = joins ? join_strokes(lines, options.tolerances) : lines;
+  if (options.min_length_mm > 0) strokes = picked(strokes, long_strokes(strokes, options.min_length_mm));
+  return orders ? order_strokes(strokes, options.order) : strokes;
+}
+
+double PathPace::seconds(const PathLengths& lengths) const {
+  return lengths.down_mm / down_mm_s + lengths.up_mm / up_mm_s + static_cast<double>(lengths.strokes) * lift_s;
+}
+
+PathLengths& PathLengths::operator+=(const PathLengths& other) {
+  strokes += other.strokes;
+  down_mm += other.down_mm;
+  up_mm += other.up_mm;
+  return *this;
+}
+
+PathLengths measure(const Polylines& lines, Point2 home, bool returns) {
+  PathLengths lengths;
+  Point2 pen = home;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto line = lines[i];
+    if (line.empty()) continue;
+    ++lengths.strokes;
+    lengths.up_mm += glm::distance(pen, line.front());
+    lengths.down_mm += path_length(line);
+    pen = line.back();
+  }
+  if (returns && lengths.strokes > 0) lengths.up_mm += glm::distance(pen, home);
+  return lengths;
 }
 
 }  // namespace ligne

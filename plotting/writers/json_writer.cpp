@@ -11,7 +11,7 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "drawing/hidden_parts.hpp"
+#include "linework/stroke_geometry.hpp"
 #include "plotting/writers/json_values.hpp"
 #include "plotting/writers/number_text.hpp"
 #include "plotting/writers/writers.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// T-junctions of contours with other lines.
+/// The visible and hidden runs of contours, and their junctions with other lines.
 ///
 /// The faces that hide a contour, and the lines that it hides, were computed from the mesh. The contour as drawn runs
 /// up to the height of a chord's arc beside the outline of the mesh. So ends of visible parts are moved along their own
@@ -9,11 +9,35 @@
 #include <vector>
 
 #include "base/no_index.hpp"
-#include "contours/contour_states.hpp"
+#include "contours/contour_curves.hpp"
 #include "geometry/search/line_cells.hpp"
 #include "linework/stroke.hpp"
 
 namespace ligne {
+
+struct SmoothContours;
+
+/// State of a run: the number of transparent faces in front of it, if it is visible, or one of these.
+inline constexpr int kHiddenState = -1;
+inline constexpr int kOutsideState = -2;  ///< outside the window of the view
+
+/// A part of a curve with one state, between two values of CurvePoint::at.
+struct ContourRun {
+  double from = 0, to = 0;
+  int state = kHiddenState;
+};
+
+/// Makes the runs of a chain of `segments` segments from their strokes, sorted by source; segment i has the source
+/// `first_source` + i. With `hidden_too` hidden parts have strokes, so parts without a stroke are outside; otherwise
+/// parts without a stroke are hidden.
+std::vector<ContourRun> runs_of(const std::vector<Stroke>& strokes, std::uint32_t first_source, std::size_t segments,
+                                bool hidden_too);
+
+/// Overwrites the states of `runs` within the intervals of `changed`, which must be ascending.
+void put_in(std::vector<ContourRun>& runs, const std::vector<ContourRun>& changed);
+
+/// Gives runs shorter than `shortest_mm` on the page the state of their longer neighbour.
+void drop_short_runs(std::vector<ContourRun>& runs, const ContourCurve& curve, double shortest_mm);
 
 /// A straight piece of a line that may hide another.
 struct OutlineSegment {
@@ -75,5 +99,11 @@ void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel
 
 /// Moves the ends at which other visible strokes become hidden onto visible contours in front of them.
 void move_ends_of_strokes(StrokeModel& others, const std::vector<SeenContour>& contours, double reach_mm);
+
+/// Leads free ends of visible tangent lines, on an edge at which a visible contour runs from one surface into another
+/// (ContourNode::is_joint), to that place. The new strokes get sources in StrokeModel::intersections. `seen`: per chain of
+/// `contours`.
+void join_tangents_to_contours(StrokeModel& model, const Scene& scene, const View& view, const SmoothContours& contours,
+                               const std::vector<SeenContour>& seen);
 
 }  // namespace ligne

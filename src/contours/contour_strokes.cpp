@@ -8,7 +8,6 @@
 #include "contours/contour_sights.hpp"
 #include "contours/surfaces/outline_evidence.hpp"
 #include "contours/surfaces/outline_probes.hpp"
-#include "contours/tangent_joints.hpp"
 
 namespace ligne {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/no_index.hpp"
-#include "drawing/hidden_parts.hpp"
+#include "linework/stroke_geometry.hpp"
 
 namespace ligne {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "contours/contour_states.hpp"
+#include "contours/contour_junctions.hpp"
 #include "linework/stroke.hpp"
 #include "view/view.hpp"
 

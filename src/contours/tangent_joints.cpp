@@ -1,4 +1,8 @@
-#include "contours/tangent_joints.hpp"
+/// Where a cylinder runs into a fillet, as at the foot of a column, the contour of the cylinder crosses the tangent line
+/// between both surfaces, or turns back there, and the visible part of that line begins at the crossing. The visibility
+/// of the line is that of the mesh, so it begins at some vertex of the mesh beside that place.
+
+#include "contours/contour_junctions.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +13,7 @@
 
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
+#include "contours/contour_lines.hpp"
 #include "geometry/nearest_on_segment.hpp"
 #include "linework/map/nodes.hpp"
 #include "linework/stroke_geometry.hpp"

@@ -1,5 +1,8 @@
 #include "linework/stroke_geometry.hpp"
 
+#include <iterator>
+#include <utility>
+
 namespace ligne {
 
 void unite(std::vector<StrokePart>& parts) {
@@ -46,6 +49,25 @@ double walked_cell(const std::vector<Stroke>& strokes, double wanted) {
   double sum = 0;
   for (const Stroke& s : strokes) sum += std::abs(double(s.to.x) - s.from.x) + std::abs(double(s.to.y) - s.from.y);
   return std::max(wanted, sum / (kCellsPerStroke * static_cast<double>(strokes.size()) + kCellsOfFew));
+}
+
+const HiddenPart* hidden_part_at(const StrokeModel& model, std::uint32_t source, double t) {
+  const auto begins_behind = [](const std::pair<std::uint32_t, double>& at, const HiddenPart& part) {
+    return at < std::pair(part.source, part.t_from);
+  };
+  const auto behind =
+      std::upper_bound(model.hidden_parts.begin(), model.hidden_parts.end(), std::pair(source, t), begins_behind);
+  if (behind == model.hidden_parts.begin()) return nullptr;
+  const HiddenPart& part = *std::prev(behind);
+  return part.source == source && t <= part.t_to ? &part : nullptr;
+}
+
+const HiddenPart* hidden_part_of(const StrokeModel& model, const Stroke& stroke) {
+  return stroke.visible ? nullptr : hidden_part_at(model, stroke.source, (stroke.t_from + stroke.t_to) / 2);
+}
+
+void leave_out_often_hidden(StrokeModel& model, unsigned most) {
+  std::erase_if(model.strokes, [most](const Stroke& s) { return !s.visible && s.level > most; });
 }
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Kinds, lengths, pieces and intervals of strokes on the page.
+/// Kinds, lengths, pieces and intervals of strokes on the page, and the faces in front of hidden ones.
 
 #include <algorithm>
 #include <cmath>
@@ -115,5 +115,14 @@ StrokePart part_near(const Stroke& stroke, const Stroke& other, double reach);
 /// strokes would pass more than 64 cells on average and a quarter of a million in all. Then it is larger by that ratio,
 /// so that a very fine pen on a large page needs no more memory than the strokes.
 double walked_cell(const std::vector<Stroke>& strokes, double wanted);
+
+/// Returns the part of StrokeModel::hidden_parts at the parameter `t` of a source, or null.
+const HiddenPart* hidden_part_at(const StrokeModel& model, std::uint32_t source, double t);
+
+/// Returns the part at the middle of a stroke. Null if the stroke is visible or no faces were counted there.
+const HiddenPart* hidden_part_of(const StrokeModel& model, const Stroke& stroke);
+
+/// Removes the hidden strokes that more than `most` faces hide. Strokes without a number stay.
+void leave_out_often_hidden(StrokeModel& model, unsigned most);
 
 }  // namespace ligne

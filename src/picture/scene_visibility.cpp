@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/no_index.hpp"
-#include "drawing/hidden_parts.hpp"
+#include "linework/stroke_geometry.hpp"
 #include "picture/choice/method_choice.hpp"
 #include "picture/clear/tidy_strokes.hpp"
 #include "picture/errors.hpp"
@@ -26,7 +26,8 @@ void remove_hidden_axes(StrokeModel& model) {
 /// Cuts profiles out of lines, and then removes the classes that were needed only for profiles.
 void add_profiles(StrokeModel& model, PreparedScene& prepared, const ContourSources& contours) {
   const LineRequest& lines = prepared.request.lines;
-  draw_profiles(model, prepared.projected, prepared.scene, contours, lines.profiles(), prepared.request.page.pen_width_mm);
+  const ProfileStyle style{lines.profiles(), prepared.request.page.pen_width_mm};
+  draw_profiles(model, prepared.projected, prepared.scene, contours, style);
   const LineClasses studied = lines.studied();
   std::erase_if(model.strokes, [&](const Stroke& stroke) {
     return studied.has(stroke.line_class) && !lines.classes.has(stroke.line_class);

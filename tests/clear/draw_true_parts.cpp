@@ -5,7 +5,7 @@
 #include "clear/true_parts.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/models/models.hpp"
-#include "plotting/paths/join.hpp"
+#include "plotting/paths/optimize.hpp"
 
 namespace ligne::test {
 namespace {

@@ -52,9 +52,7 @@ TEST(PointTree, VisitsTheLeavesOfTheBoxesThatAreEntered) {
           EXPECT_EQ(squared, tree.box(node).squared_distance(p));
           return squared <= reach * reach;
         },
-        [&](std::uint32_t begin, std::uint32_t end) {
-          for (; begin < end; ++begin) found.push_back(tree.order()[begin]);
-        });
+        [&](std::uint32_t place) { found.push_back(tree.order()[place]); });
     std::sort(found.begin(), found.end());
     EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
     for (std::uint32_t k = 0; k < points.size(); ++k)
@@ -83,9 +81,8 @@ TEST(PointTree, EveryPointIsInTheNodesAroundIt) {
 TEST(PointTree, OfNoPointsHasNothingToVisit) {
   PointTree<2>(std::vector<TreePoint<2>>{})
       .search_from(
-          Point2(0, 0), [](std::uint32_t, double) { return true; }, [](std::uint32_t, std::uint32_t) { FAIL(); });
-  PointTree<2>(std::vector<TreePoint<2>>{})
-      .search([](const PointBox<2>&) { return true; }, [](std::uint32_t, std::uint32_t) { FAIL(); });
+          Point2(0, 0), [](std::uint32_t, double) { return true; }, [](std::uint32_t) { FAIL(); });
+  PointTree<2>(std::vector<TreePoint<2>>{}).search([](const PointBox<2>&) { return true; }, [](std::uint32_t) { FAIL(); });
 }
 
 // The search for overlaps against all pairs.

@@ -6,7 +6,7 @@
 #include "geometry/simplify.hpp"
 #include "main/script.hpp"
 #include "plotting/dashes.hpp"
-#include "plotting/paths/join.hpp"
+#include "plotting/paths/optimize.hpp"
 #include "plotting/readers/drawing_reader.hpp"
 #include "plotting/readers/utf8.hpp"
 #include "plotting/stroke_text.hpp"

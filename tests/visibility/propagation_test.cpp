@@ -1,7 +1,7 @@
 // The number of faces before an edge: counted edge by edge, and carried from vertex to vertex in three ways.
 
 #include "base/parallel.hpp"
-#include "drawing/hidden_parts.hpp"
+#include "linework/stroke_geometry.hpp"
 #include "main/tier.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"

@@ -33,15 +33,13 @@ void NearestPoints::nearest(Point2 p, std::size_t count, std::vector<Neighbour>&
   };
   // A box as far as the farthest point found holds nothing nearer, so a thousand points in one place are not all visited.
   const auto enter = [&](std::uint32_t node, double squared) { return left_in_[node] > 0 && squared < limit; };
-  tree_.search_from(p, enter, [&](std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t i = begin; i < end; ++i) {
-      const Point2 d = points_[i] - p;
-      const Neighbour neighbour{d.x * d.x + d.y * d.y, tree_.order()[i]};
-      if (!is_left_[i] || !(neighbour.squared < limit)) continue;
-      if (found.size() == count) found.pop_back();
-      found.insert(std::upper_bound(found.begin(), found.end(), neighbour, nearer), neighbour);
-      if (found.size() == count) limit = found.back().squared;
-    }
+  tree_.search_from(p, enter, [&](std::uint32_t i) {
+    const Point2 d = points_[i] - p;
+    const Neighbour neighbour{d.x * d.x + d.y * d.y, tree_.order()[i]};
+    if (!is_left_[i] || !(neighbour.squared < limit)) return;
+    if (found.size() == count) found.pop_back();
+    found.insert(std::upper_bound(found.begin(), found.end(), neighbour, nearer), neighbour);
+    if (found.size() == count) limit = found.back().squared;
   });
 }
 
@@ -58,11 +56,9 @@ bool NearestPoints::any_within(Point2 center, Point2 half) const {
     found = is_inside;
     return !found;
   };
-  tree_.search(enter, [&](std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t i = begin; i < end; ++i) {
-      const Point2 d = points_[i] - center;
-      found = found || (std::abs(d.x) < half.x && std::abs(d.y) < half.y);
-    }
+  tree_.search(enter, [&](std::uint32_t i) {
+    const Point2 d = points_[i] - center;
+    found = found || (std::abs(d.x) < half.x && std::abs(d.y) < half.y);
   });
   return found;
 }

@@ -50,8 +50,8 @@ class PointTree {
   /// The number of points in a node.
   std::uint32_t size_of(std::uint32_t node) const { return nodes_[node].end - nodes_[node].begin; }
 
-  /// Calls visit(begin, end) for each leaf for whose box, and for all boxes around it, enter(box) returns true. The points
-  /// of the leaf are order()[begin] to order()[end - 1].
+  /// Calls visit(place in order()) for the points of each leaf for whose box, and for all boxes around it, enter(box)
+  /// returns true.
   template <class Enter, class Visit>
   void search(const Enter& enter, const Visit& visit) const {
     for (std::uint32_t node = 0; node < nodes_.size();) {
@@ -59,14 +59,13 @@ class PointTree {
         node = nodes_[node].after;
         continue;
       }
-      if (is_leaf(node)) visit(nodes_[node].begin, nodes_[node].end);
+      if (is_leaf(node)) visit_points(node, visit);
       ++node;
     }
   }
 
-  /// Calls visit(begin, end) for each leaf for which, and for all nodes around it, enter(node, squared distance of its box
-  /// from p on the page) returns true. The points of the leaf are order()[begin] to order()[end - 1]. Of two nodes the
-  /// nearer one comes first.
+  /// Calls visit(place in order()) for the points of each leaf for which, and for all nodes around it, enter(node, squared
+  /// distance of its box from p on the page) returns true. Of two nodes the nearer one comes first.
   template <class Place, class Enter, class Visit>
   void search_from(const Place& p, const Enter& enter, const Visit& visit) const {
     if (!nodes_.empty()) search_node(0, nodes_[0].box.squared_distance(p), p, enter, visit);
@@ -92,6 +91,11 @@ class PointTree {
   };
 
   bool is_leaf(std::uint32_t node) const { return nodes_[node].after == node + 1; }
+
+  template <class Visit>
+  void visit_points(std::uint32_t node, const Visit& visit) const {
+    for (std::uint32_t place = nodes_[node].begin; place < nodes_[node].end; ++place) visit(place);
+  }
 
   void build(const std::vector<Point>& points, std::uint32_t begin, std::uint32_t end) {
     const std::size_t node = nodes_.size();
@@ -121,7 +125,7 @@ class PointTree {
   template <class Place, class Enter, class Visit>
   void search_node(std::uint32_t node, double squared, const Place& p, const Enter& enter, const Visit& visit) const {
     if (!enter(node, squared)) return;
-    if (is_leaf(node)) return visit(nodes_[node].begin, nodes_[node].end);
+    if (is_leaf(node)) return visit_points(node, visit);
     std::uint32_t near = node + 1, far = nodes_[near].after;
     double to_near = nodes_[near].box.squared_distance(p), to_far = nodes_[far].box.squared_distance(p);
     if (to_far < to_near) {

@@ -111,14 +111,12 @@ void SegmentEndTree::for_each_along(const DirectedSegment& segment, const Visit&
   const LatticePoint from = segment.from, to = segment.to;
   const double dx = double(to.x) - from.x, dy = double(to.y) - from.y, most = reach_ * segment.length;
   const auto may_hold_some = [&](const Box& box) { return may_hold(box, line); };
-  tree_.search(may_hold_some, [&](std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t e = begin; e < end; ++e) {
-      const PlacedEnd& other = ends_[e];
-      const double area = dx * (double(other.p.y) - from.y) - dy * (double(other.p.x) - from.x);
-      if (std::abs(area) > most) continue;
-      if ((other.p == from && other.far != to) || (other.p == to && other.far != from)) continue;
-      visit(other);
-    }
+  tree_.search(may_hold_some, [&](std::uint32_t e) {
+    const PlacedEnd& other = ends_[e];
+    const double area = dx * (double(other.p.y) - from.y) - dy * (double(other.p.x) - from.x);
+    if (std::abs(area) > most) return;
+    if ((other.p == from && other.far != to) || (other.p == to && other.far != from)) return;
+    visit(other);
   });
 }
 

@@ -71,7 +71,7 @@ struct ComparedStrokes {
 };
 
 /// Where many strokes of about the same length lie on one line in one place, only the parts stay that no other of these
-/// strokes covers. So the number of pairs that remain for resolve_pairs() grows as n log n. Strokes that need no check
+/// strokes covers. So the number of pairs that remain to be resolved grows as n log n. Strokes that need no check
 /// (Stroke::needs_overlap_check) take no part. `strokes` are sorted by precedence. Returns what stays of the crowded ones,
 /// ascending.
 std::vector<CutStroke> thin_crowded_lines(const std::vector<Stroke>& strokes, const OverlapTolerance& tolerance);
@@ -94,10 +94,5 @@ std::vector<std::uint32_t> strokes_near(const std::vector<Stroke>& strokes, std:
 /// its direction. Runs in parallel. Takes O(n log n), plus one test for each pair where an end of one lies near the line of
 /// the other and their directions are similar.
 std::vector<StrokePair> find_new_overlaps(const ComparedStrokes& compared, double tolerance_steps);
-
-/// Resolves pairs of overlapping strokes, ascending, where strokes are numbered by falling precedence. Returns what stays of
-/// the strokes in pairs, ascending. It may overlap other strokes only where a cut has made new ends.
-std::vector<CutStroke> resolve_pairs(const std::vector<Stroke>& strokes, std::span<const StrokePair> pairs,
-                                     const OverlapTolerance& tolerance);
 
 }  // namespace ligne

@@ -1,8 +1,13 @@
+/// Two rules that join ends of lines by bridges: bridge_gaps() joins free ends that point at each other, close_outlines()
+/// joins outlines where an outline of a body is not drawn.
+
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <tuple>
 #include <utility>
 #include <vector>
+
+#include <glm/geometric.hpp>
 
 #include "base/parallel.hpp"
 #include "geometry/search/point_tree.hpp"
@@ -30,6 +35,46 @@ constexpr double kOwnLineInClears = 4;
 /// Factor above the rounding errors of a squared distance.
 constexpr double kAbout = 1 + 0x1p-40;
 
+/// Length of the outline behind an end on which it looks for no other end, in longest bridges.
+constexpr double kOwnLineInBridges = 2;
+/// Parts at both ends of a bridge of outlines that may lie beside other lines, in clear distances.
+constexpr double kMeetingInClears = 2;
+/// Least cosine of the turn from an outline into its bridge: 120 degrees. Outlines that end side by side are not joined.
+constexpr double kLeastBridgeCosine = -0.5;
+
+/// A bridge between two ends, with the properties of the line that ends at `like`.
+struct Bridge {
+  std::uint32_t from, to, like;
+  double length;
+};
+
+Stroke stroke_of(const LineMap& map, const Bridge& bridge) {
+  const Stroke &s = map.piece(bridge.from / 2), &t = map.piece(bridge.to / 2);
+  const bool at_s_from = bridge.from % 2 == 0, at_t_from = bridge.to % 2 == 0;
+  Stroke stroke = map.piece(bridge.like / 2);
+  stroke.from = map.point(bridge.from);
+  stroke.to = map.point(bridge.to);
+  stroke.z_from = at_s_from ? s.z_from : s.z_to;
+  stroke.z_to = at_t_from ? t.z_from : t.z_to;
+  stroke.w_from = at_s_from ? s.w_from : s.w_to;
+  stroke.w_to = at_t_from ? t.w_from : t.w_to;
+  return stroke;
+}
+
+/// Whether a line within `clear` lattice steps blocks a stroke. The pieces of `own` do not.
+bool is_blocked(LineMap& map, const Stroke& stroke, double clear, const std::vector<std::uint32_t>& own) {
+  return map.near(stroke.from, stroke.to, clear, [&](std::uint32_t p) {
+    return std::ranges::find(own, p) == own.end() && !part_near(stroke, map.piece(p), clear).empty();
+  });
+}
+
+PointTree<2> tree_of(const LineMap& map, const std::vector<std::uint32_t>& ends) {
+  std::vector<TreePoint<2>> points;
+  points.reserve(ends.size());
+  for (const std::uint32_t end : ends) points.push_back({map.point(end).x, map.point(end).y});
+  return PointTree<2>(points);
+}
+
 /// A free end of an edge.
 struct OpenEnd {
   std::uint32_t end;
@@ -37,35 +82,36 @@ struct OpenEnd {
   double dx = 0, dy = 0, length = 0;  ///< direction and length of the whole stroke, towards the end
   double line_length = 0;             ///< length of its chain
   std::uint32_t chain = kNone;
-  std::uint32_t nearest = kNone;  ///< nearest end to which it may be joined
 };
 
 class OpenEnds {
  public:
   OpenEnds(const LineMap& map, double gap, double wide) : gap_(gap), wide_(wide) {
     const ArcsOfPieces chains(map, Arcs(map, Arcs::kNoContacts));
+    std::vector<std::uint32_t> numbers;
     for (std::uint32_t end = 0; end < 2 * map.piece_count(); ++end) {
       if (!map.is_alive(end / 2) || !is_feature(map.piece(end / 2)) || !map.is_free(end)) continue;
       const Stroke& s = map.stroke_of(end / 2);
       const LatticePoint start = end % 2 == 0 ? s.to : s.from, p = map.point(end);
       const std::uint32_t chain = chains.of(end / 2);
       ends_.push_back({end, p, double(p.x) - start.x, double(p.y) - start.y, page_length(s), chains[chain].length, chain});
+      numbers.push_back(end);
     }
-    std::vector<TreePoint<2>> points;
-    points.reserve(ends_.size());
-    for (const OpenEnd& end : ends_) points.push_back({end.point.x, end.point.y});
-    const PointTree<2> tree(points);
-    parallel_blocks(ends_.size(), kSearchBlock, [&](std::size_t begin, std::size_t last) {
-      for (std::size_t e = begin; e < last; ++e) ends_[e].nearest = nearest(static_cast<std::uint32_t>(e), tree);
-    });
+    tree_ = tree_of(map, numbers);
   }
 
-  /// Pairs of ends that are each other's nearest.
-  std::vector<std::pair<OpenEnd, OpenEnd>> pairs() const {
-    std::vector<std::pair<OpenEnd, OpenEnd>> found;
+  /// Bridges between ends that are each other's nearest.
+  std::vector<Bridge> bridges() const {
+    std::vector<std::uint32_t> nearest_to(ends_.size());
+    parallel_blocks(ends_.size(), kSearchBlock, [&](std::size_t begin, std::size_t last) {
+      for (std::size_t e = begin; e < last; ++e) nearest_to[e] = nearest(static_cast<std::uint32_t>(e));
+    });
+    std::vector<Bridge> found;
     for (std::uint32_t e = 0; e < ends_.size(); ++e) {
-      const std::uint32_t other = ends_[e].nearest;
-      if (other != kNone && other > e && ends_[other].nearest == e) found.emplace_back(ends_[e], ends_[other]);
+      const std::uint32_t other = nearest_to[e];
+      if (other == kNone || other < e || nearest_to[other] != e) continue;
+      const OpenEnd &a = ends_[e], &b = ends_[other];
+      found.push_back({a.end, b.end, a.line_length < b.line_length ? b.end : a.end, length(a.point, b.point)});
     }
     return found;
   }
@@ -99,7 +145,8 @@ class OpenEnds {
     return false;
   }
 
-  std::uint32_t nearest(std::uint32_t e, const PointTree<2>& tree) const {
+  /// The nearest end to which an end may be joined, or kNone.
+  std::uint32_t nearest(std::uint32_t e) const {
     const OpenEnd& end = ends_[e];
     const LatticePoint p = end.point;
     std::uint32_t best = kNone;
@@ -107,9 +154,10 @@ class OpenEnds {
     const auto enter = [&](std::uint32_t node, double squared) {
       if (squared > kAbout * best_distance * best_distance) return false;
       const bool is_apart = end.length > wide_ && squared > kAbout * kRoundedSteps * kRoundedSteps;
-      return !is_apart || !leads_away(end, tree.box(node));
+      return !is_apart || !leads_away(end, tree_.box(node));
     };
-    const auto offer = [&](std::uint32_t o) {
+    tree_.search_from(p, enter, [&](std::uint32_t place) {
+      const std::uint32_t o = tree_.order()[place];
       const OpenEnd& other = ends_[o];
       const LatticePoint q = other.point;
       const double away = length(p, q);
@@ -118,57 +166,133 @@ class OpenEnds {
       if (!leads_to(end, q, away) || !leads_to(other, p, away)) return;
       best = o;
       best_distance = away;
-    };
-    tree.search_from(p, enter, [&](std::uint32_t first, std::uint32_t last) {
-      for (std::uint32_t i = first; i < last; ++i) offer(tree.order()[i]);
     });
     return best;
   }
 
   double gap_, wide_;
   std::vector<OpenEnd> ends_;
+  PointTree<2> tree_;
 };
 
-std::size_t bridge_once(LineMap& map, const GapLimits& limits, const MakeSource& make_source) {
-  const double gap = limits.gap_mm / map.step_mm(), clear = limits.clear_mm / map.step_mm();
-  const auto pairs = OpenEnds(map, gap, limits.wide_mm / map.step_mm()).pairs();
-  std::vector<std::pair<Stroke, std::size_t>> bridges;
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const auto& [a, b] = pairs[k];
-    const Stroke bridge = bridge_between(map, a.end, b.end, (a.line_length < b.line_length ? b.end : a.end) / 2);
-    std::vector<std::uint32_t> own = map.line_back(a.end, kOwnLineInClears * clear);
-    std::ranges::copy(map.line_back(b.end, kOwnLineInClears * clear), std::back_inserter(own));
-    const auto blocks = [&](std::uint32_t p) {
-      return std::ranges::find(own, p) == own.end() && !part_near(bridge, map.piece(p), clear).empty();
-    };
-    const bool shows = length(a.point, b.point) >= gap;
-    if (!shows || !map.near(bridge.from, bridge.to, clear, blocks)) bridges.emplace_back(bridge, k);
+class OutlineGaps {
+ public:
+  OutlineGaps(LineMap& map, const OutlineGapLimits& limits)
+      : map_(map), limits_(limits), wide_(limits.wide_mm / map.step_mm()), clear_(limits.clear_mm / map.step_mm()) {
+    for (std::uint32_t end = 0; end < 2 * map.piece_count(); ++end) {
+      if (map.is_alive(end / 2) && map.piece(end / 2).line_class == LineClass::outline) ends_.push_back(end);
+    }
+    tree_ = tree_of(map, ends_);
   }
-  for (const auto& [bridge, k] : bridges) map.add(bridge, pairs[k].first.end, pairs[k].second.end, make_source);
-  return bridges.size();
-}
+
+  /// The bridges from free ends to their nearest ends along missing outlines, the shortest first.
+  std::vector<Bridge> bridges() {
+    std::vector<Bridge> found;
+    for (const std::uint32_t end : ends_) {
+      if (!map_.is_free(end) || touches(end)) continue;
+      const Bridge bridge = nearest(end);
+      if (bridge.to == kNone || turns_back(end, bridge.to)) continue;
+      const bool is_free = map_.is_free(bridge.to);
+      if (is_free && turns_back(bridge.to, end)) continue;
+      if (limits_.is_outline(mm(end), mm(bridge.to), !is_free) && is_clear(bridge)) found.push_back(bridge);
+    }
+    const auto key = [&](const Bridge& b) { return std::tuple(b.length, map_.point(b.from), map_.point(b.to)); };
+    std::ranges::sort(found, {}, key);
+    return found;
+  }
+
+ private:
+  Point2 mm(std::uint32_t end) const { return map_.to_mm(map_.point(end)); }
+
+  /// Order of the ends that are equally far away.
+  std::pair<LatticePoint, float> key_of(std::uint32_t end) const {
+    const Stroke& s = map_.piece(end / 2);
+    return {map_.point(end), end % 2 == 0 ? s.z_from : s.z_to};
+  }
+
+  std::vector<std::uint32_t> own_line(std::uint32_t end) const {
+    std::vector<std::uint32_t> own = map_.line_back(end, kOwnLineInBridges * wide_);
+    std::ranges::sort(own);
+    return own;
+  }
+
+  /// Whether the end lies in the ink of another line.
+  bool touches(std::uint32_t end) {
+    const std::vector<std::uint32_t> own = own_line(end);
+    const LatticePoint p = map_.point(end);
+    return map_.near(p, p, clear_, [&](std::uint32_t piece) {
+      return !std::ranges::binary_search(own, piece) && foot_on(map_.piece(piece), p).distance <= clear_;
+    });
+  }
+
+  /// Whether the way from an end to another one turns back beside the line of the first.
+  bool turns_back(std::uint32_t end, std::uint32_t other) const {
+    const LatticePoint start = map_.point(end ^ 1), p = map_.point(end), q = map_.point(other);
+    const Point2 along{double(p.x) - start.x, double(p.y) - start.y}, ahead{double(q.x) - p.x, double(q.y) - p.y};
+    return glm::dot(along, ahead) < kLeastBridgeCosine * glm::length(along) * glm::length(ahead);
+  }
+
+  Bridge nearest(std::uint32_t end) const {
+    const std::vector<std::uint32_t> own = own_line(end);
+    const LatticePoint p = map_.point(end);
+    Bridge best{end, kNone, end, wide_};
+    const auto enter = [&](std::uint32_t, double squared) { return squared <= best.length * best.length; };
+    tree_.search_from(p, enter, [&](std::uint32_t place) {
+      const std::uint32_t other = ends_[tree_.order()[place]];
+      const double away = length(p, map_.point(other));
+      if (away > best.length || std::ranges::binary_search(own, other / 2)) return;
+      if (away < best.length || best.to == kNone || key_of(other) < key_of(best.to)) best = {end, other, end, away};
+    });
+    return best;
+  }
+
+  /// Whether no line runs beside the bridge between its ends.
+  bool is_clear(const Bridge& bridge) {
+    const double margin = kMeetingInClears * clear_;
+    if (bridge.length <= 2 * margin) return true;
+    const Stroke whole = stroke_of(map_, bridge);
+    Stroke middle = whole;
+    middle.from = point_at(whole, margin / bridge.length);
+    middle.to = point_at(whole, 1 - margin / bridge.length);
+    return !is_blocked(map_, middle, clear_, {});
+  }
+
+  LineMap& map_;
+  const OutlineGapLimits& limits_;
+  double wide_, clear_;
+  std::vector<std::uint32_t> ends_;
+  PointTree<2> tree_;
+};
 
 }  // namespace
 
-Stroke bridge_between(const LineMap& map, std::uint32_t a, std::uint32_t b, std::uint32_t like) {
-  const Stroke &s = map.piece(a / 2), &t = map.piece(b / 2);
-  const bool a_from = a % 2 == 0, b_from = b % 2 == 0;
-  Stroke bridge = map.piece(like);
-  bridge.from = map.point(a);
-  bridge.to = map.point(b);
-  bridge.z_from = a_from ? s.z_from : s.z_to;
-  bridge.z_to = b_from ? t.z_from : t.z_to;
-  bridge.w_from = a_from ? s.w_from : s.w_to;
-  bridge.w_to = b_from ? t.w_from : t.w_to;
-  return bridge;
-}
-
 std::size_t bridge_gaps(LineMap& map, const GapLimits& limits, const MakeSource& make_source) {
+  const double gap = limits.gap_mm / map.step_mm(), clear = limits.clear_mm / map.step_mm();
+  const auto is_seen_and_blocked = [&](const Bridge& bridge) {
+    if (bridge.length < gap) return false;
+    std::vector<std::uint32_t> own = map.line_back(bridge.from, kOwnLineInClears * clear);
+    const std::vector<std::uint32_t> far = map.line_back(bridge.to, kOwnLineInClears * clear);
+    own.insert(own.end(), far.begin(), far.end());
+    return is_blocked(map, stroke_of(map, bridge), clear, own);
+  };
   std::size_t count = 0;
   for (int round = 0; round < kMostBridgingRounds; ++round) {
-    const std::size_t added = bridge_once(map, limits, make_source);
-    count += added;
-    if (added == 0) break;
+    std::vector<Bridge> bridges = OpenEnds(map, gap, limits.wide_mm / map.step_mm()).bridges();
+    std::erase_if(bridges, is_seen_and_blocked);
+    for (const Bridge& bridge : bridges) map.add(stroke_of(map, bridge), bridge.from, bridge.to, make_source);
+    count += bridges.size();
+    if (bridges.empty()) break;
+  }
+  return count;
+}
+
+std::size_t close_outlines(LineMap& map, const OutlineGapLimits& limits, const MakeSource& make_source) {
+  if (!limits.is_outline) return 0;
+  std::size_t count = 0;
+  for (const Bridge& bridge : OutlineGaps(map, limits).bridges()) {
+    if (!map.is_free(bridge.from)) continue;  // another bridge leads there
+    map.add(stroke_of(map, bridge), bridge.from, bridge.to, make_source);
+    ++count;
   }
   return count;
 }

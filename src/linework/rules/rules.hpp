@@ -32,9 +32,6 @@ struct GapLimits {
 /// for each bridge. O(n log n).
 std::size_t bridge_gaps(LineMap& map, const GapLimits& limits, const MakeSource& make_source);
 
-/// The stroke from the end a to the end b, with the properties of the piece `like`.
-Stroke bridge_between(const LineMap& map, std::uint32_t a, std::uint32_t b, std::uint32_t like);
-
 struct OutlineGapLimits {
   double wide_mm = 0;   ///< longest bridge
   double clear_mm = 0;  ///< least distance of other lines from the middle of a bridge

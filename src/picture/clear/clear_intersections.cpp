@@ -3,40 +3,41 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "picture/clear/rim_lines.hpp"
+#include "base/no_index.hpp"
+#include "geometry/degrees.hpp"
+#include "geometry/nearest_on_segment.hpp"
 #include "scene/contacts/chord_errors.hpp"
 #include "scene/contacts/face_contact.hpp"
+#include "scene/heal/edge_tree.hpp"
 #include "scene/model/face_area.hpp"
 #include "scene/model/topology.hpp"
 
 namespace ligne {
 namespace {
 
-/// Returns the faces of the intersections, ascending.
-std::vector<std::uint32_t> faces_of(const std::vector<SourceEdge>& segments) {
+void sort_once(std::vector<std::uint32_t>& faces) {
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+}
+
+/// Returns the faces of the intersections and their neighbours, ascending.
+std::vector<std::uint32_t> faces_near(const Scene& scene, const std::vector<SourceEdge>& segments) {
   std::vector<std::uint32_t> faces;
   for (const SourceEdge& s : segments) {
     if (s.intersection) faces.insert(faces.end(), s.faces.begin(), s.faces.end());
   }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  return faces;
-}
-
-/// Returns the faces and their neighbours.
-std::vector<std::uint32_t> with_neighbours(const Scene& scene, std::vector<std::uint32_t> faces) {
+  sort_once(faces);
   const FaceNeighbours neighbours(scene, faces);
   neighbours.for_each_pair([&](std::uint32_t a, std::uint32_t b, std::uint32_t, std::uint32_t) {
     faces.insert(faces.end(), {a, b});
   });
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  sort_once(faces);
   return faces;
 }
 
@@ -55,6 +56,13 @@ class ContactErrors {
   ContactErrors(const Scene& scene, const Patches& patches, const ChordErrors& errors)
       : scene_(scene), patches_(patches), errors_(errors) {}
 
+  /// Whether the faces of an intersection only touch.
+  bool is_contact(const SourceEdge& s) const {
+    const double distance = s.intersection ? contact_distance(s.faces) : 0;
+    return distance > 0 && within_distance(scene_, s.faces, s.ends, distance);
+  }
+
+ private:
   /// Distance within which two faces that cross only touch.
   double contact_distance(const std::array<std::uint32_t, 2>& faces) const {
     const double error = errors_.of(faces[0]) + errors_.of(faces[1]);
@@ -67,7 +75,6 @@ class ContactErrors {
     return kGrazingErrors * (a.error + b.error) + precision;
   }
 
- private:
   struct Turn {
     double angle = 0, error = 0;
   };
@@ -92,16 +99,151 @@ class ContactErrors {
   const ChordErrors& errors_;
 };
 
-/// Per segment whether its faces only touch.
-std::vector<bool> find_contacts(const Scene& scene, const std::vector<SourceEdge>& segments, const ContactErrors& errors) {
-  std::vector<bool> contact(segments.size(), false);
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const SourceEdge& s = segments[i];
+/// Whether the face is turned towards the viewer.
+bool looks_at(const Scene& scene, std::uint32_t face, const Camera& camera) {
+  const Point3 sight = camera.perspective ? scene.vertices[scene.faces.contour(face, 0)[0]] - camera.eye : camera.forward;
+  return glm::dot(face_normal(scene, face), sight) < 0;
+}
+
+Point3 between(const Point3& a, const Point3& b, double t) { return a + t * (b - a); }
+
+/// Rims near intersections. Where a pin leaves its bore, its triangles hide parts of the rim of the bore and cut the
+/// face around it instead, within the distance of the triangles from the exact shapes. A piece of an intersection this
+/// near to a rim is drawn as a piece of the rim. A rim is a border of one of its faces, or an edge that bends by more
+/// than `smooth_degrees`.
+class RimLines {
+ public:
+  RimLines(const Scene& scene, const FaceNeighbours& neighbours, const ChordErrors& errors,
+           const std::vector<SourceEdge>& segments, double smooth_degrees);
+
+  /// Returns one or two pieces of rims that replace a stroke of an intersection, and appends their sources to
+  /// `model.intersections`. Returns none if the stroke runs along no rim, or along a rim whose class is not in
+  /// `classes`.
+  std::vector<Stroke> pieces(StrokeModel& model, const Stroke& stroke, const View& view, LineClasses classes) const;
+
+ private:
+  struct Rim {
+    std::uint32_t v0, v1;
+    std::uint32_t face, neighbour;
+    double distance;  ///< the error of its neighbour: distance of the triangles from the exact shape
+  };
+  struct Place {
+    std::uint32_t rim;
+    double at;  ///< 0 at its v0, 1 at its v1
+  };
+  std::optional<Place> nearest(std::uint32_t face, double distance, const Point3& p) const;
+  LineClass line_class(const Rim& rim, const Camera& camera) const;
+  /// Adds a piece between two places of one rim.
+  void add_piece(StrokeModel& model, std::vector<Stroke>& pieces, const Stroke& stroke, const View& view, const Place& from,
+                 double to) const;
+
+  const Scene& scene_;
+  const ChordErrors& errors_;
+  std::vector<Rim> rims_;
+  EdgeTree tree_{{}};
+};
+
+RimLines::RimLines(const Scene& scene, const FaceNeighbours& neighbours, const ChordErrors& errors,
+                   const std::vector<SourceEdge>& segments, double smooth_degrees)
+    : scene_(scene), errors_(errors) {
+  std::vector<std::uint32_t> faces;
+  for (const SourceEdge& s : segments) {
     if (!s.intersection) continue;
-    const double distance = errors.contact_distance(s.faces);
-    contact[i] = distance > 0 && within_distance(scene, s.faces, s.ends, distance);
+    for (int k = 0; k < 2; ++k) {
+      if (errors.of(s.faces[1 - k]) > 0) faces.push_back(s.faces[k]);
+    }
   }
-  return contact;
+  sort_once(faces);
+  const double smooth = 2 * sine_cosine_degrees(smooth_degrees / 2).sine;
+  std::vector<EdgeTree::Segment> places;
+  for (const std::uint32_t face : faces) {
+    const Point3 normal = face_normal(scene, face);
+    for_each_edge(scene, face, [&](std::uint32_t v, std::uint32_t w) {
+      const std::uint32_t other = neighbours.across(face, v, w);
+      if (other != kNone && glm::distance(face_normal(scene, other), normal) <= smooth) return;
+      rims_.push_back({std::min(v, w), std::max(v, w), face, other, other == kNone ? 0 : errors.of(other)});
+      places.push_back({scene.vertices[std::min(v, w)], scene.vertices[std::max(v, w)]});
+    });
+  }
+  tree_ = EdgeTree(std::move(places));
+}
+
+std::optional<RimLines::Place> RimLines::nearest(std::uint32_t face, double distance, const Point3& p) const {
+  double widest = 0;
+  const auto first =
+      std::lower_bound(rims_.begin(), rims_.end(), face, [](const Rim& r, std::uint32_t f) { return r.face < f; });
+  auto last = first;
+  for (; last != rims_.end() && last->face == face; ++last) widest = std::max(widest, last->distance);
+  const auto begin = static_cast<std::uint32_t>(first - rims_.begin()),
+             end = static_cast<std::uint32_t>(last - rims_.begin());
+  const auto of_face = [&](std::uint32_t rim, double) { return begin <= rim && rim < end; };
+  const NearestPoint found = tree_.nearest(p, distance + widest, of_face);
+  if (found.segment == kNone || found.distance > distance + rims_[found.segment].distance) return std::nullopt;
+  return Place{found.segment, found.at};
+}
+
+LineClass RimLines::line_class(const Rim& rim, const Camera& camera) const {
+  if (rim.neighbour == kNone) return LineClass::border;
+  return looks_at(scene_, rim.face, camera) != looks_at(scene_, rim.neighbour, camera) ? LineClass::outline
+                                                                                       : LineClass::crease;
+}
+
+void RimLines::add_piece(StrokeModel& model, std::vector<Stroke>& pieces, const Stroke& stroke, const View& view,
+                         const Place& begin, double to) const {
+  double from = begin.at;
+  if (from > to) std::swap(from, to);
+  const Rim& r = rims_[begin.rim];
+  const Point3 a = scene_.vertices[r.v0], b = scene_.vertices[r.v1];
+  const HomogeneousPoint p = to_homogeneous(view, between(a, b, from)), q = to_homogeneous(view, between(a, b, to));
+  Stroke piece = stroke;
+  piece.t_from = from;
+  piece.t_to = to;
+  piece.from = model.lattice.snap({p.x / p.w, p.y / p.w});
+  piece.to = model.lattice.snap({q.x / q.w, q.y / q.w});
+  if (piece.from == piece.to) return;
+  piece.z_from = static_cast<float>(p.z / p.w);
+  piece.z_to = static_cast<float>(q.z / q.w);
+  piece.w_from = static_cast<float>(p.w);
+  piece.w_to = static_cast<float>(q.w);
+  piece.source = model.edge_count + static_cast<std::uint32_t>(model.intersections.size());
+  piece.line_class = line_class(r, view.camera);
+  piece.needs_overlap_check = true;
+  model.intersections.push_back({{a, b}, {r.face, r.neighbour}, false});
+  pieces.push_back(piece);
+}
+
+std::vector<Stroke> RimLines::pieces(StrokeModel& model, const Stroke& stroke, const View& view, LineClasses classes) const {
+  const SourceEdge segment = model.intersections[stroke.source - model.edge_count];
+  const Point3 from = between(segment.ends[0], segment.ends[1], stroke.t_from);
+  const Point3 to = between(segment.ends[0], segment.ends[1], stroke.t_to);
+  std::vector<Stroke> pieces;
+  for (int k = 0; k < 2; ++k) {
+    const std::uint32_t face = segment.faces[k], other = segment.faces[1 - k];
+    const double error = errors_.of(other);
+    if (error == 0) continue;
+    const double distance = error + object_precision(scene_, face) + object_precision(scene_, other);
+    const auto p = nearest(face, distance, from);
+    if (!p) continue;
+    const auto q = nearest(face, distance, to);
+    if (!q || !classes.has(line_class(rims_[p->rim], view.camera))) continue;
+    if (p->rim == q->rim) {
+      add_piece(model, pieces, stroke, view, *p, q->at);
+      return pieces;
+    }
+    const Rim &r = rims_[p->rim], &s = rims_[q->rim];
+    const bool at_v0 = r.v0 == s.v0 || r.v0 == s.v1, at_v1 = r.v1 == s.v0 || r.v1 == s.v1;
+    if (at_v0 == at_v1) continue;
+    const std::uint32_t corner = at_v0 ? r.v0 : r.v1;
+    // At the tip of a narrow face the two ends may lie near two rims that meet far away, or that turn back there.
+    const Point3 turn = scene_.vertices[corner];
+    const double farthest = distance + std::max(r.distance, s.distance);
+    const Point3 nearest_of_piece = between(from, to, nearest_on_segment(turn, from, to));
+    if (glm::distance(turn, nearest_of_piece) > farthest || glm::dot(from - turn, to - turn) > 0) continue;
+    add_piece(model, pieces, stroke, view, *p, at_v0 ? 0 : 1);
+    add_piece(model, pieces, stroke, view, {q->rim, corner == s.v0 ? 0.0 : 1.0}, q->at);
+    return pieces;
+  }
+  return pieces;
 }
 
 }  // namespace
@@ -109,10 +251,12 @@ std::vector<bool> find_contacts(const Scene& scene, const std::vector<SourceEdge
 void clear_intersections(StrokeModel& model, const Scene& scene, const ProjectedScene& projected, const LineRequest& request,
                          const Patches& patches, RunReport& run) {
   if (request.quality == Quality::exact || model.intersections.empty()) return;
-  std::vector<std::uint32_t> faces = with_neighbours(scene, faces_of(model.intersections));
+  std::vector<std::uint32_t> faces = faces_near(scene, model.intersections);
   const FaceNeighbours neighbours(scene, faces);
   const ChordErrors errors(scene, neighbours, std::move(faces), request.crease_degrees);
-  const std::vector<bool> contact = find_contacts(scene, model.intersections, ContactErrors(scene, patches, errors));
+  const ContactErrors contacts(scene, patches, errors);
+  std::vector<bool> contact;  // by segment
+  for (const SourceEdge& s : model.intersections) contact.push_back(contacts.is_contact(s));
   const RimLines rims(scene, neighbours, errors, model.intersections, request.crease_degrees);
 
   const std::size_t segments = model.intersections.size();

@@ -1,6 +1,6 @@
 /// Profiles.
 ///
-/// 1. Beside every visible stroke, find what would be visible there without lines (profile_sides.hpp).
+/// 1. Beside every visible stroke, find what would be visible there without lines (free_parts()).
 /// 2. The answer can not change along an arc, a line between two junctions: where a visible area beside it ends, another
 ///    line ends or crosses the arc. So on each arc a run shorter than two pen widths is noise, from concave corners and
 ///    from testing at a distance from the line, and takes the value of its neighbours. The remaining changes are at
@@ -13,8 +13,6 @@
 #include <tuple>
 
 #include "linework/map/line_groups.hpp"
-#include "linework/stroke_geometry.hpp"
-#include "picture/clear/profile_sides.hpp"
 
 namespace ligne {
 namespace {
@@ -135,12 +133,13 @@ std::vector<Stroke> cut_strokes(const std::vector<Stroke>& strokes, std::vector<
 }  // namespace
 
 void draw_profiles(StrokeModel& model, const ProjectedScene& projected, const Scene& scene, const ContourSources& contours,
-                   ProfileKind kind, double pen_width_mm) {
-  const auto free = free_parts(model, projected, scene, contours, {kind, pen_width_mm});
+                   const ProfileStyle& style) {
+  const std::vector<FreeParts> free = free_parts(model, projected, scene, contours, style);
   const double step = model.lattice.step_mm;
   /// Side of the cells for the search of lines, in pen widths. Adjustable.
   constexpr double kCellInPens = 4;
-  const LineMap map(model, is_edge, {.reach = kJunctionMm / step, .any_node = true}, kCellInPens * pen_width_mm / step);
+  const LineMap map(model, is_edge, {.reach = kJunctionMm / step, .any_node = true},
+                    kCellInPens * style.pen_width_mm / step);
   const Arcs arcs(map, kJunctionMm / step);
   std::vector<Bit> profiles;
   for (const Arcs::Arc& arc : arcs.find()) {
@@ -154,7 +153,7 @@ void draw_profiles(StrokeModel& model, const ProjectedScene& projected, const Sc
       off_mm = std::max(off_mm, parts.off_mm);
     }
     if (arc.junctions.empty()) begin_at_change(bits);
-    drop_short_runs(bits, std::max(kShortestInPens * pen_width_mm, kShortestOff * off_mm) / step);
+    drop_short_runs(bits, std::max(kShortestInPens * style.pen_width_mm, kShortestOff * off_mm) / step);
     std::copy_if(bits.begin(), bits.end(), std::back_inserter(profiles), [](const Bit& bit) { return bit.free; });
   }
   model.strokes = cut_strokes(model.strokes, profiles);

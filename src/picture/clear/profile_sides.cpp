@@ -1,4 +1,6 @@
-#include "picture/clear/profile_sides.hpp"
+/// The test of what is visible beside strokes, for profiles.
+
+#include "picture/clear/tidy_strokes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include "contours/contour_strokes.hpp"
 #include "linework/clean_lines.hpp"
 #include "linework/stroke.hpp"
+#include "linework/stroke_geometry.hpp"
 #include "picture/prepared_scene.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
@@ -17,7 +18,7 @@ namespace ligne {
 /// Removes the strokes of intersections where two surfaces only touch. The triangles of a pin in its bore or a ball in
 /// its race, for example, penetrate each other everywhere. Faces touch where their distance is within the errors of
 /// both faces (chord_errors.hpp); `patches` are the recognised surfaces of the scene, if any. Intersections along a rim move
-/// onto the rim (rim_lines.hpp). Counts the changes in `run`. Does nothing for exact lines. docs/clear-lines.md, "Contacts".
+/// onto the rim. Counts the changes in `run`. Does nothing for exact lines. docs/clear-lines.md, "Contacts".
 void clear_intersections(StrokeModel& model, const Scene& scene, const ProjectedScene& projected, const LineRequest& request,
                          const Patches& patches, RunReport& run);
 
@@ -33,10 +34,28 @@ CleanReport clean_scene_lines(StrokeModel& strokes, const PreparedScene& prepare
 /// Returns the length of the shortest bit of a line that is drawn, in mm; 0: any.
 double least_bit_mm(const PreparedScene& prepared);
 
+/// The parts of a stroke at which the visible object ends.
+struct FreeParts {
+  std::vector<StrokePart> parts;  ///< sorted and disjoint
+  double off_mm = 0;              ///< distance of the tested line; contours are drawn beside their mesh
+};
+
+/// The kind of profile, and the width of the pen that draws it.
+struct ProfileStyle {
+  ProfileKind kind;
+  double pen_width_mm;
+};
+
+/// Returns for each visible stroke of an edge the parts with the paper, or another object as the kind says, on at least one
+/// side. It must be visible both close to the stroke, beyond the tolerance of coincident lines, and at the distance of
+/// the narrowest gap that ink leaves open.
+std::vector<FreeParts> free_parts(const StrokeModel& model, const ProjectedScene& projected, const Scene& scene,
+                                  const ContourSources& contours, const ProfileStyle& style);
+
 /// Gives the class profile to the parts of the visible strokes of edges behind which an object ends, so that the paper or an
 /// object farther back is visible. Call it after coincident strokes are removed.
 /// `contours` is the result of draw_contours().
 void draw_profiles(StrokeModel& model, const ProjectedScene& projected, const Scene& scene, const ContourSources& contours,
-                   ProfileKind kind, double pen_width_mm);
+                   const ProfileStyle& style);
 
 }  // namespace ligne
