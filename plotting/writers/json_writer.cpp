@@ -4,7 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -12,7 +17,6 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "linework/stroke_geometry.hpp"
-#include "plotting/writers/json_values.hpp"
 #include "plotting/writers/number_text.hpp"
 #include "plotting/writers/writers.hpp"
 
@@ -34,6 +38,60 @@ int lattice_decimals(const Lattice& lattice) {
   return std::clamp(static_cast<int>(std::ceil(-std::log10(lattice.step_mm / 2))), kPageDecimals, kMostPageDecimals);
 }
 
+/// The text as a JSON string, with quotes. Bytes that are not UTF-8 are replaced.
+std::string json_string(std::string_view text) {
+  using nlohmann::json;
+  return json(std::string(text)).dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+void append_integer(std::string& out, std::uint64_t value) {
+  char text[kNumberBytes];
+  out.append(text, write_fixed(text, static_cast<std::int64_t>(value), 0, false));
+}
+
+/// Appends "[x,y]", rounded to the decimals.
+void append_point(std::string& out, Point2 p, int decimals) {
+  out += '[';
+  append_rounded(out, p.x, decimals);
+  out += ',';
+  append_rounded(out, p.y, decimals);
+  out += ']';
+}
+
+/// Appends "[item,item,...]": append_item(item) for each item.
+template <class Items, class AppendItem>
+void append_list(std::string& out, const Items& items, const AppendItem& append_item) {
+  out += '[';
+  bool is_first = true;
+  for (const auto& item : items) {
+    if (!std::exchange(is_first, false)) out += ',';
+    append_item(item);
+  }
+  out += ']';
+}
+
+/// Appends the number of a face or of a surface; null for kNone.
+void append_face(std::string& out, std::uint32_t face) { face == kNone ? void(out += "null") : append_integer(out, face); }
+
+/// Appends "[n,n,...]", each in its shortest form that reads back as the same double.
+void append_value(std::string& out, std::span<const double> numbers) {
+  append_list(out, numbers, [&](double number) { append_shortest(out, number); });
+}
+void append_value(std::string& out, const Point3& p) { append_value(out, std::array{p.x, p.y, p.z}); }
+void append_value(std::string& out, double number) { append_shortest(out, number); }
+void append_value(std::string& out, std::unsigned_integral auto number) { append_integer(out, number); }
+
+/// Appends a label, such as ",\"light\":", and a number or a list of numbers.
+template <class Value>
+void append_member(std::string& out, std::string_view label, const Value& value) {
+  out += label;
+  append_value(out, value);
+}
+template <class Value>
+void append_member(std::string& out, std::string_view label, const std::optional<Value>& value) {
+  if (value) append_member(out, label, *value);
+}
+
 void append_stroke(std::string& out, const Stroke& s, const StrokeModel& model, const DrawingDocument& document,
                    int decimals) {
   out += "{\"class\":\"";
@@ -46,8 +104,7 @@ void append_stroke(std::string& out, const Stroke& s, const StrokeModel& model, 
   }
   if (document.object && s.line_class != LineClass::axes) {
     if (const std::uint32_t object = document.object(s.source); object < document.objects.size()) {
-      out += ",\"object\":";
-      append_integer(out, object);
+      append_member(out, ",\"object\":", object);
     }
   }
   out += ",\"source\":{\"edge\":";
@@ -59,7 +116,7 @@ void append_stroke(std::string& out, const Stroke& s, const StrokeModel& model, 
   if (document.source) {
     const SourceEdge edge = document.source(s.source);
     out += ",\"ends\":";
-    append_list(out, edge.ends, [&](const Point3& end) { append_coordinates(out, end); });
+    append_list(out, edge.ends, [&](const Point3& end) { append_value(out, end); });
     out += ",\"faces\":";
     append_list(out, edge.faces, [&](std::uint32_t face) { append_face(out, face); });
     if (!document.surfaces.empty()) {
@@ -69,8 +126,7 @@ void append_stroke(std::string& out, const Stroke& s, const StrokeModel& model, 
       });
     }
   }
-  out += "},\"interval\":";
-  append_numbers(out, std::array{s.t_from, s.t_to});
+  append_member(out, "},\"interval\":", std::array{s.t_from, s.t_to});
   out += ",\"points\":";
   append_list(out, std::array{s.from, s.to}, [&](auto end) { append_point(out, model.lattice.to_mm(end), decimals); });
   out += '}';
@@ -79,40 +135,27 @@ void append_stroke(std::string& out, const Stroke& s, const StrokeModel& model, 
 void append_surface(std::string& out, const DocumentSurface& surface) {
   out += "{\"kind\":\"";
   out += surface.kind;
-  out += "\",\"at\":";
-  append_coordinates(out, surface.at);
-  if (surface.axis) {
-    out += ",\"axis\":";
-    append_coordinates(out, *surface.axis);
-  }
-  const auto append_length = [&](const char* name, const std::optional<double>& value) {
-    if (!value) return;
-    out += name;
-    append_shortest(out, *value);
-  };
-  append_length(",\"radius\":", surface.radius);
-  append_length(",\"slope\":", surface.slope);
-  append_length(",\"tube\":", surface.tube);
-  if (surface.along) {
-    out += ",\"along\":";
-    append_numbers(out, *surface.along);
-  }
+  append_member(out, "\",\"at\":", surface.at);
+  append_member(out, ",\"axis\":", surface.axis);
+  append_member(out, ",\"radius\":", surface.radius);
+  append_member(out, ",\"slope\":", surface.slope);
+  append_member(out, ",\"tube\":", surface.tube);
+  append_member(out, ",\"along\":", surface.along);
   if (surface.turn) {
     out += ",\"turn\":";
     append_rounded(out, *surface.turn, kTurnDecimals);
   }
   out += surface.outward ? ",\"outward\":true" : ",\"outward\":false";
-  append_length(",\"sag\":", surface.sag);
-  out += ",\"faces\":";
-  append_integer(out, surface.faces);
-  out += ",\"object\":";
-  append_integer(out, surface.object);
+  append_member(out, ",\"sag\":", surface.sag);
+  append_member(out, ",\"faces\":", surface.faces);
+  append_member(out, ",\"object\":", surface.object);
   out += '}';
 }
 
-/// Appends "[item,\nitem,...]": append_item(text, i) for every i below n, called from several threads.
+/// Appends a label and "[item,\nitem,...]": append_item(text, i) for every i below n, called from several threads.
 template <class AppendItem>
-void append_array(std::string& out, std::size_t n, const AppendItem& append_item) {
+void append_array(std::string& out, std::string_view label, std::size_t n, const AppendItem& append_item) {
+  out += label;
   out += '[';
   std::vector<std::string> texts(kBatchChunks);
   for (std::size_t batch = 0; batch < n; batch += kBatchChunks * kChunkStrokes) {
@@ -136,7 +179,7 @@ void append_contour(std::string& out, const std::vector<Point2>& contour) {
 
 /// Writes every corner without rounding, so that painting from the file gives the same picture as painting directly.
 void append_exact_contour(std::string& out, const std::vector<Point2>& contour) {
-  append_list(out, contour, [&](Point2 p) { append_numbers(out, std::array{p.x, p.y}); });
+  append_list(out, contour, [&](Point2 p) { append_value(out, std::array{p.x, p.y}); });
 }
 
 /// Appends a face and one of its areas.
@@ -164,15 +207,13 @@ void append_region(std::string& out, const Region& region, const RegionAppearanc
     append_list(out, lights, [&](unsigned light) { append_integer(out, light); });
   }
   if (!region.light_shares.empty()) {
-    out += ",\"light_shares\":";
-    append_numbers(out, region.light_shares);
+    append_member(out, ",\"light_shares\":", region.light_shares);
   }
   if (region.material != 0xffffffffu) out += ",\"material\":" + std::to_string(region.material);
   if (look) {
     out += ",\"patch\":" + std::to_string(look->patch) + ",\"light\":";
     append_shortest(out, look->light);
-    out += ",\"color\":";
-    append_numbers(out, look->color);
+    append_member(out, ",\"color\":", look->color);
     if (!look->material.empty()) {
       out += ",\"material_name\":";
       out += json_string(look->material);
@@ -189,31 +230,25 @@ void append_piece(std::string& out, const PaintPiece& piece, const PieceAppearan
   out += '{';
   if (look && look->hidden) out += "\"hidden\":true,";  // first, so that a reader can pass over the rest
   append_area(out, piece.face, piece.contours, append_exact_contour);
-  out += ",\"plane\":";
-  append_numbers(out, piece.plane);
+  append_member(out, ",\"plane\":", piece.plane);
   if (look) {
-    out += ",\"material\":";
-    append_integer(out, look->material);
-    out += ",\"light\":";
-    append_shortest(out, look->light);
+    append_member(out, ",\"material\":", look->material);
+    append_member(out, ",\"light\":", look->light);
   }
   out += '}';
 }
 
 void append_material(std::string& out, const DocumentMaterial& material) {
   out += "{\"name\":" + json_string(material.name) + ",\"color\":";
-  append_numbers(out, material.color);
-  out += ",\"opacity\":";
-  append_shortest(out, material.opacity);
+  append_value(out, material.color);
+  append_member(out, ",\"opacity\":", material.opacity);
   out += '}';
 }
 
 /// The spans of one line, [begin, end).
 void append_line_of_spans(std::string& out, const SpanModel& model, std::size_t begin, std::size_t end) {
-  out += "{\"line\":";
-  append_integer(out, model.spans[begin].line);
-  out += ",\"y\":";
-  append_shortest(out, model.lines.y_mm(model.spans[begin].line));
+  append_member(out, "{\"line\":", model.spans[begin].line);
+  append_member(out, ",\"y\":", model.lines.y_mm(model.spans[begin].line));
   out += ",\"spans\":";
   append_list(out, std::span(model.spans).subspan(begin, end - begin), [&](const auto& span) {
     out += '[';
@@ -234,28 +269,24 @@ void append_spans(std::string& out, const SpanModel& model) {
   }
   const std::size_t lines = first.size();
   first.push_back(model.spans.size());
-  append_array(out, lines,
+  append_array(out, ",\n\"spans\":", lines,
                [&](std::string& text, std::size_t i) { append_line_of_spans(text, model, first[i], first[i + 1]); });
 }
 
 void append_head(std::string& out, const DrawingDocument& document, const Page& page) {
-  out += "{\"format\":\"ligne-drawing\",\"version\":2,\n\"page\":{\"width_mm\":";
-  append_shortest(out, page.width_mm);
-  out += ",\"height_mm\":";
-  append_shortest(out, page.height_mm);
-  out += ",\"margin_mm\":";
-  append_shortest(out, page.margin_mm);
+  append_member(out, "{\"format\":\"ligne-drawing\",\"version\":2,\n\"page\":{\"width_mm\":", page.width_mm);
+  append_member(out, ",\"height_mm\":", page.height_mm);
+  append_member(out, ",\"margin_mm\":", page.margin_mm);
   out += "},\n\"view\":{\"perspective\":";
   out += document.perspective ? "true" : "false";
   out += ",\"matrix\":";
   const glm::dmat4 rows = glm::transpose(document.model_to_page);
-  append_numbers(out, std::span(glm::value_ptr(rows), 16));
+  append_value(out, std::span(glm::value_ptr(rows), 16));
   out += ",\"window\":";
   const Rect& window = document.window;
-  append_numbers(out, std::array{window.min.x, window.min.y, window.max.x, window.max.y});
+  append_value(out, std::array{window.min.x, window.min.y, window.max.x, window.max.y});
   if (document.perspective) {
-    out += ",\"near\":";
-    append_shortest(out, document.near_distance);
+    append_member(out, ",\"near\":", document.near_distance);
   }
   out += "},\n\"method\":" + json_string(document.method);
 }
@@ -275,11 +306,10 @@ void append_plane(std::string& out, const ScanPlane& plane) {
       out += ']';
     });
   };
-  out += "{\"y\":";
-  append_shortest(out, plane.y_mm);
+  append_member(out, ",\n\"plane\":{\"y\":", plane.y_mm);
   out += ",\"segments\":";
   append_list(out, plane.segments, [&](const ScanPlane::Segment& s) {
-    append_numbers(out, std::array{s.x0, s.z0, s.x1, s.z1, double(s.face)});
+    append_value(out, std::array{s.x0, s.z0, s.x1, s.z1, double(s.face)});
   });
   append_runs(",\"runs\":", plane.runs);
   append_runs(",\"bars\":", plane.bars);
@@ -304,55 +334,40 @@ std::string write_json(const DrawingDocument& document, const PlotOptions& optio
   std::string out;
   append_head(out, document, options.page);
   if (!document.objects.empty()) {
-    out += ",\n\"objects\":";
-    append_array(out, document.objects.size(),
+    append_array(out, ",\n\"objects\":", document.objects.size(),
                  [&](std::string& text, std::size_t i) { text += json_string(document.objects[i]); });
   }
   if (!document.surfaces.empty()) {
-    out += ",\n\"surfaces\":";
-    append_array(out, document.surfaces.size(),
+    append_array(out, ",\n\"surfaces\":", document.surfaces.size(),
                  [&](std::string& text, std::size_t i) { append_surface(text, document.surfaces[i]); });
   }
   if (const StrokeModel* const model = document.strokes) {
-    out += ",\n\"lattice\":{\"origin_mm\":";
-    append_numbers(out, std::array{model->lattice.origin_mm.x, model->lattice.origin_mm.y});
-    out += ",\"step_mm\":";
-    append_shortest(out, model->lattice.step_mm);
-    out += "},\n\"strokes\":";
+    append_member(out, ",\n\"lattice\":{\"origin_mm\":", std::array{model->lattice.origin_mm.x, model->lattice.origin_mm.y});
+    append_member(out, ",\"step_mm\":", model->lattice.step_mm);
     const int decimals = lattice_decimals(model->lattice);
-    append_array(out, model->strokes.size(), [&](std::string& text, std::size_t i) {
+    append_array(out, "},\n\"strokes\":", model->strokes.size(), [&](std::string& text, std::size_t i) {
       append_stroke(text, model->strokes[i], *model, document, decimals);
     });
   }
   if (document.regions) {
-    out += ",\n\"regions\":";
-    append_array(out, document.regions->size(), [&](std::string& text, std::size_t i) {
+    append_array(out, ",\n\"regions\":", document.regions->size(), [&](std::string& text, std::size_t i) {
       append_region(text, (*document.regions)[i], document.region_looks.empty() ? nullptr : &document.region_looks[i],
                     document.seen_through.empty() ? nullptr : &document.seen_through[i]);
     });
   }
   if (!document.materials.empty()) {
-    out += ",\n\"materials\":";
-    append_array(out, document.materials.size(),
+    append_array(out, ",\n\"materials\":", document.materials.size(),
                  [&](std::string& text, std::size_t i) { append_material(text, document.materials[i]); });
   }
   if (document.order) {
-    out += ",\n\"order\":";
-    append_array(out, document.order->pieces.size(), [&](std::string& text, std::size_t i) {
+    append_array(out, ",\n\"order\":", document.order->pieces.size(), [&](std::string& text, std::size_t i) {
       append_piece(text, document.order->pieces[i], document.piece_looks.empty() ? nullptr : &document.piece_looks[i]);
     });
   }
-  if (document.spans) {
-    out += ",\n\"spans\":";
-    append_spans(out, *document.spans);
-  }
-  if (document.plane) {
-    out += ",\n\"plane\":";
-    append_plane(out, *document.plane);
-  }
+  if (document.spans) append_spans(out, *document.spans);
+  if (document.plane) append_plane(out, *document.plane);
   if (document.debug) {
-    out += ",\n\"debug\":";
-    append_array(out, document.debug->size(),
+    append_array(out, ",\n\"debug\":", document.debug->size(),
                  [&](std::string& text, std::size_t i) { append_contour(text, (*document.debug)[i]); });
   }
   append_stats(out, document.statistics);
