@@ -1,7 +1,6 @@
 #include "plotting/plot_parts.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <map>
 #include <span>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "plotting/writers/number_text.hpp"
 #include "plotting/writers/plot_writers.hpp"

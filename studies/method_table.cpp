@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "picture/models/peak_memory.hpp"
+#include "picture/models/memory.hpp"
 #include "studies/experiments.hpp"
 #include "studies/measure.hpp"
 #include "studies/scenes/generators.hpp"

@@ -7,7 +7,7 @@
 #include "studies/experiments.hpp"
 #include "studies/measure.hpp"
 #include "studies/scenes/generators.hpp"
-#include "visibility/bsp/bsp_tree.hpp"
+#include "visibility/bsp/bsp.hpp"
 #include "visibility/convex_tree/convex_tree.hpp"
 #include "visibility/raster/scan_conversion.hpp"
 

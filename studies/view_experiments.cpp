@@ -13,7 +13,7 @@
 #include "studies/operations/sorts.hpp"
 #include "studies/scenes/generators.hpp"
 #include "view/projected_scene.hpp"
-#include "visibility/bsp/bsp_tree.hpp"
+#include "visibility/bsp/bsp.hpp"
 #include "visibility/convex_tree/convex_tree.hpp"
 #include "visibility/registry.hpp"
 

@@ -2,7 +2,6 @@
 /// A tree of boxes over consecutive edges, to find the edges that a line may meet. Private to plotting.
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 

@@ -1,7 +1,5 @@
 #include "areas/seen_parts.hpp"
 
-#include <algorithm>
-
 namespace ligne::svg {
 void LineCutter::take_points(std::span<const Point2> line) {
   points_.clear();

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 
 #include "files/message_text.hpp"
 #include "plotting/color_names.hpp"

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "files/message_text.hpp"
 #include "plotting/devices/pens.hpp"

@@ -12,7 +12,6 @@
 #include "plotting/paths/tour.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
 
 #include <glm/geometric.hpp>

@@ -1,7 +1,6 @@
 #pragma once
 /// Tours through strokes, improved by 2-opt and or-opt. Private to plotting/paths.
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>

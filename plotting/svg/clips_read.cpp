@@ -1,7 +1,6 @@
 /// Reads clip paths and masks of an SVG, as areas on the page.
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "areas/work_limit_error.hpp"
 #include "plotting/svg/reader.hpp"

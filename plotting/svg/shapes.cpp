@@ -1,7 +1,6 @@
 #include "plotting/svg/shapes.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>

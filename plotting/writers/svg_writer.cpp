@@ -4,12 +4,10 @@
 /// polyline. Chunks are worked on in parallel and put together in their order.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 #include <span>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "base/parallel.hpp"

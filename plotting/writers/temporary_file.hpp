@@ -2,7 +2,6 @@
 /// Temporary files, removed even when a signal ends the program. Private to plotting.
 
 #include <filesystem>
-#include <string_view>
 
 #include <sys/types.h>
 

@@ -9,7 +9,7 @@
 #include "bindings/scene.hpp"
 #include "bindings/values.hpp"
 #include "picture/errors.hpp"
-#include "picture/pages/frame_names.hpp"
+#include "picture/pages/frames.hpp"
 #include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"
 #include "picture/parse/parse_plot.hpp"

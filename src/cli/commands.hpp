@@ -1,21 +1,129 @@
 #pragma once
-/// All commands of the program and their options.
+/// All commands of the program and their options. setup_NAME() adds a command, whose options must outlive the parse;
+/// run_NAME() runs when the command line names it, and throws UsageError, RequestError, InputError, std::runtime_error.
 
-#include "cli/commands/compare.hpp"
-#include "cli/commands/compile.hpp"
-#include "cli/commands/devices.hpp"
-#include "cli/commands/draw.hpp"
-#include "cli/commands/info.hpp"
-#include "cli/commands/methods.hpp"
-#include "cli/commands/plot.hpp"
-#include "cli/commands/surface.hpp"
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands/surface_options.hpp"
+#include "cli/options/method_options.hpp"
+#include "cli/options/model_options.hpp"
+#include "cli/options/output_options.hpp"
+#include "cli/options/run_options.hpp"
 #include "cli/study_program.hpp"
+#include "picture/pages/frames.hpp"
+#include "picture/pages/plot_drawing.hpp"
+#include "picture/stream/streamed_model.hpp"
+#include "picture/surface/surface_request.hpp"
 
 namespace CLI {
 class App;
 }
 
 namespace ligne {
+
+/// ligne surface: draws a surface z = f(x, y) as iso-curves with hidden lines removed.
+void setup_surface(CLI::App& app, SurfaceOptions& options);
+
+/// Puts formulas with a leading minus in parentheses, because CLI11 would take them for options: "-x^2" becomes "(-x^2)".
+void protect_formulas(std::vector<std::string>& arguments);
+void run_surface(const SurfaceOptions& options);
+
+/// ligne plot: prepares drawings from files for pen plotters.
+struct PlotCommandOptions {
+  std::vector<std::string> drawings;  ///< files
+  PlotDrawingRequest request;
+  std::string occlude;  ///< text of the option; empty: not given, "true": the flag alone
+  OutputOptions output;
+  std::optional<bool> curves;
+  PlotterOptions plotter;
+  RunOptions run;
+};
+
+void setup_plot(CLI::App& app, PlotCommandOptions& options);
+void run_plot(const PlotCommandOptions& options);
+
+/// ligne methods: lists the visibility methods.
+struct MethodsOptions {
+  std::vector<std::string> names;  ///< empty: all methods
+  bool json = false;
+};
+
+void setup_methods(CLI::App& app, MethodsOptions& options);
+void run_methods(const MethodsOptions& options);
+
+/// ligne info: describes a scene and how each method can draw it.
+struct InfoOptions {
+  ModelRequest model;
+  ViewRequest view;
+  LineRequest lines;
+  MethodChoice method;
+  PageRequest page;
+  OutputOptions output;  ///< default: text to standard output
+  RunOptions run;
+  bool json = false;
+};
+
+void setup_info(CLI::App& app, InfoOptions& options);
+void run_info(const InfoOptions& options);
+
+/// ligne draw: a hidden-line drawing of meshes and polygon scenes.
+struct DrawOptions {
+  ModelRequest model;
+  SurfaceRequest surfaces;  ///< drawn among the models
+  PictureRequest picture;
+  MethodChoice method;
+  FrameRequest frames;
+  std::optional<Point3> last_eye;         ///< end of a straight path of the eye that begins at the view's eye
+  std::string path;                       ///< file of eye positions; empty: none
+  std::string zbuffer_add, zbuffer_save;  ///< files of depth buffers; empty: none
+  OutputOptions output;
+  PlotterOptions plotter;
+  RunOptions run;
+  Streaming streaming = Streaming::automatic;
+};
+
+void setup_draw(CLI::App& app, DrawOptions& options);
+void run_draw(const DrawOptions& options);
+
+/// ligne devices: lists the known plotters.
+struct DevicesOptions {
+  bool json = false;
+};
+
+void setup_devices(CLI::App& app, DevicesOptions& options);
+void run_devices(const DevicesOptions& options);
+
+/// ligne compile: writes a model with the view-independent data of a method to a file that ligne draw reads.
+struct CompileOptions {
+  ModelRequest model;
+  const Method* method = nullptr;
+  MethodChoice choice;
+  std::optional<std::string> output;
+  RunOptions run;
+};
+
+void setup_compile(CLI::App& app, CompileOptions& options);
+void run_compile(const CompileOptions& options);
+
+/// ligne compare: every method on one scene, side by side.
+struct CompareOptions {
+  ModelRequest model;
+  ViewRequest view;
+  LineRequest lines;
+  MethodChoice method;
+  std::vector<const Method*> methods;  ///< empty: all methods that produce lines
+  double limit_seconds = 60;
+  PageRequest page;
+  std::string output = "-";
+  std::string html;  ///< file name, or empty
+  bool json = false, csv = false;
+  RunOptions run;
+};
+
+void setup_compare(CLI::App& app, CompareOptions& options);
+void run_compare(const CompareOptions& options);
 
 struct Commands {
   DrawOptions draw;

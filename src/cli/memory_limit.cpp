@@ -16,7 +16,6 @@
 #include <exception>
 #include <fstream>
 #include <new>
-#include <utility>
 
 #include <sys/resource.h>
 #include <unistd.h>

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <string>
 
 #include "base/parallel.hpp"
 #include "picture/models/memory.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 /// Smooth curves on the page through the nodes of a contour.
 
-#include <cstdint>
 #include <vector>
 
 #include "contours/contour_chains.hpp"

@@ -3,7 +3,6 @@
 /// docs/smooth-contours.md explains the phases and defines sector, sight, probe and sag.
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

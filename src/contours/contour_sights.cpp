@@ -1,7 +1,6 @@
 #include "contours/contour_sights.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <glm/geometric.hpp>
 

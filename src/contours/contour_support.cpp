@@ -1,7 +1,6 @@
 #include "contours/contour_support.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <glm/geometric.hpp>

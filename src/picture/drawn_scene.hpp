@@ -1,7 +1,6 @@
 #pragma once
 /// A scene with its visible lines computed, which can be written as several files without computing them again.
 
-#include <optional>
 #include <vector>
 
 #include "drawing/drawing.hpp"

@@ -8,7 +8,7 @@
 
 #include "contours/contour_lines.hpp"
 #include "contours/shapes/shape_lines.hpp"
-#include "picture/light/detail_lines.hpp"
+#include "picture/light/details.hpp"
 #include "picture/marks/axes.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"

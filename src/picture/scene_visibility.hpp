@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contours/contour_strokes.hpp"
-#include "picture/light/detail_lines.hpp"
+#include "picture/light/details.hpp"
 #include "picture/prepared_scene.hpp"
 #include "picture/run_report.hpp"
 #include "scene/model/scene.hpp"

@@ -17,7 +17,7 @@
 #include "picture/draw_scene.hpp"
 #include "picture/drawn_scene.hpp"
 #include "picture/errors.hpp"
-#include "picture/models/peak_memory.hpp"
+#include "picture/models/memory.hpp"
 #include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"
 #include "visibility/registry.hpp"

@@ -70,7 +70,7 @@ struct MethodOutcome {
   Statistics study;                       ///< its own counts, and the times of its phases
   StageTimes stages;                      ///< of the drawing
   OperationCounts operations{};
-  std::optional<double> peak_bytes{};           ///< memory in addition to that of the scene (peak_memory.hpp)
+  std::optional<double> peak_bytes{};           ///< memory in addition to that of the scene (memory.hpp)
   std::optional<std::uint64_t> thesis_words{};  ///< words of memory by the formula of [Boulle1980] 2.6
   std::size_t strokes = 0;                      ///< visible
   double visible_mm = 0, hidden_mm = 0;

@@ -1,7 +1,6 @@
 #include "report/compare_output.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <utility>
 

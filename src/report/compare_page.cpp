@@ -1,9 +1,8 @@
-#include "report/compare_page.hpp"
+#include "report/compare_output.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 #include <vector>
 

@@ -86,7 +86,7 @@ constexpr PartsOfMethod kPartsOfMethods[] = {
      {"the triangles of the scene's faces, in model space; for the lines `ProjectedScene`. Faces may touch, "
       "penetrate, coincide, overlap in rings",
       "none",
-      "height of a point over a plane; is there a point below a plane (`point_boxes.hpp`); a convex piece cut "
+      "height of a point over a plane; is there a point below a plane (`convex_tree.cpp`); a convex piece cut "
       "by a plane (`model_pieces.cpp`); line against facet",
       "the triangles on the convex hull are peeled off; where there are none, a plane separates the set; then "
       "the tree is walked from the viewer away",

@@ -3,7 +3,6 @@
 /// --json`, the page of `ligne compare` and the tables in docs/methods are made from them.
 
 #include <array>
-#include <cstddef>
 #include <string_view>
 
 namespace ligne {

@@ -4,7 +4,7 @@
 
 #include "visibility/atherton_weiler/atherton_weiler.hpp"
 #include "visibility/bsp/bsp.hpp"
-#include "visibility/convex_tree/convex_tree_method.hpp"
+#include "visibility/convex_tree/convex_tree.hpp"
 #include "visibility/culling/culling.hpp"
 #include "visibility/edges/appel.hpp"
 #include "visibility/newell/newell.hpp"

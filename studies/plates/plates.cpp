@@ -8,7 +8,7 @@
 #include "picture/draw_scene.hpp"
 #include "picture/parse/parse_options.hpp"
 #include "plotting/writers/writers.hpp"
-#include "scene/readers/ligne_scene_reader.hpp"
+#include "scene/readers/format_readers.hpp"
 #include "studies/experiments.hpp"
 #include "studies/plates/plate_scenes.hpp"
 #include "studies/scenes/generators.hpp"

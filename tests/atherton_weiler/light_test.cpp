@@ -5,7 +5,6 @@
 #include "linework/overlaps/coincident_strokes.hpp"
 #include "main/script.hpp"
 #include "picture/draw_scene.hpp"
-#include "picture/light/detail_lines.hpp"
 #include "picture/light/details.hpp"
 #include "picture/light/seen_through.hpp"
 #include "picture/light/shadows.hpp"

@@ -6,7 +6,7 @@
 #include "support/corpus_scene.hpp"
 #include "support/scenes.hpp"
 #include "visibility/bsp/bsp.hpp"
-#include "visibility/convex_tree/convex_tree_method.hpp"
+#include "visibility/convex_tree/convex_tree.hpp"
 
 namespace ligne::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/readers/gltf/gltf_reader.hpp"
+#include "scene/readers/format_readers.hpp"
 
 #include "gltf_builder.hpp"
 #include "reader_tools.hpp"

@@ -1,7 +1,7 @@
 // Streams of EXT_meshopt_compression: those that the specification gives, those of an independent encoder, and broken ones.
 
 #include "gltf_builder.hpp"
-#include "scene/readers/gltf/gltf_reader.hpp"
+#include "scene/readers/format_readers.hpp"
 #include "scene/readers/gltf/meshopt_codec.hpp"
 
 #ifdef LIGNE_HAVE_MESHOPTIMIZER

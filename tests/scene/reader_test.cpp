@@ -3,12 +3,9 @@
 #include "scene/readers/reader.hpp"
 #include "reader_tools.hpp"
 #include "scene/model/precision.hpp"
-#include "scene/readers/ligne_scene_reader.hpp"
+#include "scene/readers/format_readers.hpp"
 #include "scene/readers/obj/obj_materials.hpp"
-#include "scene/readers/obj/obj_reader.hpp"
-#include "scene/readers/ply/ply_reader.hpp"
 #include "scene/readers/text_lines.hpp"
-#include "scene/readers/three_mf/three_mf_reader.hpp"
 #include "scene/readers/zip_archive.hpp"
 #include "zip_builder.hpp"
 

@@ -1,15 +1,16 @@
 #pragma once
 /// Style sheets of an SVG: the declarations that hold for an element. Private to plotting.
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <pugixml.hpp>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
-
-#include <pugixml.hpp>
 
 #include "plotting/svg/style/css_text.hpp"
 #include "plotting/svg/style/selector.hpp"
@@ -50,5 +51,23 @@ class StyleSheet {
       by_key_;  ///< rules by "#id", ".class", "element" or "*" of the element itself
   mutable StyleWork work_;
 };
+
+/// Custom properties of CSS ("--name: value"), and var() of them. Private to plotting.
+struct Variables;
+/// Custom properties that hold for an element; nullptr: none.
+using VariablesPointer = std::shared_ptr<const Variables>;
+
+struct Variables {
+  std::map<std::string, std::string, std::less<>> values{};
+  VariablesPointer outer{};  ///< properties of the elements around
+};
+
+/// Adds the properties that an element defines, with var() in their values resolved. A property that leads back to
+/// itself, or to a missing one, is left out.
+VariablesPointer with_variables(VariablesPointer outer, std::map<std::string, std::string, std::less<>> defined);
+
+/// The value with all var(--name, fallback) replaced; nothing if one has neither a value nor a fallback, or if the
+/// value would become longer than 64 KiB.
+std::optional<std::string> resolved(std::string_view value, const VariablesPointer& variables);
 
 }  // namespace ligne::svg

@@ -4,7 +4,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <pugixml.hpp>
@@ -12,7 +11,6 @@
 #include "plotting/svg/diagnostics.hpp"
 #include "plotting/svg/namespaces.hpp"
 #include "plotting/svg/style/sheet.hpp"
-#include "plotting/svg/style/variables.hpp"
 #include "plotting/svg/values.hpp"
 
 namespace ligne::svg {

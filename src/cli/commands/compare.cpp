@@ -1,16 +1,14 @@
-#include "cli/commands/compare.hpp"
+#include "cli/commands.hpp"
 
 #include "base/parallel.hpp"
 #include "cli/options/options.hpp"
-#include "cli/options/page_options.hpp"
-#include "cli/options/view_options.hpp"
+#include "cli/options/picture_options.hpp"
 #include "cli/progress.hpp"
 #include "files/named_input.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/parse/parse.hpp"
 #include "report/compare.hpp"
 #include "report/compare_output.hpp"
-#include "report/compare_page.hpp"
 
 namespace ligne {
 namespace {

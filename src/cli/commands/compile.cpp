@@ -1,4 +1,4 @@
-#include "cli/commands/compile.hpp"
+#include "cli/commands.hpp"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "cli/commands/devices.hpp"
+#include "cli/commands.hpp"
 
 #include "cli/options/options.hpp"
 #include "plotting/writers/output_file.hpp"

@@ -1,9 +1,8 @@
-#include "cli/commands/info.hpp"
+#include "cli/commands.hpp"
 
 #include "cli/messages.hpp"
 #include "cli/options/options.hpp"
-#include "cli/options/page_options.hpp"
-#include "cli/options/view_options.hpp"
+#include "cli/options/picture_options.hpp"
 #include "files/named_input.hpp"
 #include "picture/check_request.hpp"
 #include "picture/products.hpp"

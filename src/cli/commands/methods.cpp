@@ -1,4 +1,4 @@
-#include "cli/commands/methods.hpp"
+#include "cli/commands.hpp"
 
 #include <span>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "cli/commands/plot.hpp"
+#include "cli/commands.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -6,8 +6,8 @@
 
 #include "cli/options/idle_options.hpp"
 #include "cli/options/options.hpp"
-#include "cli/options/page_options.hpp"
-#include "picture/pages/frame_names.hpp"
+#include "cli/options/picture_options.hpp"
+#include "picture/pages/frames.hpp"
 #include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"
 #include "picture/parse/parse_plot.hpp"

@@ -1,4 +1,4 @@
-#include "cli/commands/surface.hpp"
+#include "cli/commands.hpp"
 
 #include <array>
 #include <string_view>

@@ -1,28 +1,89 @@
 #include "cli/commands/surface_options.hpp"
 
 #include <stdexcept>
+#include <string>
 
-#include "cli/commands/curve_options.hpp"
-#include "cli/commands/surface_scale_options.hpp"
 #include "cli/commands/terrain_options.hpp"
-#include "cli/options/axes_options.hpp"
-#include "cli/options/fill_options.hpp"
-#include "cli/options/hatch_options.hpp"
 #include "cli/options/method_options.hpp"
 #include "cli/options/options.hpp"
-#include "cli/options/page_options.hpp"
-#include "cli/options/parametric_options.hpp"
-#include "cli/options/view_options.hpp"
+#include "cli/options/picture_options.hpp"
 #include "files/closest_name.hpp"
 #include "files/message_text.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/hatching/hatching.hpp"
 #include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"
+#include "picture/parse/parse_terrain.hpp"
+#include "picture/surface/surface_request.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
 namespace {
+
+/// Options of ligne surface for the lengths of its axes.
+
+void add_surface_scale_options(CLI::App& surface, SurfaceRequest& request) {
+  OptionGroup group(surface, "Surface");
+  group.add(
+      "--aspect", "equal|box|X:Y:Z", request.aspect, parse_aspect,
+      "proportions of the plot box. equal: one scale for x and y; box: x and y of equal length; or a ratio (default: equal "
+      "if the ranges differ by less than a factor of 4 or the ground has a unit; else box)");
+  const Option z_scale =
+      group.add("--z-scale", "K", request.z_scale, parse_positive,
+                "scale of z relative to the longer of x and y (default: heights take half of its length; parametric: 1)");
+  group
+      .add("--exaggeration", "K", request.exaggeration, parse_positive,
+           "vertical exaggeration; 1 is true to scale, also for positions in degrees")
+      .excludes({z_scale});
+  group.add_flag("--log-x", request.log_axes[0], "logarithmic x axis");
+  group.add_flag("--log-y", request.log_axes[1], "logarithmic y axis");
+  group.add_flag("--log-z", request.log_axes[2], "logarithmic z axis: heights are log10 of the formula or the grid");
+}
+
+/// Options of ligne surface for lines in addition to the curves, and for their occluder.
+
+/// A parser that accepts one of the words, which name the values of Enum in order.
+template <class Enum, std::size_t N>
+auto parse_word(const std::string_view (&words)[N]) {
+  return [&words](const std::string& text) { return static_cast<Enum>(parse_choice(text, words)); };
+}
+
+constexpr std::string_view kOutlineNames[] = {"off", "on"}, kUndersideNames[] = {"same", "apart", "none"},
+                           kHiddenByNames[] = {"surface", "curves"};
+
+void add_curve_options(CLI::App& app, CurveRequest& request) {
+  OptionGroup group(app, "Curves");
+  group.add_text(
+      "--contours", "N|N:even|Z,...", [&request](const std::string& text) { parse_contours(text, request); },
+      "about N contour lines at round heights; N:even: exactly N, equally spaced; Z,...: at these heights (a single one: "
+      "Z,)");
+  group.add("--contour-step", "DZ", request.contour_step, parse_positive, "contour lines at all multiples of DZ");
+  group.add_flag_or_value(
+      "--contours-base", "[Z]",
+      [&request](const std::string& text) {
+        request.contours_base = true;
+        if (!text.empty()) request.contour_base = parse_number(text);
+      },
+      "contour lines on a plane at height Z (default: lowest height minus 30 % of the range); without --contours: 10 lines, "
+      "only there");
+  group.add("--outline", "on|off", request.outline, parse_word<bool>(kOutlineNames),
+            "silhouettes and borders of the surface, in their own layers (default: on)");
+  group
+      .add("--underside", "same|apart|none", request.underside, parse_word<Underside>(kUndersideNames),
+           "curves on the underside: with the others, in layer underside, or not drawn")
+      .standard("same");
+  group
+      .add("--hidden-by", "surface|curves", request.hidden_by, parse_word<HiddenBy>(kHiddenByNames),
+           "what hides: the surface with all its samples, or only the drawn curves, as in the classical method")
+      .standard("surface");
+  group.add_flag_or_value(
+      "--ridgeline", "[K]",
+      [&request](const std::string& text) {
+        request.ridgeline = true;
+        if (!text.empty()) request.ridgeline_overlap = parse_number(text);
+      },
+      "ridgeline plot, as on the cover of Unknown Pleasures; heights span K rows (default: 6)");
+}
 
 constexpr unsigned kMostSamples = 1'000'000, kHighestResolution = 1'000'000, kResolution = 2000,
                    kMostBands = 65535;  // a TIFF has no more

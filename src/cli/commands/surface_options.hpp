@@ -5,7 +5,6 @@
 #include <string>
 
 #include "cli/options/output_options.hpp"
-#include "cli/options/plotter_options.hpp"
 #include "cli/options/run_options.hpp"
 #include "picture/surface/surface_mesh_picture.hpp"
 #include "picture/surface/surface_request.hpp"

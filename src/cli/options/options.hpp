@@ -1,11 +1,10 @@
 #pragma once
 /// Options of a command, in the groups of its help text. Functions of the program parse their texts, so that every mistake
-/// gives a one-line message. In src, only options.cpp, help.hpp and command_line.cpp include CLI11: its headers take seconds
-/// to compile.
+/// gives a one-line message. In src, only options.cpp and command_line.cpp include CLI11: its headers take seconds to
+/// compile.
 
 #include <functional>
 #include <initializer_list>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>

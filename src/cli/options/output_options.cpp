@@ -5,6 +5,7 @@
 #include "files/message_text.hpp"
 #include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"
+#include "plotting/page.hpp"
 
 namespace ligne {
 
@@ -54,6 +55,43 @@ OutputFormat format_of(const OutputOptions& options) {
   } catch (const std::invalid_argument& e) {
     throw UsageError("--output", e.what());
   }
+}
+
+void add_plotter_options(CLI::App& app, PlotterOptions& options) {
+  PlotterChoice& choice = options.choice;
+  PlotterRequest& request = choice.request;
+  OptionGroup group(app, "Plotter");
+  const Option device =
+      group.add("--device", "NAME", choice.device, parse_file_name, "the plotter; ligne devices lists the names")
+          .standard("cutter for HPGL, grbl-servo for G-code");
+  const Option device_file =
+      group.add("--device-file", "FILE", choice.device_file, parse_file_name, "TOML file that describes a plotter");
+  group.add_flag("--fit-device", request.fit_device, "shift and scale down the drawing to fit the device's limits");
+  group.add("--pens", "FILE", choice.pens_file, parse_file_name, "TOML file of pens and the layers that each draws");
+  group.add_repeatable(
+      "--pen", "TEXT", [&request](const std::string& text) { add_pen(request.pens, text); },
+      "CLASS=N[,COLOUR[,WIDTH]]: draw a line class, material:NAME, object:NAME, shade:N or the rest with pen N; repeatable");
+  group
+      .add(
+          "--optimize", "HOW", request.optimize,
+          [](const std::string& t) { return static_cast<Optimize>(parse_choice(t, kOptimizeNames)); },
+          "off; order: sort strokes to shorten travel; join: draw overlapping lines once and join ends; full: both")
+      .standard("full for pens");
+  const auto length = [](const std::string& t) { return parse_length_mm(t); };
+  group.add("--join", "LEN", request.tolerances.ends_mm, length, "join ends within LEN of each other").standard("0.05mm");
+  group
+      .add("--simplify", "LEN", request.tolerances.simplify_mm, length,
+           "largest distance by which simplifying may move a line")
+      .standard("0.01mm");
+  group.add_flag("--report", request.report,
+                 "print strokes, lengths, lifts and time before and after optimization to standard error");
+  const auto parse_preview = [&request](const std::string& text) {
+    request.preview = true;
+    return parse_file_name(text);
+  };
+  group.add("--preview", "FILE", options.preview, parse_preview,
+            "write an SVG of the pen's path: colours show the order, travel is grey");
+  device.excludes({device_file});
 }
 
 }  // namespace ligne

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "picture/pages/plotter.hpp"
 #include "picture/requests.hpp"
 
 namespace CLI {
@@ -35,5 +36,13 @@ void warn_of_suffix(const OutputOptions& options);
 
 /// The format: --format, or else from the suffix of the file. Throws UsageError if neither determines it.
 OutputFormat format_of(const OutputOptions& options);
+
+/// Options for pens and plotters.
+struct PlotterOptions {
+  PlotterChoice choice;
+  std::string preview;  ///< file name; empty: none
+};
+
+void add_plotter_options(CLI::App& app, PlotterOptions& options);
 
 }  // namespace ligne

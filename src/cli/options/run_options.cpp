@@ -5,7 +5,7 @@
 
 #include "cli/messages.hpp"
 #include "cli/options/options.hpp"
-#include "picture/pages/frame_names.hpp"
+#include "picture/pages/frames.hpp"
 #include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"
 

@@ -1,6 +1,5 @@
 #include "contours/surfaces/known_surfaces.hpp"
 
-#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "base/no_index.hpp"

@@ -10,7 +10,6 @@
 /// of its faces. So zero sets of g run only through triangles that touch the outline of the mesh, and a patch of two
 /// rings of triangles around that outline suffices.
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -6,7 +6,6 @@
 /// the normal with an error of third order in their distance, and the derivative of the normal [CazalsPouget2005].
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <span>
 

@@ -5,7 +5,6 @@
 /// z. Where faces are spread along one direction more than along the others, that may guide the choice of a method.
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <span>
 

@@ -1,7 +1,6 @@
 #include "picture/choice/method_choice.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "picture/products.hpp"
 #include "visibility/common/convex_body.hpp"

@@ -3,16 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
+#include <cstdint>
 #include <map>
 #include <tuple>
+#include <utility>
 #include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "base/no_index.hpp"
 #include "geometry/connected_boxes.hpp"
+#include "geometry/point.hpp"
 #include "geometry/predicates.hpp"
-#include "picture/choice/cover_samples.hpp"
 #include "picture/choice/face_pairs.hpp"
 #include "picture/choice/faces_in_front.hpp"
 #include "scene/model/bounds.hpp"
@@ -24,6 +27,90 @@
 
 namespace ligne {
 namespace {
+
+/// Counts the triangles of a set over the points of a regular grid.
+
+/// A triangle costs one step for each of its rows, whatever its size. A point on the common side of two triangles
+/// counts for one of them.
+class CoverSamples {
+ public:
+  struct Cover {
+    double mean = 0;         ///< over the points with at least one triangle
+    std::uint32_t most = 0;  ///< at any point
+    double share = 0;        ///< share of the points that have a triangle
+  };
+
+  /// Sample points in `rows` rows over the rectangle. Their columns make the cells square, up to kMostColumns.
+  CoverSamples(const Rect& around, std::uint32_t rows);
+
+  void add(const std::array<Point2, 3>& corners);
+  Cover cover() const;
+
+ private:
+  static constexpr std::uint32_t kMostColumns = 4096;
+
+  std::uint32_t columns_, rows_;
+  Point2 corner_;
+  double width_, height_;            ///< size of a cell, whose centre is the sample point
+  std::vector<std::int32_t> steps_;  ///< change of the count from one point of a row to the next
+};
+
+/// x of the side at that height. It is bit for bit equal for the triangles on both sides of it.
+double x_at(Point2 a, Point2 b, double y) {
+  if (std::pair(b.y, b.x) < std::pair(a.y, a.x)) std::swap(a, b);
+  return a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
+}
+
+CoverSamples::CoverSamples(const Rect& around, std::uint32_t rows) : rows_(rows), corner_(around.min) {
+  const double width = around.max.x - around.min.x, height = around.max.y - around.min.y;
+  const double columns = height > 0 ? std::ceil(rows * width / height) : kMostColumns;
+  columns_ = static_cast<std::uint32_t>(std::clamp(columns, 1.0, double(kMostColumns)));
+  width_ = width > 0 ? width / columns_ : 1;
+  height_ = height > 0 ? height / rows_ : 1;
+  steps_.assign(std::size_t{columns_ + 1} * rows_, 0);
+}
+
+void CoverSamples::add(const std::array<Point2, 3>& corners) {
+  // The sample points have rows r with r + 1/2 in [low, high), and columns likewise.
+  const auto first = [](double v, std::uint32_t n) {
+    return static_cast<std::uint32_t>(std::clamp(std::ceil(v - 0.5), 0.0, double(n)));
+  };
+  std::array<Point2, 3> p{};
+  for (int k = 0; k < 3; ++k) p[k] = {(corners[k].x - corner_.x) / width_, (corners[k].y - corner_.y) / height_};
+  const auto [low, high] = std::minmax({p[0].y, p[1].y, p[2].y});
+  for (std::uint32_t row = first(low, rows_); row < first(high, rows_); ++row) {
+    const double y = row + 0.5;
+    double left = columns_, right = 0;
+    for (int k = 0; k < 3; ++k) {
+      const Point2 a = p[k], b = p[(k + 1) % 3];
+      if ((a.y <= y) == (b.y <= y)) continue;
+      const double x = x_at(a, b, y);
+      left = std::min(left, x);
+      right = std::max(right, x);
+    }
+    if (!(left < right)) continue;
+    std::int32_t* steps = steps_.data() + std::size_t{columns_ + 1} * row;
+    ++steps[first(left, columns_)];
+    --steps[first(right, columns_)];
+  }
+}
+
+CoverSamples::Cover CoverSamples::cover() const {
+  Cover cover;
+  std::uint64_t sum = 0, covered = 0;
+  for (std::uint32_t row = 0; row < rows_; ++row) {
+    std::int32_t count = 0;
+    for (std::uint32_t column = 0; column < columns_; ++column) {
+      count += steps_[std::size_t{columns_ + 1} * row + column];
+      sum += static_cast<std::uint64_t>(count);
+      covered += count > 0;
+      cover.most = std::max(cover.most, static_cast<std::uint32_t>(count));
+    }
+  }
+  if (covered > 0) cover.mean = static_cast<double>(sum) / static_cast<double>(covered);
+  cover.share = static_cast<double>(covered) / (double(rows_) * columns_);
+  return cover;
+}
 
 /// Number of rows of sample points, on the page and on the plan, at which faces are counted.
 constexpr std::uint32_t kSampleRows = 512;

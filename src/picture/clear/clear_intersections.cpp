@@ -13,7 +13,6 @@
 #include "geometry/degrees.hpp"
 #include "geometry/nearest_on_segment.hpp"
 #include "scene/contacts/chord_errors.hpp"
-#include "scene/contacts/face_contact.hpp"
 #include "scene/heal/edge_tree.hpp"
 #include "scene/model/face_area.hpp"
 #include "scene/model/topology.hpp"

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/no_index.hpp"
+#include "geometry/nearest_on_segment.hpp"
 #include "picture/light/face_carrier.hpp"
 
 namespace ligne {
@@ -22,6 +23,24 @@ Weights weights_in(const FormMesh& mesh, std::uint32_t triangle, const Point3& p
   const double b1 = glm::dot(glm::cross(point - a, e2), normal) / square,
                b2 = glm::dot(glm::cross(e1, point - a), normal) / square;
   return {1 - b1 - b2, b1, b2};
+}
+
+/// Distance within which two points coincide, in mm: the accuracy of drawings.
+constexpr double kTouchMm = 1e-3;
+
+double distance_to(Point2 p, Point2 from, Point2 to) {
+  return glm::distance(p, from + (to - from) * nearest_on_segment(p, from, to));
+}
+
+bool contains(const Region& region, Point2 p) {
+  bool inside = false;
+  for (const auto& contour : region.contours) {
+    for (std::size_t i = 0, before = contour.size() - 1; i < contour.size(); before = i++) {
+      const Point2 a = contour[before], b = contour[i];
+      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))) inside = !inside;
+    }
+  }
+  return inside;
 }
 
 }  // namespace
@@ -163,6 +182,167 @@ bool FormWalk::cross(FormPlace& place, Point2 direction, double length_mm) const
     if (turns > kMostTurns) return false;
   }
   return true;
+}
+
+std::uint64_t grid_cell(std::int32_t column, std::int32_t row) {
+  return std::uint64_t{static_cast<std::uint32_t>(column)} << 32 | static_cast<std::uint32_t>(row);
+}
+
+std::uint64_t FormRegions::cell(double x, double y) const {
+  return grid_cell(static_cast<std::int32_t>(std::floor(x / cell_mm_)), static_cast<std::int32_t>(std::floor(y / cell_mm_)));
+}
+
+FormRegions::FormRegions(const Scene& scene, const FormMesh& mesh, const View& view, std::span<const Region> regions,
+                         double cell_mm)
+    : regions_(regions), first_(scene.faces.size() + 1, 0), cell_mm_(cell_mm) {
+  for (const Region& region : regions) first_[region.face + 1] += region.level == 0;
+  for (std::size_t f = 0; f + 1 < first_.size(); ++f) first_[f + 1] += first_[f];
+  list_.resize(first_.back());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (std::uint32_t r = 0; r < regions.size(); ++r) {
+    if (regions[r].level == 0) list_[next[regions[r].face]++] = r;
+  }
+  std::vector<Point2> page;
+  for (const Point3& point : mesh.points) {
+    const HomogeneousPoint p = to_homogeneous(view, point);
+    page.push_back({p.x / p.w, p.y / p.w});
+  }
+  for (std::uint32_t face = 0; face < scene.faces.size(); ++face) {
+    if (!of_face(face).empty()) add_rims(mesh, page, face);
+  }
+}
+
+void FormRegions::add_rim(const Rim& rim) {
+  const auto number = static_cast<std::uint32_t>(rims_.size());
+  rims_.push_back(rim);
+  const auto index = [this](double v) { return static_cast<std::int32_t>(std::floor(v / cell_mm_)); };
+  // Splits the rim into pieces no longer than a cell, so that a long slanting rim is not listed in all cells of its
+  // bounding box.
+  const int pieces = 1 + static_cast<int>(glm::distance(rim.from, rim.to) / cell_mm_);
+  for (int i = 0; i < pieces; ++i) {
+    const Point2 a = rim.from + (rim.to - rim.from) * (double(i) / pieces);
+    const Point2 b = rim.from + (rim.to - rim.from) * (double(i + 1) / pieces);
+    for (std::int32_t x = index(std::min(a.x, b.x)); x <= index(std::max(a.x, b.x)); ++x) {
+      for (std::int32_t y = index(std::min(a.y, b.y)); y <= index(std::max(a.y, b.y)); ++y) {
+        std::vector<std::uint32_t>& list = cells_[grid_cell(x, y)];
+        if (list.empty() || list.back() != number) list.push_back(number);
+      }
+    }
+  }
+}
+
+/// Collects the sides of a face's regions as rims, except sides over which the visible surface continues: to a
+/// neighbour that also faces the viewer, or to another region of the face, where a shadow ends.
+void FormRegions::add_rims(const FormMesh& mesh, std::span<const Point2> page, std::uint32_t face) {
+  std::vector<Rim> open;  // sides of the face over which the surface continues
+  for (std::uint32_t t = mesh.first[face]; t < mesh.first[face + 1]; ++t) {
+    const FormTriangle& triangle = mesh.triangles[t];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t next = triangle.across[k];
+      if (next == kNone || mesh.triangles[next].face == face) continue;
+      const std::uint32_t ends[] = {triangle.node[k], triangle.node[(k + 1) % 3]};
+      const int corners[] = {corner_at(mesh, next, ends[0]), corner_at(mesh, next, ends[1])};
+      if (corners[0] < 0 || corners[1] < 0) continue;
+      const Point2 a = page[ends[0]], b = page[ends[1]], mine = page[triangle.node[(k + 2) % 3]],
+                   other = page[mesh.triangles[next].node[static_cast<std::size_t>(3 - corners[0] - corners[1])]];
+      // A neighbour on the same side faces away.
+      if ((cross(b - a, mine - a) > 0) != (cross(b - a, other - a) > 0)) open.push_back({a, b});
+    }
+  }
+  const auto goes_on = [&](Point2 a, Point2 b) {
+    return std::any_of(open.begin(), open.end(), [&](const Rim& side) {
+      return distance_to(a, side.from, side.to) <= kTouchMm && distance_to(b, side.from, side.to) <= kTouchMm;
+    });
+  };
+  const bool several = of_face(face).size() > 1;
+  for (const std::uint32_t number : of_face(face)) {
+    for (const auto& contour : regions_[number].contours) {
+      for (std::size_t i = 0, before = contour.size() - 1; i < contour.size(); before = i++) {
+        const Point2 a = contour[before], b = contour[i];
+        if (goes_on(a, b)) continue;
+        const double length = glm::distance(a, b);
+        if (several && length > 0) {
+          const Point2 beside = Point2{b.y - a.y, a.x - b.x} * (2 * kTouchMm / length), middle = (a + b) * 0.5;
+          if (region_at(face, middle + beside) && region_at(face, middle - beside)) continue;
+        }
+        add_rim({a, b});
+      }
+    }
+  }
+}
+
+std::optional<std::uint32_t> FormRegions::region_at(std::uint32_t face, Point2 page_mm) const {
+  for (const std::uint32_t number : of_face(face)) {
+    if (contains(regions_[number], page_mm)) return number;
+  }
+  return std::nullopt;
+}
+
+std::uint32_t FormRegions::region_near(std::uint32_t face, Point2 page_mm) const {
+  const auto list = of_face(face);
+  return list.size() == 1 ? list.front() : region_at(face, page_mm).value_or(list.front());
+}
+
+double FormRegions::seen_until(std::uint32_t face, Point2 from, Point2 to) const {
+  const Point2 way = to - from;
+  const double length = glm::length(way);
+  std::vector<double> cuts{0, 1};
+  for (const std::uint32_t number : of_face(face)) {
+    for (const auto& contour : regions_[number].contours) {
+      for (std::size_t i = 0, before = contour.size() - 1; i < contour.size(); before = i++) {
+        const Point2 side = contour[i] - contour[before];
+        const double turn = cross(way, side);
+        if (turn == 0) continue;
+        const double on_side = cross(contour[before] - from, way) / turn, at = cross(contour[before] - from, side) / turn;
+        if (at > 0 && at < 1 && on_side >= 0 && on_side <= 1) cuts.push_back(at);
+      }
+    }
+  }
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    if ((cuts[i] - cuts[i - 1]) * length <= kTouchMm) continue;
+    if (!region_at(face, from + way * ((cuts[i - 1] + cuts[i]) / 2))) return cuts[i - 1];
+  }
+  return 1;
+}
+
+bool FormRegions::near_rim(Point2 page_mm, double distance_mm) const {
+  const auto reach = static_cast<int>(std::ceil(distance_mm / cell_mm_));
+  for (int dx = -reach; dx <= reach; ++dx) {
+    for (int dy = -reach; dy <= reach; ++dy) {
+      const auto found = cells_.find(cell(page_mm.x + dx * cell_mm_, page_mm.y + dy * cell_mm_));
+      if (found == cells_.end()) continue;
+      for (const std::uint32_t number : found->second) {
+        if (distance_to(page_mm, rims_[number].from, rims_[number].to) < distance_mm) return true;
+      }
+    }
+  }
+  return false;
+}
+
+std::optional<Point2> FormRegions::point_inside(const Region& region) {
+  double low = 1e300, high = -1e300;
+  for (const Point2 p : region.contours.front()) {
+    low = std::min(low, p.y);
+    high = std::max(high, p.y);
+  }
+  const double y = (low + high) / 2;
+  std::vector<double> crossings;
+  for (const auto& contour : region.contours) {
+    for (std::size_t i = 0, before = contour.size() - 1; i < contour.size(); before = i++) {
+      const Point2 a = contour[before], b = contour[i];
+      if ((a.y > y) != (b.y > y)) crossings.push_back(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
+    }
+  }
+  std::sort(crossings.begin(), crossings.end());
+  std::optional<Point2> widest;
+  double width = 0;
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+    if (crossings[i + 1] - crossings[i] <= width) continue;
+    width = crossings[i + 1] - crossings[i];
+    widest = Point2{(crossings[i] + crossings[i + 1]) / 2, y};
+  }
+  return widest;
 }
 
 }  // namespace ligne

@@ -1,6 +1,5 @@
 #include "picture/light/lighting.hpp"
 
-#include <string>
 #include <utility>
 
 #include "picture/errors.hpp"

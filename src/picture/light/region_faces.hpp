@@ -1,7 +1,6 @@
 #pragma once
 /// Converts regions to faces of lattice contours and back, for further cutting.
 
-#include <cmath>
 #include <vector>
 
 #include "drawing/result_models.hpp"

@@ -1,7 +1,6 @@
 #include "picture/marks/point_marks.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "geometry/search/nearest_points.hpp"

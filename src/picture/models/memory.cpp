@@ -1,8 +1,15 @@
+#ifdef __GLIBC__
+#endif
+
 #include "picture/models/memory.hpp"
 
+#include <malloc.h>
 #include <algorithm>
 #include <cstring>
+#include <fstream>
 #include <iterator>
+#include <string>
+#include <string_view>
 
 namespace ligne {
 namespace {
@@ -43,6 +50,17 @@ std::string with_help(const std::string& text, const StageWords* words) {
   return words ? text + "; " + std::string(words->help) : text;
 }
 
+/// Reads a line of /proc/self/status, such as "VmHWM:  1234 kB".
+std::optional<double> status_bytes(std::string_view name) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (!line.starts_with(name)) continue;
+    constexpr double kBytesPerKb = 1024;
+    return kBytesPerKb * std::stod(line.substr(name.size()));
+  }
+  return {};
+}
+
 }  // namespace
 
 MemoryError::MemoryError(std::string_view text) noexcept {
@@ -68,6 +86,21 @@ void MemoryLimit::require(double least, const Stage& stage) const {
   if (least <= bytes) return;
   const StageWords* const words = words_of(stage);
   throw MemoryError(with_help(shortage(words, stage) + ", " + bytes_text(least) + " at least", words));
+}
+
+PeakMemory::PeakMemory() {
+#ifdef __GLIBC__
+  malloc_trim(0);  // otherwise freed memory would be reused without being counted
+#endif
+  // "5" resets the peak to the current size (proc(5)).
+  std::ofstream reset("/proc/self/clear_refs");
+  if (reset << '5' << std::flush) before_ = status_bytes("VmRSS:");
+}
+
+std::optional<double> PeakMemory::bytes() const {
+  const std::optional<double> peak = before_ ? status_bytes("VmHWM:") : std::nullopt;
+  if (!peak) return {};
+  return *peak > *before_ ? *peak - *before_ : 0;
 }
 
 }  // namespace ligne

@@ -2,9 +2,9 @@
 /// The limit of memory, and the error when it is exceeded.
 
 #include <array>
-#include <cstddef>
 #include <limits>
 #include <new>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -45,6 +45,19 @@ struct MemoryLimit {
 
   /// Throws MemoryError if the limit is below `least`, the fewest bytes that the stage needs.
   void require(double least, const Stage& stage) const;
+};
+
+/// Measures the peak memory of a piece of work.
+
+/// The growth of the process's resident memory, from the construction of this object to its peak. Only Linux reports
+/// it. Only one object may exist at a time.
+class PeakMemory {
+ public:
+  PeakMemory();
+  std::optional<double> bytes() const;
+
+ private:
+  std::optional<double> before_;
 };
 
 }  // namespace ligne

@@ -6,7 +6,6 @@
 #include <functional>
 #include <optional>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include "files/message_text.hpp"

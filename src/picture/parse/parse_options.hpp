@@ -5,7 +5,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "picture/requests.hpp"
 #include "picture/surface/surface_request.hpp"

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "base/parallel.hpp"
 #include "drawing/drawing.hpp"

@@ -1,7 +1,6 @@
 #include "picture/raster/span_areas.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -11,10 +15,106 @@
 #include "base/parallel.hpp"
 #include "base/portable.hpp"
 #include "picture/stream/stream_passes.hpp"
-#include "picture/stream/streamed_clusters.hpp"
+#include "view/tolerances.hpp"
+#include "view/vertex_clusters.hpp"
+#include "visibility/stream/stream_facet.hpp"
 
 namespace ligne {
 namespace {
+
+/// Finds clusters of vertices (view/vertex_clusters.hpp) of which only a part would be kept.
+
+/// Cubes of page space around the needed vertices, larger than the cubes of clusters. If such a cube contains enough
+/// vertices for a cluster, and not all of them are needed, the kept vertices would be merged differently than in the
+/// whole model.
+class ClusterCounter {
+ public:
+  /// `places`: positions of the needed vertices.
+  ClusterCounter(const StreamFacets& facets, std::span<const Point3> places);
+
+  /// Counts a vertex. To be called for all vertices of the file; several threads may call it.
+  void count(const Point3& vertex, bool needed);
+  /// Whether a vertex of the file lies in a cluster that would be split. Call it after all vertices are counted.
+  bool is_split(const Point3& vertex) const;
+  bool any_split() const;
+
+ private:
+  struct Cube {
+    std::uint64_t number = 0;  ///< 0: no cube
+    std::atomic<std::uint32_t> vertices{0}, not_needed{0};
+    bool torn() const;
+  };
+
+  std::size_t slot_of(std::uint64_t number) const;
+  std::uint64_t number_of(const Point3& vertex) const;
+
+  const StreamFacets& facets_;
+  double side_mm_, reach_mm_;
+  std::vector<Cube> cubes_;
+};
+
+/// Reach of the vertices of a cluster, in coincidences and lattice steps. Two cubes may compete for vertices only if
+/// all their vertices are within three sides of a cluster's cube, which are one and a half coincidences, apart from
+/// rounding.
+constexpr double kReachInCoincidences = 1.5, kReachSteps = 4;
+/// Adjustable: larger cubes are fewer, but contain more vertices that belong to no cluster.
+constexpr double kSideInReaches = 8;
+
+std::uint64_t cube_number(const std::array<double, 3>& cube) {
+  return place_number({cube[0], cube[1], cube[2]}) | 1;  // 0 stands for no cube
+}
+
+ClusterCounter::ClusterCounter(const StreamFacets& facets, std::span<const Point3> places) : facets_(facets) {
+  const ProjectedScene& page = facets.page();
+  reach_mm_ = kReachInCoincidences * coincidence_mm(page) + kReachSteps * page.lattice.step_mm;
+  side_mm_ = kSideInReaches * reach_mm_;
+  std::vector<std::uint64_t> numbers;
+  for (const Point3& place : places) {
+    const std::array<double, 3> p = facets.page_place(place);
+    // A vertex near the sides of its cube may belong to a cluster in the next cube too.
+    for (int k = 0; k < 8; ++k) {
+      std::array<double, 3> cube;
+      bool repeated = false;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double low = std::floor((p[axis] - reach_mm_) / side_mm_), high = std::floor((p[axis] + reach_mm_) / side_mm_);
+        const bool upper = k >> axis & 1;
+        repeated = repeated || (upper && low == high);
+        cube[axis] = upper ? high : low;
+      }
+      if (!repeated) numbers.push_back(cube_number(cube));
+    }
+  }
+  cubes_ = std::vector<Cube>(std::bit_ceil(2 * numbers.size() + 1));
+  for (const std::uint64_t number : numbers) cubes_[slot_of(number)].number = number;
+}
+
+std::size_t ClusterCounter::slot_of(std::uint64_t number) const {
+  const std::size_t mask = cubes_.size() - 1;
+  std::size_t slot = number >> 1 & mask;
+  while (cubes_[slot].number != 0 && cubes_[slot].number != number) slot = (slot + 1) & mask;
+  return slot;
+}
+
+std::uint64_t ClusterCounter::number_of(const Point3& vertex) const {
+  std::array<double, 3> cube = facets_.page_place(vertex);
+  for (double& c : cube) c = std::floor(c / side_mm_);
+  return cube_number(cube);
+}
+
+void ClusterCounter::count(const Point3& vertex, bool needed) {
+  Cube& cube = cubes_[slot_of(number_of(vertex))];
+  if (cube.number == 0) return;
+  cube.vertices.fetch_add(1, std::memory_order_relaxed);
+  if (!needed) cube.not_needed.fetch_add(1, std::memory_order_relaxed);
+}
+
+bool ClusterCounter::Cube::torn() const { return vertices > kMaxVerticesPerCube && not_needed > 0; }
+
+bool ClusterCounter::is_split(const Point3& vertex) const { return cubes_[slot_of(number_of(vertex))].torn(); }
+
+bool ClusterCounter::any_split() const {
+  return std::any_of(cubes_.begin(), cubes_.end(), [](const Cube& cube) { return cube.torn(); });
+}
 
 /// A hash table that numbers positions in space.
 class PlaceTable {

@@ -2,7 +2,6 @@
 /// Curves and points in a picture of surfaces, colours of surfaces and heights, and the legend.
 
 #include <array>
-#include <span>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "picture/surface/surface_picture.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 

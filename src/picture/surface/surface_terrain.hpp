@@ -1,7 +1,6 @@
 #pragma once
 /// Features of terrain maps besides curves: water, hachures, contour lines grouped by height.
 
-#include <memory>
 #include <vector>
 
 #include "picture/line_groups.hpp"

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <functional>
 #include <utility>
 
 #include "base/no_index.hpp"

@@ -12,7 +12,6 @@
 #include <numbers>
 #include <span>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "scene/clean/weld.hpp"

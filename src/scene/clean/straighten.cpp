@@ -3,9 +3,7 @@
 // of such vertices is removed only if all of it lies on the chord between its ends; otherwise all of it stays.
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <utility>
 
 #include "base/no_index.hpp"
 #include "scene/clean/merge_contours.hpp"

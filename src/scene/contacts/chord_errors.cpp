@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
+#include "base/no_index.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/model/topology.hpp"
 
@@ -24,6 +26,20 @@ double width_from(const Scene& scene, std::uint32_t face, const Point3& normal, 
     width = std::max(width, std::abs(glm::dot(scene.vertices[v] - origin, across)));
   });
   return width;
+}
+
+struct Extent {
+  double low = 0, high = 0;
+};
+
+Extent extent(const Scene& scene, std::uint32_t face, const Point3& origin, const Point3& direction) {
+  Extent e;
+  for (const std::uint32_t v : scene.faces.contour(face, 0)) {
+    const double at = glm::dot(scene.vertices[v] - origin, direction);
+    e.low = std::min(e.low, at);
+    e.high = std::max(e.high, at);
+  }
+  return e;
 }
 
 }  // namespace
@@ -65,5 +81,52 @@ std::size_t ChordErrors::place_of(std::uint32_t face) const {
 double ChordErrors::of(std::uint32_t face) const { return errors_[place_of(face)]; }
 
 double ChordErrors::bend(std::uint32_t face) const { return bends_[place_of(face)]; }
+
+FaceNeighbours::FaceNeighbours(const Scene& scene, const std::vector<std::uint32_t>& faces) {
+  std::vector<bool> at_face(scene.vertices.size(), false);
+  for (const std::uint32_t f : faces) {
+    for_each_edge(scene, f, [&](std::uint32_t v, std::uint32_t) { at_face[v] = true; });
+  }
+  for (const Object& object : scene.objects) {
+    const auto first = std::lower_bound(faces.begin(), faces.end(), object.face_begin);
+    if (first == faces.end() || *first >= object.face_end) continue;
+    for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
+      for_each_edge(scene, f, [&](std::uint32_t v, std::uint32_t w) {
+        if (at_face[v] && at_face[w]) uses_.push_back({std::min(v, w), std::max(v, w), f});
+      });
+    }
+  }
+  std::sort(uses_.begin(), uses_.end());
+}
+
+std::uint32_t FaceNeighbours::across(std::uint32_t face, std::uint32_t v, std::uint32_t w) const {
+  const EdgeUse key{std::min(v, w), std::max(v, w), 0};
+  const auto first = std::lower_bound(uses_.begin(), uses_.end(), key);
+  if (first == uses_.end() || first->edge() != key.edge()) return kNone;
+  const auto begin = static_cast<std::size_t>(first - uses_.begin());
+  if (end_of_edge(begin) - begin != 2) return kNone;
+  return uses_[begin].face == face ? uses_[begin + 1].face : uses_[begin].face;
+}
+
+double object_precision(const Scene& scene, std::uint32_t face) {
+  const auto after = std::upper_bound(scene.objects.begin(), scene.objects.end(), face,
+                                      [](std::uint32_t f, const Object& o) { return f < o.face_begin; });
+  return after[-1].precision;
+}
+
+bool within_distance(const Scene& scene, const std::array<std::uint32_t, 2>& faces, const std::array<Point3, 2>& segment,
+                     double distance) {
+  const Point3 n = face_normal(scene, faces[0]), m = face_normal(scene, faces[1]);
+  const Point3 line = glm::cross(n, m);
+  const double sine = glm::length(line);
+  if (sine == 0) return true;  // parallel planes that meet
+  // Directions in the two faces, away from the segment and to the same side of it.
+  const Point3 along_n = glm::cross(line / sine, n);
+  Point3 along_m = glm::cross(line / sine, m);
+  if (glm::dot(along_n, along_m) < 0) along_m = -along_m;
+  const Extent a = extent(scene, faces[0], segment[0], along_n), b = extent(scene, faces[1], segment[0], along_m);
+  const double width = std::max(std::min(a.high, b.high), std::min(-a.low, -b.low));
+  return width * sine <= distance;
+}
 
 }  // namespace ligne

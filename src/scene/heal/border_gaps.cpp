@@ -1,7 +1,6 @@
 #include "scene/heal/border_gaps.hpp"
 
 #include <algorithm>
-#include <array>
 #include <glm/geometric.hpp>
 #include <span>
 

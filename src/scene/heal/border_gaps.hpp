@@ -2,7 +2,6 @@
 /// Measures the gaps between the borders of an object, and decides which of them are cracks.
 
 #include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 

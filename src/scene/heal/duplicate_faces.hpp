@@ -16,7 +16,7 @@ struct DuplicateFaces {
   std::size_t faces = 0;             ///< number of replaced faces
 };
 
-/// Finds two kinds of duplicates: faces of each object that have the contours of an earlier one (face_key.hpp), and
+/// Finds two kinds of duplicates: faces of each object that have the contours of an earlier one (duplicate_faces.cpp), and
 /// objects whose faces are exactly the faces of an earlier object. A face on a face of another object is not a duplicate
 /// otherwise: if two bodies stand on each other, both keep their own. `within_objects`: whether to look for the first
 /// kind.

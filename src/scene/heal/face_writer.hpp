@@ -2,7 +2,6 @@
 /// Rewrites the faces of a scene, with their flags and materials.
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "base/no_index.hpp"

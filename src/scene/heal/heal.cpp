@@ -1,25 +1,220 @@
 #include "scene/heal/heal.hpp"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
+#include <vector>
 
+#include <glm/geometric.hpp>
+
+#include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "scene/clean/clean.hpp"
 #include "scene/clean/cut_nonplanar.hpp"
-#include "scene/heal/agree_windings.hpp"
 #include "scene/heal/border_edges.hpp"
 #include "scene/heal/border_gaps.hpp"
-#include "scene/heal/collapse_edges.hpp"
 #include "scene/heal/duplicate_faces.hpp"
 #include "scene/heal/face_writer.hpp"
 #include "scene/heal/merge_fine_vertices.hpp"
 #include "scene/heal/sew_borders.hpp"
 #include "scene/model/bounds.hpp"
 #include "scene/model/paired_edges.hpp"
+#include "scene/model/precision.hpp"
+#include "scene/model/scene.hpp"
+#include "scene/model/topology.hpp"
 
 namespace ligne {
 namespace {
+
+/// Collapses the edges that rounding has left of nothing.
+
+/// Edges of this many roundings or more are not collapsed. A step of the coordinates is two roundings, so vertices that lie
+/// on neighbouring steps of the coarsest coordinate stay apart.
+constexpr double kLeastRoundings = 1.9;
+/// Adjustable. A chain of such edges is collapsed over up to this many roundings.
+constexpr double kChainRoundings = 8;
+
+using VertexPair = std::array<std::uint32_t, 2>;
+
+bool are_within(double distance, const Point3& p, const Point3& q) {
+  // Nearly all edges are long in each direction.
+  if (!(std::abs(p.x - q.x) < distance)) return false;
+  const Point3 way = p - q;
+  return glm::dot(way, way) < distance * distance;
+}
+
+/// The least length of the edges of a face that stay.
+double least_length(const Scene& scene, std::size_t face, double precision) {
+  double largest = 0;
+  for (const std::uint32_t v : scene.faces.contour(face, 0)) {
+    const Point3& p = scene.vertices[v];
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  return kLeastRoundings * std::min(precision, half_ulp_float32(largest));
+}
+
+/// Appends the short edges of an object.
+void append_short_edges(const Scene& scene, const Object& object, std::vector<VertexPair>& edges) {
+  const std::size_t count = object.face_end - object.face_begin;
+  std::vector<std::vector<VertexPair>> found(block_count(count, kShortWorkBlock));
+  const double most = kLeastRoundings * object.precision;
+  const std::span<const std::uint32_t> corners = scene.faces.corners();
+  const bool all_triangles = scene.faces.all_triangles();
+  // Nearly all triangles have no such edge.
+  const auto has_long_edges = [&](std::size_t f) {
+    const Point3 &a = scene.vertices[corners[3 * f]], &b = scene.vertices[corners[3 * f + 1]],
+                 &c = scene.vertices[corners[3 * f + 2]];
+    return !are_within(most, a, b) && !are_within(most, b, c) && !are_within(most, c, a);
+  };
+  parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = object.face_begin + begin; f < object.face_begin + end; ++f) {
+      if (all_triangles && has_long_edges(f)) continue;
+      for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
+        const std::span<const std::uint32_t> contour = scene.faces.contour(f, c);
+        std::uint32_t last = contour.back();
+        for (const std::uint32_t v : contour) {
+          const Point3 &p = scene.vertices[last], &q = scene.vertices[v];
+          if (are_within(most, p, q) && are_within(least_length(scene, f, object.precision), p, q))
+            found[begin / kShortWorkBlock].push_back({last, v});
+          last = v;
+        }
+      }
+    }
+  });
+  for (const auto& block : found) edges.insert(edges.end(), block.begin(), block.end());
+}
+
+/// Merges the ends of edges that are shorter than a step of the coordinates, and drops the faces that vanish. Where
+/// programs find one corner several times, each time rounded differently, needles without thickness connect these, and
+/// some of them are turned over: their sides would be outlines in the midst of a plane. A step is
+/// twice Object::precision, and that of a float32 at the largest coordinate of a face if this is less. A vertex moves by
+/// up to four steps, over a chain of such edges. Returns the number
+/// of vertices that were merged. Takes O(n) time.
+std::size_t collapse_short_edges(Scene& scene) {
+  std::vector<VertexPair> edges;
+  for (const Object& object : scene.objects) append_short_edges(scene, object, edges);
+  if (edges.empty()) return 0;
+  DisjointSets chains(scene.vertices.size());
+  for (const auto& [first, second] : edges) chains.join(first, second);
+  std::size_t merged = 0;
+  for (const Object& object : scene.objects) {
+    for (std::uint32_t v = object.vertex_begin; v < object.vertex_end; ++v) {
+      const std::uint32_t to = chains.find(v);
+      if (to == v || !are_within(kChainRoundings * object.precision, scene.vertices[to], scene.vertices[v])) continue;
+      scene.vertices[v] = scene.vertices[to];
+      ++merged;
+    }
+  }
+  Warnings vanished;  // faces without thickness are no loss
+  finish_scene(scene, vanished);
+  return merged;
+}
+
+/// Makes windings agree: decides which side of a sheet is the front.
+
+/// Reverses faces so that neighbours traverse their common edge in opposite directions. Works on each set of faces
+/// connected by edges of two faces; of the two solutions it takes the one that reverses fewer faces. A one-sided set (a
+/// Moebius strip) stays as it is. Returns the number of faces reversed. `topology` is that of the scene before. O(n);
+
+bool joins_two_faces(const Topology& topology, std::size_t e) {
+  const Edge& edge = topology.edges[e];
+  return edge.face1 != kNone && edge.face0 != edge.face1 && !(topology.edge_flags[e] & kEdgeManyFaces);
+}
+
+/// The neighbours of each face across edges of two faces.
+class Neighbours {
+ public:
+  struct Neighbour {
+    std::uint32_t face;
+    bool unlike;  ///< the windings disagree
+  };
+
+  Neighbours(std::size_t faces, const Topology& topology) : first_(faces + 1, 0) {
+    for_each(topology, [&](std::uint32_t face, Neighbour) { ++first_[face + 1]; });
+    for (std::size_t f = 0; f < faces; ++f) first_[f + 1] += first_[f];
+    all_.resize(first_.back());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for_each(topology, [&](std::uint32_t face, Neighbour n) { all_[next[face]++] = n; });
+  }
+
+  const Neighbour* begin(std::uint32_t face) const { return all_.data() + first_[face]; }
+  const Neighbour* end(std::uint32_t face) const { return all_.data() + first_[face + 1]; }
+
+ private:
+  template <class Visit>
+  static void for_each(const Topology& topology, Visit visit) {
+    for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+      if (!joins_two_faces(topology, e)) continue;
+      const Edge& edge = topology.edges[e];
+      const bool unlike = (topology.edge_flags[e] & kEdgeUnlikeWound) != 0;
+      visit(edge.face0, {edge.face1, unlike});
+      visit(edge.face1, {edge.face0, unlike});
+    }
+  }
+
+  std::vector<std::uint32_t> first_;
+  std::vector<Neighbour> all_;
+};
+
+/// Reverses a face. Each edge keeps its flags, which belong to the corner where it begins.
+void turn(Scene& scene, std::uint32_t face) {
+  const std::span<std::uint32_t> corners = scene.faces.corners();
+  for (std::size_t c = 0; c < scene.faces.contour_count(face); ++c) {
+    const auto first = static_cast<std::ptrdiff_t>(scene.faces.corner_index(face, c));
+    const auto count = static_cast<std::ptrdiff_t>(std::as_const(scene.faces).contour(face, c).size());
+    std::reverse(corners.begin() + first + 1, corners.begin() + first + count);
+    if (scene.corner_flags.empty()) continue;
+    std::reverse(scene.corner_flags.begin() + first, scene.corner_flags.begin() + first + count);
+  }
+}
+
+/// if all windings agree, only the edges are read.
+std::size_t agree_windings(Scene& scene, const Topology& topology) {
+  bool agree = (flags_of_any(topology) & kEdgeUnlikeWound) == 0;
+  for (std::size_t e = 0; e < topology.edges.size() && agree; ++e) {
+    agree = !(topology.edge_flags[e] & kEdgeUnlikeWound) || !joins_two_faces(topology, e);
+  }
+  if (agree) return 0;
+  const Neighbours neighbours(scene.faces.size(), topology);
+  enum : std::uint8_t { unknown, as_first, turned };
+  std::vector<std::uint8_t> winding(scene.faces.size(), unknown);
+  std::vector<std::uint32_t> together;
+  std::size_t count = 0;
+  for (std::uint32_t start = 0; start < scene.faces.size(); ++start) {
+    if (winding[start] != unknown) continue;
+    together.assign(1, start);
+    winding[start] = as_first;
+    bool two_sided = true;
+    std::size_t turns = 0;
+    for (std::size_t i = 0; i < together.size(); ++i) {
+      const std::uint32_t face = together[i];
+      turns += winding[face] == turned;
+      for (auto n = neighbours.begin(face); n != neighbours.end(face); ++n) {
+        const std::uint8_t wanted = (winding[face] == turned) != n->unlike ? turned : as_first;
+        if (winding[n->face] == unknown) {
+          winding[n->face] = wanted;
+          together.push_back(n->face);
+        } else {
+          two_sided = two_sided && winding[n->face] == wanted;
+        }
+      }
+    }
+    if (!two_sided) continue;
+    const std::uint8_t fewer = 2 * turns <= together.size() ? turned : as_first;
+    for (const std::uint32_t face : together) {
+      if (winding[face] != fewer) continue;
+      turn(scene, face);
+      ++count;
+    }
+  }
+  return count;
+}
 
 /// Largest number of rounds in which border edges are split. Adjustable.
 constexpr int kMostRounds = 4;

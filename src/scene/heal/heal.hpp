@@ -50,13 +50,13 @@ struct HealReport {
 
 /// Heals a scene after finish_scene() (scene/clean/clean.hpp):
 ///
-/// 1. It collapses edges that are shorter than a step of the coordinates (collapse_edges.hpp), and merges vertices of
+/// 1. It collapses edges that are shorter than a step of the coordinates (heal.cpp), and merges vertices of
 ///    triangles that are as fine as these (merge_fine_vertices.hpp).
 /// 2. It removes the faces of objects that coincide exactly with an earlier object. If faces of one object have the
 ///    same vertices, in any winding, only the first stays; its edges keep the flags that all of them have, and details
 ///    move to it (duplicate_faces.hpp).
 /// 3. Within each object, it sews borders that are closer to each other than a distance (sew_borders.hpp).
-/// 4. It makes the windings of neighbours agree (agree_windings.hpp).
+/// 4. It makes the windings of neighbours agree (heal.cpp).
 ///
 /// The scene keeps the invariants of finish_scene(). `topology` becomes that of the healed scene. The result does not
 /// depend on the number of threads. O(n log n) time, O(n) memory.

@@ -2,7 +2,6 @@
 // near enough to a vertex lies in its own cell or beyond the cell's nearer walls. Many vertices that must not be joined
 // can lie in one cell. Only kMostTried of them are tested, so that time grows with the number of vertices.
 
-#include <algorithm>
 #include <bit>
 #include <glm/geometric.hpp>
 #include <numeric>

@@ -2,7 +2,6 @@
 /// The directed edges of the contours of faces.
 
 #include <cstddef>
-#include <cstdint>
 
 #include "scene/model/polygon_faces.hpp"
 

@@ -10,7 +10,6 @@
 
 #include "scene/model/triangle_contact.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "geometry/predicates.hpp"

@@ -1,4 +1,4 @@
-#include "scene/readers/ligne_scene_reader.hpp"
+#include "scene/readers/format_readers.hpp"
 
 #include <algorithm>
 #include <cmath>

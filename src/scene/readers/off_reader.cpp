@@ -1,7 +1,7 @@
 // Source: Geomview Manual, "OFF Files". The format's word is [ST][C][N][4][n]OFF; the counts of vertices, faces and
 // edges may follow on its line. Vertices and faces have one line each.
 
-#include "scene/readers/off_reader.hpp"
+#include "scene/readers/format_readers.hpp"
 
 #include <algorithm>
 #include <array>

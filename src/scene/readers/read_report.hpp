@@ -2,6 +2,8 @@
 /// A reader's report on its file, in addition to the scene.
 
 #include <cstddef>
+#include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +46,14 @@ struct ReadReport {
 struct ScenePose {
   std::string animation;  ///< its name, or its number from 0
   double seconds = 0;
+};
+
+/// A model file in memory.
+struct ModelBytes {
+  std::span<const std::byte> bytes;
+  std::string name;  ///< for error messages
+  std::filesystem::path folder =
+      {};  ///< the only folder in which files that the model refers to are looked up; empty: there are none
 };
 
 }  // namespace ligne

@@ -14,16 +14,8 @@
 #include "scene/clean/far_vertices.hpp"
 #include "scene/clean/weld_near.hpp"
 #include "scene/creases/file_shading.hpp"
-#include "scene/readers/gltf/gltf_reader.hpp"
-#include "scene/readers/ligne_scene_reader.hpp"
-#include "scene/readers/obj/obj_reader.hpp"
-#include "scene/readers/off_reader.hpp"
-#include "scene/readers/ply/ply_reader.hpp"
+#include "scene/readers/format_readers.hpp"
 #include "scene/readers/scene_builder.hpp"
-#include "scene/readers/stl_reader.hpp"
-#include "scene/readers/studio/asc_reader.hpp"
-#include "scene/readers/studio/three_ds_reader.hpp"
-#include "scene/readers/three_mf/three_mf_reader.hpp"
 
 namespace ligne {
 namespace {

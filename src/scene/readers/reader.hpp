@@ -11,7 +11,6 @@
 
 #include "scene/model/diagnostics.hpp"
 #include "scene/model/scene.hpp"
-#include "scene/readers/model_bytes.hpp"
 #include "scene/readers/read_report.hpp"
 #include "scene/subdivision/subdivide.hpp"
 

@@ -3,7 +3,7 @@
 // (LGPL) merges all solids into one soup and gives no line numbers. admesh is GPL. draco reads binary STL only, as
 // float32. libigl is not packaged.
 
-#include "scene/readers/stl_reader.hpp"
+#include "scene/readers/format_readers.hpp"
 
 #include <algorithm>
 #include <array>

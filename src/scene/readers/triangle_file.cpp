@@ -9,9 +9,9 @@
 #include "base/parallel.hpp"
 #include "scene/model/polygon_faces.hpp"
 #include "scene/model/precision.hpp"
+#include "scene/readers/format_readers.hpp"
 #include "scene/readers/load_bytes.hpp"
 #include "scene/readers/reader.hpp"
-#include "scene/readers/stl_reader.hpp"
 
 namespace ligne {
 namespace {

@@ -4,7 +4,6 @@
 #include "scene/tables/table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "scene/readers/text_lines.hpp"

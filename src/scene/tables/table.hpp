@@ -2,7 +2,6 @@
 /// Reads a text as a table: rows of cells in named columns, and blocks of rows between blank lines.
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>

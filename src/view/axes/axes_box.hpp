@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 #include "geometry/point.hpp"
 #include "scene/model/scene.hpp"

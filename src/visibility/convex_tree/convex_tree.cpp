@@ -1,23 +1,91 @@
-#include "visibility/convex_tree/convex_tree.hpp"
-
-#include <algorithm>
-#include <numeric>
-#include <optional>
-#include <utility>
-
-#include "base/no_index.hpp"
-#include "files/bytes.hpp"
-#include "visibility/convex_tree/point_boxes.hpp"
-#include "visibility/order/dividing_plane.hpp"
-
 // [Huet1994] 3.2. Huet's measure of termination is the number of planes that support a triangle of the set. Here it is
 // the number of scene triangles with pieces in the set. That serves as well, since pieces of one triangle have one
 // plane. Peeling takes all pieces of a triangle. A separating plane through a triangle leaves that triangle on its
 // front side only, where it is peeled next. Any other separating plane leaves fewer pieces on either side, and no more
 // triangles.
+// Phases: (1) build the tree, in model space, (2) walk through it once, from the front, by dot products, (3) test every
+// edge against the faces that have pieces in front of its own. See docs/methods/convex-tree.md.
+
+#include "visibility/convex_tree/convex_tree.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/no_index.hpp"
+#include "files/bytes.hpp"
+#include "visibility/order/dividing_plane.hpp"
+#include "visibility/order/model_pieces.hpp"
 
 namespace ligne {
 namespace {
+
+/// A tree of boxes over points, to find whether a point lies below a plane.
+
+class PointBoxes {
+ public:
+  explicit PointBoxes(std::vector<Point3> points) : points_(std::move(points)) { build(); }
+
+  /// Whether the height of some point over the plane is below -tolerance. Boxes wholly above are skipped.
+  bool any_below(const ModelPlane& plane, double tolerance) const {
+    if (points_.empty()) return false;
+    std::vector<std::uint32_t> open{0};
+    while (!open.empty()) {
+      const Box& box = boxes_[open.back()];
+      open.pop_back();
+      const Point3 lowest{plane.normal.x > 0 ? box.low.x : box.high.x, plane.normal.y > 0 ? box.low.y : box.high.y,
+                          plane.normal.z > 0 ? box.low.z : box.high.z};
+      if (plane.height(lowest) >= -tolerance) continue;
+      if (box.child == kNone) {
+        for (std::uint32_t i = box.begin; i < box.end; ++i) {
+          if (plane.height(points_[i]) < -tolerance) return true;
+        }
+      } else {
+        open.push_back(box.child);
+        open.push_back(box.child + 1);
+      }
+    }
+    return false;
+  }
+
+ private:
+  static constexpr std::uint32_t kInLeaf = 48;
+  struct Box {
+    Point3 low, high;
+    std::uint32_t begin, end, child = kNone;  ///< the first of two consecutive children, or kNone
+  };
+
+  void build() {
+    boxes_.push_back(box_of(0, static_cast<std::uint32_t>(points_.size())));
+    for (std::size_t b = 0; b < boxes_.size(); ++b) {
+      const auto [begin, end] = std::pair(boxes_[b].begin, boxes_[b].end);
+      if (end - begin <= kInLeaf) continue;
+      const Point3 size = boxes_[b].high - boxes_[b].low;
+      const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+      const std::uint32_t middle = begin + (end - begin) / 2;
+      std::nth_element(points_.begin() + begin, points_.begin() + middle, points_.begin() + end,
+                       [axis](const Point3& p, const Point3& q) { return p[axis] < q[axis]; });
+      boxes_[b].child = static_cast<std::uint32_t>(boxes_.size());
+      boxes_.push_back(box_of(begin, middle));
+      boxes_.push_back(box_of(middle, end));
+    }
+  }
+
+  Box box_of(std::uint32_t begin, std::uint32_t end) const {
+    Box box{Point3(1e300), Point3(-1e300), begin, end};
+    for (std::uint32_t i = begin; i < end; ++i) {
+      box.low = glm::min(box.low, points_[i]);
+      box.high = glm::max(box.high, points_[i]);
+    }
+    return box;
+  }
+
+  std::vector<Point3> points_;
+  std::vector<Box> boxes_;
+};
 
 constexpr std::size_t kMaxGreedySet = 96;  ///< adjustable: from sets larger than this only a large convex set is peeled
 constexpr std::size_t kSample = 256;       ///< adjustable: pieces in the sample that estimates its share
@@ -279,6 +347,28 @@ void ConvexTree::separate(Task task, Node& node, const PlaneChoice& options, std
 
 std::vector<PartitionNode> ConvexTree::partition() const {
   return partition_nodes(nodes_, [](const Node& node) { return !node.convex; });
+}
+
+const MethodTraits& ConvexTreeMethod::traits() const {
+  static const MethodTraits traits{
+      "convex-tree",
+      "nested convex sets of triangles with separating planes, compiled once for all viewpoints",
+      kStrokes | kRegions | kOrder,
+      true,
+      true,
+      "S. Huet, Compilation d'objets 3D, 1994",
+      MethodTraits{}.tolerance_mm,
+      kTreeParameters,
+      {},
+      true,
+      TransparencyMode::seen_through};
+  return traits;
+}
+
+void ConvexTreeMethod::count(const ConvexTree::Counts& counts, Statistics& statistics) const {
+  statistics.count("convex sets (nodes of type 1)", counts.convex_sets);
+  statistics.count("complexity (nodes of type 2)", counts.planes);
+  statistics.count("of these, planes that contain no face", counts.free_planes);
 }
 
 }  // namespace ligne

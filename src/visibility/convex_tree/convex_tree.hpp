@@ -13,6 +13,7 @@
 #include "visibility/order/dividing_plane.hpp"
 #include "visibility/order/model_pieces.hpp"
 #include "visibility/order/partition_lines.hpp"
+#include "visibility/order/tree_visibility.hpp"
 
 namespace ligne {
 
@@ -108,6 +109,17 @@ class ConvexTree final : public CompiledScene {
   Counts counts_;
   std::vector<std::uint64_t> counted_;  ///< per triangle: number of the last set that counted it
   std::uint64_t counted_sets_ = 0;
+};
+
+/// Convex sets and separating planes: a display tree, compiled once, gives the order of the faces from any viewpoint.
+///
+/// After S. Huet, "Compilation d'objets 3D", 1994. docs/methods/convex-tree.md.
+class ConvexTreeMethod final : public TreeMethod<ConvexTree> {
+ public:
+  const MethodTraits& traits() const override;
+
+ private:
+  void count(const ConvexTree::Counts& counts, Statistics& statistics) const override;
 };
 
 }  // namespace ligne

@@ -1,7 +1,6 @@
 #include "visibility/edges/propagation.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
 #include <numeric>
 #include <optional>

@@ -2,7 +2,6 @@
 /// The horizons over a band of columns, in the two forms that the sweep over the grid works with.
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
 #include "visibility/horizon/coverage.hpp"

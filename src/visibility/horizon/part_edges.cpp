@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "visibility/horizon/facing.hpp"
 
 namespace ligne::horizon {
 namespace {

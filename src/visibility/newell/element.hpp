@@ -21,7 +21,7 @@ struct Extents {
   bool overlap(const Extents& o, int axis) const { return low[axis] < o.high[axis] && o.low[axis] < high[axis]; }
 };
 
-/// A connected part of a face, or a convex body (body_elements.hpp). `parts` are convex pieces of triangles.
+/// A connected part of a face, or a convex body (convex_bodies.hpp). `parts` are convex pieces of triangles.
 struct Element {
   std::uint32_t face = 0;            ///< for a body: one of its faces
   std::uint32_t body = kNone;        ///< body number, or kNone

@@ -10,7 +10,6 @@
 
 #include "view/clip.hpp"
 #include "view/projected_scene.hpp"
-#include "visibility/newell/body_elements.hpp"
 #include "visibility/newell/convex_bodies.hpp"
 #include "visibility/newell/element.hpp"
 #include "visibility/order/model_pieces.hpp"

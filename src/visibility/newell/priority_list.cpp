@@ -4,7 +4,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -90,6 +89,7 @@ void PriorityList::sort_lists() {
   constexpr std::size_t kCopiesPerThread = 8;  // adjustable
   std::vector<Group> groups = this->groups();
   std::vector<Group*> longest_first;
+  longest_first.reserve(groups.size());
   for (Group& group : groups) longest_first.push_back(&group);
   std::ranges::stable_sort(longest_first, std::greater<>(), [](const Group* group) { return group->elements.size(); });
   const std::size_t at_once = options_.parallel ? kCopiesPerThread * thread_count() : 1;

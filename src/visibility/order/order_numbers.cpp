@@ -1,7 +1,6 @@
 #include "visibility/order/order_numbers.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace ligne {

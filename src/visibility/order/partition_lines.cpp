@@ -1,7 +1,6 @@
 #include "visibility/order/partition_lines.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -9,6 +9,7 @@
 
 #include "view/projected_scene.hpp"
 #include "visibility/common/facet.hpp"
+#include "visibility/penetration/penetration.hpp"
 
 namespace ligne {
 
@@ -61,5 +62,13 @@ class FacetTree {
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> roots_;
 };
+
+/// Finds all pairs of facets that may penetrate each other, hidden ones included.
+///
+/// Compares a tree of the facets (facet_tree.hpp) with itself. A pair of nodes is dropped if their boxes or slabs are
+/// apart, or if all their facets are of one face.
+
+/// O(n log n) plus the number of pairs that are near each other.
+PenetrationSearch find_crossing_facets(const ProjectedScene& scene, const std::vector<Facet>& facets);
 
 }  // namespace ligne

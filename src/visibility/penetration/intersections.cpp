@@ -12,7 +12,7 @@
 #include "view/tolerances.hpp"
 #include "visibility/common/facet_functions.hpp"
 #include "visibility/common/occluder_cache.hpp"
-#include "visibility/penetration/crossing_facets.hpp"
+#include "visibility/penetration/facet_tree.hpp"
 
 // Tests, leaf by leaf, all pairs of facets that may meet in depth and on the page; if hidden segments are wanted too,
 // all such pairs of the scene.

@@ -1,16 +1,17 @@
-#include "visibility/polygons/facet_clip.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
-
-#include "base/no_index.hpp"
-
 // If many clip faces lie over one subject, the window is halved recursively, and each half gets only the clip faces
 // that meet it. A half that they cover is finished: nothing is visible there. Halving changes no result: all faces that
 // meet a half, unclipped, decide the parts of edges in it, and linking the edges joins parts across a border of halves.
 // The sides of halves are odd numbers of half steps, so that no corner lies on them and no side runs along them.
+
+#include "visibility/polygons/facet_clip.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "base/hash.hpp"
+#include "base/no_index.hpp"
 
 namespace ligne {
 namespace {
@@ -41,6 +42,12 @@ bool beside(const LatticeSegment& s, const FacetClip::Window& w) {
   const double dx = s.dx(), dy = s.dy(), c = dy * ax - dx * ay;
   const double x0 = -dy * w.x0, x1 = -dy * w.x1, y0 = dx * w.y0, y1 = dx * w.y1;
   return std::min(x0, x1) + std::min(y0, y1) + c > kDoubt || std::max(x0, x1) + std::max(y0, y1) + c < -kDoubt;
+}
+
+std::size_t hash_of(const LatticeSegment& s) {
+  std::uint64_t h = 0;
+  for (const std::int32_t v : {s.a.x, s.a.y, s.b.x, s.b.y}) h = extend_hash(h, static_cast<std::uint32_t>(v));
+  return h;
 }
 
 }  // namespace
@@ -306,6 +313,49 @@ void FacetClip::borders_in(const Window& window, std::span<const Number> list, b
       add(right, f, t, true, !corner);
     });
   }
+}
+
+void SharedSides::clear() {
+  sides_.clear();
+  partner_.clear();
+  ++round_;
+}
+
+void SharedSides::add(const ClipPart& clip, bool transparent) {
+  const auto first = static_cast<std::uint32_t>(partner_.size());
+  partner_.resize(partner_.size() + kMostSides, kNone);
+  for (std::uint32_t k = 0; k < clip.count; ++k) {
+    const ContourEdge& e = clip.edges[k];
+    if (e.source == kCutSource || e.from.num != 0 || e.to.num != e.to.den) continue;
+    sides_.push_back({e.segment, transparent, e.reversed, first + k});
+    if (2 * sides_.size() > slots_.size()) {
+      grow();
+    } else {
+      insert(static_cast<std::uint32_t>(sides_.size() - 1));
+    }
+  }
+}
+
+void SharedSides::grow() {
+  slots_.assign(slots_.empty() ? 64 : 2 * slots_.size(), {});
+  round_ = 1;
+  for (std::uint32_t i = 0; i < sides_.size(); ++i) insert(i);
+}
+
+void SharedSides::insert(std::uint32_t side) {
+  const Side& s = sides_[side];
+  std::uint32_t& partner = partner_[s.number];
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t i = hash_of(s.segment) & mask;
+  for (; slots_[i].round == round_; i = (i + 1) & mask) {
+    const Side& other = sides_[slots_[i].side];
+    if (partner == kNone && partner_[other.number] == kNone && other.reversed != s.reversed &&
+        other.transparent == s.transparent && other.segment == s.segment) {
+      partner = other.number / kMostSides;
+      partner_[other.number] = s.number / kMostSides;
+    }
+  }
+  slots_[i] = {round_, side};
 }
 
 }  // namespace ligne

@@ -1,9 +1,7 @@
 #include "visibility/raster/depth_buffer.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <span>
 #include <utility>
 
 #include "base/parallel.hpp"

@@ -11,7 +11,6 @@
 /// depends neither on the number of threads nor on how the faces are divided among calls.
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "drawing/result_models.hpp"

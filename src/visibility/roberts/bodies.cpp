@@ -1,7 +1,6 @@
 #include "visibility/roberts/bodies.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 #include <tuple>

@@ -1,7 +1,6 @@
 #include "visibility/roberts/roberts.hpp"
 
 #include <memory>
-#include <utility>
 
 #include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"

@@ -5,8 +5,6 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <memory>
-#include <optional>
 #include <vector>
 
 #include "visibility/common/occluded_cells.hpp"

@@ -1,7 +1,6 @@
 #include "visibility/stream/stream_facet.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 

@@ -2,7 +2,7 @@
 /// The first window, and the axes of all windows.
 
 #include "view/projected_scene.hpp"
-#include "visibility/warnock/window.hpp"
+#include "visibility/warnock/convex_window.hpp"
 
 namespace ligne::warnock {
 

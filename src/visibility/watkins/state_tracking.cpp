@@ -8,6 +8,20 @@
 #include "base/no_index.hpp"
 
 namespace ligne::watkins {
+namespace {
+
+/// The depth of two faces where they penetrate on a line: that of a plane, or of the segment of a skew face.
+double depth_at(const LineScan& scan, double u, std::uint32_t face, std::uint32_t other, std::uint32_t line) {
+  const ScanScene& scene = scan.scene();
+  if (!scene.is_skew(face)) return scene.planes[face].z(u, line);
+  if (!scene.is_skew(other)) return scene.planes[other].z(u, line);
+  for (const ScanSegment<double>& s : scan.segments()) {
+    if (scan.face_of(s) == face && s.x0 <= u && u <= s.x1) return s.z(u);
+  }
+  return scene.skew->farthest(face);  // whole coordinates keep no segments
+}
+
+}  // namespace
 
 /// The parameter of a line where a scan line meets it.
 double StateTracker::place(const ScanEdge& edge, std::uint32_t line_index, std::uint32_t line) const {
@@ -34,21 +48,6 @@ void StateTracker::see(const LineScan& scan, std::uint32_t slot, std::uint32_t l
     }
   }
 }
-
-namespace {
-
-/// The depth of two faces where they penetrate on a line: that of a plane, or of the segment of a skew face.
-double depth_at(const LineScan& scan, double u, std::uint32_t face, std::uint32_t other, std::uint32_t line) {
-  const ScanScene& scene = scan.scene();
-  if (!scene.is_skew(face)) return scene.planes[face].z(u, line);
-  if (!scene.is_skew(other)) return scene.planes[other].z(u, line);
-  for (const ScanSegment<double>& s : scan.segments()) {
-    if (scan.face_of(s) == face && s.x0 <= u && u <= s.x1) return s.z(u);
-  }
-  return scene.skew->farthest(face);  // whole coordinates keep no segments
-}
-
-}  // namespace
 
 void StateTracker::line(const LineScan& scan, std::uint32_t line, bool) {
   const std::vector<LineSpan>& spans = scan.spans();
@@ -154,6 +153,155 @@ std::vector<Intersection> marks_of_points(const std::vector<PenetrationPoint>& p
     marks.push_back({end(p.u - kHalfCell), end(p.u + kHalfCell), p.face0, p.face1});
   }
   return marks;
+}
+
+void TrackCounts::operator+=(const TrackCounts& o) {
+  positions += o.positions;
+  became_visible += o.became_visible;
+  became_hidden += o.became_hidden;
+  facet_tests += o.facet_tests;
+}
+
+EdgeTracker::Tracks& EdgeTracker::tracks_of(const LineScan& scan, std::uint32_t slot) {
+  if (slot >= tracks_.size()) tracks_.resize(slot + 1);
+  Tracks& tracks = tracks_[slot];
+  if (tracks.used == 0) {
+    tracks.used = scan.scene().lines_of(scan.scene().edges[scan.active(slot).edge]).size();
+    if (tracks.of_line.size() < tracks.used) tracks.of_line.resize(tracks.used);
+    for (std::size_t i = 0; i < tracks.used; ++i) {
+      tracks.of_line[i].tested.clear();
+      tracks.of_line[i].hidden.clear();
+      tracks.of_line[i].state = State::unknown;
+    }
+  }
+  return tracks;
+}
+
+void EdgeTracker::line(const LineScan& scan, std::uint32_t line, bool studied) {
+  between_lines(scan, line);
+  if (!studied) return;
+  for (const std::uint32_t slot : scan.order()) {
+    const ScanEdge& edge = scan.scene().edges[scan.active(slot).edge];
+    if (edge.lines_begin != edge.lines_end) look(scan, slot, line);
+  }
+}
+
+template <class Visit>
+void EdgeTracker::for_each_span(const LineScan& scan, double low, double high, Visit visit) const {
+  const std::vector<LineSpan>& spans = scan.spans();
+  auto s = std::partition_point(spans.begin(), spans.end(), [&](const LineSpan& span) { return span.u1 < low; });
+  for (; s != spans.end() && s->u0 <= high; ++s) visit(*s);
+}
+
+/// Reads the state of an edge from the spans of a scan line.
+void EdgeTracker::look(const LineScan& scan, std::uint32_t slot, std::uint32_t line) {
+  const ActiveEdge& a = scan.active(slot);
+  const ScanEdge& edge = scan.scene().edges[a.edge];
+  Tracks& tracks = tracks_of(scan, slot);
+  ++counts_.positions;
+  const double up = std::max(-1.0, edge.v_top - line), down = std::min(1.0, edge.v_bottom - line);
+  const double u_up = a.track.u + up * a.track.du, u_down = a.track.u + down * a.track.du;
+  const double low = std::min({u_up, u_down, a.u}), high = std::max({u_up, u_down, a.u});
+  const std::span<const std::uint32_t> lines = scan.scene().lines_of(edge);
+  for_each_span(scan, low, high, [&](const LineSpan& s) {
+    for (std::size_t i = 0; i < lines.size(); ++i) hold_against(lines[i], tracks.of_line[i], s.face);
+  });
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    Track& track = tracks.of_line[i];
+    const SweepLine& l = lines_[lines[i]];
+    if (track.state == State::unknown) track.t = -1;
+    // The parameter of the scan line on the edge's line, counted from l.from.
+    const double down_share = (line - edge.v_top) / (edge.v_bottom - edge.v_top);
+    const double t = std::clamp(comes_before(l.from.p, l.to.p) ? down_share : 1 - down_share, 0.0, 1.0);
+    bool left = false, right = false;
+    for (const HiddenInterval& h : track.hidden) {
+      if (h.from > t || h.to < t) continue;
+      left |= h.sides != HiddenSides::right;
+      right |= h.sides != HiddenSides::left;
+    }
+    const State now = left && right ? State::hidden : State::visible;
+    if (now != track.state && track.state != State::unknown)
+      ++(now == State::visible ? counts_.became_visible : counts_.became_hidden);
+    // The edge is hidden on two successive scan lines that it crosses steeply. A visible part between them is below the
+    // resolution.
+    if (now == State::hidden && std::abs(a.track.du) <= 1) {
+      if (track.state == State::unknown && edge.v_top > line - 1.0)
+        track.t = comes_before(l.from.p, l.to.p) ? 0 : 1;  // from the top of the edge on
+      if (track.state != State::visible && track.t >= 0)
+        track.hidden.push_back({std::min(track.t, t), std::max(track.t, t), HiddenSides::both});
+      if (edge.v_bottom <= line + 1.0) {  // and down to its bottom
+        const double end = comes_before(l.from.p, l.to.p) ? 1 : 0;
+        track.hidden.push_back({std::min(t, end), std::max(t, end), HiddenSides::both});
+      }
+    }
+    track.state = now;
+    track.t = t;
+  }
+}
+
+/// Parts of edges between this scan line and the preceding or following one, if that one does not meet them: whole edges
+/// between two scan lines, and the parts of other edges beyond their first and last scan line.
+void EdgeTracker::between_lines(const LineScan& scan, std::uint32_t line) {
+  const ScanScene& scene = scan.scene();
+  for (std::uint32_t e = scene.first_of_line[line]; e < scene.first_of_line[line + 2]; ++e) {
+    const ScanEdge& edge = scene.edges[e];
+    if (edge.track.first == edge.track.last) {
+      hold_part(scan, edge, edge.u_top, edge.u_bottom);
+    } else if (edge.track.first == line + 1) {
+      hold_part(scan, edge, edge.u_top, edge.track.u);
+    }
+  }
+  for (const std::uint32_t e : scan.ended_edges()) {
+    const ScanEdge& edge = scene.edges[e];
+    hold_part(scan, edge, edge.track.on(edge.track.last - 1).u, edge.u_bottom);
+  }
+}
+
+void EdgeTracker::hold_part(const LineScan& scan, const ScanEdge& edge, double u0, double u1) {
+  for (const std::uint32_t index : scan.scene().lines_of(edge)) {
+    Track track;
+    for_each_span(scan, std::min(u0, u1), std::max(u0, u1), [&](const LineSpan& s) { hold_against(index, track, s.face); });
+    for (const HiddenInterval& h : track.hidden) findings_.push_back({index, h});
+  }
+}
+
+void EdgeTracker::hidden_point(const LineScan& scan, std::uint32_t slot, std::uint32_t face) {
+  const std::span<const std::uint32_t> lines = scan.scene().lines_of(scan.scene().edges[scan.active(slot).edge]);
+  if (lines.empty()) return;
+  Tracks& tracks = tracks_of(scan, slot);
+  for (std::size_t i = 0; i < lines.size(); ++i) hold_against(lines[i], tracks.of_line[i], face);
+}
+
+void EdgeTracker::hold_against(std::uint32_t index, Track& track, std::uint32_t face) {
+  const SweepLine& l = lines_[index];
+  if (face == l.face0 || face == l.face1 || !l.to_study()) return;
+  if (std::find(track.tested.begin(), track.tested.end(), face) != track.tested.end()) return;
+  track.tested.push_back(face);
+  const PageLine line(l.from, l.to, l.face0, l.face1);
+  if (scene_.is_skew(face)) {
+    for (const RuledPart& part : scene_.skew->parts(face)) {
+      ++counts_.facet_tests;
+      for (const HiddenInterval& h : behind_ruled_part(line, part, scene_.skew->depth_tolerance(face))) {
+        if (h.sides != HiddenSides::none) track.hidden.push_back(h);
+      }
+    }
+    return;
+  }
+  bool near_side = false;
+  for (const std::uint32_t f : scene_.of_faces.of(face)) {
+    ++counts_.facet_tests;
+    const HiddenInterval h = hidden_interval(line, facets_[f], vertices_.data(), {0, 1}, coincidence_steps_, near_side);
+    if (h.sides != HiddenSides::none) track.hidden.push_back(h);
+  }
+}
+
+void EdgeTracker::ended(const LineScan& scan, std::uint32_t slot) {
+  if (slot >= tracks_.size() || tracks_[slot].used == 0) return;
+  const std::span<const std::uint32_t> lines = scan.scene().lines_of(scan.scene().edges[scan.active(slot).edge]);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (const HiddenInterval& h : tracks_[slot].of_line[i].hidden) findings_.push_back({lines[i], h});
+  }
+  tracks_[slot].used = 0;
 }
 
 }  // namespace ligne::watkins

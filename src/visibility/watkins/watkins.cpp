@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "base/parallel.hpp"
 #include "view/tolerances.hpp"

@@ -2,17 +2,19 @@
 /// Morph targets and skins: the positions of a primitive's vertices for an instance of its mesh.
 
 #include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
-#include <map>
-#include <optional>
-#include <span>
-#include <vector>
 
 #include "geometry/point.hpp"
 #include "scene/readers/gltf/gltf_document.hpp"
 #include "scene/readers/gltf/gltf_draco.hpp"
 #include "scene/readers/gltf/gltf_nodes.hpp"
+#include "scene/readers/read_report.hpp"
 
 namespace ligne {
 
@@ -59,5 +61,12 @@ class GltfDeformer {
   std::span<const glm::dmat4> joints_;
   glm::dmat4 to_world_;
 };
+
+/// Applies a moment of an animation of a glTF file.
+
+/// Sets the translations, rotations, scales and weights of the nodes at that time. Before the first key of a channel
+/// its first value applies, after the last key its last value. Throws InputError if the file has no such animation.
+/// Source: Khronos glTF 2.0, section 3.11 and appendix C.
+void apply_pose(GltfDocument& document, const ScenePose& pose);
 
 }  // namespace ligne

@@ -2,8 +2,9 @@
 /// The node hierarchy of a glTF file.
 
 #include <cstddef>
-#include <glm/mat4x4.hpp>
 #include <vector>
+
+#include <glm/mat4x4.hpp>
 
 #include "scene/readers/gltf/gltf_document.hpp"
 
@@ -41,5 +42,12 @@ GltfNodes list_nodes(const GltfDocument& document);
 
 /// Largest stretch of a direction by the linear part of a transform: its largest singular value.
 double largest_stretch(const glm::dmat4& m);
+
+/// Instances of EXT_mesh_gpu_instancing.
+
+/// Replaces the instance of every node with the extension by the instances of the extension. Their transforms are
+/// applied before that of the node. Throws InputError if the attributes disagree, or if there are more than `most` in
+/// all.
+void add_gpu_instances(GltfDocument& document, std::size_t most, std::vector<GltfInstance>& instances);
 
 }  // namespace ligne

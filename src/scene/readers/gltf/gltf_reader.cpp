@@ -2,7 +2,7 @@
 // them opens their accessors and counts, so that the size of the scene is known, and can be refused, before memory is
 // allocated. A second pass converts positions and indices straight into the scene.
 
-#include "scene/readers/gltf/gltf_reader.hpp"
+#include "scene/readers/format_readers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,9 +20,7 @@
 #include "scene/readers/gltf/gltf_document.hpp"
 #include "scene/readers/gltf/gltf_draco.hpp"
 #include "scene/readers/gltf/gltf_extensions.hpp"
-#include "scene/readers/gltf/gltf_instances.hpp"
 #include "scene/readers/gltf/gltf_nodes.hpp"
-#include "scene/readers/gltf/gltf_pose.hpp"
 
 namespace ligne {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/readers/obj/obj_reader.hpp"
+#include "scene/readers/format_readers.hpp"
 
 #include <algorithm>
 #include <array>

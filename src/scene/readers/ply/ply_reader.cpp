@@ -7,7 +7,7 @@
 // header are trusted only as far as the data go. Vertices and triangles of binary files are read in blocks
 // (ply_records.hpp), unless they contain a fault, which the slower way then locates.
 
-#include "scene/readers/ply/ply_reader.hpp"
+#include "scene/readers/format_readers.hpp"
 
 #include <algorithm>
 #include <array>

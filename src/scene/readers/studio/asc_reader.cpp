@@ -10,7 +10,7 @@
 //
 // Blank lines and "Page n" can occur anywhere.
 
-#include "scene/readers/studio/asc_reader.hpp"
+#include "scene/readers/format_readers.hpp"
 
 #include <algorithm>
 #include <array>

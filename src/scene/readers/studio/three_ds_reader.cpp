@@ -12,7 +12,7 @@
 //     b000 keyframes
 //       b002 node of an object  b010 name and parent, b013 pivot, b020 to b022 positions, rotations and scales, b030 number
 
-#include "scene/readers/studio/three_ds_reader.hpp"
+#include "scene/readers/format_readers.hpp"
 
 #include <algorithm>
 #include <array>

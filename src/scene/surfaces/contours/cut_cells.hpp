@@ -2,8 +2,6 @@
 /// Cells of a formula's grid that the surface does not fill: where the domain ends, where heights leave a window, and
 /// where the function jumps. The surface ends there on the true border, not at the last sample.
 
-#include <optional>
-
 #include "scene/surfaces/grids/grid_edges.hpp"
 #include "scene/surfaces/height_breaks.hpp"
 #include "scene/surfaces/surface_mesh.hpp"

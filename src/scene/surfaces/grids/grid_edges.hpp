@@ -1,9 +1,6 @@
 #pragma once
 /// Finds the edges of a formula's grid of samples on which the surface breaks off.
 
-#include <cstdint>
-#include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "scene/surfaces/height_breaks.hpp"

@@ -1,7 +1,6 @@
 // Lines "key value", then the heights row by row, starting in the north-west. Rows may be broken into lines anywhere.
 
 #include <cmath>
-#include <limits>
 
 #include "scene/readers/text_lines.hpp"
 #include "scene/surfaces/grids/grid_formats.hpp"

@@ -1,7 +1,6 @@
 // Makes heights of matrices, and of matrices whose rows and columns have positions.
 
 #include <algorithm>
-#include <cmath>
 
 #include "scene/readers/text_lines.hpp"
 #include "scene/surfaces/grids/grid_formats.hpp"

@@ -2,9 +2,7 @@
 // are not grids, and then text.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 #include "files/named_input.hpp"
 #include "files/utf16.hpp"

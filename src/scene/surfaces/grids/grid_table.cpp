@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 #include "files/message_text.hpp"
 #include "scene/readers/text_lines.hpp"

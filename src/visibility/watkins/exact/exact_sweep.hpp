@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "visibility/watkins/exact/crossing_queue.hpp"
-#include "visibility/watkins/exact/pair_finder.hpp"
 #include "visibility/watkins/exact/stretch_study.hpp"
 #include "visibility/watkins/exact/sweep_scene.hpp"
 #include "visibility/watkins/exact/sweep_status.hpp"

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "drawing/result_models.hpp"
-#include "visibility/watkins/edge_tracking.hpp"
 #include "visibility/watkins/exact/exact_study.hpp"
 #include "visibility/watkins/line_pipeline.hpp"
 #include "visibility/watkins/state_tracking.hpp"
