@@ -38,7 +38,7 @@ constexpr std::ptrdiff_t kMostAtVertex = 64;
 /// Longest gap up to another line, as a part of the line before it, and its most edges.
 constexpr double kLongestSeamGap = 0.5;
 constexpr std::size_t kMostSeamGapEdges = 64;
-/// Least part of the length of a line that proves a seam; least number of its edges.
+/// Least part of the length of a line that proves a seam; least number of its edges, unless it lies between two other lines.
 constexpr double kMostOfSeam = 0.6;
 /// Least part of that at which the round side bends the same way: where a tube begins to bend, it is convex on one side of
 /// the tube and hollow on the other.
@@ -49,8 +49,8 @@ constexpr std::size_t kFewestSeamEdges = 4;  // at least 4, for roughness()
 constexpr double kLeastSeamRatio = -0.6, kLeastSeamDepths = 1.5, kLargestSeamError = 0.3;
 /// Largest roughness() of a line. Lines that follow facets turn to and fro.
 constexpr double kRoughness = 0.02;
-/// Least length of a line that ends in the middle of a surface, as a part of the diagonal of its object.
-constexpr double kShortestOpen = 1.0 / 16;
+/// Least length of a line that meets no other one, as a part of the diagonal of its object.
+constexpr double kShortestOpen = 1.0 / 8;
 
 constexpr std::uint16_t kSpokenFor =
     kEdgeManyFaces | kEdgeUnlikeWound | kEdgeSharp | kEdgeSmooth | kEdgeCrossing | kEdgeFileHidden | kEdgeInner;
@@ -342,22 +342,23 @@ class SeamFinder {
     line.vertices.insert(line.vertices.end(), gap.begin(), gap.end());
   }
 
-  /// Whether a line is long and smooth enough.
+  /// Whether a line is smooth, or too short to tell but between two others and proved by all of its edges.
   bool is_seam(const Line& line) const {
-    return line.vertices.size() > kFewestSeamEdges && roughness(scene_, line.vertices) <= kRoughness;
+    if (line.vertices.size() > kFewestSeamEdges) return roughness(scene_, line.vertices) <= kRoughness;
+    const bool is_whole = line.vertices.size() == line.edges.size() + 1 && line.proof >= line.length;
+    return is_whole && (is_held_[line.vertices.front()] & is_held_[line.vertices.back()] & kOnLine) != 0;
   }
 
-  /// Drops the lines that meet no other one at either end, and short ones that meet one at a single end.
+  /// Drops short lines that meet no other one.
   void drop_loose(std::vector<Line>& lines) const {
     std::vector<std::uint32_t> lines_at(scene_.vertices.size(), 0);
     for (const Line& line : lines)
       for (const std::uint32_t v : line.vertices) ++lines_at[v];
     const auto is_loose = [&](const Line& line) {
-      if (line.is_closed()) return false;
       const auto meets = [&](std::uint32_t v) { return (is_held_[v] & kOnLine) != 0 || lines_at[v] > 1; };
-      const int held = meets(line.vertices.front()) + meets(line.vertices.back());
+      if (line.is_closed() || meets(line.vertices.front()) || meets(line.vertices.back())) return false;
       const Object& object = scene_.objects[object_of_vertex(scene_, line.vertices[0])];
-      return held == 0 || (held == 1 && line.length < kShortestOpen * object_size(scene_, object));
+      return line.length < kShortestOpen * object_size(scene_, object);
     };
     for (bool changes = true; changes;) {
       std::vector<Line> kept, loose;

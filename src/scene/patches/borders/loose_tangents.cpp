@@ -10,6 +10,7 @@
 #include "scene/model/topology.hpp"
 #include "scene/patches/borders/edge_chains.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
+#include "scene/patches/borders/unlike_surfaces.hpp"
 
 namespace ligne {
 namespace {
@@ -111,14 +112,15 @@ class TangentChains {
     }
   }
 
-  /// Drops lines between curved surfaces that are loose at both ends, as those along the bands of a bent tube.
+  /// Drops lines between curved surfaces that are loose at both ends, as those along the bands of a bent tube. A line with
+  /// an edge between unlike surfaces is none of those.
   void drop_between_curved() {
     std::vector<std::uint32_t> line;
     for (const TangentNode& first : nodes_) {
       if (!first.is_loose()) continue;
       line.clear();
       const TangentNode* node = &first;
-      for (std::uint32_t e = first.numbers; is_between_curved(e); e ^= node->numbers) {
+      for (std::uint32_t e = first.numbers; is_between_curved(e) && !is_between_unlike(e); e ^= node->numbers) {
         line.push_back(e);
         node = other_end(e, *node);
         if (!node->is_passed()) break;
@@ -153,7 +155,7 @@ class TangentChains {
   }
 
   /// Drops connected tangent edges that meet no other line and are short for their object, shorter where they enclose
-  /// something than where they form a tree. Those with a side of a strip are kept.
+  /// something than where they form a tree. Those with a side of a strip, or between unlike surfaces, are kept.
   void drop_lone_trees() {
     std::vector<std::uint32_t> tangent;
     for (const std::uint32_t e : tangents_) {
@@ -171,7 +173,7 @@ class TangentChains {
       TangentTree& tree = trees[sets.find(end_number(e, 0))];
       --tree.nodes_less_edges;
       tree.length += glm::distance(scene_.vertices[ends_of(e)[0]], scene_.vertices[ends_of(e)[1]]);
-      tree.is_kept |= is_of_strip(e);
+      tree.is_kept |= is_of_strip(e) || is_between_unlike(e);
     }
     for (const std::uint32_t e : tangent) {
       TangentTree& tree = trees[sets.find(end_number(e, 0))];
@@ -249,6 +251,11 @@ class TangentChains {
 
   bool is_curved(std::uint32_t face) const { return patches_.patch_of[face] != kNone || patches_.is_freeform[face]; }
 
+  /// Whether an edge lies between two surfaces at which the shape changes, see are_unlike().
+  bool is_between_unlike(std::uint32_t e) const {
+    return is_between_curved(e) && are_unlike(scene_, patches_, topology_.edges[e]);
+  }
+
   bool is_between_curved(std::uint32_t e) const {
     return is_curved(topology_.edges[e].face0) && is_curved(topology_.edges[e].face1);
   }
@@ -257,7 +264,7 @@ class TangentChains {
   bool is_tooth(std::uint32_t e) {
     const Edge& edge = topology_.edges[e];
     const TangentNode &first = *node_at(edge.v0), &last = *node_at(edge.v1);
-    if (!first.is_passed() || !last.is_passed()) return false;
+    if (!first.is_passed() || !last.is_passed() || are_unlike(scene_, patches_, edge)) return false;
     const Point3 &from = scene_.vertices[edge.v0], &to = scene_.vertices[edge.v1], way = to - from;
     const double squared = glm::dot(way, way);
     const auto is_short = [&](std::uint32_t face, std::uint32_t beyond) {
@@ -354,6 +361,7 @@ class TangentChains {
 
 void drop_loose_tangents(const Scene& scene, const Topology& topology, const Patches& patches,
                          const std::vector<std::uint8_t>& is_line, std::vector<PatchEdge>& edges) {
+  close_unlike_borders(scene, topology, patches, edges);
   TangentChains chains(scene, topology, patches, edges);
   if (chains.empty()) return;
   chains.hold(is_line);
