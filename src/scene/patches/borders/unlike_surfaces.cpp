@@ -53,8 +53,14 @@ double tube_radius(const Patches& patches, std::uint32_t face) {
   return surface.kind == SurfaceKind::cylinder || surface.kind == SurfaceKind::sphere ? surface.radius : 0;
 }
 
-/// Whether the corners of a face lie on its surface exactly.
+bool is_cone(const Patches& patches, std::uint32_t face) {
+  const std::uint32_t p = patches.patch_of[face];
+  return p != kNone && patches.list[p].surface.kind == SurfaceKind::cone;
+}
+
+/// Whether the corners of a face lie on its surface exactly. Planes are no approximations.
 bool is_exact(const Scene& scene, const Patches& patches, std::uint32_t face) {
+  if (patches.patch_of[face] == kNone) return true;
   const Patch& patch = patches.list[patches.patch_of[face]];
   const auto corners = scene.faces.contour(face, 0);
   const double precision = scene.objects[object_of_vertex(scene, corners[0])].precision;
@@ -68,11 +74,14 @@ bool is_exact(const Scene& scene, const Patches& patches, std::uint32_t face) {
 bool are_unlike(const Scene& scene, const Patches& patches, const Edge& edge) {
   const Family one = family_of(patches, edge.face0), other = family_of(patches, edge.face1);
   if (one == other || one == Family::none || other == Family::none) return false;
+  const bool first_exact = is_exact(scene, patches, edge.face0), second_exact = is_exact(scene, patches, edge.face1);
+  for (const std::uint32_t face : {edge.face0, edge.face1}) {
+    if (is_cone(patches, face)) return !patches.list[patches.patch_of[face]].is_band && (first_exact || second_exact);
+  }
   const double radius = tube_radius(patches, edge.face0);
   const double difference = std::abs(radius - tube_radius(patches, edge.face1));
   if (!(radius > 0) || difference > kTubePart * radius) return true;
-  return difference <= kOneRadiusPart * radius && is_exact(scene, patches, edge.face0) &&
-         is_exact(scene, patches, edge.face1);
+  return difference <= kOneRadiusPart * radius && first_exact && second_exact;
 }
 
 void close_unlike_borders(const Scene& scene, const Topology& topology, const Patches& patches,

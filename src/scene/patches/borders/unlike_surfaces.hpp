@@ -12,8 +12,8 @@ namespace ligne {
 
 /// Whether the surfaces on both sides of an edge are of two families: planes, surfaces with straight lines, spheres, and
 /// tori. The bands by which a free form is approximated are all of one family. Cylinders, spheres and tori of one radius may
-/// still be bands of a bent tube, unless their corners lie on them within rounding. Free forms and revolved profiles are of
-/// no family.
+/// still be bands of a bent tube, unless their corners lie on them exactly. A cone may be a row of a torus or a sphere: it
+/// counts if it is no band and the corners of either face are exact. Free forms and revolved profiles are of no family.
 bool are_unlike(const Scene& scene, const Patches& patches, const Edge& edge);
 
 /// Makes the border of two unlike curved surfaces tangent where these bend alike, too, if most of it is tangent. Where a
