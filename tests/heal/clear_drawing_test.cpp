@@ -7,6 +7,7 @@
 #include "scene/heal/duplicate_faces.hpp"
 #include "scene/heal/heal.hpp"
 #include "scene/readers/reader.hpp"
+#include "support/mesh_text.hpp"
 #include "support/scene_parts.hpp"
 #include "support/test.hpp"
 
@@ -260,6 +261,18 @@ TEST(HealLargeMesh, RepeatedTrianglesShowInTheTopology) {
   }
   EXPECT_GT(repeating, 500);
   EXPECT_GT(certain, 200);
+}
+
+/// At the poles of a globe in steps of its coordinates, rounding folds triangles over each other. No fold is drawn.
+TEST(FineMeshes, AGlobeIsACircle) {
+  Scene globe = test::mesh_of(
+                    "grid 300 x 150 triangles round: 4*sin(pi*v/150)*cos(pi*u/150); 4*sin(pi*v/150)*sin(pi*u/150); "
+                    "4*cos(pi*v/150)\nmap: floor(x/0.01+0.5)*0.01; floor(y/0.01+0.5)*0.01; floor(z/0.01+0.5)*0.01\n"
+                    "without doubled\nprecision 0.005")
+                    .scene();
+  Topology topology;
+  EXPECT_GT(heal(globe, topology, {}).vertices_collapsed, 10'000);
+  EXPECT_NEAR(length_of_all(lengths(globe, Quality::clear, "iso")), std::numbers::pi * 190, 6);
 }
 
 }  // namespace

@@ -37,6 +37,8 @@ constexpr double kLeastGain = 1;
 /// Triangles of this many errors in height or more tell a direction, if roughly: new faces have that of an old one, within
 /// the angle of this cosine.
 constexpr double kLeastSure = 3, kLeastCosine = 0.8;
+/// Least cosine to the mean of the old faces, at an edge of two planes of which nearly all lie in one: 120 degrees.
+constexpr double kLeastMeanCosine = -0.5;
 /// Distance of a merged vertex from the faces that are left, in errors of a rounded point: its own, and that of a corner.
 constexpr double kMostErrors = 2;
 /// Distance of new faces from those in whose place they come, in the same unit. These may have that of a merged vertex
@@ -185,7 +187,8 @@ bool FineMesh::are_joined(std::uint32_t v, std::uint32_t w) {
   return std::ranges::any_of(faces_at(v), [&](std::uint32_t f) { return has(triangles_[f], w); });
 }
 
-/// Whether a new face is turned against the old one that it continues, or if that tells no direction, against all of them.
+/// Whether a new face is turned against the old one that it continues, or if that tells no direction, against all of them;
+/// or against their mean, which is that of their border: many of those that rounding folds may have any direction.
 bool FineMesh::is_turned(const Corners& t, std::uint32_t like, std::span<const std::uint32_t> old) const {
   if (!is_sure(t)) return false;
   const Point3 now = area(t);
@@ -193,6 +196,9 @@ bool FineMesh::is_turned(const Corners& t, std::uint32_t like, std::span<const s
     const Point3 before = area(triangles_[f]);
     return glm::dot(now, before) >= kLeastCosine * glm::length(now) * glm::length(before);
   };
+  Point3 mean(0, 0, 0);
+  for (const std::uint32_t f : old) mean += area(triangles_[f]);
+  if (glm::dot(now, mean) < kLeastMeanCosine * glm::length(now) * glm::length(mean)) return true;
   if (is_sure(triangles_[like])) return !is_like(like);
   const auto may_tell = [&](std::uint32_t f) { return is_sure(triangles_[f]); };
   return std::ranges::any_of(old, may_tell) &&
