@@ -34,6 +34,10 @@ constexpr double kStableErrors = 20;
 constexpr double kLeastErrors = 0.1;
 /// Least gain of a change, in the thinness of a stable triangle.
 constexpr double kLeastGain = 1;
+/// Relative rounding of the thinness of a triangle a million times as long as high: 2^-53 of a double, 2^20 for the
+/// cancellation in its area, and 2^3 for the operations. Gains that differ by less are equal, whatever the order of the
+/// corners and faces.
+constexpr double kThinnessRounding = 0x1p-30;
 /// Triangles of this many errors in height or more tell a direction, if roughly: new faces have that of an old one, within
 /// the angle of this cosine.
 constexpr double kLeastSure = 3, kLeastCosine = 0.8;
@@ -207,13 +211,15 @@ bool FineMesh::is_turned(const Corners& t, std::uint32_t like, std::span<const s
 
 /// Takes a change for the best one if its faces are less thin, none is turned over, and all merged vertices lie on them.
 void FineMesh::offer(Change change, Change& best) {
-  for (const std::uint32_t f : change.old) change.gain += thinness(triangles_[f]);
+  double before = 0;
+  for (const std::uint32_t f : change.old) before += thinness(triangles_[f]);
+  change.gain = before;
   for (std::size_t i = 0; i < change.faces.size(); ++i) {
     if (is_turned(change.faces[i], change.like[i], change.old)) return;
     change.gain -= thinness(change.faces[i]);
   }
-  // The order of the faces has no say where changes are alike.
-  const double margin = 1e-9 * change.gain;
+  // Among equal gains the place decides, so that the order of the faces has no say.
+  const double margin = kThinnessRounding * before;
   const auto place = [&](const Change& c) { return c.to == kNone ? Point3(0, 0, 0) : at(c.to); };
   const auto is_before = [](const Point3& p, const Point3& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); };
   const bool is_better =

@@ -204,8 +204,9 @@ class Splitter {
   void join_surfaces() {
     for_edges(sorted_sides(), [&](std::span<const PartSide> edge) {
       if (!is_curved(edge)) return;
-      for (const PartSide& side : edge)
-        sets_.join(patch_of(side) != kNone ? patch_of(side) : patch_at(edge), patch_at(edge));
+      for (const PartSide& side : edge) {
+        if (patch_of(side) != kNone) sets_.join(patch_of(side), patch_at(edge));
+      }
     });
   }
 
