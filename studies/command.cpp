@@ -5,8 +5,8 @@
 
 #include "cli/command_line.hpp"
 #include "cli/options/options.hpp"
-#include "cli/progress.hpp"
-#include "cli/study_program.hpp"
+#include "cli/console.hpp"
+#include "cli/commands.hpp"
 #include "picture/parse/parse.hpp"
 #include "studies/plates/plates.hpp"
 #include "studies/run_experiments.hpp"

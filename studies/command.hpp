@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/options/run_options.hpp"
+#include "cli/options/option_groups.hpp"
 #include "studies/experiments.hpp"
 
 namespace CLI {

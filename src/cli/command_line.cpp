@@ -16,10 +16,8 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/commands.hpp"
-#include "cli/errors.hpp"
-#include "cli/messages.hpp"
+#include "cli/console.hpp"
 #include "cli/options/options.hpp"
-#include "cli/study_program.hpp"
 #include "files/closest_name.hpp"
 #include "files/message_text.hpp"
 #include "picture/errors.hpp"

@@ -6,15 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands/surface_options.hpp"
-#include "cli/options/method_options.hpp"
-#include "cli/options/model_options.hpp"
-#include "cli/options/output_options.hpp"
-#include "cli/options/run_options.hpp"
-#include "cli/study_program.hpp"
+#include "cli/options/option_groups.hpp"
 #include "picture/pages/frames.hpp"
 #include "picture/pages/plot_drawing.hpp"
 #include "picture/stream/streamed_model.hpp"
+#include "picture/surface/surface_mesh_picture.hpp"
 #include "picture/surface/surface_request.hpp"
 
 namespace CLI {
@@ -24,6 +20,32 @@ class App;
 namespace ligne {
 
 /// ligne surface: draws a surface z = f(x, y) as iso-curves with hidden lines removed.
+struct SurfaceOptions {
+  SurfaceRequest request;
+  bool horizon_given = false;  ///< true if the method horizon is requested
+  bool as_mesh = false;
+  bool pixels = false;
+  std::optional<unsigned> resolution;
+  std::string axes_style;  ///< text of the option; empty: no axes, "true": the flag alone
+  OutputOptions output;
+  PlotterOptions plotter;
+  RunOptions run;
+};
+
+/// Adds the command with its options.
+CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options);
+
+/// The request that the options make. Throws UsageError and RequestError for options that exclude each other.
+SurfaceRequest checked_request(const SurfaceOptions& options, const MemoryLimit& memory);
+
+/// Mesh format of --as-mesh, from the file suffix. Throws UsageError.
+MeshFormat mesh_format_of(const OutputOptions& options);
+
+/// Options for maps: contour labels, water, hachures, scale bar, north arrow.
+void add_terrain_options(CLI::App& surface, SurfaceRequest& request);
+/// Options for curves, points, colours and names.
+void add_annotation_options(CLI::App& surface, SurfaceRequest& request);
+
 void setup_surface(CLI::App& app, SurfaceOptions& options);
 
 /// Puts formulas with a leading minus in parentheses, because CLI11 would take them for options: "-x^2" becomes "(-x^2)".
@@ -124,6 +146,16 @@ struct CompareOptions {
 
 void setup_compare(CLI::App& app, CompareOptions& options);
 void run_compare(const CompareOptions& options);
+
+/// ligne study: runs the separate program `ligne-study`, which repeats the experiments of the sources.
+inline constexpr const char* kStudyTitle = "Repeat the experiments of the published sources";
+
+/// Adds the command to the list of commands.
+void add_study_command(CLI::App& app);
+
+/// Runs `ligne-study` from this program's folder, or else from PATH, with these arguments. Returns its exit status, or 128 +
+/// the number of the signal that ended it. Throws std::runtime_error if it is not found.
+int run_study_program(const std::vector<std::string>& arguments);
 
 struct Commands {
   DrawOptions draw;

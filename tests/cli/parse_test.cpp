@@ -1,6 +1,6 @@
 #include "picture/parse/parse.hpp"
 #include "cli/memory_limit.hpp"
-#include "cli/options/idle_options.hpp"
+#include "cli/options/option_groups.hpp"
 #include "files/message_text.hpp"
 #include "main/script.hpp"
 #include "picture/errors.hpp"

@@ -1,9 +1,9 @@
 #include "cli/commands.hpp"
 
 #include "base/parallel.hpp"
+#include "cli/console.hpp"
+#include "cli/options/option_groups.hpp"
 #include "cli/options/options.hpp"
-#include "cli/options/picture_options.hpp"
-#include "cli/progress.hpp"
 #include "files/named_input.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/parse/parse.hpp"

@@ -4,11 +4,9 @@
 #include <utility>
 
 #include "cli/commands.hpp"
-#include "cli/messages.hpp"
-#include "cli/options/idle_options.hpp"
+#include "cli/console.hpp"
+#include "cli/options/option_groups.hpp"
 #include "cli/options/options.hpp"
-#include "cli/options/picture_options.hpp"
-#include "cli/progress.hpp"
 #include "files/message_text.hpp"
 #include "files/named_input.hpp"
 #include "picture/check_request.hpp"

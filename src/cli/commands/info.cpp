@@ -1,15 +1,37 @@
 #include "cli/commands.hpp"
 
-#include "cli/messages.hpp"
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/console.hpp"
 #include "cli/options/options.hpp"
-#include "cli/options/picture_options.hpp"
 #include "files/named_input.hpp"
 #include "picture/check_request.hpp"
+#include "picture/parse/parse_options.hpp"
 #include "picture/products.hpp"
+#include "plotting/writers/output_file.hpp"
+#include "report/listing.hpp"
 #include "report/scene_info.hpp"
+#include "visibility/registry.hpp"
 
 namespace ligne {
 namespace {
+
+std::vector<const Method*> chosen(const std::vector<std::string>& names) {
+  const std::span<const Method* const> all = all_methods();
+  std::vector<const Method*> methods(all.begin(), names.empty() ? all.end() : all.begin());
+  for (const std::string& name : names) {
+    try {
+      methods.push_back(parse_method(name));
+    } catch (const std::invalid_argument& e) {
+      throw UsageError("methods", e.what());
+    }
+    if (!methods.back()) methods.back() = &default_method();
+  }
+  return methods;
+}
 
 void check(const InfoOptions& options) {
   check(options.page);
@@ -43,6 +65,26 @@ void inform(const InfoOptions& options) {
 }
 
 }  // namespace
+
+void setup_devices(CLI::App& app, DevicesOptions& options) {
+  CLI::App* command =
+      add_command(app, "devices", "List the plotters: language, papers, limits, speed", "Example:\n  ligne devices --json");
+  OptionGroup(*command, "Options").add_flag("--json", options.json, "write JSON");
+}
+
+void run_devices(const DevicesOptions& options) { write_output("-", options.json ? devices_json() : devices_text()); }
+
+void setup_methods(CLI::App& app, MethodsOptions& options) {
+  CLI::App* methods = add_command(app, "methods", "List the visibility methods: products, precision, paper",
+                                  "Examples:\n  ligne methods warnock\n  ligne methods --json");
+  add_arguments(*methods, "METHOD", options.names, false, "methods to list, with their experimental settings (--set)");
+  OptionGroup(*methods, "Options").add_flag("--json", options.json, "write JSON");
+}
+
+void run_methods(const MethodsOptions& options) {
+  const std::vector<const Method*> methods = chosen(options.names);
+  write_output("-", options.json ? methods_json(methods) : methods_text(methods, !options.names.empty()));
+}
 
 void setup_info(CLI::App& app, InfoOptions& options) {
   CLI::App& info =

@@ -4,9 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cli/options/idle_options.hpp"
+#include "cli/options/option_groups.hpp"
 #include "cli/options/options.hpp"
-#include "cli/options/picture_options.hpp"
 #include "picture/pages/frames.hpp"
 #include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"

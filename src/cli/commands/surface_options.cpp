@@ -1,12 +1,9 @@
-#include "cli/commands/surface_options.hpp"
+#include "cli/commands.hpp"
 
 #include <stdexcept>
 #include <string>
 
-#include "cli/commands/terrain_options.hpp"
-#include "cli/options/method_options.hpp"
 #include "cli/options/options.hpp"
-#include "cli/options/picture_options.hpp"
 #include "files/closest_name.hpp"
 #include "files/message_text.hpp"
 #include "picture/draw_scene.hpp"

@@ -5,11 +5,10 @@
 
 #include <functional>
 #include <initializer_list>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "cli/errors.hpp"
 
 namespace CLI {
 class App;
@@ -17,6 +16,13 @@ class Option;
 }  // namespace CLI
 
 namespace ligne {
+
+/// A mistake on the command line: reported in one line on standard error, exit status 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+  UsageError(const std::string& option, const std::string& cause) : std::runtime_error(option + ": " + cause) {}
+};
 
 /// One option of a command.
 class Option {

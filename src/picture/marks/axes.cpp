@@ -87,8 +87,11 @@ void add_sample(Drawing& drawing, const LegendEntry& entry, const std::array<Poi
     layer.lines.add(sample);
     return;
   }
-  drawing.layers.push_back({"legend", {}, {}, 0, entry.object, entry.color});
-  drawing.layers.back().lines.add(sample);
+  Layer& layer = drawing.layers.emplace_back();
+  layer.name = "legend";
+  layer.object = entry.object;
+  layer.color = entry.color;
+  layer.lines.add(sample);
 }
 
 }  // namespace

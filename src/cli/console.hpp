@@ -1,12 +1,25 @@
 #pragma once
-/// A progress bar on standard error.
+/// Messages and a progress bar on standard error.
 
 #include <chrono>
 #include <functional>
+#include <string>
+#include <string_view>
 
-#include "cli/options/run_options.hpp"
+#include "scene/model/diagnostics.hpp"
 
 namespace ligne {
+
+struct RunOptions;
+
+/// Writes "ligne: TEXT" as one line of bounded length, whatever the text contains.
+void say(std::string_view text);
+
+/// Writes "ligne: PLACE: warning: TEXT".
+void warn(const std::string& place, const std::string& text);
+
+/// Warns of faults repaired while reading, one line per kind with its count; `with_areas` as in Warnings::lines().
+void warn(const std::string& place, const Warnings& warnings, bool with_areas = true);
 
 /// Draws "[#####     ] 50%" in place and erases it at the end. `automatic` shows it only on a terminal, and only if the work
 /// takes longer than half a second.

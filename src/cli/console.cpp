@@ -1,11 +1,13 @@
-#include "cli/progress.hpp"
+#include "cli/console.hpp"
 
 #include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
+
+#include "cli/options/option_groups.hpp"
+#include "files/message_text.hpp"
 
 namespace ligne {
 namespace {
@@ -14,6 +16,17 @@ constexpr std::chrono::milliseconds kPatience{500};
 constexpr int kBarCells = 40;
 
 }  // namespace
+
+void say(std::string_view text) {
+  const std::string line = "ligne: " + message_line(text) + "\n";
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+void warn(const std::string& place, const std::string& text) { say(place + ": warning: " + text); }
+
+void warn(const std::string& place, const Warnings& warnings, bool with_areas) {
+  for (const std::string& line : warnings.lines(with_areas)) warn(place, line);
+}
 
 ProgressBar::ProgressBar(const RunOptions& options) {
   const auto now = std::chrono::steady_clock::now();

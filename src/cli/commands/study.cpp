@@ -1,9 +1,8 @@
-#include "cli/study_program.hpp"
+#include "cli/commands.hpp"
 
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
 #include <cerrno>
 #include <filesystem>
 #include <stdexcept>
