@@ -15,11 +15,15 @@ constexpr std::size_t kMostStrip = 24;
 constexpr double kLongFacet = 3;
 /// Least length of the edges between facets of a strip, as a fraction of the first facet's length.
 constexpr double kRulingPart = 0.5;
+/// Bend of an edge from which on it counts as a rim, by the median of the bends near it.
+constexpr double kRimBends = 6;
 
 }  // namespace
 
-/// The seed, and facets within `rings` arcs of it that may be curved, at most `most` facets in all.
-std::vector<std::uint32_t> SurfaceSearch::around(std::uint32_t seed, int rings, std::size_t most) {
+/// The seed, and facets within `rings` arcs of it that may be curved, at most `most` facets in all. `may_cross`: for a facet
+/// and one beside it, whether the way may lead from one to the other.
+template <class MayCross>
+std::vector<std::uint32_t> SurfaceSearch::reach(std::uint32_t seed, int rings, std::size_t most, MayCross may_cross) {
   std::vector<std::uint32_t> facets{seed};
   ++round_;
   stamp_[seed] = round_;
@@ -29,12 +33,37 @@ std::vector<std::uint32_t> SurfaceSearch::around(std::uint32_t seed, int rings, 
     for (; begin < end; ++begin) {
       for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[begin])) {
         if (stamp_[arc.facet] == round_ || !may_curve(arc.facet) || facets.size() >= most) continue;
+        if (!may_cross(facets[begin], arc.facet)) continue;
         stamp_[arc.facet] = round_;
         facets.push_back(arc.facet);
       }
     }
   }
   return facets;
+}
+
+std::vector<std::uint32_t> SurfaceSearch::around(std::uint32_t seed, int rings, std::size_t most) {
+  return reach(seed, rings, most, [](std::uint32_t, std::uint32_t) { return true; });
+}
+
+/// The facets of around() that are reached without crossing an edge that bends far more than most near the seed. Empty if
+/// there are no such edges. Long triangles between two rims touch both, so that around() goes over these.
+std::vector<std::uint32_t> SurfaceSearch::within_rims(std::uint32_t seed, int rings, std::size_t most) {
+  const auto bend = [&](std::uint32_t f, std::uint32_t g) {
+    return std::acos(std::clamp(glm::dot(graph_.frames[f].normal, graph_.frames[g].normal), -1.0, 1.0));
+  };
+  numbers_.clear();
+  for (const std::uint32_t f : around(seed, rings, most)) {
+    for (const FacetGraph::Arc& arc : graph_.arcs_of(f)) {
+      if (arc.facet > f && stamp_[arc.facet] == round_) numbers_.push_back(bend(f, arc.facet));
+    }
+  }
+  if (numbers_.empty()) return {};
+  const auto median = numbers_.begin() + static_cast<std::ptrdiff_t>(numbers_.size() / 2);
+  std::nth_element(numbers_.begin(), median, numbers_.end());
+  const double largest = kRimBends * *median;
+  if (std::ranges::max(numbers_) <= largest) return {};
+  return reach(seed, rings, most, [&](std::uint32_t f, std::uint32_t g) { return bend(f, g) <= largest; });
 }
 
 /// Up to seven neighbours of a facet that may be curved.

@@ -108,24 +108,27 @@ bool SurfaceSearch::was_tried(std::span<const std::uint32_t> facets) {
   return false;
 }
 
+/// Tries a surface through a sample, and keeps it if its area exceeds that of the best one so far by a factor.
+void SurfaceSearch::consider(SurfaceKind kind, std::uint32_t seed, FitSample& sample, double factor, PatchCandidate& best) {
+  // Facets of the best surface so far lead to it again.
+  const bool is_known = !best.facets.empty() && best.patch.surface.kind == kind &&
+                        std::ranges::all_of(sample.facets, [&](std::uint32_t f) { return best_of_[f] == seed; });
+  if (is_known) return;
+  if (kind == SurfaceKind::cylinder && sample.facets.size() <= 3 && was_tried(sample.facets)) return;
+  const double sag_part = sag_part_;
+  PatchCandidate c = try_surface(kind, seed, sample);
+  sag_part_ = sag_part;
+  if (c.facets.empty() || c.area <= factor * best.area) return;
+  for (const std::uint32_t f : best.facets) best_of_[f] = kNone;
+  best = std::move(c);
+  for (const std::uint32_t f : best.facets) best_of_[f] = seed;
+}
+
 PatchCandidate SurfaceSearch::best_at(std::uint32_t seed) {
   PatchCandidate best;
-  // Facets of the best surface so far lead to it again.
-  const auto is_known = [&](SurfaceKind kind, std::span<const std::uint32_t> facets) {
-    return !best.facets.empty() && best.patch.surface.kind == kind &&
-           std::ranges::all_of(facets, [&](std::uint32_t f) { return best_of_[f] == seed; });
-  };
   tried_.clear();
   const auto consider = [&](SurfaceKind kind, auto&& sample, double factor) {
-    if (is_known(kind, sample.facets)) return;
-    if (kind == SurfaceKind::cylinder && sample.facets.size() <= 3 && was_tried(sample.facets)) return;
-    const double sag_part = sag_part_;
-    PatchCandidate c = try_surface(kind, seed, sample);
-    sag_part_ = sag_part;
-    if (c.facets.empty() || c.area <= factor * best.area) return;
-    for (const std::uint32_t f : best.facets) best_of_[f] = kNone;
-    best = std::move(c);
-    for (const std::uint32_t f : best.facets) best_of_[f] = seed;
+    this->consider(kind, seed, sample, factor, best);
   };
   std::vector<std::uint32_t> near = beside(seed);
   if (near.empty()) return best;
@@ -160,12 +163,18 @@ PatchCandidate SurfaceSearch::best_at(std::uint32_t seed) {
   for (FitSample& set : sets) consider(SurfaceKind::cone, set, kSimilarArea);
   for (FitSample& sample : round) consider(SurfaceKind::cone, sample, kSimilarArea);
   if (is_settled()) return best;
+  FitSample within;
+  if (best.facets.empty()) within = {within_rims(seed, kWideSteps, kMostWide), true};
+  const bool has_rims = within.facets.size() >= kFewestStrip;
+  if (has_rims) consider(SurfaceKind::cylinder, within, kSimilarArea);
+  if (has_rims && best.facets.empty()) consider(SurfaceKind::cone, within, kSimilarArea);
   // A band of a sphere also lies on a cylinder or a cone, and determines the sphere.
   FitSample band{best.facets};
   band.facets.resize(std::min(band.facets.size(), kMostBand));
   if (!band.facets.empty()) consider(SurfaceKind::sphere, band, kRoundArea);
   consider(SurfaceKind::sphere, round.front(), kRoundArea);
   for (FitSample& sample : round) consider(SurfaceKind::torus, sample, kRoundArea);
+  if (has_rims && best.facets.empty()) consider(SurfaceKind::torus, within, kRoundArea);
   return best;
 }
 

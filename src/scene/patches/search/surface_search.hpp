@@ -112,6 +112,7 @@ class SurfaceSearch {
   std::vector<FacetFrame> edge_frames(std::span<const std::uint32_t> facets);
   void complete(FitSample& sample);
   bool fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate& c);
+  void consider(SurfaceKind kind, std::uint32_t seed, FitSample& sample, double factor, PatchCandidate& best);
   PatchCandidate try_surface(SurfaceKind kind, std::uint32_t seed, FitSample& sample);
   PatchCandidate grow_candidate(PatchCandidate c, std::uint32_t seed, const FitSample& sample);
   std::vector<std::uint32_t> grow(const Patch& patch, std::uint32_t seed, double most_sags = kMostSags,
@@ -120,7 +121,10 @@ class SurfaceSearch {
   bool may_lie_on(PatchCandidate& c);
   bool is_mostly_near(const PatchCandidate& c) const;
   bool is_same(std::span<const std::uint32_t> grown, std::span<const std::uint32_t> sample) const;
+  template <class MayCross>
+  std::vector<std::uint32_t> reach(std::uint32_t seed, int rings, std::size_t most, MayCross may_cross);
   std::vector<std::uint32_t> around(std::uint32_t seed, int rings, std::size_t most);
+  std::vector<std::uint32_t> within_rims(std::uint32_t seed, int rings, std::size_t most);
   std::vector<FitSample> round_samples(std::uint32_t seed);
   std::vector<std::uint32_t> strip_of(std::uint32_t seed);
   std::vector<std::uint32_t> beside(std::uint32_t seed);
