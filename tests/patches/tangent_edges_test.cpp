@@ -7,6 +7,7 @@
 #include "scene/creases/find_creases.hpp"
 #include "scene/patches/borders/freeform_borders.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
+#include "scene/patches/borders/straight_tangents.hpp"
 #include "scene/patches/borders/tangent_gaps.hpp"
 #include "scene/patches/borders/whole_borders.hpp"
 #include "support/mesh_text.hpp"
@@ -154,8 +155,43 @@ std::string closed(const std::string& border) {
   return after;
 }
 
+/// For gaps/straight_tangents.txt: a tangent line through points X,Y. Triangles fill the space between it and the line past
+/// its points with a star; all is flat. Returns the numbers of the points through which straighten_tangents() leads it.
+std::string straightened(const std::string& text) {
+  std::vector<Corners> polygons;
+  Corners line, past;
+  for (const std::string& word : words_of(text)) {
+    line.push_back(point_of(word.substr(word[0] == '*') + ",0"));
+    if (word[0] == '*' || line.size() == 1) continue;
+    const std::size_t first =
+        past.empty() ? 0 : static_cast<std::size_t>(std::ranges::find(line, past.back()) - line.begin());
+    for (std::size_t i = first + 1; i + 1 < line.size(); ++i) polygons.push_back({line[first], line[i + 1], line[i]});
+    polygons.push_back({line.back(), line[first], {line.back().x, -50, 0}});
+    past.push_back(line.back());
+  }
+  for (std::size_t i = 1; i < line.size(); ++i) polygons.push_back({line[i - 1], line[i], {line[i].x, 50, 0}});
+  const Scene scene = scene_of(polygons, true);
+  const Topology topology = build_topology(scene);
+  const auto number = [&](std::uint32_t v) {
+    return static_cast<std::size_t>(std::ranges::find(line, scene.vertices[v]) - line.begin());
+  };
+  std::vector<PatchEdge> kinds;
+  for (const Edge& edge : topology.edges) {
+    const auto [a, b] = std::minmax({number(edge.v0), number(edge.v1)});
+    kinds.push_back(b == a + 1 && b < line.size() ? PatchEdge::tangent : PatchEdge::unknown);
+  }
+  straighten_tangents(scene, topology, std::vector<std::uint8_t>(kinds.size(), 0), kinds);
+  std::set<std::size_t> left;
+  for (std::size_t e = 0; e < kinds.size(); ++e) {
+    if (kinds[e] == PatchEdge::tangent) left.insert({number(topology.edges[e].v0), number(topology.edges[e].v1)});
+  }
+  std::string numbers;
+  for (const std::size_t i : left) numbers += std::to_string(i);
+  return numbers;
+}
+
 [[maybe_unused]] const bool gaps_are_added =
-    add_function_scripts(LIGNE_SOURCE_DIR "/tests/patches/gaps", {{"closed", closed}});
+    add_function_scripts(LIGNE_SOURCE_DIR "/tests/patches/gaps", {{"closed", closed}, {"straightened", straightened}});
 
 // Tangent edges that are dropped: chains that end freely, hooks, small rings, steps from facet to facet.
 

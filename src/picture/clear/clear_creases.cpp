@@ -7,6 +7,7 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "scene/patches/borders/freeform_seams.hpp"
+#include "scene/patches/borders/straight_tangents.hpp"
 #include "scene/patches/borders/tangent_gaps.hpp"
 #include "scene/patches/fillets.hpp"
 
@@ -83,6 +84,7 @@ std::vector<ShapeLine> choose_tangent_lines(const Scene& scene, const Topology& 
   const Patches& patches = creases.patches;
   if ((patches.list.empty() && patches.borders.empty()) || !request.lines.classes.has(LineClass::tangent)) return {};
   close_tangent_gaps(scene, topology, patches, creases.lines, creases.patch_edges);
+  straighten_tangents(scene, topology, creases.lines, creases.patch_edges);
   FilletMiddles fillets = fillet_middles(scene, topology, patches, creases.patch_edges, widest_fillet(request, view));
   drop_loose_tangents(scene, topology, patches, creases.lines, creases.patch_edges);
   find_freeform_seams(scene, topology, patches, creases.lines, creases.patch_edges);
