@@ -14,9 +14,9 @@ namespace ligne {
 namespace {
 
 // Adjustable.
-/// Least sum of the turns of a detour, in radians (20 degrees), and largest part of it that is left when the line goes
+/// Least sum of the turns of a detour, in radians (6 degrees), and largest part of it that is left when the line goes
 /// straight: half if the line goes on at both ends, else less, since the turn at one of them is not known.
-constexpr double kLeastTurns = 0.35, kMostLeft = 0.5, kMostLeftAtEnd = 0.2;
+constexpr double kLeastTurns = 0.1, kMostLeft = 0.5, kMostLeftAtEnd = 0.2;
 /// Largest number of edges of a detour, its largest length by that of the straight way, and its largest turn, in radians (60
 /// degrees): a line that turns more goes round a corner.
 constexpr std::size_t kMostEdges = 4;
