@@ -84,9 +84,9 @@ std::vector<ShapeLine> choose_tangent_lines(const Scene& scene, const Topology& 
   const Patches& patches = creases.patches;
   if ((patches.list.empty() && patches.borders.empty()) || !request.lines.classes.has(LineClass::tangent)) return {};
   close_tangent_gaps(scene, topology, patches, creases.lines, creases.patch_edges);
-  straighten_tangents(scene, topology, creases.lines, creases.patch_edges);
   FilletMiddles fillets = fillet_middles(scene, topology, patches, creases.patch_edges, widest_fillet(request, view));
   drop_loose_tangents(scene, topology, patches, creases.lines, creases.patch_edges);
+  straighten_tangents(scene, topology, creases.lines, creases.patch_edges);
   find_freeform_seams(scene, topology, patches, creases.lines, creases.patch_edges);
   const auto is_fillet = [&](std::uint32_t face) {
     const std::uint32_t patch = patches.patch_of[face];
