@@ -4,9 +4,9 @@
 #include <stdexcept>
 
 #include "cli/command_line.hpp"
-#include "cli/options/options.hpp"
-#include "cli/console.hpp"
 #include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/options/options.hpp"
 #include "picture/parse/parse.hpp"
 #include "studies/plates/plates.hpp"
 #include "studies/run_experiments.hpp"
