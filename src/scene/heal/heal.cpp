@@ -15,6 +15,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/prefetch.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/clean/cut_nonplanar.hpp"
 #include "scene/heal/border_edges.hpp"
@@ -74,6 +75,7 @@ void append_short_edges(const Scene& scene, const Object& object, std::vector<Ve
   };
   parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = object.face_begin + begin; f < object.face_begin + end; ++f) {
+      if (all_triangles) prefetch_corners(scene.vertices, corners, f);
       if (all_triangles && has_long_edges(f)) continue;
       for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
         const std::span<const std::uint32_t> contour = scene.faces.contour(f, c);
