@@ -3,27 +3,62 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <iterator>
 #include <vector>
 
 #include "base/parallel.hpp"
 
 namespace ligne {
 
-/// The indices i of [0, count) for which wanted(i) is true, ascending. Several threads call wanted().
-template <class Wanted>
-std::vector<std::uint32_t> indices_where(std::size_t count, const Wanted& wanted) {
+/// The indices that append(begin, end, found) adds to `found` for the blocks [begin, end) of [0, count), in the order of the
+/// blocks. Several threads call append().
+template <class Append>
+std::vector<std::uint32_t> indices_of_blocks(std::size_t count, const Append& append) {
   std::vector<std::vector<std::uint32_t>> found(block_count(count, kShortWorkBlock));
-  parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (wanted(i)) found[begin / kShortWorkBlock].push_back(static_cast<std::uint32_t>(i));
-    }
-  });
+  parallel_blocks(count, kShortWorkBlock,
+                  [&](std::size_t begin, std::size_t end) { append(begin, end, found[begin / kShortWorkBlock]); });
   std::size_t size = 0;
   for (const std::vector<std::uint32_t>& block : found) size += block.size();
   std::vector<std::uint32_t> all;
   all.reserve(size);
   for (const std::vector<std::uint32_t>& block : found) all.insert(all.end(), block.begin(), block.end());
   return all;
+}
+
+/// The indices i of [0, count) for which wanted(i) is true, ascending. Several threads call wanted().
+template <class Wanted>
+std::vector<std::uint32_t> indices_where(std::size_t count, const Wanted& wanted) {
+  return indices_of_blocks(count, [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& found) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (wanted(i)) found.push_back(static_cast<std::uint32_t>(i));
+    }
+  });
+}
+
+/// The indices of the elements that have any of the bits `wanted`, ascending. `marks` is an array of small numbers. A word
+/// of them is passed at a time, so rare marks cost little.
+template <class Marks>
+std::vector<std::uint32_t> indices_of_marks(const Marks& marks, std::uint64_t wanted = ~std::uint64_t{0}) {
+  const auto* const values = std::data(marks);
+  constexpr std::size_t kSize = sizeof *values, kInWord = sizeof(std::uint64_t) / kSize;
+  std::uint64_t wanted_of_word = 0;
+  for (std::size_t k = 0; k < kInWord; ++k) wanted_of_word |= wanted << (8 * kSize * k);
+  const auto is_wanted_in_word = [&](std::size_t i) {
+    std::uint64_t word;
+    std::memcpy(&word, values + i, sizeof word);
+    return (word & wanted_of_word) != 0;
+  };
+  return indices_of_blocks(std::size(marks), [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& found) {
+    for (std::size_t i = begin; i < end;) {
+      if (i + kInWord <= end && !is_wanted_in_word(i)) {
+        i += kInWord;
+        continue;
+      }
+      if (static_cast<std::uint64_t>(values[i]) & wanted) found.push_back(static_cast<std::uint32_t>(i));
+      ++i;
+    }
+  });
 }
 
 }  // namespace ligne

@@ -8,7 +8,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "base/indices_where.hpp"
 #include "base/parallel.hpp"
 #include "contours/contour_sights.hpp"
 #include "contours/surfaces/outline_probes.hpp"
@@ -29,13 +28,12 @@ bool has_lines_of_its_own(const Scene& scene) {
 }
 
 /// Removes the outlines with these sources, which are edges of the topology, from the candidates.
-void remove_outlines(ProjectedScene& projected, const Topology& topology, const std::vector<std::uint32_t>& sources) {
-  std::vector<std::uint8_t> is_removed(topology.edges.size(), 0);
-  for (const std::uint32_t e : sources) is_removed[e] = 1;
+void remove_outlines(ProjectedScene& projected, std::vector<std::uint32_t> sources) {
+  std::ranges::sort(sources);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < projected.edges.size(); ++i) {
     const ProjectedEdge& e = projected.edges[i];
-    if (e.line_class == LineClass::outline && e.source < is_removed.size() && is_removed[e.source]) continue;
+    if (e.line_class == LineClass::outline && std::ranges::binary_search(sources, e.source)) continue;
     projected.edges[kept] = e;
     if (!projected.edge_parts.empty()) projected.edge_parts[kept] = projected.edge_parts[i];
     ++kept;
@@ -83,11 +81,13 @@ bool bulges(const Scene& scene, const SmoothPatch& patch, std::uint32_t side) {
 }  // namespace
 
 std::vector<std::uint32_t> outline_edges(const Topology& topology, const ProjectedScene& projected) {
-  std::vector<std::uint8_t> is_outline(topology.edges.size(), 0);
+  std::vector<std::uint32_t> outlines;
   for (const ProjectedEdge& e : projected.edges) {
-    if (e.line_class == LineClass::outline && e.source < is_outline.size()) is_outline[e.source] = 1;
+    if (e.line_class == LineClass::outline && e.source < topology.edges.size()) outlines.push_back(e.source);
   }
-  return indices_where(is_outline.size(), [&](std::size_t e) { return is_outline[e] != 0; });
+  parallel_sort(outlines.begin(), outlines.end());
+  outlines.erase(std::unique(outlines.begin(), outlines.end()), outlines.end());
+  return outlines;
 }
 
 OutlinePatch patch_of_outlines(const Scene& scene, const Topology& topology, const Camera& camera,
@@ -158,8 +158,8 @@ OutlineReplacement replacement_of(const Scene& scene, const Topology& topology, 
   return replacement;
 }
 
-SmoothContours replace_outlines(const Topology& topology, ProjectedScene& projected, OutlineReplacement replacement) {
-  remove_outlines(projected, topology, replacement.removed);
+SmoothContours replace_outlines(ProjectedScene& projected, OutlineReplacement replacement) {
+  remove_outlines(projected, std::move(replacement.removed));
   add_lines(projected, replacement.lines, LineClass::outline);
   return std::move(replacement.contours);
 }
@@ -168,7 +168,7 @@ SmoothContours replace_outlines(const Scene& scene, const Topology& topology, Pr
                                 const ContourOptions& options) {
   OutlinePatch outlines =
       patch_of_outlines(scene, topology, projected.view.camera, outline_edges(topology, projected), options.borders);
-  return replace_outlines(topology, projected, replacement_of(scene, topology, projected, std::move(outlines), options));
+  return replace_outlines(projected, replacement_of(scene, topology, projected, std::move(outlines), options));
 }
 
 }  // namespace ligne

@@ -65,7 +65,7 @@ OutlineReplacement replacement_of(const Scene& scene, const Topology& topology, 
                                   OutlinePatch outlines, const ContourOptions& options);
 
 /// Removes the replaced outlines from the candidates, and adds the lines. To be called before other lines are added.
-SmoothContours replace_outlines(const Topology& topology, ProjectedScene& projected, OutlineReplacement replacement);
+SmoothContours replace_outlines(ProjectedScene& projected, OutlineReplacement replacement);
 /// Does all of the above for the outlines that are candidates.
 SmoothContours replace_outlines(const Scene& scene, const Topology& topology, ProjectedScene& projected,
                                 const ContourOptions& options);

@@ -81,7 +81,7 @@ SmoothContours place_with_contours(PreparedScene& prepared, const Creases& creas
   if (prepared.request.lines.cull) prepared.back_faces = cull_back_faces(scene, topology, projected, run);
   if (!with_contours) return {};
   if (outline_edges(topology, projected) != outlines) return replace_outlines(scene, topology, projected, options);
-  return replace_outlines(topology, projected, std::move(replacement));
+  return replace_outlines(projected, std::move(replacement));
 }
 
 /// The creases of a mesh, and how they select edges.

@@ -45,6 +45,7 @@ void expect_edges(const Scene& scene) {
     Topology topology;
     run_with_threads(threads, [&] { topology = build_topology(scene); });
     ASSERT_EQ(topology.edges.size(), table.size());
+    const std::vector<std::uint32_t> borders = edges_with(topology, kEdgeBorder);
     std::size_t e = 0, wrong = 0;
     for (const auto& [ends, sides] : table) {
       const Edge& edge = topology.edges[e];
@@ -52,6 +53,7 @@ void expect_edges(const Scene& scene) {
       wrong += edge.v0 != ends.first || edge.v1 != ends.second || edge.face0 != sides[0].face;
       wrong += edge.face1 != (sides.size() > 1 ? sides[1].face : kNone);
       wrong += ((flags & kEdgeManyFaces) != 0) != (sides.size() > 2);
+      wrong += std::ranges::binary_search(borders, e - 1) != (sides.size() == 1);
       wrong += ((flags & kEdgeUnlikeWound) != 0) != (sides.size() == 2 && sides[0].upwards == sides[1].upwards);
       wrong += ((flags & kEdgeSharp) != 0) != std::ranges::any_of(sides, [](const Side& s) { return s.flags != 0; });
     }

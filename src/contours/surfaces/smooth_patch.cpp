@@ -34,6 +34,7 @@ class VertexSet {
   void add(std::uint32_t v) { marked_[v] = 1; }
   bool has(std::uint32_t v) const { return marked_[v] != 0; }
   bool touches(const Triangle& t) const { return has(t.v[0]) || has(t.v[1]) || has(t.v[2]); }
+  std::vector<std::uint32_t> list() const { return indices_of_marks(marked_); }
 
  private:
   std::vector<std::uint8_t> marked_;
@@ -337,17 +338,18 @@ std::vector<std::uint32_t> outlines_inside_regions(const Scene& scene, const Top
       on_outline.add(v);
     }
   }
-  const auto both = [&](const VertexSet& set, std::size_t e) {
-    return set.has(topology.edges[e].v0) && set.has(topology.edges[e].v1);
-  };
   auto next = inside.begin();
-  for (const std::uint32_t e : indices_where(topology.edges.size(), [&](std::size_t i) { return both(on_outline, i); })) {
-    if (next != inside.end() && *next == e) {
-      ++next;
-      continue;
+  for (const std::uint32_t v : on_outline.list()) {
+    const auto [first, last] = edges_up_from(topology, v);
+    for (std::uint32_t e = first; e < last; ++e) {
+      if (!on_outline.has(topology.edges[e].v1)) continue;
+      if (next != inside.end() && *next == e) {
+        ++next;
+        continue;
+      }
+      continued.add(v);
+      continued.add(topology.edges[e].v1);
     }
-    continued.add(topology.edges[e].v0);
-    continued.add(topology.edges[e].v1);
   }
   std::erase_if(
       inside, [&](std::uint32_t e) { return !continued.has(topology.edges[e].v0) && !continued.has(topology.edges[e].v1); });

@@ -4,8 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/indices_where.hpp"
 #include "base/no_index.hpp"
-#include "base/parallel.hpp"
 #include "scene/patches/borders/freeform_seams.hpp"
 #include "scene/patches/borders/straight_tangents.hpp"
 #include "scene/patches/borders/tangent_gaps.hpp"
@@ -92,13 +92,11 @@ std::vector<ShapeLine> choose_tangent_lines(const Scene& scene, const Topology& 
     const std::uint32_t patch = patches.patch_of[face];
     return patch != kNone && fillets.is_fillet[patch];
   };
-  parallel_blocks(creases.lines.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) {
-      if (creases.patch_edges[e] != PatchEdge::tangent) continue;
-      const Edge& edge = topology.edges[e];
-      if (!is_fillet(edge.face0) && !is_fillet(edge.face1)) creases.lines[e] = kTangentLine;
-    }
-  });
+  for (const std::uint32_t e : indices_of_marks(creases.patch_edges)) {
+    if (creases.patch_edges[e] != PatchEdge::tangent) continue;
+    const Edge& edge = topology.edges[e];
+    if (!is_fillet(edge.face0) && !is_fillet(edge.face1)) creases.lines[e] = kTangentLine;
+  }
   std::vector<ShapeLine> lines;
   for (FaceLine& line : fillets.lines) {
     lines.push_back({LineClass::tangent, std::move(line.points), std::move(line.faces), line.closed});

@@ -69,8 +69,7 @@ std::vector<std::uint8_t> ends_of_odd_edges(const Scene& scene) {
 
 std::vector<std::uint8_t> ends_of_odd_edges(const Scene& scene, const Topology& topology) {
   std::vector<std::uint8_t> marked(scene.vertices.size());
-  const auto is_border = [&](std::size_t e) { return topology.edges[e].face1 == kNone; };
-  for (const std::uint32_t e : indices_where(topology.edges.size(), is_border)) {
+  for (const std::uint32_t e : edges_with(topology, kEdgeBorder)) {
     marked[topology.edges[e].v0] = marked[topology.edges[e].v1] = 1;
   }
   return marked;
@@ -101,8 +100,7 @@ std::span<const std::uint32_t> faces_of(const Object& object, std::span<const st
 std::vector<std::vector<Edge>> border_edges(const Scene& scene, const Topology& topology) {
   std::vector<std::vector<Edge>> borders(scene.objects.size());
   std::size_t object = 0;
-  const auto is_border = [&](std::size_t e) { return topology.edges[e].face1 == kNone; };
-  for (const std::uint32_t e : indices_where(topology.edges.size(), is_border)) {
+  for (const std::uint32_t e : edges_with(topology, kEdgeBorder)) {
     // Objects own ascending ranges of the vertices, and edges are sorted by their vertices.
     while (topology.edges[e].v0 >= scene.objects[object].vertex_end) ++object;
     borders[object].push_back(topology.edges[e]);

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/indices_where.hpp"
 #include "base/large_vector.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
@@ -145,6 +146,7 @@ constexpr EdgeFlags kEdgeFlags = [] {
 std::uint16_t flags_of_edge(const Buckets& buckets, std::uint32_t begin, std::uint32_t end) {
   std::uint16_t flags = 0;
   if (end - begin > 2) flags |= kEdgeManyFaces;
+  if (end - begin == 1) flags |= kEdgeBorder;
   if (end - begin == 2) {
     const HalfEdge a = buckets.half_edges[begin], b = buckets.half_edges[begin + 1];
     // A seam: the contour of one face runs along it twice.
@@ -279,12 +281,25 @@ std::uint16_t flags_of_any(const Topology& topology) {
   return std::accumulate(topology.edge_flags.begin(), topology.edge_flags.end(), std::uint16_t{0}, std::bit_or<>{});
 }
 
+std::vector<std::uint32_t> edges_with(const Topology& topology, unsigned flags) {
+  return indices_of_marks(topology.edge_flags, flags);
+}
+
 EdgeRange edges_of(const Topology& topology, const Object& object) {
   const auto first_from = [&topology](std::uint32_t vertex) {
     const auto at = std::ranges::lower_bound(topology.edges, vertex, {}, &Edge::v0);
     return static_cast<std::uint32_t>(at - topology.edges.begin());
   };
   return {first_from(object.vertex_begin), first_from(object.vertex_end)};
+}
+
+EdgeRange edges_up_from(const Topology& topology, std::uint32_t vertex) {
+  const std::vector<std::uint32_t>& first = topology.first_edges;
+  if (!first.empty()) return {first[vertex], first[vertex + 1]};
+  const auto from = std::ranges::lower_bound(topology.edges, vertex, {}, &Edge::v0);
+  const auto to = std::ranges::upper_bound(topology.edges, vertex, {}, &Edge::v0);
+  return {static_cast<std::uint32_t>(from - topology.edges.begin()),
+          static_cast<std::uint32_t>(to - topology.edges.begin())};
 }
 
 void index_edges(Topology& topology, std::size_t vertices) {

@@ -35,6 +35,7 @@ enum EdgeFlag : std::uint16_t {
   kEdgeSmooth = 128,     ///< the file says that the surface is smooth across it
   kEdgeSharp = 256,      ///< the file says that it has a crease here
   kEdgeLimit = 512,      ///< inside a limit surface of subdivision
+  kEdgeBorder = 1024,    ///< only one face meets here
 };
 
 /// A triangle of a face, with the winding of the face.
@@ -55,6 +56,9 @@ struct Topology {
 /// The flags that any edge has, as EdgeFlag bits.
 std::uint16_t flags_of_any(const Topology& topology);
 
+/// The edges that have any of these flags, ascending. Other edges cost little.
+std::vector<std::uint32_t> edges_with(const Topology& topology, unsigned flags);
+
 /// Indices of edges: [begin, end).
 struct EdgeRange {
   std::uint32_t begin = 0, end = 0;
@@ -62,6 +66,9 @@ struct EdgeRange {
 
 /// The edges of an object, which are consecutive since edges are sorted by their vertices. O(log n).
 EdgeRange edges_of(const Topology& topology, const Object& object);
+
+/// The edges whose lower vertex is `vertex`. O(log n), or constant after index_edges().
+EdgeRange edges_up_from(const Topology& topology, std::uint32_t vertex);
 
 /// Sets Topology::first_edges.
 void index_edges(Topology& topology, std::size_t vertices);

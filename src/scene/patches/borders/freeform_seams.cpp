@@ -116,19 +116,22 @@ class SeamFinder {
   /// Whether most of the surface of an object is planes and recognised surfaces. Others may have been sculpted or decimated,
   /// and have no edges of a part.
   bool is_part(const Object& object) const {
-    double all = 0, free = 0;
+    double others = 0, free = 0;
     for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
-      const double area = glm::length(double_area(scene_, f));
-      all += area;
-      if (is_free(f)) free += area;
+      if (!is_free(f)) others += glm::length(double_area(scene_, f));
     }
-    return free <= kMostFreeArea * all;
+    // The first few faces of a scan decide.
+    const double most = kMostFreeArea / (1 - kMostFreeArea) * others;
+    for (std::uint32_t f = object.face_begin; f < object.face_end && free <= most; ++f) {
+      if (is_free(f)) free += glm::length(double_area(scene_, f));
+    }
+    return free <= most;
   }
 
   void find_inner() {
-    is_inner_.assign(topology_.edges.size(), 0);
     for (const Object& object : scene_.objects) {
       if (!is_part(object)) continue;
+      is_inner_.resize(topology_.edges.size(), 0);
       const EdgeRange range = edges_of(topology_, object);
       for (std::uint32_t e = range.begin; e < range.end; ++e) {
         const Edge& edge = topology_.edges[e];
@@ -138,15 +141,18 @@ class SeamFinder {
     }
   }
 
-  bool may_hold_seam(std::size_t e) const {
+  /// `e`: an inner edge.
+  bool may_hold_seam(std::uint32_t e) const {
     const Edge& edge = topology_.edges[e];
-    return is_inner_[e] && (is_free(edge.face0) || patches_.patch_of[edge.face0] != patches_.patch_of[edge.face1]) &&
+    return (is_free(edge.face0) || patches_.patch_of[edge.face0] != patches_.patch_of[edge.face1]) &&
            !(topology_.edge_flags[e] & kSpokenFor) &&
            glm::dot(face_normal(scene_, edge.face0), face_normal(scene_, edge.face1)) >= kSeamBendCosine;
   }
 
   void measure() {
-    for (const std::uint32_t e : indices_where(topology_.edges.size(), [&](std::size_t e) { return may_hold_seam(e); })) {
+    const std::vector<std::uint32_t> all = indices_of_marks(is_inner_);
+    for (const std::uint32_t i : indices_where(all.size(), [&](std::size_t k) { return may_hold_seam(all[k]); })) {
+      const std::uint32_t e = all[i];
       const Edge& edge = topology_.edges[e];
       const double one = depth_behind(scene_, scene_.faces.contour(edge.face0, 0), edge);
       const double other = depth_behind(scene_, scene_.faces.contour(edge.face1, 0), edge);

@@ -54,6 +54,12 @@ struct TangentTree {
   bool is_kept = false;
 };
 
+std::vector<std::uint32_t> tangent_edges(const std::vector<PatchEdge>& edges) {
+  std::vector<std::uint32_t> tangent = indices_of_marks(edges);
+  std::erase_if(tangent, [&](std::uint32_t e) { return edges[e] != PatchEdge::tangent; });
+  return tangent;
+}
+
 class TangentChains {
  public:
   TangentChains(const Scene& scene, const Topology& topology, const Patches& patches, std::vector<PatchEdge>& edges)
@@ -77,14 +83,15 @@ class TangentChains {
 
   /// Marks the vertices at which other lines end. These lines hold the tangent edges there.
   void hold(const std::vector<std::uint8_t>& is_line) {
-    const auto is_other = [&](std::size_t e) {
-      return is_line[e] || topology_.edges[e].face1 == kNone || (topology_.edge_flags[e] & kEdgeManyFaces);
-    };
-    for (const std::uint32_t e : indices_where(edges_.size(), is_other)) {
-      for (const std::uint32_t v : ends_of(e)) {
-        if (TangentNode* node = node_at(v)) node->is_held = true;
+    const auto hold_ends = [&](std::span<const std::uint32_t> lines) {
+      for (const std::uint32_t e : lines) {
+        for (const std::uint32_t v : ends_of(e)) {
+          if (TangentNode* node = node_at(v)) node->is_held = true;
+        }
       }
-    }
+    };
+    hold_ends(indices_of_marks(is_line));
+    hold_ends(edges_with(topology_, kEdgeBorder | kEdgeManyFaces));
   }
 
   /// Drops the lines with teeth. A border that turns to one side and back within a facet follows the facets, as it does
@@ -351,8 +358,7 @@ class TangentChains {
   const Patches& patches_;
   std::vector<PatchEdge>& edges_;
   /// The edges that were tangent at first, ascending. Some are dropped.
-  const std::vector<std::uint32_t> tangents_ =
-      indices_where(edges_.size(), [&](std::size_t e) { return edges_[e] == PatchEdge::tangent; });
+  const std::vector<std::uint32_t> tangents_ = tangent_edges(edges_);
   std::vector<TangentNode> nodes_;  ///< sorted by vertex
   std::vector<double> sizes_;       ///< per object; negative where not computed
 };

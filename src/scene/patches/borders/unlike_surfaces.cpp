@@ -86,6 +86,7 @@ bool are_unlike(const Scene& scene, const Patches& patches, const Edge& edge) {
 
 void close_unlike_borders(const Scene& scene, const Topology& topology, const Patches& patches,
                           std::vector<PatchEdge>& edges) {
+  if (patches.list.empty()) return;
   struct Lengths {
     double all = 0, tangent = 0;
   };
