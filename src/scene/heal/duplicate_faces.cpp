@@ -327,23 +327,31 @@ void join_flags(Scene& scene, std::uint32_t from, std::uint32_t to) {
 bool may_repeat_triangles(const Topology& topology) {
   const std::vector<Edge>& edges = topology.edges;
   constexpr std::uint32_t kMostLookedBack = 64;  // adjustable
-  // Edges are sorted by their lower vertex. If two faces share two edges there, the second edge looks back for the
-  // first.
-  const auto repeats = [&](std::size_t e) {
-    if (topology.edge_flags[e] & kEdgeManyFaces) return true;
+  // Edges are sorted by their lower vertex. If two faces share two edges there, the second edge looks back for the first
+  // one, as far as the first edge of the vertex.
+  const auto repeats = [&](std::size_t first, std::size_t e) {
     const Edge& edge = edges[e];
-    if (edge.face1 == kNone) return false;
-    for (std::size_t other = e; other > 0 && edges[other - 1].v0 == edge.v0; --other) {
-      if (e - other >= kMostLookedBack) return true;
-      const Edge& before = edges[other - 1];
-      if (before.face0 == edge.face0 ? before.face1 == edge.face1 : before.face0 == edge.face1 && before.face1 == edge.face0)
-        return true;
-    }
-    return false;
+    if (e - first > kMostLookedBack) return true;
+    return std::any_of(edges.data() + first, edges.data() + e, [&](const Edge& other) {
+      return (other.face0 == edge.face0 && other.face1 == edge.face1) ||
+             (other.face0 == edge.face1 && other.face1 == edge.face0);
+    });
+  };
+  // Most pairs of faces at a vertex have bits of their own among 64.
+  const auto bit_of = [](const Edge& edge) {
+    return std::uint64_t{1} << ((edge.face0 ^ edge.face1) * static_cast<std::uint32_t>(kGoldenRatio >> 32) >> 26);
   };
   const auto any_repeats = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) {
-      if (repeats(e)) return true;
+    std::size_t first = begin;
+    while (first > 0 && edges[first - 1].v0 == edges[begin].v0) --first;
+    std::uint64_t seen = 0;
+    for (std::size_t e = first; e < end; ++e) {
+      if (edges[e].v0 != edges[first].v0) first = e, seen = 0;
+      if (topology.edge_flags[e] & kEdgeManyFaces) return true;
+      if (edges[e].face1 == kNone) continue;
+      const std::uint64_t bit = bit_of(edges[e]);
+      if ((seen & bit) && repeats(first, e)) return true;
+      seen |= bit;
     }
     return false;
   };
