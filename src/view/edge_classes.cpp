@@ -102,16 +102,19 @@ int side_around(const Scene& scene, const Topology& topology, const FaceSides& s
 }
 
 /// Turns slivers amid faces of one side to that side: the direction of their own is a matter of chance, and would be an
-/// outline in the midst of a plane.
-void turn_slivers(const Scene& scene, const Topology& topology, FaceSides& sides) {
-  const std::vector<std::uint32_t> turned =
-      indices_where(topology.edges.size(), [&](std::size_t e) { return turns_away(sides, topology, e); });
+/// outline in the midst of a plane. `turned`: the edges at which faces turn away. Returns whether there were such slivers.
+bool turn_slivers(const Scene& scene, const Topology& topology, std::span<const std::uint32_t> turned, FaceSides& sides) {
+  bool any = false;
   for (const std::uint32_t e : turned) {
     for (const std::uint32_t f : {topology.edges[e].face0, topology.edges[e].face1}) {
       if (!is_sliver_face(scene, f)) continue;
-      if (const int side = side_around(scene, topology, sides, f)) sides.facing[f] = static_cast<std::int8_t>(side);
+      const int side = side_around(scene, topology, sides, f);
+      if (side == 0 || side == sides.facing[f]) continue;
+      sides.facing[f] = static_cast<std::int8_t>(side);
+      any = true;
     }
   }
+  return any;
 }
 
 /// Gives faces without area the side of their neighbour across their longest edge.
@@ -128,6 +131,62 @@ void mend_flat_faces(const Scene& scene, const Topology& topology, FaceSides& si
   std::ranges::replace(sides.facing, kFlat, std::int8_t{0});
 }
 
+/// Finds the line classes of edges.
+class EdgeClassifier {
+ public:
+  /// `creases`: as in classify_edges(). `sides` may change between two calls of all().
+  EdgeClassifier(const Topology& topology, const FaceSides& sides, double crease_degrees,
+                 const std::vector<std::uint8_t>* creases)
+      : topology_(topology), sides_(sides), creases_(creases), crease_cosine_(cosine_of(crease_degrees)) {}
+
+  /// Sets the classes of all edges, and returns the edges at which faces turn away, ascending.
+  std::vector<std::uint32_t> all(std::vector<LineClass>& classes) const {
+    return indices_of_blocks(classes.size(), [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& turned) {
+      for (std::size_t e = begin; e < end; ++e) {
+        prefetch_faces(sides_.facing, topology_.edges, e);
+        if (!creases_) prefetch_faces(sides_.normal, topology_.edges, e);
+        const bool turns = turns_away(sides_, topology_, e);
+        if (turns) turned.push_back(static_cast<std::uint32_t>(e));
+        classes[e] = class_of(e, turns);
+      }
+    });
+  }
+
+ private:
+  static float cosine_of(double crease_degrees) {
+    const double degree = 3.14159265358979323846 / 180;
+    return static_cast<float>(std::cos(std::min(180.0, crease_degrees + kCreaseSlackDegrees) * degree));
+  }
+
+  LineClass class_of(std::size_t e, bool turns) const {
+    const Edge& edge = topology_.edges[e];
+    const std::uint16_t flags = topology_.edge_flags[e];
+    if (flags & kEdgeCrossing) return LineClass::intersection;
+    if ((flags & kEdgeContour) && edge.face1 != kNone) return LineClass::contour;
+    if (flags & kEdgeCurve) return LineClass::horizon;
+    if (edge.face1 == kNone) return LineClass::border;
+    if (flags & kEdgeManyFaces) {
+      // Only two of its faces are stored, and which ones depends on the file, so they can not decide on an outline.
+      const std::uint8_t line = creases_ ? (*creases_)[e] : kCreaseLine;
+      return line == kCreaseLine ? LineClass::crease : line == kFoldLine ? LineClass::outline : LineClass::mesh;
+    }
+    if (turns) return LineClass::outline;
+    if (creases_) {
+      const std::uint8_t line = (*creases_)[e];
+      return line == kCreaseLine ? LineClass::crease : line == kTangentLine ? LineClass::tangent : LineClass::mesh;
+    }
+    if (flags & (kEdgeFileHidden | kEdgeInner)) return LineClass::mesh;
+    const float turn = flags & kEdgeUnlikeWound ? -1 : 1;
+    const float cosine = glm::dot(sides_.normal[edge.face0], sides_.normal[edge.face1]) * turn;
+    return cosine < crease_cosine_ ? LineClass::crease : LineClass::mesh;
+  }
+
+  const Topology& topology_;
+  const FaceSides& sides_;
+  const std::vector<std::uint8_t>* creases_;
+  float crease_cosine_;
+};
+
 }  // namespace
 
 std::vector<std::int8_t> face_facings(const Scene& scene, const Camera& camera) {
@@ -140,45 +199,10 @@ std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topolo
                                       double crease_degrees, const std::vector<std::uint8_t>* creases) {
   FaceSides sides = face_sides(scene, camera, creases == nullptr);
   mend_flat_faces(scene, topology, sides);
-  if (creases) turn_slivers(scene, topology, sides);
-  const double degree = 3.14159265358979323846 / 180;
-  const float crease_cosine = static_cast<float>(std::cos(std::min(180.0, crease_degrees + kCreaseSlackDegrees) * degree));
+  const EdgeClassifier classify(topology, sides, crease_degrees, creases);
   std::vector<LineClass> classes(topology.edges.size());
-  parallel_blocks(classes.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) {
-      prefetch_faces(sides.facing, topology.edges, e);
-      if (!creases) prefetch_faces(sides.normal, topology.edges, e);
-      const Edge& edge = topology.edges[e];
-      const std::uint16_t flags = topology.edge_flags[e];
-      LineClass& result = classes[e];
-      if (flags & kEdgeCrossing) {
-        result = LineClass::intersection;
-      } else if ((flags & kEdgeContour) && edge.face1 != kNone) {
-        result = LineClass::contour;
-      } else if (flags & kEdgeCurve) {
-        result = LineClass::horizon;
-      } else if (edge.face1 == kNone) {
-        result = LineClass::border;
-      } else if (flags & kEdgeManyFaces) {
-        // Only two of its faces are stored, and which ones depends on the file, so they can not decide on an outline.
-        const std::uint8_t line = creases ? (*creases)[e] : kCreaseLine;
-        result = line == kCreaseLine ? LineClass::crease : line == kFoldLine ? LineClass::outline : LineClass::mesh;
-      } else {
-        if (turns_away(sides, topology, e)) {
-          result = LineClass::outline;
-        } else if (creases) {
-          const std::uint8_t line = (*creases)[e];
-          result = line == kCreaseLine ? LineClass::crease : line == kTangentLine ? LineClass::tangent : LineClass::mesh;
-        } else if (flags & (kEdgeFileHidden | kEdgeInner)) {
-          result = LineClass::mesh;
-        } else {
-          const float turn = flags & kEdgeUnlikeWound ? -1 : 1;
-          const float cosine = glm::dot(sides.normal[edge.face0], sides.normal[edge.face1]) * turn;
-          result = cosine < crease_cosine ? LineClass::crease : LineClass::mesh;
-        }
-      }
-    }
-  });
+  const std::vector<std::uint32_t> turned = classify.all(classes);
+  if (creases && turn_slivers(scene, topology, turned, sides)) classify.all(classes);
   return classes;
 }
 
