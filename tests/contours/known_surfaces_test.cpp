@@ -245,11 +245,11 @@ TEST(KnownSurfaces, TurnsAreTheDerivativesOfNormals) {
 TEST(KnownSurfaces, BandsOfAFreeFormAreNoSurfacesOfTheirOwn) {
   // Three rings of a paraboloid are cones: too few for a revolved surface.
   FoundPatches dish(mesh_of("grid 48 x 3 round: (4+v)*cos(pi*u/24); (4+v)*sin(pi*u/24); (4+v)^2/20").polygons());
-  mark_bands(dish.scene, dish.topology, dish.normals, dish.edges, dish.patches);
+  mark_bands(dish.scene, dish.topology, dish.angles.normals, dish.edges, dish.patches);
   ASSERT_EQ(dish.faces().size(), 3u);
   for (const auto& [number, faces] : dish.faces()) EXPECT_TRUE(dish.patches.list[number].is_band) << number;
   FoundPatches box(test::rounded_box({6, 5, 4}, 4));
-  mark_bands(box.scene, box.topology, box.normals, box.edges, box.patches);
+  mark_bands(box.scene, box.topology, box.angles.normals, box.edges, box.patches);
   ASSERT_GT(box.faces().size(), 12u);
   for (const auto& [number, faces] : box.faces()) EXPECT_FALSE(box.patches.list[number].is_band) << number;
 }
@@ -259,7 +259,7 @@ TEST(KnownSurfaces, FilletsAtAMitreAreNoBands) {
   FoundPatches fillets(mesh_of("grid 12 x 2: 4*cos(pi*u/24)*if(v<2,1,0.98006658)+3.9733866*(v==2); "
                                "if(v<1,-20,if(v<2,-0.10033467,-0.19866933)*4*cos(pi*u/24)+19.601332*(v==2)); 4*sin(pi*u/24)")
                            .polygons());
-  mark_bands(fillets.scene, fillets.topology, fillets.normals, fillets.edges, fillets.patches);
+  mark_bands(fillets.scene, fillets.topology, fillets.angles.normals, fillets.edges, fillets.patches);
   ASSERT_EQ(fillets.faces().size(), 2u);
   for (const auto& [number, faces] : fillets.faces()) EXPECT_FALSE(fillets.patches.list[number].is_band) << number;
 }

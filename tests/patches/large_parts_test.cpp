@@ -22,16 +22,16 @@ using namespace test;
 /// A mesh of one object, with what find_patches() computes first.
 struct Mesh {
   explicit Mesh(const MeshText& text)
-      : scene(text.scene()), topology(build_topology(scene)), normals(face_normals(scene, topology)) {}
+      : scene(text.scene()), topology(build_topology(scene)), angles(mesh_angles(scene, topology, object_sizes(scene))) {}
 
   TriangleObject object() const {
     const Object& first = scene.objects[0];
-    return {scene, topology, first, edges_of(topology, first), normals};
+    return {scene, topology, first, edges_of(topology, first), angles};
   }
 
   Scene scene;
   Topology topology;
-  std::vector<glm::vec3> normals;
+  MeshAngles angles;
 };
 
 /// Compares the findings with those of the graph of all facets. Returns the number of faces in planes.
@@ -42,18 +42,18 @@ std::size_t compare_with_all_facets(const Mesh& mesh) {
   EXPECT_TRUE(found.has_value());
   if (!found) return 0;
 
-  const FacetGraph graph = facet_graph(mesh.scene, mesh.topology, whole.object, whole.edges, mesh.normals);
+  const FacetGraph graph = facet_graph(mesh.scene, mesh.topology, whole.object, whole.edges, mesh.angles.normals);
   const std::vector<std::uint32_t> patch_of(graph.size(), kNone);
   const std::vector<std::uint8_t> freeform = freeform_facets(mesh.scene, mesh.topology, graph, {{}, patch_of, {}},
-                                                             EdgeRows(mesh.scene, mesh.topology, mesh.normals));
+                                                             EdgeRows(mesh.scene, mesh.topology, mesh.angles.normals));
   std::size_t in_planes = 0, different = 0;
   for (std::uint32_t f = 0; f < whole.face_count(); ++f) {
     different += found->is_freeform[f] != freeform[graph.facet_of[f]];
     in_planes += found->is_freeform[f] == 0;
   }
   EXPECT_EQ(different, 0u);
-  EXPECT_EQ(found->plane_edges,
-            edges_inside_planes(mesh.topology, whole.object, graph, whole.edges.begin, whole.edges.end, mesh.normals));
+  EXPECT_EQ(found->plane_edges, edges_inside_planes(mesh.topology, whole.object, graph, whole.edges.begin, whole.edges.end,
+                                                    mesh.angles.normals));
   const std::vector<FreeformBorder> borders =
       freeform_borders(mesh.scene, mesh.topology, graph, {{}, patch_of, freeform}, {});
   EXPECT_EQ(found->borders.size(), borders.size());
@@ -86,7 +86,8 @@ TEST(LargeFreeform, HasPairsOfTrianglesInOnePlane) {
                           "; if((abs(u-150.5)<1)*(abs(v-150.5)<1)>0,1,3*sin(0.05*" + x + "+0.02*" + y + ")+3*sin(0.06*" + y +
                           "-0.03*" + x + "))"));
   const TriangleObject whole = mesh.object();
-  const std::vector<std::uint32_t> joints = flat_joints(mesh.scene, mesh.topology, whole.object, whole.edges, mesh.normals);
+  const std::vector<std::uint32_t> joints =
+      flat_joints(mesh.scene, mesh.topology, whole.object, whole.edges, mesh.angles.normals, mesh.angles.flat);
   EXPECT_GE(joints.size(), whole.edge_count() / 32);
   EXPECT_GE(compare_with_all_facets(mesh), 2u);
 }

@@ -2,6 +2,7 @@
 /// Meshes of known surfaces.
 
 #include "scene/creases/face_normals.hpp"
+#include "scene/model/object_sizes.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
 #include "support/scene_parts.hpp"
 #include "support/standard.hpp"
@@ -58,16 +59,16 @@ inline Point3 on_circle(double radius, double angle, double z = 0) {
 struct FoundPatches {
   Scene scene;
   Topology topology;
-  std::vector<glm::vec3> normals;
+  MeshAngles angles;
   Patches patches;
   std::vector<PatchEdge> edges;
 
   explicit FoundPatches(Scene made, double sharp = kSurfaceCreaseDegrees)
       : scene(std::move(made)),
         topology(build_topology(scene)),
-        normals(face_normals(scene, topology)),
-        patches(find_patches(scene, topology, normals)),
-        edges(classify_patch_edges(scene, topology, normals, patches, sharp)) {}
+        angles(mesh_angles(scene, topology, object_sizes(scene))),
+        patches(find_patches(scene, topology, angles)),
+        edges(classify_patch_edges(scene, topology, angles, patches, sharp)) {}
   explicit FoundPatches(const std::vector<Corners>& polygons) : FoundPatches(scene_of(polygons)) {}
 
   std::size_t count(PatchEdge kind) const { return static_cast<std::size_t>(std::count(edges.begin(), edges.end(), kind)); }

@@ -52,13 +52,13 @@ void compare_cylinders(const Patches& patches, const Points& middles, const std:
 
 void compare(const FoundPatches& ours, bool has_only_cylinders) {
   constexpr double kRoundings = 4, kDegrees = 0.5;
-  const auto& [scene, topology, face_normals, patches, edges] = ours;
+  const auto& [scene, topology, angles, patches, edges] = ours;
   const Object& object = scene.objects.at(0);
   Mesh mesh;
   for (const Point3& p : scene.vertices) mesh.add_vertex({p.x, p.y, p.z});
   const auto corner = [](std::uint32_t v) { return Mesh::Vertex_index(v); };
   for (const Triangle& t : topology.triangles) mesh.add_face(corner(t.v[0]), corner(t.v[1]), corner(t.v[2]));
-  const FacetGraph graph = facet_graph(scene, topology, object, edges_of(topology, object), face_normals);
+  const FacetGraph graph = facet_graph(scene, topology, object, edges_of(topology, object), angles.normals);
   EXPECT_EQ(std::ranges::count(patches.is_freeform, 1), 0);
   Points middles(true);
   std::vector<std::uint32_t> patch_of;
@@ -66,7 +66,7 @@ void compare(const FoundPatches& ours, bool has_only_cylinders) {
                                 Planes(mesh, kRoundings * object.precision, kDegrees, 1, mesh.points()))) {
     EXPECT_TRUE(std::ranges::is_permutation(faces, graph.faces[graph.facet_of[faces[0]]]));
     patch_of.push_back(patches.patch_of[faces[0]]);
-    Point3 middle(0), normal(face_normals[faces[0]]);
+    Point3 middle(0), normal(angles.normals[faces[0]]);
     for (const std::size_t f : faces) {
       EXPECT_EQ(patches.patch_of[f], patch_of.back());
       for (const std::uint32_t v : topology.triangles[f].v) middle += scene.vertices[v] / (3.0 * double(faces.size()));

@@ -8,7 +8,6 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "base/prefetch.hpp"
 #include "scene/creases/across_edge.hpp"
 #include "scene/model/object_sizes.hpp"
 
@@ -35,9 +34,9 @@ struct Limits {
 
 class BendClassifier {
  public:
-  BendClassifier(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
-                 std::span<const double> sizes, double crease_degrees)
-      : scene_(scene), topology_(topology), normals_(normals), sizes_(sizes), limits_(crease_degrees) {}
+  BendClassifier(const Scene& scene, const Topology& topology, const MeshAngles& angles, std::span<const double> sizes,
+                 double crease_degrees)
+      : scene_(scene), topology_(topology), angles_(angles), sizes_(sizes), limits_(crease_degrees) {}
 
   FaceBends run() const {
     FaceBends found;
@@ -46,7 +45,7 @@ class BendClassifier {
         parallel_reduce(topology_.edges.size(), kShortWorkBlock, Counts{}, [&](std::size_t begin, std::size_t end) {
           Counts sum;
           for (std::size_t e = begin; e < end; ++e) {
-            prefetch_faces(normals_, topology_.edges, e);
+            if (angles_.cosines[e] >= limits_.low && topology_.edge_flags[e] == 0) continue;
             found.bends[e] = bend_of(e, sum);
           }
           return sum;
@@ -67,8 +66,7 @@ class BendClassifier {
     const auto flags = topology_.edge_flags[e];
     if (edge.face1 == kNone || (flags & (kEdgeManyFaces | kEdgeFileHidden | kEdgeInner))) return Bend::none;
     const float turn = flags & kEdgeUnlikeWound ? -1 : 1;
-    const float cosine = glm::dot(normals_[edge.face0], normals_[edge.face1]) * turn;
-    if (cosine >= limits_.low && flags == 0) return Bend::none;
+    const float cosine = angles_.cosines[e] * turn;
     if (flags & kEdgeLimit) return Bend::none;
     if (flags & kEdgeSmooth) {
       if (cosine < limits_.sharp) return Bend::firm;
@@ -101,13 +99,13 @@ class BendClassifier {
     if (widths[0] + widths[1] >= kNarrowPart * size) return Bend::none;
     const auto rounding = rounding_at(scene_, topology_, edge, narrow);
     if (!rounding || rounding->width() >= kNarrowPart * size) return Bend::none;
-    const float bend = glm::dot(normals_[rounding->sides[0]], normals_[rounding->sides[1]]);
+    const float bend = glm::dot(angles_.normals[rounding->sides[0]], angles_.normals[rounding->sides[1]]);
     return bend < limits_.crease && rounding->in_middle() ? Bend::strong : Bend::none;
   }
 
   const Scene& scene_;
   const Topology& topology_;
-  const std::vector<glm::vec3>& normals_;
+  const MeshAngles& angles_;
   std::span<const double> sizes_;
   Limits limits_;
 };
@@ -118,9 +116,9 @@ float crease_cosine(double degrees) {
   return static_cast<float>(std::cos(std::min(180.0, degrees + kSlackDegrees) * std::numbers::pi / 180));
 }
 
-FaceBends bends_by_faces(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
+FaceBends bends_by_faces(const Scene& scene, const Topology& topology, const MeshAngles& angles,
                          std::span<const double> sizes, double crease_degrees) {
-  return BendClassifier(scene, topology, normals, sizes, crease_degrees).run();
+  return BendClassifier(scene, topology, angles, sizes, crease_degrees).run();
 }
 
 }  // namespace ligne

@@ -2,11 +2,11 @@
 /// The kinds of edges by the angles of their faces and by what the file says of them.
 
 #include <cstddef>
-#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
 #include "scene/creases/bend.hpp"
+#include "scene/creases/face_normals.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 
@@ -21,8 +21,8 @@ struct FaceBends {
 /// normals.
 float crease_cosine(double degrees);
 
-/// The bends of all edges. `normals` are those of face_normals(), and `sizes` those of object_sizes(), per object.
-FaceBends bends_by_faces(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
+/// The bends of all edges. `sizes` are those of object_sizes(), per object.
+FaceBends bends_by_faces(const Scene& scene, const Topology& topology, const MeshAngles& angles,
                          std::span<const double> sizes, double crease_degrees);
 
 }  // namespace ligne

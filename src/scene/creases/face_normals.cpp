@@ -5,7 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/indices_where.hpp"
 #include "base/large_vector.hpp"
+#include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "base/prefetch.hpp"
 #include "scene/model/flat_faces.hpp"
@@ -17,16 +19,32 @@ namespace {
 /// Largest number of slivers passed on the way to a face that has a normal. Adjustable.
 constexpr int kLongestChain = 8;
 
-/// Returns face_normal(), or zero for slivers.
-Point3 own_normal(const Scene& scene, const Object& object, std::uint32_t f) {
-  const auto contour = scene.faces.contour(f, 0);
-  if (contour.size() != 3) return face_normal(scene, f);
-  const Point3 &a = scene.vertices[contour[0]], &b = scene.vertices[contour[1]], &c = scene.vertices[contour[2]];
+/// Least cosine of an angle of which MeshAngles::flat tells: flat_joints() knows none below 0.999.
+constexpr float kLeastFlatCosine = 0.998F;
+/// Cosine of float32 normals, computed in float32, that surely is that of a bend; and that below which its own error and
+/// those of the lengths of the normals, 10 units of 2^-24, are less than a hundredth of its distance from 1.
+constexpr float kSurelyBent = 1 - 12 * 0x1p-24F, kClearlyBent = 1 - 1000 * 0x1p-24F;
+/// The squared distance of the normals' ends in distances of the cosine from 1, less that hundredth.
+constexpr float kBendPart = 1.98F;
+/// Factor on a squared tolerance that exceeds the relative error of the squared sine of such a bend.
+constexpr double kBendMargin = 1.25;
+/// Largest and least number that float32 can surely hold.
+constexpr double kLargest = 1e30, kLeast = 1e-300;
+
+/// The normal of a triangle, zero for slivers, and the square of its least height.
+struct TriangleShape {
+  Point3 normal{0, 0, 0};
+  double squared_height = 0;
+};
+
+TriangleShape shape_of(const Point3& a, const Point3& b, const Point3& c, double precision) {
   const Point3 ab = b - a, ac = c - a, bc = c - b;
   const Point3 area = glm::cross(ab, ac);
-  const double longest = std::sqrt(std::max({glm::dot(ab, ab), glm::dot(bc, bc), glm::dot(ac, ac)}));
-  const double length = glm::length(area);
-  return length <= straightness_tolerance(object.precision, longest) * longest ? Point3{0, 0, 0} : area / length;
+  const double longest2 = std::max({glm::dot(ab, ab), glm::dot(bc, bc), glm::dot(ac, ac)});
+  const double area2 = glm::dot(area, area), longest = std::sqrt(longest2), length = std::sqrt(area2);
+  const double height2 = longest2 > 0 ? area2 / longest2 : 0;
+  if (length <= straightness_tolerance(precision, longest) * longest) return {{0, 0, 0}, height2};
+  return {area / length, height2};
 }
 
 /// Gives faces without a normal that of their neighbour across their longest edge. If everything around is thinner than
@@ -56,20 +74,34 @@ void take_from_neighbours(const Scene& scene, const Topology& topology, std::vec
   for (const auto& [face, normal] : taken) normals[face] = normal;
 }
 
-}  // namespace
-
-std::vector<glm::vec3> face_normals(const Scene& scene, const Topology& topology) {
+/// face_normals(). `heights` is empty, or takes per triangle the square of its least height in that of the distance of two
+/// triangles of its object from one plane, at most kLargest. `sizes` are needed for it.
+std::vector<glm::vec3> measure_faces(const Scene& scene, const Topology& topology, std::span<const double> sizes,
+                                     std::span<float> heights) {
   std::vector<glm::vec3> normals = large_vector<glm::vec3>(scene.faces.size());
   std::atomic<bool> any_without{false};
+  const std::span<const std::uint32_t> corners = scene.faces.corners();
   const bool all_triangles = scene.faces.all_triangles();
-  for (const Object& object : scene.objects) {
-    const std::size_t count = object.face_end - object.face_begin;
-    parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    double scale = 0;
+    if (!heights.empty()) {
+      const double tolerance = planarity_tolerance(object.precision, sizes[i]);
+      scale = 1 / std::max(kBendMargin * tolerance * tolerance, kLeast);
+    }
+    parallel_blocks(object.face_end - object.face_begin, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
       bool without = false;
-      for (std::size_t k = begin; k < end; ++k) {
-        const auto f = static_cast<std::uint32_t>(object.face_begin + k);
-        if (all_triangles) prefetch_corners(scene.vertices, scene.faces.corners(), f);
-        normals[f] = own_normal(scene, object, f);
+      for (std::size_t f = object.face_begin + begin; f < object.face_begin + end; ++f) {
+        if (all_triangles) prefetch_corners(scene.vertices, corners, f);
+        const std::span<const std::uint32_t> v = scene.faces.contour(f, 0);
+        if (v.size() == 3) {
+          const TriangleShape shape =
+              shape_of(scene.vertices[v[0]], scene.vertices[v[1]], scene.vertices[v[2]], object.precision);
+          normals[f] = shape.normal;
+          if (!heights.empty()) heights[f] = static_cast<float>(std::min(shape.squared_height * scale, kLargest));
+        } else {
+          normals[f] = face_normal(scene, static_cast<std::uint32_t>(f));
+        }
         without = without || normals[f] == glm::vec3{0, 0, 0};
       }
       if (without) any_without.store(true, std::memory_order_relaxed);
@@ -77,6 +109,44 @@ std::vector<glm::vec3> face_normals(const Scene& scene, const Topology& topology
   }
   if (any_without) take_from_neighbours(scene, topology, normals);
   return normals;
+}
+
+/// Whether two triangles surely do not lie in one plane. The third corner of either lies from the plane of the other by its
+/// height over the edge times the sine of the bend, which little exceeds the distance of the normals' ends. `height`: that
+/// of the lower one, as of measure_faces().
+bool surely_bend(float height, float cosine, const glm::vec3& first, const glm::vec3& second) {
+  if (!(cosine < kSurelyBent)) return false;
+  // The distance follows from the cosine, unless that is near 1.
+  if (cosine < kClearlyBent) return height * (kBendPart * (1 - cosine)) > 1;
+  const glm::vec3 turn = first - second;
+  return height * glm::dot(turn, turn) > 1;
+}
+
+}  // namespace
+
+std::vector<glm::vec3> face_normals(const Scene& scene, const Topology& topology) {
+  return measure_faces(scene, topology, {}, {});
+}
+
+MeshAngles mesh_angles(const Scene& scene, const Topology& topology, std::span<const double> sizes) {
+  MeshAngles angles;
+  std::vector<float> heights;
+  if (scene.faces.all_triangles()) heights = large_vector<float>(scene.faces.size());
+  angles.normals = measure_faces(scene, topology, sizes, heights);
+  const std::vector<glm::vec3>& normals = angles.normals;
+  angles.cosines = large_vector<float>(topology.edges.size());
+  angles.flat = indices_where(topology.edges.size(), [&](std::size_t e) {
+    prefetch_faces(normals, topology.edges, e);
+    prefetch_faces(heights, topology.edges, e);
+    const Edge& edge = topology.edges[e];
+    angles.cosines[e] = kNoCosine;
+    if (edge.face1 == kNone) return false;
+    const glm::vec3 &first = normals[edge.face0], &second = normals[edge.face1];
+    const float cosine = angles.cosines[e] = glm::dot(first, second);
+    if (cosine < kLeastFlatCosine) return false;
+    return heights.empty() || !surely_bend(std::min(heights[edge.face0], heights[edge.face1]), cosine, first, second);
+  });
+  return angles;
 }
 
 }  // namespace ligne

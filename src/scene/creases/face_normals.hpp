@@ -1,7 +1,9 @@
 #pragma once
-/// Normals of faces, including slivers.
+/// Normals of faces, including slivers, and the angles between them.
 
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "scene/model/scene.hpp"
@@ -14,5 +16,18 @@ namespace ligne {
 /// too, the chain of longest edges is followed to the next face that has a normal. If it finds none, the triangle keeps
 /// its own normal. Zero without a neighbour or without area.
 std::vector<glm::vec3> face_normals(const Scene& scene, const Topology& topology);
+
+/// The cosine of edges of one face in MeshAngles: less than that of any angle.
+inline constexpr float kNoCosine = -2;
+
+/// The angles at all edges, which passes over the edges of a large mesh read in place of vertices and normals.
+struct MeshAngles {
+  std::vector<glm::vec3> normals;   ///< per face, as of face_normals()
+  std::vector<float> cosines;       ///< per edge: of the angle between its first two faces, computed in float32
+  std::vector<std::uint32_t> flat;  ///< edges whose faces may lie in one plane, ascending: all others certainly bend
+};
+
+/// `sizes`: those of object_sizes(), per object.
+MeshAngles mesh_angles(const Scene& scene, const Topology& topology, std::span<const double> sizes);
 
 }  // namespace ligne

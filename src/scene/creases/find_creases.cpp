@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -45,9 +46,9 @@ class Finder {
     drop_spurs();
     drop_short();
     found_.lines.assign(bends_.size(), 0);
-    parallel_blocks(bends_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t e = begin; e < end; ++e) found_.lines[e] = bends_[e] >= Bend::strong ? kCreaseLine : std::uint8_t{0};
-    });
+    for (const std::uint32_t e : indices_of_marks(bends_)) {
+      if (bends_[e] >= Bend::strong) found_.lines[e] = kCreaseLine;
+    }
     return std::move(found_);
   }
 
@@ -58,9 +59,9 @@ class Finder {
     // The search for patches leaves threads idle at times.
     parallel_tasks(2, [&](std::size_t task) {
       if (task == 0) {
-        found_.patches = find_patches(scene_, topology_, normals_);
+        found_.patches = find_patches(scene_, topology_, mesh_);
       } else {
-        by_faces = bends_by_faces(scene_, topology_, normals_, sizes_, angles_.faces);
+        by_faces = bends_by_faces(scene_, topology_, mesh_, sizes_, angles_.faces);
         sheets = find_sheet_edges(scene_, topology_, crease_cosine(angles_.faces));
       }
     });
@@ -77,8 +78,8 @@ class Finder {
     }
     raw_ = bends_;
     decide_by_surfaces();
-    TracedCreases traced = trace_creases(
-        {scene_, topology_, normals_, sizes_, found_.patches.is_freeform, found_.patch_edges}, angles_.faces, bends_);
+    TracedCreases traced = trace_creases({scene_, topology_, mesh_, sizes_, found_.patches.is_freeform, found_.patch_edges},
+                                         angles_.faces, bends_);
     found_.scans = std::move(traced.scans);
     found_.decimated = traced.decimated;
     found_.untraced = traced.left_out;
@@ -89,10 +90,9 @@ class Finder {
   /// creases.
   void decide_by_surfaces() {
     bend_beside_slivers();
-    found_.patch_edges = classify_patch_edges(scene_, topology_, normals_, found_.patches, angles_.surfaces);
-    if (!found_.patches.list.empty()) mark_bands(scene_, topology_, normals_, found_.patch_edges, found_.patches);
-    for (std::size_t e = 0; e < bends_.size(); ++e) {
-      if (found_.patch_edges[e] == PatchEdge::unknown) continue;
+    found_.patch_edges = classify_patch_edges(scene_, topology_, mesh_, found_.patches, angles_.surfaces);
+    if (!found_.patches.list.empty()) mark_bands(scene_, topology_, mesh_.normals, found_.patch_edges, found_.patches);
+    for (const std::uint32_t e : indices_of_marks(found_.patch_edges)) {
       // A rounding too small to be drawn as a surface is drawn as an edge, whichever surface it belongs to.
       if ((topology_.edge_flags[e] & kEdgeSmooth) && bends_[e] >= Bend::strong) continue;
       const Bend bend = found_.patch_edges[e] == PatchEdge::sharp ? Bend::strong : Bend::none;
@@ -106,9 +106,16 @@ class Finder {
   void bend_beside_slivers() {
     constexpr std::uint16_t kDecided = kEdgeManyFaces | kEdgeUnlikeWound | kEdgeFileHidden | kEdgeInner | kEdgeSmooth;
     const float least = crease_cosine(angles_.faces);
-    for (const std::uint32_t e : turn_plane_slivers(scene_, topology_, found_.patches.plane_edges, normals_)) {
+    const std::vector<std::uint32_t> turned =
+        turn_plane_slivers(scene_, topology_, found_.patches.plane_edges, mesh_.normals);
+    const auto measure = [&](std::uint32_t e) {
       const Edge& edge = topology_.edges[e];
-      const bool is_bent = glm::dot(normals_[edge.face0], normals_[edge.face1]) < least;
+      mesh_.cosines[e] = glm::dot(mesh_.normals[edge.face0], mesh_.normals[edge.face1]);
+    };
+    std::ranges::for_each(turned, measure);
+    std::ranges::for_each(found_.patches.plane_edges, measure);
+    for (const std::uint32_t e : turned) {
+      const bool is_bent = mesh_.cosines[e] < least;
       if (is_bent && !(topology_.edge_flags[e] & kDecided)) bends_[e] = raw_[e] = std::max(bends_[e], Bend::strong);
     }
   }
@@ -123,8 +130,9 @@ class Finder {
 
   /// Collects the edges that may be creases, or would be without surfaces, by vertex.
   void collect() {
-    const auto bends = [&](std::size_t e) { return bends_[e] != Bend::none || raw_[e] != Bend::none; };
-    for (const std::uint32_t e : indices_where(bends_.size(), bends)) {
+    std::vector<std::uint32_t> bent;
+    std::ranges::set_union(indices_of_marks(bends_), indices_of_marks(raw_), std::back_inserter(bent));
+    for (const std::uint32_t e : bent) {
       ends_.push_back({topology_.edges[e].v0, e});
       ends_.push_back({topology_.edges[e].v1, e});
     }
@@ -266,8 +274,7 @@ class Finder {
   void find_anchors() {
     anchored_.assign(nodes_.size(), 0);
     if (nodes_.empty()) return;
-    for (const std::uint32_t e :
-         indices_where(topology_.edges.size(), [&](std::size_t i) { return topology_.edges[i].face1 == kNone; })) {
+    for (const std::uint32_t e : edges_with(topology_, kEdgeBorder)) {
       for (const std::uint32_t v : {topology_.edges[e].v0, topology_.edges[e].v1}) {
         const std::uint32_t node = node_of(v);
         if (node != kNone) anchored_[node] = 1;
@@ -292,7 +299,7 @@ class Finder {
   void drop_loose() {
     if (nodes_.empty()) return;
     std::vector<std::uint8_t> is_tangent(scene_.vertices.size(), 0);  // per vertex: 1 on a tangent line
-    for (std::size_t e = 0; e < bends_.size(); ++e) {
+    for (const std::uint32_t e : indices_of_marks(found_.patch_edges)) {
       if (found_.patch_edges[e] != PatchEdge::tangent) continue;
       for (const std::uint32_t v : {topology_.edges[e].v0, topology_.edges[e].v1}) is_tangent[v] = 1;
     }
@@ -349,8 +356,8 @@ class Finder {
   const Topology& topology_;
   CreaseAngles angles_;
   std::vector<double> sizes_;  ///< per object
-  std::vector<glm::vec3> normals_ = face_normals(scene_, topology_);
-  EdgeRows rows_{scene_, topology_, normals_};
+  MeshAngles mesh_ = mesh_angles(scene_, topology_, sizes_);
+  EdgeRows rows_{scene_, topology_, mesh_.normals};
   std::vector<Bend> bends_, raw_;  ///< per edge; raw: by its faces alone
   std::vector<BendEnd> ends_;      ///< ends of the edges that bend, sorted
   std::vector<Node> nodes_;

@@ -15,7 +15,6 @@
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "base/prefetch.hpp"
 #include "base/uninitialized_vector.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/model/object_sizes.hpp"
@@ -106,8 +105,9 @@ double median_of(std::span<const double> lengths) {
 
 }  // namespace
 
-bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
-             const std::vector<Bend>& bends, const ScanObject& object, double precision) {
+bool is_scan(const CreaseMesh& mesh, const std::vector<Bend>& bends, const ScanObject& object, double precision) {
+  const Scene& scene = mesh.scene;
+  const Topology& topology = mesh.topology;
   const auto is_bent = [](Bend bend) { return bend >= Bend::strong; };
   const auto first = bends.begin() + static_cast<std::ptrdiff_t>(object.edge_begin);
   if (std::none_of(first, bends.begin() + static_cast<std::ptrdiff_t>(object.edge_end), is_bent)) return false;
@@ -126,12 +126,10 @@ bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm
     if (too_flat()) return sum;
     std::size_t flat = 0;
     for (std::size_t e = object.edge_begin + begin; e < object.edge_begin + end && sum.spoken == 0; ++e) {
-      prefetch_faces(normals, topology.edges, e);
-      const Edge& edge = topology.edges[e];
       sum.spoken += (topology.edge_flags[e] & kSpoken) != 0;
       sum.defect += (topology.edge_flags[e] & kDefect) != 0;
       sum.bent += is_bent(bends[e]);
-      flat += edge.face1 != kNone && glm::dot(normals[edge.face0], normals[edge.face1]) > least;
+      flat += mesh.angles.cosines[e] > least;
     }
     all_flat += flat;
     return sum;
@@ -274,7 +272,7 @@ std::vector<std::uint32_t> corners_of(const CreaseMesh& mesh, const std::vector<
   for (std::uint32_t e = object.edge_begin; e < object.edge_end; ++e) {
     const Edge& edge = mesh.topology.edges[e];
     if (bends[e] < Bend::strong || edge.face1 == kNone) continue;
-    if (glm::dot(mesh.normals[edge.face0], mesh.normals[edge.face1]) < kCornerCosine) corners.push_back(e);
+    if (glm::dot(mesh.angles.normals[edge.face0], mesh.angles.normals[edge.face1]) < kCornerCosine) corners.push_back(e);
   }
   return corners;
 }

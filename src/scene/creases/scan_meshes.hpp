@@ -2,11 +2,11 @@
 /// Recognises objects that are meshed like scans, and constructed parts that were decimated.
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
 #include "scene/creases/bend.hpp"
+#include "scene/creases/face_normals.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
@@ -17,7 +17,7 @@ namespace ligne {
 struct CreaseMesh {
   const Scene& scene;
   const Topology& topology;
-  const std::vector<glm::vec3>& normals;      ///< of face_normals()
+  const MeshAngles& angles;
   std::span<const double> sizes;              ///< per object: diagonal of its box
   std::span<const std::uint8_t> is_freeform;  ///< per face
   std::span<const PatchEdge> patch_edges;     ///< per edge
@@ -30,10 +30,8 @@ struct ScanObject {
 };
 
 /// Whether the mesh of an object looks like a scan or a remeshed surface: without planes and without vertices placed on
-/// its corners. `normals` are those of face_normals(), `bends` the classes of the edges by their angles, and `precision`
-/// is that of the object's coordinates.
-bool is_scan(const Scene& scene, const Topology& topology, const std::vector<glm::vec3>& normals,
-             const std::vector<Bend>& bends, const ScanObject& object, double precision);
+/// its corners. `bends` are the classes of the edges by their angles, and `precision` is that of the object's coordinates.
+bool is_scan(const CreaseMesh& mesh, const std::vector<Bend>& bends, const ScanObject& object, double precision);
 
 /// Whether a constructed part was decimated so far that its edges became rows of teeth: of the creases beside free forms,
 /// which are as short as triangles are, many fork, and many turn back and forth.

@@ -38,7 +38,7 @@ class Tracer {
          std::vector<std::uint8_t> is_sure)
       : scene_(mesh.scene),
         topology_(mesh.topology),
-        normals_(mesh.normals),
+        normals_(mesh.angles.normals),
         bends_(bends),
         object_(object),
         edge_begin_(edges.edge_begin),
@@ -99,8 +99,7 @@ class Tracer {
 
   /// Collects the edges that may lie on a line, the faces around them, and the bend of the surface at each.
   void collect() {
-    const auto bends = [&](std::size_t k) { return bends_[edge_begin_ + k] != Bend::none; };
-    for (const std::uint32_t k : indices_where(edge_end_ - edge_begin_, bends)) {
+    for (const std::uint32_t k : indices_of_marks(std::span(bends_).subspan(edge_begin_, edge_end_ - edge_begin_))) {
       const std::size_t e = edge_begin_ + k;
       if (is_sure(e)) continue;
       candidates_.push_back(static_cast<std::uint32_t>(e));
@@ -180,9 +179,11 @@ class Tracer {
   std::vector<std::uint32_t> faces_at(const std::vector<std::uint8_t>& marked) const {
     const std::uint8_t* marks = marked.data();
     const std::uint32_t first = object_.vertex_begin;
+    // All faces are triangles.
+    const std::uint32_t* corners = scene_.faces.corners().data() + scene_.faces.corner_index(object_.face_begin, 0);
     std::vector<std::uint32_t> faces = indices_where(object_.face_end - object_.face_begin, [&](std::size_t i) {
-      const std::uint32_t* corners = scene_.faces.contour(object_.face_begin + i, 0).data();  // of a triangle
-      return (marks[corners[0] - first] | marks[corners[1] - first] | marks[corners[2] - first]) != 0;
+      const std::uint32_t* own = corners + 3 * i;
+      return (marks[own[0] - first] | marks[own[1] - first] | marks[own[2] - first]) != 0;
     });
     for (std::uint32_t& f : faces) f += object_.face_begin;
     return faces;
@@ -373,7 +374,7 @@ TracedCreases trace_creases(const CreaseMesh& mesh, double crease_degrees, std::
     const auto [edge_begin, edge_end] = edges_of(mesh.topology, object);
     const ScanObject own{object.face_begin, object.face_end, edge_begin, edge_end};
     std::vector<std::uint8_t> is_sure;
-    if (!is_scan(mesh.scene, mesh.topology, mesh.normals, bends, own, object.precision)) {
+    if (!is_scan(mesh, bends, own, object.precision)) {
       if (!is_decimated(mesh, bends, own)) continue;
       is_sure = sure_creases(mesh, bends, own);
       ++sum.decimated;

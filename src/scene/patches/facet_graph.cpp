@@ -309,7 +309,9 @@ FacetGraph facet_graph(const Scene& scene, const Topology& topology, const Objec
 
 FacetGraph facet_graph(const Scene& scene, const Topology& topology, const Object& object, EdgeRange edges,
                        std::span<const glm::vec3> normals) {
-  return facet_graph(scene, topology, object, edges, normals, flat_joints(scene, topology, object, edges, normals));
+  std::vector<std::uint32_t> all(topology.edges.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return facet_graph(scene, topology, object, edges, normals, flat_joints(scene, topology, object, edges, normals, all));
 }
 
 }  // namespace ligne

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "scene/patches/borders/flat_rows.hpp"
@@ -38,8 +39,8 @@ bool is_limit_surface(const Scene& scene, const Object& object) {
   return std::ranges::any_of(sides, [](std::uint8_t flags) { return (flags & kCornerLimit) != 0; });
 }
 
-ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Object& object,
-                         std::span<const glm::vec3> normals) {
+ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Object& object, const MeshAngles& angles) {
+  const std::vector<glm::vec3>& normals = angles.normals;
   const EdgeRange range = edges_of(topology, object);
   const auto [edge_begin, edge_end] = range;
   ObjectPatches found;
@@ -49,7 +50,7 @@ ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Obj
     return found;
   }
   std::vector<std::uint32_t> joints;
-  if (auto free = find_large_freeform({scene, topology, object, range, normals}, joints)) {
+  if (auto free = find_large_freeform({scene, topology, object, range, angles}, joints)) {
     found.is_freeform = std::move(free->is_freeform);
     found.plane_edges = std::move(free->plane_edges);
     found.borders = std::move(free->borders);
@@ -114,11 +115,11 @@ Point3 Patches::normal(std::uint32_t face, const Point3& p, const Point3& face_n
   return patch.outward ? patch.surface.normal(p) : -patch.surface.normal(p);
 }
 
-Patches find_patches(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals) {
+Patches find_patches(const Scene& scene, const Topology& topology, const MeshAngles& angles) {
   std::vector<ObjectPatches> parts(scene.objects.size());
   const std::vector<Repetition> repetitions = find_repetitions(scene, topology);
   parallel_tasks(parts.size(), [&](std::size_t i) {
-    if (repetitions[i].original == i) parts[i] = patches_of(scene, topology, scene.objects[i], normals);
+    if (repetitions[i].original == i) parts[i] = patches_of(scene, topology, scene.objects[i], angles);
   });
   parallel_tasks(parts.size(), [&](std::size_t i) {
     const auto& [original, motion] = repetitions[i];
@@ -145,6 +146,16 @@ Patches find_patches(const Scene& scene, const Topology& topology, std::span<con
     std::ranges::copy(parts[i].is_freeform, found.is_freeform.begin() + begin);
   }
   return found;
+}
+
+std::vector<std::uint32_t> edges_outside_freeforms(const Topology& topology, const Patches& patches) {
+  std::vector<std::uint8_t> is_inside = patches.is_freeform;
+  for (std::size_t f = 0; f < is_inside.size() && !patches.list.empty(); ++f) is_inside[f] &= patches.patch_of[f] == kNone;
+  return indices_where(topology.edges.size(), [&, inside = is_inside.data()](std::size_t e) {
+    const Edge& edge = topology.edges[e];
+    if (topology.edge_flags[e] & (kEdgeBorder | kEdgeManyFaces)) return true;
+    return (inside[edge.face0] & inside[edge.face1]) == 0;
+  });
 }
 
 }  // namespace ligne

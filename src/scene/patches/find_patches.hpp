@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "scene/creases/face_normals.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 #include "scene/patches/borders/freeform_borders.hpp"
@@ -37,8 +38,11 @@ struct Patches {
   Point3 normal(std::uint32_t face, const Point3& p, const Point3& face_normal) const;
 };
 
-/// Finds the surfaces of all kinds (patch_surface.hpp) in the objects of a scene after finish_scene(). `normals` are those
-/// of face_normals(). The search takes these steps:
+/// The edges that are not inside a free form, ascending: few of the edges of a scan.
+std::vector<std::uint32_t> edges_outside_freeforms(const Topology& topology, const Patches& patches);
+
+/// Finds the surfaces of all kinds (patch_surface.hpp) in the objects of a scene after finish_scene(). The search
+/// takes these steps:
 ///
 /// 1. A facet and its neighbours, the largest facet first, give starting values for each kind of surface. These are
 ///    fitted to the corners of the facets (patch_surface.hpp).
@@ -50,6 +54,6 @@ struct Patches {
 ///
 /// The result does not depend on the order of faces. The search stops early in objects in which few trials succeed,
 /// such as scans.
-Patches find_patches(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals);
+Patches find_patches(const Scene& scene, const Topology& topology, const MeshAngles& angles);
 
 }  // namespace ligne

@@ -80,9 +80,6 @@ class EdgeClassifier {
   PatchEdge operator()(std::size_t e) const {
     const Edge& edge = topology_.edges[e];
     if (edge.face1 == kNone || (topology_.edge_flags[e] & kSpoken)) return PatchEdge::unknown;
-    // Nearly all edges of scans: the patches of their faces need not be read.
-    if (patches_.list.empty() && patches_.is_freeform[edge.face0] && patches_.is_freeform[edge.face1])
-      return PatchEdge::unknown;
     const std::uint32_t p = patches_.patch_of[edge.face0], q = patches_.patch_of[edge.face1];
     if (p != kNone && p == q) return PatchEdge::inside;
     const bool has_surfaces = p != kNone && q != kNone;
@@ -274,21 +271,23 @@ class EdgeClassifier {
 
 }  // namespace
 
-std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals,
+std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& topology, const MeshAngles& angles,
                                             const Patches& patches, double sharp_degrees) {
-  const EdgeClassifier classify(scene, topology, normals, patches, sharp_degrees);
+  const EdgeClassifier classify(scene, topology, angles.normals, patches, sharp_degrees);
   std::vector<PatchEdge> edges(topology.edges.size());
   const bool has_surfaces = !patches.list.empty();
   std::vector<BorderEvidence> evidence(has_surfaces ? edges.size() : 0);
-  parallel_blocks(edges.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) {
+  // All others stay unknown.
+  const std::vector<std::uint32_t> outside = edges_outside_freeforms(topology, patches);
+  parallel_blocks(outside.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (const std::uint32_t e : std::span(outside).subspan(begin, end - begin)) {
       edges[e] = classify(e);
       if (has_surfaces) evidence[e] = classify.evidence(e, edges[e]);
     }
   });
   if (has_surfaces) decide_by_whole_borders(scene, topology, patches, evidence, edges);
   for (const std::uint32_t e : patches.plane_edges) edges[e] = PatchEdge::inside;
-  smooth_twisted_strips(scene, topology, normals, edges);
+  smooth_twisted_strips(scene, topology, angles, edges);
   return edges;
 }
 

@@ -33,9 +33,9 @@ inline constexpr double kMeshBend = 15;
 inline constexpr double kLikeCurvature = 0.1;
 
 /// Classifies the edges of the topology by the normals of the surfaces at both ends of each edge. Normals of free forms
-/// are extrapolated to their borders (freeform_borders.hpp). Faces without a patch or a free form are planes. `normals`
-/// are those of face_normals(); `sharp_degrees` is the smallest angle of a sharp edge.
-std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals,
+/// are extrapolated to their borders (freeform_borders.hpp). Faces without a patch or a free form are planes.
+/// `sharp_degrees` is the smallest angle of a sharp edge.
+std::vector<PatchEdge> classify_patch_edges(const Scene& scene, const Topology& topology, const MeshAngles& angles,
                                             const Patches& patches, double sharp_degrees);
 
 /// Sets Patch::is_band of the patches that continue into another patch across most of their common border, which is neither

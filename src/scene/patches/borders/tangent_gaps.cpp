@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -25,9 +26,12 @@ class GapCloser {
       : scene_(scene), topology_(topology), patches_(patches), is_line_(is_line), edges_(edges) {}
 
   void run() {
-    const auto has_kind = [&](std::size_t e) { return kind_of(static_cast<std::uint32_t>(e)) != Kind::none; };
-    for (const std::uint32_t e : indices_where(edges_.size(), has_kind)) {
+    std::vector<std::uint32_t> candidates;
+    std::ranges::set_union(edges_outside_freeforms(topology_, patches_), indices_of_marks(is_line_),
+                           std::back_inserter(candidates));
+    for (const std::uint32_t e : candidates) {
       const Kind kind = kind_of(e);
+      if (kind == Kind::none) continue;
       for (const std::uint32_t v : {topology_.edges[e].v0, topology_.edges[e].v1}) ends_.push_back({v, kind, e});
     }
     std::ranges::sort(ends_);
@@ -61,10 +65,10 @@ class GapCloser {
   };
 
   Kind kind_of(std::uint32_t e) const {
-    const Edge& edge = topology_.edges[e];
-    if (is_line_[e] || edge.face1 == kNone || (topology_.edge_flags[e] & kEdgeManyFaces)) return Kind::line;
+    if (is_line_[e] || (topology_.edge_flags[e] & (kEdgeBorder | kEdgeManyFaces))) return Kind::line;
     if (edges_[e] == PatchEdge::tangent) return Kind::tangent;
     if (edges_[e] != PatchEdge::unknown) return Kind::none;
+    const Edge& edge = topology_.edges[e];
     const bool is_border = patches_.is_freeform[edge.face0] != patches_.is_freeform[edge.face1] ||
                            (!patches_.list.empty() && patches_.patch_of[edge.face0] != patches_.patch_of[edge.face1]);
     return is_border ? Kind::open : Kind::none;

@@ -72,14 +72,13 @@ class TwistedStrips {
 
 }  // namespace
 
-void smooth_twisted_strips(const Scene& scene, const Topology& topology, std::span<const glm::vec3> normals,
+void smooth_twisted_strips(const Scene& scene, const Topology& topology, const MeshAngles& angles,
                            std::vector<PatchEdge>& edges) {
-  const TwistedStrips strips(scene, topology, normals);
+  const TwistedStrips strips(scene, topology, angles.normals);
   const auto flat = static_cast<float>(sine_cosine_degrees(kSurfaceCreaseDegrees).cosine);
   parallel_blocks(edges.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
-      const Edge& edge = topology.edges[e];
-      if (edge.face1 == kNone || glm::dot(normals[edge.face0], normals[edge.face1]) > flat) continue;
+      if (angles.cosines[e] > flat) continue;
       const auto number = static_cast<std::uint32_t>(e);
       if (may_be_smooth(topology, number) && strips.contains(number)) edges[e] = PatchEdge::inside;
     }

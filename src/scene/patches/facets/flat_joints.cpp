@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
-#include "base/parallel.hpp"
-#include "base/prefetch.hpp"
-#include "base/uninitialized_vector.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/model/face_area.hpp"
 #include "scene/model/planarity.hpp"
@@ -20,31 +16,15 @@ namespace {
 
 /// Factor that exceeds the rounding of a bound.
 constexpr double kBoundFactor = 1 + 0x1p-40;
-/// Cosine of float32 normals, computed in float32, that surely is below that of kFlatBend.
-constexpr float kSurelyBent = 1 - 12 * 0x1p-24F;
-/// Factor on a squared tolerance that exceeds the relative error of the squared sine of such a bend.
-constexpr double kBendMargin = 1.25;
 
 double square(const Point3& p) { return glm::dot(p, p); }
 
 class JointFinder {
  public:
   JointFinder(const Scene& scene, const Object& object, std::span<const glm::vec3> normals)
-      : scene_(scene), object_(object), normals_(normals) {
-    if (all_triangles_) measure_heights();
-  }
-
-  /// Prefetches what is_flat() reads for edges of the object some turns ahead.
-  void prefetch(const Edge& edge) const {
-    for (const std::uint32_t f : {edge.face0, edge.face1}) {
-      if (f == kNone) continue;
-      __builtin_prefetch(&normals_[f]);
-      if (all_triangles_) __builtin_prefetch(&heights_[f - object_.face_begin]);
-    }
-  }
+      : scene_(scene), object_(object), normals_(normals) {}
 
   bool is_flat(const Edge& edge) const {
-    if (all_triangles_ && surely_bends(edge)) return false;
     const double cosine = glm::dot(Point3(normals_[edge.face0]), Point3(normals_[edge.face1]));
     if (cosine < kFlatCosine) return false;
     if (cosine > flat_) return true;
@@ -56,42 +36,6 @@ class JointFinder {
   }
 
  private:
-  /// Measures the triangles of the object.
-  void measure_heights() {
-    heights_ = UninitializedVector<float>(object_.face_end - object_.face_begin);
-    const auto measure = [&](std::size_t begin, std::size_t end) {
-      double longest2 = 0;
-      for (std::size_t k = begin; k < end; ++k) {
-        const std::size_t f = object_.face_begin + k;
-        prefetch_corners(scene_.vertices, scene_.faces.corners(), f);
-        const auto corners = scene_.faces.contour(f, 0);
-        const Point3 &a = scene_.vertices[corners[0]], &b = scene_.vertices[corners[1]], &c = scene_.vertices[corners[2]];
-        const Point3 ab = b - a, ac = c - a, bc = c - b;
-        const double own2 = std::max({square(ab), square(ac), square(bc)});
-        heights_[k] = own2 > 0 ? clamped(square(glm::cross(ab, ac)) / own2) : 0.0F;
-        longest2 = std::max(longest2, own2);
-      }
-      return longest2;
-    };
-    const double longest2 = parallel_reduce(object_.face_end - object_.face_begin, kShortWorkBlock, 0.0, measure,
-                                            [](double l, double r) { return std::max(l, r); });
-    const double most = planarity_tolerance(object_.precision, std::sqrt(longest2));
-    least_bend_ = std::max(clamped(kBendMargin * most * most), std::numeric_limits<float>::min());
-  }
-
-  /// Whether two triangles are surely not flat. The third corner of either lies from the plane of the other by its height
-  /// over the edge times the sine of the bend, which little exceeds the distance of the normals' ends.
-  bool surely_bends(const Edge& edge) const {
-    const glm::vec3 &first = normals_[edge.face0], &second = normals_[edge.face1];
-    const float cosine = glm::dot(first, second);
-    if (!(cosine < kSurelyBent)) return false;
-    const float height = std::min(heights_[edge.face0 - object_.face_begin], heights_[edge.face1 - object_.face_begin]);
-    const glm::vec3 turn = first - second;
-    return height * glm::dot(turn, turn) > least_bend_;
-  }
-
-  static float clamped(double value) { return static_cast<float>(std::min(value, 1e30)); }
-
   bool is_triangle(std::uint32_t f) const {
     return scene_.faces.contour_count(f) == 1 && scene_.faces.contour(f, 0).size() == 3;
   }
@@ -147,20 +91,20 @@ class JointFinder {
   const Object& object_;
   const std::span<const glm::vec3> normals_;
   const bool all_triangles_ = scene_.faces.all_triangles();
-  UninitializedVector<float> heights_;  ///< per triangle of the object: the square of its least height
-  float least_bend_ = 0;                ///< see surely_bends()
 };
 
 }  // namespace
 
 std::vector<std::uint32_t> flat_joints(const Scene& scene, const Topology& topology, const Object& object, EdgeRange edges,
-                                       std::span<const glm::vec3> normals) {
+                                       std::span<const glm::vec3> normals, std::span<const std::uint32_t> candidates) {
   const JointFinder finder(scene, object, normals);
-  return indices_where(edges.end - edges.begin, [&](std::size_t k) {
-    const auto e = static_cast<std::uint32_t>(edges.begin + k);
-    if (e + kTurnsAhead < edges.end) finder.prefetch(topology.edges[e + kTurnsAhead]);
-    return may_be_smooth(topology, e) && finder.is_flat(topology.edges[e]);
-  });
+  const auto first = std::ranges::lower_bound(candidates, edges.begin),
+             last = std::ranges::lower_bound(candidates, edges.end);
+  const std::span<const std::uint32_t> own(first, last);
+  std::vector<std::uint32_t> joints = indices_where(
+      own.size(), [&](std::size_t i) { return may_be_smooth(topology, own[i]) && finder.is_flat(topology.edges[own[i]]); });
+  for (std::uint32_t& joint : joints) joint = own[joint] - edges.begin;
+  return joints;
 }
 
 }  // namespace ligne

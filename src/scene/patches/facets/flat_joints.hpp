@@ -23,8 +23,9 @@ inline bool may_be_smooth(const Topology& topology, std::uint32_t e) {
 }
 
 /// The edges of an object at which two faces lie in one plane, as far as these two tell: indices from `edges.begin` on,
-/// ascending. `normals` are those of face_normals().
+/// ascending. `normals` are those of face_normals(); `candidates` holds them among other edges of the topology, ascending,
+/// as MeshAngles::flat does.
 std::vector<std::uint32_t> flat_joints(const Scene& scene, const Topology& topology, const Object& object, EdgeRange edges,
-                                       std::span<const glm::vec3> normals);
+                                       std::span<const glm::vec3> normals, std::span<const std::uint32_t> candidates);
 
 }  // namespace ligne

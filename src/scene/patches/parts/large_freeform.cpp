@@ -53,13 +53,22 @@ std::vector<std::uint32_t> sampled_faces(const TriangleObject& whole) {
   return faces;
 }
 
-FacetGraph graph_of(const MeshPart& part) {
+/// The graph of a part. `joints`: those of the whole object.
+FacetGraph graph_of(const MeshPart& part, const TriangleObject& whole, std::span<const std::uint32_t> joints) {
+  std::vector<std::uint32_t> own;
+  auto joint = joints.begin();
   const auto count = static_cast<std::uint32_t>(part.topology.edges.size());
-  return facet_graph(part.scene, part.topology, part.scene.objects[0], {0, count}, part.normals);
+  for (std::uint32_t e = 0; e < count; ++e) {
+    while (joint != joints.end() && whole.edges.begin + *joint < part.edges[e]) ++joint;
+    if (joint == joints.end()) break;
+    const bool is_joint = whole.edges.begin + *joint == part.edges[e];
+    if (is_joint && part.topology.edges[e].face1 != kNone) own.push_back(e);
+  }
+  return facet_graph(part.scene, part.topology, part.scene.objects[0], {0, count}, part.normals, own);
 }
 
 /// Whether hardly any surface is found near samples, and few faces lie in planes.
-bool seems_free(const FaceWalk& walk) {
+bool seems_free(const FaceWalk& walk, std::span<const std::uint32_t> joints) {
   const TriangleObject& whole = walk.whole();
   const std::vector<std::uint32_t> samples = sampled_faces(whole);
   FaceSet near_samples(whole);
@@ -79,7 +88,7 @@ bool seems_free(const FaceWalk& walk) {
     for (const std::uint32_t f : near) near_samples.add(f);
   }
   const MeshPart part = part_of(walk, near_samples);
-  const FacetGraph graph = graph_of(part);
+  const FacetGraph graph = graph_of(part, whole, joints);
   // The limit for all edges, with some room: there are 1.5 for each face. Two triangles are seldom a plane.
   std::size_t in_planes = 0;
   for (std::uint32_t facet = 0; facet < graph.size(); ++facet) {
@@ -169,7 +178,7 @@ class FreePairs {
     const std::uint32_t next = faces[0] == face ? faces[1] : faces[0], partner = partner_[next];
     if (partner == face || partner == whole_.face_count() || (partner != kNone && partner_[partner] != next)) return kNone;
     const std::uint32_t first = whole_.object.face_begin;
-    if (glm::dot(whole_.normals[first + face], whole_.normals[first + next]) < kSurelySmooth) return kNone;
+    if (glm::dot(whole_.angles.normals[first + face], whole_.angles.normals[first + next]) < kSurelySmooth) return kNone;
     const double here = squared_depth(face, whole_.edge(k)), there = squared_depth(next, whole_.edge(k));
     constexpr double kMost = kSurelyAlike * kSurelyAlike;
     if (!(here < kMost * there && there < kMost * here) || is_narrow(next)) return kNone;
@@ -188,8 +197,8 @@ class FreePairs {
 /// The findings of a part of a free form.
 class PartFindings {
  public:
-  explicit PartFindings(const MeshPart& part)
-      : part_(part), graph_(graph_of(part)), patch_of_(graph_.size(), kNone), freeform_(find_freeform()) {}
+  PartFindings(const MeshPart& part, const TriangleObject& whole, std::span<const std::uint32_t> joints)
+      : part_(part), graph_(graph_of(part, whole, joints)), patch_of_(graph_.size(), kNone), freeform_(find_freeform()) {}
 
   /// The faces of the facets that are planes and have several faces, as numbers of the object. Single triangles are none.
   std::vector<std::uint32_t> faces_of_planes() const {
@@ -235,23 +244,10 @@ class PartFindings {
 }  // namespace
 
 std::optional<LargeFreeform> find_large_freeform(const TriangleObject& whole, std::vector<std::uint32_t>& joints) {
-  const auto find_joints = [&] {
-    joints = flat_joints(whole.scene, whole.topology, whole.object, whole.edges, whole.normals);
-  };
-  if (whole.face_count() < kFewestFaces || !whole.scene.faces.all_triangles()) {
-    find_joints();
-    return std::nullopt;
-  }
+  joints = flat_joints(whole.scene, whole.topology, whole.object, whole.edges, whole.angles.normals, whole.angles.flat);
+  if (whole.face_count() < kFewestFaces || !whole.scene.faces.all_triangles()) return std::nullopt;
   const FaceWalk walk(whole);
-  bool is_free = false;
-  parallel_tasks(2, [&](std::size_t task) {
-    if (task == 0) {
-      is_free = seems_free(walk);
-    } else {
-      find_joints();
-    }
-  });
-  if (!is_free) return std::nullopt;
+  if (!seems_free(walk, joints)) return std::nullopt;
   FreePairs pairs(walk, joints);
   const std::vector<std::uint32_t> in_planes =
       indices_where(joints.size(), [&](std::size_t i) { return !pairs.has(joints[i]); });
@@ -267,7 +263,7 @@ std::optional<LargeFreeform> find_large_freeform(const TriangleObject& whole, st
     }
     flat.add_rings(walk, kRingsRoundFlat);
     const MeshPart part = part_of(walk, flat);
-    const PartFindings findings(part);
+    const PartFindings findings(part, whole, joints);
     findings.add_plane_edges(found.plane_edges);
     for (const std::uint32_t f : findings.faces_of_planes()) planes.add(f);
   }
@@ -276,7 +272,7 @@ std::optional<LargeFreeform> find_large_freeform(const TriangleObject& whole, st
   const std::vector<std::uint8_t> may_be_plane = planes.holds;
   planes.add_rings(walk, kRingsRoundPlanes);
   const MeshPart part = part_of(walk, planes);
-  PartFindings findings(part);
+  PartFindings findings(part, whole, joints);
   for (const std::uint32_t f : findings.faces_of_planes()) {
     if (may_be_plane[f]) found.is_freeform[f] = 0;
   }

@@ -95,7 +95,7 @@ MeshPart part_of(const FaceWalk& walk, const FaceSet& set) {
     const std::uint32_t f = first_face + part.faces[i];
     const auto contour = whole.scene.faces.contour(f, 0);
     for (std::size_t k = 0; k < 3; ++k) corners[3 * i + k] = number_of_vertex[contour[k]];
-    part.normals[i] = whole.normals[f];
+    part.normals[i] = whole.angles.normals[f];
   });
   part.topology.edges.resize(part.edges.size());
   part.topology.edge_flags.resize(part.edges.size());
@@ -108,6 +108,7 @@ MeshPart part_of(const FaceWalk& walk, const FaceSet& set) {
     edge.face1 = holds(edge.face1) ? number_of_face[edge.face1 - first_face] : kNone;
     part.topology.edges[i] = edge;
     part.topology.edge_flags[i] = whole.topology.edge_flags[part.edges[i]];
+    if (edge.face1 == kNone) part.topology.edge_flags[i] |= kEdgeBorder;
   });
   index_edges(part.topology, vertices.size());
   Object own = object;

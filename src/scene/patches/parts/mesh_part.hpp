@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/no_index.hpp"
+#include "scene/creases/face_normals.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 
@@ -19,8 +20,8 @@ struct TriangleObject {
   const Scene& scene;
   const Topology& topology;
   const Object& object;
-  EdgeRange edges;                     ///< those of the object
-  std::span<const glm::vec3> normals;  ///< of all faces of the scene
+  EdgeRange edges;           ///< those of the object
+  const MeshAngles& angles;  ///< those of the scene
 
   std::uint32_t face_count() const { return object.face_end - object.face_begin; }
   std::uint32_t edge_count() const { return edges.end - edges.begin; }
