@@ -92,6 +92,18 @@ TEST(LargeFreeform, HasPairsOfTrianglesInOnePlane) {
   EXPECT_GE(compare_with_all_facets(mesh), 2u);
 }
 
+/// A dozen small triangles that lie in one plane amid waves are no plane.
+TEST(LargeFreeform, HasNoPlanesOfFewSmallTriangles) {
+  const Mesh mesh(
+      mesh_of("grid 300 x 300 triangles: u; v; if((u>=100)*(u<=103)*(v>=100)*(v<=102)>0,2,"
+              "2*sin(0.31*u+0.15*v)+2*sin(0.33*v-0.14*u)+sin(0.21*u-0.19*v))"));
+  std::vector<std::uint32_t> joints;
+  const auto found = find_large_freeform(mesh.object(), joints);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_GE(joints.size(), 11u);
+  EXPECT_EQ(std::ranges::count(found->is_freeform, 0), 0);
+}
+
 TEST(LargeFreeform, IsNoMeshOfCylinders) {
   std::string tubes;
   for (int tube = 0; tube < 20; ++tube)

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <utility>
 
+#include "base/disjoint_sets.hpp"
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
@@ -24,20 +25,24 @@ namespace {
 constexpr std::uint32_t kFewestFaces = 150'000;
 /// Number of samples, twice as many as PatchFinder::run() takes for the same number of successes: an object that seems free
 /// here seems so there.
-constexpr std::uint32_t kSamples = 128;
+constexpr std::size_t kSamples = 128;
 /// Number of faces round a sample: more than a surface is fitted to before it grows.
 constexpr std::size_t kFacesAtSample = 400;
 /// Largest part of the edges that may lie inside planes, or in pairs of triangles that may be planes.
 constexpr std::size_t kFlatShare = 64;
-/// Least cosine of a bend that is surely below kLargestBend, however the normals of facets are computed (25 degrees).
-constexpr float kSurelySmooth = 0.906F;
-/// Largest ratio of the depths of two facets that is surely below kPlaneDepths, however they are computed.
-constexpr double kSurelyAlike = 0.999 * kPlaneDepths;
+/// Fewest faces of a plane without a large one, and least longest side of a large face, in mean lengths of edges.
+constexpr std::size_t kFewestOfPlane = 16;
+constexpr double kLargeSide = 4;
 /// Rings of faces round those in planes: they contain kFewestFreeform facets. Rings round planes that may end free forms:
 /// they contain what freeform_borders() looks at.
 constexpr int kRingsRoundFlat = 2, kRingsRoundPlanes = 6;
 
-/// A face at each of some edges, spread evenly: the one whose third corner is the lower, so that the order of faces does not
+/// One of kSamples edges of an object, spread evenly.
+std::size_t sampled_edge(const TriangleObject& whole, std::size_t sample) {
+  return (2 * sample + 1) * whole.edge_count() / (2 * kSamples);
+}
+
+/// A face at each of the sampled edges: the one whose third corner is the lower, so that the order of faces does not
 /// matter.
 std::vector<std::uint32_t> sampled_faces(const TriangleObject& whole) {
   std::vector<std::uint32_t> faces;
@@ -45,8 +50,8 @@ std::vector<std::uint32_t> sampled_faces(const TriangleObject& whole) {
     const auto contour = whole.scene.faces.contour(face, 0);
     return std::accumulate(contour.begin(), contour.end(), std::uint64_t{0});
   };
-  for (std::uint64_t i = 0; i < kSamples; ++i) {
-    const Edge& edge = whole.edge((2 * i + 1) * whole.edge_count() / (2 * kSamples));
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    const Edge& edge = whole.edge(sampled_edge(whole, i));
     const bool is_second = edge.face1 != kNone && sum(edge.face1) < sum(edge.face0);
     faces.push_back((is_second ? edge.face1 : edge.face0) - whole.object.face_begin);
   }
@@ -103,95 +108,72 @@ bool seems_free(const FaceWalk& walk, std::span<const std::uint32_t> joints) {
   return PatchFinder(part.scene, part.topology, part.scene.objects[0], graph).seems_free(facets, whole.face_count());
 }
 
-/// Finds pairs of triangles in one plane that are surely a part of a free form, as freeform_facets() says. Its facets are
-/// single triangles and such pairs here. Two of them are alike if the surface is surely smooth between them and neither is
-/// much deeper than the other; so both are no planes. kFewestFreeform that are connected so are a free form.
-class FreePairs {
+/// Finds the joints of sets of faces that may be planes: sets of many faces, or with a large one. A few small triangles lie
+/// in one plane by chance wherever a free form bends by little.
+class PlaneJoints {
  public:
-  FreePairs(const FaceWalk& walk, std::span<const std::uint32_t> joints)
-      : walk_(walk), whole_(walk.whole()), partner_(whole_.face_count(), kNone), is_free_(whole_.face_count()) {
-    const std::uint32_t many = whole_.face_count();
+  PlaneJoints(const TriangleObject& whole, std::span<const std::uint32_t> joints)
+      : whole_(whole), joints_(joints), joints_at_(whole.face_count(), 0), large_(large_side()) {
     for (const std::uint32_t k : joints) {
-      const auto [f, g] = faces_at(k);
-      partner_[f] = partner_[f] == kNone ? g : many;
-      partner_[g] = partner_[g] == kNone ? f : many;
+      for (const std::uint32_t f : faces_at(k)) ++joints_at_[f];
     }
   }
 
-  /// Whether the two faces at a joint are such a pair. Several threads may ask.
-  bool has(std::uint32_t joint) {
-    const auto [f, g] = faces_at(joint);
-    if (partner_[f] != g || partner_[g] != f) return false;
-    std::array<std::uint32_t, kFewestFreeform> facets{std::min(f, g)};
-    std::size_t count = 1;
-    bool is_found = is_free_[facets[0]].load(std::memory_order_relaxed) != 0;
-    if (!is_found && (is_narrow(f) || is_narrow(g))) return false;
-    for (std::size_t i = 0; i < count && !is_found; ++i) {
-      const std::uint32_t one = facets[i], other = partner_[one];
-      for (const std::uint32_t face : {one, other}) {
-        if (face == kNone || is_found) continue;
-        walk_.for_edges(face, [&](std::uint32_t k) {
-          const std::uint32_t next = is_found ? kNone : alike_beyond(face, k);
-          const auto end = facets.begin() + count;
-          if (next == kNone || std::find(facets.begin(), end, next) != end) return;
-          facets[count++] = next;
-          is_found = count == facets.size() || is_free_[next].load(std::memory_order_relaxed) != 0;
-        });
-      }
+  std::vector<std::uint32_t> find() const {
+    std::vector<std::uint32_t> found = indices_where(joints_.size(), [&](std::size_t i) {
+      const auto [f, g] = faces_at(joints_[i]);
+      return joints_at_[f] > 1 || joints_at_[g] > 1 || is_large(f) || is_large(g);
+    });
+    for (std::uint32_t& joint : found) joint = joints_[joint];
+    std::vector<std::uint32_t> faces;
+    for (const std::uint32_t k : found) {
+      for (const std::uint32_t f : faces_at(k)) faces.push_back(f);
     }
-    if (!is_found) return false;
-    for (std::size_t i = 0; i < count; ++i) is_free_[facets[i]].store(1, std::memory_order_relaxed);
-    return true;
+    std::ranges::sort(faces);
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    const auto number_of = [&](std::uint32_t face) {
+      return static_cast<std::size_t>(std::ranges::lower_bound(faces, face) - faces.begin());
+    };
+    DisjointSets sets(faces.size());
+    for (const std::uint32_t k : found) sets.join(number_of(faces_at(k)[0]), number_of(faces_at(k)[1]));
+    std::vector<std::size_t> sizes(faces.size(), 0);
+    for (std::size_t i = 0; i < faces.size(); ++i) sizes[sets.find(i)] += is_large(faces[i]) ? kFewestOfPlane : 1;
+    std::erase_if(found, [&](std::uint32_t k) { return sizes[sets.find(number_of(faces_at(k)[0]))] < kFewestOfPlane; });
+    return found;
   }
 
  private:
+  /// The faces at an edge, numbered from the first one of the object.
   std::array<std::uint32_t, 2> faces_at(std::uint32_t k) const {
     const Edge& edge = whole_.edge(k);
     return {edge.face0 - whole_.object.face_begin, edge.face1 - whole_.object.face_begin};
   }
 
-  bool is_narrow(std::uint32_t face) const {
-    return is_narrow_triangle(whole_.scene, whole_.object, whole_.object.face_begin + face);
+  double squared_length(std::uint32_t v, std::uint32_t w) const {
+    const Point3 along = whole_.scene.vertices[w] - whole_.scene.vertices[v];
+    return glm::dot(along, along);
   }
 
-  /// Square of the largest distance of the corners of the facet of a face from the line of an edge of the face, times that
-  /// of its length.
-  double squared_depth(std::uint32_t face, const Edge& edge) const {
-    const Point3& from = whole_.scene.vertices[edge.v0];
-    const Point3 along = whole_.scene.vertices[edge.v1] - from;
-    double most = 0;
-    for (const std::uint32_t f : {face, partner_[face]}) {
-      if (f == kNone) continue;
-      for (const std::uint32_t v : whole_.scene.faces.contour(whole_.object.face_begin + f, 0)) {
-        if (v == edge.v0 || v == edge.v1) continue;
-        const Point3 across = glm::cross(along, whole_.scene.vertices[v] - from);
-        most = std::max(most, glm::dot(across, across));
-      }
+  /// Square of the least longest side of a large face.
+  double large_side() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < kSamples; ++i) {
+      const Edge& edge = whole_.edge(sampled_edge(whole_, i));
+      sum += std::sqrt(squared_length(edge.v0, edge.v1));
     }
-    return most;
+    const double side = kLargeSide * sum / kSamples;
+    return side * side;
   }
 
-  /// The lower face of the facet beyond an edge of a face, if both are alike; else kNone.
-  std::uint32_t alike_beyond(std::uint32_t face, std::uint32_t k) const {
-    if (!may_be_smooth(whole_.topology, whole_.edges.begin + k)) return kNone;
-    const std::array faces = faces_at(k);
-    const std::uint32_t next = faces[0] == face ? faces[1] : faces[0], partner = partner_[next];
-    if (partner == face || partner == whole_.face_count() || (partner != kNone && partner_[partner] != next)) return kNone;
-    const std::uint32_t first = whole_.object.face_begin;
-    if (glm::dot(whole_.angles.normals[first + face], whole_.angles.normals[first + next]) < kSurelySmooth) return kNone;
-    const double here = squared_depth(face, whole_.edge(k)), there = squared_depth(next, whole_.edge(k));
-    constexpr double kMost = kSurelyAlike * kSurelyAlike;
-    if (!(here < kMost * there && there < kMost * here) || is_narrow(next)) return kNone;
-    if (partner == kNone) return next;
-    return is_narrow(partner) ? kNone : std::min(next, partner);
+  bool is_large(std::uint32_t face) const {
+    const auto v = whole_.scene.faces.contour(whole_.object.face_begin + face, 0);
+    return squared_length(v[0], v[1]) > large_ || squared_length(v[1], v[2]) > large_ || squared_length(v[2], v[0]) > large_;
   }
 
-  const FaceWalk& walk_;
   const TriangleObject& whole_;
-  /// Per face of the object: the other one if it lies in one plane with exactly one, kNone if with none, else the number of
-  /// faces.
-  std::vector<std::uint32_t> partner_;
-  std::vector<std::atomic<std::uint8_t>> is_free_;  ///< per face: 1 where its facet, named by the lower face, is known to be
+  std::span<const std::uint32_t> joints_;
+  std::vector<std::uint8_t> joints_at_;  ///< per face of the object: number of its joints
+  double large_;                         ///< see large_side()
 };
 
 /// The findings of a part of a free form.
@@ -248,17 +230,15 @@ std::optional<LargeFreeform> find_large_freeform(const TriangleObject& whole, st
   if (whole.face_count() < kFewestFaces || !whole.scene.faces.all_triangles()) return std::nullopt;
   const FaceWalk walk(whole);
   if (!seems_free(walk, joints)) return std::nullopt;
-  FreePairs pairs(walk, joints);
-  const std::vector<std::uint32_t> in_planes =
-      indices_where(joints.size(), [&](std::size_t i) { return !pairs.has(joints[i]); });
+  const std::vector<std::uint32_t> in_planes = PlaneJoints(whole, joints).find();
   if (in_planes.size() > whole.edge_count() / kFlatShare) return std::nullopt;
   LargeFreeform found;
   found.is_freeform.assign(whole.face_count(), 1);
   FaceSet planes(whole);
   {
     FaceSet flat(whole);
-    for (const std::uint32_t i : in_planes) {
-      const Edge& edge = whole.edge(joints[i]);
+    for (const std::uint32_t k : in_planes) {
+      const Edge& edge = whole.edge(k);
       for (const std::uint32_t f : {edge.face0, edge.face1}) flat.add(f - whole.object.face_begin);
     }
     flat.add_rings(walk, kRingsRoundFlat);
