@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +14,6 @@
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "base/uninitialized_vector.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/model/object_sizes.hpp"
 
@@ -27,6 +25,8 @@ constexpr double kEvenPart = 3.0 / 4;    ///< smallest part of the edges between
 constexpr double kEvenLength = 1.0 / 2;  ///< and of their total length; few long edges mean a constructed shape
 constexpr double kBentPart = 1.0 / 8;    ///< largest part of the edges that bend by more than the crease angle
 constexpr double kFlatPart = 1.0 / 4;    ///< largest part that is flat; planes mean a constructed shape
+/// Number of edges from which on some stand for all: they tell each part to a hundredth.
+constexpr std::size_t kMostLengths = 50'000;
 /// Limits of the largest angle of a flat edge. Between them it is that by which roundings of both corners beyond the edge
 /// turn faces as wide as an edge is long. Fine scans bend by less than a degree at most edges, and planes by rounding alone.
 constexpr double kLeastFlatDegrees = 0.1, kMostFlatDegrees = 1;
@@ -73,34 +73,32 @@ double least_flat_cosine(const Scene& scene, const Topology& topology, const Sca
                     sine_cosine_degrees(kLeastFlatDegrees).cosine);
 }
 
-UninitializedVector<double> edge_lengths(const Scene& scene, const Topology& topology, const ScanObject& object) {
-  UninitializedVector<double> lengths(object.edge_end - object.edge_begin);
-  parallel_blocks(object.edge_end - object.edge_begin, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const Edge& edge = topology.edges[object.edge_begin + k];
-      lengths[k] = glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]);
-    }
-  });
+/// The lengths of the edges of an object, or of runs of them, evenly spread. The edges of a grid repeat after a few.
+std::vector<double> edge_lengths(const Scene& scene, const Topology& topology, const ScanObject& object) {
+  constexpr std::size_t kRun = 64;
+  const std::size_t count = object.edge_end - object.edge_begin, step = kRun * (1 + count / kMostLengths);
+  std::vector<double> lengths;
+  lengths.reserve(std::min(count, kMostLengths + kRun));
+  for (std::size_t first = object.edge_begin; first < object.edge_end; first += step) {
+    for (std::size_t e = first; e < std::min<std::size_t>(first + kRun, object.edge_end); ++e)
+      lengths.push_back(glm::distance(scene.vertices[topology.edges[e].v0], scene.vertices[topology.edges[e].v1]));
+  }
   return lengths;
 }
 
-/// The median of lengths: of two in the middle, the greater.
-double median_of(std::span<const double> lengths) {
-  // Such numbers have the order of their bits. The upper ones tell which lengths are near the median.
-  constexpr int kLowBits = 48;
-  const auto bin_of = [](double length) { return std::bit_cast<std::uint64_t>(length) >> kLowBits; };
-  std::vector<std::uint32_t> counts(std::size_t{1} << (64 - kLowBits));
-  for (const double length : lengths) ++counts[bin_of(length)];
-  std::size_t rank = lengths.size() / 2, bin = 0;
-  while (rank >= counts[bin]) rank -= counts[bin++];
-  std::vector<double> near;
-  near.reserve(counts[bin]);
+/// Whether most edges are about as long as the median one, of which two in the middle the longer counts.
+bool are_even(std::vector<double> lengths) {
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  const double median = *middle;
+  double even = 0, even_length = 0, all_length = 0;
   for (const double length : lengths) {
-    if (bin_of(length) == bin) near.push_back(length);
+    all_length += length;
+    if (length < median / 2 || length > 2 * median) continue;
+    ++even;
+    even_length += length;
   }
-  const auto middle = near.begin() + static_cast<std::ptrdiff_t>(rank);
-  std::nth_element(near.begin(), middle, near.end());
-  return *middle;
+  return even >= kEvenPart * static_cast<double>(lengths.size()) && even_length >= kEvenLength * all_length;
 }
 
 }  // namespace
@@ -139,17 +137,7 @@ bool is_scan(const CreaseMesh& mesh, const std::vector<Bend>& bends, const ScanO
   if (edges.spoken > 0 || more_than(edges.defect, kDefectPart)) return false;
   if (more_than(edges.bent, kBentPart) || too_flat()) return false;
   if (!has_triangles_alone(scene, object)) return false;
-  const UninitializedVector<double> all = edge_lengths(scene, topology, object);
-  const std::span lengths(all.data(), object.edge_end - object.edge_begin);
-  const double median = median_of(lengths);
-  double even = 0, even_length = 0, all_length = 0;
-  for (const double length : lengths) {
-    all_length += length;
-    if (length < median / 2 || length > 2 * median) continue;
-    ++even;
-    even_length += length;
-  }
-  return even >= kEvenPart * count && even_length >= kEvenLength * all_length;
+  return are_even(edge_lengths(scene, topology, object));
 }
 
 namespace {
