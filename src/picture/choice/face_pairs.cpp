@@ -18,20 +18,6 @@ void keep_each_once(std::vector<std::uint64_t>& pairs) {
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
-/// Whether two triangles have inner points in common. Both must be positively oriented. They have none only if one
-/// triangle is wholly outside a side of the other.
-bool overlap(const PlacedFacet& a, const PlacedFacet& b) {
-  const auto divided_by_side_of = [](const PlacedFacet& of, const PlacedFacet& other) {
-    for (int k = 0; k < 3; ++k) {
-      const LatticePoint from = of.p[k], to = of.p[(k + 1) % 3];
-      const auto outside = [&](LatticePoint q) { return orientation(from, to, q) <= 0; };
-      if (std::all_of(other.p.begin(), other.p.end(), outside)) return true;
-    }
-    return false;
-  };
-  return !divided_by_side_of(a, b) && !divided_by_side_of(b, a);
-}
-
 /// Tests the pairs of each leaf of the grid, until kMaxTests tests are done.
 class PairSearch {
  public:
@@ -52,7 +38,7 @@ class PairSearch {
         // overlap.
         const bool may_penetrate = list[k].z_near <= facets_[list[i].facet].z_far;
         if (may_penetrate) penetrations_.test(placed_[i], placed_[k], [](const PageSegment&) { return true; });
-        if (overlap(placed_[i], placed_[k])) found_.overlapping.push_back(pair_of(placed_[i].face, placed_[k].face));
+        if (overlap_on_page(placed_[i], placed_[k])) found_.overlapping.push_back(pair_of(placed_[i].face, placed_[k].face));
       }
     }
     penetrations_.forget_repeated();

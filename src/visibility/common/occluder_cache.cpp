@@ -49,7 +49,7 @@ bool OccluderCache::is_hidden(const PageLine& line) {
   return parts_.empty();
 }
 
-bool OccluderCache::hide(const PageLine& line, const CellFacet* list, std::size_t count) {
+bool OccluderCache::hide(const PageLine& line, std::span<const CellFacet> list, const CellSquare& square) {
   if (line.p0 == line.p1) return false;
   patience_ += kFailedTestsPerLine;
   open_.reset(0, 1);
@@ -63,15 +63,17 @@ bool OccluderCache::hide(const PageLine& line, const CellFacet* list, std::size_
   if (in_vain_ > patience_) return false;
   found_.clear();
   const double z_far = std::max(line.z0, line.z1);
-  const CellFacet* entry = list;
-  for (; entry != list + count && entry->z_near <= z_far; ++entry) {
-    if (!take(line, entry->facet)) continue;
+  const CellBox box = square.box(std::min(line.p0.x, line.p1.x), std::max(line.p0.x, line.p1.x),
+                                 std::min(line.p0.y, line.p1.y), std::max(line.p0.y, line.p1.y));
+  auto entry = list.begin();
+  for (; entry != list.end() && entry->z_near <= z_far; ++entry) {
+    if (!entry->box.meets(box) || !take(line, entry->facet)) continue;
     found_.push_back(entry->facet);
     if (!is_hidden(line)) continue;
     for (const std::uint32_t facet : found_) known.remember(facet);
     return true;
   }
-  in_vain_ += static_cast<std::size_t>(entry - list);
+  in_vain_ += static_cast<std::size_t>(entry - list.begin());
   return false;
 }
 

@@ -5,6 +5,7 @@
 /// These few are remembered, by the direction of the line that they hid, and tested first.
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "visibility/common/cell_grid.hpp"
@@ -18,9 +19,9 @@ class OccluderCache {
   OccluderCache(const ProjectedScene& scene, const std::vector<Facet>& facets, double least_steps)
       : scene_(scene), facets_(facets), least_(least_steps) {}
 
-  /// Whether remembered facets, or else facets of the list (ordered by z_near), hide the line, but for parts too short
-  /// to draw. False does not mean that the line is visible: other facets may hide it.
-  bool hide(const PageLine& line, const CellFacet* list, std::size_t count);
+  /// Whether remembered facets, or else facets of the list of a cell (ordered by z_near), hide the line, but for parts too
+  /// short to draw. False does not mean that the line is visible: other facets may hide it.
+  bool hide(const PageLine& line, std::span<const CellFacet> list, const CellSquare& square);
 
  private:
   // Adjustable: facets remembered per range of directions, and the number of ranges.

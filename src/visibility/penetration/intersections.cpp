@@ -29,8 +29,8 @@ bool seen_in(const PageSegment& s, const CellSquare& square, double margin, floa
   return !(s.at((*part)[0]).z > cover && s.at((*part)[1]).z > cover);
 }
 
-// Adjustable: number of facets in a leaf above which pairs are first compared by their planes over the leaf, and above
-// which facets are first sorted out that need no comparison at all.
+// Adjustable: number of facets in a leaf above which segments are compared with what hides them, and above which facets are
+// first sorted out that need no comparison at all.
 constexpr std::uint32_t kFullLeaf = 32, kManyTogether = 128;
 // Adjustable: number of facets in a leaf above which tasks share its pairs, and facets per task.
 constexpr std::size_t kManyItems = 1024, kItemsPerTask = 256;
@@ -99,7 +99,8 @@ class LeafSearch {
       const CellFacet& listed = leaf.list[i];
       const Facet& facet = facets_[listed.facet];
       items_.push_back({own_.found.place(listed.facet), listed.z_near, facet.z_far, listed.box});
-      if (is_full) planes_.emplace_back(FacetFunctions(facet, scene_.vertices.data()), square.x + half, square.y + half);
+      planes_.emplace_back(FacetFunctions(facet, scene_.vertices.data()), items_.back().place, square.x + half,
+                           square.y + half, leaf.reach);
     }
     if (is_full) {
       search_full_leaf(leaf);
@@ -118,15 +119,28 @@ class LeafSearch {
     CellBox box;
   };
 
-  /// A facet's plane over the cell: its depth at the centre, and its slopes.
+  /// A facet's plane over the cell: its depth at the centre, its slopes, and the facet's box about the centre, as far as it
+  /// lies within reach.
   struct Plane {
-    Plane(const FacetFunctions& f, double x, double y) : z(f.depth(x, y)), zx(f.zx), zy(f.zy), tolerance(f.slack) {}
+    Plane(const FacetFunctions& f, const PlacedFacet& facet, double x, double y, double reach)
+        : z(f.depth(x, y)), zx(f.zx), zy(f.zy), tolerance(f.slack) {
+      const auto [x0, x1] = std::minmax({facet.x[0], facet.x[1], facet.x[2]});
+      const auto [y0, y1] = std::minmax({facet.y[0], facet.y[1], facet.y[2]});
+      left = std::max(x0 - x, -reach), right = std::min(x1 - x, reach);
+      top = std::max(y0 - y, -reach), bottom = std::min(y1 - y, reach);
+    }
     double z, zx, zy, tolerance;
+    double left, right, top, bottom;
     std::uint32_t group = 0;  ///< planes of one group coincide over the cell: they touch
 
-    /// Whether the planes neither cross nor touch within `reach` of the centre.
-    bool apart(const Plane& o, double reach) const {
-      return std::abs(z - o.z) > (std::abs(zx - o.zx) + std::abs(zy - o.zy)) * reach + 2 * (tolerance + o.tolerance);
+    /// Whether the planes neither cross nor touch where the boxes meet.
+    bool apart(const Plane& o) const {
+      const double x0 = std::max(left, o.left), x1 = std::min(right, o.right);
+      const double y0 = std::max(top, o.top), y1 = std::min(bottom, o.bottom);
+      if (x0 > x1 || y0 > y1) return true;
+      const double dx = zx - o.zx, dy = zy - o.zy;
+      const double twice = 2 * (z - o.z) + dx * (x0 + x1) + dy * (y0 + y1);
+      return std::abs(twice) > std::abs(dx) * (x1 - x0) + std::abs(dy) * (y1 - y0) + 4 * (tolerance + o.tolerance);
     }
   };
 
@@ -152,7 +166,7 @@ class LeafSearch {
       for (std::size_t k = i + 1; k < items_.size(); ++k) {
         const Item& b = items_[k];
         if (b.z_near > a.z_far) break;  // items are ordered by z_near
-        if (!a.box.meets(b.box) || a.place.face == b.place.face) continue;
+        if (!a.box.meets(b.box) || a.place.face == b.place.face || planes_[i].apart(planes_[k])) continue;
         own_.found.test(a.place, b.place, [&](const PageSegment& s) { return wanted(s, leaf); });
       }
     }
@@ -198,7 +212,7 @@ class LeafSearch {
     const Item &a = items_[i], &b = items_[k];
     if (b.z_near > a.z_far) return false;
     if (!a.box.meets(b.box) || a.place.face == b.place.face) return true;
-    if (planes_[i].apart(planes_[k], leaf.reach) || (many && planes_[i].group == planes_[k].group)) return true;
+    if (planes_[i].apart(planes_[k]) || (many && planes_[i].group == planes_[k].group)) return true;
     // The test for an overlap comes first: the look-up is a cache miss, and where many facets lie side by side, as along
     // a rod, nearly all pairs have no overlap.
     if (!PenetrationSearch::overlap(a.place, b.place)) return true;
@@ -206,7 +220,7 @@ class LeafSearch {
     const auto pair_wanted = [&](const PageSegment& s) {
       if (!wanted(s, leaf)) return false;
       const PageLine line(rounded(s.from), rounded(s.to), a.place.face, b.place.face);
-      return !own.hiders.hide(line, leaf.list, leaf.cell.count);
+      return !own.hiders.hide(line, {leaf.list, leaf.cell.count}, leaf.square);
     };
     if (!own.found.test(a.place, b.place, pair_wanted)) own.fruitless.add(a.place.id, b.place.id);
     return true;
@@ -274,7 +288,7 @@ class LeafSearch {
   double margin_;
   Comparisons own_;
   std::vector<Item> items_;
-  std::vector<Plane> planes_;  ///< planes of the items, in full leaves
+  std::vector<Plane> planes_;  ///< of the items
   std::vector<std::pair<std::array<double, 4>, std::uint32_t>> keys_;
   std::vector<SideUse> side_uses_;
   std::vector<bool> in_pencil_;         ///< per item: whether it belongs to the pencil

@@ -107,9 +107,8 @@ int common_corners(const PlacedFacet& a, const PlacedFacet& b) {
 
 /// Whether all of `b` lies outside a side of `a` or along it: then the projections do not overlap.
 bool apart(const PlacedFacet& a, const PlacedFacet& b) {
-  for (int i = 0; i < 3; ++i) {
-    const LatticePoint s = a.p[i], e = a.p[(i + 1) % 3];
-    if (orientation(s, e, b.p[0]) <= 0 && orientation(s, e, b.p[1]) <= 0 && orientation(s, e, b.p[2]) <= 0) return true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (a.side(i, b, 0) <= 0 && a.side(i, b, 1) <= 0 && a.side(i, b, 2) <= 0) return true;
   }
   return false;
 }
@@ -179,14 +178,25 @@ void CutSides::find() const {
   }
 }
 
+bool overlap_on_page(const PlacedFacet& a, const PlacedFacet& b) { return !apart(a, b) && !apart(b, a); }
+
 PlacedFacet PenetrationSearch::place(std::uint32_t facet) const {
   const Facet& f = (*facets_)[facet];
-  const auto& v = *vertices_;
-  return {facet, f.face, {f.v[0], f.v[1], f.v[2]}, {v[f.v[0]].p, v[f.v[1]].p, v[f.v[2]].p}};
+  PlacedFacet placed{facet, f.face, {f.v[0], f.v[1], f.v[2]}, {}, {}, {}, {}, {}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const LatticePoint p = (*vertices_)[f.v[i]].p;
+    placed.x[i] = p.x, placed.y[i] = p.y;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t k = i == 2 ? 0 : i + 1;
+    placed.ex[i] = placed.y[i] - placed.y[k], placed.ey[i] = placed.x[k] - placed.x[i];
+    placed.e0[i] = -(placed.ex[i] * placed.x[i] + placed.ey[i] * placed.y[i]);
+  }
+  return placed;
 }
 
 bool PenetrationSearch::overlap(const PlacedFacet& a, const PlacedFacet& b) {
-  return common_corners(a, b) <= 1 && !apart(a, b) && !apart(b, a);
+  return overlap_on_page(a, b) && common_corners(a, b) <= 1;
 }
 
 std::optional<PenetrationSearch::Found> PenetrationSearch::segment_of(const PlacedFacet& a, const PlacedFacet& b) {
@@ -223,9 +233,9 @@ void PenetrationSearch::add_side(const PlacedFacet& plane, const PlacedFacet& ot
   const int from = (off + 1) % 3, to = (off + 2) % 3;
   // A side beyond the facet, or one that only touches it, does not count.
   std::array<double, 3> e0{}, e1{};
-  for (int i = 0; i < 3; ++i) {
-    e0[i] = orientation(plane.p[i], plane.p[(i + 1) % 3], other.p[from]);
-    e1[i] = orientation(plane.p[i], plane.p[(i + 1) % 3], other.p[to]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    e0[i] = plane.side(i, other, static_cast<std::size_t>(from));
+    e1[i] = plane.side(i, other, static_cast<std::size_t>(to));
   }
   if (!clip_parameters(e0, e1)) return;
   const std::uint32_t p = other.v[from], q = other.v[to];

@@ -54,12 +54,22 @@ std::optional<std::array<double, 2>> clip_parameters(const std::array<double, N>
 /// The lattice point nearest to a point.
 ProjectedVertex rounded(const PagePoint& p);
 
-/// A facet with its points, gathered once for many tests.
+/// A facet with its corners and sides, gathered once for many tests.
 struct PlacedFacet {
   std::uint32_t id, face;
   std::array<std::uint32_t, 3> v;
-  std::array<LatticePoint, 3> p;
+  std::array<double, 3> x, y;        ///< its corners, lattice points
+  std::array<double, 3> ex, ey, e0;  ///< its sides E_i(x, y) = ex x + ey y + e0, exact at lattice points
+
+  /// E_i at a corner of another facet: orientation() of the side and the corner.
+  double side(std::size_t i, const PlacedFacet& other, std::size_t corner) const {
+    return ex[i] * other.x[corner] + ey[i] * other.y[corner] + e0[i];
+  }
 };
+
+/// Whether the projections have inner points in common. They have none only if one facet lies outside a side of the other or
+/// along it.
+bool overlap_on_page(const PlacedFacet& a, const PlacedFacet& b);
 
 /// The sides at which faces were cut into triangles, each shared by two facets of one face. The first call of has()
 /// finds them, on any thread.
