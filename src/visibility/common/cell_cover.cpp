@@ -12,6 +12,9 @@ namespace {
 
 /// Facets of the largest patch whose planes are kept; of a larger one only the farthest depth is known. Adjustable.
 constexpr std::size_t kMostPlanes = 8;
+/// Distance from a side within which a sample point is covered, as a fraction of the cell: more than rounding, which is
+/// 2^-27 lattice steps.
+constexpr double kSampleRounding = 0x1p-20;
 
 struct ClippedFacet {
   std::array<Point2, 7> corners;
@@ -41,6 +44,30 @@ ClippedFacet clip_to_square(const Facet& f, const ProjectedVertex* vertices, dou
 
 }  // namespace
 
+void CellCover::begin_cell(const CellSquare& square) {
+  square_ = square;
+  members_.clear();
+  uses_.clear();
+  sample_depths_.fill(kNotCovered);
+}
+
+/// Takes a sample point on a side, within rounding, as covered: that no member covers a point must be certain.
+void CellCover::cover_samples(const Member& member) {
+  const FacetFunctions& g = member.functions;
+  const double half = square_.size / 2, x = square_.x + half, y = square_.y + half, reach = half + margin_;
+  std::array<double, kSamples> inside{};
+  for (int i = 0; i < 3; ++i) {
+    const double dx = g.ex[i] * reach, dy = g.ey[i] * reach;
+    const double centre = g.ex[i] * x + g.ey[i] * y + g.e[i] + kSampleRounding * (std::abs(dx) + std::abs(dy));
+    const std::array<double, kSamples> values{centre, centre + dx + dy, centre + dx - dy, centre - dx + dy,
+                                              centre - dx - dy};
+    for (std::size_t k = 0; k < kSamples; ++k) inside[k] = std::min(inside[k], values[k]);
+  }
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    if (inside[k] >= 0) sample_depths_[k] = std::min(sample_depths_[k], member.z_far);
+  }
+}
+
 void CellCover::add(const Facet& f) {
   Member member{FacetFunctions(f, scene_.vertices.data())};
   const FacetFunctions& g = member.functions;
@@ -48,6 +75,7 @@ void CellCover::add(const Facet& f) {
   const Meeting meeting = meet(g, f, square_, margin_, z_near, member.z_far);
   if (meeting == Meeting::apart) return;
   member.z_far += f.depth_tolerance;
+  cover_samples(member);
   const double half = square_.size / 2, x = square_.x + half, y = square_.y + half, reach = half + margin_;
   const auto index = static_cast<std::uint32_t>(members_.size());
   const std::size_t before = uses_.size();
@@ -61,15 +89,6 @@ void CellCover::add(const Facet& f) {
     uses_.push_back({std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), a > b, index});
   }
   if (uses_.size() > before || meeting == Meeting::covers) members_.push_back(member);
-}
-
-std::size_t CellCover::widest_gap(const CellFacet* list, std::size_t n) {
-  std::size_t widest = n / 2;
-  for (std::size_t i = n / 3; i < n - n / 3; ++i) {
-    const auto gap = [&](std::size_t k) { return k == 0 ? 0 : list[k].z_near - list[k - 1].z_near; };
-    if (gap(i) > gap(widest)) widest = i;
-  }
-  return widest;
 }
 
 void CellCover::number_sides() {

@@ -1,7 +1,10 @@
 #pragma once
 /// The cover of a cell: one facet, or a connected patch of facets, that hides everything behind it in the cell.
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -26,21 +29,22 @@ class CellCover {
   /// examined.
   template <class Hides>
   std::optional<float> find(const CellFacet* list, std::size_t n, const CellSquare& square, Hides hides) {
-    square_ = square;
-    members_.clear();
-    uses_.clear();
-    const auto add_from = [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const Facet& f = facets_[list[i].facet];
-        if (hides(f)) add(f);
-      }
+    begin_cell(square);
+    std::size_t end = 0;
+    const auto add_next = [&] {
+      const Facet& f = facets_[list[end++].facet];
+      if (hides(f)) add(f);
     };
-    const std::size_t in_front = widest_gap(list, n);
-    add_from(0, in_front);
-    const std::optional<float> depth = choose_patch();
-    if (depth && *depth < list[in_front].z_near) return depth;
-    add_from(in_front, n);
-    return choose_patch();
+    while (end < n && list[end].z_near <= covered_depth()) add_next();
+    if (covered_depth() == kNotCovered) return std::nullopt;
+    std::optional<float> depth = choose_patch();
+    while (end < n && !(depth && *depth < list[end].z_near)) {
+      // Facets that begin before the patch ends may belong to a nearer one.
+      const std::size_t most = depth ? n : std::min(n, 2 * end);
+      while (end < most && !(depth && *depth < list[end].z_near)) add_next();
+      depth = choose_patch();
+    }
+    return depth;
   }
 
   /// Whether the part of a facet in the cell lies all behind the patch found last.
@@ -66,10 +70,15 @@ class CellCover {
     std::uint32_t number, filled = 0;
   };
 
-  /// Position of the largest gap between depths in the middle third of the list.
-  static std::size_t widest_gap(const CellFacet* list, std::size_t n);
+  /// Points of the cell that any patch covers: its centre and its corners, with the margin.
+  static constexpr std::size_t kSamples = 5;
+  static constexpr double kNotCovered = std::numeric_limits<double>::infinity();
 
+  void begin_cell(const CellSquare& square);
   void add(const Facet& f);
+  void cover_samples(const Member& member);
+  /// Depth within which the members cover all sample points. A patch is hardly nearer.
+  double covered_depth() const { return *std::max_element(sample_depths_.begin(), sample_depths_.end()); }
   std::optional<float> choose_patch();
   void number_sides();
   /// Removes a member, then the members that lose their neighbour across a side, and so on.
@@ -81,6 +90,7 @@ class CellCover {
   const std::vector<Facet>& facets_;
   double margin_;
   CellSquare square_;
+  std::array<double, kSamples> sample_depths_{};  ///< per sample point: the nearest Member::z_far of the members over it
   std::vector<Member> members_;
   std::vector<SideUse> uses_;
   std::vector<Slot> slots_;

@@ -99,8 +99,7 @@ class LeafSearch {
       const CellFacet& listed = leaf.list[i];
       const Facet& facet = facets_[listed.facet];
       items_.push_back({own_.found.place(listed.facet), listed.z_near, facet.z_far, listed.box});
-      planes_.emplace_back(FacetFunctions(facet, scene_.vertices.data()), items_.back().place, square.x + half,
-                           square.y + half, leaf.reach);
+      planes_.emplace_back(items_.back().place, square.x + half, square.y + half, leaf.reach);
     }
     if (is_full) {
       search_full_leaf(leaf);
@@ -122,8 +121,8 @@ class LeafSearch {
   /// A facet's plane over the cell: its depth at the centre, its slopes, and the facet's box about the centre, as far as it
   /// lies within reach.
   struct Plane {
-    Plane(const FacetFunctions& f, const PlacedFacet& facet, double x, double y, double reach)
-        : z(f.depth(x, y)), zx(f.zx), zy(f.zy), tolerance(f.slack) {
+    Plane(const PlacedFacet& facet, double x, double y, double reach)
+        : z(facet.functions.depth(x, y)), zx(facet.functions.zx), zy(facet.functions.zy), tolerance(facet.functions.slack) {
       const auto [x0, x1] = std::minmax({facet.x[0], facet.x[1], facet.x[2]});
       const auto [y0, y1] = std::minmax({facet.y[0], facet.y[1], facet.y[2]});
       left = std::max(x0 - x, -reach), right = std::min(x1 - x, reach);
@@ -166,7 +165,7 @@ class LeafSearch {
       for (std::size_t k = i + 1; k < items_.size(); ++k) {
         const Item& b = items_[k];
         if (b.z_near > a.z_far) break;  // items are ordered by z_near
-        if (!a.box.meets(b.box) || a.place.face == b.place.face || planes_[i].apart(planes_[k])) continue;
+        if (!b.box.meets(a.box) || a.place.face == b.place.face || planes_[i].apart(planes_[k])) continue;
         own_.found.test(a.place, b.place, [&](const PageSegment& s) { return wanted(s, leaf); });
       }
     }
@@ -211,7 +210,7 @@ class LeafSearch {
   bool compare_in_full_leaf(std::uint32_t i, std::uint32_t k, bool many, const Leaf& leaf, Comparisons& own) const {
     const Item &a = items_[i], &b = items_[k];
     if (b.z_near > a.z_far) return false;
-    if (!a.box.meets(b.box) || a.place.face == b.place.face) return true;
+    if (!b.box.meets(a.box) || a.place.face == b.place.face) return true;
     if (planes_[i].apart(planes_[k]) || (many && planes_[i].group == planes_[k].group)) return true;
     // The test for an overlap comes first: the look-up is a cache miss, and where many facets lie side by side, as along
     // a rod, nearly all pairs have no overlap.

@@ -12,17 +12,6 @@ namespace {
 /// Relative rounding error of a height over a plane: a dozen operations on products of a determinant and a depth.
 constexpr double kHeightRounding = 0x1p-49;
 
-struct FacetCorners {
-  std::array<ProjectedVertex, 3> p;
-  double area;
-};
-
-FacetCorners facet_corners(const Facet& f, const std::vector<ProjectedVertex>& vertices) {
-  FacetCorners c{{vertices[f.v[0]], vertices[f.v[1]], vertices[f.v[2]]}, 0};
-  c.area = orientation(c.p[0].p, c.p[1].p, c.p[2].p);
-  return c;
-}
-
 }  // namespace
 
 /// Heights of the other facet's corners over the plane of `plane` (positive: farther from the viewer), times the area
@@ -34,22 +23,20 @@ struct PenetrationSearch::Heights {
   std::array<double, 3> h;
   int above = 0, below = 0, on = 0;
 
-  static Heights over(const FacetCorners& plane, float touch, const FacetCorners& other);
+  static Heights over(const PlacedFacet& plane, const PlacedFacet& other);
 };
 
-PenetrationSearch::Heights PenetrationSearch::Heights::over(const FacetCorners& plane, float touch,
-                                                            const FacetCorners& other) {
+PenetrationSearch::Heights PenetrationSearch::Heights::over(const PlacedFacet& plane, const PlacedFacet& other) {
   Heights r;
-  for (int i = 0; i < 3; ++i) {
-    const LatticePoint q = other.p[i].p;
-    const double w2 = orientation(plane.p[0].p, plane.p[1].p, q);
-    const double w0 = orientation(plane.p[1].p, plane.p[2].p, q);
-    const double w1 = orientation(plane.p[2].p, plane.p[0].p, q);
-    const double a = w0 * plane.p[0].z, b = w1 * plane.p[1].z, c = w2 * plane.p[2].z, z = plane.area * other.p[i].z;
+  const double area = plane.area(), half_touch = 0.5 * plane.functions.slack;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double w2 = plane.side(0, other, i), w0 = plane.side(1, other, i), w1 = plane.side(2, other, i);
+    const double a = w0 * plane.z[0], b = w1 * plane.z[1], c = w2 * plane.z[2], z = area * other.z[i];
     const double h = z - (a + b + c);
-    const double weights = std::abs(w0) + std::abs(w1) + std::abs(w2);  // equal to the area if q lies over the facet
+    const double weights =
+        std::abs(w0) + std::abs(w1) + std::abs(w2);  // equal to the area if the corner lies over the facet
     const double tolerance =
-        0.5 * touch * (weights + plane.area) + kHeightRounding * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(z));
+        half_touch * (weights + area) + kHeightRounding * (std::abs(a) + std::abs(b) + std::abs(c) + std::abs(z));
     if (std::abs(h) <= tolerance) {
       r.h[i] = 0;
       ++r.on;
@@ -63,37 +50,35 @@ PenetrationSearch::Heights PenetrationSearch::Heights::over(const FacetCorners& 
 
 namespace {
 
-/// The two points at which the boundary of `c` passes between "on or above" a plane and "below" it; `heights`: of the
+/// The two points at which the boundary of `f` passes between "on or above" a plane and "below" it; `heights`: of the
 /// corners over the plane.
-std::array<PagePoint, 2> crossings(const FacetCorners& c, const std::array<double, 3>& heights) {
+std::array<PagePoint, 2> crossings(const PlacedFacet& f, const std::array<double, 3>& heights) {
   std::array<PagePoint, 2> points{};
-  int n = 0;
-  for (int i = 0; i < 3 && n < 2; ++i) {
-    const int k = (i + 1) % 3;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < 3 && n < 2; ++i) {
+    const std::size_t k = (i + 1) % 3;
     const double hi = heights[i], hk = heights[k];
     if ((hi >= 0) == (hk >= 0)) continue;
     const double t = hi / (hi - hk);
-    const ProjectedVertex &a = c.p[i], &b = c.p[k];
-    points[n++] = {a.p.x + t * (double(b.p.x) - a.p.x), a.p.y + t * (double(b.p.y) - a.p.y), a.z + t * (b.z - a.z)};
+    points[n++] = {f.x[i] + t * (f.x[k] - f.x[i]), f.y[i] + t * (f.y[k] - f.y[i]), f.z[i] + t * (f.z[k] - f.z[i])};
   }
   return points;
 }
 
 /// The part of the segment that lies over the facet on the page.
-std::optional<PageSegment> clip_to_facet(const PageSegment& s, const FacetCorners& facet) {
+std::optional<PageSegment> clip_to_facet(const PageSegment& s, const PlacedFacet& facet) {
   std::array<double, 3> e0{}, e1{};
-  for (int i = 0; i < 3; ++i) {
-    const LatticePoint a = facet.p[i].p, b = facet.p[(i + 1) % 3].p;
-    const double sx = double(b.x) - a.x, sy = double(b.y) - a.y;
-    e0[i] = sx * (s.from.y - a.y) - sy * (s.from.x - a.x);
-    e1[i] = sx * (s.to.y - a.y) - sy * (s.to.x - a.x);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double ax = facet.x[i], ay = facet.y[i], sx = facet.functions.ey[i], sy = -facet.functions.ex[i];
+    e0[i] = sx * (s.from.y - ay) - sy * (s.from.x - ax);
+    e1[i] = sx * (s.to.y - ay) - sy * (s.to.x - ax);
   }
   const auto part = clip_parameters(e0, e1);
   if (!part) return std::nullopt;
   return PageSegment{s.at((*part)[0]), s.at((*part)[1])};
 }
 
-std::optional<PageSegment> common_segment(const FacetCorners& a, const FacetCorners& b,
+std::optional<PageSegment> common_segment(const PlacedFacet& a, const PlacedFacet& b,
                                           const std::array<double, 3>& b_over_a) {
   const auto ends = crossings(b, b_over_a);
   return clip_to_facet({ends[0], ends[1]}, a);
@@ -182,15 +167,10 @@ bool overlap_on_page(const PlacedFacet& a, const PlacedFacet& b) { return !apart
 
 PlacedFacet PenetrationSearch::place(std::uint32_t facet) const {
   const Facet& f = (*facets_)[facet];
-  PlacedFacet placed{facet, f.face, {f.v[0], f.v[1], f.v[2]}, {}, {}, {}, {}, {}};
+  PlacedFacet placed{facet, f.face, {f.v[0], f.v[1], f.v[2]}, {}, {}, {}, FacetFunctions(f, vertices_->data())};
   for (std::size_t i = 0; i < 3; ++i) {
-    const LatticePoint p = (*vertices_)[f.v[i]].p;
-    placed.x[i] = p.x, placed.y[i] = p.y;
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t k = i == 2 ? 0 : i + 1;
-    placed.ex[i] = placed.y[i] - placed.y[k], placed.ey[i] = placed.x[k] - placed.x[i];
-    placed.e0[i] = -(placed.ex[i] * placed.x[i] + placed.ey[i] * placed.y[i]);
+    const ProjectedVertex& v = (*vertices_)[f.v[i]];
+    placed.x[i] = v.p.x, placed.y[i] = v.p.y, placed.z[i] = v.z;
   }
   return placed;
 }
@@ -200,14 +180,11 @@ bool PenetrationSearch::overlap(const PlacedFacet& a, const PlacedFacet& b) {
 }
 
 std::optional<PenetrationSearch::Found> PenetrationSearch::segment_of(const PlacedFacet& a, const PlacedFacet& b) {
-  const Facet &fa = (*facets_)[a.id], &fb = (*facets_)[b.id];
-  const FacetCorners ca = facet_corners(fa, *vertices_);
-  const FacetCorners cb = facet_corners(fb, *vertices_);
-  const Heights b_over_a = Heights::over(ca, fa.depth_tolerance, cb);
+  const Heights b_over_a = Heights::over(a, b);
   if (b_over_a.on == 3) return std::nullopt;  // coplanar: they touch
   if (b_over_a.on + b_over_a.above == 3 && b_over_a.on < 2) return std::nullopt;
   if (b_over_a.on + b_over_a.below == 3 && b_over_a.on < 2) return std::nullopt;
-  const Heights a_over_b = Heights::over(cb, fb.depth_tolerance, ca);
+  const Heights a_over_b = Heights::over(b, a);
   const bool b_along = b_over_a.on == 2, a_along = a_over_b.on == 2;
   if (b_along && a_along) {
     add_side_on_side(a, a_over_b, b, b_over_a);
@@ -222,7 +199,7 @@ std::optional<PenetrationSearch::Found> PenetrationSearch::segment_of(const Plac
   if (a_over_b.on == 3) return std::nullopt;
   if (a_over_b.above + a_over_b.on == 3 || a_over_b.below + a_over_b.on == 3) return std::nullopt;
   const bool swapped = a.id > b.id;
-  const auto segment = swapped ? common_segment(cb, ca, a_over_b.h) : common_segment(ca, cb, b_over_a.h);
+  const auto segment = swapped ? common_segment(b, a, a_over_b.h) : common_segment(a, b, b_over_a.h);
   if (!segment) return std::nullopt;
   return Found{swapped ? Pair{b.id, a.id} : Pair{a.id, b.id}, *segment};
 }
@@ -319,11 +296,10 @@ std::vector<Intersection> PenetrationSearch::finish(double least_steps) {
   std::vector<Intersection> result(pairs_.size());
   parallel_blocks(pairs_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Facet &fa = (*facets_)[pairs_[i].a], &fb = (*facets_)[pairs_[i].b];
-      const FacetCorners a = facet_corners(fa, *vertices_), b = facet_corners(fb, *vertices_);
-      const auto segment = common_segment(a, b, Heights::over(a, fa.depth_tolerance, b).h);
+      const PlacedFacet a = place(pairs_[i].a), b = place(pairs_[i].b);
+      const auto segment = common_segment(a, b, Heights::over(a, b).h);
       if (!segment) continue;
-      result[i] = {rounded(segment->from), rounded(segment->to), std::min(fa.face, fb.face), std::max(fa.face, fb.face)};
+      result[i] = {rounded(segment->from), rounded(segment->to), std::min(a.face, b.face), std::max(a.face, b.face)};
     }
   });
   // Removes pairs without a segment, or with one seen end on.

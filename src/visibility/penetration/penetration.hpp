@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "base/no_index.hpp"
-#include "visibility/common/facet.hpp"
+#include "visibility/common/facet_functions.hpp"
 
 namespace ligne {
 
@@ -54,17 +54,18 @@ std::optional<std::array<double, 2>> clip_parameters(const std::array<double, N>
 /// The lattice point nearest to a point.
 ProjectedVertex rounded(const PagePoint& p);
 
-/// A facet with its corners and sides, gathered once for many tests.
+/// A facet with its corners and functions, gathered once for many tests.
 struct PlacedFacet {
   std::uint32_t id, face;
   std::array<std::uint32_t, 3> v;
-  std::array<double, 3> x, y;        ///< its corners, lattice points
-  std::array<double, 3> ex, ey, e0;  ///< its sides E_i(x, y) = ex x + ey y + e0, exact at lattice points
+  std::array<double, 3> x, y, z;  ///< its corners: lattice points and depths
+  FacetFunctions functions;
 
   /// E_i at a corner of another facet: orientation() of the side and the corner.
   double side(std::size_t i, const PlacedFacet& other, std::size_t corner) const {
-    return ex[i] * other.x[corner] + ey[i] * other.y[corner] + e0[i];
+    return functions.ex[i] * other.x[corner] + functions.ey[i] * other.y[corner] + functions.e[i];
   }
+  double area() const { return side(0, *this, 2); }
 };
 
 /// Whether the projections have inner points in common. They have none only if one facet lies outside a side of the other or
