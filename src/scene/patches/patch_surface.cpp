@@ -32,23 +32,7 @@ AxisPlace axis_place(const PatchSurface& surface, const Point3& p) {
   return place;
 }
 
-double PatchSurface::distance(const Point3& p) const {
-  if (kind == SurfaceKind::sphere) return glm::length(p - at) - radius;
-  if (profile) return swept_foot(*this, p).distance;
-  // As in axis_place(), without the direction away from the axis.
-  const Point3 way = p - at;
-  const double along = glm::dot(way, axis), from_axis = glm::length(way - along * axis);
-  switch (kind) {
-    case SurfaceKind::cone:
-      return (from_axis - radius - slope * along) / std::sqrt(1 + slope * slope);
-    case SurfaceKind::torus: {
-      const double x = from_axis - radius;
-      return std::sqrt(x * x + along * along) - tube;
-    }
-    default:
-      return from_axis - radius;
-  }
-}
+double PatchSurface::distance_from_profile(const Point3& p) const { return swept_foot(*this, p).distance; }
 
 Point3 PatchSurface::normal(const Point3& p) const {
   return normal_at(*this, p, kind == SurfaceKind::sphere ? AxisPlace{} : axis_place(*this, p));

@@ -3,8 +3,10 @@
 /// profiles.
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -37,7 +39,7 @@ struct PatchSurface {
   std::shared_ptr<const SweptProfile> profile{};  ///< extruded, revolved; null of others
 
   /// Signed distance of a point from the surface, positive on the side to which the normals point.
-  double distance(const Point3& p) const;
+  double distance(const Point3& p) const { return profile ? distance_from_profile(p) : distance_of_kind(p); }
   /// Unit normal of the surface at its point nearest to p.
   Point3 normal(const Point3& p) const;
   /// Point of the surface nearest to p.
@@ -46,6 +48,17 @@ struct PatchSurface {
   double curvature(const Point3& p, const Point3& along) const;
   /// The larger of the absolute values of both principal curvatures near p.
   double largest_curvature(const Point3& p) const;
+
+ private:
+  double distance_from_profile(const Point3& p) const;
+  double distance_of_kind(const Point3& p) const {
+    const Point3 way = p - at;
+    if (kind == SurfaceKind::sphere) return glm::length(way) - radius;
+    // As in axis_place(), without the direction away from the axis.
+    const double along = glm::dot(way, axis), from_axis = glm::length(way - along * axis), x = from_axis - radius;
+    if (kind == SurfaceKind::torus) return std::sqrt(x * x + along * along) - tube;
+    return kind == SurfaceKind::cone ? (x - slope * along) / std::sqrt(1 + slope * slope) : x;
+  }
 };
 
 /// Whether both are cylinders that may stand for adjacent pieces of a bent tube, such as a torus.

@@ -24,7 +24,9 @@ constexpr double kRimBends = 6;
 /// and one beside it, whether the way may lead from one to the other.
 template <class MayCross>
 std::vector<std::uint32_t> SurfaceSearch::reach(std::uint32_t seed, int rings, std::size_t most, MayCross may_cross) {
-  std::vector<std::uint32_t> facets{seed};
+  std::vector<std::uint32_t> facets;
+  facets.reserve(most);
+  facets.push_back(seed);
   ++round_;
   stamp_[seed] = round_;
   std::size_t begin = 0;

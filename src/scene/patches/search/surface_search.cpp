@@ -93,8 +93,9 @@ std::vector<SurfaceSearch::FitSample> SurfaceSearch::strip_samples(std::uint32_t
 
 /// Facets on all sides of a facet: nearby ones, and more of them.
 std::vector<SurfaceSearch::FitSample> SurfaceSearch::round_samples(std::uint32_t seed) {
-  std::vector<FitSample> samples;
-  samples.push_back({around(seed, kRingSteps, kMostRing)});
+  std::vector<FitSample> samples(1);
+  samples.reserve(2);
+  samples.front().facets = around(seed, kRingSteps, kMostRing);
   std::vector<std::uint32_t> wide = around(seed, kWideSteps, kMostWide);
   if (wide.size() > samples.front().facets.size()) samples.push_back({std::move(wide), true});
   return samples;
