@@ -5,8 +5,8 @@
 
 namespace ligne {
 
-/// E_i(x, y) = ex x + ey y + e, and depth z(x, y) = zx x + zy y + z. E_i is exact at lattice points. All other arithmetic is
-/// rounded: for searches, not for decisions.
+/// E_i(x, y) = ex x + ey y + e, and depth z(x, y) = zx x + zy y + z. The arithmetic is rounded: for searches, not for
+/// decisions.
 struct FacetFunctions {
   double ex[3] = {}, ey[3] = {}, e[3] = {};
   double zx = 0, zy = 0, z = 0;

@@ -29,8 +29,8 @@ bool seen_in(const PageSegment& s, const CellSquare& square, double margin, floa
   return !(s.at((*part)[0]).z > cover && s.at((*part)[1]).z > cover);
 }
 
-// Adjustable: number of facets in a leaf above which segments are compared with what hides them, and above which facets are
-// first sorted out that need no comparison at all.
+// Adjustable: number of facets in a leaf above which pairs are first compared by their planes and boxes, and above which
+// facets are first sorted out that need no comparison at all.
 constexpr std::uint32_t kFullLeaf = 32, kManyTogether = 128;
 // Adjustable: number of facets in a leaf above which tasks share its pairs, and facets per task.
 constexpr std::size_t kManyItems = 1024, kItemsPerTask = 256;
@@ -93,13 +93,12 @@ class LeafSearch {
     items_.clear();
     planes_.clear();
     const Leaf leaf{cell, square, grid_.list(cell), square.size / 2 + margin_};
-    const double half = square.size / 2;
     const bool is_full = cell.count > kFullLeaf;
     for (std::uint32_t i = 0; i < cell.count; ++i) {
       const CellFacet& listed = leaf.list[i];
       const Facet& facet = facets_[listed.facet];
       items_.push_back({own_.found.place(listed.facet), listed.z_near, facet.z_far, listed.box});
-      planes_.emplace_back(items_.back().place, square.x + half, square.y + half, leaf.reach);
+      if (is_full) planes_.emplace_back(FacetFunctions(facet, scene_.vertices.data()), items_.back().place, leaf);
     }
     if (is_full) {
       search_full_leaf(leaf);
@@ -118,11 +117,19 @@ class LeafSearch {
     CellBox box;
   };
 
+  struct Leaf {
+    const Cell& cell;
+    const CellSquare& square;
+    const CellFacet* list;
+    double reach;  ///< half the side of the leaf, plus the margin
+  };
+
   /// A facet's plane over the cell: its depth at the centre, its slopes, and the facet's box about the centre, as far as it
   /// lies within reach.
   struct Plane {
-    Plane(const PlacedFacet& facet, double x, double y, double reach)
-        : z(facet.functions.depth(x, y)), zx(facet.functions.zx), zy(facet.functions.zy), tolerance(facet.functions.slack) {
+    Plane(const FacetFunctions& f, const PlacedFacet& facet, const Leaf& leaf) : zx(f.zx), zy(f.zy), tolerance(f.slack) {
+      const double half = leaf.square.size / 2, x = leaf.square.x + half, y = leaf.square.y + half, reach = leaf.reach;
+      z = f.depth(x, y);
       const auto [x0, x1] = std::minmax({facet.x[0], facet.x[1], facet.x[2]});
       const auto [y0, y1] = std::minmax({facet.y[0], facet.y[1], facet.y[2]});
       left = std::max(x0 - x, -reach), right = std::min(x1 - x, reach);
@@ -143,13 +150,6 @@ class LeafSearch {
     }
   };
 
-  struct Leaf {
-    const Cell& cell;
-    const CellSquare& square;
-    const CellFacet* list;
-    double reach;  ///< half the side of the leaf, plus the margin
-  };
-
   bool in_one_plane(const Cell& cell) const {
     if (cell.one_plane || cell.count < kSeveral || cell.count > CommonPlane::kLongList) return cell.one_plane;
     return CommonPlane::of(scene_, facets_, {grid_.list(cell), cell.count}).has_value();
@@ -165,7 +165,7 @@ class LeafSearch {
       for (std::size_t k = i + 1; k < items_.size(); ++k) {
         const Item& b = items_[k];
         if (b.z_near > a.z_far) break;  // items are ordered by z_near
-        if (!b.box.meets(a.box) || a.place.face == b.place.face || planes_[i].apart(planes_[k])) continue;
+        if (!b.box.meets(a.box) || a.place.face == b.place.face) continue;
         own_.found.test(a.place, b.place, [&](const PageSegment& s) { return wanted(s, leaf); });
       }
     }
@@ -287,7 +287,7 @@ class LeafSearch {
   double margin_;
   Comparisons own_;
   std::vector<Item> items_;
-  std::vector<Plane> planes_;  ///< of the items
+  std::vector<Plane> planes_;  ///< planes of the items, in full leaves
   std::vector<std::pair<std::array<double, 4>, std::uint32_t>> keys_;
   std::vector<SideUse> side_uses_;
   std::vector<bool> in_pencil_;         ///< per item: whether it belongs to the pencil

@@ -28,7 +28,7 @@ struct PenetrationSearch::Heights {
 
 PenetrationSearch::Heights PenetrationSearch::Heights::over(const PlacedFacet& plane, const PlacedFacet& other) {
   Heights r;
-  const double area = plane.area(), half_touch = 0.5 * plane.functions.slack;
+  const double area = plane.area(), half_touch = 0.5 * plane.touch;
   for (std::size_t i = 0; i < 3; ++i) {
     const double w2 = plane.side(0, other, i), w0 = plane.side(1, other, i), w1 = plane.side(2, other, i);
     const double a = w0 * plane.z[0], b = w1 * plane.z[1], c = w2 * plane.z[2], z = area * other.z[i];
@@ -69,7 +69,7 @@ std::array<PagePoint, 2> crossings(const PlacedFacet& f, const std::array<double
 std::optional<PageSegment> clip_to_facet(const PageSegment& s, const PlacedFacet& facet) {
   std::array<double, 3> e0{}, e1{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const double ax = facet.x[i], ay = facet.y[i], sx = facet.functions.ey[i], sy = -facet.functions.ex[i];
+    const double ax = facet.x[i], ay = facet.y[i], sx = facet.ey[i], sy = -facet.ex[i];
     e0[i] = sx * (s.from.y - ay) - sy * (s.from.x - ax);
     e1[i] = sx * (s.to.y - ay) - sy * (s.to.x - ax);
   }
@@ -167,10 +167,15 @@ bool overlap_on_page(const PlacedFacet& a, const PlacedFacet& b) { return !apart
 
 PlacedFacet PenetrationSearch::place(std::uint32_t facet) const {
   const Facet& f = (*facets_)[facet];
-  PlacedFacet placed{facet, f.face, {f.v[0], f.v[1], f.v[2]}, {}, {}, {}, FacetFunctions(f, vertices_->data())};
+  PlacedFacet placed{facet, f.face, {f.v[0], f.v[1], f.v[2]}, f.depth_tolerance, {}, {}, {}, {}, {}, {}};
   for (std::size_t i = 0; i < 3; ++i) {
     const ProjectedVertex& v = (*vertices_)[f.v[i]];
     placed.x[i] = v.p.x, placed.y[i] = v.p.y, placed.z[i] = v.z;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t k = i == 2 ? 0 : i + 1;
+    placed.ex[i] = placed.y[i] - placed.y[k], placed.ey[i] = placed.x[k] - placed.x[i];
+    placed.e[i] = -(placed.ex[i] * placed.x[i] + placed.ey[i] * placed.y[i]);
   }
   return placed;
 }

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "base/no_index.hpp"
-#include "visibility/common/facet_functions.hpp"
+#include "visibility/common/facet.hpp"
 
 namespace ligne {
 
@@ -54,16 +54,17 @@ std::optional<std::array<double, 2>> clip_parameters(const std::array<double, N>
 /// The lattice point nearest to a point.
 ProjectedVertex rounded(const PagePoint& p);
 
-/// A facet with its corners and functions, gathered once for many tests.
+/// A facet with its corners and sides, gathered once for many tests.
 struct PlacedFacet {
   std::uint32_t id, face;
   std::array<std::uint32_t, 3> v;
-  std::array<double, 3> x, y, z;  ///< its corners: lattice points and depths
-  FacetFunctions functions;
+  double touch;                     ///< its depth tolerance
+  std::array<double, 3> x, y, z;    ///< its corners: lattice points and depths
+  std::array<double, 3> ex, ey, e;  ///< its sides E_i(x, y) = ex x + ey y + e, exact at lattice points
 
   /// E_i at a corner of another facet: orientation() of the side and the corner.
   double side(std::size_t i, const PlacedFacet& other, std::size_t corner) const {
-    return functions.ex[i] * other.x[corner] + functions.ey[i] * other.y[corner] + functions.e[i];
+    return ex[i] * other.x[corner] + ey[i] * other.y[corner] + e[i];
   }
   double area() const { return side(0, *this, 2); }
 };
