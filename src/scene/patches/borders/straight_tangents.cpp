@@ -32,14 +32,14 @@ class TangentLines {
   TangentLines(const Scene& scene, const Topology& topology, const std::vector<std::uint8_t>& is_line,
                std::vector<PatchEdge>& edges)
       : scene_(scene), topology_(topology), is_line_(is_line), edges_(edges) {
-    for (const std::uint32_t e :
-         indices_where(edges.size(), [&](std::size_t i) { return edges[i] == PatchEdge::tangent; })) {
+    for (const std::uint32_t e : indices_of_marks(edges)) {
+      if (edges[e] != PatchEdge::tangent) continue;
       const Edge& edge = topology.edges[e];
       add(edge.v0, edge.v1);
       add(edge.v1, edge.v0);
     }
     if (next_.empty()) return;
-    for (const std::uint32_t e : indices_where(is_line.size(), [&](std::size_t i) { return is_line[i] != 0; }))
+    for (const std::uint32_t e : indices_of_marks(is_line))
       count_[topology.edges[e].v0] = count_[topology.edges[e].v1] = kBranch;
   }
 
