@@ -61,7 +61,7 @@ class Fader {
       }
       tips = std::move(left);
     }
-    return dropped;
+    return dropped + drop_blunt();
   }
 
  private:
@@ -98,6 +98,15 @@ class Fader {
     }
     for (const std::uint32_t e : inside) bends_[e] = Bend::weak;
     return inside.size();
+  }
+
+  std::size_t drop_blunt() {
+    const std::function<bool(std::uint32_t)> may_go = [this](std::uint32_t e) { return is_between_freeforms(e); };
+    const std::function<bool(std::uint32_t)> is_in_large = [this](std::uint32_t e) {
+      return is_in_large_region(topology_.edges[e]);
+    };
+    return drop_blunt_creases(scene_, topology_, {edges_.rows, ends_, edges_.sizes, may_go, is_in_large, edges_.is_anchor},
+                              bends_);
   }
 
   bool is_flat(std::uint32_t e) const {

@@ -36,8 +36,9 @@ struct FadingEdges {
 /// because it bends by more than a turn of eight facets does, or because on one side of it no parallel edge bends to the
 /// same side by two fifths as much or more, or four times as far away as on the other. It goes if what stays is shorter than
 /// a quarter of its object, or an eighth where it bends by 60 degrees on average. This is repeated at the ends that it
-/// leaves. Edges that go are weak then. Returns their number. Independent of the order of edges: each pass judges the
-/// creases that the last one left.
+/// leaves. At last connected creases go that are no sharper than the form around them (drop_blunt_creases() in
+/// loose_creases.hpp). Edges that go are weak then. Returns their number. Independent of the order of edges: each pass
+/// judges the creases that the last one left.
 std::size_t drop_fading_creases(const Scene& scene, const Topology& topology, const FadingEdges& edges,
                                 std::vector<Bend>& bends);
 

@@ -73,4 +73,22 @@ struct LooseEdges {
 std::size_t drop_loose_creases(const Scene& scene, const Topology& topology, const LooseEdges& edges,
                                std::vector<Bend>& bends);
 
+/// The creases of free forms.
+struct BluntEdges {
+  const EdgeRows& rows;
+  std::span<const BendEnd> ends;                     ///< sorted
+  std::span<const double> sizes;                     ///< per object: diagonal of its box
+  const std::function<bool(std::uint32_t)>& may_go;  ///< by edge: only its faces, of free forms, tell that it is a crease
+  const std::function<bool(std::uint32_t)>& is_in_large;  ///< by such an edge: its free form is large for its borders
+  const std::function<bool(std::uint32_t)>& is_anchor;    ///< by vertex of an end: it lies on a border
+};
+
+/// Takes back connected creases inside large free forms that are no sharper than the form around them: together they bend by
+/// less than a turn of six facets on average, and by less than four times as much as the other edges within two rings of
+/// faces, or five where they fork, by lengths. A coarse mesh bends so wherever its facets happen to be large. Creases of
+/// which one edge may not go stay, and so do rings half as long as their object, and edges across a strip, from border to
+/// border. Edges that go are weak then. Returns their number.
+std::size_t drop_blunt_creases(const Scene& scene, const Topology& topology, const BluntEdges& edges,
+                               std::vector<Bend>& bends);
+
 }  // namespace ligne
