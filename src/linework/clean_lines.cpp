@@ -23,17 +23,21 @@ constexpr double kMaxIsolatedPart = 1.0 / 48;                   ///< also as par
 /// An isolated line that is straight may be so many times as long on scans: a triangle that stands out has one such edge in
 /// sight. Taste.
 constexpr double kScanStraightTimes = 2;
+/// Longest dangle of the outline of a mesh of a free form, and its longest isolated chain, in facets: a fold turns over two
+/// edges or more, so that the mesh tells nothing of shorter ones. No larger in pen widths: taste.
+constexpr double kDangleInFacets = 2, kFormDangleInPens = 36, kIsolatedInFacets = 1;
 constexpr double kRingInPens = 0.25;  ///< a ring no wider than this is drawn as one line
 
 double gap_mm(const CleanOptions& o) { return std::min(o.least_mm, kGapInPens * o.pen_mm); }
 
 /// Applies the rules once, in their order. Calls report(what the rule does, number of its changes) for each.
+/// `has_closed_gaps`: whether a pass came before. Outlines between contours are dangles until their gaps are closed.
 template <class Report>
-void apply_rules(LineMap& map, const CleanOptions& o, const Report& report) {
+void apply_rules(LineMap& map, const CleanOptions& o, bool has_closed_gaps, const Report& report) {
   const double pen_mm = o.pen_mm, ink_mm = kLineReachInPens * pen_mm;
   const GapLimits gaps{gap_mm(o), (o.has_outlines ? kFarInGaps : kWideInGaps) * gap_mm(o), ink_mm};
   const auto isolated = [&](double longest_in_pens, double straight_times) {
-    return IsolatedLimits{longest_in_pens * pen_mm, kMaxIsolatedPart, kRingInPens * pen_mm, straight_times};
+    return IsolatedLimits{longest_in_pens * pen_mm, kMaxIsolatedPart, kRingInPens * pen_mm, straight_times, {}};
   };
   report("gaps bridged", bridge_gaps(map, gaps, o.make_source));
   if (o.scan_of) {
@@ -45,12 +49,25 @@ void apply_rules(LineMap& map, const CleanOptions& o, const Report& report) {
     report("dangles of scans removed", prune_dangles(map, o.scan_of, dangles));
     report("gaps bridged without dangles", bridge_gaps(map, gaps, o.make_source));
   }
+  if (has_closed_gaps && o.form_of) {
+    const DangleLimits dangles{.longest_mm = kFormDangleInPens * pen_mm,
+                               .body_part = kDangleInFacets,
+                               .beside_mm = kMeetingInPens * pen_mm,
+                               .touching_mm = kMeetingInPens * pen_mm,
+                               .factors = o.facet_parts};
+    report("dangles of free forms removed", prune_dangles(map, o.form_of, dangles));
+  }
   report("short runs in the class of their line", merge_short_runs(map, o.least_mm));
   report("short bits removed", remove_short_bits(map, o.least_mm));
   report("short runs in the ink of other lines", remove_overdrawn_runs(map, {o.least_mm, ink_mm, kShownInPens * pen_mm}));
   if (o.scan_of) {
     report("isolated chains of scans removed",
            remove_isolated_chains(map, o.scan_of, isolated(kMaxScanIsolatedInPens, kScanStraightTimes)));
+  }
+  if (has_closed_gaps && o.has_all_features && o.form_of) {
+    IsolatedLimits limits = isolated(kMaxScanIsolatedInPens, 1);
+    limits.body_part = kIsolatedInFacets, limits.factors = o.facet_parts;
+    report("isolated chains of free forms removed", remove_isolated_chains(map, o.form_of, limits));
   }
   if (o.has_all_features) {
     report("isolated chains removed", remove_isolated_chains(map, o.object_of, isolated(kLoneInPens, 1)));
@@ -76,10 +93,10 @@ CleanReport clean_lines(StrokeModel& model, const CleanOptions& options) {
   bool is_clean = false;
   while (!is_clean && report.passes < kMostCleanPasses) {
     ++report.passes;
-    is_clean = true;
+    is_clean = report.passes > 1 || !options.form_of;
     LineMap map(
         model, [](const Stroke& s) { return s.line_class != LineClass::mesh; }, {.reach = reach}, cell);
-    apply_rules(map, options, [&](std::string_view changes, std::size_t count) {
+    apply_rules(map, options, report.passes > 1, [&](std::string_view changes, std::size_t count) {
       auto rule = std::ranges::find(report.rules, changes, &RuleReport::changes);
       if (rule == report.rules.end()) rule = report.rules.insert(rule, {changes});
       rule->count += count;

@@ -124,8 +124,15 @@ void add_lines_of_shape(PreparedScene& prepared, std::vector<ShapeLine> lines, c
   if (!lines.empty()) prepared.shape_lines = add_shape_lines(prepared.projected, std::move(lines));
 }
 
-/// Keeps the scans and surfaces, which the cleaning and writing of lines need. Free forms are dropped.
+/// Keeps the scans, free forms and surfaces, which the cleaning and writing of lines need. The list of free faces is
+/// dropped.
 void keep_surfaces(PreparedScene& prepared, Creases creases) {
+  if (!creases.lines.empty()) {
+    prepared.free_forms = find_free_forms(prepared.scene, prepared.topology, creases.patches.is_freeform);
+    std::erase_if(prepared.free_forms, [&](const FreeForm& form) {  // rules of their own clean the lines of scans
+      return std::ranges::any_of(creases.scans, [&](const ScanObject& s) { return s.edge_begin == form.edge_begin; });
+    });
+  }
   prepared.scans = std::move(creases.scans);
   if (creases.patches.list.empty()) return;
   prepared.circles = patch_circles(prepared.scene, prepared.topology, creases.patches);
@@ -215,6 +222,7 @@ PreparedScene with_scene(PreparedScene prepared, const Scene& scene) {
           std::move(prepared.contours),
           std::move(prepared.shape_lines),
           std::move(prepared.scans),
+          std::move(prepared.free_forms),
           std::move(prepared.patches),
           std::move(prepared.circles),
           std::move(prepared.object_edge_ends),

@@ -13,6 +13,7 @@
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
 #include "scene/creases/find_creases.hpp"
+#include "scene/form/free_forms.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 #include "scene/patches/patch_circles.hpp"
@@ -41,6 +42,7 @@ struct PreparedScene {
   SmoothContours contours{};  ///< replace outlines of the mesh
   ShapeLines shape_lines{};   ///< suggestive contours, ridges, valleys, and tangent lines along fillets
   std::vector<ScanObject> scans{};
+  std::vector<FreeForm> free_forms{};
   Patches patches{};                              ///< analytic surfaces found for clear creases; free forms are emptied
   std::vector<PatchCircle> circles{};             ///< at which surfaces end
   std::vector<std::uint32_t> object_edge_ends{};  ///< per object: one past its last edge in the topology

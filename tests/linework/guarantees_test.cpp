@@ -17,6 +17,8 @@ CleanOptions options_for(std::uint32_t given_sources) {
   options.pen_mm = kPen;
   options.least_mm = 1.5 * kPen;
   options.scan_of = [given_sources](const Stroke& s) { return s.source < given_sources && s.source % 2 == 0 ? 0u : kNone; };
+  options.form_of = [given_sources](const Stroke& s) { return s.source < given_sources && s.source % 2 == 1 ? 0u : kNone; };
+  options.facet_parts = {0.02};
   options.object_of = [given_sources](const Stroke& s) { return s.source < given_sources ? s.source % 3 : kNone; };
   options.is_outline = [](Point2 a, Point2 b, bool) { return glm::length(b - a) < 2 * kPen; };
   options.make_source = no_source;
@@ -148,7 +150,7 @@ TEST(CleanLines, EveryRuleCountsItsChanges) {
     changed += !is_same;
   });
   EXPECT_GT(changed, kScenes / 2);
-  EXPECT_EQ(counts.size(), 10u);
+  EXPECT_EQ(counts.size(), 12u);
   for (const auto& [changes, count] : counts) EXPECT_GT(count, 0u) << changes;
 }
 

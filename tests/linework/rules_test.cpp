@@ -127,6 +127,13 @@ std::size_t drop_wide_spurs_and_flecks(StrokeModel& m) {
   return dropping_spurs(limits)(m) + dropping_flecks({.longest_mm = 2.8, .body_part = 1.0 / 48}, 0.35)(m);
 }
 
+/// Facets are a hundredth of the body long.
+std::size_t drop_spurs_and_flecks_of_facets(StrokeModel& m) {
+  static constexpr std::array kParts{0.01};
+  return dropping_spurs({.longest_mm = 12, .body_part = 2, .touching_mm = 0.2, .factors = kParts})(m) +
+         dropping_flecks({.longest_mm = 12, .body_part = 1, .factors = kParts}, 0.2)(m);
+}
+
 std::size_t merge_runs(StrokeModel& m) {
   return apply_rule(m, 0, [](LineMap& map) { return merge_short_runs(map, 50); });
 }
@@ -163,6 +170,7 @@ const std::map<std::string, RuleOfText> kRules = {
     {"spurs",
      {LineClass::outline, 0.001,
       dropping_spurs({.longest_mm = 4, .body_part = 1.0 / 32, .beside_mm = 1, .beside_times = 4, .touching_mm = 0.2})}},
+    {"spurs-of-facets", {LineClass::outline, 0.001, drop_spurs_and_flecks_of_facets}},
     {"spurs-and-flecks", {LineClass::outline, 0.001, drop_wide_spurs_and_flecks}},
     {"merge", {LineClass::outline, 1, merge_runs}},
     {"smooth", {LineClass::crease, 1, smooth_scan}},

@@ -55,7 +55,7 @@ class DanglePruner {
     if (!std::ranges::all_of(arc.pieces, [&](std::uint32_t p) { return body_[p] == body; })) return false;
     // Keeps an arc that only joins lines: the end that it joined would be joined again.
     if (std::ranges::all_of(arc.pieces, [&](std::uint32_t p) { return map_.piece(p).is_joint; })) return false;
-    const double longest = std::min(limits_.longest_mm / map_.step_mm(), limits_.body_part * extents_[body]);
+    const double longest = longest_of(limits_, body, extents_[body], map_.step_mm());
     if (arc.length > limits_.beside_times * longest) return false;
     const auto [fewer, more] = std::minmax({arcs_.degree(arc.junctions[0]), arcs_.degree(arc.junctions[1])});
     // Such a junction of two arcs was one of three before a dangle was removed, so this arc is now part of a longer

@@ -95,7 +95,7 @@ std::size_t remove_isolated_chains(LineMap& map, const BodyOf& body_of, const Is
     if (!map.is_alive(p)) continue;
     Cluster& cluster = cluster_of(p);
     const std::uint32_t body = is_feature(map.piece(p)) ? bodies[p] : kNone;
-    const double longest = body == kNone ? 0 : std::min(limits.longest_mm / map.step_mm(), limits.body_part * extents[body]);
+    const double longest = body == kNone ? 0 : longest_of(limits, body, extents[body], map.step_mm());
     cluster.longest = std::min(cluster.longest, longest);
     for (const LatticePoint end : {map.piece(p).from, map.piece(p).to}) {
       cluster.box.extend({end.x, end.y});

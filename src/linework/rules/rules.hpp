@@ -3,6 +3,7 @@
 /// smooth_lines() comes before the map. Lengths are millimetres of the page. docs/linework.md lists the rules in their
 /// order, with their parameters.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -43,11 +44,12 @@ struct OutlineGapLimits {
 std::size_t close_outlines(LineMap& map, const OutlineGapLimits& limits, const MakeSource& make_source);
 
 struct DangleLimits {
-  double longest_mm = 0;    ///< longest dangle
-  double body_part = 0;     ///< longest dangle as part of the extent of its body's lines
-  double beside_mm = 0;     ///< an arc within this distance of another line runs beside it
-  double beside_times = 1;  ///< such an arc may be this many times as long as a dangle
-  double touching_mm = 0;   ///< lines meet within this distance
+  double longest_mm = 0;              ///< longest dangle
+  double body_part = 0;               ///< longest dangle as part of the extent of its body's lines
+  double beside_mm = 0;               ///< an arc within this distance of another line runs beside it
+  double beside_times = 1;            ///< such an arc may be this many times as long as a dangle
+  double touching_mm = 0;             ///< lines meet within this distance
+  std::span<const double> factors{};  ///< per body: multiplies body_part; empty: 1
 };
 /// prune_dangles: removes outlines of bodies that branch off an outline and lead nowhere. Where a rough surface is seen
 /// nearly edge on, its outline follows many shallow folds, and each ends freely beside the next. The rule removes arcs
@@ -76,10 +78,11 @@ struct OverdrawLimits {
 std::size_t remove_overdrawn_runs(LineMap& map, const OverdrawLimits& limits);
 
 struct IsolatedLimits {
-  double longest_mm = 0;      ///< diagonal of the bounding box of the largest cluster that is removed
-  double body_part = 0;       ///< the same as part of the extent of the lines of its body
-  double ring_width_mm = 0;   ///< a ring no wider than this is a line there and back
-  double straight_times = 1;  ///< a cluster all of whose points lie on one line may be so many times as large
+  double longest_mm = 0;              ///< diagonal of the bounding box of the largest cluster that is removed
+  double body_part = 0;               ///< the same as part of the extent of the lines of its body
+  double ring_width_mm = 0;           ///< a ring no wider than this is a line there and back
+  double straight_times = 1;          ///< a cluster all of whose points lie on one line may be so many times as large
+  std::span<const double> factors{};  ///< per body: multiplies body_part; empty: 1
 };
 /// remove_isolated_chains: removes short clusters of lines. Lines that share a node or have a contact belong to one
 /// cluster. Clusters with rings stay unless all their points lie on one line.
@@ -99,6 +102,13 @@ std::size_t extend_undershoots(LineMap& map, const UndershootLimits& limits, con
 /// It moves towards the middle of its neighbours and back, several times. Ends, junctions and corners stay. Returns the
 /// number of points moved. O(n).
 std::size_t smooth_lines(StrokeModel& model, const std::function<bool(const Stroke&)>& is_rough);
+
+/// Longest line of a body that a rule with such limits removes, in lattice steps. `extent`: of the lines of the body.
+template <class Limits>
+double longest_of(const Limits& limits, std::uint32_t body, double extent, double step_mm) {
+  const double factor = limits.factors.empty() ? 1 : limits.factors[body];
+  return std::min(limits.longest_mm / step_mm, factor * limits.body_part * extent);
+}
 
 /// The body of each piece; kNone for removed pieces and those that `body_of` ignores. Runs in parallel.
 std::vector<std::uint32_t> bodies_of(const LineMap& map, const BodyOf& body_of);

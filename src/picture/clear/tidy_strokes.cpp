@@ -34,6 +34,13 @@ std::uint32_t scan_of(const std::vector<ScanObject>& scans, const StrokeModel& s
   return static_cast<std::uint32_t>(scan - scans.begin());
 }
 
+/// Returns the number of the free form on whose edge a stroke lies, kNone for strokes of smooth contours and of other lines.
+std::uint32_t form_of(const std::vector<FreeForm>& forms, const Stroke& s) {
+  const auto form = std::ranges::upper_bound(forms, s.source, {}, &FreeForm::edge_end);
+  if (form == forms.end() || s.source < form->edge_begin) return kNone;
+  return static_cast<std::uint32_t>(form - forms.begin());
+}
+
 /// Returns the number of the object of a stroke, or kNone.
 std::uint32_t object_of(const PreparedScene& prepared, const StrokeModel& strokes, const Stroke& s) {
   if (s.source < strokes.edge_count) {
@@ -111,6 +118,10 @@ CleanReport clean_scene_lines(StrokeModel& strokes, const PreparedScene& prepare
   options.has_outlines = drawn.has(LineClass::outline);
   options.has_all_features = (drawn.bits & features.bits) == features.bits;
   if (!prepared.scans.empty()) options.scan_of = [&](const Stroke& s) { return scan_of(prepared.scans, strokes, s); };
+  if (!prepared.free_forms.empty()) {
+    for (const FreeForm& form : prepared.free_forms) options.facet_parts.push_back(form.facet_part);
+    options.form_of = [&](const Stroke& s) { return form_of(prepared.free_forms, s); };
+  }
   options.object_of = [&](const Stroke& s) { return object_of(prepared, strokes, s); };
   LinesBeside outlines(strokes.lattice);
   for (const auto& [from, to] : contours.replaced) outlines.add(from, to);
