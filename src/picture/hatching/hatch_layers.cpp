@@ -27,7 +27,10 @@ std::uint32_t HatchLayers::number(unsigned shade, const std::string& material) {
   for (std::uint32_t i = 0; i < layers_.size(); ++i) {
     if (layers_[i].shade == by_shade && layers_[i].material == by_material) return i;
   }
-  layers_.push_back({"hatch", {}, by_material, by_shade});
+  Layer& layer = layers_.emplace_back();
+  layer.name = "hatch";
+  layer.material = by_material;
+  layer.shade = by_shade;
   return static_cast<std::uint32_t>(layers_.size() - 1);
 }
 
