@@ -134,9 +134,8 @@ class TangentLines {
       const std::vector<std::uint32_t> way = way_on(v, neighbour);
       for (std::size_t n = 3; n <= way.size(); ++n) {
         const std::span part(way.data(), n);
-        if (!is_detour(part)) continue;
         const std::uint32_t past = edge_between(v, part.back());
-        if (past == kNone || !may_pass(past)) continue;
+        if (past == kNone || !may_pass(past) || !is_detour(part)) continue;
         for (std::size_t i = 1; i < n; ++i) edges_[edge_between(part[i - 1], part[i])] = PatchEdge::inside;
         for (const std::uint32_t inner : part.subspan(1, n - 2)) count_[inner] = 0;
         edges_[past] = PatchEdge::tangent;
