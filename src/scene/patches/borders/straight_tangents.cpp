@@ -19,12 +19,12 @@ namespace {
 constexpr double kLeastTurns = 0.1, kMostLeft = 0.5, kMostLeftAtEnd = 0.2;
 /// Largest number of edges of a detour, its largest length by that of the straight way, and its largest turn, in radians (60
 /// degrees): a line that turns more goes round a corner.
-constexpr std::size_t kMostEdges = 4;
-constexpr double kLongest = 1.3, kLargestTurn = 1.05;
+constexpr std::size_t kMostDetourEdges = 4;
+constexpr double kLongestDetour = 1.3, kCornerTurn = 1.05;
 /// Least cosine of the bend at the edge that takes the place of a detour: 31 degrees.
 constexpr double kPastCosine = 0.857;
 
-constexpr std::uint16_t kSpokenFor = kEdgeManyFaces | kEdgeUnlikeWound | kEdgeSharp | kEdgeCrossing | kEdgeFileHidden;
+constexpr std::uint16_t kNoWayPast = kEdgeManyFaces | kEdgeUnlikeWound | kEdgeSharp | kEdgeCrossing | kEdgeFileHidden;
 
 /// Tangent lines as vertices with their neighbours.
 class TangentLines {
@@ -86,7 +86,7 @@ class TangentLines {
 
   bool may_pass(std::uint32_t e) const {
     const Edge& edge = topology_.edges[e];
-    if (edge.face1 == kNone || is_line_[e] || (topology_.edge_flags[e] & kSpokenFor)) return false;
+    if (edge.face1 == kNone || is_line_[e] || (topology_.edge_flags[e] & kNoWayPast)) return false;
     if (edges_[e] == PatchEdge::tangent || edges_[e] == PatchEdge::sharp) return false;
     return glm::dot(face_normal(scene_, edge.face0), face_normal(scene_, edge.face1)) >= kPastCosine;
   }
@@ -94,7 +94,7 @@ class TangentLines {
   /// The vertices of the line from its inner vertex v on, toward one of its neighbours, up to an end or a branch.
   std::vector<std::uint32_t> way_on(std::uint32_t v, std::uint32_t neighbour) const {
     std::vector<std::uint32_t> way{v};
-    for (std::uint32_t on = neighbour; way.size() <= kMostEdges && on != v && on != kNone;) {
+    for (std::uint32_t on = neighbour; way.size() <= kMostDetourEdges && on != v && on != kNone;) {
       way.push_back(on);
       on = behind(on, way[way.size() - 2]);
     }
@@ -112,7 +112,7 @@ class TangentLines {
     const auto add_turn = [&](std::uint32_t u, std::uint32_t v, std::uint32_t w) {
       const double one = turn(u, v, w);
       turns += one;
-      has_corner |= one > kLargestTurn;
+      has_corner |= one > kCornerTurn;
     };
     add_turn(before, a, way[1]);
     for (std::size_t i = 1; i < way.size(); ++i) {
@@ -124,7 +124,7 @@ class TangentLines {
       straight += turn(a, c, after);
     }
     return !has_corner && turns >= kLeastTurns && straight <= (after != kNone ? kMostLeft : kMostLeftAtEnd) * turns &&
-           length <= kLongest * glm::distance(scene_.vertices[a], scene_.vertices[c]);
+           length <= kLongestDetour * glm::distance(scene_.vertices[a], scene_.vertices[c]);
   }
 
   /// Leads the line straight from an inner vertex to one of the next vertices, if it makes a detour between. Returns the
