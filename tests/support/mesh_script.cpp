@@ -286,6 +286,13 @@ class MeshScript {
     if (!finer) return;
     const Patches& patches = creases.patches;
     numbers_["finer-faces"] = static_cast<double>(finer->scene.faces.size());
+    numbers_["scans-in-place"] = static_cast<double>(std::ranges::count_if(creases.scans, [&](const ScanObject& scan) {
+      return std::ranges::any_of(finer->scene.objects, [&](const Object& object) {
+        const EdgeRange range = edges_of(finer->topology, object);
+        return scan.face_begin == object.face_begin && scan.face_end == object.face_end && scan.edge_begin == range.begin &&
+               scan.edge_end == range.end;
+      });
+    }));
     ASSERT_EQ(finer->face_of.size(), finer->scene.faces.size());
     ASSERT_EQ(patches.patch_of.size(), finer->scene.faces.size());
     ASSERT_EQ(creases.lines.size(), finer->topology.edges.size());

@@ -191,6 +191,16 @@ class RefinedSceneBuilder {
   RefinedScene out_;
 };
 
+/// Gives scans the ranges of their objects in the refined scene, which has the same objects.
+void carry_over(std::span<const Object> given, const RefinedScene& refined, std::vector<ScanObject>& scans) {
+  for (ScanObject& scan : scans) {
+    const auto object = std::ranges::find(given, scan.face_begin, &Object::face_begin);
+    const Object& now = refined.scene.objects[static_cast<std::size_t>(object - given.begin())];
+    const EdgeRange edges = edges_of(refined.topology, now);
+    scan = {now.face_begin, now.face_end, edges.begin, edges.end};
+  }
+}
+
 void carry_over(const RefinedScene& refined, Creases& creases) {
   const std::size_t edges = refined.edge_of.size();
   std::vector<std::uint8_t> lines(edges, 0);
@@ -237,6 +247,7 @@ std::optional<RefinedScene> refine_scene(const Scene& scene, const Topology& top
   const SplitTriangles split = split_triangles(scene, topology, patches, planes, levels);
   if (split.points.empty()) return std::nullopt;
   RefinedScene refined = RefinedSceneBuilder(scene, topology, planes, split).build();
+  carry_over(scene.objects, refined, creases.scans);
   carry_over(refined, creases);
   return refined;
 }
