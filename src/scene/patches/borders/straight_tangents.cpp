@@ -84,6 +84,7 @@ class TangentLines {
     return edge ? static_cast<std::uint32_t>(edge - topology_.edges.data()) : kNone;
   }
 
+  /// Whether a tangent line may lie on an edge, which is none yet and no other line.
   bool may_pass(std::uint32_t e) const {
     const Edge& edge = topology_.edges[e];
     if (edge.face1 == kNone || is_line_[e] || (topology_.edge_flags[e] & kNoWayPast)) return false;

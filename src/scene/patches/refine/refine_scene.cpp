@@ -194,7 +194,9 @@ class RefinedSceneBuilder {
 /// Gives scans the ranges of their objects in the refined scene, which has the same objects.
 void carry_over(std::span<const Object> given, const RefinedScene& refined, std::vector<ScanObject>& scans) {
   for (ScanObject& scan : scans) {
-    const auto object = std::ranges::find(given, scan.face_begin, &Object::face_begin);
+    // An object without faces begins where the next one does.
+    const auto object = std::ranges::find_if(
+        given, [&](const Object& o) { return o.face_begin == scan.face_begin && o.face_end == scan.face_end; });
     const Object& now = refined.scene.objects[static_cast<std::size_t>(object - given.begin())];
     const EdgeRange edges = edges_of(refined.topology, now);
     scan = {now.face_begin, now.face_end, edges.begin, edges.end};

@@ -110,7 +110,8 @@ bool SurfaceSearch::was_tried(std::span<const std::uint32_t> facets) {
 }
 
 /// Tries a surface through a sample, and keeps it if its area exceeds that of the best one so far by a factor.
-void SurfaceSearch::consider(SurfaceKind kind, std::uint32_t seed, FitSample& sample, double factor, PatchCandidate& best) {
+void SurfaceSearch::consider_sample(SurfaceKind kind, std::uint32_t seed, FitSample& sample, double factor,
+                                    PatchCandidate& best) {
   // Facets of the best surface so far lead to it again.
   const bool is_known = !best.facets.empty() && best.patch.surface.kind == kind &&
                         std::ranges::all_of(sample.facets, [&](std::uint32_t f) { return best_of_[f] == seed; });
@@ -129,7 +130,7 @@ PatchCandidate SurfaceSearch::best_at(std::uint32_t seed) {
   PatchCandidate best;
   tried_.clear();
   const auto consider = [&](SurfaceKind kind, auto&& sample, double factor) {
-    this->consider(kind, seed, sample, factor, best);
+    consider_sample(kind, seed, sample, factor, best);
   };
   std::vector<std::uint32_t> near = beside(seed);
   if (near.empty()) return best;

@@ -112,7 +112,7 @@ class SurfaceSearch {
   std::vector<FacetFrame> edge_frames(std::span<const std::uint32_t> facets);
   void complete(FitSample& sample);
   bool fit_sample(SurfaceKind kind, FitSample& sample, PatchCandidate& c);
-  void consider(SurfaceKind kind, std::uint32_t seed, FitSample& sample, double factor, PatchCandidate& best);
+  void consider_sample(SurfaceKind kind, std::uint32_t seed, FitSample& sample, double factor, PatchCandidate& best);
   PatchCandidate try_surface(SurfaceKind kind, std::uint32_t seed, FitSample& sample);
   PatchCandidate grow_candidate(PatchCandidate c, std::uint32_t seed, const FitSample& sample);
   std::vector<std::uint32_t> grow(const Patch& patch, std::uint32_t seed, double most_sags = kMostSags,
