@@ -262,7 +262,7 @@ bool SurfaceSearch::goes_on(const PatchCandidate& c) {
   return std::any_of(c.facets.begin(), c.facets.end(), [&](std::uint32_t f) {
     const auto arcs = graph_.arcs_of(f);
     return std::any_of(arcs.begin(), arcs.end(),
-                       [&](const FacetGraph::Arc& arc) { return stamp_[arc.facet] != round_ && may_curve(arc.facet); });
+                       [&](const FacetGraph::Arc& arc) { return stamp_[arc.facet] != round_ && is_left_and_may_curve(arc.facet); });
   });
 }
 

@@ -34,7 +34,7 @@ std::vector<std::uint32_t> SurfaceSearch::reach(std::uint32_t seed, int rings, s
     const std::size_t end = facets.size();
     for (; begin < end; ++begin) {
       for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[begin])) {
-        if (stamp_[arc.facet] == round_ || !may_curve(arc.facet) || facets.size() >= most) continue;
+        if (stamp_[arc.facet] == round_ || facets.size() >= most || !is_left_and_may_curve(arc.facet)) continue;
         if (!may_cross(facets[begin], arc.facet)) continue;
         stamp_[arc.facet] = round_;
         facets.push_back(arc.facet);
@@ -112,7 +112,7 @@ std::vector<std::uint32_t> SurfaceSearch::strip_of(std::uint32_t seed) {
   stamp_[seed] = round_;
   for (std::size_t i = 0; i < facets.size() && facets.size() < kMostStrip; ++i) {
     for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[i])) {
-      if (stamp_[arc.facet] == round_ || !may_curve(arc.facet)) continue;
+      if (stamp_[arc.facet] == round_ || !is_left_and_may_curve(arc.facet)) continue;
       const Edge& edge = topology_.edges[arc.edge];
       if (glm::distance(scene_.vertices[edge.v0], scene_.vertices[edge.v1]) < kRulingPart * longest) continue;
       if (kLikeArea * graph_.area[arc.facet] > graph_.area[seed]) continue;

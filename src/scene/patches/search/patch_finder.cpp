@@ -1,6 +1,7 @@
 #include "scene/patches/search/patch_finder.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <iterator>
@@ -31,7 +32,7 @@ constexpr int kClassBits = 12;
 /// Largest number of facets that all surfaces together grow over, and how many more for each facet of the object. Parts need
 /// at most 200 for each; where rounding hides the bends of a ball of thousands of facets, many surfaces nearly fit.
 constexpr std::size_t kMostGrown = std::size_t{1} << 22, kMostGrownPerFacet = 256;
-/// Largest number of seeds that are tried at once; each takes memory for all facets of the object.
+/// Largest number of seeds that are tried at once.
 constexpr std::size_t kMostTrials = 8;
 
 }  // namespace
@@ -154,12 +155,15 @@ std::vector<PatchFinder::Seed> PatchFinder::every_seed(std::span<const Seed> see
 bool PatchFinder::has_grown_enough() const { return all_grown_ > kMostGrown + kMostGrownPerFacet * graph_.size(); }
 
 /// Makes patches from seeds, and excludes those that are_alike() near a failed one. The smallest seeds are not tried if
-/// those before them let surfaces grow in vain too often. Seeds behind failed ones are tried by several threads at once.
-/// Only those up to the first that finds a surface count, so that the result is the same as one by one.
+/// those before them let surfaces grow in vain too often. Several threads try seeds at once, as if those before them failed.
+/// Only those up to the first that finds a surface count, so that the result is the same as one by one. The others are kept
+/// for their turn, unless that surface takes a facet that mattered to them.
 void PatchFinder::search(std::span<const Seed> seeds, std::vector<Patch>& patches) {
   is_excluded_.assign(graph_.size(), 0);
-  const std::size_t widest = std::min(kMostTrials, thread_count());
-  for (std::size_t from = 0, width = 1; from < seeds.size();) {
+  kept_.clear();
+  const std::size_t threads = thread_count(), widest = threads > 1 ? kMostTrials : 1;
+  const std::size_t first_width = std::min(threads, kMostTrials);
+  for (std::size_t from = 0, width = first_width; from < seeds.size();) {
     std::vector<Trial> trials = next_trials(seeds, from, width);
     if (trials.empty()) return;
     try_all(seeds, trials);
@@ -168,18 +172,20 @@ void PatchFinder::search(std::span<const Seed> seeds, std::vector<Patch>& patche
     for (std::size_t i = 0; i < trials.size(); ++i) {
       if (has_grown_enough()) return;
       const Trial& trial = trials[i];
-      all_grown_ += trial.grown;
-      if (trial.best.facets.empty()) {
+      const PatchCandidate& best = trial.outcome.best;
+      all_grown_ += trial.outcome.grown;
+      if (best.facets.empty()) {
         has_failed_[seeds[trial.number].facet] = 1;
         continue;
       }
       for (std::size_t k = i; k < trials.size(); ++k) {
         for (const std::uint32_t f : trials[k].alike) is_excluded_[f] = 0;
       }
-      for (const std::uint32_t f : trial.best.facets) patch_of_[f] = static_cast<std::uint32_t>(patches.size());
-      patches.push_back(trial.best.patch);
+      for (const std::uint32_t f : best.facets) patch_of_[f] = static_cast<std::uint32_t>(patches.size());
+      patches.push_back(best.patch);
       from = trial.number + 1;
-      width = 1;
+      width = first_width;
+      keep_outcomes(std::span(trials).subspan(i + 1));
       break;
     }
   }
@@ -204,23 +210,53 @@ std::vector<PatchFinder::Trial> PatchFinder::next_trials(std::span<const Seed> s
   return trials;
 }
 
-/// Searches from the seeds that are not known to fail.
-void PatchFinder::try_all(std::span<const Seed> seeds, std::vector<Trial>& trials) {
-  std::vector<Trial*> unknown;
+/// Keeps the outcomes of trials that do not count yet, and of those kept before, where no patch took a facet that mattered.
+void PatchFinder::keep_outcomes(std::span<Trial> trials) {
   for (Trial& trial : trials) {
-    if (!has_failed_[seeds[trial.number].facet]) unknown.push_back(&trial);
+    if (trial.is_done) kept_.push_back(std::move(trial));
   }
-  while (others_.size() + 1 < unknown.size()) others_.emplace_back(scene_, topology_, object_, graph_, patch_of_);
-  const auto work = [&](std::size_t i) {
-    SurfaceSearch& search = i == 0 ? *this : others_[i - 1];
-    const std::uint32_t seed = seeds[unknown[i]->number].facet;
-    unknown[i]->best = tubes_.empty() ? search.best_at(seed) : search.best_tube_at(seed, tubes_);
-    unknown[i]->grown = search.take_grown();
+  std::erase_if(kept_, [&](const Trial& trial) {
+    return std::ranges::any_of(trial.outcome.asked, [&](std::uint32_t f) { return patch_of_[f] != kNone; });
+  });
+}
+
+/// Gives trials the outcomes that are kept for them. Forgets those whose turn is over.
+void PatchFinder::take_outcomes(std::vector<Trial>& trials) {
+  for (Trial& kept : kept_) {
+    const auto trial = std::ranges::find(trials, kept.number, &Trial::number);
+    if (trial == trials.end() || trial->is_done) continue;
+    trial->outcome = std::move(kept.outcome);
+    trial->is_done = true;
+    kept.is_done = false;
+  }
+  const std::size_t first = trials.front().number;
+  std::erase_if(kept_, [&](const Trial& kept) { return !kept.is_done || kept.number < first; });
+}
+
+/// Searches from the seeds that are not known to fail, in their order, up to the first that finds a surface. Some behind it
+/// are tried too, if other threads have nothing else to do.
+void PatchFinder::try_all(std::span<const Seed> seeds, std::vector<Trial>& trials) {
+  for (Trial& trial : trials) trial.is_done = has_failed_[seeds[trial.number].facet] != 0;
+  take_outcomes(trials);
+  std::atomic<std::size_t> next = 0, first_found = trials.size();
+  const auto unknown = static_cast<std::size_t>(std::ranges::count(trials, false, &Trial::is_done));
+  const auto work = [&](std::size_t worker) {
+    SurfaceSearch& search = worker == 0 ? *this : others_[worker - 1];
+    for (std::size_t i = next++; i < trials.size() && i < first_found; i = next++) {
+      Trial& trial = trials[i];
+      if (!trial.is_done) trial.outcome = search.search_from(seeds[trial.number].facet, tubes_);
+      trial.is_done = true;
+      if (trial.outcome.best.facets.empty()) continue;
+      for (std::size_t first = first_found; i < first && !first_found.compare_exchange_weak(first, i);) {
+      }
+    }
   };
-  if (unknown.size() == 1) {
+  const std::size_t workers = std::min(thread_count(), unknown);
+  while (others_.size() + 1 < workers) others_.emplace_back(scene_, topology_, object_, graph_, patch_of_);
+  if (workers <= 1) {
     work(0);
   } else {
-    parallel_tasks_apart(unknown.size(), work);
+    parallel_tasks_apart(workers, work);
   }
 }
 

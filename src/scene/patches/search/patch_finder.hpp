@@ -35,10 +35,10 @@ class PatchFinder : SurfaceSearch {
   };
   /// A seed that is tried together with others, and the facets that it excludes if it fails.
   struct Trial {
-    std::size_t number = 0;            ///< index into the seeds
-    std::vector<std::uint32_t> alike;  ///< facets that are_alike() and were not excluded before
-    PatchCandidate best;               ///< without facets if the seed fails
-    std::size_t grown = 0;             ///< number of facets that surfaces grew over
+    std::size_t number = 0;              ///< index into the seeds
+    std::vector<std::uint32_t> alike{};  ///< facets that are_alike() and were not excluded before
+    bool is_done = false;                ///< whether the outcome is known
+    Outcome outcome{};
   };
 
   using PatchFacets = std::vector<std::vector<std::uint32_t>>;  ///< per patch, its facets
@@ -53,6 +53,8 @@ class PatchFinder : SurfaceSearch {
   void search(std::span<const Seed> seeds, std::vector<Patch>& patches);
   std::vector<Trial> next_trials(std::span<const Seed> seeds, std::size_t from, std::size_t most);
   void try_all(std::span<const Seed> seeds, std::vector<Trial>& trials);
+  void take_outcomes(std::vector<Trial>& trials);
+  void keep_outcomes(std::span<Trial> trials);
   void join_bands(std::vector<Patch>& patches);
   PatchFacets facets_of(const std::vector<Patch>& patches) const;
   bool is_near_rounding(const std::vector<Patch>& patches, std::span<const std::uint32_t> facets);
@@ -81,6 +83,7 @@ class PatchFinder : SurfaceSearch {
   std::vector<std::uint8_t> at_border_;    ///< per facet of a part of an object: whether it is at a border; else empty
   std::vector<std::uint8_t> is_excluded_;  ///< per facet: whether it is no seed of search() any more
   std::deque<SurfaceSearch> others_;       ///< for seeds that are tried at once
+  std::vector<Trial> kept_;                ///< seeds that search() has tried before their turn
   std::size_t all_grown_ = 0;              ///< number of facets that surfaces grew over from seeds that counted
 };
 

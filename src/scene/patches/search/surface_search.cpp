@@ -76,6 +76,7 @@ SurfaceSearch::SurfaceSearch(const Scene& scene, const Topology& topology, const
       taken_by_(taken_by),
       stamp_(graph.size(), 0),
       best_of_(graph.size(), kNone),
+      ask_stamp_(graph.size(), 0),
       look_of_(object.vertex_end - object.vertex_begin),
       is_fetched_(look_of_.size() / kWordBits + 1, 0),
       sag_part_(kSagPart) {}
@@ -124,6 +125,17 @@ void SurfaceSearch::consider_sample(SurfaceKind kind, std::uint32_t seed, FitSam
   for (const std::uint32_t f : best.facets) best_of_[f] = kNone;
   best = std::move(c);
   for (const std::uint32_t f : best.facets) best_of_[f] = seed;
+}
+
+SurfaceSearch::Outcome SurfaceSearch::search_from(std::uint32_t seed, std::span<const double> tubes) {
+  ++ask_round_;
+  asked_.clear();
+  Outcome outcome;
+  outcome.best = tubes.empty() ? best_at(seed) : best_tube_at(seed, tubes);
+  for (const std::uint32_t f : outcome.best.facets) best_of_[f] = kNone;  // a later search from this seed begins anew
+  outcome.asked = asked_;
+  outcome.grown = take_grown();
+  return outcome;
 }
 
 PatchCandidate SurfaceSearch::best_at(std::uint32_t seed) {
@@ -323,7 +335,7 @@ std::vector<std::uint32_t> SurfaceSearch::grow(const Patch& patch, std::uint32_t
   for (std::size_t i = 0; i < facets.size(); ++i) {
     for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[i])) {
       if (stamp_[arc.facet] == round_ || (graph_.is_plane[arc.facet] && !over_planes)) continue;
-      if (taken_by_[arc.facet] != kNone && !over_patches) continue;
+      if (!over_patches && !is_left(arc.facet)) continue;
       const double sags = graph_.vertices[arc.facet].size() <= 4 ? most_sags : kMostSags;
       if (!lies_on(patch, arc.facet, tolerance, kNormalCosine, sags)) continue;
       stamp_[arc.facet] = round_;

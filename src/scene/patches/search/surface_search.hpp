@@ -36,6 +36,15 @@ class SurfaceSearch {
   SurfaceSearch(const Scene& scene, const Topology& topology, const Object& object, const FacetGraph& graph,
                 const std::vector<std::uint32_t>& taken_by);
 
+  /// The result of a search from one facet.
+  struct Outcome {
+    PatchCandidate best;               ///< without facets if there is no surface
+    std::vector<std::uint32_t> asked;  ///< facets without a patch that might have been part of it; no others matter
+    std::size_t grown = 0;             ///< number of facets that surfaces grew over
+  };
+  /// best_at(), or best_tube_at() if `tubes` has radii.
+  Outcome search_from(std::uint32_t seed, std::span<const double> tubes);
+
   /// The surface of the largest area through a facet, from several sets of facets beside it. It has no facets if there is
   /// none.
   PatchCandidate best_at(std::uint32_t seed);
@@ -107,6 +116,13 @@ class SurfaceSearch {
   };
 
   bool may_curve(std::uint32_t f) const { return !graph_.is_plane[f] && !graph_.is_sliver[f] && taken_by_[f] == kNone; }
+  /// Whether a facet has no patch. Remembers that this was asked, since it ends when a patch takes the facet.
+  bool is_left(std::uint32_t f) {
+    if (taken_by_[f] != kNone) return false;
+    if (std::exchange(ask_stamp_[f], ask_round_) != ask_round_) asked_.push_back(f);
+    return true;
+  }
+  bool is_left_and_may_curve(std::uint32_t f) { return !graph_.is_plane[f] && !graph_.is_sliver[f] && is_left(f); }
   double longest_diagonal(std::uint32_t f) const;
   bool was_tried(std::span<const std::uint32_t> facets);
   std::vector<FacetFrame> edge_frames(std::span<const std::uint32_t> facets);
@@ -164,7 +180,9 @@ class SurfaceSearch {
   std::vector<std::uint32_t> stamp_;            ///< per facet: the value of round_ when a search visited it last
   std::vector<std::uint32_t> best_of_;  ///< per facet: a seed, if it lies on the best surface so far of best_at(seed)
   std::vector<std::array<std::uint32_t, 2>> tried_;  ///< pairs of facets to which, with the seed, cylinders were fitted
-  std::uint32_t round_ = 0;
+  std::vector<std::uint32_t> ask_stamp_;  ///< per facet: the value of ask_round_ when is_left() told that it is left
+  std::vector<std::uint32_t> asked_;      ///< facets that is_left() told to be left in the latest round
+  std::uint32_t round_ = 0, ask_round_ = 0;
   std::vector<LookPlace> look_of_;         ///< per vertex of the object
   std::vector<VertexLook> looks_;          ///< of the vertices visited since forget_looks()
   std::uint32_t look_round_ = 0;           ///< number of calls of forget_looks()
