@@ -12,28 +12,29 @@
 namespace ligne {
 
 /// The indices that append(begin, end, found) adds to `found` for the blocks [begin, end) of [0, count), in the order of the
-/// blocks. Several threads call append().
+/// blocks, which have `size` indices each. Several threads call append().
 template <class Append>
-std::vector<std::uint32_t> indices_of_blocks(std::size_t count, const Append& append) {
-  std::vector<std::vector<std::uint32_t>> found(block_count(count, kShortWorkBlock));
-  parallel_blocks(count, kShortWorkBlock,
-                  [&](std::size_t begin, std::size_t end) { append(begin, end, found[begin / kShortWorkBlock]); });
-  std::size_t size = 0;
-  for (const std::vector<std::uint32_t>& block : found) size += block.size();
+std::vector<std::uint32_t> indices_of_blocks(std::size_t count, const Append& append, std::size_t size = kShortWorkBlock) {
+  std::vector<std::vector<std::uint32_t>> found(block_count(count, size));
+  parallel_blocks(count, size, [&](std::size_t begin, std::size_t end) { append(begin, end, found[begin / size]); });
+  std::size_t total = 0;
+  for (const std::vector<std::uint32_t>& block : found) total += block.size();
   std::vector<std::uint32_t> all;
-  all.reserve(size);
+  all.reserve(total);
   for (const std::vector<std::uint32_t>& block : found) all.insert(all.end(), block.begin(), block.end());
   return all;
 }
 
-/// The indices i of [0, count) for which wanted(i) is true, ascending. Several threads call wanted().
+/// The indices i of [0, count) for which wanted(i) is true, ascending. Several threads call wanted(). `size`: see
+/// indices_of_blocks().
 template <class Wanted>
-std::vector<std::uint32_t> indices_where(std::size_t count, const Wanted& wanted) {
-  return indices_of_blocks(count, [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& found) {
+std::vector<std::uint32_t> indices_where(std::size_t count, const Wanted& wanted, std::size_t size = kShortWorkBlock) {
+  const auto append = [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& found) {
     for (std::size_t i = begin; i < end; ++i) {
       if (wanted(i)) found.push_back(static_cast<std::uint32_t>(i));
     }
-  });
+  };
+  return indices_of_blocks(count, append, size);
 }
 
 /// The indices of the elements that have any of the bits `wanted`, ascending. `marks` is an array of small numbers. A word

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
+#include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "scene/creases/edge_sections.hpp"
 #include "scene/creases/loose_creases.hpp"
@@ -88,15 +89,20 @@ class Fader {
   /// Takes back edges inside no rows of parallel ones at which the surface bends on alike. Narrow roundings between planes
   /// do so, too, and are edges of their part: they stay outside large regions, where tubes go.
   std::size_t drop_inside_sections() {
-    std::vector<std::uint32_t> inside;
-    for (const BendEnd& end : ends_) {
-      const std::uint32_t e = end.edge;
-      if (topology_.edges[e].v0 != end.vertex || !free_.is_crease(e) || !is_between_freeforms(e)) continue;
-      if (is_inside_rounding(edges_.rows, e)) continue;
-      const double turn = turn_across(scene_, topology_, e, kReachPart * edges_.sizes[object_of_vertex(scene_, end.vertex)]);
-      if (turn >= kTubeTurn || (turn > 0 && is_in_large_region(topology_.edges[e]))) inside.push_back(e);
-    }
-    for (const std::uint32_t e : inside) bends_[e] = Bend::weak;
+    std::vector<std::uint8_t> is_tube(ends_.size(), 0);  // per end: 1 if its edge turns as that of a tube
+    const auto turns = [&](std::size_t k) {
+      const auto [vertex, e] = ends_[k];
+      if (topology_.edges[e].v0 != vertex || !free_.is_crease(e) || !is_between_freeforms(e)) return false;
+      if (is_inside_rounding(edges_.rows, e)) return false;
+      const double turn = turn_across(scene_, topology_, e, kReachPart * edges_.sizes[object_of_vertex(scene_, vertex)]);
+      is_tube[k] = turn >= kTubeTurn;
+      return turn > 0;
+    };
+    std::vector<std::uint32_t> inside = indices_where(ends_.size(), turns, kSearchBlock);
+    std::erase_if(inside, [&](std::uint32_t k) {
+      return !is_tube[k] && !is_in_large_region(topology_.edges[ends_[k].edge]);
+    });
+    for (const std::uint32_t k : inside) bends_[ends_[k].edge] = Bend::weak;
     return inside.size();
   }
 

@@ -89,10 +89,11 @@ class BluntCreases {
     const std::size_t object = object_of_vertex(scene_, topology_.edges[group.front().edge].v0);
     const auto [fewest, most] = creases_at_vertices(group);
     if (sum.length >= kLongRingPart * edges_.sizes[object] && fewest == 2 && most == 2) return false;
+    if (!std::ranges::all_of(group, edges_.is_in_large, &Crease::edge)) return false;
     double around = 0;
     for (const Crease& crease : group) around += length_of(crease.edge) * around_edge(crease.edge).mean();
     const double times = most > 2 ? kForkedTimes : kBluntTimes;
-    return sum.turn < times * around && std::ranges::all_of(group, edges_.is_in_large, &Crease::edge);
+    return sum.turn < times * around;
   }
 
   bool is_across_strip(std::uint32_t e) const {

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 
 namespace ligne {
@@ -121,13 +122,13 @@ void soften_roundings(const Scene& scene, const Topology& topology, const BendEn
            !(topology.edge_flags[e] & kNotByRows) && is_inside_rounding(at.rows, e);
   };
   const double least = std::cos((crease_degrees + kMoreDegrees) * std::numbers::pi / 180);
-  std::vector<std::uint32_t> soft;
-  for (const BendEnd& end : at.list) {
-    const Edge& edge = topology.edges[end.edge];
-    if (edge.v0 != end.vertex || !may_soften(end.edge)) continue;
-    if (glm::dot(face_normal(scene, edge.face0), face_normal(scene, edge.face1)) >= least) soft.push_back(end.edge);
-  }
-  for (const std::uint32_t e : soft) bends[e] = Bend::weak;
+  const auto is_soft = [&](std::size_t k) {
+    const Edge& edge = topology.edges[at.list[k].edge];
+    return edge.v0 == at.list[k].vertex && may_soften(at.list[k].edge) &&
+           glm::dot(face_normal(scene, edge.face0), face_normal(scene, edge.face1)) >= least;
+  };
+  const std::vector<std::uint32_t> soft = indices_where(at.list.size(), is_soft, kSearchBlock);
+  for (const std::uint32_t k : soft) bends[at.list[k].edge] = Bend::weak;
   soften_loose_ends(topology, at.list, may_soften, bends);
 }
 

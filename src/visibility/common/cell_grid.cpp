@@ -18,6 +18,11 @@ constexpr double kSizeFactor = 1.5;     ///< side of a top-level cell over the m
 constexpr double kCellsPerFacet = 1.0;  ///< largest number of top-level cells per facet
 constexpr double kMinCells = 256;
 constexpr std::size_t kFacetsPerBlock = 65'536;
+/// Facets per band of rows, each of which a task fills. Every task passes all facets.
+constexpr std::size_t kFacetsPerBand = 16'384;
+constexpr std::size_t kMostBands = 4;
+/// Largest number of entries per band that are kept between counting and filling them. Those of more are found again.
+constexpr std::size_t kMostFound = std::size_t{1} << 18;
 
 }  // namespace
 
@@ -25,6 +30,14 @@ constexpr std::size_t kFacetsPerBlock = 65'536;
 struct CellGrid::Filler {
   struct Range {
     std::uint16_t column0, column1, row0, row1;
+  };
+  struct Rows {
+    int begin, end;
+  };
+  /// A facet in the list of a cell, between counting and filling.
+  struct Entry {
+    std::uint32_t cell;
+    CellFacet facet;
   };
 
   const ProjectedScene& scene;
@@ -46,18 +59,20 @@ struct CellGrid::Filler {
   std::size_t facet_number(std::size_t k) const { return wanted.empty() ? k : listed[k]; }
   void find_occluders();
   void fill();
-  /// Divides the rows into bands. One task fills a band and scans all facets, so lists keep the order of the facets.
+  std::size_t band_count() const { return std::clamp<std::size_t>(facets.size() / kFacetsPerBand, 1, kMostBands); }
+  /// Divides the rows into bands: calls work(band, rows). One task fills a band and scans all facets, so lists keep the order
+  /// of the facets.
   template <class Work>
   void for_each_band(Work work) const {
-    const int bands = std::clamp(static_cast<int>(facets.size() / kFacetsPerBlock), 1, 4);
-    parallel_for(static_cast<std::size_t>(bands), [&](std::size_t band) {
+    const int bands = static_cast<int>(band_count());
+    parallel_tasks(band_count(), [&](std::size_t band) {
       const int b = static_cast<int>(band);
-      work(grid.rows_ * b / bands, grid.rows_ * (b + 1) / bands);
+      work(band, Rows{grid.rows_ * b / bands, grid.rows_ * (b + 1) / bands});
     });
   }
-  /// Calls visit(facet, cell, meeting, z_near, z_far) for all cells in rows [row0, row1) that facets meet.
+  /// Calls visit(facet, cell, meeting, z_near, z_far) for all cells in some rows that facets meet. `first`: the first facet.
   template <class Visit>
-  void for_each_meeting(int row0, int row1, bool large_only, Visit visit) const;
+  void for_each_meeting(Rows band, bool large_only, std::size_t first, Visit visit) const;
 };
 
 bool CellGrid::Filler::choose_cells() {
@@ -142,23 +157,23 @@ void CellGrid::Filler::find_ranges() {
     listed = indices_where(facets.size(), [&](std::size_t i) { return is_wanted(range_of(facets[i])); });
   }
   ranges = large_vector<Range>(filed());
-  parallel_blocks(filed(), kFacetsPerBlock, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(filed(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) ranges[k] = range_of(facets[facet_number(k)]);
   });
 }
 
 template <class Visit>
-void CellGrid::Filler::for_each_meeting(int row0, int row1, bool large_only, Visit visit) const {
+void CellGrid::Filler::for_each_meeting(Rows band, bool large_only, std::size_t first, Visit visit) const {
   for (std::size_t k = 0; k < filed(); ++k) {
     const std::size_t i = facet_number(k);
     const Range r = ranges[k];
-    if (r.row1 < row0 || r.row0 >= row1) continue;
+    if (i < first || r.row1 < band.begin || r.row0 >= band.end) continue;
     const int columns = r.column1 - r.column0 + 1, rows = r.row1 - r.row0 + 1;
     if (large_only && (columns < 3 || rows < 3)) continue;
     const Facet& f = facets[i];
-    const int first = std::max<int>(r.row0, row0), last = std::min<int>(r.row1, row1 - 1);
+    const int row0 = std::max<int>(r.row0, band.begin), row1 = std::min<int>(r.row1, band.end - 1);
     if (columns == 1 || rows == 1 || columns * rows <= 4) {
-      for (int row = first; row <= last; ++row) {
+      for (int row = row0; row <= row1; ++row) {
         for (int column = r.column0; column <= r.column1; ++column) {
           const std::size_t cell = static_cast<std::size_t>(row) * grid.columns_ + column;
           if (!wanted.empty() && !wanted[cell]) continue;
@@ -168,7 +183,7 @@ void CellGrid::Filler::for_each_meeting(int row0, int row1, bool large_only, Vis
       continue;
     }
     const FacetFunctions g(f, scene.vertices.data());
-    for (int row = first; row <= last; ++row) {
+    for (int row = row0; row <= row1; ++row) {
       for (int column = r.column0; column <= r.column1; ++column) {
         const std::size_t cell = static_cast<std::size_t>(row) * grid.columns_ + column;
         if (!wanted.empty() && !wanted[cell]) continue;
@@ -181,8 +196,8 @@ void CellGrid::Filler::for_each_meeting(int row0, int row1, bool large_only, Vis
 }
 
 void CellGrid::Filler::find_occluders() {
-  for_each_band([&](int row0, int row1) {
-    for_each_meeting(row0, row1, true, [&](std::size_t i, std::size_t cell, Meeting m, double, double z_far) {
+  for_each_band([&](std::size_t, Rows rows) {
+    for_each_meeting(rows, true, 0, [&](std::size_t i, std::size_t cell, Meeting m, double, double z_far) {
       if (m != Meeting::covers || !hides(facets[i])) return;
       float& cover = grid.cells_[cell].occluder_depth;
       cover = std::min(cover, round_up(z_far + facets[i].depth_tolerance));
@@ -194,9 +209,20 @@ void CellGrid::Filler::fill() {
   const auto kept = [&](std::size_t cell, double z_near) {
     return !options.drop_hidden || !(z_near > grid.cells_[cell].occluder_depth);
   };
-  for_each_band([&](int row0, int row1) {
-    for_each_meeting(row0, row1, false, [&](std::size_t, std::size_t cell, Meeting, double z_near, double) {
-      if (kept(cell, z_near)) ++grid.cells_[cell].count;
+  std::vector<std::vector<Entry>> found(band_count());
+  std::vector<std::size_t> first_left(band_count(), facets.size());  // per band: the first facet not in `found`
+  for_each_band([&](std::size_t band, Rows rows) {
+    std::vector<Entry>& entries = found[band];
+    std::size_t& left = first_left[band];
+    for_each_meeting(rows, false, 0, [&](std::size_t i, std::size_t cell, Meeting, double z_near, double) {
+      if (!kept(cell, z_near)) return;
+      ++grid.cells_[cell].count;
+      if (i >= left) return;
+      if (entries.size() == kMostFound) {
+        left = i;
+      } else {
+        entries.push_back({static_cast<std::uint32_t>(cell), {static_cast<std::uint32_t>(i), round_down(z_near), {}}});
+      }
     });
   });
   std::uint32_t begin = 0;
@@ -207,11 +233,18 @@ void CellGrid::Filler::fill() {
   }
   auto& list = grid.arenas_[0].list;
   list.resize(begin);
-  for_each_band([&](int row0, int row1) {
-    for_each_meeting(row0, row1, false, [&](std::size_t i, std::size_t cell, Meeting, double z_near, double) {
-      if (!kept(cell, z_near)) return;
-      Cell& c = grid.cells_[cell];
-      list[c.begin + c.count++] = {static_cast<std::uint32_t>(i), round_down(z_near), {}};
+  const auto enter = [&](std::size_t cell, const CellFacet& facet) {
+    Cell& c = grid.cells_[cell];
+    list[c.begin + c.count++] = facet;
+  };
+  for_each_band([&](std::size_t band, Rows rows) {
+    const std::size_t left = first_left[band];
+    for (const auto& [cell, facet] : found[band]) {
+      if (facet.facet < left) enter(cell, facet);
+    }
+    if (left == facets.size()) return;
+    for_each_meeting(rows, false, left, [&](std::size_t i, std::size_t cell, Meeting, double z_near, double) {
+      if (kept(cell, z_near)) enter(cell, {static_cast<std::uint32_t>(i), round_down(z_near), {}});
     });
   });
 }
