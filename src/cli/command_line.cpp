@@ -304,28 +304,31 @@ int run(int argc, char** argv) {
   app.require_subcommand(0, 1);
 
   Commands commands;
-  setup_commands(app, commands);
+  setup_commands(app, commands, argc > 1 ? argv[1] : "");
   if (const auto arguments = study_arguments(app, argc, argv)) return run_study_program(*arguments);
   if (!parse_arguments(app, argc, argv)) return kDone;
 
-  commands.draw.run.given = given_options(*app.get_subcommand("draw"));
-  commands.surface.run.given = given_options(*app.get_subcommand("surface"));
-  commands.plot.run.given = given_options(*app.get_subcommand("plot"));
-  if (app.got_subcommand("draw")) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  const std::string name = chosen.empty() ? "" : chosen.front()->get_name();
+  const auto given = [&] { return given_options(*chosen.front()); };
+  if (name == "draw") {
+    commands.draw.run.given = given();
     run_draw(commands.draw);
-  } else if (app.got_subcommand("surface")) {
+  } else if (name == "surface") {
+    commands.surface.run.given = given();
     run_surface(commands.surface);
-  } else if (app.got_subcommand("compile")) {
+  } else if (name == "compile") {
     run_compile(commands.compile);
-  } else if (app.got_subcommand("info")) {
+  } else if (name == "info") {
     run_info(commands.info);
-  } else if (app.got_subcommand("compare")) {
+  } else if (name == "compare") {
     run_compare(commands.compare);
-  } else if (app.got_subcommand("methods")) {
+  } else if (name == "methods") {
     run_methods(commands.methods);
-  } else if (app.got_subcommand("plot")) {
+  } else if (name == "plot") {
+    commands.plot.run.given = given();
     run_plot(commands.plot);
-  } else if (app.got_subcommand("devices")) {
+  } else if (name == "devices") {
     run_devices(commands.devices);
   } else {
     throw UsageError(

@@ -2,8 +2,12 @@
 /// All commands of the program and their options. setup_NAME() adds a command, whose options must outlive the parse;
 /// run_NAME() runs when the command line names it, and throws UsageError, RequestError, InputError, std::runtime_error.
 
+#include <algorithm>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/options/option_groups.hpp"
@@ -168,17 +172,23 @@ struct Commands {
   SurfaceOptions surface;
 };
 
-/// Adds the commands to the program; `commands` must outlive the parse.
-inline void setup_commands(CLI::App& app, Commands& commands) {
-  setup_draw(app, commands.draw);
-  setup_surface(app, commands.surface);
-  setup_plot(app, commands.plot);
-  setup_compile(app, commands.compile);
-  setup_info(app, commands.info);
-  setup_compare(app, commands.compare);
-  setup_methods(app, commands.methods);
-  setup_devices(app, commands.devices);
-  add_study_command(app);
+/// Adds the commands to the program; `commands` must outlive the parse. Only the command of the name `chosen` if there is
+/// one: adding hundreds of options takes milliseconds.
+inline void setup_commands(CLI::App& app, Commands& commands, std::string_view chosen = {}) {
+  const std::pair<std::string_view, std::function<void()>> setups[] = {
+      {"draw", [&] { setup_draw(app, commands.draw); }},
+      {"surface", [&] { setup_surface(app, commands.surface); }},
+      {"plot", [&] { setup_plot(app, commands.plot); }},
+      {"compile", [&] { setup_compile(app, commands.compile); }},
+      {"info", [&] { setup_info(app, commands.info); }},
+      {"compare", [&] { setup_compare(app, commands.compare); }},
+      {"methods", [&] { setup_methods(app, commands.methods); }},
+      {"devices", [&] { setup_devices(app, commands.devices); }},
+      {"study", [&] { add_study_command(app); }}};
+  const bool is_command = std::ranges::any_of(setups, [&](const auto& setup) { return setup.first == chosen; });
+  for (const auto& [name, setup] : setups) {
+    if (!is_command || name == chosen) setup();
+  }
 }
 
 }  // namespace ligne
