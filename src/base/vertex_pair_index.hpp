@@ -28,7 +28,7 @@ class VertexPairIndex {
   VertexPairIndex(std::size_t nodes, std::size_t about, const List& list) : begin_(nodes + 1, 0) {
     // A task owns a range of nodes and lists all items, so the entries of a bucket keep the order of the items for any
     // number of ranges.
-    constexpr std::size_t kThingsPerRange = 200'000, kMostRanges = 4;
+    constexpr std::size_t kThingsPerRange = 50'000, kMostRanges = 4;
     const std::size_t ranges = std::clamp<std::size_t>(about / kThingsPerRange, 1, std::min(kMostRanges, thread_count()));
     const auto for_range = [&](std::size_t r, auto visit) {
       const auto first = static_cast<std::uint32_t>(nodes * r / ranges);

@@ -223,12 +223,12 @@ void make_single_object(Scene& scene) {
   scene.objects.push_back(object);
 }
 
-void finish_scene(Scene& scene, Warnings& warnings) {
+void finish_scene(Scene& scene, Warnings& warnings, std::optional<Weld> known) {
   make_single_object(scene);
   assert(ranges_cover(scene));
   Dropped dropped;
   {
-    const Weld weld = weld_vertices(scene);
+    const Weld weld = known ? *std::move(known) : weld_vertices(scene);
     dropped =
         scene.faces.all_triangles() ? clean_triangles(scene, weld, warnings) : PolygonCleaner(scene, weld, warnings).run();
   }

@@ -1,6 +1,9 @@
 #pragma once
 /// Cleans a scene after reading, so that the invariants of Scene hold.
 
+#include <optional>
+
+#include "scene/clean/weld.hpp"
 #include "scene/model/diagnostics.hpp"
 #include "scene/model/scene.hpp"
 
@@ -21,7 +24,8 @@ void make_single_object(Scene& scene);
 /// - warns of faces that lose area because their contours cross.
 ///
 /// Faces without area but with distinct vertices stay: they hide nothing, but they connect their neighbours.
-void finish_scene(Scene& scene, Warnings& warnings);
+/// `known`: weld_vertices() of the scene if it is known.
+void finish_scene(Scene& scene, Warnings& warnings, std::optional<Weld> known = std::nullopt);
 
 /// Merges adjacent coplanar faces of one object and material into polygons with holes.
 void merge_coplanar_faces(Scene& scene);

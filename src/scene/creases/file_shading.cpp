@@ -4,13 +4,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "base/vertex_pair_index.hpp"
-#include "scene/clean/weld.hpp"
 #include "scene/model/topology.hpp"
 
 namespace ligne {
@@ -70,8 +70,7 @@ class Sides {
 };
 
 /// The sides of all faces, filed by the positions of their ends. Sides with equal ends are left out.
-VertexPairIndex file_sides(const Scene& scene, const Sides& sides) {
-  const Weld weld = weld_vertices(scene);
+VertexPairIndex file_sides(const Scene& scene, const Sides& sides, const Weld& weld) {
   const std::span<const std::uint32_t> corners = scene.faces.corners();
   return VertexPairIndex(scene.vertices.size(), corners.size(), [&](const auto& add) {
     for (std::uint32_t k = 0; k < corners.size(); ++k) {
@@ -85,8 +84,8 @@ class Marker {
  public:
   Marker(Scene& scene, const FileShading& shading) : scene_(scene), shading_(shading), sides_(scene.faces) {}
 
-  void run() {
-    const VertexPairIndex filed = file_sides(scene_, sides_);
+  void run(const Weld& weld) {
+    const VertexPairIndex filed = file_sides(scene_, sides_, weld);
     measure_faces();
     if (scene_.corner_flags.empty()) scene_.corner_flags.resize(scene_.faces.corners().size(), 0);
     // Each side belongs to one pair, so no two tasks mark one corner.
@@ -220,12 +219,14 @@ Point3 unpacked_direction(std::uint32_t packed) {
   return {level(20), level(10), level(0)};
 }
 
-void mark_smooth_edges(Scene& scene, const FileShading& shading) {
+std::optional<Weld> mark_smooth_edges(Scene& scene, const FileShading& shading) {
   const auto has_no_verdict = [](const std::vector<std::uint32_t>& marks) {
     return std::all_of(marks.begin(), marks.end(), [](std::uint32_t one) { return one == 0; });
   };
-  if (has_no_verdict(shading.corner_normals) && has_no_verdict(shading.face_groups)) return;
-  Marker(scene, shading).run();
+  if (has_no_verdict(shading.corner_normals) && has_no_verdict(shading.face_groups)) return std::nullopt;
+  Weld weld = weld_vertices(scene);
+  Marker(scene, shading).run(weld);
+  return weld;
 }
 
 }  // namespace ligne

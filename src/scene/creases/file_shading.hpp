@@ -2,8 +2,10 @@
 /// Smooth and sharp edges as a file declares them: by vertex normals, or by smoothing groups.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "scene/clean/weld.hpp"
 #include "scene/model/scene.hpp"
 
 namespace ligne {
@@ -29,7 +31,8 @@ struct FileShading {
 ///   least one of them is in a group and they have none in common.
 ///
 /// If an object has no sharp edge, its writer may have averaged all normals without regard to its shape. Then only
-/// edges with an angle below kAveragedDegrees are marked as smooth.
-void mark_smooth_edges(Scene& scene, const FileShading& shading);
+/// edges with an angle below kAveragedDegrees are marked as smooth. Returns weld_vertices() of the scene, or nothing if the
+/// file declares nothing.
+std::optional<Weld> mark_smooth_edges(Scene& scene, const FileShading& shading);
 
 }  // namespace ligne

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -62,15 +63,22 @@ void warn_of_far_vertices(const Scene& scene, Warnings& warnings) {
                far.count);
 }
 
-void weld_and_finish(Scene& scene, const ReadOptions& options, CreaseTags tags, const std::string& name, Warnings& warnings,
-                     ReadReport& report) {
+/// What reading has found out about the vertices of a scene.
+struct VertexFacts {
+  CreaseTags tags{};
+  std::optional<Weld> weld{};  ///< weld_vertices() of the scene, if it is known
+};
+
+void weld_and_finish(Scene& scene, const ReadOptions& options, VertexFacts facts, const std::string& name,
+                     Warnings& warnings, ReadReport& report) {
   make_visible(scene, warnings);
+  if (options.weld_distance > 0 || options.subdivision) facts.weld.reset();
   if (options.weld_distance > 0) weld_near_vertices(scene, options.weld_distance);
   if (options.subdivision) {
     const SubdivisionRequest request{*options.subdivision, options.is_subdivided, options.shading};
-    report.subdivision = subdivide(scene, request, std::move(tags), name, warnings);
+    report.subdivision = subdivide(scene, request, std::move(facts.tags), name, warnings);
   }
-  finish_scene(scene, warnings);
+  finish_scene(scene, warnings, std::move(facts.weld));
   warn_of_far_vertices(scene, warnings);
   if (options.merge_coplanar) merge_coplanar_faces(scene);
 }
@@ -146,15 +154,15 @@ Scene read_scene(const ModelBytes& file, ModelFormat format, const ReadOptions& 
   counts = ReadReport{};
   counts.format = format;
   FileShading shading;
-  CreaseTags tags;
+  VertexFacts facts;
   const bool with_shading = options.shading || options.subdivision;
   Scene scene = read_raw(file, format, options, counts, warnings,
-                         {with_shading ? &shading : nullptr, options.subdivision ? &tags : nullptr});
+                         {with_shading ? &shading : nullptr, options.subdivision ? &facts.tags : nullptr});
   if (scene.faces.empty()) throw InputError(name, no_faces(warnings.left_out()));
   check_size(scene, name);
-  if (with_shading) mark_smooth_edges(scene, shading);
+  if (with_shading) facts.weld = mark_smooth_edges(scene, shading);
   const std::size_t faces = scene.faces.size();
-  weld_and_finish(scene, options, std::move(tags), name, warnings, counts);
+  weld_and_finish(scene, options, std::move(facts), name, warnings, counts);
   if (scene.faces.empty()) {
     throw InputError(name, "none of its " + std::to_string(faces) + " faces has an area: they are lines or points");
   }
