@@ -305,13 +305,15 @@ std::vector<Intersection> find_intersections(const ProjectedScene& scene, const 
                                              const CellGrid& grid, double margin_steps) {
   if (nothing_penetrates(scene)) return {};
   if (grid.complete()) return find_crossing_facets(scene, facets).finish(least_steps(scene));
-  constexpr std::size_t kCellsPerTask = 256;
-  const std::size_t n = grid.top_cell_count(), tasks = (n + kCellsPerTask - 1) / kCellsPerTask;
+  // Crowded cells lie beside each other, so that few tasks would be uneven.
+  constexpr std::size_t kFewTasks = 24, kLeastCells = 16, kMostCells = 256;
+  const std::size_t n = grid.top_cell_count(), cells = std::clamp(n / kFewTasks, kLeastCells, kMostCells);
+  const std::size_t tasks = (n + cells - 1) / cells;
   PenetrationSearch all(facets, scene.vertices);
   std::vector<PenetrationSearch> found(tasks, all.empty_copy());
   parallel_for(tasks, [&](std::size_t task) {
     LeafSearch search(scene, facets, grid, margin_steps, all);
-    for (std::size_t i = task * kCellsPerTask; i < std::min(n, (task + 1) * kCellsPerTask); ++i) {
+    for (std::size_t i = task * cells; i < std::min(n, (task + 1) * cells); ++i) {
       grid.for_each_leaf_of(i, [&](const Cell& cell, const CellSquare& square) { search.search(cell, square); });
     }
     found[task] = search.take();
