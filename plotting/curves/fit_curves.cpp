@@ -194,6 +194,7 @@ class CurveFit {
     const bool positive = turn(first + 1) > 0, may_be_uneven = round.is_known || last - first + 1 >= kMany;
     const EllipseFrame frame(ellipse);
     Point2 unit = frame.to_unit(corners_[first]);
+    if (frame.distance(unit) > round.tolerance) return {};
     EllipticArc arc{ellipse, frame.nearest_angle(corners_[first]), 0};
     arc.sweep = angle_of(unit) - arc.from;
     double before = 0;  // size of the last step

@@ -9,7 +9,7 @@ namespace ligne {
 namespace {
 
 /// Number of cells along the page. Adjustable.
-constexpr double kCells = 64;
+constexpr double kCells = 32;
 
 double side_of(const Rect& page) { return std::max(page.width(), page.height()); }
 

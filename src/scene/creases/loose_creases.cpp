@@ -70,10 +70,11 @@ class BluntCreases {
   /// Collects the creases by the groups in which they are connected.
   void collect() {
     DisjointSets sets(edges_.ends.size());
-    for (std::uint32_t k = 0; k < edges_.ends.size(); ++k) {
+    for (std::uint32_t k = 0, first = 0; k < edges_.ends.size(); ++k) {
       const auto [v, e] = edges_.ends[k];
+      if (edges_.ends[first].vertex != v) first = k;
       if (!is_crease(e) || topology_.edges[e].v0 != v) continue;
-      creases_.push_back({first_end(v), e});
+      creases_.push_back({first, e});
       sets.join(creases_.back().group, first_end(topology_.edges[e].v1));
     }
     for (Crease& crease : creases_) crease.group = sets.find(crease.group);

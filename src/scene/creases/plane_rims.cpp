@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 
@@ -19,12 +20,14 @@ constexpr std::ptrdiff_t kMostRimEnds = 64;
 
 void PlaneRims::list_ends() {
   is_listed_ = true;
-  for (std::uint32_t e = 0; e < topology_.edges.size(); ++e) {
-    const Edge& edge = topology_.edges[e];
-    if (patch_edges_[e] != PatchEdge::unknown && patch_edges_[e] != PatchEdge::sharp) continue;
-    if (plane_face(e) == kNone) continue;
-    ends_.push_back({edge.v0, e});
-    ends_.push_back({edge.v1, e});
+  const auto may_be_rim = [&](std::size_t k) {
+    const auto e = static_cast<std::uint32_t>(k);
+    const bool is_open = patch_edges_[e] == PatchEdge::unknown || patch_edges_[e] == PatchEdge::sharp;
+    return is_open && plane_face(e) != kNone;
+  };
+  for (const std::uint32_t e : indices_where(topology_.edges.size(), may_be_rim)) {
+    ends_.push_back({topology_.edges[e].v0, e});
+    ends_.push_back({topology_.edges[e].v1, e});
   }
   parallel_sort(ends_.begin(), ends_.end());
 }

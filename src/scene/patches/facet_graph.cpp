@@ -41,6 +41,9 @@ double span_of(const Scene& scene, std::uint32_t f) {
   return most;
 }
 
+/// Facets or edges of a block of the graph. Most objects have fewer than kShortWorkBlock.
+constexpr std::size_t kFacetBlock = 2048;
+
 /// Whether points lie on two lines, with two or more on each: the rulings of a strip.
 bool lie_on_two_lines(std::span<const Point3> points, double tolerance) {
   const auto is_off = [&](const Point3& a, const Point3& b, const Point3& p) {
@@ -155,9 +158,9 @@ class GraphBuilder {
     graph_.is_plane.resize(count);
     std::vector<std::uint32_t>& begins = graph_.vertices.begin;
     begins.resize(count + 1);
-    std::vector<std::vector<std::uint32_t>> corners(block_count(count, kShortWorkBlock));
-    parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-      std::vector<std::uint32_t>& of_block = corners[begin / kShortWorkBlock];
+    std::vector<std::vector<std::uint32_t>> corners(block_count(count, kFacetBlock));
+    parallel_blocks(count, kFacetBlock, [&](std::size_t begin, std::size_t end) {
+      std::vector<std::uint32_t>& of_block = corners[begin / kFacetBlock];
       of_block.reserve(3 * (end - begin));
       for (std::size_t facet = begin; facet < end; ++facet) {
         const std::size_t before = of_block.size();
@@ -169,7 +172,7 @@ class GraphBuilder {
     for (std::size_t i = 1; i < begins.size(); ++i) begins[i] += begins[i - 1];
     graph_.vertices.values = large_vector<std::uint32_t>(begins.back());
     parallel_for(corners.size(), [&](std::size_t block) {
-      std::ranges::copy(corners[block], graph_.vertices.values.begin() + begins[block * kShortWorkBlock]);
+      std::ranges::copy(corners[block], graph_.vertices.values.begin() + begins[block * kFacetBlock]);
     });
   }
 
@@ -244,7 +247,7 @@ class GraphBuilder {
 
   void add_arcs(std::uint32_t edge_begin, std::uint32_t edge_end) {
     std::vector<Joint> joints(edge_end - edge_begin);
-    parallel_blocks(joints.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(joints.size(), kFacetBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) joints[k] = joint_at(static_cast<std::uint32_t>(edge_begin + k));
     });
     std::vector<std::uint32_t>& begins = graph_.arc_begin;
