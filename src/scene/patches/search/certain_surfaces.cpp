@@ -255,6 +255,28 @@ bool SurfaceSearch::is_tangent(const PatchCandidate& c, std::size_t rows) {
   return tangent * static_cast<double>(rows) >= kSidesToInner * inner;
 }
 
+/// Whether a facet beside others may lie on their surface, or go on in its direction at the edge between them. If none does,
+/// two facets are no surface, whatever their fit.
+bool SurfaceSearch::may_go_on(const PatchSurface& surface, std::span<const std::uint32_t> facets, double tolerance) const {
+  constexpr double kLooseTangent = 0.3;  // twice that of is_tangent(), and chords in place of angles
+  const FacetFrame& first = graph_.frames[facets.front()];
+  const double side = glm::dot(surface.normal(first.middle), first.normal) < 0 ? -1 : 1;
+  const auto square = [](const Point3& p) { return glm::dot(p, p); };
+  const auto is_on = [&](std::uint32_t v) { return std::abs(surface.distance(scene_.vertices[v])) <= tolerance; };
+  for (const std::uint32_t f : facets) {
+    const Point3& here = graph_.frames[f].normal;
+    for (const FacetGraph::Arc& arc : graph_.arcs_of(f)) {
+      if (std::ranges::find(facets, arc.facet) != facets.end()) continue;
+      const Edge& edge = topology_.edges[arc.edge];
+      const Point3 normal = side * surface.normal((scene_.vertices[edge.v0] + scene_.vertices[edge.v1]) * 0.5);
+      const Point3& there = graph_.frames[arc.facet].normal;
+      if (square(normal - there) <= kLooseTangent * kLooseTangent * square(here - there)) return true;
+      if (std::ranges::all_of(graph_.vertices[arc.facet], is_on)) return true;
+    }
+  }
+  return false;
+}
+
 /// Whether facets that may be curved lie beside the facets of a candidate.
 bool SurfaceSearch::goes_on(const PatchCandidate& c) {
   ++round_;

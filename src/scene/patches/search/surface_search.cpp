@@ -19,6 +19,9 @@ constexpr double kSagPart = 0.03, kExactSagPart = 0.002;
 /// are rejected. Cylinders that may turn into cones, and those of irregular triangles, may be farther away. So may tori:
 /// the normals of coarse triangles between two circles tell little of the axis.
 constexpr double kWildGuess = 1.5, kWildCylinder = 3, kWildTorus = 6;
+/// Largest distance of the corners of a facet that may join two others from the starting values of their cylinder, by the
+/// distance of their own corners, or by the tolerance if that is more: two facets have hardly more corners than determine it.
+constexpr double kWideGuess = 6;
 /// Least number of corners of a sample for a cone that the normals do not tell: twice that of its parameters.
 constexpr std::size_t kFewestConePoints = 2 * parameter_count(SurfaceKind::cone);
 /// Arcs from a seed to the facets of the larger sample around it, and largest number of these facets.
@@ -202,17 +205,17 @@ bool SurfaceSearch::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandida
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   // Largest distance of a corner beyond the precision, in sags
   const double wildest = wildest_guess(kind);
-  double loosest_sag = 0;  // set by wildness(): refine() hardly leads to a larger one
+  double farthest = 0, loosest_sag = 0;  // set by wildness(): refine() hardly leads to a larger sag
   const auto wildness = [&] {
     const double sag = sag_of(surface, sample.facets), wild = wildest * sag + tolerance_for(kind, 0);
-    double most = 0;
+    farthest = 0;
     for (const Point3& p : sample.shape.points) {
       const double distance = std::abs(surface.distance(p));
       if (!(distance <= wild)) return kInfinity;
-      most = std::max(most, distance);
+      farthest = std::max(farthest, distance);
     }
-    loosest_sag = sag + most;
-    const double beyond = most - tolerance_for(kind, 0);
+    loosest_sag = sag + farthest;
+    const double beyond = farthest - tolerance_for(kind, 0);
     return beyond > 0 ? beyond / sag : 0;
   };
   const bool leads_to_cone = sample.shape.points.size() >= kFewestConePoints;
@@ -225,7 +228,12 @@ bool SurfaceSearch::fit_sample(SurfaceKind kind, FitSample& sample, PatchCandida
     return c.residual <= tolerance_for(kind, c.patch.sag);
   };
   const double guess_wildness = guess_surface(kind, sample.shape, surface) ? wildness() : kInfinity;
-  if (guess_wildness <= wildest) {
+  // Two facets always lie on a cylinder.
+  const auto may_grow = [&] {
+    const double wide = kWideGuess * std::max(farthest, tolerance_for(kind, loosest_sag));
+    return sample.facets.size() > 2 || may_go_on(surface, sample.facets, wide);
+  };
+  if (guess_wildness <= wildest && may_grow()) {
     const bool lies_on_it = refine();
     if (kind == SurfaceKind::cylinder && c.residual <= kWildCylinder * c.patch.sag) sample.cylinder = surface;
     const bool is_doubtful = guess_wildness > kWildGuess || sample.by_edges;

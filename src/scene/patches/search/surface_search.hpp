@@ -135,6 +135,7 @@ class SurfaceSearch {
                                   bool over_patches = false);
   bool lies_on_quadric(FitSample& sample);
   bool may_lie_on(PatchCandidate& c);
+  bool may_go_on(const PatchSurface& surface, std::span<const std::uint32_t> facets, double tolerance) const;
   bool is_mostly_near(const PatchCandidate& c) const;
   bool is_same(std::span<const std::uint32_t> grown, std::span<const std::uint32_t> sample) const;
   template <class MayCross>
