@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 
 #include "scene/patches/search/surface_search.hpp"
@@ -40,6 +41,7 @@ std::vector<std::uint32_t> SurfaceSearch::reach(std::uint32_t seed, int rings, s
         facets.push_back(arc.facet);
       }
     }
+    if (ring < kRingSteps) near_count_ = facets.size();
   }
   return facets;
 }
@@ -48,24 +50,29 @@ std::vector<std::uint32_t> SurfaceSearch::around(std::uint32_t seed, int rings, 
   return reach(seed, rings, most, [](std::uint32_t, std::uint32_t) { return true; });
 }
 
-/// The facets of around() that are reached without crossing an edge that bends far more than most near the seed. Empty if
-/// there are no such edges. Long triangles between two rims touch both, so that around() goes over these.
-std::vector<std::uint32_t> SurfaceSearch::within_rims(std::uint32_t seed, int rings, std::size_t most) {
-  const auto bend = [&](std::uint32_t f, std::uint32_t g) {
-    return std::acos(std::clamp(glm::dot(graph_.frames[f].normal, graph_.frames[g].normal), -1.0, 1.0));
+/// The facets of around() that are reached from the first of them without crossing an edge that bends far more than most
+/// near it. Empty if there are no such edges. `near`: the facets of around(). Long triangles between two rims touch both, so
+/// that around() goes over these.
+std::vector<std::uint32_t> SurfaceSearch::within_rims(std::span<const std::uint32_t> near, int rings, std::size_t most) {
+  const auto cosine = [&](std::uint32_t f, std::uint32_t g) {
+    return std::clamp(glm::dot(graph_.frames[f].normal, graph_.frames[g].normal), -1.0, 1.0);
   };
+  ++round_;
+  for (const std::uint32_t f : near) stamp_[f] = round_;
   numbers_.clear();
-  for (const std::uint32_t f : around(seed, rings, most)) {
+  for (const std::uint32_t f : near) {
     for (const FacetGraph::Arc& arc : graph_.arcs_of(f)) {
-      if (arc.facet > f && stamp_[arc.facet] == round_) numbers_.push_back(bend(f, arc.facet));
+      if (arc.facet > f && stamp_[arc.facet] == round_) numbers_.push_back(cosine(f, arc.facet));
     }
   }
   if (numbers_.empty()) return {};
+  // The larger the cosine, the smaller the bend.
   const auto median = numbers_.begin() + static_cast<std::ptrdiff_t>(numbers_.size() / 2);
-  std::nth_element(numbers_.begin(), median, numbers_.end());
-  const double largest = kRimBends * *median;
-  if (std::ranges::max(numbers_) <= largest) return {};
-  return reach(seed, rings, most, [&](std::uint32_t f, std::uint32_t g) { return bend(f, g) <= largest; });
+  std::nth_element(numbers_.begin(), median, numbers_.end(), std::greater<>{});
+  const double largest = kRimBends * std::acos(*median);
+  if (std::acos(std::ranges::min(numbers_)) <= largest) return {};
+  return reach(near.front(), rings, most,
+               [&](std::uint32_t f, std::uint32_t g) { return std::acos(cosine(f, g)) <= largest; });
 }
 
 /// Up to seven neighbours of a facet that may be curved.

@@ -97,11 +97,13 @@ std::vector<SurfaceSearch::FitSample> SurfaceSearch::strip_samples(std::uint32_t
 
 /// Facets on all sides of a facet: nearby ones, and more of them.
 std::vector<SurfaceSearch::FitSample> SurfaceSearch::round_samples(std::uint32_t seed) {
+  static_assert(kMostRing <= kMostWide && kRingSteps <= kWideSteps);
   std::vector<FitSample> samples(1);
   samples.reserve(2);
-  samples.front().facets = around(seed, kRingSteps, kMostRing);
   std::vector<std::uint32_t> wide = around(seed, kWideSteps, kMostWide);
-  if (wide.size() > samples.front().facets.size()) samples.push_back({std::move(wide), true});
+  const std::size_t count = std::min(near_count_, kMostRing);  // those of around() with fewer steps come first
+  samples.front().facets.assign(wide.begin(), wide.begin() + static_cast<std::ptrdiff_t>(count));
+  if (wide.size() > count) samples.push_back({std::move(wide), true});
   return samples;
 }
 
@@ -181,7 +183,7 @@ PatchCandidate SurfaceSearch::best_at(std::uint32_t seed) {
   for (FitSample& sample : round) consider(SurfaceKind::cone, sample, kSimilarArea);
   if (is_settled()) return best;
   FitSample within;
-  if (best.facets.empty()) within = {within_rims(seed, kWideSteps, kMostWide), true};
+  if (best.facets.empty()) within = {within_rims(round.back().facets, kWideSteps, kMostWide), true};
   const bool has_rims = within.facets.size() >= kFewestStrip;
   if (has_rims) consider(SurfaceKind::cylinder, within, kSimilarArea);
   if (has_rims && best.facets.empty()) consider(SurfaceKind::cone, within, kSimilarArea);
