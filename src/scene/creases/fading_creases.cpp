@@ -99,9 +99,8 @@ class Fader {
       return turn > 0;
     };
     std::vector<std::uint32_t> inside = indices_where(ends_.size(), turns, kSearchBlock);
-    std::erase_if(inside, [&](std::uint32_t k) {
-      return !is_tube[k] && !is_in_large_region(topology_.edges[ends_[k].edge]);
-    });
+    std::erase_if(inside,
+                  [&](std::uint32_t k) { return !is_tube[k] && !is_in_large_region(topology_.edges[ends_[k].edge]); });
     for (const std::uint32_t k : inside) bends_[ends_[k].edge] = Bend::weak;
     return inside.size();
   }

@@ -63,7 +63,7 @@ void warn_of_far_vertices(const Scene& scene, Warnings& warnings) {
                far.count);
 }
 
-/// What reading has found out about the vertices of a scene.
+/// Facts about the vertices of a scene that reading has found out.
 struct VertexFacts {
   CreaseTags tags{};
   std::optional<Weld> weld{};  ///< weld_vertices() of the scene, if it is known

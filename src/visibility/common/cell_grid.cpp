@@ -60,8 +60,8 @@ struct CellGrid::Filler {
   void find_occluders();
   void fill();
   std::size_t band_count() const { return std::clamp<std::size_t>(facets.size() / kFacetsPerBand, 1, kMostBands); }
-  /// Divides the rows into bands: calls work(band, rows). One task fills a band and scans all facets, so lists keep the order
-  /// of the facets.
+  /// Divides the rows into bands: calls work(band, rows). One task fills a band and scans all facets, so lists keep the
+  /// order of the facets.
   template <class Work>
   void for_each_band(Work work) const {
     const int bands = static_cast<int>(band_count());

@@ -283,8 +283,9 @@ bool SurfaceSearch::goes_on(const PatchCandidate& c) {
   for (const std::uint32_t f : c.facets) stamp_[f] = round_;
   return std::any_of(c.facets.begin(), c.facets.end(), [&](std::uint32_t f) {
     const auto arcs = graph_.arcs_of(f);
-    return std::any_of(arcs.begin(), arcs.end(),
-                       [&](const FacetGraph::Arc& arc) { return stamp_[arc.facet] != round_ && is_left_and_may_curve(arc.facet); });
+    return std::any_of(arcs.begin(), arcs.end(), [&](const FacetGraph::Arc& arc) {
+      return stamp_[arc.facet] != round_ && is_left_and_may_curve(arc.facet);
+    });
   });
 }
 

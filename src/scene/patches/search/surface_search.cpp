@@ -20,7 +20,8 @@ constexpr double kSagPart = 0.03, kExactSagPart = 0.002;
 /// the normals of coarse triangles between two circles tell little of the axis.
 constexpr double kWildGuess = 1.5, kWildCylinder = 3, kWildTorus = 6;
 /// Largest distance of the corners of a facet that may join two others from the starting values of their cylinder, by the
-/// distance of their own corners, or by the tolerance if that is more: two facets have hardly more corners than determine it.
+/// distance of their own corners, or by the tolerance if that is more: two facets have hardly more corners than determine
+/// it.
 constexpr double kWideGuess = 6;
 /// Least number of corners of a sample for a cone that the normals do not tell: twice that of its parameters.
 constexpr std::size_t kFewestConePoints = 2 * parameter_count(SurfaceKind::cone);

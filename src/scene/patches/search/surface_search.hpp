@@ -184,7 +184,7 @@ class SurfaceSearch {
   std::vector<std::uint32_t> ask_stamp_;  ///< per facet: the value of ask_round_ when is_left() told that it is left
   std::vector<std::uint32_t> asked_;      ///< facets that is_left() told to be left in the latest round
   std::uint32_t round_ = 0, ask_round_ = 0;
-  std::size_t near_count_ = 0;  ///< number of facets within kRingSteps arcs that reach() found last
+  std::size_t near_count_ = 0;             ///< number of facets within kRingSteps arcs that reach() found last
   std::vector<LookPlace> look_of_;         ///< per vertex of the object
   std::vector<VertexLook> looks_;          ///< of the vertices visited since forget_looks()
   std::uint32_t look_round_ = 0;           ///< number of calls of forget_looks()
