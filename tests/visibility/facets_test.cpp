@@ -5,6 +5,7 @@
 #include "visibility/common/facet.hpp"
 #include "visibility/edges/nearest_along.hpp"
 #include "visibility/penetration/facet_tree.hpp"
+#include "visibility/penetration/parallel_extents.hpp"
 
 namespace ligne::test {
 namespace {
@@ -265,6 +266,34 @@ std::size_t pairs_of_skins(int n) {
 }
 
 TEST(FacetTree, TellsSkinsOfAnOnionApart) { EXPECT_LT(double(pairs_of_skins(64)), 2.7 * double(pairs_of_skins(32))); }
+
+/// Where a facet lies across the diagonal of the page.
+std::pair<double, double> across_diagonal(const PlacedFacet& f) {
+  return std::minmax({f.y[0] - f.x[0], f.y[1] - f.x[1], f.y[2] - f.x[2]});
+}
+
+TEST(ParallelExtents, PartNeedlesAlongADiagonal) {
+  std::vector<PlacedFacet> facets(200);
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    const double n = static_cast<double>(i), x = 37 * n, y = x + 5 * n, wide = i % 20 > 0 ? 2 : 300;
+    facets[i].x = {x, x + 3000, x + wide}, facets[i].y = {y, y + 3000, y - wide};
+  }
+  std::vector<const PlacedFacet*> places;
+  for (const PlacedFacet& f : facets) places.push_back(&f);
+  ParallelExtents extents;
+  ASSERT_TRUE(extents.set(places, {0, 0, 1000}, 0.5));
+  std::vector<std::uint32_t> space;
+  for (std::uint32_t i = 0; i < facets.size(); ++i) {
+    const std::span<const std::uint32_t> others = extents.overlapping(i, 0, 200, space);
+    EXPECT_LE(others.size(), i % 20 > 0 ? 24 : facets.size());
+    const auto [from, to] = across_diagonal(facets[i]);
+    for (std::uint32_t k = 0; k < facets.size(); ++k) {
+      const auto [from_k, to_k] = across_diagonal(facets[k]);
+      const bool overlap = from <= to_k && from_k <= to;
+      EXPECT_TRUE(!overlap || std::ranges::count(others, k) == 1);
+    }
+  }
+}
 
 }  // namespace
 }  // namespace ligne::test

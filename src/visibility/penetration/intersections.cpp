@@ -13,6 +13,7 @@
 #include "visibility/common/facet_functions.hpp"
 #include "visibility/common/occluder_cache.hpp"
 #include "visibility/penetration/facet_tree.hpp"
+#include "visibility/penetration/parallel_extents.hpp"
 
 // Tests, leaf by leaf, all pairs of facets that may meet in depth and on the page; if hidden segments are wanted too,
 // all such pairs of the scene.
@@ -171,13 +172,15 @@ class LeafSearch {
     }
   }
 
-  /// Compares the pairs of a full leaf. With many facets, pairs in one plane and pairs of one pencil are skipped.
+  /// Compares the pairs of a full leaf. With many facets, pairs in one plane, pairs of one pencil, and parallel facets side
+  /// by side are skipped.
   void search_full_leaf(const Leaf& leaf) {
     const std::size_t n = items_.size();
     if (n > kManyTogether) {
       group_planes(leaf.reach);
       find_pencil();
     }
+    are_parallel_ = n > kManyTogether && set_extents(leaf.square);
     if (n <= kManyItems) return compare(leaf, 0, n, own_);
     const std::size_t blocks = block_count(n, kItemsPerTask);
     std::vector<std::optional<Comparisons>> made(blocks);
@@ -192,12 +195,15 @@ class LeafSearch {
   void compare(const Leaf& leaf, std::size_t begin, std::size_t end, Comparisons& own) const {
     const auto n = static_cast<std::uint32_t>(items_.size());
     const bool many = n > kManyTogether;
+    std::vector<std::uint32_t> space;
     // The farthest items come first: most of their segments are hidden, so `hiders` learns the facets that hide.
     for (auto i = static_cast<std::uint32_t>(end); i-- > begin;) {
       const auto compare_with = [&](std::uint32_t k) { return compare_in_full_leaf(i, k, many, leaf, own); };
       if (many && in_pencil_[i]) {
         auto other = std::upper_bound(outside_.begin(), outside_.end(), i);
         while (other != outside_.end() && compare_with(*other)) ++other;
+      } else if (are_parallel_) {
+        for (const std::uint32_t k : extents_.overlapping(i, i + 1, first_behind(i), space)) compare_with(k);
       } else {
         std::uint32_t k = i + 1;
         while (k < n && compare_with(k)) ++k;
@@ -254,6 +260,18 @@ class LeafSearch {
     }
   }
 
+  bool set_extents(const CellSquare& square) {
+    std::vector<const PlacedFacet*> places;
+    for (const Item& item : items_) places.push_back(&item.place);
+    return extents_.set(places, square, margin_);
+  }
+
+  /// The first item that lies behind an item as a whole.
+  std::uint32_t first_behind(std::uint32_t i) const {
+    const auto behind = std::ranges::upper_bound(items_.begin() + i + 1, items_.end(), items_[i].z_far, {}, &Item::z_near);
+    return static_cast<std::uint32_t>(behind - items_.begin());
+  }
+
   /// Groups planes whose depths over the cell are equal, in units of the tolerance. Faces in one plane are then not
   /// compared, even if there are a thousand.
   void group_planes(double reach) {
@@ -292,6 +310,8 @@ class LeafSearch {
   std::vector<SideUse> side_uses_;
   std::vector<bool> in_pencil_;         ///< per item: whether it belongs to the pencil
   std::vector<std::uint32_t> outside_;  ///< the items outside the pencil
+  ParallelExtents extents_;             ///< those of the items, if they are parallel
+  bool are_parallel_ = false;
 };
 
 /// Whether it is stated that no faces penetrate each other.
