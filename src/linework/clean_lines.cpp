@@ -1,6 +1,7 @@
 #include "linework/clean_lines.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "linework/stroke_geometry.hpp"
 
@@ -16,6 +17,7 @@ constexpr double kShownInPens = 0.5;                            ///< least lengt
 constexpr double kMeetingInPens = 1;                            ///< lines this near to each other touch
 constexpr double kTouchingInPens = 1.0 / 16;                    ///< an end this near lies on a line; allows for rounding
 constexpr double kUndershootInGaps = 3;                         ///< longest extension of an end: taste
+constexpr double kOvershootInPens = 12;                         ///< longest end behind a crossing that is cut: taste
 constexpr double kDangleInPens = 12, kDanglePart = 1.0 / 32;    ///< longest dangle, also as part of its body: taste
 constexpr double kBesideInPens = 2.5, kBesideInDangles = 4;     ///< arcs beside a line, largest distance and size: taste
 constexpr double kMaxScanIsolatedInPens = 12, kLoneInPens = 5;  ///< longest isolated chains: taste
@@ -89,20 +91,40 @@ CleanReport clean_lines(StrokeModel& model, const CleanOptions& options) {
   const double step = model.lattice.step_mm, reach = kMeetingInPens * options.pen_mm / step;
   /// Side of the cells in which rules look for lines, in pen widths. Adjustable.
   constexpr double kCellInPens = 4;
-  const double cell = kCellInPens * options.pen_mm / step;
+  const double cell = kCellInPens * options.pen_mm / step, ink = kLineReachInPens * options.pen_mm / step;
+  const OvershootLimits overshoots{kOvershootInPens * options.pen_mm, kTouchingInPens * options.pen_mm};
+  // Passes in which dangles go and their gaps are closed.
+  const int settling = options.form_of || options.scan_of ? 2 : 1;
   bool is_clean = false;
+  const auto count_changes = [&](std::string_view changes, std::size_t count) {
+    auto rule = std::ranges::find(report.rules, changes, &RuleReport::changes);
+    if (rule == report.rules.end()) rule = report.rules.insert(rule, {changes});
+    rule->count += count;
+    is_clean &= count == 0;
+  };
   while (!is_clean && report.passes < kMostCleanPasses) {
     ++report.passes;
     is_clean = report.passes > 1 || !options.form_of;
-    LineMap map(
-        model, [](const Stroke& s) { return s.line_class != LineClass::mesh; }, {.reach = reach}, cell);
-    apply_rules(map, options, report.passes > 1, [&](std::string_view changes, std::size_t count) {
-      auto rule = std::ranges::find(report.rules, changes, &RuleReport::changes);
-      if (rule == report.rules.end()) rule = report.rules.insert(rule, {changes});
-      rule->count += count;
-      is_clean &= count == 0;
-    });
-    if (!is_clean) map.commit(kLineReachInPens * options.pen_mm / step);
+    std::optional<LineMap> map;
+    const auto make_map = [&] {
+      map.emplace(
+          model, [](const Stroke& s) { return s.line_class != LineClass::mesh; }, Meetings{.reach = reach}, cell);
+    };
+    const auto cut_ends = [&] {
+      const std::size_t count = cut_overshoots(*map, overshoots);
+      count_changes("ends behind other lines cut", count);
+      return count > 0;
+    };
+    make_map();
+    // Before, an end behind a crossing may be that of a dangle, or lie before a gap. Only a new map tells that an end that
+    // was cut meets a line.
+    if (report.passes > settling && cut_ends()) {
+      map->commit(ink);
+      make_map();
+    }
+    apply_rules(*map, options, report.passes > 1, count_changes);
+    if (report.passes <= settling && is_clean) cut_ends();
+    if (!is_clean) map->commit(ink);
   }
   return report;
 }

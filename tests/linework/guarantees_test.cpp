@@ -150,7 +150,7 @@ TEST(CleanLines, EveryRuleCountsItsChanges) {
     changed += !is_same;
   });
   EXPECT_GT(changed, kScenes / 2);
-  EXPECT_EQ(counts.size(), 12u);
+  EXPECT_EQ(counts.size(), 13u);
   for (const auto& [changes, count] : counts) EXPECT_GT(count, 0u) << changes;
 }
 

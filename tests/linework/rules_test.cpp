@@ -134,6 +134,11 @@ std::size_t drop_spurs_and_flecks_of_facets(StrokeModel& m) {
          dropping_flecks({.longest_mm = 12, .body_part = 1, .factors = kParts}, 0.2)(m);
 }
 
+std::size_t cut_ends(StrokeModel& m) {
+  return apply_rule(
+      m, 0.35, [](LineMap& map) { return cut_overshoots(map, {.longest_mm = 4, .touching_mm = 0.02}); }, 0.35);
+}
+
 std::size_t merge_runs(StrokeModel& m) {
   return apply_rule(m, 0, [](LineMap& map) { return merge_short_runs(map, 50); });
 }
@@ -172,6 +177,7 @@ const std::map<std::string, RuleOfText> kRules = {
       dropping_spurs({.longest_mm = 4, .body_part = 1.0 / 32, .beside_mm = 1, .beside_times = 4, .touching_mm = 0.2})}},
     {"spurs-of-facets", {LineClass::outline, 0.001, drop_spurs_and_flecks_of_facets}},
     {"spurs-and-flecks", {LineClass::outline, 0.001, drop_wide_spurs_and_flecks}},
+    {"overshoots", {LineClass::outline, 0.001, cut_ends}},
     {"merge", {LineClass::outline, 1, merge_runs}},
     {"smooth", {LineClass::crease, 1, smooth_scan}},
     {"overdrawn", {LineClass::outline, 1, drop_overdrawn}},

@@ -130,7 +130,7 @@ void LineMap::find_contacts() {
 void LineMap::cut(std::uint32_t piece, std::span<const StrokeCut> cuts) {
   if (cuts.empty()) return;
   const Stroke whole = pieces_[piece].stroke;
-  const std::uint32_t far_node = nodes_.of(2 * piece + 1);
+  const std::uint32_t far_node = nodes_.of(2 * piece + 1), next = pieces_[piece].next;
   pieces_[piece].stroke = stroke_piece(whole, {0, whole.from}, cuts[0]);
   std::uint32_t before = piece;
   for (std::size_t c = 0; c < cuts.size(); ++c) {
@@ -141,7 +141,13 @@ void LineMap::cut(std::uint32_t piece, std::span<const StrokeCut> cuts) {
     move_end(2 * before + 1, nodes_.of(2 * p));
     before = p;
   }
+  pieces_[before].next = next;
   move_end(2 * before + 1, far_node);
+}
+
+std::uint32_t LineMap::cut_at(std::uint32_t piece, const StrokeCut& place) {
+  cut(piece, {&place, 1});
+  return pieces_[piece].next;
 }
 
 void LineMap::remove(std::uint32_t piece) {

@@ -91,6 +91,8 @@ class LineMap {
 
   /// Removes a piece from the map.
   void remove(std::uint32_t piece);
+  /// Cuts a piece inside. The part before the cut keeps the number of the piece. Returns the part behind it.
+  std::uint32_t cut_at(std::uint32_t piece, const StrokeCut& place);
   void set_class(std::uint32_t piece, LineClass line_class) { pieces_[piece].stroke.line_class = line_class; }
   /// Adds a stroke from the node of `from_end` to that of `to_end`. An end that is kNone gets a node of its own.
   void add(Stroke stroke, std::uint32_t from_end, std::uint32_t to_end, const MakeSource& make_source);

@@ -97,6 +97,14 @@ struct UndershootLimits {
 /// The line must be several times as long as the extension. Adds one stroke for each end.
 std::size_t extend_undershoots(LineMap& map, const UndershootLimits& limits, const MakeSource& make_source);
 
+struct OvershootLimits {
+  double longest_mm = 0;   ///< longest part behind a crossing that is removed
+  double touching_mm = 0;  ///< lines meet within this distance
+};
+/// cut_overshoots: cuts lines with a free end where they cross another line, if they end soon behind it: no two lines of
+/// surfaces cross each other in sight. Of two lines that end behind their crossing the shorter end is cut.
+std::size_t cut_overshoots(LineMap& map, const OvershootLimits& limits);
+
 /// smooth_lines: smooths the lines of the strokes for which is_rough() holds. The vertices of a scan lie on both sides of a
 /// ridge, so the edges along it zigzag. A point moves if exactly two strokes meet there, both rough and of equal visibility.
 /// It moves towards the middle of its neighbours and back, several times. Ends, junctions and corners stay. Returns the
