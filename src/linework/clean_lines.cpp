@@ -28,7 +28,7 @@ constexpr double kScanStraightTimes = 2;
 /// Longest dangle of the outline of a mesh of a free form, and its longest isolated chain, in facets: a fold turns over two
 /// edges or more, so that the mesh tells nothing of shorter ones. No larger in pen widths: taste.
 constexpr double kDangleInFacets = 2, kFormDangleInPens = 36, kIsolatedInFacets = 1;
-constexpr double kRingInPens = 0.25;  ///< a ring no wider than this is drawn as one line
+constexpr double kRingInPens = 0.5;  ///< a ring is drawn as one line where it lies this near to its axis: ink fills it
 
 double gap_mm(const CleanOptions& o) { return std::min(o.least_mm, kGapInPens * o.pen_mm); }
 

@@ -140,6 +140,14 @@ TEST(CleanLines, LeadsAnEndToItsOwnLineOnce) {
   }
 }
 
+TEST(CleanLines, LeavesNoRingThatInkFills) {
+  for (const std::string apex : {"0.16", "0.2"}) {
+    StrokeModel m = sketch("outline#2 0,-9 99,-9; outline#0 10,0 11.4,0 10.7," + apex + " 10,0", LineClass::outline, kStep);
+    m.edge_count = 3;
+    EXPECT_EQ(changes_of(clean(m)), apex == "0.16" ? 1u : 0u) << apex;
+  }
+}
+
 TEST(CleanLines, EveryRuleCountsItsChanges) {
   std::map<std::string_view, std::size_t> counts;
   std::size_t changed = 0;

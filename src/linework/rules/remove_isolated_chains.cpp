@@ -14,6 +14,8 @@ namespace {
 
 /// A ring that is removed may be longer by so much: it is a sliver, of which either side may be such a chain. Taste.
 constexpr double kRingTimes = 1.5;
+/// Largest distance of the points of a straight line from its axis, in widths of a ring. Taste.
+constexpr double kStraightInRings = 0.5;
 
 double diagonal(const Rect& box) { return std::sqrt(box.width() * box.width() + box.height() * box.height()); }
 
@@ -106,9 +108,9 @@ std::size_t remove_isolated_chains(LineMap& map, const BodyOf& body_of, const Is
   const double ring_width = limits.ring_width_mm / map.step_mm();
   std::size_t removed = 0;
   for (Cluster& cluster : clusters) {
-    const double size = diagonal(cluster.box);
+    const double size = diagonal(cluster.box), width = cluster.has_ring ? ring_width : kStraightInRings * ring_width;
     cluster.is_removed = cluster.box.width() >= 0 && size <= times_of(cluster) * cluster.longest &&
-                         ((!cluster.has_ring && size <= cluster.longest) || lie_on_one_line(cluster.points, ring_width));
+                         ((!cluster.has_ring && size <= cluster.longest) || lie_on_one_line(cluster.points, width));
     removed += cluster.is_removed;
   }
   for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
