@@ -258,12 +258,10 @@ TEST(CleanLines, DoesNotDependOnOrderOrThreads) {
 }
 
 TEST(CleanLines, TurnsAndMirrorsWithTheDrawing) {
-  for (const auto move : {+[](LatticePoint p) {
-                            return LatticePoint{-p.y, p.x};
-                          },
-                          +[](LatticePoint p) {
-                            return LatticePoint{-p.x, p.y};
-                          }}) {
+  for (const std::array<int, 4>& turn : {std::array{0, -1, 1, 0}, std::array{-1, 0, 0, 1}}) {
+    const auto move = [&](LatticePoint p) {
+      return LatticePoint{turn[0] * p.x + turn[1] * p.y, turn[2] * p.x + turn[3] * p.y};
+    };
     const auto moved = [&](StrokeModel m) {
       for (Stroke& s : m.strokes) s.from = move(s.from), s.to = move(s.to);
       return m;
