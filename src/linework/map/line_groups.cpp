@@ -42,6 +42,9 @@ void pair_ends(const LineMap& map, std::uint32_t node, std::vector<std::uint32_t
   pair_arms(arms, other);
 }
 
+/// Factor above the rounding errors of a sum of lengths.
+constexpr double kAbout = 1 + 0x1p-20;
+
 }  // namespace
 
 Runs::Runs(const LineMap& map) : of_(map.piece_count(), kNone), runs_(map.piece_count()) {
@@ -100,6 +103,23 @@ std::uint32_t Arcs::next(std::uint32_t end) const {
   return *std::ranges::find_if(ends_at(junction), [&](std::uint32_t e) { return has(e / 2) && e != end; });
 }
 
+template <class IsContinued>
+Arcs::Arc Arcs::arc_of(std::span<const std::uint32_t> ends, const IsContinued& continued) const {
+  Arc arc;
+  arc.ends.assign(ends.begin(), ends.end());
+  arc.pieces.reserve(ends.size());
+  for (const std::uint32_t end : ends) arc.pieces.push_back(end / 2);
+  std::ranges::sort(arc.pieces);
+  arc.junctions.reserve(2);
+  for (const std::uint32_t p : arc.pieces) {
+    arc.length += page_length(map_.piece(p));
+    for (const std::uint32_t end : {2 * p, 2 * p + 1}) {
+      if (!continued(end)) arc.junctions.push_back(junction_of_[end]);
+    }
+  }
+  return arc;
+}
+
 std::vector<Arcs::Arc> Arcs::find() const {
   std::vector<std::uint32_t> partner(junction_of_.size(), kNone);
   for (std::uint32_t end = 0; end < partner.size(); ++end) {
@@ -107,21 +127,20 @@ std::vector<Arcs::Arc> Arcs::find() const {
   }
   std::vector<Arc> found;
   for_each_line(partner, LineOrder::strokes, [&](std::span<const std::uint32_t> ends, bool) {
-    if (!has(ends.front() / 2)) return;
-    Arc& arc = found.emplace_back();
-    arc.ends.assign(ends.begin(), ends.end());
-    arc.pieces.reserve(ends.size());
-    for (const std::uint32_t end : ends) arc.pieces.push_back(end / 2);
-    std::ranges::sort(arc.pieces);
-    arc.junctions.reserve(2);
-    for (const std::uint32_t p : arc.pieces) {
-      arc.length += page_length(map_.piece(p));
-      for (const std::uint32_t end : {2 * p, 2 * p + 1}) {
-        if (partner[end] == kNone) arc.junctions.push_back(junction_of_[end]);
-      }
-    }
+    if (has(ends.front() / 2)) found.push_back(arc_of(ends, [&](std::uint32_t end) { return partner[end] != kNone; }));
   });
   return found;
+}
+
+Arcs::Arc Arcs::from(std::uint32_t end, double most) const {
+  std::vector<std::uint32_t> ends;
+  double length = 0;
+  for (; end != kNone; end = next(end ^ 1)) {
+    ends.push_back(end);
+    length += page_length(map_.piece(end / 2));
+    if (length > kAbout * most) return {};
+  }
+  return arc_of(ends, [&](std::uint32_t e) { return e != ends.front() && e != (ends.back() ^ 1); });
 }
 
 void Arcs::take_away(const Arc& arc) {
@@ -130,6 +149,21 @@ void Arcs::take_away(const Arc& arc) {
     --degree_[junction_of_[2 * p]];
     --degree_[junction_of_[2 * p + 1]];
   }
+}
+
+FreeChain chain_from(const LineMap& map, std::uint32_t free_end, double most) {
+  FreeChain chain;
+  double length = 0;
+  for (std::uint32_t end = free_end; end != kNone; end = map.next(end ^ 1)) {
+    chain.pieces.push_back(end / 2);
+    chain.far_end = end ^ 1;
+    length += page_length(map.piece(end / 2));
+    if (length > kAbout * most) return {};
+  }
+  // Lengths are added in the order of the pieces, so that both ends of a chain give the same sum.
+  std::ranges::sort(chain.pieces);
+  for (const std::uint32_t p : chain.pieces) chain.length += page_length(map.piece(p));
+  return chain;
 }
 
 }  // namespace ligne

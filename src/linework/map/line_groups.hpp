@@ -3,6 +3,7 @@
 /// it, except where noted.
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -44,6 +45,7 @@ class Arcs {
     std::vector<std::uint32_t> junctions;  ///< its two junctions; none for a ring
   };
 
+  static constexpr double kAnyLength = std::numeric_limits<double>::infinity();
   /// No contact is within this reach.
   static constexpr double kNoContacts = -1;
 
@@ -62,9 +64,15 @@ class Arcs {
   std::uint32_t next(std::uint32_t end) const;
   /// The arcs of the remaining pieces, in the order of their lowest pieces. A ring begins with its lowest piece.
   std::vector<Arc> find() const;
+  /// The arc that begins at an end of a remaining piece that no other continues. Empty if it is longer than `most`.
+  Arc from(std::uint32_t end, double most = kAnyLength) const;
   void take_away(const Arc& arc);
 
  private:
+  /// `continued`: whether another piece of the arc continues an end.
+  template <class IsContinued>
+  Arc arc_of(std::span<const std::uint32_t> ends, const IsContinued& continued) const;
+
   const LineMap& map_;
   std::vector<std::uint32_t> junction_of_;             ///< by end
   std::vector<std::uint32_t> degree_;                  ///< by junction
@@ -72,21 +80,14 @@ class Arcs {
   std::vector<std::uint8_t> is_left_;                  ///< by piece
 };
 
-/// The arcs of a map, by piece.
-class ArcsOfPieces {
- public:
-  explicit ArcsOfPieces(const LineMap& map, const Arcs& arcs) : arcs_(arcs.find()), of_(map.piece_count(), kNone) {
-    for (std::uint32_t a = 0; a < arcs_.size(); ++a) {
-      for (const std::uint32_t p : arcs_[a].pieces) of_[p] = a;
-    }
-  }
-  /// The number of the arc of a piece; kNone if the piece belongs to none.
-  std::uint32_t of(std::uint32_t piece) const { return of_[piece]; }
-  const Arcs::Arc& operator[](std::uint32_t arc) const { return arcs_[arc]; }
-
- private:
-  std::vector<Arcs::Arc> arcs_;
-  std::vector<std::uint32_t> of_;
+/// The pieces of the chain that begins at a free end, ascending, and its length.
+struct FreeChain {
+  std::vector<std::uint32_t> pieces{};
+  double length = 0;              ///< lattice steps
+  std::uint32_t far_end = kNone;  ///< the end of its last piece
 };
+
+/// Follows a chain from a free end of a living piece. Empty if it is longer than `most`.
+FreeChain chain_from(const LineMap& map, std::uint32_t free_end, double most = Arcs::kAnyLength);
 
 }  // namespace ligne

@@ -39,6 +39,9 @@ constexpr double kAbout = 1 + 0x1p-40;
 constexpr double kOwnLineInBridges = 2;
 /// Parts at both ends of a bridge of outlines that may lie beside other lines, in clear distances.
 constexpr double kMeetingInClears = 2;
+/// Adjustable. Number of ends up to which each looks at all lines within reach, which takes less time than to make a tree of
+/// their ends.
+constexpr std::size_t kFewEnds = 16;
 /// Least cosine of the turn from an outline into its bridge: 120 degrees. Outlines that end side by side are not joined.
 constexpr double kLeastBridgeCosine = -0.5;
 
@@ -80,21 +83,23 @@ struct OpenEnd {
   std::uint32_t end;
   LatticePoint point{};
   double dx = 0, dy = 0, length = 0;  ///< direction and length of the whole stroke, towards the end
-  double line_length = 0;             ///< length of its chain
-  std::uint32_t chain = kNone;
+  double line_length = 0;             ///< length of its chain; infinite if no rule asks how long it is
+  std::uint32_t chain = kNone;        ///< its lowest piece, if the length is known
 };
 
 class OpenEnds {
  public:
-  OpenEnds(const LineMap& map, double gap, double wide) : gap_(gap), wide_(wide) {
-    const ArcsOfPieces chains(map, Arcs(map, Arcs::kNoContacts));
+  OpenEnds(const LineMap& map, double gap, double wide) : map_(map), gap_(gap), wide_(wide) {
+    const double most = std::max(kRingInGaps * gap, std::max(kLongInFar, kLongInGaps) * wide);
     std::vector<std::uint32_t> numbers;
     for (std::uint32_t end = 0; end < 2 * map.piece_count(); ++end) {
       if (!map.is_alive(end / 2) || !is_feature(map.piece(end / 2)) || !map.is_free(end)) continue;
       const Stroke& s = map.stroke_of(end / 2);
       const LatticePoint start = end % 2 == 0 ? s.to : s.from, p = map.point(end);
-      const std::uint32_t chain = chains.of(end / 2);
-      ends_.push_back({end, p, double(p.x) - start.x, double(p.y) - start.y, page_length(s), chains[chain].length, chain});
+      const FreeChain chain = chain_from(map, end, most);
+      const bool is_long = chain.pieces.empty();
+      ends_.push_back({end, p, double(p.x) - start.x, double(p.y) - start.y, page_length(s),
+                       is_long ? Arcs::kAnyLength : chain.length, is_long ? kNone : chain.pieces.front()});
       numbers.push_back(end);
     }
     tree_ = tree_of(map, numbers);
@@ -111,12 +116,17 @@ class OpenEnds {
       const std::uint32_t other = nearest_to[e];
       if (other == kNone || other < e || nearest_to[other] != e) continue;
       const OpenEnd &a = ends_[e], &b = ends_[other];
-      found.push_back({a.end, b.end, a.line_length < b.line_length ? b.end : a.end, length(a.point, b.point)});
+      found.push_back({a.end, b.end, is_shorter(a, b) ? b.end : a.end, length(a.point, b.point)});
     }
     return found;
   }
 
  private:
+  bool is_shorter(const OpenEnd& a, const OpenEnd& b) const {
+    if (a.line_length < Arcs::kAnyLength || b.line_length < Arcs::kAnyLength) return a.line_length < b.line_length;
+    return chain_from(map_, a.end).length < chain_from(map_, b.end).length;
+  }
+
   static double along(const OpenEnd& e, LatticePoint p) {
     return e.dx * (double(p.x) - e.point.x) + e.dy * (double(p.y) - e.point.y);
   }
@@ -170,6 +180,7 @@ class OpenEnds {
     return best;
   }
 
+  const LineMap& map_;
   double gap_, wide_;
   std::vector<OpenEnd> ends_;
   PointTree<2> tree_;
@@ -182,14 +193,17 @@ class OutlineGaps {
     for (std::uint32_t end = 0; end < 2 * map.piece_count(); ++end) {
       if (map.is_alive(end / 2) && map.piece(end / 2).line_class == LineClass::outline) ends_.push_back(end);
     }
-    tree_ = tree_of(map, ends_);
   }
 
   /// The bridges from free ends to their nearest ends along missing outlines, the shortest first.
   std::vector<Bridge> bridges() {
     std::vector<Bridge> found;
+    std::vector<std::uint32_t> free_ends;
     for (const std::uint32_t end : ends_) {
-      if (!map_.is_free(end) || touches(end)) continue;
+      if (map_.is_free(end) && !touches(end)) free_ends.push_back(end);
+    }
+    if (free_ends.size() > kFewEnds) tree_ = tree_of(map_, ends_);
+    for (const std::uint32_t end : free_ends) {
       const Bridge bridge = nearest(end);
       if (bridge.to == kNone || turns_back(end, bridge.to)) continue;
       const bool is_free = map_.is_free(bridge.to);
@@ -232,17 +246,26 @@ class OutlineGaps {
     return glm::dot(along, ahead) < kLeastBridgeCosine * glm::length(along) * glm::length(ahead);
   }
 
-  Bridge nearest(std::uint32_t end) const {
+  Bridge nearest(std::uint32_t end) {
     const std::vector<std::uint32_t> own = own_line(end);
     const LatticePoint p = map_.point(end);
     Bridge best{end, kNone, end, wide_};
-    const auto enter = [&](std::uint32_t, double squared) { return squared <= best.length * best.length; };
-    tree_.search_from(p, enter, [&](std::uint32_t place) {
-      const std::uint32_t other = ends_[tree_.order()[place]];
+    const auto take = [&](std::uint32_t other) {
       const double away = length(p, map_.point(other));
       if (away > best.length || std::ranges::binary_search(own, other / 2)) return;
       if (away < best.length || best.to == kNone || key_of(other) < key_of(best.to)) best = {end, other, end, away};
-    });
+    };
+    if (tree_.node_count() == 0) {
+      map_.near(p, p, wide_, [&](std::uint32_t piece) {
+        if (map_.piece(piece).line_class != LineClass::outline) return false;
+        take(2 * piece);
+        take(2 * piece + 1);
+        return false;
+      });
+      return best;
+    }
+    const auto enter = [&](std::uint32_t, double squared) { return squared <= best.length * best.length; };
+    tree_.search_from(p, enter, [&](std::uint32_t place) { take(ends_[tree_.order()[place]]); });
     return best;
   }
 
@@ -261,7 +284,7 @@ class OutlineGaps {
   const OutlineGapLimits& limits_;
   double wide_, clear_;
   std::vector<std::uint32_t> ends_;
-  PointTree<2> tree_;
+  PointTree<2> tree_;  ///< of ends_; empty where few of them look for others
 };
 
 }  // namespace

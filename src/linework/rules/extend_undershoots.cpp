@@ -73,17 +73,17 @@ class UndershootFinder {
       : map_(map),
         reach_(limits.reach_mm / map.step_mm()),
         touching_(limits.touching_mm / map.step_mm()),
-        arcs_(map, touching_),
-        by_piece_(map, arcs_) {}
+        arcs_(map, touching_) {}
 
   /// Returns the point to which the line at a free end is extended, if there is one.
   std::optional<LatticePoint> target_of(std::uint32_t end) {
     const std::uint32_t piece = end / 2;
     if (!arcs_.has(piece) || !is_feature(map_.piece(piece)) || arcs_.degree(arcs_.junction_of(end)) != 1) return {};
-    Undershoot shoot{.ahead = std::min(reach_, by_piece_[by_piece_.of(piece)].length / kLongInWays) * direction(end)};
+    const Arcs::Arc own = arcs_.from(end);
+    Undershoot shoot{.ahead = std::min(reach_, own.length / kLongInWays) * direction(end)};
     const LatticePoint p = map_.point(end);
     map_.near(p, moved(p, shoot.ahead), touching_ + kTurnSine * reach_, [&](std::uint32_t other) {
-      const bool leads = arcs_.has(other) && by_piece_.of(other) != by_piece_.of(piece) && is_feature(map_.piece(other));
+      const bool leads = arcs_.has(other) && is_feature(map_.piece(other)) && !std::ranges::binary_search(own.pieces, other);
       if (leads) lead_to(shoot, p, map_.piece(other));
       return false;
     });
@@ -108,7 +108,6 @@ class UndershootFinder {
   LineMap& map_;
   double reach_, touching_;
   Arcs arcs_;
-  ArcsOfPieces by_piece_;
 };
 
 }  // namespace

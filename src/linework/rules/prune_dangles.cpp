@@ -34,8 +34,8 @@ class DanglePruner {
   std::size_t prune() {
     std::size_t count = 0;
     for (int round = 0; round < kMostPruningRounds; ++round) {
-      std::vector<Arcs::Arc> arcs = arcs_.find();
-      std::ranges::stable_sort(arcs, {}, &Arcs::Arc::length);
+      std::vector<Arcs::Arc> arcs = short_arcs();
+      std::ranges::sort(arcs, {}, [](const Arcs::Arc& arc) { return std::pair(arc.length, arc.pieces.front()); });
       const std::size_t before = count;
       for (const Arcs::Arc& arc : arcs) {
         if (!is_dangle(arc)) continue;
@@ -49,6 +49,21 @@ class DanglePruner {
   }
 
  private:
+  /// The arcs between junctions that are short enough for dangles.
+  std::vector<Arcs::Arc> short_arcs() const {
+    double longest = 0;
+    for (std::uint32_t body = 0; body < extents_.size(); ++body)
+      longest = std::max(longest, longest_of(limits_, body, extents_[body], map_.step_mm()));
+    std::vector<Arcs::Arc> found;
+    for (std::uint32_t end = 0; end < 2 * map_.piece_count(); ++end) {
+      // Such an arc ends where one piece ends or more than two do. It is found from both of its ends.
+      if (body_[end / 2] == kNone || !arcs_.has(end / 2) || arcs_.degree(arcs_.junction_of(end)) == 2) continue;
+      Arcs::Arc arc = arcs_.from(end, limits_.beside_times * longest);
+      if (!arc.pieces.empty() && end <= (arc.ends.back() ^ 1)) found.push_back(std::move(arc));
+    }
+    return found;
+  }
+
   bool is_dangle(const Arcs::Arc& arc) {
     const std::uint32_t body = body_[arc.pieces.front()];
     if (body == kNone || arc.junctions.size() != 2) return false;

@@ -46,21 +46,21 @@ std::size_t merge_short_runs(LineMap& map, double least_mm) {
 }
 
 std::size_t remove_short_bits(LineMap& map, double least_mm) {
-  const auto is_short = [&](const Arcs::Arc& chain) { return chain.length < least_mm / map.step_mm(); };
-  const auto is_loose = [&](const Arcs::Arc& chain) {
-    return chain.junctions.size() == 2 && map.is_free(chain.ends.front()) && map.is_free(chain.ends.back() ^ 1);
-  };
+  const double least = least_mm / map.step_mm();
   const auto is_cut = [&](std::uint32_t end) {
     return end % 2 == 0 ? map.piece(end / 2).t_from > 0 : map.piece(end / 2).t_to < 1;
   };
-  const auto all = [&](const Arcs::Arc& chain, const auto& holds) {
+  const auto all = [&](const FreeChain& chain, const auto& holds) {
     return std::ranges::all_of(chain.pieces, [&](std::uint32_t p) { return holds(map.piece(p)); });
   };
   const auto is_intersection = [](const Stroke& s) { return s.line_class == LineClass::intersection; };
   std::size_t removed = 0;
-  for (const Arcs::Arc& chain : Arcs(map, Arcs::kNoContacts).find()) {
-    if (!is_short(chain) || !is_loose(chain) || !all(chain, is_edge)) continue;
-    if (!is_cut(chain.ends.front()) && !is_cut(chain.ends.back() ^ 1) && !all(chain, is_intersection)) continue;
+  for (std::uint32_t end = 0; end < 2 * map.piece_count(); ++end) {
+    if (!map.is_alive(end / 2) || !map.is_free(end)) continue;
+    const FreeChain chain = chain_from(map, end, least);
+    const bool is_loose = chain.far_end != kNone && map.is_free(chain.far_end);
+    if (!is_loose || chain.length >= least || !all(chain, is_edge)) continue;
+    if (!is_cut(end) && !is_cut(chain.far_end) && !all(chain, is_intersection)) continue;
     for (const std::uint32_t p : chain.pieces) map.remove(p);
     ++removed;
   }
