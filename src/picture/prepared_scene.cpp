@@ -128,10 +128,11 @@ void add_lines_of_shape(PreparedScene& prepared, std::vector<ShapeLine> lines, c
 /// dropped.
 void keep_surfaces(PreparedScene& prepared, Creases creases) {
   if (!creases.lines.empty()) {
-    prepared.free_forms = find_free_forms(prepared.scene, prepared.topology, creases.patches.is_freeform);
-    std::erase_if(prepared.free_forms, [&](const FreeForm& form) {  // rules of their own clean the lines of scans
-      return std::ranges::any_of(creases.scans, [&](const ScanObject& s) { return s.edge_begin == form.edge_begin; });
-    });
+    // Rules of their own clean the lines of scans.
+    const auto is_no_scan = [&](EdgeRange edges) {
+      return std::ranges::find(creases.scans, edges.begin, &ScanObject::edge_begin) == creases.scans.end();
+    };
+    prepared.free_forms = find_free_forms(prepared.scene, prepared.topology, creases.patches.is_freeform, is_no_scan);
   }
   prepared.scans = std::move(creases.scans);
   if (creases.patches.list.empty()) return;

@@ -18,13 +18,20 @@ bool is_free(const Scene& scene, const Object& object, std::span<const std::uint
   const auto faces = is_freeform.subspan(object.face_begin, object.face_end - object.face_begin);
   const auto free_faces = static_cast<std::size_t>(std::ranges::count(faces, 1));
   if (free_faces == faces.size() || free_faces == 0) return free_faces > 0;
-  double free = 0, all = 0;
-  for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
-    const double area = glm::length(double_area(scene, f));
-    all += area;
-    if (is_freeform[f]) free += area;
-  }
-  return free >= kFreePart * all;
+  struct Areas {
+    double free = 0, all = 0;
+    Areas operator+(const Areas& o) const { return {free + o.free, all + o.all}; }
+  };
+  const Areas areas = parallel_reduce(faces.size(), kShortWorkBlock, Areas{}, [&](std::size_t begin, std::size_t end) {
+    Areas sum;
+    for (std::size_t f = begin; f < end; ++f) {
+      const double area = glm::length(double_area(scene, object.face_begin + static_cast<std::uint32_t>(f)));
+      sum.all += area;
+      if (faces[f]) sum.free += area;
+    }
+    return sum;
+  });
+  return areas.free >= kFreePart * areas.all;
 }
 
 double mean_length(const Scene& scene, const Topology& topology, EdgeRange range) {
@@ -39,11 +46,11 @@ double mean_length(const Scene& scene, const Topology& topology, EdgeRange range
 }  // namespace
 
 std::vector<FreeForm> find_free_forms(const Scene& scene, const Topology& topology,
-                                      std::span<const std::uint8_t> is_freeform) {
+                                      std::span<const std::uint8_t> is_freeform, FunctionRef<bool(EdgeRange)> takes_part) {
   std::vector<FreeForm> found;
   for (const Object& object : scene.objects) {
     const EdgeRange range = edges_of(topology, object);
-    if (range.begin == range.end || !is_free(scene, object, is_freeform)) continue;
+    if (range.begin == range.end || !takes_part(range) || !is_free(scene, object, is_freeform)) continue;
     found.push_back({range.begin, range.end, mean_length(scene, topology, range) / object_size(scene, object)});
   }
   return found;

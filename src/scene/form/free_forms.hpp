@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 
@@ -17,8 +18,9 @@ struct FreeForm {
 };
 
 /// Finds the free forms of a scene, ascending. `is_freeform`: per face, whether it lies on no recognised surface and in no
-/// plane. The mean length is that of every n-th edge, of about 4,096.
+/// plane. The mean length is that of every n-th edge, of about 4,096. Objects for whose edges takes_part() returns false are
+/// left out.
 std::vector<FreeForm> find_free_forms(const Scene& scene, const Topology& topology,
-                                      std::span<const std::uint8_t> is_freeform);
+                                      std::span<const std::uint8_t> is_freeform, FunctionRef<bool(EdgeRange)> takes_part);
 
 }  // namespace ligne
