@@ -245,11 +245,11 @@ void merge_edges(ProjectedScene& scene) {
 
 }  // namespace
 
-void merge_coincident(ProjectedScene& scene) {
+void merge_coincident(ProjectedScene& scene, bool may_repeat) {
   const double side_mm = coincidence_mm(scene) / 2;  // a vertex moves by at most two sides in each direction
   merge_vertex_clusters(scene.vertices, std::max(side_mm / scene.lattice.step_mm, 1.0), side_mm);
   scene.first_at_place = find_first_at_place(scene.vertices);
-  merge_faces(scene);
+  if (may_repeat || !scene.first_at_place.empty()) merge_faces(scene);
   merge_edges(scene);
 }
 

@@ -15,6 +15,8 @@ namespace ligne {
 ///
 /// The drawing does not change, and the time of a method depends only on what remains. O(n log n) for any number of
 /// coincident faces and edges. Vertices must be sorted by order_spatially().
-void merge_coincident(ProjectedScene& scene);
+///
+/// `may_repeat`: Topology::may_repeat_triangles of triangles that were not clipped.
+void merge_coincident(ProjectedScene& scene, bool may_repeat);
 
 }  // namespace ligne

@@ -210,7 +210,7 @@ void place_on_page(const Scene& scene, const Topology& topology, ProjectedScene&
     clipper.clip_edges();
   }
   order_spatially(projected);
-  merge_coincident(projected);
+  merge_coincident(projected, !is_whole || topology.may_repeat_triangles);
 }
 
 ProjectedScene project(const Scene& scene, const Topology& topology, const View& view, const EdgeSelection& selection) {

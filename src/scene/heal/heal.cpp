@@ -67,11 +67,11 @@ void append_short_edges(const Scene& scene, const Object& object, std::vector<Ve
   const double most = kLeastRoundings * object.precision;
   const std::span<const std::uint32_t> corners = scene.faces.corners();
   const bool all_triangles = scene.faces.all_triangles();
-  // Nearly all triangles have no such edge.
-  const auto has_long_edges = [&](std::size_t f) {
-    const Point3 &a = scene.vertices[corners[3 * f]], &b = scene.vertices[corners[3 * f + 1]],
-                 &c = scene.vertices[corners[3 * f + 2]];
-    return !are_within(most, a, b) && !are_within(most, b, c) && !are_within(most, c, a);
+  // Nearly all triangles have no such edge, and most edges are long in the direction of x.
+  const auto has_long_edges = [most, corner = corners.data(), at = scene.vertices.data()](std::size_t f) {
+    const Point3 &a = at[corner[3 * f]], &b = at[corner[3 * f + 1]], &c = at[corner[3 * f + 2]];
+    const double least = std::min(std::min(std::abs(a.x - b.x), std::abs(b.x - c.x)), std::abs(c.x - a.x));
+    return least >= most || (!are_within(most, a, b) && !are_within(most, b, c) && !are_within(most, c, a));
   };
   parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = object.face_begin + begin; f < object.face_begin + end; ++f) {
@@ -178,11 +178,8 @@ void turn(Scene& scene, std::uint32_t face) {
 
 /// if all windings agree, only the edges are read.
 std::size_t agree_windings(Scene& scene, const Topology& topology) {
-  bool agree = (flags_of_any(topology) & kEdgeUnlikeWound) == 0;
-  for (std::size_t e = 0; e < topology.edges.size() && agree; ++e) {
-    agree = !(topology.edge_flags[e] & kEdgeUnlikeWound) || !joins_two_faces(topology, e);
-  }
-  if (agree) return 0;
+  const auto disagrees = [&](std::uint32_t e) { return joins_two_faces(topology, e); };
+  if (std::ranges::none_of(edges_with(topology, kEdgeUnlikeWound), disagrees)) return 0;
   const Neighbours neighbours(scene.faces.size(), topology);
   enum : std::uint8_t { unknown, as_first, turned };
   std::vector<std::uint8_t> winding(scene.faces.size(), unknown);
@@ -368,9 +365,14 @@ HealReport heal(Scene& scene, Topology& topology, const HealOptions& options) {
     topology = {};
     topology = build_topology(scene);
   }
+  topology.may_repeat_triangles = !(known && scene.faces.all_triangles());
   count_edges_left(scene, topology, report);
   report.faces_turned = agree_windings(scene, topology);
-  if (report.faces_turned > 0) topology = build_topology(scene);
+  if (report.faces_turned > 0) {
+    const bool may_repeat = topology.may_repeat_triangles;
+    topology = build_topology(scene);
+    topology.may_repeat_triangles = may_repeat;
+  }
   return report;
 }
 

@@ -51,6 +51,8 @@ struct Topology {
   /// Per vertex its first edge among `edges`, and their number: edge e is one of v0's if it lies in [first_edges[v0],
   /// first_edges[v0 + 1]). Empty: not known.
   std::vector<std::uint32_t> first_edges;
+  /// Whether some of the triangles may have the same three vertices. Most meshes have none, but few steps look.
+  bool may_repeat_triangles = true;
 };
 
 /// The flags that any edge has, as EdgeFlag bits.
@@ -69,6 +71,10 @@ EdgeRange edges_of(const Topology& topology, const Object& object);
 
 /// The edges whose lower vertex is `vertex`. O(log n), or constant after index_edges().
 EdgeRange edges_up_from(const Topology& topology, std::uint32_t vertex);
+/// Their first.
+inline std::uint32_t first_edge_up_from(const Topology& topology, std::uint32_t vertex) {
+  return topology.first_edges.empty() ? edges_up_from(topology, vertex).begin : topology.first_edges[vertex];
+}
 
 /// Sets Topology::first_edges.
 void index_edges(Topology& topology, std::size_t vertices);
