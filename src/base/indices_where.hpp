@@ -1,6 +1,8 @@
 #pragma once
 /// Parallel selection of indices.
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -37,27 +39,30 @@ std::vector<std::uint32_t> indices_where(std::size_t count, const Wanted& wanted
   return indices_of_blocks(count, append, size);
 }
 
-/// The indices of the elements that have any of the bits `wanted`, ascending. `marks` is an array of small numbers. A word
-/// of them is passed at a time, so rare marks cost little.
+/// The indices of the elements that have any of the bits `wanted`, ascending. `marks` is an array of small numbers. Four
+/// words of them are passed at a time, so rare marks cost little.
 template <class Marks>
 std::vector<std::uint32_t> indices_of_marks(const Marks& marks, std::uint64_t wanted = ~std::uint64_t{0}) {
   const auto* const values = std::data(marks);
   constexpr std::size_t kSize = sizeof *values, kInWord = sizeof(std::uint64_t) / kSize;
   std::uint64_t wanted_of_word = 0;
   for (std::size_t k = 0; k < kInWord; ++k) wanted_of_word |= wanted << (8 * kSize * k);
-  const auto is_wanted_in_word = [&](std::size_t i) {
-    std::uint64_t word;
-    std::memcpy(&word, values + i, sizeof word);
-    return (word & wanted_of_word) != 0;
+  constexpr std::size_t kWords = 4, kInRun = kWords * kInWord;
+  const auto is_wanted_in_run = [&](std::size_t i) {
+    std::array<std::uint64_t, kWords> words;
+    std::memcpy(words.data(), values + i, sizeof words);
+    return ((words[0] | words[1] | words[2] | words[3]) & wanted_of_word) != 0;
   };
   return indices_of_blocks(std::size(marks), [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& found) {
     for (std::size_t i = begin; i < end;) {
-      if (i + kInWord <= end && !is_wanted_in_word(i)) {
-        i += kInWord;
+      const std::size_t last = std::min(i + kInRun, end);
+      if (last - i == kInRun && !is_wanted_in_run(i)) {
+        i = last;
         continue;
       }
-      if (static_cast<std::uint64_t>(values[i]) & wanted) found.push_back(static_cast<std::uint32_t>(i));
-      ++i;
+      for (; i < last; ++i) {
+        if (static_cast<std::uint64_t>(values[i]) & wanted) found.push_back(static_cast<std::uint32_t>(i));
+      }
     }
   });
 }

@@ -122,15 +122,20 @@ bool is_scan(const CreaseMesh& mesh, const std::vector<Bend>& bends, const ScanO
   const auto count_edges = [&](std::size_t begin, std::size_t end) {
     Counts sum;
     if (too_flat()) return sum;
-    std::size_t flat = 0;
-    for (std::size_t e = object.edge_begin + begin; e < object.edge_begin + end && sum.spoken == 0; ++e) {
-      sum.spoken += (topology.edge_flags[e] & kSpoken) != 0;
-      sum.defect += (topology.edge_flags[e] & kDefect) != 0;
-      sum.bent += is_bent(bends[e]);
-      flat += mesh.angles.cosines[e] > least;
+    // Counts of 32 bits and loops without branches are vectorized.
+    std::uint32_t spoken = 0, defect = 0, bent_edges = 0, flat = 0;
+    const std::uint16_t* const flags = topology.edge_flags.data() + object.edge_begin;
+    const Bend* const bend = bends.data() + object.edge_begin;
+    const float* const cosines = mesh.angles.cosines.data() + object.edge_begin;
+    for (std::size_t e = begin; e < end; ++e) {
+      spoken += (flags[e] & kSpoken) != 0;
+      defect += (flags[e] & kDefect) != 0;
     }
+    if (spoken > 0) return Counts{spoken, defect, 0};
+    for (std::size_t e = begin; e < end; ++e) bent_edges += is_bent(bend[e]);
+    for (std::size_t e = begin; e < end; ++e) flat += cosines[e] > least;
     all_flat += flat;
-    return sum;
+    return Counts{spoken, defect, bent_edges};
   };
   const Counts edges = parallel_reduce(object.edge_end - object.edge_begin, kShortWorkBlock, Counts{}, count_edges);
   const auto more_than = [&](std::size_t n, double part) { return static_cast<double>(n) > part * count; };

@@ -82,6 +82,9 @@ class Tracer {
     return scene_.vertices[topology_.edges[e].v1] - scene_.vertices[topology_.edges[e].v0];
   }
 
+  /// The number of a vertex near candidates among these vertices; one number for all others.
+  std::uint32_t place_of(std::uint32_t vertex) const { return place_of_vertex_[vertex - object_.vertex_begin]; }
+
   VertexState& state_of(std::uint32_t vertex) { return state_of_vertex_[vertex - object_.vertex_begin]; }
 
   void add_edges_of(std::uint32_t f) {
@@ -110,17 +113,20 @@ class Tracer {
     std::sort(candidates_.begin(), candidates_.end());
     candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
     const std::vector<std::uint8_t> wanted = near_candidates();
-    const std::vector<std::uint32_t> wanted_faces = faces_at(wanted);
-    edges_at_ = AtVertices(object_.vertex_begin, object_.vertex_end, [&](const auto& add) {
+    const std::vector<std::uint32_t> wanted_faces = faces_at(wanted), near = indices_of_marks(wanted);
+    const auto count = static_cast<std::uint32_t>(near.size());
+    place_of_vertex_.assign(wanted.size(), count);
+    for (std::uint32_t i = 0; i < count; ++i) place_of_vertex_[near[i]] = i;
+    edges_at_ = AtVertices(0, count + 1, [&](const auto& add) {
       for (std::uint32_t k = 0; k < candidates_.size(); ++k) {
-        add(topology_.edges[candidates_[k]].v0, k);
-        add(topology_.edges[candidates_[k]].v1, k);
+        add(place_of(topology_.edges[candidates_[k]].v0), k);
+        add(place_of(topology_.edges[candidates_[k]].v1), k);
       }
     });
-    faces_at_ = AtVertices(object_.vertex_begin, object_.vertex_end, [&](const auto& add) {
+    faces_at_ = AtVertices(0, count + 1, [&](const auto& add) {
       for (const std::uint32_t f : wanted_faces) {
         for (const std::uint32_t v : scene_.faces.contour(f, 0)) {
-          if (wanted[v - object_.vertex_begin]) add(v, f);
+          if (wanted[v - object_.vertex_begin]) add(place_of(v), f);
         }
       }
     });
@@ -194,7 +200,7 @@ class Tracer {
     round.clear();
     for (const std::uint32_t f : faces) {
       for (const std::uint32_t v : scene_.faces.contour(f, 0)) {
-        const auto more = faces_at_[v];
+        const auto more = faces_at_[place_of(v)];
         round.insert(round.end(), more.begin(), more.end());
       }
     }
@@ -270,7 +276,7 @@ class Tracer {
     if (!is_clean_line) return;
     // Also beside a rounding that is not a crease: another line along it would be no better.
     for (const std::uint32_t v : line.vertices) {
-      for (const std::uint32_t face : faces_at_[v]) {
+      for (const std::uint32_t face : faces_at_[place_of(v)]) {
         for (const std::uint32_t next : scene_.faces.contour(face, 0)) {
           state_of(next) = std::max(state_of(next), VertexState::beside);
         }
@@ -289,7 +295,7 @@ class Tracer {
     const Point3 direction = glm::normalize(scene_.vertices[v] - behind);
     std::uint32_t best = kNone, best_vertex = kNone;
     double best_score = 0;
-    for (const std::uint32_t k : edges_at_[v]) {
+    for (const std::uint32_t k : edges_at_[place_of(v)]) {
       if (on_line_[k] || k == line.edges.back()) continue;
       const Edge& edge = topology_.edges[candidates_[k]];
       const std::uint32_t next = edge.v0 == v ? edge.v1 : edge.v0;
@@ -362,8 +368,9 @@ class Tracer {
   std::vector<std::uint8_t> on_line_, firm_, refused_;  ///< per candidate
   std::vector<VertexState> state_of_vertex_;            ///< per vertex of the object
   std::vector<std::uint8_t> on_ridge_;                  ///< per vertex of the object: 1 if an edge exceeds the angle
-  AtVertices edges_at_;                                 ///< the candidates, by their index in candidates_
-  AtVertices faces_at_;                                 ///< the faces, ascending; only at vertices of candidates' faces
+  std::vector<std::uint32_t> place_of_vertex_;          ///< per vertex of the object: see place_of()
+  AtVertices edges_at_;                                 ///< by place_of(): the candidates, by their index in candidates_
+  AtVertices faces_at_;                                 ///< by place_of(): the faces, ascending
 };
 
 }  // namespace

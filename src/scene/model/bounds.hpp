@@ -17,12 +17,13 @@ struct Bounds {
 /// Bounding box of the vertices [begin, end). The range must not be empty.
 inline Bounds bounds_of(const Scene& scene, std::size_t begin, std::size_t end) {
   const auto of_block = [&](std::size_t first, std::size_t last) {
-    Bounds block{scene.vertices[begin + first], scene.vertices[begin + first]};
+    Point3 low = scene.vertices[begin + first], high = low;
     for (std::size_t v = begin + first; v < begin + last; ++v) {
-      block.low = glm::min(block.low, scene.vertices[v]);
-      block.high = glm::max(block.high, scene.vertices[v]);
+      const Point3 p = scene.vertices[v];
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
-    return block;
+    return Bounds{low, high};
   };
   const auto together = [](const Bounds& a, const Bounds& b) {
     return Bounds{glm::min(a.low, b.low), glm::max(a.high, b.high)};

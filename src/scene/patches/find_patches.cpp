@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <span>
 
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
@@ -107,6 +108,25 @@ ObjectPatches moved(ObjectPatches patches, const Similarity& motion, std::uint32
   return patches;
 }
 
+/// The edges that have any of these flags or belong to one of the faces, ascending. `faces`: ascending.
+std::vector<std::uint32_t> edges_with_or_at(const Topology& topology, unsigned flags, std::span<const std::uint32_t> faces) {
+  std::vector<std::uint32_t> found = edges_with(topology, flags);
+  auto t = topology.triangles.begin();
+  for (const std::uint32_t f : faces) {
+    t = std::ranges::lower_bound(t, topology.triangles.end(), f, {}, &Triangle::face);
+    for (; t != topology.triangles.end() && t->face == f; ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        // A side inside a polygon is no edge.
+        const Edge* edge = find_edge(topology, {t->v[k], t->v[(k + 1) % 3]});
+        if (edge) found.push_back(static_cast<std::uint32_t>(edge - topology.edges.data()));
+      }
+    }
+  }
+  std::ranges::sort(found);
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
 }  // namespace
 
 Point3 Patches::normal(std::uint32_t face, const Point3& p, const Point3& face_normal) const {
@@ -149,12 +169,17 @@ Patches find_patches(const Scene& scene, const Topology& topology, const MeshAng
 }
 
 std::vector<std::uint32_t> edges_outside_freeforms(const Topology& topology, const Patches& patches) {
-  std::vector<std::uint8_t> is_inside = patches.is_freeform;
-  for (std::size_t f = 0; f < is_inside.size() && !patches.list.empty(); ++f) is_inside[f] &= patches.patch_of[f] == kNone;
-  return indices_where(topology.edges.size(), [&, inside = is_inside.data()](std::size_t e) {
+  std::vector<std::uint8_t> is_outside(patches.is_freeform.size());
+  for (std::size_t f = 0; f < is_outside.size(); ++f) is_outside[f] = patches.is_freeform[f] == 0;
+  for (std::size_t f = 0; f < is_outside.size() && !patches.list.empty(); ++f) is_outside[f] |= patches.patch_of[f] != kNone;
+  constexpr unsigned kOutside = kEdgeBorder | kEdgeManyFaces;
+  constexpr std::size_t kFewPart = 16;  // adjustable: one of so many faces takes less time to look up than all edges
+  const std::vector<std::uint32_t> faces = indices_of_marks(is_outside);
+  if (faces.size() <= is_outside.size() / kFewPart) return edges_with_or_at(topology, kOutside, faces);
+  return indices_where(topology.edges.size(), [&, outside = is_outside.data()](std::size_t e) {
     const Edge& edge = topology.edges[e];
-    if (topology.edge_flags[e] & (kEdgeBorder | kEdgeManyFaces)) return true;
-    return (inside[edge.face0] & inside[edge.face1]) == 0;
+    if (topology.edge_flags[e] & kOutside) return true;
+    return (outside[edge.face0] | outside[edge.face1]) != 0;
   });
 }
 
