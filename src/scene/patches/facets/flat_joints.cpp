@@ -101,8 +101,10 @@ std::vector<std::uint32_t> flat_joints(const Scene& scene, const Topology& topol
   const auto first = std::ranges::lower_bound(candidates, edges.begin),
              last = std::ranges::lower_bound(candidates, edges.end);
   const std::span<const std::uint32_t> own(first, last);
-  std::vector<std::uint32_t> joints = indices_where(
-      own.size(), [&](std::size_t i) { return may_be_smooth(topology, own[i]) && finder.is_flat(topology.edges[own[i]]); });
+  std::vector<std::uint32_t> joints = indices_where(own.size(), [&](std::size_t i) {
+    prefetch_faces_of(scene, topology, own, 0, i);
+    return may_be_smooth(topology, own[i]) && finder.is_flat(topology.edges[own[i]]);
+  });
   for (std::uint32_t& joint : joints) joint = own[joint] - edges.begin;
   return joints;
 }

@@ -1,12 +1,14 @@
 #pragma once
 /// Edges at which two faces lie in one plane.
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
 #include "base/no_index.hpp"
+#include "base/prefetch.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 
@@ -27,5 +29,24 @@ inline bool may_be_smooth(const Topology& topology, std::uint32_t e) {
 /// as MeshAngles::flat does.
 std::vector<std::uint32_t> flat_joints(const Scene& scene, const Topology& topology, const Object& object, EdgeRange edges,
                                        std::span<const glm::vec3> normals, std::span<const std::uint32_t> candidates);
+
+/// Prefetches for a loop over edges with two faces, in a scene of triangles: the corners of the faces at the edge that comes
+/// kTurnsAhead iterations after the i-th, and where these are stored for one that comes as much later. The edges are those
+/// of `numbers`, from `first` on.
+[[gnu::always_inline]] inline void prefetch_faces_of(const Scene& scene, const Topology& topology,
+                                                     std::span<const std::uint32_t> numbers, std::uint32_t first,
+                                                     std::size_t i) {
+  if (!scene.faces.all_triangles()) return;
+  const std::span<const std::uint32_t> corners = scene.faces.corners();
+  if (i + 2 * kTurnsAhead < numbers.size()) {
+    const Edge& edge = topology.edges[first + numbers[i + 2 * kTurnsAhead]];
+    __builtin_prefetch(corners.data() + 3 * std::size_t{edge.face0});
+    if (edge.face1 != kNone) __builtin_prefetch(corners.data() + 3 * std::size_t{edge.face1});
+  }
+  if (i + kTurnsAhead >= numbers.size()) return;
+  const Edge& edge = topology.edges[first + numbers[i + kTurnsAhead]];
+  prefetch(scene.vertices, corners.subspan(3 * std::size_t{edge.face0}, 3));
+  if (edge.face1 != kNone) prefetch(scene.vertices, corners.subspan(3 * std::size_t{edge.face1}, 3));
+}
 
 }  // namespace ligne

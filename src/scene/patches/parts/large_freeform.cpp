@@ -30,6 +30,8 @@ constexpr std::size_t kSamples = 128;
 constexpr std::size_t kFacesAtSample = 400;
 /// Largest part of the edges that may lie inside planes, or in pairs of triangles that may be planes.
 constexpr std::size_t kFlatShare = 64;
+/// With so many times as many joints an object is probably no free form.
+constexpr std::size_t kManyJoints = 4;
 /// Fewest faces of a plane without a large one, and least longest side of a large face, in mean lengths of edges.
 constexpr std::size_t kFewestOfPlane = 16;
 constexpr double kLargeSide = 4;
@@ -121,11 +123,13 @@ class PlaneJoints {
 
   std::vector<std::uint32_t> find() const {
     std::vector<std::uint32_t> found = indices_where(joints_.size(), [&](std::size_t i) {
+      prefetch_faces_of(whole_.scene, whole_.topology, joints_, whole_.edges.begin, i);
       const auto [f, g] = faces_at(joints_[i]);
       return joints_at_[f] > 1 || joints_at_[g] > 1 || is_large(f) || is_large(g);
     });
     for (std::uint32_t& joint : found) joint = joints_[joint];
     std::vector<std::uint32_t> faces;
+    faces.reserve(2 * found.size());
     for (const std::uint32_t k : found) {
       for (const std::uint32_t f : faces_at(k)) faces.push_back(f);
     }
@@ -135,10 +139,19 @@ class PlaneJoints {
       return static_cast<std::size_t>(std::ranges::lower_bound(faces, face) - faces.begin());
     };
     DisjointSets sets(faces.size());
-    for (const std::uint32_t k : found) sets.join(number_of(faces_at(k)[0]), number_of(faces_at(k)[1]));
+    std::vector<std::size_t> numbers;  // by joint found: that of its first face
+    numbers.reserve(found.size());
+    for (const std::uint32_t k : found) {
+      const auto [f, g] = faces_at(k);
+      sets.join(numbers.emplace_back(number_of(f)), number_of(g));
+    }
     std::vector<std::size_t> sizes(faces.size(), 0);
     for (std::size_t i = 0; i < faces.size(); ++i) sizes[sets.find(i)] += is_large(faces[i]) ? kFewestOfPlane : 1;
-    std::erase_if(found, [&](std::uint32_t k) { return sizes[sets.find(number_of(faces_at(k)[0]))] < kFewestOfPlane; });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (sizes[sets.find(numbers[i])] >= kFewestOfPlane) found[kept++] = found[i];
+    }
+    found.resize(kept);
     return found;
   }
 
@@ -223,13 +236,9 @@ class PartFindings {
   std::vector<std::uint8_t> freeform_;   ///< per facet
 };
 
-}  // namespace
-
-std::optional<LargeFreeform> find_large_freeform(const TriangleObject& whole, std::vector<std::uint32_t>& joints) {
-  joints = flat_joints(whole.scene, whole.topology, whole.object, whole.edges, whole.angles.normals, whole.angles.flat);
-  if (whole.face_count() < kFewestFaces || !whole.scene.faces.all_triangles()) return std::nullopt;
-  const FaceWalk walk(whole);
-  if (!seems_free(walk, joints)) return std::nullopt;
+/// The planes in a free form, and their borders. None if too many edges lie inside planes.
+std::optional<LargeFreeform> find_planes(const FaceWalk& walk, std::span<const std::uint32_t> joints) {
+  const TriangleObject& whole = walk.whole();
   const std::vector<std::uint32_t> in_planes = PlaneJoints(whole, joints).find();
   if (in_planes.size() > whole.edge_count() / kFlatShare) return std::nullopt;
   LargeFreeform found;
@@ -257,6 +266,29 @@ std::optional<LargeFreeform> find_large_freeform(const TriangleObject& whole, st
     if (may_be_plane[f]) found.is_freeform[f] = 0;
   }
   found.borders = findings.borders(found.is_freeform);
+  return found;
+}
+
+}  // namespace
+
+std::optional<LargeFreeform> find_large_freeform(const TriangleObject& whole, std::vector<std::uint32_t>& joints) {
+  joints = flat_joints(whole.scene, whole.topology, whole.object, whole.edges, whole.angles.normals, whole.angles.flat);
+  if (whole.face_count() < kFewestFaces || !whole.scene.faces.all_triangles()) return std::nullopt;
+  const FaceWalk walk(whole);
+  // Both take about as long, and one thread for the most part. Nearly all objects of this size that have few joints are
+  // free.
+  bool is_free = false;
+  std::optional<LargeFreeform> found;
+  const bool has_many_joints = joints.size() > kManyJoints * (whole.edge_count() / kFlatShare);
+  if (has_many_joints && !(is_free = seems_free(walk, joints))) return std::nullopt;
+  parallel_tasks(2, [&](std::size_t task) {
+    if (task == 0) {
+      found = find_planes(walk, joints);
+    } else if (!is_free) {
+      is_free = seems_free(walk, joints);
+    }
+  });
+  if (!is_free) return std::nullopt;
   return found;
 }
 

@@ -49,17 +49,6 @@ void mark(std::uint8_t& thing) { std::atomic_ref(thing).store(1, std::memory_ord
 
 }  // namespace
 
-FaceWalk::FaceWalk(const TriangleObject& whole)
-    : whole_(whole), first_edge_(whole.object.vertex_end - whole.object.vertex_begin, whole.edge_count()) {
-  const std::uint32_t first = whole.object.vertex_begin;
-  parallel_blocks(whole.edge_count(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const std::uint32_t v = whole.edge(k).v0;
-      if (k == 0 || whole.edge(k - 1).v0 != v) first_edge_[v - first] = static_cast<std::uint32_t>(k);
-    }
-  });
-}
-
 void FaceSet::add_rings(const FaceWalk& walk, int rings) {
   std::size_t begin = 0;
   for (int ring = 0; ring < rings; ++ring) {

@@ -31,7 +31,7 @@ struct TriangleObject {
 /// Finds the edges and neighbours of faces.
 class FaceWalk {
  public:
-  explicit FaceWalk(const TriangleObject& whole);
+  explicit FaceWalk(const TriangleObject& whole) : whole_(whole) {}
 
   const TriangleObject& whole() const { return whole_; }
 
@@ -41,9 +41,9 @@ class FaceWalk {
     const auto contour = whole_.scene.faces.contour(whole_.object.face_begin + face, 0);
     for (std::size_t i = 0; i < 3; ++i) {
       const auto [low, high] = std::minmax(contour[i], contour[i == 2 ? 0 : i + 1]);
-      std::uint32_t k = first_edge_[low - whole_.object.vertex_begin];
-      while (whole_.edge(k).v1 != high) ++k;
-      visit(k);
+      std::uint32_t e = first_edge_up_from(whole_.topology, low);
+      while (whole_.topology.edges[e].v1 != high) ++e;
+      visit(e - whole_.edges.begin);
     }
   }
 
@@ -59,7 +59,6 @@ class FaceWalk {
 
  private:
   const TriangleObject& whole_;
-  std::vector<std::uint32_t> first_edge_;  ///< per vertex of the object: its first edge to a higher one
 };
 
 /// A set of faces of an object.
