@@ -99,6 +99,7 @@ ChosenCreases find_lines(const Scene*& scene, PreparedScene& prepared, RunReport
   if (draws_contours(lines)) {
     if (auto given = refine_on_page(*scene, prepared.topology, prepared.view(), prepared.request, found.creases)) {
       scene = &given->refined.scene;
+      found.creases.shapes = {};
       prepared.given = std::move(given);
     }
   }
@@ -109,8 +110,11 @@ ChosenCreases find_lines(const Scene*& scene, PreparedScene& prepared, RunReport
 void select_lines(PreparedScene& prepared, ChosenCreases& chosen, std::vector<ShapeLine>& tangents) {
   const LineRequest& lines = prepared.request.lines;
   tangents = choose_tangent_lines(prepared.scene, prepared.topology, prepared.request, prepared.view(), chosen.creases);
-  const EdgeSelection selection{lines.studied(), lines.crease_degrees, chosen.decide ? &chosen.creases.lines : nullptr};
+  TriangleShapes& shapes = chosen.creases.shapes;
+  const EdgeSelection selection{lines.studied(), lines.crease_degrees, chosen.decide ? &chosen.creases.lines : nullptr,
+                                shapes.heights.empty() ? nullptr : &shapes};
   prepared.projected = select_candidates(prepared.scene, prepared.topology, prepared.view(), selection);
+  shapes = {};
 }
 
 /// Adds the lines along fillets and the requested shape lines.

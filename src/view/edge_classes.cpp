@@ -41,10 +41,12 @@ std::int8_t facing_of(const Point3& normal, const Point3& sight, double length) 
   return d < 0 ? 1 : -1;
 }
 
-FaceSides face_sides(const Scene& scene, const Camera& camera, bool with_normals) {
+/// `sure`: facings of triangles that are known, or empty.
+FaceSides face_sides(const Scene& scene, const Camera& camera, bool with_normals, std::vector<std::int8_t> sure = {}) {
   FaceSides sides;
   const std::size_t n = scene.faces.size();
-  sides.facing = large_vector<std::int8_t>(n);
+  const bool has_sure = !sure.empty() && !with_normals;
+  sides.facing = has_sure ? std::move(sure) : large_vector<std::int8_t>(n);
   if (with_normals) sides.normal = large_vector<glm::vec3>(n);
   std::atomic<bool> any_flat{false};
   const double forward_length = glm::length(camera.forward);
@@ -61,8 +63,9 @@ FaceSides face_sides(const Scene& scene, const Camera& camera, bool with_normals
   const bool all_triangles = scene.faces.all_triangles();
   parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
+      if (has_sure && sides.facing[f] != 0) continue;
       if (all_triangles) {
-        prefetch_corners(scene.vertices, corners, f);
+        if (!has_sure) prefetch_corners(scene.vertices, corners, f);
         const Point3& a = scene.vertices[corners[3 * f]];
         const Point3 &b = scene.vertices[corners[3 * f + 1]], &c = scene.vertices[corners[3 * f + 2]];
         set(f, triangle_normal(a, b, c), a);
@@ -143,8 +146,14 @@ class EdgeClassifier {
   std::vector<std::uint32_t> all(std::vector<LineClass>& classes) const {
     return indices_of_blocks(classes.size(), [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& turned) {
       for (std::size_t e = begin; e < end; ++e) {
-        prefetch_faces(sides_.facing, topology_.edges, e);
-        if (!creases_) prefetch_faces(sides_.normal, topology_.edges, e);
+        if (creases_ && is_plain(e)) {
+          classes[e] = LineClass::mesh;
+          continue;
+        }
+        if (!creases_) {
+          prefetch_faces(sides_.facing, topology_.edges, e);
+          prefetch_faces(sides_.normal, topology_.edges, e);
+        }
         const bool turns = turns_away(sides_, topology_, e);
         if (turns) turned.push_back(static_cast<std::uint32_t>(e));
         classes[e] = class_of(e, turns);
@@ -156,6 +165,13 @@ class EdgeClassifier {
   static float cosine_of(double crease_degrees) {
     const double degree = 3.14159265358979323846 / 180;
     return static_cast<float>(std::cos(std::min(180.0, crease_degrees + kCreaseSlackDegrees) * degree));
+  }
+
+  /// Whether an edge is surely no line; most edges of large meshes are plain.
+  bool is_plain(std::size_t e) const {
+    if ((topology_.edge_flags[e] | (*creases_)[e]) != 0) return false;
+    const Edge& edge = topology_.edges[e];
+    return edge.face1 != kNone && sides_.facing[edge.face0] == sides_.facing[edge.face1];
   }
 
   LineClass class_of(std::size_t e, bool turns) const {
@@ -196,8 +212,9 @@ std::vector<std::int8_t> face_facings(const Scene& scene, const Camera& camera) 
 }
 
 std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topology, const Camera& camera,
-                                      double crease_degrees, const std::vector<std::uint8_t>* creases) {
-  FaceSides sides = face_sides(scene, camera, creases == nullptr);
+                                      double crease_degrees, const std::vector<std::uint8_t>* creases,
+                                      std::vector<std::int8_t> sure) {
+  FaceSides sides = face_sides(scene, camera, creases == nullptr, std::move(sure));
   mend_flat_faces(scene, topology, sides);
   const EdgeClassifier classify(topology, sides, crease_degrees, creases);
   std::vector<LineClass> classes(topology.edges.size());

@@ -31,8 +31,9 @@ std::vector<std::int8_t> face_facings(const Scene& scene, const Camera& camera);
 /// If the windings of two faces contradict each other, one is treated as reversed. A face without area takes the normal
 /// of its neighbour across its longest edge. If `creases` is given (per edge kCreaseLine, kTangentLine, kFoldLine or 0, see
 /// scene/creases/crease_lines.hpp), it decides on creases and tangent lines instead of the angle and the number of
-/// faces.
+/// faces. `sure`: sure_facings() (edge_on.hpp), or empty.
 std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topology, const Camera& camera,
-                                      double crease_degrees, const std::vector<std::uint8_t>* creases = nullptr);
+                                      double crease_degrees, const std::vector<std::uint8_t>* creases = nullptr,
+                                      std::vector<std::int8_t> sure = {});
 
 }  // namespace ligne

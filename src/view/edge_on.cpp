@@ -6,9 +6,12 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/large_vector.hpp"
 #include "base/parallel.hpp"
 #include "base/prefetch.hpp"
 #include "scene/model/bounds.hpp"
+#include "scene/model/planarity.hpp"
+#include "view/edge_classes.hpp"
 
 namespace ligne {
 namespace {
@@ -19,6 +22,11 @@ constexpr double kViewRounding = 0x1p-50;
 /// Relative rounding of the mixed product: three differences, two products and a difference, and a sum of three
 /// products.
 constexpr double kMixedProductRounding = 0x1p-50;
+
+/// Cosine of the angle between the normal of a triangle and a line of sight, in float32, from which on it tells where the
+/// triangle faces. It exceeds kEdgeOnSine and the rounding of the cosine.
+constexpr float kSurelyFacing = 0x1p-16F;
+static_assert(kSurelyFacing > 4 * kEdgeOnSine);
 
 /// Factor that exceeds the rounding of the bound below.
 constexpr double kBoundRounding = 1 + 0x1p-40;
@@ -61,7 +69,35 @@ bool is_seen_edge_on(const Point3& p, const Point3& q, const Point3& r, const Ca
          precision * sum_of_sizes(normal) + rounding * (moved(to_q, to_r) + moved(to_r, sight) + moved(sight, to_q));
 }
 
-std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology& topology, const Camera& camera) {
+std::vector<std::int8_t> sure_facings(const Scene& scene, const Camera& camera, const TriangleShapes& shapes,
+                                      double largest) {
+  if (camera.perspective || shapes.heights.empty()) return {};
+  // By the bounds of is_surely_broad(), a triangle of longest side L and least height h, which spans an area h L, is broad
+  // if the cosine c of its normal with the sight fulfils h c > S (3 m L + 4 sqrt(3) r), with the sizes S of the sight, the
+  // rounding m of the mixed product, and the rounding r of the view. The margin exceeds the rounding of c.
+  constexpr double kMargin = 2;
+  const double longest = 2 * kSqrt3 * largest;
+  const double least = kMargin * sum_of_sizes(camera.forward) *
+                       (3 * kMixedProductRounding * longest + 4 * kSqrt3 * view_rounding(camera, largest));
+  const glm::vec3 sight(glm::normalize(camera.forward));
+  std::vector<std::int8_t> facings = large_vector<std::int8_t>(scene.faces.size());
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    const auto least_square = static_cast<float>(std::clamp(least * least / shapes.height_units[i], 1e-30, 1e30));
+    parallel_blocks(object.face_end - object.face_begin, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = object.face_begin + begin; f < object.face_begin + end; ++f) {
+        const float cosine = glm::dot(shapes.normals[f], sight), height = shapes.heights[f];
+        const bool is_sure =
+            (std::abs(cosine) > kSurelyFacing) & (height > kOwnNormalHeight) & (height * cosine * cosine > least_square);
+        facings[f] = is_sure ? (cosine < 0 ? 1 : -1) : 0;
+      }
+    });
+  }
+  return facings;
+}
+
+std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology& topology, const Camera& camera,
+                                             std::span<const std::int8_t> sure) {
   const double rounding = view_rounding(camera, largest_coordinate(scene));
   const double forward_sizes = sum_of_sizes(camera.forward);
   // A face is seen edge on when all its triangles are.
@@ -75,7 +111,8 @@ std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology&
                                  scene.objects.begin());
     bool found = false;
     for (std::size_t i = begin; i < end; ++i) {
-      if (i + kTurnsAhead < end) prefetch(scene.vertices, triangles[i + kTurnsAhead].v);
+      if (!sure.empty() && sure[i] != 0) continue;
+      if (sure.empty() && i + kTurnsAhead < end) prefetch(scene.vertices, triangles[i + kTurnsAhead].v);
       const Triangle& t = triangles[i];
       while (t.face >= scene.objects[object].face_end) ++object;
       const Point3 &p = scene.vertices[t.v[0]], &q = scene.vertices[t.v[1]], &r = scene.vertices[t.v[2]];

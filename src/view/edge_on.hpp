@@ -3,8 +3,10 @@
 /// are lines on the page and hide nothing.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "scene/creases/face_normals.hpp"
 #include "scene/model/topology.hpp"
 #include "view/view.hpp"
 
@@ -22,7 +24,16 @@ namespace ligne {
 ///
 /// and its own rounding error; |.| is the sum of the absolute components. In parallel projection the product is that
 /// of n and the line of sight, which has no position that could be near a plane, so the first term is omitted.
-std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology& topology, const Camera& camera);
+///
+/// `sure`: sure_facings(), or empty.
+std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology& topology, const Camera& camera,
+                                             std::span<const std::int8_t> sure = {});
+
+/// The sides of triangles that their normals tell at once. Per face: 1 if it certainly faces the viewer, -1 if it certainly
+/// faces away, and is not seen edge on; 0 if the normal does not tell. Most triangles of a fine mesh are sure. Empty for
+/// perspective views. `shapes`: of the scene; `largest`: its largest absolute coordinate.
+std::vector<std::int8_t> sure_facings(const Scene& scene, const Camera& camera, const TriangleShapes& shapes,
+                                      double largest);
 
 /// The test for one triangle with corners in model coordinates: `precision` is e, `rounding` is d.
 bool is_seen_edge_on(const Point3& p, const Point3& q, const Point3& r, const Camera& camera, double precision,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <unordered_map>
+#include <utility>
 
 #include "base/hash.hpp"
 #include "base/indices_where.hpp"
@@ -22,10 +23,10 @@ namespace {
 /// Relative rounding of the projection: a few double operations on coordinates as large as the largest one.
 constexpr double kProjectionRounding = 0x1p-50;
 
-double input_error_mm(const Scene& scene, const View& view) {
+double input_error_mm(const Scene& scene, const View& view, double largest) {
   double error = 0;
   for (const Object& object : scene.objects) error = std::max(error, object.precision);
-  return projected_error_mm(view, error, largest_coordinate(scene));
+  return projected_error_mm(view, error, largest);
 }
 
 ProjectedVertex to_vertex(const HomogeneousPoint& p, const Lattice& lattice) {
@@ -147,10 +148,11 @@ class Clipper {
   std::unordered_map<Coordinates, std::uint32_t, Hash> cut_vertices_;  ///< of the current object
 };
 
-void select_edges(const Scene& scene, const Topology& topology, const Camera& camera, const EdgeSelection& selection,
-                  ProjectedScene& out) {
+/// `sure`: sure_facings(), or empty.
+void select_edges(const Scene& scene, const Topology& topology, const EdgeSelection& selection,
+                  std::vector<std::int8_t> sure, ProjectedScene& out) {
   const std::vector<LineClass> classes =
-      classify_edges(scene, topology, camera, selection.crease_degrees, selection.creases);
+      classify_edges(scene, topology, out.view.camera, selection.crease_degrees, selection.creases, std::move(sure));
   const std::vector<std::uint32_t> selected =
       indices_where(classes.size(), [&](std::size_t e) { return selection.classes.has(classes[e]); });
   out.edges = large_vector<ProjectedEdge>(selected.size());
@@ -190,16 +192,20 @@ ProjectedScene select_candidates(const Scene& scene, const Topology& topology, c
   out.lattice = page_lattice(view);
   out.source_count = static_cast<std::uint32_t>(topology.edges.size());
   out.with_intersections = selection.classes.has(LineClass::intersection);
-  out.input_error_mm = input_error_mm(scene, view);
+  const double largest = largest_coordinate(scene);
+  out.input_error_mm = input_error_mm(scene, view, largest);
   out.face_is_transparent = transparent_faces(scene);
-  out.face_is_edge_on = faces_seen_edge_on(scene, topology, view.camera);
-  select_edges(scene, topology, view.camera, selection, out);
+  std::vector<std::int8_t> sure;
+  if (selection.shapes) sure = sure_facings(scene, view.camera, *selection.shapes, largest);
+  out.face_is_edge_on = faces_seen_edge_on(scene, topology, view.camera, sure);
+  select_edges(scene, topology, selection, std::move(sure), out);
   return out;
 }
 
 void place_on_page(const Scene& scene, const Topology& topology, ProjectedScene& projected) {
   const Volumes volumes = volumes_of(projected);
-  if (project_vertices(scene, projected.view, volumes, projected)) {
+  const bool is_whole = project_vertices(scene, projected.view, volumes, projected);
+  if (is_whole) {
     projected.triangles = large_vector<Triangle>(topology.triangles.size());
     parallel_blocks(projected.triangles.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
       std::copy_n(topology.triangles.data() + begin, end - begin, projected.triangles.data() + begin);

@@ -9,6 +9,7 @@
 #include "base/no_index.hpp"
 #include "geometry/lattice.hpp"
 #include "linework/stroke.hpp"
+#include "scene/creases/face_normals.hpp"
 #include "scene/model/topology.hpp"
 #include "view/view.hpp"
 
@@ -37,6 +38,7 @@ struct EdgeSelection {
   LineClasses classes;
   double crease_degrees = 30;
   const std::vector<std::uint8_t>* creases = nullptr;  ///< per edge, see crease_lines.hpp; null: by angle
+  const TriangleShapes* shapes = nullptr;              ///< of the scene; null: not known
 };
 
 /// The scene as the camera sees it. Vertices are renumbered along a Morton curve over the page; faces and source edges

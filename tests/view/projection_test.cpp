@@ -3,8 +3,10 @@
 
 #include <glm/vec4.hpp>
 
+#include "scene/model/object_sizes.hpp"
 #include "support/scenes.hpp"
 #include "view/clip.hpp"
+#include "view/edge_classes.hpp"
 #include "view/edge_on.hpp"
 
 namespace ligne::test {
@@ -187,15 +189,22 @@ TEST(EdgeOn, TheBoundAgreesWithTheTest) {
   end_object(scene);
   double largest = 0;
   for (const Point3& v : scene.vertices) largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  const std::vector<std::uint8_t> edge_on = faces_seen_edge_on(scene, build_topology(scene), camera);
+  const Topology topology = build_topology(scene);
+  const std::vector<std::uint8_t> edge_on = faces_seen_edge_on(scene, topology, camera);
   ASSERT_EQ(edge_on.size(), scene.faces.size());
+  const std::vector<std::int8_t> facings = face_facings(scene, camera);
+  const std::vector<std::int8_t> sure =
+      sure_facings(scene, camera, mesh_angles(scene, topology, object_sizes(scene)), largest);
+  EXPECT_EQ(faces_seen_edge_on(scene, topology, camera, sure), edge_on);
   std::size_t seen_so = 0;
   for (std::uint32_t f = 0; f < edge_on.size(); ++f) {
     const Point3* const t = &scene.vertices[3 * f];
     const bool whole = is_seen_edge_on(t[0], t[1], t[2], camera, 0, view_rounding(camera, largest));
     EXPECT_EQ(edge_on[f] != 0, whole) << f;
+    EXPECT_TRUE(sure[f] == 0 || (!whole && sure[f] == facings[f])) << f;
     seen_so += whole;
   }
+  EXPECT_LT(std::ranges::count(sure, 0), 29'900);
   EXPECT_GT(seen_so, 1000u);
   EXPECT_LT(seen_so, 29'000u);
 }

@@ -1,9 +1,11 @@
 #include "scene/creases/face_normals.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "base/indices_where.hpp"
 #include "base/large_vector.hpp"
@@ -37,13 +39,17 @@ struct TriangleShape {
   double squared_height = 0;
 };
 
-TriangleShape shape_of(const Point3& a, const Point3& b, const Point3& c, double precision) {
+/// `sure`: a squared height above which a triangle of this object is surely no sliver.
+TriangleShape shape_of(const Point3& a, const Point3& b, const Point3& c, double precision, double sure) {
   const Point3 ab = b - a, ac = c - a, bc = c - b;
   const Point3 area = glm::cross(ab, ac);
-  const double longest2 = std::max({glm::dot(ab, ab), glm::dot(bc, bc), glm::dot(ac, ac)});
-  const double area2 = glm::dot(area, area), longest = std::sqrt(longest2), length = std::sqrt(area2);
+  const double longest2 = std::max(std::max(glm::dot(ab, ab), glm::dot(bc, bc)), glm::dot(ac, ac));
+  const double area2 = glm::dot(area, area), length = std::sqrt(area2);
   const double height2 = longest2 > 0 ? area2 / longest2 : 0;
-  if (length <= straightness_tolerance(precision, longest) * longest) return {{0, 0, 0}, height2};
+  if (!(height2 > sure)) {
+    const double longest = std::sqrt(longest2);
+    if (length <= straightness_tolerance(precision, longest) * longest) return {{0, 0, 0}, height2};
+  }
   return {area / length, height2};
 }
 
@@ -74,9 +80,14 @@ void take_from_neighbours(const Scene& scene, const Topology& topology, std::vec
   for (const auto& [face, normal] : taken) normals[face] = normal;
 }
 
-/// face_normals(). `heights` is empty, or takes per triangle the square of its least height in that of the distance of two
-/// triangles of its object from one plane, at most kLargest. `sizes` are needed for it.
-std::vector<glm::vec3> measure_faces(const Scene& scene, const Topology& topology, std::span<const double> sizes,
+/// TriangleShapes::height_units of an object of a given size.
+double height_unit(const Object& object, double size) {
+  const double tolerance = planarity_tolerance(object.precision, size);
+  return std::max(kBendMargin * tolerance * tolerance, kLeast);
+}
+
+/// face_normals(). `heights` is empty, or takes TriangleShapes::heights in `units`, at most kLargest.
+std::vector<glm::vec3> measure_faces(const Scene& scene, const Topology& topology, std::span<const double> units,
                                      std::span<float> heights) {
   std::vector<glm::vec3> normals = large_vector<glm::vec3>(scene.faces.size());
   std::atomic<bool> any_without{false};
@@ -84,19 +95,17 @@ std::vector<glm::vec3> measure_faces(const Scene& scene, const Topology& topolog
   const bool all_triangles = scene.faces.all_triangles();
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
-    double scale = 0;
-    if (!heights.empty()) {
-      const double tolerance = planarity_tolerance(object.precision, sizes[i]);
-      scale = 1 / std::max(kBendMargin * tolerance * tolerance, kLeast);
-    }
+    const double scale = heights.empty() ? 0 : 1 / units[i];
+    // The unit exceeds the squared tolerance for slivers.
+    const double sure = heights.empty() ? std::numeric_limits<double>::infinity() : units[i];
     parallel_blocks(object.face_end - object.face_begin, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
       bool without = false;
       for (std::size_t f = object.face_begin + begin; f < object.face_begin + end; ++f) {
         if (all_triangles) prefetch_corners(scene.vertices, corners, f);
-        const std::span<const std::uint32_t> v = scene.faces.contour(f, 0);
+        const std::span<const std::uint32_t> v = all_triangles ? corners.subspan(3 * f, 3) : scene.faces.contour(f, 0);
         if (v.size() == 3) {
           const TriangleShape shape =
-              shape_of(scene.vertices[v[0]], scene.vertices[v[1]], scene.vertices[v[2]], object.precision);
+              shape_of(scene.vertices[v[0]], scene.vertices[v[1]], scene.vertices[v[2]], object.precision, sure);
           normals[f] = shape.normal;
           if (!heights.empty()) heights[f] = static_cast<float>(std::min(shape.squared_height * scale, kLargest));
         } else {
@@ -113,13 +122,21 @@ std::vector<glm::vec3> measure_faces(const Scene& scene, const Topology& topolog
 
 /// Whether two triangles surely do not lie in one plane. The third corner of either lies from the plane of the other by its
 /// height over the edge times the sine of the bend, which little exceeds the distance of the normals' ends. `height`: that
-/// of the lower one, as of measure_faces().
+/// of the lower one, as in TriangleShapes.
 bool surely_bend(float height, float cosine, const glm::vec3& first, const glm::vec3& second) {
-  if (!(cosine < kSurelyBent)) return false;
   // The distance follows from the cosine, unless that is near 1.
   if (cosine < kClearlyBent) return height * (kBendPart * (1 - cosine)) > 1;
+  if (!(cosine < kSurelyBent)) return false;
   const glm::vec3 turn = first - second;
   return height * glm::dot(turn, turn) > 1;
+}
+
+/// Prefetches what the angle at an edge needs.
+[[gnu::always_inline]] inline void prefetch_faces(const std::vector<glm::vec3>& normals, const std::vector<float>& heights,
+                                                  const Edge& edge) {
+  const std::uint32_t second = edge.face1 == kNone ? edge.face0 : edge.face1;
+  prefetch(normals, std::array{edge.face0, second});
+  if (!heights.empty()) prefetch(heights, std::array{edge.face0, second});
 }
 
 }  // namespace
@@ -130,21 +147,31 @@ std::vector<glm::vec3> face_normals(const Scene& scene, const Topology& topology
 
 MeshAngles mesh_angles(const Scene& scene, const Topology& topology, std::span<const double> sizes) {
   MeshAngles angles;
-  std::vector<float> heights;
-  if (scene.faces.all_triangles()) heights = large_vector<float>(scene.faces.size());
-  angles.normals = measure_faces(scene, topology, sizes, heights);
+  std::vector<float>& heights = angles.heights;
+  if (scene.faces.all_triangles()) {
+    heights = large_vector<float>(scene.faces.size());
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+      angles.height_units.push_back(height_unit(scene.objects[i], sizes[i]));
+  }
+  angles.normals = measure_faces(scene, topology, angles.height_units, heights);
   const std::vector<glm::vec3>& normals = angles.normals;
   angles.cosines = large_vector<float>(topology.edges.size());
-  angles.flat = indices_where(topology.edges.size(), [&](std::size_t e) {
-    prefetch_faces(normals, topology.edges, e);
-    prefetch_faces(heights, topology.edges, e);
-    const Edge& edge = topology.edges[e];
-    angles.cosines[e] = kNoCosine;
-    if (edge.face1 == kNone) return false;
-    const glm::vec3 &first = normals[edge.face0], &second = normals[edge.face1];
-    const float cosine = angles.cosines[e] = glm::dot(first, second);
-    if (cosine < kLeastFlatCosine) return false;
-    return heights.empty() || !surely_bend(std::min(heights[edge.face0], heights[edge.face1]), cosine, first, second);
+  const std::size_t count = topology.edges.size();
+  const Edge* const edges = topology.edges.data();
+  angles.flat = indices_of_blocks(count, [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& flat) {
+    for (std::size_t e = begin; e < end; ++e) {
+      const Edge& edge = edges[e];
+      prefetch_faces(normals, heights, edges[std::min(e + kTurnsAhead, count - 1)]);
+      if (edge.face1 == kNone) {
+        angles.cosines[e] = kNoCosine;
+        continue;
+      }
+      const glm::vec3 &first = normals[edge.face0], &second = normals[edge.face1];
+      const float cosine = angles.cosines[e] = glm::dot(first, second);
+      if (cosine < kLeastFlatCosine) continue;
+      if (heights.empty() || !surely_bend(std::min(heights[edge.face0], heights[edge.face1]), cosine, first, second))
+        flat.push_back(static_cast<std::uint32_t>(e));
+    }
   });
   return angles;
 }

@@ -20,9 +20,19 @@ std::vector<glm::vec3> face_normals(const Scene& scene, const Topology& topology
 /// The cosine of edges of one face in MeshAngles: less than that of any angle.
 inline constexpr float kNoCosine = -2;
 
+/// The normals and heights of triangles, for quick tests that nearly all triangles pass.
+struct TriangleShapes {
+  std::vector<glm::vec3> normals;  ///< per face, as of face_normals()
+  /// Per face: square of its least height, in `height_units` of its object. Empty if not all faces are triangles.
+  std::vector<float> heights;
+  std::vector<double> height_units;  ///< per object: square of the distance of two triangles from one plane, with a margin
+};
+
+/// A triangle of a greater TriangleShapes::heights is no sliver, so its normal is that of its own plane.
+inline constexpr float kOwnNormalHeight = 2;
+
 /// The angles at all edges, which passes over the edges of a large mesh read in place of vertices and normals.
-struct MeshAngles {
-  std::vector<glm::vec3> normals;   ///< per face, as of face_normals()
+struct MeshAngles : TriangleShapes {
   std::vector<float> cosines;       ///< per edge: of the angle between its first two faces, computed in float32
   std::vector<std::uint32_t> flat;  ///< edges whose faces may lie in one plane, ascending: all others certainly bend
 };

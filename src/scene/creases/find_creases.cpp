@@ -49,6 +49,7 @@ class Finder {
     for (const std::uint32_t e : indices_of_marks(bends_)) {
       if (bends_[e] >= Bend::strong) found_.lines[e] = kCreaseLine;
     }
+    if (!mesh_.heights.empty()) found_.shapes = std::move(mesh_);
     return std::move(found_);
   }
 

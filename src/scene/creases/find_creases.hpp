@@ -27,6 +27,7 @@ struct Creases {
   std::vector<WallEdge> walls;         ///< creases that are visible from one side only
   std::vector<FoldSheet> folds;        ///< faces at edges of more than two that are no creases, see SheetEdges
   std::vector<ScanObject> scans;       ///< objects whose creases were traced, ascending
+  TriangleShapes shapes;               ///< of the scene; only if all its faces are triangles
   std::size_t decimated = 0;           ///< those of them that are decimated parts
 
   // Differences from the simple rule that an edge is a crease if the angle of its faces exceeds the limit or if it has
