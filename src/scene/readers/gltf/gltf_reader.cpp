@@ -286,16 +286,18 @@ class Reader {
     for (std::size_t i = 0; i < n; ++i) std::swap(corners[3 * i + 1], corners[3 * i + 2]);
   }
 
-  /// Adds the normals of the triangles added last, transformed by the transposed inverse matrix.
+  /// Adds the normals of the triangles added last, transformed by the transposed inverse matrix. The list stays empty until
+  /// the first triangles with normals.
   void add_normals(const Primitive& p, std::uint32_t first_vertex, const glm::dmat4& m,
                    std::optional<GltfDeformer>& deformer) {
     auto& out = shading_->corner_normals;
     const auto corners = std::as_const(scene_.faces).corners();
     const glm::dmat3 linear(m);
     if (!p.normals || (!deformer && glm::determinant(linear) == 0)) {
-      out.resize(corners.size(), 0);
+      if (!out.empty()) out.resize(corners.size(), 0);
       return;
     }
+    out.resize(corners.size() - 3 * p.triangle_count(), 0);
     std::vector<Point3> normals(p.normals->count(), Point3(0));
     try {
       const glm::dmat4 turn = deformer ? glm::dmat4(1) : glm::dmat4(glm::transpose(glm::inverse(linear)));
