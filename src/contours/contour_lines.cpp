@@ -12,6 +12,7 @@
 #include "contours/contour_sights.hpp"
 #include "contours/surfaces/outline_probes.hpp"
 #include "contours/surfaces/shallow_islands.hpp"
+#include "scene/model/object_sizes.hpp"
 
 namespace ligne {
 namespace {
@@ -51,13 +52,7 @@ class ObjectSizes {
   void measure(std::uint32_t face) {
     const std::size_t number = object_of(face);
     if (sizes_[number] >= 0) return;
-    const Object& object = scene_.objects[number];
-    Point3 low(1e300), high(-1e300);
-    for (std::uint32_t v = object.vertex_begin; v < object.vertex_end; ++v) {
-      low = glm::min(low, scene_.vertices[v]);
-      high = glm::max(high, scene_.vertices[v]);
-    }
-    sizes_[number] = glm::length(high - low);
+    sizes_[number] = object_size(scene_, scene_.objects[number]);
   }
   double operator()(std::uint32_t face) const { return sizes_[object_of(face)]; }
 

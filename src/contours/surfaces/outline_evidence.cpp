@@ -111,21 +111,21 @@ std::vector<ContourRun> hidden_parts(std::span<const Part> parts, const PagePiec
                                      double clear_mm) {
   double all = 0, unseen = 0;
   bool any_seen = false;
+  std::vector<Evidence> within_reach;  // by part
   for (const Part& part : parts) {
-    const Evidence evidence = outlines.at(part.middle, part.reach);
+    const Evidence evidence = within_reach.emplace_back(outlines.at(part.middle, part.reach));
     any_seen |= evidence == Evidence::seen;
     all += part.length;
     if (evidence == Evidence::hollow || evidence == Evidence::hidden) unseen += part.length;
   }
+  const auto evidence_of = [&](const Part& part) { return within_reach[static_cast<std::size_t>(&part - parts.data())]; };
   // If no outline beside the run is visible, hidden concave edges count too.
   if (!any_seen && 2 * unseen > all) return {{parts.front().from, parts.back().to, kHiddenState}};
-  std::vector<ContourRun> found = rows(parts, shortest_mm, kHiddenState, [&](const Part& part) {
-    return outlines.at(part.middle, part.reach) == Evidence::hidden;
-  });
+  std::vector<ContourRun> found =
+      rows(parts, shortest_mm, kHiddenState, [&](const Part& part) { return evidence_of(part) == Evidence::hidden; });
   if (!found.empty()) return found;
   return rows(parts, clear_mm, kHiddenState, [&](const Part& part) {
-    return outlines.at(part.middle, part.reach) != Evidence::none &&
-           outlines.at(part.middle, part.reach + clear_mm) < Evidence::seen;
+    return evidence_of(part) != Evidence::none && outlines.at(part.middle, part.reach + clear_mm) < Evidence::seen;
   });
 }
 
