@@ -78,7 +78,7 @@ ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Obj
       found.is_freeform[f] = freeform[graph.facet_of[f]];
     }
   });
-  assign_flat_rows(scene, topology, object, graph, found.patches, found.patch_of);
+  assign_flat_rows(scene, topology, object, graph, {found.patches, found.patch_of, found.is_freeform});
   return found;
 }
 
