@@ -9,6 +9,7 @@
 
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
+#include "scene/model/face_area.hpp"
 #include "scene/patches/borders/patch_outlines.hpp"
 #include "scene/patches/facet_rows.hpp"
 #include "scene/patches/find_patches.hpp"
@@ -353,6 +354,21 @@ std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& to
                   rows.ends_row(f) || rows.is_in_long_row(f) || is_amid_triangles(scene, topology, graph, patch_of, f) ||
                   is_in_slight_wall(scene, topology, graph, patch_of, f);
   return freeform;
+}
+
+bool is_part(const Scene& scene, const Patches& patches, const Object& object) {
+  /// Adjustable. Most part of the area that free forms take.
+  constexpr double kMostFreeArea = 0.5;
+  const auto is_free = [&](std::uint32_t f) { return patches.is_freeform[f] && patches.patch_of[f] == kNone; };
+  double others = 0, free = 0;
+  for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
+    if (!is_free(f)) others += glm::length(double_area(scene, f));
+  }
+  const double most = kMostFreeArea / (1 - kMostFreeArea) * others;
+  for (std::uint32_t f = object.face_begin; f < object.face_end && free <= most; ++f) {
+    if (is_free(f)) free += glm::length(double_area(scene, f));
+  }
+  return free <= most;
 }
 
 }  // namespace ligne

@@ -11,6 +11,7 @@
 namespace ligne {
 
 struct FacetSurfaces;
+struct Patches;
 
 /// Smallest number of connected facets that make a free form. Fewer facets with small angles between them are planes,
 /// unless they form a regular row.
@@ -38,5 +39,9 @@ double depth_behind(const Scene& scene, std::span<const std::uint32_t> corners, 
 /// - lies amid triangles without a surface that are about as deep: several triangles of a free form may lie in one plane.
 std::vector<std::uint8_t> freeform_facets(const Scene& scene, const Topology& topology, const FacetGraph& graph,
                                           const FacetSurfaces& surfaces, const EdgeRows& edge_rows);
+
+/// Whether planes and recognised surfaces take half of the area of an object or more. Others may have been sculpted or
+/// decimated, and have no edges of a part. The first few faces of a scan decide.
+bool is_part(const Scene& scene, const Patches& patches, const Object& object);
 
 }  // namespace ligne

@@ -11,20 +11,17 @@
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "scene/model/face_area.hpp"
 #include "scene/model/object_sizes.hpp"
-#include "scene/patches/borders/seam_section.hpp"
+#include "scene/patches/borders/seam_line.hpp"
 #include "scene/patches/freeform.hpp"
 
 namespace ligne {
 namespace {
 
 // Adjustable.
-/// Most part of the area of an object that free forms take.
-constexpr double kMostFreeArea = 0.5;
 /// An edge proves a seam if the flat side bends by less than this part of the round one, and that by so many radians over
 /// its first face. So many edges between two of them, or between one and another line, may prove nothing.
-constexpr double kFlatRatio = 0.33, kLeastSeamTurn = 0.03, kLargestSeamTurn = 1;
+constexpr double kFlatRatio = 0.33, kLeastSeamTurn = 0.03, kLargestSeamTurn = 1.3;
 constexpr std::size_t kMostWeakEdges = 2;
 /// Least ratio of the depths of the two faces of an edge that may prove a seam, and least number of such edges in a line.
 constexpr double kUnlikeDepths = 1.2;
@@ -38,19 +35,17 @@ constexpr std::ptrdiff_t kMostAtVertex = 64;
 /// Longest gap up to another line, as a part of the line before it, and its most edges.
 constexpr double kLongestSeamGap = 0.5;
 constexpr std::size_t kMostSeamGapEdges = 64;
-/// Least part of the length of a line that proves a seam; least number of its edges, unless it lies between two other lines.
-constexpr double kMostOfSeam = 0.6;
-/// Least part of that at which the round side bends the same way: where a tube begins to bend, it is convex on one side of
-/// the tube and hollow on the other.
-constexpr double kOneWay = 0.7;
+/// A gap does not lead through faces that bend alike and are so many times as deep as those of the round side of the line.
+constexpr double kDeeperGap = 2;
+/// Least number of the edges of a line, unless it lies between two other lines.
 constexpr std::size_t kFewestSeamEdges = 4;  // at least 4, for roughness()
-/// Least median along a line of the ratio of the curvatures, which is negative at an inflection, and of the depth of the
-/// flat faces in that of the round ones; largest median error of the sections.
-constexpr double kLeastSeamRatio = -0.6, kLeastSeamDepths = 1.5, kLargestSeamError = 0.3;
-/// Largest roughness() of a line. Lines that follow facets turn to and fro.
-constexpr double kRoughness = 0.02;
+/// Largest roughness() of a line, and of one across which the mesh clearly bends otherwise: lines that follow facets turn to
+/// and fro.
+constexpr double kRoughness = 0.02, kClearRoughness = 0.03;
 /// Least length of a line that meets no other one, as a part of the diagonal of its object.
 constexpr double kShortestOpen = 1.0 / 8;
+/// A shorter line that meets one at one end alone lies between faces whose depths differ by such a factor.
+constexpr double kShortestHalfOpen = 1.0 / 32, kDepthsOfShort = 1.5;
 
 constexpr std::uint16_t kSpokenFor =
     kEdgeManyFaces | kEdgeUnlikeWound | kEdgeSharp | kEdgeSmooth | kEdgeCrossing | kEdgeFileHidden | kEdgeInner;
@@ -74,7 +69,8 @@ class SeamFinder {
     for (std::uint32_t i = 0; i < inner_.size(); ++i) {
       if (!inner_[i].is_proof || inner_[i].is_done) continue;
       Line line = line_through(i);
-      if (may_be_seam(line)) lines.push_back(std::move(line));
+      line.bend = bend_along(sections_along(line.vertices));
+      if (line.bend.may_be_seam()) lines.push_back(std::move(line));
     }
     for (const Line& line : lines)
       for (const std::uint32_t v : line.vertices) is_held_[v] |= kOnSeam;
@@ -104,7 +100,8 @@ class SeamFinder {
   struct Line {
     std::vector<std::uint32_t> vertices;
     std::vector<const Inner*> edges;
-    double length = 0, proof = 0, convex = 0;  ///< of all edges; of those that prove a seam; of these, where it is convex
+    double length = 0;
+    LineBend bend{};  ///< of the line before gaps were closed
     bool is_closed() const { return vertices.front() == vertices.back(); }
   };
 
@@ -113,24 +110,9 @@ class SeamFinder {
   bool is_free(std::uint32_t face) const { return patches_.is_freeform[face] && patches_.patch_of[face] == kNone; }
   bool is_curved(std::uint32_t face) const { return patches_.is_freeform[face] || patches_.patch_of[face] != kNone; }
 
-  /// Whether most of the surface of an object is planes and recognised surfaces. Others may have been sculpted or decimated,
-  /// and have no edges of a part.
-  bool is_part(const Object& object) const {
-    double others = 0, free = 0;
-    for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
-      if (!is_free(f)) others += glm::length(double_area(scene_, f));
-    }
-    // The first few faces of a scan decide.
-    const double most = kMostFreeArea / (1 - kMostFreeArea) * others;
-    for (std::uint32_t f = object.face_begin; f < object.face_end && free <= most; ++f) {
-      if (is_free(f)) free += glm::length(double_area(scene_, f));
-    }
-    return free <= most;
-  }
-
   void find_inner() {
     for (const Object& object : scene_.objects) {
-      if (!is_part(object)) continue;
+      if (!is_part(scene_, patches_, object)) continue;
       is_inner_.resize(topology_.edges.size(), 0);
       const EdgeRange range = edges_of(topology_, object);
       for (std::uint32_t e = range.begin; e < range.end; ++e) {
@@ -159,16 +141,21 @@ class SeamFinder {
       const bool is_unlike = std::max(one, other) >= kUnlikeDepths * std::min(one, other);
       inner_.push_back({e, !is_unlike ? kNone : one > other ? edge.face0 : edge.face1});
     }
-    const SeamSections sections(scene_, topology_, is_inner_);
     const std::vector<std::uint32_t> in_line = in_lines_by_depth();
     parallel_blocks(in_line.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         Inner& inner = inner_[in_line[i]];
-        const std::optional<SeamSection> section = inner.section = sections.at(inner.edge);
-        inner.is_proof =
-            section && section->ratio < kFlatRatio && section->turn > kLeastSeamTurn && section->turn < kLargestSeamTurn;
+        inner.section = sections_.at(inner.edge);
+        inner.is_proof = inner.section && proves_seam(*inner.section);
       }
     });
+  }
+
+  static bool proves_seam(const SeamSection& section) {
+    const std::size_t round = section.round_side();
+    const double turn = section.turn(round);
+    return section.curvatures[1 - round] / section.curvatures[round] < kFlatRatio && turn > kLeastSeamTurn &&
+           turn < kLargestSeamTurn;
   }
 
   /// The inner edges of unlike depths that others continue straight, with their deeper faces on the same side: most edges
@@ -240,7 +227,7 @@ class SeamFinder {
 
   Point3 flat_way(const Inner& inner) const {
     const Edge& edge = topology_.edges[inner.edge];
-    return way_into(inner, inner.section->is_first_flat ? edge.face0 : edge.face1);
+    return way_into(inner, inner.section->round_side() == 1 ? edge.face0 : edge.face1);
   }
 
   /// The inner edge that goes straight on behind an edge, or kNone.
@@ -286,11 +273,8 @@ class SeamFinder {
   }
 
   void add(Line& line, Inner& inner) const {
-    const double length = length_of(inner.edge);
     line.edges.push_back(&inner);
-    line.length += length;
-    if (inner.is_proof) line.proof += length;
-    if (inner.is_proof && inner.section->is_convex) line.convex += length;
+    line.length += length_of(inner.edge);
     inner.is_done = true;
   }
 
@@ -305,38 +289,30 @@ class SeamFinder {
     return line;
   }
 
-  /// Median along a line, by length.
-  double median(const Line& line, double SeamSection::*value) const {
-    std::vector<std::pair<double, double>> values;
-    double all = 0, sum = 0;
-    for (const Inner* inner : line.edges) {
-      if (!inner->section) continue;
-      values.emplace_back(*inner->section.*value, length_of(inner->edge));
-      all += values.back().second;
+  /// The sections across the edges of a line, those of its other edges too.
+  std::vector<LineSection> sections_along(std::span<const std::uint32_t> vertices) {
+    std::vector<LineSection> sections;
+    for (std::size_t i = 1; i < vertices.size(); ++i) {
+      const Inner& inner = inner_at(edge_between(vertices[i - 1], vertices[i]));
+      const std::uint32_t face = topology_.edges[inner.edge].face0;
+      LineSection at{length_of(inner.edge), inner.section ? inner.section : sections_.at(inner.edge)};
+      const Point3 left = glm::cross(face_normal(scene_, face), way(vertices[i - 1], vertices[i]));
+      if (at.section && glm::dot(left, way_into(inner, face)) < 0) {
+        std::swap(at.section->curvatures[0], at.section->curvatures[1]);
+        std::swap(at.section->depths[0], at.section->depths[1]);
+      }
+      sections.push_back(at);
     }
-    std::ranges::sort(values);
-    for (const auto& [number, length] : values) {
-      sum += length;
-      if (2 * sum >= all) return number;
-    }
-    return 0;
-  }
-
-  bool may_be_seam(const Line& line) const {
-    if (line.proof < kMostOfSeam * line.length) return false;
-    if (std::max(line.convex, line.proof - line.convex) < kOneWay * line.proof) return false;
-    const double ratio = median(line, &SeamSection::ratio);
-    return ratio > kLeastSeamRatio && ratio < kFlatRatio && median(line, &SeamSection::depths) >= kLeastSeamDepths &&
-           median(line, &SeamSection::error) <= kLargestSeamError;
+    return sections;
   }
 
   /// Continues a line from its last vertex, straight on up to another line, if that is not far.
   void close_gap(Line& line) {
     if (line.is_closed() || is_held_[line.vertices.back()] & kOnLine) return;
-    std::vector<std::uint32_t> gap;
     std::uint32_t before = line.vertices[line.vertices.size() - 2], v = line.vertices.back();
+    std::vector<std::uint32_t> gap{v};
     double length = 0;
-    while (gap.size() < kMostSeamGapEdges) {
+    while (gap.size() <= kMostSeamGapEdges) {
       const std::uint32_t e = edge_behind(before, v);
       if (e == kNone) return;
       before = std::exchange(v, other_end(e, v));
@@ -345,26 +321,33 @@ class SeamFinder {
       if (length > kLongestSeamGap * line.length) return;
       if (is_held_[v]) break;
     }
-    line.vertices.insert(line.vertices.end(), gap.begin(), gap.end());
+    const LineBend bend = bend_along(sections_along(gap));
+    if (bend.is_even() && bend.depth > kDeeperGap * line.bend.depth) return;
+    line.vertices.insert(line.vertices.end(), gap.begin() + 1, gap.end());
   }
 
-  /// Whether a line is smooth, or too short to tell but between two others and proved by all of its edges.
+  /// Whether a line is smooth, or too short to tell but whole between two others.
   bool is_seam(const Line& line) const {
-    if (line.vertices.size() > kFewestSeamEdges) return roughness(scene_, line.vertices) <= kRoughness;
-    const bool is_whole = line.vertices.size() == line.edges.size() + 1 && line.proof >= line.length;
-    return is_whole && (is_held_[line.vertices.front()] & is_held_[line.vertices.back()] & kOnLine) != 0;
+    if (line.vertices.size() > kFewestSeamEdges)
+      return roughness(scene_, line.vertices) <= (line.bend.is_clear() ? kClearRoughness : kRoughness);
+    return line.bend.is_whole() && (is_held_[line.vertices.front()] & is_held_[line.vertices.back()] & kOnLine) != 0;
   }
 
-  /// Drops short lines that meet no other one.
+  double size_of(const Line& line) const {
+    return object_size(scene_, scene_.objects[object_of_vertex(scene_, line.vertices[0])]);
+  }
+
+  /// Drops short lines that meet no other one, or one at one end alone.
   void drop_loose(std::vector<Line>& lines) const {
     std::vector<std::uint32_t> lines_at(scene_.vertices.size(), 0);
     for (const Line& line : lines)
       for (const std::uint32_t v : line.vertices) ++lines_at[v];
     const auto is_loose = [&](const Line& line) {
       const auto meets = [&](std::uint32_t v) { return (is_held_[v] & kOnLine) != 0 || lines_at[v] > 1; };
-      if (line.is_closed() || meets(line.vertices.front()) || meets(line.vertices.back())) return false;
-      const Object& object = scene_.objects[object_of_vertex(scene_, line.vertices[0])];
-      return line.length < kShortestOpen * object_size(scene_, object);
+      const int ends = meets(line.vertices.front()) + meets(line.vertices.back());
+      if (line.is_closed() || ends == 2) return false;
+      if (ends == 1) return line.bend.depths < kDepthsOfShort && line.length < kShortestHalfOpen * size_of(line);
+      return line.length < kShortestOpen * size_of(line);
     };
     for (bool changes = true; changes;) {
       std::vector<Line> kept, loose;
@@ -381,7 +364,8 @@ class SeamFinder {
   const Patches& patches_;
   const std::vector<std::uint8_t>& is_line_;
   std::vector<PatchEdge>& edges_;
-  std::vector<std::uint8_t> is_inner_;                         ///< per edge: 1 between two faces of free forms
+  std::vector<std::uint8_t> is_inner_;  ///< per edge: 1 between two faces of free forms
+  const SeamSections sections_{scene_, topology_, is_inner_};
   std::vector<Inner> inner_;                                   ///< edges that may_hold_seam(), ascending
   std::vector<std::uint8_t> is_held_;                          ///< per vertex: Held bits
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_;  ///< vertices and edges of inner_, sorted

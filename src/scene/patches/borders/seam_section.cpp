@@ -130,16 +130,12 @@ std::optional<SeamSection> SeamSections::at(std::uint32_t e) const {
   if (!quadric) return std::nullopt;
   // The last coefficients are the curvatures before and behind the edge.
   const std::size_t first = depths[0] < 0 ? 5 : 6;
-  const std::array curvatures{(*quadric)[first] / size, (*quadric)[11 - first] / size};
-  const std::size_t round = std::abs(curvatures[0]) > std::abs(curvatures[1]) ? 0 : 1;
-  if (curvatures[round] == 0) return std::nullopt;
-  const double depth = std::abs(depths[round]), turn = std::abs(curvatures[round]) * depth;
-  return SeamSection{round == 1,
-                     curvatures[round] < 0,
-                     curvatures[1 - round] / curvatures[round],
-                     turn,
-                     std::abs(depths[1 - round]) / depth,
-                     error_of(*quadric, places) * size / (turn * depth)};
+  SeamSection section;
+  section.curvatures = {(*quadric)[first] / size, (*quadric)[11 - first] / size};
+  section.depths = {std::abs(depths[0]), std::abs(depths[1])};
+  section.error = error_of(*quadric, places) * size;
+  if (section.curvatures[section.round_side()] == 0) return std::nullopt;
+  return section;
 }
 
 double roughness(const Scene& scene, std::span<const std::uint32_t> vertices) {

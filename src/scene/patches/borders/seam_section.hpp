@@ -1,6 +1,9 @@
 #pragma once
 /// How a mesh bends across an edge, on both sides.
 
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <optional>
@@ -12,16 +15,16 @@
 
 namespace ligne {
 
-/// The section across an edge: the curvatures on both sides, of which the side that bends more is the round one.
+/// The section across an edge: on the side of Edge::face0, and on that of Edge::face1.
 struct SeamSection {
-  bool is_first_flat = false;  ///< the side of Edge::face0 is the flat one
-  bool is_convex = false;      ///< the round side bends away from its normals
-  double ratio = 0;            ///< curvature of the flat side divided by that of the round one
-  double turn = 0;             ///< angle by which the round side turns over its first face, radians
-  double depths = 0;           ///< depth of the first face of the flat side, in that of the round one
-  /// Root mean square of the distances of the vertices from the quadric, as a fraction of twice the sag of the round side's
-  /// first face.
-  double error = 0;
+  std::array<double, 2> curvatures{};  ///< negative where the side bends away from its normals
+  std::array<double, 2> depths{};      ///< of the first faces, model units
+  double error = 0;                    ///< root mean square of the distances of the vertices from the quadric, model units
+
+  /// Angle by which a side turns over its first face, radians.
+  double turn(std::size_t side) const { return std::abs(curvatures[side]) * depths[side]; }
+  /// The side that bends more.
+  std::size_t round_side() const { return std::abs(curvatures[0]) > std::abs(curvatures[1]) ? 0 : 1; }
 };
 
 /// Measures sections by least squares. The height of the vertices over the tangent plane of the edge is a quadric in the
@@ -30,8 +33,8 @@ struct SeamSection {
 /// exactly, so the shapes of the triangles between them do not matter.
 class SeamSections {
  public:
-  /// `is_inner`: per edge, 1 if faces on both sides may belong to one surface.
-  SeamSections(const Scene& scene, const Topology& topology, std::span<const std::uint8_t> is_inner)
+  /// `is_inner`: per edge, 1 if faces on both sides may belong to one surface. It is kept by the caller.
+  SeamSections(const Scene& scene, const Topology& topology, const std::vector<std::uint8_t>& is_inner)
       : scene_(scene), topology_(topology), is_inner_(is_inner) {}
 
   /// Nothing where the faces near the edge do not determine the quadric.
@@ -55,7 +58,7 @@ class SeamSections {
 
   const Scene& scene_;
   const Topology& topology_;
-  std::span<const std::uint8_t> is_inner_;
+  const std::vector<std::uint8_t>& is_inner_;
 };
 
 /// Mean distance of the inner vertices of a line of more than four from the cubic through two neighbours on either side, in
