@@ -10,9 +10,11 @@ constexpr double kComparedPenMm = 0.35, kSampleMm = 0.2;
 constexpr double kOffMm = 0.1;
 /// A true point is surely seen when all points so far round it are, and may be seen when one of them is.
 constexpr double kBesideMm = 0.06;
-/// Faces that hide a point lie nearer to the viewer by more than surfaces through it rise over kBesideMm: steep ones beside
-/// edges, and round ones beside outlines, which rise by the root of twice the radius and kBesideMm; so many times that.
-constexpr double kHiddenEdgeMm = 0.6, kHiddenOutlineRises = 1.4;
+/// Faces that hide a point lie nearer to the viewer, by more than the faces through it do beside it: planes at edges, so
+/// many times as steep, and round ones at outlines, which rise by so many roots of twice the radius and kBesideMm.
+constexpr double kEdgeRises = 1.5, kOutlineRises = 1.4;
+/// Least and largest distance at which a face hides an edge, and what steep faces add to it by the errors of the fine mesh.
+constexpr double kLeastHidingMm = 0.1, kMostHidingMm = 0.6, kFineErrorMm = 0.05;
 
 Viewer viewer_of(const Camera& camera) {
   if (camera.perspective) return {camera.eye, true};
@@ -33,13 +35,29 @@ struct PagePoint {
   int seen = 0;  ///< of the five points at and beside it
 };
 
+/// How far faces through an edge may lie before it, at a place beside it, in page mm.
+double least_hiding(const TruePoint& point, Point2 beside, const Hiding& hiding) {
+  const Point3 at = hiding.on_page(point.at), a = hiding.on_page(point.at + point.along) - at;
+  double most = 0;
+  for (const Point3& normal : point.normals) {
+    const Point3 b = hiding.on_page(point.at + glm::cross(normal, point.along)) - at;
+    const Point2 rise = Point2(a.y * b.z - b.y * a.z, b.x * a.z - a.x * b.z) / (a.x * b.y - a.y * b.x);
+    const double nearer = kEdgeRises * glm::dot(rise, beside) + kFineErrorMm * glm::length(rise);
+    if (!(nearer < kMostHidingMm)) return kMostHidingMm;  // seen edge on
+    most = std::max(most, nearer);
+  }
+  return std::min(kLeastHidingMm + most, kMostHidingMm);
+}
+
 PagePoint place(const TruePoint& point, const Hiding& hiding, double scale) {
   const Point3 p = hiding.on_page(point.at);
   PagePoint placed{Point2(p), Point2(hiding.on_page(point.at + point.along)) - Point2(p)};
-  const double rise = std::sqrt(2 * kBesideMm * point.radius * scale);
-  const double depth = p.z - (point.kind == TrueLine::outline ? kHiddenOutlineRises * rise : kHiddenEdgeMm);
-  for (const Point2 beside : {Point2(0, 0), Point2(1, 0), Point2(0, 1), Point2(-1, 0), Point2(0, -1)})
-    placed.seen += !hiding.hides(placed.at + kBesideMm * beside, depth);
+  const double rise = kOutlineRises * std::sqrt(2 * kBesideMm * point.radius * scale);
+  for (const Point2 side : {Point2(0, 0), Point2(1, 0), Point2(0, 1), Point2(-1, 0), Point2(0, -1)}) {
+    const Point2 beside = kBesideMm * side;
+    const double hiding_mm = point.kind == TrueLine::outline ? rise : least_hiding(point, beside, hiding);
+    placed.seen += !hiding.hides(placed.at + beside, p.z - hiding_mm);
+  }
   return placed;
 }
 
