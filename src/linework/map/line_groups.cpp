@@ -43,7 +43,7 @@ void pair_ends(const LineMap& map, std::uint32_t node, std::vector<std::uint32_t
 }
 
 /// Factor above the rounding errors of a sum of lengths.
-constexpr double kAbout = 1 + 0x1p-20;
+constexpr double kLengthRounding = 1 + 0x1p-20;
 
 }  // namespace
 
@@ -138,7 +138,7 @@ Arcs::Arc Arcs::from(std::uint32_t end, double most) const {
   for (; end != kNone; end = next(end ^ 1)) {
     ends.push_back(end);
     length += page_length(map_.piece(end / 2));
-    if (length > kAbout * most) return {};
+    if (length > kLengthRounding * most) return {};
   }
   return arc_of(ends, [&](std::uint32_t e) { return e != ends.front() && e != (ends.back() ^ 1); });
 }
@@ -158,7 +158,7 @@ FreeChain chain_from(const LineMap& map, std::uint32_t free_end, double most) {
     chain.pieces.push_back(end / 2);
     chain.far_end = end ^ 1;
     length += page_length(map.piece(end / 2));
-    if (length > kAbout * most) return {};
+    if (length > kLengthRounding * most) return {};
   }
   // Lengths are added in the order of the pieces, so that both ends of a chain give the same sum.
   std::ranges::sort(chain.pieces);

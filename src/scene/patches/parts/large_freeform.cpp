@@ -237,7 +237,7 @@ class PartFindings {
 };
 
 /// The planes in a free form, and their borders. None if too many edges lie inside planes.
-std::optional<LargeFreeform> find_planes(const FaceWalk& walk, std::span<const std::uint32_t> joints) {
+std::optional<LargeFreeform> planes_of_freeform(const FaceWalk& walk, std::span<const std::uint32_t> joints) {
   const TriangleObject& whole = walk.whole();
   const std::vector<std::uint32_t> in_planes = PlaneJoints(whole, joints).find();
   if (in_planes.size() > whole.edge_count() / kFlatShare) return std::nullopt;
@@ -283,7 +283,7 @@ std::optional<LargeFreeform> find_large_freeform(const TriangleObject& whole, st
   if (has_many_joints && !(is_free = seems_free(walk, joints))) return std::nullopt;
   parallel_tasks(2, [&](std::size_t task) {
     if (task == 0) {
-      found = find_planes(walk, joints);
+      found = planes_of_freeform(walk, joints);
     } else if (!is_free) {
       is_free = seems_free(walk, joints);
     }
