@@ -12,7 +12,7 @@ namespace {
 
 // Adjustable.
 /// Least part of the length of a line that has sections, and least part of that at which these agree.
-constexpr double kMostMeasured = 0.6, kMostAgreeing = 0.55;
+constexpr double kMostMeasured = 0.6, kMostAgreeing = 0.6;
 /// Least value of both for a line of few edges.
 constexpr double kWholeLine = 0.99;
 /// Largest curvature of the flat side where a section agrees, in that of the round one.
