@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "base/large_vector.hpp"
 #include "base/parallel.hpp"
@@ -27,6 +27,10 @@ constexpr double kMixedProductRounding = 0x1p-50;
 /// triangle faces. It exceeds kEdgeOnSine and the rounding of the cosine.
 constexpr float kSurelyFacing = 0x1p-16F;
 static_assert(kSurelyFacing > 4 * kEdgeOnSine);
+
+/// Larger than all TriangleShapes::heights, which stay a factor of 10^8 below it, and still a float32. A bound that
+/// underflows instead needs no limit: heights above kOwnNormalHeight at cosines above kSurelyFacing exceed it anyway.
+constexpr double kBeyondHeights = std::numeric_limits<float>::max();
 
 /// Factor that exceeds the rounding of the bound below.
 constexpr double kBoundRounding = 1 + 0x1p-40;
@@ -83,7 +87,7 @@ std::vector<std::int8_t> sure_facings(const Scene& scene, const Camera& camera, 
   std::vector<std::int8_t> facings = large_vector<std::int8_t>(scene.faces.size());
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
-    const auto least_square = static_cast<float>(std::clamp(least * least / shapes.height_units[i], 1e-30, 1e30));
+    const auto least_square = static_cast<float>(std::min(least * least / shapes.height_units[i], kBeyondHeights));
     parallel_blocks(object.face_end - object.face_begin, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = object.face_begin + begin; f < object.face_begin + end; ++f) {
         const float cosine = glm::dot(shapes.normals[f], sight), height = shapes.heights[f];
