@@ -11,7 +11,7 @@
 namespace ligne {
 namespace {
 
-constexpr std::size_t kLinesPerBlock = 256;  ///< lines that one thread studies at a time
+constexpr std::size_t kLinesPerBlock = 1024;  ///< lines that one thread studies at a time
 
 LatticePoint point(const PageLine& line, double t) {
   if (t == 0) return line.p0;
