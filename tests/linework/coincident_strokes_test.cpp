@@ -199,6 +199,31 @@ TEST(CoincidentStrokesRandom, ThousandsOnOneLineAndFromOnePointStayFast) {
   EXPECT_NEAR(sum, std::hypot(200.0 * count, 100.0 * count), 1e-6 * sum);
 }
 
+/// So many strokes cross in one point that they are compared in batches. The last ones reach beyond the others.
+TEST(CoincidentStrokesRandom, InAStarNothingIsLostOrDrawnTwice) {
+  constexpr std::uint32_t count = 6000;
+  std::mt19937 random(19);
+  StrokeModel m;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const bool is_last = i < count / 20;
+    const double angle = std::numbers::pi * random() / 0x1p32, length = (is_last ? 2000 : 50) + 150 * (random() / 0x1p32);
+    const auto end = [&](double r) { return LatticePoint{int(r * std::cos(angle)), int(r * std::sin(angle))}; };
+    m.strokes.push_back(stroke(end(-length), end(length), LineClass::crease, i));
+    m.strokes.back().visible = !is_last;
+    m.strokes.back().z_from = m.strokes.back().z_to = float(random() % 1000);
+  }
+  StrokeModel shuffled = m;
+  std::shuffle(shuffled.strokes.begin(), shuffled.strokes.end(), random);
+  const std::vector<Stroke> before = m.strokes;
+  remove_coincident_strokes(m, kApart);
+  expect_no_overlap(m.strokes);
+  // Cuts are rounded to the lattice.
+  EXPECT_LE(farthest({before.begin(), before.begin() + 200}, m.strokes), 2 * kApart + 1);
+  remove_coincident_strokes(shuffled, kApart);
+  ASSERT_EQ(m.strokes.size(), shuffled.strokes.size());
+  for (std::size_t i = 0; i < m.strokes.size(); ++i) EXPECT_EQ(m.strokes[i].source, shuffled.strokes[i].source);
+}
+
 /// Strokes on one line, each all at a depth of its own: at every place the nearest stands, whatever lies on it.
 TEST(CoincidentStrokesRandom, OfThousandsOnOneLineTheNearestStands) {
   for (const LatticePoint d : {LatticePoint{1, 0}, LatticePoint{-3, 7}}) {

@@ -148,6 +148,19 @@ std::vector<CutStroke> resolve_pairs(const std::vector<Stroke>& strokes, std::sp
   return cut;
 }
 
+/// Whether strokes overlap so many others that comparing all of them at once would take most of the time. A sample tells.
+bool is_crowd(const std::vector<Stroke>& strokes, double tolerance_steps) {
+  constexpr std::size_t kSample = 1024;  // strokes of the sample
+  constexpr double kMany = 64;           // overlaps of a stroke with others, on the average; adjustable
+  if (strokes.size() < 4 * kSample) return false;
+  ComparedStrokes sample;
+  for (std::size_t k = 0; k < kSample; ++k) sample.strokes.push_back(strokes[k * strokes.size() / kSample]);
+  sample.is_new.assign(kSample, 1);
+  const auto pairs = static_cast<double>(find_new_overlaps(sample, tolerance_steps).size());
+  const double times = static_cast<double>(strokes.size()) / kSample;
+  return 2 * pairs * times > kMany * kSample;
+}
+
 /// Cuts strokes until no two overlap. Rests may overlap strokes that their wholes did not, where a wedge has become short
 /// enough.
 void resolve_overlaps(ComparedStrokes& compared, const OverlapTolerance& tolerance) {
@@ -156,6 +169,22 @@ void resolve_overlaps(ComparedStrokes& compared, const OverlapTolerance& toleran
     if (pairs.empty()) return;
     compared.replace(resolve_pairs(compared.strokes, pairs, tolerance));
   }
+}
+
+/// Returns what stays of strokes, which are sorted by precedence. A crowd is taken in batches of half as many strokes as
+/// stay of those before: they cover most of a batch, so that each stroke is compared with few others.
+std::vector<Stroke> without_overlaps(const std::vector<Stroke>& strokes, const OverlapTolerance& tolerance) {
+  constexpr std::size_t kLeast = 4096;  // strokes in a batch; adjustable
+  const std::size_t least = is_crowd(strokes, tolerance.steps) ? kLeast : strokes.size();
+  ComparedStrokes kept;
+  for (std::size_t begin = 0, end = 0; begin < strokes.size(); begin = end) {
+    end = std::min(strokes.size(), begin + std::max(least, kept.strokes.size() / 2));
+    kept.is_new.assign(kept.strokes.size(), 0);
+    kept.is_new.resize(kept.strokes.size() + end - begin, 1);
+    kept.strokes.insert(kept.strokes.end(), strokes.data() + begin, strokes.data() + end);
+    resolve_overlaps(kept, tolerance);
+  }
+  return std::move(kept.strokes);
 }
 
 }  // namespace
@@ -220,9 +249,8 @@ void remove_coincident_strokes(StrokeModel& model, double tolerance_mm) {
   compared.strokes.reserve(order.size());
   for (const std::uint32_t i : order) compared.strokes.push_back(strokes[i]);
   compared.replace(thin_crowded_lines(compared.strokes, tolerance));
-  compared.is_new.assign(compared.strokes.size(), 1);
-  resolve_overlaps(compared, tolerance);
-  others.insert(others.end(), compared.strokes.begin(), compared.strokes.end());
+  const std::vector<Stroke> left = without_overlaps(compared.strokes, tolerance);
+  others.insert(others.end(), left.begin(), left.end());
   strokes = std::move(others);
 }
 
