@@ -19,6 +19,9 @@ constexpr double kAlikeWidths = 2;
 constexpr double kAlikeBends = 1.4;
 /// Largest ratio between the bends at the rulings, and between the widths, of strips that divide a cylinder evenly.
 constexpr double kEven = 1.02;
+/// Such a ratio for a cone, whose strips differ by the rounding of coordinates alone: other slanting facets are often
+/// similar.
+constexpr double kEvenCone = 1.003;
 /// Least length of a piece of a ruling that tells what lies beyond it, by that of the longest: slivers lie at the ends.
 constexpr double kShortPiece = 1.0 / 16;
 /// Largest distance of its rulings from parallel lines, in their length: files print coordinates with six digits.
@@ -64,7 +67,8 @@ class CutStripFinder {
   /// The two lines, parallel or not, that are taken for the rulings at which a facet has arcs.
   struct Rulings {
     std::array<Line, 2> lines;
-    double tolerance = 0;  ///< of points on them, model units
+    std::optional<Point3> tip{};  ///< their common point, where widths are those of a cone's strips
+    double tolerance = 0;         ///< of points on them, model units
     bool are_found = false, are_parallel = false;
     bool has_ends = false;  ///< other arcs lie between the lines
   };
@@ -90,9 +94,13 @@ class CutStripFinder {
     longest_first_.assign(arcs.begin(), arcs.end());
     std::ranges::stable_sort(longest_first_, std::ranges::greater{},
                              [&](const FacetGraph::Arc& arc) { return length(arc); });
-    const Rulings rulings = rulings_along(longest_first_.front());
+    Rulings rulings = rulings_along(longest_first_.front());
     const std::optional<Row> longest = measure_row(facet, rulings);
     is_even_ = longest && longest->is_even();
+    if (longest && !is_even_ && !rulings.are_parallel) {
+      rulings.tip = common_point(rulings.lines);
+      is_even_ = measure_row(facet, rulings)->is_even(kEvenCone);
+    }
     if (is_even_) return true;
     if (arcs.size() > kMostRulingCorners) return false;
     if (graph_.is_plane[facet])
@@ -128,6 +136,11 @@ class CutStripFinder {
     return found;
   }
 
+  static Point3 common_point(const std::array<Line, 2>& lines) {
+    const Point3 across = glm::cross(lines[0].along, lines[1].along);
+    return lines[0].at + lines[0].along * (glm::dot(lines[1].off(lines[0].at), across) / glm::dot(across, across));
+  }
+
   /// Whether the arcs of a facet that lie between its rulings are short, as where slivers lie at its ends.
   bool has_short_ends(const Rulings& rulings) const {
     const double most = kShortPiece * length(longest_first_.front());
@@ -151,17 +164,24 @@ class CutStripFinder {
     double least_width = 1e300, most_width = 0;  ///< of the others, by that of the facet
     double least_bend = 1, most_bend = 0;        ///< sines of the bends at the rulings
 
-    bool is_even() const { return most_bend <= kEven * least_bend && most_width <= kEven && kEven * least_width >= 1; }
+    bool is_even(double even = kEven) const {
+      return most_bend <= even * least_bend && most_width <= even && even * least_width >= 1;
+    }
     /// Planes beside fillets are wider than these.
     bool is_row(bool has_ends) const {
       return kAlikeWidths * least_width >= 1 && (!has_ends || most_bend <= kAlikeBends * least_bend);
     }
   };
 
-  /// Largest distance of the vertices of a facet from a line.
-  double width_from(std::uint32_t facet, const Line& line) const {
+  /// Largest distance of the vertices of a facet from a ruling. With a tip the distances are by those from the tip, so that
+  /// strips of a cone have one width wherever they are cut.
+  double width_from(std::uint32_t facet, const Line& line, const Rulings& rulings) const {
     double width = 0;
-    for (const std::uint32_t v : graph_.vertices[facet]) width = std::max(width, glm::length(line.off(scene_.vertices[v])));
+    for (const std::uint32_t v : graph_.vertices[facet]) {
+      const Point3& p = scene_.vertices[v];
+      const double size = rulings.tip ? glm::distance(p, *rulings.tip) : 1;
+      if (size > 2 * rulings.tolerance) width = std::max(width, glm::length(line.off(p)) / size);
+    }
     return width;
   }
 
@@ -182,12 +202,12 @@ class CutStripFinder {
     Row row;
     corners_.clear();
     for (const Line& line : rulings.lines) {
-      const double width = width_from(facet, line);
+      const double width = width_from(facet, line, rulings);
       for (const FacetGraph::Arc& arc : longest_first_) {
         if (!is_on(arc, line, rulings.tolerance)) continue;
         corners_.insert(corners_.end(), {topology_.edges[arc.edge].v0, topology_.edges[arc.edge].v1});
         if (length(arc) < kShortPiece * length(longest_first_.front())) continue;
-        const double part = width_from(arc.facet, line) / width;
+        const double part = width_from(arc.facet, line, rulings) / width;
         row.least_width = std::min(row.least_width, part);
         row.most_width = std::max(row.most_width, part);
         const double bend = glm::length(glm::cross(graph_.frames[facet].normal, graph_.frames[arc.facet].normal));
