@@ -16,9 +16,8 @@
 namespace ligne {
 namespace {
 
-/// Least distance of a vertex on a chord from its surface, in sags of the patch: corners of approximated fillets lie nearer.
-/// Where one lies so far, others on chords lie anywhere down to kNearSags.
-constexpr double kOffSags = 0.3, kNearSags = 0.01;
+/// Least distance of others, in sags, where a vertex lies kOffSags beside its surface: chords end on it.
+constexpr double kNearSags = 0.01;
 /// Least distance in precisions of the coordinates: twice what corners of a surface may lie beside it.
 constexpr double kPrecisionsOff = 16;
 /// Largest distance, in the largest sag of the surfaces there, by which a vertex moves: surfaces that meet at an acute angle

@@ -11,6 +11,9 @@
 
 namespace ligne {
 
+/// Least distance of a vertex on a chord from its surface, in sags of the patch: corners of approximated fillets lie nearer.
+inline constexpr double kOffSags = 0.3;
+
 /// Vertices that lie beside refined surfaces.
 struct ChordCorners {
   std::vector<std::uint32_t> moved;    ///< vertices that have places on all surfaces around them; ascending

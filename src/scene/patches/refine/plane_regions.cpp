@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
 #include "scene/creases/face_normals.hpp"
+#include "scene/patches/refine/chord_corners.hpp"
 
 namespace ligne {
 namespace {
@@ -142,7 +144,8 @@ class RegionFinder {
   }
 
   /// Leaves out the regions that border on a surface along a single edge: they may be facets of another surface that was not
-  /// recognised, as at the corner of a coarse rounding. Planes border along chains.
+  /// recognised, as at the corner of a coarse rounding. Planes border along chains, or cut a facet across, as the wall of a
+  /// slot does.
   void leave_out_facets() {
     KeyTable surface_at;
     for (const std::uint32_t e : borders_) {
@@ -158,12 +161,18 @@ class RegionFinder {
         const auto surface = [&](std::size_t k) { return surface_at.find(edge_key(loop[k % n], loop[(k + 1) % n])); };
         for (std::size_t k = 0; k < n; ++k) {
           const std::uint32_t here = surface(k);
-          if (here != kNone && surface(k + n - 1) != here && surface(k + 1) != here) return true;
+          if (here == kNone || surface(k + n - 1) == here || surface(k + 1) == here) continue;
+          if (!is_on_chord(loop[k], patches_.list[here]) && !is_on_chord(loop[(k + 1) % n], patches_.list[here]))
+            return true;
         }
         return false;
       });
       if (is_facet) region.loops.clear();
     }
+  }
+
+  bool is_on_chord(std::uint32_t vertex, const Patch& patch) const {
+    return std::abs(patch.surface.distance(scene_.vertices[vertex])) > kOffSags * patch.sag;
   }
 
   double area_of(const std::vector<std::uint32_t>& loop, const PlaneRegion& region) const {
