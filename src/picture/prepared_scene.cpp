@@ -17,6 +17,7 @@
 #include "picture/products.hpp"
 #include "scene/clean/check_facts.hpp"
 #include "view/tolerances.hpp"
+#include "visibility/penetration/joined_facets.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
@@ -73,7 +74,9 @@ SmoothContours place_with_contours(PreparedScene& prepared, const Creases& creas
   OutlineReplacement replacement;
   parallel_tasks(with_contours ? 2 : 0, [&](std::size_t task) {
     if (task == 0) {
-      if (makes_facets) prepared.facets = make_facets(projected, coincidence_mm(projected) / projected.lattice.step_mm);
+      if (!makes_facets) return;
+      Facets& made = prepared.facets.emplace(make_facets(projected, coincidence_mm(projected) / projected.lattice.step_mm));
+      if (projected.with_intersections) made.joined = joined_facets(projected, topology, made.facets);
     } else {
       replacement = replacement_of(scene, topology, projected, std::move(patch), options);
     }

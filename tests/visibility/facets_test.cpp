@@ -5,6 +5,8 @@
 #include "visibility/common/facet.hpp"
 #include "visibility/edges/nearest_along.hpp"
 #include "visibility/penetration/facet_tree.hpp"
+#include "visibility/penetration/intersections.hpp"
+#include "visibility/penetration/joined_facets.hpp"
 #include "visibility/penetration/parallel_extents.hpp"
 
 namespace ligne::test {
@@ -293,6 +295,49 @@ TEST(ParallelExtents, PartNeedlesAlongADiagonal) {
       EXPECT_TRUE(!overlap || std::ranges::count(others, k) == 1);
     }
   }
+}
+
+/// Two rough sheets of 24 x 24 squares that cross each other in many places. Corners move aside by up to `fold` squares.
+Scene crossing_sheets(std::mt19937_64& random, double fold) {
+  std::uniform_real_distribution<double> aside(-fold, fold), up(-1, 1);
+  Scene scene;
+  for (const double slope : {0.0, 0.1}) {
+    begin_object(scene);
+    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+    for (std::uint32_t v = first; v < first + 625; ++v) {
+      const std::uint32_t column = (v - first) % 25, row = (v - first) / 25;
+      const double x = column + aside(random), y = row + aside(random);
+      scene.vertices.push_back({x, y, slope * (x - 12) + 0.3 * up(random)});
+      if (column == 24 || row == 24) continue;
+      scene.faces.add_face(std::array{v, v + 1, v + 26});
+      scene.faces.add_face(std::array{v, v + 26, v + 25});
+    }
+    end_object(scene);
+  }
+  finish(scene);
+  return scene;
+}
+
+TEST(JoinedFacets, HideNoPenetration) {
+  std::mt19937_64 random(7);
+  std::size_t joined_in_all = 0, found_in_all = 0;
+  for (const double fold : {0.0, 0.2, 0.6, 1.5}) {
+    const Scene scene = crossing_sheets(random, fold);
+    const Topology topology = build_topology(scene);
+    const ProjectedScene projected =
+        project(scene, topology, view_on_a4(scene, along({0.1, 0.2, -1})), {classes("all"), 30});
+    const std::vector<Facet> facets = make_facets(projected, 1).facets;
+    const CellGrid grid(projected, facets, {.margin_steps = 2});
+    const std::vector<std::uint8_t> joined = joined_facets(projected, topology, facets);
+    const auto all = find_intersections(projected, facets, grid, 2),
+               some = find_intersections(projected, facets, grid, 2, joined);
+    ASSERT_EQ(all.size(), some.size()) << fold;
+    for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].from.p, some[i].from.p);
+    joined_in_all += facets.size() - static_cast<std::size_t>(std::ranges::count(joined, 0));
+    found_in_all += all.size();
+  }
+  EXPECT_GT(joined_in_all, 4000u);
+  EXPECT_GT(found_in_all, 1000u);
 }
 
 }  // namespace

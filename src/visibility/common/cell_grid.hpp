@@ -32,7 +32,9 @@ struct Cell {
   std::uint32_t begin = 0;  ///< first entry of the list, or first child, in the arena
   std::uint32_t count = 0;  ///< length of the list, or kSplit
   float occluder_depth = std::numeric_limits<float>::infinity();
-  std::uint16_t arena = 0;
+  std::uint8_t arena = 0;
+  /// Facets that begin before `occluder_depth` were dropped, since the patch hides them by its planes.
+  bool dropped_by_planes = false;
   bool one_face = false;   ///< all facets of the list are of one face
   bool one_plane = false;  ///< the list is long, and its facets lie in one plane; see CellGrid::plane_of()
 };
@@ -83,7 +85,7 @@ class CellGrid {
 
  private:
   struct LeafPlane {
-    std::uint16_t arena;
+    std::uint8_t arena;
     std::uint32_t begin;  ///< of the leaf's list in the arena
     CommonPlane plane;
   };

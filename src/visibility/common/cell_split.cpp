@@ -57,7 +57,7 @@ struct CellGrid::Splitter {
   /// The arena into which a task splits cells, and its work space.
   struct Store {
     Arena& arena;
-    std::uint16_t index;  ///< number of the arena
+    std::uint8_t index;  ///< number of the arena
     CellCover& cover;
   };
   /// `budget`: largest number of entries that the leaves of the cell should have.
@@ -95,7 +95,7 @@ void CellGrid::Splitter::split_overfull() {
     Arena& arena = grid.arenas_[k + 1];
     std::vector<CellFacet> inherited;
     CellCover cover(scene, facets, options.margin_steps);
-    Store store{arena, static_cast<std::uint16_t>(k + 1), cover};
+    Store store{arena, static_cast<std::uint8_t>(k + 1), cover};
     for (std::size_t i = n * k / kArenas; i < n * (k + 1) / kArenas; ++i) {
       Cell& cell = grid.cells_[i];
       CellFacet* list = grid.arenas_[0].list.data() + cell.begin;
@@ -123,10 +123,13 @@ std::size_t CellGrid::Splitter::drop_covered(Cell& cell, CellFacet* list, std::s
   const auto depth = cover.find(list, n, square, [&](const Facet& f) { return hides(f); });
   if (!depth) return n;
   cell.occluder_depth = std::min(cell.occluder_depth, *depth);
-  return static_cast<std::size_t>(
-      std::remove_if(list, list + n,
-                     [&](const CellFacet& c) { return c.z_near > cell.occluder_depth || cover.hides(facets[c.facet]); }) -
-      list);
+  const auto is_hidden = [&](const CellFacet& c) {
+    if (c.z_near > cell.occluder_depth) return true;
+    const bool by_planes = cover.hides(facets[c.facet]);
+    cell.dropped_by_planes |= by_planes;
+    return by_planes;
+  };
+  return static_cast<std::size_t>(std::remove_if(list, list + n, is_hidden) - list);
 }
 
 void CellGrid::Splitter::finish_leaf(Cell& cell, CellFacet* list, std::size_t n, const CellSquare& square,
@@ -220,6 +223,7 @@ void CellGrid::Splitter::split(Cell& cell, const CellSquare& square, std::vector
   for (int k = 0; k < kChildren; ++k) {
     Cell child;
     child.occluder_depth = covers[k];
+    child.dropped_by_planes = cell.dropped_by_planes;
     child.arena = store.index;
     const CellSquare below = child_square(square, k);
     lists[k].resize(drop_covered(child, lists[k].data(), lists[k].size(), below, store.cover));

@@ -31,6 +31,7 @@ double depth_tolerance_mm(const ProjectedScene& scene, double gradient, double z
 struct Facets {
   std::vector<Facet> facets;
   std::vector<std::uint8_t> face_is_thin;
+  std::vector<std::uint8_t> joined{};  ///< joined_facets(), or empty
 };
 Facets make_facets(const ProjectedScene& scene, double thin_steps);
 

@@ -13,6 +13,7 @@
 #include "visibility/common/facet_functions.hpp"
 #include "visibility/common/occluder_cache.hpp"
 #include "visibility/penetration/facet_tree.hpp"
+#include "visibility/penetration/joined_facets.hpp"
 #include "visibility/penetration/parallel_extents.hpp"
 
 // Tests, leaf by leaf, all pairs of facets that may meet in depth and on the page; if hidden segments are wanted too,
@@ -85,12 +86,12 @@ struct Comparisons {
 /// Searches leaves one after the other, for one task.
 class LeafSearch {
  public:
-  LeafSearch(const ProjectedScene& scene, const std::vector<Facet>& facets, const CellGrid& grid, double margin,
-             const PenetrationSearch& all)
-      : scene_(scene), facets_(facets), grid_(grid), margin_(margin), own_(scene, facets, all) {}
+  LeafSearch(const ProjectedScene& scene, const std::vector<Facet>& facets, std::span<const std::uint8_t> joined,
+             const CellGrid& grid, double margin, const PenetrationSearch& all)
+      : scene_(scene), facets_(facets), joined_(joined), grid_(grid), margin_(margin), own_(scene, facets, all) {}
 
   void search(const Cell& cell, const CellSquare& square) {
-    if (cell.count < 2 || cell.one_face || in_one_plane(cell)) return;
+    if (cell.count < 2 || cell.one_face || has_layers_apart(cell, square) || in_one_plane(cell)) return;
     items_.clear();
     planes_.clear();
     const Leaf leaf{cell, square, grid_.list(cell), square.size / 2 + margin_};
@@ -150,6 +151,11 @@ class LeafSearch {
       return std::abs(twice) > std::abs(dx) * (x1 - x0) + std::abs(dy) * (y1 - y0) + 4 * (tolerance + o.tolerance);
     }
   };
+
+  bool has_layers_apart(const Cell& cell, const CellSquare& square) const {
+    return !joined_.empty() &&
+           ligne::has_layers_apart(scene_, facets_, joined_, {cell, {grid_.list(cell), cell.count}, square, margin_});
+  }
 
   bool in_one_plane(const Cell& cell) const {
     if (cell.one_plane || cell.count < kSeveral || cell.count > CommonPlane::kLongList) return cell.one_plane;
@@ -301,6 +307,7 @@ class LeafSearch {
 
   const ProjectedScene& scene_;
   const std::vector<Facet>& facets_;
+  std::span<const std::uint8_t> joined_;
   const CellGrid& grid_;
   double margin_;
   Comparisons own_;
@@ -322,7 +329,8 @@ bool nothing_penetrates(const ProjectedScene& scene) {
 }  // namespace
 
 std::vector<Intersection> find_intersections(const ProjectedScene& scene, const std::vector<Facet>& facets,
-                                             const CellGrid& grid, double margin_steps) {
+                                             const CellGrid& grid, double margin_steps,
+                                             std::span<const std::uint8_t> joined) {
   if (nothing_penetrates(scene)) return {};
   if (grid.complete()) return find_crossing_facets(scene, facets).finish(least_steps(scene));
   // Crowded cells lie beside each other, so that few tasks would be uneven.
@@ -332,7 +340,7 @@ std::vector<Intersection> find_intersections(const ProjectedScene& scene, const 
   PenetrationSearch all(facets, scene.vertices);
   std::vector<PenetrationSearch> found(tasks, all.empty_copy());
   parallel_for(tasks, [&](std::size_t task) {
-    LeafSearch search(scene, facets, grid, margin_steps, all);
+    LeafSearch search(scene, facets, joined, grid, margin_steps, all);
     for (std::size_t i = task * cells; i < std::min(n, (task + 1) * cells); ++i) {
       grid.for_each_leaf_of(i, [&](const Cell& cell, const CellSquare& square) { search.search(cell, square); });
     }
