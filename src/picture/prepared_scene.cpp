@@ -38,13 +38,6 @@ double least_bytes(const Scene& scene) {
                              scene.faces.size() * sizeof(Topology::triangles[0]));
 }
 
-std::vector<std::uint32_t> edge_ends_of_objects(const Scene& scene, const Topology& topology) {
-  std::vector<std::uint32_t> ends;
-  ends.reserve(scene.objects.size());
-  for (const Object& object : scene.objects) ends.push_back(edges_of(topology, object).end);
-  return ends;
-}
-
 /// Adjustable: with more triangles, the method makes the facets later. By then the topology, which takes twice their
 /// memory, is freed.
 constexpr std::size_t kMostEarlyFacets = 2'000'000;
@@ -177,7 +170,6 @@ void place_lines(PreparedScene& prepared, ChosenCreases chosen, RunReport& run) 
   prepared.contours = place_with_contours(prepared, chosen.creases, run);
   add_lines_of_shape(prepared, std::move(tangents), chosen.creases);
   keep_surfaces(prepared, std::move(chosen.creases));
-  prepared.object_edge_ends = edge_ends_of_objects(prepared.scene, prepared.topology);
   add_other_lines(prepared);
   prepared.lights = lights_of(prepared.request, prepared.scene);
 }
@@ -233,7 +225,6 @@ PreparedScene with_scene(PreparedScene prepared, const Scene& scene) {
           std::move(prepared.free_forms),
           std::move(prepared.patches),
           std::move(prepared.circles),
-          std::move(prepared.object_edge_ends),
           prepared.first_probe,
           std::move(prepared.details),
           prepared.first_detail,

@@ -43,9 +43,8 @@ struct PreparedScene {
   ShapeLines shape_lines{};   ///< suggestive contours, ridges, valleys, and tangent lines along fillets
   std::vector<ScanObject> scans{};
   std::vector<FreeForm> free_forms{};
-  Patches patches{};                              ///< analytic surfaces found for clear creases; free forms are emptied
-  std::vector<PatchCircle> circles{};             ///< at which surfaces end
-  std::vector<std::uint32_t> object_edge_ends{};  ///< per object: one past its last edge in the topology
+  Patches patches{};                   ///< analytic surfaces found for clear creases; free forms are emptied
+  std::vector<PatchCircle> circles{};  ///< at which surfaces end
   /// Source of the first probe: a short line at a marked point (LineGroups) whose visibility is that of the point.
   std::uint32_t first_probe = 0;
   std::vector<DetailLine> details{};

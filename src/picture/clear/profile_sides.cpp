@@ -9,6 +9,7 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "contours/contour_choice.hpp"
+#include "picture/clear/source_lines.hpp"
 #include "scene/clean/named_objects.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/edges/nearest_along.hpp"
@@ -58,46 +59,18 @@ void add_part(std::vector<StrokePart>& parts, double from, double to) {
   }
 }
 
-/// The first two faces of the sources of strokes.
-class SourceFaces {
- public:
-  SourceFaces(const StrokeModel& model, const ProjectedScene& projected)
-      : model_(model), of_edge_(model.edge_count, {kNone, kNone}) {
-    for (const ProjectedEdge& edge : projected.edges) {
-      if (edge.source < of_edge_.size()) of_edge_[edge.source] = {edge.face0, edge.face1};
-    }
-  }
-  const std::array<std::uint32_t, 2>& operator()(const Stroke& stroke) const {
-    if (stroke.source < of_edge_.size()) return of_edge_[stroke.source];
-    return model_.intersections[stroke.source - model_.edge_count].faces;
-  }
-
- private:
-  const StrokeModel& model_;
-  std::vector<std::array<std::uint32_t, 2>> of_edge_;
-};
-
 /// Makes the lines beside strokes.
 class Sides {
  public:
-  Sides(const StrokeModel& model, const Scene& scene, const ProjectedScene& projected, const SourceFaces& faces,
+  Sides(const StrokeModel& model, const Scene& scene, const ProjectedScene& projected, const SourceLines& sources,
         const ContourSources& contours, double pen_width_mm)
       : model_(model),
         scene_(scene),
         projected_(projected),
-        faces_(faces),
+        sources_(sources),
         contours_(contours),
         beside_(std::max(kBesideCoincidences * coincidence_mm(projected) / projected.lattice.step_mm, kLeastSteps)),
-        gap_(std::max(kLeastGapInPens * pen_width_mm / projected.lattice.step_mm, beside_)) {
-    if (contours.lines.empty()) return;
-    const auto [low, high] = std::minmax_element(contours.lines.begin(), contours.lines.end());
-    first_line_ = *low;
-    edge_of_line_.assign(*high - *low + 1, kNone);
-    for (std::uint32_t i = 0; i < projected.edges.size(); ++i) {
-      const std::uint32_t source = projected.edges[i].source;
-      if (source >= first_line_ && source - first_line_ < edge_of_line_.size()) edge_of_line_[source - first_line_] = i;
-    }
-  }
+        gap_(std::max(kLeastGapInPens * pen_width_mm / projected.lattice.step_mm, beside_)) {}
 
   /// Adds the sides of a stroke on the mesh on which none of its faces lies, or the free side of a contour.
   void add(const Stroke& stroke, std::vector<Side>& sides) const {
@@ -107,7 +80,7 @@ class Sides {
     }
     if (stroke.line_class == LineClass::intersection) return;  // its faces lie on all sides
     const Point2 out = across(stroke.from, stroke.to);
-    const auto& faces = faces_(stroke);
+    const auto faces = sources_.faces(stroke);
     const std::array covered{side_of(faces[0], stroke), side_of(faces[1], stroke)};
     for (const double sign : {1.0, -1.0}) {
       if (covered[0] == sign || covered[1] == sign) continue;
@@ -122,9 +95,8 @@ class Sides {
   /// The free side of a contour. Its visibility was computed on a line beyond the outline of the mesh; that line is
   /// tested.
   std::optional<Side> free_side(const Stroke& stroke) const {
-    const std::uint32_t line = contours_.lines[stroke.source - contours_.first] - first_line_;
-    if (edge_of_line_[line] == kNone) return {};
-    const std::uint32_t e = edge_of_line_[line];
+    const std::uint32_t e = sources_.candidate(contours_.lines[stroke.source - contours_.first]);
+    if (e == kNone) return {};
     const ProjectedEdge& edge = projected_.edges[e];
     const std::array<double, 2> part = projected_.edge_parts.empty() ? std::array{0.0, 1.0} : projected_.edge_parts[e];
     const LatticePoint p0 = projected_.vertices[edge.v0].p, p1 = projected_.vertices[edge.v1].p;
@@ -166,11 +138,9 @@ class Sides {
   const StrokeModel& model_;
   const Scene& scene_;
   const ProjectedScene& projected_;
-  const SourceFaces& faces_;
+  const SourceLines& sources_;
   const ContourSources& contours_;
   double beside_, gap_;  ///< lattice steps
-  std::uint32_t first_line_ = 0;
-  std::vector<std::uint32_t> edge_of_line_;
 };
 
 /// Distance between the middle of a stroke and the middle of the line close beside it.
@@ -211,8 +181,8 @@ std::vector<FreeParts> free_parts(const StrokeModel& model, const ProjectedScene
                                   const ContourSources& contours, const ProfileStyle& style) {
   const ProfileKind kind = style.kind;
   const double pen_width_mm = style.pen_width_mm;
-  const SourceFaces faces(model, projected);
-  const Sides sides_of(model, scene, projected, faces, contours, pen_width_mm);
+  const SourceLines sources(model, projected);
+  const Sides sides_of(model, scene, projected, sources, contours, pen_width_mm);
   const std::vector<Stroke>& strokes = model.strokes;
   std::vector<std::vector<Side>> sides(strokes.size());
   parallel_blocks(sides.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
@@ -224,7 +194,7 @@ std::vector<FreeParts> free_parts(const StrokeModel& model, const ProjectedScene
   const ObjectOfFace object_of(scene);
   const auto owns = [&](const Stroke& stroke, std::uint32_t face) {
     const std::uint32_t object = object_of(face);
-    return object == object_of(faces(stroke)[0]) || object == object_of(faces(stroke)[1]);
+    return object == object_of(sources.faces(stroke)[0]) || object == object_of(sources.faces(stroke)[1]);
   };
   // Tests the farther line only where the close one is free.
   const auto look = [&](auto line_of) {
