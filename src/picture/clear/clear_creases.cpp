@@ -20,14 +20,8 @@ namespace {
 constexpr double kNarrowFilletInPens = 8;
 
 double widest_fillet(const PictureRequest& request, const View& view) {
-  switch (request.lines.tangent) {
-    case TangentLines::borders:
-      return 0;
-    case TangentLines::middles:
-      return std::numeric_limits<double>::infinity();
-    case TangentLines::automatic:
-      break;
-  }
+  if (request.lines.tangent == TangentLines::borders) return 0;
+  if (request.lines.tangent == TangentLines::middles) return std::numeric_limits<double>::infinity();
   return kNarrowFilletInPens * request.page.pen_width_mm / view.scale;
 }
 

@@ -71,8 +71,7 @@ void drop_short_runs(std::vector<Bit>& bits, double shortest) {
     runs.back().end = i + 1;
   }
   while (runs.size() > 1) {
-    const auto least =
-        std::min_element(runs.begin(), runs.end(), [](const Run& l, const Run& r) { return l.length < r.length; });
+    const auto least = std::ranges::min_element(runs, {}, &Run::length);
     if (!(least->length < shortest)) break;
     auto first = least == runs.begin() ? least : least - 1;
     const auto last = least + 1 == runs.end() ? least : least + 1;
@@ -87,20 +86,9 @@ void drop_short_runs(std::vector<Bit>& bits, double shortest) {
   }
 }
 
-/// Rotates the bits of a ring so that it begins at a change and no run is cut in two.
-void begin_at_change(std::vector<Bit>& bits) {
-  for (std::size_t i = 1; i < bits.size(); ++i) {
-    if (bits[i].free == bits[i - 1].free) continue;
-    std::rotate(bits.begin(), bits.begin() + static_cast<std::ptrdiff_t>(i), bits.end());
-    return;
-  }
-}
-
 /// Cuts the strokes where free bits begin and end.
 std::vector<Stroke> cut_strokes(const std::vector<Stroke>& strokes, std::vector<Bit>& free_bits) {
-  std::sort(free_bits.begin(), free_bits.end(), [](const Bit& l, const Bit& r) {
-    return std::tie(l.stroke, l.from.fraction) < std::tie(r.stroke, r.from.fraction);
-  });
+  std::ranges::sort(free_bits, {}, [](const Bit& bit) { return std::tuple(bit.stroke, bit.from.fraction); });
   std::vector<Stroke> cut;
   cut.reserve(strokes.size() + free_bits.size());
   auto bit = free_bits.begin();
@@ -152,7 +140,9 @@ void draw_profiles(StrokeModel& model, const ProjectedScene& projected, const Sc
       bits.insert(bits.end(), of_piece.begin(), of_piece.end());
       off_mm = std::max(off_mm, parts.off_mm);
     }
-    if (arc.junctions.empty()) begin_at_change(bits);
+    // A ring begins at a change, so that no run is cut in two.
+    const auto change = std::ranges::adjacent_find(bits, std::ranges::not_equal_to{}, &Bit::free);
+    if (arc.junctions.empty() && change != bits.end()) std::ranges::rotate(bits, change + 1);
     drop_short_runs(bits, std::max(kShortestInPens * style.pen_width_mm, kShortestOff * off_mm) / step);
     std::copy_if(bits.begin(), bits.end(), std::back_inserter(profiles), [](const Bit& bit) { return bit.free; });
   }
