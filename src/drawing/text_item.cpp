@@ -3,27 +3,15 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
-#include <numbers>
+
+#include "geometry/degrees.hpp"
 
 namespace ligne {
 namespace {
 
 /// Unit vectors of a turned frame on the page: to the right, and upwards. Quarter turns are exact.
 std::array<Point2, 2> frame(double rotation_degrees) {
-  const double quarters = rotation_degrees / 90;
-  if (quarters == std::round(quarters)) {
-    switch (static_cast<int>(std::fmod(std::fmod(quarters, 4) + 4, 4))) {
-      case 0:
-        return {Point2{1, 0}, Point2{0, -1}};
-      case 1:
-        return {Point2{0, -1}, Point2{-1, 0}};
-      case 2:
-        return {Point2{-1, 0}, Point2{0, 1}};
-      default:
-        return {Point2{0, 1}, Point2{1, 0}};
-    }
-  }
-  const double angle = rotation_degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+  const auto [s, c] = sine_cosine_degrees(rotation_degrees);
   return {Point2{c, -s}, Point2{-s, -c}};
 }
 

@@ -40,43 +40,27 @@ class TransparentLayers {
   KeyTable numbers_;              ///< by face and rest
 };
 
-/// A colour on white paper, composed from front to back. N components, each in [0, 1]: one of gray, three of colours.
-template <std::size_t N>
-class SeenColor {
- public:
-  /// Adds a face behind those added so far.
-  void add(const std::array<double, N>& color, double opacity) {
-    for (std::size_t c = 0; c < color.size(); ++c) color_[c] += left_ * opacity * color[c];
-    left_ *= 1 - opacity;
-  }
-
-  /// The sum, with paper behind all faces.
-  std::array<double, N> on_paper() const {
-    std::array<double, N> sum = color_;
-    for (double& component : sum) component += left_;
-    return sum;
-  }
-
- private:
-  std::array<double, N> color_{};
-  double left_ = 1;  ///< share of the light that passes all faces
-};
-
 /// A visible face, or paper (kNone), behind a list of transparent faces.
 struct SeenFace {
   std::uint32_t face = 0;
   std::uint32_t in_front = TransparentLayers::kEmptyList;
 };
 
-/// The colour of a visible face on white paper. color_of(face) gives N components, opacity_of(face) a number, both in
-/// [0, 1]; the face behind the list is opaque.
+/// The colour of a visible face on white paper, composed from front to back. color_of(face) gives N components, one of gray
+/// or three of colours, opacity_of(face) a number, all in [0, 1]; the face behind the list is opaque.
 template <std::size_t N, class ColorOf, class OpacityOf>
 std::array<double, N> seen_color(const TransparentLayers& layers, const SeenFace& seen, ColorOf color_of,
                                  OpacityOf opacity_of) {
-  SeenColor<N> color;
-  layers.for_each(seen.in_front, [&](std::uint32_t face) { color.add(color_of(face), opacity_of(face)); });
-  if (seen.face != kNone) color.add(color_of(seen.face), 1);
-  return color.on_paper();
+  std::array<double, N> sum{};
+  double left = 1;  // share of the light that passes all faces so far
+  const auto add = [&](const std::array<double, N>& color, double opacity) {
+    for (std::size_t c = 0; c < N; ++c) sum[c] += left * opacity * color[c];
+    left *= 1 - opacity;
+  };
+  layers.for_each(seen.in_front, [&](std::uint32_t face) { add(color_of(face), opacity_of(face)); });
+  if (seen.face != kNone) add(color_of(seen.face), 1);
+  for (double& component : sum) component += left;  // paper
+  return sum;
 }
 
 }  // namespace ligne

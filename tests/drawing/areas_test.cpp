@@ -133,14 +133,14 @@ TEST(TransparentLayers, ColoursAreComposedFromFrontToBack) {
   const std::uint32_t list = layers.over(1, layers.over(2, TransparentLayers::kEmptyList));
   const std::array<std::array<double, 3>, 3> colors = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5}}};
   const std::array<double, 3> opacities = {1, 0.4, 0.5};
-  const auto color_of = [&](std::uint32_t face) { return colors[face]; };
-  const auto opacity_of = [&](std::uint32_t face) { return opacities[face]; };
-  const std::array<double, 3> before_black = seen_color<3>(layers, {0, list}, color_of, opacity_of);
-  const std::array<double, 3> before_paper = seen_color<3>(layers, {kNone, list}, color_of, opacity_of);
+  const auto seen = [&](std::uint32_t face) {
+    return seen_color<3>(
+        layers, {face, list}, [&](auto f) { return colors[f]; }, [&](auto f) { return opacities[f]; });
+  };
   const std::array<double, 3> expected = {0.4, 0.3, 0.15};
   for (std::size_t c = 0; c < 3; ++c) {
-    EXPECT_NEAR(before_black[c], expected[c], 1e-15);
-    EXPECT_NEAR(before_paper[c], expected[c] + 0.3, 1e-15);
+    EXPECT_NEAR(seen(0)[c], expected[c], 1e-15);
+    EXPECT_NEAR(seen(kNone)[c], expected[c] + 0.3, 1e-15);
   }
 }
 
