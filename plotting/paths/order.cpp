@@ -102,6 +102,14 @@ class Strokes {
   void choose_starts(const Tour& tour);
   Tour inside_before(const Tour& tour);
   std::vector<Point2> ends() const;
+  /// The strokes of a tour in their order, without the home positions.
+  std::vector<std::uint32_t> strokes_of(const Tour& tour) const {
+    std::vector<std::uint32_t> strokes;
+    for (const std::uint32_t entry : tour) {
+      if (entry / 2 < count()) strokes.push_back(entry / 2);
+    }
+    return strokes;
+  }
   Polylines in_order(const Tour& tour) const;
 
  private:
@@ -194,15 +202,11 @@ void Strokes::choose_starts(const Tour& tour) {
 
 /// Moves the strokes inside a closed stroke before it.
 Tour Strokes::inside_before(const Tour& tour) {
-  std::vector<std::uint32_t> order, entry_of(count());
-  for (const std::uint32_t entry : tour) {
-    if (entry / 2 >= count()) continue;
-    order.push_back(entry / 2);
-    entry_of[entry / 2] = entry;
-  }
+  std::vector<std::uint32_t> entry_of(count() + 2);  // also of the home positions
+  for (const std::uint32_t entry : tour) entry_of[entry / 2] = entry;
   Tour changed;
   changed.push_back(tour.front());
-  for (const std::uint32_t stroke : inside_first(lines_, order)) changed.push_back(entry_of[stroke]);
+  for (const std::uint32_t stroke : inside_first(lines_, strokes_of(tour))) changed.push_back(entry_of[stroke]);
   if (options_.returns) changed.push_back(tour.back());
   choose_starts(changed);
   return changed;
@@ -258,11 +262,7 @@ Polylines order_strokes(const Polylines& lines, const OrderOptions& options, std
     tour = improved(strokes.as_given());
   }
   if (options.inside_first) tour = strokes.inside_before(tour);
-  if (order) {
-    for (const std::uint32_t entry : tour) {
-      if (entry / 2 < lines.size()) order->push_back(entry / 2);
-    }
-  }
+  if (order) *order = strokes.strokes_of(tour);
   return strokes.in_order(tour);
 }
 

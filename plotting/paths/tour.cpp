@@ -73,6 +73,18 @@ class Improver {
     queue_.push_back(at_[place] / 2);
   }
   void spend(std::uint64_t amount) { work_ -= std::min(work_, amount); }
+  /// Tries the near ends that are nearer than `most`, until attempt(end, distance) returns true.
+  template <class Attempt>
+  bool any_near(std::uint32_t end, double most, const Attempt& attempt) {
+    for (std::size_t k = 0; k < kNear; ++k) {
+      const std::uint32_t near = near_[end * kNear + k];
+      const double away = distance(end, near);
+      if (near == end || away >= most) return false;
+      spend(1);
+      if (attempt(near, away)) return true;
+    }
+    return false;
+  }
   void reverse(std::uint32_t first, std::uint32_t last);
   bool try_stroke(std::uint32_t stroke) {
     return try_two_opt(2 * stroke) || try_two_opt(2 * stroke + 1) || try_or_opt(2 * stroke) || try_or_opt(2 * stroke + 1);
@@ -122,25 +134,19 @@ bool Improver::try_two_opt(std::uint32_t end) {
   const std::uint32_t gap_here = entered ? here : here + 1;  // the gap before this place
   if (gap_here == 0) return false;                           // nothing is before the home position
   const double own = gap(gap_here);
-  for (std::size_t k = 0; k < kNear; ++k) {
-    const std::uint32_t near = near_[end * kNear + k];
-    if (near == end) return false;
-    const double joined = distance(end, near);
-    if (joined >= own) return false;
-    spend(1);
-    if (is_entry(near) != entered) continue;
+  return any_near(end, own, [&](std::uint32_t near, double) {
+    if (is_entry(near) != entered) return false;
     const std::uint32_t gap_near = entered ? place_[near / 2] : place_[near / 2] + 1;
     const std::uint32_t low = std::min(gap_here, gap_near), high = std::max(gap_here, gap_near);
     // The move reverses the places [low, high - 1], which lie between the two gaps.
-    if (low == 0 || high > last_ || high == low || high - low > kMostShifted) continue;
+    if (low == 0 || high > last_ || high == low || high - low > kMostShifted) return false;
     const double before = gap(low) + gap(high);
     const double after = distance(exit(low - 1), exit(high - 1)) + to_entry(entry(low), high);
-    if (before - after <= kLeastGainMm) continue;
+    if (before - after <= kLeastGainMm) return false;
     reverse(low, high - 1);
     for (const std::uint32_t place : {low - 1, low, high - 1, high}) wait(place);
     return true;
-  }
-  return false;
+  });
 }
 
 bool Improver::try_or_opt(std::uint32_t end) {
@@ -159,27 +165,21 @@ bool Improver::try_insert(std::uint32_t end, std::uint32_t first, std::uint32_t 
   const bool at_first = entry(first) == end;
   const std::uint32_t other = at_first ? exit(last) : entry(first);
   const double removed = gap(first) + gap(last + 1) - to_entry(exit(first - 1), last + 1);
-  for (std::size_t k = 0; k < kNear; ++k) {
-    const std::uint32_t near = near_[end * kNear + k];
-    if (near == end) return false;
-    const double joined = distance(end, near);
-    if (joined >= removed) return false;
-    spend(1);
+  return any_near(end, removed, [&](std::uint32_t near, double joined) {
     const std::uint32_t place = place_[near / 2];
-    if (place >= first && place <= last) continue;
+    if (place >= first && place <= last) return false;
     const bool before_near = is_entry(near);
     const std::uint32_t target = before_near ? place : place + 1;  // the gap before this place
-    if (target == 0 || target > last_ || target == first || target == last + 1) continue;
+    if (target == 0 || target > last_ || target == first || target == last + 1) return false;
     const std::uint32_t shifted = target > last ? target - first : last + 1 - target;
-    if (shifted > kMostShifted) continue;
+    if (shifted > kMostShifted) return false;
     const double added = before_near ? joined + distance(exit(target - 1), other) - gap(target)
                                      : joined + to_entry(other, target) - gap(target);
-    if (removed - added <= kLeastGainMm) continue;
+    if (removed - added <= kLeastGainMm) return false;
     // Beside an exit the pen enters at `end`; beside an entry it leaves there.
     move(first, last, target, before_near ? at_first : !at_first);
     return true;
-  }
-  return false;
+  });
 }
 
 void Improver::move(std::uint32_t first, std::uint32_t last, std::uint32_t target, bool turned) {
