@@ -99,19 +99,6 @@ std::vector<Change> changes_of(const std::vector<SeenContour>& contours, double 
   return changes;
 }
 
-/// Intersects from-to with a segment. Returns false if they do not cross; otherwise sets `fraction` to the place on
-/// from-to, 0 to 1, and `depth` to the depth of the segment there.
-bool crossing(Point2 from, Point2 to, const OutlineSegment& segment, double& fraction, double& depth) {
-  const Point2 d = to - from, e = segment.to - segment.from, to_start = segment.from - from;
-  const double area = cross(d, e);
-  if (area == 0) return false;
-  fraction = cross(to_start, e) / area;
-  const double along = cross(to_start, d) / area;
-  if (!(fraction >= 0 && fraction <= 1 && along >= 0 && along <= 1)) return false;
-  depth = segment.z_from + along * (segment.z_to - segment.z_from);
-  return true;
-}
-
 /// The crossing of a part of a line with a line in front that is nearest to the end of what is visible, as lengths along the
 /// line. Lines up to `slack_mm` behind count as in front. The end must lie within reach_of(segment in front) beside that
 /// line; none does if that is below zero.
@@ -123,10 +110,13 @@ std::optional<double> nearest_crossing(std::span<const CurvePoint> part, double 
     const CurvePoint &a = part[i - 1], &b = part[i];
     const Point2 along = b.mm - a.mm;
     finder.near(a.mm, b.mm, 0, [&](const OutlineSegment& s) {
-      double fraction = 0, depth = 0;
-      if (!crossing(a.mm, b.mm, s, fraction, depth) || depth > a.depth + fraction * (b.depth - a.depth) + slack_mm) return;
+      const Point2 line = s.to - s.from, to_start = s.from - a.mm;
+      const double area = cross(along, line), fraction = cross(to_start, line) / area,
+                   on_line = cross(to_start, along) / area;
+      if (!(fraction >= 0 && fraction <= 1 && on_line >= 0 && on_line <= 1)) return;  // nor if they are parallel
+      const double depth = s.z_from + on_line * (s.z_to - s.z_from);
+      if (depth > a.depth + fraction * (b.depth - a.depth) + slack_mm) return;
       const double at = a.length + fraction * (b.length - a.length), shift = std::abs(at - end);
-      const Point2 line = s.to - s.from;
       if (shift * std::abs(cross(along, line)) > reach_of(s) * glm::length(along) * glm::length(line)) return;
       if (!best || shift < std::abs(*best - end)) best = at;
     });
@@ -254,13 +244,8 @@ void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel
 
 namespace {
 
-/// An end of a visible stroke, and the crossing to which it moves.
-struct MovedEnd {
-  std::size_t stroke;
-  bool first;
-  double shift;  ///< mm along the stroke, outwards
-  LatticePoint to;
-};
+/// The way of an end of a stroke, mm along the stroke, outwards, and its new place.
+using Move = std::pair<double, LatticePoint>;
 
 /// Whether a segment lies within the reach of the end of its contour, and that end is at p: there the contour continues a
 /// stroke that ends at p.
@@ -274,22 +259,22 @@ bool continues_from(Point2 p, const OutlineSegment& s, const SeenContour& contou
 /// Finds the nearest crossing with a contour in front near an end of a stroke, or beyond the end on its source edge. A
 /// line that runs obliquely into the strip between the contour and the mesh ends farther behind the crossing than the
 /// strip is wide.
-std::optional<MovedEnd> moved_end(const StrokeModel& model, std::size_t i, bool first, const SegmentFinder& finder,
-                                  const std::vector<SeenContour>& contours, double reach_mm) {
-  const Stroke& s = model.strokes[i];
-  const Point2 end = model.lattice.to_mm(first ? s.from : s.to), other = model.lattice.to_mm(first ? s.to : s.from);
+std::optional<Move> moved_end(const Lattice& lattice, const Stroke& s, bool first, const SegmentFinder& finder,
+                              const std::vector<SeenContour>& contours, double reach_mm) {
+  const StrokeTip tip = ligne::tip(s, !first), far = ligne::tip(s, first);
+  const Point2 end = lattice.to_mm(tip.p), other = lattice.to_mm(far.p);
   const double length = glm::length(end - other);
   if (!(length > 0)) return std::nullopt;
   const Point2 along = (end - other) / length;
   const double rest = (first ? s.t_from : 1 - s.t_to) / (s.t_to - s.t_from) * length;
   const double back = std::min(kMostOblique * reach_mm, length);
   const double on = std::clamp(rest, 0.0, reach_mm);
-  const double z_end = first ? s.z_from : s.z_to, slope = (first ? s.z_from - s.z_to : s.z_to - s.z_from) / length;
+  const double slope = (tip.z - far.z) / length;
   std::array<CurvePoint, 2> part;
   for (const bool behind : {false, true}) {
     const double shift = behind ? on : -back;
     part[behind].mm = end + shift * along;
-    part[behind].depth = z_end + shift * slope;
+    part[behind].depth = tip.z + shift * slope;
     part[behind].length = shift;
   }
   // A tangent line runs behind a contour on one of its own surfaces, both of which are curved between the two.
@@ -299,14 +284,7 @@ std::optional<MovedEnd> moved_end(const StrokeModel& model, std::size_t i, bool 
     return is_tangent ? std::max(reach_mm, contour.beside_mm) : reach_mm;
   });
   if (!best) return std::nullopt;
-  return MovedEnd{i, first, *best, model.lattice.snap(end + *best * along)};
-}
-
-void apply(const MovedEnd& moved, StrokeModel& model) {
-  Stroke& s = model.strokes[moved.stroke];
-  const double share = moved.shift / glm::length(model.lattice.to_mm(s.to) - model.lattice.to_mm(s.from));
-  if (!(share > -1) || moved.to == (moved.first ? s.to : s.from)) return;
-  move_end(s, moved.first, {moved.first ? -share : 1 + share, moved.to});
+  return Move{*best, lattice.snap(end + *best * along)};
 }
 
 }  // namespace
@@ -316,17 +294,22 @@ void move_ends_of_strokes(StrokeModel& others, const std::vector<SeenContour>& c
   const std::vector<std::uint32_t> visible =
       indices_where(others.strokes.size(), [&](std::size_t i) { return others.strokes[i].visible; });
   const Nodes nodes(others.strokes, visible);
-  std::vector<std::optional<MovedEnd>> moved(nodes.end_count());
+  std::vector<std::optional<Move>> moved(nodes.end_count());
   parallel_blocks(moved.size(), kSearchBlock, [&](std::size_t begin, std::size_t last) {
     for (auto end = static_cast<std::uint32_t>(begin); end < last; ++end) {
-      const std::uint32_t i = visible[end / 2];
+      const Stroke& s = others.strokes[visible[end / 2]];
       // An end at which another stroke continues stays in place.
-      if (nodes.degree(nodes.of(end)) > 1 || others.strokes[i].line_class == LineClass::axes) continue;
-      moved[end] = moved_end(others, i, end % 2 == 0, finder, contours, reach_mm);
+      if (nodes.degree(nodes.of(end)) > 1 || s.line_class == LineClass::axes) continue;
+      moved[end] = moved_end(others.lattice, s, end % 2 == 0, finder, contours, reach_mm);
     }
   });
-  for (const std::optional<MovedEnd>& end : moved) {
-    if (end) apply(*end, others);
+  for (std::uint32_t end = 0; end < moved.size(); ++end) {
+    if (!moved[end]) continue;
+    Stroke& s = others.strokes[visible[end / 2]];
+    const auto& [shift, to] = *moved[end];
+    const double share = shift / glm::length(others.lattice.to_mm(s.to) - others.lattice.to_mm(s.from));
+    const bool first = end % 2 == 0;
+    if (share > -1 && to != tip(s, first).p) move_end(s, first, {first ? -share : 1 + share, to});
   }
 }
 

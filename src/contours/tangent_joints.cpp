@@ -87,7 +87,6 @@ class TangentJoiner {
   Point2 mm(LatticePoint p) const { return model_.lattice.to_mm(p); }
 
   Stroke& stroke_of(std::uint32_t end) { return model_.strokes[tangents_[end / 2]]; }
-  LatticePoint place_of(std::uint32_t end) { return end % 2 == 0 ? stroke_of(end).from : stroke_of(end).to; }
 
   /// The free end on the edge of the joint that is nearest to it.
   std::optional<std::uint32_t> nearest_end(const Joint& joint) {
@@ -96,7 +95,7 @@ class TangentJoiner {
     double nearest = 0;
     finder_.near(a, b, kOnEdgeMm, [&](const OutlineSegment& piece) {
       for (const std::uint32_t end : {2 * piece.chain, 2 * piece.chain + 1}) {
-        const Point2 place = mm(place_of(end));
+        const Point2 place = mm(tip(stroke_of(end), end).p);
         const double distance = glm::distance(place, joint.mm);
         const bool is_free = nodes_.degree(nodes_.of(end)) == 1;
         if (!is_free || squared_distance(place, a, b) > kOnEdgeMm * kOnEdgeMm || (best && distance >= nearest)) continue;
@@ -108,12 +107,11 @@ class TangentJoiner {
   }
 
   void join(const Joint& joint, std::uint32_t end) {
-    const Stroke old = stroke_of(end);
-    const bool first = end % 2 == 0;
-    Stroke s = old;
-    s.from = place_of(end);
-    s.to = model_.lattice.snap(joint.mm);
-    const Point2 here = mm(s.from), other = mm(first ? old.to : old.from);
+    const StrokeTip own = tip(stroke_of(end), end), far = tip(stroke_of(end), end ^ 1);
+    const float weight = view_.camera.perspective ? static_cast<float>(joint.weight) : own.w;
+    const StrokeTip at{model_.lattice.snap(joint.mm), static_cast<float>(joint.depth), weight};
+    Stroke s = stroke_between(stroke_of(end), own, at);
+    const Point2 here = mm(s.from), other = mm(far.p);
     if (s.from == s.to) return;
     if (glm::dot(mm(s.to) - here, here - other) < 0) {
       shorten(end, s.to);
@@ -121,10 +119,6 @@ class TangentJoiner {
     }
     s.t_from = 0;
     s.t_to = 1;
-    s.z_from = first ? old.z_from : old.z_to;
-    s.z_to = static_cast<float>(joint.depth);
-    s.w_from = first ? old.w_from : old.w_to;
-    if (view_.camera.perspective) s.w_to = static_cast<float>(joint.weight);
     s.source = model_.edge_count + static_cast<std::uint32_t>(model_.intersections.size());
     model_.intersections.push_back({{to_model_point(view_, here, s.z_from), joint.at}, {joint.face, kNone}, false});
     model_.strokes.push_back(s);

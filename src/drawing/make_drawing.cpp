@@ -1,6 +1,6 @@
 /// Joins strokes into polylines, layer by layer.
 ///
-/// 1. A stable counting sort divides the strokes among their layers.
+/// 1. Strokes are divided among their layers, in their order.
 /// 2. Ends are grouped by lattice point (map/nodes.hpp). All arrays are flat: 36 bytes per stroke besides the drawing.
 /// 3. At each node the ends are paired (map/continuations.hpp).
 /// 4. Lines are followed from their loose ends, in the order of these ends; then the rings. Points exactly on the
@@ -17,6 +17,7 @@
 #include "base/parallel.hpp"
 #include "drawing/drawing.hpp"
 #include "linework/map/continuations.hpp"
+#include "linework/stroke_geometry.hpp"
 
 namespace ligne {
 namespace {
@@ -42,10 +43,7 @@ void straighten_seam(std::vector<LatticePoint>& line) {
 
 /// The polylines of one layer.
 Polylines polylines_of(const StrokeModel& model, std::span<const std::uint32_t> members) {
-  const auto point = [&](std::uint32_t end) {
-    const Stroke& s = model.strokes[members[end / 2]];
-    return end % 2 == 0 ? s.from : s.to;
-  };
+  const auto point = [&](std::uint32_t end) { return tip(model.strokes[members[end / 2]], end).p; };
   std::vector<std::uint32_t> partner(2 * members.size(), kNone);
   for_each_node(model.strokes, members, [&](std::span<const StrokeEnd> ends) {
     if (ends.size() < 2) return;
@@ -87,22 +85,15 @@ std::string_view stroke_layer_name(std::size_t layer) {
 }
 
 Drawing make_drawing(const StrokeModel& model) {
-  std::array<std::size_t, kLayerCount + 1> begin{};
-  for (const Stroke& s : model.strokes) {
-    if (s.from != s.to) ++begin[layer_of(s) + 1];
-  }
-  for (std::size_t l = 0; l < kLayerCount; ++l) begin[l + 1] += begin[l];
-  std::vector<std::uint32_t> members(begin[kLayerCount]);
-  auto cursor = begin;
+  std::array<std::vector<std::uint32_t>, kLayerCount> members;
   for (std::uint32_t i = 0; i < model.strokes.size(); ++i) {
     const Stroke& s = model.strokes[i];
-    if (s.from != s.to) members[cursor[layer_of(s)]++] = i;
+    if (s.from != s.to) members[layer_of(s)].push_back(i);
   }
 
   std::array<Polylines, kLayerCount> lines;
   parallel_for(kLayerCount, [&](std::size_t l) {
-    if (begin[l] == begin[l + 1]) return;
-    lines[l] = polylines_of(model, {members.data() + begin[l], members.data() + begin[l + 1]});
+    if (!members[l].empty()) lines[l] = polylines_of(model, members[l]);
   });
 
   Drawing drawing;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "linework/stroke.hpp"
@@ -22,12 +23,33 @@ inline bool is_feature(const Stroke& s) { return is_edge(s) && s.line_class != L
 /// Length of a stroke on the page, lattice steps.
 inline double page_length(const Stroke& s) { return length(s.from, s.to); }
 
+/// An end of a stroke.
+struct StrokeTip {
+  LatticePoint p;
+  float z, w;  ///< depth and weight
+};
+
+/// Even numbers of ends stand for `from`, odd ones for `to`.
+inline StrokeTip tip(const Stroke& s, std::uint32_t end) {
+  return end % 2 == 0 ? StrokeTip{s.from, s.z_from, s.w_from} : StrokeTip{s.to, s.z_to, s.w_to};
+}
+
+/// A stroke between two tips that is like another one.
+inline Stroke stroke_between(Stroke like, const StrokeTip& from, const StrokeTip& to) {
+  like.from = from.p, like.z_from = from.z, like.w_from = from.w;
+  like.to = to.p, like.z_to = to.z, like.w_to = to.w;
+  return like;
+}
+
+/// The lattice point nearest to a point, steps.
+inline LatticePoint nearest_step(double x, double y) {
+  return {static_cast<std::int32_t>(std::lround(x)), static_cast<std::int32_t>(std::lround(y))};
+}
+inline LatticePoint moved(LatticePoint p, Point2 by) { return nearest_step(p.x + by.x, p.y + by.y); }
+
 /// The point at a fraction of a stroke's length, rounded to the lattice.
 inline LatticePoint point_at(const Stroke& s, double fraction) {
-  const auto between = [&](std::int32_t a, std::int32_t b) {
-    return static_cast<std::int32_t>(std::lround(a + fraction * (double(b) - a)));
-  };
-  return {between(s.from.x, s.to.x), between(s.from.y, s.to.y)};
+  return moved(s.from, {fraction * (double(s.to.x) - s.from.x), fraction * (double(s.to.y) - s.from.y)});
 }
 
 /// The point of a segment that is nearest to a given point.

@@ -212,11 +212,7 @@ void LineMap::clear_hidden(std::vector<Stroke>& strokes, double ink) const {
   parallel_blocks(strokes.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) stays[i] = !is_gone(strokes[i]);
   });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < strokes.size(); ++i) {
-    if (stays[i]) strokes[kept++] = strokes[i];
-  }
-  strokes.resize(kept);
+  std::erase_if(strokes, [&](const Stroke& s) { return !stays[static_cast<std::size_t>(&s - strokes.data())]; });
 }
 
 void LineMap::commit(double ink) {

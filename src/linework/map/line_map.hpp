@@ -62,10 +62,8 @@ class LineMap {
   std::uint32_t stroke_number(std::uint32_t piece) const { return pieces_[piece].of; }
   /// The whole stroke of the piece.
   const Stroke& stroke_of(std::uint32_t piece) const { return model_.strokes[pieces_[piece].of]; }
-  LatticePoint point(std::uint32_t end) const {
-    const Stroke& s = pieces_[end / 2].stroke;
-    return end % 2 == 0 ? s.from : s.to;
-  }
+  StrokeTip tip(std::uint32_t end) const { return ligne::tip(pieces_[end / 2].stroke, end); }
+  LatticePoint point(std::uint32_t end) const { return tip(end).p; }
 
   const Nodes& nodes() const { return nodes_; }
   bool is_free(std::uint32_t end) const { return nodes_.degree(nodes_.of(end)) == 1; }

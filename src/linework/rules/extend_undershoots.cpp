@@ -26,10 +26,6 @@ constexpr double kTurnSine = 0.342, kTurnCosine = 0.94;
 
 Point2 between(LatticePoint from, LatticePoint to) { return {double(to.x) - from.x, double(to.y) - from.y}; }
 
-LatticePoint moved(LatticePoint p, Point2 by) {
-  return {p.x + static_cast<std::int32_t>(std::lround(by.x)), p.y + static_cast<std::int32_t>(std::lround(by.y))};
-}
-
 /// A free end and the possible extensions of its line.
 struct Undershoot {
   Point2 ahead;            ///< direction; its length is the longest extension
@@ -127,12 +123,8 @@ std::size_t extend_undershoots(LineMap& map, const UndershootLimits& limits, con
   for (const auto& [line_class, from, to, end] : extensions) {
     if (added.contains({to, from})) continue;
     added.emplace(from, to);
-    Stroke s = map.piece(end / 2);
-    s.from = from;
-    s.to = to;
-    (end % 2 == 0 ? s.z_to : s.z_from) = end % 2 == 0 ? s.z_from : s.z_to;
-    (end % 2 == 0 ? s.w_to : s.w_from) = end % 2 == 0 ? s.w_from : s.w_to;
-    map.add(s, end, kNone, make_source);
+    const StrokeTip tip = map.tip(end);
+    map.add(stroke_between(map.piece(end / 2), tip, {to, tip.z, tip.w}), end, kNone, make_source);
     ++count;
   }
   return count;

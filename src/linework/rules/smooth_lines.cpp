@@ -11,6 +11,7 @@
 #include "base/no_index.hpp"
 #include "geometry/point.hpp"
 #include "linework/map/continuations.hpp"
+#include "linework/stroke_geometry.hpp"
 
 namespace ligne {
 namespace {
@@ -59,10 +60,6 @@ std::vector<Point2> smoothed(const std::vector<Point2>& given, bool is_closed) {
   return places;
 }
 
-LatticePoint rounded(Point2 p) {
-  return {static_cast<std::int32_t>(std::lround(p.x)), static_cast<std::int32_t>(std::lround(p.y))};
-}
-
 LatticePoint& end_point(std::vector<Stroke>& strokes, std::uint32_t end) {
   return end % 2 == 0 ? strokes[end / 2].from : strokes[end / 2].to;
 }
@@ -95,11 +92,12 @@ std::size_t smooth_lines(StrokeModel& model, const std::function<bool(const Stro
     for (const std::uint32_t end : ends) add(end_point(strokes, end));
     if (!is_ring) add(end_point(strokes, ends.back() ^ 1));
     line = smoothed(line, is_ring);
+    const auto rounded = [&](std::size_t i) { return nearest_step(line[i].x, line[i].y); };
     for (std::size_t i = 0; i < ends.size(); ++i) {
-      const LatticePoint p = rounded(line[i]);
+      const LatticePoint p = rounded(i);
       moved += p != end_point(strokes, ends[i]);
       end_point(strokes, ends[i]) = p;
-      end_point(strokes, ends[i] ^ 1) = rounded(line[(i + 1) % line.size()]);
+      end_point(strokes, ends[i] ^ 1) = rounded((i + 1) % line.size());
     }
   };
   for_each_line(continuations(strokes, rough), LineOrder::strokes, smooth);

@@ -169,13 +169,8 @@ RimLines::RimLines(const Scene& scene, const FaceNeighbours& neighbours, const C
 
 std::optional<RimLines::Place> RimLines::nearest(std::uint32_t face, double distance, const Point3& p) const {
   double widest = 0;
-  const auto first =
-      std::lower_bound(rims_.begin(), rims_.end(), face, [](const Rim& r, std::uint32_t f) { return r.face < f; });
-  auto last = first;
-  for (; last != rims_.end() && last->face == face; ++last) widest = std::max(widest, last->distance);
-  const auto begin = static_cast<std::uint32_t>(first - rims_.begin()),
-             end = static_cast<std::uint32_t>(last - rims_.begin());
-  const auto of_face = [&](std::uint32_t rim, double) { return begin <= rim && rim < end; };
+  for (const Rim& rim : std::ranges::equal_range(rims_, face, {}, &Rim::face)) widest = std::max(widest, rim.distance);
+  const auto of_face = [&](std::uint32_t rim, double) { return rims_[rim].face == face; };
   const NearestPoint found = tree_.nearest(p, distance + widest, of_face);
   if (found.segment == kNone || found.distance > distance + rims_[found.segment].distance) return std::nullopt;
   return Place{found.segment, found.at};
@@ -193,17 +188,14 @@ void RimLines::add_piece(StrokeModel& model, std::vector<Stroke>& pieces, const 
   if (from > to) std::swap(from, to);
   const Rim& r = rims_[begin.rim];
   const Point3 a = scene_.vertices[r.v0], b = scene_.vertices[r.v1];
-  const HomogeneousPoint p = to_homogeneous(view, between(a, b, from)), q = to_homogeneous(view, between(a, b, to));
-  Stroke piece = stroke;
+  const auto tip_at = [&](double t) -> StrokeTip {
+    const HomogeneousPoint p = to_homogeneous(view, between(a, b, t));
+    return {model.lattice.snap({p.x / p.w, p.y / p.w}), static_cast<float>(p.z / p.w), static_cast<float>(p.w)};
+  };
+  Stroke piece = stroke_between(stroke, tip_at(from), tip_at(to));
+  if (piece.from == piece.to) return;
   piece.t_from = from;
   piece.t_to = to;
-  piece.from = model.lattice.snap({p.x / p.w, p.y / p.w});
-  piece.to = model.lattice.snap({q.x / q.w, q.y / q.w});
-  if (piece.from == piece.to) return;
-  piece.z_from = static_cast<float>(p.z / p.w);
-  piece.z_to = static_cast<float>(q.z / q.w);
-  piece.w_from = static_cast<float>(p.w);
-  piece.w_to = static_cast<float>(q.w);
   piece.source = model.edge_count + static_cast<std::uint32_t>(model.intersections.size());
   piece.line_class = line_class(r, view.camera);
   piece.needs_overlap_check = true;

@@ -30,10 +30,6 @@ struct Side {
   std::vector<StrokePart> free{{0, 1}};
 };
 
-LatticePoint moved(LatticePoint p, Point2 by) {
-  return {static_cast<std::int32_t>(std::lround(p.x + by.x)), static_cast<std::int32_t>(std::lround(p.y + by.y))};
-}
-
 /// Unit vector at right angles to from-to; zero for a point.
 Point2 across(LatticePoint from, LatticePoint to) {
   const Point2 d{double(to.x) - from.x, double(to.y) - from.y};
