@@ -25,6 +25,7 @@
 #include "geometry/simplify.hpp"
 #include "linework/map/continuations.hpp"
 #include "linework/overlaps/coincident_strokes.hpp"
+#include "linework/stroke_geometry.hpp"
 
 namespace ligne {
 namespace {
@@ -145,8 +146,7 @@ class JoinedStrokes {
   Polylines polylines() const;
 
  private:
-  LatticePoint point(std::uint32_t end) const { return end % 2 == 0 ? strokes_[end / 2].from : strokes_[end / 2].to; }
-  void set_partners(std::uint32_t a, std::uint32_t b) { partner_[a] = b, partner_[b] = a; }
+  LatticePoint point(std::uint32_t end) const { return tip(strokes_[end / 2], end).p; }
   void pair_ends(std::uint32_t node);
   void take_in_rings(std::uint32_t node);
   void lengthen_by_ring(std::uint32_t node, std::uint32_t pass);
@@ -167,7 +167,7 @@ void JoinedStrokes::pair_ends(std::uint32_t node) {
   std::uint32_t waiting = kNone;
   nodes_.for_each_end(node, [&](std::uint32_t e) {
     if (partner_[e] != kNone) return;
-    if (waiting != kNone) set_partners(e, waiting);
+    if (waiting != kNone) join_ends(partner_, e, waiting);
     waiting = waiting == kNone ? e : kNone;
   });
 }
@@ -182,8 +182,8 @@ void JoinedStrokes::take_in_rings(std::uint32_t node) {
     }
     const std::uint32_t a = chain_of_.find(base / 2), b = chain_of_.find(e / 2);
     if (a == b || !(is_ring_[a] || is_ring_[b])) return;
-    set_partners(partner_[base], partner_[e]);
-    set_partners(base, e);
+    join_ends(partner_, partner_[base], partner_[e]);
+    join_ends(partner_, base, e);
     chain_of_.join(a, b);
     is_ring_[chain_of_.find(a)] = is_ring_[a] && is_ring_[b];
   });
@@ -200,7 +200,7 @@ void JoinedStrokes::lengthen_by_ring(std::uint32_t node, std::uint32_t pass) {
   });
   if (loose == kNone) return;
   partner_[partner_[pass]] = kNone;
-  set_partners(pass, loose);
+  join_ends(partner_, pass, loose);
   chain_of_.join(ring, loose / 2);
   is_ring_[chain_of_.find(ring)] = 0;
 }
@@ -216,21 +216,14 @@ Polylines JoinedStrokes::polylines() const {
   return out;
 }
 
-void append(Polylines& out, std::span<const Point2> line, std::span<const std::uint32_t> kept) {
-  for (const std::uint32_t i : kept) out.points.push_back(line[i]);
-  out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
-}
-
 /// A line is closed over a gap only if it is longer than this multiple of the gap: it must go somewhere and come back.
 constexpr double kLoopLengths = 4;
 
 /// Nearest ends that are tried for each loose end. Adjustable.
 constexpr std::size_t kCandidates = 8;
 
-struct Pair {
-  double squared;
-  std::uint32_t a, b;  ///< loose ends, a < b
-};
+/// The square of the distance of two loose ends, and the ends, the lower one first.
+using Pair = std::tuple<double, std::uint32_t, std::uint32_t>;
 
 /// Pairs of loose ends within the tolerance, the nearest first. End 2 i is the first point of line i, end 2 i + 1 its
 /// last.
@@ -253,14 +246,13 @@ std::vector<Pair> near_pairs(const Polylines& lines, double tolerance_mm) {
       for (const NearestPoints::Neighbour& n : neighbours) {
         if (n.squared > tolerance_mm * tolerance_mm) break;
         if (n.point != e)
-          found[e].push_back({n.squared, std::min(ends[e], ends[n.point]), std::max(ends[e], ends[n.point])});
+          found[e].emplace_back(n.squared, std::min(ends[e], ends[n.point]), std::max(ends[e], ends[n.point]));
       }
     }
   });
   std::vector<Pair> pairs;
   for (const std::vector<Pair>& of_end : found) pairs.insert(pairs.end(), of_end.begin(), of_end.end());
-  const auto key = [](const Pair& p) { return std::tie(p.squared, p.a, p.b); };
-  std::sort(pairs.begin(), pairs.end(), [&](const Pair& l, const Pair& r) { return key(l) < key(r); });
+  std::ranges::sort(pairs);
   return pairs;
 }
 
@@ -269,11 +261,10 @@ std::vector<Pair> near_pairs(const Polylines& lines, double tolerance_mm) {
 Polylines join_near_ends(const Polylines& lines, double tolerance_mm) {
   if (!(tolerance_mm > 0)) return lines;
   std::vector<std::uint32_t> partner(2 * lines.size(), kNone);
-  for (const Pair& pair : near_pairs(lines, tolerance_mm)) {
-    if (partner[pair.a] != kNone || partner[pair.b] != kNone) continue;
-    if (pair.a / 2 == pair.b / 2 && path_length(lines[pair.a / 2]) <= kLoopLengths * std::sqrt(pair.squared)) continue;
-    partner[pair.a] = pair.b;
-    partner[pair.b] = pair.a;
+  for (const auto& [squared, a, b] : near_pairs(lines, tolerance_mm)) {
+    if (partner[a] != kNone || partner[b] != kNone) continue;
+    if (a / 2 == b / 2 && path_length(lines[a / 2]) <= kLoopLengths * std::sqrt(squared)) continue;
+    join_ends(partner, a, b);
   }
 
   Polylines out;
@@ -311,7 +302,9 @@ Polylines join_strokes(const Polylines& lines, const JoinTolerances& tolerances)
 
   Polylines out;
   for (std::size_t i = 0; i < joined.size(); ++i) {
-    append(out, joined[i], simplified(joined[i], tolerances.simplify_mm - early, tolerances.simplify_loss - early_loss));
+    const auto kept = simplified(joined[i], tolerances.simplify_mm - early, tolerances.simplify_loss - early_loss);
+    for (const std::uint32_t k : kept) out.points.push_back(joined[i][k]);
+    out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
   }
   for (const LatticePoint dot : snapped.dots) {
     out.points.insert(out.points.end(), 2, snapped.lattice.to_mm(dot));

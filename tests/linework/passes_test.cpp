@@ -14,18 +14,12 @@ using Ends = std::vector<std::uint32_t>;
 
 // The places where strokes end, against a map of all of them.
 
-/// Random strokes between places of a square, so many to a side.
-std::vector<Stroke> random_strokes(std::size_t count, std::uint32_t side) {
+/// By place, of random strokes in a square, so many places to a side. Every third stroke is left out.
+void expect_all_places(std::size_t count, std::uint32_t side) {
   std::mt19937 random(7);
   const auto coordinate = [&] { return static_cast<std::int32_t>(random() % side); };
   std::vector<Stroke> strokes(count);
   for (Stroke& s : strokes) s.from = {coordinate(), coordinate()}, s.to = {coordinate(), coordinate()};
-  return strokes;
-}
-
-/// By place, every third stroke left out.
-void expect_all_places(std::size_t count, std::uint32_t side) {
-  const std::vector<Stroke> strokes = random_strokes(count, side);
   std::vector<std::uint32_t> members;
   for (std::uint32_t i = 0; i < count; ++i)
     if (i % 3 != 0) members.push_back(i);
@@ -54,10 +48,8 @@ void expect_all_places(std::size_t count, std::uint32_t side) {
 }
 
 TEST(StrokeNodes, AllEndsAreVisitedPlaceByPlace) {
-  expect_all_places(0, 1);
-  expect_all_places(20, 3);
-  expect_all_places(30'000, 100);
-  expect_all_places(300'000, 400);
+  for (const auto& [count, side] : {std::pair(0u, 1u), {20, 3}, {30'000, 100}, {300'000, 400}})
+    expect_all_places(count, side);
 }
 
 std::vector<std::uint32_t> paired(const std::vector<LatticePoint>& directions,
@@ -82,8 +74,7 @@ std::vector<Ends> lines_of(const Ends& partner, LineOrder order) {
 TEST(Continuations, LinesBeginAtLooseEndsOrWithTheirLowestStrokes) {
   // Strokes 0 and 3 are a ring, strokes 4, 1 and 2 an open line: end 9 is loose, 8 continues 2, 3 continues 5, 4 is loose.
   Ends partner(10, kNone);
-  const auto pair = [&](std::uint32_t a, std::uint32_t b) { partner[a] = b, partner[b] = a; };
-  pair(1, 6), pair(7, 0), pair(8, 2), pair(3, 5);
+  for (const auto& [a, b] : {std::pair(1, 6), {7, 0}, {8, 2}, {3, 5}}) join_ends(partner, a, b);
   EXPECT_EQ(lines_of(partner, LineOrder::loose_ends), (std::vector<Ends>{{4, 3, 8}, {0, 6, kNone}}));
   EXPECT_EQ(lines_of(partner, LineOrder::strokes), (std::vector<Ends>{{0, 6, kNone}, {9, 2, 5}}));
   EXPECT_TRUE(lines_of({}, LineOrder::strokes).empty());

@@ -21,6 +21,12 @@ struct NodeArm {
 /// The arm of a stroke from a node at `p` to its other end.
 inline NodeArm arm_from(LatticePoint p, LatticePoint far, std::uint32_t end) { return {{far.x - p.x, far.y - p.y}, end}; }
 
+/// Makes two ends continue each other.
+inline void join_ends(std::span<std::uint32_t> partner, std::uint32_t a, std::uint32_t b) {
+  partner[a] = b;
+  partner[b] = a;
+}
+
 /// Pairs the arms of one node: partner[arm.end] becomes the other arm's end. Ends without a partner keep their value.
 /// Two arms are paired at any angle. Of more arms the straightest pair is taken first, then the straightest of the
 /// rest, up to a turn of 90 degrees; equal turns are ordered by the numbers of the ends. `arms` must be in the order of
