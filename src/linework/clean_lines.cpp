@@ -75,12 +75,12 @@ void apply_rules(LineMap& map, const CleanOptions& o, bool has_closed_gaps, cons
     report("isolated chains removed", remove_isolated_chains(map, o.object_of, isolated(kLoneInPens, 1)));
   }
   if (o.has_outlines) {
-    const UndershootLimits undershoots{kUndershootInGaps * gap_mm(o), kTouchingInPens * pen_mm};
+    const EndLimits undershoots{kUndershootInGaps * gap_mm(o), kTouchingInPens * pen_mm};
     report("ends led to the line before them", extend_undershoots(map, undershoots, o.make_source));
   }
   if (o.is_outline) {
-    const OutlineGapLimits missing{kFarInGaps * gap_mm(o), ink_mm, o.is_outline};
-    report("gaps of outlines closed", close_outlines(map, missing, o.make_source));
+    const GapLimits missing{gap_mm(o), kFarInGaps * gap_mm(o), ink_mm};
+    report("gaps of outlines closed", close_outlines(map, missing, o.is_outline, o.make_source));
   }
 }
 
@@ -92,7 +92,7 @@ CleanReport clean_lines(StrokeModel& model, const CleanOptions& options) {
   /// Side of the cells in which rules look for lines, in pen widths. Adjustable.
   constexpr double kCellInPens = 4;
   const double cell = kCellInPens * options.pen_mm / step, ink = kLineReachInPens * options.pen_mm / step;
-  const OvershootLimits overshoots{kOvershootInPens * options.pen_mm, kTouchingInPens * options.pen_mm};
+  const EndLimits overshoots{kOvershootInPens * options.pen_mm, kTouchingInPens * options.pen_mm};
   // Passes in which dangles go and their gaps are closed.
   const int settling = options.form_of || options.scan_of ? 2 : 1;
   bool is_clean = false;

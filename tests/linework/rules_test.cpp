@@ -86,14 +86,14 @@ std::size_t close(StrokeModel& m) {
   return apply_rule(
       m, 0,
       [&](LineMap& map) {
-        return close_outlines(map, {900, 50, is_outline}, no_source);
+        return close_outlines(map, {0, 900, 50}, is_outline, no_source);
       },
       50);
 }
 
 std::size_t lead_on(StrokeModel& m) {
   return apply_rule(
-      m, 1, [](LineMap& map) { return extend_undershoots(map, {.reach_mm = 20, .touching_mm = 1}, no_source); }, 1);
+      m, 1, [](LineMap& map) { return extend_undershoots(map, {.longest_mm = 20, .touching_mm = 1}, no_source); }, 1);
 }
 
 /// Every source runs from x = 0 to x = 100, so that what is shorter was cut off by visibility.

@@ -22,10 +22,7 @@ void pair_ends(const LineMap& map, std::uint32_t node, std::vector<std::uint32_t
   if (second != kNone) {  // the only pair
     const Stroke &s = map.piece(first / 2), &t = map.piece(second / 2);
     if (!is_edge(s) || !is_edge(t)) return;
-    std::vector<std::uint32_t>& partner = s.line_class == t.line_class ? same : other;
-    partner[first] = second;
-    partner[second] = first;
-    return;
+    return join_ends(s.line_class == t.line_class ? same : other, first, second);
   }
   std::vector<NodeArm> arms, group;  // those of the edges, in the order of their ends
   nodes.for_each_end(node, [&](std::uint32_t end) {
@@ -42,8 +39,29 @@ void pair_ends(const LineMap& map, std::uint32_t node, std::vector<std::uint32_t
   pair_arms(arms, other);
 }
 
-/// Factor above the rounding errors of a sum of lengths.
-constexpr double kLengthRounding = 1 + 0x1p-20;
+/// The ends at which the pieces of a line begin, from an end on: next(e) continues end e. Empty if it is longer than `most`.
+template <class Next>
+std::vector<std::uint32_t> ends_from(const LineMap& map, std::uint32_t end, double most, const Next& next) {
+  constexpr double kLengthRounding = 1 + 0x1p-20;  // factor above the rounding errors of a sum of lengths
+  std::vector<std::uint32_t> ends;
+  for (double length = 0; end != kNone; end = next(end ^ 1)) {
+    ends.push_back(end);
+    length += page_length(map.piece(end / 2));
+    if (length > kLengthRounding * most) return {};
+  }
+  return ends;
+}
+
+/// A line without its junctions. Lengths are added in the order of the pieces, so that both of its ends give the same sum.
+Arcs::Arc line_of(const LineMap& map, std::span<const std::uint32_t> ends) {
+  Arcs::Arc line;
+  line.ends.assign(ends.begin(), ends.end());
+  line.pieces.reserve(ends.size());
+  for (const std::uint32_t end : ends) line.pieces.push_back(end / 2);
+  std::ranges::sort(line.pieces);
+  for (const std::uint32_t p : line.pieces) line.length += page_length(map.piece(p));
+  return line;
+}
 
 }  // namespace
 
@@ -105,14 +123,9 @@ std::uint32_t Arcs::next(std::uint32_t end) const {
 
 template <class IsContinued>
 Arcs::Arc Arcs::arc_of(std::span<const std::uint32_t> ends, const IsContinued& continued) const {
-  Arc arc;
-  arc.ends.assign(ends.begin(), ends.end());
-  arc.pieces.reserve(ends.size());
-  for (const std::uint32_t end : ends) arc.pieces.push_back(end / 2);
-  std::ranges::sort(arc.pieces);
+  Arc arc = line_of(map_, ends);
   arc.junctions.reserve(2);
   for (const std::uint32_t p : arc.pieces) {
-    arc.length += page_length(map_.piece(p));
     for (const std::uint32_t end : {2 * p, 2 * p + 1}) {
       if (!continued(end)) arc.junctions.push_back(junction_of_[end]);
     }
@@ -133,13 +146,8 @@ std::vector<Arcs::Arc> Arcs::find() const {
 }
 
 Arcs::Arc Arcs::from(std::uint32_t end, double most) const {
-  std::vector<std::uint32_t> ends;
-  double length = 0;
-  for (; end != kNone; end = next(end ^ 1)) {
-    ends.push_back(end);
-    length += page_length(map_.piece(end / 2));
-    if (length > kLengthRounding * most) return {};
-  }
+  const std::vector<std::uint32_t> ends = ends_from(map_, end, most, [&](std::uint32_t e) { return next(e); });
+  if (ends.empty()) return {};
   return arc_of(ends, [&](std::uint32_t e) { return e != ends.front() && e != (ends.back() ^ 1); });
 }
 
@@ -151,19 +159,8 @@ void Arcs::take_away(const Arc& arc) {
   }
 }
 
-FreeChain chain_from(const LineMap& map, std::uint32_t free_end, double most) {
-  FreeChain chain;
-  double length = 0;
-  for (std::uint32_t end = free_end; end != kNone; end = map.next(end ^ 1)) {
-    chain.pieces.push_back(end / 2);
-    chain.far_end = end ^ 1;
-    length += page_length(map.piece(end / 2));
-    if (length > kLengthRounding * most) return {};
-  }
-  // Lengths are added in the order of the pieces, so that both ends of a chain give the same sum.
-  std::ranges::sort(chain.pieces);
-  for (const std::uint32_t p : chain.pieces) chain.length += page_length(map.piece(p));
-  return chain;
+Arcs::Arc chain_from(const LineMap& map, std::uint32_t free_end, double most) {
+  return line_of(map, ends_from(map, free_end, most, [&](std::uint32_t e) { return map.next(e); }));
 }
 
 }  // namespace ligne

@@ -46,8 +46,6 @@ class Arcs {
   };
 
   static constexpr double kAnyLength = std::numeric_limits<double>::infinity();
-  /// No contact is within this reach.
-  static constexpr double kNoContacts = -1;
 
   /// O(n).
   Arcs(const LineMap& map, double reach);
@@ -80,14 +78,7 @@ class Arcs {
   std::vector<std::uint8_t> is_left_;                  ///< by piece
 };
 
-/// The pieces of the chain that begins at a free end, ascending, and its length.
-struct FreeChain {
-  std::vector<std::uint32_t> pieces{};
-  double length = 0;              ///< lattice steps
-  std::uint32_t far_end = kNone;  ///< the end of its last piece
-};
-
-/// Follows a chain from a free end of a living piece. Empty if it is longer than `most`.
-FreeChain chain_from(const LineMap& map, std::uint32_t free_end, double most = Arcs::kAnyLength);
+/// The chain that begins at a free end of a living piece, without its junctions. Empty if it is longer than `most`.
+Arcs::Arc chain_from(const LineMap& map, std::uint32_t free_end, double most = Arcs::kAnyLength);
 
 }  // namespace ligne

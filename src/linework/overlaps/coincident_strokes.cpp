@@ -190,9 +190,7 @@ std::vector<Stroke> without_overlaps(const std::vector<Stroke>& strokes, const O
 }  // namespace
 
 std::vector<Stroke> rests_of(const Stroke& stroke, std::vector<CoveredPart>& covered, double tolerance_steps) {
-  std::sort(covered.begin(), covered.end(), [](const CoveredPart& l, const CoveredPart& r) {
-    return std::tie(l.from.fraction, l.to.fraction) < std::tie(r.from.fraction, r.to.fraction);
-  });
+  std::ranges::sort(covered, {}, [](const CoveredPart& part) { return std::tuple(part.from.fraction, part.to.fraction); });
   const double stroke_length = page_length(stroke);
   std::vector<Stroke> rests;
   StrokeCut from{0, stroke.from};

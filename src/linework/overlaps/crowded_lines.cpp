@@ -53,12 +53,8 @@ struct PlacedStroke {
   }
 };
 
-/// A stroke in its bucket.
-struct Filed {
-  LineKey key;
-  std::uint32_t stroke;
-  auto operator<=>(const Filed&) const = default;
-};
+/// A stroke in its bucket, by its number.
+using Filed = std::pair<LineKey, std::uint32_t>;
 
 /// The strokes that need a check, by bucket.
 std::vector<Filed> filed_by_line(const std::vector<Stroke>& strokes, double tolerance_steps) {
@@ -115,10 +111,10 @@ std::vector<CoveredPart> CoveredLine::add(const Stroke& stroke, const PlacedStro
 std::vector<CutStroke> thin_line(const std::vector<Stroke>& strokes, std::span<const Filed> bucket,
                                  const OverlapTolerance& tolerance) {
   std::vector<std::pair<PrecedenceKey, std::uint32_t>> order;
-  for (const Filed& filed : bucket) {
-    const Stroke& s = strokes[filed.stroke];
+  for (const auto& [bucket_key, number] : bucket) {
+    const Stroke& s = strokes[number];
     const PlacedStroke p(s, tolerance.steps);
-    order.emplace_back(precedence_key(s, (p.middle - p.u_from) / (p.u_to - p.u_from), tolerance.mm), filed.stroke);
+    order.emplace_back(precedence_key(s, (p.middle - p.u_from) / (p.u_to - p.u_from), tolerance.mm), number);
   }
   std::ranges::sort(order);
   CoveredLine line(tolerance.steps);
@@ -137,7 +133,7 @@ std::vector<CutStroke> thin_crowded_lines(const std::vector<Stroke>& strokes, co
   const std::vector<Filed> filed = filed_by_line(strokes, tolerance.steps);
   std::vector<CutStroke> cut;
   for (std::size_t begin = 0, end = 0; begin < filed.size(); begin = end) {
-    while (end < filed.size() && filed[end].key == filed[begin].key) ++end;
+    while (end < filed.size() && filed[end].first == filed[begin].first) ++end;
     if (end - begin <= kFew) continue;
     std::ranges::move(thin_line(strokes, std::span(filed).subspan(begin, end - begin), tolerance), std::back_inserter(cut));
   }

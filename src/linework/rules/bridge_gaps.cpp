@@ -39,9 +39,6 @@ constexpr double kAbout = 1 + 0x1p-40;
 constexpr double kOwnLineInBridges = 2;
 /// Parts at both ends of a bridge of outlines that may lie beside other lines, in clear distances.
 constexpr double kMeetingInClears = 2;
-/// Adjustable. Number of ends up to which each looks at all lines within reach, which takes less time than to make a tree of
-/// their ends.
-constexpr std::size_t kFewEnds = 16;
 /// Least cosine of the turn from an outline into its bridge: 120 degrees. Outlines that end side by side are not joined.
 constexpr double kLeastBridgeCosine = -0.5;
 
@@ -52,16 +49,7 @@ struct Bridge {
 };
 
 Stroke stroke_of(const LineMap& map, const Bridge& bridge) {
-  const Stroke &s = map.piece(bridge.from / 2), &t = map.piece(bridge.to / 2);
-  const bool at_s_from = bridge.from % 2 == 0, at_t_from = bridge.to % 2 == 0;
-  Stroke stroke = map.piece(bridge.like / 2);
-  stroke.from = map.point(bridge.from);
-  stroke.to = map.point(bridge.to);
-  stroke.z_from = at_s_from ? s.z_from : s.z_to;
-  stroke.z_to = at_t_from ? t.z_from : t.z_to;
-  stroke.w_from = at_s_from ? s.w_from : s.w_to;
-  stroke.w_to = at_t_from ? t.w_from : t.w_to;
-  return stroke;
+  return stroke_between(map.piece(bridge.like / 2), map.tip(bridge.from), map.tip(bridge.to));
 }
 
 /// Whether a line within `clear` lattice steps blocks a stroke. The pieces of `own` do not.
@@ -69,13 +57,6 @@ bool is_blocked(LineMap& map, const Stroke& stroke, double clear, const std::vec
   return map.near(stroke.from, stroke.to, clear, [&](std::uint32_t p) {
     return std::ranges::find(own, p) == own.end() && !part_near(stroke, map.piece(p), clear).empty();
   });
-}
-
-PointTree<2> tree_of(const LineMap& map, const std::vector<std::uint32_t>& ends) {
-  std::vector<TreePoint<2>> points;
-  points.reserve(ends.size());
-  for (const std::uint32_t end : ends) points.push_back({map.point(end).x, map.point(end).y});
-  return PointTree<2>(points);
 }
 
 /// A free end of an edge.
@@ -91,18 +72,18 @@ class OpenEnds {
  public:
   OpenEnds(const LineMap& map, double gap, double wide) : map_(map), gap_(gap), wide_(wide) {
     const double most = std::max(kRingInGaps * gap, std::max(kLongInFar, kLongInGaps) * wide);
-    std::vector<std::uint32_t> numbers;
+    std::vector<TreePoint<2>> points;
     for (std::uint32_t end = 0; end < 2 * map.piece_count(); ++end) {
       if (!map.is_alive(end / 2) || !is_feature(map.piece(end / 2)) || !map.is_free(end)) continue;
       const Stroke& s = map.stroke_of(end / 2);
       const LatticePoint start = end % 2 == 0 ? s.to : s.from, p = map.point(end);
-      const FreeChain chain = chain_from(map, end, most);
+      const Arcs::Arc chain = chain_from(map, end, most);
       const bool is_long = chain.pieces.empty();
       ends_.push_back({end, p, double(p.x) - start.x, double(p.y) - start.y, page_length(s),
                        is_long ? Arcs::kAnyLength : chain.length, is_long ? kNone : chain.pieces.front()});
-      numbers.push_back(end);
+      points.push_back({p.x, p.y});
     }
-    tree_ = tree_of(map, numbers);
+    tree_ = PointTree<2>(points);
   }
 
   /// Bridges between ends that are each other's nearest.
@@ -188,27 +169,19 @@ class OpenEnds {
 
 class OutlineGaps {
  public:
-  OutlineGaps(LineMap& map, const OutlineGapLimits& limits)
-      : map_(map), limits_(limits), wide_(limits.wide_mm / map.step_mm()), clear_(limits.clear_mm / map.step_mm()) {
-    for (std::uint32_t end = 0; end < 2 * map.piece_count(); ++end) {
-      if (map.is_alive(end / 2) && map.piece(end / 2).line_class == LineClass::outline) ends_.push_back(end);
-    }
-  }
+  OutlineGaps(LineMap& map, const GapLimits& limits, const IsOutline& is_outline)
+      : map_(map), runs_along_(is_outline), wide_(limits.wide_mm / map.step_mm()), clear_(limits.clear_mm / map.step_mm()) {}
 
   /// The bridges from free ends to their nearest ends along missing outlines, the shortest first.
   std::vector<Bridge> bridges() {
     std::vector<Bridge> found;
-    std::vector<std::uint32_t> free_ends;
-    for (const std::uint32_t end : ends_) {
-      if (map_.is_free(end) && !touches(end)) free_ends.push_back(end);
-    }
-    if (free_ends.size() > kFewEnds) tree_ = tree_of(map_, ends_);
-    for (const std::uint32_t end : free_ends) {
+    for (std::uint32_t end = 0; end < 2 * map_.piece_count(); ++end) {
+      if (!map_.is_alive(end / 2) || !is_outline(end / 2) || !map_.is_free(end) || touches(end)) continue;
       const Bridge bridge = nearest(end);
       if (bridge.to == kNone || turns_back(end, bridge.to)) continue;
       const bool is_free = map_.is_free(bridge.to);
       if (is_free && turns_back(bridge.to, end)) continue;
-      if (limits_.is_outline(mm(end), mm(bridge.to), !is_free) && is_clear(bridge)) found.push_back(bridge);
+      if (runs_along_(mm(end), mm(bridge.to), !is_free) && is_clear(bridge)) found.push_back(bridge);
     }
     const auto key = [&](const Bridge& b) { return std::tuple(b.length, map_.point(b.from), map_.point(b.to)); };
     std::ranges::sort(found, {}, key);
@@ -216,13 +189,11 @@ class OutlineGaps {
   }
 
  private:
+  bool is_outline(std::uint32_t piece) const { return map_.piece(piece).line_class == LineClass::outline; }
   Point2 mm(std::uint32_t end) const { return map_.to_mm(map_.point(end)); }
 
   /// Order of the ends that are equally far away.
-  std::pair<LatticePoint, float> key_of(std::uint32_t end) const {
-    const Stroke& s = map_.piece(end / 2);
-    return {map_.point(end), end % 2 == 0 ? s.z_from : s.z_to};
-  }
+  std::pair<LatticePoint, float> key_of(std::uint32_t end) const { return {map_.point(end), map_.tip(end).z}; }
 
   std::vector<std::uint32_t> own_line(std::uint32_t end) const {
     std::vector<std::uint32_t> own = map_.line_back(end, kOwnLineInBridges * wide_);
@@ -250,22 +221,15 @@ class OutlineGaps {
     const std::vector<std::uint32_t> own = own_line(end);
     const LatticePoint p = map_.point(end);
     Bridge best{end, kNone, end, wide_};
-    const auto take = [&](std::uint32_t other) {
-      const double away = length(p, map_.point(other));
-      if (away > best.length || std::ranges::binary_search(own, other / 2)) return;
-      if (away < best.length || best.to == kNone || key_of(other) < key_of(best.to)) best = {end, other, end, away};
-    };
-    if (tree_.node_count() == 0) {
-      map_.near(p, p, wide_, [&](std::uint32_t piece) {
-        if (map_.piece(piece).line_class != LineClass::outline) return false;
-        take(2 * piece);
-        take(2 * piece + 1);
-        return false;
-      });
-      return best;
-    }
-    const auto enter = [&](std::uint32_t, double squared) { return squared <= best.length * best.length; };
-    tree_.search_from(p, enter, [&](std::uint32_t place) { take(ends_[tree_.order()[place]]); });
+    map_.near(p, p, wide_, [&](std::uint32_t piece) {
+      if (!is_outline(piece) || std::ranges::binary_search(own, piece)) return false;
+      for (const std::uint32_t other : {2 * piece, 2 * piece + 1}) {
+        const double away = length(p, map_.point(other));
+        if (away > best.length) continue;
+        if (away < best.length || best.to == kNone || key_of(other) < key_of(best.to)) best = {end, other, end, away};
+      }
+      return false;
+    });
     return best;
   }
 
@@ -281,10 +245,8 @@ class OutlineGaps {
   }
 
   LineMap& map_;
-  const OutlineGapLimits& limits_;
+  const IsOutline& runs_along_;
   double wide_, clear_;
-  std::vector<std::uint32_t> ends_;
-  PointTree<2> tree_;  ///< of ends_; empty where few of them look for others
 };
 
 }  // namespace
@@ -309,10 +271,10 @@ std::size_t bridge_gaps(LineMap& map, const GapLimits& limits, const MakeSource&
   return count;
 }
 
-std::size_t close_outlines(LineMap& map, const OutlineGapLimits& limits, const MakeSource& make_source) {
-  if (!limits.is_outline) return 0;
+std::size_t close_outlines(LineMap& map, const GapLimits& limits, const IsOutline& is_outline,
+                           const MakeSource& make_source) {
   std::size_t count = 0;
-  for (const Bridge& bridge : OutlineGaps(map, limits).bridges()) {
+  for (const Bridge& bridge : OutlineGaps(map, limits, is_outline).bridges()) {
     if (!map.is_free(bridge.from)) continue;  // another bridge leads there
     map.add(stroke_of(map, bridge), bridge.from, bridge.to, make_source);
     ++count;

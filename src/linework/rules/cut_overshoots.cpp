@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/no_index.hpp"
+#include "linework/map/line_groups.hpp"
 #include "linework/rules/rules.hpp"
 #include "linework/stroke_geometry.hpp"
 
@@ -22,7 +23,7 @@ struct Overshoot {
 
 class OvershootFinder {
  public:
-  OvershootFinder(LineMap& map, const OvershootLimits& limits)
+  OvershootFinder(LineMap& map, const EndLimits& limits)
       : map_(map),
         longest_(limits.longest_mm / map.step_mm()),
         touching_(limits.touching_mm / map.step_mm()),
@@ -49,7 +50,8 @@ class OvershootFinder {
   std::uint32_t next(std::uint32_t end) const { return is_met(end) ? kNone : map_.next(end); }
 
   std::optional<Overshoot> behind_crossing(std::uint32_t end) {
-    const double longest = std::min(longest_, line_length(end) / 2);
+    const Arcs::Arc chain = chain_from(map_, end, 2 * longest_);
+    const double longest = chain.pieces.empty() ? longest_ : std::min(longest_, chain.length / 2);
     Overshoot found{end, {}, end, {}, 0};
     std::uint32_t crossed = kNone;
     for (double passed = 0; found.last != kNone && passed < longest; found.last = next(found.last ^ 1)) {
@@ -68,13 +70,6 @@ class OvershootFinder {
     // An end at a crossing was led there, and is rounded.
     if (crossed == kNone || found.length <= touching_ || ends_sooner(crossed, found)) return {};
     return found;
-  }
-
-  /// Length of the line that ends at `end`, measured up to twice the longest overshoot.
-  double line_length(std::uint32_t end) const {
-    double length = 0;
-    for (const std::uint32_t piece : map_.line_back(end, 2 * longest_)) length += page_length(map_.piece(piece));
-    return length;
   }
 
   /// The fraction of a stroke at which another piece crosses it, inside both.
@@ -105,7 +100,7 @@ class OvershootFinder {
 
 }  // namespace
 
-std::size_t cut_overshoots(LineMap& map, const OvershootLimits& limits) {
+std::size_t cut_overshoots(LineMap& map, const EndLimits& limits) {
   std::vector<std::uint8_t> is_cut(map.piece_count(), 0);
   std::size_t count = 0;
   for (const auto& [end, tail, last, place, length] : OvershootFinder(map, limits).find()) {

@@ -65,9 +65,9 @@ void lead_to(Undershoot& end, LatticePoint p, const Stroke& s) {
 
 class UndershootFinder {
  public:
-  UndershootFinder(LineMap& map, const UndershootLimits& limits)
+  UndershootFinder(LineMap& map, const EndLimits& limits)
       : map_(map),
-        reach_(limits.reach_mm / map.step_mm()),
+        reach_(limits.longest_mm / map.step_mm()),
         touching_(limits.touching_mm / map.step_mm()),
         arcs_(map, touching_) {}
 
@@ -108,7 +108,7 @@ class UndershootFinder {
 
 }  // namespace
 
-std::size_t extend_undershoots(LineMap& map, const UndershootLimits& limits, const MakeSource& make_source) {
+std::size_t extend_undershoots(LineMap& map, const EndLimits& limits, const MakeSource& make_source) {
   UndershootFinder finder(map, limits);
   using Extension = std::tuple<LineClass, LatticePoint, LatticePoint, std::uint32_t>;  // from, to, and the end
   std::vector<Extension> extensions;

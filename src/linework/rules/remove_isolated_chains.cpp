@@ -80,22 +80,19 @@ std::size_t remove_isolated_chains(LineMap& map, const BodyOf& body_of, const Is
   }
   std::vector<std::uint32_t> number(nodes.end_count(), kNone);  // by the node that stands for a cluster
   std::vector<Cluster> clusters;
-  for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
-    if (!map.is_alive(p)) continue;
-    std::uint32_t& n = number[sets.find(nodes.of(2 * p))];
-    if (n != kNone) continue;
-    n = static_cast<std::uint32_t>(clusters.size());
-    clusters.emplace_back();
-  }
-  const auto cluster_of = [&](std::uint32_t p) -> Cluster& { return clusters[number[sets.find(nodes.of(2 * p))]]; };
-  for (const std::uint32_t node : in_rings) clusters[number[sets.find(node)]].has_ring = true;
+  const auto cluster_at = [&](std::uint32_t node) -> Cluster& {
+    std::uint32_t& n = number[sets.find(node)];
+    if (n == kNone) n = static_cast<std::uint32_t>(clusters.size()), clusters.emplace_back();
+    return clusters[n];
+  };
+  for (const std::uint32_t node : in_rings) cluster_at(node).has_ring = true;
   // How many times as large a cluster may be whose points lie on one line.
   const auto times_of = [&](const Cluster& cluster) { return cluster.has_ring ? kRingTimes : limits.straight_times; };
   const std::vector<std::uint32_t> bodies = bodies_of(map, body_of);
   const std::vector<double> extents = body_extents(map, bodies);
   for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
     if (!map.is_alive(p)) continue;
-    Cluster& cluster = cluster_of(p);
+    Cluster& cluster = cluster_at(nodes.of(2 * p));
     const std::uint32_t body = is_feature(map.piece(p)) ? bodies[p] : kNone;
     const double longest = body == kNone ? 0 : longest_of(limits, body, extents[body], map.step_mm());
     cluster.longest = std::min(cluster.longest, longest);
@@ -114,7 +111,7 @@ std::size_t remove_isolated_chains(LineMap& map, const BodyOf& body_of, const Is
     removed += cluster.is_removed;
   }
   for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
-    if (map.is_alive(p) && cluster_of(p).is_removed) map.remove(p);
+    if (map.is_alive(p) && cluster_at(nodes.of(2 * p)).is_removed) map.remove(p);
   }
   return removed;
 }

@@ -33,15 +33,11 @@ struct GapLimits {
 /// for each bridge. O(n log n).
 std::size_t bridge_gaps(LineMap& map, const GapLimits& limits, const MakeSource& make_source);
 
-struct OutlineGapLimits {
-  double wide_mm = 0;   ///< longest bridge
-  double clear_mm = 0;  ///< least distance of other lines from the middle of a bridge
-  IsOutline is_outline;
-};
 /// close_outlines: joins a free end of an outline to the nearest end of another outline if an outline of a body runs between
 /// the two. Where that other end is not free, the outline must have the direction of the bridge. Adds one stroke for each
-/// bridge. O(n log n).
-std::size_t close_outlines(LineMap& map, const OutlineGapLimits& limits, const MakeSource& make_source);
+/// bridge of up to `wide_mm`, from the middle of which other lines are `clear_mm` away. O(n log n).
+std::size_t close_outlines(LineMap& map, const GapLimits& limits, const IsOutline& is_outline,
+                           const MakeSource& make_source);
 
 struct DangleLimits {
   double longest_mm = 0;              ///< longest dangle
@@ -88,22 +84,18 @@ struct IsolatedLimits {
 /// cluster. Clusters with rings stay unless all their points lie on one line.
 std::size_t remove_isolated_chains(LineMap& map, const BodyOf& body_of, const IsolatedLimits& limits);
 
-struct UndershootLimits {
-  double reach_mm = 0;     ///< longest extension of a line
+struct EndLimits {
+  double longest_mm = 0;   ///< longest extension of a line, or longest part that is removed
   double touching_mm = 0;  ///< lines meet within this distance
 };
 /// extend_undershoots: extends a free end straight ahead to the next line. If there is none, extends it to the nearest
 /// point of a line in a wedge of 20 degrees to either side, so that no line ends beside one of nearly its direction.
 /// The line must be several times as long as the extension. Adds one stroke for each end.
-std::size_t extend_undershoots(LineMap& map, const UndershootLimits& limits, const MakeSource& make_source);
+std::size_t extend_undershoots(LineMap& map, const EndLimits& limits, const MakeSource& make_source);
 
-struct OvershootLimits {
-  double longest_mm = 0;   ///< longest part behind a crossing that is removed
-  double touching_mm = 0;  ///< lines meet within this distance
-};
 /// cut_overshoots: cuts lines with a free end where they cross another line, if they end soon behind it: no two lines of
 /// surfaces cross each other in sight. Of two lines that end behind their crossing the shorter end is cut.
-std::size_t cut_overshoots(LineMap& map, const OvershootLimits& limits);
+std::size_t cut_overshoots(LineMap& map, const EndLimits& limits);
 
 /// smooth_lines: smooths the lines of the strokes for which is_rough() holds. The vertices of a scan lie on both sides of a
 /// ridge, so the edges along it zigzag. A point moves if exactly two strokes meet there, both rough and of equal visibility.

@@ -21,14 +21,6 @@ std::uint32_t class_donor(const Runs& runs, std::uint32_t run, double least) {
   return run;
 }
 
-/// Returns the fraction of a piece that no part covers. Unites the parts.
-double uncovered(std::vector<StrokePart>& parts) {
-  unite(parts);
-  double covered = 0;
-  for (const StrokePart& part : parts) covered += part.to - part.from;
-  return 1 - covered;
-}
-
 }  // namespace
 
 std::size_t merge_short_runs(LineMap& map, double least_mm) {
@@ -50,17 +42,18 @@ std::size_t remove_short_bits(LineMap& map, double least_mm) {
   const auto is_cut = [&](std::uint32_t end) {
     return end % 2 == 0 ? map.piece(end / 2).t_from > 0 : map.piece(end / 2).t_to < 1;
   };
-  const auto all = [&](const FreeChain& chain, const auto& holds) {
+  const auto all = [&](const Arcs::Arc& chain, const auto& holds) {
     return std::ranges::all_of(chain.pieces, [&](std::uint32_t p) { return holds(map.piece(p)); });
   };
   const auto is_intersection = [](const Stroke& s) { return s.line_class == LineClass::intersection; };
   std::size_t removed = 0;
   for (std::uint32_t end = 0; end < 2 * map.piece_count(); ++end) {
     if (!map.is_alive(end / 2) || !map.is_free(end)) continue;
-    const FreeChain chain = chain_from(map, end, least);
-    const bool is_loose = chain.far_end != kNone && map.is_free(chain.far_end);
-    if (!is_loose || chain.length >= least || !all(chain, is_edge)) continue;
-    if (!is_cut(end) && !is_cut(chain.far_end) && !all(chain, is_intersection)) continue;
+    const Arcs::Arc chain = chain_from(map, end, least);
+    if (chain.ends.empty() || chain.length >= least) continue;
+    const std::uint32_t far = chain.ends.back() ^ 1;
+    if (!map.is_free(far) || !all(chain, is_edge)) continue;
+    if (!is_cut(end) && !is_cut(far) && !all(chain, is_intersection)) continue;
     for (const std::uint32_t p : chain.pieces) map.remove(p);
     ++removed;
   }
@@ -89,7 +82,10 @@ std::size_t remove_overdrawn_runs(LineMap& map, const OverdrawLimits& limits) {
     });
     is_given[runs.of(p)] |= !bit.is_joint;
     touches[runs.of(p)] |= !covered.empty();
-    shown[runs.of(p)] += uncovered(covered) * page_length(bit);
+    unite(covered);
+    double hidden = 0;  // as a fraction
+    for (const StrokePart& part : covered) hidden += part.to - part.from;
+    shown[runs.of(p)] += (1 - hidden) * page_length(bit);
   }
   std::size_t removed = 0;
   for (const std::uint32_t b : bits) {
