@@ -93,9 +93,8 @@ VisibilityResult edge_visibility(const ProjectedScene& scene, const VisibilityOp
 
   // 3. Intersections.
   std::vector<Intersection> intersections;
-  if (scene.with_intersections) {
+  if (scene.with_intersections)
     intersections = find_intersections(scene, facets.facets, grid, of_grid.margin_steps, facets.joined);
-  }
   statistics.time("intersections", clock.lap());
 
   // 4. Lines.
