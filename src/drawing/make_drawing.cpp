@@ -22,7 +22,6 @@
 namespace ligne {
 namespace {
 
-constexpr std::size_t kLayerCount = kStrokeLayerCount;
 constexpr std::size_t kHiddenLayer = 0, kTransparentLayer = 1, kProfileLayer = kStrokeLayerCount - 1;
 
 std::size_t layer_of(const Stroke& stroke) { return stroke_layer(stroke.line_class, stroke.visible, stroke.level); }
@@ -85,19 +84,19 @@ std::string_view stroke_layer_name(std::size_t layer) {
 }
 
 Drawing make_drawing(const StrokeModel& model) {
-  std::array<std::vector<std::uint32_t>, kLayerCount> members;
+  std::array<std::vector<std::uint32_t>, kStrokeLayerCount> members;
   for (std::uint32_t i = 0; i < model.strokes.size(); ++i) {
     const Stroke& s = model.strokes[i];
     if (s.from != s.to) members[layer_of(s)].push_back(i);
   }
 
-  std::array<Polylines, kLayerCount> lines;
-  parallel_for(kLayerCount, [&](std::size_t l) {
+  std::array<Polylines, kStrokeLayerCount> lines;
+  parallel_for(kStrokeLayerCount, [&](std::size_t l) {
     if (!members[l].empty()) lines[l] = polylines_of(model, members[l]);
   });
 
   Drawing drawing;
-  for (std::size_t l = 0; l < kLayerCount; ++l) {
+  for (std::size_t l = 0; l < kStrokeLayerCount; ++l) {
     if (lines[l].size() > 0) drawing.layers.push_back({std::string(stroke_layer_name(l)), std::move(lines[l])});
   }
   return drawing;

@@ -169,7 +169,8 @@ RimLines::RimLines(const Scene& scene, const FaceNeighbours& neighbours, const C
 
 std::optional<RimLines::Place> RimLines::nearest(std::uint32_t face, double distance, const Point3& p) const {
   double widest = 0;
-  for (const Rim& rim : std::ranges::equal_range(rims_, face, {}, &Rim::face)) widest = std::max(widest, rim.distance);
+  const auto first = std::ranges::lower_bound(rims_, face, {}, &Rim::face);
+  for (auto rim = first; rim != rims_.end() && rim->face == face; ++rim) widest = std::max(widest, rim->distance);
   const auto of_face = [&](std::uint32_t rim, double) { return rims_[rim].face == face; };
   const NearestPoint found = tree_.nearest(p, distance + widest, of_face);
   if (found.segment == kNone || found.distance > distance + rims_[found.segment].distance) return std::nullopt;

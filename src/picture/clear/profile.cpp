@@ -142,7 +142,7 @@ void draw_profiles(StrokeModel& model, const ProjectedScene& projected, const Sc
     }
     // A ring begins at a change, so that no run is cut in two.
     const auto change = std::ranges::adjacent_find(bits, std::ranges::not_equal_to{}, &Bit::free);
-    if (arc.junctions.empty() && change != bits.end()) std::ranges::rotate(bits, change + 1);
+    if (arc.junctions.empty() && change != bits.end()) std::rotate(bits.begin(), change + 1, bits.end());
     drop_short_runs(bits, std::max(kShortestInPens * style.pen_width_mm, kShortestOff * off_mm) / step);
     std::copy_if(bits.begin(), bits.end(), std::back_inserter(profiles), [](const Bit& bit) { return bit.free; });
   }
